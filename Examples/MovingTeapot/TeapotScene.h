@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What stands in the picture: a closed room with a lamp under its ceiling, a head on a plinth, and
+ * a teapot. Lengths in m, z up, the middle of the floor is the origin, one looks in along +y.
+ */
+#ifndef TeapotScene_h
+#define TeapotScene_h
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkPolyData;
+
+namespace movingteapot
+{
+
+struct SceneConfig
+{
+  double CellSize = 0.045; // edge of the cells of walls and plinth, m
+  int TeapotSegments = 10; // cuts along each edge of the teapot's patches
+  std::string HeadFile;    // empty: the plinth stays empty
+  std::string TeapotFile;  // empty: the Utah teapot
+};
+
+struct TeapotScene
+{
+  vtkSmartPointer<vtkPolyData> Room;
+  vtkSmartPointer<vtkPolyData> Lamp; // with RadiantExitance, W/m2
+  vtkSmartPointer<vtkPolyData> Plinth;
+  vtkSmartPointer<vtkPolyData> Head;   // null without a head
+  vtkSmartPointer<vtkPolyData> Teapot; // in its own frame: standing on the origin
+};
+
+/** Where these two stand among the filter's static inputs, and so among its output's leaves. */
+constexpr int RoomBlock = 0;
+constexpr int LampBlock = 1;
+
+/** Throws std::runtime_error when a file cannot be used. */
+TeapotScene MakeTeapotScene(const SceneConfig& config);
+
+}
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef irradiance_Emitter_h
+#define irradiance_Emitter_h
+
+#include "Power.h"
+#include "Ray.h"
+#include "SobolSequence.h"
+#include "Surface.h"
+#include "SurfacePoint.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// A triangle of a cell with exitance, or a point light, in world space.
+struct Emitter
+{
+  TriangleId id;     ///< none for a point light
+  Triangle triangle; ///< a point light stands in all three corners
+  std::array<double, Power::kMaxBands> flux{}; ///< W
+
+  bool isPoint() const { return id == TriangleId{}; }
+  double totalFlux() const { return flux[0] + flux[1] + flux[2]; }
+  friend bool operator==(const Emitter& a, const Emitter& b);
+};
+
+/// The state in which a walk leaves its light.
+struct WalkStart
+{
+  Ray ray;
+  Power power;
+};
+
+/**
+ * All lights of a frame. Every walk carries the same share of the total flux; which light it starts
+ * from is sampled in proportion to flux. The power of walk i is floor((i + 1) Q / N) - floor(i Q / N)
+ * of Q quanta for N walks, so that nothing is lost by rounding.
+ */
+class EmitterTable
+{
+public:
+  EmitterTable() = default;
+  EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks);
+
+  bool isEmpty() const { return emitters_.empty(); }
+  const std::vector<Emitter>& emitters() const { return emitters_; }
+  /// Bounds of the point lights.
+  const Box& pointBounds() const { return pointBounds_; }
+  /// Watts per quantum: a power of two, such that the total flux is 2^45 to 2^46 quanta. This leaves
+  /// 2^17 times the emitted power for a cell to receive before a sum overflows.
+  double quantum() const { return quantum_; }
+
+  WalkStart start(std::uint32_t walk, const SobolSequence& samples) const;
+
+  /// Equal tables start the same walks, bit for bit.
+  friend bool operator==(const EmitterTable& a, const EmitterTable& b);
+
+private:
+  void addTriangles(const SceneObjects& objects, std::uint32_t object);
+  void addPoints(const SceneObject& object);
+  void add(const Emitter& emitter);
+  Power powerOf(std::uint32_t walk, const Emitter& emitter) const;
+
+  std::vector<Emitter> emitters_;
+  std::vector<double> cumulative_; ///< W, up to and with each emitter
+  std::uint64_t numberOfWalks_ = 0;
+  std::uint64_t totalQuanta_ = 0;
+  double quantum_ = 1;
+  Box pointBounds_;
+};
+
+}
+
+#endif

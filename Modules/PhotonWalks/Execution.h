@@ -1,0 +1,39 @@
+#ifndef irradiance_Execution_h
+#define irradiance_Execution_h
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+
+namespace irradiance
+{
+
+/// How the engine gets its threads and tells how far it is. This one is serial and silent.
+class Execution
+{
+public:
+  virtual ~Execution() = default;
+
+  /// Calls `task(begin, end)` for ranges that make up [0, count), in any order and at once if it
+  /// likes. `task` does not throw.
+  virtual void parallelFor(
+    std::size_t count, const std::function<void(std::size_t, std::size_t)>& task)
+  {
+    task(0, count);
+  }
+
+  /// Called on the engine's own thread every few hundredths of a second; `progress` is 0..1. False
+  /// stops the engine.
+  virtual bool goOn(double /*progress*/) { return true; }
+};
+
+/// Execution::goOn said no.
+class Interrupted : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+}
+
+#endif

@@ -1,0 +1,48 @@
+#ifndef irradiance_Power_h
+#define irradiance_Power_h
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// Radiant power in whole quanta, so that sums are exact in any order and can be undone. The size
+/// of a quantum in watts is a power of two that the emitters choose. One or three bands; the unused
+/// ones are 0.
+struct Power
+{
+  static constexpr int kMaxBands = 3;
+
+  std::array<std::int64_t, kMaxBands> quanta{};
+
+  std::int64_t& operator[](int band) { return quanta[static_cast<std::size_t>(band)]; }
+  std::int64_t operator[](int band) const { return quanta[static_cast<std::size_t>(band)]; }
+
+  std::int64_t largest() const { return *std::max_element(quanta.begin(), quanta.end()); }
+  bool isZero() const { return quanta == decltype(quanta){}; }
+
+  Power& operator+=(const Power& other)
+  {
+    for (int band = 0; band < kMaxBands; ++band)
+    {
+      (*this)[band] += other[band];
+    }
+    return *this;
+  }
+  Power& operator-=(const Power& other)
+  {
+    for (int band = 0; band < kMaxBands; ++band)
+    {
+      (*this)[band] -= other[band];
+    }
+    return *this;
+  }
+  friend Power operator-(Power a, const Power& b) { return a -= b; }
+  friend bool operator==(const Power& a, const Power& b) { return a.quanta == b.quanta; }
+};
+
+}
+
+#endif

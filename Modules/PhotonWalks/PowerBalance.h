@@ -1,0 +1,51 @@
+#ifndef irradiance_PowerBalance_h
+#define irradiance_PowerBalance_h
+
+#include "CellSums.h"
+#include "WalkHistory.h"
+
+namespace irradiance
+{
+
+/// Where the power went, in quanta. As integers, emitted = absorbed + escaped exactly: what a hit
+/// absorbs is booked as what came in minus what the walk carries on, so that it includes what
+/// Russian roulette takes or adds.
+struct PowerBalance
+{
+  Power emitted;
+  Power absorbed;
+  Power escaped;
+  std::int64_t segments = 0;
+  double received = 0; ///< by all cells in all bands; to notice an overflow before it happens
+
+  PowerBalance& operator+=(const PowerBalance& other);
+};
+
+/// Throws std::overflow_error when cell sums might overflow.
+void checkReceived(const PowerBalance& balance);
+
+/// Books segments of a walk in the cells and the balance (sign 1), or takes them back (sign -1).
+class WalkBooking
+{
+public:
+  WalkBooking(CellSums& sums, PowerBalance& balance)
+    : sums_(sums)
+    , balance_(balance)
+  {
+  }
+
+  /// A tail that begins with segment `firstBounce` of its walk.
+  void add(const WalkTrace& tail, std::uint32_t firstBounce);
+  /// The segments of a stored walk from `firstBounce` on.
+  void remove(const WalkBlock& block, std::uint32_t walk, std::uint32_t firstBounce);
+
+private:
+  void book(const Hit& hit, bool isFront, const Power& incoming, const Power& carriedOn, int sign);
+
+  CellSums& sums_;
+  PowerBalance& balance_;
+};
+
+}
+
+#endif

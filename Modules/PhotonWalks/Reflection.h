@@ -1,0 +1,51 @@
+#ifndef irradiance_Reflection_h
+#define irradiance_Reflection_h
+
+#include "Power.h"
+#include "Surface.h"
+
+#include <cmath>
+
+namespace irradiance
+{
+
+/// What a diffuse surface sends back of `incoming`, rounded to the nearest quantum.
+inline Power reflected(const Power& incoming, const Surface& surface, std::uint32_t triangle)
+{
+  Power outgoing;
+  for (int band = 0; band < surface.bands; ++band)
+  {
+    outgoing[band] = std::llround(
+      surface.reflectanceOf(triangle, band) * static_cast<double>(incoming[band]));
+  }
+  return outgoing;
+}
+
+/**
+ * Russian roulette (Arvo and Kirk 1990): a walk weaker than `threshold` goes on with probability
+ * power / threshold, and then at the threshold, so that the mean is kept and no walk is cut. `u` is
+ * uniform in (0, 1). Several bands keep their ratios; the strongest decides.
+ */
+inline Power playRoulette(const Power& power, std::int64_t threshold, double u)
+{
+  const std::int64_t strongest = power.largest();
+  if (strongest >= threshold)
+  {
+    return power;
+  }
+  if (!(u * static_cast<double>(threshold) < static_cast<double>(strongest)))
+  {
+    return {};
+  }
+  Power survivor;
+  for (int band = 0; band < Power::kMaxBands; ++band)
+  {
+    const __int128 scaled = static_cast<__int128>(power[band]) * threshold;
+    survivor[band] = static_cast<std::int64_t>((2 * scaled + strongest) / (2 * strongest));
+  }
+  return survivor;
+}
+
+}
+
+#endif

@@ -1,0 +1,63 @@
+#ifndef irradiance_Surface_h
+#define irradiance_Surface_h
+
+#include "RigidObject.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Isotropic point light.
+struct PointLight
+{
+  Vector3 position;         ///< in the space of its object
+  std::vector<double> flux; ///< W, one per band
+};
+
+/// What light does on the cells of an object. Arrays hold one value per cell and band, cell-major.
+struct Surface
+{
+  int bands = 1; ///< 1 or 3
+  std::size_t numberOfCells = 0;
+  std::vector<std::uint32_t> cellOfTriangle;
+  std::vector<double> reflectance; ///< diffuse, 0..1
+  std::vector<double> exitance;    ///< W/m2 from the front; empty: none
+  std::vector<PointLight> pointLights;
+
+  double reflectanceOf(std::uint32_t triangle, int band) const
+  {
+    return reflectance[cellOfTriangle[triangle] * static_cast<std::size_t>(bands) +
+      static_cast<std::size_t>(band)];
+  }
+};
+
+/// Geometry, surface and pose of one object of the scene.
+struct SceneObject
+{
+  std::shared_ptr<const RigidObject> body;
+  std::shared_ptr<const Surface> surface;
+  AffineMap worldFromObject;
+  bool isLoose = false; ///< see PlacedObject
+};
+
+/// The whole input of a frame. Object 0 is the static one, object i + 1 is dynamic[i].
+struct SceneObjects
+{
+  SceneObject fixed; ///< its pose is the identity
+  std::vector<SceneObject> dynamic;
+
+  const SceneObject& operator[](std::uint32_t object) const
+  {
+    return object == 0 ? fixed : dynamic[object - 1];
+  }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(dynamic.size() + 1); }
+};
+
+/// World area of every cell, m2.
+std::vector<double> cellAreas(const SceneObject& object);
+
+}
+
+#endif

@@ -1,0 +1,391 @@
+#include "EnclosingEllipsoid.h"
+
+#include <CGAL/Approximate_min_ellipsoid_d.h>
+#include <CGAL/Approximate_min_ellipsoid_d_traits_3.h>
+#include <CGAL/Quotient.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+// The smallest ellipsoid is affine-equivariant, CGAL's arithmetic is not: an offset, a needle or a
+// door makes it return nonsense marked as valid, or never return. So the points are first moved
+// into a frame where they fill the cube [-1,1]^3, and what CGAL returns is taken as a proposal:
+// its size is measured against all points afterwards, with a bound on the rounding.
+//
+// CGAL sees only a few hundred points, the active ones. The ellipsoid of some of the points is
+// never larger than that of all. So if the points left out stick out by a factor g, growing the
+// ellipsoid by g costs at most g^3 in volume; while g is large, the points furthest out join.
+
+namespace irradiance
+{
+namespace
+{
+
+using Points = std::vector<Vector3>;
+
+constexpr double kEpsilon = 0.01;            // CGAL's accuracy: volume <= (1 + eps) * optimum
+constexpr double kFlatness = 0x1p-27;        // thinnest axis over the longest
+constexpr double kOffsetResolution = 0x1p-44; // thinnest axis over the distance from the origin
+constexpr double kSmallestLength = 0x1p-200; // only a point exactly at the origin needs it
+constexpr double kLargestCoordinate = 1e38;
+constexpr double kUnitRoundoff = 0x1p-53;
+constexpr std::size_t kFewPoints = 256;
+constexpr int kMaxRounds = 60;
+constexpr double kGoodGrowth = 1.001;
+
+void requireUsable(const Points& points)
+{
+  if (points.empty())
+  {
+    throw std::invalid_argument("encloseByEllipsoid: there is no point");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (!(points[i].cwiseAbs().maxCoeff() <= kLargestCoordinate) || !points[i].allFinite())
+    {
+      throw std::invalid_argument("encloseByEllipsoid: point " + std::to_string(i) +
+        " has a coordinate that is not finite or exceeds 1e38");
+    }
+  }
+}
+
+/// The frame in which the points fill [-1,1]^3.
+struct CubeFrame
+{
+  Vector3 origin;    // in the model
+  Matrix3 axes;      // columns: orthonormal principal directions
+  Vector3 halfWidth; // along the axes, in model length, never 0
+  std::array<bool, 3> isFlat; // the points do not reach +-1 along this axis
+
+  Vector3 fromModel(const Vector3& point) const
+  {
+    return (axes.transpose() * (point - origin)).cwiseQuotient(halfWidth);
+  }
+};
+
+Matrix3 principalDirections(const Points& points, const Vector3& origin, double unit)
+{
+  Vector3 mean = Vector3::Zero();
+  for (const Vector3& point : points)
+  {
+    mean += (point - origin) / unit;
+  }
+  mean /= static_cast<double>(points.size());
+  Matrix3 covariance = Matrix3::Zero();
+  for (const Vector3& point : points)
+  {
+    const Vector3 d = (point - origin) / unit - mean;
+    covariance += d * d.transpose();
+  }
+  // A needle's covariance has an entry of size n and others near its rounding; the solver copes.
+  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(covariance);
+  const bool usable = solver.info() == Eigen::Success && solver.eigenvectors().allFinite();
+  return usable ? solver.eigenvectors() : Matrix3::Identity();
+}
+
+CubeFrame cubeFrame(const Points& points)
+{
+  Box box;
+  for (const Vector3& point : points)
+  {
+    box.add(point);
+  }
+  CubeFrame frame;
+  frame.origin = box.center();
+  const double resolution = std::max(box.magnitude() * kOffsetResolution, kSmallestLength);
+  const double size = std::max(0.5 * box.extent().maxCoeff(), resolution);
+  const double unit = std::ldexp(1.0, std::ilogb(size)); // a power of two: dividing is exact
+  frame.axes = principalDirections(points, frame.origin, unit);
+
+  Box rotated;
+  for (const Vector3& point : points)
+  {
+    rotated.add(frame.axes.transpose() * (point - frame.origin));
+  }
+  frame.origin += frame.axes * rotated.center();
+  const Vector3 extent = 0.5 * rotated.extent();
+  const double thinnest = std::max(kFlatness * extent.maxCoeff(), resolution);
+  frame.halfWidth = extent.cwiseMax(thinnest);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    frame.isFlat[axis] = extent[axis] < thinnest;
+  }
+  return frame;
+}
+
+/// |upper * (x - center)| <= 1 in the cube frame.
+struct CubeEllipsoid
+{
+  Vector3 center = Vector3::Zero();
+  Matrix3 upper = Matrix3::Identity() / std::sqrt(3.0); // around the whole cube
+};
+
+/// The points that CGAL is to see; those that keep it from calling the set degenerate are added.
+Points fullDimensional(const Points& active, const CubeFrame& frame)
+{
+  Points points = active;
+  Vector3 mean = Vector3::Zero();
+  for (const Vector3& point : active)
+  {
+    mean += point;
+  }
+  mean /= static_cast<double>(active.size());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (frame.isFlat[axis])
+    {
+      points.push_back(mean + Vector3::Unit(axis));
+      points.push_back(mean - Vector3::Unit(axis));
+    }
+  }
+  while (points.size() <= 4) // CGAL holds any four points to be degenerate, even a tetrahedron
+  {
+    points.push_back(points.front());
+  }
+  return points;
+}
+
+std::optional<CubeEllipsoid> proposeByCgal(const Points& points)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Traits = CGAL::Approximate_min_ellipsoid_d_traits_3<Kernel, double>;
+  std::vector<Kernel::Point_3> cgalPoints;
+  cgalPoints.reserve(points.size());
+  for (const Vector3& p : points)
+  {
+    cgalPoints.emplace_back(p[0], p[1], p[2]);
+  }
+  CGAL::Approximate_min_ellipsoid_d<Traits> solved(kEpsilon, cgalPoints.begin(), cgalPoints.end());
+  if (!solved.is_full_dimensional())
+  {
+    return std::nullopt;
+  }
+  Matrix3 matrix;
+  Vector3 vector;
+  for (int i = 0; i < 3; ++i)
+  {
+    vector[i] = solved.defining_vector(i);
+    for (int j = 0; j < 3; ++j)
+    {
+      matrix(i, j) = solved.defining_matrix(i, j);
+    }
+  }
+  const Eigen::LLT<Matrix3> factor(matrix);
+  if (!matrix.allFinite() || factor.info() != Eigen::Success)
+  {
+    return std::nullopt;
+  }
+  return CubeEllipsoid{ -0.5 * factor.solve(vector), factor.matrixU() };
+}
+
+/// About `active` in the cube frame; falls back to the ellipsoid around the cube.
+CubeEllipsoid encloseInCube(const Points& active, const CubeFrame& frame)
+{
+  const Points points = fullDimensional(active, frame);
+  std::optional<CubeEllipsoid> proposal = proposeByCgal(points);
+  if (!proposal)
+  {
+    return {};
+  }
+  double reach = 0.0;
+  for (const Vector3& point : points)
+  {
+    reach = std::max(reach, (proposal->upper * (point - proposal->center)).norm());
+  }
+  proposal->upper /= reach; // CGAL's own radius is up to (1 + eps)^1.5 too large in volume
+  const double volumeOverCube = 1.0 / std::abs(proposal->upper.determinant());
+  const double cubeEllipsoid = std::pow(3.0, 1.5);
+  return volumeOverCube <= 1.01 * cubeEllipsoid ? *proposal : CubeEllipsoid{};
+}
+
+/// Turns the columns, any three conjugate semi-axes of an ellipsoid, into its principal ones, by
+/// Jacobi rotations of column pairs (Hestenes 1958). Short axes keep their relative accuracy.
+Matrix3 principalSemiAxes(Matrix3 columns)
+{
+  constexpr int kMaxSweeps = 20; // about five are needed
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep)
+  {
+    bool isOrthogonal = true;
+    for (const auto& [p, q] : { std::pair(0, 1), std::pair(0, 2), std::pair(1, 2) })
+    {
+      const double product = columns.col(p).dot(columns.col(q));
+      const double lengthP = columns.col(p).norm();
+      const double lengthQ = columns.col(q).norm();
+      if (std::abs(product) > 4.0 * kUnitRoundoff * lengthP * lengthQ)
+      {
+        isOrthogonal = false;
+        const double cotangent = (lengthQ * lengthQ - lengthP * lengthP) / (2.0 * product);
+        const double tangent =
+          std::copysign(1.0, cotangent) / (std::abs(cotangent) + std::hypot(1.0, cotangent));
+        const double cosine = 1.0 / std::hypot(1.0, tangent);
+        const Vector3 rotated = cosine * (columns.col(p) - tangent * columns.col(q));
+        columns.col(q) = cosine * (columns.col(q) + tangent * columns.col(p));
+        columns.col(p) = rotated;
+      }
+    }
+    if (isOrthogonal)
+    {
+      break;
+    }
+  }
+  return columns;
+}
+
+EnclosingEllipsoid toModel(const CubeEllipsoid& ellipsoid, const CubeFrame& frame)
+{
+  const Matrix3 modelFromCube = frame.axes * frame.halfWidth.asDiagonal();
+  const Matrix3 semiAxes = principalSemiAxes(modelFromCube * ellipsoid.upper.inverse());
+  const Vector3 lengths = semiAxes.colwise().norm();
+  std::array<int, 3> order = { 0, 1, 2 };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
+  EnclosingEllipsoid result;
+  result.center = frame.origin + modelFromCube * ellipsoid.center;
+  for (int row = 0; row < 3; ++row)
+  {
+    const int axis = order[row];
+    result.shape.row(row) = semiAxes.col(axis).transpose() / lengths[axis] / lengths[axis];
+  }
+  return result;
+}
+
+/// How far the points reach from the centre, in units of the ellipsoid's surface.
+struct Reach
+{
+  double largest = 0.0;              // an upper bound that holds in exact arithmetic
+  std::array<std::size_t, 8> furthest; // per octant of the ellipsoid's axes, its furthest point
+  std::array<double, 8> distance;      // of that point; 0 if the octant has none
+};
+
+Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points)
+{
+  Reach reach;
+  reach.furthest.fill(0);
+  reach.distance.fill(0.0);
+  const Matrix3 absoluteShape = ellipsoid.shape.cwiseAbs();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Vector3 d = points[i] - ellipsoid.center;
+    const Vector3 y = ellipsoid.shape * d;
+    // d, the products and the sums are rounded at most four times; twelve leaves room for
+    // the norms, too.
+    const double error = 12.0 * kUnitRoundoff * (absoluteShape * d.cwiseAbs()).norm();
+    const double distance = y.norm() + error;
+    const int octant = (y[0] < 0.0 ? 1 : 0) + (y[1] < 0.0 ? 2 : 0) + (y[2] < 0.0 ? 4 : 0);
+    reach.largest = std::max(reach.largest, distance);
+    if (distance > reach.distance[octant])
+    {
+      reach.distance[octant] = distance;
+      reach.furthest[octant] = i;
+    }
+  }
+  return reach;
+}
+
+/// Up to 26 points that lie furthest along the axes, edges and corners of the cube.
+std::vector<std::size_t> extremePoints(const Points& points, const CubeFrame& frame)
+{
+  static const std::array<Vector3, 13> directions = { Vector3(1, 0, 0), Vector3(0, 1, 0),
+    Vector3(0, 0, 1), Vector3(1, 1, 0), Vector3(1, -1, 0), Vector3(1, 0, 1), Vector3(1, 0, -1),
+    Vector3(0, 1, 1), Vector3(0, 1, -1), Vector3(1, 1, 1), Vector3(1, 1, -1), Vector3(1, -1, 1),
+    Vector3(-1, 1, 1) };
+  std::array<std::size_t, 26> extreme{};
+  std::array<double, 26> furthest;
+  furthest.fill(-kInfinity);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Vector3 x = frame.fromModel(points[i]);
+    for (std::size_t k = 0; k < directions.size(); ++k)
+    {
+      const double along = directions[k].dot(x);
+      for (const auto& [slot, value] : { std::pair(2 * k, along), std::pair(2 * k + 1, -along) })
+      {
+        if (value > furthest[slot])
+        {
+          furthest[slot] = value;
+          extreme[slot] = i;
+        }
+      }
+    }
+  }
+  return { extreme.begin(), extreme.end() };
+}
+
+/// Adds the points that stick out to the active ones; false if there is nothing new to add.
+bool activate(const Reach& reach, std::vector<std::size_t>& active)
+{
+  const std::size_t before = active.size();
+  for (std::size_t octant = 0; octant < reach.furthest.size(); ++octant)
+  {
+    const std::size_t index = reach.furthest[octant];
+    const bool isOutside = reach.distance[octant] > 1.0;
+    if (isOutside && std::find(active.begin(), active.end(), index) == active.end())
+    {
+      active.push_back(index);
+    }
+  }
+  return active.size() > before;
+}
+
+EnclosingEllipsoid proposeEllipsoid(const Points& points, const CubeFrame& frame)
+{
+  std::vector<std::size_t> active = extremePoints(points, frame);
+  if (points.size() <= kFewPoints)
+  {
+    active.resize(points.size());
+    for (std::size_t i = 0; i < active.size(); ++i)
+    {
+      active[i] = i;
+    }
+  }
+  for (int round = 0;; ++round)
+  {
+    Points inCube;
+    for (const std::size_t index : active)
+    {
+      inCube.push_back(frame.fromModel(points[index]));
+    }
+    const EnclosingEllipsoid proposal = toModel(encloseInCube(inCube, frame), frame);
+    const Reach reach = measureReach(proposal, points);
+    if (reach.largest <= kGoodGrowth || round == kMaxRounds || !activate(reach, active))
+    {
+      return proposal;
+    }
+  }
+}
+
+/// The smallest multiple of the ellipsoid that provably contains the points.
+EnclosingEllipsoid growAround(const Points& points, EnclosingEllipsoid ellipsoid)
+{
+  double reach = measureReach(ellipsoid, points).largest;
+  for (double margin = 4.0 * kUnitRoundoff; margin < 1.0; margin *= 4.0)
+  {
+    ellipsoid.shape /= reach * (1.0 + margin);
+    reach = measureReach(ellipsoid, points).largest;
+    if (reach <= 1.0)
+    {
+      return ellipsoid;
+    }
+  }
+  throw std::logic_error("encloseByEllipsoid: no ellipsoid was found around finite points");
+}
+
+}
+
+EnclosingEllipsoid encloseByEllipsoid(const Points& points)
+{
+  requireUsable(points);
+  const CubeFrame frame = cubeFrame(points);
+  return growAround(points, proposeEllipsoid(points, frame));
+}
+
+}

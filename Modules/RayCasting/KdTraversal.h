@@ -1,0 +1,145 @@
+#ifndef irradiance_KdTraversal_h
+#define irradiance_KdTraversal_h
+
+#include "KdTree.h"
+#include "Ray.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+/**
+ * Visits the leaves of a tree that a ray passes, front to back, one at a time, so that two trees
+ * can be walked side by side.
+ *
+ * Law: no leaf that holds the closest hit is skipped. Rounding in the intersection test lets a ray
+ * "hit" a triangle that it misses by a few ulps, and gives a distance that is off when the ray
+ * grazes. So all cells are taken wider by `pad` (2^-36 of the distance to the tree's far corner),
+ * and the search ends only 2^-20 of that distance behind the best hit. Both cost next to nothing.
+ */
+class KdTraversal
+{
+public:
+  /// `start`: the caller knows that there is no hit before this distance.
+  KdTraversal(
+    const KdTree& tree, const Vector3& origin, const Vector3& direction, double start = 0)
+    : nodes_(tree.nodes.data())
+    , references_(tree.references.data())
+  {
+    if (tree.isEmpty())
+    {
+      return;
+    }
+    const double reach = std::max((tree.bounds.lower - origin).cwiseAbs().maxCoeff(),
+      (tree.bounds.upper - origin).cwiseAbs().maxCoeff());
+    double from = -kInfinity, to = kInfinity;
+    double steepest = kInfinity;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double inverse = std::abs(direction[i]) < kParallel
+        ? std::copysign(1 / kParallel, direction[i])
+        : 1 / direction[i];
+      const double pad = 0x1p-36 * reach * std::abs(inverse);
+      const double lower = (tree.bounds.lower[i] - origin[i]) * inverse;
+      const double upper = (tree.bounds.upper[i] - origin[i]) * inverse;
+      from = std::max(from, std::min(lower, upper) - pad);
+      to = std::min(to, std::max(lower, upper) + pad);
+      steepest = std::min(steepest, std::abs(inverse));
+      axes_[i] = { origin[i], inverse, pad, inverse < 0 ? 1u : 0u };
+    }
+    slack_ = 0x1p-20 * reach * steepest;
+    from = std::max({ from, start - slack_, 0.0 });
+    if (from <= to)
+    {
+      stack_[depth_++] = { 0, from, to };
+    }
+  }
+
+  bool isFinished() const { return depth_ == 0; }
+  /// Where the next node begins on the ray; infinite when finished.
+  double nextEntry() const { return depth_ == 0 ? kInfinity : stack_[depth_ - 1].from; }
+  /// How far behind a hit at `distance` a leaf may begin and still matter.
+  double limit(double distance) const { return distance + slack_; }
+
+  /// Goes to the next leaf that is not empty and begins before `limit`; false if there is none.
+  bool advance(double limit)
+  {
+    while (depth_ > 0)
+    {
+      --depth_;
+      if (stack_[depth_].from <= limit && descend())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The references of the leaf that advance() reached.
+  const std::uint32_t* begin() const { return leafBegin_; }
+  const std::uint32_t* end() const { return leafEnd_; }
+
+private:
+  static constexpr double kParallel = 1e-150;
+
+  struct Axis
+  {
+    double origin;
+    double inverse; ///< of the direction
+    double pad;     ///< on the ray
+    std::uint32_t nearChild;
+  };
+
+  struct Entry
+  {
+    std::uint32_t node;
+    double from, to;
+  };
+
+  /// From the entry on top of the stack to its nearest leaf; false if that is empty.
+  bool descend()
+  {
+    double from = stack_[depth_].from, to = stack_[depth_].to;
+    const KdNode* node = nodes_ + stack_[depth_].node;
+    while (!node->isLeaf())
+    {
+      const Axis& axis = axes_[node->axis()];
+      const double plane = (node->plane - axis.origin) * axis.inverse;
+      const std::uint32_t near = node->index() + axis.nearChild;
+      if (plane - axis.pad > to)
+      {
+        node = nodes_ + near;
+      }
+      else if (plane + axis.pad < from)
+      {
+        node = nodes_ + (near ^ 1);
+      }
+      else
+      {
+        Entry& far = stack_[depth_++];
+        far.node = near ^ 1;
+        far.from = std::max(from, plane - axis.pad);
+        far.to = to;
+        to = std::min(to, plane + axis.pad);
+        node = nodes_ + near;
+      }
+    }
+    leafBegin_ = references_ + node->index();
+    leafEnd_ = leafBegin_ + node->count;
+    return node->count > 0;
+  }
+
+  const KdNode* nodes_;
+  const std::uint32_t* references_;
+  Axis axes_[3];
+  double slack_ = 0;
+  const std::uint32_t* leafBegin_ = nullptr;
+  const std::uint32_t* leafEnd_ = nullptr;
+  int depth_ = 0;
+  Entry stack_[KdTree::kMaxDepth + 2];
+};
+
+}
+
+#endif

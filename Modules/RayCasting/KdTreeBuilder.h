@@ -1,0 +1,37 @@
+#ifndef irradiance_KdTreeBuilder_h
+#define irradiance_KdTreeBuilder_h
+
+#include "KdTree.h"
+#include "TriangleMesh.h"
+
+#include <functional>
+
+namespace irradiance
+{
+
+/// Called now and then during long work; throws to stop it.
+using Checkpoint = std::function<void()>;
+
+/// What a tree is built over: a triangle, or a mere box when `triangle` is null.
+struct KdPrimitive
+{
+  Box bounds;                         ///< of the primitive, `margin` included
+  const Triangle* triangle = nullptr; ///< lets the builder clip instead of using boxes
+  double margin = 0;                  ///< the primitive is known only up to this distance
+};
+
+/// Builds by the surface-area heuristic with triangles clipped to their cells, see Wald and Havran,
+/// "On building fast kd-trees for ray tracing, and on doing that in O(N log N)" (2006).
+struct KdTreeBuilder
+{
+  double traversalCost = 1.0;
+  double intersectionCost = 1.5; ///< of one primitive, in units of traversalCost's unit
+  double emptyFactor = 0.8;      ///< reward (< 1) for cutting off empty space
+  Checkpoint checkpoint;         ///< may be empty
+
+  KdTree build(const std::vector<KdPrimitive>& primitives) const;
+};
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+#include "RigidObject.h"
+
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+EnclosingEllipsoid enclose(const TriangleMesh& mesh)
+{
+  std::vector<Vector3> points;
+  points.reserve(3 * mesh.size());
+  for (const Triangle& triangle : mesh.triangles())
+  {
+    points.insert(points.end(), { triangle.a, triangle.b, triangle.c });
+  }
+  return points.empty() ? EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() }
+                        : encloseByEllipsoid(points);
+}
+
+}
+
+RigidObject::RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint)
+  : mesh_(std::move(mesh))
+  , tree_(buildTriangleTree(mesh_, checkpoint))
+  , ellipsoid_(enclose(mesh_))
+{
+}
+
+KdTree buildTriangleTree(const TriangleMesh& mesh, const Checkpoint& checkpoint)
+{
+  std::vector<KdPrimitive> primitives;
+  primitives.reserve(mesh.size());
+  for (const Triangle& triangle : mesh.triangles())
+  {
+    primitives.push_back({ triangle.bounds(), &triangle });
+  }
+  KdTreeBuilder builder;
+  builder.checkpoint = checkpoint;
+  return builder.build(primitives);
+}
+
+}

@@ -1,0 +1,26 @@
+#ifndef irradiance_SurfacePoint_h
+#define irradiance_SurfacePoint_h
+
+#include "TriangleMesh.h"
+
+namespace irradiance
+{
+
+/// A point of a triangle as a ray may leave it without meeting that triangle or a neighbour by
+/// rounding.
+struct SurfacePoint
+{
+  Vector3 position; ///< on the triangle, kept off its edges by `margin`
+  Vector3 normal;   ///< unit vector
+  double margin;    ///< 2^-33 of the largest coordinate: the step along the normal that is clear
+  bool isFront;     ///< the normal points to the front
+
+  Vector3 clearPosition() const { return position + margin * normal; }
+};
+
+/// `weights`: barycentric coordinates, not negative. The normal is that of the front.
+SurfacePoint surfacePoint(const Triangle& worldTriangle, const Vector3& weights);
+
+}
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef irradiance_TriangleMesh_h
+#define irradiance_TriangleMesh_h
+
+#include "Vector.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Corners in an order that is counter-clockwise seen from the front.
+struct Triangle
+{
+  Vector3 a, b, c;
+
+  Box bounds() const
+  {
+    Box box;
+    box.add(a);
+    box.add(b);
+    box.add(c);
+    return box;
+  }
+  /// Length: twice the area; direction: the front.
+  Vector3 areaVector() const { return (b - a).cross(c - a); }
+};
+
+inline Triangle transformed(const AffineMap& map, const Triangle& triangle)
+{
+  return { map(triangle.a), map(triangle.b), map(triangle.c) };
+}
+
+/// Triangles with their corners side by side, as the intersection test reads them.
+class TriangleMesh
+{
+public:
+  TriangleMesh() = default;
+  explicit TriangleMesh(std::vector<Triangle> triangles);
+
+  std::size_t size() const { return triangles_.size(); }
+  bool isEmpty() const { return triangles_.empty(); }
+  const Triangle& operator[](std::size_t i) const { return triangles_[i]; }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const Box& bounds() const { return bounds_; }
+
+private:
+  std::vector<Triangle> triangles_;
+  Box bounds_;
+};
+
+}
+
+#endif

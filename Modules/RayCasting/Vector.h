@@ -1,0 +1,72 @@
+#ifndef irradiance_Vector_h
+#define irradiance_Vector_h
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+
+namespace irradiance
+{
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// x -> linear * x + translation. Name a variable by both frames: `worldFromObject`.
+struct AffineMap
+{
+  Matrix3 linear = Matrix3::Identity();
+  Vector3 translation = Vector3::Zero();
+
+  Vector3 operator()(const Vector3& point) const { return linear * point + translation; }
+  bool isFinite() const { return linear.allFinite() && translation.allFinite(); }
+
+  friend bool operator==(const AffineMap& a, const AffineMap& b)
+  {
+    return a.linear == b.linear && a.translation == b.translation;
+  }
+  friend bool operator!=(const AffineMap& a, const AffineMap& b) { return !(a == b); }
+};
+
+/// Axis-aligned closed box; empty until something is added.
+struct Box
+{
+  Vector3 lower = Vector3::Constant(kInfinity);
+  Vector3 upper = Vector3::Constant(-kInfinity);
+
+  bool isEmpty() const { return !(lower.array() <= upper.array()).all(); }
+  void add(const Vector3& point)
+  {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  void add(const Box& other)
+  {
+    lower = lower.cwiseMin(other.lower);
+    upper = upper.cwiseMax(other.upper);
+  }
+  void inflate(double margin)
+  {
+    lower.array() -= margin;
+    upper.array() += margin;
+  }
+  Box intersection(const Box& other) const
+  {
+    return { lower.cwiseMax(other.lower), upper.cwiseMin(other.upper) };
+  }
+  Vector3 center() const { return 0.5 * lower + 0.5 * upper; }
+  Vector3 extent() const { return upper - lower; }
+  /// Largest absolute coordinate; 0 when empty.
+  double magnitude() const
+  {
+    return isEmpty() ? 0.0 : lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).maxCoeff();
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Formats our C++ sources by .clang-format, or says which are not formatted.
+#
+#   format.sh --check|--in-place [CLANG_FORMAT]
+set -euo pipefail
+
+mode=${1:?usage: format.sh --check|--in-place [CLANG_FORMAT]}
+clang_format=${2:-clang-format}
+if ! command -v "$clang_format" >/dev/null; then
+  echo "format.sh: no $clang_format"
+  exit 1
+fi
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+case $mode in
+  --check) arguments=(--dry-run -Werror) ;;
+  --in-place) arguments=(-i) ;;
+  *)
+    echo "format.sh: unknown mode $mode"
+    exit 1
+    ;;
+esac
+
+mapfile -t files < <(find Modules Testing Examples -type f \
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' \) | sort)
+if ((${#files[@]} == 0)); then
+  echo "format.sh: no source file found"
+  exit 1
+fi
+"$clang_format" "${arguments[@]}" "${files[@]}"
+echo "${#files[@]} files"

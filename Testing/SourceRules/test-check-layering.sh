@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# The negative control of check-layering.sh: in a made-up tree each kind of violation must be found, by its
+# own reason and in its own file, and the tree without it must pass.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+failures=0
+
+clean_tree()
+{
+  rm -rf "${tree:?}"/*
+  mkdir -p "$tree"/Modules/{RayCasting,PhotonWalks,FiltersIrradiance} "$tree"/Testing/{RayCasting,PhotonWalks}
+  cd "$tree"
+  printf '#include <Eigen/Core>\n' >Modules/RayCasting/Vector.h
+  printf '#include "Vector.h"\n' >Modules/RayCasting/EnclosingEllipsoid.h
+  printf '#include "EnclosingEllipsoid.h"\n#include <CGAL/Cartesian.h>\n' >Modules/RayCasting/EnclosingEllipsoid.cpp
+  printf '#include "RayCasting/Vector.h"\n// as VTK would do\n' >Modules/PhotonWalks/Emitter.h
+  printf '#include "Emitter.h"\n' >Modules/PhotonWalks/Emitter.cpp
+  printf '#include "PhotonWalks/Emitter.h"\n' >Modules/FiltersIrradiance/Converter.h
+  printf '#include "vtkObject.h"\n#include <memory>\nclass vtkX;\n' >Modules/FiltersIrradiance/vtkX.h
+  printf '#include "vtkX.h"\n#include "Converter.h"\n' >Modules/FiltersIrradiance/vtkX.cxx
+  printf '#include "RayCasting/Vector.h"\n#include <CGAL/Gmpq.h>\n' >Testing/RayCasting/TestVector.cpp
+}
+
+# expect_violation FILE LINE REASON: FILE with LINE added must be refused for REASON
+expect_violation()
+{
+  local file=$1 line=$2 reason=$3 report
+  clean_tree
+  printf '%s\n' "$line" >>"$tree/$file"
+  if report=$(bash "$here/check-layering.sh" "$tree"); then
+    echo "not found: '$line' in $file"
+    failures=$((failures + 1))
+  elif ! grep -F "$file:" <<<"$report" | grep -qF "$reason"; then
+    printf '%s\n' "found for another reason: '$line' in $file" "$report"
+    failures=$((failures + 1))
+  fi
+}
+
+clean_tree
+if ! bash "$here/check-layering.sh" "$tree"; then
+  echo "the tree without a violation was refused"
+  failures=$((failures + 1))
+fi
+
+expect_violation Modules/RayCasting/Vector.h '#include "PhotonWalks/Emitter.h"' "RayCasting may not use PhotonWalks"
+expect_violation Modules/RayCasting/Vector.h '#include "../PhotonWalks/Emitter.h"' "RayCasting may not use PhotonWalks"
+expect_violation Modules/RayCasting/Vector.h '#include <Emitter.h>' "RayCasting may not use PhotonWalks"
+expect_violation Modules/RayCasting/Vector.h '#  include "Converter.h"' "RayCasting may not use FiltersIrradiance"
+expect_violation Modules/PhotonWalks/Emitter.cpp '#include "FiltersIrradiance/Converter.h"' "PhotonWalks may not use FiltersIrradiance"
+expect_violation Testing/RayCasting/TestVector.cpp '#include "PhotonWalks/Emitter.h"' "RayCasting may not use PhotonWalks"
+expect_violation Modules/RayCasting/Vector.h '#include <vtkPolyData.h>' "RayCasting may not know VTK"
+expect_violation Modules/PhotonWalks/Emitter.h '#include "sub/vtkPolyData.h"' "PhotonWalks may not know VTK"
+expect_violation Modules/PhotonWalks/Emitter.h 'class vtkPolyData;' "PhotonWalks may not know VTK"
+expect_violation Modules/PhotonWalks/Emitter.h 'int count(const vtkIdType* ids);' "PhotonWalks may not know VTK"
+expect_violation Testing/PhotonWalks/TestEmitter.cpp '#include <vtkNew.h>' "PhotonWalks may not know VTK"
+expect_violation Modules/RayCasting/Vector.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp alone"
+expect_violation Modules/RayCasting/EnclosingEllipsoid.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp alone"
+expect_violation Modules/FiltersIrradiance/vtkX.cxx 'CGAL::Bbox_3 box;' "CGAL is for EnclosingEllipsoid.cpp alone"
+expect_violation Modules/RayCasting/Vector.h '#include <embree3/rtcore.h>' "Embree is for Testing/Benchmarks alone"
+expect_violation Modules/FiltersIrradiance/vtkX.h '#include <Eigen/Core>' "a public header may not show Eigen or CGAL"
+expect_violation Modules/FiltersIrradiance/vtkX.h '#include <CGAL/Cartesian.h>' "a public header may not show Eigen or CGAL"
+expect_violation Modules/FiltersIrradiance/vtkX.h '#include "RayCasting/Vector.h"' "a public header may not show the engine"
+expect_violation Modules/FiltersIrradiance/vtkX.h '#include "Emitter.h"' "a public header may not show the engine"
+expect_violation Modules/FiltersIrradiance/vtkX.h '#include "Converter.h"' "a public header may not show a private one"
+
+rm -rf "${tree:?}"/*
+if bash "$here/check-layering.sh" "$tree" >/dev/null; then
+  echo "an empty tree was let pass"
+  failures=$((failures + 1))
+fi
+
+if ((failures)); then
+  echo "$failures controls failed"
+  exit 1
+fi
+echo "every kind of violation is found"

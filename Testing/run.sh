@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Every test: installs what is missing; builds build/release and runs all tests and examples there under a
+# private X server; builds build/sanitize and runs the engine's tests there with the address and
+# undefined-behaviour sanitizers. The last line sums it up; the status is 0 only if nothing failed.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=Utilities/packages.sh
+source Utilities/packages.sh
+
+passed=0
+failed=0
+
+finish()
+{
+  echo "$passed passed, $failed failed"
+  ((failed == 0)) || exit 1
+  exit 0
+}
+
+# build PRESET [CONFIGURE_OPTION...]: one failure if it cannot be built
+build()
+{
+  local preset=$1
+  shift
+  echo "== $preset: build"
+  if cmake --preset "$preset" "$@" && cmake --build --preset "$preset" --parallel "$(nproc)"; then
+    return 0
+  fi
+  echo "$preset could not be built"
+  failed=$((failed + 1))
+  return 1
+}
+
+# count ATTRIBUTE REPORT: a number in the heading of ctest's JUnit report
+count()
+{
+  sed -nE "s/^[[:space:]]*$1=\"([0-9]+)\".*/\\1/p; s/.*<testsuite [^>]*[[:space:]]$1=\"([0-9]+)\".*/\\1/p" "$2" | head -n 1
+}
+
+# run_tests PRESET [COMMAND_PREFIX...]
+run_tests()
+{
+  local preset=$1 report=$PWD/build/$1/Testing/report.xml status=0
+  shift
+  echo "== $preset: tests"
+  rm -f "$report"
+  "$@" ctest --preset "$preset" --no-tests=error --parallel "$(nproc)" --output-junit "$report" || status=$?
+
+  local total=0 unsuccessful=0 not_run=0
+  if [[ -e $report ]]; then
+    total=$(count tests "$report")
+    unsuccessful=$(count failures "$report")
+    not_run=$(($(count skipped "$report") + $(count disabled "$report")))
+  fi
+  # Something failed that is no failed test: no test at all, a program that is not there, no server.
+  if ((status != 0 && unsuccessful == 0)); then
+    unsuccessful=$((not_run > 0 ? not_run : 1))
+    not_run=$((not_run > 0 ? 0 : not_run))
+    total=$((total > unsuccessful ? total : unsuccessful))
+  fi
+  ((not_run == 0)) || echo "$not_run tests were skipped"
+  passed=$((passed + total - unsuccessful - not_run))
+  failed=$((failed + unsuccessful))
+}
+
+require_packages build display test
+
+# The examples' data; without them their tests say what they lack.
+if ! Data/fetch.sh; then
+  echo "Data/fetch.sh failed"
+  failed=$((failed + 1))
+fi
+
+if build release -DBUILD_TESTING=ON -DVTKIRRADIANCE_BUILD_EXAMPLES=ON; then
+  run_tests release Utilities/run-under-xvfb.sh
+fi
+if build sanitize; then
+  run_tests sanitize
+fi
+finish

@@ -1,0 +1,138 @@
+# To be sourced by bash. The one list of what has to be installed, by role, and the way to get it:
+#
+#   require_packages ROLE...      build, display, test, benchmark
+#
+# On Debian and its kin what is missing is installed, by root or through sudo; nothing is said when nothing
+# is missing. Elsewhere it says what is missing and ends the script with status 2.
+
+packages_of()
+{
+  case $1 in
+    build) echo g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev ;;
+    display) echo xvfb ;;
+    test) echo libgtest-dev clang-format clang-tidy ;;
+    benchmark) echo libembree-dev ;;
+    *)
+      echo "packages.sh: unknown role $1" >&2
+      exit 2
+      ;;
+  esac
+}
+
+# What a Debian package is for those who have none.
+description_of()
+{
+  case $1 in
+    g++) echo "a C++17 compiler" ;;
+    cmake) echo "CMake 3.21 or newer" ;;
+    ninja-build) echo "Ninja" ;;
+    libvtk9-dev) echo "VTK 9.1 or newer, with its headers" ;;
+    libcgal-dev) echo "CGAL 5, with its headers" ;;
+    libeigen3-dev) echo "Eigen 3.3 or newer" ;;
+    xvfb) echo "Xvfb, and Mesa's software OpenGL" ;;
+    libgtest-dev) echo "GoogleTest" ;;
+    libembree-dev) echo "Embree 3" ;;
+    *) echo "$1" ;;
+  esac
+}
+
+# has_config NAME...: whether a CMake package has its file at one of the usual places
+has_config()
+{
+  local places=(/usr /usr/local /opt/local /opt/homebrew "${CONDA_PREFIX:-/usr}")
+  local name found additional
+  IFS=':;' read -r -a additional <<<"${CMAKE_PREFIX_PATH:-}"
+  for name in "$@"; do
+    found=$(find -L "${places[@]}" "${additional[@]}" -maxdepth 6 -path '*cmake*' -name "$name" \
+      -print -quit 2>/dev/null) || true
+    [[ -z $found ]] || return 0
+  done
+  return 1
+}
+
+has_command()
+{
+  local name
+  for name in "$@"; do
+    ! command -v "$name" >/dev/null || return 0
+  done
+  return 1
+}
+
+is_present_without_dpkg()
+{
+  case $1 in
+    g++) has_command "${CXX:-c++}" g++ clang++ ;;
+    ninja-build) has_command ninja ninja-build ;;
+    libvtk9-dev) [[ -n ${VTK_DIR:-} ]] || has_config vtk-config.cmake VTKConfig.cmake ;;
+    libcgal-dev) [[ -n ${CGAL_DIR:-} ]] || has_config CGALConfig.cmake ;;
+    libeigen3-dev) [[ -n ${Eigen3_DIR:-} ]] || has_config Eigen3Config.cmake ;;
+    xvfb) has_command Xvfb ;;
+    libgtest-dev) [[ -n ${GTest_DIR:-} ]] || has_config GTestConfig.cmake ;;
+    libembree-dev) [[ -n ${embree_DIR:-} ]] || has_config 'embree-config.cmake' ;;
+    *) has_command "$1" "$1-14" ;;
+  esac
+}
+
+is_installed()
+{
+  if [[ $has_dpkg == yes ]]; then
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+  else
+    is_present_without_dpkg "$1"
+  fi
+}
+
+missing_packages()
+{
+  local package
+  for package in "$@"; do
+    is_installed "$package" || echo "$package"
+  done
+}
+
+# install_packages LOG PACKAGE...
+install_packages()
+{
+  local log=$1 as_root=(env DEBIAN_FRONTEND=noninteractive)
+  shift
+  ((EUID == 0)) || as_root=(sudo "${as_root[@]}")
+  local apt=("${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=600)
+  "${apt[@]}" update >"$log" 2>&1 &&
+    "${apt[@]}" install -y --no-install-recommends "$@" >>"$log" 2>&1
+}
+
+require_packages()
+{
+  local role wanted=() missing log
+  for role in "$@"; do
+    read -r -a additional <<<"$(packages_of "$role")"
+    wanted+=("${additional[@]}")
+  done
+
+  has_dpkg=no
+  ! { has_command dpkg-query && has_command apt-get; } || has_dpkg=yes
+  mapfile -t missing < <(missing_packages "${wanted[@]}")
+  ((${#missing[@]})) || return 0
+
+  if [[ $has_dpkg == no ]]; then
+    echo "To be installed first, by this system's own means:"
+    for package in "${missing[@]}"; do
+      echo "  $(description_of "$package") (Debian's $package)"
+    done
+    exit 2
+  fi
+  if ((EUID != 0)) && ! has_command sudo; then
+    echo "To be installed first, by root: apt-get install --no-install-recommends ${missing[*]}"
+    exit 2
+  fi
+
+  echo "Installing ${missing[*]} and what they need (on a bare system some minutes) ..."
+  log=$(mktemp)
+  if ! install_packages "$log" "${missing[@]}"; then
+    tail -n 40 "$log"
+    echo "Could not install ${missing[*]}; apt-get's whole report: $log"
+    exit 2
+  fi
+  rm -f "$log"
+}
