@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # The main example from nothing: installs what is missing, builds in build/release, fetches the data and
-# runs the moving teapot. Arguments are passed on to the program (--help shows them).
+# runs the moving teapot. The results go to MovingTeapot-output in the folder it is called from. Arguments
+# are passed on to the program (--help shows them).
 set -euo pipefail
 
+caller=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+home=$PWD
 # shellcheck source=Utilities/packages.sh
 source Utilities/packages.sh
 
@@ -19,10 +22,8 @@ if ! report=$("${configure[@]}" 2>&1); then
 fi
 cmake --build --preset release --parallel "$(nproc)" --target MovingTeapot
 
-Data/fetch.sh
+fetch_data || echo "The scene goes without it."
 
-results=build/release/MovingTeapot
-mkdir -p "$results"
-program=$PWD/build/release/bin/MovingTeapot
-(cd "$results" && ../../../Utilities/run-under-xvfb.sh "$program" "$@")
-echo "The results are in $PWD/$results"
+cd "$caller" # file names among the arguments are the caller's
+exec "$home/Utilities/run-under-xvfb.sh" "$home/build/release/bin/MovingTeapot" \
+  --output "$caller/MovingTeapot-output" "$@"

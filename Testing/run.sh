@@ -66,9 +66,8 @@ run_tests()
 
 require_packages build display test
 
-# The examples' data; without them their tests say what they lack.
-if ! Data/fetch.sh; then
-  echo "Data/fetch.sh failed"
+if ! fetch_data; then
+  echo "The examples' data could not be fetched"
   failed=$((failed + 1))
 fi
 

@@ -1,9 +1,16 @@
+# shellcheck shell=bash
 # To be sourced by bash. The one list of what has to be installed, by role, and the way to get it:
 #
 #   require_packages ROLE...      build, display, test, benchmark
+#   fetch_data                    what Data/fetch.sh fetches
 #
 # On Debian and its kin what is missing is installed, by root or through sudo; nothing is said when nothing
 # is missing. Elsewhere it says what is missing and ends the script with status 2.
+
+has_dpkg=no
+if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then
+  has_dpkg=yes
+fi
 
 packages_of()
 {
@@ -91,27 +98,27 @@ missing_packages()
   done
 }
 
-# install_packages LOG PACKAGE...
-install_packages()
+# apt ARGUMENT...: apt-get as root, nothing asked
+apt()
 {
-  local log=$1 as_root=(env DEBIAN_FRONTEND=noninteractive)
-  shift
+  local as_root=(env DEBIAN_FRONTEND=noninteractive)
   ((EUID == 0)) || as_root=(sudo "${as_root[@]}")
-  local apt=("${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=600)
-  "${apt[@]}" update >"$log" 2>&1 &&
-    "${apt[@]}" install -y --no-install-recommends "$@" >>"$log" 2>&1
+  "${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=600 "$@"
+}
+
+can_install()
+{
+  [[ $has_dpkg == yes ]] && { ((EUID == 0)) || has_command sudo; }
 }
 
 require_packages()
 {
-  local role wanted=() missing log
+  local role wanted=() additional missing log
   for role in "$@"; do
     read -r -a additional <<<"$(packages_of "$role")"
     wanted+=("${additional[@]}")
   done
 
-  has_dpkg=no
-  ! { has_command dpkg-query && has_command apt-get; } || has_dpkg=yes
   mapfile -t missing < <(missing_packages "${wanted[@]}")
   ((${#missing[@]})) || return 0
 
@@ -122,17 +129,32 @@ require_packages()
     done
     exit 2
   fi
-  if ((EUID != 0)) && ! has_command sudo; then
+  if ! can_install; then
     echo "To be installed first, by root: apt-get install --no-install-recommends ${missing[*]}"
     exit 2
   fi
 
   echo "Installing ${missing[*]} and what they need (on a bare system some minutes) ..."
   log=$(mktemp)
-  if ! install_packages "$log" "${missing[@]}"; then
+  if ! { apt update && apt install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
     tail -n 40 "$log"
     echo "Could not install ${missing[*]}; apt-get's whole report: $log"
     exit 2
   fi
   rm -f "$log"
+}
+
+# From the folder of the repository. Packages are fetched by apt's lists, and a system that has everything
+# installed may still have none.
+fetch_data()
+{
+  local report
+  if report=$(Data/fetch.sh 2>&1); then
+    return 0
+  fi
+  if can_install && apt update >/dev/null 2>&1 && report=$(Data/fetch.sh 2>&1); then
+    return 0
+  fi
+  echo "$report"
+  return 1
 }

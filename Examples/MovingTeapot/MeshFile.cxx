@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 namespace movingteapot
@@ -52,11 +53,11 @@ private:
 };
 
 // Runs one of VTK's readers; what it complains about becomes an exception.
-template <typename Reader>
+template <typename VtkReader>
 vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path)
 {
   const Silence silence;
-  vtkNew<Reader> reader;
+  vtkNew<VtkReader> reader;
   ErrorListener errors(reader);
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -64,46 +65,34 @@ vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path)
   return reader->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> ReadByExtension(const std::string& path)
-{
-  const std::string extension =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
-  if (extension == ".obj")
-  {
-    return ReadWith<vtkOBJReader>(path);
-  }
-  if (extension == ".ply")
-  {
-    return ReadWith<vtkPLYReader>(path);
-  }
-  if (extension == ".stl")
-  {
-    return ReadWith<vtkSTLReader>(path);
-  }
-  if (extension == ".vtp")
-  {
-    return ReadWith<vtkXMLPolyDataReader>(path);
-  }
-  if (extension == ".vtk")
-  {
-    return ReadWith<vtkPolyDataReader>(path);
-  }
-  if (extension == ".off")
-  {
-    return ReadOffFile(path);
-  }
-  throw std::runtime_error(path + ": unknown kind of file; .obj .ply .stl .vtp .vtk .off are read");
-}
+using Reader = vtkSmartPointer<vtkPolyData> (*)(const std::string& path);
+
+const std::map<std::string, Reader> ReaderOfExtension = {
+  { ".obj", ReadWith<vtkOBJReader> },
+  { ".ply", ReadWith<vtkPLYReader> },
+  { ".stl", ReadWith<vtkSTLReader> },
+  { ".vtp", ReadWith<vtkXMLPolyDataReader> },
+  { ".vtk", ReadWith<vtkPolyDataReader> },
+  { ".off", ReadOffFile },
+};
 
 }
 
 vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& path)
 {
-  if (!vtksys::SystemTools::FileExists(path, true))
+  using vtksys::SystemTools;
+  if (!SystemTools::FileExists(path, true))
   {
     throw std::runtime_error(path + ": there is no such file");
   }
-  vtkSmartPointer<vtkPolyData> mesh = ReadByExtension(path);
+  const auto reader =
+    ReaderOfExtension.find(SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(path)));
+  if (reader == ReaderOfExtension.end())
+  {
+    throw std::runtime_error(
+      path + ": unknown kind of file; .obj .ply .stl .vtp .vtk .off are read");
+  }
+  vtkSmartPointer<vtkPolyData> mesh = reader->second(path);
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
     throw std::runtime_error(path + ": there is no polygon in it");

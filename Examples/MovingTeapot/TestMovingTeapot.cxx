@@ -14,9 +14,14 @@
 #include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkPLYWriter.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSTLWriter.h>
 #include <vtkTransform.h>
 #include <vtkTriangle.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <gtest/gtest.h>
 
@@ -293,6 +298,27 @@ TEST(MeshFile, NamesTheFileItCannotUse)
   EXPECT_NE(
     read(WriteFile("empty.off", "OFF\n1 0 0\n0 0 0\n")).find("no polygon"), std::string::npos);
   EXPECT_NE(read(WriteFile("broken.vtp", "not xml")).find("broken.vtp"), std::string::npos);
+}
+
+template <typename Writer>
+int CountAfterRoundTrip(const std::string& name)
+{
+  const std::string path = testing::TempDir() + name;
+  vtkNew<Writer> writer;
+  writer->SetInputData(MakeUtahTeapot(3));
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  return int(ReadMeshFile(path)->GetNumberOfPolys());
+}
+
+TEST(MeshFile, ReadsWhatVtkWrites)
+{
+  const int count = 64 * 9 - 8 * 3;
+  EXPECT_EQ(CountAfterRoundTrip<vtkOBJWriter>("teapot.obj"), count);
+  EXPECT_EQ(CountAfterRoundTrip<vtkPLYWriter>("teapot.ply"), count);
+  EXPECT_EQ(CountAfterRoundTrip<vtkSTLWriter>("teapot.STL"), count);
+  EXPECT_EQ(CountAfterRoundTrip<vtkXMLPolyDataWriter>("teapot.vtp"), count);
+  EXPECT_EQ(CountAfterRoundTrip<vtkPolyDataWriter>("teapot.vtk"), count);
 }
 
 TEST(MeshFile, FitsAMeshIntoABox)

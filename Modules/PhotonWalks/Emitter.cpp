@@ -10,8 +10,7 @@ namespace irradiance
 
 bool operator==(const Emitter& a, const Emitter& b)
 {
-  return a.id == b.id && a.triangle.a == b.triangle.a && a.triangle.b == b.triangle.b &&
-    a.triangle.c == b.triangle.c && a.flux == b.flux;
+  return a.id == b.id && a.triangle == b.triangle && a.flux == b.flux;
 }
 
 bool operator==(const EmitterTable& a, const EmitterTable& b)

@@ -14,6 +14,11 @@ struct PointLight
 {
   Vector3 position;         ///< in the space of its object
   std::vector<double> flux; ///< W, one per band
+
+  friend bool operator==(const PointLight& a, const PointLight& b)
+  {
+    return a.position == b.position && a.flux == b.flux;
+  }
 };
 
 /// What light does on the cells of an object. Arrays hold one value per cell and band, cell-major.
@@ -30,6 +35,13 @@ struct Surface
   {
     return reflectance[cellOfTriangle[triangle] * static_cast<std::size_t>(bands) +
       static_cast<std::size_t>(band)];
+  }
+
+  friend bool operator==(const Surface& a, const Surface& b)
+  {
+    return a.bands == b.bands && a.numberOfCells == b.numberOfCells &&
+      a.cellOfTriangle == b.cellOfTriangle && a.reflectance == b.reflectance &&
+      a.exitance == b.exitance && a.pointLights == b.pointLights;
   }
 };
 

@@ -1,12 +1,11 @@
 #include "EllipsoidBound.h"
 
-#include <Eigen/Eigenvalues>
+#include "PrincipalAxes.h"
 
-// The proof that nothing is rejected or left out wrongly is in Documentation/Theory.md. Its terms:
-//   G        the exact matrix linear * shape^-1, approximated by semiAxes_
-//   rho      uncertainty_: every point of the exact ellipsoid is center_ + semiAxes_ * y + r with
-//            |y| <= 1 and |r| <= rho
-//   eps      2^-53
+#include <Eigen/Geometry>
+
+// Documentation/Theory.md proves that nothing is rejected, or left out of the box, wrongly. Here
+// G stands for the exact matrix linear * shape^-1, and u for the unit roundoff 2^-53.
 
 namespace irradiance
 {
@@ -14,9 +13,9 @@ namespace
 {
 
 constexpr double kUnitRoundoff = 0x1p-53;
-constexpr double kThinnest = 1e-9; // of the longest semi-axis, for the guide only
-// Far below every length there is; covers products of lengths that vanish.
-constexpr double kSmallestLength = 0x1p-500;
+constexpr double kThinnest = 0x1p-20;  // of the longest semi-axis, see roundingMap
+constexpr double kLargestRadius = 16.0; // it is about 1
+constexpr double kSmallestLength = 0x1p-500; // pays for products that vanish
 
 Box allOfSpace()
 {
@@ -24,11 +23,6 @@ Box allOfSpace()
   box.add(Vector3::Constant(-kInfinity));
   box.add(Vector3::Constant(kInfinity));
   return box;
-}
-
-bool isFinite(const EnclosingEllipsoid& ellipsoid)
-{
-  return ellipsoid.center.allFinite() && ellipsoid.shape.allFinite();
 }
 
 /// Bounds |shape^-1 * y - inverse * y| for |y| <= 1, divided by |inverse|; infinite if unknown.
@@ -40,6 +34,71 @@ double relativeInverseError(const Matrix3& shape, const Matrix3& inverse)
     8.0 * kUnitRoundoff * (inverse.cwiseAbs() * shape.cwiseAbs()).norm();
   const double residual = (inverse * shape - Matrix3::Identity()).norm() + rounding;
   return residual < 0.5 ? 2.0 * residual : kInfinity;
+}
+
+/// Every point of the exact ellipsoid is center + semiAxes * y + r, |y| <= 1, |r| <= uncertainty.
+struct MovedEllipsoid
+{
+  Vector3 center;
+  Matrix3 semiAxes;   // columns, not at right angles in general
+  double uncertainty; // infinite if nothing is known
+
+  bool isKnown() const
+  {
+    return center.allFinite() && semiAxes.allFinite() && std::isfinite(uncertainty);
+  }
+};
+
+MovedEllipsoid moved(const EnclosingEllipsoid& ellipsoid, const AffineMap& worldFromObject)
+{
+  const Matrix3& linear = worldFromObject.linear;
+  const Matrix3 inverseShape = ellipsoid.shape.inverse();
+  const double centerError = 8.0 * kUnitRoundoff *
+    (linear.cwiseAbs() * ellipsoid.center.cwiseAbs() + worldFromObject.translation.cwiseAbs())
+      .norm();
+  const double axesError =
+    (2.0 * relativeInverseError(ellipsoid.shape, inverseShape) + 8.0 * kUnitRoundoff) *
+    linear.norm() * inverseShape.norm();
+  return { worldFromObject(ellipsoid.center), linear * inverseShape,
+    centerError + axesError + kSmallestLength };
+}
+
+/// Axes shorter than `margin`, or by much than the longest, are taken to be longer: beside the
+/// margin their length does not matter, and it may be 0.
+Matrix3 roundingMap(const Matrix3& matrix, double margin)
+{
+  const Matrix3 semiAxes = principalSemiAxes(matrix);
+  const Vector3 lengths = semiAxes.colwise().norm();
+  const double longest = lengths[0] + margin;
+  const Vector3 usable = (lengths.array() + margin).cwiseMax(kThinnest * longest);
+  Matrix3 directions = Matrix3::Identity();
+  if (lengths[0] > 0.0)
+  {
+    directions.col(0) = semiAxes.col(0) / lengths[0];
+    directions.col(1) = lengths[1] > kThinnest * kThinnest * lengths[0]
+      ? Vector3(semiAxes.col(1) / lengths[1])
+      : directions.col(0).unitOrthogonal();
+    directions.col(2) = directions.col(0).cross(directions.col(1));
+  }
+  return usable.cwiseInverse().asDiagonal() * directions.transpose();
+}
+
+/// At least |G^T N| / |n| for N = W^T n as it is computed, whatever n.
+double radiusBound(const Matrix3& roundFromWorld, const Matrix3& semiAxes)
+{
+  const Matrix3 product = roundFromWorld * semiAxes;
+  const Matrix3 square = product * product.transpose();
+  return std::sqrt(square.cwiseAbs().rowwise().sum().maxCoeff()) * (1.0 + 16.0 * kUnitRoundoff) +
+    16.0 * kUnitRoundoff * roundFromWorld.norm() * semiAxes.norm();
+}
+
+Box boxAround(const MovedEllipsoid& ellipsoid)
+{
+  const Vector3 rounding = 4.0 * kUnitRoundoff * ellipsoid.center.cwiseAbs();
+  const Vector3 reach = (1.0 + 16.0 * kUnitRoundoff) *
+      (ellipsoid.semiAxes.rowwise().norm() + Vector3::Constant(ellipsoid.uncertainty)) +
+    rounding;
+  return { ellipsoid.center - reach, ellipsoid.center + reach };
 }
 
 Box boxOfModelBox(const Box& modelBox, const AffineMap& worldFromObject)
@@ -74,77 +133,33 @@ Box padded(Box box, double pad)
 EllipsoidBound::EllipsoidBound(const EnclosingEllipsoid& ellipsoid, const Box& modelBox,
   const AffineMap& worldFromObject, double worldPad)
   : center_(Vector3::Zero())
-  , semiAxes_(Matrix3::Zero())
-  , uncertainty_(kInfinity)
-  , roundFromWorld_(Matrix3::Zero()) // with this guide every normal is 0, and nothing is rejected
-  , margin_(kInfinity)
+  , roundFromWorld_(Matrix3::Zero()) // every normal is 0 with this, and nothing is rejected
+  , radiusSquared_(0.0)
+  , margin_(0.0)
 {
-  if (!isFinite(ellipsoid) || !worldFromObject.isFinite() || !std::isfinite(worldPad))
+  if (modelBox.isEmpty())
   {
-    worldBox_ = modelBox.isEmpty() ? Box{} : allOfSpace();
     return;
   }
-  const Box movedBox = boxOfModelBox(modelBox, worldFromObject);
-  locate(ellipsoid, worldFromObject);
-  if (std::isfinite(uncertainty_))
+  const MovedEllipsoid body = moved(ellipsoid, worldFromObject);
+  worldBox_ = boxOfModelBox(modelBox, worldFromObject);
+  if (!body.isKnown() || !std::isfinite(worldPad) || worldBox_.isEmpty())
   {
-    prepareRejection(worldPad);
-    worldBox_ = padded(movedBox.intersection(boxOfEllipsoid()), worldPad);
+    worldBox_ = allOfSpace();
+    return;
   }
-  else
-  {
-    worldBox_ = padded(movedBox, worldPad);
-  }
-}
+  worldBox_ = padded(worldBox_.intersection(boxAround(body)), worldPad);
 
-void EllipsoidBound::locate(const EnclosingEllipsoid& ellipsoid, const AffineMap& worldFromObject)
-{
-  const Matrix3& linear = worldFromObject.linear;
-  const Matrix3 inverseShape = ellipsoid.shape.inverse();
-  center_ = worldFromObject(ellipsoid.center);
-  semiAxes_ = linear * inverseShape;
-  const double centerError = 8.0 * kUnitRoundoff *
-    (linear.cwiseAbs() * ellipsoid.center.cwiseAbs() + worldFromObject.translation.cwiseAbs())
-      .norm();
-  const double inverseError = relativeInverseError(ellipsoid.shape, inverseShape);
-  const double axesError =
-    (2.0 * inverseError + 8.0 * kUnitRoundoff) * linear.norm() * inverseShape.norm();
-  uncertainty_ = centerError + axesError + kSmallestLength;
-  if (!center_.allFinite() || !semiAxes_.allFinite() || !std::isfinite(uncertainty_))
+  const double margin = (worldPad + body.uncertainty) * (1.0 + 32.0 * kUnitRoundoff);
+  const Matrix3 guide = roundingMap(body.semiAxes, margin);
+  const double radius = radiusBound(guide, body.semiAxes);
+  if (guide.allFinite() && radius < kLargestRadius)
   {
-    uncertainty_ = kInfinity;
-  }
-}
-
-void EllipsoidBound::prepareRejection(double worldPad)
-{
-  // The last term pays for the rounding of |semiAxes^T N| and of the right-hand side as a whole.
-  margin_ = (worldPad + uncertainty_) * (1.0 + 32.0 * kUnitRoundoff) +
-    32.0 * kUnitRoundoff * semiAxes_.norm();
-
-  // Principal directions from the eigenvectors of G G^T, lengths from G itself: the eigenvalues of
-  // thin axes would have drowned.
-  const double size = semiAxes_.cwiseAbs().maxCoeff() + margin_;
-  const Matrix3 scaled = semiAxes_ / size;
-  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(scaled * scaled.transpose());
-  const Matrix3 directions = solver.eigenvectors();
-  const Vector3 lengths = (scaled.transpose() * directions).colwise().norm();
-  const Vector3 thickened = lengths.array() + margin_ / size;
-  const double thinnest = kThinnest * thickened.maxCoeff();
-  const Matrix3 guide =
-    thickened.cwiseMax(thinnest).cwiseInverse().asDiagonal() * directions.transpose();
-  if (guide.allFinite())
-  {
+    center_ = body.center;
     roundFromWorld_ = guide;
+    radiusSquared_ = radius * radius * (1.0 + 32.0 * kUnitRoundoff);
+    margin_ = margin;
   }
-}
-
-Box EllipsoidBound::boxOfEllipsoid() const
-{
-  const Vector3 rounding = 4.0 * kUnitRoundoff * center_.cwiseAbs();
-  const Vector3 reach = semiAxes_.rowwise().norm() * (1.0 + 16.0 * kUnitRoundoff) + rounding +
-    Vector3::Constant(uncertainty_);
-  return { center_ - reach, center_ + reach };
 }
 
 }

@@ -29,47 +29,61 @@ public:
   bool rejects(const Vector3& from, const Vector3& to) const noexcept;
 
 private:
-  void locate(const EnclosingEllipsoid& ellipsoid, const AffineMap& worldFromObject);
-  void prepareRejection(double worldPad);
-  Box boxOfEllipsoid() const;
+  bool isSeparated(const Vector3& p, const Vector3& q, const Vector3& n) const noexcept;
 
-  Vector3 center_;        // in the world
-  Matrix3 semiAxes_;      // columns: takes the unit ball to the ellipsoid around center_
-  double uncertainty_;    // length: how far center_ and semiAxes_ may be off, together
-  Matrix3 roundFromWorld_; // makes the ellipsoid about round; only a guide, it may be inaccurate
-  double margin_;         // length: worldPad and all errors that do not depend on the segment
+  static constexpr double kNegligibleTilt = 0x1p-10;
+  static constexpr double kRounding = 0; // 32 units in the last place
+  static constexpr double kSmallest = 1e-120;
+  static constexpr double kLargest = 1e140;
+
+  Vector3 center_;         // in the world
+  Matrix3 roundFromWorld_; // makes the ellipsoid about round, of radius about 1
+  double radiusSquared_;   // of a ball that contains it then
+  double margin_;          // length in the world: worldPad, and how far the ellipsoid may be off
   Box worldBox_;
 };
 
-// The certificate. A plane with normal N has the ellipsoid (thickened by `margin_`) on one side if
-//     N . (x - center) > |semiAxes^T N| + |N| * margin
-// and it separates the segment if that holds for both ends. Whatever N is, the proof stands, so
-// N need not be accurate: it belongs to the point of the segment nearest to the centre in the
-// space where the ellipsoid is round. Only the two sides of the inequality are guarded against
-// rounding; Documentation/Theory.md has the proof.
+// The certificate. Let W = roundFromWorld_ and n any vector. The plane with normal N = W^T n has
+// the ellipsoid, thickened by the margin, on one side; a point x lies strictly on the other if
+//     N . (x - center) - |N| margin > radius |n|.
+// If this holds for both ends of a segment, it does for the whole segment. Whatever n is, this
+// proof stands, so n need not be accurate. Only the inequality itself is guarded against rounding;
+// Documentation/Theory.md has the whole argument.
+inline bool EllipsoidBound::isSeparated(
+  const Vector3& p, const Vector3& q, const Vector3& n) const noexcept
+{
+  const Vector3 normal = roundFromWorld_.transpose() * n;
+  // The 1-norm is no less than |normal| and needs no square root.
+  const double length = normal.lpNorm<1>();
+  const double gapP = normal.dot(p) - length * (margin_ + kRounding * p.lpNorm<1>());
+  const double gapQ = normal.dot(q) - length * (margin_ + kRounding * q.lpNorm<1>());
+  const double gap = std::min(gapP, gapQ);
+  // Beyond these limits, or with a NaN, a product may have vanished or overflowed.
+  const bool isInRange =
+    (gapP > kSmallest) & (gapQ > kSmallest) & (gapP < kLargest) & (gapQ < kLargest);
+  return isInRange & (gap * gap > radiusSquared_ * n.squaredNorm());
+}
+
+// The best n is the point of the segment nearest to the centre, as W shows it.
 inline bool EllipsoidBound::rejects(const Vector3& from, const Vector3& to) const noexcept
 {
-  const Vector3 toFrom = from - center_;
-  const Vector3 toTo = to - center_;
-  const Vector3 a = roundFromWorld_ * toFrom;
-  const Vector3 b = roundFromWorld_ * toTo;
-  const Vector3 along = b - a;
-  const double position = -a.dot(along) / along.squaredNorm(); // NaN for a point: taken as its end
-  const Vector3 nearest = position < 1.0 ? Vector3(a + std::max(0.0, position) * along) : b;
-  const Vector3 normal = roundFromWorld_.transpose() * nearest;
-
-  const double reachFrom = normal.dot(toFrom);
-  const double reachTo = normal.dot(toTo);
-  const double normalSquared = normal.squaredNorm();
-  const double length = std::sqrt(normalSquared);
-  const double support = (semiAxes_.transpose() * normal).norm() + length * margin_;
-  const double rounding = length * 0x1p-48; // 32 units in the last place
-  const bool isSeparated = reachFrom > support + rounding * toFrom.lpNorm<1>() &&
-    reachTo > support + rounding * toTo.lpNorm<1>();
-  // Outside these ranges a product may have overflowed or vanished.
-  const bool isInRange = normalSquared > 1e-200 && normalSquared < 1e200 && reachFrom < 1e300 &&
-    reachTo < 1e300;
-  return isSeparated && isInRange;
+  const Vector3 p = from - center_;
+  const Vector3 q = to - center_;
+  const Vector3 start = roundFromWorld_ * p;
+  const Vector3 along = roundFromWorld_ * q - start;
+  const double squaredLength = along.squaredNorm();
+  // A segment of no length gives NaN here, which max turns into 0.
+  const double position = std::min(1.0, std::max(0.0, -start.dot(along) / squaredLength));
+  const Vector3 n = start + position * along;
+  if (isSeparated(p, q, n))
+  {
+    return true;
+  }
+  // Beside a flat body a segment is very long, and rounding tilts n towards it: straighten n.
+  const double tilt = n.dot(along);
+  const bool mayHelp = position > 0.0 && position < 1.0 &&
+    std::abs(tilt) > kNegligibleTilt * n.squaredNorm();
+  return mayHelp && isSeparated(p, q, n - (tilt / squaredLength) * along);
 }
 
 }

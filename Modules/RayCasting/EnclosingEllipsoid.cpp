@@ -1,5 +1,7 @@
 #include "EnclosingEllipsoid.h"
 
+#include "PrincipalAxes.h"
+
 #include <CGAL/Approximate_min_ellipsoid_d.h>
 #include <CGAL/Approximate_min_ellipsoid_d_traits_3.h>
 #include <CGAL/Quotient.h>
@@ -34,7 +36,7 @@ namespace
 using Points = std::vector<Vector3>;
 
 constexpr double kEpsilon = 0.01;            // CGAL's accuracy: volume <= (1 + eps) * optimum
-constexpr double kFlatness = 0x1p-27;        // thinnest axis over the longest
+constexpr double kFlatness = 0x1p-20;        // thinnest axis over the longest
 constexpr double kOffsetResolution = 0x1p-44; // thinnest axis over the distance from the origin
 constexpr double kSmallestLength = 0x1p-200; // only a point exactly at the origin needs it
 constexpr double kLargestCoordinate = 1e38;
@@ -208,52 +210,16 @@ CubeEllipsoid encloseInCube(const Points& active, const CubeFrame& frame)
   return volumeOverCube <= 1.01 * cubeEllipsoid ? *proposal : CubeEllipsoid{};
 }
 
-/// Turns the columns, any three conjugate semi-axes of an ellipsoid, into its principal ones, by
-/// Jacobi rotations of column pairs (Hestenes 1958). Short axes keep their relative accuracy.
-Matrix3 principalSemiAxes(Matrix3 columns)
-{
-  constexpr int kMaxSweeps = 20; // about five are needed
-  for (int sweep = 0; sweep < kMaxSweeps; ++sweep)
-  {
-    bool isOrthogonal = true;
-    for (const auto& [p, q] : { std::pair(0, 1), std::pair(0, 2), std::pair(1, 2) })
-    {
-      const double product = columns.col(p).dot(columns.col(q));
-      const double lengthP = columns.col(p).norm();
-      const double lengthQ = columns.col(q).norm();
-      if (std::abs(product) > 4.0 * kUnitRoundoff * lengthP * lengthQ)
-      {
-        isOrthogonal = false;
-        const double cotangent = (lengthQ * lengthQ - lengthP * lengthP) / (2.0 * product);
-        const double tangent =
-          std::copysign(1.0, cotangent) / (std::abs(cotangent) + std::hypot(1.0, cotangent));
-        const double cosine = 1.0 / std::hypot(1.0, tangent);
-        const Vector3 rotated = cosine * (columns.col(p) - tangent * columns.col(q));
-        columns.col(q) = cosine * (columns.col(q) + tangent * columns.col(p));
-        columns.col(p) = rotated;
-      }
-    }
-    if (isOrthogonal)
-    {
-      break;
-    }
-  }
-  return columns;
-}
-
 EnclosingEllipsoid toModel(const CubeEllipsoid& ellipsoid, const CubeFrame& frame)
 {
   const Matrix3 modelFromCube = frame.axes * frame.halfWidth.asDiagonal();
   const Matrix3 semiAxes = principalSemiAxes(modelFromCube * ellipsoid.upper.inverse());
-  const Vector3 lengths = semiAxes.colwise().norm();
-  std::array<int, 3> order = { 0, 1, 2 };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
   EnclosingEllipsoid result;
   result.center = frame.origin + modelFromCube * ellipsoid.center;
-  for (int row = 0; row < 3; ++row)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const int axis = order[row];
-    result.shape.row(row) = semiAxes.col(axis).transpose() / lengths[axis] / lengths[axis];
+    const Vector3 semiAxis = semiAxes.col(axis);
+    result.shape.row(axis) = (semiAxis / semiAxis.squaredNorm()).transpose();
   }
   return result;
 }
@@ -369,7 +335,8 @@ EnclosingEllipsoid growAround(const Points& points, EnclosingEllipsoid ellipsoid
   double reach = measureReach(ellipsoid, points).largest;
   for (double margin = 4.0 * kUnitRoundoff; margin < 1.0; margin *= 4.0)
   {
-    ellipsoid.shape /= reach * (1.0 + margin);
+    // A single point is at the centre and has no reach; it keeps the thickness of its frame.
+    ellipsoid.shape /= std::max(0.5, reach * (1.0 + margin));
     reach = measureReach(ellipsoid, points).largest;
     if (reach <= 1.0)
     {

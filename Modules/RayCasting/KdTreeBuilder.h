@@ -25,7 +25,7 @@ struct KdPrimitive
 struct KdTreeBuilder
 {
   double traversalCost = 1.0;
-  double intersectionCost = 1.5; ///< of one primitive, in units of traversalCost's unit
+  double intersectionCost = 0.8; ///< of one primitive, in units of traversalCost's unit
   double emptyFactor = 0.8;      ///< reward (< 1) for cutting off empty space
   Checkpoint checkpoint;         ///< may be empty
 

@@ -25,6 +25,11 @@ struct Triangle
   }
   /// Length: twice the area; direction: the front.
   Vector3 areaVector() const { return (b - a).cross(c - a); }
+
+  friend bool operator==(const Triangle& s, const Triangle& t)
+  {
+    return s.a == t.a && s.b == t.b && s.c == t.c;
+  }
 };
 
 inline Triangle transformed(const AffineMap& map, const Triangle& triangle)

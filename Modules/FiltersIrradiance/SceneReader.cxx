@@ -1,0 +1,171 @@
+#include "SceneReader.h"
+
+#include "InputError.h"
+
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
+{
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
+  if (array && !numbers)
+  {
+    throw InputError(where + ": the array " + array->GetName() + " is a " +
+      array->GetClassName() + ", not numbers");
+  }
+  return numbers;
+}
+
+void append(ConvertedPolyData& all, const ConvertedPolyData& part)
+{
+  const auto firstCell = static_cast<std::uint32_t>(all.surface.numberOfCells);
+  const auto& from = part.surface;
+  auto& to = all.surface;
+  all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
+  std::transform(from.cellOfTriangle.begin(), from.cellOfTriangle.end(),
+    std::back_inserter(to.cellOfTriangle),
+    [firstCell](std::uint32_t cell) { return firstCell + cell; });
+  to.reflectance.insert(to.reflectance.end(), from.reflectance.begin(), from.reflectance.end());
+  if (!from.exitance.empty())
+  {
+    to.exitance.resize(to.numberOfCells * static_cast<std::size_t>(to.bands), 0.0);
+    to.exitance.insert(to.exitance.end(), from.exitance.begin(), from.exitance.end());
+  }
+  to.pointLights.insert(to.pointLights.end(), from.pointLights.begin(), from.pointLights.end());
+  to.numberOfCells += from.numberOfCells;
+  if (!to.exitance.empty())
+  {
+    to.exitance.resize(to.numberOfCells * static_cast<std::size_t>(to.bands), 0.0);
+  }
+}
+
+}
+
+SceneReader::Stamp SceneReader::stampOf(const InputConnection& connection)
+{
+  return { connection.polyData, connection.polyData->GetMTime() };
+}
+
+int SceneReader::countBands(
+  const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving)
+{
+  int bands = 1;
+  for (const auto* connections : { &fixed, &moving })
+  {
+    for (const InputConnection& c : *connections)
+    {
+      for (vtkAbstractArray* array : { c.exitance, c.reflectance, c.flux })
+      {
+        bands = array && array->GetNumberOfComponents() == 3 ? 3 : bands;
+      }
+    }
+  }
+  return bands;
+}
+
+void SceneReader::read(const std::vector<InputConnection>& fixed,
+  const std::vector<InputConnection>& moving, const std::vector<AffineMap>& poses,
+  double defaultReflectance, const Checkpoint& checkpoint)
+{
+  const Settings settings{ countBands(fixed, moving), defaultReflectance };
+  if (settings != settings_ || !objects_.fixed.body)
+  {
+    fixedStamps_.clear();
+    movingStamps_.clear();
+    settings_ = settings;
+  }
+  movingStamps_.resize(moving.size());
+  objects_.dynamic.resize(moving.size());
+  areas_.resize(moving.size() + 1);
+  readFixed(fixed, checkpoint);
+  for (std::size_t i = 0; i < moving.size(); ++i)
+  {
+    readMoving(moving[i], i, checkpoint);
+    objects_.dynamic[i].worldFromObject = poses[i];
+    areas_[i + 1] = cellAreas(objects_.dynamic[i]);
+  }
+}
+
+ConvertedPolyData SceneReader::convert(const InputConnection& connection)
+{
+  SurfaceArrays arrays;
+  arrays.exitance = asNumbers(connection.exitance, connection.name);
+  arrays.reflectance = asNumbers(connection.reflectance, connection.name);
+  arrays.flux = asNumbers(connection.flux, connection.name);
+  arrays.defaultReflectance = settings_.defaultReflectance;
+  ConvertedPolyData data =
+    PolyDataConverter(connection.name, connection.polyData, arrays, settings_.bands).convert();
+  if (data.cellsWithoutArea > 0)
+  {
+    warnings_.push_back(connection.name + ": " + std::to_string(data.cellsWithoutArea) +
+      " cells have no area, the first is cell " + std::to_string(data.firstCellWithoutArea) +
+      "; their irradiance is 0");
+  }
+  return data;
+}
+
+void SceneReader::readFixed(
+  const std::vector<InputConnection>& fixed, const Checkpoint& checkpoint)
+{
+  std::vector<Stamp> stamps;
+  std::transform(fixed.begin(), fixed.end(), std::back_inserter(stamps), stampOf);
+  if (objects_.fixed.body && stamps == fixedStamps_)
+  {
+    return;
+  }
+  fixedStamps_.clear(); // until all is read
+  firstCell_.clear();
+  ConvertedPolyData all;
+  all.surface.bands = settings_.bands;
+  for (const InputConnection& connection : fixed)
+  {
+    firstCell_.push_back(all.surface.numberOfCells);
+    append(all, convert(connection));
+  }
+  adopt(std::move(all), objects_.fixed, checkpoint);
+  areas_[0] = cellAreas(objects_.fixed);
+  fixedStamps_ = std::move(stamps);
+}
+
+void SceneReader::readMoving(
+  const InputConnection& connection, std::size_t index, const Checkpoint& checkpoint)
+{
+  const Stamp stamp = stampOf(connection);
+  if (!(movingStamps_[index] == stamp))
+  {
+    movingStamps_[index] = {};
+    adopt(convert(connection), objects_.dynamic[index], checkpoint);
+    movingStamps_[index] = stamp;
+  }
+}
+
+/// Equal values keep the old object, and with it its tree, its ellipsoid and the stored walks.
+void SceneReader::adopt(
+  ConvertedPolyData data, SceneObject& object, const Checkpoint& checkpoint)
+{
+  if (!object.surface || !(*object.surface == data.surface))
+  {
+    object.surface = std::make_shared<Surface>(std::move(data.surface));
+  }
+  if (!object.body || object.body->mesh().triangles() != data.triangles)
+  {
+    object.body =
+      std::make_shared<RigidObject>(TriangleMesh(std::move(data.triangles)), checkpoint);
+  }
+}
+
+std::vector<std::string> SceneReader::takeWarnings()
+{
+  return std::exchange(warnings_, {});
+}
+
+}

@@ -1,0 +1,87 @@
+#ifndef irradiance_SceneReader_h
+#define irradiance_SceneReader_h
+
+#include "PolyDataConverter.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkAbstractArray;
+
+namespace irradiance
+{
+
+/// A connection of the filter and the cell arrays it found there; arrays may be null.
+struct InputConnection
+{
+  std::string name; ///< as in "input port 1, connection 0"
+  vtkPolyData* polyData = nullptr;
+  vtkAbstractArray* exitance = nullptr;
+  vtkAbstractArray* reflectance = nullptr;
+  vtkAbstractArray* flux = nullptr;
+};
+
+/**
+ * Keeps the scene of the engine in step with the inputs of the filter. What did not change keeps its
+ * address, by which the engine knows it: an input is read when VTK says that it was modified, and
+ * replaced only where its values differ.
+ */
+class SceneReader
+{
+public:
+  /// `poses[i]` belongs to `moving[i]`. Throws InputError. Afterwards objects() is the scene; after
+  /// an exception it is what it was, or partly new.
+  void read(const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving,
+    const std::vector<AffineMap>& poses, double defaultReflectance, const Checkpoint& checkpoint);
+
+  const SceneObjects& objects() const { return objects_; }
+  int bands() const { return settings_.bands; }
+  /// Number of the first cell of a static connection among the cells of object 0.
+  std::size_t firstCellOfFixed(std::size_t connection) const { return firstCell_[connection]; }
+  /// World area of the cells of an object, m2.
+  const std::vector<double>& areas(std::uint32_t object) const { return areas_[object]; }
+  /// What is odd about the inputs but can be computed; new ones since the last call.
+  std::vector<std::string> takeWarnings();
+
+private:
+  struct Settings
+  {
+    int bands = 1;
+    double defaultReflectance = 0.5;
+    bool operator!=(const Settings& other) const
+    {
+      return bands != other.bands || defaultReflectance != other.defaultReflectance;
+    }
+  };
+
+  /// An input as it was when it was read. The polydata is held so that its address stays its own.
+  struct Stamp
+  {
+    vtkSmartPointer<vtkPolyData> polyData;
+    vtkMTimeType time = 0;
+    bool operator==(const Stamp& other) const
+    {
+      return polyData == other.polyData && time == other.time;
+    }
+  };
+
+  static Stamp stampOf(const InputConnection& connection);
+  static int countBands(
+    const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving);
+  ConvertedPolyData convert(const InputConnection& connection);
+  void readFixed(const std::vector<InputConnection>& fixed, const Checkpoint& checkpoint);
+  void readMoving(
+    const InputConnection& connection, std::size_t index, const Checkpoint& checkpoint);
+  void adopt(ConvertedPolyData data, SceneObject& object, const Checkpoint& checkpoint);
+
+  Settings settings_;
+  std::vector<Stamp> fixedStamps_;
+  std::vector<Stamp> movingStamps_;
+  SceneObjects objects_;
+  std::vector<std::size_t> firstCell_;
+  std::vector<std::vector<double>> areas_;
+  std::vector<std::string> warnings_;
+};
+
+}
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef irradiance_SmpExecution_h
+#define irradiance_SmpExecution_h
+
+#include "Execution.h"
+
+#include "vtkSMPTools.h"
+
+#include <utility>
+
+namespace irradiance
+{
+
+/// VTK's threads, and a function that tells progress and says whether to go on.
+class SmpExecution : public Execution
+{
+public:
+  explicit SmpExecution(std::function<bool(double)> goOn)
+    : goOn_(std::move(goOn))
+  {
+  }
+
+  void parallelFor(
+    std::size_t count, const std::function<void(std::size_t, std::size_t)>& task) override
+  {
+    auto range = [&task](vtkIdType begin, vtkIdType end) {
+      task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+    };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1, range);
+  }
+
+  bool goOn(double progress) override { return goOn_(progress); }
+
+private:
+  std::function<bool(double)> goOn_;
+};
+
+}
+
+#endif

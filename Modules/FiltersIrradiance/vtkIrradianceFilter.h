@@ -1,0 +1,195 @@
+/**
+ * @class   vtkIrradianceFilter
+ * @brief   light received by every cell of a scene in which things move
+ *
+ * Shoots photon walks from the lights of the scene, stores them when something may move, and at
+ * each further update verifies the stored walks against the objects that moved and repairs only
+ * those that changed. The result of an update equals that of a new filter on the same input, bit
+ * for bit, whatever the number of threads, the traversal mode and the use of the cache.
+ *
+ * After Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of Shooting
+ * Walks" (SCCG 2003).
+ *
+ * @section Inputs
+ * - Port 0, static: vtkPolyData, repeatable, optional.
+ * - Port 1, dynamic: vtkPolyData in model coordinates, repeatable, optional. The pose is that of
+ *   SetDynamicTransform; without one, that of the field-data array `ObjectToWorld` (16 values, row
+ *   by row) of the input; else the identity. Any invertible affine map will do.
+ *
+ * Polygons and triangle strips are surfaces. Their front is the side from which the points of a cell
+ * run counter-clockwise in world coordinates (so a reflecting transform turns it round). Vertex
+ * cells with a flux are isotropic point lights; several points share the flux of their cell. Lines
+ * are passed through.
+ *
+ * @section Arrays Cell arrays read
+ * SetInputArrayToProcess(index, ...) chooses others. One component, or three for three bands.
+ * | index | default name         | meaning                                        |
+ * |-------|----------------------|------------------------------------------------|
+ * | 0     | RadiantExitance      | W/m2 emitted from the front, diffuse; >= 0     |
+ * | 1     | DiffuseReflectance   | 0..1, both sides; DefaultDiffuseReflectance where absent |
+ * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
+ *
+ * @section Output
+ * vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each a vtkMultiBlockDataSet with one
+ * vtkPolyData per connection, in order: the input's points (dynamic ones in world coordinates, with
+ * the active normals), its cells and arrays, and the cell array `Irradiance` (double, W/m2, one or
+ * three components, both sides summed), or `IrradianceFront` and `IrradianceBack` if SeparateSides
+ * is on. Cells without area, vertices and lines have 0.
+ *
+ * Field data of the root, one tuple each: `EmittedPower`, `AbsorbedPower`, `EscapedPower`,
+ * `StalePower` (W, per band; emitted = absorbed + escaped; nothing is stale after an update),
+ * `NumberOfWalks`, `NumberOfSegments`, and what this update cost: `NumberOfInvalidWalks`,
+ * `NumberOfRepairedSegments`, `ShootSeconds`, `VerifySeconds`, `RepairSeconds`, `HistoryBytes`.
+ *
+ * @section Errors
+ * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
+ * of range, singular or non-finite transforms, transforms of connections that do not exist: one
+ * error that names the input, the cell and the value, and an empty output. A scene without lights
+ * gives zeros and a warning. Progress is reported and AbortExecute honoured within 0.1 s; after an
+ * abort the output is empty and, as with all of VTK, counts as up to date until Modified().
+ *
+ * Runs on VTK's threads (vtkSMPTools).
+ */
+
+#ifndef vtkIrradianceFilter_h
+#define vtkIrradianceFilter_h
+
+#include "vtkFiltersIrradianceModule.h" // For export macro
+#include "vtkMultiBlockDataSetAlgorithm.h"
+
+#include <memory> // For the internals
+
+class vtkLinearTransform;
+
+class VTKFILTERSIRRADIANCE_EXPORT vtkIrradianceFilter : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static vtkIrradianceFilter* New();
+  vtkTypeMacro(vtkIrradianceFilter, vtkMultiBlockDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How rays search the static and the dynamic geometry; the result is the same.
+  enum TraversalModes
+  {
+    OneTree = 0,    ///< one tree over all triangles, rebuilt whenever something moves
+    Sequential = 1, ///< the dynamic tree, then the static one up to the hit found
+    Parallel = 2    ///< both side by side, always the one whose next node is nearer
+  };
+
+  /// What happens when dynamic objects have moved; the result is the same.
+  enum UpdateModes
+  {
+    Rebuild = 0, ///< everything is shot anew
+    Verify = 1   ///< the stored walks are verified and those that changed repaired
+  };
+
+  ///@{
+  /**
+   * Pose (model to world) of the i-th connection of port 1, null for none. It is kept by reference:
+   * changing it, as well as another one, makes the filter execute. Indices follow the connections:
+   * after removing one, set the transforms again.
+   */
+  void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
+  vtkLinearTransform* GetDynamicTransform(int i);
+  void RemoveAllDynamicTransforms();
+  ///@}
+
+  ///@{
+  /**
+   * Number of photon walks, 1 to 4,294,967,295. The error of a cell falls with about the square
+   * root. Default 1,000,000.
+   */
+  vtkSetMacro(NumberOfWalks, vtkIdType);
+  vtkGetMacro(NumberOfWalks, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Chooses the random scrambling of the samples: two seeds give independent results. Default 1.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Diffuse reflectance, 0..1, of the inputs without such an array. Default 0.5.
+   */
+  vtkSetMacro(DefaultDiffuseReflectance, double);
+  vtkGetMacro(DefaultDiffuseReflectance, double);
+  ///@}
+
+  ///@{
+  /**
+   * See TraversalModes. Default Parallel.
+   */
+  vtkSetClampMacro(TraversalMode, int, OneTree, Parallel);
+  vtkGetMacro(TraversalMode, int);
+  void SetTraversalModeToOneTree() { this->SetTraversalMode(OneTree); }
+  void SetTraversalModeToSequential() { this->SetTraversalMode(Sequential); }
+  void SetTraversalModeToParallel() { this->SetTraversalMode(Parallel); }
+  ///@}
+
+  ///@{
+  /**
+   * See UpdateModes. Default Verify.
+   */
+  vtkSetClampMacro(UpdateMode, int, Rebuild, Verify);
+  vtkGetMacro(UpdateMode, int);
+  void SetUpdateModeToRebuild() { this->SetUpdateMode(Rebuild); }
+  void SetUpdateModeToVerify() { this->SetUpdateMode(Verify); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether a static hit that a dynamic object hides is remembered for the time when the object is
+   * gone again. Changes the time, not the result. Default on.
+   */
+  vtkSetMacro(CacheStaticHits, vtkTypeBool);
+  vtkGetMacro(CacheStaticHits, vtkTypeBool);
+  vtkBooleanMacro(CacheStaticHits, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the irradiance of the two sides of a cell is kept apart. Default off.
+   */
+  vtkSetMacro(SeparateSides, vtkTypeBool);
+  vtkGetMacro(SeparateSides, vtkTypeBool);
+  vtkBooleanMacro(SeparateSides, vtkTypeBool);
+  ///@}
+
+  /// Counts the transforms.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkIrradianceFilter();
+  ~vtkIrradianceFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+
+  vtkIdType NumberOfWalks = 1000000;
+  int Seed = 1;
+  double DefaultDiffuseReflectance = 0.5;
+  int TraversalMode = Parallel;
+  int UpdateMode = Verify;
+  vtkTypeBool CacheStaticHits = 1;
+  vtkTypeBool SeparateSides = 0;
+
+private:
+  vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;
+  void operator=(const vtkIrradianceFilter&) = delete;
+
+  bool GoOn(double progress);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,64 @@
+# Installs a build tree, looks at what was installed, and builds and runs ReadmeLines/ against it.
+#
+#   build    the build tree; without it a static one is made from `source`
+#   scratch  a folder for all that is made here
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if (NOT status EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${status}:\n${output}")
+  endif ()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+set(toolchain
+  -G "${generator}"
+  "-DCMAKE_MAKE_PROGRAM=${make_program}"
+  "-DCMAKE_C_COMPILER=${c_compiler}"
+  "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
+  "-DVTK_DIR=${vtk_dir}")
+set(prefix "${scratch}/prefix")
+file(REMOVE_RECURSE "${scratch}/prefix" "${scratch}/consumer")
+
+if (NOT build)
+  # Kept from run to run: what did not change is not built again.
+  set(build "${scratch}/build")
+  run("${CMAKE_COMMAND}" -S "${source}" -B "${build}" ${toolchain}
+    -DBUILD_TESTING=OFF -DBUILD_SHARED_LIBS=OFF "-DCMAKE_INSTALL_PREFIX=${prefix}")
+  run("${CMAKE_COMMAND}" --build "${build}" --parallel)
+endif ()
+run("${CMAKE_COMMAND}" --install "${build}" --prefix "${prefix}")
+
+# The package: one target, and no word of the engine or of what the engine is made with.
+file(GLOB_RECURSE package "${prefix}/*/cmake/vtkIrradiance/*.cmake")
+file(GLOB_RECURSE headers "${prefix}/include/vtkIrradiance/*.h")
+if (NOT package OR NOT headers)
+  message(FATAL_ERROR "no package or no header in ${prefix}")
+endif ()
+foreach (file IN LISTS package headers)
+  file(STRINGS "${file}" lines REGEX "CGAL|[Ee]igen|gmp|mpfr|RayCasting|PhotonWalks")
+  if (file MATCHES "\\.h$")
+    list(FILTER lines INCLUDE REGEX "#[ ]*include")
+  endif ()
+  if (lines)
+    message(FATAL_ERROR "${file} shows what is private:\n${lines}")
+  endif ()
+  file(STRINGS "${file}" lines REGEX "${source}")
+  if (lines)
+    message(FATAL_ERROR "${file} points back to the source tree:\n${lines}")
+  endif ()
+endforeach ()
+
+run("${CMAKE_COMMAND}" -S "${source}/Testing/Consumer/ReadmeLines" -B "${scratch}/consumer" ${toolchain}
+  "-DCMAKE_PREFIX_PATH=${prefix}")
+run("${CMAKE_COMMAND}" --build "${scratch}/consumer")
+run("${scratch}/consumer/ReadmeLines")
+message(STATUS "${output}")
+if (NOT output MATCHES "Irradiance ([0-9.e+-]+) to ([0-9.e+-]+) W/m2")
+  message(FATAL_ERROR "the consumer said:\n${output}")
+endif ()
+# The lamp lights the room, and nowhere is more than ten times what the lamp itself gives.
+if (NOT CMAKE_MATCH_2 GREATER 0 OR CMAKE_MATCH_2 GREATER 1000)
+  message(FATAL_ERROR "${CMAKE_MATCH_2} W/m2 cannot be")
+endif ()

@@ -1,0 +1,477 @@
+#include "EllipsoidBound.h"
+
+#include "AdversarialSegments.h"
+#include "ExactSegmentTriangle.h"
+#include "RandomVectors.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace irradiance
+{
+namespace
+{
+
+using exact::Quad;
+using exact::Touch;
+using test::Body;
+using test::Motion;
+using test::RandomVectors;
+using test::Segment;
+using test::SegmentSource;
+
+struct Count
+{
+  long segments = 0;
+  long rejected = 0;
+  long falselyRejected = 0;
+  long flat = 0; ///< rejected ones that lie in the plane of their triangle: not decided
+
+  Count& operator+=(const Count& other)
+  {
+    segments += other.segments;
+    rejected += other.rejected;
+    falselyRejected += other.falselyRejected;
+    flat += other.flat;
+    return *this;
+  }
+};
+
+Count fuzz(const Body& body, const AffineMap& map, const EnclosingEllipsoid& ellipsoid, int n,
+  unsigned seed)
+{
+  const EllipsoidBound bound(ellipsoid, body.bounds, map, 0.0);
+  SegmentSource source(body, map, seed);
+  Count count;
+  for (int i = 0; i < n; ++i)
+  {
+    const Segment s = source.next();
+    ++count.segments;
+    if (bound.rejects(s.from, s.to))
+    {
+      ++count.rejected;
+      const Touch touch = exact::touch(map, body.triangles[s.target], s.from, s.to);
+      count.falselyRejected += touch == Touch::Yes ? 1 : 0;
+      count.flat += touch == Touch::Flat ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+Quad dot(const exact::Vector<Quad>& a, const exact::Vector<Quad>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+exact::Vector<Quad> difference(const exact::Vector<Quad>& a, const exact::Vector<Quad>& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+exact::Vector<Quad> quad(const Vector3& x)
+{
+  return { x[0], x[1], x[2] };
+}
+
+exact::Vector<Quad> moved(const AffineMap& map, const Vector3& point)
+{
+  exact::Vector<Quad> x = quad(map.translation);
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      x[i] += Quad(map.linear(i, j)) * Quad(point[j]);
+    }
+  }
+  return x;
+}
+
+/// Square of the distance of `x` from the segment.
+Quad squaredDistance(const exact::Vector<Quad>& x, const Vector3& from, const Vector3& to)
+{
+  const exact::Vector<Quad> along = difference(quad(to), quad(from));
+  exact::Vector<Quad> d = difference(quad(from), x);
+  const Quad length = dot(along, along);
+  const Quad t = length > 0 ? -dot(d, along) / length : Quad(0);
+  const Quad clamped = t < 0 ? Quad(0) : t > 1 ? Quad(1) : t;
+  for (int i = 0; i < 3; ++i)
+  {
+    d[i] += clamped * along[i];
+  }
+  return dot(d, d);
+}
+
+/// Columns of linear * shape^-1, and the moved centre.
+struct QuadEllipsoid
+{
+  std::array<exact::Vector<Quad>, 3> axis;
+  exact::Vector<Quad> center;
+
+  QuadEllipsoid(const EnclosingEllipsoid& e, const AffineMap& map)
+    : center(moved(map, e.center))
+  {
+    std::array<exact::Vector<Quad>, 3> row;
+    for (int i = 0; i < 3; ++i)
+    {
+      row[i] = quad(e.shape.row(i).transpose());
+    }
+    const Quad determinant = exact::determinant(row[0], row[1], row[2]);
+    for (int k = 0; k < 3; ++k)
+    {
+      const exact::Vector<Quad>& a = row[(k + 1) % 3];
+      const exact::Vector<Quad>& b = row[(k + 2) % 3];
+      for (int i = 0; i < 3; ++i)
+      {
+        axis[k][i] = 0;
+        for (int j = 0; j < 3; ++j)
+        {
+          const Quad inverse =
+            (a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3]) / determinant;
+          axis[k][i] += Quad(map.linear(i, j)) * inverse;
+        }
+      }
+    }
+  }
+
+  Quad squaredHalfWidth(int i) const
+  {
+    return axis[0][i] * axis[0][i] + axis[1][i] * axis[1][i] + axis[2][i] * axis[2][i];
+  }
+};
+
+const Box kHuge = [] {
+  Box box;
+  box.add(Vector3::Constant(-1e30));
+  box.add(Vector3::Constant(1e30));
+  return box;
+}();
+
+}
+
+// Law: the ellipsoid never rejects a segment that hits.
+TEST(EllipsoidBound, RejectsNoSegmentThatHits)
+{
+  const std::vector<Body> bodies = test::hardBodies();
+  const std::vector<Motion> motions = test::hardMotions();
+  constexpr int kPerPair = 84000;
+  Count total;
+  unsigned seed = 1000;
+  for (const Motion& motion : motions)
+  {
+    for (const Body& body : bodies)
+    {
+      const Count count =
+        fuzz(body, motion.worldFromObject, body.ellipsoid, kPerPair, ++seed);
+      EXPECT_EQ(count.falselyRejected, 0) << motion.name << ", " << body.name;
+      total += count;
+    }
+  }
+  EXPECT_GE(total.segments, 10000000);
+  EXPECT_GE(total.rejected, total.segments / 50);
+  EXPECT_LE(total.flat, total.rejected / 1000);
+  std::printf("seeds 1001-%u: %ld segments, %ld rejected, %ld falsely, %ld in a plane\n", seed,
+    total.segments, total.rejected, total.falselyRejected, total.flat);
+}
+
+// The test above can fail: an ellipsoid too small by 1e-4 is found out, by nearly every pair.
+TEST(EllipsoidBound, FuzzFindsARadiusTooSmall)
+{
+  Count total;
+  unsigned seed = 2000;
+  for (const Body& body : test::hardBodies())
+  {
+    EnclosingEllipsoid tooSmall = body.ellipsoid;
+    tooSmall.shape /= 0.9999;
+    Count count;
+    for (const Motion& motion : test::hardMotions())
+    {
+      count += fuzz(body, motion.worldFromObject, tooSmall, 5000, ++seed);
+    }
+    EXPECT_GT(count.falselyRejected, 0) << body.name;
+    total += count;
+  }
+  std::printf("seeds 2001-%u, radius * 0.9999: %ld segments, %ld rejected falsely\n", seed,
+    total.segments, total.falselyRejected);
+}
+
+// Ends of segments exactly on a corner, where the corner's image is exact in doubles.
+TEST(EllipsoidBound, RejectsNoSegmentThatEndsOnACorner)
+{
+  RandomVectors random(3);
+  const auto integer = [&] { return std::floor(random.uniform(-8, 9)); };
+  long tests = 0;
+  for (int repeat = 0; repeat < 20000; ++repeat)
+  {
+    AffineMap map; // often singular
+    std::vector<Vector3> corners;
+    for (int i = 0; i < 3; ++i)
+    {
+      map.linear.row(i) = Vector3(integer(), integer(), integer()) * (repeat % 3 == i ? 0 : 1);
+      map.translation[i] = integer();
+      corners.push_back({ integer(), integer(), integer() });
+    }
+    Box box;
+    for (const Vector3& corner : corners)
+    {
+      box.add(corner);
+    }
+    const EllipsoidBound bound(encloseByEllipsoid(corners), box, map, 0.0);
+    for (const Vector3& corner : corners)
+    {
+      const Vector3 image = map(corner);
+      const Vector3 other = image + random.direction() * random.powerOfTwo(-20, 20);
+      EXPECT_FALSE(bound.rejects(image, other) || bound.rejects(other, image));
+      EXPECT_FALSE(bound.rejects(image, image));
+      tests += 3;
+    }
+  }
+  std::printf("seed 3: %ld segments\n", tests);
+}
+
+TEST(EllipsoidBound, RejectsNoSegmentWithinThePad)
+{
+  RandomVectors random(4);
+  long tests = 0;
+  for (const Motion& motion : test::hardMotions())
+  {
+    for (const Body& body : test::hardBodies())
+    {
+      const AffineMap& map = motion.worldFromObject;
+      const double size = (map.linear * body.ellipsoid.shape.inverse()).norm();
+      const double pad = size * random.powerOfTwo(-40, 1);
+      const EllipsoidBound bound(body.ellipsoid, body.bounds, map, pad);
+      for (int i = 0; i < 3000; ++i)
+      {
+        const auto& [triangle, k] = body.contacts[i % body.contacts.size()];
+        const Vector3& corner = body.triangles[triangle][k];
+        const Vector3 offset = random.direction();
+        const Vector3 along = offset.cross(random.direction()).normalized();
+        const Vector3 x = map(corner) + offset * pad * random.uniform(0.999999, 1.0);
+        const double before = i % 5 == 0 ? 0.0 : size * random.powerOfTwo(-10, 10);
+        const double after = size * random.powerOfTwo(-10, 10);
+        const Vector3 from = x - before * along;
+        const Vector3 to = x + after * along;
+        const bool rejected = bound.rejects(from, to);
+        const bool isWithin = squaredDistance(moved(map, corner), from, to) <= Quad(pad) * Quad(pad);
+        tests += isWithin ? 1 : 0;
+        EXPECT_FALSE(rejected && isWithin) << motion.name << ", " << body.name;
+      }
+    }
+  }
+  EXPECT_GE(tests, 100000);
+  std::printf("seed 4: %ld segments within the pad\n", tests);
+}
+
+TEST(EllipsoidBound, PadIsNotMuchWiderThanAsked)
+{
+  const Body body = test::sphere(12);
+  for (const double pad : { 1e-9, 1e-3, 1.0, 1e3 })
+  {
+    RandomVectors random(9);
+    const EllipsoidBound bound(body.ellipsoid, body.bounds, {}, pad);
+    for (int i = 0; i < 1000; ++i)
+    {
+      const Vector3 up = random.direction();
+      const Vector3 along = up.cross(random.direction());
+      const Vector3 x = (1.01 + 1.75 * pad) * up; // sqrt(3) at worst
+      EXPECT_TRUE(bound.rejects(x - along, x + 2.0 * along)) << pad;
+    }
+  }
+}
+
+// On ordinary segments it rejects as often as the exact ellipsoid would.
+TEST(EllipsoidBound, RejectsNearlyAllThatMiss)
+{
+  RandomVectors random(5);
+  double worst = 1.0;
+  for (const Motion& motion : test::hardMotions())
+  {
+    if (!motion.hasInverse)
+    {
+      continue; // nothing to compare with
+    }
+    for (const Body& body : test::hardBodies())
+    {
+      const EllipsoidBound bound(body.ellipsoid, body.bounds, motion.worldFromObject, 0.0);
+      const Matrix3 semiAxes = motion.worldFromObject.linear * body.ellipsoid.shape.inverse();
+      const Matrix3 unitFromWorld = semiAxes.inverse();
+      const Vector3 center = motion.worldFromObject(body.ellipsoid.center);
+      const double size = semiAxes.norm();
+      long rejected = 0;
+      long missing = 0;
+      for (int i = 0; i < 20000; ++i)
+      {
+        const double far = i % 10 == 0 ? 1e3 : 2.0;
+        const Vector3 from = center + 2.0 * size * random.inCube();
+        const Vector3 to = center + far * size * random.inCube();
+        const Vector3 a = unitFromWorld * (from - center);
+        const Vector3 d = unitFromWorld * (to - from);
+        const double t = std::clamp(-a.dot(d) / d.squaredNorm(), 0.0, 1.0);
+        missing += (a + t * d).norm() > 1.0 ? 1 : 0;
+        rejected += bound.rejects(from, to) ? 1 : 0;
+      }
+      const double ratio = static_cast<double>(rejected) / static_cast<double>(missing);
+      EXPECT_GE(ratio, 0.998) << motion.name << ", " << body.name;
+      worst = std::min(worst, ratio);
+    }
+  }
+  std::printf("seed 5: at worst %.4f of the misses are rejected\n", worst);
+}
+
+TEST(EllipsoidBound, BoxContainsTheEllipsoid)
+{
+  RandomVectors random(6);
+  const std::vector<Body> bodies = test::hardBodies();
+  const std::vector<Motion> motions = test::hardMotions();
+  long tests = 0;
+  long violations = 0;
+  double loosest = 0.0;
+  for (int repeat = 0; repeat < 1400; ++repeat)
+  {
+    for (const Motion& motion : motions)
+    {
+      const Body& body = bodies[repeat % bodies.size()];
+      AffineMap map = motion.worldFromObject;
+      map.linear *= random.rotation();
+      map.translation += random.inCube() * 1e-3;
+      const Box box = EllipsoidBound(body.ellipsoid, kHuge, map, 0.0).worldBox();
+      const QuadEllipsoid truth(body.ellipsoid, map);
+      const Quad roundingUnit = 1e-15 * map.translation.norm() +
+        1e-15 * (map.linear.norm() * (body.ellipsoid.center.norm() +
+          body.ellipsoid.shape.inverse().norm()));
+      for (int i = 0; i < 3; ++i)
+      {
+        const Quad square = truth.squaredHalfWidth(i);
+        const Quad below = truth.center[i] - Quad(box.lower[i]);
+        const Quad above = Quad(box.upper[i]) - truth.center[i];
+        for (const Quad reach : { below, above })
+        {
+          ++tests;
+          violations += reach < 0 || reach * reach < square ? 1 : 0;
+          const Quad excess = (reach * reach - square) / (reach * roundingUnit);
+          loosest = std::max(loosest, static_cast<double>(excess));
+        }
+      }
+    }
+  }
+  EXPECT_EQ(violations, 0);
+  EXPECT_LE(loosest, 200.0) << "in units of 1e-15 of the coordinates";
+  std::printf("seed 6: %ld axis tests, %ld violations, loosest by %.1fe-15 of the coordinates\n",
+    tests, violations, 0.5 * loosest);
+}
+
+TEST(EllipsoidBound, BoxContainsTheBodyAndIsTight)
+{
+  RandomVectors random(7);
+  long tests = 0;
+  long violations = 0;
+  for (const Body& body : test::hardBodies())
+  {
+    double areaRatio = 0.0;
+    int n = 0;
+    for (const Motion& motion : test::hardMotions())
+    {
+      for (int repeat = 0; repeat < 6; ++repeat)
+      {
+        AffineMap map = motion.worldFromObject;
+        map.linear *= random.rotation();
+        const double pad = repeat % 2 == 0 ? 0.0 : 1e-9 * map.linear.norm();
+        const Box box = EllipsoidBound(body.ellipsoid, body.bounds, map, pad).worldBox();
+        Box measured;
+        for (const auto& triangle : body.triangles)
+        {
+          for (const Vector3& corner : triangle)
+          {
+            const exact::Vector<Quad> x = moved(map, corner);
+            for (int i = 0; i < 3; ++i)
+            {
+              ++tests;
+              violations +=
+                x[i] - Quad(pad) < Quad(box.lower[i]) || x[i] + Quad(pad) > Quad(box.upper[i]);
+            }
+            measured.add(map(corner));
+          }
+        }
+        const auto area = [](const Box& b) {
+          const Vector3 e = b.extent();
+          return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
+        };
+        if (motion.name == "rotation")
+        {
+          areaRatio += area(box) / area(measured);
+          ++n;
+        }
+      }
+    }
+    std::printf("%s: area of the box over that of the corners' box %.3f\n", body.name.c_str(),
+      areaRatio / n);
+    EXPECT_LE(areaRatio / n, 1.6) << body.name;
+  }
+  EXPECT_GE(tests, 300000);
+  EXPECT_EQ(violations, 0);
+  std::printf("seed 7: %ld axis tests, %ld violations\n", tests, violations);
+}
+
+TEST(EllipsoidBound, AcceptsWhatItCannotJudge)
+{
+  const Body body = test::box();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const EllipsoidBound bound(body.ellipsoid, body.bounds, {}, 0.0);
+  EXPECT_TRUE(bound.rejects({ 9, 9, 9 }, { 9, 9, -9 }));
+  EXPECT_TRUE(bound.rejects({ 9, 9, 9 }, { 9, 9, 9 }));
+  for (const double bad : { nan, kInfinity, -kInfinity, 1e300, -1e308 })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Vector3 end(9, 9, 9);
+      end[axis] = bad;
+      EXPECT_FALSE(bound.rejects(end, -end)) << bad;
+      if (!(std::abs(bad) < kInfinity))
+      {
+        EXPECT_FALSE(bound.rejects(end, { 9, 9, 9 })) << bad;
+        EXPECT_FALSE(bound.rejects({ 9, 9, 9 }, end)) << bad;
+      }
+    }
+    AffineMap map;
+    map.linear(1, 2) = std::abs(bad) < kInfinity ? nan : bad;
+    const EllipsoidBound unknown(body.ellipsoid, body.bounds, map, 0.0);
+    EXPECT_FALSE(unknown.rejects({ 9, 9, 9 }, { 9, 9, 10 }));
+    EXPECT_EQ(unknown.worldBox().lower[0], -kInfinity);
+    EXPECT_EQ(unknown.worldBox().upper[2], kInfinity);
+  }
+  EXPECT_TRUE(EllipsoidBound(body.ellipsoid, Box{}, {}, 1.0).worldBox().isEmpty());
+}
+
+TEST(EllipsoidBound, ScalesExactlyWithPowersOfTwo)
+{
+  long tests = 0;
+  for (const Body& body : test::hardBodies())
+  {
+    for (const Motion& motion : test::hardMotions())
+    {
+      const AffineMap& map = motion.worldFromObject;
+      const double pad = 1e-12 * map.linear.norm();
+      const EllipsoidBound unit(body.ellipsoid, body.bounds, map, pad);
+      for (const int exponent : { -60, -7, 1, 40 })
+      {
+        const double s = std::ldexp(1.0, exponent);
+        const EnclosingEllipsoid ellipsoid{ body.ellipsoid.center * s, body.ellipsoid.shape / s };
+        const Box box{ body.bounds.lower * s, body.bounds.upper * s };
+        const EllipsoidBound scaled(ellipsoid, box, { map.linear, map.translation * s }, pad * s);
+        EXPECT_TRUE(scaled.worldBox().lower == unit.worldBox().lower * s) << motion.name;
+        EXPECT_TRUE(scaled.worldBox().upper == unit.worldBox().upper * s) << motion.name;
+        SegmentSource source(body, map, 8);
+        for (int i = 0; i < 300; ++i, ++tests)
+        {
+          const Segment g = source.next();
+          EXPECT_EQ(scaled.rejects(g.from * s, g.to * s), unit.rejects(g.from, g.to));
+        }
+      }
+    }
+  }
+  std::printf("seed 8: %ld segments\n", tests);
+}
+
+}
