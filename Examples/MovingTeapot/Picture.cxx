@@ -9,10 +9,12 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolygon.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -50,11 +52,11 @@ std::vector<vtkPolyData*> MeshesOf(vtkMultiBlockDataSet* scene)
   return meshes;
 }
 
-// 1, 2 or 5 times a power of ten, not below the value.
+// The next value whose fifths are easily read.
 double RoundUp(double value)
 {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (double step : { 1.0, 2.0, 5.0 })
+  for (double step : { 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0 })
   {
     if (value <= step * power)
     {
@@ -64,26 +66,51 @@ double RoundUp(double value)
   return 10.0 * power;
 }
 
-// The end of the colour range: beyond nearly all cells, so that a few noisy ones do not darken the
-// rest.
+struct LitArea
+{
+  double Irradiance; // W/m2
+  double Area;       // m2
+};
+
+void AddCells(vtkPolyData* mesh, std::vector<LitArea>& cells)
+{
+  vtkDataArray* irradiance = mesh->GetCellData()->GetArray(Irradiance);
+  for (vtkIdType i = 0; irradiance && i < mesh->GetNumberOfCells(); ++i)
+  {
+    vtkNew<vtkIdList> ids;
+    mesh->GetCellPoints(i, ids);
+    double normal[3];
+    const double area =
+      vtkPolygon::ComputeArea(mesh->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
+    cells.push_back({ irradiance->GetTuple1(i), area });
+  }
+}
+
+// The end of the colour range: beyond 98 % of all area, so that the lamp's neighbourhood and a few
+// noisy cells do not darken the rest.
 double RangeOf(const std::vector<vtkPolyData*>& meshes)
 {
-  std::vector<double> values;
+  std::vector<LitArea> cells;
+  double rest = 0.0;
   for (vtkPolyData* mesh : meshes)
   {
-    vtkDataArray* array = mesh->GetCellData()->GetArray(Irradiance);
-    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    AddCells(mesh, cells);
+  }
+  for (const LitArea& cell : cells)
+  {
+    rest += 0.02 * cell.Area;
+  }
+  std::sort(cells.begin(), cells.end(),
+    [](const LitArea& a, const LitArea& b) { return a.Irradiance > b.Irradiance; });
+  for (const LitArea& cell : cells)
+  {
+    rest -= cell.Area;
+    if (rest <= 0.0 && cell.Irradiance > 0.0)
     {
-      values.push_back(array->GetTuple1(i));
+      return RoundUp(cell.Irradiance);
     }
   }
-  if (values.empty())
-  {
-    return 1.0;
-  }
-  auto nearlyLast = values.begin() + std::ptrdiff_t(0.99 * double(values.size() - 1));
-  std::nth_element(values.begin(), nearlyLast, values.end());
-  return *nearlyLast > 0.0 ? RoundUp(*nearlyLast) : 1.0;
+  return 1.0;
 }
 
 }

@@ -32,7 +32,7 @@ private:
   bool isSeparated(const Vector3& p, const Vector3& q, const Vector3& n) const noexcept;
 
   static constexpr double kNegligibleTilt = 0x1p-10;
-  static constexpr double kRounding = 0; // 32 units in the last place
+  static constexpr double kRounding = 0x1p-48; // 32 units in the last place
   static constexpr double kSmallest = 1e-120;
   static constexpr double kLargest = 1e140;
 

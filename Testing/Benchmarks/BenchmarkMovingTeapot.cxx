@@ -1,0 +1,213 @@
+/**
+ * The bars of the main job on the scene of Examples/MovingTeapot, one thread: how shooting compares
+ * with a loop of Embree's rtcIntersect1 that does the same walks, and what a frame costs beside the
+ * first shooting. The answers are compared before any time counts; the two are timed in turns in
+ * one process by the thread's CPU time, and the medians of the ratios are given.
+ *
+ * Arguments: [walks = 1000000] [rounds = 5] [frames = 10] [head.off]
+ */
+#include "EmbreeShooter.h"
+#include "InputError.h"
+#include "IrradianceEngine.h"
+#include "PolyDataConverter.h"
+#include "TeapotPath.h"
+#include "TeapotScene.h"
+
+#include <vtkCellData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTransform.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+using namespace irradiance;
+
+namespace
+{
+
+double cpuSeconds()
+{
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+struct Spread
+{
+  double smallest, median, largest;
+};
+
+Spread spreadOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return { values.front(), values[values.size() / 2], values.back() };
+}
+
+void print(const char* what, const std::vector<double>& values)
+{
+  const Spread spread = spreadOf(values);
+  std::printf("| %-58s | %8.4f | %8.4f .. %8.4f |\n", what, spread.median, spread.smallest,
+    spread.largest);
+}
+
+ConvertedPolyData convert(const char* name, vtkPolyData* input)
+{
+  SurfaceArrays arrays;
+  arrays.exitance = input->GetCellData()->GetArray("RadiantExitance");
+  arrays.reflectance = input->GetCellData()->GetArray("DiffuseReflectance");
+  return PolyDataConverter(name, input, arrays, 1).convert();
+}
+
+SceneObject toObject(ConvertedPolyData data)
+{
+  SceneObject object;
+  object.body = std::make_shared<RigidObject>(TriangleMesh(std::move(data.triangles)));
+  object.surface = std::make_shared<Surface>(std::move(data.surface));
+  return object;
+}
+
+void append(ConvertedPolyData& all, const ConvertedPolyData& part)
+{
+  const auto first = static_cast<std::uint32_t>(all.surface.numberOfCells);
+  all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
+  for (const std::uint32_t cell : part.surface.cellOfTriangle)
+  {
+    all.surface.cellOfTriangle.push_back(first + cell);
+  }
+  all.surface.numberOfCells += part.surface.numberOfCells;
+  all.surface.reflectance.insert(all.surface.reflectance.end(), part.surface.reflectance.begin(),
+    part.surface.reflectance.end());
+  all.surface.exitance.resize(first, 0.0);
+  all.surface.exitance.insert(all.surface.exitance.end(), part.surface.exitance.begin(),
+    part.surface.exitance.end());
+  all.surface.exitance.resize(all.surface.numberOfCells, 0.0);
+}
+
+AffineMap poseAt(double time)
+{
+  static movingteapot::TeapotPath path;
+  vtkNew<vtkTransform> transform;
+  path.SetPose(time, transform);
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(
+    transform->GetMatrix()->GetData());
+  return { matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
+}
+
+SceneObjects makeScene(const std::string& head)
+{
+  movingteapot::SceneConfig config;
+  config.HeadFile = head;
+  const movingteapot::TeapotScene scene = movingteapot::MakeTeapotScene(config);
+  ConvertedPolyData fixed;
+  for (vtkPolyData* part :
+    { scene.Room.Get(), scene.Lamp.Get(), scene.Plinth.Get(), scene.Head.Get() })
+  {
+    if (part)
+    {
+      append(fixed, convert("static", part));
+    }
+  }
+  SceneObjects objects;
+  objects.fixed = toObject(std::move(fixed));
+  objects.dynamic.push_back(toObject(convert("teapot", scene.Teapot)));
+  objects.dynamic[0].worldFromObject = poseAt(0);
+  return objects;
+}
+
+/// Power received by an object, as a part of that received by all.
+double shareOf(const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
+{
+  double own = 0, all = 0;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    for (std::size_t cell = 0; cell < objects[i].surface->numberOfCells; ++cell)
+    {
+      const auto power = static_cast<double>(sums.sum(i, cell, 0, 0));
+      all += power;
+      own += i == object ? power : 0.0;
+    }
+  }
+  return own / all;
+}
+
+struct Timings
+{
+  std::vector<double> shootOverEmbree, verifyOverShoot, repairOverShoot, frameOverShoot,
+    frameOverEmbree, invalid;
+};
+
+void timeRound(SceneObjects objects, const EngineSettings& settings, int frames, Timings& timings)
+{
+  Execution serial;
+  IrradianceEngine engine;
+  double start = cpuSeconds();
+  engine.update(objects, settings, serial);
+  const double shooting = cpuSeconds() - start;
+
+  const EmbreeScene embree(objects);
+  CellSums sums(objects, 1);
+  start = cpuSeconds();
+  const std::int64_t segments =
+    shootWithEmbree(embree, objects, settings.numberOfWalks, settings.seed, sums);
+  const double peer = cpuSeconds() - start;
+
+  const double ours = shareOf(engine.sums(), objects, 1), theirs = shareOf(sums, objects, 1);
+  const auto counted = static_cast<double>(engine.balance().segments);
+  if (std::abs(static_cast<double>(segments) / counted - 1) > 2e-3 ||
+    std::abs(ours / theirs - 1) > 2e-2)
+  {
+    std::fprintf(stderr, "The answers differ: %lld and %lld segments, teapot's share %g and %g\n",
+      static_cast<long long>(engine.balance().segments), static_cast<long long>(segments), ours,
+      theirs);
+    std::exit(EXIT_FAILURE);
+  }
+  timings.shootOverEmbree.push_back(shooting / peer);
+  std::printf("shooting %.3f s, Embree %.3f s, %.0f ns and %.0f ns a segment, %.1f bytes a hit\n",
+    shooting, peer, 1e9 * shooting / counted, 1e9 * peer / counted,
+    static_cast<double>(engine.statistics().historyBytes) / counted);
+
+  for (int frame = 1; frame <= frames; ++frame)
+  {
+    objects.dynamic[0].worldFromObject = poseAt(frame / 60.0);
+    engine.update(objects, settings, serial);
+    const EngineStatistics& cost = engine.statistics();
+    timings.verifyOverShoot.push_back(cost.verifySeconds / shooting);
+    timings.repairOverShoot.push_back(cost.repairSeconds / shooting);
+    timings.frameOverShoot.push_back((cost.verifySeconds + cost.repairSeconds) / shooting);
+    timings.frameOverEmbree.push_back(peer / (cost.verifySeconds + cost.repairSeconds));
+    timings.invalid.push_back(
+      static_cast<double>(cost.invalidWalks) / static_cast<double>(settings.numberOfWalks));
+  }
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  EngineSettings settings;
+  settings.numberOfWalks =
+    argc > 1 ? static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10)) : 1000000;
+  const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
+  const int frames = argc > 3 ? std::atoi(argv[3]) : 10;
+  const SceneObjects objects = makeScene(argc > 4 ? argv[4] : VTKIRRADIANCE_HEAD);
+  std::printf("%zu static and %zu dynamic triangles, %u walks, %d rounds, %d frames\n",
+    objects.fixed.body->mesh().size(), objects.dynamic[0].body->mesh().size(),
+    settings.numberOfWalks, rounds, frames);
+  Timings timings;
+  for (int round = 0; round < rounds; ++round)
+  {
+    timeRound(objects, settings, frames, timings);
+  }
+  std::printf("| %-58s | %8s | %20s |\n", "ratio, one thread", "median", "range");
+  print("first shooting / Embree's rtcIntersect1, same walks", timings.shootOverEmbree);
+  print("verification / first shooting (paper 0.14)", timings.verifyOverShoot);
+  print("repair / first shooting (paper 0.029)", timings.repairOverShoot);
+  print("verification + repair / first shooting (paper 0.17)", timings.frameOverShoot);
+  print("re-shooting with Embree / verification + repair", timings.frameOverEmbree);
+  print("walks that changed in a frame", timings.invalid);
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,101 @@
+#include "EmbreeScene.h"
+
+#include <limits>
+
+using namespace irradiance;
+
+EmbreeScene::EmbreeScene(const SceneObjects& objects)
+  : device_(rtcNewDevice("threads=1"))
+  , top_(rtcNewScene(device_))
+  , near_(static_cast<float>(1e-5 * objects.fixed.body->mesh().bounds().extent().maxCoeff()))
+{
+  rtcSetSceneBuildQuality(top_, RTC_BUILD_QUALITY_HIGH);
+  const RTCGeometry fixed = makeMesh(objects.fixed.body->mesh());
+  rtcAttachGeometryByID(top_, fixed, 0);
+  rtcReleaseGeometry(fixed);
+  for (std::uint32_t i = 1; i < objects.size(); ++i)
+  {
+    parts_.push_back(makeScene(objects[i].body->mesh()));
+    const RTCGeometry instance = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, parts_.back());
+    Eigen::Matrix<float, 3, 4> pose;
+    pose << objects[i].worldFromObject.linear.cast<float>(),
+      objects[i].worldFromObject.translation.cast<float>();
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, pose.data());
+    rtcCommitGeometry(instance);
+    rtcAttachGeometryByID(top_, instance, i);
+    rtcReleaseGeometry(instance);
+  }
+  rtcCommitScene(top_);
+}
+
+EmbreeScene::~EmbreeScene()
+{
+  rtcReleaseScene(top_);
+  for (const RTCScene part : parts_)
+  {
+    rtcReleaseScene(part);
+  }
+  rtcReleaseDevice(device_);
+}
+
+RTCGeometry EmbreeScene::makeMesh(const TriangleMesh& mesh) const
+{
+  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+    RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * mesh.size()));
+  auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry,
+    RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.size()));
+  std::uint32_t corner = 0;
+  for (const Triangle& triangle : mesh.triangles())
+  {
+    for (const Vector3& point : { triangle.a, triangle.b, triangle.c })
+    {
+      Eigen::Map<Eigen::Vector3f>(points + 3 * corner) = point.cast<float>();
+      corners[corner] = corner;
+      ++corner;
+    }
+  }
+  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+RTCScene EmbreeScene::makeScene(const TriangleMesh& mesh) const
+{
+  const RTCScene scene = rtcNewScene(device_);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+  const RTCGeometry geometry = makeMesh(mesh);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  return scene;
+}
+
+EmbreeScene::Found EmbreeScene::cast(const Ray& ray) const
+{
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query;
+  query.ray.org_x = static_cast<float>(ray.origin[0]);
+  query.ray.org_y = static_cast<float>(ray.origin[1]);
+  query.ray.org_z = static_cast<float>(ray.origin[2]);
+  query.ray.dir_x = static_cast<float>(ray.direction[0]);
+  query.ray.dir_y = static_cast<float>(ray.direction[1]);
+  query.ray.dir_z = static_cast<float>(ray.direction[2]);
+  query.ray.tnear = near_;
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.time = 0;
+  query.ray.mask = ~0u;
+  query.ray.flags = 0;
+  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(top_, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+  {
+    return {};
+  }
+  const bool isInstance = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  const double u = query.hit.u, v = query.hit.v;
+  return { { isInstance ? query.hit.instID[0] : 0, query.hit.primID },
+    Vector3(std::max(0.0, 1 - u - v), u, v) };
+}

@@ -1,0 +1,38 @@
+#ifndef EmbreeScene_h
+#define EmbreeScene_h
+
+#include "Ray.h"
+#include "Surface.h"
+
+#include <embree3/rtcore.h>
+
+/// The peer: the same scene in Embree, the static mesh and one instance for each dynamic object, as
+/// an animation needs it.
+class EmbreeScene
+{
+public:
+  explicit EmbreeScene(const irradiance::SceneObjects& objects);
+  ~EmbreeScene();
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  struct Found
+  {
+    irradiance::TriangleId id; ///< none: the ray escapes
+    irradiance::Vector3 weights;
+  };
+
+  /// rtcIntersect1. The ray begins a float's rounding away from its origin.
+  Found cast(const irradiance::Ray& ray) const;
+
+private:
+  RTCScene makeScene(const irradiance::TriangleMesh& mesh) const;
+  RTCGeometry makeMesh(const irradiance::TriangleMesh& mesh) const;
+
+  RTCDevice device_;
+  RTCScene top_;
+  std::vector<RTCScene> parts_;
+  float near_;
+};
+
+#endif

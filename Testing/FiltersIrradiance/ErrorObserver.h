@@ -1,0 +1,45 @@
+#ifndef ErrorObserver_h
+#define ErrorObserver_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+/// Collects the texts of the errors and warnings of a filter, which then are not printed.
+class ErrorObserver : public vtkCommand
+{
+public:
+  static ErrorObserver* New() { return new ErrorObserver; }
+
+  static vtkSmartPointer<ErrorObserver> Watch(vtkAlgorithm* filter)
+  {
+    auto observer = vtkSmartPointer<ErrorObserver>::New();
+    for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+    {
+      filter->AddObserver(event, observer);
+      filter->GetExecutive()->AddObserver(event, observer);
+    }
+    return observer;
+  }
+
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    auto& texts = event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings;
+    texts.emplace_back(static_cast<const char*>(text));
+  }
+
+  void Clear()
+  {
+    this->Errors.clear();
+    this->Warnings.clear();
+  }
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+};
+
+#endif

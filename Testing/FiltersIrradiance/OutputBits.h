@@ -1,0 +1,104 @@
+#ifndef OutputBits_h
+#define OutputBits_h
+
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+
+/// Every array of an output, byte for byte, by a name such as "Dynamic 2/cell/Irradiance". Of the
+/// field data, only what depends on the scene alone: not what the update cost.
+class OutputBits
+{
+public:
+  explicit OutputBits(vtkMultiBlockDataSet* output)
+  {
+    static const char* const names[2] = { "Static ", "Dynamic " };
+    for (unsigned int port = 0; port < output->GetNumberOfBlocks(); ++port)
+    {
+      auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
+      for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+      {
+        this->AddBlock(names[port] + std::to_string(i) + "/", OutputOf(output, port, i));
+      }
+    }
+    static const std::set<std::string> costs{ "NumberOfInvalidWalks", "NumberOfRepairedSegments",
+      "ShootSeconds", "VerifySeconds", "RepairSeconds", "HistoryBytes" };
+    this->AddArrays("field/", output->GetFieldData(), costs);
+  }
+
+  explicit OutputBits(vtkIrradianceFilter* filter)
+    : OutputBits(filter->GetOutput())
+  {
+  }
+
+  bool IsEmpty() const { return this->Arrays.empty(); }
+
+  /// Says which array differs first, and where.
+  friend testing::AssertionResult IsSame(const OutputBits& a, const OutputBits& b)
+  {
+    if (a.Arrays.size() != b.Arrays.size())
+    {
+      return testing::AssertionFailure()
+        << a.Arrays.size() << " arrays against " << b.Arrays.size();
+    }
+    for (const auto& [name, bytes] : a.Arrays)
+    {
+      const auto found = b.Arrays.find(name);
+      if (found == b.Arrays.end() || found->second.size() != bytes.size())
+      {
+        return testing::AssertionFailure() << name << " is missing or has another size";
+      }
+      if (std::memcmp(bytes.data(), found->second.data(), bytes.size()) != 0)
+      {
+        std::size_t at = 0;
+        while (bytes[at] == found->second[at])
+        {
+          ++at;
+        }
+        return testing::AssertionFailure()
+          << name << " differs from byte " << at << " of " << bytes.size();
+      }
+    }
+    return testing::AssertionSuccess();
+  }
+
+private:
+  void AddBlock(const std::string& prefix, vtkPolyData* block)
+  {
+    if (block->GetPoints())
+    {
+      this->Add(prefix + "points", block->GetPoints()->GetData());
+    }
+    this->AddArrays(prefix + "point/", block->GetPointData(), {});
+    this->AddArrays(prefix + "cell/", block->GetCellData(), {});
+  }
+
+  void AddArrays(
+    const std::string& prefix, vtkFieldData* data, const std::set<std::string>& excluded)
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      if (excluded.count(data->GetArrayName(i)) == 0)
+      {
+        this->Add(prefix + data->GetArrayName(i), data->GetArray(i));
+      }
+    }
+  }
+
+  void Add(const std::string& name, vtkDataArray* array)
+  {
+    const auto* begin = static_cast<const unsigned char*>(array->GetVoidPointer(0));
+    const auto bytes =
+      static_cast<std::size_t>(array->GetNumberOfValues()) *
+      static_cast<std::size_t>(array->GetDataTypeSize());
+    this->Arrays[name].assign(begin, begin + bytes);
+  }
+
+  std::map<std::string, std::vector<unsigned char>> Arrays;
+};
+
+#endif

@@ -1,0 +1,255 @@
+#ifndef TestScenes_h
+#define TestScenes_h
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkConeSource.h"
+#include "vtkCubeSource.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIrradianceFilter.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkTransform.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// Rooms, lamps and things that move in them, in metres.
+namespace TestScenes
+{
+
+using Vector = std::array<double, 3>;
+using Mesh = vtkSmartPointer<vtkPolyData>;
+
+inline Mesh Copy(vtkPolyData* polyData)
+{
+  auto copy = Mesh::New();
+  copy->DeepCopy(polyData);
+  return copy;
+}
+
+/// The same tuple for every cell.
+inline void SetCellValues(vtkPolyData* polyData, const char* name, const std::vector<double>& tuple)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(tuple.size()));
+  array->SetNumberOfTuples(polyData->GetNumberOfCells());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    array->SetTuple(i, tuple.data());
+  }
+  polyData->GetCellData()->AddArray(array);
+}
+
+/// Front: axis1 x axis2.
+inline Mesh MakeRectangle(
+  const Vector& corner, const Vector& axis1, const Vector& axis2, int resolution)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(corner[0], corner[1], corner[2]);
+  source->SetPoint1(corner[0] + axis1[0], corner[1] + axis1[1], corner[2] + axis1[2]);
+  source->SetPoint2(corner[0] + axis2[0], corner[1] + axis2[1], corner[2] + axis2[2]);
+  source->SetResolution(resolution, resolution);
+  source->Update();
+  Mesh rectangle = Copy(source->GetOutput());
+  rectangle->GetPointData()->Initialize();
+  return rectangle;
+}
+
+inline Mesh Join(const std::vector<Mesh>& parts)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (const Mesh& part : parts)
+  {
+    append->AddInputData(part);
+  }
+  append->Update();
+  return Copy(append->GetOutput());
+}
+
+/// The cube [0, side]^3 with its front inside: floor, ceiling, then the walls x = 0, x = side,
+/// y = 0, y = side, each of resolution^2 squares.
+inline Mesh MakeRoom(double side, int resolution)
+{
+  const double s = side;
+  return Join({
+    MakeRectangle({ 0, 0, 0 }, { s, 0, 0 }, { 0, s, 0 }, resolution),
+    MakeRectangle({ 0, 0, s }, { 0, s, 0 }, { s, 0, 0 }, resolution),
+    MakeRectangle({ 0, 0, 0 }, { 0, s, 0 }, { 0, 0, s }, resolution),
+    MakeRectangle({ s, 0, 0 }, { 0, 0, s }, { 0, s, 0 }, resolution),
+    MakeRectangle({ 0, 0, 0 }, { 0, 0, s }, { s, 0, 0 }, resolution),
+    MakeRectangle({ 0, s, 0 }, { s, 0, 0 }, { 0, 0, s }, resolution),
+  });
+}
+
+/// A square that shines downwards.
+inline Mesh MakeLamp(const Vector& centre, double side, const std::vector<double>& exitance)
+{
+  const double h = 0.5 * side;
+  Mesh lamp = MakeRectangle(
+    { centre[0] - h, centre[1] - h, centre[2] }, { 0, side, 0 }, { side, 0, 0 }, 1);
+  SetCellValues(lamp, "RadiantExitance", exitance);
+  return lamp;
+}
+
+inline Mesh MakePointLight(const Vector& position, const std::vector<double>& flux)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkIdType id = points->InsertNextPoint(position.data());
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell(1, &id);
+  auto light = Mesh::New();
+  light->SetPoints(points);
+  light->SetVerts(vertices);
+  SetCellValues(light, "RadiantFlux", flux);
+  return light;
+}
+
+/// With point normals.
+inline Mesh MakeBall(double radius, int resolution)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(radius);
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->Update();
+  return Copy(source->GetOutput());
+}
+
+inline Mesh MakeBox(double x, double y, double z)
+{
+  vtkNew<vtkCubeSource> source;
+  source->SetXLength(x);
+  source->SetYLength(y);
+  source->SetZLength(z);
+  source->Update();
+  return Copy(source->GetOutput());
+}
+
+inline Mesh MakeCone(double height, double radius, int resolution)
+{
+  vtkNew<vtkConeSource> source;
+  source->SetHeight(height);
+  source->SetRadius(radius);
+  source->SetResolution(resolution);
+  source->Update();
+  return Copy(source->GetOutput());
+}
+
+/// An object of port 1 and its pose.
+struct MovingObject
+{
+  Mesh Model;
+  vtkSmartPointer<vtkTransform> Pose;
+};
+
+inline MovingObject MakeMoving(const Mesh& model, const Vector& position)
+{
+  auto pose = vtkSmartPointer<vtkTransform>::New();
+  pose->Translate(position[0], position[1], position[2]);
+  return { model, pose };
+}
+
+/// What a filter is given. Filters share the meshes and the transforms.
+struct Scene
+{
+  std::vector<Mesh> Fixed;
+  std::vector<MovingObject> Moving;
+};
+
+/// A room of 3 m with a lamp under the ceiling, a ball and a box.
+inline Scene MakeSmallScene()
+{
+  return { { MakeRoom(3, 3), MakeLamp({ 1.5, 1.5, 2.9 }, 0.8, { 100 }) },
+    { MakeMoving(MakeBall(0.4, 8), { 1, 1, 1 }),
+      MakeMoving(MakeBox(0.5, 0.6, 0.7), { 2, 2, 0.5 }) } };
+}
+
+/// Makes `scene` the filter's only input.
+inline void Connect(vtkIrradianceFilter* filter, const Scene& scene)
+{
+  filter->RemoveAllInputConnections(0);
+  filter->RemoveAllInputConnections(1);
+  filter->RemoveAllDynamicTransforms();
+  for (const Mesh& mesh : scene.Fixed)
+  {
+    filter->AddInputDataObject(0, mesh);
+  }
+  for (std::size_t i = 0; i < scene.Moving.size(); ++i)
+  {
+    filter->AddInputDataObject(1, scene.Moving[i].Model);
+    filter->SetDynamicTransform(static_cast<int>(i), scene.Moving[i].Pose);
+  }
+}
+
+inline vtkSmartPointer<vtkIrradianceFilter> MakeFilter(const Scene& scene, vtkIdType walks)
+{
+  auto filter = vtkSmartPointer<vtkIrradianceFilter>::New();
+  filter->SetNumberOfWalks(walks);
+  Connect(filter, scene);
+  return filter;
+}
+
+/// The block of a connection.
+inline vtkPolyData* OutputOf(vtkMultiBlockDataSet* output, unsigned int port, unsigned int i)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
+  return blocks ? vtkPolyData::SafeDownCast(blocks->GetBlock(i)) : nullptr;
+}
+
+inline vtkDataArray* IrradianceOf(vtkIrradianceFilter* filter, unsigned int port, unsigned int i)
+{
+  return OutputOf(filter->GetOutput(), port, i)->GetCellData()->GetArray("Irradiance");
+}
+
+inline double Field(vtkIrradianceFilter* filter, const char* name, int component = 0)
+{
+  return filter->GetOutput()->GetFieldData()->GetArray(name)->GetComponent(0, component);
+}
+
+/// The same numbers with every standard library: splitmix64 (Steele, Lea and Flood 2014).
+class RandomNumbers
+{
+public:
+  explicit RandomNumbers(std::uint64_t seed)
+    : State(seed)
+  {
+  }
+
+  double Between(double low, double high)
+  {
+    return low + (high - low) * (static_cast<double>(this->Next() >> 11) * 0x1p-53);
+  }
+
+  int Below(int end) { return static_cast<int>(this->Next() % static_cast<std::uint64_t>(end)); }
+
+private:
+  std::uint64_t Next()
+  {
+    this->State += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = this->State;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+
+  std::uint64_t State;
+};
+
+}
+
+#endif
