@@ -1,7 +1,9 @@
 #ifndef irradiance_InputError_h
 #define irradiance_InputError_h
 
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace irradiance
 {
@@ -12,6 +14,15 @@ class InputError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// A value as a message shows it: so many digits that 1.000000001 is not taken for 1.
+inline std::string text(double value)
+{
+  std::ostringstream stream;
+  stream.precision(10);
+  stream << value;
+  return stream.str();
+}
 
 }
 

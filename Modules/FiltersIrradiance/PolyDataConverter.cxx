@@ -121,7 +121,7 @@ void PolyDataConverter::readPoints(vtkIdType count, const vtkIdType* ids)
       message << "point " << ids[i] << " is not finite (" << point.transpose() << ")";
       fail(message.str());
     }
-    if (!(point.cwiseAbs().maxCoeff() <= 1e30))
+    if (!(point.cwiseAbs().maxCoeff() <= kMostDistant))
     {
       std::ostringstream message;
       message << "point " << ids[i] << " is out of range (" << point.transpose() << ")";
@@ -142,9 +142,9 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
       for (int band = 0; band < bands_; ++band)
       {
         const double flux = value(arrays_.flux, band);
-        if (!(flux >= 0) || !std::isfinite(flux))
+        if (!(flux >= 0 && flux <= kBrightest))
         {
-          fail("radiant flux " + std::to_string(flux) + " W is not a finite number >= 0");
+          fail("radiant flux " + text(flux) + " W is not within 0.." + text(kBrightest));
         }
         light.flux.push_back(flux / static_cast<double>(count));
         total += flux;
@@ -213,16 +213,15 @@ void PolyDataConverter::readSurfaceCell()
       arrays_.reflectance ? value(arrays_.reflectance, band) : arrays_.defaultReflectance;
     if (!(reflectance >= 0 && reflectance <= 1))
     {
-      fail("diffuse reflectance " + std::to_string(reflectance) + " is not within 0..1");
+      fail("diffuse reflectance " + text(reflectance) + " is not within 0..1");
     }
     surface.reflectance[slot] = reflectance;
     if (arrays_.exitance)
     {
       const double exitance = value(arrays_.exitance, band);
-      if (!(exitance >= 0) || !std::isfinite(exitance))
+      if (!(exitance >= 0 && exitance <= kBrightest))
       {
-        fail("radiant exitance " + std::to_string(exitance) +
-          " W/m2 is not a finite number >= 0");
+        fail("radiant exitance " + text(exitance) + " W/m2 is not within 0.." + text(kBrightest));
       }
       surface.exitance[slot] = exitance;
     }

@@ -42,6 +42,10 @@ public:
 
   ConvertedPolyData convert();
 
+  /// Limits beyond which products of lengths, areas and powers might not be finite.
+  static constexpr double kMostDistant = 1e30; ///< m
+  static constexpr double kBrightest = 1e30;   ///< W/m2, W
+
 private:
   void checkArray(vtkDataArray* array, const char* meaning) const;
   void readPointLights(vtkCellArray* cells);

@@ -25,6 +25,23 @@ vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
   return numbers;
 }
 
+/// A finite map can take finite points to where squares and volumes are not finite.
+void checkReach(const std::string& where, const AffineMap& map, const Box& box)
+{
+  if (box.isEmpty())
+  {
+    return;
+  }
+  const double reach =
+    (map.linear.cwiseAbs() * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()) +
+      map.translation.cwiseAbs())
+      .maxCoeff();
+  if (!(reach <= PolyDataConverter::kMostDistant))
+  {
+    throw InputError(where + ": the transform takes points out of range, to " + text(reach) + " m");
+  }
+}
+
 void append(ConvertedPolyData& all, const ConvertedPolyData& part)
 {
   const auto firstCell = static_cast<std::uint32_t>(all.surface.numberOfCells);
@@ -52,7 +69,8 @@ void append(ConvertedPolyData& all, const ConvertedPolyData& part)
 
 SceneReader::Stamp SceneReader::stampOf(const InputConnection& connection)
 {
-  return { connection.polyData, connection.polyData->GetMTime() };
+  return { connection.polyData, { connection.exitance, connection.reflectance, connection.flux },
+    connection.polyData->GetMTime() };
 }
 
 int SceneReader::countBands(
@@ -77,9 +95,9 @@ void SceneReader::read(const std::vector<InputConnection>& fixed,
   double defaultReflectance, const Checkpoint& checkpoint)
 {
   const Settings settings{ countBands(fixed, moving), defaultReflectance };
-  if (settings != settings_ || !objects_.fixed.body)
+  if (settings != settings_)
   {
-    fixedStamps_.clear();
+    fixedStamps_.reset();
     movingStamps_.clear();
     settings_ = settings;
   }
@@ -90,6 +108,7 @@ void SceneReader::read(const std::vector<InputConnection>& fixed,
   for (std::size_t i = 0; i < moving.size(); ++i)
   {
     readMoving(moving[i], i, checkpoint);
+    checkReach(moving[i].name, poses[i], objects_.dynamic[i].body->mesh().bounds());
     objects_.dynamic[i].worldFromObject = poses[i];
     areas_[i + 1] = cellAreas(objects_.dynamic[i]);
   }
@@ -106,7 +125,7 @@ ConvertedPolyData SceneReader::convert(const InputConnection& connection)
     PolyDataConverter(connection.name, connection.polyData, arrays, settings_.bands).convert();
   if (data.cellsWithoutArea > 0)
   {
-    warnings_.push_back(connection.name + ": " + std::to_string(data.cellsWithoutArea) +
+    warn(connection.name + ": " + std::to_string(data.cellsWithoutArea) +
       " cells have no area, the first is cell " + std::to_string(data.firstCellWithoutArea) +
       "; their irradiance is 0");
   }
@@ -118,11 +137,11 @@ void SceneReader::readFixed(
 {
   std::vector<Stamp> stamps;
   std::transform(fixed.begin(), fixed.end(), std::back_inserter(stamps), stampOf);
-  if (objects_.fixed.body && stamps == fixedStamps_)
+  if (fixedStamps_ == stamps)
   {
     return;
   }
-  fixedStamps_.clear(); // until all is read
+  fixedStamps_.reset(); // until all is read
   firstCell_.clear();
   ConvertedPolyData all;
   all.surface.bands = settings_.bands;
@@ -142,7 +161,7 @@ void SceneReader::readMoving(
   const Stamp stamp = stampOf(connection);
   if (!(movingStamps_[index] == stamp))
   {
-    movingStamps_[index] = {};
+    movingStamps_[index].reset(); // until all is read
     adopt(convert(connection), objects_.dynamic[index], checkpoint);
     movingStamps_[index] = stamp;
   }
@@ -160,6 +179,15 @@ void SceneReader::adopt(
   {
     object.body =
       std::make_shared<RigidObject>(TriangleMesh(std::move(data.triangles)), checkpoint);
+  }
+}
+
+/// What was read before an error is read, and reported, once more.
+void SceneReader::warn(const std::string& warning)
+{
+  if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
+  {
+    warnings_.push_back(warning);
   }
 }
 

@@ -5,6 +5,9 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
+#include <optional>
+
 class vtkAbstractArray;
 
 namespace irradiance
@@ -57,10 +60,11 @@ private:
   struct Stamp
   {
     vtkSmartPointer<vtkPolyData> polyData;
-    vtkMTimeType time = 0;
+    std::array<vtkAbstractArray*, 3> arrays; ///< those chosen; never followed
+    vtkMTimeType time;
     bool operator==(const Stamp& other) const
     {
-      return polyData == other.polyData && time == other.time;
+      return polyData == other.polyData && arrays == other.arrays && time == other.time;
     }
   };
 
@@ -71,11 +75,12 @@ private:
   void readFixed(const std::vector<InputConnection>& fixed, const Checkpoint& checkpoint);
   void readMoving(
     const InputConnection& connection, std::size_t index, const Checkpoint& checkpoint);
+  void warn(const std::string& warning);
   void adopt(ConvertedPolyData data, SceneObject& object, const Checkpoint& checkpoint);
 
   Settings settings_;
-  std::vector<Stamp> fixedStamps_;
-  std::vector<Stamp> movingStamps_;
+  std::optional<std::vector<Stamp>> fixedStamps_; ///< none: to be read
+  std::vector<std::optional<Stamp>> movingStamps_;
   SceneObjects objects_;
   std::vector<std::size_t> firstCell_;
   std::vector<std::vector<double>> areas_;

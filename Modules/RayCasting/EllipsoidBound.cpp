@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr double kUnitRoundoff = 0x1p-53;
-constexpr double kThinnest = 0x1p-20;  // of the longest semi-axis, see roundingMap
-constexpr double kLargestRadius = 16.0; // it is about 1
+constexpr double kThinnest = 0x1p-20;        // of the longest semi-axis, see roundingMap
+constexpr double kLargestRadius = 16.0;      // it is about 1
 constexpr double kSmallestLength = 0x1p-500; // pays for products that vanish
 
 Box allOfSpace()
@@ -30,8 +30,7 @@ double relativeInverseError(const Matrix3& shape, const Matrix3& inverse)
 {
   // shape^-1 = (I + residual)^-1 * inverse. With `shape` as encloseByEllipsoid writes it, this
   // residual is small even for a needle; that of shape * inverse is not.
-  const double rounding =
-    8.0 * kUnitRoundoff * (inverse.cwiseAbs() * shape.cwiseAbs()).norm();
+  const double rounding = 8.0 * kUnitRoundoff * (inverse.cwiseAbs() * shape.cwiseAbs()).norm();
   const double residual = (inverse * shape - Matrix3::Identity()).norm() + rounding;
   return residual < 0.5 ? 2.0 * residual : kInfinity;
 }

@@ -81,8 +81,8 @@ inline bool EllipsoidBound::rejects(const Vector3& from, const Vector3& to) cons
   }
   // Beside a flat body a segment is very long, and rounding tilts n towards it: straighten n.
   const double tilt = n.dot(along);
-  const bool mayHelp = position > 0.0 && position < 1.0 &&
-    std::abs(tilt) > kNegligibleTilt * n.squaredNorm();
+  const bool mayHelp =
+    position > 0.0 && position < 1.0 && std::abs(tilt) > kNegligibleTilt * n.squaredNorm();
   return mayHelp && isSeparated(p, q, n - (tilt / squaredLength) * along);
 }
 

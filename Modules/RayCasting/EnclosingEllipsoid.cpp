@@ -1,5 +1,6 @@
 #include "EnclosingEllipsoid.h"
 
+#include "CubeFrame.h"
 #include "PrincipalAxes.h"
 
 #include <CGAL/Approximate_min_ellipsoid_d.h>
@@ -8,7 +9,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -35,14 +35,11 @@ namespace
 
 using Points = std::vector<Vector3>;
 
-constexpr double kEpsilon = 0.01;            // CGAL's accuracy: volume <= (1 + eps) * optimum
-constexpr double kFlatness = 0x1p-20;        // thinnest axis over the longest
-constexpr double kOffsetResolution = 0x1p-44; // thinnest axis over the distance from the origin
-constexpr double kSmallestLength = 0x1p-200; // only a point exactly at the origin needs it
+constexpr double kEpsilon = 0.01; // CGAL's accuracy: volume <= (1 + eps) * optimum
 constexpr double kLargestCoordinate = 1e38;
 constexpr double kUnitRoundoff = 0x1p-53;
 constexpr std::size_t kFewPoints = 256;
-constexpr int kMaxRounds = 60;
+constexpr int kMaxActivations = 60;
 constexpr double kGoodGrowth = 1.001;
 
 void requireUsable(const Points& points)
@@ -59,70 +56,6 @@ void requireUsable(const Points& points)
         " has a coordinate that is not finite or exceeds 1e38");
     }
   }
-}
-
-/// The frame in which the points fill [-1,1]^3.
-struct CubeFrame
-{
-  Vector3 origin;    // in the model
-  Matrix3 axes;      // columns: orthonormal principal directions
-  Vector3 halfWidth; // along the axes, in model length, never 0
-  std::array<bool, 3> isFlat; // the points do not reach +-1 along this axis
-
-  Vector3 fromModel(const Vector3& point) const
-  {
-    return (axes.transpose() * (point - origin)).cwiseQuotient(halfWidth);
-  }
-};
-
-Matrix3 principalDirections(const Points& points, const Vector3& origin, double unit)
-{
-  Vector3 mean = Vector3::Zero();
-  for (const Vector3& point : points)
-  {
-    mean += (point - origin) / unit;
-  }
-  mean /= static_cast<double>(points.size());
-  Matrix3 covariance = Matrix3::Zero();
-  for (const Vector3& point : points)
-  {
-    const Vector3 d = (point - origin) / unit - mean;
-    covariance += d * d.transpose();
-  }
-  // A needle's covariance has an entry of size n and others near its rounding; the solver copes.
-  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(covariance);
-  const bool usable = solver.info() == Eigen::Success && solver.eigenvectors().allFinite();
-  return usable ? solver.eigenvectors() : Matrix3::Identity();
-}
-
-CubeFrame cubeFrame(const Points& points)
-{
-  Box box;
-  for (const Vector3& point : points)
-  {
-    box.add(point);
-  }
-  CubeFrame frame;
-  frame.origin = box.center();
-  const double resolution = std::max(box.magnitude() * kOffsetResolution, kSmallestLength);
-  const double size = std::max(0.5 * box.extent().maxCoeff(), resolution);
-  const double unit = std::ldexp(1.0, std::ilogb(size)); // a power of two: dividing is exact
-  frame.axes = principalDirections(points, frame.origin, unit);
-
-  Box rotated;
-  for (const Vector3& point : points)
-  {
-    rotated.add(frame.axes.transpose() * (point - frame.origin));
-  }
-  frame.origin += frame.axes * rotated.center();
-  const Vector3 extent = 0.5 * rotated.extent();
-  const double thinnest = std::max(kFlatness * extent.maxCoeff(), resolution);
-  frame.halfWidth = extent.cwiseMax(thinnest);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    frame.isFlat[axis] = extent[axis] < thinnest;
-  }
-  return frame;
 }
 
 /// |upper * (x - center)| <= 1 in the cube frame.
@@ -227,7 +160,7 @@ EnclosingEllipsoid toModel(const CubeEllipsoid& ellipsoid, const CubeFrame& fram
 /// How far the points reach from the centre, in units of the ellipsoid's surface.
 struct Reach
 {
-  double largest = 0.0;              // an upper bound that holds in exact arithmetic
+  double largest = 0.0;                // an upper bound that holds in exact arithmetic
   std::array<std::size_t, 8> furthest; // per octant of the ellipsoid's axes, its furthest point
   std::array<double, 8> distance;      // of that point; 0 if the octant has none
 };
@@ -320,9 +253,9 @@ EnclosingEllipsoid proposeEllipsoid(const Points& points, const CubeFrame& frame
     {
       inCube.push_back(frame.fromModel(points[index]));
     }
-    const EnclosingEllipsoid proposal = toModel(encloseInCube(inCube, frame), frame);
+    EnclosingEllipsoid proposal = toModel(encloseInCube(inCube, frame), frame);
     const Reach reach = measureReach(proposal, points);
-    if (reach.largest <= kGoodGrowth || round == kMaxRounds || !activate(reach, active))
+    if (reach.largest <= kGoodGrowth || round == kMaxActivations || !activate(reach, active))
     {
       return proposal;
     }
@@ -332,8 +265,10 @@ EnclosingEllipsoid proposeEllipsoid(const Points& points, const CubeFrame& frame
 /// The smallest multiple of the ellipsoid that provably contains the points.
 EnclosingEllipsoid growAround(const Points& points, EnclosingEllipsoid ellipsoid)
 {
+  constexpr int kMaxRounds = 20; // one or two are needed
   double reach = measureReach(ellipsoid, points).largest;
-  for (double margin = 4.0 * kUnitRoundoff; margin < 1.0; margin *= 4.0)
+  double margin = 4.0 * kUnitRoundoff;
+  for (int round = 0; round < kMaxRounds; ++round, margin *= 4.0)
   {
     // A single point is at the centre and has no reach; it keeps the thickness of its frame.
     ellipsoid.shape /= std::max(0.5, reach * (1.0 + margin));

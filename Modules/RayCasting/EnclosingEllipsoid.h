@@ -20,7 +20,7 @@ struct EnclosingEllipsoid
 /// The smallest ellipsoid around `points`, to about 1 % of its volume.
 ///
 /// Every point lies inside in exact arithmetic, whatever the set: one point, a line, a door.
-/// A direction in which the set has no extent gets a thickness of 2^-27 of its length, or of
+/// A direction in which the set has no extent gets a thickness of 2^-20 of its length, or of
 /// 2^-44 of its distance from the origin if that is more. Scaling the points by a power of two
 /// scales the result exactly.
 ///

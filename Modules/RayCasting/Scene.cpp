@@ -182,20 +182,27 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
   }
   place(world.magnitude(), objects_);
   reach_ = 4 * world.magnitude();
-  moved_.clear();
-  for (std::uint32_t i = 0; i < moved.size(); ++i)
-  {
-    if (moved[i] && !objects_[i].body->mesh().isEmpty())
-    {
-      moved_.push_back(i);
-    }
-  }
+  markMoved(moved);
 
   dynamicTree_ = buildTop(std::vector<bool>(objects_.size(), true), false, checkpoint);
   movedTree_ = moved.empty() ? TopTree{} : buildTop(moved, false, checkpoint);
   oneTree_ = mode_ == TraversalMode::OneTree && !objects_.empty()
     ? buildTop(std::vector<bool>(objects_.size(), true), true, checkpoint)
     : TopTree{};
+}
+
+void Scene::markMoved(const std::vector<bool>& moved)
+{
+  moved_.clear();
+  for (std::uint32_t i = 0; i < moved.size(); ++i)
+  {
+    if (moved[i] && !objects_[i].body->mesh().isEmpty())
+    {
+      const Box& box = placed_[i].bound.worldBox();
+      // The second factor is for the rounding in movedMayTouch(), far below the box's own margin.
+      moved_.push_back({ i, box.center(), 0.25 * box.extent().squaredNorm() * (1 + 0x1p-20) });
+    }
+  }
 }
 
 void Scene::place(double magnitude, const std::vector<PlacedObject>& objects)
@@ -312,9 +319,18 @@ bool Scene::movedMayTouch(
   {
     return true; // the tree over the moved objects rejects faster than one test for each
   }
-  const Vector3 end = origin + std::min(distance, reach_) * direction;
-  return std::any_of(moved_.begin(), moved_.end(),
-    [&](std::uint32_t i) { return !placed_[i].bound.rejects(origin, end); });
+  const double length = std::min(distance, reach_);
+  for (const Moved& moved : moved_)
+  {
+    const Vector3 toCenter = moved.center - origin;
+    const double nearest = std::min(std::max(toCenter.dot(direction), 0.0), length);
+    if ((toCenter - nearest * direction).squaredNorm() <= moved.squaredRadius &&
+      !placed_[moved.index].bound.rejects(origin, origin + length * direction))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 Hit Scene::cast(const Ray& ray) const

@@ -59,6 +59,7 @@ public:
   /// The same among the objects marked as moved.
   Hit castMoved(const Ray& ray, Hit best) const;
   /// False if no moved object touches the ray up to `distance`; true is no promise. Cheap.
+  /// `direction` must be a unit vector.
   bool movedMayTouch(const Vector3& origin, const Vector3& direction, double distance) const;
 
   std::size_t numberOfObjects() const { return placed_.size(); }
@@ -97,6 +98,7 @@ private:
 
   class TopCast;
 
+  void markMoved(const std::vector<bool>& moved);
   void place(double magnitude, const std::vector<PlacedObject>& objects);
   void addEntries(std::uint32_t object, bool asTriangles, TopTree& top,
     std::vector<KdPrimitive>& primitives, std::vector<Triangle>& world) const;
@@ -109,7 +111,15 @@ private:
   std::shared_ptr<const RigidObject> static_;
   std::vector<PlacedObject> objects_;
   std::vector<Placed> placed_;
-  std::vector<std::uint32_t> moved_; ///< objects with triangles
+  /// A moved object, and a ball around it that most segments miss.
+  struct Moved
+  {
+    std::uint32_t index; ///< in placed_
+    Vector3 center;
+    double squaredRadius;
+  };
+
+  std::vector<Moved> moved_; ///< those with triangles
   Box pointSources_;
   double reach_ = 0; ///< from any place where a ray starts, everything is closer
   TopTree dynamicTree_;

@@ -22,7 +22,7 @@ public:
       auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
       for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
       {
-        this->AddBlock(names[port] + std::to_string(i) + "/", OutputOf(output, port, i));
+        this->AddBlock(names[port] + std::to_string(i) + "/", TestScenes::OutputOf(output, port, i));
       }
     }
     static const std::set<std::string> costs{ "NumberOfInvalidWalks", "NumberOfRepairedSegments",

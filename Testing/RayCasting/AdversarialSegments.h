@@ -124,8 +124,8 @@ inline Body sphere(int rings)
   const auto at = [&](int ring, int step) {
     const double theta = 3.14159265358979 * ring / rings;
     const double phi = 3.14159265358979 * step / rings;
-    return Vector3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-      std::cos(theta));
+    return Vector3(
+      std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
   };
   std::vector<std::array<Vector3, 3>> triangles;
   for (int ring = 0; ring < rings; ++ring)
@@ -197,8 +197,9 @@ public:
     const double depth = random_.powerOfTwo(-24, 0);
     const double side = random_.uniform(0, 1);
     const Vector3 inside = contact +
-      depth * (side * (triangle[(corner + 1) % 3] - contact) +
-                (1 - side) * (triangle[(corner + 2) % 3] - contact));
+      depth *
+        (side * (triangle[(corner + 1) % 3] - contact) +
+          (1 - side) * (triangle[(corner + 2) % 3] - contact));
     const Vector3 onUnitBall = body_.ellipsoid.shape * (contact - body_.ellipsoid.center);
     Vector3 aim = map_(inside);
     const Vector3 along = direction(onUnitBall);
@@ -230,8 +231,7 @@ private:
   Vector3 direction(const Vector3& onUnitBall)
   {
     const Vector3 tangent = onUnitBall.cross(random_.direction()).normalized();
-    const Vector3 along =
-      semiAxes_ * (tangent + random_.powerOfTwo(-30, 0) * random_.direction());
+    const Vector3 along = semiAxes_ * (tangent + random_.powerOfTwo(-30, 0) * random_.direction());
     return random_.uniform(0, 4) < 1 ? Vector3(along.norm() * random_.direction()) : along;
   }
 

@@ -151,8 +151,7 @@ Touch touch(const Configuration<Number>& c)
 inline Touch touch(const AffineMap& worldFromObject, const std::array<Vector3, 3>& triangle,
   const Vector3& from, const Vector3& to)
 {
-  Touch answer =
-    touch(Configuration<Bounded<double>>(worldFromObject, triangle, from, to));
+  Touch answer = touch(Configuration<Bounded<double>>(worldFromObject, triangle, from, to));
   if (answer == Touch::Unknown)
   {
     answer = touch(Configuration<Bounded<Quad>>(worldFromObject, triangle, from, to));

@@ -2,6 +2,7 @@
 
 #include "AdversarialSegments.h"
 #include "ExactSegmentTriangle.h"
+#include "QuadGeometry.h"
 #include "RandomVectors.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +40,8 @@ struct Count
   }
 };
 
-Count fuzz(const Body& body, const AffineMap& map, const EnclosingEllipsoid& ellipsoid, int n,
-  unsigned seed)
+Count fuzz(
+  const Body& body, const AffineMap& map, const EnclosingEllipsoid& ellipsoid, int n, unsigned seed)
 {
   const EllipsoidBound bound(ellipsoid, body.bounds, map, 0.0);
   SegmentSource source(body, map, seed);
@@ -59,87 +60,6 @@ Count fuzz(const Body& body, const AffineMap& map, const EnclosingEllipsoid& ell
   }
   return count;
 }
-
-Quad dot(const exact::Vector<Quad>& a, const exact::Vector<Quad>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-exact::Vector<Quad> difference(const exact::Vector<Quad>& a, const exact::Vector<Quad>& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-exact::Vector<Quad> quad(const Vector3& x)
-{
-  return { x[0], x[1], x[2] };
-}
-
-exact::Vector<Quad> moved(const AffineMap& map, const Vector3& point)
-{
-  exact::Vector<Quad> x = quad(map.translation);
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      x[i] += Quad(map.linear(i, j)) * Quad(point[j]);
-    }
-  }
-  return x;
-}
-
-/// Square of the distance of `x` from the segment.
-Quad squaredDistance(const exact::Vector<Quad>& x, const Vector3& from, const Vector3& to)
-{
-  const exact::Vector<Quad> along = difference(quad(to), quad(from));
-  exact::Vector<Quad> d = difference(quad(from), x);
-  const Quad length = dot(along, along);
-  const Quad t = length > 0 ? -dot(d, along) / length : Quad(0);
-  const Quad clamped = t < 0 ? Quad(0) : t > 1 ? Quad(1) : t;
-  for (int i = 0; i < 3; ++i)
-  {
-    d[i] += clamped * along[i];
-  }
-  return dot(d, d);
-}
-
-/// Columns of linear * shape^-1, and the moved centre.
-struct QuadEllipsoid
-{
-  std::array<exact::Vector<Quad>, 3> axis;
-  exact::Vector<Quad> center;
-
-  QuadEllipsoid(const EnclosingEllipsoid& e, const AffineMap& map)
-    : center(moved(map, e.center))
-  {
-    std::array<exact::Vector<Quad>, 3> row;
-    for (int i = 0; i < 3; ++i)
-    {
-      row[i] = quad(e.shape.row(i).transpose());
-    }
-    const Quad determinant = exact::determinant(row[0], row[1], row[2]);
-    for (int k = 0; k < 3; ++k)
-    {
-      const exact::Vector<Quad>& a = row[(k + 1) % 3];
-      const exact::Vector<Quad>& b = row[(k + 2) % 3];
-      for (int i = 0; i < 3; ++i)
-      {
-        axis[k][i] = 0;
-        for (int j = 0; j < 3; ++j)
-        {
-          const Quad inverse =
-            (a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3]) / determinant;
-          axis[k][i] += Quad(map.linear(i, j)) * inverse;
-        }
-      }
-    }
-  }
-
-  Quad squaredHalfWidth(int i) const
-  {
-    return axis[0][i] * axis[0][i] + axis[1][i] * axis[1][i] + axis[2][i] * axis[2][i];
-  }
-};
 
 const Box kHuge = [] {
   Box box;
@@ -162,8 +82,7 @@ TEST(EllipsoidBound, RejectsNoSegmentThatHits)
   {
     for (const Body& body : bodies)
     {
-      const Count count =
-        fuzz(body, motion.worldFromObject, body.ellipsoid, kPerPair, ++seed);
+      const Count count = fuzz(body, motion.worldFromObject, body.ellipsoid, kPerPair, ++seed);
       EXPECT_EQ(count.falselyRejected, 0) << motion.name << ", " << body.name;
       total += count;
     }
@@ -254,7 +173,8 @@ TEST(EllipsoidBound, RejectsNoSegmentWithinThePad)
         const Vector3 from = x - before * along;
         const Vector3 to = x + after * along;
         const bool rejected = bound.rejects(from, to);
-        const bool isWithin = squaredDistance(moved(map, corner), from, to) <= Quad(pad) * Quad(pad);
+        const bool isWithin =
+          exact::squaredDistance(exact::moved(map, corner), from, to) <= Quad(pad) * Quad(pad);
         tests += isWithin ? 1 : 0;
         EXPECT_FALSE(rejected && isWithin) << motion.name << ", " << body.name;
       }
@@ -337,10 +257,11 @@ TEST(EllipsoidBound, BoxContainsTheEllipsoid)
       map.linear *= random.rotation();
       map.translation += random.inCube() * 1e-3;
       const Box box = EllipsoidBound(body.ellipsoid, kHuge, map, 0.0).worldBox();
-      const QuadEllipsoid truth(body.ellipsoid, map);
+      const exact::QuadEllipsoid truth(body.ellipsoid, map);
       const Quad roundingUnit = 1e-15 * map.translation.norm() +
-        1e-15 * (map.linear.norm() * (body.ellipsoid.center.norm() +
-          body.ellipsoid.shape.inverse().norm()));
+        1e-15 *
+          (map.linear.norm() *
+            (body.ellipsoid.center.norm() + body.ellipsoid.shape.inverse().norm()));
       for (int i = 0; i < 3; ++i)
       {
         const Quad square = truth.squaredHalfWidth(i);
@@ -384,7 +305,7 @@ TEST(EllipsoidBound, BoxContainsTheBodyAndIsTight)
         {
           for (const Vector3& corner : triangle)
           {
-            const exact::Vector<Quad> x = moved(map, corner);
+            const exact::Vector<Quad> x = exact::moved(map, corner);
             for (int i = 0; i < 3; ++i)
             {
               ++tests;
@@ -405,8 +326,8 @@ TEST(EllipsoidBound, BoxContainsTheBodyAndIsTight)
         }
       }
     }
-    std::printf("%s: area of the box over that of the corners' box %.3f\n", body.name.c_str(),
-      areaRatio / n);
+    std::printf(
+      "%s: area of the box over that of the corners' box %.3f\n", body.name.c_str(), areaRatio / n);
     EXPECT_LE(areaRatio / n, 1.6) << body.name;
   }
   EXPECT_GE(tests, 300000);

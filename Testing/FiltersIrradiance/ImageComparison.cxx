@@ -1,0 +1,96 @@
+#include "ImageComparison.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTesting.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+Picture::Picture(const std::array<double, 3>& cameraPosition, const std::array<double, 3>& focus)
+  : Renderer(vtkSmartPointer<vtkRenderer>::New())
+  , Window(vtkSmartPointer<vtkRenderWindow>::New())
+{
+  this->Window->SetMultiSamples(0);
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetSize(300, 300);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetBackground(0.2, 0.2, 0.3);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(cameraPosition.data());
+  camera->SetFocalPoint(focus.data());
+  camera->SetViewUp(0, 0, 1);
+  camera->SetViewAngle(40);
+}
+
+void Picture::Add(vtkPolyData* polyData, double brightest)
+{
+  vtkDataArray* irradiance = polyData->GetCellData()->GetArray("Irradiance");
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("Colours");
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(irradiance->GetNumberOfTuples());
+  for (vtkIdType cell = 0; cell < irradiance->GetNumberOfTuples(); ++cell)
+  {
+    for (int band = 0; band < 3; ++band)
+    {
+      const int component = irradiance->GetNumberOfComponents() == 3 ? band : 0;
+      const double part = irradiance->GetComponent(cell, component) / brightest;
+      colours->SetComponent(cell, band, std::round(255 * std::sqrt(std::clamp(part, 0.0, 1.0))));
+    }
+  }
+  vtkNew<vtkPolyData> shown;
+  shown->CopyStructure(polyData);
+  shown->GetCellData()->SetScalars(colours);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shown);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->BackfaceCullingOn(); // looks into rooms through their walls
+  this->Renderer->AddActor(actor);
+}
+
+bool Picture::IsSame(const std::string& name, bool isReported)
+{
+  this->Renderer->ResetCameraClippingRange();
+  this->Window->Render();
+  const std::string baseline = VTKIRRADIANCE_BASELINE_DIR "/" + name + ".png";
+  if (!vtksys::SystemTools::FileExists(baseline))
+  {
+    vtkNew<vtkWindowToImageFilter> image;
+    image->SetInput(this->Window);
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(image->GetOutputPort());
+    writer->SetFileName((VTKIRRADIANCE_OUTPUT_DIR "/" + name + ".png").c_str());
+    writer->Write();
+    std::cout << "There is no " << baseline << "; look at " << writer->GetFileName() << "\n";
+    return false;
+  }
+  vtkNew<vtkTesting> testing;
+  for (const char* argument : { "-V", baseline.c_str(), "-T", VTKIRRADIANCE_OUTPUT_DIR })
+  {
+    testing->AddArgument(argument);
+  }
+  testing->SetRenderWindow(this->Window);
+  std::ostringstream report;
+  const bool isSame = testing->RegressionTest(10, report) == vtkTesting::PASSED;
+  std::cout << name << ": error " << testing->GetImageDifference() << " of at most 10\n";
+  if (!isSame && isReported)
+  {
+    std::cout << report.str();
+  }
+  return isSame;
+}

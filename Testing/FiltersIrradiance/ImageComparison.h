@@ -1,0 +1,33 @@
+#ifndef ImageComparison_h
+#define ImageComparison_h
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+/// Shows cells in colours that depend on the numbers alone, and compares the picture with
+/// Baseline/<name>.png. Where there is none, the test fails and the picture is left in the build
+/// folder: look at it, then copy it.
+class Picture
+{
+public:
+  explicit Picture(const std::array<double, 3>& cameraPosition, const std::array<double, 3>& focus);
+
+  /// Irradiance from 0 (black) to `brightest`, W/m2: grey, or the three bands as red, green, blue,
+  /// by the square root, as a display without gamma would need it.
+  void Add(vtkPolyData* polyData, double brightest);
+
+  /// True if picture and baseline agree. Where they do not, this is told if `isReported`.
+  bool IsSame(const std::string& name, bool isReported = true);
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+};
+
+#endif

@@ -1,0 +1,358 @@
+// Input that cannot be computed: one error that says where, an empty output, a filter that still
+// works.
+
+#include "ErrorObserver.h"
+#include "OutputBits.h"
+#include "TestScenes.h"
+
+#include "vtkMatrixToLinearTransform.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+using namespace TestScenes;
+
+namespace
+{
+
+constexpr vtkIdType NumberOfWalks = 500;
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double Infinity = std::numeric_limits<double>::infinity();
+
+/// Connections: port 0 has the room, the lamp and a point light, port 1 a ball and a box.
+Scene MakeGoodScene()
+{
+  Scene scene = MakeSmallScene();
+  SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0.5 });
+  scene.Fixed.push_back(MakePointLight({ 1.5, 0.5, 1 }, { 10 }));
+  return scene;
+}
+
+struct BadInput
+{
+  std::string Name;
+  std::function<void(vtkIrradianceFilter*, Scene&)> Spoil;
+  std::vector<std::string> Words; ///< of the error
+
+  friend std::ostream& operator<<(std::ostream& os, const BadInput& bad) { return os << bad.Name; }
+};
+
+using Spoil = std::function<void(vtkIrradianceFilter*, Scene&)>;
+
+Spoil MovePoint(std::size_t connection, vtkIdType point, double x)
+{
+  return [=](vtkIrradianceFilter*, Scene& scene) {
+    scene.Moving[connection].Model->GetPoints()->SetPoint(point, x, 0, 0);
+  };
+}
+
+Spoil ChangeCell(vtkIdType pointId)
+{
+  return [=](vtkIrradianceFilter*, Scene& scene) {
+    const vtkIdType ids[4] = { 0, pointId, 1, 2 };
+    vtkNew<vtkCellArray> cells;
+    cells->DeepCopy(scene.Fixed[0]->GetPolys());
+    cells->ReplaceCellAtId(4, 4, ids);
+    scene.Fixed[0]->SetPolys(cells);
+  };
+}
+
+Spoil SetValue(std::size_t connection, const char* name, vtkIdType cell, double value)
+{
+  return [=](vtkIrradianceFilter*, Scene& scene) {
+    scene.Fixed[connection]->GetCellData()->GetArray(name)->SetComponent(cell, 0, value);
+  };
+}
+
+Spoil SetPose(int row, int column, double value)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->SetElement(row, column, value);
+    vtkNew<vtkMatrixToLinearTransform> pose;
+    pose->SetInput(matrix);
+    filter->SetDynamicTransform(1, pose);
+  };
+}
+
+Spoil SetObjectToWorld(int numberOfValues, int changed, double value)
+{
+  return [=](vtkIrradianceFilter* filter, Scene& scene) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("ObjectToWorld");
+    array->SetNumberOfComponents(numberOfValues);
+    array->SetNumberOfTuples(1);
+    for (int i = 0; i < numberOfValues; ++i)
+    {
+      array->SetComponent(0, i, i == changed ? value : (i % 5 == 0 ? 1 : 0));
+    }
+    scene.Moving[1].Model->GetFieldData()->AddArray(array);
+    filter->SetDynamicTransform(1, nullptr);
+  };
+}
+
+Spoil AddTransform(int connection)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    filter->SetDynamicTransform(connection, vtkNew<vtkTransform>());
+  };
+}
+
+Spoil SetWalks(vtkIdType walks)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfWalks(walks); };
+}
+
+template <class Array>
+Spoil ReplaceArray(const char* name, int components, vtkIdType tuples)
+{
+  return [=](vtkIrradianceFilter*, Scene& scene) {
+    vtkNew<Array> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples);
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      array->SetVariantValue(i, 0.5);
+    }
+    scene.Fixed[1]->GetCellData()->RemoveArray(name);
+    scene.Fixed[1]->GetCellData()->AddArray(array);
+  };
+}
+
+const std::string Room = "input port 0, connection 0";
+const std::string Lamp = "input port 0, connection 1";
+const std::string Bulb = "input port 0, connection 2";
+const std::string Ball = "input port 1, connection 0";
+const std::string Box = "input port 1, connection 1";
+
+// The cube's point 3 is first used by its cell 0, which are the points 0, 1, 3 and 2.
+const std::vector<BadInput> BadInputs{
+  { "PointIsNaN", MovePoint(1, 3, NaN), { Box, "cell 0", "point 3", "nan" } },
+  { "PointIsInfinite", MovePoint(1, 3, -Infinity), { Box, "cell 0", "point 3", "-inf" } },
+  { "PointIsTooFar", MovePoint(1, 3, 1e31), { Box, "cell 0", "point 3", "1e+31" } },
+  { "CellPointsPastThePoints", ChangeCell(96), { Room, "cell 4", "point 96 of 96" } },
+  { "CellPointsFarPastThePoints", ChangeCell(1LL << 40),
+    { Room, "cell 4", "point 1099511627776 of 96" } },
+  { "CellHasNegativePoint", ChangeCell(-1), { Room, "cell 4", "point -1 of 96" } },
+  { "TooFewTuples", ReplaceArray<vtkDoubleArray>("RadiantExitance", 1, 0),
+    { Lamp, "RadiantExitance", "0 tuples for 1 cells" } },
+  { "TooManyTuples", ReplaceArray<vtkDoubleArray>("DiffuseReflectance", 1, 7),
+    { Lamp, "DiffuseReflectance", "7 tuples for 1 cells" } },
+  { "Strings", ReplaceArray<vtkStringArray>("RadiantExitance", 1, 1),
+    { Lamp, "RadiantExitance", "vtkStringArray" } },
+  { "TwoComponents", ReplaceArray<vtkDoubleArray>("RadiantExitance", 2, 1),
+    { Lamp, "RadiantExitance", "2 components" } },
+  { "ReflectanceAbove1", SetValue(0, "DiffuseReflectance", 7, 1.5),
+    { Room, "cell 7", "reflectance 1.5" } },
+  { "ReflectanceBarelyAbove1", SetValue(0, "DiffuseReflectance", 7, 1 + 1e-9),
+    { Room, "cell 7", "reflectance 1.000000001" } },
+  { "ReflectanceBelow0", SetValue(0, "DiffuseReflectance", 53, -0.25),
+    { Room, "cell 53", "reflectance -0.25" } },
+  { "ReflectanceIsNaN", SetValue(0, "DiffuseReflectance", 7, NaN),
+    { Room, "cell 7", "reflectance nan" } },
+  { "ExitanceIsNegative", SetValue(1, "RadiantExitance", 0, -3e-9),
+    { Lamp, "cell 0", "exitance -3e-09" } },
+  { "ExitanceIsNaN", SetValue(1, "RadiantExitance", 0, NaN), { Lamp, "cell 0", "exitance nan" } },
+  { "ExitanceIsInfinite", SetValue(1, "RadiantExitance", 0, Infinity),
+    { Lamp, "cell 0", "exitance inf" } },
+  { "ExitanceIsHuge", SetValue(1, "RadiantExitance", 0, 1e308),
+    { Lamp, "cell 0", "exitance 1e+308" } },
+  { "FluxIsNegative", SetValue(2, "RadiantFlux", 0, -4), { Bulb, "cell 0", "flux -4" } },
+  { "FluxIsNaN", SetValue(2, "RadiantFlux", 0, NaN), { Bulb, "cell 0", "flux nan" } },
+  { "TransformIsSingular", SetPose(1, 1, 0), { Box, "singular", "0 0 1 0" } },
+  { "TransformIsNaN", SetPose(0, 3, NaN), { Box, "not finite", "nan" } },
+  { "TransformIsInfinite", SetPose(0, 0, Infinity), { Box, "not finite", "inf" } },
+  { "TransformReachesTooFar", SetPose(1, 3, 1e200), { Box, "out of range", "1e+200" } },
+  { "TransformIsProjective", SetPose(3, 0, 0.5), { Box, "not affine", "0.5" } },
+  { "ObjectToWorldIsProjective", SetObjectToWorld(16, 15, 2), { Box, "not affine", "2" } },
+  { "ObjectToWorldIsSingular", SetObjectToWorld(16, 5, 0), { Box, "singular" } },
+  { "ObjectToWorldIsNaN", SetObjectToWorld(16, 3, NaN), { Box, "not finite", "nan" } },
+  { "ObjectToWorldHas15Values", SetObjectToWorld(15, 0, 1), { Box, "ObjectToWorld", "15" } },
+  { "TransformOfNoConnection", AddTransform(2), { "connection 2", "port 1 has 2" } },
+  { "TransformOfNegativeConnection", AddTransform(-1), { "connection -1", "port 1 has 2" } },
+  { "NoWalks", SetWalks(0), { "NumberOfWalks is 0" } },
+  { "NegativeWalks", SetWalks(-5), { "NumberOfWalks is -5" } },
+  { "TooManyWalks", SetWalks(1LL << 32), { "NumberOfWalks is 4294967296" } },
+};
+
+/// Connects a spoiled scene and updates.
+void ExpectError(vtkIrradianceFilter* filter, ErrorObserver* observer, const BadInput& bad)
+{
+  observer->Clear();
+  Scene scene = MakeGoodScene();
+  Connect(filter, scene);
+  bad.Spoil(filter, scene);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+  ASSERT_EQ(observer->Errors.size(), 1u);
+  for (const std::string& word : bad.Words)
+  {
+    EXPECT_NE(observer->Errors[0].find(word), std::string::npos)
+      << "\"" << word << "\" is missing in\n" << observer->Errors[0];
+  }
+}
+
+void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const OutputBits& expected)
+{
+  observer->Clear();
+  Connect(filter, MakeGoodScene());
+  filter->SetNumberOfWalks(NumberOfWalks);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_TRUE(IsSame(OutputBits(filter), expected));
+}
+
+class BadInputTest : public testing::TestWithParam<BadInput>
+{
+};
+
+/// The only error of the filter's update, which must have left no output.
+std::string OnlyError(vtkIrradianceFilter* filter)
+{
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(observer->Errors.size(), 1u);
+  return observer->Errors.empty() ? "" : observer->Errors[0];
+}
+
+}
+
+TEST_P(BadInputTest, IsNamedAndForgotten)
+{
+  const auto fresh = MakeFilter(MakeGoodScene(), NumberOfWalks);
+  fresh->Update();
+  const OutputBits expected(fresh);
+  ASSERT_FALSE(expected.IsEmpty());
+
+  const auto filter = MakeFilter({}, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  for (int round = 0; round < 2; ++round) // a new filter, then one with a history
+  {
+    SCOPED_TRACE("round " + std::to_string(round));
+    ExpectError(filter, observer, GetParam());
+    ExpectGood(filter, observer, expected);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, BadInputTest, testing::ValuesIn(BadInputs),
+  [](const auto& info) { return info.param.Name; });
+
+// What was read before the error must not outlive its connection.
+TEST(BadInputGoes, AndTheStaticInputWithIt)
+{
+  Scene scene = MakeGoodScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  scene.Fixed[0]->GetPoints()->SetPoint(0, NaN, 0, 0);
+  scene.Fixed[0]->GetPoints()->Modified();
+  filter->Update();
+  EXPECT_EQ(observer->Errors.size(), 1u);
+
+  scene.Fixed.clear();
+  SetCellValues(scene.Moving[0].Model, "RadiantExitance", { 10 });
+  Connect(filter, scene);
+  filter->Update();
+  const auto fresh = MakeFilter(scene, NumberOfWalks);
+  fresh->Update();
+  EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+}
+
+// A point that no cell uses is nobody's business.
+TEST(OddInput, UnusedPointThatIsNaN)
+{
+  Scene scene = MakeGoodScene();
+  scene.Moving[0].Model->GetPoints()->InsertNextPoint(NaN, NaN, NaN);
+  scene.Moving[0].Model->GetPointData()->Initialize();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
+}
+
+TEST(OddInput, NoLightIsOneWarningAndZeros)
+{
+  Scene scene = MakeGoodScene();
+  scene.Fixed.resize(1);
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  EXPECT_NE(observer->Warnings[0].find("no light"), std::string::npos);
+  vtkDataArray* irradiance = IrradianceOf(filter, 0, 0);
+  EXPECT_EQ(irradiance->GetNumberOfTuples(), 54);
+  EXPECT_EQ(irradiance->GetRange()[0], 0);
+  EXPECT_EQ(irradiance->GetRange()[1], 0);
+  EXPECT_EQ(Field(filter, "EmittedPower"), 0);
+}
+
+TEST(OddInput, NoInputIsAnEmptyOutput)
+{
+  const auto filter = MakeFilter({}, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_TRUE(observer->Warnings.empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+}
+
+TEST(OddInput, EmptyPolyData)
+{
+  Scene scene = MakeGoodScene();
+  scene.Fixed.push_back(Mesh::New());
+  scene.Moving.push_back(MakeMoving(Mesh::New(), { 1, 1, 1 }));
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_EQ(OutputOf(filter->GetOutput(), 0, 3)->GetNumberOfCells(), 0);
+  EXPECT_EQ(OutputOf(filter->GetOutput(), 1, 2)->GetNumberOfCells(), 0);
+}
+
+TEST(OddInput, CellsWithoutAreaAreKeptAndReported)
+{
+  Scene scene = MakeGoodScene();
+  Mesh ball = Copy(scene.Moving[0].Model);
+  const vtkIdType ids[3] = { 5, 5, 6 };
+  ball->GetPolys()->ReplaceCellAtId(9, 3, ids);
+  ball->GetPolys()->ReplaceCellAtId(11, 3, ids);
+  scene.Moving[0].Model = ball;
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  for (const char* word : { "input port 1, connection 0", "2 cells", "cell 9" })
+  {
+    EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
+  }
+  EXPECT_EQ(IrradianceOf(filter, 1, 0)->GetNumberOfTuples(), ball->GetNumberOfCells());
+  EXPECT_EQ(IrradianceOf(filter, 1, 0)->GetComponent(9, 0), 0);
+  EXPECT_EQ(IrradianceOf(filter, 1, 0)->GetComponent(11, 0), 0);
+
+  observer->Clear();
+  scene.Moving[0].Pose->Translate(0.1, 0, 0);
+  filter->Update();
+  EXPECT_TRUE(observer->Warnings.empty()); // it was said
+}
+
+// Light that never goes: an error, not a filter that never ends.
+TEST(OddInput, ReflectanceOneInAClosedRoom)
+{
+  Scene scene{ { MakeRoom(3, 1), MakeLamp({ 1.5, 1.5, 2.9 }, 0.8, { 100 }) }, {} };
+  for (const Mesh& mesh : scene.Fixed)
+  {
+    SetCellValues(mesh, "DiffuseReflectance", { 1 });
+  }
+  const std::string error = OnlyError(MakeFilter(scene, NumberOfWalks));
+  EXPECT_NE(error.find("reflectance"), std::string::npos) << error;
+}
+

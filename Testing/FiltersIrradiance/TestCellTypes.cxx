@@ -1,0 +1,116 @@
+// Every kind of cell of a vtkPolyData, in its order.
+
+#include "TestScenes.h"
+
+#include "vtkMath.h"
+
+#include <gtest/gtest.h>
+
+using namespace TestScenes;
+
+namespace
+{
+
+Mesh MakePolyData(const std::vector<Vector>& corners)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector& corner : corners)
+  {
+    points->InsertNextPoint(corner.data());
+  }
+  auto mesh = Mesh::New();
+  mesh->SetPoints(points);
+  return mesh;
+}
+
+vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::vector<vtkIdType>>& cells)
+{
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& cell : cells)
+  {
+    array->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  }
+  return array;
+}
+
+/// A light high above makes the same irradiance on every cell of the plane z = 0, if each has its
+/// own area and receives its own light. At height h, flux F: F / (4 pi h^2) to within (2 / h)^2.
+void ExpectUniform(const Mesh& mesh, vtkIdType firstSurface)
+{
+  const double height = 20, flux = 4 * vtkMath::Pi() * height * height * 10;
+  const Scene scene{ { mesh, MakePointLight({ 0.5, 0.5, height }, { flux }) }, {} };
+  const auto filter = MakeFilter(scene, 4000000);
+  filter->SetDefaultDiffuseReflectance(0);
+  filter->Update();
+  vtkDataArray* irradiance = IrradianceOf(filter, 0, 0);
+  ASSERT_EQ(irradiance->GetNumberOfTuples(), mesh->GetNumberOfCells());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    const double expected = i < firstSurface ? 0 : 10;
+    EXPECT_NEAR(irradiance->GetComponent(i, 0), expected, 0.1 * expected) << "cell " << i;
+  }
+}
+
+}
+
+TEST(CellTypes, VerticesLinesPolygonsAndStripsInOneMesh)
+{
+  // 3 x 2 squares of 2 m around the origin
+  std::vector<Vector> corners;
+  for (int i = 0; i < 12; ++i)
+  {
+    corners.push_back({ 2.0 * (i % 4) - 3, 2.0 * (i / 4) - 2, 0 });
+  }
+  Mesh mesh = MakePolyData(corners);
+  mesh->SetVerts(MakeCells({ { 0 }, { 1, 2, 3 } }));
+  mesh->SetLines(MakeCells({ { 0, 1 }, { 4, 5, 6 } }));
+  mesh->SetPolys(MakeCells({ { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6, 5 } }));
+  mesh->SetStrips(MakeCells({ { 4, 5, 8, 9, 10 }, { 2, 3, 6, 7 } }));
+  ExpectUniform(mesh, 4);
+}
+
+TEST(CellTypes, ConcavePolygons)
+{
+  // An arrowhead, whose notch is filled by another one, and an L with its complement.
+  Mesh mesh = MakePolyData({ { 0, 0, 0 }, { 2, 2, 0 }, { 0, 1, 0 }, { -2, 2, 0 }, { 0, 3, 0 },
+    { -2, 0, 0 }, { -2, -3, 0 }, { 2, -3, 0 }, { 2, -2, 0 }, { 0, -2, 0 }, { 0, -1, 0 },
+    { -1, -1, 0 }, { -1, 0, 0 } });
+  mesh->SetPolys(
+    MakeCells({ { 0, 1, 2, 3 }, { 2, 1, 4, 3 }, { 5, 6, 7, 8, 9, 10, 11, 12 } }));
+  ExpectUniform(mesh, 0);
+}
+
+// The front of every triangle of a strip is that of the first one.
+TEST(CellTypes, FrontOfAStrip)
+{
+  Mesh mesh = MakePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 } });
+  mesh->SetStrips(MakeCells({ { 0, 1, 2, 3, 4 } }));
+  const Scene scene{ { mesh, MakePointLight({ 0.5, 0.5, 1 }, { 60 }) }, {} };
+  const auto filter = MakeFilter(scene, 10000);
+  filter->SeparateSidesOn();
+  filter->Update();
+  vtkCellData* cells = OutputOf(filter->GetOutput(), 0, 0)->GetCellData();
+  EXPECT_GT(cells->GetArray("IrradianceFront")->GetComponent(0, 0), 1);
+  EXPECT_EQ(cells->GetArray("IrradianceBack")->GetComponent(0, 0), 0);
+}
+
+// The points of a poly-vertex share its flux.
+TEST(CellTypes, PolyVertexIsSeveralLights)
+{
+  Mesh lights = MakePolyData({ { 1, 1, 1 }, { 9, 9, 1 } });
+  lights->SetVerts(MakeCells({ { 0, 1 } }));
+  SetCellValues(lights, "RadiantFlux", { 60 });
+  const Mesh near = MakeRectangle({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1);
+  const Mesh far = MakeRectangle({ 8, 8, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1);
+  const auto filter = MakeFilter({ { Join({ near, far }), lights }, {} }, 60000);
+  filter->SetDefaultDiffuseReflectance(0);
+  filter->Update();
+  // Each half flux over a face of a cube of 2 m around it, nearly a sixth; the other light adds less
+  // than 1 m / (4 pi (11.3 m)^3) per W.
+  for (vtkIdType cell = 0; cell < 2; ++cell)
+  {
+    EXPECT_NEAR(IrradianceOf(filter, 0, 0)->GetComponent(cell, 0), 30.0 / 6 / 4, 0.03);
+  }
+  EXPECT_EQ(Field(filter, "EmittedPower"), 60);
+}

@@ -1,0 +1,109 @@
+// Pictures of the results, and for each a scene that is a little wrong and must not pass.
+// They need an X server: see run-under-xvfb.sh.
+
+#include "ImageComparison.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace TestScenes;
+
+namespace
+{
+
+void AddOutput(Picture& picture, vtkIrradianceFilter* filter, unsigned int port, unsigned int i,
+  double brightest)
+{
+  picture.Add(OutputOf(filter->GetOutput(), port, i), brightest);
+}
+
+/// A ball above a floor under a small lamp.
+Scene MakeBallOverFloor(double x)
+{
+  return { { MakeRectangle({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 40),
+             MakeLamp({ 0, 0, 3.5 }, 0.2, { 1000 }) },
+    { MakeMoving(MakeBall(0.5, 24), { x, 0, 0.9 }) } };
+}
+
+bool IsShadowOfTheBall(double x)
+{
+  const auto filter = MakeFilter(MakeBallOverFloor(x), 1000000);
+  filter->SetDefaultDiffuseReflectance(0.3);
+  filter->Update();
+  Picture picture({ 0, -7, 5 }, { 0, 0, 0.3 });
+  AddOutput(picture, filter, 0, 0, 2);
+  AddOutput(picture, filter, 1, 0, 2);
+  return picture.IsSame("ShadowOfABall", x == 0);
+}
+
+/// A white room with a red wall on the left and a green one on the right.
+Scene MakeColouredRoom(const std::vector<double>& left, const std::vector<double>& right)
+{
+  Mesh room = MakeRoom(3, 10);
+  SetCellValues(room, "DiffuseReflectance", { 0.75, 0.75, 0.75 });
+  vtkDataArray* reflectance = room->GetCellData()->GetArray("DiffuseReflectance");
+  for (vtkIdType i = 0; i < 100; ++i)
+  {
+    reflectance->SetTuple(200 + i, left.data());
+    reflectance->SetTuple(300 + i, right.data());
+  }
+  Mesh box = MakeBox(1, 0.8, 1.4);
+  SetCellValues(box, "DiffuseReflectance", { 0.75, 0.75, 0.75 });
+  Scene scene{ { room, MakeLamp({ 1.5, 1.5, 2.95 }, 1, { 100, 90, 75 }) },
+    { MakeMoving(box, { 1.7, 1.7, 0.7 }) } };
+  scene.Moving[0].Pose->RotateZ(25);
+  return scene;
+}
+
+bool IsColouredRoom(const std::vector<double>& left, const std::vector<double>& right)
+{
+  const auto filter = MakeFilter(MakeColouredRoom(left, right), 1000000);
+  filter->Update();
+  Picture picture({ 1.5, -4, 1.5 }, { 1.5, 1.5, 1.5 });
+  AddOutput(picture, filter, 0, 0, 60);
+  AddOutput(picture, filter, 1, 0, 60);
+  return picture.IsSame("ColouredRoom", left[0] > left[1]);
+}
+
+/// The ball walks and turns over the floor; the picture is that of the last of five frames.
+bool IsWalkingBall(int frames)
+{
+  Scene scene = MakeBallOverFloor(-1.2);
+  scene.Moving.push_back(MakeMoving(MakeBox(0.6, 0.6, 0.6), { 0.8, 0.8, 0.31 }));
+  const auto filter = MakeFilter(scene, 1000000);
+  filter->SetDefaultDiffuseReflectance(0.3);
+  filter->Update();
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    scene.Moving[0].Pose->Translate(0.2, -0.05, 0);
+    scene.Moving[1].Pose->RotateZ(9);
+    filter->Update();
+    EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
+  }
+  Picture picture({ 0, -7, 5 }, { 0, 0, 0.3 });
+  AddOutput(picture, filter, 0, 0, 2);
+  AddOutput(picture, filter, 1, 0, 2);
+  AddOutput(picture, filter, 1, 1, 2);
+  return picture.IsSame("WalkingBall", frames == 5);
+}
+
+}
+
+TEST(Images, ShadowOfABall)
+{
+  EXPECT_TRUE(IsShadowOfTheBall(0));
+  EXPECT_FALSE(IsShadowOfTheBall(0.15)) << "a ball 15 cm beside it passes";
+}
+
+TEST(Images, ColouredRoom)
+{
+  const std::vector<double> red{ 0.75, 0.15, 0.15 }, green{ 0.15, 0.75, 0.15 };
+  EXPECT_TRUE(IsColouredRoom(red, green));
+  EXPECT_FALSE(IsColouredRoom(green, red)) << "exchanged walls pass";
+}
+
+TEST(Images, WalkingBall)
+{
+  EXPECT_TRUE(IsWalkingBall(5));
+  EXPECT_FALSE(IsWalkingBall(4)) << "the frame before passes";
+}

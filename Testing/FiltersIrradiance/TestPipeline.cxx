@@ -1,0 +1,303 @@
+// The filter in a VTK pipeline: what makes it execute, and what it then does anew.
+
+#include "ErrorObserver.h"
+#include "OutputBits.h"
+#include "TestScenes.h"
+
+#include "vtkInformation.h"
+#include "vtkTransformPolyDataFilter.h"
+
+#include <gtest/gtest.h>
+
+using namespace TestScenes;
+
+namespace
+{
+
+constexpr vtkIdType NumberOfWalks = 1000;
+
+class ExecutionCounter : public vtkCommand
+{
+public:
+  static ExecutionCounter* New() { return new ExecutionCounter; }
+  void Execute(vtkObject*, unsigned long, void*) override { ++this->Count; }
+  int Count = 0;
+};
+
+/// Updates; the result is a new filter's. True if nothing was shot.
+testing::AssertionResult UpdatesLikeANewOne(vtkIrradianceFilter* filter, const Scene& scene)
+{
+  filter->Update();
+  const auto fresh = MakeFilter(scene, filter->GetNumberOfWalks());
+  for (const int index : { 0, 1, 4 })
+  {
+    vtkInformation* info = filter->GetInputArrayInformation(index);
+    fresh->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS,
+      info->Get(vtkDataObject::FIELD_NAME()));
+  }
+  fresh->SetDefaultDiffuseReflectance(filter->GetDefaultDiffuseReflectance());
+  fresh->Update();
+  return IsSame(OutputBits(filter), OutputBits(fresh));
+}
+
+bool HasShot(vtkIrradianceFilter* filter)
+{
+  return Field(filter, "ShootSeconds") > 0;
+}
+
+}
+
+TEST(Pipeline, GetMTimeCountsTheTransforms)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const vtkMTimeType before = filter->GetMTime();
+  scene.Moving[1].Pose->RotateX(1);
+  EXPECT_GT(filter->GetMTime(), before);
+  const vtkMTimeType moved = filter->GetMTime();
+  filter->SetDynamicTransform(1, scene.Moving[1].Pose);
+  EXPECT_EQ(filter->GetMTime(), moved);
+  filter->SetDynamicTransform(1, nullptr);
+  EXPECT_GT(filter->GetMTime(), moved);
+  EXPECT_EQ(filter->GetDynamicTransform(1), nullptr);
+  EXPECT_EQ(filter->GetDynamicTransform(0), scene.Moving[0].Pose);
+}
+
+TEST(Pipeline, ExecutesOnlyWhenSomethingChanged)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto counter = vtkSmartPointer<ExecutionCounter>::New();
+  filter->AddObserver(vtkCommand::StartEvent, counter);
+  filter->Update();
+  filter->Update();
+  filter->SetNumberOfWalks(NumberOfWalks);
+  filter->SetTraversalModeToParallel();
+  filter->Update();
+  EXPECT_EQ(counter->Count, 1);
+  scene.Moving[0].Pose->RotateX(10);
+  filter->Update();
+  filter->Update();
+  EXPECT_EQ(counter->Count, 2);
+}
+
+TEST(Pipeline, ATransformIsARepair)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->Update();
+  EXPECT_TRUE(HasShot(filter));
+  EXPECT_EQ(Field(filter, "VerifySeconds"), 0);
+  scene.Moving[0].Pose->Translate(0.3, 0.2, 0.1);
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene));
+  EXPECT_FALSE(HasShot(filter));
+  EXPECT_GT(Field(filter, "VerifySeconds"), 0);
+  EXPECT_GT(Field(filter, "NumberOfInvalidWalks"), 0);
+  EXPECT_GE(Field(filter, "NumberOfRepairedSegments"), Field(filter, "NumberOfInvalidWalks"));
+  EXPECT_LT(Field(filter, "NumberOfRepairedSegments"), Field(filter, "NumberOfSegments"));
+}
+
+TEST(Pipeline, EqualValuesKeepTheHistory)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->Update();
+  for (const Mesh& mesh : { scene.Fixed[0], scene.Fixed[1], scene.Moving[0].Model })
+  {
+    const Mesh copy = Copy(mesh);
+    mesh->DeepCopy(copy);
+    mesh->Modified();
+  }
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene));
+  EXPECT_FALSE(HasShot(filter));
+  EXPECT_EQ(Field(filter, "NumberOfInvalidWalks"), 0);
+}
+
+TEST(Pipeline, ADeformingObjectIsARepair)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->Update();
+  vtkPoints* points = scene.Moving[0].Model->GetPoints();
+  points->SetPoint(0, 0.1, 0.2, 0.9);
+  points->Modified();
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene));
+  EXPECT_FALSE(HasShot(filter));
+  EXPECT_GT(Field(filter, "NumberOfInvalidWalks"), 0);
+}
+
+TEST(Pipeline, EveryOtherChangeIsANewFilter)
+{
+  Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->Update();
+
+  scene.Moving.push_back(MakeMoving(MakeCone(0.6, 0.2, 8), { 2.2, 0.8, 1 }));
+  filter->AddInputDataObject(1, scene.Moving[2].Model);
+  filter->SetDynamicTransform(2, scene.Moving[2].Pose);
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "connection added";
+
+  filter->RemoveInputConnection(1, 2);
+  filter->SetDynamicTransform(2, nullptr);
+  scene.Moving.pop_back();
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "connection removed";
+
+  scene.Fixed.push_back(MakeBox(0.3, 0.4, 3.2));
+  filter->AddInputDataObject(0, scene.Fixed[2]);
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "static connection added";
+
+  SetCellValues(scene.Moving[0].Model, "DiffuseReflectance", { 0.9 });
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "reflectance set";
+
+  scene.Moving[0].Model->GetCellData()->GetArray("DiffuseReflectance")->FillComponent(0, 0.2);
+  scene.Moving[0].Model->GetCellData()->GetArray("DiffuseReflectance")->Modified();
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "reflectance changed";
+
+  SetCellValues(scene.Moving[1].Model, "RadiantExitance", { 20 });
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "moving light added";
+
+  scene.Moving[1].Pose->Translate(-0.5, -0.2, 0.3);
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "light moved";
+  EXPECT_TRUE(HasShot(filter));
+
+  SetCellValues(scene.Fixed[1], "RadiantExitance", { 10, 20, 30 });
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "three bands";
+
+  filter->SetNumberOfWalks(NumberOfWalks + 1);
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "number of walks changed";
+
+  filter->SetDefaultDiffuseReflectance(0.25);
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "default reflectance changed";
+}
+
+// The input itself is as it was; what is read of it is not.
+TEST(Pipeline, AnotherArrayIsChosen)
+{
+  const Scene scene = MakeSmallScene();
+  SetCellValues(scene.Fixed[0], "Dark", { 0.1 });
+  SetCellValues(scene.Fixed[1], "Evening", { 7 });
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->Update();
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Dark");
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "reflectance";
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Evening");
+  EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "exitance";
+  EXPECT_NEAR(Field(filter, "EmittedPower"), 0.8 * 0.8 * 7, 1e-6);
+}
+
+TEST(Pipeline, ObjectToWorldServesWhereThereIsNoTransform)
+{
+  const Scene scene = MakeSmallScene();
+  const auto expected = MakeFilter(scene, NumberOfWalks);
+  expected->Update();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->RemoveAllDynamicTransforms();
+  const auto setPose = [](vtkPolyData* model, vtkTransform* pose) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("ObjectToWorld");
+    array->SetNumberOfComponents(16);
+    array->InsertNextTuple(pose->GetMatrix()->GetData());
+    model->GetFieldData()->AddArray(array);
+  };
+  for (const MovingObject& object : scene.Moving)
+  {
+    setPose(object.Model, object.Pose);
+  }
+  filter->Update();
+  EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(expected)));
+
+  scene.Moving[0].Pose->Translate(0.4, 0, 0.1);
+  setPose(scene.Moving[0].Model, scene.Moving[0].Pose);
+  filter->Update();
+  expected->Update();
+  EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(expected)));
+  EXPECT_FALSE(HasShot(filter));
+
+  // A transform wins over the array.
+  const auto other = vtkSmartPointer<vtkTransform>::New();
+  other->Translate(2, 1, 1);
+  filter->SetDynamicTransform(0, other);
+  expected->SetDynamicTransform(0, other);
+  filter->Update();
+  expected->Update();
+  EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(expected)));
+}
+
+TEST(Pipeline, ArraysOfTheInputAreKept)
+{
+  const Scene scene = MakeSmallScene();
+  SetCellValues(scene.Fixed[0], "Temperature", { 20, 21 });
+  SetCellValues(scene.Moving[0].Model, "Paint", { 3 });
+  vtkNew<vtkDoubleArray> field;
+  field->SetName("Note");
+  field->InsertNextValue(4);
+  scene.Moving[0].Model->GetFieldData()->AddArray(field);
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->Update();
+  vtkPolyData* room = OutputOf(filter->GetOutput(), 0, 0);
+  vtkPolyData* ball = OutputOf(filter->GetOutput(), 1, 0);
+  EXPECT_EQ(room->GetCellData()->GetArray("Temperature"),
+    scene.Fixed[0]->GetCellData()->GetArray("Temperature"));
+  EXPECT_EQ(ball->GetCellData()->GetArray("Paint"),
+    scene.Moving[0].Model->GetCellData()->GetArray("Paint"));
+  EXPECT_TRUE(ball->GetFieldData()->HasArray("Note"));
+  EXPECT_FALSE(scene.Fixed[0]->GetCellData()->HasArray("Irradiance")); // the input is untouched
+  EXPECT_EQ(scene.Moving[0].Model->GetPoint(0)[2], 0.4f);
+  EXPECT_STREQ(room->GetCellData()->GetScalars()->GetName(), "Irradiance");
+}
+
+// A dynamic block has the points, normals and light of a static one that was moved beforehand.
+TEST(Pipeline, DynamicIsStaticMovedBeforehand)
+{
+  for (const double mirror : { 1, -1 })
+  {
+    SCOPED_TRACE(mirror);
+    Scene moving = MakeSmallScene();
+    moving.Moving.pop_back();
+    SetCellValues(moving.Moving[0].Model, "DiffuseReflectance", { 0.7 });
+    vtkTransform* pose = moving.Moving[0].Pose;
+    pose->RotateWXYZ(40, 1, 2, 3);
+    pose->Scale(mirror, 1.25, 0.75);
+    vtkNew<vtkTransformPolyDataFilter> move;
+    move->SetInputData(moving.Moving[0].Model);
+    move->SetTransform(pose);
+    move->Update();
+    const Scene still{ { moving.Fixed[0], moving.Fixed[1], Copy(move->GetOutput()) }, {} };
+
+    const auto one = MakeFilter(moving, 50000), other = MakeFilter(still, 50000);
+    for (const auto& filter : { one, other })
+    {
+      filter->SeparateSidesOn();
+      filter->Update();
+    }
+    vtkPolyData* found = OutputOf(one->GetOutput(), 1, 0);
+    vtkPolyData* expected = OutputOf(other->GetOutput(), 0, 2);
+    ASSERT_EQ(found->GetNumberOfPoints(), expected->GetNumberOfPoints());
+    ASSERT_NE(found->GetPointData()->GetNormals(), nullptr);
+    for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_EQ(found->GetPoint(i)[axis], expected->GetPoint(i)[axis]) << "point " << i;
+        EXPECT_EQ(found->GetPointData()->GetNormals()->GetComponent(i, axis),
+          expected->GetPointData()->GetNormals()->GetComponent(i, axis))
+          << "normal " << i;
+      }
+    }
+    // The points of the static one were rounded to float: some walks end elsewhere.
+    for (const char* name : { "IrradianceFront", "IrradianceBack" })
+    {
+      vtkDataArray* a = found->GetCellData()->GetArray(name);
+      vtkDataArray* b = expected->GetCellData()->GetArray(name);
+      for (vtkIdType i = 0; i < expected->GetNumberOfCells(); ++i)
+      {
+        EXPECT_NEAR(a->GetComponent(i, 0), b->GetComponent(i, 0), 0.5 + 0.1 * b->GetComponent(i, 0))
+          << name << ", cell " << i;
+      }
+    }
+    const char* lit = mirror > 0 ? "IrradianceFront" : "IrradianceBack"; // it turns inside out
+    const char* dark = mirror > 0 ? "IrradianceBack" : "IrradianceFront";
+    EXPECT_GT(found->GetCellData()->GetArray(lit)->GetRange()[1], 10);
+    EXPECT_EQ(found->GetCellData()->GetArray(dark)->GetRange()[1], 0);
+  }
+}

@@ -1,0 +1,157 @@
+// Progress comes often and only rises; an abort stops soon and leaves nothing half done behind.
+
+#include "OutputBits.h"
+#include "TestScenes.h"
+
+#include "vtkCommand.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+using namespace TestScenes;
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Notes every progress event, and aborts at one of them if told so.
+class ProgressObserver : public vtkCommand
+{
+public:
+  static ProgressObserver* New() { return new ProgressObserver; }
+
+  void Execute(vtkObject* caller, unsigned long, void* progress) override
+  {
+    this->Values.push_back(*static_cast<double*>(progress));
+    this->LongestGap = std::max(this->LongestGap, SecondsSince(this->Last));
+    this->Last = Clock::now();
+    if (this->Values.back() >= this->AbortAt)
+    {
+      this->HasAborted = true;
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  }
+
+  void Restart(double abortAt)
+  {
+    this->Values.clear();
+    this->AbortAt = abortAt;
+    this->HasAborted = false;
+    this->LongestGap = 0;
+    this->Last = Clock::now();
+  }
+
+  std::vector<double> Values;
+  double AbortAt = 2;
+  bool HasAborted = false;
+  double LongestGap = 0; ///< s
+  Clock::time_point Last = Clock::now();
+};
+
+vtkSmartPointer<ProgressObserver> Watch(vtkIrradianceFilter* filter)
+{
+  auto observer = vtkSmartPointer<ProgressObserver>::New();
+  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  return observer;
+}
+
+/// Walks that take about `seconds` to shoot here and now.
+vtkIdType NumberOfWalksIn(double seconds, const Scene& scene)
+{
+  constexpr vtkIdType sample = 20000;
+  const auto filter = MakeFilter(scene, sample);
+  filter->Update();
+  return static_cast<vtkIdType>(sample * seconds / Field(filter, "ShootSeconds"));
+}
+
+void ExpectRisingFrom0To1(const std::vector<double>& values)
+{
+  ASSERT_FALSE(values.empty());
+  EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+  EXPECT_EQ(values.front(), 0);
+  EXPECT_EQ(values.back(), 1);
+}
+
+}
+
+// The promise is an event every 0.1 s. A loaded machine may stop the whole process for longer: so
+// the events are counted, and a single gap may be 0.5 s.
+TEST(Progress, RisesAndComesOften)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalksIn(1, scene));
+  const auto observer = Watch(filter);
+  const Clock::time_point start = Clock::now();
+  observer->Restart(2);
+  filter->Update();
+  const double seconds = SecondsSince(start);
+  std::cout << filter->GetNumberOfWalks() << " walks, " << seconds << " s, "
+            << observer->Values.size() << " events, longest gap " << observer->LongestGap << " s\n";
+  ExpectRisingFrom0To1(observer->Values);
+  EXPECT_GE(static_cast<double>(observer->Values.size()), seconds / 0.1);
+  EXPECT_LT(observer->LongestGap, 0.5);
+
+  scene.Moving[0].Pose->Translate(0.5, 0.3, 0.1);
+  observer->Restart(2);
+  filter->Update();
+  ExpectRisingFrom0To1(observer->Values);
+  EXPECT_LT(observer->LongestGap, 0.5);
+}
+
+TEST(Abort, WhileShooting)
+{
+  const Scene scene = MakeSmallScene();
+  const vtkIdType walks = NumberOfWalksIn(0.7, scene);
+  const auto filter = MakeFilter(scene, walks);
+  const auto observer = Watch(filter);
+  observer->Restart(0.3);
+  filter->Update();
+  ASSERT_TRUE(observer->HasAborted);
+  EXPECT_LT(observer->Values.back(), 0.7);
+  EXPECT_LT(SecondsSince(observer->Last), 0.5); // it went on for no longer
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+
+  observer->Restart(2);
+  filter->Modified();
+  filter->Update();
+  const auto fresh = MakeFilter(scene, walks);
+  fresh->Update();
+  EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+}
+
+// Verification is the first half of an update, repair the second. What was aborted in either must
+// not be taken for a frame that can be repaired.
+TEST(Abort, WhileVerifyingOrRepairing)
+{
+  for (const double at : { 0.0, 0.1, 0.6 })
+  {
+    const Scene scene = MakeSmallScene();
+    const vtkIdType walks = 300000;
+    std::cout << walks << " walks, abort at " << at << "\n";
+    const auto filter = MakeFilter(scene, walks);
+    const auto observer = Watch(filter);
+    filter->Update();
+    scene.Moving[0].Pose->Translate(0.5, 0.3, 0.1);
+    observer->Restart(at);
+    filter->Update();
+    ASSERT_TRUE(observer->HasAborted);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+
+    scene.Moving[0].Pose->Translate(-0.2, 0, 0);
+    observer->Restart(2);
+    filter->Update();
+    const auto fresh = MakeFilter(scene, walks);
+    fresh->Update();
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh))) << "abort at " << at;
+  }
+}

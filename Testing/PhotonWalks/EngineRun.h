@@ -1,0 +1,121 @@
+#ifndef irradiance_test_EngineRun_h
+#define irradiance_test_EngineRun_h
+
+#include "IrradianceEngine.h"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+// Tests with sanitizers run about ten times slower: they do less.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define IRRADIANCE_TEST_IS_SANITIZED 1
+#else
+#define IRRADIANCE_TEST_IS_SANITIZED 0
+#endif
+
+namespace irradiance::test
+{
+
+constexpr bool kIsSanitized = IRRADIANCE_TEST_IS_SANITIZED != 0;
+
+/// `count` in an ordinary build, less of it with sanitizers.
+constexpr std::uint32_t scaled(std::uint32_t count)
+{
+  return kIsSanitized ? std::max(count / 12, 1u) : count;
+}
+
+/// All that the engine answers, in integers.
+using Answer = std::vector<std::int64_t>;
+
+inline Answer answerOf(
+  const IrradianceEngine& engine, const SceneObjects& objects, bool separateSides = false)
+{
+  Answer answer;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const Surface& surface = *objects[object].surface;
+    for (std::size_t cell = 0; cell < surface.numberOfCells; ++cell)
+    {
+      for (int side = 0; side < (separateSides ? 2 : 1); ++side)
+      {
+        for (int band = 0; band < surface.bands; ++band)
+        {
+          answer.push_back(engine.sums().sum(object, cell, side, band));
+        }
+      }
+    }
+  }
+  for (const Power& power :
+    { engine.balance().emitted, engine.balance().absorbed, engine.balance().escaped })
+  {
+    answer.insert(answer.end(), power.quanta.begin(), power.quanta.end());
+  }
+  answer.push_back(engine.balance().segments);
+  return answer;
+}
+
+/// What a new engine answers.
+inline Answer freshAnswer(const SceneObjects& objects, const EngineSettings& settings)
+{
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  return answerOf(engine, objects, settings.separateSides);
+}
+
+/// Watts on cells [first, last) of an object.
+inline double wattsOn(const IrradianceEngine& engine, std::uint32_t object, std::size_t first,
+  std::size_t last, int band = 0)
+{
+  std::int64_t quanta = 0;
+  for (std::size_t cell = first; cell < last; ++cell)
+  {
+    quanta += engine.sums().sum(object, cell, 0, band);
+  }
+  return engine.watts(quanta);
+}
+
+/// An estimate from independent replicates, with its standard error.
+class Replicates
+{
+public:
+  void add(double value)
+  {
+    ++count_;
+    const double delta = value - mean_;
+    mean_ += delta / count_;
+    squares_ += delta * (value - mean_);
+  }
+  int count() const { return count_; }
+  double mean() const { return mean_; }
+  double standardError() const { return std::sqrt(squares_ / (count_ - 1) / count_); }
+  /// Student's t of `truth`, with count() - 1 degrees of freedom. Integer sums can come out equal
+  /// in all replicates; what rounding can do is no error then.
+  double t(double truth) const
+  {
+    return (mean_ - truth) / (standardError() + 1e-12 * std::abs(truth));
+  }
+  void print(const char* name, double truth) const
+  {
+    std::printf("%-28s %12.8g, true %12.8g, off by %+.4f %%, t %+.2f\n", name, mean_, truth,
+      100 * (mean_ / truth - 1), t(truth));
+  }
+
+private:
+  int count_ = 0;
+  double mean_ = 0;
+  double squares_ = 0;
+};
+
+/// The value that chi-square with `freedom` degrees exceeds as often as a normal variable exceeds
+/// `z` (Wilson and Hilferty 1931).
+inline double chiSquareLimit(double freedom, double z)
+{
+  const double part = 2 / (9 * freedom);
+  return freedom * std::pow(1 - part + z * std::sqrt(part), 3);
+}
+
+}
+
+#endif

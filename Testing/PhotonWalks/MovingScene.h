@@ -1,0 +1,125 @@
+#ifndef irradiance_test_MovingScene_h
+#define irradiance_test_MovingScene_h
+
+#include "TestScenes.h"
+
+#include "../RayCasting/RandomVectors.h"
+
+namespace irradiance::test
+{
+
+/**
+ * A room of 4 x 4 x 4 m with a lamp, lit from a point as well, and six objects in it: a rigid box, a
+ * sheared sphere, a mirrored box that reaches through a wall, a box that leaves the room and comes
+ * back, a sphere that deforms, and one with loose triangles. In each frame some of them rest.
+ */
+class MovingScene
+{
+public:
+  static constexpr int kObjects = 6;
+
+  MovingScene(int bands, bool isClosed, unsigned seed)
+    : bands_(bands)
+    , random_(seed)
+  {
+    ObjectBuilder room(bands);
+    const Box walls = box({ 0, 0, 0 }, { 4, 4, 4 });
+    for (int side = 0; side < (isClosed ? 6 : 5); ++side)
+    {
+      room.addSide(walls, side, 3, wallLook_, true);
+    }
+    room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
+    room.addPointLight({ 3, 1, 2 }, 2);
+    objects_.fixed = room.build();
+    for (int i = 0; i < kObjects; ++i)
+    {
+      objects_.dynamic.push_back(i == 4 ? deformed() : shape(i));
+    }
+    for (int i = 0; i < kObjects; ++i)
+    {
+      move(i);
+    }
+  }
+
+  const SceneObjects& objects() const { return objects_; }
+
+  /// Every object moves with probability 1/2.
+  void nextFrame()
+  {
+    for (int i = 0; i < kObjects; ++i)
+    {
+      if (random_.engine() % 2 == 0)
+      {
+        move(i);
+      }
+    }
+  }
+
+private:
+  SceneObject shape(int i)
+  {
+    ObjectBuilder builder(bands_);
+    if (i % 2 == 0)
+    {
+      builder.addBox(box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, objectLook_);
+    }
+    else
+    {
+      builder.addSphere({ 0, 0, 0 }, 0.5, 4, objectLook_);
+    }
+    return builder.build({}, i == 5);
+  }
+
+  /// Same cells, other points.
+  SceneObject deformed()
+  {
+    if (!deformingSurface_)
+    {
+      deformingSurface_ = shape(1).surface;
+    }
+    ObjectBuilder builder(bands_);
+    builder.addSphere({ 0, 0, 0 }, random_.uniform(0.2, 0.6), 4, objectLook_);
+    SceneObject object = builder.build();
+    object.surface = deformingSurface_;
+    return object;
+  }
+
+  void move(int i)
+  {
+    SceneObject& object = objects_.dynamic[static_cast<std::size_t>(i)];
+    AffineMap& pose = object.worldFromObject;
+    pose.linear = random_.rotation();
+    pose.translation = Vector3(2, 2, 2) + 1.3 * random_.inCube();
+    switch (i)
+    {
+      case 1:
+        pose.linear(0, 1) += random_.uniform(); // shear
+        pose.linear.col(2) *= random_.uniform(0.5, 1.5);
+        break;
+      case 2:
+        pose.linear.col(0) *= -1; // mirrored
+        pose.translation[1] = random_.uniform(-0.2, 0.2);
+        break;
+      case 3:
+        pose.translation[0] += random_.engine() % 2 == 0 ? 100 : 0;
+        break;
+      case 4:
+        object = deformed();
+        object.worldFromObject = shift(Vector3(2, 2, 2) + random_.inCube());
+        break;
+      default:
+        break;
+    }
+  }
+
+  Look wallLook_{ { 0.5, 0.7, 0.3 }, {} };
+  Look objectLook_{ { 0.8, 0.2, 0.6 }, {} };
+  int bands_;
+  RandomVectors random_;
+  SceneObjects objects_;
+  std::shared_ptr<const Surface> deformingSurface_;
+};
+
+}
+
+#endif

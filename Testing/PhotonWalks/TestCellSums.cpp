@@ -1,0 +1,78 @@
+#include "CellSums.h"
+
+#include "TestScenes.h"
+#include "ThreadExecution.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A static quad of 2 x 2 cells (8 triangles) and a box of 6 cells (12 triangles).
+SceneObjects quadAndBox(int bands)
+{
+  test::ObjectBuilder quad(bands), box(bands);
+  quad.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 2, 2, test::grey(0.5));
+  box.addBox(test::box({ 0, 0, 0 }, { 1, 1, 1 }), 1, test::grey(0.5));
+  return { quad.build(), { box.build() } };
+}
+
+}
+
+TEST(CellSums, TrianglesOfACellShareASum)
+{
+  CellSums sums(quadAndBox(1), 1);
+  sums.add({ 0, 2 }, true, { { 5, 0, 0 } }, 1);
+  sums.add({ 0, 3 }, false, { { 7, 0, 0 } }, 1);
+  sums.add({ 1, 11 }, true, { { 1ll << 50, 0, 0 } }, 1);
+  for (std::size_t cell = 0; cell < 4; ++cell)
+  {
+    EXPECT_EQ(sums.sum(0, cell, 0, 0), cell == 1 ? 12 : 0);
+  }
+  for (std::size_t cell = 0; cell < 6; ++cell)
+  {
+    EXPECT_EQ(sums.sum(1, cell, 0, 0), cell == 5 ? 1ll << 50 : 0);
+  }
+  sums.add({ 0, 3 }, false, { { 7, 0, 0 } }, -1);
+  EXPECT_EQ(sums.sum(0, 1, 0, 0), 5);
+}
+
+TEST(CellSums, SidesAndBandsStandApart)
+{
+  CellSums sums(quadAndBox(3), 2);
+  sums.add({ 1, 4 }, true, { { 1, 2, 3 } }, 1);
+  sums.add({ 1, 5 }, false, { { 10, 20, 30 } }, 1);
+  for (int band = 0; band < 3; ++band)
+  {
+    EXPECT_EQ(sums.sum(1, 2, 0, band), band + 1);
+    EXPECT_EQ(sums.sum(1, 2, 1, band), 10 * (band + 1));
+    EXPECT_EQ(sums.sum(1, 1, 1, band), 0);
+    EXPECT_EQ(sums.sum(1, 3, 0, band), 0);
+  }
+}
+
+TEST(CellSums, ManyThreadsLoseNothing)
+{
+  CellSums sums(quadAndBox(1), 1);
+  test::ThreadExecution execution(4);
+  execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      for (std::int64_t k = 0; k < 50; ++k)
+      {
+        sums.add({ 0, static_cast<std::uint32_t>(i % 8) }, true, { { k + 1, 0, 0 } }, 1);
+        sums.add({ 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, -1);
+        sums.add({ 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, 1);
+      }
+    }
+  });
+  for (std::size_t cell = 0; cell < 4; ++cell)
+  {
+    EXPECT_EQ(sums.sum(0, cell, 0, 0), 500 * 1275);
+  }
+}
+
+}

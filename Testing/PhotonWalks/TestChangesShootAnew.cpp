@@ -1,0 +1,185 @@
+#include "EngineRun.h"
+#include "MovingScene.h"
+#include "ThreadExecution.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::answerOf;
+using test::freshAnswer;
+using test::MovingScene;
+using test::scaled;
+
+struct Input
+{
+  SceneObjects objects;
+  EngineSettings settings;
+};
+
+struct Change
+{
+  const char* name;
+  std::function<void(Input&)> apply;
+};
+
+SceneObject lamp(double exitance)
+{
+  test::ObjectBuilder builder;
+  builder.addBox(test::box({ 0, 0, 0 }, { 0.2, 0.2, 0.2 }), 1, test::grey(0.3, exitance));
+  return builder.build(test::shift({ 3, 3, 1 }));
+}
+
+/// Everything that may change between two frames besides poses of objects that do not shine.
+std::vector<Change> changes()
+{
+  const auto changeSurface = [](SceneObject& object, const auto& change) {
+    auto surface = std::make_shared<Surface>(*object.surface);
+    change(*surface);
+    object.surface = surface;
+  };
+  return {
+    { "moving emitter", [](Input& in) { in.objects.dynamic.back().worldFromObject = {}; } },
+    { "exitance", [](Input& in) { in.objects.dynamic.back() = lamp(5); } },
+    { "static reflectance",
+      [=](Input& in) {
+        changeSurface(in.objects.fixed, [](Surface& s) { s.reflectance[3] = 0.9; });
+      } },
+    { "dynamic reflectance",
+      [=](Input& in) {
+        changeSurface(in.objects.dynamic[0], [](Surface& s) { s.reflectance[0] = 0; });
+      } },
+    { "point light",
+      [=](Input& in) {
+        changeSurface(
+          in.objects.fixed, [](Surface& s) { s.pointLights[0].position[2] += 1e-3; });
+      } },
+    { "static geometry",
+      [](Input& in) { in.objects.fixed.body = MovingScene(1, true, 1).objects().fixed.body;
+        in.objects.fixed.surface = MovingScene(1, true, 1).objects().fixed.surface; } },
+    { "object added", [](Input& in) { in.objects.dynamic.push_back(in.objects.dynamic[0]); } },
+    { "object removed",
+      [](Input& in) { in.objects.dynamic.erase(in.objects.dynamic.begin() + 1); } },
+    { "objects swapped",
+      [](Input& in) { std::swap(in.objects.dynamic[0], in.objects.dynamic[1]); } },
+    { "object loose", [](Input& in) { in.objects.dynamic[1].isLoose = true; } },
+    { "all objects gone", [](Input& in) { in.objects.dynamic.clear(); } },
+    { "seed", [](Input& in) { in.settings.seed = 77; } },
+    { "number of walks", [](Input& in) { in.settings.numberOfWalks += 1; } },
+    { "one walk", [](Input& in) { in.settings.numberOfWalks = 1; } },
+    { "sides", [](Input& in) { in.settings.separateSides = true; } },
+    { "no verification", [](Input& in) { in.settings.verify = false; } },
+    { "cache off", [](Input& in) { in.settings.cacheStaticHits = false; } },
+    { "one tree", [](Input& in) { in.settings.traversalMode = TraversalMode::OneTree; } },
+    { "sequential", [](Input& in) { in.settings.traversalMode = TraversalMode::Sequential; } },
+    { "darkness",
+      [=](Input& in) {
+        in.objects.dynamic.pop_back();
+        changeSurface(in.objects.fixed, [](Surface& s) {
+          s.pointLights.clear();
+          s.exitance.clear();
+        });
+      } },
+    { "bands",
+      [](Input& in) { in.objects = MovingScene(3, false, 31).objects(); } },
+  };
+}
+
+void expectEqualToFresh(
+  IrradianceEngine& engine, const Input& input, const std::string& when)
+{
+  Execution execution;
+  engine.update(input.objects, input.settings, execution);
+  ASSERT_TRUE(answerOf(engine, input.objects, input.settings.separateSides) ==
+    freshAnswer(input.objects, input.settings))
+    << when;
+}
+
+}
+
+TEST(ChangesShootAnew, EveryChangeThereAndBackEqualsANewEngine)
+{
+  MovingScene scene(1, false, 31);
+  IrradianceEngine engine;
+  for (const Change& change : changes())
+  {
+    const auto input = [&] {
+      Input in{ scene.objects(), {} };
+      in.objects.dynamic.push_back(lamp(2));
+      in.settings.numberOfWalks = scaled(3000);
+      return in;
+    };
+    const std::string name = change.name;
+    const SceneObject still = input().objects.dynamic.back();
+    const auto with = [&](Input in, bool changed) {
+      in.objects.dynamic.back() = still;
+      if (changed)
+      {
+        change.apply(in);
+      }
+      return in;
+    };
+    ASSERT_NO_FATAL_FAILURE(expectEqualToFresh(engine, with(input(), false), name + ", before"));
+    scene.nextFrame();
+    ASSERT_NO_FATAL_FAILURE(expectEqualToFresh(engine, with(input(), false), name + ", moved"));
+    ASSERT_NO_FATAL_FAILURE(expectEqualToFresh(engine, with(input(), true), name + ", alone"));
+    ASSERT_NO_FATAL_FAILURE(expectEqualToFresh(engine, with(input(), false), name + ", undone"));
+    scene.nextFrame();
+    ASSERT_NO_FATAL_FAILURE(expectEqualToFresh(engine, with(input(), true), name + ", in motion"));
+    ASSERT_NO_FATAL_FAILURE(expectEqualToFresh(engine, with(input(), true), name + ", again"));
+    scene.nextFrame();
+  }
+}
+
+// goOn says no at the first, second, ... call of an update; the next update equals a new engine.
+TEST(ChangesShootAnew, InterruptedUpdatesLeaveNoTrace)
+{
+  for (const bool isFirstFrame : { true, false })
+  {
+    MovingScene scene(1, false, 32);
+    EngineSettings settings;
+    settings.numberOfWalks = scaled(60000);
+    IrradianceEngine engine;
+    Execution execution;
+    int stops = 0;
+    for (int stopAt = 0;; stopAt = stopAt < 4 ? stopAt + 1 : 2 * stopAt)
+    {
+      if (isFirstFrame)
+      {
+        engine = {};
+      }
+      else
+      {
+        engine.update(scene.objects(), settings, execution);
+        scene.nextFrame();
+      }
+      test::StoppingExecution stopping(stopAt);
+      bool isInterrupted = false;
+      try
+      {
+        engine.update(scene.objects(), settings, stopping);
+      }
+      catch (const Interrupted&)
+      {
+        isInterrupted = true;
+        ++stops;
+      }
+      engine.update(scene.objects(), settings, execution);
+      ASSERT_TRUE(
+        answerOf(engine, scene.objects()) == freshAnswer(scene.objects(), settings))
+        << "stopped at call " << stopAt;
+      if (!isInterrupted)
+      {
+        break;
+      }
+    }
+    EXPECT_GE(stops, 1);
+    std::printf("%s frame: stopped %d times\n", isFirstFrame ? "first" : "later", stops);
+  }
+}
+
+}

@@ -1,0 +1,139 @@
+#include "Emitter.h"
+
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::grey;
+using test::ObjectBuilder;
+
+SceneObjects onlyStatic(const ObjectBuilder& builder)
+{
+  return { builder.build(), {} };
+}
+
+Power totalOf(const EmitterTable& table, std::uint32_t walks)
+{
+  const SobolSequence samples(1);
+  Power total;
+  for (std::uint32_t walk = 0; walk < walks; ++walk)
+  {
+    total += table.start(walk, samples).power;
+  }
+  return total;
+}
+
+}
+
+TEST(Emitter, PowersOfAllWalksAddUpToTheFlux)
+{
+  for (const double flux : { 1.0, 10000.0, 0.1, M_PI, 3e-20, 7e25 })
+  {
+    ObjectBuilder builder;
+    builder.addPointLight({ 1, 2, 3 }, flux);
+    for (const std::uint32_t walks : { 1u, 7u, 1000u, 12345u })
+    {
+      const EmitterTable table(onlyStatic(builder), walks);
+      const Power total = totalOf(table, walks);
+      EXPECT_EQ(total[0], std::llround(flux / table.quantum())) << flux << " W, " << walks;
+      EXPECT_TRUE(total[1] == 0 && total[2] == 0);
+    }
+  }
+}
+
+TEST(Emitter, WalksOfAFrameDifferByOneQuantumAtMost)
+{
+  ObjectBuilder builder;
+  builder.addPointLight({ 0, 0, 0 }, M_PI);
+  const EmitterTable table(onlyStatic(builder), 12345);
+  const std::int64_t first = table.start(0, SobolSequence(1)).power[0];
+  for (std::uint32_t walk = 1; walk < 12345; ++walk)
+  {
+    ASSERT_LE(std::abs(table.start(walk, SobolSequence(1)).power[0] - first), 1);
+  }
+}
+
+TEST(Emitter, QuantumIsAPowerOfTwoAndFitsTheFlux)
+{
+  for (const double flux : { 1.0, 10000.0, 0.1, 3e-20, 7e25, 0.99999999999999989 })
+  {
+    ObjectBuilder builder;
+    builder.addPointLight({ 0, 0, 0 }, flux);
+    const EmitterTable table(onlyStatic(builder), 10);
+    int exponent;
+    EXPECT_EQ(std::frexp(table.quantum(), &exponent), 0.5) << flux;
+    EXPECT_GE(flux / table.quantum(), 0x1p45);
+    EXPECT_LE(flux / table.quantum(), 0x1p46);
+  }
+}
+
+// Fluxes 1, 2, 5 of 8 W and 2^13 walks: the samples are stratified, so the counts are exact.
+TEST(Emitter, LightsAreChosenInProportionToFlux)
+{
+  ObjectBuilder builder;
+  for (const double flux : { 1.0, 0.0, 2.0, 5.0 })
+  {
+    builder.addPointLight({ flux, 0, 0 }, flux);
+  }
+  const EmitterTable table(onlyStatic(builder), 8192);
+  ASSERT_EQ(table.emitters().size(), 3u);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    std::array<int, 6> counts{};
+    for (std::uint32_t walk = 0; walk < 8192; ++walk)
+    {
+      ++counts[static_cast<std::size_t>(
+        table.start(walk, SobolSequence(seed)).ray.origin[0])];
+    }
+    EXPECT_EQ(counts, (std::array<int, 6>{ 0, 1024, 2048, 0, 0, 5120 })) << "seed " << seed;
+  }
+}
+
+TEST(Emitter, CellsEmitFromTheirFrontInTheirColour)
+{
+  ObjectBuilder builder(3);
+  builder.addQuad({ 1, 1, 2 }, { 0, 2, 0 }, { 3, 0, 0 }, 2, 2, { {}, { 4, 2, 1 } }); // looks down
+  builder.addQuad({ 1, 1, 5 }, { 3, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
+  const SceneObjects objects{ test::nothing(3), { builder.build(test::shift({ 10, 0, 0 })) } };
+  const EmitterTable table(objects, 1000);
+  ASSERT_EQ(table.emitters().size(), 8u);
+  for (std::uint32_t walk = 0; walk < 1000; ++walk)
+  {
+    const WalkStart start = table.start(walk, SobolSequence(3));
+    ASSERT_LT(start.ray.direction[2], 0);
+    ASSERT_LT(start.ray.origin[2], 2);
+    ASSERT_NEAR(start.ray.origin[2], 2, 1e-8);
+    ASSERT_TRUE(start.ray.origin[0] > 11 && start.ray.origin[0] < 14);
+    ASSERT_EQ(start.ray.start.object, 1u);
+    ASSERT_NEAR(double(start.power[0]) / double(start.power[2]), 4, 1e-6);
+    ASSERT_NEAR(double(start.power[1]) / double(start.power[2]), 2, 1e-6);
+  }
+  // 6 m2 of 4, 2, 1 W/m2; each walk may round each band once.
+  const Power total = totalOf(table, 1000);
+  for (int band = 0; band < 3; ++band)
+  {
+    EXPECT_NEAR(double(total[band]) * table.quantum(), 24 >> band, 1000 * table.quantum());
+  }
+}
+
+TEST(Emitter, TablesAreEqualWhenTheyStartTheSameWalks)
+{
+  ObjectBuilder builder;
+  builder.addBox(test::box({ 0, 0, 0 }, { 1, 1, 1 }), 1, grey(0, 1));
+  const SceneObject lamp = builder.build();
+  const SceneObjects objects{ test::nothing(), { lamp } };
+  SceneObjects moved = objects;
+  moved.dynamic[0].worldFromObject.translation[1] = 1e-9;
+  EXPECT_TRUE(EmitterTable(objects, 100) == EmitterTable(objects, 100));
+  EXPECT_FALSE(EmitterTable(objects, 100) == EmitterTable(objects, 101));
+  EXPECT_FALSE(EmitterTable(objects, 100) == EmitterTable(moved, 100));
+  EXPECT_TRUE(EmitterTable({ test::nothing(), {} }, 100).isEmpty());
+}
+
+}

@@ -1,0 +1,132 @@
+#include "EngineRun.h"
+#include "MovingScene.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::MovingScene;
+
+EngineStatistics shoot(const SceneObjects& objects, bool verify, bool separateSides)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = 5000;
+  settings.verify = verify;
+  settings.separateSides = separateSides;
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settings, execution);
+  return engine.statistics();
+}
+
+}
+
+TEST(PayForWhatIsUsed, NothingThatMovesNoHistory)
+{
+  SceneObjects objects = MovingScene(1, true, 61).objects();
+  EXPECT_GT(shoot(objects, true, false).historyBytes, 0u);
+  EXPECT_EQ(shoot(objects, false, false).historyBytes, 0u) << "every frame is shot anew";
+  objects.dynamic.clear();
+  EXPECT_EQ(shoot(objects, true, false).historyBytes, 0u);
+}
+
+TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
+{
+  SceneObjects objects = MovingScene(1, true, 61).objects();
+  EngineSettings settings;
+  settings.numberOfWalks = 5000;
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settings, execution);
+  objects.dynamic.clear();
+  engine.update(objects, settings, execution);
+  EXPECT_EQ(engine.statistics().historyBytes, 0u);
+}
+
+// A segment holds two vectors and a hit, and then 8 bytes for each band and one for the side.
+TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = 5000;
+  for (const int bands : { 1, 3 })
+  {
+    for (const bool sides : { false, true })
+    {
+      const SceneObjects objects = MovingScene(bands, false, 61).objects();
+      settings.separateSides = sides;
+      IrradianceEngine engine;
+      Execution execution;
+      engine.update(objects, settings, execution);
+      const double perSegment = double(engine.statistics().historyBytes) /
+        double(engine.balance().segments);
+      const double needed = double(sizeof(WalkSegment)) + 8 * bands + (sides ? 1 : 0);
+      EXPECT_GE(perSegment, needed);
+      // Besides: the place of each walk, and small change for each block.
+      const double perWalk = double(settings.numberOfWalks) / double(engine.balance().segments);
+      EXPECT_LE(perSegment, needed + 13 * perWalk);
+      std::printf("%d bands, sides %d: %.1f bytes a segment\n", bands, int(sides), perSegment);
+    }
+  }
+}
+
+TEST(PayForWhatIsUsed, NothingMovedNothingDone)
+{
+  const SceneObjects objects = MovingScene(1, false, 62).objects();
+  EngineSettings settings;
+  settings.numberOfWalks = 5000;
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settings, execution);
+  const test::Answer first = test::answerOf(engine, objects);
+  EXPECT_GT(engine.statistics().shootSeconds, 0);
+  engine.update(objects, settings, execution);
+  EXPECT_EQ(engine.statistics().shootSeconds, 0);
+  EXPECT_EQ(engine.statistics().verifySeconds, 0);
+  EXPECT_EQ(engine.statistics().repairSeconds, 0);
+  EXPECT_EQ(engine.statistics().invalidWalks, 0);
+  EXPECT_EQ(engine.statistics().repairedSegments, 0);
+  EXPECT_TRUE(test::answerOf(engine, objects) == first);
+}
+
+TEST(PayForWhatIsUsed, MotionOutOfReachInvalidatesNothing)
+{
+  SceneObjects objects = MovingScene(1, true, 63).objects();
+  EngineSettings settings;
+  settings.numberOfWalks = 5000;
+  IrradianceEngine engine;
+  Execution execution;
+  objects.dynamic[0].worldFromObject = test::shift({ 50, 0, 0 });
+  engine.update(objects, settings, execution);
+  for (int frame = 1; frame <= 5; ++frame)
+  {
+    objects.dynamic[0].worldFromObject.translation[0] += frame;
+    engine.update(objects, settings, execution);
+    EXPECT_EQ(engine.statistics().invalidWalks, 0);
+    EXPECT_EQ(engine.statistics().repairedSegments, 0);
+  }
+}
+
+TEST(PayForWhatIsUsed, NoLightNoWalks)
+{
+  SceneObjects objects = MovingScene(1, true, 64).objects();
+  objects.fixed.surface = [&] {
+    Surface dark = *objects.fixed.surface;
+    dark.exitance.clear();
+    dark.pointLights.clear();
+    return std::make_shared<Surface>(dark);
+  }();
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, {}, execution);
+  EXPECT_FALSE(engine.hasEmitters());
+  EXPECT_EQ(engine.balance().segments, 0);
+  objects.dynamic[0].worldFromObject.translation[0] += 0.5;
+  engine.update(objects, {}, execution);
+  EXPECT_EQ(engine.statistics().invalidWalks, 0);
+}
+
+}

@@ -1,0 +1,202 @@
+#include "EngineRun.h"
+#include "MovingScene.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::MovingScene;
+using test::scaled;
+
+/// The power that all cells receive, and the balance, counted anew from walks shot one by one.
+struct Recount
+{
+  Power received, emitted, escaped;
+  std::int64_t segments = 0;
+};
+
+Recount recount(const SceneObjects& objects, const EngineSettings& settings)
+{
+  const EmitterTable emitters(objects, settings.numberOfWalks);
+  std::vector<PlacedObject> placed;
+  for (const SceneObject& object : objects.dynamic)
+  {
+    placed.push_back({ object.body, object.worldFromObject, object.isLoose });
+  }
+  Scene scene;
+  scene.setStatic(objects.fixed.body);
+  scene.setDynamic(placed);
+  scene.setPointSources(emitters.pointBounds());
+  scene.commit({});
+  const SobolSequence samples(settings.seed);
+  const WalkShooter shooter(scene, objects, emitters, samples);
+  Recount result;
+  WalkTrace trace;
+  for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
+  {
+    shooter.shoot(walk, trace);
+    result.emitted += emitters.start(walk, samples).power;
+    for (std::uint32_t i = 0; i < trace.size(); ++i, ++result.segments)
+    {
+      (trace.segment(i).hit ? result.received : result.escaped) += trace.power(i);
+    }
+  }
+  return result;
+}
+
+Power sumOfCells(const IrradianceEngine& engine, const SceneObjects& objects)
+{
+  Power sum;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const Surface& surface = *objects[object].surface;
+    for (std::size_t cell = 0; cell < surface.numberOfCells; ++cell)
+    {
+      for (int band = 0; band < surface.bands; ++band)
+      {
+        sum[band] += engine.sums().sum(object, cell, 0, band);
+      }
+    }
+  }
+  return sum;
+}
+
+void expectBalance(const PowerBalance& balance)
+{
+  Power gone = balance.absorbed;
+  gone += balance.escaped;
+  EXPECT_EQ(balance.emitted, gone);
+}
+
+/// A room whose cells all have one reflectance and a lamp in it; open: without a ceiling.
+SceneObjects uniformRoom(double reflectance, bool isClosed)
+{
+  test::ObjectBuilder room;
+  for (int side = 0; side < (isClosed ? 6 : 5); ++side)
+  {
+    room.addSide(test::box({ 0, 0, 0 }, { 3, 4, 5 }), side, 2, test::grey(reflectance), true);
+  }
+  room.addPointLight({ 1, 2, 3 }, 10);
+  test::ObjectBuilder object;
+  object.addBox(test::box({ -1, -1, -1 }, { 0, 0, 0 }), 1, test::grey(reflectance));
+  return { room.build(), { object.build(test::shift({ 2, 3, 2 })) } };
+}
+
+}
+
+TEST(PowerBalance, HoldsInIntegersAfterManyUpdates)
+{
+  for (const bool isClosed : { true, false })
+  {
+    for (const int bands : { 1, 3 })
+    {
+      MovingScene scene(bands, isClosed, 11);
+      EngineSettings settings;
+      settings.numberOfWalks = scaled(3000);
+      IrradianceEngine engine;
+      Execution execution;
+      for (int frame = 0; frame < 60; ++frame, scene.nextFrame())
+      {
+        engine.update(scene.objects(), settings, execution);
+        expectBalance(engine.balance());
+        EXPECT_EQ(engine.balance().escaped.isZero(), isClosed) << "frame " << frame;
+      }
+    }
+  }
+}
+
+TEST(PowerBalance, EqualsARecountOfTheWalks)
+{
+  for (const int bands : { 1, 3 })
+  {
+    MovingScene scene(bands, false, 12);
+    EngineSettings settings;
+    settings.numberOfWalks = scaled(2000);
+    IrradianceEngine engine;
+    Execution execution;
+    for (int frame = 0; frame < 15; ++frame, scene.nextFrame())
+    {
+      engine.update(scene.objects(), settings, execution);
+      const Recount truth = recount(scene.objects(), settings);
+      EXPECT_EQ(sumOfCells(engine, scene.objects()), truth.received);
+      EXPECT_EQ(engine.balance().emitted, truth.emitted);
+      EXPECT_EQ(engine.balance().escaped, truth.escaped);
+      EXPECT_EQ(engine.balance().segments, truth.segments);
+    }
+  }
+}
+
+TEST(PowerBalance, HoldsForAllReflectancesInAnOpenRoom)
+{
+  for (const double reflectance : { 0.0, 0.5, 0.95, 1.0 })
+  {
+    SceneObjects objects = uniformRoom(reflectance, false);
+    EngineSettings settings;
+    settings.numberOfWalks = scaled(3000);
+    IrradianceEngine engine;
+    Execution execution;
+    for (int frame = 0; frame < 10; ++frame)
+    {
+      engine.update(objects, settings, execution);
+      expectBalance(engine.balance());
+      EXPECT_FALSE(engine.balance().escaped.isZero());
+      // Nothing is absorbed at 1: powers are never rounded, roulette is never played.
+      EXPECT_EQ(engine.balance().absorbed.isZero(), reflectance == 1);
+      objects.dynamic[0].worldFromObject.translation[2] += 0.1;
+    }
+    std::printf("reflectance %.2f: %.2f segments a walk, %.4f of the power escapes\n", reflectance,
+      double(engine.balance().segments) / settings.numberOfWalks,
+      engine.watts(engine.balance().escaped[0]) / 10);
+  }
+}
+
+TEST(PowerBalance, NothingEscapesFromAClosedRoom)
+{
+  for (const double reflectance : { 0.0, 0.5, 0.95 })
+  {
+    const SceneObjects objects = uniformRoom(reflectance, true);
+    EngineSettings settings;
+    settings.numberOfWalks = scaled(20000);
+    IrradianceEngine engine;
+    Execution execution;
+    engine.update(objects, settings, execution);
+    expectBalance(engine.balance());
+    EXPECT_TRUE(engine.balance().escaped.isZero());
+    EXPECT_EQ(engine.watts(engine.balance().emitted[0]), 10);
+  }
+}
+
+// Light that cannot go anywhere: the engine says so instead of running for ever, and can go on.
+TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = 100000;
+  IrradianceEngine engine;
+  Execution execution;
+  const auto start = std::chrono::steady_clock::now();
+  try
+  {
+    engine.update(uniformRoom(1, true), settings, execution);
+    FAIL() << "no exception";
+  }
+  catch (const std::exception& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("reflectance"), std::string::npos) << error.what();
+    std::printf("%s\n", error.what());
+  }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(time.count(), test::kIsSanitized ? 60 : 10);
+  std::printf("after %.2f s\n", time.count());
+  settings.numberOfWalks = 1000;
+  const SceneObjects open = uniformRoom(1, false);
+  engine.update(open, settings, execution);
+  EXPECT_EQ(test::answerOf(engine, open), test::freshAnswer(open, settings));
+}
+
+}

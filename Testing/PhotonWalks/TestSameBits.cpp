@@ -1,0 +1,117 @@
+#include "EngineRun.h"
+#include "MovingScene.h"
+#include "ThreadExecution.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::Answer;
+using test::MovingScene;
+
+struct Case
+{
+  TraversalMode mode;
+  bool cache;
+  bool verify;
+  bool isLoose;
+  std::shared_ptr<Execution> execution;
+};
+
+/// The same three frames whatever the way.
+Answer lastOfThreeFrames(const Case& way, bool separateSides)
+{
+  MovingScene scene(3, false, 41);
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(20000);
+  settings.traversalMode = way.mode;
+  settings.cacheStaticHits = way.cache;
+  settings.verify = way.verify;
+  settings.separateSides = separateSides;
+  IrradianceEngine engine;
+  Answer answer;
+  for (int frame = 0; frame < 3; ++frame, scene.nextFrame())
+  {
+    SceneObjects objects = scene.objects();
+    for (SceneObject& object : objects.dynamic)
+    {
+      object.isLoose = object.isLoose || way.isLoose;
+    }
+    engine.update(objects, settings, *way.execution);
+    answer = test::answerOf(engine, objects, separateSides);
+  }
+  return answer;
+}
+
+}
+
+TEST(SameBits, WhateverTheWay)
+{
+  const std::vector<std::shared_ptr<Execution>> executions = { std::make_shared<Execution>(),
+    std::make_shared<test::ThreadExecution>(2), std::make_shared<test::ThreadExecution>(7),
+    std::make_shared<test::BackwardExecution>() };
+  for (const bool sides : { false, true })
+  {
+    const Answer first = lastOfThreeFrames(
+      { TraversalMode::Parallel, true, true, false, executions[0] }, sides);
+    unsigned number = 0;
+    for (const TraversalMode mode :
+      { TraversalMode::OneTree, TraversalMode::Sequential, TraversalMode::Parallel })
+    {
+      for (const bool cache : { true, false })
+      {
+        for (const bool verify : { true, false })
+        {
+          for (const bool isLoose : { true, false })
+          {
+            const auto& execution = executions[number++ % executions.size()];
+            EXPECT_TRUE(lastOfThreeFrames({ mode, cache, verify, isLoose, execution }, sides) ==
+              first)
+              << "traversal " << int(mode) << ", cache " << cache << ", verify " << verify
+              << ", loose " << isLoose << ", execution " << (number - 1) % executions.size();
+          }
+        }
+      }
+    }
+    for (const auto& execution : executions)
+    {
+      EXPECT_TRUE(
+        lastOfThreeFrames({ TraversalMode::Parallel, true, true, false, execution }, sides) == first);
+    }
+  }
+}
+
+TEST(SameBits, SidesAddUpToTheSum)
+{
+  MovingScene scene(3, false, 42);
+  EngineSettings together, apart;
+  together.numberOfWalks = apart.numberOfWalks = test::scaled(10000);
+  apart.separateSides = true;
+  IrradianceEngine a, b;
+  Execution execution;
+  std::int64_t back = 0;
+  for (int frame = 0; frame < 5; ++frame, scene.nextFrame())
+  {
+    a.update(scene.objects(), together, execution);
+    b.update(scene.objects(), apart, execution);
+    for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
+    {
+      for (std::size_t cell = 0; cell < scene.objects()[object].surface->numberOfCells; ++cell)
+      {
+        for (int band = 0; band < 3; ++band)
+        {
+          ASSERT_EQ(a.sums().sum(object, cell, 0, band),
+            b.sums().sum(object, cell, 0, band) + b.sums().sum(object, cell, 1, band));
+          back += b.sums().sum(object, cell, 1, band);
+        }
+      }
+    }
+  }
+  EXPECT_GT(back, 0);
+}
+
+}

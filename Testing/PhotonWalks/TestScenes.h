@@ -1,0 +1,161 @@
+#ifndef irradiance_test_TestScenes_h
+#define irradiance_test_TestScenes_h
+
+#include "Surface.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace irradiance::test
+{
+
+/// Diffuse reflectance and exitance (W/m2) of a cell; a grey object uses the first band.
+struct Look
+{
+  std::array<double, 3> reflectance{};
+  std::array<double, 3> exitance{};
+};
+
+inline Look grey(double reflectance, double exitance = 0)
+{
+  return { { reflectance, reflectance, reflectance }, { exitance, exitance, exitance } };
+}
+
+/// Makes an object from cells. Shared corners have the same bits, so that closed shapes are tight.
+class ObjectBuilder
+{
+public:
+  explicit ObjectBuilder(int bands = 1) { surface_.bands = bands; }
+
+  void addCell(const std::vector<Triangle>& triangles, const Look& look)
+  {
+    for (const Triangle& triangle : triangles)
+    {
+      triangles_.push_back(triangle);
+      surface_.cellOfTriangle.push_back(static_cast<std::uint32_t>(surface_.numberOfCells));
+    }
+    ++surface_.numberOfCells;
+    for (std::size_t band = 0; band < static_cast<std::size_t>(surface_.bands); ++band)
+    {
+      surface_.reflectance.push_back(look.reflectance[band]);
+      surface_.exitance.push_back(look.exitance[band]);
+    }
+  }
+
+  /// nu x nv cells; `corner(i, j)` for i in 0..nu, j in 0..nv; the front is du x dv.
+  template <class Corner>
+  void addGrid(int nu, int nv, const Look& look, const Corner& corner)
+  {
+    for (int j = 0; j < nv; ++j)
+    {
+      for (int i = 0; i < nu; ++i)
+      {
+        const Vector3 a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
+                      d = corner(i, j + 1);
+        std::vector<Triangle> cell;
+        if (a != b)
+        {
+          cell.push_back({ a, b, c });
+        }
+        if (c != d)
+        {
+          cell.push_back({ a, c, d });
+        }
+        addCell(cell, look);
+      }
+    }
+  }
+
+  /// The front of the quad is u x v.
+  void addQuad(const Vector3& corner, const Vector3& u, const Vector3& v, int nu, int nv,
+    const Look& look)
+  {
+    addGrid(nu, nv, look,
+      [&](int i, int j) { return Vector3(corner + u * (double(i) / nu) + v * (double(j) / nv)); });
+  }
+
+  /// One side of a box, n x n cells; `side`: 0 lower x, 1 upper x, 2 lower y, ... The front looks
+  /// out, or in when `isRoom`.
+  void addSide(const Box& box, int side, int n, const Look& look, bool isRoom = false)
+  {
+    const int axis = side / 2;
+    const bool isUpper = side % 2 != 0;
+    const bool isStraight = isUpper != isRoom;
+    const int first = (axis + (isStraight ? 1 : 2)) % 3, second = (axis + (isStraight ? 2 : 1)) % 3;
+    const auto along = [&](int i, int k) {
+      return i == n ? box.upper[k] : box.lower[k] + box.extent()[k] * i / n;
+    };
+    addGrid(n, n, look, [&](int i, int j) {
+      Vector3 point = isUpper ? box.upper : box.lower;
+      point[first] = along(i, first);
+      point[second] = along(j, second);
+      return point;
+    });
+  }
+
+  void addBox(const Box& box, int n, const Look& look, bool isRoom = false)
+  {
+    for (int side = 0; side < 6; ++side)
+    {
+      addSide(box, side, n, look, isRoom);
+    }
+  }
+
+  /// Its corners lie on the sphere; n stacks, 2 n slices.
+  void addSphere(
+    const Vector3& center, double radius, int n, const Look& look, bool isRoom = false)
+  {
+    const auto corner = [&](int slice, int stack) {
+      if (stack == 0 || stack == n)
+      {
+        return Vector3(center + Vector3(0, 0, stack == 0 ? -radius : radius));
+      }
+      const double polar = M_PI * stack / n, around = M_PI * (slice % (2 * n)) / n;
+      return Vector3(center +
+        radius *
+          Vector3(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
+            -std::cos(polar)));
+    };
+    addGrid(2 * n, n, look,
+      [&](int i, int j) { return isRoom ? corner(2 * n - i, j) : corner(i, j); });
+  }
+
+  void addPointLight(const Vector3& position, double flux)
+  {
+    surface_.pointLights.push_back(
+      { position, std::vector<double>(static_cast<std::size_t>(surface_.bands), flux) });
+  }
+
+  Surface& surface() { return surface_; }
+
+  SceneObject build(const AffineMap& worldFromObject = {}, bool isLoose = false) const
+  {
+    return { std::make_shared<RigidObject>(TriangleMesh(triangles_)),
+      std::make_shared<Surface>(surface_), worldFromObject, isLoose };
+  }
+
+private:
+  std::vector<Triangle> triangles_;
+  Surface surface_;
+};
+
+inline Box box(const Vector3& lower, const Vector3& upper)
+{
+  return { lower, upper };
+}
+
+inline AffineMap shift(const Vector3& by)
+{
+  return { Matrix3::Identity(), by };
+}
+
+/// An object without triangles.
+inline SceneObject nothing(int bands = 1)
+{
+  return ObjectBuilder(bands).build();
+}
+
+}
+
+#endif

@@ -1,0 +1,185 @@
+#include "EngineRun.h"
+#include "SobolSequence.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr SampleUse kUses[] = { SampleUse::Emitter, SampleUse::Position, SampleUse::Direction,
+  SampleUse::Roulette };
+
+/// Sobol's point as the xor of direction numbers m_k 2^(32 - k) (Bratley and Fox 1988).
+std::uint32_t fromDirectionNumbers(std::uint32_t index, const std::array<std::uint32_t, 32>& m)
+{
+  std::uint32_t point = 0;
+  for (std::uint32_t k = 0; k < 32; ++k)
+  {
+    point ^= (index >> k & 1u) != 0 ? m[k] << (31 - k) : 0u;
+  }
+  return point;
+}
+
+/// False where an elementary interval of 2^-a by 2^-(m - a) does not hold exactly one of the points
+/// [first, first + 2^m).
+bool isNet(const SobolSequence& samples, std::uint32_t bounce, SampleUse use, std::uint32_t first,
+  int m)
+{
+  const std::uint32_t size = 1u << m;
+  for (int a = 0; a <= m; ++a)
+  {
+    std::vector<int> counts(size, 0);
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      const auto u = samples.sample(first + i, bounce, use);
+      const auto column = static_cast<std::uint32_t>(std::ldexp(u[0], a));
+      const auto row = static_cast<std::uint32_t>(std::ldexp(u[1], m - a));
+      if (++counts[column << (m - a) | row] > 1)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Chi-square of pairs in 16 x 16 squares.
+class PairCounts
+{
+public:
+  void add(double u, double v)
+  {
+    ++total_;
+    ++counts_[static_cast<std::size_t>(16 * u) * 16 + static_cast<std::size_t>(16 * v)];
+  }
+  double chiSquare() const
+  {
+    double sum = 0;
+    for (const double count : counts_)
+    {
+      sum += (count - total_ / 256) * (count - total_ / 256) / (total_ / 256);
+    }
+    return sum;
+  }
+
+private:
+  double total_ = 0;
+  std::array<double, 256> counts_{};
+};
+
+// Exceeded by chance once in 10^6 tests.
+const double kLimit = test::chiSquareLimit(255, 4.753);
+
+}
+
+TEST(SobolSequence, FirstTwoDimensionsFollowTheDirectionNumbers)
+{
+  std::array<std::uint32_t, 32> first{}, second{};
+  for (std::size_t k = 0; k < 32; ++k)
+  {
+    first[k] = 1;
+    second[k] = k == 0 ? 1 : second[k - 1] << 1 ^ second[k - 1]; // primitive polynomial x + 1
+  }
+  std::mt19937 random(1);
+  for (std::uint32_t i = 0; i < 200000; ++i)
+  {
+    const auto index = i < 100000 ? i : static_cast<std::uint32_t>(random());
+    ASSERT_EQ(SobolSequence::reversed(index), fromDirectionNumbers(index, first)) << index;
+    ASSERT_EQ(SobolSequence::reversed(SobolSequence::pascal(index)),
+      fromDirectionNumbers(index, second))
+      << index;
+  }
+}
+
+TEST(SobolSequence, EveryBlockOfTwoToTheMIsANet)
+{
+  for (const std::uint64_t seed : { 0ull, 1ull, 0x123456789abcdefull })
+  {
+    const SobolSequence samples(seed);
+    for (const std::uint32_t bounce : { 0u, 1u, 2u, 17u, 1000000u })
+    {
+      for (const SampleUse use : kUses)
+      {
+        for (int m = 0; m <= 10; ++m)
+        {
+          for (const std::uint32_t block : { 0u, 1u, 5u, 0x3fffffu })
+          {
+            ASSERT_TRUE(isNet(samples, bounce, use, block << m, m))
+              << "seed " << seed << ", bounce " << bounce << ", use " << int(use) << ", block "
+              << block << " of 2^" << m;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(SobolSequence, ValuesAreOddMultiplesOfTheHalfStep)
+{
+  const SobolSequence samples(7);
+  for (std::uint32_t walk = 0; walk < 300000; ++walk)
+  {
+    for (const double u : samples.sample(walk * 14321u, walk % 7, kUses[walk % 4]))
+    {
+      ASSERT_GT(u, 0);
+      ASSERT_LT(u, 1);
+      ASSERT_EQ(std::fmod(std::ldexp(u, 33), 2.0), 1.0) << u;
+    }
+  }
+}
+
+// One walk under many seeds: bounces and uses do not know of each other. 24 tests: a false alarm
+// once in 40,000 choices of the hash.
+TEST(SobolSequence, BouncesAndUsesAreIndependentUnderManySeeds)
+{
+  double worst = 0;
+  for (const std::uint32_t walk : { 0u, 1u, 4095u, 123456u })
+  {
+    std::array<PairCounts, 6> pairs;
+    for (std::uint64_t seed = 0; seed < 65536; ++seed)
+    {
+      const SobolSequence samples(seed);
+      const auto a = samples.sample(walk, 0, SampleUse::Direction);
+      const auto b = samples.sample(walk, 1, SampleUse::Direction);
+      const auto c = samples.sample(walk, 0, SampleUse::Position);
+      const auto d = samples.sample(walk, 1, SampleUse::Roulette);
+      pairs[0].add(a[0], a[1]);
+      pairs[1].add(a[0], b[0]);
+      pairs[2].add(a[1], b[1]);
+      pairs[3].add(a[0], c[0]);
+      pairs[4].add(b[0], d[0]);
+      pairs[5].add(a[0], SobolSequence(seed + 1).sample(walk, 0, SampleUse::Direction)[0]);
+    }
+    for (const PairCounts& pair : pairs)
+    {
+      EXPECT_LT(pair.chiSquare(), kLimit) << "walk " << walk;
+      worst = std::max(worst, pair.chiSquare());
+    }
+  }
+  std::printf("seeds 0-65535: largest chi-square %.1f, limit %.1f\n", worst, kLimit);
+}
+
+// One walk of one seed, along its bounces. A false alarm once in 300,000.
+TEST(SobolSequence, SuccessiveBouncesAreIndependent)
+{
+  const SobolSequence samples(1);
+  std::array<PairCounts, 3> pairs;
+  for (std::uint32_t bounce = 0; bounce < 65536; ++bounce)
+  {
+    const auto a = samples.sample(3, bounce, SampleUse::Direction);
+    pairs[0].add(a[0], a[1]);
+    pairs[1].add(a[0], samples.sample(3, bounce + 1, SampleUse::Direction)[0]);
+    pairs[2].add(a[1], samples.sample(3, bounce + 1, SampleUse::Roulette)[0]);
+  }
+  for (const PairCounts& pair : pairs)
+  {
+    EXPECT_LT(pair.chiSquare(), kLimit);
+  }
+}
+
+}

@@ -1,0 +1,82 @@
+#ifndef irradiance_test_ThreadExecution_h
+#define irradiance_test_ThreadExecution_h
+
+#include "Execution.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace irradiance::test
+{
+
+/// N threads of the standard library that take one item after the other.
+class ThreadExecution : public Execution
+{
+public:
+  explicit ThreadExecution(unsigned threads)
+    : threads_(threads)
+  {
+  }
+
+  void parallelFor(
+    std::size_t count, const std::function<void(std::size_t, std::size_t)>& task) override
+  {
+    std::atomic<std::size_t> next{ 0 };
+    const auto work = [&] {
+      for (std::size_t i = next++; i < count; i = next++)
+      {
+        task(i, i + 1);
+      }
+    };
+    std::vector<std::thread> helpers;
+    for (unsigned i = 1; i < threads_; ++i)
+    {
+      helpers.emplace_back(work);
+    }
+    work();
+    for (std::thread& helper : helpers)
+    {
+      helper.join();
+    }
+  }
+
+private:
+  unsigned threads_;
+};
+
+/// Serial, but from the last item to the first, in pieces of changing length.
+class BackwardExecution : public Execution
+{
+public:
+  void parallelFor(
+    std::size_t count, const std::function<void(std::size_t, std::size_t)>& task) override
+  {
+    std::size_t length = 1;
+    for (std::size_t end = count; end > 0; length = length % 3 + 1)
+    {
+      const std::size_t begin = end - std::min(length, end);
+      task(begin, end);
+      end = begin;
+    }
+  }
+};
+
+/// Serial; says no at call number `stopAt` of goOn (0: the first).
+class StoppingExecution : public Execution
+{
+public:
+  explicit StoppingExecution(int stopAt)
+    : left_(stopAt)
+  {
+  }
+  bool goOn(double /*progress*/) override { return left_-- != 0; }
+
+private:
+  int left_;
+};
+
+}
+
+#endif

@@ -1,0 +1,180 @@
+#include "Scene.h"
+
+#include "TestMeshes.h"
+#include "TestRays.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+// Law: ray casting = brute force, bit for bit.
+
+namespace irradiance
+{
+namespace
+{
+
+using test::exactly;
+using test::kFewer;
+using test::kRayKinds;
+using test::NamedMesh;
+using test::RayKind;
+using test::RaySource;
+
+Hit bruteForce(const TriangleMesh& mesh, const Ray& ray)
+{
+  const ShearedRay sheared(ray.origin, ray.direction);
+  Hit best;
+  for (std::uint32_t i = 0; i < mesh.size(); ++i)
+  {
+    Hit hit{ 0, { 0, i } };
+    if (sheared.meets(mesh[i], hit.distance) && hit.id != ray.start && isCloser(hit, best))
+    {
+      best = hit;
+    }
+  }
+  return best;
+}
+
+bool haveSameBits(const Hit& a, const Hit& b)
+{
+  return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id;
+}
+
+class KdTreeLaw : public testing::TestWithParam<NamedMesh>
+{
+protected:
+  KdTreeLaw()
+    : body(std::make_shared<RigidObject>(TriangleMesh(GetParam().triangles)))
+  {
+    scene.setStatic(body);
+    scene.commit({});
+  }
+
+  std::string describe(const Ray& ray, const Hit& expected, const Hit& found) const
+  {
+    std::string text = exactly(ray);
+    for (const Hit& hit : { expected, found })
+    {
+      text += "\n  hit " + exactly(hit) + (hit ? ": " : "");
+      text += hit ? exactly(body->mesh()[hit.id.triangle]) : "";
+    }
+    return text;
+  }
+
+  /// As many rays of a kind as 3e7 tests of one triangle allow.
+  int numberOfRays() const
+  {
+    constexpr int kTests = 30000000, kMost = 60000;
+    return std::min(kMost, kTests / static_cast<int>(body->mesh().size())) / kFewer;
+  }
+
+  std::shared_ptr<const RigidObject> body;
+  Scene scene;
+};
+
+TEST_P(KdTreeLaw, FindsWhatBruteForceFinds)
+{
+  constexpr unsigned kSeed = 1;
+  RaySource source(GetParam().triangles, kSeed);
+  int hits = 0, wrong = 0;
+  for (const RayKind kind : kRayKinds)
+  {
+    for (int i = 0; i < numberOfRays(); ++i)
+    {
+      const Ray ray = source.next(kind);
+      const Hit expected = bruteForce(body->mesh(), ray);
+      const Hit found = scene.cast(ray);
+      hits += expected ? 1 : 0;
+      if (!haveSameBits(found, expected) && ++wrong <= 3)
+      {
+        ADD_FAILURE() << nameOf(kind) << " ray " << i << ' ' << describe(ray, expected, found);
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0) << "of " << kRayKinds.size() * numberOfRays();
+  EXPECT_GT(hits, numberOfRays());
+}
+
+// `from` may be any distance before which there is no hit, up to the hit itself.
+TEST_P(KdTreeLaw, MayStartAnywhereBeforeTheHit)
+{
+  constexpr unsigned kSeed = 2;
+  RaySource source(GetParam().triangles, kSeed);
+  for (const RayKind kind : kRayKinds)
+  {
+    for (int i = 0; i < numberOfRays() / 4; ++i)
+    {
+      const Ray ray = source.next(kind);
+      const Hit expected = bruteForce(body->mesh(), ray);
+      const double known = expected ? expected.distance : source.random().powerOfTwo(-10, 10);
+      for (const double from : { known, known * source.random().uniform(0, 1) })
+      {
+        const Hit found = scene.castStatic(ray, {}, from);
+        ASSERT_TRUE(haveSameBits(found, expected))
+          << nameOf(kind) << " ray " << i << " from " << from << describe(ray, expected, found);
+      }
+    }
+  }
+}
+
+// A hit that is known already only yields to a closer one, or to a smaller number at a tie.
+TEST_P(KdTreeLaw, KeepsABetterHit)
+{
+  constexpr unsigned kSeed = 3;
+  RaySource source(GetParam().triangles, kSeed);
+  for (const RayKind kind : kRayKinds)
+  {
+    for (int i = 0; i < numberOfRays() / 4; ++i)
+    {
+      const Ray ray = source.next(kind);
+      const Hit nearest = bruteForce(body->mesh(), ray);
+      const double distance = nearest ? nearest.distance : 1.0;
+      for (const Hit& best : { Hit{ distance, { 1, 0 } },
+             Hit{ distance * source.random().uniform(0.5, 2), { 1, 0 } },
+             Hit{ std::nextafter(distance, 0.0), { 1, 0 } } })
+      {
+        const Hit expected = isCloser(nearest, best) ? nearest : best;
+        const Hit found = scene.castStatic(ray, best);
+        ASSERT_TRUE(haveSameBits(found, expected))
+          << nameOf(kind) << " ray " << i << ' ' << describe(ray, nearest, {}) << "\n  found "
+          << exactly(found) << " with " << exactly(best);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, KdTreeLaw, testing::ValuesIn(test::testMeshes()),
+  [](const auto& mesh) {
+    std::string name = mesh.param.name;
+    for (char& c : name)
+    {
+      c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    }
+    return name;
+  });
+
+TEST(KdTree, OfNothingIsHitByNothing)
+{
+  Scene scene;
+  scene.commit({});
+  EXPECT_FALSE(scene.cast({ { 0, 0, 0 }, { 0, 0, 1 }, {} }));
+}
+
+TEST(KdTree, EveryTriangleIsInSomeLeaf)
+{
+  for (const NamedMesh& mesh : test::testMeshes())
+  {
+    const TriangleMesh triangles(mesh.triangles);
+    const KdTree tree = buildTriangleTree(triangles);
+    std::vector<bool> seen(triangles.size());
+    for (const std::uint32_t reference : tree.references)
+    {
+      seen[reference] = true;
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), false), 0) << mesh.name;
+  }
+}
+
+}
+}

@@ -1,0 +1,300 @@
+#ifndef irradiance_test_TestMeshes_h
+#define irradiance_test_TestMeshes_h
+
+#include "RandomVectors.h"
+#include "TriangleMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Meshes made in code, each hard on ray casting in its own way.
+
+namespace irradiance::test
+{
+
+/// Counts are for an optimised build; sanitizers and -O0 are some twenty times slower.
+#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
+constexpr int kFewer = 25;
+#else
+constexpr int kFewer = 1;
+#endif
+
+struct NamedMesh
+{
+  std::string name;
+  std::vector<Triangle> triangles;
+  bool isClosed = false;           ///< fronts outside
+  Vector3 inside = Vector3::Zero(); ///< a point inside, when closed
+};
+
+using Triangles = std::vector<Triangle>;
+
+inline void append(Triangles& all, const Triangles& more)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+inline Triangles moved(Triangles triangles, const AffineMap& map)
+{
+  for (Triangle& triangle : triangles)
+  {
+    triangle = transformed(map, triangle);
+  }
+  return triangles;
+}
+
+inline Triangles scaled(const Triangles& triangles, double factor)
+{
+  return moved(triangles, { factor * Matrix3::Identity(), Vector3::Zero() });
+}
+
+/// Triangles with the corners that they share.
+struct IndexedTriangles
+{
+  std::vector<Vector3> points;
+  std::vector<std::array<int, 3>> corners;
+
+  Triangles flat() const
+  {
+    Triangles triangles;
+    for (const auto& c : corners)
+    {
+      triangles.push_back({ points[c[0]], points[c[1]], points[c[2]] });
+    }
+    return triangles;
+  }
+};
+
+/// The grid (i, j), 0 <= i <= columns, 0 <= j <= rows, seen with the front towards i cross j.
+inline Triangles grid(
+  int columns, int rows, const std::function<Vector3(int, int)>& point, bool otherDiagonal = false)
+{
+  Triangles triangles;
+  for (int i = 0; i < columns; ++i)
+  {
+    for (int j = 0; j < rows; ++j)
+    {
+      const Vector3 p = point(i, j), q = point(i + 1, j);
+      const Vector3 r = point(i + 1, j + 1), s = point(i, j + 1);
+      if (otherDiagonal)
+      {
+        triangles.push_back({ p, q, s });
+        triangles.push_back({ q, r, s });
+      }
+      else
+      {
+        triangles.push_back({ p, q, r });
+        triangles.push_back({ p, r, s });
+      }
+    }
+  }
+  return triangles;
+}
+
+/// Closed, fronts outside; each side has n[axis] cells along each axis.
+inline Triangles boxOfCells(const Vector3& lower, const Vector3& upper, const std::array<int, 3>& n)
+{
+  const auto coordinate = [&](int axis, int i) {
+    return i == n[axis] ? upper[axis]
+                        : lower[axis] + (upper[axis] - lower[axis]) * i / n[axis];
+  };
+  Triangles triangles;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool isUpper : { false, true })
+    {
+      const int first = isUpper ? u : v, second = isUpper ? v : u;
+      append(triangles, grid(n[first], n[second], [&](int i, int j) {
+        Vector3 p;
+        p[axis] = isUpper ? upper[axis] : lower[axis];
+        p[first] = coordinate(first, i);
+        p[second] = coordinate(second, j);
+        return p;
+      }));
+    }
+  }
+  return triangles;
+}
+
+/// Unit sphere: an icosahedron, each triangle divided into four `level` times.
+inline Triangles icosphere(int level)
+{
+  const double g = 0.5 * (1 + std::sqrt(5.0));
+  IndexedTriangles sphere{ { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g },
+                             { 0, 1, g }, { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 },
+                             { -g, 0, -1 }, { -g, 0, 1 } },
+    { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 },
+      { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
+      { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
+      { 9, 8, 1 } } };
+  for (Vector3& point : sphere.points)
+  {
+    point.normalize();
+  }
+  for (; level > 0; --level)
+  {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int i, int j) {
+      const auto [place, isNew] =
+        middles.insert({ std::minmax(i, j), static_cast<int>(sphere.points.size()) });
+      if (isNew)
+      {
+        sphere.points.push_back((sphere.points[i] + sphere.points[j]).normalized());
+      }
+      return place->second;
+    };
+    std::vector<std::array<int, 3>> finer;
+    for (const auto& [a, b, c] : sphere.corners)
+    {
+      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
+    }
+    sphere.corners = std::move(finer);
+  }
+  return sphere.flat();
+}
+
+/// Around the z axis, radii 1 and 0.4.
+inline Triangles torus(int around, int across)
+{
+  const double step = 2 * std::acos(-1.0);
+  return grid(around, across, [&](int i, int j) {
+    const double u = step * (i % around) / around, v = step * (j % across) / across;
+    const double r = 1 + 0.4 * std::cos(v);
+    return Vector3(r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v));
+  });
+}
+
+/// Triangles of all sizes from 2^-12 to 1, needles among them, anywhere in the unit cube.
+inline Triangles randomSoup(int count, unsigned seed)
+{
+  RandomVectors random(seed);
+  Triangles triangles;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 a = random.inCube();
+    const double size = random.powerOfTwo(-12, 0);
+    const Vector3 b = a + size * random.direction();
+    triangles.push_back({ a, b, a + random.powerOfTwo(-20, 0) * size * random.direction() });
+  }
+  return triangles;
+}
+
+/// A room of small cells with two boxes in it; all walls axis-aligned, the outer ones at the
+/// tree's boundary.
+inline Triangles room()
+{
+  Triangles triangles = boxOfCells({ 0, 0, 0 }, { 4, 3, 2.5 }, { 8, 6, 5 });
+  append(triangles, boxOfCells({ 1, 1, 0.1 }, { 2, 1.8, 0.9 }, { 2, 2, 2 }));
+  append(triangles, boxOfCells({ 2.5, 0, 0 }, { 3.1, 0.7, 1.3 }, { 3, 3, 3 })); // on the floor
+  return triangles;
+}
+
+/// Two sheets in one plane, cut along different diagonals, one a part of the other.
+inline Triangles coincidentSheets(const Matrix3& rotation)
+{
+  const auto sheet = [&](double size, bool otherDiagonal) {
+    return grid(
+      8, 8, [&](int i, int j) { return Vector3(size * (i - 4), size * (j - 4), 0.25); },
+      otherDiagonal);
+  };
+  Triangles triangles = sheet(0.25, false);
+  append(triangles, sheet(0.25, true));
+  append(triangles, sheet(0.125, false));
+  append(triangles, sheet(0.25, false));
+  return moved(std::move(triangles), { rotation, Vector3::Zero() });
+}
+
+/// A ball and a crumpled heap of tiny triangles in a large room, so that rounding is large compared
+/// with a triangle.
+inline Triangles dustInRoom()
+{
+  Triangles triangles = boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 });
+  const Matrix3 small = 0x1p-11 * RandomVectors(8).rotation();
+  append(triangles, moved(icosphere(2), { small, Vector3(0.3, 0.4, -0.9) }));
+  append(triangles, moved(randomSoup(400, 9), { small, Vector3(-0.6, 0.1, 0.2) }));
+  return triangles;
+}
+
+/// An L seen from above, 2 x 2 x 1 with a 1 x 1 corner missing, in cells.
+inline Triangles angledHall()
+{
+  IndexedTriangles hall;
+  const std::vector<std::array<int, 2>> outline = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 },
+    { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 1 } };
+  const int n = static_cast<int>(outline.size());
+  for (const auto& [x, y] : outline)
+  {
+    hall.points.push_back(Vector3(x, y, 0));
+    hall.points.push_back(Vector3(x, y, 1));
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    const int p = 2 * i, q = 2 * ((i + 1) % n);
+    hall.corners.push_back({ p, q, q + 1 });
+    hall.corners.push_back({ p, q + 1, p + 1 });
+  }
+  for (const auto& [a, b, c, d] : { std::array<int, 4>{ 0, 1, 4, 7 }, { 1, 2, 3, 4 },
+         { 7, 4, 5, 6 } })
+  {
+    hall.corners.push_back({ 2 * a, 2 * c, 2 * b });
+    hall.corners.push_back({ 2 * a, 2 * d, 2 * c });
+    hall.corners.push_back({ 2 * a + 1, 2 * b + 1, 2 * c + 1 });
+    hall.corners.push_back({ 2 * a + 1, 2 * c + 1, 2 * d + 1 });
+  }
+  return hall.flat();
+}
+
+/// Closed meshes with a point inside.
+inline std::vector<NamedMesh> closedMeshes()
+{
+  const Matrix3 turn = RandomVectors(5).rotation();
+  const AffineMap away{ turn, Vector3(1e4, -2e4, 5e3) };
+  const Triangles box = boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 });
+  const Triangles sliver = boxOfCells({ -1, -1, -5e-7 }, { 1, 1, 5e-7 }, { 2, 2, 1 });
+  return {
+    { "box of 12", box, true, { 0, 0, 0 } },
+    { "box of 12, turned", moved(box, { turn, Vector3::Zero() }), true, { 0, 0, 0 } },
+    { "box of 12, 1e-6", scaled(box, 1e-6), true, { 0, 0, 0 } },
+    { "box of 12, 1e4 away", moved(box, away), true, away.translation },
+    { "sphere", icosphere(3), true, { 0, 0, 0 } },
+    { "sphere, 1e6", scaled(icosphere(3), 1e6), true, { 0, 0, 0 } },
+    { "torus", torus(32, 16), true, { 1, 0, 0 } },
+    { "angled hall", angledHall(), true, { 0.6, 0.7, 0.4 } },
+    { "angled hall, turned", moved(angledHall(), { turn, Vector3::Zero() }), true,
+      turn * Vector3(0.6, 0.7, 0.4) },
+    { "sliver box 1e-6", sliver, true, { 0, 0, 0 } },
+    { "sliver box 1e-6, turned", moved(sliver, { turn, Vector3::Zero() }), true, { 0, 0, 0 } },
+    { "needle box 1e-3", boxOfCells({ 0, 0, 0 }, { 1, 1e-3, 1e-3 }, { 5, 1, 1 }), true,
+      { 0.45, 4e-4, 5e-4 } },
+  };
+}
+
+inline std::vector<NamedMesh> testMeshes()
+{
+  const Matrix3 turn = RandomVectors(6).rotation();
+  std::vector<NamedMesh> meshes = closedMeshes();
+  meshes.push_back({ "room", room() });
+  meshes.push_back({ "room, 1e4 sizes away",
+    moved(room(), { Matrix3::Identity(), Vector3(4e4, -3e4, 1e4) }) });
+  meshes.push_back({ "room, turned", moved(room(), { turn, Vector3(0.1, 0.2, 0.3) }) });
+  meshes.push_back({ "soup", randomSoup(600, 7) });
+  meshes.push_back({ "door", boxOfCells({ 0, 0, 0 }, { 0.9, 0.04, 2.1 }, { 4, 1, 9 }) });
+  meshes.push_back({ "flat door", grid(4, 9, [](int i, int j) {
+                      return Vector3(0.225 * i, 0.1, 0.23 * j);
+                    }) });
+  meshes.push_back({ "sheets", coincidentSheets(Matrix3::Identity()) });
+  meshes.push_back({ "sheets, turned", coincidentSheets(turn) });
+  meshes.push_back({ "dust", dustInRoom() });
+  return meshes;
+}
+
+}
+
+#endif
