@@ -70,28 +70,31 @@ vtkMultiBlockDataSet* Animation::GetScene()
   return vtkMultiBlockDataSet::SafeDownCast(this->Light->GetOutputDataObject(0));
 }
 
-FrameTiming Animation::GetTiming()
+FrameReport Animation::GetReport()
 {
-  FrameTiming timing;
-  timing.ShootSeconds = this->Report("ShootSeconds");
-  timing.VerifySeconds = this->Report("VerifySeconds");
-  timing.RepairSeconds = this->Report("RepairSeconds");
-  timing.Segments = this->Report("NumberOfSegments");
-  timing.RepairedSegments = this->Report("NumberOfRepairedSegments");
-  timing.EmittedPower = this->Report("EmittedPower");
-  timing.AbsorbedPower = this->Report("AbsorbedPower");
-  timing.EscapedPower = this->Report("EscapedPower");
-  return timing;
+  FrameReport report;
+  report.ShootSeconds = this->GetFieldValue("ShootSeconds");
+  report.VerifySeconds = this->GetFieldValue("VerifySeconds");
+  report.RepairSeconds = this->GetFieldValue("RepairSeconds");
+  report.Walks = this->GetFieldValue("NumberOfWalks");
+  report.InvalidWalks = this->GetFieldValue("NumberOfInvalidWalks");
+  report.Segments = this->GetFieldValue("NumberOfSegments");
+  report.RepairedSegments = this->GetFieldValue("NumberOfRepairedSegments");
+  report.HistoryBytes = this->GetFieldValue("HistoryBytes");
+  report.EmittedPower = this->GetFieldValue("EmittedPower");
+  report.AbsorbedPower = this->GetFieldValue("AbsorbedPower");
+  report.EscapedPower = this->GetFieldValue("EscapedPower");
+  return report;
 }
 
-double Animation::Report(const char* name)
+double Animation::GetFieldValue(const char* name)
 {
-  vtkDataArray* report = this->GetScene()->GetFieldData()->GetArray(name);
-  if (!report)
+  vtkDataArray* array = this->GetScene()->GetFieldData()->GetArray(name);
+  if (!array)
   {
     throw std::runtime_error(std::string("the light's field data lack ") + name);
   }
-  return report->GetTuple1(0);
+  return array->GetTuple1(0);
 }
 
 }

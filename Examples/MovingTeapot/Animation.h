@@ -3,7 +3,7 @@
 #define Animation_h
 
 #include "ErrorListener.h"
-#include "FrameTiming.h"
+#include "FrameReport.h"
 #include "TeapotPath.h"
 #include "TeapotScene.h"
 
@@ -45,10 +45,11 @@ public:
   /** The lit scene of the last update. */
   vtkMultiBlockDataSet* GetScene();
 
-  FrameTiming GetTiming();
+  /** Of the last update. */
+  FrameReport GetReport();
 
 private:
-  double Report(const char* name);
+  double GetFieldValue(const char* name);
 
   vtkNew<vtkIrradianceFilter> Light;
   vtkNew<vtkTransform> TeapotToRoom;

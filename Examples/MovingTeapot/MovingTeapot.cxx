@@ -6,9 +6,9 @@
  * of every cell up to date; at the end stands the paper's table, with its figures beside ours. See
  * README.md in this folder.
  */
-#include "Animation.h"
 #include "FrameFile.h"
 #include "Options.h"
+#include "Performance.h"
 #include "ProgressBar.h"
 #include "Recording.h"
 #include "SameBits.h"
@@ -19,28 +19,20 @@
 #include <vtkSMPTools.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 using namespace movingteapot;
 
 namespace
 {
-
-// The weight of the first shooting in the progress bar, in updates.
-constexpr double ShootingWork = 10.0;
-
-double TimeOf(int frame, int frames)
-{
-  return double(frame) / (frames - 1);
-}
-
-double WorkOf(int frame)
-{
-  return frame == 0 ? ShootingWork : 1.0;
-}
 
 // The head that was asked for; else the fetched one; else none.
 std::string FindHead(const std::string& asked)
@@ -80,7 +72,7 @@ void PrintScene(const TeapotScene& scene, const Options& options)
             << " threads." << std::endl;
 }
 
-std::string CaptionOf(int frame, int frames, const FrameTiming& timing)
+std::string CaptionOf(int frame, int frames, const FrameReport& report)
 {
   char text[120];
   if (frame == 0)
@@ -90,40 +82,95 @@ std::string CaptionOf(int frame, int frames, const FrameTiming& timing)
   else
   {
     std::snprintf(text, sizeof text, "Frame %d of %d: %.1f %% of the path segments shot again",
-      frame + 1, frames, 100.0 * timing.RepairedSegments / timing.Segments);
+      frame + 1, frames, 100.0 * report.RepairedSegments / report.Segments);
   }
   return text;
 }
 
-// Plays the sequence from its first frame; `recording` may be null.
-RunTiming Play(
-  Animation& animation, int frames, const char* what, ProgressBar& bar, Recording* recording)
-{
-  RunTiming run;
-  animation.SetProgressFunction([&](double fraction) { bar.SetStepFraction(fraction); });
-  for (int frame = 0; frame < frames; ++frame)
-  {
-    bar.BeginStep(WorkOf(frame),
-      std::string(what) + ", frame " + std::to_string(frame + 1) + " of " + std::to_string(frames));
-    animation.Update(TimeOf(frame, frames));
-    run.push_back(animation.GetTiming());
-    if (recording)
-    {
-      recording->Add(
-        frame, TimeOf(frame, frames), animation.GetScene(), CaptionOf(frame, frames, run.back()));
-    }
-    bar.EndStep();
-  }
-  return run;
-}
-
-void PrintPower(const FrameTiming& last)
+void PrintPower(const FrameReport& last)
 {
   char line[160];
   std::snprintf(line, sizeof line,
     "Last frame: %.6g W emitted, %.6g W absorbed, %.6g W escaped from the closed room.\n",
     last.EmittedPower, last.AbsorbedPower, last.EscapedPower);
   std::cout << line;
+}
+
+// What is compared at the end; Uncached and Afresh are null without a comparison.
+struct Performances
+{
+  std::unique_ptr<Performance> Cached, Uncached, Afresh;
+};
+
+Performances Play(const TeapotScene& scene, const Options& options, Recording& recording)
+{
+  const int frames = options.Frames;
+  const double work = Performance::ShootingWork + Performance::UpdateWork * (frames - 1);
+  ProgressBar bar(options.Comparison ? 2 * work + Performance::ShootingWork : work);
+  const auto make = [&](const char* name, bool cacheStaticHits) {
+    const AnimationConfig config = { options.Walks, options.TraversalMode, cacheStaticHits };
+    return std::make_unique<Performance>(name, scene, config, frames, bar);
+  };
+
+  Performances play;
+  play.Cached = make("", true);
+  std::vector<Performance*> inTurn = { play.Cached.get() };
+  if (options.Comparison)
+  {
+    play.Uncached = make(", without cache", false);
+    inTurn.push_back(play.Uncached.get());
+  }
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    for (Performance* performance : inTurn)
+    {
+      performance->Show(frame);
+    }
+    std::reverse(inTurn.begin(), inTurn.end()); // neither is always the first
+    recording.Add(frame, play.Cached->TimeOf(frame), play.Cached->GetScene(),
+      CaptionOf(frame, frames, play.Cached->GetReports().back()));
+  }
+  if (options.Comparison)
+  {
+    play.Afresh = make(", shot afresh", true);
+    play.Afresh->Show(frames - 1);
+  }
+  bar.Finish();
+  return play;
+}
+
+void PrintPower(const FrameReport& last)
+{
+  char line[160];
+  std::snprintf(line, sizeof line,
+    "Last frame: %.6g W emitted, %.6g W absorbed, %.6g W escaped from the closed room.\n",
+    last.EmittedPower, last.AbsorbedPower, last.EscapedPower);
+  std::cout << line;
+}
+
+// The promise of the method: whether it was kept.
+bool PrintSameness(const Performances& play)
+{
+  const bool same = HaveSameBits(play.Cached->GetScene(), play.Uncached->GetScene()) &&
+    HaveSameBits(play.Cached->GetScene(), play.Afresh->GetScene());
+  std::cout << "Updated with cache, without it, and shot afresh, the last frame is "
+            << (same ? "the same bit for bit.\n" : "NOT the same.\n");
+  return same;
+}
+
+bool PrintResults(const Performances& play, const Options& options)
+{
+  const auto reportsOf = [](const std::unique_ptr<Performance>& performance) {
+    return performance ? performance->GetReports() : std::vector<FrameReport>();
+  };
+  std::cout << '\n';
+  WriteTimingTable(
+    std::cout, { reportsOf(play.Cached), reportsOf(play.Uncached), reportsOf(play.Afresh) });
+  PrintPower(play.Cached->GetReports().back());
+  const bool good = !options.Comparison || PrintSameness(play);
+  std::cout << "Written to " << options.Output << ": MovingTeapot.pvd"
+            << (options.Pictures ? ", MovingTeapot.ogv, pictures/" : "") << std::endl;
+  return good;
 }
 
 int Run(const Options& options)
@@ -136,32 +183,10 @@ int Run(const Options& options)
   vtkSMPTools::Initialize(options.Threads);
   const TeapotScene scene = MakeScene(options);
   PrintScene(scene, options);
-
   MakeFolder(options.Output);
   Recording recording({ options.Output, options.Pictures, options.Width, options.Height });
-  ProgressBar bar(2 * (ShootingWork + options.Frames - 1) + ShootingWork);
-
-  Animation cached(scene, { options.Walks, options.TraversalMode, true });
-  const RunTiming cachedRun = Play(cached, options.Frames, "With cache", bar, &recording);
-  Animation uncached(scene, { options.Walks, options.TraversalMode, false });
-  const RunTiming uncachedRun = Play(uncached, options.Frames, "Without cache", bar, nullptr);
-
-  bar.BeginStep(ShootingWork, "Last frame shot afresh");
-  Animation afresh(scene, { options.Walks, options.TraversalMode, true });
-  afresh.Update(1.0);
-  bar.EndStep();
-  bar.Finish();
-
-  std::cout << '\n';
-  WriteTimingTable(std::cout, cachedRun, uncachedRun, afresh.GetTiming().ShootSeconds);
-  PrintPower(cachedRun.back());
-  const bool same = HaveSameBits(cached.GetScene(), uncached.GetScene()) &&
-    HaveSameBits(cached.GetScene(), afresh.GetScene());
-  std::cout << "With cache, without it, and shot afresh, the last frame is "
-            << (same ? "the same bit for bit" : "NOT the same") << ".\n"
-            << "Written to " << options.Output << ": MovingTeapot.pvd"
-            << (options.Pictures ? ", MovingTeapot.ogv, pictures/" : "") << std::endl;
-  return same ? EXIT_SUCCESS : EXIT_FAILURE;
+  const Performances play = Play(scene, options, recording);
+  return PrintResults(play, options) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }

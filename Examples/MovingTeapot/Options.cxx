@@ -88,6 +88,7 @@ struct Texts
   std::string Head;
   std::string Teapot;
   bool NoPictures = false;
+  bool NoComparison = false;
   bool Help = false;
 };
 
@@ -121,6 +122,7 @@ constexpr TextOption TextOptions[] = {
 
 constexpr Switch Switches[] = {
   { "--no-pictures", &Texts::NoPictures, "no PNG files and no movie" },
+  { "--no-comparison", &Texts::NoComparison, "the updates alone: half the time and memory" },
   { "--help", &Texts::Help, "this text" },
 };
 
@@ -191,6 +193,7 @@ Options ReadOptions(int argc, char* argv[])
   options.Threads = ReadCount("--threads", texts.Threads, 0);
   options.Output = texts.Output;
   options.Pictures = !texts.NoPictures;
+  options.Comparison = !texts.NoComparison;
   ReadSize(texts.Size, options.Width, options.Height);
   options.TraversalMode = ReadTraversalMode(texts.Traversal);
   options.CellSize = ReadNumber("--cell-size", texts.CellSize, 0.005, 1.0);

@@ -15,6 +15,7 @@ struct Options
   int Threads; // 0: all the machine has
   std::string Output;
   bool Pictures;
+  bool Comparison;
   int Width, Height;      // pixels
   int TraversalMode;      // of vtkIrradianceFilter: one tree, sequential, parallel
   double CellSize;        // m

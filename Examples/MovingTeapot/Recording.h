@@ -21,7 +21,6 @@ struct RecordingConfig
   std::string Folder;
   bool Pictures = true;
   int Width = 1280, Height = 720; // pixels
-  int Frames = 60;
 };
 
 /**

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 #include <ostream>
-#include <string>
 
 namespace movingteapot
 {
@@ -23,39 +23,56 @@ struct Summary
   double Mean, Median, Least, Most;
 };
 
-// Of one figure over the updates of a run, the first shooting left out.
-template <typename Figure>
-Summary Summarize(const RunTiming& run, Figure figure)
+Summary Summarize(std::vector<double> values)
 {
-  std::vector<double> values;
-  for (std::size_t i = 1; i < run.size(); ++i)
-  {
-    values.push_back(figure(run[i]));
-  }
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
   return { std::accumulate(values.begin(), values.end(), 0.0) / double(n),
     (values[(n - 1) / 2] + values[n / 2]) / 2, values.front(), values.back() };
 }
 
-double Verify(const FrameTiming& frame)
+// Of one figure over the updates of a run.
+template <typename Figure>
+Summary SummarizeUpdates(const std::vector<FrameReport>& run, Figure figure)
+{
+  std::vector<double> values;
+  std::transform(run.begin() + 1, run.end(), std::back_inserter(values), figure);
+  return Summarize(values);
+}
+
+double VerifySeconds(const FrameReport& frame)
 {
   return frame.VerifySeconds;
 }
 
-double Repair(const FrameTiming& frame)
+double RepairSeconds(const FrameReport& frame)
 {
   return frame.RepairSeconds;
 }
 
-double VerifyAndRepair(const FrameTiming& frame)
+double UpdateSeconds(const FrameReport& frame)
 {
   return frame.VerifySeconds + frame.RepairSeconds;
 }
 
-double RepairedShare(const FrameTiming& frame)
+double InvalidPercent(const FrameReport& frame)
 {
-  return frame.Segments > 0.0 ? frame.RepairedSegments / frame.Segments : 0.0;
+  return 100.0 * frame.InvalidWalks / frame.Walks;
+}
+
+double RepairedPercent(const FrameReport& frame)
+{
+  return 100.0 * frame.RepairedSegments / frame.Segments;
+}
+
+double MostGigabytes(const std::vector<FrameReport>& run)
+{
+  double most = 0.0;
+  for (const FrameReport& frame : run)
+  {
+    most = std::max(most, frame.HistoryBytes / 1e9);
+  }
+  return most;
 }
 
 class Table
@@ -63,31 +80,8 @@ class Table
 public:
   Table(std::ostream& stream, double shootSeconds)
     : Stream(stream)
-    , Shoot(shootSeconds)
+    , ShootSeconds(shootSeconds)
   {
-  }
-
-  void WriteHeader() const
-  {
-    this->Write("%-32s %8s %8s %8s %8s %8s   %7s %6s\n", "seconds", "mean", "median", "least",
-      "most", "ratio", "paper s", "ratio");
-  }
-
-  // A figure that each run has once.
-  void WriteSingle(const char* name, double seconds) const
-  {
-    this->Write("%-32s %8.3f %8s %8s %8s %8.3f", name, seconds, "", "", "", seconds / this->Shoot);
-  }
-
-  void WriteSummary(const char* name, const Summary& s) const
-  {
-    this->Write("%-32s %8.3f %8.3f %8.3f %8.3f %8.3f", name, s.Mean, s.Median, s.Least, s.Most,
-      s.Mean / this->Shoot);
-  }
-
-  void WritePaper(double seconds) const
-  {
-    this->Write("   %7.2f %6.3f\n", seconds, seconds / PaperShoot);
   }
 
   template <typename... Values>
@@ -98,35 +92,54 @@ public:
     this->Stream << line;
   }
 
+  void WriteSeconds(const char* name, const Summary& ours, double paper) const
+  {
+    this->Write("%-34s %8.3f %8.3f %8.3f %8.3f %7.3f  |%6.2f %6.3f\n", name, ours.Mean, ours.Median,
+      ours.Least, ours.Most, ours.Median / this->ShootSeconds, paper, paper / PaperShoot);
+  }
+
+  void WritePercent(const char* name, const Summary& ours) const
+  {
+    this->Write("%-34s %7.1f%% %7.1f%% %7.1f%% %7.1f%%\n", name, ours.Mean, ours.Median, ours.Least,
+      ours.Most);
+  }
+
 private:
   std::ostream& Stream;
-  double Shoot; // s, the unit of the ratios
+  double ShootSeconds; // the unit of the ratios
 };
 
 }
 
-void WriteTimingTable(
-  std::ostream& stream, const RunTiming& cached, const RunTiming& uncached, double afreshSeconds)
+void WriteTimingTable(std::ostream& stream, const Measurements& m)
 {
-  const double shoot = cached.front().ShootSeconds;
-  const Table table(stream, shoot);
-  table.WriteHeader();
-  table.WriteSingle("First shooting", shoot);
-  table.WritePaper(PaperShoot);
-  table.WriteSummary("Verification", Summarize(cached, Verify));
-  table.WritePaper(PaperVerify);
-  table.WriteSummary("Update, without static-hit cache", Summarize(uncached, Repair));
-  table.WritePaper(PaperUpdateUncached);
-  table.WriteSummary("Update, with static-hit cache", Summarize(cached, Repair));
-  table.WritePaper(PaperUpdateCached);
-  table.WriteSummary("Verification + update", Summarize(cached, VerifyAndRepair));
-  table.WritePaper(PaperVerify + PaperUpdateCached);
-  table.WriteSingle("Last frame shot afresh", afreshSeconds);
-  stream << '\n';
-
-  const Summary shotAgain = Summarize(cached, RepairedShare);
-  table.Write("%-32s %7.1f%% %7.1f%% %7.1f%% %7.1f%%\n", "Path segments shot again",
-    100 * shotAgain.Mean, 100 * shotAgain.Median, 100 * shotAgain.Least, 100 * shotAgain.Most);
+  std::vector<double> shootings;
+  for (const auto* run : { &m.Cached, &m.Uncached, &m.Afresh })
+  {
+    if (!run->empty())
+    {
+      shootings.push_back(run->front().ShootSeconds);
+    }
+  }
+  const Summary shoot = Summarize(shootings);
+  const Table table(stream, shoot.Median);
+  table.Write("%-34s %8s %8s %8s %8s %7s  |%6s %6s\n", "Seconds", "mean", "median", "least", "most",
+    "ratio", "paper", "ratio");
+  table.WriteSeconds("First shooting", shoot, PaperShoot);
+  table.WriteSeconds("Verification", SummarizeUpdates(m.Cached, VerifySeconds), PaperVerify);
+  if (!m.Uncached.empty())
+  {
+    table.WriteSeconds("Update, without static-hit cache",
+      SummarizeUpdates(m.Uncached, RepairSeconds), PaperUpdateUncached);
+  }
+  table.WriteSeconds(
+    "Update, with static-hit cache", SummarizeUpdates(m.Cached, RepairSeconds), PaperUpdateCached);
+  table.WriteSeconds("Verification + update with cache", SummarizeUpdates(m.Cached, UpdateSeconds),
+    PaperVerify + PaperUpdateCached);
+  table.WritePercent("Walks found invalid", SummarizeUpdates(m.Cached, InvalidPercent));
+  table.WritePercent("Path segments shot again", SummarizeUpdates(m.Cached, RepairedPercent));
+  table.Write("%-34s %.2f GB at first, %.2f GB at most\n", "Memory of the stored walks",
+    m.Cached.front().HistoryBytes / 1e9, MostGigabytes(m.Cached));
 }
 
 }

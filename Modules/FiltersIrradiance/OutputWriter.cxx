@@ -77,8 +77,8 @@ void addField(vtkMultiBlockDataSet* output, const char* name, std::initializer_l
   output->GetFieldData()->AddArray(array);
 }
 
-void setBlock(vtkMultiBlockDataSet* parent, unsigned int index, vtkDataObject* block,
-  const std::string& name)
+void setBlock(
+  vtkMultiBlockDataSet* parent, unsigned int index, vtkDataObject* block, const std::string& name)
 {
   parent->SetBlock(index, block);
   parent->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name.c_str());
@@ -139,8 +139,7 @@ void OutputWriter::addArray(vtkPolyData* polyData, const char* name, std::uint32
     const std::size_t cell = firstCell + static_cast<std::size_t>(i);
     for (int band = 0; band < scene_.bands(); ++band)
     {
-      array->SetTypedComponent(
-        i, band, engine_.irradiance(object, cell, side, band, areas[cell]));
+      array->SetTypedComponent(i, band, engine_.irradiance(object, cell, side, band, areas[cell]));
     }
   }
   polyData->GetCellData()->AddArray(array);

@@ -25,8 +25,7 @@ public:
     vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const;
 
 private:
-  void addIrradiance(
-    vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
+  void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
   void addArray(vtkPolyData* polyData, const char* name, std::uint32_t object,
     std::size_t firstCell, int side) const;
   void addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const;

@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -83,8 +82,8 @@ void PolyDataConverter::checkArray(vtkDataArray* array, const char* meaning) con
     return;
   }
   std::ostringstream message;
-  message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)")
-          << " (" << meaning << ") has ";
+  message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)") << " ("
+          << meaning << ") has ";
   if (array->GetNumberOfTuples() != input_->GetNumberOfCells())
   {
     message << array->GetNumberOfTuples() << " tuples for " << input_->GetNumberOfCells()
@@ -182,8 +181,7 @@ void PolyDataConverter::readStrips(vtkCellArray* cells)
     {
       // Every other triangle of a strip runs the other way round.
       const std::size_t odd = i % 2;
-      result_.triangles.push_back(
-        { corners_[i], corners_[i + 1 + odd], corners_[i + 2 - odd] });
+      result_.triangles.push_back({ corners_[i], corners_[i + 1 + odd], corners_[i + 2 - odd] });
     }
     readSurfaceCell();
     ++cell_;

@@ -37,8 +37,7 @@ struct SurfaceArrays
 class PolyDataConverter
 {
 public:
-  PolyDataConverter(
-    std::string where, vtkPolyData* input, const SurfaceArrays& arrays, int bands);
+  PolyDataConverter(std::string where, vtkPolyData* input, const SurfaceArrays& arrays, int bands);
 
   ConvertedPolyData convert();
 

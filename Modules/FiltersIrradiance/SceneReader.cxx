@@ -19,8 +19,8 @@ vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
   if (array && !numbers)
   {
-    throw InputError(where + ": the array " + array->GetName() + " is a " +
-      array->GetClassName() + ", not numbers");
+    throw InputError(where + ": the array " + array->GetName() + " is a " + array->GetClassName() +
+      ", not numbers");
   }
   return numbers;
 }
@@ -132,8 +132,7 @@ ConvertedPolyData SceneReader::convert(const InputConnection& connection)
   return data;
 }
 
-void SceneReader::readFixed(
-  const std::vector<InputConnection>& fixed, const Checkpoint& checkpoint)
+void SceneReader::readFixed(const std::vector<InputConnection>& fixed, const Checkpoint& checkpoint)
 {
   std::vector<Stamp> stamps;
   std::transform(fixed.begin(), fixed.end(), std::back_inserter(stamps), stampOf);
@@ -168,8 +167,7 @@ void SceneReader::readMoving(
 }
 
 /// Equal values keep the old object, and with it its tree, its ellipsoid and the stored walks.
-void SceneReader::adopt(
-  ConvertedPolyData data, SceneObject& object, const Checkpoint& checkpoint)
+void SceneReader::adopt(ConvertedPolyData data, SceneObject& object, const Checkpoint& checkpoint)
 {
   if (!object.surface || !(*object.surface == data.surface))
   {

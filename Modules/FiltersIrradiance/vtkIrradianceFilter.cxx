@@ -161,8 +161,8 @@ int vtkIrradianceFilter::RequestInformation(
   if (!steps.empty())
   {
     const std::vector<double> all(steps.begin(), steps.end());
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), all.data(),
-      static_cast<int>(all.size()));
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
   }
   if (range[0] <= range[1])
   {
@@ -213,8 +213,7 @@ std::vector<irradiance::AffineMap> vtkIrradianceFilter::vtkInternals::GetPoses(
   for (const irradiance::InputConnection& connection : moving)
   {
     const auto found = this->Transforms.find(static_cast<int>(poses.size()));
-    vtkLinearTransform* transform =
-      found == this->Transforms.end() ? nullptr : found->second.Get();
+    vtkLinearTransform* transform = found == this->Transforms.end() ? nullptr : found->second.Get();
     poses.push_back(irradiance::poseOf(connection.name, transform, connection.polyData));
   }
   return poses;

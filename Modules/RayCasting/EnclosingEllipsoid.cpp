@@ -268,7 +268,7 @@ EnclosingEllipsoid growAround(const Points& points, EnclosingEllipsoid ellipsoid
   constexpr int kMaxRounds = 20; // one or two are needed
   double reach = measureReach(ellipsoid, points).largest;
   double margin = 4.0 * kUnitRoundoff;
-  for (int round = 0; round < kMaxRounds; ++round, margin *= 4.0)
+  for (int round = 0; round < kMaxRounds; ++round)
   {
     // A single point is at the centre and has no reach; it keeps the thickness of its frame.
     ellipsoid.shape /= std::max(0.5, reach * (1.0 + margin));
@@ -277,6 +277,7 @@ EnclosingEllipsoid growAround(const Points& points, EnclosingEllipsoid ellipsoid
     {
       return ellipsoid;
     }
+    margin *= 4.0;
   }
   throw std::logic_error("encloseByEllipsoid: no ellipsoid was found around finite points");
 }

@@ -16,14 +16,15 @@
 class Picture
 {
 public:
-  explicit Picture(const std::array<double, 3>& cameraPosition, const std::array<double, 3>& focus);
+  Picture(const std::array<double, 3>& cameraPosition, const std::array<double, 3>& focus);
 
-  /// Irradiance from 0 (black) to `brightest`, W/m2: grey, or the three bands as red, green, blue,
-  /// by the square root, as a display without gamma would need it.
+  /// What the cells emit and reflect, from 0 (black) to `brightest`, W/m2: grey, or the three bands
+  /// as red, green and blue; by its square root, near to what displays expect.
   void Add(vtkPolyData* polyData, double brightest);
 
-  /// True if picture and baseline agree. Where they do not, this is told if `isReported`.
-  bool IsSame(const std::string& name, bool isReported = true);
+  /// True if picture and baseline agree. Where there is no baseline or another picture than expected,
+  /// it is written.
+  bool IsSame(const std::string& name, bool isExpected);
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;

@@ -22,7 +22,8 @@ public:
       auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
       for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
       {
-        this->AddBlock(names[port] + std::to_string(i) + "/", TestScenes::OutputOf(output, port, i));
+        this->AddBlock(
+          names[port] + std::to_string(i) + "/", TestScenes::OutputOf(output, port, i));
       }
     }
     static const std::set<std::string> costs{ "NumberOfInvalidWalks", "NumberOfRepairedSegments",
@@ -92,8 +93,7 @@ private:
   void Add(const std::string& name, vtkDataArray* array)
   {
     const auto* begin = static_cast<const unsigned char*>(array->GetVoidPointer(0));
-    const auto bytes =
-      static_cast<std::size_t>(array->GetNumberOfValues()) *
+    const auto bytes = static_cast<std::size_t>(array->GetNumberOfValues()) *
       static_cast<std::size_t>(array->GetDataTypeSize());
     this->Arrays[name].assign(begin, begin + bytes);
   }

@@ -193,7 +193,8 @@ void ExpectError(vtkIrradianceFilter* filter, ErrorObserver* observer, const Bad
   for (const std::string& word : bad.Words)
   {
     EXPECT_NE(observer->Errors[0].find(word), std::string::npos)
-      << "\"" << word << "\" is missing in\n" << observer->Errors[0];
+      << "\"" << word << "\" is missing in\n"
+      << observer->Errors[0];
   }
 }
 
@@ -347,7 +348,7 @@ TEST(OddInput, CellsWithoutAreaAreKeptAndReported)
 // Light that never goes: an error, not a filter that never ends.
 TEST(OddInput, ReflectanceOneInAClosedRoom)
 {
-  Scene scene{ { MakeRoom(3, 1), MakeLamp({ 1.5, 1.5, 2.9 }, 0.8, { 100 }) }, {} };
+  Scene scene{ { MakeRoom(3, 1), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) }, {} };
   for (const Mesh& mesh : scene.Fixed)
   {
     SetCellValues(mesh, "DiffuseReflectance", { 1 });
@@ -356,3 +357,23 @@ TEST(OddInput, ReflectanceOneInAClosedRoom)
   EXPECT_NE(error.find("reflectance"), std::string::npos) << error;
 }
 
+// Very little light is light: powers times 2^k make irradiances times 2^k, down to where doubles end.
+TEST(OddInput, TinyPowers)
+{
+  const Scene scene = MakeSmallScene();
+  const auto expected = MakeFilter(scene, NumberOfWalks);
+  expected->Update();
+  for (const int k : { -100, -900, -1060 })
+  {
+    SetCellValues(scene.Fixed[1], "RadiantExitance", { std::ldexp(100.0, k) });
+    const auto filter = MakeFilter(scene, NumberOfWalks);
+    filter->Update();
+    for (vtkIdType cell = 0; cell < 54; ++cell)
+    {
+      const double value = IrradianceOf(expected, 0, 0)->GetComponent(cell, 0);
+      EXPECT_NEAR(IrradianceOf(filter, 0, 0)->GetComponent(cell, 0), std::ldexp(value, k),
+        std::max(std::ldexp(value, k - 40), 2e-323))
+        << "k " << k << ", cell " << cell;
+    }
+  }
+}

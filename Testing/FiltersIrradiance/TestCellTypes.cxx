@@ -73,11 +73,10 @@ TEST(CellTypes, VerticesLinesPolygonsAndStripsInOneMesh)
 TEST(CellTypes, ConcavePolygons)
 {
   // An arrowhead, whose notch is filled by another one, and an L with its complement.
-  Mesh mesh = MakePolyData({ { 0, 0, 0 }, { 2, 2, 0 }, { 0, 1, 0 }, { -2, 2, 0 }, { 0, 3, 0 },
-    { -2, 0, 0 }, { -2, -3, 0 }, { 2, -3, 0 }, { 2, -2, 0 }, { 0, -2, 0 }, { 0, -1, 0 },
-    { -1, -1, 0 }, { -1, 0, 0 } });
-  mesh->SetPolys(
-    MakeCells({ { 0, 1, 2, 3 }, { 2, 1, 4, 3 }, { 5, 6, 7, 8, 9, 10, 11, 12 } }));
+  Mesh mesh = MakePolyData(
+    { { 0, 0, 0 }, { 2, 2, 0 }, { 0, 1, 0 }, { -2, 2, 0 }, { 0, 3, 0 }, { -2, 0, 0 }, { -2, -3, 0 },
+      { 2, -3, 0 }, { 2, -2, 0 }, { 0, -2, 0 }, { 0, -1, 0 }, { -1, -1, 0 }, { -1, 0, 0 } });
+  mesh->SetPolys(MakeCells({ { 0, 1, 2, 3 }, { 2, 1, 4, 3 }, { 5, 6, 7, 8, 9, 10, 11, 12 } }));
   ExpectUniform(mesh, 0);
 }
 

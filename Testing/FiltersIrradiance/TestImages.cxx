@@ -20,19 +20,20 @@ void AddOutput(Picture& picture, vtkIrradianceFilter* filter, unsigned int port,
 /// A ball above a floor under a small lamp.
 Scene MakeBallOverFloor(double x)
 {
-  return { { MakeRectangle({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 40),
-             MakeLamp({ 0, 0, 3.5 }, 0.2, { 1000 }) },
-    { MakeMoving(MakeBall(0.5, 24), { x, 0, 0.9 }) } };
+  Mesh floor = MakeRectangle({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 40);
+  Mesh ball = MakeBall(0.5, 24);
+  SetCellValues(floor, "DiffuseReflectance", { 0.3 });
+  SetCellValues(ball, "DiffuseReflectance", { 0.6 });
+  return { { floor, MakeLamp({ 0, 0, 3.5 }, 0.2, { 1000 }) }, { MakeMoving(ball, { x, 0, 0.9 }) } };
 }
 
 bool IsShadowOfTheBall(double x)
 {
   const auto filter = MakeFilter(MakeBallOverFloor(x), 1000000);
-  filter->SetDefaultDiffuseReflectance(0.3);
   filter->Update();
   Picture picture({ 0, -7, 5 }, { 0, 0, 0.3 });
-  AddOutput(picture, filter, 0, 0, 2);
-  AddOutput(picture, filter, 1, 0, 2);
+  AddOutput(picture, filter, 0, 0, 1);
+  AddOutput(picture, filter, 1, 0, 1);
   return picture.IsSame("ShadowOfABall", x == 0);
 }
 
@@ -49,19 +50,21 @@ Scene MakeColouredRoom(const std::vector<double>& left, const std::vector<double
   }
   Mesh box = MakeBox(1, 0.8, 1.4);
   SetCellValues(box, "DiffuseReflectance", { 0.75, 0.75, 0.75 });
-  Scene scene{ { room, MakeLamp({ 1.5, 1.5, 2.95 }, 1, { 100, 90, 75 }) },
-    { MakeMoving(box, { 1.7, 1.7, 0.7 }) } };
+  Mesh lamp = MakeLamp({ 1.5, 1.5, 2.95 }, 1, { 100, 90, 75 });
+  SetCellValues(lamp, "DiffuseReflectance", { 0 });
+  Scene scene{ { room, lamp }, { MakeMoving(box, { 1.7, 1.7, 0.7 }) } };
   scene.Moving[0].Pose->RotateZ(25);
   return scene;
 }
 
 bool IsColouredRoom(const std::vector<double>& left, const std::vector<double>& right)
 {
-  const auto filter = MakeFilter(MakeColouredRoom(left, right), 1000000);
+  const auto filter = MakeFilter(MakeColouredRoom(left, right), 300000);
   filter->Update();
   Picture picture({ 1.5, -4, 1.5 }, { 1.5, 1.5, 1.5 });
-  AddOutput(picture, filter, 0, 0, 60);
-  AddOutput(picture, filter, 1, 0, 60);
+  AddOutput(picture, filter, 0, 0, 20);
+  AddOutput(picture, filter, 0, 1, 20);
+  AddOutput(picture, filter, 1, 0, 20);
   return picture.IsSame("ColouredRoom", left[0] > left[1]);
 }
 
@@ -69,9 +72,10 @@ bool IsColouredRoom(const std::vector<double>& left, const std::vector<double>& 
 bool IsWalkingBall(int frames)
 {
   Scene scene = MakeBallOverFloor(-1.2);
-  scene.Moving.push_back(MakeMoving(MakeBox(0.6, 0.6, 0.6), { 0.8, 0.8, 0.31 }));
+  Mesh box = MakeBox(0.6, 0.6, 0.6);
+  SetCellValues(box, "DiffuseReflectance", { 0.4 });
+  scene.Moving.push_back(MakeMoving(box, { 0.8, 0.8, 0.31 }));
   const auto filter = MakeFilter(scene, 1000000);
-  filter->SetDefaultDiffuseReflectance(0.3);
   filter->Update();
   for (int frame = 0; frame < frames; ++frame)
   {
@@ -81,9 +85,9 @@ bool IsWalkingBall(int frames)
     EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
   }
   Picture picture({ 0, -7, 5 }, { 0, 0, 0.3 });
-  AddOutput(picture, filter, 0, 0, 2);
-  AddOutput(picture, filter, 1, 0, 2);
-  AddOutput(picture, filter, 1, 1, 2);
+  AddOutput(picture, filter, 0, 0, 1);
+  AddOutput(picture, filter, 1, 0, 1);
+  AddOutput(picture, filter, 1, 1, 1);
   return picture.IsSame("WalkingBall", frames == 5);
 }
 

@@ -32,8 +32,8 @@ testing::AssertionResult UpdatesLikeANewOne(vtkIrradianceFilter* filter, const S
   for (const int index : { 0, 1, 4 })
   {
     vtkInformation* info = filter->GetInputArrayInformation(index);
-    fresh->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS,
-      info->Get(vtkDataObject::FIELD_NAME()));
+    fresh->SetInputArrayToProcess(
+      index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, info->Get(vtkDataObject::FIELD_NAME()));
   }
   fresh->SetDefaultDiffuseReflectance(filter->GetDefaultDiffuseReflectance());
   fresh->Update();
@@ -182,7 +182,7 @@ TEST(Pipeline, AnotherArrayIsChosen)
   EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "reflectance";
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Evening");
   EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "exitance";
-  EXPECT_NEAR(Field(filter, "EmittedPower"), 0.8 * 0.8 * 7, 1e-6);
+  EXPECT_NEAR(Field(filter, "EmittedPower"), 0.75 * 0.75 * 7, 1e-6);
 }
 
 TEST(Pipeline, ObjectToWorldServesWhereThereIsNoTransform)
@@ -297,7 +297,7 @@ TEST(Pipeline, DynamicIsStaticMovedBeforehand)
     }
     const char* lit = mirror > 0 ? "IrradianceFront" : "IrradianceBack"; // it turns inside out
     const char* dark = mirror > 0 ? "IrradianceBack" : "IrradianceFront";
-    EXPECT_GT(found->GetCellData()->GetArray(lit)->GetRange()[1], 10);
+    EXPECT_GT(found->GetCellData()->GetArray(lit)->GetRange()[1], 5);
     EXPECT_EQ(found->GetCellData()->GetArray(dark)->GetRange()[1], 0);
   }
 }

@@ -73,7 +73,8 @@ void ExpectScaled(vtkIrradianceFilter* original, vtkIrradianceFilter* scaled, in
       ASSERT_EQ(expected->GetNumberOfTuples(), found->GetNumberOfTuples());
       for (vtkIdType cell = 0; cell < expected->GetNumberOfTuples(); ++cell)
       {
-        ASSERT_EQ(found->GetComponent(cell, 0), std::ldexp(expected->GetComponent(cell, 0), exponent))
+        ASSERT_EQ(
+          found->GetComponent(cell, 0), std::ldexp(expected->GetComponent(cell, 0), exponent))
           << "port " << port << ", connection " << i << ", cell " << cell;
       }
     }

@@ -99,8 +99,8 @@ inline Mesh MakeRoom(double side, int resolution)
 inline Mesh MakeLamp(const Vector& centre, double side, const std::vector<double>& exitance)
 {
   const double h = 0.5 * side;
-  Mesh lamp = MakeRectangle(
-    { centre[0] - h, centre[1] - h, centre[2] }, { 0, side, 0 }, { side, 0, 0 }, 1);
+  Mesh lamp =
+    MakeRectangle({ centre[0] - h, centre[1] - h, centre[2] }, { 0, side, 0 }, { side, 0, 0 }, 1);
   SetCellValues(lamp, "RadiantExitance", exitance);
   return lamp;
 }
@@ -171,10 +171,10 @@ struct Scene
   std::vector<MovingObject> Moving;
 };
 
-/// A room of 3 m with a lamp under the ceiling, a ball and a box.
+/// A room of 3 m with a lamp of 56.25 W under the ceiling, a ball and a box.
 inline Scene MakeSmallScene()
 {
-  return { { MakeRoom(3, 3), MakeLamp({ 1.5, 1.5, 2.9 }, 0.8, { 100 }) },
+  return { { MakeRoom(3, 3), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) },
     { MakeMoving(MakeBall(0.4, 8), { 1, 1, 1 }),
       MakeMoving(MakeBox(0.5, 0.6, 0.7), { 2, 2, 0.5 }) } };
 }

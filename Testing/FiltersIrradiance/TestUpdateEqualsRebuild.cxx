@@ -28,8 +28,8 @@ Scene MakeDifficultScene(int bands)
     {} };
   scene.Moving = {
     MakeMoving(MakeBall(0.4, 7), { 1, 1, 1 }),
-    MakeMoving(MakeBox(0.5, 0.6, 0.7), { 2, 2, 0.35 }), // its bottom lies in the floor
-    MakeMoving(MakeBox(0.5, 0.6, 0.7), { 2, 2, 0.35 }), // in the same place, at first
+    MakeMoving(MakeBox(0.5, 0.6, 0.7), { 2, 2, 0.35 }),   // its bottom lies in the floor
+    MakeMoving(MakeBox(0.5, 0.6, 0.7), { 2, 2, 0.35 }),   // in the same place, at first
     MakeMoving(MakeCone(0.8, 0.3, 9), { 0.2, 1.5, 1.5 }), // through the wall
     MakeMoving(MakeRectangle({ -0.4, -0.4, 0 }, { 0.8, 0, 0 }, { 0, 0.8, 0 }, 2), { 1.5, 1, 2 }),
     MakeMoving(MakeBall(0.2, 6), { 2.2, 0.7, 1.4 }), // stays

@@ -55,12 +55,13 @@ std::vector<Change> changes()
       } },
     { "point light",
       [=](Input& in) {
-        changeSurface(
-          in.objects.fixed, [](Surface& s) { s.pointLights[0].position[2] += 1e-3; });
+        changeSurface(in.objects.fixed, [](Surface& s) { s.pointLights[0].position[2] += 1e-3; });
       } },
     { "static geometry",
-      [](Input& in) { in.objects.fixed.body = MovingScene(1, true, 1).objects().fixed.body;
-        in.objects.fixed.surface = MovingScene(1, true, 1).objects().fixed.surface; } },
+      [](Input& in) {
+        in.objects.fixed.body = MovingScene(1, true, 1).objects().fixed.body;
+        in.objects.fixed.surface = MovingScene(1, true, 1).objects().fixed.surface;
+      } },
     { "object added", [](Input& in) { in.objects.dynamic.push_back(in.objects.dynamic[0]); } },
     { "object removed",
       [](Input& in) { in.objects.dynamic.erase(in.objects.dynamic.begin() + 1); } },
@@ -84,13 +85,11 @@ std::vector<Change> changes()
           s.exitance.clear();
         });
       } },
-    { "bands",
-      [](Input& in) { in.objects = MovingScene(3, false, 31).objects(); } },
+    { "bands", [](Input& in) { in.objects = MovingScene(3, false, 31).objects(); } },
   };
 }
 
-void expectEqualToFresh(
-  IrradianceEngine& engine, const Input& input, const std::string& when)
+void expectEqualToFresh(IrradianceEngine& engine, const Input& input, const std::string& when)
 {
   Execution execution;
   engine.update(input.objects, input.settings, execution);
@@ -142,7 +141,7 @@ TEST(ChangesShootAnew, InterruptedUpdatesLeaveNoTrace)
   {
     MovingScene scene(1, false, 32);
     EngineSettings settings;
-    settings.numberOfWalks = scaled(60000);
+    settings.numberOfWalks = scaled(30000);
     IrradianceEngine engine;
     Execution execution;
     int stops = 0;
@@ -169,8 +168,7 @@ TEST(ChangesShootAnew, InterruptedUpdatesLeaveNoTrace)
         ++stops;
       }
       engine.update(scene.objects(), settings, execution);
-      ASSERT_TRUE(
-        answerOf(engine, scene.objects()) == freshAnswer(scene.objects(), settings))
+      ASSERT_TRUE(answerOf(engine, scene.objects()) == freshAnswer(scene.objects(), settings))
         << "stopped at call " << stopAt;
       if (!isInterrupted)
       {

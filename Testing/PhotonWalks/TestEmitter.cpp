@@ -88,8 +88,7 @@ TEST(Emitter, LightsAreChosenInProportionToFlux)
     std::array<int, 6> counts{};
     for (std::uint32_t walk = 0; walk < 8192; ++walk)
     {
-      ++counts[static_cast<std::size_t>(
-        table.start(walk, SobolSequence(seed)).ray.origin[0])];
+      ++counts[static_cast<std::size_t>(table.start(walk, SobolSequence(seed)).ray.origin[0])];
     }
     EXPECT_EQ(counts, (std::array<int, 6>{ 0, 1024, 2048, 0, 0, 5120 })) << "seed " << seed;
   }

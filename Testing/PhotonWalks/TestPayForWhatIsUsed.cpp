@@ -61,8 +61,8 @@ TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
       IrradianceEngine engine;
       Execution execution;
       engine.update(objects, settings, execution);
-      const double perSegment = double(engine.statistics().historyBytes) /
-        double(engine.balance().segments);
+      const double perSegment =
+        double(engine.statistics().historyBytes) / double(engine.balance().segments);
       const double needed = double(sizeof(WalkSegment)) + 8 * bands + (sides ? 1 : 0);
       EXPECT_GE(perSegment, needed);
       // Besides: the place of each walk, and small change for each block.

@@ -27,7 +27,7 @@ Answer lastOfThreeFrames(const Case& way, bool separateSides)
 {
   MovingScene scene(3, false, 41);
   EngineSettings settings;
-  settings.numberOfWalks = test::scaled(20000);
+  settings.numberOfWalks = test::scaled(8000);
   settings.traversalMode = way.mode;
   settings.cacheStaticHits = way.cache;
   settings.verify = way.verify;
@@ -56,8 +56,8 @@ TEST(SameBits, WhateverTheWay)
     std::make_shared<test::BackwardExecution>() };
   for (const bool sides : { false, true })
   {
-    const Answer first = lastOfThreeFrames(
-      { TraversalMode::Parallel, true, true, false, executions[0] }, sides);
+    const Answer first =
+      lastOfThreeFrames({ TraversalMode::Parallel, true, true, false, executions[0] }, sides);
     unsigned number = 0;
     for (const TraversalMode mode :
       { TraversalMode::OneTree, TraversalMode::Sequential, TraversalMode::Parallel })
@@ -69,8 +69,8 @@ TEST(SameBits, WhateverTheWay)
           for (const bool isLoose : { true, false })
           {
             const auto& execution = executions[number++ % executions.size()];
-            EXPECT_TRUE(lastOfThreeFrames({ mode, cache, verify, isLoose, execution }, sides) ==
-              first)
+            EXPECT_TRUE(
+              lastOfThreeFrames({ mode, cache, verify, isLoose, execution }, sides) == first)
               << "traversal " << int(mode) << ", cache " << cache << ", verify " << verify
               << ", loose " << isLoose << ", execution " << (number - 1) % executions.size();
           }
@@ -79,8 +79,8 @@ TEST(SameBits, WhateverTheWay)
     }
     for (const auto& execution : executions)
     {
-      EXPECT_TRUE(
-        lastOfThreeFrames({ TraversalMode::Parallel, true, true, false, execution }, sides) == first);
+      EXPECT_TRUE(lastOfThreeFrames(
+                    { TraversalMode::Parallel, true, true, false, execution }, sides) == first);
     }
   }
 }

@@ -68,8 +68,8 @@ public:
   }
 
   /// The front of the quad is u x v.
-  void addQuad(const Vector3& corner, const Vector3& u, const Vector3& v, int nu, int nv,
-    const Look& look)
+  void addQuad(
+    const Vector3& corner, const Vector3& u, const Vector3& v, int nu, int nv, const Look& look)
   {
     addGrid(nu, nv, look,
       [&](int i, int j) { return Vector3(corner + u * (double(i) / nu) + v * (double(j) / nv)); });
@@ -103,8 +103,7 @@ public:
   }
 
   /// Its corners lie on the sphere; n stacks, 2 n slices.
-  void addSphere(
-    const Vector3& center, double radius, int n, const Look& look, bool isRoom = false)
+  void addSphere(const Vector3& center, double radius, int n, const Look& look, bool isRoom = false)
   {
     const auto corner = [&](int slice, int stack) {
       if (stack == 0 || stack == n)
@@ -117,8 +116,8 @@ public:
           Vector3(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
             -std::cos(polar)));
     };
-    addGrid(2 * n, n, look,
-      [&](int i, int j) { return isRoom ? corner(2 * n - i, j) : corner(i, j); });
+    addGrid(
+      2 * n, n, look, [&](int i, int j) { return isRoom ? corner(2 * n - i, j) : corner(i, j); });
   }
 
   void addPointLight(const Vector3& position, double flux)

@@ -27,8 +27,8 @@ std::uint32_t fromDirectionNumbers(std::uint32_t index, const std::array<std::ui
 
 /// False where an elementary interval of 2^-a by 2^-(m - a) does not hold exactly one of the points
 /// [first, first + 2^m).
-bool isNet(const SobolSequence& samples, std::uint32_t bounce, SampleUse use, std::uint32_t first,
-  int m)
+bool isNet(
+  const SobolSequence& samples, std::uint32_t bounce, SampleUse use, std::uint32_t first, int m)
 {
   const std::uint32_t size = 1u << m;
   for (int a = 0; a <= m; ++a)
@@ -90,8 +90,8 @@ TEST(SobolSequence, FirstTwoDimensionsFollowTheDirectionNumbers)
   {
     const auto index = i < 100000 ? i : static_cast<std::uint32_t>(random());
     ASSERT_EQ(SobolSequence::reversed(index), fromDirectionNumbers(index, first)) << index;
-    ASSERT_EQ(SobolSequence::reversed(SobolSequence::pascal(index)),
-      fromDirectionNumbers(index, second))
+    ASSERT_EQ(
+      SobolSequence::reversed(SobolSequence::pascal(index)), fromDirectionNumbers(index, second))
       << index;
   }
 }

@@ -142,7 +142,7 @@ TEST(UpdateEqualsRebuild, SignOfAZeroInAPose)
   EngineSettings settings;
   settings.numberOfWalks = 2000;
   SceneObjects objects{ room.build(), { wall.build() } };
-  for (unsigned signs = 0; signs < 4096; signs += 7)
+  for (unsigned signs = 0; signs < 4096; signs += 31)
   {
     IrradianceEngine engine;
     Execution execution;

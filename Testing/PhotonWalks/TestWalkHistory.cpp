@@ -26,7 +26,8 @@ struct Model
 
   void replaceTail(std::uint32_t walk, std::uint32_t bounce, const std::vector<Entry>& tail)
   {
-    staticHits.erase(staticHits.upper_bound({ walk, bounce }), staticHits.lower_bound({ walk + 1, 0 }));
+    staticHits.erase(
+      staticHits.upper_bound({ walk, bounce }), staticHits.lower_bound({ walk + 1, 0 }));
     walks[walk].resize(bounce);
     walks[walk].insert(walks[walk].end(), tail.begin(), tail.end());
   }
@@ -142,8 +143,8 @@ void compareWithModel(unsigned seed, int bands, bool withSides)
   ASSERT_NO_FATAL_FAILURE(expectEqual(block, model, withSides));
   // Holes are closed: the pools stay in proportion to what was held at most, static hits included.
   EXPECT_LT(block.bytes(), 6 * mostSegments * (sizeof(WalkSegment) + 32) + 10000);
-  std::printf("seed %u: at most %zu segments, in the end %zu bytes\n", seed, mostSegments,
-    block.bytes());
+  std::printf(
+    "seed %u: at most %zu segments, in the end %zu bytes\n", seed, mostSegments, block.bytes());
 }
 
 }

@@ -68,7 +68,7 @@ struct QuadEllipsoid
     {
       row[i] = quad(e.shape.row(i).transpose());
     }
-    const Quad determinant = determinant(row[0], row[1], row[2]);
+    const Quad volume = determinant(row[0], row[1], row[2]);
     for (int k = 0; k < 3; ++k)
     {
       const Vector<Quad>& a = row[(k + 1) % 3];
@@ -79,7 +79,7 @@ struct QuadEllipsoid
         for (int j = 0; j < 3; ++j)
         {
           const Quad inverse =
-            (a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3]) / determinant;
+            (a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3]) / volume;
           axis[k][i] += Quad(map.linear(i, j)) * inverse;
         }
       }

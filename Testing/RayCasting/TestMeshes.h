@@ -4,10 +4,12 @@
 #include "RandomVectors.h"
 #include "TriangleMesh.h"
 
+#include <algorithm>
 #include <array>
-#include <cstdint>
+#include <cctype>
 #include <functional>
 #include <map>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,9 +30,27 @@ struct NamedMesh
 {
   std::string name;
   std::vector<Triangle> triangles;
-  bool isClosed = false;           ///< fronts outside
+  bool isClosed = false;            ///< fronts outside
   Vector3 inside = Vector3::Zero(); ///< a point inside, when closed
 };
+
+/// For INSTANTIATE_TEST_SUITE_P.
+struct NameOfMesh
+{
+  template <typename ParamInfo>
+  std::string operator()(const ParamInfo& info) const
+  {
+    std::string name = info.param.name;
+    std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return name;
+  }
+};
+
+inline void PrintTo(const NamedMesh& mesh, std::ostream* out)
+{
+  *out << mesh.name;
+}
 
 using Triangles = std::vector<Triangle>;
 
@@ -100,8 +120,7 @@ inline Triangles grid(
 inline Triangles boxOfCells(const Vector3& lower, const Vector3& upper, const std::array<int, 3>& n)
 {
   const auto coordinate = [&](int axis, int i) {
-    return i == n[axis] ? upper[axis]
-                        : lower[axis] + (upper[axis] - lower[axis]) * i / n[axis];
+    return i == n[axis] ? upper[axis] : lower[axis] + (upper[axis] - lower[axis]) * i / n[axis];
   };
   Triangles triangles;
   for (int axis = 0; axis < 3; ++axis)
@@ -126,13 +145,13 @@ inline Triangles boxOfCells(const Vector3& lower, const Vector3& upper, const st
 inline Triangles icosphere(int level)
 {
   const double g = 0.5 * (1 + std::sqrt(5.0));
-  IndexedTriangles sphere{ { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g },
-                             { 0, 1, g }, { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 },
-                             { -g, 0, -1 }, { -g, 0, 1 } },
+  IndexedTriangles sphere{
+    { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
+      { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
     { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 },
-      { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
-      { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
-      { 9, 8, 1 } } };
+      { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 },
+      { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } }
+  };
   for (Vector3& point : sphere.points)
   {
     point.normalize();
@@ -240,8 +259,8 @@ inline Triangles angledHall()
     hall.corners.push_back({ p, q, q + 1 });
     hall.corners.push_back({ p, q + 1, p + 1 });
   }
-  for (const auto& [a, b, c, d] : { std::array<int, 4>{ 0, 1, 4, 7 }, { 1, 2, 3, 4 },
-         { 7, 4, 5, 6 } })
+  for (const auto& [a, b, c, d] :
+    { std::array<int, 4>{ 0, 1, 4, 7 }, { 1, 2, 3, 4 }, { 7, 4, 5, 6 } })
   {
     hall.corners.push_back({ 2 * a, 2 * c, 2 * b });
     hall.corners.push_back({ 2 * a, 2 * d, 2 * c });
@@ -281,14 +300,13 @@ inline std::vector<NamedMesh> testMeshes()
   const Matrix3 turn = RandomVectors(6).rotation();
   std::vector<NamedMesh> meshes = closedMeshes();
   meshes.push_back({ "room", room() });
-  meshes.push_back({ "room, 1e4 sizes away",
-    moved(room(), { Matrix3::Identity(), Vector3(4e4, -3e4, 1e4) }) });
+  meshes.push_back(
+    { "room, 1e4 sizes away", moved(room(), { Matrix3::Identity(), Vector3(4e4, -3e4, 1e4) }) });
   meshes.push_back({ "room, turned", moved(room(), { turn, Vector3(0.1, 0.2, 0.3) }) });
   meshes.push_back({ "soup", randomSoup(600, 7) });
   meshes.push_back({ "door", boxOfCells({ 0, 0, 0 }, { 0.9, 0.04, 2.1 }, { 4, 1, 9 }) });
-  meshes.push_back({ "flat door", grid(4, 9, [](int i, int j) {
-                      return Vector3(0.225 * i, 0.1, 0.23 * j);
-                    }) });
+  meshes.push_back(
+    { "flat door", grid(4, 9, [](int i, int j) { return Vector3(0.225 * i, 0.1, 0.23 * j); }) });
   meshes.push_back({ "sheets", coincidentSheets(Matrix3::Identity()) });
   meshes.push_back({ "sheets, turned", coincidentSheets(turn) });
   meshes.push_back({ "dust", dustInRoom() });

@@ -202,8 +202,7 @@ private:
     const int k = below(3);
     const Vector3 p = corner(triangle, k), q = corner(triangle, (k + 1) % 3);
     // At a corner more often than elsewhere: there a ray passes a triangle on the shortest way.
-    const Vector3 target =
-      below(2) == 0 ? p : Vector3(p + random_.powerOfTwo(-30, 0) * (q - p));
+    const Vector3 target = below(2) == 0 ? p : Vector3(p + random_.powerOfTwo(-30, 0) * (q - p));
     const Vector3 along =
       (random_.uniform() * e.normalized() + random_.uniform() * f.normalized()).normalized();
     const Vector3 normal = triangle.areaVector().normalized();

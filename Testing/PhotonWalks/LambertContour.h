@@ -1,0 +1,49 @@
+#ifndef irradiance_test_LambertContour_h
+#define irradiance_test_LambertContour_h
+
+#include "Vector.h"
+
+#include <cmath>
+#include <vector>
+
+namespace irradiance::test
+{
+
+/// Irradiance at a point from a polygon of unit exitance that lies above the horizon of the normal:
+/// Lambert's contour sum (1760), 1/(2 pi) sum of angle_i n . unit normal of the edge's cone.
+inline double lambertIrradiance(
+  const Vector3& point, const Vector3& normal, const std::vector<Vector3>& polygon)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Vector3 a = (polygon[i] - point).normalized();
+    const Vector3 b = (polygon[(i + 1) % polygon.size()] - point).normalized();
+    const Vector3 cone = a.cross(b);
+    if (cone.norm() > 0)
+    {
+      sum += std::atan2(cone.norm(), a.dot(b)) * normal.dot(cone) / cone.norm();
+    }
+  }
+  return std::abs(sum) / (2 * M_PI);
+}
+
+/// Mean of f over a rectangle by the midpoint rule on n x n points.
+template <class Function>
+double meanOverRectangle(
+  const Vector3& corner, const Vector3& u, const Vector3& v, int n, const Function& f)
+{
+  double sum = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      sum += f(Vector3(corner + u * ((i + 0.5) / n) + v * ((j + 0.5) / n)));
+    }
+  }
+  return sum / n / n;
+}
+
+}
+
+#endif

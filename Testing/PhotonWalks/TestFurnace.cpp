@@ -1,0 +1,188 @@
+#include "EngineRun.h"
+#include "TestScenes.h"
+
+#include "../RayCasting/RandomVectors.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::box;
+using test::Look;
+using test::ObjectBuilder;
+using test::Replicates;
+
+constexpr int kFrames = test::kIsSanitized ? 20 : 100;
+constexpr int kCellsASide = 3;
+
+/// Every cell gets a reflectance of its own and the exitance 1 - reflectance: E = 1 everywhere.
+SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
+{
+  Surface& surface = builder.surface();
+  for (std::size_t cell = 0; cell < surface.numberOfCells; ++cell)
+  {
+    surface.reflectance[cell] = random.uniform(0, 0.9);
+    surface.exitance[cell] = 1 - surface.reflectance[cell];
+  }
+  return builder.build();
+}
+
+/// What reflects all light emits none: it may move without a change of the lights.
+SceneObject white(ObjectBuilder builder)
+{
+  for (double& reflectance : builder.surface().reflectance)
+  {
+    reflectance = 1;
+  }
+  builder.surface().exitance.clear();
+  return builder.build();
+}
+
+ObjectBuilder room()
+{
+  ObjectBuilder builder;
+  builder.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), kCellsASide, {}, true);
+  return builder;
+}
+
+std::vector<ObjectBuilder> movingThings()
+{
+  ObjectBuilder a, b;
+  a.addBox(box({ -0.5, -0.3, -0.4 }, { 0.5, 0.3, 0.4 }), 1, {});
+  b.addSphere({ 0, 0, 0 }, 0.6, 4, {});
+  return { a, b };
+}
+
+/// The two things go round without meeting each other or a wall.
+void setPoses(SceneObjects& objects, int frame)
+{
+  const double angle = 0.0628 * frame;
+  objects.dynamic[0].worldFromObject = {
+    Eigen::AngleAxisd(3 * angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
+    { 2 + 0.9 * std::cos(angle), 1.5, 2.5 + 1.5 * std::sin(angle) }
+  };
+  objects.dynamic[1].worldFromObject = {
+    Eigen::AngleAxisd(angle, Vector3(0, 0.6, 0.8)).toRotationMatrix(),
+    { 2 - 0.9 * std::cos(angle), 1.5, 2.5 - 1.5 * std::sin(angle) }
+  };
+}
+
+/// One estimate for each cell, wall and object.
+class FurnaceEstimates
+{
+public:
+  void add(const IrradianceEngine& engine, const SceneObjects& objects)
+  {
+    std::size_t cellIndex = 0, areaIndex = 0;
+    for (std::uint32_t object = 0; object < objects.size(); ++object)
+    {
+      const std::vector<double> areas = cellAreas(objects[object]);
+      const std::size_t group = object == 0 ? kCellsASide * kCellsASide : areas.size();
+      for (std::size_t first = 0; first < areas.size(); first += group)
+      {
+        double area = 0;
+        for (std::size_t cell = first; cell < first + group; ++cell)
+        {
+          area += areas[cell];
+          at(cells_, cellIndex++).add(engine.irradiance(object, cell, 0, 0, areas[cell]));
+        }
+        at(areas_, areaIndex++).add(test::wattsOn(engine, object, first, first + group) / area);
+      }
+    }
+  }
+
+  /// `limit`: of |t| of an area mean. All cells together: chi-square of t, which has the variance
+  /// n / (n - 2) of Student's t; exceeded by chance once in 10^4 (cells taken as independent).
+  void expectOne(double limit) const
+  {
+    for (const Replicates& area : areas_)
+    {
+      area.print("area mean", 1);
+      EXPECT_LE(std::abs(area.t(1)), limit);
+      EXPECT_NEAR(area.mean(), 1, 0.01);
+    }
+    double chiSquare = 0, worst = 0;
+    for (const Replicates& cell : cells_)
+    {
+      chiSquare += cell.t(1) * cell.t(1);
+      worst = std::max(worst, std::abs(cell.t(1)));
+    }
+    const double freedom = cells_[0].count() - 1.0, count = double(cells_.size());
+    EXPECT_LE(chiSquare * (freedom - 2) / freedom, test::chiSquareLimit(count, 3.72) * 1.1);
+    std::printf("%.0f cells, %d estimates each: chi-square %.1f, largest |t| %.2f\n", count,
+      cells_[0].count(), chiSquare * (freedom - 2) / freedom, worst);
+  }
+
+private:
+  static Replicates& at(std::vector<Replicates>& all, std::size_t i)
+  {
+    all.resize(std::max(all.size(), i + 1));
+    return all[i];
+  }
+
+  std::vector<Replicates> cells_, areas_;
+};
+
+}
+
+// All cells shine, those of the moving things as well: every frame is shot anew, with its own seed.
+// 8 area means, |t| > 3.5 of 99 degrees: a false alarm in 0.6 % of all choices of seeds.
+TEST(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
+{
+  test::RandomVectors random(81);
+  SceneObjects objects{ furnace(room(), random), {} };
+  for (const ObjectBuilder& thing : movingThings())
+  {
+    objects.dynamic.push_back(furnace(thing, random));
+  }
+  IrradianceEngine engine;
+  Execution execution;
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(8192) * (test::kIsSanitized ? 4 : 1);
+  FurnaceEstimates estimates;
+  for (int frame = 0; frame < kFrames; ++frame)
+  {
+    setPoses(objects, frame);
+    settings.seed = static_cast<std::uint64_t>(frame + 1);
+    engine.update(objects, settings, execution);
+    EXPECT_TRUE(engine.balance().escaped.isZero());
+    estimates.add(engine, objects);
+  }
+  estimates.expectOne(3.5);
+}
+
+// White things move in a room that shines: walks are verified and repaired from frame to frame. The
+// last frames of 16 seeds are compared; 8 area means, |t| > 4 of 15 degrees: a false alarm in 0.9 %.
+TEST(Furnace, EveryCellReceivesOneWattAfterManyUpdates)
+{
+  test::RandomVectors random(82);
+  SceneObjects objects{ furnace(room(), random), {} };
+  for (const ObjectBuilder& thing : movingThings())
+  {
+    objects.dynamic.push_back(white(thing));
+  }
+  FurnaceEstimates estimates;
+  const int frames = kFrames / 10;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed)
+  {
+    IrradianceEngine engine;
+    Execution execution;
+    EngineSettings settings;
+    settings.numberOfWalks = test::scaled(16384) * (test::kIsSanitized ? 4 : 1);
+    settings.seed = seed;
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      setPoses(objects, 10 * frame);
+      engine.update(objects, settings, execution);
+      EXPECT_EQ(engine.statistics().shootSeconds > 0, frame == 0);
+    }
+    estimates.add(engine, objects);
+  }
+  estimates.expectOne(4);
+}
+
+}

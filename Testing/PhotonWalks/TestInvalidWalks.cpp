@@ -1,0 +1,119 @@
+#include "EngineRun.h"
+#include "MovingScene.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Everything needed to shoot walks into a frame, without an engine.
+class Frame
+{
+public:
+  Frame(const SceneObjects& objects, const EngineSettings& settings)
+    : objects_(objects)
+    , emitters_(objects, settings.numberOfWalks)
+    , samples_(settings.seed)
+    , shooter_(scene_, objects_, emitters_, samples_)
+  {
+    std::vector<PlacedObject> placed;
+    for (const SceneObject& object : objects.dynamic)
+    {
+      placed.push_back({ object.body, object.worldFromObject, object.isLoose });
+    }
+    scene_.setTraversalMode(TraversalMode::Sequential);
+    scene_.setStatic(objects.fixed.body);
+    scene_.setDynamic(placed);
+    scene_.setPointSources(emitters_.pointBounds());
+    scene_.commit({});
+  }
+  Frame(const Frame&) = delete;
+
+  WalkTrace trace(std::uint32_t walk) const
+  {
+    WalkTrace result;
+    shooter_.shoot(walk, result);
+    return result;
+  }
+  Hit cast(const WalkTrace& trace, std::uint32_t walk, std::uint32_t bounce) const
+  {
+    const WalkSegment& segment = trace.segment(bounce);
+    return scene_.cast({ segment.origin, segment.direction,
+      bounce > 0 ? trace.segment(bounce - 1).hit.id : emitters_.start(walk, samples_).ray.start });
+  }
+  bool isMoved(const Frame& before, const Hit& hit) const
+  {
+    if (!hit || hit.id.object == 0)
+    {
+      return false;
+    }
+    const SceneObject &now = objects_[hit.id.object], &then = before.objects_[hit.id.object];
+    return now.body != then.body || now.worldFromObject != then.worldFromObject;
+  }
+
+private:
+  SceneObjects objects_;
+  Scene scene_;
+  EmitterTable emitters_;
+  SobolSequence samples_;
+  WalkShooter shooter_;
+};
+
+struct Counts
+{
+  std::int64_t invalid = 0, repaired = 0;
+};
+
+/// By definition: a segment is stale if the object that it hit has moved, or if a cast into the
+/// whole new scene finds another hit.
+Counts countByDefinition(const Frame& before, const Frame& now, std::uint32_t walks)
+{
+  Counts counts;
+  for (std::uint32_t walk = 0; walk < walks; ++walk)
+  {
+    const WalkTrace trace = before.trace(walk);
+    for (std::uint32_t i = 0; i < trace.size(); ++i)
+    {
+      const Hit& old = trace.segment(i).hit;
+      if (now.isMoved(before, old) || now.cast(trace, walk, i) != old)
+      {
+        ++counts.invalid;
+        counts.repaired += now.trace(walk).size() - i;
+        break;
+      }
+    }
+  }
+  return counts;
+}
+
+}
+
+// Not a walk too few, nor one too many.
+TEST(InvalidWalks, AreThoseThatChangedByDefinition)
+{
+  for (const bool isClosed : { true, false })
+  {
+    test::MovingScene scene(1, isClosed, 71);
+    EngineSettings settings;
+    settings.numberOfWalks = test::scaled(3000);
+    IrradianceEngine engine;
+    Execution execution;
+    engine.update(scene.objects(), settings, execution);
+    auto before = std::make_unique<Frame>(scene.objects(), settings);
+    for (int frame = 1; frame <= 12; ++frame)
+    {
+      scene.nextFrame();
+      auto now = std::make_unique<Frame>(scene.objects(), settings);
+      engine.update(scene.objects(), settings, execution);
+      const Counts counts = countByDefinition(*before, *now, settings.numberOfWalks);
+      EXPECT_EQ(engine.statistics().invalidWalks, counts.invalid) << "frame " << frame;
+      EXPECT_EQ(engine.statistics().repairedSegments, counts.repaired) << "frame " << frame;
+      before = std::move(now);
+    }
+  }
+}
+
+}

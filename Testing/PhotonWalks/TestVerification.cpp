@@ -1,0 +1,229 @@
+#include "EngineRun.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::box;
+using test::grey;
+using test::shift;
+
+constexpr std::uint32_t kWalks = 4096;
+constexpr double kFar = -20; ///< behind the emitter, out of the way
+
+/**
+ * A black tube along x, from an emitting end of 1 m2 at x = 0 to x = 10, and two black plates P and
+ * Q that close it where they stand. All walks have one segment and the same power of 2^33 quanta, so
+ * that cell sums count walks. This is Figure 4 of the paper with nothing left to chance.
+ *
+ *     |------P-------Q----|
+ *     |      |       |    |
+ *     |------|-------|----|
+ */
+class Tube
+{
+public:
+  Tube(bool isClosed, bool cache)
+  {
+    const Box walls = box({ 0, 0, 0 }, { 10, 1, 1 });
+    test::ObjectBuilder tube, plate;
+    tube.addSide(walls, 0, 1, grey(0, 1), true);
+    for (int side = isClosed ? 1 : 2; side < 6; ++side)
+    {
+      tube.addSide(walls, side, 10, grey(0), true);
+    }
+    plate.addQuad({ 0, -0.5, -0.5 }, { 0, 2, 0 }, { 0, 0, 2 }, 1, 1, grey(0));
+    objects_ = { tube.build(), { plate.build(), plate.build() } };
+    settings_.numberOfWalks = kWalks;
+    settings_.cacheStaticHits = cache;
+    move(0, kFar);
+    move(1, kFar);
+    alone_ = std::make_unique<Tube>(*this);
+  }
+  Tube(const Tube& other)
+    : objects_(other.objects_)
+    , settings_(other.settings_)
+  {
+    update();
+  }
+
+  void move(std::size_t plate, double x)
+  {
+    objects_.dynamic[plate].worldFromObject = shift({ x, 0, 0 });
+  }
+  /// Moves a plate; returns the number of walks that were found invalid.
+  std::int64_t movePlate(std::size_t plate, double x)
+  {
+    move(plate, x);
+    update();
+    EXPECT_EQ(engine_.statistics().repairedSegments, engine_.statistics().invalidWalks);
+    EXPECT_EQ(test::answerOf(engine_, objects_), test::freshAnswer(objects_, settings_));
+    return engine_.statistics().invalidWalks;
+  }
+  void update() { engine_.update(objects_, settings_, execution_); }
+
+  std::int64_t onPlate(std::size_t plate) const
+  {
+    return engine_.sums().sum(static_cast<std::uint32_t>(plate + 1), 0, 0, 0) >> 33;
+  }
+  std::int64_t escaped() const { return engine_.balance().escaped[0] >> 33; }
+  /// Hits on the tube with x in (from, to); its end is at 10.
+  std::int64_t between(double from, double to) const
+  {
+    const TriangleMesh& mesh = objects_.fixed.body->mesh();
+    std::int64_t quanta = 0;
+    for (std::size_t i = 0; i < mesh.size(); i += 2) // two triangles a cell
+    {
+      const double x = mesh[i].bounds().center()[0];
+      quanta += x > from && x < to ? engine_.sums().sum(0, i / 2, 0, 0) : 0;
+    }
+    return quanta >> 33;
+  }
+  /// The same tube with both plates out of the way.
+  const Tube& alone() const { return *alone_; }
+  const IrradianceEngine& engine() const { return engine_; }
+
+private:
+  SceneObjects objects_;
+  EngineSettings settings_;
+  IrradianceEngine engine_;
+  Execution execution_;
+  std::unique_ptr<Tube> alone_;
+};
+
+constexpr double kEnd = 11;
+
+class Verification : public testing::TestWithParam<bool> // static-hit cache
+{
+};
+
+}
+
+TEST_P(Verification, StaticHitStaysWhereNothingCame)
+{
+  Tube tube(true, GetParam());
+  tube.update();
+  EXPECT_EQ(tube.between(-1, kEnd), kWalks);
+  EXPECT_EQ(tube.movePlate(0, kFar - 5), 0);
+  EXPECT_EQ(tube.movePlate(0, 12), 0); // behind all hits
+  EXPECT_EQ(tube.between(-1, kEnd), kWalks);
+}
+
+TEST_P(Verification, StaticHitIsOccluded)
+{
+  Tube tube(true, GetParam());
+  tube.update();
+  const std::int64_t behind = tube.alone().between(5, kEnd);
+  ASSERT_GT(behind, 10);
+  EXPECT_EQ(tube.movePlate(0, 5), behind);
+  EXPECT_EQ(tube.onPlate(0), behind);
+  EXPECT_EQ(tube.between(5, kEnd), 0);
+  EXPECT_EQ(tube.between(-1, 5), kWalks - behind);
+}
+
+TEST_P(Verification, DynamicHitStaysWhenOthersMoveBehindIt)
+{
+  Tube tube(true, GetParam());
+  tube.move(0, 5);
+  tube.update();
+  const test::Answer before = { tube.onPlate(0), tube.between(-1, 5) };
+  for (const double x : { 8.0, 6.0, 9.0, kFar })
+  {
+    EXPECT_EQ(tube.movePlate(1, x), 0);
+  }
+  EXPECT_EQ((test::Answer{ tube.onPlate(0), tube.between(-1, 5) }), before);
+}
+
+TEST_P(Verification, DynamicHitIsOccludedByAnotherObject)
+{
+  Tube tube(true, GetParam());
+  tube.move(0, 7);
+  tube.update();
+  EXPECT_EQ(tube.movePlate(1, 4), tube.alone().between(4, kEnd));
+  EXPECT_EQ(tube.onPlate(1), tube.alone().between(4, kEnd));
+  EXPECT_EQ(tube.onPlate(0), 0);
+}
+
+TEST_P(Verification, HitObjectComesCloser)
+{
+  Tube tube(true, GetParam());
+  tube.move(0, 7);
+  tube.update();
+  EXPECT_EQ(tube.movePlate(0, 3), tube.alone().between(3, kEnd));
+  EXPECT_EQ(tube.onPlate(0), tube.alone().between(3, kEnd));
+}
+
+TEST_P(Verification, HitObjectGoesFarther)
+{
+  Tube tube(true, GetParam());
+  tube.move(0, 3);
+  tube.update();
+  EXPECT_EQ(tube.movePlate(0, 7), tube.alone().between(3, kEnd));
+  EXPECT_EQ(tube.onPlate(0), tube.alone().between(7, kEnd));
+  EXPECT_EQ(tube.between(3, 7), tube.alone().between(3, 7)); // static hits behind the old place
+}
+
+TEST_P(Verification, StaticAndDynamicHitsBehindAnObjectThatWent)
+{
+  Tube tube(true, GetParam());
+  tube.move(0, 4);
+  tube.move(1, 8);
+  tube.update();
+  EXPECT_EQ(tube.onPlate(1), 0);
+  EXPECT_EQ(tube.movePlate(0, kFar), tube.alone().between(4, kEnd));
+  EXPECT_EQ(tube.onPlate(0), 0);
+  EXPECT_EQ(tube.between(4, 8), tube.alone().between(4, 8));
+  EXPECT_EQ(tube.onPlate(1), tube.alone().between(8, kEnd));
+}
+
+TEST_P(Verification, NothingBehindAnObjectThatWent)
+{
+  Tube tube(false, GetParam());
+  tube.move(0, 9);
+  tube.update();
+  EXPECT_EQ(tube.escaped(), 0);
+  EXPECT_EQ(tube.movePlate(0, kFar), tube.alone().between(9, kEnd) + tube.alone().escaped());
+  EXPECT_GT(tube.escaped(), 10);
+  EXPECT_EQ(tube.escaped(), tube.alone().escaped());
+  const std::int64_t escaped = tube.escaped();
+  EXPECT_EQ(tube.movePlate(0, 9), tube.alone().between(9, kEnd) + escaped);
+  EXPECT_EQ(tube.escaped(), 0);
+}
+
+// However little an object moves, the walks that hit it are shot again from there.
+TEST_P(Verification, MotionOfAnUlpIsAMotion)
+{
+  Tube tube(true, GetParam());
+  tube.move(0, 5);
+  tube.update();
+  EXPECT_EQ(tube.movePlate(0, 5), 0) << "not moved";
+  const std::int64_t onPlate = tube.onPlate(0);
+  EXPECT_EQ(tube.movePlate(0, std::nextafter(5, 6)), onPlate) << "moved by an ulp";
+}
+
+// A static hit that gets hidden, hidden deeper, hidden by another, and free again: section 3.3.
+TEST_P(Verification, HiddenStaticHitsComeBack)
+{
+  Tube tube(true, GetParam());
+  tube.update();
+  const test::Answer before = { tube.between(0, 3), tube.between(3, 6), tube.between(6, kEnd) };
+  tube.movePlate(0, 6);
+  tube.movePlate(0, 3);
+  tube.movePlate(1, 1);
+  tube.movePlate(0, 8);
+  tube.movePlate(1, kFar);
+  EXPECT_EQ(tube.onPlate(0), tube.alone().between(8, kEnd));
+  tube.movePlate(0, kFar);
+  EXPECT_EQ(
+    (test::Answer{ tube.between(0, 3), tube.between(3, 6), tube.between(6, kEnd) }), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(StaticHitCache, Verification, testing::Bool(),
+  [](const testing::TestParamInfo<bool>& info) { return info.param ? "On" : "Off"; });
+
+}
