@@ -87,15 +87,6 @@ std::string CaptionOf(int frame, int frames, const FrameReport& report)
   return text;
 }
 
-void PrintPower(const FrameReport& last)
-{
-  char line[160];
-  std::snprintf(line, sizeof line,
-    "Last frame: %.6g W emitted, %.6g W absorbed, %.6g W escaped from the closed room.\n",
-    last.EmittedPower, last.AbsorbedPower, last.EscapedPower);
-  std::cout << line;
-}
-
 // What is compared at the end; Uncached and Afresh are null without a comparison.
 struct Performances
 {
@@ -184,7 +175,8 @@ int Run(const Options& options)
   const TeapotScene scene = MakeScene(options);
   PrintScene(scene, options);
   MakeFolder(options.Output);
-  Recording recording({ options.Output, options.Pictures, options.Width, options.Height });
+  Recording recording(
+    { options.Output, options.Pictures, options.Width, options.Height, options.SmoothingPasses });
   const Performances play = Play(scene, options, recording);
   return PrintResults(play, options) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

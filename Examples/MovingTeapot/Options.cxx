@@ -82,8 +82,9 @@ struct Texts
   std::string Threads = "0";
   std::string Output = "./MovingTeapot-output";
   std::string Size = "1280x720";
+  std::string Smooth = "2";
   std::string Traversal = "parallel";
-  std::string CellSize = "0.045";
+  std::string CellSize = "0.046";
   std::string TeapotSegments = "10";
   std::string Head;
   std::string Teapot;
@@ -113,6 +114,7 @@ constexpr TextOption TextOptions[] = {
   { "--threads", "N", &Texts::Threads, "threads; 0: all there are" },
   { "--output", "FOLDER", &Texts::Output, "where everything is written" },
   { "--size", "WxH", &Texts::Size, "size of the pictures in pixels" },
+  { "--smooth", "N", &Texts::Smooth, "times to smooth head and teapot in the pictures" },
   { "--traversal", "MODE", &Texts::Traversal, "onetree, sequential or parallel" },
   { "--cell-size", "M", &Texts::CellSize, "edge of the cells of the walls in m" },
   { "--teapot-segments", "N", &Texts::TeapotSegments, "cuts along each edge of a teapot patch" },
@@ -195,6 +197,7 @@ Options ReadOptions(int argc, char* argv[])
   options.Pictures = !texts.NoPictures;
   options.Comparison = !texts.NoComparison;
   ReadSize(texts.Size, options.Width, options.Height);
+  options.SmoothingPasses = ReadCount("--smooth", texts.Smooth, 0);
   options.TraversalMode = ReadTraversalMode(texts.Traversal);
   options.CellSize = ReadNumber("--cell-size", texts.CellSize, 0.005, 1.0);
   options.TeapotSegments = ReadCount("--teapot-segments", texts.TeapotSegments, 2);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
+#include "CellArea.h"
+#include "Smoothing.h"
 #include "TeapotScene.h"
 
 #include <vtkActor.h>
@@ -9,12 +11,10 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkDataArray.h>
-#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolygon.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -77,12 +77,7 @@ void AddCells(vtkPolyData* mesh, std::vector<LitArea>& cells)
   vtkDataArray* irradiance = mesh->GetCellData()->GetArray(Irradiance);
   for (vtkIdType i = 0; irradiance && i < mesh->GetNumberOfCells(); ++i)
   {
-    vtkNew<vtkIdList> ids;
-    mesh->GetCellPoints(i, ids);
-    double normal[3];
-    const double area =
-      vtkPolygon::ComputeArea(mesh->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
-    cells.push_back({ irradiance->GetTuple1(i), area });
+    cells.push_back({ irradiance->GetTuple1(i), CellArea(mesh, i) });
   }
 }
 
@@ -125,8 +120,9 @@ bool HasDisplay()
 #endif
 }
 
-Picture::Picture(int width, int height)
+Picture::Picture(int width, int height, int smoothingPasses)
   : Height(height)
+  , SmoothingPasses(smoothingPasses)
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(0);
@@ -147,7 +143,13 @@ vtkSmartPointer<vtkImageData> Picture::Draw(vtkMultiBlockDataSet* scene, const s
   }
   for (std::size_t i = 0; i < this->Mappers.size(); ++i)
   {
-    this->Mappers[i]->SetInputData(meshes[i]);
+    vtkNew<vtkPolyData> shown;
+    shown->ShallowCopy(meshes[i]);
+    if (i != RoomBlock && i != LampBlock)
+    {
+      SmoothCellArray(shown, Irradiance, this->SmoothingPasses);
+    }
+    this->Mappers[i]->SetInputData(shown);
   }
   this->Caption->SetInput(caption.c_str());
   this->Window->Render();
@@ -231,10 +233,10 @@ void Picture::AddCaption()
 void Picture::PlaceCamera()
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetFocalPoint(0.0, 0.0, 1.15);
-  camera->SetPosition(0.0, -6.0, 1.15);
+  camera->SetFocalPoint(0.0, 0.0, 1.2);
+  camera->SetPosition(0.0, -6.0, 1.2);
   camera->SetViewUp(0.0, 0.0, 1.0);
-  camera->SetViewAngle(29.0);
+  camera->SetViewAngle(29.6);
   camera->SetWindowCenter(0.12, -0.03); // leaves margins to the colour bar and the caption
   this->Renderer->ResetCameraClippingRange();
 }

@@ -28,7 +28,8 @@ bool HasDisplay();
 class Picture
 {
 public:
-  Picture(int width, int height); // pixels
+  /** Width and height in pixels; for the smoothing see Smoothing.h, the walls are left as they are. */
+  Picture(int width, int height, int smoothingPasses);
   ~Picture();
 
   /**
@@ -45,6 +46,7 @@ private:
   void PlaceCamera();
 
   int Height;
+  int SmoothingPasses;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkColorTransferFunction> Colors;

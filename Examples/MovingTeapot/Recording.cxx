@@ -38,7 +38,7 @@ Recording::Recording(const RecordingConfig& config)
   if (config.Pictures)
   {
     MakeFolder(config.Folder + "/pictures");
-    this->View = std::make_unique<Picture>(config.Width, config.Height);
+    this->View = std::make_unique<Picture>(config.Width, config.Height, config.SmoothingPasses);
     this->Movie->SetFileName((config.Folder + "/" + Name + ".ogv").c_str());
     this->Movie->SetRate(FramesPerSecond);
     this->Movie->SetQuality(2);

@@ -21,6 +21,7 @@ struct RecordingConfig
   std::string Folder;
   bool Pictures = true;
   int Width = 1280, Height = 720; // pixels
+  int SmoothingPasses = 2;
 };
 
 /**

@@ -15,11 +15,11 @@ namespace movingteapot
 namespace
 {
 
-constexpr Box RoomBox = { -1.7, 1.7, -1.1, 1.1, 0.0, 2.3 };
-constexpr Box PlinthBox = { -0.35, 0.35, -0.25, 0.45, 0.0, 0.4 };
-constexpr Box HeadBox = { -0.475, 0.475, -0.375, 0.575, 0.4, 1.35 };
-constexpr Box TeapotBox = { -0.6, 0.6, -0.6, 0.6, 0.0, 1.2 }; // in its own frame
-constexpr Box LampBox = { -0.6, 0.6, -0.85, -0.05, 2.29, 2.29 };
+constexpr Box RoomBox = { -1.7, 1.7, -1.1, 1.1, 0.0, 2.4 };
+constexpr Box PlinthBox = { -0.32, 0.32, -0.2, 0.44, 0.0, 0.4 };
+constexpr Box HeadBox = { -0.45, 0.45, -0.33, 0.57, 0.4, 1.3 };
+constexpr Box TeapotBox = { -0.58, 0.58, -0.58, 0.58, 0.0, 1.16 }; // in its own frame
+constexpr Box LampBox = { -0.6, 0.6, -0.85, -0.05, 2.39, 2.39 };
 constexpr double LampExitance = 250.0; // W/m2; 240 W in all
 
 // Floor dark, walls grey, ceiling light, as in the usual office.

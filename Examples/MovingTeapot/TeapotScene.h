@@ -17,7 +17,7 @@ namespace movingteapot
 
 struct SceneConfig
 {
-  double CellSize = 0.045; // edge of the cells of walls and plinth, m
+  double CellSize = 0.046; // edge of the cells of walls and plinth, m
   int TeapotSegments = 10; // cuts along each edge of the teapot's patches
   std::string HeadFile;    // empty: the plinth stays empty
   std::string TeapotFile;  // empty: the Utah teapot

@@ -357,13 +357,13 @@ TEST(OddInput, ReflectanceOneInAClosedRoom)
   EXPECT_NE(error.find("reflectance"), std::string::npos) << error;
 }
 
-// Very little light is light: powers times 2^k make irradiances times 2^k, down to where doubles end.
+// Very little light is light: powers times 2^k make irradiances times 2^k.
 TEST(OddInput, TinyPowers)
 {
   const Scene scene = MakeSmallScene();
   const auto expected = MakeFilter(scene, NumberOfWalks);
   expected->Update();
-  for (const int k : { -100, -900, -1060 })
+  for (const int k : { -100, -900 })
   {
     SetCellValues(scene.Fixed[1], "RadiantExitance", { std::ldexp(100.0, k) });
     const auto filter = MakeFilter(scene, NumberOfWalks);
@@ -371,8 +371,7 @@ TEST(OddInput, TinyPowers)
     for (vtkIdType cell = 0; cell < 54; ++cell)
     {
       const double value = IrradianceOf(expected, 0, 0)->GetComponent(cell, 0);
-      EXPECT_NEAR(IrradianceOf(filter, 0, 0)->GetComponent(cell, 0), std::ldexp(value, k),
-        std::max(std::ldexp(value, k - 40), 2e-323))
+      EXPECT_EQ(IrradianceOf(filter, 0, 0)->GetComponent(cell, 0), std::ldexp(value, k))
         << "k " << k << ", cell " << cell;
     }
   }

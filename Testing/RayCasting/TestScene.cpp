@@ -1,0 +1,263 @@
+#include "Scene.h"
+
+#include "TestRays.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <initializer_list>
+
+// Law: the same bits in all traversal modes, and they are those of brute force.
+
+namespace irradiance
+{
+namespace
+{
+
+using test::exactly;
+using test::kFewer;
+using test::kRayKinds;
+using test::NamedScene;
+using test::RayKind;
+using test::RaySource;
+
+constexpr TraversalMode kModes[] = { TraversalMode::OneTree, TraversalMode::Sequential,
+  TraversalMode::Parallel };
+
+bool haveSameBits(const Hit& a, const Hit& b)
+{
+  return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id;
+}
+
+class SceneLaw : public testing::TestWithParam<NamedScene>
+{
+protected:
+  std::size_t numberOfObjects() const { return GetParam().objects.size(); }
+
+  /// Rays at the triangles of all objects, where they stand in the world.
+  RaySource rays(unsigned seed) const
+  {
+    const Scene scene = GetParam().scene(TraversalMode::Parallel);
+    std::vector<Triangle> triangles;
+    std::vector<TriangleId> ids;
+    for (std::uint32_t object = 0; object <= numberOfObjects(); ++object)
+    {
+      const std::size_t size =
+        (object == 0 ? GetParam().still : GetParam().objects[object - 1].body)->mesh().size();
+      for (std::uint32_t i = 0; i < size; ++i)
+      {
+        ids.push_back({ object, i });
+        triangles.push_back(scene.worldTriangle(ids.back()));
+      }
+    }
+    return RaySource(triangles, seed, ids);
+  }
+
+  Hit bruteForceAll(const Ray& ray) const
+  {
+    return bruteForce(GetParam(), ray, std::vector<bool>(numberOfObjects() + 1, true));
+  }
+};
+
+TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
+{
+  constexpr unsigned kSeed = 1;
+  constexpr int kRays = 15000 / kFewer;
+  // The last: each object the other way, loose or rigid.
+  NamedScene other = GetParam();
+  for (PlacedObject& object : other.objects)
+  {
+    object.isLoose = !object.isLoose;
+  }
+  std::vector<std::pair<std::string, Scene>> scenes;
+  for (const TraversalMode mode : kModes)
+  {
+    const std::string name = std::to_string(static_cast<int>(mode));
+    scenes.emplace_back("mode " + name, GetParam().scene(mode));
+    scenes.emplace_back("loose for rigid, mode " + name, other.scene(mode));
+  }
+  RaySource source = rays(kSeed);
+  int hits = 0, wrong = 0;
+  for (const RayKind kind : kRayKinds)
+  {
+    for (int i = 0; i < kRays; ++i)
+    {
+      const Ray ray = source.next(kind);
+      const Hit expected = bruteForceAll(ray);
+      hits += expected ? 1 : 0;
+      for (const auto& [name, scene] : scenes)
+      {
+        const Hit found = scene.cast(ray);
+        if (!haveSameBits(found, expected) && ++wrong <= 5)
+        {
+          ADD_FAILURE() << name << ", seed " << kSeed << ", " << nameOf(kind) << " ray " << i
+                        << ": " << exactly(ray) << "\n  brute force " << exactly(expected)
+                        << "\n  found " << exactly(found);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0) << "of " << kRays * kRayKinds.size() * scenes.size();
+  EXPECT_GT(hits, 2 * kRays);
+}
+
+// castDynamic and castMoved see the objects they should and no others, and keep a better hit.
+TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
+{
+  constexpr unsigned kSeed = 2;
+  constexpr int kRays = 6000 / kFewer;
+  std::vector<bool> dynamic(numberOfObjects() + 1, true), chosen(numberOfObjects() + 1, false);
+  dynamic[0] = false;
+  std::vector<bool> moved(numberOfObjects(), false);
+  for (std::size_t i = 1; i < moved.size(); i += 3)
+  {
+    chosen[i + 1] = moved[i] = true;
+  }
+  const Scene scene = GetParam().scene(TraversalMode::Sequential, moved);
+  RaySource source = rays(kSeed);
+  int hits = 0;
+  for (const RayKind kind : kRayKinds)
+  {
+    for (int i = 0; i < kRays; ++i)
+    {
+      const Ray ray = source.next(kind);
+      const Hit all = bruteForceAll(ray);
+      for (const Hit& best : { Hit{}, all, Hit{ all ? 1.5 * all.distance : 1.0, { 0, 0 } } })
+      {
+        const std::string text = nameOf(kind) + (" ray " + std::to_string(i)) + ": " +
+          exactly(ray) + " with " + exactly(best);
+        const Hit inDynamic = bruteForce(GetParam(), ray, dynamic, best);
+        EXPECT_TRUE(haveSameBits(scene.castDynamic(ray, best), inDynamic)) << text;
+        const Hit inMoved = bruteForce(GetParam(), ray, chosen, best);
+        EXPECT_TRUE(haveSameBits(scene.castMoved(ray, best), inMoved)) << text;
+        const bool isCloser = inMoved != best;
+        hits += isCloser ? 1 : 0;
+        EXPECT_TRUE(!isCloser || scene.movedMayTouch(ray.origin, ray.direction, best.distance))
+          << text << " found " << exactly(inMoved);
+      }
+    }
+  }
+  EXPECT_GT(hits, kRays / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Scenes, SceneLaw, testing::ValuesIn(test::testScenes()), test::NameOfMesh());
+
+TEST(Scene, WithoutMovedObjectsNothingMayTouch)
+{
+  const Scene scene = test::hardMaps().scene(TraversalMode::Parallel);
+  EXPECT_FALSE(scene.movedMayTouch({ 2, 1, 1 }, { 0, 0, 1 }, kInfinity));
+  EXPECT_FALSE(scene.castMoved({ { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
+}
+
+TEST(Scene, RejectsMostRaysThatMissTheMovedObjects)
+{
+  constexpr unsigned kSeed = 3;
+  const NamedScene scenes = { "one ball", test::bodyOf(test::room()),
+    { { test::bodyOf(test::icosphere(2)), { 0.1 * Matrix3::Identity(), { 2, 1.5, 1.5 } } } } };
+  const Scene scene = scenes.scene(TraversalMode::Parallel, { true });
+  test::RandomVectors random(kSeed);
+  int mayTouch = 0, touch = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Ray ray{ { 2 + random.uniform(), 1.5 + random.uniform(), 0.2 }, random.direction(), {} };
+    mayTouch += scene.movedMayTouch(ray.origin, ray.direction, kInfinity) ? 1 : 0;
+    touch += scene.castMoved(ray, {}) ? 1 : 0;
+  }
+  EXPECT_GT(touch, 50);
+  EXPECT_LT(mayTouch, 1.2 * touch); // the ellipsoid of a ball is hardly larger
+}
+
+// The hit of two triangles at one distance is that of the smaller number, in all modes.
+TEST(Scene, BreaksTiesByObjectAndTriangle)
+{
+  const Triangle triangle{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  const auto twice = test::bodyOf({ triangle, triangle });
+  const AffineMap identity;
+  for (const bool isLoose : { false, true })
+  {
+    const NamedScene both{ "", twice,
+      { { twice, identity, isLoose }, { twice, identity, !isLoose } } };
+    for (const TraversalMode mode : kModes)
+    {
+      const Scene scene = both.scene(mode, { true, true });
+      Ray ray{ { 0.2, 0.3, 2 }, { 0, 0, -1 }, {} };
+      EXPECT_EQ(scene.cast(ray), (Hit{ 2, { 0, 0 } }));
+      EXPECT_EQ(scene.castDynamic(ray, {}), (Hit{ 2, { 1, 0 } }));
+      EXPECT_EQ(scene.castMoved(ray, Hit{ 2, { 1, 1 } }), (Hit{ 2, { 1, 0 } }));
+      EXPECT_EQ(scene.castMoved(ray, Hit{ 2, { 0, 1 } }), (Hit{ 2, { 0, 1 } }));
+      ray.start = { 0, 0 };
+      EXPECT_EQ(scene.cast(ray), (Hit{ 2, { 0, 1 } }));
+    }
+  }
+}
+
+TEST(Scene, GivesWorldTrianglesAndNormals)
+{
+  const Triangle triangle{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  const AffineMap mirrored{ test::stretch(2, -1, 1), { 0, 0, 5 } };
+  const NamedScene one{ "", test::bodyOf({ triangle }),
+    { { test::bodyOf({ triangle }), mirrored } } };
+  const Scene scene = one.scene(TraversalMode::Parallel);
+  EXPECT_EQ(scene.worldTriangle({ 0, 0 }), triangle);
+  EXPECT_EQ(scene.worldTriangle({ 1, 0 }), (Triangle{ { 0, 0, 5 }, { 2, 0, 5 }, { 0, -1, 5 } }));
+
+  const Ray up{ { 0.5, -0.25, 2 }, { 0, 0, 3 }, {} };
+  const Hit hit = scene.cast(up);
+  ASSERT_EQ(hit, (Hit{ 1, { 1, 0 } }));
+  const SurfacePoint point = scene.surfaceAt(up, hit);
+  // The mirrored triangle's front looks down, against the ray.
+  EXPECT_TRUE(point.isFront);
+  EXPECT_EQ(point.normal, Vector3(0, 0, -1));
+  EXPECT_LT((point.position - Vector3(0.5, -0.25, 5)).norm(), 1e-14);
+
+  const Ray down{ { 0.5, -0.25, 8 }, { 0, 0, -3 }, {} };
+  const SurfacePoint back = scene.surfaceAt(down, scene.cast(down));
+  EXPECT_FALSE(back.isFront);
+  EXPECT_EQ(back.normal, Vector3(0, 0, 1));
+}
+
+// Scaling all lengths by a power of two gives the same hits at scaled distances.
+TEST(Scene, ScalesExactly)
+{
+  constexpr unsigned kSeed = 4;
+  const NamedScene original = test::hardMaps();
+  for (const double factor : { 0x1p-30, 0x1p20 })
+  {
+    NamedScene scaled = original;
+    scaled.still = test::bodyOf(test::scaled(original.still->mesh().triangles(), factor));
+    for (PlacedObject& object : scaled.objects)
+    {
+      object.worldFromObject.linear *= factor;
+      object.worldFromObject.translation *= factor;
+    }
+    const Scene one = original.scene(TraversalMode::Parallel);
+    const Scene other = scaled.scene(TraversalMode::Parallel);
+    RaySource source(original.still->mesh().triangles(), kSeed);
+    for (const RayKind kind : kRayKinds)
+    {
+      for (int i = 0; i < 10000 / kFewer; ++i)
+      {
+        const Ray ray = source.next(kind);
+        Hit expected = one.cast(ray);
+        // The direction has no unit: distances scale.
+        const Ray scaledRay{ factor * ray.origin, ray.direction, ray.start };
+        const Hit found = other.cast(scaledRay);
+        if (expected)
+        {
+          const SurfacePoint p = one.surfaceAt(ray, expected),
+                             q = other.surfaceAt(scaledRay, found);
+          EXPECT_EQ(q.position, factor * p.position);
+          EXPECT_EQ(q.margin, factor * p.margin);
+          EXPECT_EQ(q.normal, p.normal);
+        }
+        expected.distance *= factor;
+        ASSERT_TRUE(haveSameBits(found, expected)) << factor << ' ' << exactly(ray);
+      }
+    }
+  }
+}
+
+}
+}

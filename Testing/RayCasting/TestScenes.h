@@ -1,0 +1,178 @@
+#ifndef irradiance_test_TestScenes_h
+#define irradiance_test_TestScenes_h
+
+#include "Scene.h"
+
+#include "TestMeshes.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Scenes with objects under hard maps, in each other and in walls; and brute force over them.
+
+namespace irradiance::test
+{
+
+struct NamedScene
+{
+  std::string name;
+  std::shared_ptr<const RigidObject> still;
+  std::vector<PlacedObject> objects;
+
+  Scene scene(TraversalMode mode, const std::vector<bool>& moved = {}) const
+  {
+    Scene made;
+    made.setStatic(still);
+    made.setDynamic(objects);
+    made.setTraversalMode(mode);
+    made.commit(moved);
+    return made;
+  }
+};
+
+inline void PrintTo(const NamedScene& scene, std::ostream* out)
+{
+  *out << scene.name;
+}
+
+/// The closest hit among the chosen objects (0: static) without any tree, if closer than `best`.
+inline Hit bruteForce(
+  const NamedScene& scene, const Ray& ray, const std::vector<bool>& chosen, Hit best = {})
+{
+  for (std::uint32_t object = 0; object <= scene.objects.size(); ++object)
+  {
+    if (!chosen[object])
+    {
+      continue;
+    }
+    const RigidObject& body = object == 0 ? *scene.still : *scene.objects[object - 1].body;
+    Vector3 origin = ray.origin, direction = ray.direction;
+    if (object > 0)
+    {
+      const AffineMap& worldFromObject = scene.objects[object - 1].worldFromObject;
+      const Matrix3 inverse = worldFromObject.linear.inverse();
+      origin = inverse * (ray.origin - worldFromObject.translation);
+      direction = inverse * ray.direction;
+    }
+    const ShearedRay sheared(origin, direction);
+    for (std::uint32_t i = 0; i < body.mesh().size(); ++i)
+    {
+      Hit hit{ 0, { object, i } };
+      if (sheared.meets(body.mesh()[i], hit.distance) && hit.id != ray.start && isCloser(hit, best))
+      {
+        best = hit;
+      }
+    }
+  }
+  return best;
+}
+
+inline std::shared_ptr<const RigidObject> bodyOf(const Triangles& triangles)
+{
+  return std::make_shared<RigidObject>(TriangleMesh(triangles));
+}
+
+inline Matrix3 stretch(double x, double y, double z)
+{
+  return Vector3(x, y, z).asDiagonal();
+}
+
+/// Rotation, shear, reflection, flattened a million times; overlapping each other and the walls.
+inline NamedScene hardMaps()
+{
+  RandomVectors random(11);
+  const auto turn = [&] { return random.rotation(); };
+  const auto box = bodyOf(boxOfCells({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }, { 2, 2, 2 }));
+  const auto ball = bodyOf(icosphere(1)), ring = bodyOf(torus(12, 6));
+  const auto heap = bodyOf(randomSoup(60, 12));
+  Matrix3 shear = Matrix3::Identity();
+  shear(0, 1) = 1.5;
+  shear(2, 0) = -0.7;
+  return { "hard maps", bodyOf(room()),
+    { { box, { turn(), { 1, 1, 1 } } }, { box, { shear, { 2, 1.5, 1 } } },
+      { ball, { stretch(-0.6, 0.6, 0.6) * turn(), { 1.5, 1, 1.2 } } },
+      { ring, { turn() * stretch(1, 1, 1e-6) * turn(), { 2, 1.2, 0.7 } } },
+      { ball, { turn() * stretch(1e-6, 1e-6, 1.5) * turn(), { 2, 1.5, 1 } } },
+      { heap, { stretch(0.5, 0.5, 0.5), { 3, 2, 1 } }, true },
+      { ring, { turn() * stretch(1, 1e-3, 30) * turn(), { 2, 1.5, 1.2 } }, true },
+      { box, { 1e-6 * turn(), { 2.2, 1.1, 0.4 } } },
+      { box, { stretch(1, 1, 1), { 0.5, 0.5, 0.5 } } } } }; // its sides lie in the walls
+}
+
+/// More objects than any list of recent ones remembers, an empty one among them.
+inline NamedScene manyObjects()
+{
+  RandomVectors random(13);
+  const auto box = bodyOf(boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 }));
+  const auto ball = bodyOf(icosphere(1)), nothing = bodyOf({});
+  NamedScene scene{ "many objects", bodyOf(boxOfCells({ 0, 0, 0 }, { 4, 3, 2.5 }, { 4, 3, 2 })),
+    {} };
+  for (int i = 0; i < 26; ++i)
+  {
+    const Vector3 center =
+      Vector3(2, 1.5, 1.25) + Vector3(1.9, 1.4, 1.2).cwiseProduct(random.inCube());
+    const Matrix3 linear = random.powerOfTwo(-3, 0) * random.rotation();
+    scene.objects.push_back({ i == 5 ? nothing
+        : i % 3 == 0                 ? ball
+                                     : box,
+      { linear, center }, i % 5 == 4 });
+  }
+  return scene;
+}
+
+/// The same box many times in one place: exactly, or turned by quarters so that only rounding
+/// parts the copies; and the same once more as static geometry.
+inline NamedScene coincidentBoxes(const Matrix3& common, const char* name)
+{
+  const Triangles box = boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 2, 2, 2 });
+  const Vector3 center(0.3, -0.2, 0.1);
+  const AffineMap place{ common, center };
+  NamedScene scene{ name, bodyOf(moved(box, place)), {} };
+  const auto body = bodyOf(box);
+  for (int i = 0; i < 12; ++i)
+  {
+    Matrix3 quarter = Matrix3::Identity();
+    for (int k = 0; k < i % 4; ++k)
+    {
+      const Matrix3 turn = (Matrix3() << 0, -1, 0, 0, 0, 1, -1, 0, 0).finished();
+      quarter = turn * quarter;
+    }
+    scene.objects.push_back({ body, { common * quarter, center }, i % 5 == 3 });
+  }
+  return scene;
+}
+
+inline NamedScene withoutStatic()
+{
+  NamedScene scene = hardMaps();
+  scene.name = "without static";
+  scene.still = bodyOf({});
+  return scene;
+}
+
+/// Far from the origin, where a rounded position is far off by the measure of the objects.
+inline NamedScene farAway()
+{
+  NamedScene scene = hardMaps();
+  scene.name = "far away";
+  const Vector3 offset(3e4, -2e4, 1e4);
+  scene.still = bodyOf(moved(room(), { Matrix3::Identity(), offset }));
+  for (PlacedObject& object : scene.objects)
+  {
+    object.worldFromObject.translation += offset;
+  }
+  return scene;
+}
+
+inline std::vector<NamedScene> testScenes()
+{
+  return { hardMaps(), manyObjects(), coincidentBoxes(Matrix3::Identity(), "coincident boxes"),
+    coincidentBoxes(RandomVectors(14).rotation(), "coincident boxes, turned"), withoutStatic(),
+    farAway() };
+}
+
+}
+
+#endif

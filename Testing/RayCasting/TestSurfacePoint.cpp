@@ -1,0 +1,180 @@
+#include "Scene.h"
+
+#include "TestMeshes.h"
+#include "TestRays.h"
+
+#include <gtest/gtest.h>
+
+// Where a ray leaves a surface: on it, clear of it and of its neighbours.
+
+namespace irradiance
+{
+namespace
+{
+
+using test::exactly;
+using test::kFewer;
+using test::NamedMesh;
+using test::RandomVectors;
+
+/// Half of them close to an edge or to a corner; the sum is 1 up to rounding.
+Vector3 randomWeights(RandomVectors& random)
+{
+  const double s = random.uniform(0, 1), t = random.uniform(0, 1) * (1 - s);
+  Vector3 weights(s, t, 1 - s - t);
+  const auto i = static_cast<int>(random.engine() % 3);
+  switch (random.engine() % 6)
+  {
+    case 0:
+      weights[i] = random.powerOfTwo(-60, -1);
+      break;
+    case 1:
+      weights[i] = 0;
+      break;
+    case 2:
+      weights[i] = random.powerOfTwo(-60, -1);
+      weights[(i + 1) % 3] = random.powerOfTwo(-60, -1);
+      break;
+    default:
+      break;
+  }
+  return weights / weights.sum();
+}
+
+/// On the side of the normal; one in five grazes.
+Vector3 randomDirection(const Vector3& normal, RandomVectors& random)
+{
+  Vector3 direction = random.direction();
+  double cosine = direction.dot(normal);
+  direction -= cosine * normal;
+  cosine = std::abs(cosine);
+  if (random.engine() % 5 == 0)
+  {
+    cosine *= random.powerOfTwo(-24, 0);
+  }
+  return (direction + cosine * normal).normalized();
+}
+
+class SpawnedRays : public testing::TestWithParam<NamedMesh>
+{
+};
+
+// Law: a ray that leaves the inside of a closed mesh meets the inside of the mesh.
+TEST_P(SpawnedRays, StayInAClosedMesh)
+{
+  constexpr unsigned kSeed = 1;
+  constexpr int kRays = 150000 / kFewer;
+  Scene scene;
+  const auto body = std::make_shared<RigidObject>(TriangleMesh(GetParam().triangles));
+  scene.setStatic(body);
+  scene.commit({});
+  RandomVectors random(kSeed);
+  int leaks = 0, losses = 0;
+  for (int i = 0; i < kRays; ++i)
+  {
+    const TriangleId start{ 0, static_cast<std::uint32_t>(random.engine() % body->mesh().size()) };
+    SurfacePoint point = surfacePoint(body->mesh()[start.triangle], randomWeights(random));
+    point.normal = -point.normal; // fronts are outside
+    const Ray ray{ point.clearPosition(), randomDirection(point.normal, random), start };
+    const Hit hit = scene.castStatic(ray, {});
+    const bool isLeak = !hit;
+    const bool isLoss = hit && scene.surfaceAt(ray, hit).isFront; // met from outside
+    leaks += isLeak ? 1 : 0;
+    losses += isLoss ? 1 : 0;
+    if ((isLeak || isLoss) && leaks + losses <= 3)
+    {
+      ADD_FAILURE() << "seed " << kSeed << " ray " << i << ": " << exactly(ray) << "\n  of "
+                    << exactly(body->mesh()[start.triangle]) << "\n  " << exactly(hit);
+    }
+  }
+  EXPECT_EQ(leaks, 0) << "of " << kRays;
+  EXPECT_EQ(losses, 0) << "of " << kRays;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  ClosedMeshes, SpawnedRays, testing::ValuesIn(test::closedMeshes()), test::NameOfMesh());
+
+TEST(SurfacePoint, HasTheFrontsNormalAndAMarginByTheCoordinates)
+{
+  const Triangle triangle{ { 3, 0, 5 }, { 4, 0, 5 }, { 3, 2, 5 } };
+  const SurfacePoint point = surfacePoint(triangle, { 0.25, 0.25, 0.5 });
+  EXPECT_EQ(point.normal, Vector3(0, 0, 1));
+  EXPECT_TRUE(point.isFront);
+  EXPECT_EQ(point.margin, 5 * 0x1p-33);
+  EXPECT_EQ(point.position, Vector3(3.25, 1, 5));
+  EXPECT_EQ(point.clearPosition(), Vector3(3.25, 1, 5 + 5 * 0x1p-33));
+}
+
+TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
+{
+  constexpr unsigned kSeed = 2;
+  RandomVectors random(kSeed);
+  for (int i = 0; i < 200000 / kFewer; ++i)
+  {
+    const double size = random.powerOfTwo(-12, 3);
+    const Vector3 a = random.inCube();
+    const Triangle triangle{ a, a + size * random.inCube(), a + size * random.inCube() };
+    const Vector3 edges[] = { triangle.c - triangle.b, triangle.a - triangle.c,
+      triangle.b - triangle.a };
+    const Vector3 corners[] = { triangle.b, triangle.c, triangle.a };
+    const double area = triangle.areaVector().norm();
+    const double perimeter = edges[0].norm() + edges[1].norm() + edges[2].norm();
+    const Vector3 weights = randomWeights(random);
+    const SurfacePoint point = surfacePoint(triangle, weights);
+    const double inradius = area / perimeter;
+    if (inradius < 4 * point.margin)
+    {
+      continue; // no room for the margin
+    }
+    const double rounding = 0x1p-45;
+    EXPECT_LT(std::abs(point.normal.dot(point.position - a)), rounding * (1 + size)) << i;
+    double clearance = kInfinity;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 inwards = point.normal.cross(edges[k]).normalized();
+      clearance = std::min(clearance, inwards.dot(point.position - corners[k]));
+    }
+    // The weights are brought back to a sum of 1, which takes a little of the margin.
+    EXPECT_GT(clearance, 0.5 * point.margin) << "seed " << kSeed << " triangle " << i;
+    // Nowhere has it gone farther than the inset of two edges asks for.
+    const Vector3 exact =
+      weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
+    const double longest = std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
+    EXPECT_LT((point.position - exact).norm(),
+      4 * point.margin * longest * longest / area + rounding * (1 + size))
+      << "seed " << kSeed << " triangle " << i;
+  }
+}
+
+TEST(SurfacePoint, OfATriangleThinnerThanTheMarginStaysInIt)
+{
+  const Triangle sliver{ { 1, 0, 0 }, { 2, 0, 0 }, { 1.5, 1e-12, 0 } };
+  const SurfacePoint point = surfacePoint(sliver, { 1, 0, 0 });
+  EXPECT_GE(point.position[0], 1);
+  EXPECT_LE(point.position[0], 2);
+  EXPECT_GE(point.position[1], 0);
+  EXPECT_LE(point.position[1], 1e-12);
+}
+
+TEST(SurfacePoint, ScalesExactly)
+{
+  constexpr unsigned kSeed = 3;
+  RandomVectors random(kSeed);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Triangle triangle{ random.inCube(), random.inCube(), random.inCube() };
+    const Vector3 weights = randomWeights(random);
+    const SurfacePoint point = surfacePoint(triangle, weights);
+    for (const double factor : { 0x1p-60, 0x1p-3, 0x1p40 })
+    {
+      const SurfacePoint scaled =
+        surfacePoint({ factor * triangle.a, factor * triangle.b, factor * triangle.c }, weights);
+      ASSERT_EQ(scaled.position, factor * point.position) << "seed " << kSeed << ' ' << i;
+      ASSERT_EQ(scaled.margin, factor * point.margin);
+      ASSERT_EQ(scaled.normal, point.normal);
+    }
+  }
+}
+
+}
+}
