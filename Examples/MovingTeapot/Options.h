@@ -17,7 +17,7 @@ struct Options
   bool Pictures;
   bool Comparison;
   int Width, Height;      // pixels
-  int SmoothingPasses;    // of head, plinth and teapot in the pictures
+  int SmoothingPasses;    // of head and teapot in the pictures
   int TraversalMode;      // of vtkIrradianceFilter: one tree, sequential, parallel
   double CellSize;        // m
   int TeapotSegments;     // cuts along each edge of a patch

@@ -28,7 +28,7 @@ bool HasDisplay();
 class Picture
 {
 public:
-  /** Width and height in pixels; for the smoothing see Smoothing.h, the walls are left as they are. */
+  /** Width and height in pixels. Head and teapot are smoothed (see Smoothing.h), walls are not. */
   Picture(int width, int height, int smoothingPasses);
   ~Picture();
 

@@ -19,8 +19,8 @@ constexpr Box RoomBox = { -1.7, 1.7, -1.1, 1.1, 0.0, 2.4 };
 constexpr Box PlinthBox = { -0.32, 0.32, -0.2, 0.44, 0.0, 0.4 };
 constexpr Box HeadBox = { -0.45, 0.45, -0.33, 0.57, 0.4, 1.3 };
 constexpr Box TeapotBox = { -0.58, 0.58, -0.58, 0.58, 0.0, 1.16 }; // in its own frame
-constexpr Box LampBox = { -0.6, 0.6, -0.85, -0.05, 2.39, 2.39 };
-constexpr double LampExitance = 250.0; // W/m2; 240 W in all
+constexpr Box LampBox = { -0.8, 0.8, -0.9, 0.1, 2.39, 2.39 };
+constexpr double LampExitance = 150.0; // W/m2; 240 W in all
 
 // Floor dark, walls grey, ceiling light, as in the usual office.
 constexpr double FloorReflectance = 0.2;

@@ -32,9 +32,10 @@ struct TeapotScene
   vtkSmartPointer<vtkPolyData> Teapot; // in its own frame: standing on the origin
 };
 
-/** Where these two stand among the filter's static inputs, and so among its output's leaves. */
+/** Where these stand among the filter's static inputs, and so among its output's leaves. */
 constexpr int RoomBlock = 0;
 constexpr int LampBlock = 1;
+constexpr int PlinthBlock = 2;
 
 /** Throws std::runtime_error when a file cannot be used. */
 TeapotScene MakeTeapotScene(const SceneConfig& config);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of the scene, against what is known of them beforehand.
+#include "CellArea.h"
 #include "GridBox.h"
 #include "MeshFile.h"
 #include "OffFile.h"
 #include "Options.h"
+#include "Smoothing.h"
 #include "TeapotPath.h"
 #include "TeapotScene.h"
 #include "UtahTeapot.h"
@@ -11,6 +13,7 @@
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -333,6 +336,36 @@ TEST(MeshFile, FitsAMeshIntoABox)
   {
     EXPECT_NEAR(b[i], expected[i], 1e-6);
   }
+}
+
+TEST(Smoothing, KeepsPowerAndConstants)
+{
+  auto teapot = MakeUtahTeapot(5);
+  const vtkIdType count = teapot->GetNumberOfCells();
+  vtkNew<vtkDoubleArray> spike, constant;
+  spike->SetName("Spike");
+  constant->SetName("Constant");
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    spike->InsertNextValue(cell == 77 ? 3.0 : 0.0);
+    constant->InsertNextValue(7.0);
+  }
+  const double power = 3.0 * CellArea(teapot, 77);
+  teapot->GetCellData()->AddArray(spike);
+  teapot->GetCellData()->AddArray(constant);
+  SmoothCellArray(teapot, "Spike", 2);
+  SmoothCellArray(teapot, "Constant", 2);
+
+  vtkDataArray* smooth = teapot->GetCellData()->GetArray("Spike");
+  double sum = 0.0;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    sum += smooth->GetTuple1(cell) * CellArea(teapot, cell);
+    EXPECT_NEAR(teapot->GetCellData()->GetArray("Constant")->GetTuple1(cell), 7.0, 1e-12);
+  }
+  EXPECT_NEAR(sum, power, 1e-12 * power);
+  EXPECT_LT(smooth->GetTuple1(77), 1.0);
+  EXPECT_EQ(spike->GetTuple1(77), 3.0); // the input's own array is not touched
 }
 
 TEST(TeapotPath, StaysInTheRoomAndAboveTheHead)

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Collects the texts of the errors and warnings of a filter, which then are not printed.
+/// Collects the texts of the errors and warnings of a filter.
 class ErrorObserver : public vtkCommand
 {
 public:

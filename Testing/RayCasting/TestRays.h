@@ -113,6 +113,13 @@ public:
     return p + t * (q - p);
   }
   RandomVectors& random() { return random_; }
+  /// Contains all origins.
+  Box originBounds() const
+  {
+    Box box = bounds_;
+    box.inflate(20 * bounds_.extent().maxCoeff());
+    return box;
+  }
 
 private:
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_.engine); }

@@ -63,7 +63,7 @@ protected:
 TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
 {
   constexpr unsigned kSeed = 1;
-  constexpr int kRays = 15000 / kFewer;
+  constexpr int kRays = 8000 / kFewer;
   // The last: each object the other way, loose or rigid.
   NamedScene other = GetParam();
   for (PlacedObject& object : other.objects)
@@ -106,7 +106,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
 TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
 {
   constexpr unsigned kSeed = 2;
-  constexpr int kRays = 6000 / kFewer;
+  constexpr int kRays = 3000 / kFewer;
   std::vector<bool> dynamic(numberOfObjects() + 1, true), chosen(numberOfObjects() + 1, false);
   dynamic[0] = false;
   std::vector<bool> moved(numberOfObjects(), false);
@@ -114,26 +114,27 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
   {
     chosen[i + 1] = moved[i] = true;
   }
-  const Scene scene = GetParam().scene(TraversalMode::Sequential, moved);
   RaySource source = rays(kSeed);
+  const Scene scene = GetParam().scene(TraversalMode::Sequential, moved, source.originBounds());
   int hits = 0;
   for (const RayKind kind : kRayKinds)
   {
     for (int i = 0; i < kRays; ++i)
     {
-      const Ray ray = source.next(kind);
+      Ray ray = source.next(kind);
+      ray.direction.normalize(); // movedMayTouch() counts on it
       const Hit all = bruteForceAll(ray);
       for (const Hit& best : { Hit{}, all, Hit{ all ? 1.5 * all.distance : 1.0, { 0, 0 } } })
       {
         const std::string text = nameOf(kind) + (" ray " + std::to_string(i)) + ": " +
           exactly(ray) + " with " + exactly(best);
         const Hit inDynamic = bruteForce(GetParam(), ray, dynamic, best);
-        EXPECT_TRUE(haveSameBits(scene.castDynamic(ray, best), inDynamic)) << text;
+        ASSERT_TRUE(haveSameBits(scene.castDynamic(ray, best), inDynamic)) << text;
         const Hit inMoved = bruteForce(GetParam(), ray, chosen, best);
-        EXPECT_TRUE(haveSameBits(scene.castMoved(ray, best), inMoved)) << text;
+        ASSERT_TRUE(haveSameBits(scene.castMoved(ray, best), inMoved)) << text;
         const bool isCloser = inMoved != best;
         hits += isCloser ? 1 : 0;
-        EXPECT_TRUE(!isCloser || scene.movedMayTouch(ray.origin, ray.direction, best.distance))
+        ASSERT_TRUE(!isCloser || scene.movedMayTouch(ray.origin, ray.direction, best.distance))
           << text << " found " << exactly(inMoved);
       }
     }
@@ -155,7 +156,7 @@ TEST(Scene, RejectsMostRaysThatMissTheMovedObjects)
 {
   constexpr unsigned kSeed = 3;
   const NamedScene scenes = { "one ball", test::bodyOf(test::room()),
-    { { test::bodyOf(test::icosphere(2)), { 0.1 * Matrix3::Identity(), { 2, 1.5, 1.5 } } } } };
+    { { test::bodyOf(test::icosphere(2)), { 0.4 * Matrix3::Identity(), { 2, 1.5, 1.5 } } } } };
   const Scene scene = scenes.scene(TraversalMode::Parallel, { true });
   test::RandomVectors random(kSeed);
   int mayTouch = 0, touch = 0;
@@ -165,7 +166,7 @@ TEST(Scene, RejectsMostRaysThatMissTheMovedObjects)
     mayTouch += scene.movedMayTouch(ray.origin, ray.direction, kInfinity) ? 1 : 0;
     touch += scene.castMoved(ray, {}) ? 1 : 0;
   }
-  EXPECT_GT(touch, 50);
+  EXPECT_GT(touch, 200);
   EXPECT_LT(mayTouch, 1.2 * touch); // the ellipsoid of a ball is hardly larger
 }
 

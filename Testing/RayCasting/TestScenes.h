@@ -21,9 +21,11 @@ struct NamedScene
   std::shared_ptr<const RigidObject> still;
   std::vector<PlacedObject> objects;
 
-  Scene scene(TraversalMode mode, const std::vector<bool>& moved = {}) const
+  Scene scene(
+    TraversalMode mode, const std::vector<bool>& moved = {}, const Box& pointSources = {}) const
   {
     Scene made;
+    made.setPointSources(pointSources);
     made.setStatic(still);
     made.setDynamic(objects);
     made.setTraversalMode(mode);
