@@ -138,7 +138,7 @@ int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
   std::set<double> steps;
-  double range[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN };
+  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
@@ -146,9 +146,13 @@ int vtkIrradianceFilter::RequestInformation(
       vtkInformation* info = inputs[port]->GetInformationObject(i);
       auto* stepsKey = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
       auto* rangeKey = vtkStreamingDemandDrivenPipeline::TIME_RANGE();
-      if (info->Has(stepsKey))
+      if (info->Has(stepsKey) && info->Length(stepsKey) > 0)
       {
-        steps.insert(info->Get(stepsKey), info->Get(stepsKey) + info->Length(stepsKey));
+        const double* times = info->Get(stepsKey);
+        const int count = info->Length(stepsKey);
+        steps.insert(times, times + count);
+        range[0] = std::min(range[0], *std::min_element(times, times + count));
+        range[1] = std::max(range[1], *std::max_element(times, times + count));
       }
       if (info->Has(rangeKey))
       {

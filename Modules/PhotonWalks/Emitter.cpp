@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace irradiance
 {
@@ -30,8 +31,13 @@ EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWa
   {
     int exponent;
     std::frexp(cumulative_.back(), &exponent);
-    quantum_ = std::ldexp(1.0, exponent - 46);
+    const int smallest = std::numeric_limits<double>::min_exponent; // below lie subnormals, then 0
+    quantum_ = std::ldexp(1.0, std::max(exponent - 46, smallest));
     totalQuanta_ = static_cast<std::uint64_t>(std::llround(cumulative_.back() / quantum_));
+  }
+  if (totalQuanta_ == 0)
+  {
+    emitters_.clear(); // too weak for a double
   }
 }
 

@@ -22,8 +22,8 @@ public:
   /// as red, green and blue; by its square root, near to what displays expect.
   void Add(vtkPolyData* polyData, double brightest);
 
-  /// True if picture and baseline agree. Where there is no baseline or another picture than expected,
-  /// it is written.
+  /// True if picture and baseline agree. A picture that is expected to, and does not, is written to
+  /// the build folder.
   bool IsSame(const std::string& name, bool isExpected);
 
 private:

@@ -375,4 +375,11 @@ TEST(OddInput, TinyPowers)
         << "k " << k << ", cell " << cell;
     }
   }
+  // Below the normal doubles a light counts as none.
+  SetCellValues(scene.Fixed[1], "RadiantExitance", { std::ldexp(100.0, -1060) });
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_EQ(observer->Warnings.size(), 1u);
+  EXPECT_EQ(IrradianceOf(filter, 0, 0)->GetComponent(0, 0), 0.0);
 }

@@ -105,8 +105,8 @@ TEST(CellTypes, PolyVertexIsSeveralLights)
   const auto filter = MakeFilter({ { Join({ near, far }), lights }, {} }, 60000);
   filter->SetDefaultDiffuseReflectance(0);
   filter->Update();
-  // Each half flux over a face of a cube of 2 m around it, nearly a sixth; the other light adds less
-  // than 1 m / (4 pi (11.3 m)^3) per W.
+  // Half of the flux over a face of a cube of 2 m around the light: a sixth of it. The other light,
+  // 11.3 m away, adds less than 1 m / (4 pi (11.3 m)^3) of its flux per m2.
   for (vtkIdType cell = 0; cell < 2; ++cell)
   {
     EXPECT_NEAR(IrradianceOf(filter, 0, 0)->GetComponent(cell, 0), 30.0 / 6 / 4, 0.03);

@@ -9,9 +9,9 @@ namespace irradiance::test
 {
 
 /**
- * A room of 4 x 4 x 4 m with a lamp, lit from a point as well, and six objects in it: a rigid box, a
- * sheared sphere, a mirrored box that reaches through a wall, a box that leaves the room and comes
- * back, a sphere that deforms, and one with loose triangles. In each frame some of them rest.
+ * A room of 4 x 4 x 4 m with a lamp, lit from a point as well, and six objects in it: a rigid box,
+ * a sheared sphere, a mirrored box that reaches through a wall, a sphere that leaves the room and
+ * comes back, one that deforms, and one with loose triangles. In each frame some of them rest.
  */
 class MovingScene
 {

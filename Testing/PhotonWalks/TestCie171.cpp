@@ -16,7 +16,8 @@ using test::lambertIrradiance;
 using test::meanOverRectangle;
 using test::Replicates;
 
-// |t| > 3 with 15 degrees of freedom happens by chance in 0.9 % of the comparisons; seeds are fixed.
+// |t| > 3 with 15 degrees of freedom happens by chance in 0.9 % of the comparisons; seeds are
+// fixed.
 constexpr int kSeeds = 16;
 
 /// Calls `use(engine)` for each seed.

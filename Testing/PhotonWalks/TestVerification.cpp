@@ -18,8 +18,8 @@ constexpr double kFar = -20; ///< behind the emitter, out of the way
 
 /**
  * A black tube along x, from an emitting end of 1 m2 at x = 0 to x = 10, and two black plates P and
- * Q that close it where they stand. All walks have one segment and the same power of 2^33 quanta, so
- * that cell sums count walks. This is Figure 4 of the paper with nothing left to chance.
+ * Q that close it where they stand. All walks have one segment and the same power of 2^33 quanta,
+ * so that cell sums count walks. This is Figure 4 of the paper with nothing left to chance.
  *
  *     |------P-------Q----|
  *     |      |       |    |

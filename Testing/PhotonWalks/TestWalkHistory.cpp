@@ -94,7 +94,8 @@ void expectEqual(const WalkBlock& block, const Model& model, bool withSides)
   }
 }
 
-/// 20,000 random operations on 50 walks. A tail is never empty: a walk ends with a hit or an escape.
+/// 20,000 random operations on 50 walks. A tail is never empty: a walk ends with a hit or an
+/// escape.
 void compareWithModel(unsigned seed, int bands, bool withSides)
 {
   RandomEntries random(seed);

@@ -94,6 +94,31 @@ TEST_P(SpawnedRays, StayInAClosedMesh)
 INSTANTIATE_TEST_SUITE_P(
   ClosedMeshes, SpawnedRays, testing::ValuesIn(test::closedMeshes()), test::NameOfMesh());
 
+// A ray must get away from what lies in the plane of its triangle, too.
+TEST(SurfacePoint, IsClearOfCoplanarTriangles)
+{
+  constexpr unsigned kSeed = 5;
+  RandomVectors random(kSeed);
+  int met = 0;
+  for (int pose = 0; pose < 10; ++pose)
+  {
+    const TriangleMesh mesh(test::coincidentSheets(random.rotation()));
+    for (int i = 0; i < 2000 / kFewer; ++i)
+    {
+      const auto start = static_cast<std::uint32_t>(random.engine() % mesh.size());
+      const SurfacePoint point = surfacePoint(mesh[start], randomWeights(random));
+      const Vector3 direction = randomDirection(point.normal, random);
+      const ShearedRay ray(point.clearPosition(), direction);
+      for (std::uint32_t k = 0; k < mesh.size(); ++k)
+      {
+        double distance;
+        met += k != start && ray.meets(mesh[k], distance) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(met, 0) << "seed " << kSeed;
+}
+
 TEST(SurfacePoint, HasTheFrontsNormalAndAMarginByTheCoordinates)
 {
   const Triangle triangle{ { 3, 0, 5 }, { 4, 0, 5 }, { 3, 2, 5 } };
