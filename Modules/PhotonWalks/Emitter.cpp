@@ -75,8 +75,7 @@ void EmitterTable::add(const Emitter& emitter)
 {
   if (emitter.totalFlux() > 0)
   {
-    cumulative_.push_back(
-      (cumulative_.empty() ? 0.0 : cumulative_.back()) + emitter.totalFlux());
+    cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + emitter.totalFlux());
     emitters_.push_back(emitter);
   }
 }
@@ -99,11 +98,9 @@ Power EmitterTable::powerOf(std::uint32_t walk, const Emitter& emitter) const
 
 WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) const
 {
-  const double chosen =
-    samples.sample(walk, 0, SampleUse::Emitter)[0] * cumulative_.back();
+  const double chosen = samples.sample(walk, 0, SampleUse::Emitter)[0] * cumulative_.back();
   const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, chosen);
-  const Emitter& emitter =
-    emitters_[static_cast<std::size_t>(found - cumulative_.begin())];
+  const Emitter& emitter = emitters_[static_cast<std::size_t>(found - cumulative_.begin())];
 
   const auto direction = samples.sample(walk, 0, SampleUse::Direction);
   const Power power = powerOf(walk, emitter);
@@ -111,8 +108,8 @@ WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) 
   {
     return { { emitter.triangle.a, sampleSphere(direction), emitter.id }, power };
   }
-  const SurfacePoint point = surfacePoint(
-    emitter.triangle, sampleTriangle(samples.sample(walk, 0, SampleUse::Position)));
+  const SurfacePoint point =
+    surfacePoint(emitter.triangle, sampleTriangle(samples.sample(walk, 0, SampleUse::Position)));
   return { { point.clearPosition(), sampleCosineHemisphere(point.normal, direction), emitter.id },
     power };
 }

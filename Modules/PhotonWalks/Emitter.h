@@ -15,8 +15,8 @@ namespace irradiance
 /// A triangle of a cell with exitance, or a point light, in world space.
 struct Emitter
 {
-  TriangleId id;     ///< none for a point light
-  Triangle triangle; ///< a point light stands in all three corners
+  TriangleId id;                               ///< none for a point light
+  Triangle triangle;                           ///< a point light stands in all three corners
   std::array<double, Power::kMaxBands> flux{}; ///< W
 
   bool isPoint() const { return id == TriangleId{}; }

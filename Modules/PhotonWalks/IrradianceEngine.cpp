@@ -39,6 +39,12 @@ struct IrradianceEngine::Phase
     Clock::time_point end_ = Clock::now() + kSlice;
   };
 
+  Phase(double from, double to)
+    : progressFrom(from)
+    , progressTo(to)
+  {
+  }
+
   double progressFrom, progressTo;
   /// Works on a block from item `next` until its end or the deadline.
   std::function<void(
@@ -139,8 +145,8 @@ void IrradianceEngine::update(
   isValid_ = true;
 }
 
-bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings,
-  const EmitterTable& emitters) const
+bool IrradianceEngine::canRepair(
+  const SceneObjects& objects, const EngineSettings& settings, const EmitterTable& emitters) const
 {
   const auto isSameObject = [&](std::uint32_t i) { return isSameLook(objects[i], objects_[i]); };
   if (!isValid_ || !settings.verify || !settings_.verify ||
@@ -205,7 +211,7 @@ void IrradianceEngine::shootAll(Execution& execution)
   }
   const SobolSequence samples(settings_.seed);
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  Phase phase{ 0, 1 };
+  Phase phase(0, 1);
   phase.size = [this](std::size_t block) { return walksIn(block); };
   phase.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
                  PowerBalance& balance) {
@@ -236,8 +242,8 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
 {
   if (!settings_.cacheStaticHits)
   {
-    std::for_each(history_.begin(), history_.end(),
-      [](WalkBlock& block) { block.forgetAllStaticHits(); });
+    std::for_each(
+      history_.begin(), history_.end(), [](WalkBlock& block) { block.forgetAllStaticHits(); });
   }
   if (std::none_of(moved.begin(), moved.end(), [](bool b) { return b; }) || emitters_.isEmpty())
   {
@@ -250,10 +256,10 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   const WalkVerifier verifier(scene_, shooter, moved);
   std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
 
-  Phase verification{ 0, 0.5 };
+  Phase verification(0, 0.5);
   verification.size = [this](std::size_t block) { return walksIn(block); };
-  verification.work = [&](std::size_t block, std::uint32_t& next,
-                        const Phase::Deadline& deadline, PowerBalance&) {
+  verification.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
+                        PowerBalance&) {
     for (; next < walksIn(block) && (next % 16 != 0 || !deadline.hasPassed()); ++next)
     {
       const auto walk = static_cast<std::uint32_t>(block) * WalkBlock::kWalks + next;
@@ -268,7 +274,7 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
 
   start = Clock::now();
   std::atomic<std::int64_t> repaired{ 0 };
-  Phase repair{ 0.5, 1 };
+  Phase repair(0.5, 1);
   repair.size = [&](std::size_t block) { return static_cast<std::uint32_t>(stale[block].size()); };
   repair.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
                   PowerBalance& balance) {

@@ -46,8 +46,7 @@ public:
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
   /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0.
-  double irradiance(
-    std::uint32_t object, std::size_t cell, int side, int band, double area) const;
+  double irradiance(std::uint32_t object, std::size_t cell, int side, int band, double area) const;
   /// Watts of a number of quanta.
   double watts(std::int64_t quanta) const
   {

@@ -15,8 +15,8 @@ inline Power reflected(const Power& incoming, const Surface& surface, std::uint3
   Power outgoing;
   for (int band = 0; band < surface.bands; ++band)
   {
-    outgoing[band] = std::llround(
-      surface.reflectanceOf(triangle, band) * static_cast<double>(incoming[band]));
+    outgoing[band] =
+      std::llround(surface.reflectanceOf(triangle, band) * static_cast<double>(incoming[band]));
   }
   return outgoing;
 }
@@ -38,10 +38,11 @@ inline Power playRoulette(const Power& power, std::int64_t threshold, double u)
     return {};
   }
   Power survivor;
+  const __int128 divisor = strongest;
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     const __int128 scaled = static_cast<__int128>(power[band]) * threshold;
-    survivor[band] = static_cast<std::int64_t>((2 * scaled + strongest) / (2 * strongest));
+    survivor[band] = static_cast<std::int64_t>((2 * scaled + divisor) / (2 * divisor)); // rounded
   }
   return survivor;
 }

@@ -39,8 +39,7 @@ public:
     const std::uint32_t index = scrambled(walk, static_cast<std::uint32_t>(key));
     // The first dimension reverses the bits of the index; scrambling reverses them once more.
     return { toUnit(reversed(permuted(index, static_cast<std::uint32_t>(scrambles)))),
-      toUnit(
-        reversed(permuted(pascal(index), static_cast<std::uint32_t>(scrambles >> 32)))) };
+      toUnit(reversed(permuted(pascal(index), static_cast<std::uint32_t>(scrambles >> 32)))) };
   }
 
   /// Bits in reverse order: van der Corput's radical inverse as a fixed-point number.

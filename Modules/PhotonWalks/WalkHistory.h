@@ -104,8 +104,8 @@ private:
   void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);
   void closeHoles();
   void resizePools(std::size_t size);
-  void copySegments(const WalkBlock& from, std::uint32_t source, std::uint32_t target,
-    std::uint32_t count);
+  void copySegments(
+    const WalkBlock& from, std::uint32_t source, std::uint32_t target, std::uint32_t count);
 
   int bands_;
   bool withSides_;

@@ -23,8 +23,8 @@ void WalkShooter::resume(std::uint32_t walk, std::uint32_t bounce, const WalkSeg
   follow(walk, bounce, segment, incoming, thresholdOf(first), trace);
 }
 
-Ray WalkShooter::storedRay(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
-  std::uint32_t bounce) const
+Ray WalkShooter::storedRay(
+  const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk, std::uint32_t bounce) const
 {
   const WalkSegment& segment = block.segment(walkInBlock, bounce);
   return { segment.origin, segment.direction,
@@ -46,8 +46,7 @@ void WalkShooter::follow(std::uint32_t walk, std::uint32_t bounce, WalkSegment s
     power = reflected(power, *objects_[id.object].surface, id.triangle);
     if (power.largest() < threshold)
     {
-      power = playRoulette(
-        power, threshold, samples_.sample(walk, bounce, SampleUse::Roulette)[0]);
+      power = playRoulette(power, threshold, samples_.sample(walk, bounce, SampleUse::Roulette)[0]);
     }
     if (power.isZero())
     {
@@ -60,8 +59,7 @@ void WalkShooter::follow(std::uint32_t walk, std::uint32_t bounce, WalkSegment s
         "(reflectance 1)");
     }
     const Ray ray{ point.clearPosition(),
-      sampleCosineHemisphere(
-        point.normal, samples_.sample(walk, bounce, SampleUse::Direction)),
+      sampleCosineHemisphere(point.normal, samples_.sample(walk, bounce, SampleUse::Direction)),
       id };
     segment = { ray.origin, ray.direction, scene_.cast(ray) };
   }

@@ -43,10 +43,7 @@ private:
   void follow(std::uint32_t walk, std::uint32_t bounce, WalkSegment segment, Power power,
     std::int64_t threshold, WalkTrace& trace) const;
 
-  static std::int64_t thresholdOf(const Power& first)
-  {
-    return first.largest() / kRouletteDivisor;
-  }
+  static std::int64_t thresholdOf(const Power& first) { return first.largest() / kRouletteDivisor; }
 
   const Scene& scene_;
   const SceneObjects& objects_;

@@ -19,8 +19,7 @@ std::optional<StaleSegment> WalkVerifier::firstStaleSegment(
     // The hit stands where it stood: valid, unless a moved object came in front of it.
     if (scene_.movedMayTouch(segment.origin, segment.direction, old.distance))
     {
-      const Hit now =
-        scene_.castMoved(shooter_.storedRay(block, walkInBlock, walk, bounce), old);
+      const Hit now = scene_.castMoved(shooter_.storedRay(block, walkInBlock, walk, bounce), old);
       if (now != old)
       {
         return StaleSegment{ walkInBlock, bounce, now };

@@ -22,8 +22,7 @@ class KdTraversal
 {
 public:
   /// `start`: the caller knows that there is no hit before this distance.
-  KdTraversal(
-    const KdTree& tree, const Vector3& origin, const Vector3& direction, double start = 0)
+  KdTraversal(const KdTree& tree, const Vector3& origin, const Vector3& direction, double start = 0)
     : nodes_(tree.nodes.data())
     , references_(tree.references.data())
   {

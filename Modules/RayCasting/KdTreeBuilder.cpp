@@ -164,8 +164,8 @@ private:
   {
     std::size_t begin = 0, end = 0, flat = 0;
     std::size_t left = 0, right = count;
-    while (begin < events_.begins.size() || end < events_.ends.size() ||
-      flat < events_.flats.size())
+    while (
+      begin < events_.begins.size() || end < events_.ends.size() || flat < events_.flats.size())
     {
       double x = kInfinity;
       x = begin < events_.begins.size() ? std::min(x, events_.begins[begin]) : x;

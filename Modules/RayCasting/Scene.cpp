@@ -53,10 +53,8 @@ void castMesh(const RigidObject& body, const Vector3& origin, const Vector3& dir
 /// condition of the map. 2^-44 leaves room for sums of a few hundred such errors.
 double roundTripError(const AffineMap& map, const Matrix3& inverse, double magnitude)
 {
-  const double condition =
-    (map.linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff();
-  return 0x1p-44 * std::max(1.0, condition) *
-    (magnitude + map.translation.cwiseAbs().maxCoeff());
+  const double condition = (map.linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff();
+  return 0x1p-44 * std::max(1.0, condition) * (magnitude + map.translation.cwiseAbs().maxCoeff());
 }
 
 Box boundsOf(const AffineMap& map, const Box& box)
@@ -213,8 +211,8 @@ void Scene::place(double magnitude, const std::vector<PlacedObject>& objects)
     const Matrix3 inverse = object.worldFromObject.linear.inverse();
     const double error = roundTripError(object.worldFromObject, inverse, magnitude);
     placed_.push_back({ object, inverse, error,
-      EllipsoidBound(object.body->ellipsoid(), object.body->mesh().bounds(),
-        object.worldFromObject, error) });
+      EllipsoidBound(
+        object.body->ellipsoid(), object.body->mesh().bounds(), object.worldFromObject, error) });
   }
 }
 
@@ -226,9 +224,8 @@ const TriangleMesh& Scene::meshOf(std::uint32_t object) const
 Triangle Scene::worldTriangle(const TriangleId& id) const
 {
   const Triangle& triangle = meshOf(id.object)[id.triangle];
-  return id.object == 0
-    ? triangle
-    : transformed(placed_[id.object - 1].object.worldFromObject, triangle);
+  return id.object == 0 ? triangle
+                        : transformed(placed_[id.object - 1].object.worldFromObject, triangle);
 }
 
 Scene::TopTree Scene::buildTop(
@@ -311,8 +308,7 @@ Hit Scene::castMoved(const Ray& ray, Hit best) const
   return castTop(movedTree_, ray, best);
 }
 
-bool Scene::movedMayTouch(
-  const Vector3& origin, const Vector3& direction, double distance) const
+bool Scene::movedMayTouch(const Vector3& origin, const Vector3& direction, double distance) const
 {
   constexpr std::size_t kFewerThanTree = 8;
   if (moved_.size() > kFewerThanTree)
@@ -383,10 +379,9 @@ Hit Scene::castParallel(const Ray& ray) const
 SurfacePoint Scene::surfaceAt(const Ray& ray, const Hit& hit) const
 {
   const bool isStatic = hit.id.object == 0;
-  const ShearedRay sheared = isStatic
-    ? ShearedRay(ray.origin, ray.direction)
-    : ShearedRay(placed_[hit.id.object - 1].toObject(ray.origin),
-        placed_[hit.id.object - 1].inverse * ray.direction);
+  const ShearedRay sheared = isStatic ? ShearedRay(ray.origin, ray.direction)
+                                      : ShearedRay(placed_[hit.id.object - 1].toObject(ray.origin),
+                                          placed_[hit.id.object - 1].inverse * ray.direction);
   double distance;
   Vector3 weights;
   sheared.meets(meshOf(hit.id.object)[hit.id.triangle], distance, &weights);

@@ -52,8 +52,8 @@ public:
     // A triangle seen edge-on has a silhouette of width zero up to rounding: where along it the ray
     // passes is noise, so such a meeting does not count. Zero-area triangles end here as well.
     const double determinant = u + v + w;
-    const double spread = std::max({ a.head<2>().squaredNorm(), b.head<2>().squaredNorm(),
-      c.head<2>().squaredNorm() });
+    const double spread =
+      std::max({ a.head<2>().squaredNorm(), b.head<2>().squaredNorm(), c.head<2>().squaredNorm() });
     if (!(std::abs(determinant) > kEdgeOn * spread))
     {
       return false;

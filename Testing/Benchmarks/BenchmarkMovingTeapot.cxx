@@ -50,8 +50,8 @@ Spread spreadOf(std::vector<double> values)
 void print(const char* what, const std::vector<double>& values)
 {
   const Spread spread = spreadOf(values);
-  std::printf("| %-58s | %8.4f | %8.4f .. %8.4f |\n", what, spread.median, spread.smallest,
-    spread.largest);
+  std::printf(
+    "| %-58s | %8.4f | %8.4f .. %8.4f |\n", what, spread.median, spread.smallest, spread.largest);
 }
 
 ConvertedPolyData convert(const char* name, vtkPolyData* input)
@@ -82,8 +82,8 @@ void append(ConvertedPolyData& all, const ConvertedPolyData& part)
   all.surface.reflectance.insert(all.surface.reflectance.end(), part.surface.reflectance.begin(),
     part.surface.reflectance.end());
   all.surface.exitance.resize(first, 0.0);
-  all.surface.exitance.insert(all.surface.exitance.end(), part.surface.exitance.begin(),
-    part.surface.exitance.end());
+  all.surface.exitance.insert(
+    all.surface.exitance.end(), part.surface.exitance.begin(), part.surface.exitance.end());
   all.surface.exitance.resize(all.surface.numberOfCells, 0.0);
 }
 
@@ -178,8 +178,7 @@ void timeRound(SceneObjects objects, const EngineSettings& settings, int frames,
     const double whole = cpuSeconds() - start;
     const EngineStatistics& cost = engine.statistics();
     // The engine's own clocks run on while the machine does other things; only their ratio counts.
-    const double verifying =
-      whole * cost.verifySeconds / (cost.verifySeconds + cost.repairSeconds);
+    const double verifying = whole * cost.verifySeconds / (cost.verifySeconds + cost.repairSeconds);
     timings.verifyOverShoot.push_back(verifying / shooting);
     timings.repairOverShoot.push_back((whole - verifying) / shooting);
     timings.frameOverShoot.push_back(whole / shooting);

@@ -42,10 +42,10 @@ EmbreeScene::~EmbreeScene()
 RTCGeometry EmbreeScene::makeMesh(const TriangleMesh& mesh) const
 {
   const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-    RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * mesh.size()));
-  auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry,
-    RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.size()));
+  auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(
+    geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * mesh.size()));
+  auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+    geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.size()));
   std::uint32_t corner = 0;
   for (const Triangle& triangle : mesh.triangles())
   {

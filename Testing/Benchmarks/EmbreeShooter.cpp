@@ -45,8 +45,7 @@ std::int64_t shootWithEmbree(const EmbreeScene& embree, const SceneObjects& obje
         break;
       }
       state.ray = { point.clearPosition(),
-        sampleCosineHemisphere(
-          point.normal, samples.sample(walk, bounce, SampleUse::Direction)),
+        sampleCosineHemisphere(point.normal, samples.sample(walk, bounce, SampleUse::Direction)),
         found.id };
     }
   }

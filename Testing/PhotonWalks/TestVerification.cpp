@@ -224,6 +224,6 @@ TEST_P(Verification, HiddenStaticHitsComeBack)
 }
 
 INSTANTIATE_TEST_SUITE_P(StaticHitCache, Verification, testing::Bool(),
-  [](const testing::TestParamInfo<bool>& info) { return info.param ? "On" : "Off"; });
+  [](const auto& cache) { return cache.param ? "On" : "Off"; });
 
 }

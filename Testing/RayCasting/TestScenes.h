@@ -168,9 +168,26 @@ inline NamedScene farAway()
   return scene;
 }
 
+/// Flattened so much that the way to model space and back moves a point by 2^-23 of the room.
+inline NamedScene nearlyFlat()
+{
+  RandomVectors random(15);
+  const auto box = bodyOf(boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 3, 3, 3 }));
+  const auto ball = bodyOf(icosphere(2));
+  NamedScene scene{ "nearly flat", bodyOf(room()), {} };
+  for (int i = 0; i < 6; ++i)
+  {
+    const Matrix3 flat = random.rotation() * stretch(1, 1, 1e-9) * random.rotation();
+    const Vector3 center = Vector3(2, 1.5, 1.25) + 0.5 * random.inCube();
+    scene.objects.push_back({ i < 3 ? box : ball, { flat, center }, i % 3 == 0 });
+  }
+  return scene;
+}
+
 inline std::vector<NamedScene> testScenes()
 {
-  return { hardMaps(), manyObjects(), coincidentBoxes(Matrix3::Identity(), "coincident boxes"),
+  return { hardMaps(), nearlyFlat(), manyObjects(),
+    coincidentBoxes(Matrix3::Identity(), "coincident boxes"),
     coincidentBoxes(RandomVectors(14).rotation(), "coincident boxes, turned"), withoutStatic(),
     farAway() };
 }
