@@ -15,8 +15,9 @@ namespace irradiance
  *
  * Law: no leaf that holds the closest hit is skipped. Rounding in the intersection test lets a ray
  * "hit" a triangle that it misses by a few ulps, and gives a distance that is off when the ray
- * grazes. So all cells are taken wider by `pad` (2^-36 of the distance to the tree's far corner),
- * and the search ends only 2^-20 of that distance behind the best hit. Both cost next to nothing.
+ * grazes: by up to 2^-10 for the flattest hits that count. So all cells are taken wider by `pad`
+ * (2^-36 of the distance to the tree's far corner), and the search ends only 2^-8 of that distance
+ * behind the best hit. Both cost next to nothing; Documentation/Theory.md has the reasons.
  */
 class KdTraversal
 {
@@ -47,7 +48,7 @@ public:
       steepest = std::min(steepest, std::abs(inverse));
       axes_[i] = { origin[i], inverse, pad, inverse < 0 ? 1u : 0u };
     }
-    slack_ = 0x1p-20 * reach * steepest;
+    slack_ = 0x1p-8 * reach * steepest;
     from = std::max({ from, start - slack_, 0.0 });
     if (from <= to)
     {
