@@ -46,8 +46,8 @@ inline std::string exactly(const Hit& hit)
 
 enum class RayKind
 {
-  Edge,      ///< at a point of an edge
-  Vertex,    ///< at a vertex
+  Edge,      ///< at a point of an edge, or just beside it
+  Vertex,    ///< at a vertex, or just beside it
   AxisPlane, ///< in an axis-aligned plane through a vertex: zero direction components
   Surface,   ///< starts on a surface: at a vertex, on an edge, or within
   Grazing,   ///< along a triangle, tilted by 2^-10 to 2^-54
@@ -87,9 +87,9 @@ public:
     switch (kind)
     {
       case RayKind::Edge:
-        return towards(pointOfEdge(), origin());
+        return towards(nearly(pointOfEdge()), origin());
       case RayKind::Vertex:
-        return towards(vertex(), origin());
+        return towards(nearly(vertex()), origin());
       case RayKind::AxisPlane:
         return inAxisPlane();
       case RayKind::Surface:
@@ -146,6 +146,13 @@ private:
     return p;
   }
 
+  /// Often the point itself, else a little beside it.
+  Vector3 nearly(const Vector3& point)
+  {
+    const double offset = bounds_.extent().maxCoeff() * random_.powerOfTwo(-52, -16);
+    return below(3) > 0 ? point : Vector3(point + offset * random_.direction());
+  }
+
   Ray towards(const Vector3& target, const Vector3& from)
   {
     const Vector3 direction = target - from;
@@ -160,7 +167,7 @@ private:
   {
     const int axis = below(3);
     Vector3 from = below(3) == 0 ? vertex() : origin();
-    from[axis] = vertex()[axis];
+    from[axis] = nearly(vertex())[axis];
     Vector3 direction = (below(2) == 0 ? vertex() : pointOfEdge()) - from;
     direction[axis] = below(2) == 0 ? 0.0 : -0.0;
     if (below(3) == 0)
