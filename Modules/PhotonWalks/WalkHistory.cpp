@@ -89,6 +89,13 @@ void WalkBlock::closeHoles()
 
 void WalkBlock::resizePools(std::size_t size)
 {
+  if (size > segments_.capacity() && !segments_.empty())
+  {
+    const std::size_t capacity = size + size / 8; // doubling would waste half of the memory
+    segments_.reserve(capacity);
+    powers_.reserve(capacity * static_cast<std::size_t>(bands_));
+    fronts_.reserve(withSides_ ? capacity : 0);
+  }
   segments_.resize(size);
   powers_.resize(size * static_cast<std::size_t>(bands_));
   fronts_.resize(withSides_ ? size : 0);

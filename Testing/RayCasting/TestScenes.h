@@ -168,7 +168,7 @@ inline NamedScene farAway()
   return scene;
 }
 
-/// Flattened so much that the way to model space and back moves a point by 2^-23 of the room.
+/// Flattened so much that the way to model space and back moves a point by 2^-16 of the room.
 /// Few triangles, so that rays often pass where the bounds of an object end.
 inline NamedScene nearlyFlat()
 {
@@ -178,7 +178,7 @@ inline NamedScene nearlyFlat()
     {} };
   for (int i = 0; i < 6; ++i)
   {
-    const Matrix3 flat = random.rotation() * stretch(1, 1, 1e-9) * random.rotation();
+    const Matrix3 flat = random.rotation() * stretch(1, 1, 1e-11) * random.rotation();
     const Vector3 center = Vector3(2, 1.5, 1.25) + 0.5 * random.inCube();
     scene.objects.push_back({ body, { flat, center }, i % 3 == 0 });
   }
