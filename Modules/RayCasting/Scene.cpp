@@ -320,8 +320,8 @@ bool Scene::movedMayTouch(const Vector3& origin, const Vector3& direction, doubl
   {
     const Vector3 toCenter = moved.center - origin;
     const double nearest = std::min(std::max(toCenter.dot(direction), 0.0), length);
-    if ((toCenter - nearest * direction).squaredNorm() <= moved.squaredRadius &&
-      !placed_[moved.index].bound.rejects(origin, origin + length * direction))
+    const bool missesBall = (toCenter - nearest * direction).squaredNorm() > moved.squaredRadius;
+    if (!missesBall && !placed_[moved.index].bound.rejects(origin, origin + length * direction))
     {
       return true;
     }
