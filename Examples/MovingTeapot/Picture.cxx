@@ -81,7 +81,7 @@ void AddCells(vtkPolyData* mesh, std::vector<LitArea>& cells)
   }
 }
 
-// The end of the colour range: beyond 99 % of all area, so that the lamp's neighbourhood and a
+// The end of the colour range: beyond 98 % of all area, so that the lamp's neighbourhood and a
 // few noisy cells do not darken the rest.
 double RangeOf(const std::vector<vtkPolyData*>& meshes)
 {
@@ -93,7 +93,7 @@ double RangeOf(const std::vector<vtkPolyData*>& meshes)
   }
   for (const LitArea& cell : cells)
   {
-    rest += 0.01 * cell.Area;
+    rest += 0.02 * cell.Area;
   }
   std::sort(cells.begin(), cells.end(),
     [](const LitArea& a, const LitArea& b) { return a.Irradiance > b.Irradiance; });

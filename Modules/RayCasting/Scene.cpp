@@ -57,6 +57,12 @@ double roundTripError(const AffineMap& map, const Matrix3& inverse, double magni
   return 0x1p-44 * std::max(1.0, condition) * (magnitude + map.translation.cwiseAbs().maxCoeff());
 }
 
+/// Where to look for hits that might come before one at `distance`: as KdTraversal::limit.
+double withSlack(double distance, double reach)
+{
+  return distance + 0x1p-8 * reach;
+}
+
 Box boundsOf(const AffineMap& map, const Box& box)
 {
   Box bounds;
@@ -118,7 +124,7 @@ private:
     }
     last = object;
     const Placed& placed = scene_.placed_[object - 1];
-    const double length = std::min(best.distance, reach_);
+    const double length = std::min(withSlack(best.distance, reach_), reach_);
     if (!placed.bound.rejects(ray_.origin, ray_.origin + length * ray_.direction))
     {
       castMesh(*placed.object.body, placed.toObject(ray_.origin), placed.inverse * ray_.direction,
@@ -179,7 +185,8 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
     world.add(boundsOf(object.worldFromObject, object.body->mesh().bounds()));
   }
   place(world.magnitude(), objects_);
-  reach_ = 4 * world.magnitude();
+  // Rays start on surfaces or at point sources, up to a margin far below one in a million.
+  reach_ = 1.01 * world.extent().norm() + 0x1p-20 * world.magnitude();
   markMoved(moved);
 
   dynamicTree_ = buildTop(std::vector<bool>(objects_.size(), true), false, checkpoint);
@@ -315,7 +322,7 @@ bool Scene::movedMayTouch(const Vector3& origin, const Vector3& direction, doubl
   {
     return true; // the tree over the moved objects rejects faster than one test for each
   }
-  const double length = std::min(distance, reach_);
+  const double length = std::min(withSlack(distance, reach_), reach_);
   for (const Moved& moved : moved_)
   {
     const Vector3 toCenter = moved.center - origin;

@@ -7,9 +7,8 @@
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 10] [head.off]
  */
 #include "EmbreeShooter.h"
-#include "InputError.h"
 #include "IrradianceEngine.h"
-#include "PolyDataConverter.h"
+#include "SceneReader.h"
 #include "TeapotPath.h"
 #include "TeapotScene.h"
 
@@ -54,39 +53,6 @@ void print(const char* what, const std::vector<double>& values)
     "| %-58s | %8.4f | %8.4f .. %8.4f |\n", what, spread.median, spread.smallest, spread.largest);
 }
 
-ConvertedPolyData convert(const char* name, vtkPolyData* input)
-{
-  SurfaceArrays arrays;
-  arrays.exitance = input->GetCellData()->GetArray("RadiantExitance");
-  arrays.reflectance = input->GetCellData()->GetArray("DiffuseReflectance");
-  return PolyDataConverter(name, input, arrays, 1).convert();
-}
-
-SceneObject toObject(ConvertedPolyData data)
-{
-  SceneObject object;
-  object.body = std::make_shared<RigidObject>(TriangleMesh(std::move(data.triangles)));
-  object.surface = std::make_shared<Surface>(std::move(data.surface));
-  return object;
-}
-
-void append(ConvertedPolyData& all, const ConvertedPolyData& part)
-{
-  const auto first = static_cast<std::uint32_t>(all.surface.numberOfCells);
-  all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
-  for (const std::uint32_t cell : part.surface.cellOfTriangle)
-  {
-    all.surface.cellOfTriangle.push_back(first + cell);
-  }
-  all.surface.numberOfCells += part.surface.numberOfCells;
-  all.surface.reflectance.insert(all.surface.reflectance.end(), part.surface.reflectance.begin(),
-    part.surface.reflectance.end());
-  all.surface.exitance.resize(first, 0.0);
-  all.surface.exitance.insert(
-    all.surface.exitance.end(), part.surface.exitance.begin(), part.surface.exitance.end());
-  all.surface.exitance.resize(all.surface.numberOfCells, 0.0);
-}
-
 AffineMap poseAt(double time)
 {
   static movingteapot::TeapotPath path;
@@ -102,20 +68,23 @@ SceneObjects makeScene(const std::string& head)
   movingteapot::SceneConfig config;
   config.HeadFile = head;
   const movingteapot::TeapotScene scene = movingteapot::MakeTeapotScene(config);
-  ConvertedPolyData fixed;
+  const auto connect = [](vtkPolyData* part) {
+    vtkCellData* cells = part->GetCellData();
+    return InputConnection{ "part of the scene", part, cells->GetAbstractArray("RadiantExitance"),
+      cells->GetAbstractArray("DiffuseReflectance"), nullptr };
+  };
+  std::vector<InputConnection> fixed;
   for (vtkPolyData* part :
     { scene.Room.Get(), scene.Lamp.Get(), scene.Plinth.Get(), scene.Head.Get() })
   {
     if (part)
     {
-      append(fixed, convert("static", part));
+      fixed.push_back(connect(part));
     }
   }
-  SceneObjects objects;
-  objects.fixed = toObject(std::move(fixed));
-  objects.dynamic.push_back(toObject(convert("teapot", scene.Teapot)));
-  objects.dynamic[0].worldFromObject = poseAt(0);
-  return objects;
+  SceneReader reader;
+  reader.read(fixed, { connect(scene.Teapot) }, { poseAt(0) }, 0.5, {});
+  return reader.objects();
 }
 
 /// Power received by an object, as a part of that received by all.
