@@ -23,7 +23,7 @@ struct Key
 constexpr Key Keys[] = {
   { 0.00, { 1.05, -0.35, 0.00, 180.0, 0.0 } },  // on the floor to the right of the head
   { 0.30, { 1.00, -0.20, 0.95, 180.0, 0.0 } },  // lifted
-  { 0.48, { 0.43, 0.05, 1.30, 185.0, 30.0 } },  // over the head, tilted
+  { 0.48, { 0.36, 0.05, 1.30, 185.0, 30.0 } },  // over the head, tilted
   { 0.70, { -0.30, 0.05, 1.34, 240.0, 6.0 } },  // moved to the left
   { 0.86, { -1.00, -0.20, 0.80, 300.0, 0.0 } }, // going down
   { 1.00, { -1.05, -0.35, 0.00, 330.0, 0.0 } }, // on the floor to the left of the head

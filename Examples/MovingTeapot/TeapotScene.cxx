@@ -18,7 +18,7 @@ namespace
 constexpr Box RoomBox = { -1.7, 1.7, -1.1, 1.1, 0.0, 2.4 };
 constexpr Box PlinthBox = { -0.25, 0.25, -0.13, 0.37, 0.0, 0.6 };
 constexpr Box HeadBox = { -0.3, 0.3, -0.18, 0.42, 0.6, 1.2 };
-constexpr Box TeapotBox = { -0.35, 0.35, -0.35, 0.35, 0.0, 0.7 }; // in its own frame
+constexpr Box TeapotBox = { -0.27, 0.27, -0.27, 0.27, 0.0, 0.54 }; // in its own frame
 constexpr Box LampBox = { -0.8, 0.8, -0.9, 0.1, 2.39, 2.39 };
 constexpr double LampExitance = 150.0; // W/m2; 240 W in all
 
