@@ -148,7 +148,6 @@ void IrradianceEngine::update(
 bool IrradianceEngine::canRepair(
   const SceneObjects& objects, const EngineSettings& settings, const EmitterTable& emitters) const
 {
-  const auto isSameObject = [&](std::uint32_t i) { return isSameLook(objects[i], objects_[i]); };
   if (!isValid_ || !settings.verify || !settings_.verify ||
     settings.numberOfWalks != settings_.numberOfWalks || settings.seed != settings_.seed ||
     settings.separateSides != settings_.separateSides || objects.size() != objects_.size() ||
@@ -158,7 +157,7 @@ bool IrradianceEngine::canRepair(
   }
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    if (!isSameObject(i))
+    if (!isSameLook(objects[i], objects_[i]))
     {
       return false;
     }

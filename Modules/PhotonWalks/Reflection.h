@@ -21,6 +21,12 @@ inline Power reflected(const Power& incoming, const Surface& surface, std::uint3
   return outgoing;
 }
 
+/// Roulette begins when a walk is weaker than a quarter of what it started with.
+inline std::int64_t rouletteThreshold(const Power& first)
+{
+  return first.largest() / 4;
+}
+
 /**
  * Russian roulette (Arvo and Kirk 1990): a walk weaker than `threshold` goes on with probability
  * power / threshold, and then at the threshold, so that the mean is kept and no walk is cut. `u` is

@@ -13,14 +13,14 @@ void WalkShooter::shoot(std::uint32_t walk, WalkTrace& trace) const
   const WalkStart start = emitters_.start(walk, samples_);
   trace.clear();
   follow(walk, 0, { start.ray.origin, start.ray.direction, scene_.cast(start.ray) }, start.power,
-    thresholdOf(start.power), trace);
+    rouletteThreshold(start.power), trace);
 }
 
 void WalkShooter::resume(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment,
   const Power& first, const Power& incoming, WalkTrace& trace) const
 {
   trace.clear();
-  follow(walk, bounce, segment, incoming, thresholdOf(first), trace);
+  follow(walk, bounce, segment, incoming, rouletteThreshold(first), trace);
 }
 
 Ray WalkShooter::storedRay(

@@ -37,13 +37,9 @@ public:
 private:
   /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
   static constexpr std::uint32_t kMostBounces = 1u << 20;
-  /// Roulette begins when a walk is weaker than this part of its start.
-  static constexpr std::int64_t kRouletteDivisor = 4;
 
   void follow(std::uint32_t walk, std::uint32_t bounce, WalkSegment segment, Power power,
     std::int64_t threshold, WalkTrace& trace) const;
-
-  static std::int64_t thresholdOf(const Power& first) { return first.largest() / kRouletteDivisor; }
 
   const Scene& scene_;
   const SceneObjects& objects_;

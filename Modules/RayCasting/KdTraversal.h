@@ -22,6 +22,9 @@ namespace irradiance
 class KdTraversal
 {
 public:
+  /// How far behind a hit others that might be closer are looked for, in units of the reach.
+  static constexpr double kSlack = 0x1p-8;
+
   /// `start`: the caller knows that there is no hit before this distance.
   KdTraversal(const KdTree& tree, const Vector3& origin, const Vector3& direction, double start = 0)
     : nodes_(tree.nodes.data())
@@ -48,7 +51,7 @@ public:
       steepest = std::min(steepest, std::abs(inverse));
       axes_[i] = { origin[i], inverse, pad, inverse < 0 ? 1u : 0u };
     }
-    slack_ = 0x1p-8 * reach * steepest;
+    slack_ = kSlack * reach * steepest;
     from = std::max({ from, start - slack_, 0.0 });
     if (from <= to)
     {

@@ -57,10 +57,10 @@ double roundTripError(const AffineMap& map, const Matrix3& inverse, double magni
   return 0x1p-44 * std::max(1.0, condition) * (magnitude + map.translation.cwiseAbs().maxCoeff());
 }
 
-/// Where to look for hits that might come before one at `distance`: as KdTraversal::limit.
-double withSlack(double distance, double reach)
+/// How far to look for hits that might come before one at `distance`; nothing is beyond `reach`.
+double lookAhead(double distance, double reach)
 {
-  return distance + 0x1p-8 * reach;
+  return std::min(distance + KdTraversal::kSlack * reach, reach);
 }
 
 Box boundsOf(const AffineMap& map, const Box& box)
@@ -124,7 +124,7 @@ private:
     }
     last = object;
     const Placed& placed = scene_.placed_[object - 1];
-    const double length = std::min(withSlack(best.distance, reach_), reach_);
+    const double length = lookAhead(best.distance, reach_);
     if (!placed.bound.rejects(ray_.origin, ray_.origin + length * ray_.direction))
     {
       castMesh(*placed.object.body, placed.toObject(ray_.origin), placed.inverse * ray_.direction,
@@ -137,10 +137,7 @@ private:
     if (entry.object != shearedObject_)
     {
       shearedObject_ = entry.object;
-      sheared_ = entry.object == 0
-        ? ShearedRay(ray_.origin, ray_.direction)
-        : ShearedRay(scene_.placed_[entry.object - 1].toObject(ray_.origin),
-            scene_.placed_[entry.object - 1].inverse * ray_.direction);
+      sheared_ = scene_.shearedFor(ray_, entry.object);
     }
     double distance;
     if (sheared_.meets(scene_.meshOf(entry.object)[entry.triangle], distance) &&
@@ -184,7 +181,7 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
   {
     world.add(boundsOf(object.worldFromObject, object.body->mesh().bounds()));
   }
-  place(world.magnitude(), objects_);
+  place(world.magnitude());
   // Rays start on surfaces or at point sources, up to a margin far below one in a million.
   reach_ = 1.01 * world.extent().norm() + 0x1p-20 * world.magnitude();
   markMoved(moved);
@@ -210,10 +207,10 @@ void Scene::markMoved(const std::vector<bool>& moved)
   }
 }
 
-void Scene::place(double magnitude, const std::vector<PlacedObject>& objects)
+void Scene::place(double magnitude)
 {
   placed_.clear();
-  for (const PlacedObject& object : objects)
+  for (const PlacedObject& object : objects_)
   {
     const Matrix3 inverse = object.worldFromObject.linear.inverse();
     const double error = roundTripError(object.worldFromObject, inverse, magnitude);
@@ -226,6 +223,16 @@ void Scene::place(double magnitude, const std::vector<PlacedObject>& objects)
 const TriangleMesh& Scene::meshOf(std::uint32_t object) const
 {
   return object == 0 ? static_->mesh() : placed_[object - 1].object.body->mesh();
+}
+
+ShearedRay Scene::shearedFor(const Ray& ray, std::uint32_t object) const
+{
+  if (object == 0)
+  {
+    return ShearedRay(ray.origin, ray.direction);
+  }
+  const Placed& placed = placed_[object - 1];
+  return ShearedRay(placed.toObject(ray.origin), placed.inverse * ray.direction);
 }
 
 Triangle Scene::worldTriangle(const TriangleId& id) const
@@ -322,7 +329,7 @@ bool Scene::movedMayTouch(const Vector3& origin, const Vector3& direction, doubl
   {
     return true; // the tree over the moved objects rejects faster than one test for each
   }
-  const double length = std::min(withSlack(distance, reach_), reach_);
+  const double length = lookAhead(distance, reach_);
   for (const Moved& moved : moved_)
   {
     const Vector3 toCenter = moved.center - origin;
@@ -385,13 +392,10 @@ Hit Scene::castParallel(const Ray& ray) const
 
 SurfacePoint Scene::surfaceAt(const Ray& ray, const Hit& hit) const
 {
-  const bool isStatic = hit.id.object == 0;
-  const ShearedRay sheared = isStatic ? ShearedRay(ray.origin, ray.direction)
-                                      : ShearedRay(placed_[hit.id.object - 1].toObject(ray.origin),
-                                          placed_[hit.id.object - 1].inverse * ray.direction);
   double distance;
   Vector3 weights;
-  sheared.meets(meshOf(hit.id.object)[hit.id.triangle], distance, &weights);
+  const Triangle& triangle = meshOf(hit.id.object)[hit.id.triangle];
+  shearedFor(ray, hit.id.object).meets(triangle, distance, &weights);
   SurfacePoint point = surfacePoint(worldTriangle(hit.id), weights);
   point.isFront = ray.direction.dot(point.normal) <= 0;
   if (!point.isFront)

@@ -99,11 +99,13 @@ private:
   class TopCast;
 
   void markMoved(const std::vector<bool>& moved);
-  void place(double magnitude, const std::vector<PlacedObject>& objects);
+  void place(double magnitude);
   void addEntries(std::uint32_t object, bool asTriangles, TopTree& top,
     std::vector<KdPrimitive>& primitives, std::vector<Triangle>& world) const;
   TopTree buildTop(const std::vector<bool>& chosen, bool withStatic, const Checkpoint&) const;
   const TriangleMesh& meshOf(std::uint32_t object) const;
+  /// The ray in the space of the object.
+  ShearedRay shearedFor(const Ray& ray, std::uint32_t object) const;
   Hit castTop(const TopTree& top, const Ray& ray, Hit best) const;
   Hit castParallel(const Ray& ray) const;
 

@@ -23,7 +23,6 @@ struct AffineMap
   Vector3 translation = Vector3::Zero();
 
   Vector3 operator()(const Vector3& point) const { return linear * point + translation; }
-  bool isFinite() const { return linear.allFinite() && translation.allFinite(); }
 
   friend bool operator==(const AffineMap& a, const AffineMap& b)
   {

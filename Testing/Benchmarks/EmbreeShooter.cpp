@@ -15,7 +15,7 @@ std::int64_t shootWithEmbree(const EmbreeScene& embree, const SceneObjects& obje
   for (std::uint32_t walk = 0; walk < numberOfWalks; ++walk)
   {
     WalkStart state = emitters.start(walk, samples);
-    const std::int64_t threshold = state.power.largest() / 4;
+    const std::int64_t threshold = rouletteThreshold(state.power);
     for (std::uint32_t bounce = 1;; ++bounce)
     {
       ++segments;
