@@ -4,6 +4,7 @@
 #include "SimdTarget.h"
 #include "UnitCast.h"
 
+#include <algorithm>
 #include <immintrin.h>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
@@ -115,36 +116,21 @@ struct Avx2Kernel
     }
     const unsigned nearest = 31u - static_cast<unsigned>(__builtin_clz(found));
     const Half& half = nearest >= 8 ? near : far;
-    if (__builtin_expect((found & (found - 1)) != 0, 0))
+    if ((found & (found - 1)) != 0)
     {
-      putBy(found ^ 1u << nearest, far, near, farChildren, nearChildren, search);
+      auto& left = search.putBy(found ^ 1u << nearest);
+      _mm256_store_ps(left.from, far.begin);
+      _mm256_store_ps(left.from + 8, near.begin);
+      _mm256_store_ps(left.to, far.end);
+      _mm256_store_ps(left.to + 8, near.end);
+      _mm256_store_si256(reinterpret_cast<__m256i*>(left.children), farChildren);
+      _mm256_store_si256(reinterpret_cast<__m256i*>(left.children + 8), nearChildren);
     }
     const __m256i lane = _mm256_set1_epi32(static_cast<int>(nearest & 7));
     search.child = treelet.children[order >> (4 * nearest) & 15];
     from = _mm256_permutevar8x32_ps(half.begin, lane);
     to = _mm256_permutevar8x32_ps(half.end, lane);
     return true;
-  }
-
-  static void putBy(unsigned rest, const Half& far, const Half& near, __m256i farChildren,
-    __m256i nearChildren, WideSearch<Avx2Kernel>& search)
-  {
-    alignas(32) float begins[16], ends[16];
-    alignas(32) std::uint32_t children[16];
-    _mm256_store_ps(begins, far.begin);
-    _mm256_store_ps(begins + 8, near.begin);
-    _mm256_store_ps(ends, far.end);
-    _mm256_store_ps(ends + 8, near.end);
-    _mm256_store_si256(reinterpret_cast<__m256i*>(children), farChildren);
-    _mm256_store_si256(reinterpret_cast<__m256i*>(children + 8), nearChildren);
-    for (; rest != 0; rest &= rest - 1)
-    {
-      const int lane = __builtin_ctz(rest);
-      search.children[search.depth] = children[lane];
-      search.froms[search.depth] = begins[lane];
-      search.tos[search.depth] = ends[lane];
-      ++search.depth;
-    }
   }
 };
 

@@ -4,6 +4,7 @@
 #include "SimdTarget.h"
 #include "UnitCast.h"
 
+#include <algorithm>
 #include <immintrin.h>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
@@ -76,19 +77,18 @@ struct Avx512Kernel
       return false;
     }
     const unsigned nearest = 31u - static_cast<unsigned>(__builtin_clz(passed));
-    const auto rest = static_cast<__mmask16>(passed ^ 1u << nearest);
-    if (__builtin_expect(rest != 0, 0))
+    const unsigned rest = passed ^ 1u << nearest;
+    if (rest != 0)
     {
-      const unsigned depth = search.depth;
-      _mm512_storeu_si512(search.children + depth, _mm512_maskz_compress_epi32(rest, children));
-      _mm512_storeu_ps(search.froms + depth, _mm512_maskz_compress_ps(rest, begin));
-      _mm512_storeu_ps(search.tos + depth, _mm512_maskz_compress_ps(rest, end));
-      search.depth = depth + static_cast<unsigned>(__builtin_popcount(rest));
+      auto& left = search.putBy(rest);
+      _mm512_store_ps(left.from, begin);
+      _mm512_store_ps(left.to, end);
+      _mm512_store_si512(left.children, children);
     }
-    const auto one = static_cast<__mmask16>(1u << nearest);
+    const __m512i lane = _mm512_set1_epi32(static_cast<int>(nearest));
     search.child = treelet.children[order >> (4 * nearest) & 15];
-    from = _mm512_broadcastss_ps(_mm512_castps512_ps128(_mm512_maskz_compress_ps(one, begin)));
-    to = _mm512_broadcastss_ps(_mm512_castps512_ps128(_mm512_maskz_compress_ps(one, end)));
+    from = _mm512_permutexvar_ps(lane, begin);
+    to = _mm512_permutexvar_ps(lane, end);
     return true;
   }
 };

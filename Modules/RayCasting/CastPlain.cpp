@@ -126,7 +126,8 @@ private:
       goesOn = !block->isLast();
       for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
       {
-        if (block->reference(lane) != TriangleBlock::kNone && !misses(*block, lane))
+        if (block->reference(lane) != TriangleBlock::kNone &&
+          block->reference(lane) != cast_.skipped && !misses(*block, lane))
         {
           source_.test(cast_, block->reference(lane));
         }
@@ -169,7 +170,8 @@ bool PlainSearch::misses(const TriangleBlock& block, unsigned lane) const
   {
     return true;
   }
-  const float distance = sign * normal.dot(toCorner), distanceBlur = blur * length;
+  const float distance = sign * normal.dot(toCorner);
+  const float distanceBlur = length * (UnitCast::kSizeBlur * length + cast_.leastBlur);
   return distance < -(distanceBlur + size * cast_.slack) ||
     distance > size * cast_.limit + distanceBlur;
 }
@@ -183,10 +185,14 @@ void runCastPlain(CastSource& source, UnitCast& cast)
 
 void runCastsPlain(CastSource& source)
 {
+  CastRequest request;
   UnitCast cast;
-  while (source.next(cast))
+  while (source.next(&request, 1) != 0)
   {
-    runCastPlain(source, cast);
+    if (cast.prepare(request))
+    {
+      runCastPlain(source, cast);
+    }
   }
 }
 

@@ -93,7 +93,7 @@ void Scene::place(double magnitude)
       object.body->ellipsoid(), object.body->mesh().bounds(), object.worldFromObject, error);
     const Box& box = bound.worldBox();
     // The second factor is for the rounding in mayTouch(), far below the box's own margin.
-    placed_.push_back({ object, inverse, error, slack, bound,
+    placed_.push_back({ object, inverse, condition, error, slack, bound,
       box.isEmpty() ? Vector3::Zero() : box.center(),
       box.isEmpty() ? 0.0 : 0.25 * box.extent().squaredNorm() * (1 + 0x1p-20) });
   }
@@ -105,8 +105,12 @@ Scene::MixedTree Scene::mix(
   MixedTree mixed;
   std::vector<Triangle> world;
   std::vector<double> margins;
+  double stretch = 1;
+  mixed.first.resize(placed_.size() + 1, TriangleId::kNone);
   for (const std::uint32_t object : objects)
   {
+    mixed.first[object] = static_cast<std::uint32_t>(world.size());
+    stretch = std::max(stretch, object == 0 ? 1.0 : placed_[object - 1].condition);
     for (std::uint32_t i = 0; i < bodyOf(object).mesh().size(); ++i)
     {
       mixed.ids.push_back({ object, i });
@@ -114,7 +118,7 @@ Scene::MixedTree Scene::mix(
       margins.push_back(object == 0 ? 0.0 : placed_[object - 1].roundTrip);
     }
   }
-  mixed.tree = TriangleTree(world, margins, true, checkpoint);
+  mixed.tree = TriangleTree(world, margins, stretch, checkpoint);
   return mixed;
 }
 
@@ -197,6 +201,7 @@ void Scene::castStatic(
   for (std::uint32_t i = 0; i < count; ++i)
   {
     casts.add(i, 0);
+    if ((i+1)%256==0) casts.run();
   }
   casts.run();
 }

@@ -104,6 +104,7 @@ private:
   {
     PlacedObject object;
     Matrix3 inverse;  ///< of the linear part
+    double condition; ///< of the linear part
     double roundTrip; ///< error of a world position taken to model space and back
     double slack;     ///< in the world: a hit may be this much closer than its triangle
     EllipsoidBound bound;
@@ -121,6 +122,13 @@ private:
   {
     TriangleTree tree;
     std::vector<TriangleId> ids;
+    std::vector<std::uint32_t> first; ///< for each object, its triangle 0 in `ids`, or kNone
+
+    std::uint32_t referenceTo(const TriangleId& id) const
+    {
+      const bool isHere = id.object < first.size() && first[id.object] != TriangleId::kNone;
+      return isHere ? first[id.object] + id.triangle : TriangleBlock::kNone;
+    }
   };
 
   /// Some of the dynamic objects.

@@ -1,5 +1,7 @@
 #include "SceneCasts.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -15,6 +17,13 @@ std::vector<Job>& emptyJobs()
   return jobs;
 }
 
+void prefetch(const Triangle& triangle)
+{
+  const auto* first = reinterpret_cast<const char*>(&triangle);
+  __builtin_prefetch(first);
+  __builtin_prefetch(first + sizeof(Triangle) - 1);
+}
+
 }
 
 Scene::Casts::Casts(const Scene& scene, const Ray* rays, Hit* best, const double* from)
@@ -28,12 +37,12 @@ Scene::Casts::Casts(const Scene& scene, const Ray* rays, Hit* best, const double
 
 void Scene::Casts::add(std::uint32_t ray, std::uint32_t object)
 {
-  jobs_.push_back({ ray, object, nullptr, nullptr });
+  jobs_.push_back({ ray, object, nullptr, nullptr, best_[ray].distance });
 }
 
 void Scene::Casts::add(std::uint32_t ray, const MixedTree& mixed)
 {
-  jobs_.push_back({ ray, 0, &mixed, nullptr });
+  jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
 }
 
 void Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
@@ -58,75 +67,135 @@ void Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
 void Scene::Casts::run()
 {
   runCasts(*this);
+  decide();
+  jobs_.clear();
+  next_ = 0;
 }
 
-bool Scene::Casts::next(UnitCast& cast)
+std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
 {
-  while (next_ < jobs_.size())
+  const std::size_t count = std::min(most, jobs_.size() - next_);
+  for (std::size_t i = 0; i < count; ++i, ++next_)
   {
-    Job& job = jobs_[next_];
-    cast.job = next_++;
-    if (prepare(job, cast))
-    {
-      job.cast = &cast;
-      cast.shearedObject = TriangleId::kNone;
-      return true;
-    }
+    const std::uint32_t ray = jobs_[next_].ray;
+    const bool isFirst = next_ == 0 || jobs_[next_ - 1].ray != ray;
+    const bool isLast = next_ + 1 == jobs_.size() || jobs_[next_ + 1].ray != ray;
+    request(jobs_[next_], requests[i]);
+    requests[i].job = next_;
+    requests[i].isShared = !isFirst || !isLast;
   }
-  cast.job = UnitCast::kNoJob;
-  return false;
+  return count;
 }
 
-bool Scene::Casts::prepare(const Job& job, UnitCast& cast) const
+void Scene::Casts::request(const Job& job, CastRequest& request) const
 {
   const Ray& ray = rays_[job.ray];
-  const double from = from_ ? from_[job.ray] : 0.0, bound = best_[job.ray].distance;
-  if (job.mixed || job.object == 0)
+  request.origin = ray.origin;
+  request.direction = ray.direction;
+  request.from = from_ ? from_[job.ray] : 0.0;
+  request.bound = job.bound;
+  request.skipped = TriangleBlock::kNone;
+  if (job.mixed)
   {
-    const TriangleTree& tree = job.mixed ? job.mixed->tree : scene_.static_->tree();
-    return cast.prepare(tree, ray.origin, ray.direction, from, bound);
+    request.tree = &job.mixed->tree;
+    request.skipped = job.mixed->referenceTo(ray.start);
+    return;
   }
-  const Placed& placed = scene_.placed_[job.object - 1];
-  return cast.prepare(placed.object.body->tree(), placed.toObject(ray.origin),
-    placed.inverse * ray.direction, from, bound);
+  request.tree = &scene_.bodyOf(job.object).tree();
+  if (ray.start.object == job.object)
+  {
+    request.skipped = ray.start.triangle;
+  }
+  if (job.object > 0)
+  {
+    const Placed& placed = scene_.placed_[job.object - 1];
+    request.origin = placed.toObject(ray.origin);
+    request.direction = placed.inverse * ray.direction;
+  }
+}
+
+void Scene::Casts::begin(UnitCast& cast)
+{
+  Job& job = jobs_[cast.job];
+  job.cast = &cast;
+  cast.setBound(job.bound);
+}
+
+void Scene::Casts::finish(
+  const UnitCast& cast, const std::uint32_t* references, std::size_t count)
+{
+  const Job& job = jobs_[cast.job];
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const TriangleId id = idOf(job, references[i]);
+    prefetch(scene_.bodyOf(id.object).mesh()[id.triangle]);
+    if (putOff_ == decisions_.size())
+    {
+      decide();
+    }
+    decisions_[putOff_++] = { job.ray, id };
+  }
+}
+
+void Scene::Casts::decide()
+{
+  for (std::size_t i = 0; i < putOff_; ++i)
+  {
+    const Decision& decision = decisions_[i];
+    decide(decision, scene_.shearedFor(rays_[decision.ray], decision.id.object));
+  }
+  putOff_ = 0;
+}
+
+void Scene::Casts::decide(const Decision& decision, const ShearedRay& sheared)
+{
+  Hit hit;
+  hit.id = decision.id;
+  Vector3 weights;
+  Hit& best = best_[decision.ray];
+  if (sheared.meets(scene_.bodyOf(hit.id.object).mesh()[hit.id.triangle], hit.distance, &weights) &&
+    isCloser(hit, best))
+  {
+    hit.weights = { static_cast<float>(weights[1]), static_cast<float>(weights[2]) };
+    best = hit;
+  }
 }
 
 void Scene::Casts::test(UnitCast& cast, std::uint32_t reference)
 {
   const Job& job = jobs_[cast.job];
-  const TriangleId id =
-    job.mixed ? job.mixed->ids[reference] : TriangleId{ job.object, reference };
-  const Ray& ray = rays_[job.ray];
-  if (id == ray.start)
+  const TriangleId id = idOf(job, reference);
+  decide({ job.ray, id }, scene_.shearedFor(rays_[job.ray], id.object));
+  const double distance = best_[job.ray].distance;
+  if (distance < cast.bound())
   {
-    return;
-  }
-  if (id.object != cast.shearedObject)
-  {
-    cast.shearedObject = id.object;
-    cast.sheared = scene_.shearedFor(ray, id.object);
-  }
-  Hit hit;
-  hit.id = id;
-  Vector3 weights;
-  if (cast.sheared.meets(scene_.bodyOf(id.object).mesh()[id.triangle], hit.distance, &weights) &&
-    isCloser(hit, best_[job.ray]))
-  {
-    hit.weights = { static_cast<float>(weights[1]), static_cast<float>(weights[2]) };
-    best_[job.ray] = hit;
-    cast.setBound(hit.distance);
-    shorten(cast.job - 1, job.ray);
-    shorten(cast.job + 1, job.ray);
+    cast.setBound(distance);
+    narrow(cast);
   }
 }
 
-/// If the job is for the same ray and runs at this moment, it need not go farther either.
-void Scene::Casts::shorten(std::uint32_t job, std::uint32_t ray) const
+/// The other searches of the ray need not go farther either.
+void Scene::Casts::narrow(const UnitCast& cast)
 {
-  if (job < jobs_.size() && jobs_[job].ray == ray && jobs_[job].cast &&
-    jobs_[job].cast->job == job)
+  const double bound = cast.bound();
+  const std::uint32_t ray = jobs_[cast.job].ray;
+  const auto shorten = [&](Job& other, std::uint32_t place) {
+    if (bound < other.bound)
+    {
+      other.bound = bound;
+      if (other.cast && other.cast->job == place)
+      {
+        other.cast->setBound(bound);
+      }
+    }
+  };
+  for (std::uint32_t i = cast.job; i > 0 && jobs_[i - 1].ray == ray; --i)
   {
-    jobs_[job].cast->setBound(best_[ray].distance);
+    shorten(jobs_[i - 1], i - 1);
+  }
+  for (std::uint32_t i = cast.job + 1; i < jobs_.size() && jobs_[i].ray == ray; ++i)
+  {
+    shorten(jobs_[i], i);
   }
 }
 

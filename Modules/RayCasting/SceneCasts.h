@@ -7,7 +7,11 @@
 namespace irradiance
 {
 
-/// The searches that a batch of rays asks for: which ray in which tree.
+/**
+ * The searches that a batch of rays asks for: which ray in which tree; and the decisions, in double,
+ * on the triangles that the searches find. Those are put off until their triangles have come from
+ * memory.
+ */
 class Scene::Casts final : public CastSource
 {
 public:
@@ -19,10 +23,14 @@ public:
   void add(std::uint32_t ray, const MixedTree& mixed);
   /// The ray in all trees of the group that it may touch, but for those of many objects.
   void addGroup(std::uint32_t ray, const Group& group);
+  /// Runs what was added.
   void run();
 
-  bool next(UnitCast& cast) override;
+  std::size_t next(CastRequest* requests, std::size_t most) override;
+  void begin(UnitCast& cast) override;
+  void finish(const UnitCast& cast, const std::uint32_t* references, std::size_t count) override;
   void test(UnitCast& cast, std::uint32_t reference) override;
+  void narrow(const UnitCast& cast) override;
 
 private:
   struct Job
@@ -31,10 +39,25 @@ private:
     std::uint32_t object;   ///< whose tree, if not a mixed one
     const MixedTree* mixed; ///< or null
     UnitCast* cast;         ///< when it runs
+    double bound;           ///< the ray's best hit is not behind it
   };
 
-  bool prepare(const Job& job, UnitCast& cast) const;
-  void shorten(std::uint32_t job, std::uint32_t ray) const;
+  /// A triangle that may be the hit of a ray.
+  struct Decision
+  {
+    std::uint32_t ray;
+    TriangleId id;
+  };
+
+  void request(const Job& job, CastRequest& request) const;
+  TriangleId idOf(const Job& job, std::uint32_t reference) const
+  {
+    return job.mixed ? job.mixed->ids[reference] : TriangleId{ job.object, reference };
+  }
+  void decide();
+  void decide(const Decision& decision, const ShearedRay& sheared);
+
+  static constexpr std::size_t kPutOff = 32;
 
   const Scene& scene_;
   const Ray* rays_;
@@ -42,6 +65,8 @@ private:
   const double* from_;
   std::vector<Job>& jobs_;
   std::uint32_t next_ = 0;
+  std::size_t putOff_ = 0;
+  std::array<Decision, 2 * kPutOff> decisions_;
 };
 
 }

@@ -4,7 +4,6 @@
 #include "TriangleMesh.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace irradiance
 {
@@ -26,16 +25,16 @@ public:
   ShearedRay(const Vector3& origin, const Vector3& direction)
     : origin_(origin)
   {
-    direction.cwiseAbs().maxCoeff(&z_);
-    x_ = (z_ + 1) % 3;
-    y_ = (x_ + 1) % 3;
-    if (direction[z_] < 0)
-    {
-      std::swap(x_, y_);
-    }
-    shearX_ = direction[x_] / direction[z_];
-    shearY_ = direction[y_] / direction[z_];
+    // Which axis is steepest is as good as random: no branches here.
+    const Vector3 steepness = direction.cwiseAbs();
+    const int steeper = steepness[1] > steepness[0] ? 1 : 0;
+    z_ = steepness[2] > std::max(steepness[0], steepness[1]) ? 2 : steeper;
+    const int flip = direction[z_] < 0 ? 1 : 0;
+    x_ = kNext[z_ + flip]; // the axes change places to keep the handedness
+    y_ = kNext[z_ + 1 - flip];
     scaleZ_ = 1.0 / direction[z_];
+    shearX_ = direction[x_] * scaleZ_;
+    shearY_ = direction[y_] * scaleZ_;
   }
 
   /// True if the ray meets the closed triangle in front of its origin; then `distance` is set, and
@@ -46,7 +45,8 @@ public:
     const double u = c[0] * b[1] - c[1] * b[0];
     const double v = a[0] * c[1] - a[1] * c[0];
     const double w = b[0] * a[1] - b[1] * a[0];
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0))
+    // Which sign they have is as good as random: one branch for all six.
+    if (std::min({ u, v, w }) < 0 && std::max({ u, v, w }) > 0)
     {
       return false;
     }
@@ -59,16 +59,19 @@ public:
     {
       return false;
     }
-    distance = (u * a[2] + v * b[2] + w * c[2]) / determinant * scaleZ_;
+    const double inverse = 1.0 / determinant;
+    distance = (u * a[2] + v * b[2] + w * c[2]) * inverse * scaleZ_;
     if (weights)
     {
-      *weights = Vector3(u, v, w) / determinant;
+      *weights = Vector3(u, v, w) * inverse;
     }
     return distance > 0;
   }
 
 private:
   static constexpr double kEdgeOn = 0x1p-40;
+  /// The two axes after each, once around.
+  static constexpr int kNext[4] = { 1, 2, 0, 1 };
 
   Vector3 sheared(const Vector3& point) const
   {

@@ -6,6 +6,14 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// That of a rotation is at most 3.
+constexpr double kMostStretch = 4;
+
+}
+
 UnitFrame::UnitFrame(const Box& box)
 {
   if (!box.isEmpty())
@@ -130,7 +138,8 @@ private:
 };
 
 TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
-  const std::vector<double>& margins, bool isStretched, const Checkpoint& checkpoint)
+  const std::vector<double>& margins, double stretch, const Checkpoint& checkpoint)
+  : isStretched_(stretch > kMostStretch)
 {
   Box box;
   for (const Triangle& triangle : triangles)
@@ -154,7 +163,7 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
     primitives.push_back({ bounds, &unit.back(), margin });
     blur_ = std::max(blur_, margin);
   }
-  slack_ = 0x1p-8 * (isStretched ? 4.0 : longestEdge);
+  slack_ = 0x1p-8 * (isStretched_ ? 4.0 : std::min(4.0, stretch * longestEdge));
   KdTreeBuilder builder;
   builder.checkpoint = checkpoint;
   const KdTree tree = builder.build(primitives);
@@ -174,7 +183,7 @@ std::size_t TriangleTree::bytes() const
 
 TriangleTree treeOf(const std::vector<Triangle>& triangles, const Checkpoint& checkpoint)
 {
-  return TriangleTree(triangles, {}, false, checkpoint);
+  return TriangleTree(triangles, {}, 1, checkpoint);
 }
 
 }

@@ -72,10 +72,10 @@ class TriangleTree
 {
 public:
   TriangleTree() = default;
-  /// `margin`: how far the triangles may be off. `isStretched`: they are tested in another space,
-  /// see slack().
+  /// `margins`: how far the triangles may be off; empty for exact ones. `stretch`: the condition of
+  /// the map to the space in which they are tested; 1 if that is this one.
   TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& margins,
-    bool isStretched, const Checkpoint& checkpoint);
+    double stretch, const Checkpoint& checkpoint);
 
   bool isEmpty() const { return blocks_.empty(); }
   const UnitFrame& frame() const { return frame_; }
@@ -85,6 +85,9 @@ public:
   double slack() const { return slack_; }
   /// How far off the triangles may be, in the unit frame.
   double blur() const { return blur_; }
+
+  /// What floats take for a certain hit, the test in the other space may not accept.
+  bool isStretched() const { return isStretched_; }
 
   std::uint32_t root() const { return root_; }
   const Treelet* treelets() const { return treelets_.data(); }
@@ -98,6 +101,7 @@ private:
   Box bounds_;
   double slack_ = 0;
   double blur_ = 0;
+  bool isStretched_ = false;
   std::uint32_t root_ = Treelet::kEmpty;
   std::vector<Treelet> treelets_;
   std::vector<TriangleBlock> blocks_;

@@ -8,23 +8,25 @@
 namespace irradiance
 {
 
-bool UnitCast::prepare(const TriangleTree& searched, const Vector3& worldOrigin,
-  const Vector3& worldDirection, double worldFrom, double bound)
+bool UnitCast::prepare(const CastRequest& request)
 {
-  if (searched.isEmpty())
+  if (request.tree->isEmpty())
   {
     return false;
   }
-  tree = &searched;
-  const double largest = worldDirection.cwiseAbs().maxCoeff();
-  exactOrigin = searched.frame()(worldOrigin);
-  exactDirection = worldDirection / largest;
-  rate_ = largest * searched.frame().scale;
+  tree = request.tree;
+  skipped = request.skipped;
+  job = request.job;
+  isShared = request.isShared;
+  const double largest = request.direction.cwiseAbs().maxCoeff();
+  exactOrigin = tree->frame()(request.origin);
+  exactDirection = request.direction / largest;
+  rate = largest * tree->frame().scale;
   const double distant = exactOrigin.cwiseAbs().maxCoeff();
   const double steepest = exactDirection.cwiseAbs().minCoeff();
   // With a NaN or an infinite number the plain search ends by itself.
   isForFloats = steepest >= kSmallestComponent && distant <= kLargestOrigin;
-  from = std::max(0.0, worldFrom * rate_ - tree->slack());
+  from = std::max(0.0, request.from * rate - tree->slack());
   entry = from;
   double exit = kInfinity;
   const Box& box = tree->bounds();
@@ -57,19 +59,22 @@ bool UnitCast::prepare(const TriangleTree& searched, const Vector3& worldOrigin,
     originInverse[3] = 0;
     pad = static_cast<float>(2 * padding);
     slack = static_cast<float>(tree->slack() + kBlur);
+    margin = slack + pad;
     edgeBlur = static_cast<float>(kEdgeBlur + 4 * tree->blur());
     leastBlur = static_cast<float>(kLeastBlur + 32 * tree->blur());
   }
-  setBound(bound);
+  setBound(request.bound);
   return !isForFloats || limit >= 0;
 }
 
 void UnitCast::setBound(double bound)
 {
-  const double end = bound * rate_ + tree->slack();
+  const double end = bound * rate + tree->slack();
   exactLimit = end;
-  // What lies within the pad is looked at; rounding is far less.
-  limit = static_cast<float>(std::min((end - entry) + pad, kFarthest));
+  if (isForFloats)
+  {
+    limit = static_cast<float>(std::min(bound * rate - entry + margin, kFarthest));
+  }
 }
 
 void runCasts(CastSource& source)

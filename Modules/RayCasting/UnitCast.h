@@ -2,11 +2,12 @@
 #define irradiance_UnitCast_h
 
 #include "Ray.h"
-#include "TriangleIntersection.h"
 #include "TriangleTree.h"
 
 namespace irradiance
 {
+
+struct CastRequest;
 
 /**
  * A search of one ray in one tree, as the kernels see it: in the tree's unit frame, begun where the
@@ -22,6 +23,8 @@ struct UnitCast
   static constexpr double kBlur = 0x1p-20;
   static constexpr double kEdgeBlur = 0x1p-16;
   static constexpr double kLeastBlur = 0x1p-46;
+  /// Of a determinant, for each unit of its triangle's edges squared.
+  static constexpr float kSizeBlur = 0x1p-19F;
   /// What floats can tell ends at steeper directions and farther origins.
   static constexpr double kSmallestComponent = 0x1p-12;
   static constexpr double kLargestOrigin = 0x1p26;
@@ -33,33 +36,45 @@ struct UnitCast
   alignas(16) float direction[4];
   alignas(16) float inverse[4];      ///< of the direction; the last is 1
   alignas(16) float originInverse[4]; ///< their product; the last is 0
-  float limit;    ///< nothing behind it matters; goes down as hits are found
-  float pad;      ///< the places where planes are passed may be off by half of this
+  double rate;     ///< length in the frame, by the largest component, of one unit of distance
+  double entry;    ///< distance of `origin` from where the ray begins
+  float limit;     ///< nothing behind it matters; goes down as hits are found
+  float pad;       ///< the places where planes are passed may be off by half of this
   float edgeBlur;  ///< of an edge function, for each unit of its triangle's edges
   float leastBlur; ///< and besides
-  float slack;    ///< a hit's distance may be off by this when the ray grazes
+  float slack;     ///< a hit's distance may be off by this when the ray grazes
+  float margin;    ///< slack and pad: from a hit to the limit behind it
+  std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or none
   unsigned octant;
   bool isForFloats;
   // For the plain search, which takes all in double.
   Vector3 exactOrigin;
   Vector3 exactDirection;
   double from;  ///< no hit comes before
-  double entry; ///< distance of `origin` from `exactOrigin`
   double exactLimit;
   // The source's own.
   static constexpr std::uint32_t kNoJob = 0xffffffffu;
   std::uint32_t job = kNoJob;
-  std::uint32_t shearedObject; ///< in whose space `sheared` is
-  ShearedRay sheared;
+  bool isShared; ///< wants to be told of lower limits
 
-  /// `bound`: distance of the best hit so far, in units of `direction`; `from`: there is none
-  /// before. False if the ray misses the box.
-  bool prepare(const TriangleTree& tree, const Vector3& origin, const Vector3& direction,
-    double from, double bound);
+  /// False if the ray misses the tree's box.
+  bool prepare(const CastRequest& request);
   void setBound(double bound);
+  /// A distance, in units of `direction`, that no closer hit exceeds by more than the margin.
+  double bound() const { return (static_cast<double>(limit) - margin + entry) / rate; }
+};
 
-private:
-  double rate_; ///< length in the frame of one unit of distance, by the largest component
+/// What a search is asked for: a ray in the space of a tree.
+struct CastRequest
+{
+  const TriangleTree* tree;
+  Vector3 origin;
+  Vector3 direction;
+  double from;  ///< no hit comes before, in units of `direction`
+  double bound; ///< the best hit so far
+  std::uint32_t skipped; ///< see UnitCast
+  std::uint32_t job;     ///< the owner's number
+  bool isShared;         ///< see UnitCast
 };
 
 /// Whose rays are searched: hands out searches and decides on the triangles found. All in double
@@ -67,10 +82,17 @@ private:
 class CastSource
 {
 public:
-  /// Prepares the next search; false if there is none.
-  virtual bool next(UnitCast& cast) = 0;
-  /// Tests a triangle and lowers the limit of the cast if it is hit.
+  /// The next searches, `most` at most; returns their number, 0 at the end.
+  virtual std::size_t next(CastRequest* requests, std::size_t most) = 0;
+  /// A shared search begins.
+  virtual void begin(UnitCast& cast) = 0;
+  /// One of these triangles is the closest hit of the search, if there is one.
+  virtual void finish(
+    const UnitCast& cast, const std::uint32_t* references, std::size_t count) = 0;
+  /// Tests a triangle at once and lowers the limit of the cast if it is hit.
   virtual void test(UnitCast& cast, std::uint32_t reference) = 0;
+  /// The limit of a shared cast has gone down.
+  virtual void narrow(const UnitCast& cast) = 0;
 
 protected:
   ~CastSource() = default;
