@@ -22,15 +22,21 @@ void consider(const KdSplit& split, KdSplit& best)
   }
 }
 
-/// The cheapest place at an edge of a bin. Some event is as cheap: between two events the cost is
-/// linear, so that one of them is as cheap as any place between.
+/// The cheapest place at an edge of a bin. As a rule some event is as cheap: between two events the
+/// cost is linear, so that one of them is as cheap as any place between. But the cell's own face is
+/// no place for a plane, though items may lie flat in it.
 double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
 {
+  const bool mayLeftBeEmpty = bins.begunBefore(bins.size() - 1) > 0;
+  const bool mayRightBeEmpty = bins.endingFrom(1) > 0;
   double least = kInfinity;
   for (int bin = 1; bin < bins.size(); ++bin)
   {
-    least =
-      std::min(least, cost.ofSplit(bins.edge(bin), bins.begunBefore(bin), bins.endingFrom(bin)));
+    const std::uint32_t left = bins.begunBefore(bin), right = bins.endingFrom(bin);
+    if ((left > 0 || mayLeftBeEmpty) && (right > 0 || mayRightBeEmpty))
+    {
+      least = std::min(least, cost.ofSplit(bins.edge(bin), left, right));
+    }
   }
   return least;
 }
@@ -74,12 +80,14 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
   std::array<int, 3> order = { 0, 1, 2 };
   std::stable_sort(
     order.begin(), order.end(), [&](int a, int b) { return estimates[a] < estimates[b]; });
+  const double promised = estimates[order[0]] + slack;
   for (const int axis : order)
   {
-    if (costs[axis].isUseful())
-    {
-      sweep(items, axis, costs[axis], std::min(best.cost, estimates[order[0]]) + slack, best);
-    }
+    sweep(items, axis, costs[axis], std::min(best.cost + slack, promised), best);
+  }
+  for (int axis = 0; axis < 3 && best.cost > promised; ++axis)
+  {
+    sweep(items, axis, costs[axis], kInfinity, best);
   }
   return best;
 }
@@ -132,7 +140,7 @@ void KdSplitSearch::fillBins(const KdItems& items, const Box& cell)
 void KdSplitSearch::sweep(
   const KdItems& items, int axis, const KdAxisCost& cost, double limit, KdSplit& best)
 {
-  if (chooseBins(bins_[axis], cost, limit))
+  if (cost.isUseful() && chooseBins(bins_[axis], cost, limit))
   {
     collectEvents(items, axis);
     sweepEvents(axis, cost, best);

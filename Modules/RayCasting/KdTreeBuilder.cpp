@@ -37,8 +37,12 @@ public:
   {
     for (std::uint32_t i = 0; i < primitives_.size(); ++i)
     {
-      items_.push_back(KdItem::of(i, primitives_[i].bounds));
-      tree_.bounds.add(primitives_[i].bounds);
+      const KdItem item = KdItem::of(i, primitives_[i].bounds);
+      if (!item.isEmpty())
+      {
+        items_.push_back(item);
+        tree_.bounds.add(primitives_[i].bounds);
+      }
     }
     const Range all{ 0, items_.size() };
     // Rounding of a clip is a few ulps of the coordinates; this is 2^8 of them.
