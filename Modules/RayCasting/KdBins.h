@@ -32,8 +32,8 @@ public:
 
   int size() const { return size_; }
   double edge(int bin) const { return lower_ + bin * width_; }
-  /// For x from `lower` on; monotonic. Rounding may put x into the neighbour of the bin whose edges enclose it, if it is
-  /// within 2^-22 of the interval's length of them.
+  /// For x from `lower` on; monotonic. Rounding may put x into the neighbour of the bin whose edges
+  /// enclose it, if it is within 2^-22 of the interval's length of them.
   int of(float x) const { return static_cast<int>(std::min((x - lower_) * scale_, last_)); }
 
   void add(float lower, float upper)
