@@ -35,6 +35,7 @@ public:
 
   KdTree run()
   {
+    items_.reserve(primitives_.size() + primitives_.size() / 2 + 1);
     for (std::uint32_t i = 0; i < primitives_.size(); ++i)
     {
       const KdItem item = KdItem::of(i, primitives_[i].bounds);
@@ -116,7 +117,9 @@ private:
   /// first, so that the arena holds little more than the items of one level of the tree.
   void distribute(Range range, const KdSplit& split, const Box cells[2], int kept, Range sides[2])
   {
-    items_.resize(std::max(items_.size(), range.end + range.size() + 1));
+    // One more, for the item that is written and not counted.
+    const std::size_t end = range.end + std::min(split.left, split.right) + 1;
+    items_.resize(std::max(items_.size(), end));
     sides[kept] = { range.begin, range.begin };
     sides[1 - kept] = { range.end, range.end };
     for (std::size_t i = range.begin; i < range.end; ++i)
