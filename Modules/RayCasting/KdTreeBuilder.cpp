@@ -1,9 +1,11 @@
 #include "KdTreeBuilder.h"
 
+#include "KdSplitSearch.h"
 #include "PolygonClip.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
+#include <utility>
 
 namespace irradiance
 {
@@ -11,71 +13,13 @@ namespace irradiance
 namespace
 {
 
-/// A primitive as far as it lies in the current cell.
-struct Item
+/// A part of the items' arena.
+struct Range
 {
-  std::uint32_t primitive;
-  Box bounds;
+  std::size_t begin = 0, end = 0;
+
+  std::size_t size() const { return end - begin; }
 };
-
-struct Split
-{
-  double cost;
-  int axis = -1;
-  float plane = 0;
-  bool flatGoLeft = true; ///< side of the items that lie in the plane
-};
-
-float roundDown(double x)
-{
-  const float f = static_cast<float>(x);
-  return f > x ? std::nextafter(f, -HUGE_VALF) : f;
-}
-
-float roundUp(double x)
-{
-  const float f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, HUGE_VALF) : f;
-}
-
-/// Where the items of one axis begin, end, or lie flat; each sorted.
-struct Events
-{
-  std::vector<double> begins, ends, flats;
-
-  void collect(const std::vector<Item>& items, int axis)
-  {
-    begins.clear();
-    ends.clear();
-    flats.clear();
-    for (const Item& item : items)
-    {
-      const double lower = item.bounds.lower[axis], upper = item.bounds.upper[axis];
-      if (lower == upper)
-      {
-        flats.push_back(lower);
-      }
-      else
-      {
-        begins.push_back(lower);
-        ends.push_back(upper);
-      }
-    }
-    std::sort(begins.begin(), begins.end());
-    std::sort(ends.begin(), ends.end());
-    std::sort(flats.begin(), flats.end());
-  }
-};
-
-std::size_t passEqual(const std::vector<double>& sorted, std::size_t& position, double value)
-{
-  const std::size_t first = position;
-  while (position < sorted.size() && sorted[position] == value)
-  {
-    ++position;
-  }
-  return position - first;
-}
 
 class Build
 {
@@ -83,182 +27,147 @@ public:
   Build(const KdTreeBuilder& config, const std::vector<KdPrimitive>& primitives)
     : config_(config)
     , primitives_(primitives)
+    , search_({ config.traversalCost, config.intersectionCost, config.emptyFactor,
+        static_cast<std::uint32_t>(config.blockSize) })
   {
+    assert(config.blockSize > 0);
   }
 
   KdTree run()
   {
-    std::vector<Item> items;
+    items_.reserve(primitives_.size() + primitives_.size() / 2 + 1);
     for (std::uint32_t i = 0; i < primitives_.size(); ++i)
     {
-      items.push_back({ i, primitives_[i].bounds });
-      tree_.bounds.add(primitives_[i].bounds);
+      const KdItem item = KdItem::of(i, primitives_[i].bounds);
+      if (!item.isEmpty())
+      {
+        items_.push_back(item);
+        tree_.bounds.add(primitives_[i].bounds);
+      }
     }
+    const Range all{ 0, items_.size() };
     // Rounding of a clip is a few ulps of the coordinates; this is 2^8 of them.
     clipError_ = 0x1p-44 * tree_.bounds.magnitude();
     // Room behind the outermost walls, so that a plane can part them from the empty space inside.
-    tree_.bounds.inflate(items.empty() ? 0.0 : 0x1p-10 * tree_.bounds.extent().maxCoeff());
-    maxDepth_ = std::min<int>(KdTree::kMaxDepth,
-      static_cast<int>(12 + 1.3 * std::log2(1.0 + static_cast<double>(items.size()))));
+    tree_.bounds.inflate(all.size() == 0 ? 0.0 : 0x1p-10 * tree_.bounds.extent().maxCoeff());
+    maxDepth_ = depthFor(all.size());
     tree_.nodes.resize(2); // the second is unused: siblings start at even places
-    if (items.empty())
-    {
-      tree_.nodes[0] = KdNode::leaf(0, 0);
-    }
-    else
-    {
-      divide(0, items, tree_.bounds, 0);
-    }
+    divide(0, all, tree_.bounds, 0, std::min(kCopies * all.size(), kMostReferences - all.size()));
     return std::move(tree_);
   }
 
 private:
-  void divide(std::uint32_t node, std::vector<Item>& items, const Box& cell, int depth)
+  /// Bounds the references to parted primitives, for input of which no plane parts much.
+  static constexpr std::size_t kCopies = 64;
+  static constexpr std::size_t kMostReferences = std::size_t{ 1 } << 30; ///< of a KdNode
+
+  int depthFor(std::size_t size) const
   {
-    pollCheckpoint(items.size());
-    const Split split = depth < maxDepth_ ? bestSplit(items, cell) : Split{ 0 };
-    if (split.axis < 0)
+    constexpr double kFarthest = 0x1p126; // differences of floats beyond may be infinite
+    const double depth = 12 + 1.3 * std::log2(1.0 + static_cast<double>(size));
+    return tree_.bounds.magnitude() < kFarthest
+      ? std::min(KdTree::kMaxDepth, static_cast<int>(depth))
+      : 0;
+  }
+
+  /// `spare` is how many items the node and all below it may add by parting others.
+  void divide(std::uint32_t node, Range range, const Box& cell, int depth, std::size_t spare)
+  {
+    pollCheckpoint(range.size());
+    const KdSplit split = depth < maxDepth_ ? bestSplit(range, cell) : KdSplit{ 0 };
+    const std::size_t items = std::size_t{ split.left } + split.right;
+    if (split.axis < 0 || items > range.size() + spare)
     {
-      makeLeaf(node, items);
+      makeLeaf(node, range);
       return;
     }
-    Box leftCell = cell, rightCell = cell;
-    leftCell.upper[split.axis] = rightCell.lower[split.axis] = split.plane;
-    std::vector<Item> left, right;
-    distribute(items, split, leftCell, rightCell, left, right);
-    std::vector<Item>().swap(items); // the way down needs the memory
+    Box cells[2] = { cell, cell };
+    cells[0].upper[split.axis] = cells[1].lower[split.axis] = split.plane;
+    Range sides[2];
+    const int kept = split.left > split.right ? 0 : 1;
+    distribute(range, split, cells, kept, sides);
 
     const auto child = static_cast<std::uint32_t>(tree_.nodes.size());
     tree_.nodes.resize(child + 2);
     tree_.nodes[node] = KdNode::inner(split.axis, split.plane, child);
-    divide(child, left, leftCell, depth + 1);
-    divide(child + 1, right, rightCell, depth + 1);
+    spare -= items - range.size();
+    for (const int side : { 1 - kept, kept })
+    {
+      divide(child + side, sides[side], cells[side], depth + 1, spare * sides[side].size() / items);
+    }
   }
 
-  void makeLeaf(std::uint32_t node, const std::vector<Item>& items)
+  void makeLeaf(std::uint32_t node, Range range)
   {
     const auto first = static_cast<std::uint32_t>(tree_.references.size());
-    for (const Item& item : items)
+    for (std::size_t i = range.begin; i < range.end; ++i)
     {
-      tree_.references.push_back(item.primitive);
+      tree_.references.push_back(items_[i].primitive);
     }
-    tree_.nodes[node] = KdNode::leaf(first, static_cast<std::uint32_t>(items.size()));
+    tree_.nodes[node] = KdNode::leaf(first, static_cast<std::uint32_t>(range.size()));
   }
 
-  Split bestSplit(const std::vector<Item>& items, const Box& cell)
+  KdSplit bestSplit(Range range, const Box& cell)
   {
-    Split best{ config_.intersectionCost * static_cast<double>(items.size()) };
-    for (int axis = 0; axis < 3; ++axis)
+    const KdItem* items = items_.data();
+    return search_.best({ items + range.begin, items + range.end }, cell);
+  }
+
+  /// The larger side is kept where the items stand, the other is put behind them. It is done with
+  /// first, so that the arena holds little more than the items of one level of the tree.
+  void distribute(Range range, const KdSplit& split, const Box cells[2], int kept, Range sides[2])
+  {
+    // One more, for the item that is written and not counted.
+    const std::size_t end = range.end + std::min(split.left, split.right) + 1;
+    items_.resize(std::max(items_.size(), end));
+    sides[kept] = { range.begin, range.begin };
+    sides[1 - kept] = { range.end, range.end };
+    for (std::size_t i = range.begin; i < range.end; ++i)
     {
-      if (cell.lower[axis] < cell.upper[axis])
+      const KdItem item = items_[i];
+      if (split.parts(item))
       {
-        events_.collect(items, axis);
-        sweep(axis, items.size(), cell, best);
+        appendParts(item, split.axis, cells, sides);
+        continue;
       }
+      // To both, and then only one counts it: no branch that is wrong every other time.
+      const bool isLeft = split.isLeft(item);
+      items_[sides[0].end] = item;
+      items_[sides[1].end] = item;
+      sides[0].end += isLeft ? 1 : 0;
+      sides[1].end += isLeft ? 0 : 1;
     }
-    return best;
   }
 
-  /// Moves a plane over the axis, counting what lies on either side.
-  void sweep(int axis, std::size_t count, const Box& cell, Split& best) const
+  void appendParts(const KdItem& item, int axis, const Box cells[2], Range sides[2])
   {
-    std::size_t begin = 0, end = 0, flat = 0;
-    std::size_t left = 0, right = count;
-    while (
-      begin < events_.begins.size() || end < events_.ends.size() || flat < events_.flats.size())
+    for (int side = 0; side < 2; ++side)
     {
-      double x = kInfinity;
-      x = begin < events_.begins.size() ? std::min(x, events_.begins[begin]) : x;
-      x = end < events_.ends.size() ? std::min(x, events_.ends[end]) : x;
-      x = flat < events_.flats.size() ? std::min(x, events_.flats[flat]) : x;
-      const std::size_t ending = passEqual(events_.ends, end, x);
-      const std::size_t lying = passEqual(events_.flats, flat, x);
-      const std::size_t beginning = passEqual(events_.begins, begin, x);
-      right -= ending + lying;
-      // Rounded so that what ends here stays left of the plane, or what begins here right of it.
-      const float plane = beginning > ending ? roundDown(x) : roundUp(x);
-      if (plane > cell.lower[axis] && plane < cell.upper[axis])
+      const KdItem part = clipped(item, cells[side], axis);
+      if (!part.isEmpty())
       {
-        consider({ 0, axis, plane, true }, left + lying, right, cell, best);
-        if (lying > 0)
-        {
-          consider({ 0, axis, plane, false }, left, right + lying, cell, best);
-        }
+        items_[sides[side].end++] = part;
       }
-      left += beginning + lying;
-    }
-  }
-
-  void consider(
-    Split split, std::size_t left, std::size_t right, const Box& cell, Split& best) const
-  {
-    const Vector3 extent = cell.extent();
-    const double cap = extent[(split.axis + 1) % 3] * extent[(split.axis + 2) % 3];
-    const double rim = extent[(split.axis + 1) % 3] + extent[(split.axis + 2) % 3];
-    const double area = cap + rim * extent[split.axis];
-    if (!(area > 0))
-    {
-      return;
-    }
-    const double leftArea = cap + rim * (split.plane - cell.lower[split.axis]);
-    const double rightArea = cap + rim * (cell.upper[split.axis] - split.plane);
-    split.cost = config_.traversalCost +
-      config_.intersectionCost *
-        (leftArea * static_cast<double>(left) + rightArea * static_cast<double>(right)) / area;
-    if (left == 0 || right == 0)
-    {
-      split.cost *= config_.emptyFactor;
-    }
-    if (split.cost < best.cost)
-    {
-      best = split;
     }
   }
 
   /// Invariant: where a primitive touches a cell, its item there has bounds that contain the touch.
-  void distribute(const std::vector<Item>& items, const Split& split, const Box& leftCell,
-    const Box& rightCell, std::vector<Item>& left, std::vector<Item>& right) const
-  {
-    for (const Item& item : items)
-    {
-      const double lower = item.bounds.lower[split.axis], upper = item.bounds.upper[split.axis];
-      if (lower == upper && lower == split.plane)
-      {
-        (split.flatGoLeft ? left : right).push_back(item);
-      }
-      else if (upper <= split.plane)
-      {
-        left.push_back(item);
-      }
-      else if (lower >= split.plane)
-      {
-        right.push_back(item);
-      }
-      else
-      {
-        addClipped(item, leftCell, left);
-        addClipped(item, rightCell, right);
-      }
-    }
-  }
-
-  void addClipped(const Item& item, const Box& cell, std::vector<Item>& items) const
+  KdItem clipped(const KdItem& item, const Box& cell, int axis) const
   {
     const KdPrimitive& primitive = primitives_[item.primitive];
-    Box bounds = item.bounds.intersection(cell);
+    KdItem part = item;
+    part.lower[axis] = std::max(part.lower[axis], roundDown(cell.lower[axis]));
+    part.upper[axis] = std::min(part.upper[axis], roundUp(cell.upper[axis]));
     if (primitive.triangle)
     {
       const double margin = clipError_ + primitive.margin;
       Box wider = cell;
       wider.inflate(margin);
-      Box clipped = boundsOfClipped(*primitive.triangle, wider);
-      clipped.inflate(margin);
-      bounds = bounds.intersection(clipped);
+      Box bounds = boundsOfClipped(*primitive.triangle, wider);
+      bounds.inflate(margin);
+      part.intersect(KdItem::of(item.primitive, bounds));
     }
-    if (!bounds.isEmpty())
-    {
-      items.push_back({ item.primitive, bounds });
-    }
+    return part;
   }
 
   void pollCheckpoint(std::size_t work)
@@ -274,8 +183,9 @@ private:
 
   const KdTreeBuilder& config_;
   const std::vector<KdPrimitive>& primitives_;
+  KdSplitSearch search_;
   KdTree tree_;
-  Events events_;
+  std::vector<KdItem> items_;
   double clipError_ = 0;
   int maxDepth_ = 0;
   std::size_t sincePoll_ = 0;

@@ -21,12 +21,14 @@ struct KdPrimitive
 };
 
 /// Builds by the surface-area heuristic with triangles clipped to their cells, see Wald and Havran,
-/// "On building fast kd-trees for ray tracing, and on doing that in O(N log N)" (2006).
+/// "On building fast kd-trees for ray tracing, and on doing that in O(N log N)" (2006). Leaves are
+/// tested in blocks, and a block that is not full costs as much as a full one.
 struct KdTreeBuilder
 {
-  double traversalCost = 1.0;
-  double intersectionCost = 0.8; ///< of one primitive, in units of traversalCost's unit
-  double emptyFactor = 0.8;      ///< reward (< 1) for cutting off empty space
+  double traversalCost = 1.0;    ///< of an inner node
+  double intersectionCost = 1.3; ///< of a block, in units of traversalCost's unit
+  int blockSize = 8;             ///< primitives tested at a time; 1: each costs the same
+  double emptyFactor = 0.9;      ///< reward (<= 1) for cutting off empty space
   Checkpoint checkpoint;         ///< may be empty
 
   KdTree build(const std::vector<KdPrimitive>& primitives) const;

@@ -42,20 +42,33 @@ void clip(const Polygon& in, int axis, double plane, double sign, Polygon& out)
 
 Box boundsOfClipped(const Triangle& triangle, const Box& box)
 {
-  Polygon polygon, next;
-  polygon.corners[0] = triangle.a;
-  polygon.corners[1] = triangle.b;
-  polygon.corners[2] = triangle.c;
-  polygon.size = 3;
-  for (int axis = 0; axis < 3 && polygon.size > 0; ++axis)
+  Polygon first, second;
+  Polygon *polygon = &first, *next = &second;
+  polygon->corners[0] = triangle.a;
+  polygon->corners[1] = triangle.b;
+  polygon->corners[2] = triangle.c;
+  polygon->size = 3;
+  const Box uncut = triangle.bounds();
+  const auto cutBy = [&](int axis, double plane, double sign) {
+    clip(*polygon, axis, plane, sign, *next);
+    std::swap(polygon, next);
+  };
+  for (int axis = 0; axis < 3; ++axis)
   {
-    clip(polygon, axis, box.lower[axis], 1.0, next);
-    clip(next, axis, box.upper[axis], -1.0, polygon);
+    // Most planes cut nothing.
+    if (uncut.lower[axis] < box.lower[axis])
+    {
+      cutBy(axis, box.lower[axis], 1.0);
+    }
+    if (uncut.upper[axis] > box.upper[axis])
+    {
+      cutBy(axis, box.upper[axis], -1.0);
+    }
   }
   Box bounds;
-  for (int i = 0; i < polygon.size; ++i)
+  for (int i = 0; i < polygon->size; ++i)
   {
-    bounds.add(polygon.corners[i]);
+    bounds.add(polygon->corners[i]);
   }
   return bounds;
 }
