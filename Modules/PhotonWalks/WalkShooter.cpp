@@ -39,7 +39,7 @@ void WalkShooter::follow(std::uint32_t walk, std::uint32_t bounce, WalkSegment s
   {
     const TriangleId id = segment.hit.id;
     const SurfacePoint point =
-      scene_.surfaceAt({ segment.origin, segment.direction, {} }, segment.hit);
+      scene_.surfaceAt(segment.direction, segment.hit);
     trace.add(segment, power, point.isFront);
 
     ++bounce;

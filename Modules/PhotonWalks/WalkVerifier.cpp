@@ -17,7 +17,6 @@ std::optional<StaleSegment> WalkVerifier::firstStaleSegment(
         hitBehindMovedObject(ray, old, block.hiddenStaticHit(walkInBlock, bounce)) };
     }
     // The hit stands where it stood: valid, unless a moved object came in front of it.
-    if (scene_.movedMayTouch(segment.origin, segment.direction, old.distance))
     {
       const Hit now = scene_.castMoved(shooter_.storedRay(block, walkInBlock, walk, bounce), old);
       if (now != old)

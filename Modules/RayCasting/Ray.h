@@ -3,6 +3,7 @@
 
 #include "Vector.h"
 
+#include <array>
 #include <cstdint>
 #include <tuple>
 
@@ -37,6 +38,9 @@ struct Hit
 {
   double distance = kInfinity; ///< in multiples of the ray's direction
   TriangleId id;
+  /// Barycentric weights of the second and third corner; rounded to float, so that a stored hit
+  /// says all that is needed to go on from it.
+  std::array<float, 2> weights{};
 
   explicit operator bool() const { return id.object != TriangleId::kNone; }
 

@@ -24,22 +24,9 @@ EnclosingEllipsoid enclose(const TriangleMesh& mesh)
 
 RigidObject::RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint)
   : mesh_(std::move(mesh))
-  , tree_(buildTriangleTree(mesh_, checkpoint))
+  , tree_(treeOf(mesh_.triangles(), checkpoint))
   , ellipsoid_(enclose(mesh_))
 {
-}
-
-KdTree buildTriangleTree(const TriangleMesh& mesh, const Checkpoint& checkpoint)
-{
-  std::vector<KdPrimitive> primitives;
-  primitives.reserve(mesh.size());
-  for (const Triangle& triangle : mesh.triangles())
-  {
-    primitives.push_back({ triangle.bounds(), &triangle });
-  }
-  KdTreeBuilder builder;
-  builder.checkpoint = checkpoint;
-  return builder.build(primitives);
 }
 
 }

@@ -2,7 +2,8 @@
 #define irradiance_RigidObject_h
 
 #include "EnclosingEllipsoid.h"
-#include "KdTreeBuilder.h"
+#include "TriangleMesh.h"
+#include "TriangleTree.h"
 
 namespace irradiance
 {
@@ -14,17 +15,14 @@ public:
   explicit RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint = {});
 
   const TriangleMesh& mesh() const { return mesh_; }
-  const KdTree& tree() const { return tree_; }
+  const TriangleTree& tree() const { return tree_; }
   const EnclosingEllipsoid& ellipsoid() const { return ellipsoid_; }
 
 private:
   TriangleMesh mesh_;
-  KdTree tree_;
+  TriangleTree tree_;
   EnclosingEllipsoid ellipsoid_;
 };
-
-/// A tree over the triangles of a mesh in the mesh's own space.
-KdTree buildTriangleTree(const TriangleMesh& mesh, const Checkpoint& checkpoint = {});
 
 }
 

@@ -2,7 +2,8 @@
 #define irradiance_Scene_h
 
 #include "EllipsoidBound.h"
-#include "KdTraversal.h"
+#include "KdTree.h"
+#include "Ray.h"
 #include "RigidObject.h"
 #include "SurfacePoint.h"
 #include "TriangleIntersection.h"
@@ -17,8 +18,8 @@ namespace irradiance
 enum class TraversalMode
 {
   OneTree,    ///< all triangles in one tree, rebuilt when anything moves
-  Sequential, ///< first the dynamic tree, then the static one up to the hit found
-  Parallel    ///< both trees side by side, always the one whose next node is nearer
+  Sequential, ///< first the dynamic trees, then the static one up to the hit found
+  Parallel    ///< static and dynamic trees in turns, a hit in either shortens the search of both
 };
 
 /// A dynamic object and its pose in this frame.
@@ -31,9 +32,11 @@ struct PlacedObject
 
 /**
  * The geometry of one frame: the static mesh (object 0) in a static tree, and the dynamic objects
- * (1, 2, ...) in a dynamic tree, which is rebuilt from their bounds when one of them moves. A
- * triangle of a dynamic object is always tested in its own model space, whichever tree led to it,
- * so that all modes find the same bits.
+ * (1, 2, ...), which are searched in their own trees behind their ellipsoids, or triangle by triangle
+ * in a tree that is rebuilt when one of them moves. A triangle of a dynamic object is always tested
+ * in its own model space, whichever tree led to it, so that all modes find the same bits.
+ *
+ * Rays are cast in batches: the searches of a batch run side by side.
  */
 class Scene
 {
@@ -49,24 +52,52 @@ public:
   /// verification has to look at. Call after any of the above, before any cast.
   void commit(const std::vector<bool>& moved, const Checkpoint& checkpoint = {});
 
-  /// The closest hit among all triangles.
-  Hit cast(const Ray& ray) const;
-  /// The closest hit in the static tree that is closer than `best`, else `best`. The caller knows
-  /// that there is none before `from`.
-  Hit castStatic(const Ray& ray, Hit best, double from = 0) const;
+  /// The closest hits among all triangles.
+  void cast(const Ray* rays, std::size_t count, Hit* hits) const;
+  /// For each ray the closest hit in the static tree that is closer than `best`, else `best`. The
+  /// caller knows that there is none before `from`, if that is given.
+  void castStatic(
+    const Ray* rays, std::size_t count, Hit* best, const double* from = nullptr) const;
   /// The same among all dynamic objects.
-  Hit castDynamic(const Ray& ray, Hit best) const;
+  void castDynamic(const Ray* rays, std::size_t count, Hit* best) const;
   /// The same among the objects marked as moved.
-  Hit castMoved(const Ray& ray, Hit best) const;
-  /// False if no moved object touches the ray up to `distance`; true is no promise. Cheap.
-  /// `direction` must be a unit vector.
-  bool movedMayTouch(const Vector3& origin, const Vector3& direction, double distance) const;
+  void castMoved(const Ray* rays, std::size_t count, Hit* best) const;
+
+  Hit cast(const Ray& ray) const
+  {
+    Hit hit;
+    cast(&ray, 1, &hit);
+    return hit;
+  }
+  Hit castStatic(const Ray& ray, Hit best, double from = 0) const
+  {
+    castStatic(&ray, 1, &best, &from);
+    return best;
+  }
+  Hit castDynamic(const Ray& ray, Hit best) const
+  {
+    castDynamic(&ray, 1, &best);
+    return best;
+  }
+  Hit castMoved(const Ray& ray, Hit best) const
+  {
+    castMoved(&ray, 1, &best);
+    return best;
+  }
 
   std::size_t numberOfObjects() const { return placed_.size(); }
+  /// Of all geometry.
+  const Box& bounds() const { return bounds_; }
   /// The triangle in world space, with the corners in the order of the mesh.
   Triangle worldTriangle(const TriangleId& id) const;
-  /// Where a ray met its hit; the normal is turned to the side from which the ray came.
-  SurfacePoint surfaceAt(const Ray& ray, const Hit& hit) const;
+  /// The point of a hit; the normal is turned to the side from which a ray of this direction comes.
+  SurfacePoint surfaceAt(const Vector3& direction, const Hit& hit) const;
+  /// The distance at which a ray meets a triangle that it is known to hit.
+  double distanceTo(const Ray& ray, const TriangleId& id) const;
+
+  /// A body that contains all that a moved object can hide from a segment: the object, and around it
+  /// as much as the distance of a grazing hit may be off, and `pad`.
+  EllipsoidBound shadowBound(std::uint32_t index, double pad) const;
 
 private:
   struct Placed
@@ -74,7 +105,10 @@ private:
     PlacedObject object;
     Matrix3 inverse;  ///< of the linear part
     double roundTrip; ///< error of a world position taken to model space and back
+    double slack;     ///< in the world: a hit may be this much closer than its triangle
     EllipsoidBound bound;
+    Vector3 ballCenter; ///< of a ball around the bound's box, which most segments miss
+    double ballSquaredRadius;
 
     Vector3 toObject(const Vector3& point) const
     {
@@ -82,51 +116,47 @@ private:
     }
   };
 
-  /// What a reference of a top-level tree stands for.
-  struct Entry
+  /// Triangles of several objects in one tree, in world space.
+  struct MixedTree
   {
-    static constexpr std::uint32_t kWhole = 0xffffffffu;
-    std::uint32_t object;
-    std::uint32_t triangle; ///< or kWhole: the object's own tree
+    TriangleTree tree;
+    std::vector<TriangleId> ids;
   };
 
-  struct TopTree
+  /// Some of the dynamic objects.
+  struct Group
   {
-    KdTree tree;
-    std::vector<Entry> entries;
+    MixedTree loose;
+    std::vector<std::uint32_t> whole; ///< indices in placed_
+    KdTree boxes;                     ///< over those, if they are many
   };
 
-  class TopCast;
+  class Casts;
 
-  void markMoved(const std::vector<bool>& moved);
   void place(double magnitude);
-  void addEntries(std::uint32_t object, bool asTriangles, TopTree& top,
-    std::vector<KdPrimitive>& primitives, std::vector<Triangle>& world) const;
-  TopTree buildTop(const std::vector<bool>& chosen, bool withStatic, const Checkpoint&) const;
-  const TriangleMesh& meshOf(std::uint32_t object) const;
+  MixedTree mix(const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const;
+  Group group(const std::vector<bool>& chosen, const Checkpoint& checkpoint) const;
+  const RigidObject& bodyOf(std::uint32_t object) const
+  {
+    return object == 0 ? *static_ : *placed_[object - 1].object.body;
+  }
   /// The ray in the space of the object.
   ShearedRay shearedFor(const Ray& ray, std::uint32_t object) const;
-  Hit castTop(const TopTree& top, const Ray& ray, Hit best) const;
-  Hit castParallel(const Ray& ray) const;
+  /// Nothing is farther from the ray's origin, in units of its direction.
+  double reachOf(const Ray& ray) const;
+  bool mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const;
+  void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;
+  void castManyWhole(const Group& group, const Ray& ray, Hit& best) const;
 
   TraversalMode mode_ = TraversalMode::Parallel;
   std::shared_ptr<const RigidObject> static_;
   std::vector<PlacedObject> objects_;
   std::vector<Placed> placed_;
-  /// A moved object, and a ball around it that most segments miss.
-  struct Moved
-  {
-    std::uint32_t index; ///< in placed_
-    Vector3 center;
-    double squaredRadius;
-  };
-
-  std::vector<Moved> moved_; ///< those with triangles
   Box pointSources_;
-  double reach_ = 0; ///< from any place where a ray starts, everything is closer
-  TopTree dynamicTree_;
-  TopTree movedTree_;
-  TopTree oneTree_;
+  Box bounds_;
+  Group dynamic_;
+  Group moved_;
+  MixedTree oneTree_;
 };
 
 }

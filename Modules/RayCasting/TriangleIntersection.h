@@ -22,6 +22,7 @@ namespace irradiance
 class ShearedRay
 {
 public:
+  ShearedRay() = default;
   ShearedRay(const Vector3& origin, const Vector3& direction)
     : origin_(origin)
   {

@@ -2,6 +2,7 @@
 
 #include "TestMeshes.h"
 #include "TestRays.h"
+#include "TestSimdLevels.h"
 
 #include <gtest/gtest.h>
 
@@ -81,15 +82,27 @@ TEST_P(KdTreeLaw, FindsWhatBruteForceFinds)
   int hits = 0, wrong = 0;
   for (const RayKind kind : kRayKinds)
   {
+    std::vector<Ray> rays;
+    std::vector<Hit> expected;
     for (int i = 0; i < numberOfRays(); ++i)
     {
-      const Ray ray = source.next(kind);
-      const Hit expected = bruteForce(body->mesh(), ray);
-      const Hit found = scene.cast(ray);
-      hits += expected ? 1 : 0;
-      if (!haveSameBits(found, expected) && ++wrong <= 3)
+      rays.push_back(source.next(kind));
+      expected.push_back(bruteForce(body->mesh(), rays.back()));
+      hits += expected.back() ? 1 : 0;
+    }
+    for (const SimdLevel level : test::simdLevels())
+    {
+      const test::SimdLimit limit(level);
+      std::vector<Hit> found(rays.size());
+      scene.cast(rays.data(), rays.size(), found.data());
+      for (std::size_t i = 0; i < rays.size(); ++i)
       {
-        ADD_FAILURE() << nameOf(kind) << " ray " << i << ' ' << describe(ray, expected, found);
+        if (!haveSameBits(found[i], expected[i]) && ++wrong <= 3)
+        {
+          ADD_FAILURE() << nameOf(kind) << " ray " << i << ", SIMD level "
+                        << static_cast<int>(level) << ' '
+                        << describe(rays[i], expected[i], found[i]);
+        }
       }
     }
   }
@@ -159,9 +172,13 @@ TEST(KdTree, EveryTriangleIsInSomeLeaf)
 {
   for (const NamedMesh& mesh : test::testMeshes())
   {
-    const TriangleMesh triangles(mesh.triangles);
-    const KdTree tree = buildTriangleTree(triangles);
-    std::vector<bool> seen(triangles.size());
+    std::vector<KdPrimitive> primitives;
+    for (const Triangle& triangle : mesh.triangles)
+    {
+      primitives.push_back({ triangle.bounds(), &triangle });
+    }
+    const KdTree tree = KdTreeBuilder().build(primitives);
+    std::vector<bool> seen(primitives.size());
     for (const std::uint32_t reference : tree.references)
     {
       seen[reference] = true;

@@ -78,7 +78,7 @@ TEST_P(SpawnedRays, StayInAClosedMesh)
     const Ray ray{ point.clearPosition(), randomDirection(point.normal, random), start };
     const Hit hit = scene.castStatic(ray, {});
     const bool isLeak = !hit;
-    const bool isLoss = hit && scene.surfaceAt(ray, hit).isFront; // met from outside
+    const bool isLoss = hit && scene.surfaceAt(ray.direction, hit).isFront; // met from outside
     leaks += isLeak ? 1 : 0;
     losses += isLoss ? 1 : 0;
     if ((isLeak || isLoss) && leaks + losses <= 3)

@@ -1,0 +1,24 @@
+#ifndef irradiance_SimdTarget_h
+#define irradiance_SimdTarget_h
+
+/**
+ * Functions between IRRADIANCE_TARGET_BEGIN and IRRADIANCE_TARGET_END may use the instructions named,
+ * whatever the machine that compiles. All other headers are to be included before: what they define
+ * must stay fit for every machine. Such functions belong into an unnamed namespace, so that the
+ * linker never puts one of them in the place of a plain one.
+ */
+#define IRRADIANCE_PRAGMA(text) _Pragma(#text)
+#ifdef __clang__
+#define IRRADIANCE_TARGET_BEGIN(list)                                                               \
+  IRRADIANCE_PRAGMA(clang attribute push(__attribute__((target(list))), apply_to = function))
+#define IRRADIANCE_TARGET_END IRRADIANCE_PRAGMA(clang attribute pop)
+#else
+#define IRRADIANCE_TARGET_BEGIN(list)                                                               \
+  IRRADIANCE_PRAGMA(GCC push_options) IRRADIANCE_PRAGMA(GCC target(list))
+#define IRRADIANCE_TARGET_END IRRADIANCE_PRAGMA(GCC pop_options)
+#endif
+
+#define IRRADIANCE_AVX2 "avx2,fma,bmi,bmi2,popcnt,lzcnt"
+#define IRRADIANCE_AVX512 "avx512f,avx512vl,avx512bw,avx512dq," IRRADIANCE_AVX2
+
+#endif

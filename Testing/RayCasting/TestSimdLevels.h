@@ -1,0 +1,37 @@
+#ifndef TestSimdLevels_h
+#define TestSimdLevels_h
+
+#include "SimdLevel.h"
+
+#include <vector>
+
+namespace irradiance::test
+{
+
+/// As long as it lives, at most this level is used.
+class SimdLimit
+{
+public:
+  explicit SimdLimit(SimdLevel limit) { limitSimd(limit); }
+  ~SimdLimit() { limitSimd(SimdLevel::Avx512); }
+  SimdLimit(const SimdLimit&) = delete;
+  SimdLimit& operator=(const SimdLimit&) = delete;
+};
+
+/// All that this machine has.
+inline std::vector<SimdLevel> simdLevels()
+{
+  std::vector<SimdLevel> levels;
+  for (const SimdLevel level : { SimdLevel::Plain, SimdLevel::Avx2, SimdLevel::Avx512 })
+  {
+    if (level <= simdLevel())
+    {
+      levels.push_back(level);
+    }
+  }
+  return levels;
+}
+
+}
+
+#endif
