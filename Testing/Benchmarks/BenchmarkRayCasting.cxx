@@ -131,7 +131,7 @@ void timeBuilds(const SceneObject& object, int rounds, Results& results)
     timeInTurns({ [&] {
                    EmbreeScene({ { object.body, nullptr, {} }, {} });
                  },
-                  [&] { buildTriangleTree(object.body->mesh()); } },
+                  [&] { treeOf(object.body->mesh().triangles()); } },
       rounds);
   results.add("TreeBuild", "ours", "time / Embree's, HIGH quality", ratios(seconds[1], seconds[0]));
   results.add("TreeBuild", "ours", "s", seconds[1]);

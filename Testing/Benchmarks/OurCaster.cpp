@@ -1,22 +1,21 @@
 #include "OurCaster.h"
 
-#include <algorithm>
-
 using namespace irradiance;
-
-namespace
-{
-
-void castAll(const Scene& scene, const Ray* rays, std::size_t count, Hit* hits)
-{
-  std::transform(rays, rays + count, hits, [&](const Ray& ray) { return scene.cast(ray); });
-}
-
-}
 
 std::vector<SimdChoice> simdChoices()
 {
-  return { { "", [] {} } };
+  limitSimd(SimdLevel::Avx512);
+  const SimdLevel best = simdLevel();
+  std::vector<SimdChoice> choices = { { "", best } };
+  for (const SimdChoice& lower :
+    { SimdChoice{ ", AVX2", SimdLevel::Avx2 }, SimdChoice{ ", plain", SimdLevel::Plain } })
+  {
+    if (lower.level < best)
+    {
+      choices.push_back(lower);
+    }
+  }
+  return choices;
 }
 
 OurCaster::OurCaster(std::string name, std::shared_ptr<const Scene> scene, const SimdChoice& choice)
@@ -28,8 +27,8 @@ OurCaster::OurCaster(std::string name, std::shared_ptr<const Scene> scene, const
 
 void OurCaster::cast(std::vector<Hit>& hits)
 {
-  choice_.take();
-  castAll(*scene_, rays_.data(), rays_.size(), hits.data());
+  limitSimd(choice_.level);
+  scene_->cast(rays_.data(), rays_.size(), hits.data());
 }
 
 std::shared_ptr<const Scene> makeScene(const SceneObjects& objects, TraversalMode mode)

@@ -3,17 +3,17 @@
 
 #include "Caster.h"
 #include "Scene.h"
+#include "SimdLevel.h"
 #include "Surface.h"
 
-#include <functional>
-
-/// A way in which our casts can run on this machine.
+/// Instructions that our casts can be held to.
 struct SimdChoice
 {
-  std::string name;           ///< behind that of the rival; empty for the best that the machine has
-  std::function<void()> take; ///< makes all casts from now on run in that way
+  std::string name; ///< behind that of the rival; empty for the best that the machine has
+  irradiance::SimdLevel level;
 };
 
+/// All that this machine has, the best first.
 std::vector<SimdChoice> simdChoices();
 
 /// irradiance::Scene, which casts all rays by one call.
