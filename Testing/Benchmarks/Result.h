@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-/// What a figure has to reach (`bar`), and what it is hoped to reach (`aim`); NaN: not set. Where the
-/// aim is smaller than the bar, less is better.
+/// What a figure has to reach (`bar`), and what it is hoped to reach (`aim`): both, or neither (NaN).
+/// Where the aim is smaller than the bar, less is better.
 struct Goal
 {
   double bar = std::numeric_limits<double>::quiet_NaN();
