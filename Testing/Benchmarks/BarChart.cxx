@@ -58,12 +58,23 @@ vtkSmartPointer<vtkTable> makeTable(const std::vector<Result>& results,
   return table;
 }
 
+/// Whether a column is the unit of the others, which needs no bars.
+bool isUnit(vtkTable* table, vtkIdType column)
+{
+  const double* range = vtkDataArray::SafeDownCast(table->GetColumn(column))->GetRange();
+  return range[0] == 1 && range[1] == 1;
+}
+
 void addBars(vtkChartXY* chart, vtkTable* table)
 {
   vtkNew<vtkColorSeries> colors;
   colors->SetColorScheme(vtkColorSeries::BREWER_QUALITATIVE_PAIRED);
   for (vtkIdType column = 1; column < table->GetNumberOfColumns(); ++column)
   {
+    if (isUnit(table, column))
+    {
+      continue;
+    }
     vtkPlot* bars = chart->AddPlot(vtkChart::BAR);
     bars->SetInputData(table, 0, column);
     const vtkColor3ub color = colors->GetColorRepeating(static_cast<int>(column - 1));
