@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # To be sourced by bash. The one list of what has to be installed, by role, and the way to get it:
 #
-#   require_packages ROLE...      build, display, test, benchmark
+#   require_packages ROLE...      build, display, test, benchmark, meshes (what the benchmark's come by)
 #   fetch_data                    what Data/fetch.sh fetches
 #
 # On Debian and its kin what is missing is installed, by root or through sudo; nothing is said when nothing
@@ -19,6 +19,7 @@ packages_of()
     display) echo xvfb ;;
     test) echo libgtest-dev clang-format clang-tidy ;;
     benchmark) echo libembree-dev ;;
+    meshes) echo npm ;;
     *)
       echo "packages.sh: unknown role $1" >&2
       exit 2

@@ -7,10 +7,13 @@
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 10] [head.off]
  */
 #include "EmbreeShooter.h"
+#include "Goals.h"
 #include "IrradianceEngine.h"
+#include "Results.h"
 #include "SceneReader.h"
 #include "TeapotPath.h"
 #include "TeapotScene.h"
+#include "Timing.h"
 
 #include <vtkCellData.h>
 #include <vtkMatrix4x4.h>
@@ -18,40 +21,14 @@
 #include <vtkPolyData.h>
 #include <vtkTransform.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 using namespace irradiance;
 
 namespace
 {
-
-double cpuSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-struct Spread
-{
-  double smallest, median, largest;
-};
-
-Spread spreadOf(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return { values.front(), values[values.size() / 2], values.back() };
-}
-
-void print(const char* what, const std::vector<double>& values)
-{
-  const Spread spread = spreadOf(values);
-  std::printf(
-    "| %-58s | %8.4f | %8.4f .. %8.4f |\n", what, spread.median, spread.smallest, spread.largest);
-}
 
 AffineMap poseAt(double time)
 {
@@ -106,23 +83,23 @@ double shareOf(const CellSums& sums, const SceneObjects& objects, std::uint32_t 
 struct Timings
 {
   std::vector<double> shootOverEmbree, verifyOverShoot, repairOverShoot, frameOverShoot,
-    frameOverEmbree, invalid;
+    verifyOverEmbree, embreeOverFrame, invalid;
 };
 
 void timeRound(SceneObjects objects, const EngineSettings& settings, int frames, Timings& timings)
 {
   Execution serial;
   IrradianceEngine engine;
-  double start = cpuSeconds();
+  double start = threadCpuSeconds();
   engine.update(objects, settings, serial);
-  const double shooting = cpuSeconds() - start;
+  const double shooting = threadCpuSeconds() - start;
 
   const EmbreeScene embree(objects);
   CellSums sums(objects, 1);
-  start = cpuSeconds();
+  start = threadCpuSeconds();
   const std::int64_t segments =
     shootWithEmbree(embree, objects, settings.numberOfWalks, settings.seed, sums);
-  const double peer = cpuSeconds() - start;
+  const double peer = threadCpuSeconds() - start;
 
   const double ours = shareOf(engine.sums(), objects, 1), theirs = shareOf(sums, objects, 1);
   const auto counted = static_cast<double>(engine.balance().segments);
@@ -142,19 +119,40 @@ void timeRound(SceneObjects objects, const EngineSettings& settings, int frames,
   for (int frame = 1; frame <= frames; ++frame)
   {
     objects.dynamic[0].worldFromObject = poseAt(frame / 60.0);
-    start = cpuSeconds();
+    start = threadCpuSeconds();
     engine.update(objects, settings, serial);
-    const double whole = cpuSeconds() - start;
+    const double whole = threadCpuSeconds() - start;
     const EngineStatistics& cost = engine.statistics();
     // The engine's own clocks run on while the machine does other things; only their ratio counts.
     const double verifying = whole * cost.verifySeconds / (cost.verifySeconds + cost.repairSeconds);
     timings.verifyOverShoot.push_back(verifying / shooting);
     timings.repairOverShoot.push_back((whole - verifying) / shooting);
     timings.frameOverShoot.push_back(whole / shooting);
-    timings.frameOverEmbree.push_back(peer / whole);
+    timings.verifyOverEmbree.push_back(verifying / peer);
+    timings.embreeOverFrame.push_back(peer / whole);
     timings.invalid.push_back(
       static_cast<double>(cost.invalidWalks) / static_cast<double>(settings.numberOfWalks));
   }
+}
+
+void report(const Timings& timings)
+{
+  Results results("BenchmarkMovingTeapot");
+  const auto add = [&](const char* row, const char* quantity, const std::vector<double>& values,
+                     const Goal& goal = {}) {
+    results.add("MovingTeapot", row, quantity, values, goal);
+  };
+  const char* const overShooting = "time / first shooting";
+  const char* const overEmbree = "time / the same walks with rtcIntersect1";
+  add("first shooting", overEmbree, timings.shootOverEmbree);
+  add("verification (paper: 0.14)", overShooting, timings.verifyOverShoot);
+  add("repair (paper: 0.029)", overShooting, timings.repairOverShoot);
+  add("verification and repair (paper: 0.17)", overShooting, timings.frameOverShoot);
+  add("verification", overEmbree, timings.verifyOverEmbree, goals::kVerification);
+  add("re-shooting with rtcIntersect1", "time / verification and repair", timings.embreeOverFrame,
+    goals::kReshooting);
+  add("walks that changed in a frame", "share of all walks", timings.invalid);
+  results.finish();
 }
 
 }
@@ -175,12 +173,6 @@ int main(int argc, char* argv[])
   {
     timeRound(objects, settings, frames, timings);
   }
-  std::printf("| %-58s | %8s | %20s |\n", "ratio, one thread", "median", "range");
-  print("first shooting / Embree's rtcIntersect1, same walks", timings.shootOverEmbree);
-  print("verification / first shooting (paper 0.14)", timings.verifyOverShoot);
-  print("repair / first shooting (paper 0.029)", timings.repairOverShoot);
-  print("verification + repair / first shooting (paper 0.17)", timings.frameOverShoot);
-  print("re-shooting with Embree / verification + repair", timings.frameOverEmbree);
-  print("walks that changed in a frame", timings.invalid);
+  report(timings);
   return EXIT_SUCCESS;
 }

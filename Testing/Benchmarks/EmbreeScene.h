@@ -25,6 +25,8 @@ public:
   /// rtcIntersect1. The ray begins a float's rounding away from its origin.
   Found cast(const irradiance::Ray& ray) const;
 
+  RTCScene top() const { return top_; }
+
 private:
   RTCScene makeScene(const irradiance::TriangleMesh& mesh) const;
   RTCGeometry makeMesh(const irradiance::TriangleMesh& mesh) const;

@@ -1,0 +1,108 @@
+/**
+ * Section 2.5 of the paper: the static and the dynamic triangles in one tree, in two trees searched
+ * one after the other, and in two trees searched side by side. The dynamic triangles are loose, each
+ * moves on its own: "we wanted to have a high number of dynamic objects, instead of a few composite
+ * ones". The hits of the three modes must be the same bits; then the modes are timed in turns on one
+ * thread. What one tree costs besides, to be rebuilt whole in every frame, is not in these times.
+ *
+ * Arguments: [rays = 300000] [rounds = 7]
+ */
+#include "BenchmarkScene.h"
+#include "OurCaster.h"
+#include "RaySet.h"
+#include "Results.h"
+#include "Timing.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+
+using namespace irradiance;
+
+namespace
+{
+
+struct Mode
+{
+  TraversalMode mode;
+  const char* name;
+};
+
+constexpr Mode kModes[] = { { TraversalMode::OneTree, "one tree" },
+  { TraversalMode::Sequential, "sequential" }, { TraversalMode::Parallel, "parallel" } };
+
+std::vector<std::unique_ptr<OurCaster>> makeCasters(const SceneObjects& objects)
+{
+  std::vector<std::unique_ptr<OurCaster>> casters;
+  for (const Mode& mode : kModes)
+  {
+    casters.push_back(
+      std::make_unique<OurCaster>(mode.name, makeScene(objects, mode.mode), simdChoices().front()));
+  }
+  return casters;
+}
+
+/// Of each mode, in the order of kModes.
+std::vector<std::vector<double>> timeModes(
+  const std::vector<std::unique_ptr<OurCaster>>& casters, const std::vector<Ray>& rays, int rounds)
+{
+  std::vector<std::vector<Hit>> hits(casters.size(), std::vector<Hit>(rays.size()));
+  std::vector<std::function<void()>> jobs;
+  for (std::size_t i = 0; i < casters.size(); ++i)
+  {
+    casters[i]->setRays(rays);
+    jobs.push_back([&caster = *casters[i], &found = hits[i]] { caster.cast(found); });
+    jobs.back()();
+    if (hits[i] != hits[0])
+    {
+      throw std::runtime_error(casters[i]->name() + " finds other hits than " + casters[0]->name());
+    }
+  }
+  return timeInTurns(jobs, rounds);
+}
+
+void timeScene(const BenchmarkScene& scene, std::uint32_t count, int rounds, Results& results)
+{
+  const std::vector<std::unique_ptr<OurCaster>> casters = makeCasters(scene.objects);
+  for (const RaySet set : { RaySet::Surfaces, RaySet::Light })
+  {
+    const std::vector<std::vector<double>> seconds =
+      timeModes(casters, makeRays(scene, set, count), rounds);
+    const std::string column = scene.name + ", " + letterOf(set);
+    for (std::size_t i = 0; i < casters.size(); ++i)
+    {
+      const std::string& name = casters[i]->name();
+      results.add("TraversalModes", name, column, ratios(seconds[i], seconds[0]));
+      const std::vector<double> millions(seconds[i].size(), 1e-6 * count);
+      results.add("TraversalModesRates", name, column, ratios(millions, seconds[i]));
+    }
+  }
+}
+
+void run(int argc, char* argv[])
+{
+  const auto count =
+    static_cast<std::uint32_t>(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 300000);
+  const int rounds = argc > 2 ? std::atoi(argv[2]) : 7;
+  Results results("BenchmarkTraversalModes");
+  timeScene(makeTeapotsScene(), count, rounds, results);
+  timeScene(makeRandomScene(true), count, rounds, results);
+  results.finish();
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    run(argc, argv);
+    return EXIT_SUCCESS;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return EXIT_FAILURE;
+  }
+}
