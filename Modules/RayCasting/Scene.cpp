@@ -147,6 +147,7 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
   if (boxes.size() >= kManyObjects)
   {
     KdTreeBuilder builder;
+    builder.blockSize = 1;
     builder.checkpoint = checkpoint;
     group.boxes = builder.build(boxes);
   }

@@ -132,10 +132,12 @@ inline BlockAnswer askBlock(const TriangleBlock& block, const UnitCast& cast)
   const __m256 far = _mm256_fmadd_ps(size, _mm256_set1_ps(cast.limit), blur);
   const __m256 near = _mm256_fmadd_ps(size, _mm256_set1_ps(cast.slack), blur);
   const __m256 zero = _mm256_setzero_ps();
-  const __m256 isOther = _mm256_castsi256_ps(_mm256_cmpeq_epi32(
+  const __m256i references = _mm256_and_si256(
     _mm256_load_si256(reinterpret_cast<const __m256i*>(block.references)),
-    _mm256_set1_epi32(static_cast<int>(cast.skipped))));
-  const __m256 isPossible = _mm256_andnot_ps(isOther,
+    _mm256_set1_epi32(static_cast<int>(~TriangleBlock::kMore)));
+  const __m256 isSkipped = _mm256_castsi256_ps(
+    _mm256_cmpeq_epi32(references, _mm256_set1_epi32(static_cast<int>(cast.skipped))));
+  const __m256 isPossible = _mm256_andnot_ps(isSkipped,
     _mm256_and_ps(_mm256_cmp_ps(_mm256_add_ps(inside, edgeBlur), zero, _CMP_GE_OQ),
       _mm256_and_ps(_mm256_cmp_ps(distance, far, _CMP_LE_OQ),
         _mm256_cmp_ps(_mm256_add_ps(distance, near), zero, _CMP_GE_OQ))));
