@@ -1,7 +1,10 @@
 #include "IrradianceEngine.h"
 
+#include "WalkBatch.h"
+
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <mutex>
 
 namespace irradiance
@@ -75,6 +78,10 @@ void IrradianceEngine::overBlocks(const Phase& phase, Execution& execution)
       {
         for (std::size_t i = first + begin; i < first + end && !deadline.hasPassed(); ++i)
         {
+          if (next[i] == phase.size(i))
+          {
+            continue;
+          }
           phase.work(i, next[i], deadline, balance);
         }
       }
@@ -199,42 +206,80 @@ void IrradianceEngine::shootAll(Execution& execution)
 {
   commitScene({}, execution);
   const Clock::time_point start = Clock::now();
-  const int bands = objects_.fixed.surface->bands;
   sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1);
   balance_ = {};
   history_.clear();
   const bool keep = settings_.verify && !objects_.dynamic.empty();
+  Box world = scene_.bounds();
+  world.add(emitters_.pointBounds());
+  pointFrame_ = UnitFrame(world);
+  pointReach_ = reachInFrame();
   for (std::size_t block = 0; keep && block < numberOfBlocks(); ++block)
   {
-    history_.emplace_back(walksIn(block), bands, settings_.separateSides);
+    history_.emplace_back(walksIn(block), objects_.fixed.surface->bands, pointFrame_);
   }
   const SobolSequence samples(settings_.seed);
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  Phase phase(0, 1);
-  phase.size = [this](std::size_t block) { return walksIn(block); };
-  phase.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
-                 PowerBalance& balance) {
-    WalkTrace trace;
-    WalkBooking booking(sums_, balance);
-    for (; next < walksIn(block) && !deadline.hasPassed(); ++next)
+  const auto fill = [&](std::size_t block, WalkBatch& batch) {
+    for (std::uint32_t i = 0; i < walksIn(block); ++i)
     {
-      shooter.shoot(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + next, trace);
-      booking.add(trace, 0);
+      batch.shoot(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + i);
+    }
+  };
+  const auto finish = [&](std::size_t block, WalkBatch& batch, WalkBooking&, PowerBalance& balance) {
+    for (const WalkBatch::Tail& tail : batch.tails())
+    {
+      const WalkSegment* segments = batch.segments().data() + tail.first;
+      balance.emitted += segments->power;
       if (keep)
       {
-        history_[block].replaceTail(next, 0, trace);
+        history_[block].replaceTail(tail.walk % WalkBlock::kWalks, 0, segments, tail.size);
       }
     }
-    if (keep && next == walksIn(block))
+    if (keep)
     {
       history_[block].shrink();
     }
   };
   if (!emitters_.isEmpty())
   {
-    overBlocks(phase, execution);
+    overBatches(0, 1, shooter, fill, finish, execution);
   }
   statistics_.shootSeconds = secondsSince(start);
+}
+
+/// Runs one batch of walks for each block: `fill` says which, `finish` keeps them.
+template <class Fill, class Finish>
+void IrradianceEngine::overBatches(double progressFrom, double progressTo,
+  const WalkShooter& shooter, const Fill& fill, const Finish& finish, Execution& execution)
+{
+  std::vector<std::unique_ptr<WalkBatch>> open(numberOfBlocks());
+  Phase phase(progressFrom, progressTo);
+  phase.size = [](std::size_t) { return 1; };
+  phase.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
+                 PowerBalance& balance) {
+    WalkBooking booking(sums_, balance);
+    if (!open[block])
+    {
+      open[block] = std::make_unique<WalkBatch>(shooter);
+      fill(block, *open[block]);
+    }
+    if (open[block]->run(booking, [&] { return deadline.hasPassed(); }))
+    {
+      finish(block, *open[block], booking, balance);
+      open[block].reset();
+      next = 1;
+    }
+  };
+  overBlocks(phase, execution);
+}
+
+double IrradianceEngine::reachInFrame() const
+{
+  Box world = scene_.bounds();
+  world.add(emitters_.pointBounds());
+  return std::max(pointFrame_(world.lower).cwiseAbs().maxCoeff(),
+    pointFrame_(world.upper).cwiseAbs().maxCoeff());
 }
 
 void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)
@@ -252,80 +297,85 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   commitScene(moved, execution);
   const SobolSequence samples(settings_.seed);
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  const WalkVerifier verifier(scene_, shooter, moved);
-  std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
-
-  Phase verification(0, 0.5);
-  verification.size = [this](std::size_t block) { return walksIn(block); };
-  verification.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
-                        PowerBalance&) {
-    for (; next < walksIn(block) && (next % 16 != 0 || !deadline.hasPassed()); ++next)
-    {
-      const auto walk = static_cast<std::uint32_t>(block) * WalkBlock::kWalks + next;
-      if (const auto found = verifier.firstStaleSegment(history_[block], next, walk))
-      {
-        stale[block].push_back(*found);
-      }
-    }
-  };
-  overBlocks(verification, execution);
+  const std::vector<std::vector<StaleSegment>> stale = verify(shooter, moved, execution);
   statistics_.verifySeconds = secondsSince(start);
 
   start = Clock::now();
-  std::atomic<std::int64_t> repaired{ 0 };
-  Phase repair(0.5, 1);
-  repair.size = [&](std::size_t block) { return static_cast<std::uint32_t>(stale[block].size()); };
-  repair.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
-                  PowerBalance& balance) {
-    WalkTrace trace;
-    for (; next < stale[block].size() && !deadline.hasPassed(); ++next)
-    {
-      repairWalk(block, stale[block][next], shooter, trace, balance);
-      repaired += trace.size();
-    }
-  };
-  overBlocks(repair, execution);
+  repair(shooter, stale, execution);
   statistics_.repairSeconds = secondsSince(start);
-  statistics_.repairedSegments = repaired;
+}
+
+std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
+  const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution)
+{
+  pointReach_ = std::max(pointReach_, reachInFrame()); // stored points are where objects have been
+  SegmentScan scan(pointFrame_, pointReach_);
+  for (std::uint32_t i = 0; i < moved.size(); ++i)
+  {
+    if (moved[i] && !objects_.dynamic[i].body->mesh().isEmpty())
+    {
+      scan.addBody(scene_.shadowBound(i));
+      scan.addMoved(i + 1);
+    }
+  }
+  const WalkVerifier verifier(shooter, moved, scan);
+  std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
+  Phase phase(0, 0.5);
+  phase.size = [](std::size_t) { return 1; };
+  phase.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline&, PowerBalance&) {
+    stale[block] = verifier.staleSegments(
+      history_[block], static_cast<std::uint32_t>(block) * WalkBlock::kWalks);
+    next = 1;
+  };
+  overBlocks(phase, execution);
   for (const auto& found : stale)
   {
     statistics_.invalidWalks += static_cast<std::int64_t>(found.size());
   }
+  return stale;
 }
 
-void IrradianceEngine::repairWalk(std::size_t block, const StaleSegment& stale,
-  const WalkShooter& shooter, WalkTrace& trace, PowerBalance& balance)
+void IrradianceEngine::repair(const WalkShooter& shooter,
+  const std::vector<std::vector<StaleSegment>>& stale, Execution& execution)
 {
-  WalkBlock& walks = history_[block];
-  const std::uint32_t inBlock = stale.walkInBlock, bounce = stale.bounce;
-  WalkSegment segment = walks.segment(inBlock, bounce);
-  segment.hit = stale.hit;
-  shooter.resume(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + inBlock, bounce, segment,
-    walks.power(inBlock, 0), walks.power(inBlock, bounce), trace);
-
-  WalkBooking booking(sums_, balance);
-  booking.remove(walks, inBlock, bounce);
-  booking.add(trace, bounce);
-  if (bounce == 0)
-  {
-    balance.emitted -= trace.power(0); // it was emitted before
-  }
-  cacheStaticHit(walks, stale);
-  walks.replaceTail(inBlock, bounce, trace);
+  std::atomic<std::int64_t> repaired{ 0 };
+  const auto fill = [&](std::size_t block, WalkBatch& batch) {
+    const WalkBlock& walks = history_[block];
+    for (const StaleSegment& segment : stale[block])
+    {
+      batch.resume(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + segment.walkInBlock,
+        segment.bounce, segment.ray, segment.hit, walks.power(segment.walkInBlock, 0),
+        walks.power(segment.walkInBlock, segment.bounce));
+    }
+  };
+  const auto finish = [&](std::size_t block, WalkBatch& batch, WalkBooking& booking, PowerBalance&) {
+    WalkBlock& walks = history_[block];
+    const std::vector<WalkBatch::Tail>& tails = batch.tails();
+    for (std::size_t i = 0; i < tails.size(); ++i)
+    {
+      const StaleSegment& segment = stale[block][i];
+      booking.remove(walks, segment.walkInBlock, segment.bounce);
+      cacheStaticHit(walks, segment);
+      walks.replaceTail(segment.walkInBlock, segment.bounce,
+        batch.segments().data() + tails[i].first, tails[i].size);
+    }
+    repaired += static_cast<std::int64_t>(batch.segments().size());
+  };
+  overBatches(0.5, 1, shooter, fill, finish, execution);
+  statistics_.repairedSegments = repaired;
 }
 
 /// Section 3.3 of the paper: a static hit that becomes hidden is kept until the segment goes.
 void IrradianceEngine::cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const
 {
   const auto isDynamic = [](const Hit& hit) { return hit && hit.id.object > 0; };
-  const Hit& old = block.segment(stale.walkInBlock, stale.bounce).hit;
   if (!isDynamic(stale.hit))
   {
     block.forgetStaticHit(stale.walkInBlock, stale.bounce);
   }
-  else if (settings_.cacheStaticHits && !isDynamic(old))
+  else if (settings_.cacheStaticHits && !isDynamic(stale.old))
   {
-    block.rememberStaticHit(stale.walkInBlock, stale.bounce, old);
+    block.rememberStaticHit(stale.walkInBlock, stale.bounce, stale.old);
   }
 }
 

@@ -67,8 +67,14 @@ private:
   void commitScene(const std::vector<bool>& moved, Execution& execution);
   void shootAll(Execution& execution);
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
-  void repairWalk(std::size_t block, const StaleSegment& stale, const WalkShooter& shooter,
-    WalkTrace& trace, PowerBalance& balance);
+  std::vector<std::vector<StaleSegment>> verify(
+    const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
+  void repair(const WalkShooter& shooter, const std::vector<std::vector<StaleSegment>>& stale,
+    Execution& execution);
+  template <class Fill, class Finish>
+  void overBatches(double progressFrom, double progressTo, const WalkShooter& shooter,
+    const Fill& fill, const Finish& finish, Execution& execution);
+  double reachInFrame() const;
   void cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const;
   void overBlocks(const Phase& phase, Execution& execution);
   std::size_t numberOfBlocks() const;
@@ -82,6 +88,8 @@ private:
   CellSums sums_;
   PowerBalance balance_;
   std::vector<WalkBlock> history_; ///< empty unless something may move
+  UnitFrame pointFrame_;          ///< of the stored points
+  double pointReach_ = 0;         ///< their largest coordinate, but for those of escapes
   EngineStatistics statistics_;
 };
 

@@ -24,25 +24,14 @@ void checkReceived(const PowerBalance& balance)
   }
 }
 
-void WalkBooking::add(const WalkTrace& tail, std::uint32_t firstBounce)
-{
-  if (firstBounce == 0)
-  {
-    balance_.emitted += tail.power(0);
-  }
-  for (std::uint32_t i = 0; i < tail.size(); ++i)
-  {
-    const Power carriedOn = i + 1 < tail.size() ? tail.power(i + 1) : Power{};
-    book(tail.segment(i).hit, tail.isFront(i), tail.power(i), carriedOn, 1);
-  }
-}
-
 void WalkBooking::remove(const WalkBlock& block, std::uint32_t walk, std::uint32_t firstBounce)
 {
+  Power incoming = block.power(walk, firstBounce);
   for (std::uint32_t i = firstBounce; i < block.size(walk); ++i)
   {
-    const Power carriedOn = i + 1 < block.size(walk) ? block.power(walk, i + 1) : Power{};
-    book(block.segment(walk, i).hit, block.isFront(walk, i), block.power(walk, i), carriedOn, -1);
+    const Power carriedOn = block.power(walk, i + 1); // zero behind the last
+    book(block.hit(walk, i), block.isFront(walk, i), incoming, carriedOn, -1);
+    incoming = carriedOn;
   }
 }
 

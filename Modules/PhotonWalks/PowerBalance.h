@@ -24,7 +24,7 @@ struct PowerBalance
 /// Throws std::overflow_error when cell sums might overflow.
 void checkReceived(const PowerBalance& balance);
 
-/// Books segments of a walk in the cells and the balance (sign 1), or takes them back (sign -1).
+/// Books what a hit receives in the cells and the balance, or takes it back.
 class WalkBooking
 {
 public:
@@ -34,14 +34,12 @@ public:
   {
   }
 
-  /// A tail that begins with segment `firstBounce` of its walk.
-  void add(const WalkTrace& tail, std::uint32_t firstBounce);
-  /// The segments of a stored walk from `firstBounce` on.
+  /// `sign`: 1 to book, -1 to take back.
+  void book(const Hit& hit, bool isFront, const Power& incoming, const Power& carriedOn, int sign);
+  /// Takes back the segments of a stored walk from `firstBounce` on.
   void remove(const WalkBlock& block, std::uint32_t walk, std::uint32_t firstBounce);
 
 private:
-  void book(const Hit& hit, bool isFront, const Power& incoming, const Power& carriedOn, int sign);
-
   CellSums& sums_;
   PowerBalance& balance_;
 };

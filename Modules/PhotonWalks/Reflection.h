@@ -4,8 +4,6 @@
 #include "Power.h"
 #include "Surface.h"
 
-#include <cmath>
-
 namespace irradiance
 {
 
@@ -15,8 +13,8 @@ inline Power reflected(const Power& incoming, const Surface& surface, std::uint3
   Power outgoing;
   for (int band = 0; band < surface.bands; ++band)
   {
-    outgoing[band] =
-      std::llround(surface.reflectanceOf(triangle, band) * static_cast<double>(incoming[band]));
+    outgoing[band] = static_cast<std::int64_t>(
+      surface.reflectanceOf(triangle, band) * static_cast<double>(incoming[band]) + 0.5);
   }
   return outgoing;
 }

@@ -5,18 +5,26 @@
 namespace irradiance
 {
 
-WalkBlock::WalkBlock(std::uint32_t numberOfWalks, int bands, bool withSides)
-  : bands_(bands)
-  , withSides_(withSides)
+WalkBlock::WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame)
+  : frame_(frame)
+  , bands_(bands)
   , places_(numberOfWalks)
 {
+}
+
+Hit WalkBlock::hit(std::uint32_t walk, std::uint32_t bounce) const
+{
+  const std::size_t place = slot(walk, bounce);
+  Hit hit;
+  hit.id = ids_[place];
+  hit.weights = weights_[place];
+  return hit;
 }
 
 Power WalkBlock::power(std::uint32_t walk, std::uint32_t bounce) const
 {
   Power power;
-  const std::size_t first =
-    (places_[walk].first + std::size_t{ bounce }) * static_cast<std::size_t>(bands_);
+  const std::size_t first = slot(walk, bounce) * static_cast<std::size_t>(bands_);
   for (int band = 0; band < bands_; ++band)
   {
     power[band] = powers_[first + static_cast<std::size_t>(band)];
@@ -24,64 +32,89 @@ Power WalkBlock::power(std::uint32_t walk, std::uint32_t bounce) const
   return power;
 }
 
-void WalkBlock::replaceTail(std::uint32_t walk, std::uint32_t bounce, const WalkTrace& tail)
+double WalkBlock::shortestLength(std::uint32_t walk, std::uint32_t bounce) const
+{
+  const Vector3 from = point(slot(walk, bounce)), to = point(slot(walk, bounce) + 1);
+  const double largest = std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
+  return std::max(0.0, (to - from).norm() - 0x1p-20 * largest) / frame_.scale;
+}
+
+void WalkBlock::setPoint(std::size_t slot, const Vector3& world)
+{
+  const Vector3 position = frame_(world);
+  x_[slot] = static_cast<float>(position[0]);
+  y_[slot] = static_cast<float>(position[1]);
+  z_[slot] = static_cast<float>(position[2]);
+}
+
+void WalkBlock::replaceTail(
+  std::uint32_t walk, std::uint32_t bounce, const WalkSegment* tail, std::uint32_t count)
 {
   for (std::uint32_t i = bounce + 1; i < places_[walk].size && !staticHits_.empty(); ++i)
   {
     staticHits_.erase(key(walk, i));
   }
-  const std::uint32_t size = bounce + tail.size();
-  if (size > places_[walk].capacity)
+  const std::uint32_t size = bounce + count;
+  if (size + 1 > places_[walk].capacity)
   {
-    moveToEnd(walk, bounce, size);
+    moveToEnd(walk, bounce, size + 1);
   }
-  Place& place = places_[walk];
-  place.size = size;
-  for (std::uint32_t i = 0; i < tail.size(); ++i)
+  places_[walk].size = size;
+  std::size_t place = slot(walk, bounce);
+  for (std::uint32_t i = 0; i < count; ++i, ++place)
   {
-    const std::size_t slot = place.first + std::size_t{ bounce } + i;
-    segments_[slot] = tail.segment(i);
+    const WalkSegment& segment = tail[i];
+    setPoint(place, segment.ray.origin);
+    tags_[place] = static_cast<std::uint16_t>(
+      walk | (segment.isFront ? 0u : kBack) | tagOf(segment.hit.id.object) << kTagShift);
+    ids_[place] = segment.hit.id;
+    weights_[place] = segment.hit.weights;
     for (int band = 0; band < bands_; ++band)
     {
-      powers_[slot * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] =
-        tail.power(i)[band];
-    }
-    if (withSides_)
-    {
-      fronts_[slot] = tail.isFront(i);
+      powers_[place * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] =
+        segment.power[band];
     }
   }
+  const WalkSegment& last = tail[count - 1];
+  setPoint(place,
+    last.ray.origin +
+      (last.hit ? last.hit.distance : kFar / frame_.scale) * last.ray.direction);
+  tags_[place] = static_cast<std::uint16_t>(walk);
+  std::fill_n(powers_.begin() + static_cast<std::ptrdiff_t>(place * static_cast<std::size_t>(bands_)),
+    bands_, 0);
 }
 
 void WalkBlock::moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity)
 {
   places_[walk].size = kept;
   unused_ += places_[walk].capacity;
-  if (3 * std::size_t{ unused_ } > segments_.size() + capacity)
+  if (3 * std::size_t{ unused_ } > x_.size() + capacity)
   {
     closeHoles();
   }
-  const auto end = static_cast<std::uint32_t>(segments_.size());
+  const auto end = static_cast<std::uint32_t>(x_.size());
   resizePools(end + std::size_t{ capacity });
-  copySegments(*this, places_[walk].first, end, kept);
+  copyPlaces(*this, places_[walk].first, end, kept);
   places_[walk] = { end, kept, capacity };
 }
 
 void WalkBlock::closeHoles()
 {
-  WalkBlock dense(numberOfWalks(), bands_, withSides_);
+  WalkBlock dense(numberOfWalks(), bands_, frame_);
   std::size_t total = 0;
-  for (const Place& place : places_)
+  for (const Range& range : places_)
   {
-    total += place.size;
+    total += range.size + std::size_t{ 1 };
   }
   dense.resizePools(total);
   std::uint32_t next = 0;
   for (std::uint32_t walk = 0; walk < numberOfWalks(); ++walk)
   {
-    dense.copySegments(*this, places_[walk].first, next, places_[walk].size);
-    dense.places_[walk] = { next, places_[walk].size, places_[walk].size };
-    next += places_[walk].size;
+    // The walk that is just being moved has no end yet, but room for one.
+    const std::uint32_t count = std::min(places_[walk].size + 1, places_[walk].capacity);
+    dense.copyPlaces(*this, places_[walk].first, next, count);
+    dense.places_[walk] = { next, places_[walk].size, places_[walk].size + 1 };
+    next += places_[walk].size + 1;
   }
   dense.staticHits_.swap(staticHits_);
   *this = std::move(dense);
@@ -89,31 +122,48 @@ void WalkBlock::closeHoles()
 
 void WalkBlock::resizePools(std::size_t size)
 {
-  if (size > segments_.capacity() && !segments_.empty())
-  {
-    const std::size_t capacity = size + size / 8; // doubling would waste half of the memory
-    segments_.reserve(capacity);
-    powers_.reserve(capacity * static_cast<std::size_t>(bands_));
-    fronts_.reserve(withSides_ ? capacity : 0);
-  }
-  segments_.resize(size);
-  powers_.resize(size * static_cast<std::size_t>(bands_));
-  fronts_.resize(withSides_ ? size : 0);
+  // Doubling would waste half of the memory.
+  const std::size_t capacity =
+    size > x_.capacity() && !x_.empty() ? size + size / 8 : std::max(size, x_.capacity());
+  const auto resize = [](auto& pool, std::size_t newCapacity, std::size_t newSize) {
+    pool.reserve(newCapacity);
+    pool.resize(newSize);
+  };
+  resize(x_, capacity, size);
+  resize(y_, capacity, size);
+  resize(z_, capacity, size);
+  resize(tags_, capacity, size);
+  resize(ids_, capacity, size);
+  resize(weights_, capacity, size);
+  const auto bands = static_cast<std::size_t>(bands_);
+  resize(powers_, capacity * bands, size * bands);
 }
 
-void WalkBlock::copySegments(
+void WalkBlock::copyPlaces(
   const WalkBlock& from, std::uint32_t source, std::uint32_t target, std::uint32_t count)
 {
+  const auto copy = [](const auto& pool, auto& copied, std::size_t first, std::size_t to,
+                      std::size_t number) {
+    std::copy_n(pool.begin() + static_cast<std::ptrdiff_t>(first), number,
+      copied.begin() + static_cast<std::ptrdiff_t>(to));
+  };
+  copy(from.x_, x_, source, target, count);
+  copy(from.y_, y_, source, target, count);
+  copy(from.z_, z_, source, target, count);
+  copy(from.tags_, tags_, source, target, count);
+  copy(from.ids_, ids_, source, target, count);
+  copy(from.weights_, weights_, source, target, count);
   const auto bands = static_cast<std::size_t>(bands_);
-  std::copy_n(from.segments_.begin() + source, count, segments_.begin() + target);
-  for (std::size_t i = 0; i < count * bands; ++i)
-  {
-    powers_[target * bands + i] = from.powers_[source * bands + i];
-  }
-  for (std::uint32_t i = 0; i < count && withSides_; ++i)
-  {
-    fronts_[target + i] = from.fronts_[source + i];
-  }
+  copy(from.powers_, powers_, source * bands, target * bands, count * bands);
+}
+
+bool WalkBlock::segmentAt(std::size_t point, Place& place) const
+{
+  place.walk = tags_[point] & kWalkMask;
+  const Range& range = places_[place.walk];
+  // What a walk left behind when it moved is not in its range.
+  place.bounce = static_cast<std::uint32_t>(point) - range.first;
+  return place.bounce < range.size;
 }
 
 const Hit* WalkBlock::hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const
@@ -134,18 +184,22 @@ void WalkBlock::forgetStaticHit(std::uint32_t walk, std::uint32_t bounce)
 
 std::size_t WalkBlock::bytes() const
 {
-  return sizeof(*this) + places_.capacity() * sizeof(Place) +
-    segments_.capacity() * sizeof(WalkSegment) + powers_.capacity() * sizeof(std::int64_t) +
-    fronts_.capacity() +
+  const auto held = [](const auto& pool) { return pool.capacity() * sizeof(pool[0]); };
+  return sizeof(*this) + held(places_) + held(x_) + held(y_) + held(z_) + held(tags_) +
+    held(ids_) + held(weights_) + held(powers_) +
     staticHits_.size() * (sizeof(decltype(staticHits_)::value_type) + 2 * sizeof(void*)) +
     staticHits_.bucket_count() * sizeof(void*);
 }
 
 void WalkBlock::shrink()
 {
-  segments_.shrink_to_fit();
+  x_.shrink_to_fit();
+  y_.shrink_to_fit();
+  z_.shrink_to_fit();
+  tags_.shrink_to_fit();
+  ids_.shrink_to_fit();
+  weights_.shrink_to_fit();
   powers_.shrink_to_fit();
-  fronts_.shrink_to_fit();
 }
 
 }

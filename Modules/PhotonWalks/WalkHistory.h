@@ -3,6 +3,7 @@
 
 #include "Power.h"
 #include "Ray.h"
+#include "TriangleTree.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,71 +13,53 @@
 namespace irradiance
 {
 
-/// One straight piece of a walk, and the hit that ends it; the last of a walk may escape.
+/// One straight piece of a walk while it is being shot, and the hit that ends it; the last of a walk
+/// may escape.
 struct WalkSegment
 {
-  Vector3 origin;
-  Vector3 direction; ///< unit vector
+  Ray ray; ///< its direction is a unit vector
   Hit hit;
-};
-
-/// A walk, or its tail, while it is being shot.
-class WalkTrace
-{
-public:
-  void clear()
-  {
-    segments_.clear();
-    powers_.clear();
-    fronts_.clear();
-  }
-  void add(const WalkSegment& segment, const Power& power, bool isFront)
-  {
-    segments_.push_back(segment);
-    powers_.push_back(power);
-    fronts_.push_back(isFront);
-  }
-  std::uint32_t size() const { return static_cast<std::uint32_t>(segments_.size()); }
-  const WalkSegment& segment(std::uint32_t i) const { return segments_[i]; }
-  /// What the segment carries to its hit.
-  const Power& power(std::uint32_t i) const { return powers_[i]; }
-  bool isFront(std::uint32_t i) const { return fronts_[i] != 0; }
-
-private:
-  std::vector<WalkSegment> segments_;
-  std::vector<Power> powers_;
-  std::vector<char> fronts_;
+  Power power;         ///< what it carries to its hit
+  bool isFront = true; ///< the side that was hit
 };
 
 /**
  * The stored walks of a run of consecutive walk numbers, at most kWalks: the unit of work of a
- * thread. Walks stand in pools one after the other; one that outgrows its place moves to the end,
- * and the holes are closed when they make up a third of the pool.
+ * thread. Stored is what cannot be had otherwise: the triangle hit, where on it, the power; rays and
+ * distances follow from these (WalkShooter::rayOf, Scene::distanceTo). The points of a walk are kept
+ * besides, as floats, to be scanned for segments near moved objects.
+ *
+ * Walks stand in pools one after the other, each with one place more than it has segments: place i
+ * holds segment i and the point where it begins, the last holds the point where the walk ends. A
+ * walk that outgrows its places moves to the end of the pools, and the holes are closed when they
+ * make up a third.
  */
 class WalkBlock
 {
 public:
   static constexpr std::uint32_t kWalks = 1024;
+  /// An escaped segment ends here, in the frame of the points.
+  static constexpr double kFar = 0x1p16;
 
-  /// What of a segment is stored depends on what the scene needs: `bands` powers, and the side that
-  /// was hit only `withSides`.
-  WalkBlock(std::uint32_t numberOfWalks, int bands, bool withSides);
+  /// `frame`: of the points. `bands`: 1 or 3 powers a segment.
+  WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame);
 
   std::uint32_t numberOfWalks() const { return static_cast<std::uint32_t>(places_.size()); }
   std::uint32_t size(std::uint32_t walk) const { return places_[walk].size; }
-  const WalkSegment& segment(std::uint32_t walk, std::uint32_t bounce) const
-  {
-    return segments_[places_[walk].first + bounce];
-  }
-  Power power(std::uint32_t walk, std::uint32_t bounce) const;
+  /// All of the hit but its distance.
+  Hit hit(std::uint32_t walk, std::uint32_t bounce) const;
   bool isFront(std::uint32_t walk, std::uint32_t bounce) const
   {
-    return fronts_.empty() || fronts_[places_[walk].first + bounce] != 0;
+    return (tags_[slot(walk, bounce)] & kBack) == 0;
   }
+  Power power(std::uint32_t walk, std::uint32_t bounce) const;
+  /// Lower bound of the length of a segment, in the world, within some 2^-20 of the scene.
+  double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
 
   /// Puts `tail` in the place of the segments from `bounce` on. Cached static hits behind `bounce`
   /// go with the segments.
-  void replaceTail(std::uint32_t walk, std::uint32_t bounce, const WalkTrace& tail);
+  void replaceTail(
+    std::uint32_t walk, std::uint32_t bounce, const WalkSegment* tail, std::uint32_t count);
 
   /// The static hit that a dynamic object hides from the segment; null if not known.
   const Hit* hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const;
@@ -84,36 +67,73 @@ public:
   void forgetStaticHit(std::uint32_t walk, std::uint32_t bounce);
   void forgetAllStaticHits() { staticHits_.clear(); }
 
+  /// The pools as a scan reads them, holes included: from point i to point i + 1 goes a segment, or
+  /// nothing; segmentAt() says which.
+  std::size_t numberOfPoints() const { return x_.size(); }
+  const float* x() const { return x_.data(); }
+  const float* y() const { return y_.data(); }
+  const float* z() const { return z_.data(); }
+  const std::uint16_t* tags() const { return tags_.data(); }
+  /// The bit of tagMask() that stands for the object that the segment hits: 0 for static ones and
+  /// escapes; several dynamic objects may share a bit.
+  static unsigned tagOf(std::uint32_t object)
+  {
+    return object == 0 || object == TriangleId::kNone ? 0 : 1 + (object - 1) % 31;
+  }
+  static constexpr unsigned kTagShift = 11; ///< of that number in a tag
+
+  struct Place
+  {
+    std::uint32_t walk, bounce;
+  };
+  /// False if no segment begins at point i.
+  bool segmentAt(std::size_t point, Place& place) const;
+
   /// Memory held, the unused part of the pools included.
   std::size_t bytes() const;
   /// Gives back what the pools do not use.
   void shrink();
 
 private:
-  struct Place
+  struct Range
   {
     std::uint32_t first = 0;
-    std::uint32_t size = 0;
-    std::uint32_t capacity = 0;
+    std::uint32_t size = 0;     ///< segments
+    std::uint32_t capacity = 0; ///< places
   };
+
+  // A tag: the walk, the side of the hit, and tagOf() its object.
+  static constexpr std::uint16_t kWalkMask = 0x3ff;
+  static constexpr std::uint16_t kBack = 0x400;
 
   static std::uint64_t key(std::uint32_t walk, std::uint32_t bounce)
   {
     return std::uint64_t{ walk } << 32 | bounce;
   }
+  std::size_t slot(std::uint32_t walk, std::uint32_t bounce) const
+  {
+    return places_[walk].first + std::size_t{ bounce };
+  }
+  Vector3 point(std::size_t slot) const
+  {
+    return { x_[slot], y_[slot], z_[slot] };
+  }
+  void setPoint(std::size_t slot, const Vector3& world);
   void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);
   void closeHoles();
   void resizePools(std::size_t size);
-  void copySegments(
+  void copyPlaces(
     const WalkBlock& from, std::uint32_t source, std::uint32_t target, std::uint32_t count);
 
+  UnitFrame frame_;
   int bands_;
-  bool withSides_;
   std::uint32_t unused_ = 0;
-  std::vector<Place> places_;
-  std::vector<WalkSegment> segments_;
-  std::vector<std::int64_t> powers_; ///< bands_ for each segment
-  std::vector<char> fronts_;
+  std::vector<Range> places_;
+  std::vector<float> x_, y_, z_;
+  std::vector<std::uint16_t> tags_;
+  std::vector<TriangleId> ids_;
+  std::vector<std::array<float, 2>> weights_;
+  std::vector<std::int64_t> powers_; ///< bands_ for each place
   std::unordered_map<std::uint64_t, Hit> staticHits_;
 };
 

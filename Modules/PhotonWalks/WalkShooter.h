@@ -8,7 +8,8 @@
 namespace irradiance
 {
 
-/// Starts and continues walks. A walk is a pure function of the scene, the samples and its number.
+/// What a walk does at its start and at each hit. A walk is a pure function of the scene, the
+/// samples and its number.
 class WalkShooter
 {
 public:
@@ -22,25 +23,22 @@ public:
   {
   }
 
-  /// Shoots a whole walk into `trace`.
-  void shoot(std::uint32_t walk, WalkTrace& trace) const;
+  const Scene& scene() const { return scene_; }
+  WalkStart start(std::uint32_t walk) const { return emitters_.start(walk, samples_); }
 
-  /// Shoots a walk from segment `bounce` on, whose new hit is known. `first` is the power with which
-  /// the walk started, `incoming` what the segment carries.
-  void resume(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment,
-    const Power& first, const Power& incoming, WalkTrace& trace) const;
+  /// What a walk carries on from a hit of segment `bounce`; zero: it ends there. Roulette is played
+  /// below `threshold`.
+  Power powerAfter(std::uint32_t walk, std::uint32_t bounce, const TriangleId& id,
+    const Power& incoming, std::int64_t threshold) const;
+  /// The ray with which a walk leaves its hit on `point`, as its segment `bounce`.
+  Ray rayFrom(std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point,
+    const TriangleId& id) const;
 
-  /// The ray of segment `bounce` of a stored walk.
-  Ray storedRay(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
+  /// The ray of a stored segment, the same as when it was shot if the objects stand as they did.
+  Ray rayOf(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
     std::uint32_t bounce) const;
 
 private:
-  /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
-  static constexpr std::uint32_t kMostBounces = 1u << 20;
-
-  void follow(std::uint32_t walk, std::uint32_t bounce, WalkSegment segment, Power power,
-    std::int64_t threshold, WalkTrace& trace) const;
-
   const Scene& scene_;
   const SceneObjects& objects_;
   const EmitterTable& emitters_;

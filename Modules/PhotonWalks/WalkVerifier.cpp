@@ -1,48 +1,137 @@
 #include "WalkVerifier.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace irradiance
 {
 
-std::optional<StaleSegment> WalkVerifier::firstStaleSegment(
-  const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk) const
+/// Segments of a block side by side.
+struct WalkVerifier::Candidates
 {
-  for (std::uint32_t bounce = 0; bounce < block.size(walkInBlock); ++bounce)
+  std::vector<WalkBlock::Place> places;
+  std::vector<Ray> rays;
+  std::vector<Hit> old;
+  std::vector<Hit> now;
+  std::vector<StaleSegment> stale;
+
+  void addStale(std::size_t i)
   {
-    const WalkSegment& segment = block.segment(walkInBlock, bounce);
-    const Hit& old = segment.hit;
-    if (hasMoved(old))
+    stale.push_back({ places[i].walk, places[i].bounce, rays[i], now[i], old[i] });
+  }
+  void clear()
+  {
+    places.clear();
+    rays.clear();
+    old.clear();
+    now.clear();
+  }
+};
+
+std::vector<StaleSegment> WalkVerifier::staleSegments(
+  const WalkBlock& block, std::uint32_t firstWalk) const
+{
+  static thread_local std::vector<std::uint32_t> points;
+  static thread_local Candidates blocked, lost;
+  scan_.find(block, points);
+  blocked.clear();
+  lost.clear();
+  for (const std::uint32_t point : points)
+  {
+    WalkBlock::Place place;
+    if (!block.segmentAt(point, place) ||
+      (place.bounce > 0 && hasMoved(block.hit(place.walk, place.bounce - 1).id)))
     {
-      const Ray ray = shooter_.storedRay(block, walkInBlock, walk, bounce);
-      return StaleSegment{ walkInBlock, bounce,
-        hitBehindMovedObject(ray, old, block.hiddenStaticHit(walkInBlock, bounce)) };
+      continue; // where a segment began on what moved, the one before is stale
     }
-    // The hit stands where it stood: valid, unless a moved object came in front of it.
+    Hit hit = block.hit(place.walk, place.bounce);
+    const Ray ray = shooter_.rayOf(block, place.walk, firstWalk + place.walk, place.bounce);
+    Candidates& candidates = hasMoved(hit.id) ? lost : blocked;
+    if (hit && !hasMoved(hit.id))
     {
-      const Hit now = scene_.castMoved(shooter_.storedRay(block, walkInBlock, walk, bounce), old);
-      if (now != old)
-      {
-        return StaleSegment{ walkInBlock, bounce, now };
-      }
+      hit.distance = shooter_.scene().distanceTo(ray, hit.id);
+    }
+    candidates.places.push_back(place);
+    candidates.rays.push_back(ray);
+    candidates.old.push_back(hit);
+  }
+  castBlocked(block, blocked);
+  castLost(block, lost);
+
+  std::vector<StaleSegment> stale;
+  stale.swap(blocked.stale);
+  stale.insert(stale.end(), lost.stale.begin(), lost.stale.end());
+  lost.stale.clear();
+  const auto order = [](const StaleSegment& s) { return std::tie(s.walkInBlock, s.bounce); };
+  std::sort(stale.begin(), stale.end(),
+    [&](const StaleSegment& a, const StaleSegment& b) { return order(a) < order(b); });
+  stale.erase(std::unique(stale.begin(), stale.end(),
+                [](const StaleSegment& a, const StaleSegment& b) {
+                  return a.walkInBlock == b.walkInBlock;
+                }),
+    stale.end());
+  return stale;
+}
+
+/// The hit stands where it stood: valid, unless a moved object came in front of it.
+void WalkVerifier::castBlocked(const WalkBlock&, Candidates& candidates) const
+{
+  candidates.now = candidates.old;
+  shooter_.scene().castMoved(
+    candidates.rays.data(), candidates.rays.size(), candidates.now.data());
+  for (std::size_t i = 0; i < candidates.rays.size(); ++i)
+  {
+    if (candidates.now[i] != candidates.old[i])
+    {
+      candidates.addStale(i);
     }
   }
-  return std::nullopt;
 }
 
 /// The object that was hit moved, so the hit is stale even where the same triangle is found again:
-/// its normal and the point on it have changed.
-Hit WalkVerifier::hitBehindMovedObject(
-  const Ray& ray, const Hit& old, const Hit* hiddenStaticHit) const
+/// its normal and the point on it have changed. Static geometry is known to lie behind the old hit.
+void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) const
 {
-  const Hit dynamic = scene_.castDynamic(ray, {});
-  if (!isCloser(old, dynamic))
+  const Scene& scene = shooter_.scene();
+  const std::size_t count = candidates.rays.size();
+  candidates.now.assign(count, {});
+  scene.castDynamic(candidates.rays.data(), count, candidates.now.data());
+  static thread_local std::vector<Ray> rays;
+  static thread_local std::vector<Hit> hits;
+  static thread_local std::vector<double> from;
+  static thread_local std::vector<std::size_t> which;
+  rays.clear();
+  hits.clear();
+  from.clear();
+  which.clear();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    return dynamic; // the static geometry is known to lie behind the old hit
+    const WalkBlock::Place place = candidates.places[i];
+    const double clear = block.shortestLength(place.walk, place.bounce);
+    Hit& now = candidates.now[i];
+    if (now.distance < clear)
+    {
+      continue;
+    }
+    if (const Hit* hidden = block.hiddenStaticHit(place.walk, place.bounce))
+    {
+      now = isCloser(*hidden, now) ? *hidden : now;
+      continue;
+    }
+    rays.push_back(candidates.rays[i]);
+    hits.push_back(now);
+    from.push_back(clear);
+    which.push_back(i);
   }
-  if (hiddenStaticHit)
+  scene.castStatic(rays.data(), rays.size(), hits.data(), from.data());
+  for (std::size_t i = 0; i < which.size(); ++i)
   {
-    return isCloser(*hiddenStaticHit, dynamic) ? *hiddenStaticHit : dynamic;
+    candidates.now[which[i]] = hits[i];
   }
-  return scene_.castStatic(ray, dynamic, old.distance);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    candidates.addStale(i);
+  }
 }
 
 }

@@ -1,20 +1,22 @@
 #ifndef irradiance_WalkVerifier_h
 #define irradiance_WalkVerifier_h
 
+#include "SegmentScan.h"
 #include "WalkShooter.h"
 
-#include <optional>
 #include <vector>
 
 namespace irradiance
 {
 
-/// The first segment of a walk that the motion changed, and its hit in the new frame.
+/// The first segment of a walk that the motion changed.
 struct StaleSegment
 {
   std::uint32_t walkInBlock;
   std::uint32_t bounce;
-  Hit hit;
+  Ray ray;
+  Hit hit; ///< in the new frame
+  Hit old; ///< in the old one, if that was static or nowhere
 };
 
 /**
@@ -22,33 +24,37 @@ struct StaleSegment
  * every stored hit is what a cast into the whole new scene finds.
  *
  * Section 3.2 of the paper, sharpened: only the objects that moved are looked at, unless the object
- * that was hit has moved itself.
+ * that was hit has moved itself. A scan names the segments near moved objects; rays are cast for
+ * those alone, many at a time.
  */
 class WalkVerifier
 {
 public:
-  /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame.
-  WalkVerifier(const Scene& scene, const WalkShooter& shooter, const std::vector<bool>& moved)
-    : scene_(scene)
-    , shooter_(shooter)
+  /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
+  /// names all segments that these objects may change.
+  WalkVerifier(const WalkShooter& shooter, const std::vector<bool>& moved, const SegmentScan& scan)
+    : shooter_(shooter)
     , moved_(moved)
+    , scan_(scan)
   {
   }
 
-  /// `walk` is the number of the walk, `walkInBlock` its place in the block.
-  std::optional<StaleSegment> firstStaleSegment(
-    const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk) const;
+  /// At most one for each walk, ordered by walk. `firstWalk`: the number of the block's first walk.
+  std::vector<StaleSegment> staleSegments(const WalkBlock& block, std::uint32_t firstWalk) const;
 
 private:
-  bool hasMoved(const Hit& hit) const
-  {
-    return hit && hit.id.object > 0 && moved_[hit.id.object - 1];
-  }
-  Hit hitBehindMovedObject(const Ray& ray, const Hit& old, const Hit* hiddenStaticHit) const;
+  struct Candidates;
 
-  const Scene& scene_;
+  bool hasMoved(const TriangleId& id) const
+  {
+    return id.object != TriangleId::kNone && id.object > 0 && moved_[id.object - 1];
+  }
+  void castBlocked(const WalkBlock& block, Candidates& candidates) const;
+  void castLost(const WalkBlock& block, Candidates& candidates) const;
+
   const WalkShooter& shooter_;
   const std::vector<bool>& moved_;
+  const SegmentScan& scan_;
 };
 
 }

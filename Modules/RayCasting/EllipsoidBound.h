@@ -28,6 +28,21 @@ public:
   /// False is always safe, and is the answer when a coordinate is not finite.
   bool rejects(const Vector3& from, const Vector3& to) const noexcept;
 
+  /// A ball that contains all points within `worldPad` of the moved ellipsoid, as a map shows them
+  /// that makes the ellipsoid about round: |roundFromWorld (x - center)| <= radius.
+  struct Ball
+  {
+    Matrix3 roundFromWorld;
+    Vector3 center;
+    double radius;
+  };
+  Ball ball() const
+  {
+    const double stretch = roundFromWorld_.rowwise().norm().maxCoeff();
+    return { roundFromWorld_, center_,
+      (std::sqrt(radiusSquared_) + stretch * margin_) * (1 + kRounding) };
+  }
+
 private:
   bool isSeparated(const Vector3& p, const Vector3& q, const Vector3& n) const noexcept;
 

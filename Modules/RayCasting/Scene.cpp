@@ -286,13 +286,16 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
 
 SurfacePoint Scene::surfaceAt(const Vector3& direction, const Hit& hit) const
 {
+  SurfacePoint point = surfaceOf(hit, true);
+  point.turn(direction.dot(point.normal) <= 0);
+  return point;
+}
+
+SurfacePoint Scene::surfaceOf(const Hit& hit, bool isFront) const
+{
   const double b = hit.weights[0], c = hit.weights[1];
   SurfacePoint point = surfacePoint(worldTriangle(hit.id), { 1 - b - c, b, c });
-  point.isFront = direction.dot(point.normal) <= 0;
-  if (!point.isFront)
-  {
-    point.normal = -point.normal;
-  }
+  point.turn(isFront);
   return point;
 }
 
@@ -303,12 +306,12 @@ double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
   return distance;
 }
 
-EllipsoidBound Scene::shadowBound(std::uint32_t index, double pad) const
+EllipsoidBound Scene::shadowBound(std::uint32_t index) const
 {
   const Placed& placed = placed_[index];
   const PlacedObject& object = placed.object;
   return EllipsoidBound(object.body->ellipsoid(), object.body->mesh().bounds(),
-    object.worldFromObject, placed.roundTrip + placed.slack + pad);
+    object.worldFromObject, placed.roundTrip + placed.slack);
 }
 
 }

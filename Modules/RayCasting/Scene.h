@@ -92,12 +92,14 @@ public:
   Triangle worldTriangle(const TriangleId& id) const;
   /// The point of a hit; the normal is turned to the side from which a ray of this direction comes.
   SurfacePoint surfaceAt(const Vector3& direction, const Hit& hit) const;
+  /// The point of a hit that came from the front or from the back.
+  SurfacePoint surfaceOf(const Hit& hit, bool isFront) const;
   /// The distance at which a ray meets a triangle that it is known to hit.
   double distanceTo(const Ray& ray, const TriangleId& id) const;
 
   /// A body that contains all that a moved object can hide from a segment: the object, and around it
-  /// as much as the distance of a grazing hit may be off, and `pad`.
-  EllipsoidBound shadowBound(std::uint32_t index, double pad) const;
+  /// as much as the distance of a grazing hit may be off.
+  EllipsoidBound shadowBound(std::uint32_t index) const;
 
 private:
   struct Placed

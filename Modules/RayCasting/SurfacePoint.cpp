@@ -14,8 +14,10 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
   point.normal = area / length;
   point.margin = 0x1p-33 * triangle.bounds().magnitude();
   const double perEdge = point.margin / length;
-  const Vector3 inset(perEdge * (triangle.c - triangle.b).norm(),
-    perEdge * (triangle.a - triangle.c).norm(), perEdge * (triangle.b - triangle.a).norm());
+  // The 1-norm is no less than the length and needs no square root.
+  const Vector3 inset(perEdge * (triangle.c - triangle.b).lpNorm<1>(),
+    perEdge * (triangle.a - triangle.c).lpNorm<1>(),
+    perEdge * (triangle.b - triangle.a).lpNorm<1>());
   Vector3 kept = weights.cwiseMax(inset.cwiseMin(1.0 / 3.0));
   kept /= kept.sum();
   point.position = kept[0] * triangle.a + kept[1] * triangle.b + kept[2] * triangle.c;

@@ -15,6 +15,12 @@ struct SurfacePoint
   double margin;    ///< 2^-33 of the largest coordinate: the step along the normal that is clear
   bool isFront;     ///< the normal points to the front
 
+  /// From the front to the side wanted.
+  void turn(bool toFront)
+  {
+    isFront = toFront;
+    normal = toFront ? normal : Vector3(-normal);
+  }
   Vector3 clearPosition() const { return position + margin * normal; }
 };
 

@@ -1,5 +1,6 @@
 #include "EngineRun.h"
 #include "MovingScene.h"
+#include "ShotWalk.h"
 
 #include <gtest/gtest.h>
 
@@ -32,18 +33,11 @@ public:
   }
   Frame(const Frame&) = delete;
 
-  WalkTrace trace(std::uint32_t walk) const
+  std::vector<WalkSegment> trace(std::uint32_t walk) const
   {
-    WalkTrace result;
-    shooter_.shoot(walk, result);
-    return result;
+    return test::shotWalk(shooter_, objects_, walk);
   }
-  Hit cast(const WalkTrace& trace, std::uint32_t walk, std::uint32_t bounce) const
-  {
-    const WalkSegment& segment = trace.segment(bounce);
-    return scene_.cast({ segment.origin, segment.direction,
-      bounce > 0 ? trace.segment(bounce - 1).hit.id : emitters_.start(walk, samples_).ray.start });
-  }
+  Hit cast(const WalkSegment& segment) const { return scene_.cast(segment.ray); }
   bool isMoved(const Frame& before, const Hit& hit) const
   {
     if (!hit || hit.id.object == 0)
@@ -74,11 +68,11 @@ Counts countByDefinition(const Frame& before, const Frame& now, std::uint32_t wa
   Counts counts;
   for (std::uint32_t walk = 0; walk < walks; ++walk)
   {
-    const WalkTrace trace = before.trace(walk);
+    const std::vector<WalkSegment> trace = before.trace(walk);
     for (std::uint32_t i = 0; i < trace.size(); ++i)
     {
-      const Hit& old = trace.segment(i).hit;
-      if (now.isMoved(before, old) || now.cast(trace, walk, i) != old)
+      const Hit& old = trace[i].hit;
+      if (now.isMoved(before, old) || now.cast(trace[i]) != old)
       {
         ++counts.invalid;
         counts.repaired += now.trace(walk).size() - i;

@@ -47,7 +47,8 @@ TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
   EXPECT_EQ(engine.statistics().historyBytes, 0u);
 }
 
-// A segment holds two vectors and a hit, and then 8 bytes for each band and one for the side.
+// A segment holds its point (12 bytes), a tag (2), the triangle (8), where on it (8) and 8 bytes for
+// each band; each walk holds that once more for its end, and 12 bytes for where it stands.
 TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
 {
   EngineSettings settings;
@@ -63,11 +64,10 @@ TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
       engine.update(objects, settings, execution);
       const double perSegment =
         double(engine.statistics().historyBytes) / double(engine.balance().segments);
-      const double needed = double(sizeof(WalkSegment)) + 8 * bands + (sides ? 1 : 0);
-      EXPECT_GE(perSegment, needed);
-      // Besides: the place of each walk, and small change for each block.
       const double perWalk = double(settings.numberOfWalks) / double(engine.balance().segments);
-      EXPECT_LE(perSegment, needed + 13 * perWalk);
+      const double needed = (30 + 8 * bands) * (1 + perWalk) + 12 * perWalk;
+      EXPECT_GE(perSegment, needed);
+      EXPECT_LE(perSegment, needed + 0.4 * perWalk); // small change for each block
       std::printf("%d bands, sides %d: %.1f bytes a segment\n", bands, int(sides), perSegment);
     }
   }

@@ -1,5 +1,6 @@
 #include "EngineRun.h"
 #include "MovingScene.h"
+#include "ShotWalk.h"
 
 #include <gtest/gtest.h>
 
@@ -37,14 +38,13 @@ Recount recount(const SceneObjects& objects, const EngineSettings& settings)
   const SobolSequence samples(settings.seed);
   const WalkShooter shooter(scene, objects, emitters, samples);
   Recount result;
-  WalkTrace trace;
   for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
   {
-    shooter.shoot(walk, trace);
     result.emitted += emitters.start(walk, samples).power;
-    for (std::uint32_t i = 0; i < trace.size(); ++i, ++result.segments)
+    for (const WalkSegment& segment : test::shotWalk(shooter, objects, walk))
     {
-      (trace.segment(i).hit ? result.received : result.escaped) += trace.power(i);
+      ++result.segments;
+      (segment.hit ? result.received : result.escaped) += segment.power;
     }
   }
   return result;

@@ -1,0 +1,164 @@
+#include "SegmentScan.h"
+
+#include "SimdLevel.h"
+#include "SimdTarget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// What the loops read and write.
+struct Points
+{
+  const float *x, *y, *z;
+  const std::uint16_t* tags;
+  std::size_t segments; ///< one less than points
+  std::uint8_t* isNamed;
+};
+
+/// Written for the compiler to turn into SIMD instructions: no branch, no call.
+__attribute__((always_inline)) inline void nameByTag(const Points& points, std::uint32_t tags)
+{
+  for (std::size_t i = 0; i < points.segments; ++i)
+  {
+    points.isNamed[i] = static_cast<std::uint8_t>(
+      tags >> (std::uint32_t{ points.tags[i] } >> WalkBlock::kTagShift) & 1u);
+  }
+}
+
+/// With p and p + d the ends, a the squared length and t the place nearest to 0, the distance from 0
+/// is below r if t (t a + 2 p.d) + p.p < r^2; here times a, so that nothing is divided.
+__attribute__((always_inline)) inline void nameNear(
+  const Points& points, const SegmentScan::Body& body)
+{
+  const float *const x = points.x, *const y = points.y, *const z = points.z;
+  const SegmentScan::Body b = body;
+  std::uint8_t* const isNamed = points.isNamed;
+  for (std::size_t i = 0; i < points.segments; ++i)
+  {
+    const float dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
+    const float px = b.matrix[0] * x[i] + b.matrix[3] * y[i] + b.matrix[6] * z[i] + b.offset[0];
+    const float py = b.matrix[1] * x[i] + b.matrix[4] * y[i] + b.matrix[7] * z[i] + b.offset[1];
+    const float pz = b.matrix[2] * x[i] + b.matrix[5] * y[i] + b.matrix[8] * z[i] + b.offset[2];
+    const float qx = b.matrix[0] * dx + b.matrix[3] * dy + b.matrix[6] * dz;
+    const float qy = b.matrix[1] * dx + b.matrix[4] * dy + b.matrix[7] * dz;
+    const float qz = b.matrix[2] * dx + b.matrix[5] * dy + b.matrix[8] * dz;
+    const float length = qx * qx + qy * qy + qz * qz;
+    const float along = px * qx + py * qy + pz * qz;
+    const float outside = px * px + py * py + pz * pz - b.squaredRadius;
+    const float back = along > -length ? along : -length;
+    const float nearest = back < 0 ? back : 0;
+    isNamed[i] |= static_cast<std::uint8_t>(
+      nearest * (nearest - 2 * along) + length * outside > 0 ? 0 : 1);
+  }
+}
+
+__attribute__((always_inline)) inline void name(
+  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
+{
+  nameByTag(points, tags);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    nameNear(points, bodies[i]);
+  }
+}
+
+void namePlain(
+  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
+{
+  name(points, tags, bodies);
+}
+
+#ifdef __x86_64__
+IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
+void nameAvx2(
+  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
+{
+  name(points, tags, bodies);
+}
+IRRADIANCE_TARGET_END
+
+IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
+void nameAvx512(
+  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
+{
+  name(points, tags, bodies);
+}
+IRRADIANCE_TARGET_END
+#endif
+
+}
+
+SegmentScan::SegmentScan(const UnitFrame& frame, double reach)
+  : frame_(frame)
+  , reach_(reach)
+  , namesAll_(!(reach <= kLargestReach))
+{
+}
+
+void SegmentScan::addBody(const EllipsoidBound& bound)
+{
+  const EllipsoidBound::Ball ball = bound.ball();
+  const Matrix3 matrix = ball.roundFromWorld / frame_.scale;
+  const Vector3 offset = ball.roundFromWorld * (frame_.center - ball.center);
+  // No point is farther from 0. Floats are off by 2^-24 of each number in a sum of a few, squares of
+  // lengths by that of the squares; Documentation/Theory.md counts them.
+  const double farthest = 2 * reach_ * matrix.norm() + offset.norm();
+  const double radius = ball.radius + 0x1p-20 * farthest;
+  Body body;
+  Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
+  Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
+  body.squaredRadius = static_cast<float>(
+    (radius * radius + 0x1p-18 * farthest * farthest) * (1 + 0x1p-20));
+  // Beyond these, a product of floats might overflow, or vanish.
+  constexpr double kMost = 1e6, kLeast = 1e-6;
+  const double stretch = matrix.norm();
+  namesAll_ = namesAll_ || bodies_.size() == kMostBodies || !(stretch < kMost) ||
+    !(stretch > kLeast) || !(farthest < kMost);
+  bodies_.push_back(body);
+}
+
+void SegmentScan::find(const WalkBlock& block, std::vector<std::uint32_t>& points) const
+{
+  points.clear();
+  const std::size_t segments = std::max<std::size_t>(block.numberOfPoints(), 1) - 1;
+  if (namesAll_)
+  {
+    for (std::uint32_t i = 0; i < segments; ++i)
+    {
+      points.push_back(i);
+    }
+    return;
+  }
+  constexpr std::size_t kWord = sizeof(std::uint64_t);
+  static thread_local std::vector<std::uint8_t> isNamed;
+  isNamed.assign((segments + kWord) / kWord * kWord, 0);
+  const Points all{ block.x(), block.y(), block.z(), block.tags(), segments, isNamed.data() };
+#ifdef __x86_64__
+  const SimdLevel level = simdLevel();
+  (level == SimdLevel::Avx512 ? nameAvx512
+      : level == SimdLevel::Avx2 ? nameAvx2
+                                 : namePlain)(all, tags_, bodies_);
+#else
+  namePlain(all, tags_, bodies_);
+#endif
+  for (std::size_t word = 0; word < isNamed.size(); word += kWord)
+  {
+    std::uint64_t eight;
+    std::copy_n(isNamed.data() + word, kWord, reinterpret_cast<std::uint8_t*>(&eight));
+    for (std::size_t i = word; eight != 0 && i < word + kWord; ++i)
+    {
+      if (isNamed[i] != 0)
+      {
+        points.push_back(static_cast<std::uint32_t>(i));
+      }
+    }
+  }
+}
+
+}

@@ -1,0 +1,57 @@
+#ifndef irradiance_SegmentScan_h
+#define irradiance_SegmentScan_h
+
+#include "EllipsoidBound.h"
+#include "WalkHistory.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * Finds the stored segments that moved objects may change, by a look at all of them: those that come
+ * near one of some bodies, and those that end on an object that moved. It never misses one, and
+ * names a few too many.
+ */
+class SegmentScan
+{
+public:
+  /// `frame` is that of the points; `reach` the largest coordinate of any point in it, but for the
+  /// ends of escaped segments.
+  SegmentScan(const UnitFrame& frame, double reach);
+
+  /// A body that segments must not touch.
+  void addBody(const EllipsoidBound& bound);
+  /// Segments that end on this dynamic object are named.
+  void addMoved(std::uint32_t object) { tags_ |= 1u << WalkBlock::tagOf(object); }
+
+  /// The points of the block, in order, where such segments begin.
+  void find(const WalkBlock& block, std::vector<std::uint32_t>& points) const;
+
+  /// A ball in a frame of its own: point p of the scan stands at matrix * p + offset, and the ball
+  /// around 0 there. For the loops alone.
+  struct Body
+  {
+    float matrix[9];
+    float offset[3];
+    float squaredRadius;
+  };
+
+private:
+  /// More bodies are not worth a look: the trees over the moved objects tell sooner.
+  static constexpr std::size_t kMostBodies = 64;
+  /// Beyond this, floats tell too little.
+  static constexpr double kLargestReach = 0x1p12;
+
+  UnitFrame frame_;
+  double reach_;
+  std::uint32_t tags_ = 0;
+  std::vector<Body> bodies_;
+  bool namesAll_ = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,117 @@
+#include "WalkBatch.h"
+
+#include "Reflection.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace irradiance
+{
+
+void WalkBatch::shoot(std::uint32_t walk)
+{
+  const WalkStart start = shooter_.start(walk);
+  add(walk, 0, start.ray, {}, start.power, rouletteThreshold(start.power));
+}
+
+void WalkBatch::resume(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
+  const Power& first, const Power& incoming)
+{
+  areHitsKnown_ = true;
+  add(walk, bounce, ray, hit, incoming, rouletteThreshold(first));
+}
+
+void WalkBatch::add(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
+  const Power& power, std::int64_t threshold)
+{
+  states_.push_back({ static_cast<std::uint32_t>(tails_.size()), bounce, threshold, power });
+  rays_.push_back(ray);
+  hits_.push_back(hit);
+  tails_.push_back({ walk, bounce, 0, 0 });
+}
+
+bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop)
+{
+  for (; !states_.empty(); ++rounds_)
+  {
+    if (hasToStop())
+    {
+      return false;
+    }
+    // From the end, so that those that wait stay where they are.
+    const std::size_t count = rounds_ < kRoundsTogether ? states_.size()
+                                                        : std::min(states_.size(), kPatient);
+    const std::size_t first = states_.size() - count;
+    if (!areHitsKnown_)
+    {
+      hits_.resize(rays_.size());
+      shooter_.scene().cast(rays_.data() + first, count, hits_.data() + first);
+    }
+    areHitsKnown_ = false;
+    goOn(first, booking);
+  }
+  return true;
+}
+
+/// From the hits of the walks to their next rays; walks that end drop out.
+void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
+{
+  std::size_t kept = first;
+  for (std::size_t i = first; i < states_.size(); ++i)
+  {
+    State state = states_[i];
+    Tail& tail = tails_[state.tail];
+    segments_.push_back({ rays_[i], hits_[i], state.power, true });
+    tailOfSegment_.push_back(state.tail);
+    ++tail.size;
+    const Hit& hit = hits_[i];
+    if (!hit)
+    {
+      booking.book(hit, true, state.power, {}, 1);
+      continue;
+    }
+    const SurfacePoint point = shooter_.scene().surfaceAt(rays_[i].direction, hit);
+    segments_.back().isFront = point.isFront;
+    const Power carriedOn =
+      shooter_.powerAfter(tail.walk, state.bounce, hit.id, state.power, state.threshold);
+    booking.book(hit, point.isFront, state.power, carriedOn, 1);
+    if (carriedOn.isZero())
+    {
+      continue;
+    }
+    if (++state.bounce > kMostBounces)
+    {
+      throw std::runtime_error("walk " + std::to_string(tail.walk) +
+        " does not end: the light cannot leave a part of the scene that absorbs nothing "
+        "(reflectance 1)");
+    }
+    state.power = carriedOn;
+    rays_[kept] = shooter_.rayFrom(tail.walk, state.bounce, point, hit.id);
+    states_[kept++] = state;
+  }
+  states_.resize(kept);
+  rays_.resize(kept);
+}
+
+const std::vector<WalkBatch::Tail>& WalkBatch::tails()
+{
+  std::uint32_t next = 0;
+  for (Tail& tail : tails_)
+  {
+    tail.first = next;
+    next += tail.size;
+  }
+  std::vector<WalkSegment> sorted(segments_.size());
+  std::vector<std::uint32_t> filled(tails_.size(), 0);
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+  {
+    const std::uint32_t tail = tailOfSegment_[i];
+    sorted[tails_[tail].first + filled[tail]++] = segments_[i];
+  }
+  segments_.swap(sorted);
+  tailOfSegment_.clear();
+  return tails_;
+}
+
+}
