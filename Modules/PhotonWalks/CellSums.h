@@ -21,6 +21,15 @@ public:
   /// `sides`: 1 for the sum over both sides of a cell, 2 to keep front and back apart.
   CellSums(const SceneObjects& objects, int sides);
 
+  /// Has the memory bring what add() will change.
+  void fetch(const TriangleId& id) const
+  {
+    if (id.object != TriangleId::kNone)
+    {
+      const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
+      __builtin_prefetch(sums_.get() + slot(id.object, cell, 0), 1);
+    }
+  }
   /// `sign`: 1 to add, -1 to remove.
   void add(const TriangleId& id, bool isFront, const Power& power, int sign);
   /// `side`: 0 front (or both), 1 back.

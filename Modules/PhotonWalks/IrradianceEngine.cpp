@@ -129,7 +129,8 @@ std::uint32_t IrradianceEngine::walksIn(std::size_t block) const
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
-  EmitterTable emitters(objects, settings.numberOfWalks);
+  EmitterTable emitters =
+    doLightsStand(objects, settings) ? emitters_ : EmitterTable(objects, settings.numberOfWalks);
   const bool repair = canRepair(objects, settings, emitters);
   const std::vector<bool> moved = repair ? findMoved(objects) : std::vector<bool>();
   isValid_ = false; // until the end is reached
@@ -150,6 +151,27 @@ void IrradianceEngine::update(
     statistics_.historyBytes += block.bytes();
   }
   isValid_ = true;
+}
+
+bool IrradianceEngine::doLightsStand(
+  const SceneObjects& objects, const EngineSettings& settings) const
+{
+  if (!isValid_ || settings.numberOfWalks != settings_.numberOfWalks ||
+    objects.size() != objects_.size())
+  {
+    return false;
+  }
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    const SceneObject &now = objects[i], &before = objects_[i];
+    if (now.surface != before.surface ||
+      (now.surface->emits() &&
+        (now.body != before.body || now.worldFromObject != before.worldFromObject)))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool IrradianceEngine::canRepair(
@@ -346,6 +368,10 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
       batch.resume(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + segment.walkInBlock,
         segment.bounce, segment.ray, segment.hit, walks.power(segment.walkInBlock, 0),
         walks.power(segment.walkInBlock, segment.bounce));
+      for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
+      {
+        sums_.fetch(walks.hit(segment.walkInBlock, i).id); // will be taken back
+      }
     }
   };
   const auto finish = [&](std::size_t block, WalkBatch& batch, WalkBooking& booking, PowerBalance&) {

@@ -61,6 +61,8 @@ private:
   using Clock = std::chrono::steady_clock;
   struct Phase;
 
+  /// Cheap; false is no proof that they changed.
+  bool doLightsStand(const SceneObjects& objects, const EngineSettings& settings) const;
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings,
     const EmitterTable& emitters) const;
   std::vector<bool> findMoved(const SceneObjects& objects) const;

@@ -36,6 +36,8 @@ public:
 
   /// `sign`: 1 to book, -1 to take back.
   void book(const Hit& hit, bool isFront, const Power& incoming, const Power& carriedOn, int sign);
+  /// Has the memory bring the sum that a hit will change.
+  void fetch(const Hit& hit) const { sums_.fetch(hit.id); }
   /// Takes back the segments of a stored walk from `firstBounce` on.
   void remove(const WalkBlock& block, std::uint32_t walk, std::uint32_t firstBounce);
 

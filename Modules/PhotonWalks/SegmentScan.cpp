@@ -24,10 +24,13 @@ struct Points
 /// Written for the compiler to turn into SIMD instructions: no branch, no call.
 __attribute__((always_inline)) inline void nameByTag(const Points& points, std::uint32_t tags)
 {
-  for (std::size_t i = 0; i < points.segments; ++i)
+  const std::uint16_t* const __restrict tag = points.tags;
+  std::uint8_t* const __restrict isNamed = points.isNamed;
+  const std::size_t count = points.segments;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    points.isNamed[i] = static_cast<std::uint8_t>(
-      tags >> (std::uint32_t{ points.tags[i] } >> WalkBlock::kTagShift) & 1u);
+    isNamed[i] = static_cast<std::uint8_t>(
+      tags >> (std::uint32_t{ tag[i] } >> WalkBlock::kTagShift) & 1u);
   }
 }
 
@@ -36,10 +39,12 @@ __attribute__((always_inline)) inline void nameByTag(const Points& points, std::
 __attribute__((always_inline)) inline void nameNear(
   const Points& points, const SegmentScan::Body& body)
 {
-  const float *const x = points.x, *const y = points.y, *const z = points.z;
+  const float *const __restrict x = points.x, *const __restrict y = points.y,
+                     *const __restrict z = points.z;
   const SegmentScan::Body b = body;
-  std::uint8_t* const isNamed = points.isNamed;
-  for (std::size_t i = 0; i < points.segments; ++i)
+  std::uint8_t* const __restrict isNamed = points.isNamed;
+  const std::size_t count = points.segments;
+  for (std::size_t i = 0; i < count; ++i)
   {
     const float dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
     const float px = b.matrix[0] * x[i] + b.matrix[3] * y[i] + b.matrix[6] * z[i] + b.offset[0];

@@ -31,6 +31,7 @@ struct Surface
   std::vector<double> exitance;    ///< W/m2 from the front; empty: none
   std::vector<PointLight> pointLights;
 
+  bool emits() const { return !exitance.empty() || !pointLights.empty(); }
   double reflectanceOf(std::uint32_t triangle, int band) const
   {
     return reflectance[cellOfTriangle[triangle] * static_cast<std::size_t>(bands) +

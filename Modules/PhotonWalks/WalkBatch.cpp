@@ -33,6 +33,9 @@ void WalkBatch::add(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, co
 
 bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop)
 {
+  constexpr std::size_t kUsualLength = 4;
+  segments_.reserve(kUsualLength * tails_.size());
+  tailOfSegment_.reserve(kUsualLength * tails_.size());
   for (; !states_.empty(); ++rounds_)
   {
     if (hasToStop())
@@ -57,9 +60,20 @@ bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop
 /// From the hits of the walks to their next rays; walks that end drop out.
 void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
 {
+  constexpr std::size_t kAhead = 8;
   std::size_t kept = first;
   for (std::size_t i = first; i < states_.size(); ++i)
   {
+    // What a hit needs lies all over the memory: ask for it in time, what leads to it first.
+    if (i + 2 * kAhead < states_.size())
+    {
+      shooter_.fetchTriangle(hits_[i + 2 * kAhead]);
+    }
+    if (i + kAhead < states_.size())
+    {
+      shooter_.fetchCell(hits_[i + kAhead]);
+      booking.fetch(hits_[i + kAhead]);
+    }
     State state = states_[i];
     Tail& tail = tails_[state.tail];
     segments_.push_back({ rays_[i], hits_[i], state.power, true });

@@ -15,6 +15,26 @@ Power WalkShooter::powerAfter(std::uint32_t walk, std::uint32_t bounce, const Tr
     : power;
 }
 
+void WalkShooter::fetchTriangle(const Hit& hit) const
+{
+  if (hit)
+  {
+    const SceneObject& object = objects_[hit.id.object];
+    object.body->mesh().fetch(hit.id.triangle);
+    __builtin_prefetch(object.surface->cellOfTriangle.data() + hit.id.triangle);
+  }
+}
+
+void WalkShooter::fetchCell(const Hit& hit) const
+{
+  if (hit)
+  {
+    const Surface& surface = *objects_[hit.id.object].surface;
+    __builtin_prefetch(surface.reflectance.data() +
+      surface.cellOfTriangle[hit.id.triangle] * static_cast<std::size_t>(surface.bands));
+  }
+}
+
 Ray WalkShooter::rayFrom(std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point,
   const TriangleId& id) const
 {

@@ -38,6 +38,11 @@ public:
   Ray rayOf(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
     std::uint32_t bounce) const;
 
+  /// Has the memory bring what surfaceAt() and powerAfter() will read; the second when the first has
+  /// come.
+  void fetchTriangle(const Hit& hit) const;
+  void fetchCell(const Hit& hit) const;
+
 private:
   const Scene& scene_;
   const SceneObjects& objects_;

@@ -36,6 +36,7 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(
   scan_.find(block, points);
   blocked.clear();
   lost.clear();
+  fetch(block, points);
   for (const std::uint32_t point : points)
   {
     WalkBlock::Place place;
@@ -55,7 +56,7 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(
     candidates.rays.push_back(ray);
     candidates.old.push_back(hit);
   }
-  castBlocked(block, blocked);
+  castBlocked(blocked);
   castLost(block, lost);
 
   std::vector<StaleSegment> stale;
@@ -73,8 +74,24 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(
   return stale;
 }
 
+/// The hits of the segments, and those before them, then their triangles: none of them waits for
+/// another, so the memory brings many at a time.
+void WalkVerifier::fetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const
+{
+  for (const std::uint32_t point : points)
+  {
+    WalkBlock::Place place;
+    if (block.segmentAt(point, place))
+    {
+      shooter_.fetchTriangle(block.hit(place.walk, place.bounce));
+      shooter_.fetchTriangle(
+        place.bounce > 0 ? block.hit(place.walk, place.bounce - 1) : Hit{});
+    }
+  }
+}
+
 /// The hit stands where it stood: valid, unless a moved object came in front of it.
-void WalkVerifier::castBlocked(const WalkBlock&, Candidates& candidates) const
+void WalkVerifier::castBlocked(Candidates& candidates) const
 {
   candidates.now = candidates.old;
   shooter_.scene().castMoved(

@@ -49,7 +49,8 @@ private:
   {
     return id.object != TriangleId::kNone && id.object > 0 && moved_[id.object - 1];
   }
-  void castBlocked(const WalkBlock& block, Candidates& candidates) const;
+  void fetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const;
+  void castBlocked(Candidates& candidates) const;
   void castLost(const WalkBlock& block, Candidates& candidates) const;
 
   const WalkShooter& shooter_;

@@ -17,13 +17,6 @@ std::vector<Job>& emptyJobs()
   return jobs;
 }
 
-void prefetch(const Triangle& triangle)
-{
-  const auto* first = reinterpret_cast<const char*>(&triangle);
-  __builtin_prefetch(first);
-  __builtin_prefetch(first + sizeof(Triangle) - 1);
-}
-
 }
 
 Scene::Casts::Casts(const Scene& scene, const Ray* rays, Hit* best, const double* from)
@@ -128,7 +121,7 @@ void Scene::Casts::finish(
   for (std::size_t i = 0; i < count; ++i)
   {
     const TriangleId id = idOf(job, references[i]);
-    prefetch(scene_.bodyOf(id.object).mesh()[id.triangle]);
+    scene_.bodyOf(id.object).mesh().fetch(id.triangle);
     if (putOff_ == decisions_.size())
     {
       decide();

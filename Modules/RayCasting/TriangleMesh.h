@@ -47,6 +47,13 @@ public:
   std::size_t size() const { return triangles_.size(); }
   bool isEmpty() const { return triangles_.empty(); }
   const Triangle& operator[](std::size_t i) const { return triangles_[i]; }
+  /// Has the memory bring a triangle that will be read soon.
+  void fetch(std::size_t i) const
+  {
+    const auto* first = reinterpret_cast<const char*>(triangles_.data() + i);
+    __builtin_prefetch(first);
+    __builtin_prefetch(first + sizeof(Triangle) - 1);
+  }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const Box& bounds() const { return bounds_; }
 
