@@ -129,14 +129,18 @@ std::uint32_t IrradianceEngine::walksIn(std::size_t block) const
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
-  EmitterTable emitters =
-    doLightsStand(objects, settings) ? emitters_ : EmitterTable(objects, settings.numberOfWalks);
-  const bool repair = canRepair(objects, settings, emitters);
+  bool sameLights = doLightsStand(objects, settings);
+  if (!sameLights)
+  {
+    EmitterTable emitters(objects, settings.numberOfWalks);
+    sameLights = isValid_ && emitters == emitters_;
+    emitters_ = std::move(emitters);
+  }
+  const bool repair = sameLights && canRepair(objects, settings);
   const std::vector<bool> moved = repair ? findMoved(objects) : std::vector<bool>();
   isValid_ = false; // until the end is reached
   objects_ = objects;
   settings_ = settings;
-  emitters_ = std::move(emitters);
   statistics_ = {};
   if (repair)
   {
@@ -175,7 +179,7 @@ bool IrradianceEngine::doLightsStand(
 }
 
 bool IrradianceEngine::canRepair(
-  const SceneObjects& objects, const EngineSettings& settings, const EmitterTable& emitters) const
+  const SceneObjects& objects, const EngineSettings& settings) const
 {
   if (!isValid_ || !settings.verify || !settings_.verify ||
     settings.numberOfWalks != settings_.numberOfWalks || settings.seed != settings_.seed ||
@@ -191,7 +195,7 @@ bool IrradianceEngine::canRepair(
       return false;
     }
   }
-  return emitters == emitters_;
+  return true;
 }
 
 std::vector<bool> IrradianceEngine::findMoved(const SceneObjects& objects) const

@@ -63,8 +63,8 @@ private:
 
   /// Cheap; false is no proof that they changed.
   bool doLightsStand(const SceneObjects& objects, const EngineSettings& settings) const;
-  bool canRepair(const SceneObjects& objects, const EngineSettings& settings,
-    const EmitterTable& emitters) const;
+  /// With the same lights.
+  bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
   std::vector<bool> findMoved(const SceneObjects& objects) const;
   void commitScene(const std::vector<bool>& moved, Execution& execution);
   void shootAll(Execution& execution);
