@@ -90,9 +90,8 @@ struct Avx2Kernel
       _mm256_castsi256_ps(upper), _mm256_castsi256_ps(_mm256_slli_epi32(child, 28))));
   }
 
-  /// Goes to the nearest child that the ray passes and puts the others on the stack, the nearest on
-  /// top; false if it passes none.
-  bool stepInto(const Treelet& treelet, WideSearch<Avx2Kernel>& search)
+  /// Puts the children that the ray passes on the stack.
+  void stepInto(const Treelet& treelet, WideSearch<Avx2Kernel>& search)
   {
     const std::uint64_t order = treelet.farToNear[search.cast.octant];
     const __m256i axes = _mm256_set1_epi32(static_cast<int>(treelet.axes));
@@ -110,27 +109,13 @@ struct Avx2Kernel
     const __m256i farChildren = childrenOf(treelet, far.child);
     const __m256i nearChildren = childrenOf(treelet, near.child);
     const unsigned found = passed(far, farChildren) | passed(near, nearChildren) << 8;
-    if (found == 0)
-    {
-      return false;
-    }
-    const unsigned nearest = 31u - static_cast<unsigned>(__builtin_clz(found));
-    const Half& half = nearest >= 8 ? near : far;
-    if ((found & (found - 1)) != 0)
-    {
-      auto& left = search.putBy(found ^ 1u << nearest);
-      _mm256_store_ps(left.from, far.begin);
-      _mm256_store_ps(left.from + 8, near.begin);
-      _mm256_store_ps(left.to, far.end);
-      _mm256_store_ps(left.to + 8, near.end);
-      _mm256_store_si256(reinterpret_cast<__m256i*>(left.children), farChildren);
-      _mm256_store_si256(reinterpret_cast<__m256i*>(left.children + 8), nearChildren);
-    }
-    const __m256i lane = _mm256_set1_epi32(static_cast<int>(nearest & 7));
-    search.child = treelet.children[order >> (4 * nearest) & 15];
-    from = _mm256_permutevar8x32_ps(half.begin, lane);
-    to = _mm256_permutevar8x32_ps(half.end, lane);
-    return true;
+    auto& left = search.putBy(found);
+    _mm256_store_ps(left.from, far.begin);
+    _mm256_store_ps(left.from + 8, near.begin);
+    _mm256_store_ps(left.to, far.end);
+    _mm256_store_ps(left.to + 8, near.end);
+    _mm256_store_si256(reinterpret_cast<__m256i*>(left.children), farChildren);
+    _mm256_store_si256(reinterpret_cast<__m256i*>(left.children + 8), nearChildren);
   }
 };
 

@@ -36,9 +36,8 @@ struct Avx512Kernel
     to = _mm512_set1_ps(newTo);
   }
 
-  /// Goes to the nearest child that the ray passes and puts the others on the stack, the nearest on
-  /// top; false if it passes none.
-  bool stepInto(const Treelet& treelet, WideSearch<Avx512Kernel>& search)
+  /// Puts the children that the ray passes on the stack.
+  void stepInto(const Treelet& treelet, WideSearch<Avx512Kernel>& search)
   {
     const __m512i twos =
       _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
@@ -72,24 +71,10 @@ struct Avx512Kernel
       _mm512_permutexvar_epi32(child, _mm512_load_si512(treelet.children.data()));
     const __mmask16 isThere = _mm512_cmpneq_epi32_mask(children, _mm512_set1_epi32(-1));
     const unsigned passed = _mm512_mask_cmp_ps_mask(isThere, begin, _mm512_add_ps(end, pad), _CMP_LE_OQ);
-    if (passed == 0)
-    {
-      return false;
-    }
-    const unsigned nearest = 31u - static_cast<unsigned>(__builtin_clz(passed));
-    const unsigned rest = passed ^ 1u << nearest;
-    if (rest != 0)
-    {
-      auto& left = search.putBy(rest);
-      _mm512_store_ps(left.from, begin);
-      _mm512_store_ps(left.to, end);
-      _mm512_store_si512(left.children, children);
-    }
-    const __m512i lane = _mm512_set1_epi32(static_cast<int>(nearest));
-    search.child = treelet.children[order >> (4 * nearest) & 15];
-    from = _mm512_permutexvar_ps(lane, begin);
-    to = _mm512_permutexvar_ps(lane, end);
-    return true;
+    auto& left = search.putBy(passed);
+    _mm512_store_ps(left.from, begin);
+    _mm512_store_ps(left.to, end);
+    _mm512_store_si512(left.children, children);
   }
 };
 

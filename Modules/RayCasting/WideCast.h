@@ -225,7 +225,7 @@ private:
 template <class Kernel>
 struct WideSearch
 {
-  /// Children of a treelet that were put by for later; the nearest has the highest bit.
+  /// Children of a treelet that wait to be searched; the nearest has the highest bit.
   struct alignas(64) Left
   {
     float from[16], to[16];
@@ -238,12 +238,14 @@ struct WideSearch
   Candidates candidates;
   std::uint32_t child;
   unsigned depth;
-  Left stack[KdTree::kMaxDepth / 4 + 1];
+  Left stack[KdTree::kMaxDepth / 4 + 2]; ///< none of them without a child, but one behind the top
 
+  /// The place for children of a treelet. Whether there are any is as good as random: no branch.
   Left& putBy(unsigned lanes)
   {
-    Left& top = stack[depth++];
+    Left& top = stack[depth];
     top.lanes = lanes;
+    depth += lanes != 0 ? 1 : 0;
     return top;
   }
 
@@ -270,13 +272,9 @@ struct WideSearch
   {
     if ((child & Treelet::kLeaf) == 0)
     {
-      if (kernel.stepInto(cast.tree->treelets()[child], *this))
-      {
-        prefetchChild();
-        return true;
-      }
+      kernel.stepInto(cast.tree->treelets()[child], *this);
     }
-    else if (child != Treelet::kEmpty)
+    else
     {
       testLeaf(source, cast.tree->blocks() + (child & ~Treelet::kLeaf));
     }
