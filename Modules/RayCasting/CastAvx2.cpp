@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <immintrin.h>
+#include <limits>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
 
@@ -123,7 +124,7 @@ struct Avx2Kernel
 
 void runCastsAvx2(CastSource& source)
 {
-  runTwoByTwo<Avx2Kernel>(source);
+  runInTurns<Avx2Kernel>(source);
 }
 
 }

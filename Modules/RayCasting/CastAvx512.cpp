@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <immintrin.h>
+#include <limits>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
 
@@ -82,7 +83,7 @@ struct Avx512Kernel
 
 void runCastsAvx512(CastSource& source)
 {
-  runTwoByTwo<Avx512Kernel>(source);
+  runInTurns<Avx512Kernel>(source);
 }
 
 }

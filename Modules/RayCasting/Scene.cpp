@@ -1,6 +1,7 @@
 #include "Scene.h"
 
 #include "KdTraversal.h"
+#include "RayOrder.h"
 #include "SceneCasts.h"
 
 #include <Eigen/LU>
@@ -62,8 +63,10 @@ void Scene::setDynamic(const std::vector<PlacedObject>& objects)
 void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
 {
   bounds_ = static_->mesh().bounds();
+  treeBytes_ = static_->tree().bytes();
   for (const PlacedObject& object : objects_)
   {
+    treeBytes_ += object.body->tree().bytes();
     bounds_.add(boundsOf(object.worldFromObject, object.body->mesh().bounds()));
   }
   place(std::max(bounds_.magnitude(), pointSources_.magnitude()));
@@ -195,16 +198,20 @@ bool Scene::mayTouch(
   return !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
 }
 
+std::vector<std::uint32_t> Scene::orderOf(const Ray* rays, std::size_t count) const
+{
+  // Trees beyond the processor's own cache, and enough rays that some of them are near each other.
+  constexpr std::size_t kLargeTrees = 1u << 22, kManyRays = 1u << 15;
+  return treeBytes_ > kLargeTrees && count > kManyRays
+    ? coherentOrder(rays, static_cast<std::uint32_t>(count), bounds_)
+    : std::vector<std::uint32_t>();
+}
+
 void Scene::castStatic(
   const Ray* rays, std::size_t count, Hit* best, const double* from) const
 {
-  Casts casts(*this, rays, best, from);
-  for (std::uint32_t i = 0; i < count; ++i)
-  {
-    casts.add(i, 0);
-    if ((i+1)%256==0) casts.run();
-  }
-  casts.run();
+  Casts(*this, rays, best, from)
+    .runAllStatic(static_cast<std::uint32_t>(count), orderOf(rays, count));
 }
 
 void Scene::castDynamic(const Ray* rays, std::size_t count, Hit* best) const
@@ -219,10 +226,12 @@ void Scene::castMoved(const Ray* rays, std::size_t count, Hit* best) const
 
 void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const
 {
+  const std::vector<std::uint32_t> order = orderOf(rays, count);
   Casts casts(*this, rays, best);
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    casts.addGroup(i, group);
+    casts.addGroup(order.empty() ? i : order[i], group);
+    casts.runIfMany();
   }
   casts.run();
   for (std::size_t i = 0; i < count && !group.boxes.isEmpty(); ++i)
@@ -268,9 +277,11 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
     castDynamic(rays, count, hits);
     return castStatic(rays, count, hits);
   }
+  const std::vector<std::uint32_t> order = orderOf(rays, count);
   Casts casts(*this, rays, hits);
-  for (std::uint32_t i = 0; i < count; ++i)
+  for (std::uint32_t n = 0; n < count; ++n)
   {
+    const std::uint32_t i = order.empty() ? n : order[n];
     if (mode_ == TraversalMode::OneTree)
     {
       casts.add(i, oneTree_);
@@ -280,6 +291,7 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
       casts.addGroup(i, dynamic_);
       casts.add(i, 0);
     }
+    casts.runIfMany();
   }
   casts.run();
 }

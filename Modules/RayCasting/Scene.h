@@ -155,6 +155,8 @@ private:
   /// Nothing is farther from the ray's origin, in units of its direction.
   double reachOf(const Ray& ray) const;
   bool mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const;
+  /// In which to search the rays of a batch; empty: as they are.
+  std::vector<std::uint32_t> orderOf(const Ray* rays, std::size_t count) const;
   void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;
   void castManyWhole(const Group& group, const Ray& ray, Hit& best) const;
 
@@ -164,6 +166,7 @@ private:
   std::vector<Placed> placed_;
   Box pointSources_;
   Box bounds_;
+  std::size_t treeBytes_ = 0; ///< of all bodies
   Group dynamic_;
   Group moved_;
   MixedTree oneTree_;

@@ -38,6 +38,15 @@ void Scene::Casts::add(std::uint32_t ray, const MixedTree& mixed)
   jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
 }
 
+void Scene::Casts::runIfMany()
+{
+  constexpr std::size_t kMany = 1024; // as many as stay in a processor's cache
+  if (jobs_.size() >= kMany)
+  {
+    run();
+  }
+}
+
 void Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
 {
   if (!group.loose.tree.isEmpty())
@@ -65,19 +74,48 @@ void Scene::Casts::run()
   next_ = 0;
 }
 
+void Scene::Casts::runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order)
+{
+  all_ = count;
+  order_ = &order;
+  run();
+}
+
 std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
 {
-  const std::size_t count = std::min(most, jobs_.size() - next_);
+  const std::size_t total = all_ == 0 ? jobs_.size() : all_;
+  const std::size_t count = std::min(most, total - next_);
   for (std::size_t i = 0; i < count; ++i, ++next_)
   {
-    const std::uint32_t ray = jobs_[next_].ray;
-    const bool isFirst = next_ == 0 || jobs_[next_ - 1].ray != ray;
-    const bool isLast = next_ + 1 == jobs_.size() || jobs_[next_ + 1].ray != ray;
-    request(jobs_[next_], requests[i]);
+    Job job = jobOf(next_);
+    bool isShared = false;
+    if (all_ == 0)
+    {
+      isShared = (next_ > 0 && jobs_[next_ - 1].ray == job.ray) ||
+        (next_ + 1 < total && jobs_[next_ + 1].ray == job.ray);
+    }
+    else
+    {
+      job.bound = best_[job.ray].distance;
+      fetchAhead(next_ + 2 * most);
+    }
+    request(job, requests[i]);
     requests[i].job = next_;
-    requests[i].isShared = !isFirst || !isLast;
+    requests[i].isShared = isShared;
   }
   return count;
+}
+
+/// In another order than theirs, the memory does not guess which rays come next.
+void Scene::Casts::fetchAhead(std::size_t number) const
+{
+  if (number < order_->size())
+  {
+    const auto* ray = reinterpret_cast<const char*>(rays_ + (*order_)[number]);
+    __builtin_prefetch(ray);
+    __builtin_prefetch(ray + sizeof(Ray) - 1);
+    __builtin_prefetch(best_ + (*order_)[number], 1);
+  }
 }
 
 void Scene::Casts::request(const Job& job, CastRequest& request) const
@@ -117,7 +155,7 @@ void Scene::Casts::begin(UnitCast& cast)
 void Scene::Casts::finish(
   const UnitCast& cast, const std::uint32_t* references, std::size_t count)
 {
-  const Job& job = jobs_[cast.job];
+  const Job job = jobOf(cast.job);
   for (std::size_t i = 0; i < count; ++i)
   {
     const TriangleId id = idOf(job, references[i]);
@@ -156,14 +194,17 @@ void Scene::Casts::decide(const Decision& decision, const ShearedRay& sheared)
 
 void Scene::Casts::test(UnitCast& cast, std::uint32_t reference)
 {
-  const Job& job = jobs_[cast.job];
+  const Job job = jobOf(cast.job);
   const TriangleId id = idOf(job, reference);
   decide({ job.ray, id }, scene_.shearedFor(rays_[job.ray], id.object));
   const double distance = best_[job.ray].distance;
   if (distance < cast.bound())
   {
     cast.setBound(distance);
-    narrow(cast);
+    if (cast.isShared)
+    {
+      narrow(cast);
+    }
   }
 }
 

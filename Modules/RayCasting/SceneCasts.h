@@ -21,10 +21,14 @@ public:
   /// The ray in the tree of an object.
   void add(std::uint32_t ray, std::uint32_t object);
   void add(std::uint32_t ray, const MixedTree& mixed);
+  /// All rays in the static tree, in this order if it is not empty. Nothing else may be added.
+  void runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order);
   /// The ray in all trees of the group that it may touch, but for those of many objects.
   void addGroup(std::uint32_t ray, const Group& group);
   /// Runs what was added.
   void run();
+  /// The same, unless that is still little. Between rays only.
+  void runIfMany();
 
   std::size_t next(CastRequest* requests, std::size_t most) override;
   void begin(UnitCast& cast) override;
@@ -49,6 +53,12 @@ private:
     TriangleId id;
   };
 
+  Job jobOf(std::uint32_t number) const
+  {
+    return all_ == 0 ? jobs_[number]
+                     : Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 };
+  }
+  void fetchAhead(std::size_t number) const;
   void request(const Job& job, CastRequest& request) const;
   TriangleId idOf(const Job& job, std::uint32_t reference) const
   {
@@ -64,6 +74,8 @@ private:
   Hit* best_;
   const double* from_;
   std::vector<Job>& jobs_;
+  std::uint32_t all_ = 0;                             ///< rays of runAllStatic()
+  const std::vector<std::uint32_t>* order_ = nullptr; ///< in which they are searched, or empty
   std::uint32_t next_ = 0;
   std::size_t putOff_ = 0;
   std::array<Decision, 2 * kPutOff> decisions_;

@@ -407,28 +407,37 @@ private:
   }
 };
 
-/// Two searches in turns: while one waits for memory, or for a branch, the other computes.
+/// Several searches in turns: while one waits for memory, or for the outcome of a long chain of
+/// operations, the others compute.
 template <class Kernel>
-void runTwoByTwo(CastSource& source)
+void runInTurns(CastSource& source)
 {
+  constexpr unsigned kTogether = 4;
   CastQueue queue(source);
-  WideSearch<Kernel> first, second;
-  bool hasFirst = first.start(source, queue), hasSecond = hasFirst && second.start(source, queue);
-  while (hasFirst && hasSecond)
+  WideSearch<Kernel> searches[kTogether];
+  unsigned running = 0;
+  while (running < kTogether && searches[running].start(source, queue))
   {
-    if (__builtin_expect(!first.step(source), 0))
+    ++running;
+  }
+  unsigned ended = kTogether; // the first of them that found no successor
+  while (running == kTogether && ended == kTogether)
+  {
+#pragma GCC unroll 4
+    for (unsigned i = 0; i < kTogether; ++i)
     {
-      hasFirst = first.start(source, queue);
-    }
-    if (__builtin_expect(!second.step(source), 0))
-    {
-      hasSecond = second.start(source, queue);
+      if (__builtin_expect(!searches[i].step(source), 0) && !searches[i].start(source, queue))
+      {
+        ended = i;
+        break;
+      }
     }
   }
-  WideSearch<Kernel>& last = hasFirst ? first : second;
-  for (bool goesOn = hasFirst || hasSecond; goesOn;)
+  for (unsigned i = 0; i < running; ++i)
   {
-    goesOn = last.step(source) || last.start(source, queue);
+    while (i != ended && searches[i].step(source))
+    {
+    }
   }
 }
 
