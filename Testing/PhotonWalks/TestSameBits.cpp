@@ -2,6 +2,8 @@
 #include "MovingScene.h"
 #include "ThreadExecution.h"
 
+#include "../RayCasting/TestSimdLevels.h"
+
 #include <gtest/gtest.h>
 
 namespace irradiance
@@ -82,6 +84,20 @@ TEST(SameBits, WhateverTheWay)
       EXPECT_TRUE(lastOfThreeFrames(
                     { TraversalMode::Parallel, true, true, false, execution }, sides) == first);
     }
+  }
+}
+
+TEST(SameBits, WhateverTheInstructions)
+{
+  const auto serial = std::make_shared<Execution>();
+  const Answer best =
+    lastOfThreeFrames({ TraversalMode::Parallel, true, true, false, serial }, false);
+  for (const SimdLevel level : test::simdLevels())
+  {
+    const test::SimdLimit limit(level);
+    EXPECT_TRUE(lastOfThreeFrames({ TraversalMode::Parallel, true, true, false, serial }, false) ==
+      best)
+      << "SIMD level " << static_cast<int>(level);
   }
 }
 
