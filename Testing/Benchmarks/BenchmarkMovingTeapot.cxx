@@ -113,6 +113,15 @@ void addReshooting(const std::vector<UpdateTimes>& rounds, const std::string& wh
     perFrame(rounds, [](const UpdateTimes& t, std::size_t i) { return t.changed[i]; }));
 }
 
+void addCache(const CacheGain& gain, Results& results)
+{
+  const char* const overWithout = "time / without the cache of static hits";
+  results.add(kTable, "repair, swinging teapot (paper: 0.69)", overWithout, gain.repair,
+    goals::kStaticHitCache);
+  results.add(kTable, "verification, swinging teapot", overWithout, gain.verification);
+  results.add(kTable, "verification and repair, swinging teapot", overWithout, gain.frame);
+}
+
 void addThreads(const ThreadSpeeds& speeds, Results& results)
 {
   const char* const overOne = "speed / one thread";
@@ -138,8 +147,7 @@ void run(int argc, char* argv[])
   addReshooting(times, "", " (paper: 5.9)", goals::kReshooting, results);
   addReshooting(timeRounds(MovingTeapotScene(head, kSmallTeapot), settings, rounds, frames),
     ", small teapot", "", goals::kReshootingSmall, results);
-  results.add(kTable, "repair with the cache of static hits (paper: 0.69)", "time / without",
-    timeCache(scene, settings, frames), goals::kStaticHitCache);
+  addCache(timeCache(scene, settings, frames), results);
   addThreads(timeThreads(scene, settings, rounds, std::min(frames, 10)), results);
   results.add(kTable, "history", "bytes a hit",
     perRound(times, [](const UpdateTimes& t) { return t.bytesPerHit; }), goals::kBytesPerHit);

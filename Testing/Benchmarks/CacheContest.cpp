@@ -37,8 +37,7 @@ void compareSums(const IrradianceEngine& a, const IrradianceEngine& b, const Sce
 
 }
 
-std::vector<double> timeCache(
-  const MovingTeapotScene& scene, const EngineSettings& settings, int frames)
+CacheGain timeCache(const MovingTeapotScene& scene, const EngineSettings& settings, int frames)
 {
   EngineSettings with = settings, without = settings;
   with.cacheStaticHits = true;
@@ -47,18 +46,21 @@ std::vector<double> timeCache(
   Execution serial;
   engine.update(scene.objectsAt(timeOfSwing(0)), with, serial);
   plain.update(scene.objectsAt(timeOfSwing(0)), without, serial);
-  std::vector<double> quotients;
+  CacheGain gain;
   constexpr int kFill = 2 * kSwing; // the cache begins empty
   for (int frame = 1; frame <= kFill + frames; ++frame)
   {
     const SceneObjects objects = scene.objectsAt(timeOfSwing(frame));
-    const double cached = timeUpdate(engine, objects, with).repairing;
-    const double uncached = timeUpdate(plain, objects, without).repairing;
+    const PhaseTimes cached = timeUpdate(engine, objects, with);
+    const PhaseTimes uncached = timeUpdate(plain, objects, without);
     if (frame > kFill)
     {
-      quotients.push_back(cached / uncached);
+      gain.repair.push_back(cached.repairing / uncached.repairing);
+      gain.verification.push_back(cached.verifying / uncached.verifying);
+      gain.frame.push_back(
+        (cached.verifying + cached.repairing) / (uncached.verifying + uncached.repairing));
     }
     compareSums(engine, plain, objects);
   }
-  return quotients;
+  return gain;
 }
