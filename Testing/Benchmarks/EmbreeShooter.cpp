@@ -8,8 +8,7 @@ using namespace irradiance;
 namespace
 {
 
-/// The walks of a batch. Fewer leave packets half empty in the last bounces, more do not fit into the
-/// near caches.
+/// The walks of a batch, as many as the engine's. From 256 to 16384 the times hardly differ.
 constexpr std::uint32_t kBatch = 1024;
 
 std::int64_t shootWalkByWalk(const EmbreeScene& embree, EmbreeWalks& walks)
