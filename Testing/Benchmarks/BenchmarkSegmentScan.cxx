@@ -170,7 +170,7 @@ void timeScans(
 
 void run(int argc, char* argv[])
 {
-  const double millions = argc > 1 ? std::atof(argv[1]) : 16;
+  const double millions = argc > 1 ? std::strtod(argv[1], nullptr) : 16;
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 7;
   Results results("BenchmarkSegmentScan");
   const SceneObjects objects = MovingTeapotScene("").objectsAt(0);

@@ -20,9 +20,9 @@ public:
         task(i, i + 1);
       }
     };
-    std::thread helper(work);
+    std::thread second(work);
     work();
-    helper.join();
+    second.join();
   }
 };
 
