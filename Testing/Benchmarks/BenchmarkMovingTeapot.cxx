@@ -1,157 +1,156 @@
 /**
- * The bars of the main job on the scene of Examples/MovingTeapot, one thread: how shooting compares
- * with a loop of Embree's rtcIntersect1 that does the same walks, and what a frame costs beside the
- * first shooting. The answers are compared before any time counts; the two are timed in turns in
- * one process by the thread's CPU time, and the medians of the ratios are given.
+ * The bars of the main job on the scene of Examples/MovingTeapot: how shooting compares with Embree
+ * doing the same walks in its fastest way, what a frame costs beside the first shooting, and what a
+ * cache and a second thread are good for. The answers are compared before any time counts; the rivals
+ * are timed in turns in one process by the thread's CPU time (two threads by the clock on the wall),
+ * and the medians of the ratios are given. 59 frames after the first are the teapot's whole way.
  *
- * Arguments: [walks = 1000000] [rounds = 5] [frames = 10] [head.off]
+ * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */
-#include "EmbreeShooter.h"
+#include "CacheContest.h"
+#include "EmbreeCaster.h"
 #include "Goals.h"
-#include "IrradianceEngine.h"
 #include "Results.h"
-#include "SceneReader.h"
-#include "TeapotPath.h"
-#include "TeapotScene.h"
-#include "Timing.h"
+#include "ThreadContest.h"
+#include "UpdateContest.h"
 
-#include <vtkCellData.h>
-#include <vtkMatrix4x4.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkTransform.h>
-
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 using namespace irradiance;
 
 namespace
 {
 
-AffineMap poseAt(double time)
+const char* const kTable = "MovingTeapot";
+const char* const kOverShooting = "time / first shooting";
+const char* const kOverFrame = "time / verification and repair";
+/// At this size the teapot's motion changes about a hundredth of the walks in a frame.
+constexpr double kSmallTeapot = 0.5;
+
+std::vector<UpdateTimes> timeRounds(
+  const MovingTeapotScene& scene, const EngineSettings& settings, int rounds, int frames)
 {
-  static movingteapot::TeapotPath path;
-  vtkNew<vtkTransform> transform;
-  path.SetPose(time, transform);
-  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(
-    transform->GetMatrix()->GetData());
-  return { matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
+  std::vector<UpdateTimes> times;
+  for (int round = 0; round < rounds; ++round)
+  {
+    times.push_back(timeUpdates(scene, settings, frames));
+  }
+  return times;
 }
 
-SceneObjects makeScene(const std::string& head)
+/// A value for each round.
+template <class Value>
+std::vector<double> perRound(const std::vector<UpdateTimes>& rounds, const Value& value)
 {
-  movingteapot::SceneConfig config;
-  config.HeadFile = head;
-  const movingteapot::TeapotScene scene = movingteapot::MakeTeapotScene(config);
-  const auto connect = [](vtkPolyData* part) {
-    vtkCellData* cells = part->GetCellData();
-    return InputConnection{ "part of the scene", part, cells->GetAbstractArray("RadiantExitance"),
-      cells->GetAbstractArray("DiffuseReflectance"), nullptr };
+  std::vector<double> values;
+  for (const UpdateTimes& round : rounds)
+  {
+    values.push_back(value(round));
+  }
+  return values;
+}
+
+/// A value for each frame of each round.
+template <class Value>
+std::vector<double> perFrame(const std::vector<UpdateTimes>& rounds, const Value& value)
+{
+  std::vector<double> values;
+  for (const UpdateTimes& round : rounds)
+  {
+    for (std::size_t frame = 0; frame < round.verifying.size(); ++frame)
+    {
+      values.push_back(value(round, frame));
+    }
+  }
+  return values;
+}
+
+void addShooting(const std::vector<UpdateTimes>& rounds, Results& results)
+{
+  const auto add = [&](EmbreeForm form, const std::string& rival, const Goal& goal) {
+    results.add(kTable, "first shooting", "speed / " + rival,
+      perRound(rounds, [=](const UpdateTimes& t) { return t.embree.at(form) / t.shooting; }), goal);
   };
-  std::vector<InputConnection> fixed;
-  for (vtkPolyData* part :
-    { scene.Room.Get(), scene.Lamp.Get(), scene.Plinth.Get(), scene.Head.Get() })
+  add(fastestForm(rounds), "Embree's fastest way", goals::kFirstShooting);
+  for (const EmbreeForm form : kEmbreeForms)
   {
-    if (part)
-    {
-      fixed.push_back(connect(part));
-    }
-  }
-  SceneReader reader;
-  reader.read(fixed, { connect(scene.Teapot) }, { poseAt(0) }, 0.5, {});
-  return reader.objects();
-}
-
-/// Power received by an object, as a part of that received by all.
-double shareOf(const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
-{
-  double own = 0, all = 0;
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    for (std::size_t cell = 0; cell < objects[i].surface->numberOfCells; ++cell)
-    {
-      const auto power = static_cast<double>(sums.sum(i, cell, 0, 0));
-      all += power;
-      own += i == object ? power : 0.0;
-    }
-  }
-  return own / all;
-}
-
-struct Timings
-{
-  std::vector<double> shootOverEmbree, verifyOverShoot, repairOverShoot, frameOverShoot,
-    verifyOverEmbree, embreeOverFrame, invalid;
-};
-
-void timeRound(SceneObjects objects, const EngineSettings& settings, int frames, Timings& timings)
-{
-  Execution serial;
-  IrradianceEngine engine;
-  double start = threadCpuSeconds();
-  engine.update(objects, settings, serial);
-  const double shooting = threadCpuSeconds() - start;
-
-  const EmbreeScene embree(objects);
-  CellSums sums(objects, 1);
-  start = threadCpuSeconds();
-  const std::int64_t segments =
-    shootWithEmbree(embree, objects, settings.numberOfWalks, settings.seed, sums);
-  const double peer = threadCpuSeconds() - start;
-
-  const double ours = shareOf(engine.sums(), objects, 1), theirs = shareOf(sums, objects, 1);
-  const auto counted = static_cast<double>(engine.balance().segments);
-  if (std::abs(static_cast<double>(segments) / counted - 1) > 2e-3 ||
-    std::abs(ours / theirs - 1) > 2e-2)
-  {
-    std::fprintf(stderr, "The answers differ: %lld and %lld segments, teapot's share %g and %g\n",
-      static_cast<long long>(engine.balance().segments), static_cast<long long>(segments), ours,
-      theirs);
-    std::exit(EXIT_FAILURE);
-  }
-  timings.shootOverEmbree.push_back(shooting / peer);
-  std::printf("shooting %.3f s, Embree %.3f s, %.0f ns and %.0f ns a segment, %.1f bytes a hit\n",
-    shooting, peer, 1e9 * shooting / counted, 1e9 * peer / counted,
-    static_cast<double>(engine.statistics().historyBytes) / counted);
-
-  for (int frame = 1; frame <= frames; ++frame)
-  {
-    objects.dynamic[0].worldFromObject = poseAt(frame / 60.0);
-    start = threadCpuSeconds();
-    engine.update(objects, settings, serial);
-    const double whole = threadCpuSeconds() - start;
-    const EngineStatistics& cost = engine.statistics();
-    // The engine's own clocks run on while the machine does other things; only their ratio counts.
-    const double verifying = whole * cost.verifySeconds / (cost.verifySeconds + cost.repairSeconds);
-    timings.verifyOverShoot.push_back(verifying / shooting);
-    timings.repairOverShoot.push_back((whole - verifying) / shooting);
-    timings.frameOverShoot.push_back(whole / shooting);
-    timings.verifyOverEmbree.push_back(verifying / peer);
-    timings.embreeOverFrame.push_back(peer / whole);
-    timings.invalid.push_back(
-      static_cast<double>(cost.invalidWalks) / static_cast<double>(settings.numberOfWalks));
+    add(form, nameOf(form), {});
   }
 }
 
-void report(const Timings& timings)
+void addPhases(const std::vector<UpdateTimes>& rounds, Results& results)
 {
+  const auto add = [&](const char* row, const Goal& goal, const auto& seconds) {
+    results.add(kTable, row, kOverShooting,
+      perFrame(
+        rounds, [&](const UpdateTimes& t, std::size_t i) { return seconds(t, i) / t.shooting; }),
+      goal);
+  };
+  using Times = const UpdateTimes&;
+  add("verification (paper: 0.14)", goals::kVerification,
+    [](Times t, std::size_t i) { return t.verifying[i]; });
+  add("repair (paper: 0.029)", {}, [](Times t, std::size_t i) { return t.repairing[i]; });
+  add("verification and repair (paper: 0.17)", {},
+    [](Times t, std::size_t i) { return t.verifying[i] + t.repairing[i]; });
+  results.add(kTable, "frame in which nothing moved", kOverShooting,
+    perRound(rounds, [](Times t) { return t.unchanged / t.shooting; }), goals::kNothingMoved);
+}
+
+void addReshooting(const std::vector<UpdateTimes>& rounds, const std::string& which,
+  const std::string& paper, const Goal& goal, Results& results)
+{
+  const EmbreeForm form = fastestForm(rounds);
+  results.add(kTable, "re-shooting in Embree's fastest way" + which + paper, kOverFrame,
+    perFrame(rounds,
+      [form](const UpdateTimes& t, std::size_t i) {
+        return t.embree.at(form) / (t.verifying[i] + t.repairing[i]);
+      }),
+    goal);
+  results.add(kTable, "walks that change in a frame" + which, "share of all walks",
+    perFrame(rounds, [](const UpdateTimes& t, std::size_t i) { return t.changed[i]; }));
+}
+
+void addCache(const CacheGain& gain, Results& results)
+{
+  const char* const overWithout = "time / without the cache of static hits";
+  results.add(kTable, "repair, swinging teapot (paper: 0.69)", overWithout, gain.repair,
+    goals::kStaticHitCache);
+  results.add(kTable, "verification, swinging teapot", overWithout, gain.verification);
+  results.add(kTable, "verification and repair, swinging teapot", overWithout, gain.frame);
+}
+
+void addThreads(const ThreadSpeeds& speeds, Results& results)
+{
+  const char* const overOne = "speed / one thread";
+  results.add(kTable, "first shooting, two threads", overOne, speeds.shooting, goals::kTwoThreads);
+  results.add(
+    kTable, "verification and repair, two threads", overOne, speeds.frame, goals::kTwoThreads);
+}
+
+void run(int argc, char* argv[])
+{
+  EngineSettings settings;
+  settings.numberOfWalks =
+    argc > 1 ? static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10)) : 1000000;
+  const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
+  const int frames = argc > 3 ? std::atoi(argv[3]) : 59;
+  const std::string head = argc > 4 ? argv[4] : VTKIRRADIANCE_HEAD;
+  flushDenormals();
   Results results("BenchmarkMovingTeapot");
-  const auto add = [&](const char* row, const char* quantity, const std::vector<double>& values,
-                     const Goal& goal = {}) {
-    results.add("MovingTeapot", row, quantity, values, goal);
-  };
-  const char* const overShooting = "time / first shooting";
-  const char* const overEmbree = "time / the same walks with rtcIntersect1";
-  add("first shooting", overEmbree, timings.shootOverEmbree);
-  add("verification (paper: 0.14)", overShooting, timings.verifyOverShoot);
-  add("repair (paper: 0.029)", overShooting, timings.repairOverShoot);
-  add("verification and repair (paper: 0.17)", overShooting, timings.frameOverShoot);
-  add("verification", overEmbree, timings.verifyOverEmbree, goals::kVerification);
-  add("re-shooting with rtcIntersect1", "time / verification and repair", timings.embreeOverFrame,
-    goals::kReshooting);
-  add("walks that changed in a frame", "share of all walks", timings.invalid);
+  const MovingTeapotScene scene(head);
+  const std::vector<UpdateTimes> times = timeRounds(scene, settings, rounds, frames);
+  addShooting(times, results);
+  addPhases(times, results);
+  addReshooting(times, "", " (paper: 5.9)", goals::kReshooting, results);
+  addReshooting(timeRounds(MovingTeapotScene(head, kSmallTeapot), settings, rounds, frames),
+    ", small teapot", "", goals::kReshootingSmall, results);
+  addCache(timeCache(scene, settings, frames), results);
+  addThreads(timeThreads(scene, settings, rounds, std::min(frames, 10)), results);
+  results.add(kTable, "history", "bytes a hit",
+    perRound(times, [](const UpdateTimes& t) { return t.bytesPerHit; }), goals::kBytesPerHit);
   results.finish();
 }
 
@@ -159,20 +158,14 @@ void report(const Timings& timings)
 
 int main(int argc, char* argv[])
 {
-  EngineSettings settings;
-  settings.numberOfWalks =
-    argc > 1 ? static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10)) : 1000000;
-  const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
-  const int frames = argc > 3 ? std::atoi(argv[3]) : 10;
-  const SceneObjects objects = makeScene(argc > 4 ? argv[4] : VTKIRRADIANCE_HEAD);
-  std::printf("%zu static and %zu dynamic triangles, %u walks, %d rounds, %d frames\n",
-    objects.fixed.body->mesh().size(), objects.dynamic[0].body->mesh().size(),
-    settings.numberOfWalks, rounds, frames);
-  Timings timings;
-  for (int round = 0; round < rounds; ++round)
+  try
   {
-    timeRound(objects, settings, frames, timings);
+    run(argc, argv);
+    return EXIT_SUCCESS;
   }
-  report(timings);
-  return EXIT_SUCCESS;
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return EXIT_FAILURE;
+  }
 }

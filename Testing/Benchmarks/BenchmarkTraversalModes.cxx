@@ -8,6 +8,7 @@
  * Arguments: [rays = 300000] [rounds = 7]
  */
 #include "BenchmarkScene.h"
+#include "Goals.h"
 #include "OurCaster.h"
 #include "RaySet.h"
 #include "Results.h"
@@ -62,9 +63,20 @@ std::vector<std::vector<double>> timeModes(
   return timeInTurns(jobs, rounds);
 }
 
+/// Speed of searching side by side, as the geometric mean over the sets of rays.
+void addGoals(const std::string& scene, const std::vector<std::vector<double>>& overOneTree,
+  const std::vector<std::vector<double>>& overSequential, Results& results)
+{
+  results.add("TraversalModes", "parallel: " + scene, "speed / one tree",
+    geometricMeans(overOneTree), goals::kParallelOverOneTree);
+  results.add("TraversalModes", "parallel: " + scene, "speed / sequential",
+    geometricMeans(overSequential), goals::kParallelOverSequential);
+}
+
 void timeScene(const BenchmarkScene& scene, std::uint32_t count, int rounds, Results& results)
 {
   const std::vector<std::unique_ptr<OurCaster>> casters = makeCasters(scene.objects);
+  std::vector<std::vector<double>> overOneTree, overSequential; // [set][round]
   for (const RaySet set : { RaySet::Surfaces, RaySet::Light })
   {
     const std::vector<std::vector<double>> seconds =
@@ -73,11 +85,14 @@ void timeScene(const BenchmarkScene& scene, std::uint32_t count, int rounds, Res
     for (std::size_t i = 0; i < casters.size(); ++i)
     {
       const std::string& name = casters[i]->name();
-      results.add("TraversalModes", name, column, ratios(seconds[i], seconds[0]));
+      results.add("TraversalModesSets", name, column, ratios(seconds[i], seconds[0]));
       const std::vector<double> millions(seconds[i].size(), 1e-6 * count);
       results.add("TraversalModesRates", name, column, ratios(millions, seconds[i]));
     }
+    overOneTree.push_back(ratios(seconds[0], seconds[2]));
+    overSequential.push_back(ratios(seconds[1], seconds[2]));
   }
+  addGoals(scene.name, overOneTree, overSequential, results);
 }
 
 void run(int argc, char* argv[])

@@ -1,7 +1,5 @@
 #include "EmbreeScene.h"
 
-#include <limits>
-
 using namespace irradiance;
 
 EmbreeScene::EmbreeScene(const SceneObjects& objects)
@@ -70,32 +68,4 @@ RTCScene EmbreeScene::makeScene(const TriangleMesh& mesh) const
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene);
   return scene;
-}
-
-EmbreeScene::Found EmbreeScene::cast(const Ray& ray) const
-{
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit query;
-  query.ray.org_x = static_cast<float>(ray.origin[0]);
-  query.ray.org_y = static_cast<float>(ray.origin[1]);
-  query.ray.org_z = static_cast<float>(ray.origin[2]);
-  query.ray.dir_x = static_cast<float>(ray.direction[0]);
-  query.ray.dir_y = static_cast<float>(ray.direction[1]);
-  query.ray.dir_z = static_cast<float>(ray.direction[2]);
-  query.ray.tnear = near_;
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.time = 0;
-  query.ray.mask = ~0u;
-  query.ray.flags = 0;
-  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(top_, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
-  {
-    return {};
-  }
-  const bool isInstance = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
-  const double u = query.hit.u, v = query.hit.v;
-  return { { isInstance ? query.hit.instID[0] : 0, query.hit.primID },
-    Vector3(std::max(0.0, 1 - u - v), u, v) };
 }

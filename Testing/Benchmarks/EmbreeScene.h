@@ -16,16 +16,9 @@ public:
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  struct Found
-  {
-    irradiance::TriangleId id; ///< none: the ray escapes
-    irradiance::Vector3 weights;
-  };
-
-  /// rtcIntersect1. The ray begins a float's rounding away from its origin.
-  Found cast(const irradiance::Ray& ray) const;
-
   RTCScene top() const { return top_; }
+  /// Rays that leave a surface begin here, a float's rounding away from their origins.
+  float nearest() const { return near_; }
 
 private:
   RTCScene makeScene(const irradiance::TriangleMesh& mesh) const;

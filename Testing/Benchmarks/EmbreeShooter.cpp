@@ -1,53 +1,122 @@
 #include "EmbreeShooter.h"
 
-#include "DirectionSampling.h"
-#include "Emitter.h"
-#include "Reflection.h"
+#include "EmbreeRays.h"
+#include "EmbreeWalks.h"
 
 using namespace irradiance;
 
-std::int64_t shootWithEmbree(const EmbreeScene& embree, const SceneObjects& objects,
-  std::uint32_t numberOfWalks, std::uint64_t seed, CellSums& sums)
+namespace
 {
-  const EmitterTable emitters(objects, numberOfWalks);
-  const SobolSequence samples(seed);
+
+/// The walks of a batch, as many as the engine's. From 256 to 16384 the times hardly differ.
+constexpr std::uint32_t kBatch = 1024;
+
+std::int64_t shootWalkByWalk(const EmbreeScene& embree, EmbreeWalks& walks)
+{
   std::int64_t segments = 0;
-  for (std::uint32_t walk = 0; walk < numberOfWalks; ++walk)
+  EmbreeRays<RTCRayHit> rays(embree, 1);
+  for (std::uint32_t i = 0; i < walks.numberOfWalks(); ++i)
   {
-    WalkStart state = emitters.start(walk, samples);
-    const std::int64_t threshold = rouletteThreshold(state.power);
-    for (std::uint32_t bounce = 1;; ++bounce)
+    Ray ray;
+    EmbreeWalk walk = walks.start(i, ray);
+    TriangleId id;
+    do
     {
+      rays.set(0, ray);
+      rays.cast(1);
       ++segments;
-      const EmbreeScene::Found found = embree.cast(state.ray);
-      if (found.id == TriangleId{})
-      {
-        break;
-      }
-      const SceneObject& object = objects[found.id.object];
-      const Triangle& triangle = object.body->mesh()[found.id.triangle];
-      SurfacePoint point = surfacePoint(
-        found.id.object == 0 ? triangle : transformed(object.worldFromObject, triangle),
-        found.weights);
-      if (state.ray.direction.dot(point.normal) > 0)
-      {
-        point.normal = -point.normal;
-      }
-      sums.add(found.id, true, state.power, 1);
-      state.power = reflected(state.power, *object.surface, found.id.triangle);
-      if (state.power.largest() < threshold)
-      {
-        state.power = playRoulette(
-          state.power, threshold, samples.sample(walk, bounce, SampleUse::Roulette)[0]);
-      }
-      if (state.power.isZero())
-      {
-        break;
-      }
-      state.ray = { point.clearPosition(),
-        sampleCosineHemisphere(point.normal, samples.sample(walk, bounce, SampleUse::Direction)),
-        found.id };
+      id = rays.id(0);
+    } while (id != TriangleId{} && walks.goOn(walk, ray.direction, id, rays.weights(0), ray));
+  }
+  return segments;
+}
+
+/// From the hits of the walks to their next rays; returns how many walks go on.
+template <class Packet>
+std::size_t goOn(
+  std::vector<EmbreeWalk>& batch, std::size_t count, EmbreeRays<Packet>& rays, EmbreeWalks& walks)
+{
+  constexpr std::size_t kAhead = 8;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i + 2 * kAhead < count)
+    {
+      walks.fetchTriangle(rays.id(i + 2 * kAhead));
+    }
+    if (i + kAhead < count)
+    {
+      walks.fetchCell(rays.id(i + kAhead));
+    }
+    const TriangleId id = rays.id(i);
+    EmbreeWalk walk = batch[i];
+    Ray ray;
+    if (id != TriangleId{} && walks.goOn(walk, rays.direction(i), id, rays.weights(i), ray))
+    {
+      rays.set(kept, ray); // the hit that stood here has been read
+      batch[kept++] = walk;
+    }
+  }
+  return kept;
+}
+
+template <class Packet>
+std::int64_t shootInBatches(const EmbreeScene& embree, EmbreeWalks& walks)
+{
+  std::int64_t segments = 0;
+  EmbreeRays<Packet> rays(embree, kBatch);
+  std::vector<EmbreeWalk> batch(kBatch);
+  for (std::uint32_t first = 0; first < walks.numberOfWalks(); first += kBatch)
+  {
+    std::size_t count = std::min(kBatch, walks.numberOfWalks() - first);
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      Ray ray;
+      batch[i] = walks.start(first + i, ray);
+      rays.set(i, ray);
+    }
+    while (count > 0)
+    {
+      segments += static_cast<std::int64_t>(count);
+      rays.cast(count);
+      count = goOn(batch, count, rays, walks);
     }
   }
   return segments;
+}
+
+}
+
+const char* nameOf(EmbreeForm form)
+{
+  switch (form)
+  {
+    case EmbreeForm::WalkByWalk:
+      return "rtcIntersect1, walk by walk";
+    case EmbreeForm::Batch1:
+      return "rtcIntersect1, in batches";
+    case EmbreeForm::Batch8:
+      return "rtcIntersect8, in batches";
+    case EmbreeForm::Batch16:
+      return "rtcIntersect16, in batches";
+  }
+  return "";
+}
+
+std::int64_t shootWithEmbree(EmbreeForm form, const EmbreeScene& embree,
+  const SceneObjects& objects, std::uint32_t numberOfWalks, std::uint64_t seed, CellSums& sums)
+{
+  EmbreeWalks walks(objects, numberOfWalks, seed, sums);
+  switch (form)
+  {
+    case EmbreeForm::WalkByWalk:
+      return shootWalkByWalk(embree, walks);
+    case EmbreeForm::Batch1:
+      return shootInBatches<RTCRayHit>(embree, walks);
+    case EmbreeForm::Batch8:
+      return shootInBatches<RTCRayHit8>(embree, walks);
+    case EmbreeForm::Batch16:
+      return shootInBatches<RTCRayHit16>(embree, walks);
+  }
+  return 0;
 }

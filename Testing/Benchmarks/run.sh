@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every benchmark from nothing: installs what is missing, fetches the meshes, builds in build/benchmark, runs
 # the programs one after another and writes Documentation/Performance.md with its pictures. The results
-# stay in build/benchmark/results. Takes a quarter of an hour; nothing else should run meanwhile.
+# stay in build/benchmark/results. Takes twenty minutes; nothing else should run meanwhile.
 #
 #   run.sh            everything
 #   run.sh --quick    few rays, walks and rounds, to see that all runs; the report goes to the results' folder
@@ -16,10 +16,10 @@ results=$PWD/$build/results
 documentation=$PWD/Documentation
 case ${1:-} in
   '')
-    ray_casting=() modes=() teapot=()
+    ray_casting=() modes=() scan=() teapot=()
     ;;
   --quick)
-    ray_casting=(10000 2 123 1) modes=(10000 2) teapot=(20000 2 2)
+    ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2)
     documentation=$results
     ;;
   *)
@@ -54,6 +54,7 @@ mkdir -p "$results" "$documentation/pictures"
 cd "$results"
 measure BenchmarkRayCasting "${ray_casting[@]}"
 measure BenchmarkTraversalModes "${modes[@]}"
+measure BenchmarkSegmentScan "${scan[@]}"
 measure BenchmarkMovingTeapot "${teapot[@]}"
 
 ../../../Utilities/run-under-xvfb.sh ../bin/BenchmarkReport ../../../Testing/Benchmarks/Performance.md.in \

@@ -1,0 +1,74 @@
+#include "EmbreeWalks.h"
+
+#include "DirectionSampling.h"
+#include "Reflection.h"
+
+using namespace irradiance;
+
+EmbreeWalks::EmbreeWalks(
+  const SceneObjects& objects, std::uint32_t numberOfWalks, std::uint64_t seed, CellSums& sums)
+  : objects_(objects)
+  , numberOfWalks_(numberOfWalks)
+  , emitters_(objects, numberOfWalks)
+  , samples_(seed)
+  , sums_(sums)
+{
+}
+
+EmbreeWalk EmbreeWalks::start(std::uint32_t walk, Ray& ray) const
+{
+  const WalkStart start = emitters_.start(walk, samples_);
+  ray = start.ray;
+  return { walk, 1, rouletteThreshold(start.power), start.power };
+}
+
+bool EmbreeWalks::goOn(EmbreeWalk& walk, const Vector3& direction, const TriangleId& id,
+  const Vector3& weights, Ray& ray)
+{
+  const SceneObject& object = objects_[id.object];
+  const Triangle& triangle = object.body->mesh()[id.triangle];
+  SurfacePoint point = surfacePoint(
+    id.object == 0 ? triangle : transformed(object.worldFromObject, triangle), weights);
+  if (direction.dot(point.normal) > 0)
+  {
+    point.normal = -point.normal;
+  }
+  sums_.add(id, true, walk.power, 1);
+  walk.power = reflected(walk.power, *object.surface, id.triangle);
+  if (walk.power.largest() < walk.threshold)
+  {
+    walk.power = playRoulette(
+      walk.power, walk.threshold, samples_.sample(walk.walk, walk.bounce, SampleUse::Roulette)[0]);
+  }
+  if (walk.power.isZero())
+  {
+    return false;
+  }
+  ray = { point.clearPosition(),
+    sampleCosineHemisphere(
+      point.normal, samples_.sample(walk.walk, walk.bounce, SampleUse::Direction)),
+    id };
+  ++walk.bounce;
+  return true;
+}
+
+void EmbreeWalks::fetchTriangle(const TriangleId& id) const
+{
+  if (id != TriangleId{})
+  {
+    const SceneObject& object = objects_[id.object];
+    object.body->mesh().fetch(id.triangle);
+    __builtin_prefetch(object.surface->cellOfTriangle.data() + id.triangle);
+  }
+}
+
+void EmbreeWalks::fetchCell(const TriangleId& id) const
+{
+  if (id != TriangleId{})
+  {
+    const Surface& surface = *objects_[id.object].surface;
+    __builtin_prefetch(surface.reflectance.data() +
+      surface.cellOfTriangle[id.triangle] * static_cast<std::size_t>(surface.bands));
+    sums_.fetch(id);
+  }
+}
