@@ -1,5 +1,7 @@
 #include "CellSums.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -14,26 +16,34 @@ CellSums::CellSums(const SceneObjects& objects, int sides)
     surfaces_.push_back(objects[object].surface);
     cells += objects[object].surface->numberOfCells;
   }
-  const std::size_t size =
-    cells * static_cast<std::size_t>(sides_) * static_cast<std::size_t>(bands_);
-  sums_ = std::make_unique<std::atomic<std::int64_t>[]>(size);
+  sums_.resize(cells * static_cast<std::size_t>(sides_) * static_cast<std::size_t>(bands_));
 }
 
-void CellSums::add(const TriangleId& id, bool isFront, const Power& power, int sign)
+void CellSums::collect(const TriangleId& id, bool isFront, const Power& power, int sign,
+  std::vector<Deposit>& deposits) const
 {
   const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
   const std::size_t first = slot(id.object, cell, sides_ == 2 && !isFront ? 1 : 0);
   for (int band = 0; band < bands_; ++band)
   {
-    sums_[first + static_cast<std::size_t>(band)].fetch_add(
-      sign * power[band], std::memory_order_relaxed);
+    deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
+  }
+}
+
+void CellSums::add(const std::vector<Deposit>& deposits)
+{
+  constexpr std::size_t kAhead = 16;
+  const std::lock_guard<std::mutex> lock(*mutex_);
+  for (std::size_t i = 0; i < deposits.size(); ++i)
+  {
+    __builtin_prefetch(sums_.data() + deposits[std::min(i + kAhead, deposits.size() - 1)].slot, 1);
+    sums_[deposits[i].slot] += deposits[i].quanta;
   }
 }
 
 std::int64_t CellSums::sum(std::uint32_t object, std::size_t cell, int side, int band) const
 {
-  return sums_[slot(object, cell, side) + static_cast<std::size_t>(band)].load(
-    std::memory_order_relaxed);
+  return sums_[slot(object, cell, side) + static_cast<std::size_t>(band)];
 }
 
 }

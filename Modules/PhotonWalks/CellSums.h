@@ -5,15 +5,23 @@
 #include "Ray.h"
 #include "Surface.h"
 
-#include <atomic>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace irradiance
 {
 
+/// What a photon brings to a cell, or takes away again.
+struct Deposit
+{
+  std::size_t slot;
+  std::int64_t quanta;
+};
+
 /// The power that each cell receives, in quanta: adding a photon adds its power, removing it
-/// subtracts it. May be used by many threads at once; the result does not depend on their order.
+/// subtracts it. Threads collect deposits and hand them in many at a time; the result does not
+/// depend on their order.
 class CellSums
 {
 public:
@@ -21,17 +29,20 @@ public:
   /// `sides`: 1 for the sum over both sides of a cell, 2 to keep front and back apart.
   CellSums(const SceneObjects& objects, int sides);
 
-  /// Has the memory bring what add() will change.
+  /// Has the memory bring what collect() and add() will need.
   void fetch(const TriangleId& id) const
   {
     if (id.object != TriangleId::kNone)
     {
       const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
-      __builtin_prefetch(sums_.get() + slot(id.object, cell, 0), 1);
+      __builtin_prefetch(sums_.data() + slot(id.object, cell, 0), 1);
     }
   }
-  /// `sign`: 1 to add, -1 to remove.
-  void add(const TriangleId& id, bool isFront, const Power& power, int sign);
+  /// Appends the deposits of a photon. `sign`: 1 to add it, -1 to remove it.
+  void collect(const TriangleId& id, bool isFront, const Power& power, int sign,
+    std::vector<Deposit>& deposits) const;
+  /// May be called by many threads at once.
+  void add(const std::vector<Deposit>& deposits);
   /// `side`: 0 front (or both), 1 back.
   std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band) const;
 
@@ -47,7 +58,8 @@ private:
   int bands_ = 1;
   std::vector<std::size_t> firstCell_;
   std::vector<std::shared_ptr<const Surface>> surfaces_;
-  std::unique_ptr<std::atomic<std::int64_t>[]> sums_;
+  std::vector<std::int64_t> sums_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
 };
 
 }

@@ -82,16 +82,17 @@ void EmitterTable::add(const Emitter& emitter)
 
 Power EmitterTable::powerOf(std::uint32_t walk, const Emitter& emitter) const
 {
-  const auto upTo = [this](std::uint64_t walks) {
-    return static_cast<std::int64_t>(
-      static_cast<unsigned __int128>(walks) * totalQuanta_ / numberOfWalks_);
+  // floor(walks * total / number), with the whole part taken out so that nothing overflows.
+  const std::uint64_t whole = totalQuanta_ / numberOfWalks_, rest = totalQuanta_ % numberOfWalks_;
+  const auto upTo = [&](std::uint64_t walks) {
+    return static_cast<std::int64_t>(walks * whole + walks * rest / numberOfWalks_);
   };
   const auto total = static_cast<double>(upTo(std::uint64_t{ walk } + 1) - upTo(walk));
   Power power;
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     const double share = emitter.flux[static_cast<std::size_t>(band)] / emitter.totalFlux();
-    power[band] = std::llround(total * share);
+    power[band] = static_cast<std::int64_t>(total * share + 0.5);
   }
   return power;
 }

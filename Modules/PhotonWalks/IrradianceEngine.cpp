@@ -24,6 +24,19 @@ bool isSameLook(const SceneObject& a, const SceneObject& b)
     a.body->mesh().size() == b.body->mesh().size();
 }
 
+void store(const WalkBatch& batch, WalkBlock& block)
+{
+  for (const WalkBatch::Tail& tail : batch.tails())
+  {
+    block.replaceTail(tail.walk % WalkBlock::kWalks, tail.bounce, tail.size);
+  }
+  for (const WalkBatch::Piece& piece : batch.pieces())
+  {
+    block.setSegment(
+      batch.tails()[piece.tail].walk % WalkBlock::kWalks, piece.bounce, piece.segment);
+  }
+}
+
 }
 
 /// A pass over the blocks. It is cut into slices of kSlice, between which progress is told and an
@@ -253,17 +266,13 @@ void IrradianceEngine::shootAll(Execution& execution)
     }
   };
   const auto finish = [&](std::size_t block, WalkBatch& batch, WalkBooking&, PowerBalance& balance) {
-    for (const WalkBatch::Tail& tail : batch.tails())
+    for (const WalkBatch::Piece& piece : batch.pieces())
     {
-      const WalkSegment* segments = batch.segments().data() + tail.first;
-      balance.emitted += segments->power;
-      if (keep)
-      {
-        history_[block].replaceTail(tail.walk % WalkBlock::kWalks, 0, segments, tail.size);
-      }
+      balance.emitted += piece.bounce == 0 ? piece.segment.power : Power{};
     }
     if (keep)
     {
+      store(batch, history_[block]);
       history_[block].shrink();
     }
   };
@@ -380,16 +389,13 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   };
   const auto finish = [&](std::size_t block, WalkBatch& batch, WalkBooking& booking, PowerBalance&) {
     WalkBlock& walks = history_[block];
-    const std::vector<WalkBatch::Tail>& tails = batch.tails();
-    for (std::size_t i = 0; i < tails.size(); ++i)
+    for (const StaleSegment& segment : stale[block])
     {
-      const StaleSegment& segment = stale[block][i];
       booking.remove(walks, segment.walkInBlock, segment.bounce);
       cacheStaticHit(walks, segment);
-      walks.replaceTail(segment.walkInBlock, segment.bounce,
-        batch.segments().data() + tails[i].first, tails[i].size);
     }
-    repaired += static_cast<std::int64_t>(batch.segments().size());
+    store(batch, walks);
+    repaired += static_cast<std::int64_t>(batch.pieces().size());
   };
   overBatches(0.5, 1, shooter, fill, finish, execution);
   statistics_.repairedSegments = repaired;

@@ -51,7 +51,7 @@ void WalkBooking::book(
     balance_.received += sign * static_cast<double>(incoming[band]);
   }
   checkReceived(balance_);
-  sums_.add(hit.id, isFront, incoming, sign);
+  sums_.collect(hit.id, isFront, incoming, sign, deposits_);
 }
 
 }

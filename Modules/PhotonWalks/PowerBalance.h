@@ -24,7 +24,8 @@ struct PowerBalance
 /// Throws std::overflow_error when cell sums might overflow.
 void checkReceived(const PowerBalance& balance);
 
-/// Books what a hit receives in the cells and the balance, or takes it back.
+/// Books what a hit receives in the cells and the balance, or takes it back. The cells get it when
+/// the booking ends.
 class WalkBooking
 {
 public:
@@ -33,6 +34,9 @@ public:
     , balance_(balance)
   {
   }
+  ~WalkBooking() { sums_.add(deposits_); }
+  WalkBooking(const WalkBooking&) = delete;
+  WalkBooking& operator=(const WalkBooking&) = delete;
 
   /// `sign`: 1 to book, -1 to take back.
   void book(const Hit& hit, bool isFront, const Power& incoming, const Power& carriedOn, int sign);
@@ -44,6 +48,7 @@ public:
 private:
   CellSums& sums_;
   PowerBalance& balance_;
+  std::vector<Deposit> deposits_;
 };
 
 }

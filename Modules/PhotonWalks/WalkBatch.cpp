@@ -28,14 +28,13 @@ void WalkBatch::add(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, co
   states_.push_back({ static_cast<std::uint32_t>(tails_.size()), bounce, threshold, power });
   rays_.push_back(ray);
   hits_.push_back(hit);
-  tails_.push_back({ walk, bounce, 0, 0 });
+  tails_.push_back({ walk, bounce, 0 });
 }
 
 bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop)
 {
   constexpr std::size_t kUsualLength = 4;
-  segments_.reserve(kUsualLength * tails_.size());
-  tailOfSegment_.reserve(kUsualLength * tails_.size());
+  pieces_.reserve(kUsualLength * tails_.size());
   for (; !states_.empty(); ++rounds_)
   {
     if (hasToStop())
@@ -76,8 +75,7 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
     }
     State state = states_[i];
     Tail& tail = tails_[state.tail];
-    segments_.push_back({ rays_[i], hits_[i], state.power, true });
-    tailOfSegment_.push_back(state.tail);
+    pieces_.push_back({ state.tail, state.bounce, { rays_[i], hits_[i], state.power, true } });
     ++tail.size;
     const Hit& hit = hits_[i];
     if (!hit)
@@ -86,7 +84,7 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
       continue;
     }
     const SurfacePoint point = shooter_.scene().surfaceAt(rays_[i].direction, hit);
-    segments_.back().isFront = point.isFront;
+    pieces_.back().segment.isFront = point.isFront;
     const Power carriedOn =
       shooter_.powerAfter(tail.walk, state.bounce, hit.id, state.power, state.threshold);
     booking.book(hit, point.isFront, state.power, carriedOn, 1);
@@ -106,26 +104,6 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
   }
   states_.resize(kept);
   rays_.resize(kept);
-}
-
-const std::vector<WalkBatch::Tail>& WalkBatch::tails()
-{
-  std::uint32_t next = 0;
-  for (Tail& tail : tails_)
-  {
-    tail.first = next;
-    next += tail.size;
-  }
-  std::vector<WalkSegment> sorted(segments_.size());
-  std::vector<std::uint32_t> filled(tails_.size(), 0);
-  for (std::size_t i = 0; i < segments_.size(); ++i)
-  {
-    const std::uint32_t tail = tailOfSegment_[i];
-    sorted[tails_[tail].first + filled[tail]++] = segments_[i];
-  }
-  segments_.swap(sorted);
-  tailOfSegment_.clear();
-  return tails_;
 }
 
 }

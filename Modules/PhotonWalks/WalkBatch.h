@@ -31,17 +31,22 @@ public:
   /// returns false and may be called again.
   bool run(WalkBooking& booking, const std::function<bool()>& hasToStop);
 
-  /// The segments of one walk, in order.
   struct Tail
   {
     std::uint32_t walk;
-    std::uint32_t bounce; ///< of the first of them
-    std::uint32_t first;  ///< in segments()
-    std::uint32_t size;
+    std::uint32_t bounce; ///< of its first segment
+    std::uint32_t size;   ///< segments
   };
-  /// In the order in which the walks were added. Call when run() is through.
-  const std::vector<Tail>& tails();
-  const std::vector<WalkSegment>& segments() const { return segments_; }
+  struct Piece
+  {
+    std::uint32_t tail;
+    std::uint32_t bounce;
+    WalkSegment segment;
+  };
+  /// In the order in which the walks were added.
+  const std::vector<Tail>& tails() const { return tails_; }
+  /// Those of a walk in order, those of several mixed.
+  const std::vector<Piece>& pieces() const { return pieces_; }
 
 private:
   /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
@@ -71,8 +76,7 @@ private:
   bool areHitsKnown_ = false;
   std::uint32_t rounds_ = 0;
   std::vector<Tail> tails_;
-  std::vector<WalkSegment> segments_; ///< as they came, then sorted by walk
-  std::vector<std::uint32_t> tailOfSegment_;
+  std::vector<Piece> pieces_;
 };
 
 }

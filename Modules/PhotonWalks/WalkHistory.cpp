@@ -47,8 +47,15 @@ void WalkBlock::setPoint(std::size_t slot, const Vector3& world)
   z_[slot] = static_cast<float>(position[2]);
 }
 
-void WalkBlock::replaceTail(
-  std::uint32_t walk, std::uint32_t bounce, const WalkSegment* tail, std::uint32_t count)
+void WalkBlock::setPower(std::size_t slot, const Power& power)
+{
+  for (int band = 0; band < bands_; ++band)
+  {
+    powers_[slot * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] = power[band];
+  }
+}
+
+void WalkBlock::replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count)
 {
   for (std::uint32_t i = bounce + 1; i < places_[walk].size && !staticHits_.empty(); ++i)
   {
@@ -60,28 +67,24 @@ void WalkBlock::replaceTail(
     moveToEnd(walk, bounce, size + 1);
   }
   places_[walk].size = size;
-  std::size_t place = slot(walk, bounce);
-  for (std::uint32_t i = 0; i < count; ++i, ++place)
+}
+
+void WalkBlock::setSegment(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment)
+{
+  const std::size_t place = slot(walk, bounce);
+  setPoint(place, segment.ray.origin);
+  tags_[place] = static_cast<std::uint16_t>(
+    walk | (segment.isFront ? 0u : kBack) | tagOf(segment.hit.id.object) << kTagShift);
+  ids_[place] = segment.hit.id;
+  weights_[place] = segment.hit.weights;
+  setPower(place, segment.power);
+  if (bounce + 1 == places_[walk].size)
   {
-    const WalkSegment& segment = tail[i];
-    setPoint(place, segment.ray.origin);
-    tags_[place] = static_cast<std::uint16_t>(
-      walk | (segment.isFront ? 0u : kBack) | tagOf(segment.hit.id.object) << kTagShift);
-    ids_[place] = segment.hit.id;
-    weights_[place] = segment.hit.weights;
-    for (int band = 0; band < bands_; ++band)
-    {
-      powers_[place * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] =
-        segment.power[band];
-    }
+    const double length = segment.hit ? segment.hit.distance : kFar / frame_.scale;
+    setPoint(place + 1, segment.ray.origin + length * segment.ray.direction);
+    tags_[place + 1] = static_cast<std::uint16_t>(walk);
+    setPower(place + 1, {});
   }
-  const WalkSegment& last = tail[count - 1];
-  setPoint(place,
-    last.ray.origin +
-      (last.hit ? last.hit.distance : kFar / frame_.scale) * last.ray.direction);
-  tags_[place] = static_cast<std::uint16_t>(walk);
-  std::fill_n(powers_.begin() + static_cast<std::ptrdiff_t>(place * static_cast<std::size_t>(bands_)),
-    bands_, 0);
 }
 
 void WalkBlock::moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity)

@@ -56,10 +56,10 @@ public:
   /// Lower bound of the length of a segment, in the world, within some 2^-20 of the scene.
   double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
 
-  /// Puts `tail` in the place of the segments from `bounce` on. Cached static hits behind `bounce`
-  /// go with the segments.
-  void replaceTail(
-    std::uint32_t walk, std::uint32_t bounce, const WalkSegment* tail, std::uint32_t count);
+  /// Makes room for `count` segments in the place of those from `bounce` on; each has to be set
+  /// then. Cached static hits behind `bounce` go with the old ones.
+  void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
+  void setSegment(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment);
 
   /// The static hit that a dynamic object hides from the segment; null if not known.
   const Hit* hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const;
@@ -86,6 +86,12 @@ public:
   {
     std::uint32_t walk, bounce;
   };
+  /// Has the memory bring what is stored of the segment that begins there.
+  void fetch(std::size_t point) const
+  {
+    __builtin_prefetch(ids_.data() + point);
+    __builtin_prefetch(weights_.data() + point);
+  }
   /// False if no segment begins at point i.
   bool segmentAt(std::size_t point, Place& place) const;
 
@@ -118,6 +124,7 @@ private:
   {
     return { x_[slot], y_[slot], z_[slot] };
   }
+  void setPower(std::size_t slot, const Power& power);
   void setPoint(std::size_t slot, const Vector3& world);
   void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);
   void closeHoles();

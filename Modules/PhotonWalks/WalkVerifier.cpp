@@ -80,6 +80,10 @@ void WalkVerifier::fetch(const WalkBlock& block, const std::vector<std::uint32_t
 {
   for (const std::uint32_t point : points)
   {
+    block.fetch(point);
+  }
+  for (const std::uint32_t point : points)
+  {
     WalkBlock::Place place;
     if (block.segmentAt(point, place))
     {

@@ -33,7 +33,12 @@ bool EmbreeWalks::goOn(EmbreeWalk& walk, const Vector3& direction, const Triangl
   {
     point.normal = -point.normal;
   }
-  sums_.add(id, true, walk.power, 1);
+  constexpr std::size_t kMany = 4096; // as the engine hands them in
+  sums_.collect(id, true, walk.power, 1, deposits_);
+  if (deposits_.size() >= kMany)
+  {
+    handIn();
+  }
   walk.power = reflected(walk.power, *object.surface, id.triangle);
   if (walk.power.largest() < walk.threshold)
   {
@@ -50,6 +55,12 @@ bool EmbreeWalks::goOn(EmbreeWalk& walk, const Vector3& direction, const Triangl
     id };
   ++walk.bounce;
   return true;
+}
+
+void EmbreeWalks::handIn()
+{
+  sums_.add(deposits_);
+  deposits_.clear();
 }
 
 void EmbreeWalks::fetchTriangle(const TriangleId& id) const

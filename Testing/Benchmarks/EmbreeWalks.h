@@ -22,6 +22,10 @@ public:
   EmbreeWalks(const irradiance::SceneObjects& objects, std::uint32_t numberOfWalks,
     std::uint64_t seed, irradiance::CellSums& sums);
 
+  ~EmbreeWalks() { handIn(); }
+  EmbreeWalks(const EmbreeWalks&) = delete;
+  EmbreeWalks& operator=(const EmbreeWalks&) = delete;
+
   std::uint32_t numberOfWalks() const { return numberOfWalks_; }
   EmbreeWalk start(std::uint32_t walk, irradiance::Ray& ray) const;
 
@@ -35,11 +39,14 @@ public:
   void fetchCell(const irradiance::TriangleId& id) const;
 
 private:
+  void handIn();
+
   const irradiance::SceneObjects& objects_;
   std::uint32_t numberOfWalks_;
   irradiance::EmitterTable emitters_;
   irradiance::SobolSequence samples_;
   irradiance::CellSums& sums_;
+  std::vector<irradiance::Deposit> deposits_;
 };
 
 #endif

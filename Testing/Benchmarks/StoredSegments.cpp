@@ -58,7 +58,12 @@ StoredSegments::StoredSegments(const Box& room, std::size_t atLeast)
     for (std::uint32_t i = 0; i < WalkBlock::kWalks; ++i)
     {
       const std::vector<WalkSegment> walk = makeWalk(room, random);
-      block.replaceTail(i, 0, walk.data(), static_cast<std::uint32_t>(walk.size()));
+      const auto length = static_cast<std::uint32_t>(walk.size());
+      block.replaceTail(i, 0, length);
+      for (std::uint32_t bounce = 0; bounce < length; ++bounce)
+      {
+        block.setSegment(i, bounce, walk[bounce]);
+      }
       size_ += walk.size();
     }
     block.shrink();

@@ -16,8 +16,23 @@ inline std::vector<WalkSegment> shotWalk(
   WalkBatch batch(shooter);
   batch.shoot(walk);
   batch.run(booking, [] { return false; });
-  batch.tails();
-  return batch.segments();
+  std::vector<WalkSegment> segments;
+  for (const WalkBatch::Piece& piece : batch.pieces())
+  {
+    segments.push_back(piece.segment);
+  }
+  return segments;
+}
+
+/// Puts the segments in the place of those from `bounce` on.
+inline void replaceTail(WalkBlock& block, std::uint32_t walk, std::uint32_t bounce,
+  const std::vector<WalkSegment>& tail)
+{
+  block.replaceTail(walk, bounce, static_cast<std::uint32_t>(tail.size()));
+  for (const WalkSegment& segment : tail)
+  {
+    block.setSegment(walk, bounce++, segment);
+  }
 }
 
 }

@@ -20,14 +20,21 @@ SceneObjects quadAndBox(int bands)
   return { quad.build(), { box.build() } };
 }
 
+void add(CellSums& sums, const TriangleId& id, bool isFront, const Power& power, int sign)
+{
+  std::vector<Deposit> deposits;
+  sums.collect(id, isFront, power, sign, deposits);
+  sums.add(deposits);
+}
+
 }
 
 TEST(CellSums, TrianglesOfACellShareASum)
 {
   CellSums sums(quadAndBox(1), 1);
-  sums.add({ 0, 2 }, true, { { 5, 0, 0 } }, 1);
-  sums.add({ 0, 3 }, false, { { 7, 0, 0 } }, 1);
-  sums.add({ 1, 11 }, true, { { 1ll << 50, 0, 0 } }, 1);
+  add(sums, { 0, 2 }, true, { { 5, 0, 0 } }, 1);
+  add(sums, { 0, 3 }, false, { { 7, 0, 0 } }, 1);
+  add(sums, { 1, 11 }, true, { { 1ll << 50, 0, 0 } }, 1);
   for (std::size_t cell = 0; cell < 4; ++cell)
   {
     EXPECT_EQ(sums.sum(0, cell, 0, 0), cell == 1 ? 12 : 0);
@@ -36,15 +43,15 @@ TEST(CellSums, TrianglesOfACellShareASum)
   {
     EXPECT_EQ(sums.sum(1, cell, 0, 0), cell == 5 ? 1ll << 50 : 0);
   }
-  sums.add({ 0, 3 }, false, { { 7, 0, 0 } }, -1);
+  add(sums, { 0, 3 }, false, { { 7, 0, 0 } }, -1);
   EXPECT_EQ(sums.sum(0, 1, 0, 0), 5);
 }
 
 TEST(CellSums, SidesAndBandsStandApart)
 {
   CellSums sums(quadAndBox(3), 2);
-  sums.add({ 1, 4 }, true, { { 1, 2, 3 } }, 1);
-  sums.add({ 1, 5 }, false, { { 10, 20, 30 } }, 1);
+  add(sums, { 1, 4 }, true, { { 1, 2, 3 } }, 1);
+  add(sums, { 1, 5 }, false, { { 10, 20, 30 } }, 1);
   for (int band = 0; band < 3; ++band)
   {
     EXPECT_EQ(sums.sum(1, 2, 0, band), band + 1);
@@ -63,9 +70,9 @@ TEST(CellSums, ManyThreadsLoseNothing)
     {
       for (std::int64_t k = 0; k < 50; ++k)
       {
-        sums.add({ 0, static_cast<std::uint32_t>(i % 8) }, true, { { k + 1, 0, 0 } }, 1);
-        sums.add({ 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, -1);
-        sums.add({ 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, 1);
+        add(sums, { 0, static_cast<std::uint32_t>(i % 8) }, true, { { k + 1, 0, 0 } }, 1);
+        add(sums, { 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, -1);
+        add(sums, { 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, 1);
       }
     }
   });

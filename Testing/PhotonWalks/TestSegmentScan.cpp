@@ -2,6 +2,7 @@
 #include "../RayCasting/TestSimdLevels.h"
 #include "Scene.h"
 #include "SegmentScan.h"
+#include "ShotWalk.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ struct RandomWalks
     for (std::uint32_t walk = 0; walk < kWalksOfOne; ++walk)
     {
       walks.push_back(makeWalk(random, center, size));
-      block.replaceTail(walk, 0, walks[walk].data(), static_cast<std::uint32_t>(walks[walk].size()));
+      test::replaceTail(block, walk, 0, walks[walk]);
     }
   }
 

@@ -1,3 +1,4 @@
+#include "ShotWalk.h"
 #include "WalkHistory.h"
 
 #include <gtest/gtest.h>
@@ -61,12 +62,6 @@ public:
 private:
   std::mt19937 engine_;
 };
-
-void replaceTail(WalkBlock& block, std::uint32_t walk, std::uint32_t bounce,
-  const std::vector<WalkSegment>& tail)
-{
-  block.replaceTail(walk, bounce, tail.data(), static_cast<std::uint32_t>(tail.size()));
-}
 
 /// Both ends of all segments, each found by way of its point.
 void expectPoints(const WalkBlock& block, const std::vector<std::vector<WalkSegment>>& walks)
@@ -133,7 +128,7 @@ void compareWithModel(unsigned seed, int bands)
     if (what < 5 || size == 0)
     {
       const auto tail = random.tail(1 + random.below(random.below(10) == 0 ? 60 : 6), bands);
-      replaceTail(block, walk, bounce, tail);
+      test::replaceTail(block, walk, bounce, tail);
       model.replaceTail(walk, bounce, tail);
     }
     else if (bounce < size && what < 8)
@@ -190,7 +185,7 @@ TEST(WalkHistory, TailsGrowAndShrink)
     {
       const auto bounce = std::min<std::uint32_t>(walk, block.size(walk));
       const auto tail = random.tail(size, 3);
-      replaceTail(block, walk, bounce, tail);
+      test::replaceTail(block, walk, bounce, tail);
       model.replaceTail(walk, bounce, tail);
       ASSERT_NO_FATAL_FAILURE(expectEqual(block, model));
     }
@@ -203,13 +198,13 @@ TEST(WalkHistory, StaticHitsBehindTheNewTailAreForgotten)
   WalkBlock block(2, 1, kFrame);
   for (std::uint32_t walk = 0; walk < 2; ++walk)
   {
-    replaceTail(block, walk, 0, random.tail(5, 1));
+    test::replaceTail(block, walk, 0, random.tail(5, 1));
     for (std::uint32_t i = 0; i < 5; ++i)
     {
       block.rememberStaticHit(walk, i, { 10.0 + i, { 0, i } });
     }
   }
-  replaceTail(block, 0, 2, random.tail(4, 1));
+  test::replaceTail(block, 0, 2, random.tail(4, 1));
   for (std::uint32_t i = 0; i < 5; ++i)
   {
     EXPECT_EQ(block.hiddenStaticHit(0, i) != nullptr, i <= 2) << i;
@@ -229,8 +224,8 @@ TEST(WalkHistory, HolesAreClosed)
   {
     for (std::uint32_t walk = 0; walk < 100; ++walk)
     {
-      replaceTail(block, walk, 0, random.tail(1, 1));
-      replaceTail(block, walk, 0, random.tail(1 + (walk + round) % 20, 1));
+      test::replaceTail(block, walk, 0, random.tail(1, 1));
+      test::replaceTail(block, walk, 0, random.tail(1 + (walk + round) % 20, 1));
     }
   }
   // 20 segments a walk at most, a third of holes, and what a vector keeps in reserve.
