@@ -1,11 +1,11 @@
 #include "IrradianceEngine.h"
 
+#include "SlicedPass.h"
 #include "WalkBatch.h"
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <mutex>
 
 namespace irradiance
 {
@@ -24,109 +24,32 @@ bool isSameLook(const SceneObject& a, const SceneObject& b)
     a.body->mesh().size() == b.body->mesh().size();
 }
 
-void store(const WalkBatch& batch, WalkBlock& block)
+void store(const WalkBatch& batch, std::vector<WalkBlock>& history)
 {
   for (const WalkBatch::Tail& tail : batch.tails())
   {
-    block.replaceTail(tail.walk % WalkBlock::kWalks, tail.bounce, tail.size);
+    history[tail.walk / WalkBlock::kWalks].replaceTail(
+      tail.walk % WalkBlock::kWalks, tail.bounce, tail.size);
   }
   for (const WalkBatch::Piece& piece : batch.pieces())
   {
-    block.setSegment(
-      batch.tails()[piece.tail].walk % WalkBlock::kWalks, piece.bounce, piece.segment);
+    const std::uint32_t walk = batch.tails()[piece.tail].walk;
+    history[walk / WalkBlock::kWalks].setSegment(
+      walk % WalkBlock::kWalks, piece.bounce, piece.segment);
   }
 }
 
 }
 
-/// A pass over the blocks. It is cut into slices of kSlice, between which progress is told and an
-/// interruption can happen; `next` says where a block goes on. What is computed does not depend on
-/// the cuts.
-struct IrradianceEngine::Phase
+/// Batches of walks, each for some blocks in a row.
+struct IrradianceEngine::BatchPass
 {
-  static constexpr std::chrono::milliseconds kSlice{ 30 };
-
-  class Deadline
-  {
-  public:
-    bool hasPassed() const { return Clock::now() >= end_; }
-
-  private:
-    Clock::time_point end_ = Clock::now() + kSlice;
-  };
-
-  Phase(double from, double to)
-    : progressFrom(from)
-    , progressTo(to)
-  {
-  }
-
   double progressFrom, progressTo;
-  /// Works on a block from item `next` until its end or the deadline.
-  std::function<void(
-    std::size_t block, std::uint32_t& next, const Deadline& deadline, PowerBalance& balance)>
-    work;
-  /// Number of items of a block.
-  std::function<std::uint32_t(std::size_t block)> size;
+  std::size_t blocksTogether;
+  std::function<void(std::size_t block, WalkBatch& batch)> fill;
+  /// Keeps what a batch has shot.
+  std::function<void(const WalkBatch& batch, WalkBooking& booking, PowerBalance& balance)> finish;
 };
-
-void IrradianceEngine::overBlocks(const Phase& phase, Execution& execution)
-{
-  std::vector<std::uint32_t> next(numberOfBlocks(), 0);
-  double total = 0;
-  for (std::size_t block = 0; block < next.size(); ++block)
-  {
-    total += phase.size(block);
-  }
-  std::size_t first = 0;
-  double done = 0;
-  while (first < next.size())
-  {
-    const Phase::Deadline deadline;
-    std::mutex mutex;
-    std::exception_ptr error;
-    execution.parallelFor(next.size() - first, [&](std::size_t begin, std::size_t end) {
-      PowerBalance balance;
-      try
-      {
-        for (std::size_t i = first + begin; i < first + end && !deadline.hasPassed(); ++i)
-        {
-          if (next[i] == phase.size(i))
-          {
-            continue;
-          }
-          phase.work(i, next[i], deadline, balance);
-        }
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        error = std::current_exception();
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      balance_ += balance;
-    });
-    if (error)
-    {
-      std::rethrow_exception(error);
-    }
-    checkReceived(balance_);
-    while (first < next.size() && next[first] == phase.size(first))
-    {
-      done += phase.size(first++);
-    }
-    double inside = done;
-    for (std::size_t i = first; i < next.size(); ++i)
-    {
-      inside += next[i];
-    }
-    const double part = total > 0 ? inside / total : 1.0;
-    if (!execution.goOn(phase.progressFrom + part * (phase.progressTo - phase.progressFrom)))
-    {
-      throw Interrupted();
-    }
-  }
-}
 
 std::size_t IrradianceEngine::numberOfBlocks() const
 {
@@ -259,54 +182,57 @@ void IrradianceEngine::shootAll(Execution& execution)
   }
   const SobolSequence samples(settings_.seed);
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  const auto fill = [&](std::size_t block, WalkBatch& batch) {
+  BatchPass pass{ 0, 1, 1 };
+  pass.fill = [&](std::size_t block, WalkBatch& batch) {
     for (std::uint32_t i = 0; i < walksIn(block); ++i)
     {
       batch.shoot(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + i);
     }
   };
-  const auto finish = [&](std::size_t block, WalkBatch& batch, WalkBooking&, PowerBalance& balance) {
+  pass.finish = [&](const WalkBatch& batch, WalkBooking&, PowerBalance& balance) {
     for (const WalkBatch::Piece& piece : batch.pieces())
     {
       balance.emitted += piece.bounce == 0 ? piece.segment.power : Power{};
     }
     if (keep)
     {
-      store(batch, history_[block]);
-      history_[block].shrink();
+      store(batch, history_);
+      history_[batch.tails().front().walk / WalkBlock::kWalks].shrink();
     }
   };
   if (!emitters_.isEmpty())
   {
-    overBatches(0, 1, shooter, fill, finish, execution);
+    run(pass, shooter, execution);
   }
   statistics_.shootSeconds = secondsSince(start);
 }
 
-/// Runs one batch of walks for each block: `fill` says which, `finish` keeps them.
-template <class Fill, class Finish>
-void IrradianceEngine::overBatches(double progressFrom, double progressTo,
-  const WalkShooter& shooter, const Fill& fill, const Finish& finish, Execution& execution)
+void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution)
 {
-  std::vector<std::unique_ptr<WalkBatch>> open(numberOfBlocks());
-  Phase phase(progressFrom, progressTo);
-  phase.size = [](std::size_t) { return 1; };
-  phase.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline& deadline,
-                 PowerBalance& balance) {
+  const std::size_t together = pass.blocksTogether;
+  std::vector<std::unique_ptr<WalkBatch>> open((numberOfBlocks() + together - 1) / together);
+  SlicedPass sliced{ pass.progressFrom, pass.progressTo, open.size(), {} };
+  sliced.work = [&](std::size_t unit, const Deadline& deadline, PowerBalance& balance) {
     WalkBooking booking(sums_, balance);
-    if (!open[block])
+    std::unique_ptr<WalkBatch>& batch = open[unit];
+    if (!batch)
     {
-      open[block] = std::make_unique<WalkBatch>(shooter);
-      fill(block, *open[block]);
+      batch = std::make_unique<WalkBatch>(shooter);
+      for (std::size_t i = unit * together; i < std::min((unit + 1) * together, numberOfBlocks());
+           ++i)
+      {
+        pass.fill(i, *batch);
+      }
     }
-    if (open[block]->run(booking, [&] { return deadline.hasPassed(); }))
+    if (!batch->run(booking, [&] { return deadline.hasPassed(); }))
     {
-      finish(block, *open[block], booking, balance);
-      open[block].reset();
-      next = 1;
+      return false;
     }
+    pass.finish(*batch, booking, balance);
+    batch.reset();
+    return true;
   };
-  overBlocks(phase, execution);
+  sliced.run(execution, balance_);
 }
 
 double IrradianceEngine::reachInFrame() const
@@ -355,14 +281,13 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   }
   const WalkVerifier verifier(shooter, moved, scan);
   std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
-  Phase phase(0, 0.5);
-  phase.size = [](std::size_t) { return 1; };
-  phase.work = [&](std::size_t block, std::uint32_t& next, const Phase::Deadline&, PowerBalance&) {
+  SlicedPass pass{ 0, 0.5, numberOfBlocks(), {} };
+  pass.work = [&](std::size_t block, const Deadline&, PowerBalance&) {
     stale[block] = verifier.staleSegments(
       history_[block], static_cast<std::uint32_t>(block) * WalkBlock::kWalks);
-    next = 1;
+    return true;
   };
-  overBlocks(phase, execution);
+  pass.run(execution, balance_);
   for (const auto& found : stale)
   {
     statistics_.invalidWalks += static_cast<std::int64_t>(found.size());
@@ -374,7 +299,11 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   const std::vector<std::vector<StaleSegment>>& stale, Execution& execution)
 {
   std::atomic<std::int64_t> repaired{ 0 };
-  const auto fill = [&](std::size_t block, WalkBatch& batch) {
+  // A block has few stale walks: those of several make a batch worth its name, if that leaves enough
+  // batches for all threads.
+  constexpr std::size_t kBatches = 32, kMostTogether = 16;
+  BatchPass pass{ 0.5, 1, std::clamp<std::size_t>(numberOfBlocks() / kBatches, 1, kMostTogether) };
+  pass.fill = [&](std::size_t block, WalkBatch& batch) {
     const WalkBlock& walks = history_[block];
     for (const StaleSegment& segment : stale[block])
     {
@@ -387,17 +316,23 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
       }
     }
   };
-  const auto finish = [&](std::size_t block, WalkBatch& batch, WalkBooking& booking, PowerBalance&) {
-    WalkBlock& walks = history_[block];
-    for (const StaleSegment& segment : stale[block])
+  pass.finish = [&](const WalkBatch& batch, WalkBooking& booking, PowerBalance&) {
+    for (const WalkBatch::Tail& tail : batch.tails())
     {
-      booking.remove(walks, segment.walkInBlock, segment.bounce);
-      cacheStaticHit(walks, segment);
+      booking.remove(
+        history_[tail.walk / WalkBlock::kWalks], tail.walk % WalkBlock::kWalks, tail.bounce);
     }
-    store(batch, walks);
+    store(batch, history_);
     repaired += static_cast<std::int64_t>(batch.pieces().size());
   };
-  overBatches(0.5, 1, shooter, fill, finish, execution);
+  run(pass, shooter, execution);
+  for (std::size_t block = 0; block < stale.size(); ++block)
+  {
+    for (const StaleSegment& segment : stale[block])
+    {
+      cacheStaticHit(history_[block], segment);
+    }
+  }
   statistics_.repairedSegments = repaired;
 }
 

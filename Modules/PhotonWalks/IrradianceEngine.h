@@ -59,7 +59,7 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  struct Phase;
+  struct BatchPass;
 
   /// Cheap; false is no proof that they changed.
   bool doLightsStand(const SceneObjects& objects, const EngineSettings& settings) const;
@@ -73,12 +73,9 @@ private:
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
   void repair(const WalkShooter& shooter, const std::vector<std::vector<StaleSegment>>& stale,
     Execution& execution);
-  template <class Fill, class Finish>
-  void overBatches(double progressFrom, double progressTo, const WalkShooter& shooter,
-    const Fill& fill, const Finish& finish, Execution& execution);
+  void run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution);
   double reachInFrame() const;
   void cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const;
-  void overBlocks(const Phase& phase, Execution& execution);
   std::size_t numberOfBlocks() const;
   std::uint32_t walksIn(std::size_t block) const;
 
