@@ -114,8 +114,7 @@ bool IrradianceEngine::doLightsStand(
   return true;
 }
 
-bool IrradianceEngine::canRepair(
-  const SceneObjects& objects, const EngineSettings& settings) const
+bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
 {
   if (!isValid_ || !settings.verify || !settings_.verify ||
     settings.numberOfWalks != settings_.numberOfWalks || settings.seed != settings_.seed ||
@@ -239,8 +238,8 @@ double IrradianceEngine::reachInFrame() const
 {
   Box world = scene_.bounds();
   world.add(emitters_.pointBounds());
-  return std::max(pointFrame_(world.lower).cwiseAbs().maxCoeff(),
-    pointFrame_(world.upper).cwiseAbs().maxCoeff());
+  return std::max(
+    pointFrame_(world.lower).cwiseAbs().maxCoeff(), pointFrame_(world.upper).cwiseAbs().maxCoeff());
 }
 
 void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)

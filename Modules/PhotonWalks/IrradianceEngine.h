@@ -87,8 +87,8 @@ private:
   CellSums sums_;
   PowerBalance balance_;
   std::vector<WalkBlock> history_; ///< empty unless something may move
-  UnitFrame pointFrame_;          ///< of the stored points
-  double pointReach_ = 0;         ///< their largest coordinate, but for those of escapes
+  UnitFrame pointFrame_;           ///< of the stored points
+  double pointReach_ = 0;          ///< their largest coordinate, but for those of escapes
   EngineStatistics statistics_;
 };
 

@@ -29,8 +29,8 @@ __attribute__((always_inline)) inline void nameByTag(const Points& points, std::
   const std::size_t count = points.segments;
   for (std::size_t i = 0; i < count; ++i)
   {
-    isNamed[i] = static_cast<std::uint8_t>(
-      tags >> (std::uint32_t{ tag[i] } >> WalkBlock::kTagShift) & 1u);
+    isNamed[i] =
+      static_cast<std::uint8_t>(tags >> (std::uint32_t{ tag[i] } >> WalkBlock::kTagShift) & 1u);
   }
 }
 
@@ -58,8 +58,8 @@ __attribute__((always_inline)) inline void nameNear(
     const float outside = px * px + py * py + pz * pz - b.squaredRadius;
     const float back = along > -length ? along : -length;
     const float nearest = back < 0 ? back : 0;
-    isNamed[i] |= static_cast<std::uint8_t>(
-      nearest * (nearest - 2 * along) + length * outside > 0 ? 0 : 1);
+    isNamed[i] |=
+      static_cast<std::uint8_t>(nearest * (nearest - 2 * along) + length * outside > 0 ? 0 : 1);
   }
 }
 
@@ -118,8 +118,8 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   Body body;
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
-  body.squaredRadius = static_cast<float>(
-    (radius * radius + 0x1p-18 * farthest * farthest) * (1 + 0x1p-20));
+  body.squaredRadius =
+    static_cast<float>((radius * radius + 0x1p-18 * farthest * farthest) * (1 + 0x1p-20));
   // Beyond these, a product of floats might overflow, or vanish.
   constexpr double kMost = 1e6, kLeast = 1e-6;
   const double stretch = matrix.norm();
@@ -146,7 +146,7 @@ void SegmentScan::find(const WalkBlock& block, std::vector<std::uint32_t>& point
   const Points all{ block.x(), block.y(), block.z(), block.tags(), segments, isNamed.data() };
 #ifdef __x86_64__
   const SimdLevel level = simdLevel();
-  (level == SimdLevel::Avx512 ? nameAvx512
+  (level == SimdLevel::Avx512    ? nameAvx512
       : level == SimdLevel::Avx2 ? nameAvx2
                                  : namePlain)(all, tags_, bodies_);
 #else

@@ -42,8 +42,8 @@ bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop
       return false;
     }
     // From the end, so that those that wait stay where they are.
-    const std::size_t count = rounds_ < kRoundsTogether ? states_.size()
-                                                        : std::min(states_.size(), kPatient);
+    const std::size_t count =
+      rounds_ < kRoundsTogether ? states_.size() : std::min(states_.size(), kPatient);
     const std::size_t first = states_.size() - count;
     if (!areHitsKnown_)
     {

@@ -188,8 +188,8 @@ void WalkBlock::forgetStaticHit(std::uint32_t walk, std::uint32_t bounce)
 std::size_t WalkBlock::bytes() const
 {
   const auto held = [](const auto& pool) { return pool.capacity() * sizeof(pool[0]); };
-  return sizeof(*this) + held(places_) + held(x_) + held(y_) + held(z_) + held(tags_) +
-    held(ids_) + held(weights_) + held(powers_) +
+  return sizeof(*this) + held(places_) + held(x_) + held(y_) + held(z_) + held(tags_) + held(ids_) +
+    held(weights_) + held(powers_) +
     staticHits_.size() * (sizeof(decltype(staticHits_)::value_type) + 2 * sizeof(void*)) +
     staticHits_.bucket_count() * sizeof(void*);
 }

@@ -120,10 +120,7 @@ private:
   {
     return places_[walk].first + std::size_t{ bounce };
   }
-  Vector3 point(std::size_t slot) const
-  {
-    return { x_[slot], y_[slot], z_[slot] };
-  }
+  Vector3 point(std::size_t slot) const { return { x_[slot], y_[slot], z_[slot] }; }
   void setPower(std::size_t slot, const Power& power);
   void setPoint(std::size_t slot, const Vector3& world);
   void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);

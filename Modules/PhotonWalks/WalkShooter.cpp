@@ -35,16 +35,15 @@ void WalkShooter::fetchCell(const Hit& hit) const
   }
 }
 
-Ray WalkShooter::rayFrom(std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point,
-  const TriangleId& id) const
+Ray WalkShooter::rayFrom(
+  std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point, const TriangleId& id) const
 {
   return { point.clearPosition(),
-    sampleCosineHemisphere(point.normal, samples_.sample(walk, bounce, SampleUse::Direction)),
-    id };
+    sampleCosineHemisphere(point.normal, samples_.sample(walk, bounce, SampleUse::Direction)), id };
 }
 
-Ray WalkShooter::rayOf(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
-  std::uint32_t bounce) const
+Ray WalkShooter::rayOf(
+  const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk, std::uint32_t bounce) const
 {
   if (bounce == 0)
   {

@@ -66,10 +66,9 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(
   const auto order = [](const StaleSegment& s) { return std::tie(s.walkInBlock, s.bounce); };
   std::sort(stale.begin(), stale.end(),
     [&](const StaleSegment& a, const StaleSegment& b) { return order(a) < order(b); });
-  stale.erase(std::unique(stale.begin(), stale.end(),
-                [](const StaleSegment& a, const StaleSegment& b) {
-                  return a.walkInBlock == b.walkInBlock;
-                }),
+  stale.erase(
+    std::unique(stale.begin(), stale.end(),
+      [](const StaleSegment& a, const StaleSegment& b) { return a.walkInBlock == b.walkInBlock; }),
     stale.end());
   return stale;
 }
@@ -88,8 +87,7 @@ void WalkVerifier::fetch(const WalkBlock& block, const std::vector<std::uint32_t
     if (block.segmentAt(point, place))
     {
       shooter_.fetchTriangle(block.hit(place.walk, place.bounce));
-      shooter_.fetchTriangle(
-        place.bounce > 0 ? block.hit(place.walk, place.bounce - 1) : Hit{});
+      shooter_.fetchTriangle(place.bounce > 0 ? block.hit(place.walk, place.bounce - 1) : Hit{});
     }
   }
 }
@@ -98,8 +96,7 @@ void WalkVerifier::fetch(const WalkBlock& block, const std::vector<std::uint32_t
 void WalkVerifier::castBlocked(Candidates& candidates) const
 {
   candidates.now = candidates.old;
-  shooter_.scene().castMoved(
-    candidates.rays.data(), candidates.rays.size(), candidates.now.data());
+  shooter_.scene().castMoved(candidates.rays.data(), candidates.rays.size(), candidates.now.data());
   for (std::size_t i = 0; i < candidates.rays.size(); ++i)
   {
     if (candidates.now[i] != candidates.old[i])

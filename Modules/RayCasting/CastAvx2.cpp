@@ -54,10 +54,10 @@ struct Avx2Kernel
   /// Adds the planes of the lower three levels to what the first plane left of the interval.
   Half narrow(__m256 begin, __m256 end, std::uint32_t order, __m256 upper, __m256 lower) const
   {
-    const __m256i child = _mm256_and_si256(
-      _mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(order)),
-        _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28)),
-      _mm256_set1_epi32(15));
+    const __m256i child =
+      _mm256_and_si256(_mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(order)),
+                         _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28)),
+        _mm256_set1_epi32(15));
     const __m256i node = _mm256_or_si256(child, _mm256_set1_epi32(16));
     const __m256 level3 = _mm256_permutevar8x32_ps(lower, _mm256_srli_epi32(node, 1));
     const __m256 level2 = _mm256_permutevar8x32_ps(upper, _mm256_srli_epi32(node, 2));
@@ -75,8 +75,7 @@ struct Avx2Kernel
   /// The children of a half that are there and that the ray passes.
   unsigned passed(const Half& half, __m256i children) const
   {
-    const __m256 isPassed =
-      _mm256_cmp_ps(half.begin, _mm256_add_ps(half.end, pad), _CMP_LE_OQ);
+    const __m256 isPassed = _mm256_cmp_ps(half.begin, _mm256_add_ps(half.end, pad), _CMP_LE_OQ);
     const __m256i isAbsent = _mm256_cmpeq_epi32(children, _mm256_set1_epi32(-1));
     return static_cast<unsigned>(
       _mm256_movemask_ps(_mm256_andnot_ps(_mm256_castsi256_ps(isAbsent), isPassed)));
@@ -97,16 +96,16 @@ struct Avx2Kernel
     const std::uint64_t order = treelet.farToNear[search.cast.octant];
     const __m256i axes = _mm256_set1_epi32(static_cast<int>(treelet.axes));
     const auto* words = reinterpret_cast<const float*>(&treelet);
-    const __m256 upper = pass(
-      _mm256_maskload_ps(words, _mm256_setr_epi32(0, -1, -1, -1, -1, -1, -1, -1)),
-      _mm256_srlv_epi32(axes, _mm256_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14)));
+    const __m256 upper =
+      pass(_mm256_maskload_ps(words, _mm256_setr_epi32(0, -1, -1, -1, -1, -1, -1, -1)),
+        _mm256_srlv_epi32(axes, _mm256_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14)));
     const __m256 lower = pass(_mm256_load_ps(words + 8),
       _mm256_srlv_epi32(axes, _mm256_setr_epi32(16, 18, 20, 22, 24, 26, 28, 30)));
     const __m256 first = _mm256_permutevar8x32_ps(upper, _mm256_set1_epi32(1));
-    const Half far = narrow(
-      _mm256_max_ps(from, first), to, static_cast<std::uint32_t>(order), upper, lower);
-    const Half near = narrow(
-      from, _mm256_min_ps(to, first), static_cast<std::uint32_t>(order >> 32), upper, lower);
+    const Half far =
+      narrow(_mm256_max_ps(from, first), to, static_cast<std::uint32_t>(order), upper, lower);
+    const Half near =
+      narrow(from, _mm256_min_ps(to, first), static_cast<std::uint32_t>(order >> 32), upper, lower);
     const __m256i farChildren = childrenOf(treelet, far.child);
     const __m256i nearChildren = childrenOf(treelet, near.child);
     const unsigned found = passed(far, farChildren) | passed(near, nearChildren) << 8;

@@ -42,7 +42,8 @@ struct Avx512Kernel
   {
     const __m512i twos =
       _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-    const __m512i fours = _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28);
+    const __m512i fours =
+      _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28);
     const __m512i halves = _mm512_setr_epi32(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
     const std::uint64_t order = treelet.farToNear[search.cast.octant];
     // Where the ray passes the planes; lane i is plane i.
@@ -71,7 +72,8 @@ struct Avx512Kernel
     const __m512i children =
       _mm512_permutexvar_epi32(child, _mm512_load_si512(treelet.children.data()));
     const __mmask16 isThere = _mm512_cmpneq_epi32_mask(children, _mm512_set1_epi32(-1));
-    const unsigned passed = _mm512_mask_cmp_ps_mask(isThere, begin, _mm512_add_ps(end, pad), _CMP_LE_OQ);
+    const unsigned passed =
+      _mm512_mask_cmp_ps_mask(isThere, begin, _mm512_add_ps(end, pad), _CMP_LE_OQ);
     auto& left = search.putBy(passed);
     _mm512_store_ps(left.from, begin);
     _mm512_store_ps(left.to, end);

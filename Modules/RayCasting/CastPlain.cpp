@@ -31,9 +31,8 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       const double component = cast_.exactDirection[i];
-      const double inverse = std::abs(component) < kParallel
-        ? std::copysign(1 / kParallel, component)
-        : 1 / component;
+      const double inverse =
+        std::abs(component) < kParallel ? std::copysign(1 / kParallel, component) : 1 / component;
       const double pad = 0x1p-36 * reach * std::abs(inverse);
       const double lower = (box.lower[i] - cast_.exactOrigin[i]) * inverse;
       const double upper = (box.upper[i] - cast_.exactOrigin[i]) * inverse;
@@ -113,7 +112,8 @@ private:
     }
     else
     {
-      stack_[depth_++] = { entry.child, near ^ 1, std::max(entry.from, plane - axis.pad), entry.to };
+      stack_[depth_++] = { entry.child, near ^ 1, std::max(entry.from, plane - axis.pad),
+        entry.to };
       entry.to = std::min(entry.to, plane + axis.pad);
       entry.node = near;
     }

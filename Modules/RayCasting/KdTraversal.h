@@ -25,8 +25,7 @@ public:
   /// How far behind a hit others that might be closer are looked for, in units of the reach.
   static constexpr double kSlack = 0x1p-8;
 
-  /// `start`: the caller knows that there is no hit before this distance.
-  KdTraversal(const KdTree& tree, const Vector3& origin, const Vector3& direction, double start = 0)
+  KdTraversal(const KdTree& tree, const Vector3& origin, const Vector3& direction)
     : nodes_(tree.nodes.data())
     , references_(tree.references.data())
   {
@@ -52,7 +51,7 @@ public:
       axes_[i] = { origin[i], inverse, pad, inverse < 0 ? 1u : 0u };
     }
     slack_ = kSlack * reach * steepest;
-    from = std::max({ from, start - slack_, 0.0 });
+    from = std::max(from, 0.0);
     if (from <= to)
     {
       stack_[depth_++] = { 0, from, to };

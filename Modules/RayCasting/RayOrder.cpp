@@ -39,7 +39,8 @@ std::uint32_t keyOf(const Ray& ray, const Box& bounds, const Vector3& cellsPerLe
   for (int i = 0; i < 2; ++i)
   {
     const double slope = std::abs(ray.direction[i]) / length;
-    direction = direction << 2 | static_cast<std::uint32_t>(slope > 0 ? std::min(4 * slope, 3.0) : 0);
+    direction =
+      direction << 2 | static_cast<std::uint32_t>(slope > 0 ? std::min(4 * slope, 3.0) : 0);
   }
   return cell << kDirectionBits | direction;
 }
@@ -60,15 +61,14 @@ bool areCoherent(const Ray* rays, std::uint32_t count, const Box& bounds)
     const Vector3 &d = rays[i].direction, &e = rays[i - 1].direction;
     const double product = d.dot(e);
     const bool isNear = (rays[i].origin - rays[i - 1].origin).cwiseAbs().maxCoeff() < near;
-    const bool isSameWay = product > 0 &&
-      product * product > kSameWay * kSameWay * d.squaredNorm() * e.squaredNorm();
+    const bool isSameWay =
+      product > 0 && product * product > kSameWay * kSameWay * d.squaredNorm() * e.squaredNorm();
     coherent += isNear && isSameWay ? 1 : 0;
   }
   return 2 * std::uint64_t{ coherent } > count;
 }
 
-void sortByDigit(
-  const std::vector<KeyedRay>& from, std::vector<KeyedRay>& to, unsigned shift)
+void sortByDigit(const std::vector<KeyedRay>& from, std::vector<KeyedRay>& to, unsigned shift)
 {
   constexpr std::uint32_t kDigits = 1u << kDigitBits;
   std::array<std::uint32_t, kDigits> place{};

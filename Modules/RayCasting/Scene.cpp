@@ -28,8 +28,7 @@ double roundTripError(const AffineMap& map, double condition, double magnitude)
 
 double conditionOf(const Matrix3& linear, const Matrix3& inverse)
 {
-  return std::max(
-    1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
+  return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
 }
 
 Box boundsOf(const AffineMap& map, const Box& box)
@@ -182,15 +181,12 @@ double Scene::reachOf(const Ray& ray) const
     ray.direction.cwiseAbs().maxCoeff();
 }
 
-bool Scene::mayTouch(
-  const Placed& placed, const Ray& ray, double reach, double distance) const
+bool Scene::mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const
 {
   const double squaredLength = ray.direction.squaredNorm();
-  const double end =
-    std::min(distance + placed.slack / std::sqrt(squaredLength), reach);
+  const double end = std::min(distance + placed.slack / std::sqrt(squaredLength), reach);
   const Vector3 toCenter = placed.ballCenter - ray.origin;
-  const double nearest =
-    std::min(std::max(toCenter.dot(ray.direction) / squaredLength, 0.0), end);
+  const double nearest = std::min(std::max(toCenter.dot(ray.direction) / squaredLength, 0.0), end);
   if ((toCenter - nearest * ray.direction).squaredNorm() > placed.ballSquaredRadius)
   {
     return false;
@@ -207,8 +203,7 @@ std::vector<std::uint32_t> Scene::orderOf(const Ray* rays, std::size_t count) co
     : std::vector<std::uint32_t>();
 }
 
-void Scene::castStatic(
-  const Ray* rays, std::size_t count, Hit* best, const double* from) const
+void Scene::castStatic(const Ray* rays, std::size_t count, Hit* best, const double* from) const
 {
   Casts(*this, rays, best, from)
     .runAllStatic(static_cast<std::uint32_t>(count), orderOf(rays, count));

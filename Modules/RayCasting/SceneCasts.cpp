@@ -152,8 +152,7 @@ void Scene::Casts::begin(UnitCast& cast)
   cast.setBound(job.bound);
 }
 
-void Scene::Casts::finish(
-  const UnitCast& cast, const std::uint32_t* references, std::size_t count)
+void Scene::Casts::finish(const UnitCast& cast, const std::uint32_t* references, std::size_t count)
 {
   const Job job = jobOf(cast.job);
   for (std::size_t i = 0; i < count; ++i)

@@ -9,11 +9,11 @@
  */
 #define IRRADIANCE_PRAGMA(text) _Pragma(#text)
 #ifdef __clang__
-#define IRRADIANCE_TARGET_BEGIN(list)                                                               \
+#define IRRADIANCE_TARGET_BEGIN(list)                                                              \
   IRRADIANCE_PRAGMA(clang attribute push(__attribute__((target(list))), apply_to = function))
 #define IRRADIANCE_TARGET_END IRRADIANCE_PRAGMA(clang attribute pop)
 #else
-#define IRRADIANCE_TARGET_BEGIN(list)                                                               \
+#define IRRADIANCE_TARGET_BEGIN(list)                                                              \
   IRRADIANCE_PRAGMA(GCC push_options) IRRADIANCE_PRAGMA(GCC target(list))
 #define IRRADIANCE_TARGET_END IRRADIANCE_PRAGMA(GCC pop_options)
 #endif

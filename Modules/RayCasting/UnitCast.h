@@ -34,23 +34,23 @@ struct UnitCast
   // For floats; used only if isForFloats.
   alignas(16) float origin[4];
   alignas(16) float direction[4];
-  alignas(16) float inverse[4];      ///< of the direction; the last is 1
+  alignas(16) float inverse[4];       ///< of the direction; the last is 1
   alignas(16) float originInverse[4]; ///< their product; the last is 0
-  double rate;     ///< length in the frame, by the largest component, of one unit of distance
-  double entry;    ///< distance of `origin` from where the ray begins
-  float limit;     ///< nothing behind it matters; goes down as hits are found
-  float pad;       ///< the places where planes are passed may be off by half of this
-  float edgeBlur;  ///< of an edge function, for each unit of its triangle's edges
-  float leastBlur; ///< and besides
-  float slack;     ///< a hit's distance may be off by this when the ray grazes
-  float margin;    ///< slack and pad: from a hit to the limit behind it
+  double rate;           ///< length in the frame, by the largest component, of one unit of distance
+  double entry;          ///< distance of `origin` from where the ray begins
+  float limit;           ///< nothing behind it matters; goes down as hits are found
+  float pad;             ///< the places where planes are passed may be off by half of this
+  float edgeBlur;        ///< of an edge function, for each unit of its triangle's edges
+  float leastBlur;       ///< and besides
+  float slack;           ///< a hit's distance may be off by this when the ray grazes
+  float margin;          ///< slack and pad: from a hit to the limit behind it
   std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or none
   unsigned octant;
   bool isForFloats;
   // For the plain search, which takes all in double.
   Vector3 exactOrigin;
   Vector3 exactDirection;
-  double from;  ///< no hit comes before
+  double from; ///< no hit comes before
   double exactLimit;
   // The source's own.
   static constexpr std::uint32_t kNoJob = 0xffffffffu;
@@ -70,8 +70,8 @@ struct CastRequest
   const TriangleTree* tree;
   Vector3 origin;
   Vector3 direction;
-  double from;  ///< no hit comes before, in units of `direction`
-  double bound; ///< the best hit so far
+  double from;           ///< no hit comes before, in units of `direction`
+  double bound;          ///< the best hit so far
   std::uint32_t skipped; ///< see UnitCast
   std::uint32_t job;     ///< the owner's number
   bool isShared;         ///< see UnitCast
@@ -87,8 +87,7 @@ public:
   /// A shared search begins.
   virtual void begin(UnitCast& cast) = 0;
   /// One of these triangles is the closest hit of the search, if there is one.
-  virtual void finish(
-    const UnitCast& cast, const std::uint32_t* references, std::size_t count) = 0;
+  virtual void finish(const UnitCast& cast, const std::uint32_t* references, std::size_t count) = 0;
   /// Tests a triangle at once and lowers the limit of the cast if it is hit.
   virtual void test(UnitCast& cast, std::uint32_t reference) = 0;
   /// The limit of a shared cast has gone down.

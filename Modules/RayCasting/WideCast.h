@@ -61,14 +61,13 @@ inline bool prepareWide(const CastRequest& request, UnitCast& cast)
   {
     return false;
   }
-  const __m128 begin = _mm256_cvtpd_ps(
-    _mm256_fmadd_pd(direction, _mm256_set1_pd(cast.entry), origin));
+  const __m128 begin =
+    _mm256_cvtpd_ps(_mm256_fmadd_pd(direction, _mm256_set1_pd(cast.entry), origin));
   const __m128 inverses = _mm_blend_ps(_mm256_cvtpd_ps(inverse), _mm_set1_ps(1), 8);
   _mm_store_ps(cast.origin, begin);
   _mm_store_ps(cast.direction, _mm256_cvtpd_ps(direction));
   _mm_store_ps(cast.inverse, inverses);
-  _mm_store_ps(
-    cast.originInverse, _mm_blend_ps(_mm_mul_ps(begin, inverses), _mm_setzero_ps(), 8));
+  _mm_store_ps(cast.originInverse, _mm_blend_ps(_mm_mul_ps(begin, inverses), _mm_setzero_ps(), 8));
   cast.octant = static_cast<unsigned>(_mm256_movemask_pd(worldDirection)) & 7u;
   cast.pad = static_cast<float>(2 * padding);
   cast.slack = static_cast<float>(tree.slack() + UnitCast::kBlur);
@@ -83,8 +82,8 @@ inline bool prepareWide(const CastRequest& request, UnitCast& cast)
 /// What floats can say of the triangles of a block, one bit for each.
 struct BlockAnswer
 {
-  unsigned possible; ///< may be the closest hit
-  unsigned certain;  ///< are hit for sure
+  unsigned possible;           ///< may be the closest hit
+  unsigned certain;            ///< are hit for sure
   __m256 size, distance, blur; ///< a hit is at distance / size, both up to the blur
 };
 
@@ -112,29 +111,29 @@ inline BlockAnswer askBlock(const TriangleBlock& block, const UnitCast& cast)
   const __m256 minusZero = _mm256_set1_ps(-0.0F);
   const __m256 sign = _mm256_and_ps(determinant, minusZero);
   const __m256 size = _mm256_xor_ps(determinant, sign);
-  const __m256 u = _mm256_xor_ps(
-    sign, _mm256_fmadd_ps(mx, bx, _mm256_fmadd_ps(my, by, _mm256_mul_ps(mz, bz))));
-  const __m256 v = _mm256_xor_ps(
-    sign, _mm256_fnmsub_ps(mx, ax, _mm256_fmadd_ps(my, ay, _mm256_mul_ps(mz, az))));
-  const __m256 distance = _mm256_xor_ps(
-    sign, _mm256_fmadd_ps(nx, cx, _mm256_fmadd_ps(ny, cy, _mm256_mul_ps(nz, cz))));
+  const __m256 u =
+    _mm256_xor_ps(sign, _mm256_fmadd_ps(mx, bx, _mm256_fmadd_ps(my, by, _mm256_mul_ps(mz, bz))));
+  const __m256 v =
+    _mm256_xor_ps(sign, _mm256_fnmsub_ps(mx, ax, _mm256_fmadd_ps(my, ay, _mm256_mul_ps(mz, az))));
+  const __m256 distance =
+    _mm256_xor_ps(sign, _mm256_fmadd_ps(nx, cx, _mm256_fmadd_ps(ny, cy, _mm256_mul_ps(nz, cz))));
 
   const auto absolute = [minusZero](__m256 x) { return _mm256_andnot_ps(minusZero, x); };
-  const __m256 length = _mm256_add_ps(
-    _mm256_add_ps(absolute(ax), _mm256_add_ps(absolute(ay), absolute(az))),
-    _mm256_add_ps(absolute(bx), _mm256_add_ps(absolute(by), absolute(bz))));
+  const __m256 length =
+    _mm256_add_ps(_mm256_add_ps(absolute(ax), _mm256_add_ps(absolute(ay), absolute(az))),
+      _mm256_add_ps(absolute(bx), _mm256_add_ps(absolute(by), absolute(bz))));
   const __m256 least = _mm256_set1_ps(cast.leastBlur);
   const __m256 edgeBlur = _mm256_fmadd_ps(_mm256_set1_ps(cast.edgeBlur), length, least);
-  const __m256 blur = _mm256_mul_ps(
-    length, _mm256_fmadd_ps(_mm256_set1_ps(UnitCast::kSizeBlur), length, least));
+  const __m256 blur =
+    _mm256_mul_ps(length, _mm256_fmadd_ps(_mm256_set1_ps(UnitCast::kSizeBlur), length, least));
   const __m256 inside =
     _mm256_min_ps(_mm256_min_ps(u, v), _mm256_sub_ps(size, _mm256_add_ps(u, v)));
   const __m256 far = _mm256_fmadd_ps(size, _mm256_set1_ps(cast.limit), blur);
   const __m256 near = _mm256_fmadd_ps(size, _mm256_set1_ps(cast.slack), blur);
   const __m256 zero = _mm256_setzero_ps();
-  const __m256i references = _mm256_and_si256(
-    _mm256_load_si256(reinterpret_cast<const __m256i*>(block.references)),
-    _mm256_set1_epi32(static_cast<int>(~TriangleBlock::kMore)));
+  const __m256i references =
+    _mm256_and_si256(_mm256_load_si256(reinterpret_cast<const __m256i*>(block.references)),
+      _mm256_set1_epi32(static_cast<int>(~TriangleBlock::kMore)));
   const __m256 isSkipped = _mm256_castsi256_ps(
     _mm256_cmpeq_epi32(references, _mm256_set1_epi32(static_cast<int>(cast.skipped))));
   const __m256 isPossible = _mm256_andnot_ps(isSkipped,

@@ -25,8 +25,8 @@ inline std::vector<WalkSegment> shotWalk(
 }
 
 /// Puts the segments in the place of those from `bounce` on.
-inline void replaceTail(WalkBlock& block, std::uint32_t walk, std::uint32_t bounce,
-  const std::vector<WalkSegment>& tail)
+inline void replaceTail(
+  WalkBlock& block, std::uint32_t walk, std::uint32_t bounce, const std::vector<WalkSegment>& tail)
 {
   block.replaceTail(walk, bounce, static_cast<std::uint32_t>(tail.size()));
   for (const WalkSegment& segment : tail)

@@ -95,8 +95,8 @@ TEST(SameBits, WhateverTheInstructions)
   for (const SimdLevel level : test::simdLevels())
   {
     const test::SimdLimit limit(level);
-    EXPECT_TRUE(lastOfThreeFrames({ TraversalMode::Parallel, true, true, false, serial }, false) ==
-      best)
+    EXPECT_TRUE(
+      lastOfThreeFrames({ TraversalMode::Parallel, true, true, false, serial }, false) == best)
       << "SIMD level " << static_cast<int>(level);
   }
 }

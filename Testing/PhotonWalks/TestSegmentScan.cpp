@@ -124,7 +124,8 @@ Counts scanOne(test::RandomVectors& random, const std::shared_ptr<const RigidObj
 Matrix3 randomShape(test::RandomVectors& random, double size)
 {
   // Round, flat or needle-like, now and then sheared or mirrored.
-  const Vector3 lengths(random.powerOfTwo(-3, 0), random.powerOfTwo(-12, 0), random.powerOfTwo(-3, 0));
+  const Vector3 lengths(
+    random.powerOfTwo(-3, 0), random.powerOfTwo(-12, 0), random.powerOfTwo(-3, 0));
   Matrix3 shape = random.rotation() * lengths.asDiagonal() * random.rotation();
   if (random.uniform() > 0.8)
   {

@@ -53,7 +53,8 @@ TEST(RayOrder, IsAPermutationThatBringsLikeRaysTogether)
   std::iota(all.begin(), all.end(), 0u);
   EXPECT_EQ(sorted, all);
   rays = randomRays(20000);
-  EXPECT_LT(meanStep(rays, coherentOrder(rays.data(), 20000, unitBox())), 0.5 * meanStep(rays, all));
+  EXPECT_LT(
+    meanStep(rays, coherentOrder(rays.data(), 20000, unitBox())), 0.5 * meanStep(rays, all));
 }
 
 TEST(RayOrder, LeavesAloneWhatIsInOrder)
