@@ -10,8 +10,7 @@ namespace irradiance
 {
 
 /**
- * Visits the leaves of a tree that a ray passes, front to back, one at a time, so that two trees
- * can be walked side by side.
+ * Visits the leaves of a tree that a ray passes, front to back, one at a time.
  *
  * Law: no leaf that holds the closest hit is skipped. Rounding in the intersection test lets a ray
  * "hit" a triangle that it misses by a few ulps, and gives a distance that is off when the ray
@@ -58,9 +57,6 @@ public:
     }
   }
 
-  bool isFinished() const { return depth_ == 0; }
-  /// Where the next node begins on the ray; infinite when finished.
-  double nextEntry() const { return depth_ == 0 ? kInfinity : stack_[depth_ - 1].from; }
   /// How far behind a hit at `distance` a leaf may begin and still matter.
   double limit(double distance) const { return distance + slack_; }
 

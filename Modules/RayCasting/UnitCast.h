@@ -21,6 +21,7 @@ struct CastRequest;
 struct UnitCast
 {
   static constexpr double kBlur = 0x1p-20;
+  /// Of an edge function, for each unit of its triangle's edges, and besides.
   static constexpr double kEdgeBlur = 0x1p-16;
   static constexpr double kLeastBlur = 0x1p-46;
   /// Of a determinant, for each unit of its triangle's edges squared.
@@ -53,8 +54,7 @@ struct UnitCast
   double from; ///< no hit comes before
   double exactLimit;
   // The source's own.
-  static constexpr std::uint32_t kNoJob = 0xffffffffu;
-  std::uint32_t job = kNoJob;
+  std::uint32_t job;
   bool isShared; ///< wants to be told of lower limits
 
   /// False if the ray misses the tree's box.

@@ -16,7 +16,7 @@ results=$PWD/$build/results
 documentation=$PWD/Documentation
 case ${1:-} in
   '')
-    ray_casting=() modes=() scan=() teapot=()
+    ray_casting=(300000 5) modes=() scan=() teapot=()
     ;;
   --quick)
     ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2)
