@@ -92,7 +92,7 @@ Power EmitterTable::powerOf(std::uint32_t walk, const Emitter& emitter) const
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     const double share = emitter.flux[static_cast<std::size_t>(band)] / emitter.totalFlux();
-    power[band] = static_cast<std::int64_t>(total * share + 0.5);
+    power[band] = nearestQuanta(total * share);
   }
   return power;
 }

@@ -8,6 +8,13 @@
 namespace irradiance
 {
 
+/// The whole number nearest to a number of quanta, which is not negative and below 2^52.
+inline std::int64_t nearestQuanta(double quanta)
+{
+  const double halfMore = quanta + 0.5;
+  return static_cast<std::int64_t>(halfMore);
+}
+
 /// Radiant power in whole quanta, so that sums are exact in any order and can be undone. The size
 /// of a quantum in watts is a power of two that the emitters choose. One or three bands; the unused
 /// ones are 0.

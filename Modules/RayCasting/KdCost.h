@@ -18,7 +18,8 @@ struct KdCost
 
   double leaf(std::uint32_t primitives) const
   {
-    return block * static_cast<double>((primitives + blockSize - 1) / blockSize);
+    const std::uint32_t blocks = (primitives + blockSize - 1) / blockSize;
+    return block * static_cast<double>(blocks);
   }
 };
 

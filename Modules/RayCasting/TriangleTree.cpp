@@ -52,7 +52,7 @@ private:
     heap[1] = node;
     Treelet treelet;
     treelet.axes = 0;
-    for (unsigned i = 1; i < 16; ++i)
+    for (std::size_t i = 1; i < 16; ++i)
     {
       const bool isInner = heap[i] != kAbsent && !tree_.nodes[heap[i]].isLeaf();
       const std::uint32_t axis =
@@ -69,7 +69,7 @@ private:
     }
     const auto place = static_cast<std::uint32_t>(target_.treelets_.size());
     target_.treelets_.emplace_back();
-    for (unsigned i = 0; i < 16; ++i)
+    for (std::size_t i = 0; i < 16; ++i)
     {
       treelet.children[i] = heap[16 + i] == kAbsent ? Treelet::kEmpty : pack(heap[16 + i]);
     }

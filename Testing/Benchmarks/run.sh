@@ -16,7 +16,7 @@ results=$PWD/$build/results
 documentation=$PWD/Documentation
 case ${1:-} in
   '')
-    ray_casting=(300000 5) modes=() scan=() teapot=()
+    ray_casting=(300000 5) modes=() scan=() teapot=(1000000 3)
     ;;
   --quick)
     ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2)
