@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace irradiance
 {
@@ -34,8 +35,27 @@ __attribute__((always_inline)) inline void nameByTag(const Points& points, std::
   }
 }
 
-/// With p and p + d the ends, a the squared length and t the place nearest to 0, the distance from 0
-/// is below r if t (t a + 2 p.d) + p.p < r^2; here times a, so that nothing is divided.
+/// a * b + c, in one instruction where there is one. How it is rounded matters to no answer here.
+template <bool hasFma>
+__attribute__((always_inline)) inline float mulAdd(float a, float b, float c)
+{
+  if constexpr (hasFma)
+  {
+    return __builtin_fmaf(a, b, c);
+  }
+  return a * b + c;
+}
+
+template <bool hasFma>
+__attribute__((always_inline)) inline float dot(
+  float ax, float ay, float az, float bx, float by, float bz, float c)
+{
+  return mulAdd<hasFma>(ax, bx, mulAdd<hasFma>(ay, by, mulAdd<hasFma>(az, bz, c)));
+}
+
+/// With p and p + q the ends, a the squared length and t the place nearest to 0, the distance from 0
+/// is below r if t (t a + 2 p.q) + p.p < r^2; here times a, so that nothing is divided.
+template <bool hasFma>
 __attribute__((always_inline)) inline void nameNear(
   const Points& points, const SegmentScan::Body& body)
 {
@@ -47,36 +67,41 @@ __attribute__((always_inline)) inline void nameNear(
   for (std::size_t i = 0; i < count; ++i)
   {
     const float dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
-    const float px = b.matrix[0] * x[i] + b.matrix[3] * y[i] + b.matrix[6] * z[i] + b.offset[0];
-    const float py = b.matrix[1] * x[i] + b.matrix[4] * y[i] + b.matrix[7] * z[i] + b.offset[1];
-    const float pz = b.matrix[2] * x[i] + b.matrix[5] * y[i] + b.matrix[8] * z[i] + b.offset[2];
-    const float qx = b.matrix[0] * dx + b.matrix[3] * dy + b.matrix[6] * dz;
-    const float qy = b.matrix[1] * dx + b.matrix[4] * dy + b.matrix[7] * dz;
-    const float qz = b.matrix[2] * dx + b.matrix[5] * dy + b.matrix[8] * dz;
-    const float length = qx * qx + qy * qy + qz * qz;
-    const float along = px * qx + py * qy + pz * qz;
-    const float outside = px * px + py * py + pz * pz - b.squaredRadius;
+    const float px =
+      dot<hasFma>(b.matrix[0], b.matrix[3], b.matrix[6], x[i], y[i], z[i], b.offset[0]);
+    const float py =
+      dot<hasFma>(b.matrix[1], b.matrix[4], b.matrix[7], x[i], y[i], z[i], b.offset[1]);
+    const float pz =
+      dot<hasFma>(b.matrix[2], b.matrix[5], b.matrix[8], x[i], y[i], z[i], b.offset[2]);
+    const float qx = dot<hasFma>(b.matrix[0], b.matrix[3], b.matrix[6], dx, dy, dz, 0);
+    const float qy = dot<hasFma>(b.matrix[1], b.matrix[4], b.matrix[7], dx, dy, dz, 0);
+    const float qz = dot<hasFma>(b.matrix[2], b.matrix[5], b.matrix[8], dx, dy, dz, 0);
+    const float length = dot<hasFma>(qx, qy, qz, qx, qy, qz, 0);
+    const float along = dot<hasFma>(px, py, pz, qx, qy, qz, 0);
+    const float outside = dot<hasFma>(px, py, pz, px, py, pz, -b.squaredRadius);
     const float back = along > -length ? along : -length;
     const float nearest = back < 0 ? back : 0;
-    isNamed[i] |=
-      static_cast<std::uint8_t>(nearest * (nearest - 2 * along) + length * outside > 0 ? 0 : 1);
+    const float gap =
+      mulAdd<hasFma>(nearest, mulAdd<hasFma>(-2.0F, along, nearest), length * outside);
+    isNamed[i] |= static_cast<std::uint8_t>(gap > 0 ? 0 : 1);
   }
 }
 
+template <bool hasFma>
 __attribute__((always_inline)) inline void name(
   const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
 {
   nameByTag(points, tags);
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
-    nameNear(points, bodies[i]);
+    nameNear<hasFma>(points, bodies[i]);
   }
 }
 
 void namePlain(
   const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
 {
-  name(points, tags, bodies);
+  name<false>(points, tags, bodies);
 }
 
 #ifdef __x86_64__
@@ -84,7 +109,7 @@ IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
 void nameAvx2(
   const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
 {
-  name(points, tags, bodies);
+  name<true>(points, tags, bodies);
 }
 IRRADIANCE_TARGET_END
 
@@ -92,10 +117,18 @@ IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
 void nameAvx512(
   const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
 {
-  name(points, tags, bodies);
+  name<true>(points, tags, bodies);
 }
 IRRADIANCE_TARGET_END
 #endif
+
+bool isLittleEndian()
+{
+  const std::uint16_t one = 1;
+  std::uint8_t first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
 
 }
 
@@ -155,13 +188,11 @@ void SegmentScan::find(const WalkBlock& block, std::vector<std::uint32_t>& point
   for (std::size_t word = 0; word < isNamed.size(); word += kWord)
   {
     std::uint64_t eight;
-    std::copy_n(isNamed.data() + word, kWord, reinterpret_cast<std::uint8_t*>(&eight));
-    for (std::size_t i = word; eight != 0 && i < word + kWord; ++i)
+    std::memcpy(&eight, isNamed.data() + word, kWord);
+    for (; eight != 0; eight &= eight - 1) // one bit for each that is named
     {
-      if (isNamed[i] != 0)
-      {
-        points.push_back(static_cast<std::uint32_t>(i));
-      }
+      const auto byte = static_cast<std::uint32_t>(__builtin_ctzll(eight)) / 8;
+      points.push_back(static_cast<std::uint32_t>(word) + (isLittleEndian() ? byte : 7 - byte));
     }
   }
 }

@@ -114,14 +114,10 @@ void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) cons
   const std::size_t count = candidates.rays.size();
   candidates.now.assign(count, {});
   scene.castDynamic(candidates.rays.data(), count, candidates.now.data());
-  static thread_local std::vector<Ray> rays;
-  static thread_local std::vector<Hit> hits;
-  static thread_local std::vector<double> from;
-  static thread_local std::vector<std::size_t> which;
-  rays.clear();
-  hits.clear();
-  from.clear();
-  which.clear();
+  std::vector<Ray> rays; // that may hit static geometry instead
+  std::vector<Hit> hits;
+  std::vector<double> from;
+  std::vector<std::size_t> which;
   for (std::size_t i = 0; i < count; ++i)
   {
     const WalkBlock::Place place = candidates.places[i];
