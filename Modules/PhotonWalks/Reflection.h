@@ -13,8 +13,8 @@ inline Power reflected(const Power& incoming, const Surface& surface, std::uint3
   Power outgoing;
   for (int band = 0; band < surface.bands; ++band)
   {
-    outgoing[band] = nearestQuanta(
-      surface.reflectanceOf(triangle, band) * static_cast<double>(incoming[band]));
+    outgoing[band] =
+      nearestQuanta(surface.reflectanceOf(triangle, band) * static_cast<double>(incoming[band]));
   }
   return outgoing;
 }
