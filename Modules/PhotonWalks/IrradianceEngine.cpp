@@ -24,6 +24,11 @@ bool isSameLook(const SceneObject& a, const SceneObject& b)
     a.body->mesh().size() == b.body->mesh().size();
 }
 
+bool hasMoved(const SceneObject& now, const SceneObject& before)
+{
+  return now.body != before.body || now.worldFromObject != before.worldFromObject;
+}
+
 void store(const WalkBatch& batch, std::vector<WalkBlock>& history)
 {
   for (const WalkBatch::Tail& tail : batch.tails())
@@ -104,9 +109,7 @@ bool IrradianceEngine::doLightsStand(
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     const SceneObject &now = objects[i], &before = objects_[i];
-    if (now.surface != before.surface ||
-      (now.surface->emits() &&
-        (now.body != before.body || now.worldFromObject != before.worldFromObject)))
+    if (now.surface != before.surface || (now.surface->emits() && hasMoved(now, before)))
     {
       return false;
     }
@@ -138,8 +141,7 @@ std::vector<bool> IrradianceEngine::findMoved(const SceneObjects& objects) const
   std::vector<bool> moved;
   for (std::size_t i = 0; i < objects.dynamic.size(); ++i)
   {
-    const SceneObject &now = objects.dynamic[i], &before = objects_.dynamic[i];
-    moved.push_back(now.body != before.body || now.worldFromObject != before.worldFromObject);
+    moved.push_back(hasMoved(objects.dynamic[i], objects_.dynamic[i]));
   }
   return moved;
 }
@@ -171,9 +173,7 @@ void IrradianceEngine::shootAll(Execution& execution)
   balance_ = {};
   history_.clear();
   const bool keep = settings_.verify && !objects_.dynamic.empty();
-  Box world = scene_.bounds();
-  world.add(emitters_.pointBounds());
-  pointFrame_ = UnitFrame(world);
+  pointFrame_ = UnitFrame(walkBounds());
   pointReach_ = reachInFrame();
   for (std::size_t block = 0; keep && block < numberOfBlocks(); ++block)
   {
@@ -234,10 +234,16 @@ void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Ex
   sliced.run(execution, balance_);
 }
 
+Box IrradianceEngine::walkBounds() const
+{
+  Box bounds = scene_.bounds();
+  bounds.add(emitters_.pointBounds());
+  return bounds;
+}
+
 double IrradianceEngine::reachInFrame() const
 {
-  Box world = scene_.bounds();
-  world.add(emitters_.pointBounds());
+  const Box world = walkBounds();
   return std::max(
     pointFrame_(world.lower).cwiseAbs().maxCoeff(), pointFrame_(world.upper).cwiseAbs().maxCoeff());
 }

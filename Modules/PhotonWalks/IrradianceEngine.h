@@ -74,6 +74,8 @@ private:
   void repair(const WalkShooter& shooter, const std::vector<std::vector<StaleSegment>>& stale,
     Execution& execution);
   void run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution);
+  /// Walks are inside, but for escapes.
+  Box walkBounds() const;
   double reachInFrame() const;
   void cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const;
   std::size_t numberOfBlocks() const;

@@ -122,14 +122,6 @@ void nameAvx512(
 IRRADIANCE_TARGET_END
 #endif
 
-bool isLittleEndian()
-{
-  const std::uint16_t one = 1;
-  std::uint8_t first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
-
 }
 
 SegmentScan::SegmentScan(const UnitFrame& frame, double reach)
@@ -189,10 +181,12 @@ void SegmentScan::find(const WalkBlock& block, std::vector<std::uint32_t>& point
   {
     std::uint64_t eight;
     std::memcpy(&eight, isNamed.data() + word, kWord);
-    for (; eight != 0; eight &= eight - 1) // one bit for each that is named
+    for (std::size_t i = word; eight != 0 && i < word + kWord; ++i)
     {
-      const auto byte = static_cast<std::uint32_t>(__builtin_ctzll(eight)) / 8;
-      points.push_back(static_cast<std::uint32_t>(word) + (isLittleEndian() ? byte : 7 - byte));
+      if (isNamed[i] != 0)
+      {
+        points.push_back(static_cast<std::uint32_t>(i));
+      }
     }
   }
 }

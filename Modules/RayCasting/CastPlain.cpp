@@ -1,4 +1,5 @@
 #include "KdTree.h"
+#include "PaddedRay.h"
 #include "UnitCast.h"
 
 #include <algorithm>
@@ -10,8 +11,7 @@ namespace irradiance
 namespace
 {
 
-/// Walks down the treelets plane by plane, in double. The margins: cells are taken wider by 2^-36
-/// of the reach.
+/// Walks down the treelets plane by plane, in double.
 class PlainSearch
 {
 public:
@@ -19,27 +19,13 @@ public:
     : source_(source)
     , cast_(cast)
     , tree_(*cast.tree)
+    , ray_(tree_.bounds(), cast.exactOrigin, cast.exactDirection)
   {
   }
 
   void run()
   {
-    const Box& box = tree_.bounds();
-    const double reach = std::max((box.lower - cast_.exactOrigin).cwiseAbs().maxCoeff(),
-      (box.upper - cast_.exactOrigin).cwiseAbs().maxCoeff());
-    Entry root{ tree_.root(), 1, cast_.from, kInfinity };
-    for (int i = 0; i < 3; ++i)
-    {
-      const double component = cast_.exactDirection[i];
-      const double inverse =
-        std::abs(component) < kParallel ? std::copysign(1 / kParallel, component) : 1 / component;
-      const double pad = 0x1p-36 * reach * std::abs(inverse);
-      const double lower = (box.lower[i] - cast_.exactOrigin[i]) * inverse;
-      const double upper = (box.upper[i] - cast_.exactOrigin[i]) * inverse;
-      root.from = std::max(root.from, std::min(lower, upper) - pad);
-      root.to = std::min(root.to, std::max(lower, upper) + pad);
-      axes_[i] = { cast_.exactOrigin[i], inverse, pad, inverse < 0 ? 1u : 0u };
-    }
+    const Entry root{ tree_.root(), 1, std::max(cast_.from, ray_.from), ray_.to };
     if (root.from <= root.to)
     {
       stack_[depth_++] = root;
@@ -55,16 +41,6 @@ public:
   }
 
 private:
-  static constexpr double kParallel = 1e-150;
-
-  struct Axis
-  {
-    double origin;
-    double inverse; ///< of the direction
-    double pad;     ///< on the ray
-    unsigned nearChild;
-  };
-
   struct Entry
   {
     std::uint32_t child; ///< as in a treelet
@@ -90,7 +66,7 @@ private:
         entry.node *= 2;
         continue;
       }
-      stepOver(axes_[axis], treelet.plane(entry.node), entry);
+      stepOver(ray_.axes[axis], treelet.plane(entry.node), entry);
     }
     if (entry.child != Treelet::kEmpty)
     {
@@ -98,7 +74,7 @@ private:
     }
   }
 
-  void stepOver(const Axis& axis, float place, Entry& entry)
+  void stepOver(const PaddedRay::Axis& axis, float place, Entry& entry)
   {
     const double plane = (place - axis.origin) * axis.inverse;
     const unsigned near = 2 * entry.node + axis.nearChild;
@@ -141,7 +117,7 @@ private:
   CastSource& source_;
   UnitCast& cast_;
   const TriangleTree& tree_;
-  Axis axes_[3];
+  PaddedRay ray_;
   int depth_ = 0;
   Entry stack_[KdTree::kMaxDepth + 2];
 };

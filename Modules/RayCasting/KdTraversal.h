@@ -2,7 +2,7 @@
 #define irradiance_KdTraversal_h
 
 #include "KdTree.h"
-#include "Ray.h"
+#include "PaddedRay.h"
 
 #include <algorithm>
 
@@ -27,33 +27,13 @@ public:
   KdTraversal(const KdTree& tree, const Vector3& origin, const Vector3& direction)
     : nodes_(tree.nodes.data())
     , references_(tree.references.data())
+    , ray_(tree.bounds, origin, direction)
   {
-    if (tree.isEmpty())
+    slack_ = kSlack * ray_.reach / direction.cwiseAbs().maxCoeff();
+    const double from = std::max(ray_.from, 0.0);
+    if (!tree.isEmpty() && from <= ray_.to)
     {
-      return;
-    }
-    const double reach = std::max((tree.bounds.lower - origin).cwiseAbs().maxCoeff(),
-      (tree.bounds.upper - origin).cwiseAbs().maxCoeff());
-    double from = -kInfinity, to = kInfinity;
-    double steepest = kInfinity;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double inverse = std::abs(direction[i]) < kParallel
-        ? std::copysign(1 / kParallel, direction[i])
-        : 1 / direction[i];
-      const double pad = 0x1p-36 * reach * std::abs(inverse);
-      const double lower = (tree.bounds.lower[i] - origin[i]) * inverse;
-      const double upper = (tree.bounds.upper[i] - origin[i]) * inverse;
-      from = std::max(from, std::min(lower, upper) - pad);
-      to = std::min(to, std::max(lower, upper) + pad);
-      steepest = std::min(steepest, std::abs(inverse));
-      axes_[i] = { origin[i], inverse, pad, inverse < 0 ? 1u : 0u };
-    }
-    slack_ = kSlack * reach * steepest;
-    from = std::max(from, 0.0);
-    if (from <= to)
-    {
-      stack_[depth_++] = { 0, from, to };
+      stack_[depth_++] = { 0, from, ray_.to };
     }
   }
 
@@ -79,16 +59,6 @@ public:
   const std::uint32_t* end() const { return leafEnd_; }
 
 private:
-  static constexpr double kParallel = 1e-150;
-
-  struct Axis
-  {
-    double origin;
-    double inverse; ///< of the direction
-    double pad;     ///< on the ray
-    std::uint32_t nearChild;
-  };
-
   struct Entry
   {
     std::uint32_t node;
@@ -102,7 +72,7 @@ private:
     const KdNode* node = nodes_ + stack_[depth_].node;
     while (!node->isLeaf())
     {
-      const Axis& axis = axes_[node->axis()];
+      const PaddedRay::Axis& axis = ray_.axes[node->axis()];
       const double plane = (node->plane - axis.origin) * axis.inverse;
       const std::uint32_t near = node->index() + axis.nearChild;
       if (plane - axis.pad > to)
@@ -130,7 +100,7 @@ private:
 
   const KdNode* nodes_;
   const std::uint32_t* references_;
-  Axis axes_[3];
+  PaddedRay ray_;
   double slack_ = 0;
   const std::uint32_t* leafBegin_ = nullptr;
   const std::uint32_t* leafEnd_ = nullptr;

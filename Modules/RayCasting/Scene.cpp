@@ -267,7 +267,8 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
   {
     return castStatic(rays, count, hits);
   }
-  if (mode_ == TraversalMode::Sequential || !dynamic_.boxes.isEmpty())
+  const bool areMany = mode_ == TraversalMode::Parallel && !dynamic_.boxes.isEmpty();
+  if (mode_ == TraversalMode::Sequential || areMany)
   {
     castDynamic(rays, count, hits);
     return castStatic(rays, count, hits);

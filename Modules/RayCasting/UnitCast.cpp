@@ -57,24 +57,10 @@ bool UnitCast::prepare(const CastRequest& request)
     }
     inverse[3] = 1;
     originInverse[3] = 0;
-    pad = static_cast<float>(2 * padding);
-    slack = static_cast<float>(tree->slack() + kBlur);
-    margin = slack + pad;
-    edgeBlur = static_cast<float>(kEdgeBlur + 4 * tree->blur());
-    leastBlur = static_cast<float>(kLeastBlur + 32 * tree->blur());
+    setMargins(padding);
   }
   setBound(request.bound);
   return !isForFloats || limit >= 0;
-}
-
-void UnitCast::setBound(double bound)
-{
-  const double end = bound * rate + tree->slack();
-  exactLimit = end;
-  if (isForFloats)
-  {
-    limit = static_cast<float>(std::min(bound * rate - entry + margin, kFarthest));
-  }
 }
 
 void runCasts(CastSource& source)

@@ -4,6 +4,8 @@
 #include "Ray.h"
 #include "TriangleTree.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -59,7 +61,24 @@ struct UnitCast
 
   /// False if the ray misses the tree's box.
   bool prepare(const CastRequest& request);
-  void setBound(double bound);
+  /// With the places where planes are passed off by `padding`.
+  void setMargins(double padding)
+  {
+    pad = static_cast<float>(2 * padding);
+    slack = static_cast<float>(tree->slack() + kBlur);
+    margin = slack + pad;
+    edgeBlur = static_cast<float>(kEdgeBlur + 4 * tree->blur());
+    leastBlur = static_cast<float>(kLeastBlur + 32 * tree->blur());
+  }
+  /// The limits that follow from a hit at this distance.
+  void setBound(double bound)
+  {
+    exactLimit = bound * rate + tree->slack();
+    if (isForFloats)
+    {
+      limit = static_cast<float>(std::min(bound * rate - entry + margin, kFarthest));
+    }
+  }
   /// A distance, in units of `direction`, that no closer hit exceeds by more than the margin.
   double bound() const { return (static_cast<double>(limit) - margin + entry) / rate; }
 };

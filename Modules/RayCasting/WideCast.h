@@ -118,28 +118,6 @@ struct WideSearch
   }
 
 private:
-  /// It will be read when the other searches have made a step.
-  void prefetchChild() const
-  {
-    if ((child & Treelet::kLeaf) == 0)
-    {
-      const auto* next = reinterpret_cast<const char*>(cast.tree->treelets() + child);
-      _mm_prefetch(next, _MM_HINT_T0);
-      _mm_prefetch(next + 64, _MM_HINT_T0);
-      _mm_prefetch(next + 128, _MM_HINT_T0);
-    }
-    else
-    {
-      const auto* next =
-        reinterpret_cast<const char*>(cast.tree->blocks() + (child & ~Treelet::kLeaf));
-      _mm_prefetch(next, _MM_HINT_T0);
-      _mm_prefetch(next + 64, _MM_HINT_T0);
-      _mm_prefetch(next + 128, _MM_HINT_T0);
-      _mm_prefetch(next + 192, _MM_HINT_T0);
-      _mm_prefetch(next + 256, _MM_HINT_T0);
-    }
-  }
-
   void testLeaf(CastSource& source, const TriangleBlock* block)
   {
     for (bool goesOn = true; goesOn; ++block)

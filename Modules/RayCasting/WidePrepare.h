@@ -68,13 +68,8 @@ inline bool prepareWide(const CastRequest& request, UnitCast& cast)
   _mm_store_ps(cast.inverse, inverses);
   _mm_store_ps(cast.originInverse, _mm_blend_ps(_mm_mul_ps(begin, inverses), _mm_setzero_ps(), 8));
   cast.octant = static_cast<unsigned>(_mm256_movemask_pd(worldDirection)) & 7u;
-  cast.pad = static_cast<float>(2 * padding);
-  cast.slack = static_cast<float>(tree.slack() + UnitCast::kBlur);
-  cast.margin = cast.slack + cast.pad;
-  cast.edgeBlur = static_cast<float>(UnitCast::kEdgeBlur + 4 * tree.blur());
-  cast.leastBlur = static_cast<float>(UnitCast::kLeastBlur + 32 * tree.blur());
-  cast.limit = static_cast<float>(
-    std::min(request.bound * cast.rate - cast.entry + cast.margin, UnitCast::kFarthest));
+  cast.setMargins(padding);
+  cast.setBound(request.bound);
   return !cast.isForFloats || cast.limit >= 0;
 }
 

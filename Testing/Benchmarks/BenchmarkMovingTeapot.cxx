@@ -10,6 +10,7 @@
 #include "CacheContest.h"
 #include "EmbreeCaster.h"
 #include "Goals.h"
+#include "Program.h"
 #include "Results.h"
 #include "ThreadContest.h"
 #include "UpdateContest.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 
 using namespace irradiance;
 
@@ -158,14 +158,5 @@ void run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    run(argc, argv);
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "%s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return runProgram(run, argc, argv);
 }

@@ -12,6 +12,7 @@
 #include "Goals.h"
 #include "LocatorCaster.h"
 #include "OurCaster.h"
+#include "Program.h"
 #include "RaySet.h"
 #include "Results.h"
 #include "Timing.h"
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <map>
 
 using namespace irradiance;
@@ -205,14 +205,5 @@ void run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    run(argc, argv);
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "%s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return runProgram(run, argc, argv);
 }

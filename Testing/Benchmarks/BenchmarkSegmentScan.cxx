@@ -11,6 +11,7 @@
 #include "MovingTeapotScene.h"
 
 #include "Goals.h"
+#include "Program.h"
 #include "ResultTable.h"
 #include "Results.h"
 #include "SegmentScan.h"
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -185,14 +185,5 @@ void run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    run(argc, argv);
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "%s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return runProgram(run, argc, argv);
 }

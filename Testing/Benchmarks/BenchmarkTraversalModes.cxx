@@ -10,13 +10,13 @@
 #include "BenchmarkScene.h"
 #include "Goals.h"
 #include "OurCaster.h"
+#include "Program.h"
 #include "RaySet.h"
 #include "Results.h"
 #include "Timing.h"
 
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <stdexcept>
 
 using namespace irradiance;
@@ -110,14 +110,5 @@ void run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    run(argc, argv);
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "%s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return runProgram(run, argc, argv);
 }
