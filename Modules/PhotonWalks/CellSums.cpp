@@ -36,7 +36,7 @@ void CellSums::add(const std::vector<Deposit>& deposits)
   const std::lock_guard<std::mutex> lock(*mutex_);
   for (std::size_t i = 0; i < deposits.size(); ++i)
   {
-    __builtin_prefetch(sums_.data() + deposits[std::min(i + kAhead, deposits.size() - 1)].slot, 1);
+    prefetch(sums_.data() + deposits[std::min(i + kAhead, deposits.size() - 1)].slot);
     sums_[deposits[i].slot] += deposits[i].quanta;
   }
 }

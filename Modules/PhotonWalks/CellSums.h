@@ -2,6 +2,7 @@
 #define irradiance_CellSums_h
 
 #include "Power.h"
+#include "Prefetch.h"
 #include "Ray.h"
 #include "Surface.h"
 
@@ -35,7 +36,7 @@ public:
     if (id.object != TriangleId::kNone)
     {
       const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
-      __builtin_prefetch(sums_.data() + slot(id.object, cell, 0), 1);
+      prefetch(sums_.data() + slot(id.object, cell, 0));
     }
   }
   /// Appends the deposits of a photon. `sign`: 1 to add it, -1 to remove it.

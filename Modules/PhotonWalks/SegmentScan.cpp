@@ -1,11 +1,10 @@
 #include "SegmentScan.h"
 
 #include "SimdLevel.h"
-#include "SimdTarget.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <numeric>
 
 namespace irradiance
 {
@@ -13,114 +12,10 @@ namespace irradiance
 namespace
 {
 
-/// What the loops read and write.
-struct Points
+ScanPoints pointsOf(const WalkBlock& block)
 {
-  const float *x, *y, *z;
-  const std::uint16_t* tags;
-  std::size_t segments; ///< one less than points
-  std::uint8_t* isNamed;
-};
-
-/// Written for the compiler to turn into SIMD instructions: no branch, no call.
-__attribute__((always_inline)) inline void nameByTag(const Points& points, std::uint32_t tags)
-{
-  const std::uint16_t* const __restrict tag = points.tags;
-  std::uint8_t* const __restrict isNamed = points.isNamed;
-  const std::size_t count = points.segments;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    isNamed[i] =
-      static_cast<std::uint8_t>(tags >> (std::uint32_t{ tag[i] } >> WalkBlock::kTagShift) & 1u);
-  }
+  return { block.x(), block.y(), block.z(), block.tags(), block.numberOfPoints() };
 }
-
-/// a * b + c, in one instruction where there is one. How it is rounded matters to no answer here.
-template <bool hasFma>
-__attribute__((always_inline)) inline float mulAdd(float a, float b, float c)
-{
-  if constexpr (hasFma)
-  {
-    return __builtin_fmaf(a, b, c);
-  }
-  return a * b + c;
-}
-
-template <bool hasFma>
-__attribute__((always_inline)) inline float dot(
-  float ax, float ay, float az, float bx, float by, float bz, float c)
-{
-  return mulAdd<hasFma>(ax, bx, mulAdd<hasFma>(ay, by, mulAdd<hasFma>(az, bz, c)));
-}
-
-/// With p and p + q the ends, a the squared length and t the place nearest to 0, the distance from 0
-/// is below r if t (t a + 2 p.q) + p.p < r^2; here times a, so that nothing is divided.
-template <bool hasFma>
-__attribute__((always_inline)) inline void nameNear(
-  const Points& points, const SegmentScan::Body& body)
-{
-  const float *const __restrict x = points.x, *const __restrict y = points.y,
-                     *const __restrict z = points.z;
-  const SegmentScan::Body b = body;
-  std::uint8_t* const __restrict isNamed = points.isNamed;
-  const std::size_t count = points.segments;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const float dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
-    const float px =
-      dot<hasFma>(b.matrix[0], b.matrix[3], b.matrix[6], x[i], y[i], z[i], b.offset[0]);
-    const float py =
-      dot<hasFma>(b.matrix[1], b.matrix[4], b.matrix[7], x[i], y[i], z[i], b.offset[1]);
-    const float pz =
-      dot<hasFma>(b.matrix[2], b.matrix[5], b.matrix[8], x[i], y[i], z[i], b.offset[2]);
-    const float qx = dot<hasFma>(b.matrix[0], b.matrix[3], b.matrix[6], dx, dy, dz, 0);
-    const float qy = dot<hasFma>(b.matrix[1], b.matrix[4], b.matrix[7], dx, dy, dz, 0);
-    const float qz = dot<hasFma>(b.matrix[2], b.matrix[5], b.matrix[8], dx, dy, dz, 0);
-    const float length = dot<hasFma>(qx, qy, qz, qx, qy, qz, 0);
-    const float along = dot<hasFma>(px, py, pz, qx, qy, qz, 0);
-    const float outside = dot<hasFma>(px, py, pz, px, py, pz, -b.squaredRadius);
-    const float back = along > -length ? along : -length;
-    const float nearest = back < 0 ? back : 0;
-    const float gap =
-      mulAdd<hasFma>(nearest, mulAdd<hasFma>(-2.0F, along, nearest), length * outside);
-    isNamed[i] |= static_cast<std::uint8_t>(gap > 0 ? 0 : 1);
-  }
-}
-
-template <bool hasFma>
-__attribute__((always_inline)) inline void name(
-  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
-{
-  nameByTag(points, tags);
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    nameNear<hasFma>(points, bodies[i]);
-  }
-}
-
-void namePlain(
-  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
-{
-  name<false>(points, tags, bodies);
-}
-
-#ifdef __x86_64__
-IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
-void nameAvx2(
-  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
-{
-  name<true>(points, tags, bodies);
-}
-IRRADIANCE_TARGET_END
-
-IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
-void nameAvx512(
-  const Points& points, std::uint32_t tags, const std::vector<SegmentScan::Body>& bodies)
-{
-  name<true>(points, tags, bodies);
-}
-IRRADIANCE_TARGET_END
-#endif
 
 }
 
@@ -140,7 +35,7 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   // lengths by that of the squares; Documentation/Theory.md counts them.
   const double farthest = 2 * reach_ * matrix.norm() + offset.norm();
   const double radius = ball.radius + 0x1p-20 * farthest;
-  Body body;
+  ScanBody body;
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
   body.squaredRadius =
@@ -153,40 +48,39 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   bodies_.push_back(body);
 }
 
-void SegmentScan::find(const WalkBlock& block, std::vector<std::uint32_t>& points) const
+void SegmentScan::find(
+  const WalkBlock& block, const WalkBlock& next, std::vector<std::uint32_t>& points) const
 {
   points.clear();
-  const std::size_t segments = std::max<std::size_t>(block.numberOfPoints(), 1) - 1;
-  if (namesAll_)
+  if (block.numberOfPoints() < 2)
   {
-    for (std::uint32_t i = 0; i < segments; ++i)
-    {
-      points.push_back(i);
-    }
     return;
   }
-  constexpr std::size_t kWord = sizeof(std::uint64_t);
-  static thread_local std::vector<std::uint8_t> isNamed;
-  isNamed.assign((segments + kWord) / kWord * kWord, 0);
-  const Points all{ block.x(), block.y(), block.z(), block.tags(), segments, isNamed.data() };
+  const std::size_t segments = block.numberOfPoints() - 1;
+  if (namesAll_)
+  {
+    points.resize(segments);
+    std::iota(points.begin(), points.end(), 0);
+    return;
+  }
+  static thread_local std::vector<std::uint16_t> named;
+  named.resize(segments / PointScan::kTogether + 1);
+  const PointScan scan{ pointsOf(block), pointsOf(next), tags_, bodies_.data(), bodies_.size(),
+    named.data() };
 #ifdef __x86_64__
   const SimdLevel level = simdLevel();
-  (level == SimdLevel::Avx512    ? nameAvx512
-      : level == SimdLevel::Avx2 ? nameAvx2
-                                 : namePlain)(all, tags_, bodies_);
+  (level == SimdLevel::Avx512    ? runScanAvx512
+      : level == SimdLevel::Avx2 ? runScanAvx2
+                                 : runScanPlain)(scan);
 #else
-  namePlain(all, tags_, bodies_);
+  runScanPlain(scan);
 #endif
-  for (std::size_t word = 0; word < isNamed.size(); word += kWord)
+  for (std::size_t first = 0; first < segments; first += PointScan::kTogether)
   {
-    std::uint64_t eight;
-    std::memcpy(&eight, isNamed.data() + word, kWord);
-    for (std::size_t i = word; eight != 0 && i < word + kWord; ++i)
+    for (unsigned bits = named[first / PointScan::kTogether]; bits != 0; bits &= bits - 1)
     {
-      if (isNamed[i] != 0)
-      {
-        points.push_back(static_cast<std::uint32_t>(i));
-      }
+      points.push_back(static_cast<std::uint32_t>(first) +
+        static_cast<std::uint32_t>(__builtin_ctz(bits)));
     }
   }
 }

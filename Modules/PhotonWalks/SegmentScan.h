@@ -2,6 +2,7 @@
 #define irradiance_SegmentScan_h
 
 #include "EllipsoidBound.h"
+#include "PointScan.h"
 #include "WalkHistory.h"
 
 #include <cstdint>
@@ -27,17 +28,10 @@ public:
   /// Segments that end on this dynamic object are named.
   void addMoved(std::uint32_t object) { tags_ |= 1u << WalkBlock::tagOf(object); }
 
-  /// The points of the block, in order, where such segments begin.
-  void find(const WalkBlock& block, std::vector<std::uint32_t>& points) const;
-
-  /// A ball in a frame of its own: point p of the scan stands at matrix * p + offset, and the ball
-  /// around 0 there. For the loops alone.
-  struct Body
-  {
-    float matrix[9];
-    float offset[3];
-    float squaredRadius;
-  };
+  /// The points of the block, in order, where such segments begin. `next`: the block that will be
+  /// looked at after it, or the same.
+  void find(
+    const WalkBlock& block, const WalkBlock& next, std::vector<std::uint32_t>& points) const;
 
 private:
   /// More bodies are not worth a look: the trees over the moved objects tell sooner.
@@ -48,7 +42,7 @@ private:
   UnitFrame frame_;
   double reach_;
   std::uint32_t tags_ = 0;
-  std::vector<Body> bodies_;
+  std::vector<ScanBody> bodies_;
   bool namesAll_ = false;
 };
 

@@ -2,6 +2,7 @@
 #define irradiance_WalkHistory_h
 
 #include "Power.h"
+#include "Prefetch.h"
 #include "Ray.h"
 #include "TriangleTree.h"
 
@@ -89,8 +90,8 @@ public:
   /// Has the memory bring what is stored of the segment that begins there.
   void fetch(std::size_t point) const
   {
-    __builtin_prefetch(ids_.data() + point);
-    __builtin_prefetch(weights_.data() + point);
+    prefetch(ids_.data() + point);
+    prefetch(weights_.data() + point);
   }
   /// False if no segment begins at point i.
   bool segmentAt(std::size_t point, Place& place) const;

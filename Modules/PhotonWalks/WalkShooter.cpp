@@ -21,7 +21,7 @@ void WalkShooter::fetchTriangle(const Hit& hit) const
   {
     const SceneObject& object = objects_[hit.id.object];
     object.body->mesh().fetch(hit.id.triangle);
-    __builtin_prefetch(object.surface->cellOfTriangle.data() + hit.id.triangle);
+    prefetch(object.surface->cellOfTriangle.data() + hit.id.triangle);
   }
 }
 
@@ -30,7 +30,7 @@ void WalkShooter::fetchCell(const Hit& hit) const
   if (hit)
   {
     const Surface& surface = *objects_[hit.id.object].surface;
-    __builtin_prefetch(surface.reflectance.data() +
+    prefetch(surface.reflectance.data() +
       surface.cellOfTriangle[hit.id.triangle] * static_cast<std::size_t>(surface.bands));
   }
 }

@@ -29,11 +29,11 @@ struct WalkVerifier::Candidates
 };
 
 std::vector<StaleSegment> WalkVerifier::staleSegments(
-  const WalkBlock& block, std::uint32_t firstWalk) const
+  const WalkBlock& block, const WalkBlock& next, std::uint32_t firstWalk) const
 {
   static thread_local std::vector<std::uint32_t> points;
   static thread_local Candidates blocked, lost;
-  scan_.find(block, points);
+  scan_.find(block, next, points);
   blocked.clear();
   lost.clear();
   fetch(block, points);

@@ -39,8 +39,10 @@ public:
   {
   }
 
-  /// At most one for each walk, ordered by walk. `firstWalk`: the number of the block's first walk.
-  std::vector<StaleSegment> staleSegments(const WalkBlock& block, std::uint32_t firstWalk) const;
+  /// At most one for each walk, ordered by walk. `next`: the block that will be asked for after it,
+  /// or the same; `firstWalk`: the number of the block's first walk.
+  std::vector<StaleSegment> staleSegments(
+    const WalkBlock& block, const WalkBlock& next, std::uint32_t firstWalk) const;
 
 private:
   struct Candidates;

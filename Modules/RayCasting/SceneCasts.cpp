@@ -1,5 +1,7 @@
 #include "SceneCasts.h"
 
+#include "Prefetch.h"
+
 #include <algorithm>
 
 namespace irradiance
@@ -112,9 +114,9 @@ void Scene::Casts::fetchAhead(std::size_t number) const
   if (number < order_->size())
   {
     const auto* ray = reinterpret_cast<const char*>(rays_ + (*order_)[number]);
-    __builtin_prefetch(ray);
-    __builtin_prefetch(ray + sizeof(Ray) - 1);
-    __builtin_prefetch(best_ + (*order_)[number], 1);
+    prefetch(ray);
+    prefetch(ray + sizeof(Ray) - 1);
+    prefetch(best_ + (*order_)[number]);
   }
 }
 

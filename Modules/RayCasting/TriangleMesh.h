@@ -1,6 +1,7 @@
 #ifndef irradiance_TriangleMesh_h
 #define irradiance_TriangleMesh_h
 
+#include "Prefetch.h"
 #include "Vector.h"
 
 #include <array>
@@ -51,8 +52,8 @@ public:
   void fetch(std::size_t i) const
   {
     const auto* first = reinterpret_cast<const char*>(triangles_.data() + i);
-    __builtin_prefetch(first);
-    __builtin_prefetch(first + sizeof(Triangle) - 1);
+    prefetch(first);
+    prefetch(first + sizeof(Triangle) - 1);
   }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const Box& bounds() const { return bounds_; }

@@ -65,9 +65,10 @@ std::size_t countFound(const StoredSegments& stored, const SegmentScan& scan)
 {
   static std::vector<std::uint32_t> points;
   std::size_t count = 0;
-  for (const WalkBlock& block : stored.blocks())
+  const std::vector<WalkBlock>& blocks = stored.blocks();
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    scan.find(block, points);
+    scan.find(blocks[i], blocks[std::min(i + 1, blocks.size() - 1)], points);
     count += points.size();
   }
   return count;
@@ -78,7 +79,7 @@ void checkBlock(const WalkBlock& block, const SegmentScan& scan, const StoredSeg
   const std::vector<EllipsoidBound>& bodies)
 {
   std::vector<std::uint32_t> points;
-  scan.find(block, points);
+  scan.find(block, block, points);
   const auto place = [&](std::size_t i) {
     const Vector3 point(block.x()[i], block.y()[i], block.z()[i]);
     return Vector3(stored.frame().center + point / stored.frame().scale);

@@ -66,7 +66,7 @@ struct RandomWalks
   std::set<std::pair<std::uint32_t, std::uint32_t>> namedBy(const SegmentScan& scan) const
   {
     std::vector<std::uint32_t> points;
-    scan.find(block, points);
+    scan.find(block, block, points);
     std::set<std::pair<std::uint32_t, std::uint32_t>> named;
     for (const std::uint32_t point : points)
     {

@@ -1,0 +1,39 @@
+#include "PointScan.h"
+#include "Prefetch.h"
+#include "WalkHistory.h"
+
+#include <algorithm>
+
+#include "WideScan.h"
+
+namespace irradiance
+{
+namespace
+{
+
+struct PlainLanes
+{
+  using Floats = float;
+  static constexpr std::size_t kCount = 1;
+
+  static Floats all(float value) { return value; }
+  static Floats load(const float* values) { return *values; }
+  static Floats mulAdd(Floats a, Floats b, Floats c) { return a * b + c; }
+  static Floats least(Floats a, Floats b) { return a < b ? a : b; }
+  static Floats most(Floats a, Floats b) { return a > b ? a : b; }
+  /// What is not a number counts as well.
+  static unsigned notAboveZero(Floats a) { return a > 0 ? 0 : 1; }
+  static unsigned tagged(const std::uint16_t* tags, std::uint32_t set)
+  {
+    return set >> (std::uint32_t{ *tags } >> WalkBlock::kTagShift) & 1u;
+  }
+};
+
+}
+
+void runScanPlain(const PointScan& scan)
+{
+  runScan<PlainLanes>(scan);
+}
+
+}
