@@ -286,14 +286,14 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   }
   const WalkVerifier verifier(shooter, moved, scan);
   std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
-  constexpr std::size_t kTogether = 16; // blocks in a row for a thread: it asks for the next in time
+  constexpr std::size_t kTogether =
+    16; // blocks in a row for a thread: it asks for the next in time
   SlicedPass pass{ 0, 0.5, (numberOfBlocks() + kTogether - 1) / kTogether, {} };
   pass.work = [&](std::size_t unit, const Deadline&, PowerBalance&) {
     const std::size_t end = std::min((unit + 1) * kTogether, numberOfBlocks());
     for (std::size_t block = unit * kTogether; block < end; ++block)
     {
-      stale[block] = verifier.staleSegments(history_[block],
-        history_[std::min(block + 1, end - 1)],
+      stale[block] = verifier.staleSegments(history_[block], history_[std::min(block + 1, end - 1)],
         static_cast<std::uint32_t>(block) * WalkBlock::kWalks);
     }
     return true;

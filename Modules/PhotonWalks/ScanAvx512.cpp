@@ -34,8 +34,8 @@ struct Avx512Lanes
   }
   static unsigned tagged(const std::uint16_t* tags, std::uint32_t set)
   {
-    const __m512i all = _mm512_cvtepu16_epi32(
-      _mm256_loadu_si256(reinterpret_cast<const __m256i*>(tags)));
+    const __m512i all =
+      _mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(tags)));
     const __m512i bits = _mm512_srlv_epi32(
       _mm512_set1_epi32(static_cast<int>(set)), _mm512_srli_epi32(all, WalkBlock::kTagShift));
     return _mm512_test_epi32_mask(bits, _mm512_set1_epi32(1));

@@ -79,8 +79,8 @@ void SegmentScan::find(
   {
     for (unsigned bits = named[first / PointScan::kTogether]; bits != 0; bits &= bits - 1)
     {
-      points.push_back(static_cast<std::uint32_t>(first) +
-        static_cast<std::uint32_t>(__builtin_ctz(bits)));
+      points.push_back(
+        static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
     }
   }
 }

@@ -37,15 +37,14 @@ inline unsigned nameNear(const float* xs, const float* ys, const float* zs, cons
   const Floats outside =
     dot<Lanes>(p[0], p[1], p[2], p[0], p[1], p[2], Lanes::all(-body.squaredRadius));
   const Floats nearest = Lanes::least(Lanes::most(along, -length), zero);
-  const Floats gap = Lanes::mulAdd(
-    nearest, Lanes::mulAdd(Lanes::all(-2), along, nearest), length * outside);
+  const Floats gap =
+    Lanes::mulAdd(nearest, Lanes::mulAdd(Lanes::all(-2), along, nearest), length * outside);
   return Lanes::notAboveZero(gap);
 }
 
 /// Those of the first kTogether points.
 template <class Lanes>
-inline unsigned nameTogether(
-  const float* x, const float* y, const float* z, const ScanBody& body)
+inline unsigned nameTogether(const float* x, const float* y, const float* z, const ScanBody& body)
 {
   unsigned named = 0;
   for (std::size_t i = 0; i < PointScan::kTogether; i += Lanes::kCount)
@@ -70,7 +69,7 @@ inline unsigned nameTagged(const std::uint16_t* tags, std::uint32_t set)
 struct LastPoints
 {
   float x[PointScan::kTogether + 1] = {}, y[PointScan::kTogether + 1] = {},
-        z[PointScan::kTogether + 1] = {};
+                                 z[PointScan::kTogether + 1] = {};
   std::uint16_t tags[PointScan::kTogether + 1] = {};
 
   LastPoints(const ScanPoints& all, std::size_t first)
@@ -98,7 +97,17 @@ inline void fetchAhead(const PointScan& scan, std::size_t first)
   prefetch(soon.tags + i);
 }
 
-/// The first look at points asks the memory for what comes, and sees the tags as well.
+template <class Lanes>
+inline void scanForTags(const PointScan& scan, std::size_t steps)
+{
+  for (std::size_t i = 0; i < steps; ++i)
+  {
+    scan.named[i] = static_cast<std::uint16_t>(
+      nameTagged<Lanes>(scan.points.tags + i * PointScan::kTogether, scan.tags));
+  }
+}
+
+/// The first body's scan asks the memory for what comes, and looks at the tags as well.
 template <class Lanes, bool isFirst>
 inline void scanFor(const ScanBody& body, const PointScan& scan, std::size_t steps)
 {
@@ -122,10 +131,14 @@ template <class Lanes>
 inline void runScan(const PointScan& scan)
 {
   const std::size_t segments = scan.points.count - 1, steps = segments / PointScan::kTogether;
-  scanFor<Lanes, true>(scan.bodies[0], scan, steps);
-  for (std::size_t i = 1; i < scan.numberOfBodies; ++i)
+  if (scan.numberOfBodies == 0)
   {
-    scanFor<Lanes, false>(scan.bodies[i], scan, steps);
+    scanForTags<Lanes>(scan, steps);
+  }
+  for (std::size_t i = 0; i < scan.numberOfBodies; ++i)
+  {
+    i == 0 ? scanFor<Lanes, true>(scan.bodies[i], scan, steps)
+           : scanFor<Lanes, false>(scan.bodies[i], scan, steps);
   }
   const LastPoints last(scan.points, steps * PointScan::kTogether);
   unsigned named = nameTagged<Lanes>(last.tags, scan.tags);

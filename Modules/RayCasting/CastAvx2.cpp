@@ -1,5 +1,6 @@
 #ifdef __x86_64__
 
+#include "CastCounts.h"
 #include "KdTree.h"
 #include "SimdTarget.h"
 #include "UnitCast.h"
@@ -91,7 +92,8 @@ struct Avx2Kernel
   }
 
   /// Puts the children that the ray passes on the stack.
-  void stepInto(const Treelet& treelet, WideSearch<Avx2Kernel>& search)
+  template <class Search>
+  void stepInto(const Treelet& treelet, Search& search)
   {
     const std::uint64_t order = treelet.farToNear[search.cast.octant];
     const __m256i axes = _mm256_set1_epi32(static_cast<int>(treelet.axes));

@@ -1,5 +1,6 @@
 #ifdef __x86_64__
 
+#include "CastCounts.h"
 #include "KdTree.h"
 #include "SimdTarget.h"
 #include "UnitCast.h"
@@ -38,7 +39,8 @@ struct Avx512Kernel
   }
 
   /// Puts the children that the ray passes on the stack.
-  void stepInto(const Treelet& treelet, WideSearch<Avx512Kernel>& search)
+  template <class Search>
+  void stepInto(const Treelet& treelet, Search& search)
   {
     const __m512i twos =
       _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);

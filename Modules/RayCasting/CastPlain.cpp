@@ -1,3 +1,4 @@
+#include "CastCounts.h"
 #include "KdTree.h"
 #include "PaddedRay.h"
 #include "UnitCast.h"
@@ -38,6 +39,10 @@ public:
         descend(entry);
       }
     }
+    if (castCounts())
+    {
+      *castCounts() += counts_;
+    }
   }
 
 private:
@@ -54,6 +59,7 @@ private:
     while ((entry.child & Treelet::kLeaf) == 0)
     {
       const Treelet& treelet = tree_.treelets()[entry.child];
+      counts_.treelets += entry.node == 1 ? 1 : 0;
       if (entry.node >= 16)
       {
         entry.child = treelet.children[entry.node - 16];
@@ -100,6 +106,7 @@ private:
     for (bool goesOn = true; goesOn; ++block)
     {
       goesOn = !block->isLast();
+      ++counts_.blocks;
       for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
       {
         if (block->reference(lane) != TriangleBlock::kNone &&
@@ -118,6 +125,7 @@ private:
   UnitCast& cast_;
   const TriangleTree& tree_;
   PaddedRay ray_;
+  CastCounts counts_;
   int depth_ = 0;
   Entry stack_[KdTree::kMaxDepth + 2];
 };

@@ -225,6 +225,7 @@ void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hi
   Casts casts(*this, rays, best);
   for (std::uint32_t i = 0; i < count; ++i)
   {
+    casts.fetchAhead(order, i);
     casts.addGroup(order.empty() ? i : order[i], group);
     casts.runIfMany();
   }
@@ -275,21 +276,30 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
   }
   const std::vector<std::uint32_t> order = orderOf(rays, count);
   Casts casts(*this, rays, hits);
+  std::vector<std::uint32_t> alone; // rays that touch nothing dynamic
   for (std::uint32_t n = 0; n < count; ++n)
   {
     const std::uint32_t i = order.empty() ? n : order[n];
+    casts.fetchAhead(order, n);
     if (mode_ == TraversalMode::OneTree)
     {
       casts.add(i, oneTree_);
     }
+    else if (casts.addGroup(i, dynamic_))
+    {
+      casts.add(i, 0);
+    }
     else
     {
-      casts.addGroup(i, dynamic_);
-      casts.add(i, 0);
+      alone.push_back(i);
     }
     casts.runIfMany();
   }
   casts.run();
+  if (!alone.empty())
+  {
+    Casts(*this, rays, hits).runAllStatic(static_cast<std::uint32_t>(alone.size()), alone);
+  }
 }
 
 SurfacePoint Scene::surfaceAt(const Vector3& direction, const Hit& hit) const

@@ -1,5 +1,6 @@
 #include "SceneCasts.h"
 
+#include "CastCounts.h"
 #include "Prefetch.h"
 
 #include <algorithm>
@@ -49,8 +50,9 @@ void Scene::Casts::runIfMany()
   }
 }
 
-void Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
+bool Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
 {
+  const std::size_t before = jobs_.size();
   if (!group.loose.tree.isEmpty())
   {
     add(ray, group.loose);
@@ -66,12 +68,18 @@ void Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
       }
     }
   }
+  return jobs_.size() > before;
 }
 
 void Scene::Casts::run()
 {
   runCasts(*this);
   decide();
+  if (castCounts())
+  {
+    castCounts()->triangles += decided_;
+  }
+  decided_ = 0;
   jobs_.clear();
   next_ = 0;
 }
@@ -99,7 +107,7 @@ std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
     else
     {
       job.bound = best_[job.ray].distance;
-      fetchAhead(next_ + 2 * most);
+      fetchAhead(*order_, next_);
     }
     request(job, requests[i]);
     requests[i].job = next_;
@@ -108,15 +116,16 @@ std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
   return count;
 }
 
-/// In another order than theirs, the memory does not guess which rays come next.
-void Scene::Casts::fetchAhead(std::size_t number) const
+void Scene::Casts::fetchAhead(const std::vector<std::uint32_t>& order, std::size_t number) const
 {
-  if (number < order_->size())
+  constexpr std::size_t kAhead = 32;
+  if (number + kAhead < order.size())
   {
-    const auto* ray = reinterpret_cast<const char*>(rays_ + (*order_)[number]);
+    const std::uint32_t soon = order[number + kAhead];
+    const auto* ray = reinterpret_cast<const char*>(rays_ + soon);
     prefetch(ray);
     prefetch(ray + sizeof(Ray) - 1);
-    prefetch(best_ + (*order_)[number]);
+    prefetch(best_ + soon);
   }
 }
 
@@ -181,6 +190,7 @@ void Scene::Casts::decide()
 
 void Scene::Casts::decide(const Decision& decision, const ShearedRay& sheared)
 {
+  ++decided_;
   Hit hit;
   hit.id = decision.id;
   Vector3 weights;

@@ -23,8 +23,12 @@ public:
   void add(std::uint32_t ray, const MixedTree& mixed);
   /// All rays in the static tree, in this order if it is not empty. Nothing else may be added.
   void runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order);
-  /// The ray in all trees of the group that it may touch, but for those of many objects.
-  void addGroup(std::uint32_t ray, const Group& group);
+  /// The ray in all trees of the group that it may touch, but for those of many objects; false if
+  /// there are none.
+  bool addGroup(std::uint32_t ray, const Group& group);
+  /// In another order than theirs, the memory does not guess which rays come next: this asks for the
+  /// one some places behind `number`.
+  void fetchAhead(const std::vector<std::uint32_t>& order, std::size_t number) const;
   /// Runs what was added.
   void run();
   /// The same, unless that is still little. Between rays only.
@@ -58,7 +62,6 @@ private:
     return all_ == 0 ? jobs_[number]
                      : Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 };
   }
-  void fetchAhead(std::size_t number) const;
   void request(const Job& job, CastRequest& request) const;
   TriangleId idOf(const Job& job, std::uint32_t reference) const
   {
@@ -77,7 +80,7 @@ private:
   std::uint32_t all_ = 0;                             ///< rays of runAllStatic()
   const std::vector<std::uint32_t>* order_ = nullptr; ///< in which they are searched, or empty
   std::uint32_t next_ = 0;
-  std::size_t putOff_ = 0;
+  std::size_t putOff_ = 0, decided_ = 0;
   std::array<Decision, 2 * kPutOff> decisions_;
 };
 

@@ -58,7 +58,7 @@ private:
 };
 
 /// A search on its way. The kernel knows the piece of the ray inside the child that comes next.
-template <class Kernel>
+template <class Kernel, bool isCounted>
 struct WideSearch
 {
   /// Children of a treelet that wait to be searched; the nearest has the highest bit.
@@ -72,6 +72,7 @@ struct WideSearch
   UnitCast cast;
   Kernel kernel;
   Candidates candidates;
+  CastCounts counts; ///< of all searches in this place
   std::uint32_t child;
   unsigned depth;
   Left stack[KdTree::kMaxDepth / 4 + 2]; ///< none of them without a child, but one behind the top
@@ -108,6 +109,10 @@ struct WideSearch
   {
     if ((child & Treelet::kLeaf) == 0)
     {
+      if constexpr (isCounted)
+      {
+        ++counts.treelets;
+      }
       kernel.stepInto(cast.tree->treelets()[child], *this);
     }
     else
@@ -123,6 +128,10 @@ private:
     for (bool goesOn = true; goesOn; ++block)
     {
       goesOn = !block->isLast();
+      if constexpr (isCounted)
+      {
+        ++counts.blocks;
+      }
       const BlockAnswer answer = askBlock(*block, cast);
       if (answer.possible != 0)
       {
@@ -223,12 +232,12 @@ private:
 
 /// Several searches in turns: while one waits for memory, or for the outcome of a long chain of
 /// operations, the others compute.
-template <class Kernel>
+template <class Kernel, bool isCounted>
 void runInTurns(CastSource& source)
 {
   constexpr unsigned kTogether = 4;
   CastQueue queue(source);
-  WideSearch<Kernel> searches[kTogether];
+  WideSearch<Kernel, isCounted> searches[kTogether];
   unsigned running = 0;
   while (running < kTogether && searches[running].start(source, queue))
   {
@@ -252,7 +261,17 @@ void runInTurns(CastSource& source)
     while (i != ended && searches[i].step(source))
     {
     }
+    if constexpr (isCounted)
+    {
+      *castCounts() += searches[i].counts;
+    }
   }
+}
+
+template <class Kernel>
+void runInTurns(CastSource& source)
+{
+  castCounts() ? runInTurns<Kernel, true>(source) : runInTurns<Kernel, false>(source);
 }
 
 }

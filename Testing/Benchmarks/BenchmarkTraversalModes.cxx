@@ -3,11 +3,12 @@
  * one after the other, and in two trees searched side by side. The dynamic triangles are loose, each
  * moves on its own: "we wanted to have a high number of dynamic objects, instead of a few composite
  * ones". The hits of the three modes must be the same bits; then the modes are timed in turns on one
- * thread. What one tree costs besides, to be rebuilt whole in every frame, is not in these times.
+ * thread, and the steps of their searches counted. What one tree costs besides, to be rebuilt whole in every frame, is not in these times.
  *
  * Arguments: [rays = 300000] [rounds = 7]
  */
 #include "BenchmarkScene.h"
+#include "CastCounts.h"
 #include "Goals.h"
 #include "OurCaster.h"
 #include "Program.h"
@@ -63,6 +64,23 @@ std::vector<std::vector<double>> timeModes(
   return timeInTurns(jobs, rounds);
 }
 
+/// What a ray costs in steps, which no other program on the machine can disturb.
+void countSteps(OurCaster& caster, std::size_t rays, const std::string& column, Results& results)
+{
+  CastCounts counts;
+  castCounts() = &counts;
+  std::vector<Hit> hits(rays);
+  caster.cast(hits);
+  castCounts() = nullptr;
+  const auto add = [&](const char* what, std::uint64_t count) {
+    results.add("TraversalModesCounts", caster.name() + ", " + what, column,
+      { static_cast<double>(count) / static_cast<double>(rays) });
+  };
+  add("treelets entered", counts.treelets);
+  add("blocks tested", counts.blocks);
+  add("triangles tested in double", counts.triangles);
+}
+
 /// Speed of searching side by side, as the geometric mean over the sets of rays.
 void addGoals(const std::string& scene, const std::vector<std::vector<double>>& overOneTree,
   const std::vector<std::vector<double>>& overSequential, Results& results)
@@ -88,6 +106,7 @@ void timeScene(const BenchmarkScene& scene, std::uint32_t count, int rounds, Res
       results.add("TraversalModesSets", name, column, ratios(seconds[i], seconds[0]));
       const std::vector<double> millions(seconds[i].size(), 1e-6 * count);
       results.add("TraversalModesRates", name, column, ratios(millions, seconds[i]));
+      countSteps(*casters[i], count, column, results);
     }
     overOneTree.push_back(ratios(seconds[0], seconds[2]));
     overSequential.push_back(ratios(seconds[1], seconds[2]));

@@ -1,0 +1,12 @@
+#include "CastCounts.h"
+
+namespace irradiance
+{
+
+CastCounts*& castCounts()
+{
+  static thread_local CastCounts* counts = nullptr;
+  return counts;
+}
+
+}

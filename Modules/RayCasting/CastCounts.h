@@ -1,0 +1,30 @@
+#ifndef irradiance_CastCounts_h
+#define irradiance_CastCounts_h
+
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// What searches did.
+struct CastCounts
+{
+  std::uint64_t treelets = 0;  ///< entered
+  std::uint64_t blocks = 0;    ///< of eight triangles, tested in float
+  std::uint64_t triangles = 0; ///< tested in double
+
+  CastCounts& operator+=(const CastCounts& other)
+  {
+    treelets += other.treelets;
+    blocks += other.blocks;
+    triangles += other.triangles;
+    return *this;
+  }
+};
+
+/// Where the searches of this thread are counted; null, as at first, if they are not.
+CastCounts*& castCounts();
+
+}
+
+#endif
