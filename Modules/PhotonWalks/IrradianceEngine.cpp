@@ -1,5 +1,6 @@
 #include "IrradianceEngine.h"
 
+#include "SceneChange.h"
 #include "SlicedPass.h"
 #include "WalkBatch.h"
 
@@ -16,17 +17,6 @@ namespace
 double secondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-bool isSameLook(const SceneObject& a, const SceneObject& b)
-{
-  return a.surface == b.surface && a.isLoose == b.isLoose &&
-    a.body->mesh().size() == b.body->mesh().size();
-}
-
-bool hasMoved(const SceneObject& now, const SceneObject& before)
-{
-  return now.body != before.body || now.worldFromObject != before.worldFromObject;
 }
 
 void store(const WalkBatch& batch, std::vector<WalkBlock>& history)
@@ -70,7 +60,8 @@ std::uint32_t IrradianceEngine::walksIn(std::size_t block) const
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
-  bool sameLights = doLightsStand(objects, settings);
+  bool sameLights = isValid_ && settings.numberOfWalks == settings_.numberOfWalks &&
+    doLightsStand(objects, objects_);
   if (!sameLights)
   {
     EmitterTable emitters(objects, settings.numberOfWalks);
@@ -78,7 +69,7 @@ void IrradianceEngine::update(
     emitters_ = std::move(emitters);
   }
   const bool repair = sameLights && canRepair(objects, settings);
-  const std::vector<bool> moved = repair ? findMoved(objects) : std::vector<bool>();
+  const std::vector<bool> moved = repair ? findMoved(objects, objects_) : std::vector<bool>();
   isValid_ = false; // until the end is reached
   objects_ = objects;
   settings_ = settings;
@@ -98,52 +89,11 @@ void IrradianceEngine::update(
   isValid_ = true;
 }
 
-bool IrradianceEngine::doLightsStand(
-  const SceneObjects& objects, const EngineSettings& settings) const
-{
-  if (!isValid_ || settings.numberOfWalks != settings_.numberOfWalks ||
-    objects.size() != objects_.size())
-  {
-    return false;
-  }
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    const SceneObject &now = objects[i], &before = objects_[i];
-    if (now.surface != before.surface || (now.surface->emits() && hasMoved(now, before)))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
 {
-  if (!isValid_ || !settings.verify || !settings_.verify ||
-    settings.numberOfWalks != settings_.numberOfWalks || settings.seed != settings_.seed ||
-    settings.separateSides != settings_.separateSides || objects.size() != objects_.size() ||
-    objects.dynamic.empty() || objects.fixed.body != objects_.fixed.body)
-  {
-    return false;
-  }
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    if (!isSameLook(objects[i], objects_[i]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-std::vector<bool> IrradianceEngine::findMoved(const SceneObjects& objects) const
-{
-  std::vector<bool> moved;
-  for (std::size_t i = 0; i < objects.dynamic.size(); ++i)
-  {
-    moved.push_back(hasMoved(objects.dynamic[i], objects_.dynamic[i]));
-  }
-  return moved;
+  return isValid_ && settings.verify && settings_.verify && !objects.dynamic.empty() &&
+    settings.numberOfWalks == settings_.numberOfWalks && settings.seed == settings_.seed &&
+    settings.separateSides == settings_.separateSides && isSameButForMotion(objects, objects_);
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)

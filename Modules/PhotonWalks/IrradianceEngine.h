@@ -61,11 +61,8 @@ private:
   using Clock = std::chrono::steady_clock;
   struct BatchPass;
 
-  /// Cheap; false is no proof that they changed.
-  bool doLightsStand(const SceneObjects& objects, const EngineSettings& settings) const;
   /// With the same lights.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
-  std::vector<bool> findMoved(const SceneObjects& objects) const;
   void commitScene(const std::vector<bool>& moved, Execution& execution);
   void shootAll(Execution& execution);
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
