@@ -13,7 +13,7 @@ namespace irradiance
  * integers give the same bits: all is summed up in the order of replicates and cells.
  *
  * With fewer photons the spread of the replicates is skewed, and too small where the sum is too small
- * by chance: then nothing is told. See Theory, "How wrong a number may be".
+ * by chance: then nothing is told. See Theory, 5.1.
  */
 class ErrorEstimate
 {
@@ -33,7 +33,10 @@ public:
   static double confidenceFactor(std::uint32_t replicates);
 
   /// Of a cell's sum, in quanta; NaN where too few photons tell too little.
-  double standardError(std::uint32_t object, std::size_t cell, int side, int band) const;
+  double standardError(std::uint32_t object, std::size_t cell, int side, int band) const
+  {
+    return received(object, cell, side, band).error;
+  }
 
   /// The least e such that kConfidence of the area is known to e times its own irradiance, with
   /// kConfidence; infinite if there is none. What has received nothing is known to 3 photons, of
@@ -42,17 +45,14 @@ public:
   double relativeErrorOfMostArea(const SceneObjects& objects) const;
 
 private:
-  struct CellSide
+  /// What a cell, or one of its sides, has received in a band, and its standard error; quanta.
+  struct Received
   {
-    std::uint32_t object;
-    std::size_t cell;
-    int side;
-    double area; ///< m2
+    double quanta, error;
   };
-
-  std::int64_t sum(const CellSide& part, int band) const;
-  /// `mean`: quanta that a square metre receives on average.
-  double relativeError(const CellSide& part, int band, double mean) const;
+  Received received(std::uint32_t object, std::size_t cell, int side, int band) const;
+  /// `average`: quanta that an area of this size receives on average. `factor`: confidenceFactor().
+  double relativeError(const Received& received, int band, double average, double factor) const;
 
   const CellSums& sums_;
   std::size_t rounds_;
