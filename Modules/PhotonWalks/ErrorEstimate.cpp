@@ -1,5 +1,6 @@
 #include "ErrorEstimate.h"
 
+#include "SlicedPass.h"
 #include "StudentT.h"
 
 #include <algorithm>
@@ -94,16 +95,10 @@ double ErrorEstimate::relativeError(
   return std::isnan(received.error) ? kInfinity : factor * received.error / received.quanta;
 }
 
-double ErrorEstimate::relativeErrorOfMostArea(const SceneObjects& objects) const
+std::vector<ErrorEstimate::CellSide> ErrorEstimate::cellSides(
+  const SceneObjects& objects, Execution& execution) const
 {
-  struct CellSide
-  {
-    double area; // m2
-    std::array<Received, Power::kMaxBands> received;
-  };
-  const auto bands = static_cast<std::size_t>(objects.fixed.surface->bands);
   std::vector<CellSide> parts;
-  CellSide all{};
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     const std::vector<double> areas = cellAreas(objects[object]);
@@ -111,15 +106,40 @@ double ErrorEstimate::relativeErrorOfMostArea(const SceneObjects& objects) const
     {
       for (int side = 0; side < sums_.sides() && areas[cell] > 0; ++side)
       {
-        CellSide part{ areas[cell], {} };
-        all.area += part.area;
-        for (std::size_t band = 0; band < bands; ++band)
-        {
-          part.received[band] = received(object, cell, side, static_cast<int>(band));
-          all.received[band].quanta += part.received[band].quanta;
-        }
-        parts.push_back(part);
+        parts.push_back({ object, cell, side, areas[cell] });
       }
+    }
+  }
+  constexpr std::size_t kTogether = 4096;
+  SlicedPass pass{ 0, 1, (parts.size() + kTogether - 1) / kTogether, {} };
+  pass.work = [&](std::size_t unit, const Deadline&, PowerBalance&) {
+    for (std::size_t i = unit * kTogether; i < std::min((unit + 1) * kTogether, parts.size()); ++i)
+    {
+      for (int band = 0; band < objects.fixed.surface->bands; ++band)
+      {
+        parts[i].received[static_cast<std::size_t>(band)] =
+          received(parts[i].object, parts[i].cell, parts[i].side, band);
+      }
+    }
+    return true;
+  };
+  PowerBalance none;
+  pass.run(execution, none);
+  return parts;
+}
+
+double ErrorEstimate::relativeErrorOfMostArea(
+  const SceneObjects& objects, Execution& execution) const
+{
+  const std::vector<CellSide> parts = cellSides(objects, execution);
+  double area = 0;
+  std::array<double, Power::kMaxBands> sums{}; // quanta
+  for (const CellSide& part : parts)
+  {
+    area += part.area;
+    for (std::size_t band = 0; band < sums.size(); ++band)
+    {
+      sums[band] += part.received[band].quanta;
     }
   }
   const double factor = confidenceFactor(static_cast<std::uint32_t>(share_.size()));
@@ -128,15 +148,15 @@ double ErrorEstimate::relativeErrorOfMostArea(const SceneObjects& objects) const
   for (const CellSide& part : parts)
   {
     double worst = 0;
-    for (std::size_t band = 0; band < bands; ++band)
+    for (int band = 0; band < objects.fixed.surface->bands; ++band)
     {
-      const double average = all.received[band].quanta / all.area * part.area;
-      worst = std::max(
-        worst, relativeError(part.received[band], static_cast<int>(band), average, factor));
+      const auto i = static_cast<std::size_t>(band);
+      worst =
+        std::max(worst, relativeError(part.received[i], band, sums[i] / area * part.area, factor));
     }
     errors.emplace_back(worst, part.area);
   }
-  return quantileOfArea(std::move(errors), kConfidence * all.area);
+  return quantileOfArea(std::move(errors), kConfidence * area);
 }
 
 }

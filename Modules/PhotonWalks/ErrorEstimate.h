@@ -2,6 +2,7 @@
 #define irradiance_ErrorEstimate_h
 
 #include "CellSums.h"
+#include "Execution.h"
 
 #include <array>
 
@@ -42,7 +43,7 @@ public:
   /// kConfidence; infinite if there is none. What has received nothing is known to 3 photons, of
   /// which e is then the ratio to what an area of this size receives on average. The worst band of a
   /// cell counts, each side by itself if they are kept apart.
-  double relativeErrorOfMostArea(const SceneObjects& objects) const;
+  double relativeErrorOfMostArea(const SceneObjects& objects, Execution& execution) const;
 
 private:
   /// What a cell, or one of its sides, has received in a band, and its standard error; quanta.
@@ -50,8 +51,18 @@ private:
   {
     double quanta, error;
   };
+  struct CellSide
+  {
+    std::uint32_t object;
+    std::size_t cell;
+    int side;
+    double area; ///< m2
+    std::array<Received, Power::kMaxBands> received{};
+  };
   Received received(std::uint32_t object, std::size_t cell, int side, int band) const;
   /// `average`: quanta that an area of this size receives on average. `factor`: confidenceFactor().
+  /// All with an area.
+  std::vector<CellSide> cellSides(const SceneObjects& objects, Execution& execution) const;
   double relativeError(const Received& received, int band, double average, double factor) const;
 
   const CellSums& sums_;

@@ -146,15 +146,17 @@ void IrradianceEngine::reachTarget(Execution& execution)
   {
     if (rounds == sums_.rounds())
     {
+      // What was expected before may have been less: progress waits rather than going back.
       const double expected = expectedWalks(rounds);
-      const double from = rounds == 0 ? 0 : plan_.rounds()[rounds - 1].endWalk / expected;
-      ProgressSpan span(execution, progress = std::max(progress, from),
-        std::max(progress, plan_.rounds()[rounds].endWalk / expected));
+      const double from = std::max(progress, plan_.rounds()[rounds].firstWalk / expected);
+      progress = std::max(from, plan_.rounds()[rounds].endWalk / expected);
+      ProgressSpan span(execution, from, progress);
       shootRound(rounds, span);
     }
     ++rounds;
     checkReceived(balance_);
-    reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_);
+    ProgressSpan still(execution, progress, progress);
+    reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan_.rounds().size());
   dropRounds(rounds);
   if (!execution.goOn(1))

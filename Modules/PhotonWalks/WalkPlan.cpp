@@ -24,16 +24,6 @@ WalkPlan::WalkPlan(std::uint32_t first, std::uint32_t most, std::uint32_t replic
   }
 }
 
-std::size_t WalkPlan::roundOf(std::uint32_t walk) const
-{
-  std::size_t round = 0;
-  while (round + 1 < rounds_.size() && walk >= rounds_[round].endWalk)
-  {
-    ++round;
-  }
-  return round;
-}
-
 WalkPlan::Place WalkPlan::placeOf(std::uint32_t walk) const
 {
   const WalkRound& round = rounds_[roundOf(walk)];

@@ -66,7 +66,15 @@ public:
   std::uint32_t most() const { return rounds_.back().endWalk; }
   const ReplicateDeal& deal() const { return deal_; }
 
-  std::size_t roundOf(std::uint32_t walk) const;
+  std::size_t roundOf(std::uint32_t walk) const
+  {
+    std::size_t round = 0;
+    while (round + 1 < rounds_.size() && walk >= rounds_[round].endWalk)
+    {
+      ++round;
+    }
+    return round;
+  }
 
   struct Place
   {

@@ -142,7 +142,7 @@ TEST(StandardError, UpdateEqualsRebuild)
   const auto make = [&] {
     auto filter = MakeFilter(scene, 3000);
     filter->ComputeStandardErrorOn();
-    filter->SetTargetRelativeError(0.4);
+    filter->SetTargetRelativeError(0.25);
     filter->SetMaximumNumberOfWalks(100000);
     return filter;
   };
@@ -158,7 +158,7 @@ TEST(StandardError, UpdateEqualsRebuild)
     walks.insert(Field(updated, "NumberOfWalks"));
     scene.Moving[0].Pose->Identity();
     scene.Moving[0].Pose->Translate(
-      1.5, 1.5, frame % 3 == 0 ? 2.45 : random.Between(0.5, 1.5)); // now and then under the lamp
+      1.5, 1.5, frame % 3 == 0 ? 2.43 : random.Between(0.5, 1.5)); // now and then under the lamp
   }
   EXPECT_GE(walks.size(), 2u) << "the number of walks rises and falls";
 }

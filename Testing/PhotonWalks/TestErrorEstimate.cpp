@@ -128,6 +128,7 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
 {
   constexpr std::int64_t kPhoton = 1000;
   const WalkPlan plan(1600, 1600, 2);
+  Execution execution;
   const auto reached = [&](const std::vector<double>& widths, std::int64_t inDark) {
     const SceneObjects objects = strip(widths);
     CellSums sums(objects, 1, plan);
@@ -136,7 +137,8 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
     add(sums, 0, 1, { { 1200000, 0, 0 } }); // 20 %
     add(sums, 1, 1, { { 800000, 0, 0 } });
     add(sums, 0, 2, { { inDark, 0, 0 } });
-    return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 }).relativeErrorOfMostArea(objects);
+    return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 })
+      .relativeErrorOfMostArea(objects, execution);
   };
   const double t = 12.7062047; // of one degree
   EXPECT_NEAR(reached({ 96, 3, 1 }, 0), t * 0.1, 1e-6);
@@ -155,8 +157,9 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   CellSums sums(objects, 1, plan);
   add(sums, 0, 0, { { 110000, 120000, 0 } });
   add(sums, 1, 0, { { 90000, 80000, 0 } });
+  Execution execution;
   const auto reached = [&](const std::array<double, 3>& photon) {
-    return ErrorEstimate(sums, plan, 1, photon).relativeErrorOfMostArea(objects);
+    return ErrorEstimate(sums, plan, 1, photon).relativeErrorOfMostArea(objects, execution);
   };
   EXPECT_NEAR(reached({ 1000, 1000, 0 }), 12.7062047 * 0.2, 1e-6);
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
