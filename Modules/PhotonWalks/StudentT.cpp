@@ -27,10 +27,11 @@ double studentQuantile(double probability, int freedom)
   {
     above *= 2;
   }
-  for (double middle = 0.5 * above; below < middle && middle < above;
-       middle = 0.5 * (below + above))
+  double middle = 0.5 * above;
+  while (below < middle && middle < above)
   {
     (studentProbability(middle, freedom) < probability ? below : above) = middle;
+    middle = 0.5 * (below + above);
   }
   return above;
 }
