@@ -259,7 +259,8 @@ TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)
   }
   for (const std::uint32_t replicates : { 1u, 16u })
   {
-    EngineSettings settings = withErrors(1000);
+    EngineSettings settings;
+    settings.numberOfWalks = 5000;
     settings.replicates = replicates;
     IrradianceEngine engine;
     Execution execution;
