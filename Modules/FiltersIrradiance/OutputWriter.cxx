@@ -14,6 +14,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <limits>
+
 namespace irradiance
 {
 
@@ -87,8 +89,7 @@ void setBlock(
 }
 
 void OutputWriter::write(const std::vector<InputConnection>& fixed,
-  const std::vector<InputConnection>& moving, vtkIdType numberOfWalks,
-  vtkMultiBlockDataSet* output) const
+  const std::vector<InputConnection>& moving, vtkMultiBlockDataSet* output) const
 {
   vtkNew<vtkMultiBlockDataSet> fixedBlocks, movingBlocks;
   setBlock(output, 0, fixedBlocks, "Static");
@@ -108,44 +109,62 @@ void OutputWriter::write(const std::vector<InputConnection>& fixed,
     addIrradiance(polyData, i + 1, 0);
     setBlock(movingBlocks, i, polyData, "Dynamic " + std::to_string(i));
   }
-  addFieldData(numberOfWalks, output);
+  addFieldData(output);
 }
 
 void OutputWriter::addIrradiance(
   vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const
 {
-  if (separateSides_)
+  if (settings_.separateSides)
   {
-    addArray(polyData, "IrradianceFront", object, firstCell, 0);
-    addArray(polyData, "IrradianceBack", object, firstCell, 1);
+    addSide(polyData, "IrradianceFront", object, firstCell, 0);
+    addSide(polyData, "IrradianceBack", object, firstCell, 1);
   }
   else
   {
-    addArray(polyData, "Irradiance", object, firstCell, 0);
+    addSide(polyData, "Irradiance", object, firstCell, 0);
     polyData->GetCellData()->SetActiveScalars("Irradiance");
   }
 }
 
-void OutputWriter::addArray(vtkPolyData* polyData, const char* name, std::uint32_t object,
+void OutputWriter::addSide(vtkPolyData* polyData, const std::string& name, std::uint32_t object,
   std::size_t firstCell, int side) const
 {
   const std::vector<double>& areas = scene_.areas(object);
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(scene_.bands());
-  array->SetNumberOfTuples(polyData->GetNumberOfCells());
-  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
-  {
-    const std::size_t cell = firstCell + static_cast<std::size_t>(i);
-    for (int band = 0; band < scene_.bands(); ++band)
+  const auto add = [&](const std::string& arrayName, const auto& value) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(arrayName.c_str());
+    array->SetNumberOfComponents(scene_.bands());
+    array->SetNumberOfTuples(polyData->GetNumberOfCells());
+    for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
     {
-      array->SetTypedComponent(i, band, engine_.irradiance(object, cell, side, band, areas[cell]));
+      const std::size_t cell = firstCell + static_cast<std::size_t>(i);
+      for (int band = 0; band < scene_.bands(); ++band)
+      {
+        array->SetTypedComponent(i, band, value(cell, band, areas[cell]));
+      }
     }
+    polyData->GetCellData()->AddArray(array);
+  };
+  add(name, [&](std::size_t cell, int band, double area) {
+    return engine_.irradiance(object, cell, side, band, area);
+  });
+  if (withErrors_)
+  {
+    add(name + "StandardError", [&](std::size_t cell, int band, double area) {
+      return standardError(object, cell, side, band, area);
+    });
   }
-  polyData->GetCellData()->AddArray(array);
 }
 
-void OutputWriter::addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const
+double OutputWriter::standardError(
+  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+{
+  return area > 0 ? engine_.watts(errors_.standardError(object, cell, side, band)) / area
+                  : std::numeric_limits<double>::quiet_NaN();
+}
+
+void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
 {
   const auto addPower = [&](const char* name, const Power& power) {
     if (scene_.bands() == 1)
@@ -161,8 +180,8 @@ void OutputWriter::addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* o
   const auto addCount = [&](const char* name, std::int64_t count) {
     addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
   };
-  const auto addSeconds = [&](const char* name, double seconds) {
-    addField<vtkDoubleArray>(output, name, { seconds });
+  const auto addNumber = [&](const char* name, double number) {
+    addField<vtkDoubleArray>(output, name, { number });
   };
   const PowerBalance& balance = engine_.balance();
   const EngineStatistics& statistics = engine_.statistics();
@@ -170,13 +189,21 @@ void OutputWriter::addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* o
   addPower("AbsorbedPower", balance.absorbed);
   addPower("EscapedPower", balance.escaped);
   addPower("StalePower", {}); // every stale walk has been repaired
-  addCount("NumberOfWalks", numberOfWalks);
+  addCount("NumberOfWalks", engine_.numberOfWalks());
   addCount("NumberOfSegments", balance.segments);
+  if (withErrors_)
+  {
+    addNumber("ConfidenceFactor", ErrorEstimate::confidenceFactor(settings_.replicates));
+  }
+  if (settings_.targetRelativeError > 0)
+  {
+    addNumber("ReachedRelativeError", engine_.reachedRelativeError());
+  }
   addCount("NumberOfInvalidWalks", statistics.invalidWalks);
   addCount("NumberOfRepairedSegments", statistics.repairedSegments);
-  addSeconds("ShootSeconds", statistics.shootSeconds);
-  addSeconds("VerifySeconds", statistics.verifySeconds);
-  addSeconds("RepairSeconds", statistics.repairSeconds);
+  addNumber("ShootSeconds", statistics.shootSeconds);
+  addNumber("VerifySeconds", statistics.verifySeconds);
+  addNumber("RepairSeconds", statistics.repairSeconds);
   addCount("HistoryBytes", static_cast<std::int64_t>(statistics.historyBytes));
 }
 

@@ -14,25 +14,34 @@ class OutputWriter
 {
 public:
   /// The arguments must outlive the writer.
-  OutputWriter(const IrradianceEngine& engine, const SceneReader& scene, bool separateSides)
+  /// `withErrors`: standard errors are written as well.
+  OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
+    const EngineSettings& settings, bool withErrors)
     : engine_(engine)
     , scene_(scene)
-    , separateSides_(separateSides)
+    , settings_(settings)
+    , withErrors_(withErrors)
+    , errors_(engine.errorEstimate())
   {
   }
 
   void write(const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving,
-    vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const;
+    vtkMultiBlockDataSet* output) const;
 
 private:
   void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
-  void addArray(vtkPolyData* polyData, const char* name, std::uint32_t object,
+  void addSide(vtkPolyData* polyData, const std::string& name, std::uint32_t object,
     std::size_t firstCell, int side) const;
-  void addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const;
+  void addFieldData(vtkMultiBlockDataSet* output) const;
+  /// W/m2; NaN where it is not known.
+  double standardError(
+    std::uint32_t object, std::size_t cell, int side, int band, double area) const;
 
   const IrradianceEngine& engine_;
   const SceneReader& scene_;
-  bool separateSides_;
+  const EngineSettings& settings_;
+  bool withErrors_;
+  ErrorEstimate errors_;
 };
 
 }

@@ -16,9 +16,11 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 
 vtkStandardNewMacro(vtkIrradianceFilter);
 
@@ -46,27 +48,78 @@ enum ArrayIndex
   FluxArray = 4
 };
 
+constexpr vtkIdType MostWalks = std::numeric_limits<std::uint32_t>::max();
+
 std::string ConnectionName(int port, int connection)
 {
   return "input port " + std::to_string(port) + ", connection " + std::to_string(connection);
 }
 
+/// Throws InputError unless `low` <= value <= `high`.
+std::uint32_t Checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)
+{
+  if (value < low || value > high)
+  {
+    throw irradiance::InputError(std::string(name) + " is " + std::to_string(value) + "; " +
+      std::to_string(low) + " to " + std::to_string(high) + " are possible");
+  }
+  return static_cast<std::uint32_t>(value);
+}
+
+void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& settings)
+{
+  constexpr vtkIdType mostReplicates = 256;
+  const vtkIdType walks = filter->GetNumberOfWalks();
+  const double target = filter->GetTargetRelativeError();
+  const std::uint32_t replicates =
+    Checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
+  if (!(target >= 0) || std::isinf(target))
+  {
+    throw irradiance::InputError("TargetRelativeError is " + std::to_string(target) +
+      "; it has to be positive, or 0 for no target");
+  }
+  if (target > 0)
+  {
+    settings.targetRelativeError = target;
+    settings.maximumNumberOfWalks =
+      Checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
+        filter->GetMaximumNumberOfWalks(), walks, MostWalks);
+  }
+  if (target > 0 || filter->GetComputeStandardError())
+  {
+    Checked("NumberOfWalks, with NumberOfReplicates replicates,", walks, replicates, MostWalks);
+    settings.replicates = replicates;
+  }
+}
+
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
-  const vtkIdType walks = filter->GetNumberOfWalks();
-  if (walks < 1 || walks > std::numeric_limits<std::uint32_t>::max())
-  {
-    throw irradiance::InputError(
-      "NumberOfWalks is " + std::to_string(walks) + "; 1 to 4294967295 are possible");
-  }
   irradiance::EngineSettings settings;
-  settings.numberOfWalks = static_cast<std::uint32_t>(walks);
+  settings.numberOfWalks = Checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
+  ReadErrorSettings(filter, settings);
   settings.seed = static_cast<std::uint64_t>(filter->GetSeed());
   settings.traversalMode = static_cast<irradiance::TraversalMode>(filter->GetTraversalMode());
   settings.verify = filter->GetUpdateMode() == vtkIrradianceFilter::Verify;
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
   return settings;
+}
+
+std::string TargetMissed(
+  const irradiance::IrradianceEngine& engine, const irradiance::EngineSettings& settings)
+{
+  std::ostringstream text;
+  text << "TargetRelativeError " << settings.targetRelativeError
+       << " is not reached with MaximumNumberOfWalks " << engine.numberOfWalks() << ": ";
+  if (std::isinf(engine.reachedRelativeError()))
+  {
+    text << "on more than 5 % of the area too few photons arrived to tell the error";
+  }
+  else
+  {
+    text << "95 % of the area is known to " << engine.reachedRelativeError();
+  }
+  return text.str();
 }
 
 }
@@ -246,8 +299,13 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter,
     vtkWarningWithObjectMacro(filter, << "the scene has no light: no cell with a RadiantExitance "
                                          "and an area, and no vertex with a RadiantFlux");
   }
-  irradiance::OutputWriter(this->Engine, this->Scene, settings.separateSides)
-    .write(fixed, moving, filter->GetNumberOfWalks(), output);
+  if (this->Engine.reachedRelativeError() > settings.targetRelativeError)
+  {
+    vtkWarningWithObjectMacro(filter, << TargetMissed(this->Engine, settings));
+  }
+  irradiance::OutputWriter(
+    this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0)
+    .write(fixed, moving, output);
 }
 
 int vtkIrradianceFilter::RequestData(
@@ -303,6 +361,10 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UpdateMode: " << this->UpdateMode << "\n"
      << indent << "CacheStaticHits: " << this->CacheStaticHits << "\n"
      << indent << "SeparateSides: " << this->SeparateSides << "\n"
+     << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
+     << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
+     << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
+     << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
      << indent << "Dynamic transforms: " << this->Internals->Transforms.size() << "\n";
   for (const auto& transform : this->Internals->Transforms)
   {

@@ -36,9 +36,16 @@
  * three components, both sides summed), or `IrradianceFront` and `IrradianceBack` if SeparateSides
  * is on. Cells without area, vertices and lines have 0.
  *
+ * With ComputeStandardError also `IrradianceStandardError`, or `IrradianceFrontStandardError` and
+ * `IrradianceBackStandardError`: the standard error of these, W/m2. The 95 % interval is the
+ * irradiance +- `ConfidenceFactor` (a field-data value: Student's t) times that. It is NaN where it is
+ * not known: without an area, and where fewer than 25 photons of a walk's first power have arrived.
+ *
  * Field data of the root, one tuple each: `EmittedPower`, `AbsorbedPower`, `EscapedPower`,
  * `StalePower` (W, per band; emitted = absorbed + escaped; nothing is stale after an update),
- * `NumberOfWalks`, `NumberOfSegments`, and what this update cost: `NumberOfInvalidWalks`,
+ * `NumberOfWalks` (those shot), `NumberOfSegments`; `ConfidenceFactor` with ComputeStandardError;
+ * `ReachedRelativeError` with TargetRelativeError: what 95 % of the area is known to, infinite where
+ * more than 5 % is not known; and what this update cost: `NumberOfInvalidWalks`,
  * `NumberOfRepairedSegments`, `ShootSeconds`, `VerifySeconds`, `RepairSeconds`, `HistoryBytes`.
  *
  * @section Errors
@@ -159,6 +166,51 @@ public:
   vtkBooleanMacro(SeparateSides, vtkTypeBool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the standard error of the irradiance is estimated, see the arrays above: from walks that
+   * are dealt out to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
+   * cell, band, side and replicate. Default off.
+   */
+  vtkSetMacro(ComputeStandardError, vtkTypeBool);
+  vtkGetMacro(ComputeStandardError, vtkTypeBool);
+  vtkBooleanMacro(ComputeStandardError, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Number of independent replicates from which errors are estimated, 2 to 256. With few the
+   * estimate is crude and the interval wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with
+   * 64); with many each has few walks, so that less is gained by the evenness of the samples.
+   * Default 16.
+   */
+  vtkSetMacro(NumberOfReplicates, int);
+  vtkGetMacro(NumberOfReplicates, int);
+  ///@}
+
+  ///@{
+  /**
+   * If positive, NumberOfWalks are shot first, and their number is doubled until the half-width of
+   * the 95 % interval is at most this times the irradiance on 95 % of the area, or until
+   * MaximumNumberOfWalks are shot: then a warning says what was reached. A cell that has received
+   * nothing is in it when 3 photons more would make it no brighter than this times the average; a
+   * cell with too few photons is not. Updates shoot more, or fewer, as the scene asks for. 0: no
+   * target. Default 0.
+   */
+  vtkSetMacro(TargetRelativeError, double);
+  vtkGetMacro(TargetRelativeError, double);
+  ///@}
+
+  ///@{
+  /**
+   * With a TargetRelativeError, the number of walks at which to stop; NumberOfWalks to
+   * 4,294,967,295. If something may move, a walk takes about 250 bytes (52 for each hit in one
+   * band). Default 10,000,000.
+   */
+  vtkSetMacro(MaximumNumberOfWalks, vtkIdType);
+  vtkGetMacro(MaximumNumberOfWalks, vtkIdType);
+  ///@}
+
   /// Counts the transforms.
   vtkMTimeType GetMTime() override;
 
@@ -181,6 +233,10 @@ protected:
   int UpdateMode = Verify;
   vtkTypeBool CacheStaticHits = 1;
   vtkTypeBool SeparateSides = 0;
+  vtkTypeBool ComputeStandardError = 0;
+  int NumberOfReplicates = 16;
+  double TargetRelativeError = 0;
+  vtkIdType MaximumNumberOfWalks = 10000000;
 
 private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;

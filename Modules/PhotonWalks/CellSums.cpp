@@ -5,8 +5,9 @@
 namespace irradiance
 {
 
-CellSums::CellSums(const SceneObjects& objects, int sides)
-  : sides_(sides)
+CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan)
+  : plan_(plan)
+  , sides_(sides)
   , bands_(objects.fixed.surface->bands)
 {
   std::size_t cells = 0;
@@ -16,18 +17,27 @@ CellSums::CellSums(const SceneObjects& objects, int sides)
     surfaces_.push_back(objects[object].surface);
     cells += objects[object].surface->numberOfCells;
   }
-  sums_.resize(cells * static_cast<std::size_t>(sides_) * static_cast<std::size_t>(bands_));
+  roundSize_ = cells * static_cast<std::size_t>(sides_) * plan.deal().replicates() *
+    static_cast<std::size_t>(bands_);
+  sums_.resize(roundSize_);
 }
 
-void CellSums::collect(const TriangleId& id, bool isFront, const Power& power, int sign,
-  std::vector<Deposit>& deposits) const
+void CellSums::collect(std::uint32_t walk, const TriangleId& id, bool isFront, const Power& power,
+  int sign, std::vector<Deposit>& deposits) const
 {
   const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
-  const std::size_t first = slot(id.object, cell, sides_ == 2 && !isFront ? 1 : 0);
+  const std::size_t first = slot(groupOf(walk), id.object, cell, sides_ == 2 && !isFront ? 1 : 0);
   for (int band = 0; band < bands_; ++band)
   {
     deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
   }
+}
+
+void CellSums::setRounds(std::size_t rounds)
+{
+  rounds_ = rounds;
+  sums_.resize(rounds * roundSize_);
+  sums_.shrink_to_fit();
 }
 
 void CellSums::add(const std::vector<Deposit>& deposits)
@@ -43,7 +53,23 @@ void CellSums::add(const std::vector<Deposit>& deposits)
 
 std::int64_t CellSums::sum(std::uint32_t object, std::size_t cell, int side, int band) const
 {
-  return sums_[slot(object, cell, side) + static_cast<std::size_t>(band)];
+  std::int64_t total = 0;
+  for (std::uint32_t replicate = 0; replicate < plan_.deal().replicates(); ++replicate)
+  {
+    total += sum(object, cell, side, band, replicate, rounds_);
+  }
+  return total;
+}
+
+std::int64_t CellSums::sum(std::uint32_t object, std::size_t cell, int side, int band,
+  std::uint32_t replicate, std::size_t rounds) const
+{
+  std::int64_t total = 0;
+  for (std::size_t round = 0; round < rounds; ++round)
+  {
+    total += sums_[slot({ round, replicate }, object, cell, side) + static_cast<std::size_t>(band)];
+  }
+  return total;
 }
 
 }

@@ -97,6 +97,21 @@ Power EmitterTable::powerOf(std::uint32_t walk, const Emitter& emitter) const
   return power;
 }
 
+std::array<double, Power::kMaxBands> EmitterTable::largestStart() const
+{
+  std::array<double, Power::kMaxBands> largest{};
+  const double walk =
+    std::ceil(static_cast<double>(totalQuanta_) / static_cast<double>(numberOfWalks_));
+  for (const Emitter& emitter : emitters_)
+  {
+    for (std::size_t band = 0; band < largest.size(); ++band)
+    {
+      largest[band] = std::max(largest[band], walk * (emitter.flux[band] / emitter.totalFlux()));
+    }
+  }
+  return largest;
+}
+
 WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) const
 {
   const double chosen = samples.sample(walk, 0, SampleUse::Emitter)[0] * cumulative_.back();

@@ -50,6 +50,9 @@ public:
   /// 2^17 times the emitted power for a cell to receive before a sum overflows.
   double quantum() const { return quantum_; }
 
+  /// Quanta with which the most powerful walk starts, in each band.
+  std::array<double, Power::kMaxBands> largestStart() const;
+
   WalkStart start(std::uint32_t walk, const SobolSequence& samples) const;
 
   /// Equal tables start the same walks, bit for bit.

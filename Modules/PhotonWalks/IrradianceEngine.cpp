@@ -1,10 +1,13 @@
 #include "IrradianceEngine.h"
 
+#include "ProgressSpan.h"
+#include "SceneChange.h"
 #include "SlicedPass.h"
 #include "WalkBatch.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <memory>
 
 namespace irradiance
@@ -18,29 +21,25 @@ double secondsSince(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-bool isSameLook(const SceneObject& a, const SceneObject& b)
+WalkPlan planOf(const EngineSettings& settings)
 {
-  return a.surface == b.surface && a.isLoose == b.isLoose &&
-    a.body->mesh().size() == b.body->mesh().size();
+  assert(settings.replicates >= (settings.targetRelativeError > 0 ? 2u : 1u));
+  return { settings.numberOfWalks,
+    settings.targetRelativeError > 0 ? settings.maximumNumberOfWalks : settings.numberOfWalks,
+    settings.replicates };
 }
 
-bool hasMoved(const SceneObject& now, const SceneObject& before)
-{
-  return now.body != before.body || now.worldFromObject != before.worldFromObject;
-}
-
-void store(const WalkBatch& batch, std::vector<WalkBlock>& history)
+void store(const WalkBatch& batch, const WalkPlan& plan, std::vector<WalkBlock>& history)
 {
   for (const WalkBatch::Tail& tail : batch.tails())
   {
-    history[tail.walk / WalkBlock::kWalks].replaceTail(
-      tail.walk % WalkBlock::kWalks, tail.bounce, tail.size);
+    const WalkPlan::Place place = plan.placeOf(tail.walk);
+    history[place.block].replaceTail(place.walkInBlock, tail.bounce, tail.size);
   }
   for (const WalkBatch::Piece& piece : batch.pieces())
   {
-    const std::uint32_t walk = batch.tails()[piece.tail].walk;
-    history[walk / WalkBlock::kWalks].setSegment(
-      walk % WalkBlock::kWalks, piece.bounce, piece.segment);
+    const WalkPlan::Place place = plan.placeOf(batch.tails()[piece.tail].walk);
+    history[place.block].setSegment(place.walkInBlock, piece.bounce, piece.segment);
   }
 }
 
@@ -50,46 +49,50 @@ void store(const WalkBatch& batch, std::vector<WalkBlock>& history)
 struct IrradianceEngine::BatchPass
 {
   double progressFrom, progressTo;
+  std::size_t firstBlock, endBlock;
   std::size_t blocksTogether;
   std::function<void(std::size_t block, WalkBatch& batch)> fill;
   /// Keeps what a batch has shot.
   std::function<void(const WalkBatch& batch, WalkBooking& booking, PowerBalance& balance)> finish;
 };
 
-std::size_t IrradianceEngine::numberOfBlocks() const
-{
-  return (std::size_t{ settings_.numberOfWalks } + WalkBlock::kWalks - 1) / WalkBlock::kWalks;
-}
-
-std::uint32_t IrradianceEngine::walksIn(std::size_t block) const
-{
-  return std::min<std::uint32_t>(WalkBlock::kWalks,
-    settings_.numberOfWalks - static_cast<std::uint32_t>(block) * WalkBlock::kWalks);
-}
-
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
-  bool sameLights = doLightsStand(objects, settings);
+  const WalkPlan plan = planOf(settings);
+  bool sameLights = isValid_ && plan == plan_ && doLightsStand(objects, objects_);
   if (!sameLights)
   {
-    EmitterTable emitters(objects, settings.numberOfWalks);
+    EmitterTable emitters(objects, plan.most());
     sameLights = isValid_ && emitters == emitters_;
     emitters_ = std::move(emitters);
   }
   const bool repair = sameLights && canRepair(objects, settings);
-  const std::vector<bool> moved = repair ? findMoved(objects) : std::vector<bool>();
+  const std::vector<bool> moved = repair ? findMoved(objects, objects_) : std::vector<bool>();
   isValid_ = false; // until the end is reached
   objects_ = objects;
   settings_ = settings;
+  plan_ = plan;
   statistics_ = {};
+  reached_ = 0;
+  const bool hasTarget = settings.targetRelativeError > 0;
+  const double begun = repair ? (hasTarget ? 0.5 : 1) : 0; // what comes after a repair is not known
+  ProgressSpan first(execution, 0, begun), rest(execution, begun, 1);
   if (repair)
   {
-    verifyAndRepair(moved, execution);
+    verifyAndRepair(moved, first);
   }
   else
   {
-    shootAll(execution);
+    startAnew(execution);
+  }
+  if (hasTarget)
+  {
+    reachTarget(rest);
+  }
+  else if (!repair)
+  {
+    shootRound(0, execution);
   }
   for (const WalkBlock& block : history_)
   {
@@ -98,52 +101,11 @@ void IrradianceEngine::update(
   isValid_ = true;
 }
 
-bool IrradianceEngine::doLightsStand(
-  const SceneObjects& objects, const EngineSettings& settings) const
-{
-  if (!isValid_ || settings.numberOfWalks != settings_.numberOfWalks ||
-    objects.size() != objects_.size())
-  {
-    return false;
-  }
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    const SceneObject &now = objects[i], &before = objects_[i];
-    if (now.surface != before.surface || (now.surface->emits() && hasMoved(now, before)))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
 {
-  if (!isValid_ || !settings.verify || !settings_.verify ||
-    settings.numberOfWalks != settings_.numberOfWalks || settings.seed != settings_.seed ||
-    settings.separateSides != settings_.separateSides || objects.size() != objects_.size() ||
-    objects.dynamic.empty() || objects.fixed.body != objects_.fixed.body)
-  {
-    return false;
-  }
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    if (!isSameLook(objects[i], objects_[i]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-std::vector<bool> IrradianceEngine::findMoved(const SceneObjects& objects) const
-{
-  std::vector<bool> moved;
-  for (std::size_t i = 0; i < objects.dynamic.size(); ++i)
-  {
-    moved.push_back(hasMoved(objects.dynamic[i], objects_.dynamic[i]));
-  }
-  return moved;
+  return isValid_ && settings.verify && settings_.verify && !objects.dynamic.empty() &&
+    planOf(settings) == plan_ && settings.seed == settings_.seed &&
+    settings.separateSides == settings_.separateSides && isSameButForMotion(objects, objects_);
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)
@@ -165,27 +127,34 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   });
 }
 
-void IrradianceEngine::shootAll(Execution& execution)
+void IrradianceEngine::startAnew(Execution& execution)
 {
   commitScene({}, execution);
-  const Clock::time_point start = Clock::now();
-  sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1);
+  sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1, plan_);
+  sums_.setRounds(0);
   balance_ = {};
   history_.clear();
-  const bool keep = settings_.verify && !objects_.dynamic.empty();
   pointFrame_ = UnitFrame(walkBounds());
   pointReach_ = reachInFrame();
-  for (std::size_t block = 0; keep && block < numberOfBlocks(); ++block)
+}
+
+void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
+{
+  const Clock::time_point start = Clock::now();
+  const WalkRound& walks = plan_.rounds()[round];
+  const bool keep = settings_.verify && !objects_.dynamic.empty();
+  sums_.setRounds(round + 1);
+  for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
   {
-    history_.emplace_back(walksIn(block), objects_.fixed.surface->bands, pointFrame_);
+    history_.emplace_back(plan_.walksIn(block), objects_.fixed.surface->bands, pointFrame_);
   }
-  const SobolSequence samples(settings_.seed);
+  const SobolSequence samples(settings_.seed, plan_.deal());
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  BatchPass pass{ 0, 1, 1 };
+  BatchPass pass{ 0, 1, walks.firstBlock, walks.endBlock, 1, {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
-    for (std::uint32_t i = 0; i < walksIn(block); ++i)
+    for (std::uint32_t i = 0; i < plan_.walksIn(block); ++i)
     {
-      batch.shoot(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + i);
+      batch.shoot(plan_.firstWalkOf(block) + i);
     }
   };
   pass.finish = [&](const WalkBatch& batch, WalkBooking&, PowerBalance& balance) {
@@ -195,21 +164,22 @@ void IrradianceEngine::shootAll(Execution& execution)
     }
     if (keep)
     {
-      store(batch, history_);
-      history_[batch.tails().front().walk / WalkBlock::kWalks].shrink();
+      store(batch, plan_, history_);
+      history_[plan_.placeOf(batch.tails().front().walk).block].shrink();
     }
   };
   if (!emitters_.isEmpty())
   {
     run(pass, shooter, execution);
   }
-  statistics_.shootSeconds = secondsSince(start);
+  statistics_.shootSeconds += secondsSince(start);
 }
 
 void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution)
 {
   const std::size_t together = pass.blocksTogether;
-  std::vector<std::unique_ptr<WalkBatch>> open((numberOfBlocks() + together - 1) / together);
+  std::vector<std::unique_ptr<WalkBatch>> open(
+    (pass.endBlock - pass.firstBlock + together - 1) / together);
   SlicedPass sliced{ pass.progressFrom, pass.progressTo, open.size(), {} };
   sliced.work = [&](std::size_t unit, const Deadline& deadline, PowerBalance& balance) {
     WalkBooking booking(sums_, balance);
@@ -217,8 +187,8 @@ void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Ex
     if (!batch)
     {
       batch = std::make_unique<WalkBatch>(shooter);
-      for (std::size_t i = unit * together; i < std::min((unit + 1) * together, numberOfBlocks());
-           ++i)
+      const std::size_t first = pass.firstBlock + unit * together;
+      for (std::size_t i = first; i < std::min(first + together, pass.endBlock); ++i)
       {
         pass.fill(i, *batch);
       }
@@ -261,7 +231,7 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   }
   Clock::time_point start = Clock::now();
   commitScene(moved, execution);
-  const SobolSequence samples(settings_.seed);
+  const SobolSequence samples(settings_.seed, plan_.deal());
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
   const std::vector<std::vector<StaleSegment>> stale = verify(shooter, moved, execution);
   statistics_.verifySeconds = secondsSince(start);
@@ -285,16 +255,15 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
     }
   }
   const WalkVerifier verifier(shooter, moved, scan);
-  std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
-  constexpr std::size_t kTogether =
-    16; // blocks in a row for a thread: it asks for the next in time
-  SlicedPass pass{ 0, 0.5, (numberOfBlocks() + kTogether - 1) / kTogether, {} };
+  std::vector<std::vector<StaleSegment>> stale(history_.size());
+  constexpr std::size_t kTogether = 16; // in a row for a thread: it asks for the next in time
+  SlicedPass pass{ 0, 0.5, (stale.size() + kTogether - 1) / kTogether, {} };
   pass.work = [&](std::size_t unit, const Deadline&, PowerBalance&) {
-    const std::size_t end = std::min((unit + 1) * kTogether, numberOfBlocks());
+    const std::size_t end = std::min((unit + 1) * kTogether, stale.size());
     for (std::size_t block = unit * kTogether; block < end; ++block)
     {
-      stale[block] = verifier.staleSegments(history_[block], history_[std::min(block + 1, end - 1)],
-        static_cast<std::uint32_t>(block) * WalkBlock::kWalks);
+      stale[block] = verifier.staleSegments(
+        history_[block], history_[std::min(block + 1, end - 1)], plan_.firstWalkOf(block));
     }
     return true;
   };
@@ -313,27 +282,28 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   // A block has few stale walks: those of several make a batch worth its name, if that leaves enough
   // batches for all threads.
   constexpr std::size_t kBatches = 32, kMostTogether = 16;
-  BatchPass pass{ 0.5, 1, std::clamp<std::size_t>(numberOfBlocks() / kBatches, 1, kMostTogether) };
+  BatchPass pass{ 0.5, 1, 0, history_.size(),
+    std::clamp<std::size_t>(history_.size() / kBatches, 1, kMostTogether), {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
     const WalkBlock& walks = history_[block];
     for (const StaleSegment& segment : stale[block])
     {
-      batch.resume(static_cast<std::uint32_t>(block) * WalkBlock::kWalks + segment.walkInBlock,
-        segment.bounce, segment.ray, segment.hit, walks.power(segment.walkInBlock, 0),
-        walks.power(segment.walkInBlock, segment.bounce));
+      const std::uint32_t walk = plan_.firstWalkOf(block) + segment.walkInBlock;
+      batch.resume(walk, segment.bounce, segment.ray, segment.hit,
+        walks.power(segment.walkInBlock, 0), walks.power(segment.walkInBlock, segment.bounce));
       for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
       {
-        sums_.fetch(walks.hit(segment.walkInBlock, i).id); // will be taken back
+        sums_.fetch(walk, walks.hit(segment.walkInBlock, i).id); // will be taken back
       }
     }
   };
   pass.finish = [&](const WalkBatch& batch, WalkBooking& booking, PowerBalance&) {
     for (const WalkBatch::Tail& tail : batch.tails())
     {
-      booking.remove(
-        history_[tail.walk / WalkBlock::kWalks], tail.walk % WalkBlock::kWalks, tail.bounce);
+      const WalkPlan::Place place = plan_.placeOf(tail.walk);
+      booking.remove(history_[place.block], place.walkInBlock, tail.walk, tail.bounce);
     }
-    store(batch, history_);
+    store(batch, plan_, history_);
     repaired += static_cast<std::int64_t>(batch.pieces().size());
   };
   run(pass, shooter, execution);

@@ -1,6 +1,7 @@
 #ifndef irradiance_IrradianceEngine_h
 #define irradiance_IrradianceEngine_h
 
+#include "ErrorEstimate.h"
 #include "Execution.h"
 #include "PowerBalance.h"
 #include "Surface.h"
@@ -19,6 +20,11 @@ struct EngineSettings
   bool verify = true; ///< false: every frame is shot anew
   bool cacheStaticHits = true;
   bool separateSides = false;
+  std::uint32_t replicates = 1; ///< independent ones; with 2 or more, standard errors are known
+  /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. Walks
+  /// are doubled until then.
+  double targetRelativeError = 0;
+  std::uint32_t maximumNumberOfWalks = 10000000; ///< >= numberOfWalks; with a target
 };
 
 /// What a frame cost.
@@ -47,11 +53,15 @@ public:
 
   /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0.
   double irradiance(std::uint32_t object, std::size_t cell, int side, int band, double area) const;
+  /// What the replicates tell about the errors of the sums; valid until the next update.
+  ErrorEstimate errorEstimate() const { return errorEstimate(sums_.rounds()); }
   /// Watts of a number of quanta.
-  double watts(std::int64_t quanta) const
-  {
-    return static_cast<double>(quanta) * emitters_.quantum();
-  }
+  double watts(double quanta) const { return quanta * (emitters_.quantum() * scale()); }
+  double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
+  /// Those shot; more than in the settings if a target asks for them.
+  std::uint32_t numberOfWalks() const { return plan_.rounds()[sums_.rounds() - 1].endWalk; }
+  /// See ErrorEstimate::relativeErrorOfMostArea; 0 without a target.
+  double reachedRelativeError() const { return reached_; }
   bool hasEmitters() const { return !emitters_.isEmpty(); }
   const PowerBalance& balance() const { return balance_; }
   const EngineStatistics& statistics() const { return statistics_; }
@@ -61,13 +71,21 @@ private:
   using Clock = std::chrono::steady_clock;
   struct BatchPass;
 
-  /// Cheap; false is no proof that they changed.
-  bool doLightsStand(const SceneObjects& objects, const EngineSettings& settings) const;
   /// With the same lights.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
-  std::vector<bool> findMoved(const SceneObjects& objects) const;
   void commitScene(const std::vector<bool>& moved, Execution& execution);
-  void shootAll(Execution& execution);
+  void startAnew(Execution& execution);
+  /// Shoots rounds of walks until the target is reached, and drops those that it does not need: what
+  /// remains is what a new engine would shoot.
+  void reachTarget(Execution& execution);
+  /// Walks that the target will take, as it seems after some rounds.
+  double expectedWalks(std::size_t rounds) const;
+  void shootRound(std::size_t round, Execution& execution);
+  void dropRounds(std::size_t kept);
+  ErrorEstimate errorEstimate(std::size_t rounds) const
+  {
+    return { sums_, plan_, rounds, emitters_.largestStart() };
+  }
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
   std::vector<std::vector<StaleSegment>> verify(
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
@@ -78,12 +96,14 @@ private:
   Box walkBounds() const;
   double reachInFrame() const;
   void cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const;
-  std::size_t numberOfBlocks() const;
-  std::uint32_t walksIn(std::size_t block) const;
+  /// The power of walks is that for the largest number of them, so that it does not depend on how
+  /// many are shot: quanta count for more when there are fewer.
+  double scale() const { return static_cast<double>(plan_.most()) / numberOfWalks(); }
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
   SceneObjects objects_;
   EngineSettings settings_;
+  WalkPlan plan_;
   Scene scene_;
   EmitterTable emitters_;
   CellSums sums_;
@@ -91,6 +111,7 @@ private:
   std::vector<WalkBlock> history_; ///< empty unless something may move
   UnitFrame pointFrame_;           ///< of the stored points
   double pointReach_ = 0;          ///< their largest coordinate, but for those of escapes
+  double reached_ = 0;
   EngineStatistics statistics_;
 };
 

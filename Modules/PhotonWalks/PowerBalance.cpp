@@ -24,19 +24,20 @@ void checkReceived(const PowerBalance& balance)
   }
 }
 
-void WalkBooking::remove(const WalkBlock& block, std::uint32_t walk, std::uint32_t firstBounce)
+void WalkBooking::remove(
+  const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk, std::uint32_t firstBounce)
 {
-  Power incoming = block.power(walk, firstBounce);
-  for (std::uint32_t i = firstBounce; i < block.size(walk); ++i)
+  Power incoming = block.power(walkInBlock, firstBounce);
+  for (std::uint32_t i = firstBounce; i < block.size(walkInBlock); ++i)
   {
-    const Power carriedOn = block.power(walk, i + 1); // zero behind the last
-    book(block.hit(walk, i), block.isFront(walk, i), incoming, carriedOn, -1);
+    const Power carriedOn = block.power(walkInBlock, i + 1); // zero behind the last
+    book(walk, block.hit(walkInBlock, i), block.isFront(walkInBlock, i), incoming, carriedOn, -1);
     incoming = carriedOn;
   }
 }
 
-void WalkBooking::book(
-  const Hit& hit, bool isFront, const Power& incoming, const Power& carriedOn, int sign)
+void WalkBooking::book(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
+  const Power& carriedOn, int sign)
 {
   balance_.segments += sign;
   if (!hit)
@@ -51,7 +52,7 @@ void WalkBooking::book(
     balance_.received += sign * static_cast<double>(incoming[band]);
   }
   checkReceived(balance_);
-  sums_.collect(hit.id, isFront, incoming, sign, deposits_);
+  sums_.collect(walk, hit.id, isFront, incoming, sign, deposits_);
 }
 
 }

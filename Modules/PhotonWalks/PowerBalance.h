@@ -39,11 +39,13 @@ public:
   WalkBooking& operator=(const WalkBooking&) = delete;
 
   /// `sign`: 1 to book, -1 to take back.
-  void book(const Hit& hit, bool isFront, const Power& incoming, const Power& carriedOn, int sign);
+  void book(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
+    const Power& carriedOn, int sign);
   /// Has the memory bring the sum that a hit will change.
-  void fetch(const Hit& hit) const { sums_.fetch(hit.id); }
+  void fetch(std::uint32_t walk, const Hit& hit) const { sums_.fetch(walk, hit.id); }
   /// Takes back the segments of a stored walk from `firstBounce` on.
-  void remove(const WalkBlock& block, std::uint32_t walk, std::uint32_t firstBounce);
+  void remove(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
+    std::uint32_t firstBounce);
 
 private:
   CellSums& sums_;

@@ -1,8 +1,9 @@
 #ifndef irradiance_SobolSequence_h
 #define irradiance_SobolSequence_h
 
+#include "WalkPlan.h"
+
 #include <array>
-#include <cstdint>
 
 namespace irradiance
 {
@@ -22,21 +23,31 @@ enum class SampleUse : std::uint32_t
  * uniform (Owen) scrambling. Every pair is a (0,2)-sequence in the walks, pairs are independent, and
  * there is no limit of depth. After Burley, "Practical Hash-based Owen Scrambling" (JCGT 2020), with
  * the hash of Vegdahl (2021). Coordinates are multiples of 2^-32 plus 2^-33, so never 0 or 1.
+ *
+ * With several replicates each has a scrambling of its own and goes through the sequence from its
+ * start, so that their estimates are independent. The first of them has that of the seed.
  */
 class SobolSequence
 {
 public:
-  explicit SobolSequence(std::uint64_t seed)
-    : seed_(seed)
+  explicit SobolSequence(std::uint64_t seed, const ReplicateDeal& deal = ReplicateDeal())
+    : deal_(deal)
+    , seeds_{ seed }
   {
+    for (std::uint32_t replicate = 1; replicate < deal.replicates(); ++replicate)
+    {
+      seeds_.push_back(mix(mix(seed) + replicate));
+    }
   }
 
   std::array<double, 2> sample(std::uint32_t walk, std::uint32_t bounce, SampleUse use) const
   {
+    const std::uint64_t seed = seeds_[deal_.replicateOf(walk)];
     const std::uint64_t key =
-      mix(seed_ ^ mix(std::uint64_t{ bounce } << 32 | static_cast<std::uint32_t>(use)));
+      mix(seed ^ mix(std::uint64_t{ bounce } << 32 | static_cast<std::uint32_t>(use)));
     const std::uint64_t scrambles = mix(key);
-    const std::uint32_t index = scrambled(walk, static_cast<std::uint32_t>(key));
+    const std::uint32_t index =
+      scrambled(deal_.numberWithin(walk), static_cast<std::uint32_t>(key));
     // The first dimension reverses the bits of the index; scrambling reverses them once more.
     return { toUnit(reversed(permuted(index, static_cast<std::uint32_t>(scrambles)))),
       toUnit(reversed(permuted(pascal(index), static_cast<std::uint32_t>(scrambles >> 32)))) };
@@ -90,7 +101,8 @@ private:
 
   static double toUnit(std::uint32_t x) { return (x + 0.5) * 0x1p-32; }
 
-  std::uint64_t seed_;
+  ReplicateDeal deal_;
+  std::vector<std::uint64_t> seeds_; ///< of each replicate
 };
 
 }

@@ -71,7 +71,7 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
     if (i + kAhead < states_.size())
     {
       shooter_.fetchCell(hits_[i + kAhead]);
-      booking.fetch(hits_[i + kAhead]);
+      booking.fetch(tails_[states_[i + kAhead].tail].walk, hits_[i + kAhead]);
     }
     State state = states_[i];
     Tail& tail = tails_[state.tail];
@@ -80,14 +80,14 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
     const Hit& hit = hits_[i];
     if (!hit)
     {
-      booking.book(hit, true, state.power, {}, 1);
+      booking.book(tail.walk, hit, true, state.power, {}, 1);
       continue;
     }
     const SurfacePoint point = shooter_.scene().surfaceAt(rays_[i].direction, hit);
     pieces_.back().segment.isFront = point.isFront;
     const Power carriedOn =
       shooter_.powerAfter(tail.walk, state.bounce, hit.id, state.power, state.threshold);
-    booking.book(hit, point.isFront, state.power, carriedOn, 1);
+    booking.book(tail.walk, hit, point.isFront, state.power, carriedOn, 1);
     if (carriedOn.isZero())
     {
       continue;

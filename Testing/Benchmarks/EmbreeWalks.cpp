@@ -34,7 +34,7 @@ bool EmbreeWalks::goOn(EmbreeWalk& walk, const Vector3& direction, const Triangl
     point.normal = -point.normal;
   }
   constexpr std::size_t kMany = 4096; // as the engine hands them in
-  sums_.collect(id, true, walk.power, 1, deposits_);
+  sums_.collect(walk.walk, id, true, walk.power, 1, deposits_);
   if (deposits_.size() >= kMany)
   {
     handIn();
@@ -80,6 +80,6 @@ void EmbreeWalks::fetchCell(const TriangleId& id) const
     const Surface& surface = *objects_[id.object].surface;
     __builtin_prefetch(surface.reflectance.data() +
       surface.cellOfTriangle[id.triangle] * static_cast<std::size_t>(surface.bands));
-    sums_.fetch(id);
+    sums_.fetch(0, id);
   }
 }

@@ -106,6 +106,27 @@ Spoil SetWalks(vtkIdType walks)
   return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfWalks(walks); };
 }
 
+Spoil SetReplicates(int replicates)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfReplicates(replicates); };
+}
+
+Spoil SetTarget(double target, vtkIdType mostWalks = 10000)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    filter->SetTargetRelativeError(target);
+    filter->SetMaximumNumberOfWalks(mostWalks);
+  };
+}
+
+Spoil SetErrorsOfWalks(vtkIdType walks)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    filter->ComputeStandardErrorOn();
+    filter->SetNumberOfWalks(walks);
+  };
+}
+
 template <class Array>
 Spoil ReplaceArray(const char* name, int components, vtkIdType tuples)
 {
@@ -177,6 +198,16 @@ const std::vector<BadInput> BadInputs{
   { "NoWalks", SetWalks(0), { "NumberOfWalks is 0" } },
   { "NegativeWalks", SetWalks(-5), { "NumberOfWalks is -5" } },
   { "TooManyWalks", SetWalks(1LL << 32), { "NumberOfWalks is 4294967296" } },
+  { "NoReplicates", SetReplicates(0), { "NumberOfReplicates is 0" } },
+  { "OneReplicate", SetReplicates(1), { "NumberOfReplicates is 1;" } },
+  { "TooManyReplicates", SetReplicates(257), { "NumberOfReplicates is 257" } },
+  { "FewerWalksThanReplicates", SetErrorsOfWalks(15), { "NumberOfWalks", "is 15; 16 to" } },
+  { "NegativeTarget", SetTarget(-0.1), { "TargetRelativeError is -0.1" } },
+  { "TargetNaN", SetTarget(NaN), { "TargetRelativeError is nan" } },
+  { "InfiniteTarget", SetTarget(Infinity), { "TargetRelativeError is inf" } },
+  { "TargetWithFewerWalksThanTheFirst", SetTarget(0.1, 499),
+    { "MaximumNumberOfWalks", "is 499; 500 to" } },
+  { "TargetWithTooManyWalks", SetTarget(0.1, 1LL << 32), { "MaximumNumberOfWalks", "4294967296" } },
 };
 
 /// Connects a spoiled scene and updates.
@@ -203,6 +234,9 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   observer->Clear();
   Connect(filter, MakeGoodScene());
   filter->SetNumberOfWalks(NumberOfWalks);
+  filter->SetNumberOfReplicates(16);
+  filter->SetTargetRelativeError(0);
+  filter->ComputeStandardErrorOff();
   filter->Update();
   EXPECT_TRUE(observer->Errors.empty());
   EXPECT_TRUE(IsSame(OutputBits(filter), expected));

@@ -107,6 +107,26 @@ TEST(Progress, RisesAndComesOften)
   EXPECT_LT(observer->LongestGap, 0.5);
 }
 
+// In rounds whose number is not known beforehand; afterwards in an update that needs more or fewer.
+TEST(Progress, RisesWithATarget)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, 2000);
+  filter->SetTargetRelativeError(0.05);
+  const auto observer = Watch(filter);
+  for (const double z : { 0.0, 1.4, -1.4 })
+  {
+    scene.Moving[0].Pose->Translate(0, 0, z);
+    observer->Restart(2);
+    filter->Update();
+    std::cout << Field(filter, "NumberOfWalks") << " walks, " << observer->Values.size()
+              << " events, longest gap " << observer->LongestGap << " s\n";
+    EXPECT_GE(Field(filter, "NumberOfWalks"), 4000);
+    ExpectRisingFrom0To1(observer->Values);
+    EXPECT_LT(observer->LongestGap, 0.5);
+  }
+}
+
 TEST(Abort, WhileShooting)
 {
   const Scene scene = MakeSmallScene();

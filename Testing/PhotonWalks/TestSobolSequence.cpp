@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 namespace irradiance
 {
@@ -179,6 +180,60 @@ TEST(SobolSequence, SuccessiveBouncesAreIndependent)
   for (const PairCounts& pair : pairs)
   {
     EXPECT_LT(pair.chiSquare(), kLimit);
+  }
+}
+// Each replicate goes through a net of its own, the first through that of the seed.
+TEST(SobolSequence, ReplicatesAreSequencesOfTheirOwn)
+{
+  constexpr std::uint32_t kReplicates = 5;
+  const SobolSequence dealt(3, ReplicateDeal(kReplicates)), plain(3);
+  std::set<std::array<double, 2>> firsts;
+  for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate)
+  {
+    constexpr int kBits = 8;
+    for (int a = 0; a <= kBits; ++a)
+    {
+      std::set<std::uint32_t> boxes;
+      for (std::uint32_t i = 0; i < 1u << kBits; ++i)
+      {
+        const auto u = dealt.sample(i * kReplicates + replicate, 2, SampleUse::Direction);
+        boxes.insert(static_cast<std::uint32_t>(std::ldexp(u[0], a)) << (kBits - a) |
+          static_cast<std::uint32_t>(std::ldexp(u[1], kBits - a)));
+        if (replicate == 0)
+        {
+          ASSERT_EQ(u, plain.sample(i, 2, SampleUse::Direction));
+        }
+      }
+      EXPECT_EQ(boxes.size(), 1u << kBits) << "replicate " << replicate << ", 2^-" << a;
+    }
+    firsts.insert(dealt.sample(replicate, 2, SampleUse::Direction));
+  }
+  EXPECT_EQ(firsts.size(), kReplicates);
+}
+
+// Pairs of replicates, walk by walk, as those of independent numbers.
+TEST(SobolSequence, ReplicatesAreIndependent)
+{
+  constexpr std::uint32_t kReplicates = 16;
+  std::array<PairCounts, 3> pairs; // neighbours, far ones, the last with the next seed's first
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed)
+  {
+    const SobolSequence samples(seed, ReplicateDeal(kReplicates)),
+      next(seed + 1, ReplicateDeal(kReplicates));
+    const std::uint32_t walk = (seed % 61) * kReplicates;
+    const auto first = [&](std::uint32_t replicate) {
+      return samples.sample(walk + replicate, 0, SampleUse::Direction)[0];
+    };
+    for (std::uint32_t i = 0; i + 1 < kReplicates; ++i)
+    {
+      pairs[0].add(first(i), first(i + 1));
+    }
+    pairs[1].add(first(0), first(9));
+    pairs[2].add(first(15), next.sample(walk, 0, SampleUse::Direction)[0]);
+  }
+  for (const PairCounts& pair : pairs)
+  {
+    EXPECT_LE(pair.chiSquare(), kLimit);
   }
 }
 

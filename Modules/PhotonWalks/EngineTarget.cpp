@@ -1,0 +1,68 @@
+#include "IrradianceEngine.h"
+#include "ProgressSpan.h"
+
+#include <algorithm>
+
+/// How the engine reaches its target: which rounds of walks it shoots, and which it drops.
+namespace irradiance
+{
+
+void IrradianceEngine::reachTarget(Execution& execution)
+{
+  double progress = 0;
+  std::size_t rounds = 0;
+  do
+  {
+    if (rounds == sums_.rounds())
+    {
+      // What was expected before may have been less: progress waits rather than going back.
+      const double expected = expectedWalks(rounds);
+      const double from = std::max(progress, plan_.rounds()[rounds].firstWalk / expected);
+      progress = std::max(from, plan_.rounds()[rounds].endWalk / expected);
+      ProgressSpan span(execution, from, progress);
+      shootRound(rounds, span);
+    }
+    ++rounds;
+    checkReceived(balance_);
+    ProgressSpan still(execution, progress, progress);
+    reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_, still);
+  } while (reached_ > settings_.targetRelativeError && rounds < plan_.rounds().size());
+  dropRounds(rounds);
+  if (!execution.goOn(1))
+  {
+    throw Interrupted();
+  }
+}
+
+double IrradianceEngine::expectedWalks(std::size_t rounds) const
+{
+  const double most = plan_.most(), next = plan_.rounds()[rounds].endWalk;
+  if (rounds == 0)
+  {
+    return most;
+  }
+  // The error falls like the square root.
+  const double ratio = reached_ / settings_.targetRelativeError;
+  return std::clamp(plan_.rounds()[rounds - 1].endWalk * ratio * ratio, next, most);
+}
+
+void IrradianceEngine::dropRounds(std::size_t kept)
+{
+  const std::size_t blocks = plan_.rounds()[kept - 1].endBlock;
+  for (std::size_t block = blocks; block < history_.size(); ++block)
+  {
+    WalkBooking booking(sums_, balance_);
+    for (std::uint32_t i = 0; i < history_[block].numberOfWalks(); ++i)
+    {
+      balance_.emitted -= history_[block].power(i, 0);
+      booking.remove(history_[block], i, plan_.firstWalkOf(block) + i, 0);
+    }
+  }
+  if (blocks < history_.size())
+  {
+    history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(blocks), history_.end());
+  }
+  sums_.setRounds(kept);
+}
+
+}

@@ -1,0 +1,189 @@
+#include "EngineRun.h"
+#include "ErrorEstimate.h"
+#include "TestScenes.h"
+
+#include "../RayCasting/RandomVectors.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A row of quads of 1 x 1 m, x in [0, cells], with areas as wide as `widths`.
+SceneObjects strip(const std::vector<double>& widths, int bands = 1)
+{
+  test::ObjectBuilder builder(bands);
+  double x = 0;
+  for (const double width : widths)
+  {
+    builder.addQuad({ x, 0, 0 }, { width, 0, 0 }, { 0, 1, 0 }, 1, 1, test::grey(0));
+    x += width;
+  }
+  return { builder.build(), {} };
+}
+
+/// Gives `quanta` of a walk to a cell of strip().
+void add(CellSums& sums, std::uint32_t walk, std::uint32_t cell, const Power& quanta)
+{
+  std::vector<Deposit> deposits;
+  sums.collect(walk, { 0, 2 * cell }, true, quanta, 1, deposits);
+  sums.add(deposits);
+}
+
+}
+
+// The textbook's standard error of the mean of R equal shares, times R.
+TEST(ErrorEstimate, IsThatOfTheMeanOfReplicates)
+{
+  constexpr std::uint32_t kReplicates = 8, kWalks = 8000;
+  test::RandomVectors random(11);
+  const WalkPlan plan(kWalks, kWalks, kReplicates);
+  CellSums sums(strip({ 1, 1 }), 1, plan);
+  test::Replicates estimates;
+  for (std::uint32_t i = 0; i < kReplicates; ++i)
+  {
+    const auto quanta = static_cast<std::int64_t>(random.uniform(1000, 1100));
+    add(sums, i, 1, { { quanta, 0, 0 } });
+    estimates.add(double(quanta) * kReplicates);
+  }
+  const ErrorEstimate errors(sums, plan, 1, { 1, 0, 0 });
+  EXPECT_NEAR(errors.standardError(0, 1, 0, 0) / estimates.standardError(), 1, 1e-12);
+}
+
+// The expected square of the estimate is the variance whatever the remainder of walks / replicates:
+// walks carry 3/4 of kPhoton or all of it. By chance off by 5 standard errors once in 10^6.
+TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
+{
+  constexpr std::uint32_t kReplicates = 16;
+  constexpr std::int64_t kPhoton = 1 << 20;
+  for (const std::uint32_t walks : { 75u, 81u, 95u })
+  {
+    std::mt19937 random(walks);
+    const WalkPlan plan(walks, walks, kReplicates);
+    test::Replicates squares;
+    for (int trial = 0; trial < 20000; ++trial)
+    {
+      CellSums sums(strip({ 1 }), 1, plan);
+      std::vector<Deposit> deposits;
+      for (std::uint32_t walk = 0; walk < walks; ++walk)
+      {
+        const std::int64_t quanta = kPhoton / 4 * static_cast<std::int64_t>(3 + random() % 2);
+        sums.collect(walk, { 0, 0 }, true, { { quanta, 0, 0 } }, 1, deposits);
+      }
+      sums.add(deposits);
+      // As if photons were small, so that no floor stands in the way.
+      const double error = ErrorEstimate(sums, plan, 1, { 1, 0, 0 }).standardError(0, 0, 0, 0);
+      squares.add(error * error);
+    }
+    const double truth = walks * double(kPhoton / 4) * double(kPhoton / 4) / 4;
+    squares.print("variance", truth);
+    EXPECT_LE(std::abs(squares.t(truth)), 5) << walks;
+  }
+}
+
+TEST(ErrorEstimate, IsUnknownBelow25Photons)
+{
+  const WalkPlan plan(1600, 1600, 16);
+  CellSums sums(strip({ 1, 1, 1 }), 1, plan);
+  add(sums, 3, 0, { { 24999, 0, 0 } });
+  add(sums, 3, 1, { { 25000, 0, 0 } });
+  const ErrorEstimate errors(sums, plan, 1, { 1000, 0, 0 });
+  EXPECT_TRUE(std::isnan(errors.standardError(0, 0, 0, 0)));
+  EXPECT_GT(errors.standardError(0, 1, 0, 0), 0);
+  EXPECT_TRUE(std::isnan(errors.standardError(0, 2, 0, 0))) << "nothing received";
+}
+
+// One replicate knows nothing of its spread; so do fewer than 25 walks, however much each brings.
+TEST(ErrorEstimate, IsUnknownWithoutReplicatesOrWalks)
+{
+  const WalkPlan one(1600, 1600, 1), few(24, 24, 8), enough(25, 25, 8);
+  for (const WalkPlan& plan : { one, few, enough })
+  {
+    CellSums sums(strip({ 1 }), 1, plan);
+    add(sums, 0, 0, { { 1000000, 0, 0 } });
+    const double error = ErrorEstimate(sums, plan, 1, { 1000, 0, 0 }).standardError(0, 0, 0, 0);
+    EXPECT_EQ(std::isnan(error), !(plan == enough));
+  }
+}
+
+// Replicates that agree by chance do not make a false 0.
+TEST(ErrorEstimate, IsAtLeastThatOfRoundingToAPhoton)
+{
+  const WalkPlan plan(1600, 1600, 4);
+  CellSums sums(strip({ 1 }), 1, plan);
+  for (std::uint32_t walk = 0; walk < 100; ++walk)
+  {
+    add(sums, walk, 0, { { 600, 0, 0 } });
+  }
+  const double error = ErrorEstimate(sums, plan, 1, { 600, 0, 0 }).standardError(0, 0, 0, 0);
+  EXPECT_NEAR(error, 600 * std::sqrt(4 / 12.0), 1e-9);
+}
+
+// Two cells are known to a and b of their sum, one is dark: each decides when it holds what is
+// missing to 95 % of the area.
+TEST(ErrorEstimate, OfMostAreaGoesByArea)
+{
+  constexpr std::int64_t kPhoton = 1000;
+  const WalkPlan plan(1600, 1600, 2);
+  Execution execution;
+  const auto reached = [&](const std::vector<double>& widths, std::int64_t inDark) {
+    const SceneObjects objects = strip(widths);
+    CellSums sums(objects, 1, plan);
+    add(sums, 0, 0, { { 110000, 0, 0 } }); // the replicates: 10 % off their mean
+    add(sums, 1, 0, { { 90000, 0, 0 } });
+    add(sums, 0, 1, { { 1200000, 0, 0 } }); // 20 %
+    add(sums, 1, 1, { { 800000, 0, 0 } });
+    add(sums, 0, 2, { { inDark, 0, 0 } });
+    return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 })
+      .relativeErrorOfMostArea(objects, execution);
+  };
+  const double t = 12.7062047; // of one degree
+  EXPECT_NEAR(reached({ 96, 3, 1 }, 0), t * 0.1, 1e-6);
+  EXPECT_NEAR(reached({ 93, 6, 1 }, 0), t * 0.2, 1e-6);
+  // 100 m2 receive 2.2e6 quanta: 10 dark ones would 2.2e5 on average. 3 photons are 3000.
+  EXPECT_NEAR(reached({ 0.01, 0.01, 99.98 }, 0), 3 * 1000 / (2.2e6 / 100 * 99.98), 1e-9);
+  EXPECT_NEAR(reached({ 86, 4, 10 }, 0), t * 0.1, 1e-6) << "a dark cell is better known";
+  EXPECT_EQ(reached({ 86, 4, 10 }, 1), kInfinity) << "one photon: no longer dark, but not known";
+  EXPECT_NEAR(reached({ 91, 5, 4 }, 1), t * 0.2, 1e-6);
+}
+
+TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
+{
+  const WalkPlan plan(1600, 1600, 2);
+  const SceneObjects objects = strip({ 1 }, 3);
+  CellSums sums(objects, 1, plan);
+  add(sums, 0, 0, { { 110000, 120000, 0 } });
+  add(sums, 1, 0, { { 90000, 80000, 0 } });
+  Execution execution;
+  const auto reached = [&](const std::array<double, 3>& photon) {
+    return ErrorEstimate(sums, plan, 1, photon).relativeErrorOfMostArea(objects, execution);
+  };
+  EXPECT_NEAR(reached({ 1000, 1000, 0 }), 12.7062047 * 0.2, 1e-6);
+  EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
+}
+
+// Of a prefix of the rounds: what later walks brought does not count.
+TEST(ErrorEstimate, LooksAtTheFirstRoundsAlone)
+{
+  const WalkPlan plan(100, 400, 2);
+  CellSums sums(strip({ 1 }), 1, plan);
+  sums.setRounds(3);
+  for (const std::uint32_t walk : { 0u, 1u, 100u, 200u, 201u })
+  {
+    add(sums, walk, 0, { { 1000, 0, 0 } });
+  }
+  const auto error = [&](std::size_t rounds) {
+    return ErrorEstimate(sums, plan, rounds, { 1, 0, 0 }).standardError(0, 0, 0, 0);
+  };
+  EXPECT_NEAR(error(1), std::sqrt(2 / 12.0), 1e-9) << "both have 1000";
+  EXPECT_NEAR(error(2), 1000, 1e-9) << "2000 and 1000: sqrt(2 (500^2 + 500^2))";
+  EXPECT_NEAR(error(3), 1000, 1e-9) << "3000 and 2000";
+  sums.setRounds(2);
+  EXPECT_EQ(sums.sum(0, 0, 0, 0), 3000);
+  EXPECT_NEAR(error(2), 1000, 1e-9);
+}
+
+}

@@ -1,0 +1,77 @@
+#include "WalkPlan.h"
+
+#include "WalkHistory.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+TEST(WalkPlan, RoundsDoubleUpToTheLimit)
+{
+  const WalkPlan plan(3000, 20000, 16);
+  std::vector<std::uint32_t> ends;
+  for (const WalkRound& round : plan.rounds())
+  {
+    EXPECT_EQ(round.firstWalk, ends.empty() ? 0 : ends.back());
+    ends.push_back(round.endWalk);
+  }
+  EXPECT_EQ(ends, (std::vector<std::uint32_t>{ 3000, 6000, 12000, 20000 }));
+  EXPECT_EQ(WalkPlan(3000, 3000, 1).rounds().size(), 1u);
+  EXPECT_EQ(WalkPlan(3000, 24000, 1).rounds().size(), 4u);
+}
+
+// The numbers of walks reach to the largest of 32 bits.
+TEST(WalkPlan, NothingOverflowsAtTheLargestNumbers)
+{
+  const WalkPlan plan(1, 4294967295u, 16);
+  EXPECT_EQ(plan.rounds().size(), 33u);
+  EXPECT_EQ(plan.most(), 4294967295u);
+  EXPECT_EQ(plan.roundOf(4294967294u), 32u);
+  const std::size_t last = plan.rounds().back().endBlock - 1;
+  EXPECT_EQ(plan.firstWalkOf(last) + (plan.walksIn(last) - 1), 4294967294u);
+  EXPECT_EQ(WalkPlan().rounds().size(), 1u);
+}
+
+TEST(WalkPlan, EveryWalkHasOnePlaceInABlockOfItsRound)
+{
+  for (const std::uint32_t first : { 1u, 1000u, 1024u, 1025u, 5000u })
+  {
+    const WalkPlan plan(first, 30011, 3);
+    std::uint32_t next = 0;
+    for (std::size_t block = 0; block < plan.rounds().back().endBlock; ++block)
+    {
+      EXPECT_EQ(plan.firstWalkOf(block), next);
+      ASSERT_GE(plan.walksIn(block), 1u);
+      ASSERT_LE(plan.walksIn(block), WalkBlock::kWalks);
+      for (std::uint32_t i = 0; i < plan.walksIn(block); ++i, ++next)
+      {
+        const WalkPlan::Place place = plan.placeOf(next);
+        ASSERT_EQ(place.block, block);
+        ASSERT_EQ(place.walkInBlock, i);
+        const WalkRound& round = plan.rounds()[plan.roundOf(next)];
+        ASSERT_TRUE(round.firstBlock <= block && block < round.endBlock);
+        ASSERT_TRUE(round.firstWalk <= next && next < round.endWalk);
+      }
+    }
+    EXPECT_EQ(next, 30011u);
+  }
+}
+
+// Each replicate goes through the numbers 0, 1, 2, ... of its own sequence, whatever the total.
+TEST(WalkPlan, WalksAreDealtOutInTurn)
+{
+  const ReplicateDeal deal(7);
+  std::vector<std::uint32_t> dealt(7, 0);
+  for (std::uint32_t walk = 0; walk < 1000; ++walk)
+  {
+    const std::uint32_t replicate = deal.replicateOf(walk);
+    EXPECT_EQ(deal.numberWithin(walk), dealt[replicate]++);
+    for (std::uint32_t i = 0; i < 7; ++i)
+    {
+      ASSERT_EQ(deal.share(i, walk + 1), dealt[i]);
+    }
+  }
+}
+
+}
