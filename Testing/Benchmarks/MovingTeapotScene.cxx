@@ -32,17 +32,26 @@ InputConnection connect(vtkPolyData* part)
     cells->GetAbstractArray("DiffuseReflectance"), nullptr };
 }
 
-}
-
-MovingTeapotScene::MovingTeapotScene(const std::string& head, double scale)
-  : scale_(scale)
+movingteapot::TeapotScene partsWith(const std::string& head)
 {
   movingteapot::SceneConfig config;
   config.HeadFile = head;
-  const movingteapot::TeapotScene scene = movingteapot::MakeTeapotScene(config);
+  return movingteapot::MakeTeapotScene(config);
+}
+
+}
+
+MovingTeapotScene::MovingTeapotScene(const std::string& head, double scale)
+  : MovingTeapotScene(partsWith(head), scale)
+{
+}
+
+MovingTeapotScene::MovingTeapotScene(const movingteapot::TeapotScene& parts, double scale)
+  : scale_(scale)
+{
   std::vector<InputConnection> fixed;
   for (vtkPolyData* part :
-    { scene.Room.Get(), scene.Lamp.Get(), scene.Plinth.Get(), scene.Head.Get() })
+    { parts.Room.Get(), parts.Lamp.Get(), parts.Plinth.Get(), parts.Head.Get() })
   {
     if (part)
     {
@@ -50,7 +59,7 @@ MovingTeapotScene::MovingTeapotScene(const std::string& head, double scale)
     }
   }
   SceneReader reader;
-  reader.read(fixed, { connect(scene.Teapot) }, { poseAt(0, scale) }, 0.5, {});
+  reader.read(fixed, { connect(parts.Teapot) }, { poseAt(0, scale) }, 0.5, {});
   objects_ = reader.objects();
 }
 

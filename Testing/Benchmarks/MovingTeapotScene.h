@@ -5,12 +5,19 @@
 
 #include <string>
 
+namespace movingteapot
+{
+struct TeapotScene;
+}
+
 /// The scene of Examples/MovingTeapot, as the filter hands it to the engine.
 class MovingTeapotScene
 {
 public:
   /// `head`: a file in the OFF format. `scale`: of the teapot; a small one changes fewer walks.
   explicit MovingTeapotScene(const std::string& head, double scale = 1);
+  /// With other meshes in the same places.
+  explicit MovingTeapotScene(const movingteapot::TeapotScene& parts, double scale = 1);
 
   /// With the teapot where the example has it at a time from 0 to 1.
   irradiance::SceneObjects objectsAt(double time) const;

@@ -1,0 +1,228 @@
+#include "PilotTracer.h"
+
+#include "Timing.h"
+#include "WalkBatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+using namespace irradiance;
+
+namespace
+{
+
+std::uint32_t blockOf(std::uint32_t walk)
+{
+  return walk / WalkBlock::kWalks;
+}
+
+std::uint32_t walkInBlock(std::uint32_t walk)
+{
+  return walk % WalkBlock::kWalks;
+}
+
+std::uint32_t stratumOf(double sample, int bits)
+{
+  return static_cast<std::uint32_t>(std::ldexp(sample, bits));
+}
+
+/// Fowler, Noll and Vo's hash, of words.
+template <class Value>
+void mixIn(std::uint64_t& hash, Value value)
+{
+  std::uint64_t word = 0;
+  static_assert(sizeof value <= sizeof word);
+  std::memcpy(&word, &value, sizeof value);
+  hash = (hash ^ word) * 0x100000001b3u;
+  hash ^= hash >> 29;
+}
+
+}
+
+PilotTracer::PilotTracer(
+  const SceneObjects& objects, std::uint32_t walks, std::uint64_t seed, const StartStrata& strata)
+  : numberOfWalks_(walks)
+  , strata_(strata)
+  , emitters_(objects, walks)
+  , samples_(seed)
+  , groups_(strata.numberOfGroups())
+{
+  for (std::uint32_t walk = 0; walk < walks; ++walk)
+  {
+    groupOfWalk_.push_back(groupOf(walk));
+    groups_[groupOfWalk_.back()].push_back(walk);
+  }
+  shootAll(objects);
+}
+
+void PilotTracer::commit(const SceneObjects& objects)
+{
+  objects_ = objects;
+  std::vector<PlacedObject> placed;
+  for (const SceneObject& object : objects.dynamic)
+  {
+    placed.push_back({ object.body, object.worldFromObject, object.isLoose });
+  }
+  scene_.setStatic(objects.fixed.body);
+  scene_.setDynamic(placed);
+  scene_.setPointSources(emitters_.pointBounds());
+  scene_.commit(std::vector<bool>(placed.size(), true));
+}
+
+void PilotTracer::shootAll(const SceneObjects& objects)
+{
+  commit(objects);
+  sums_ = CellSums(objects, 1);
+  balance_ = {};
+  history_.clear();
+  const UnitFrame frame(scene_.bounds());
+  for (std::uint32_t first = 0; first < numberOfWalks_; first += WalkBlock::kWalks)
+  {
+    history_.emplace_back(
+      std::min(WalkBlock::kWalks, numberOfWalks_ - first), objects.fixed.surface->bands, frame);
+  }
+  Walks all(numberOfWalks_);
+  std::iota(all.begin(), all.end(), 0u);
+  shoot(all);
+}
+
+std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
+{
+  const double emitter = samples_.sample(walk, 0, SampleUse::Emitter)[0];
+  const std::array<double, 2> direction = samples_.sample(walk, 0, SampleUse::Direction);
+  std::uint32_t group = stratumOf(emitter, strata_.emitterBits);
+  for (const double coordinate : direction)
+  {
+    group = group << strata_.directionBits | stratumOf(coordinate, strata_.directionBits);
+  }
+  return group;
+}
+
+std::vector<bool> PilotTracer::shoot(const Walks& walks)
+{
+  constexpr std::size_t kTogether = 1024;
+  const WalkShooter shooter(scene_, objects_, emitters_, samples_);
+  std::vector<bool> changed;
+  for (std::size_t first = 0; first < walks.size(); first += kTogether)
+  {
+    WalkBatch batch(shooter);
+    const std::size_t end = std::min(first + kTogether, walks.size());
+    std::for_each(walks.begin() + static_cast<std::ptrdiff_t>(first),
+      walks.begin() + static_cast<std::ptrdiff_t>(end),
+      [&](std::uint32_t walk) { batch.shoot(walk); });
+    WalkBooking booking(sums_, balance_);
+    batch.run(booking, [] { return false; });
+    std::vector<std::uint64_t> old;
+    for (const WalkBatch::Tail& tail : batch.tails())
+    {
+      WalkBlock& block = history_[blockOf(tail.walk)];
+      old.push_back(signatureOf(tail.walk));
+      if (block.size(walkInBlock(tail.walk)) > 0)
+      {
+        booking.remove(block, walkInBlock(tail.walk), tail.walk, 0);
+      }
+      block.replaceTail(walkInBlock(tail.walk), 0, tail.size);
+    }
+    for (const WalkBatch::Piece& piece : batch.pieces())
+    {
+      const std::uint32_t walk = batch.tails()[piece.tail].walk;
+      history_[blockOf(walk)].setSegment(walkInBlock(walk), piece.bounce, piece.segment);
+    }
+    for (std::size_t i = 0; i < old.size(); ++i)
+    {
+      changed.push_back(signatureOf(batch.tails()[i].walk) != old[i]);
+    }
+  }
+  return changed;
+}
+
+std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effort)
+{
+  const double start = threadCpuSeconds();
+  commit(objects);
+  // The pilots of a group are some of its walks in a row, from frame to frame the next ones.
+  Walks pilots;
+  std::vector<bool> isPilot(numberOfWalks_);
+  for (const Walks& group : groups_)
+  {
+    const auto count =
+      static_cast<std::size_t>(std::ceil(effort.pilots * static_cast<double>(group.size())));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      pilots.push_back(group[(frame_ * count + i) % group.size()]);
+      isPilot[pilots.back()] = true;
+    }
+  }
+  ++frame_;
+  std::size_t shot = pilots.size();
+  constexpr std::size_t kTogether = 16; // groups
+  Walks walks;
+  std::size_t groups = 0;
+  const std::vector<FlaggedGroup> flagged = flag(pilots, shoot(pilots));
+  for (std::size_t i = 0; i < flagged.size() && threadCpuSeconds() - start < effort.seconds; ++i)
+  {
+    const Walks& group = groups_[flagged[i].group];
+    std::copy_if(group.begin(), group.end(), std::back_inserter(walks),
+      [&](std::uint32_t walk) { return !isPilot[walk]; });
+    if (++groups % kTogether == 0 || i + 1 == flagged.size())
+    {
+      shot += walks.size();
+      shoot(walks);
+      walks.clear();
+    }
+  }
+  return shot;
+}
+
+std::vector<PilotTracer::FlaggedGroup> PilotTracer::flag(
+  const Walks& pilots, const std::vector<bool>& changed) const
+{
+  std::vector<double> found(groups_.size()), all(groups_.size());
+  for (std::size_t i = 0; i < pilots.size(); ++i)
+  {
+    const std::uint32_t group = groupOfWalk_[pilots[i]];
+    all[group] += 1;
+    found[group] += changed[i] ? 1 : 0;
+  }
+  std::vector<FlaggedGroup> flagged;
+  for (std::size_t group = 0; group < groups_.size(); ++group)
+  {
+    if (found[group] > 0)
+    {
+      flagged.push_back({ found[group] / all[group], group });
+    }
+  }
+  std::stable_sort(flagged.begin(), flagged.end(),
+    [](const FlaggedGroup& a, const FlaggedGroup& b) { return a.changed > b.changed; });
+  return flagged;
+}
+
+std::uint64_t PilotTracer::signatureOf(std::uint32_t walk) const
+{
+  const WalkBlock& block = history_[blockOf(walk)];
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (std::uint32_t bounce = 0; bounce < block.size(walkInBlock(walk)); ++bounce)
+  {
+    const Hit hit = block.hit(walkInBlock(walk), bounce);
+    mixIn(hash, hit.id.object);
+    mixIn(hash, hit.id.triangle);
+    for (const auto weight : hit.weights)
+    {
+      mixIn(hash, weight);
+    }
+    mixIn(hash, block.power(walkInBlock(walk), bounce)[0]);
+  }
+  return hash;
+}
+
+std::vector<std::uint64_t> PilotTracer::signatures() const
+{
+  std::vector<std::uint64_t> all;
+  for (std::uint32_t walk = 0; walk < numberOfWalks_; ++walk)
+  {
+    all.push_back(signatureOf(walk));
+  }
+  return all;
+}

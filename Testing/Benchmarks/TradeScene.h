@@ -1,0 +1,45 @@
+#ifndef TradeScene_h
+#define TradeScene_h
+
+#include "Surface.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Into how many strata, as powers of two, the samples with which walks start are cut to make groups
+/// of like walks: that which chooses the light, and each of the two that choose the direction.
+struct StartStrata
+{
+  int emitterBits, directionBits;
+
+  std::uint32_t numberOfGroups() const { return 1u << (emitterBits + 2 * directionBits); }
+};
+
+/// A moving scene in which speed is traded for accuracy. Every triangle is a cell.
+struct TradeScene
+{
+  std::string name;
+  irradiance::SceneObjects objects;
+  /// Places the dynamic objects at a time from 0 to 1.
+  std::function<void(irradiance::SceneObjects&, double time)> place;
+  StartStrata strata;
+  bool isFurnace = false; ///< the truth is 1 W/m2 everywhere
+
+  irradiance::SceneObjects at(double time) const
+  {
+    irradiance::SceneObjects placed = objects;
+    place(placed, time);
+    return placed;
+  }
+};
+
+/// The scene of Examples/MovingTeapot with larger cells, its head decimated; a closed box with a lamp
+/// and a box that moves; and a furnace in which a white sphere moves, lit by all of its walls.
+/// `head`: a file in the OFF format.
+std::vector<TradeScene> makeTradeScenes(const std::string& head);
+
+/// Every triangle cut into four `levels` times, each piece a cell: those of cell i are 4 i to 4 i + 3.
+irradiance::SceneObjects subdivided(const irradiance::SceneObjects& objects, int levels);
+
+#endif
