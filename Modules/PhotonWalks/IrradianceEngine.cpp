@@ -1,11 +1,13 @@
 #include "IrradianceEngine.h"
 
+#include "BudgetedRepair.h"
 #include "SlicedPass.h"
 #include "WalkBatch.h"
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <utility>
 
 namespace irradiance
 {
@@ -27,21 +29,6 @@ bool isSameLook(const SceneObject& a, const SceneObject& b)
 bool hasMoved(const SceneObject& now, const SceneObject& before)
 {
   return now.body != before.body || now.worldFromObject != before.worldFromObject;
-}
-
-void store(const WalkBatch& batch, std::vector<WalkBlock>& history)
-{
-  for (const WalkBatch::Tail& tail : batch.tails())
-  {
-    history[tail.walk / WalkBlock::kWalks].replaceTail(
-      tail.walk % WalkBlock::kWalks, tail.bounce, tail.size);
-  }
-  for (const WalkBatch::Piece& piece : batch.pieces())
-  {
-    const std::uint32_t walk = batch.tails()[piece.tail].walk;
-    history[walk / WalkBlock::kWalks].setSegment(
-      walk % WalkBlock::kWalks, piece.bounce, piece.segment);
-  }
 }
 
 }
@@ -91,10 +78,15 @@ void IrradianceEngine::update(
   {
     shootAll(execution);
   }
+  if (stale_ && stale_->isEmpty() && !hasBudget())
+  {
+    stale_.reset();
+  }
   for (const WalkBlock& block : history_)
   {
     statistics_.historyBytes += block.bytes();
   }
+  statistics_.historyBytes += stale_ ? stale_->bytes() : 0;
   isValid_ = true;
 }
 
@@ -172,6 +164,7 @@ void IrradianceEngine::shootAll(Execution& execution)
   sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1);
   balance_ = {};
   history_.clear();
+  stale_.reset();
   const bool keep = settings_.verify && !objects_.dynamic.empty();
   pointFrame_ = UnitFrame(walkBounds());
   pointReach_ = reachInFrame();
@@ -195,7 +188,7 @@ void IrradianceEngine::shootAll(Execution& execution)
     }
     if (keep)
     {
-      store(batch, history_);
+      batch.store(history_);
       history_[batch.tails().front().walk / WalkBlock::kWalks].shrink();
     }
   };
@@ -255,20 +248,55 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
     std::for_each(
       history_.begin(), history_.end(), [](WalkBlock& block) { block.forgetAllStaticHits(); });
   }
-  if (std::none_of(moved.begin(), moved.end(), [](bool b) { return b; }) || emitters_.isEmpty())
+  const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
+  if ((!hasMotion && (!stale_ || stale_->isEmpty())) || emitters_.isEmpty())
   {
     return;
   }
   Clock::time_point start = Clock::now();
-  commitScene(moved, execution);
   const SobolSequence samples(settings_.seed);
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  const std::vector<std::vector<StaleSegment>> stale = verify(shooter, moved, execution);
-  statistics_.verifySeconds = secondsSince(start);
+  std::vector<std::vector<StaleSegment>> found;
+  if (hasMotion)
+  {
+    commitScene(moved, execution);
+    found = verify(shooter, moved, execution);
+  }
+  if (hasBudget() || stale_)
+  {
+    markStale(found, samples, execution);
+  }
+  statistics_.verifySeconds = hasMotion ? secondsSince(start) : 0;
 
   start = Clock::now();
-  repair(shooter, stale, execution);
+  if (stale_)
+  {
+    const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;
+    BudgetedRepair repair(
+      { shooter, history_, sums_, *stale_, found, settings_.cacheStaticHits }, execution, seconds);
+    statistics_.repairedSegments = repair.run(hasMotion ? 0.5 : 0, execution, balance_);
+  }
+  else
+  {
+    repair(shooter, found, execution);
+  }
   statistics_.repairSeconds = secondsSince(start);
+}
+
+void IrradianceEngine::markStale(const std::vector<std::vector<StaleSegment>>& found,
+  const SobolSequence& samples, Execution& execution)
+{
+  if (!stale_)
+  {
+    stale_ = std::make_unique<StaleWalks>(
+      objects_, settings_.separateSides ? 2 : 1, history_.size(), samples);
+  }
+  SlicedPass pass{ 0.5, 0.5, found.size(), {} };
+  pass.work = [&](std::size_t block, const Deadline&, PowerBalance&) {
+    stale_->add(block, history_[block], found[block]);
+    return true;
+  };
+  pass.run(execution, balance_);
 }
 
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
@@ -286,10 +314,12 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   }
   const WalkVerifier verifier(shooter, moved, scan);
   std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
+  const StaleMarks none;
   SlicedPass pass{ 0, 0.5, numberOfBlocks(), {} };
   pass.work = [&](std::size_t block, const Deadline&, PowerBalance&) {
-    stale[block] = verifier.staleSegments(
-      history_[block], static_cast<std::uint32_t>(block) * WalkBlock::kWalks);
+    stale[block] =
+      verifier.staleSegments(history_[block], static_cast<std::uint32_t>(block) * WalkBlock::kWalks,
+        stale_ ? std::as_const(*stale_).marks(block) : none);
     return true;
   };
   pass.run(execution, balance_);
@@ -327,7 +357,7 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
       booking.remove(
         history_[tail.walk / WalkBlock::kWalks], tail.walk % WalkBlock::kWalks, tail.bounce);
     }
-    store(batch, history_);
+    batch.store(history_);
     repaired += static_cast<std::int64_t>(batch.pieces().size());
   };
   run(pass, shooter, execution);
@@ -335,30 +365,23 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   {
     for (const StaleSegment& segment : stale[block])
     {
-      cacheStaticHit(history_[block], segment);
+      history_[block].updateStaticHit(
+        segment.walkInBlock, segment.bounce, segment.old, segment.hit, settings_.cacheStaticHits);
     }
   }
   statistics_.repairedSegments = repaired;
-}
-
-/// Section 3.3 of the paper: a static hit that becomes hidden is kept until the segment goes.
-void IrradianceEngine::cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const
-{
-  const auto isDynamic = [](const Hit& hit) { return hit && hit.id.object > 0; };
-  if (!isDynamic(stale.hit))
-  {
-    block.forgetStaticHit(stale.walkInBlock, stale.bounce);
-  }
-  else if (settings_.cacheStaticHits && !isDynamic(stale.old))
-  {
-    block.rememberStaticHit(stale.walkInBlock, stale.bounce, stale.old);
-  }
 }
 
 double IrradianceEngine::irradiance(
   std::uint32_t object, std::size_t cell, int side, int band, double area) const
 {
   return area > 0 ? watts(sums_.sum(object, cell, side, band)) / area : 0.0;
+}
+
+double IrradianceEngine::staleIrradiance(
+  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+{
+  return stale_ && area > 0 ? watts(stale_->sums().sum(object, cell, side, band)) / area : 0.0;
 }
 
 }

@@ -3,10 +3,12 @@
 
 #include "Execution.h"
 #include "PowerBalance.h"
+#include "StaleWalks.h"
 #include "Surface.h"
 #include "WalkVerifier.h"
 
 #include <chrono>
+#include <memory>
 
 namespace irradiance
 {
@@ -19,6 +21,9 @@ struct EngineSettings
   bool verify = true; ///< false: every frame is shot anew
   bool cacheStaticHits = true;
   bool separateSides = false;
+  /// Seconds for the repair of a frame; what they do not suffice for stays stale for the next call.
+  /// 0: all that they take.
+  double repairTimeBudget = 0;
 };
 
 /// What a frame cost.
@@ -38,6 +43,9 @@ struct EngineStatistics
  * The first frame is shot. Later ones are verified and repaired where only dynamic objects changed
  * pose or points; the sums are then equal, bit for bit, to those of a new engine. Anything else (a
  * change of lights, reflectances, static geometry, settings, the number of objects) is shot anew.
+ *
+ * With a budget of time the repair may end early; then stale() says what is left, and further calls,
+ * with or without motion, go on with it.
  */
 class IrradianceEngine
 {
@@ -52,6 +60,11 @@ public:
   {
     return static_cast<double>(quanta) * emitters_.quantum();
   }
+  /// What the budget has left unrepaired; null if nothing was ever left.
+  const StaleWalks* stale() const { return stale_.get(); }
+  /// The part of irradiance() that rests on stale walks.
+  double staleIrradiance(
+    std::uint32_t object, std::size_t cell, int side, int band, double area) const;
   bool hasEmitters() const { return !emitters_.isEmpty(); }
   const PowerBalance& balance() const { return balance_; }
   const EngineStatistics& statistics() const { return statistics_; }
@@ -73,11 +86,13 @@ private:
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
   void repair(const WalkShooter& shooter, const std::vector<std::vector<StaleSegment>>& stale,
     Execution& execution);
+  bool hasBudget() const { return settings_.repairTimeBudget > 0; }
+  void markStale(const std::vector<std::vector<StaleSegment>>& found, const SobolSequence& samples,
+    Execution& execution);
   void run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution);
   /// Walks are inside, but for escapes.
   Box walkBounds() const;
   double reachInFrame() const;
-  void cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const;
   std::size_t numberOfBlocks() const;
   std::uint32_t walksIn(std::size_t block) const;
 
@@ -88,9 +103,10 @@ private:
   EmitterTable emitters_;
   CellSums sums_;
   PowerBalance balance_;
-  std::vector<WalkBlock> history_; ///< empty unless something may move
-  UnitFrame pointFrame_;           ///< of the stored points
-  double pointReach_ = 0;          ///< their largest coordinate, but for those of escapes
+  std::vector<WalkBlock> history_;    ///< empty unless something may move
+  std::unique_ptr<StaleWalks> stale_; ///< null unless a budget has, or had, to be kept
+  UnitFrame pointFrame_;              ///< of the stored points
+  double pointReach_ = 0;             ///< their largest coordinate, but for those of escapes
   EngineStatistics statistics_;
 };
 

@@ -106,4 +106,19 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
   rays_.resize(kept);
 }
 
+void WalkBatch::store(std::vector<WalkBlock>& history) const
+{
+  for (const Tail& tail : tails_)
+  {
+    history[tail.walk / WalkBlock::kWalks].replaceTail(
+      tail.walk % WalkBlock::kWalks, tail.bounce, tail.size);
+  }
+  for (const Piece& piece : pieces_)
+  {
+    const std::uint32_t walk = tails_[piece.tail].walk;
+    history[walk / WalkBlock::kWalks].setSegment(
+      walk % WalkBlock::kWalks, piece.bounce, piece.segment);
+  }
+}
+
 }

@@ -2,6 +2,7 @@
 #define irradiance_WalkVerifier_h
 
 #include "SegmentScan.h"
+#include "StaleMark.h"
 #include "WalkShooter.h"
 
 #include <vector>
@@ -40,7 +41,9 @@ public:
   }
 
   /// At most one for each walk, ordered by walk. `firstWalk`: the number of the block's first walk.
-  std::vector<StaleSegment> staleSegments(const WalkBlock& block, std::uint32_t firstWalk) const;
+  /// Walks that are `known` to be stale are looked at up to there.
+  std::vector<StaleSegment> staleSegments(
+    const WalkBlock& block, std::uint32_t firstWalk, const StaleMarks& known = {}) const;
 
 private:
   struct Candidates;
