@@ -114,24 +114,33 @@ void OutputWriter::write(const std::vector<InputConnection>& fixed,
 void OutputWriter::addIrradiance(
   vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const
 {
-  if (separateSides_)
+  addArrays(polyData, "Irradiance", &IrradianceEngine::irradiance, object, firstCell);
+  if (hasBudget_)
   {
-    addArray(polyData, "IrradianceFront", object, firstCell, 0);
-    addArray(polyData, "IrradianceBack", object, firstCell, 1);
+    addArrays(polyData, "StaleIrradiance", &IrradianceEngine::staleIrradiance, object, firstCell);
   }
-  else
+  if (!separateSides_)
   {
-    addArray(polyData, "Irradiance", object, firstCell, 0);
     polyData->GetCellData()->SetActiveScalars("Irradiance");
   }
 }
 
-void OutputWriter::addArray(vtkPolyData* polyData, const char* name, std::uint32_t object,
-  std::size_t firstCell, int side) const
+void OutputWriter::addArrays(vtkPolyData* polyData, const std::string& name, Part part,
+  std::uint32_t object, std::size_t firstCell) const
+{
+  addArray(polyData, separateSides_ ? name + "Front" : name, part, object, firstCell, 0);
+  if (separateSides_)
+  {
+    addArray(polyData, name + "Back", part, object, firstCell, 1);
+  }
+}
+
+void OutputWriter::addArray(vtkPolyData* polyData, const std::string& name, Part part,
+  std::uint32_t object, std::size_t firstCell, int side) const
 {
   const std::vector<double>& areas = scene_.areas(object);
   vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
+  array->SetName(name.c_str());
   array->SetNumberOfComponents(scene_.bands());
   array->SetNumberOfTuples(polyData->GetNumberOfCells());
   for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
@@ -139,7 +148,7 @@ void OutputWriter::addArray(vtkPolyData* polyData, const char* name, std::uint32
     const std::size_t cell = firstCell + static_cast<std::size_t>(i);
     for (int band = 0; band < scene_.bands(); ++band)
     {
-      array->SetTypedComponent(i, band, engine_.irradiance(object, cell, side, band, areas[cell]));
+      array->SetTypedComponent(i, band, (engine_.*part)(object, cell, side, band, areas[cell]));
     }
   }
   polyData->GetCellData()->AddArray(array);
@@ -147,16 +156,18 @@ void OutputWriter::addArray(vtkPolyData* polyData, const char* name, std::uint32
 
 void OutputWriter::addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const
 {
-  const auto addPower = [&](const char* name, const Power& power) {
+  const auto addWatts = [&](const char* name, double first, double second, double third) {
     if (scene_.bands() == 1)
     {
-      addField<vtkDoubleArray>(output, name, { engine_.watts(power[0]) });
+      addField<vtkDoubleArray>(output, name, { first });
     }
     else
     {
-      addField<vtkDoubleArray>(output, name,
-        { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) });
+      addField<vtkDoubleArray>(output, name, { first, second, third });
     }
+  };
+  const auto addPower = [&](const char* name, const Power& power) {
+    addWatts(name, engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]));
   };
   const auto addCount = [&](const char* name, std::int64_t count) {
     addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
@@ -169,7 +180,12 @@ void OutputWriter::addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* o
   addPower("EmittedPower", balance.emitted);
   addPower("AbsorbedPower", balance.absorbed);
   addPower("EscapedPower", balance.escaped);
-  addPower("StalePower", {}); // every stale walk has been repaired
+  addPower("StalePower", engine_.stale() ? engine_.stale()->power() : Power{});
+  if (hasBudget_)
+  {
+    addWatts("StaleGainBound", engine_.staleGainBound(0), engine_.staleGainBound(1),
+      engine_.staleGainBound(2));
+  }
   addCount("NumberOfWalks", numberOfWalks);
   addCount("NumberOfSegments", balance.segments);
   addCount("NumberOfInvalidWalks", statistics.invalidWalks);

@@ -4,6 +4,8 @@
 #include "IrradianceEngine.h"
 #include "SceneReader.h"
 
+#include <string>
+
 class vtkMultiBlockDataSet;
 
 namespace irradiance
@@ -14,10 +16,12 @@ class OutputWriter
 {
 public:
   /// The arguments must outlive the writer.
-  OutputWriter(const IrradianceEngine& engine, const SceneReader& scene, bool separateSides)
+  OutputWriter(
+    const IrradianceEngine& engine, const SceneReader& scene, const EngineSettings& settings)
     : engine_(engine)
     , scene_(scene)
-    , separateSides_(separateSides)
+    , separateSides_(settings.separateSides)
+    , hasBudget_(settings.repairTimeBudget > 0)
   {
   }
 
@@ -25,14 +29,21 @@ public:
     vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const;
 
 private:
+  /// IrradianceEngine::irradiance() or one that says as much of a part of it.
+  using Part = double (IrradianceEngine::*)(std::uint32_t, std::size_t, int, int, double) const;
+
   void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
-  void addArray(vtkPolyData* polyData, const char* name, std::uint32_t object,
+  /// One array, or two for the two sides.
+  void addArrays(vtkPolyData* polyData, const std::string& name, Part part, std::uint32_t object,
+    std::size_t firstCell) const;
+  void addArray(vtkPolyData* polyData, const std::string& name, Part part, std::uint32_t object,
     std::size_t firstCell, int side) const;
   void addFieldData(vtkIdType numberOfWalks, vtkMultiBlockDataSet* output) const;
 
   const IrradianceEngine& engine_;
   const SceneReader& scene_;
   bool separateSides_;
+  bool hasBudget_;
 };
 
 }

@@ -59,6 +59,12 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     throw irradiance::InputError(
       "NumberOfWalks is " + std::to_string(walks) + "; 1 to 4294967295 are possible");
   }
+  const double budget = filter->GetRepairTimeBudget();
+  if (!(budget >= 0))
+  {
+    throw irradiance::InputError("RepairTimeBudget is " + std::to_string(budget) +
+      "; 0 (none) or a positive number of seconds is possible");
+  }
   irradiance::EngineSettings settings;
   settings.numberOfWalks = static_cast<std::uint32_t>(walks);
   settings.seed = static_cast<std::uint64_t>(filter->GetSeed());
@@ -66,6 +72,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.verify = filter->GetUpdateMode() == vtkIrradianceFilter::Verify;
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
+  settings.repairTimeBudget = budget;
   return settings;
 }
 
@@ -246,7 +253,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter,
     vtkWarningWithObjectMacro(filter, << "the scene has no light: no cell with a RadiantExitance "
                                          "and an area, and no vertex with a RadiantFlux");
   }
-  irradiance::OutputWriter(this->Engine, this->Scene, settings.separateSides)
+  irradiance::OutputWriter(this->Engine, this->Scene, settings)
     .write(fixed, moving, filter->GetNumberOfWalks(), output);
 }
 
@@ -303,6 +310,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UpdateMode: " << this->UpdateMode << "\n"
      << indent << "CacheStaticHits: " << this->CacheStaticHits << "\n"
      << indent << "SeparateSides: " << this->SeparateSides << "\n"
+     << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
      << indent << "Dynamic transforms: " << this->Internals->Transforms.size() << "\n";
   for (const auto& transform : this->Internals->Transforms)
   {

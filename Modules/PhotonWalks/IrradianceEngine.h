@@ -65,6 +65,11 @@ public:
   /// The part of irradiance() that rests on stale walks.
   double staleIrradiance(
     std::uint32_t object, std::size_t cell, int side, int band, double area) const;
+  /// StaleWalks::gainBound() in watts.
+  double staleGainBound(int band) const
+  {
+    return stale_ ? stale_->gainBound(band) * emitters_.quantum() : 0.0;
+  }
   bool hasEmitters() const { return !emitters_.isEmpty(); }
   const PowerBalance& balance() const { return balance_; }
   const EngineStatistics& statistics() const { return statistics_; }
