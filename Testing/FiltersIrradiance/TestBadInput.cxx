@@ -106,6 +106,11 @@ Spoil SetWalks(vtkIdType walks)
   return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfWalks(walks); };
 }
 
+Spoil SetBudget(double seconds)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetRepairTimeBudget(seconds); };
+}
+
 template <class Array>
 Spoil ReplaceArray(const char* name, int components, vtkIdType tuples)
 {
@@ -177,6 +182,8 @@ const std::vector<BadInput> BadInputs{
   { "NoWalks", SetWalks(0), { "NumberOfWalks is 0" } },
   { "NegativeWalks", SetWalks(-5), { "NumberOfWalks is -5" } },
   { "TooManyWalks", SetWalks(1LL << 32), { "NumberOfWalks is 4294967296" } },
+  { "NegativeBudget", SetBudget(-0.5), { "RepairTimeBudget is -0.5" } },
+  { "BudgetIsNaN", SetBudget(NaN), { "RepairTimeBudget is nan" } },
 };
 
 /// Connects a spoiled scene and updates.
@@ -203,6 +210,7 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   observer->Clear();
   Connect(filter, MakeGoodScene());
   filter->SetNumberOfWalks(NumberOfWalks);
+  filter->SetRepairTimeBudget(0);
   filter->Update();
   EXPECT_TRUE(observer->Errors.empty());
   EXPECT_TRUE(IsSame(OutputBits(filter), expected));
