@@ -262,9 +262,14 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
     commitScene(moved, execution);
     found = verify(shooter, moved, execution);
   }
-  if (hasBudget() || stale_)
+  if (hasBudget() && !stale_)
   {
-    markStale(found, samples, execution);
+    stale_ = std::make_unique<StaleWalks>(
+      objects_, settings_.separateSides ? 2 : 1, history_.size(), samples);
+  }
+  if (stale_)
+  {
+    stale_->add(found, history_, execution);
   }
   statistics_.verifySeconds = hasMotion ? secondsSince(start) : 0;
 
@@ -281,22 +286,6 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
     repair(shooter, found, execution);
   }
   statistics_.repairSeconds = secondsSince(start);
-}
-
-void IrradianceEngine::markStale(const std::vector<std::vector<StaleSegment>>& found,
-  const SobolSequence& samples, Execution& execution)
-{
-  if (!stale_)
-  {
-    stale_ = std::make_unique<StaleWalks>(
-      objects_, settings_.separateSides ? 2 : 1, history_.size(), samples);
-  }
-  SlicedPass pass{ 0.5, 0.5, found.size(), {} };
-  pass.work = [&](std::size_t block, const Deadline&, PowerBalance&) {
-    stale_->add(block, history_[block], found[block]);
-    return true;
-  };
-  pass.run(execution, balance_);
 }
 
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(

@@ -60,7 +60,7 @@ public:
   {
     return static_cast<double>(quanta) * emitters_.quantum();
   }
-  /// What the budget has left unrepaired; null if nothing was ever left.
+  /// What the budget has left unrepaired; null without a budget, or before anything moved.
   const StaleWalks* stale() const { return stale_.get(); }
   /// The part of irradiance() that rests on stale walks.
   double staleIrradiance(
@@ -92,8 +92,6 @@ private:
   void repair(const WalkShooter& shooter, const std::vector<std::vector<StaleSegment>>& stale,
     Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
-  void markStale(const std::vector<std::vector<StaleSegment>>& found, const SobolSequence& samples,
-    Execution& execution);
   void run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution);
   /// Walks are inside, but for escapes.
   Box walkBounds() const;

@@ -1,5 +1,7 @@
 #include "StaleWalks.h"
 
+#include "SlicedPass.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -34,6 +36,19 @@ bool StaleWalks::isEmpty() const
 {
   return std::all_of(
     blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
+}
+
+void StaleWalks::add(const std::vector<std::vector<StaleSegment>>& found,
+  const std::vector<WalkBlock>& history, Execution& execution)
+{
+  constexpr double kProgress = 0.5; // as told by the verification at its end
+  SlicedPass pass{ kProgress, kProgress, found.size(), {} };
+  pass.work = [&](std::size_t block, const Deadline&, PowerBalance&) {
+    add(block, history[block], found[block]);
+    return true;
+  };
+  PowerBalance nothing; // is booked there
+  pass.run(execution, nothing);
 }
 
 void StaleWalks::add(
@@ -90,7 +105,6 @@ void StaleWalks::forgetRepaired(std::size_t block)
     marks.end());
 }
 
-/// What the segments from the mark to `end` bring.
 void StaleWalks::book(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
   std::vector<Deposit>& deposits) const
 {

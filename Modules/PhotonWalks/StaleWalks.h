@@ -2,6 +2,7 @@
 #define irradiance_StaleWalks_h
 
 #include "CellSums.h"
+#include "Execution.h"
 #include "StaleMark.h"
 #include "TailBound.h"
 #include "WalkVerifier.h"
@@ -26,8 +27,10 @@ public:
   StaleMarks& marks(std::size_t block) { return blocks_[block].marks; }
   const StaleMarks& marks(std::size_t block) const { return blocks_[block].marks; }
 
-  /// Marks what a verification found. It must not have looked at tails that were marked before.
-  void add(std::size_t block, const WalkBlock& walks, const std::vector<StaleSegment>& found);
+  /// Marks what a verification found, by block. It must not have looked at tails that were marked
+  /// before. Throws Interrupted.
+  void add(const std::vector<std::vector<StaleSegment>>& found,
+    const std::vector<WalkBlock>& history, Execution& execution);
   /// Takes a walk out whose tail is about to be replaced; its mark stays until forgetRepaired().
   void repair(
     std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits);
@@ -52,6 +55,8 @@ private:
     Power gain;
   };
 
+  void add(std::size_t block, const WalkBlock& walks, const std::vector<StaleSegment>& found);
+  /// What the segments from the mark to `end` bring.
   void book(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
     std::vector<Deposit>& deposits) const;
   static void count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign);
