@@ -17,6 +17,11 @@ struct BudgetedRepair::Batch
   {
     std::size_t block;
     StaleMark* mark;
+
+    std::uint32_t firstWalk() const
+    {
+      return static_cast<std::uint32_t>(block) * WalkBlock::kWalks;
+    }
   };
 
   explicit Batch(const State& state)
@@ -27,6 +32,7 @@ struct BudgetedRepair::Batch
 
   std::vector<Item> items;
   std::vector<StaleSegment> segments; ///< of the items
+  std::vector<bool> isKnown;          ///< of their hits: by the verification of this frame
   PowerBalance balance;
   WalkBooking booking;
   WalkBatch walks;
@@ -36,28 +42,29 @@ struct BudgetedRepair::Batch
 
 std::int64_t BudgetedRepair::run(double progressFrom, Execution& execution, PowerBalance& balance)
 {
-  const auto classes = effects();
+  const std::vector<Class> order = classes();
   std::size_t all = 0, done = 0;
-  for (const auto& [effect, count] : classes)
+  for (const Class& like : order)
   {
-    all += count;
+    all += like.size;
   }
   const auto progress = [&](std::size_t count) {
     return progressFrom +
       (1 - progressFrom) * static_cast<double>(count) / static_cast<double>(all);
   };
-  for (const auto& [effect, count] : classes)
+  for (const Class& like : order)
   {
     if (isOver())
     {
       break;
     }
     std::vector<Unit> parts = units();
-    SlicedPass pass{ progress(done), progress(done + count), parts.size(), {} };
-    pass.work = [&, effect = effect](std::size_t i, const Deadline& deadline,
-                  PowerBalance& booked) { return work(parts[i], effect, deadline, booked); };
+    SlicedPass pass{ progress(done), progress(done + like.size), parts.size(), {} };
+    pass.work = [&](std::size_t i, const Deadline& deadline, PowerBalance& booked) {
+      return work(parts[i], like.weakest, deadline, booked);
+    };
     pass.run(execution, balance);
-    done += count;
+    done += like.size;
   }
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
@@ -66,8 +73,9 @@ std::int64_t BudgetedRepair::run(double progressFrom, Execution& execution, Powe
   return segments_;
 }
 
-std::vector<std::pair<std::uint16_t, std::size_t>> BudgetedRepair::effects() const
+std::vector<BudgetedRepair::Class> BudgetedRepair::classes() const
 {
+  constexpr std::size_t kForAUnit = 128;
   std::map<std::uint16_t, std::size_t, std::greater<>> counts;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
@@ -76,7 +84,18 @@ std::vector<std::pair<std::uint16_t, std::size_t>> BudgetedRepair::effects() con
       ++counts[mark.effect];
     }
   }
-  return { counts.begin(), counts.end() };
+  const std::size_t enough = kForAUnit * units().size();
+  std::vector<Class> classes;
+  for (const auto& [effect, count] : counts)
+  {
+    if (classes.empty() || (classes.back().size >= enough && !time_.isEndless()))
+    {
+      classes.push_back({ effect, 0 });
+    }
+    classes.back().weakest = effect;
+    classes.back().size += count;
+  }
+  return classes;
 }
 
 std::vector<BudgetedRepair::Unit> BudgetedRepair::units() const
@@ -94,9 +113,9 @@ std::vector<BudgetedRepair::Unit> BudgetedRepair::units() const
 }
 
 bool BudgetedRepair::work(
-  Unit& unit, std::uint16_t effect, const Deadline& deadline, PowerBalance& balance)
+  Unit& unit, std::uint16_t weakest, const Deadline& deadline, PowerBalance& balance)
 {
-  while (unit.open || (unit.open = begin(unit, effect)))
+  while (unit.open || (unit.open = begin(unit, weakest)))
   {
     Batch& batch = *unit.open;
     const auto isTooLate = [&] { return !batch.isFirst && time_.hasEnded(); };
@@ -122,7 +141,7 @@ bool BudgetedRepair::work(
   return true;
 }
 
-std::shared_ptr<BudgetedRepair::Batch> BudgetedRepair::begin(Unit& unit, std::uint16_t effect)
+std::shared_ptr<BudgetedRepair::Batch> BudgetedRepair::begin(Unit& unit, std::uint16_t weakest)
 {
   constexpr std::size_t kTogether = 512, kFirst = 16;
   const double start = time_.now();
@@ -137,7 +156,7 @@ std::shared_ptr<BudgetedRepair::Batch> BudgetedRepair::begin(Unit& unit, std::ui
     StaleMarks& marks = state_.stale.marks(unit.block);
     for (; unit.mark < marks.size() && batch->items.size() < count; ++unit.mark)
     {
-      if (marks[unit.mark].effect == effect)
+      if (marks[unit.mark].effect >= weakest) // of those above none is left
       {
         batch->items.push_back({ unit.block, &marks[unit.mark] });
       }
@@ -158,51 +177,80 @@ std::shared_ptr<BudgetedRepair::Batch> BudgetedRepair::begin(Unit& unit, std::ui
   return batch;
 }
 
-/// A hit that the verification of an earlier frame found may have changed since: it is cast anew.
 void BudgetedRepair::fill(Batch& batch) const
 {
-  std::vector<Ray> rays;
-  std::vector<std::size_t> unknown;
-  const Scene& scene = state_.shooter.scene();
   for (const Batch::Item& item : batch.items)
   {
-    const std::uint32_t walk = item.mark->walkInBlock, bounce = item.mark->bounce;
-    if (!state_.found.empty())
-    {
-      const std::vector<StaleSegment>& found = state_.found[item.block];
-      const auto known = std::lower_bound(found.begin(), found.end(), walk,
-        [](const StaleSegment& segment, std::uint32_t w) { return segment.walkInBlock < w; });
-      if (known != found.end() && known->walkInBlock == walk)
-      {
-        batch.segments.push_back(*known);
-        continue;
-      }
-    }
-    const WalkBlock& block = state_.history[item.block];
-    const auto first = static_cast<std::uint32_t>(item.block * WalkBlock::kWalks);
-    const Ray ray = state_.shooter.rayOf(block, walk, first + walk, bounce);
-    Hit old = block.hit(walk, bounce);
-    if (old && old.id.object == 0)
-    {
-      old.distance = scene.distanceTo(ray, old.id);
-    }
-    unknown.push_back(batch.segments.size());
-    batch.segments.push_back({ walk, bounce, ray, {}, old });
-    rays.push_back(ray);
+    const StaleSegment* known = foundNow(item.block, item.mark->walkInBlock);
+    batch.segments.push_back(
+      known ? *known : StaleSegment{ item.mark->walkInBlock, item.mark->bounce, {}, {}, {} });
+    batch.isKnown.push_back(known != nullptr);
   }
-  std::vector<Hit> hits(rays.size());
-  scene.cast(rays.data(), rays.size(), hits.data());
-  for (std::size_t i = 0; i < unknown.size(); ++i)
-  {
-    batch.segments[unknown[i]].hit = hits[i];
-  }
+  castAnew(batch);
   for (std::size_t i = 0; i < batch.items.size(); ++i)
   {
     const WalkBlock& block = state_.history[batch.items[i].block];
     const StaleSegment& segment = batch.segments[i];
-    const auto first = static_cast<std::uint32_t>(batch.items[i].block * WalkBlock::kWalks);
-    batch.walks.resume(first + segment.walkInBlock, segment.bounce, segment.ray, segment.hit,
-      block.power(segment.walkInBlock, 0), block.power(segment.walkInBlock, segment.bounce));
+    batch.walks.resume(batch.items[i].firstWalk() + segment.walkInBlock, segment.bounce,
+      segment.ray, segment.hit, block.power(segment.walkInBlock, 0),
+      block.power(segment.walkInBlock, segment.bounce));
+    for (std::uint32_t k = segment.bounce; k < block.size(segment.walkInBlock); ++k)
+    {
+      batch.booking.fetch(block.hit(segment.walkInBlock, k)); // will be taken back
+    }
+  }
+}
+
+const StaleSegment* BudgetedRepair::foundNow(std::size_t block, std::uint32_t walk) const
+{
+  if (state_.found.empty())
+  {
+    return nullptr;
+  }
+  const std::vector<StaleSegment>& found = state_.found[block];
+  const auto known = std::lower_bound(found.begin(), found.end(), walk,
+    [](const StaleSegment& segment, std::uint32_t w) { return segment.walkInBlock < w; });
+  return known != found.end() && known->walkInBlock == walk ? &*known : nullptr;
+}
+
+/// A hit that the verification of an earlier frame found may have changed since. But the ray has not:
+/// if the static hit along it is known, only dynamic objects can precede it.
+void BudgetedRepair::castAnew(Batch& batch) const
+{
+  const Scene& scene = state_.shooter.scene();
+  std::vector<Ray> rays[2]; // without and with a known static hit
+  std::vector<Hit> hits[2];
+  std::vector<std::size_t> which[2];
+  for (std::size_t i = 0; i < batch.items.size(); ++i)
+  {
+    if (batch.isKnown[i])
+    {
+      continue;
+    }
+    StaleSegment& segment = batch.segments[i];
+    const std::uint32_t walk = segment.walkInBlock;
+    const WalkBlock& block = state_.history[batch.items[i].block];
+    segment.ray =
+      state_.shooter.rayOf(block, walk, batch.items[i].firstWalk() + walk, segment.bounce);
+    segment.old = block.hit(walk, segment.bounce);
+    const bool wasDynamic = segment.old && segment.old.id.object > 0;
+    if (segment.old && !wasDynamic)
+    {
+      segment.old.distance = scene.distanceTo(segment.ray, segment.old.id);
+    }
+    const Hit* fixed = wasDynamic ? block.hiddenStaticHit(walk, segment.bounce) : &segment.old;
+    rays[fixed != nullptr].push_back(segment.ray);
+    hits[fixed != nullptr].push_back(fixed ? *fixed : Hit{});
+    which[fixed != nullptr].push_back(i);
+  }
+  scene.cast(rays[0].data(), rays[0].size(), hits[0].data());
+  scene.castDynamic(rays[1].data(), rays[1].size(), hits[1].data());
+  for (const int isFixedKnown : { 0, 1 })
+  {
+    for (std::size_t i = 0; i < which[isFixedKnown].size(); ++i)
+    {
+      batch.segments[which[isFixedKnown][i]].hit = hits[isFixedKnown][i];
+    }
   }
 }
 

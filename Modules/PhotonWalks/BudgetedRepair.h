@@ -44,6 +44,8 @@ public:
   /// Tells progress from `progressFrom` to 1. Adds to `balance`; returns the number of segments
   /// that were shot. Throws Interrupted.
   std::int64_t run(double progressFrom, Execution& execution, PowerBalance& balance);
+  /// By the clock of the budget.
+  double seconds() const { return time_.elapsed(); }
 
 private:
   struct Batch;
@@ -55,14 +57,24 @@ private:
     std::shared_ptr<Batch> open;
   };
 
-  /// The classes of effect that occur, the strongest first, with the number of walks in each.
-  std::vector<std::pair<std::uint16_t, std::size_t>> effects() const;
+  /// Walks of like effect that are repaired before weaker ones.
+  struct Class
+  {
+    std::uint16_t weakest;
+    std::size_t size;
+  };
+  /// The strongest first. So large that there are enough for batches worth their name; all are one
+  /// if there is time for all.
+  std::vector<Class> classes() const;
   std::vector<Unit> units() const;
   bool isOver() const { return hasBegun_ && time_.itemsToBegin(1) == 0; }
-  bool work(Unit& unit, std::uint16_t effect, const Deadline& deadline, PowerBalance& balance);
+  bool work(Unit& unit, std::uint16_t weakest, const Deadline& deadline, PowerBalance& balance);
   /// The next walks of a unit; null if there are none or the time is up.
-  std::shared_ptr<Batch> begin(Unit& unit, std::uint16_t effect);
+  std::shared_ptr<Batch> begin(Unit& unit, std::uint16_t weakest);
   void fill(Batch& batch) const;
+  /// Null if the walk was found in an earlier frame.
+  const StaleSegment* foundNow(std::size_t block, std::uint32_t walk) const;
+  void castAnew(Batch& batch) const;
   void finish(Batch& batch, PowerBalance& balance);
 
   State state_;

@@ -277,15 +277,16 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   if (stale_)
   {
     const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;
-    BudgetedRepair repair(
+    BudgetedRepair budgeted(
       { shooter, history_, sums_, *stale_, found, settings_.cacheStaticHits }, execution, seconds);
-    statistics_.repairedSegments = repair.run(hasMotion ? 0.5 : 0, execution, balance_);
+    statistics_.repairedSegments = budgeted.run(hasMotion ? 0.5 : 0, execution, balance_);
+    statistics_.repairSeconds = budgeted.seconds();
   }
   else
   {
     repair(shooter, found, execution);
+    statistics_.repairSeconds = secondsSince(start);
   }
-  statistics_.repairSeconds = secondsSince(start);
 }
 
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(

@@ -3,7 +3,7 @@
 
 #include "Execution.h"
 
-#include <cstdint>
+#include <cmath>
 #include <mutex>
 
 namespace irradiance
@@ -16,11 +16,14 @@ public:
   /// Begins now. `seconds` may be infinite.
   TimeBudget(const Execution& execution, double seconds)
     : execution_(execution)
-    , end_(execution.seconds() + seconds)
+    , begin_(execution.seconds())
+    , end_(begin_ + seconds)
   {
   }
 
   double now() const { return execution_.seconds(); }
+  double elapsed() const { return now() - begin_; }
+  bool isEndless() const { return std::isinf(end_); }
   bool hasEnded() const { return now() >= end_; }
   /// How many items a thread should begin together, at most `most`: such that, going by what others
   /// have cost, they take half of the time that is left. 0: it is over.
@@ -30,7 +33,7 @@ public:
 
 private:
   const Execution& execution_;
-  double end_;
+  double begin_, end_;
   mutable std::mutex mutex_;
   double spent_ = 0;
   double items_ = 0;
