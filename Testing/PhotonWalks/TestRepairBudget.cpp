@@ -429,6 +429,27 @@ TEST(RepairBudget, TheTimeIsKept)
   }
 }
 
+// Where walks are long, a batch may last far longer than those before it: it is dropped in time.
+TEST(RepairBudget, TheTimeIsKeptByLongWalks)
+{
+  test::ObjectBuilder room, ball;
+  room.addBox(test::box({ -2, -2, -2 }, { 2, 2, 2 }), 2, test::grey(0.95), true);
+  room.addPointLight({ 1.5, 1.5, 1.5 }, 3);
+  ball.addSphere({ 0, 0, 0 }, 0.7, 4, test::grey(0.95));
+  SceneObjects objects{ room.build(), { ball.build() } };
+  EngineSettings settings;
+  settings.numberOfWalks = 3000;
+  IrradianceEngine engine;
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    TickingExecution clock;
+    objects.dynamic[0].worldFromObject = test::shift({ 0.05 * frame, 0, 0 });
+    settings.repairTimeBudget = (400 + 20 * frame) * TickingExecution::kTick;
+    engine.update(objects, settings, clock);
+    EXPECT_LE(clock.ticks(), 400 + 20 * frame + 20) << "frame " << frame;
+  }
+}
+
 TEST(RepairBudget, WithoutABudgetNoClockAndNoBooks)
 {
   MovingScene scene(1, true, 36);
