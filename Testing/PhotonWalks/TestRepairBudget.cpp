@@ -429,8 +429,32 @@ TEST(RepairBudget, TheTimeIsKept)
   }
 }
 
-// Where walks are long, a batch may last far longer than those before it: it is dropped in time.
-TEST(RepairBudget, TheTimeIsKeptByLongWalks)
+namespace
+{
+
+/// From look number `jumpAt` on, all budgets are over.
+class JumpingExecution : public TickingExecution
+{
+public:
+  explicit JumpingExecution(std::int64_t jumpAt)
+    : jumpAt_(jumpAt)
+  {
+  }
+  double seconds() const override
+  {
+    const double now = TickingExecution::seconds();
+    return ticks() > jumpAt_ ? now + 1e6 : now;
+  }
+
+private:
+  std::int64_t jumpAt_;
+};
+
+}
+
+// The first 16 walks are done without a look at the clock, the batch after them looks at it at every
+// bounce: wherever it is interrupted, none of its walks counts.
+TEST(RepairBudget, WhatIsHalfDoneIsDropped)
 {
   test::ObjectBuilder room, ball;
   room.addBox(test::box({ -2, -2, -2 }, { 2, 2, 2 }), 2, test::grey(0.95), true);
@@ -438,16 +462,23 @@ TEST(RepairBudget, TheTimeIsKeptByLongWalks)
   ball.addSphere({ 0, 0, 0 }, 0.7, 4, test::grey(0.95));
   SceneObjects objects{ room.build(), { ball.build() } };
   EngineSettings settings;
-  settings.numberOfWalks = 3000;
-  IrradianceEngine engine;
-  for (int frame = 0; frame < 20; ++frame)
+  settings.numberOfWalks = 500;
+  settings.repairTimeBudget = 1e3;
+  int dropped = 0;
+  for (int jumpAt = 1; jumpAt <= 60; ++jumpAt)
   {
-    TickingExecution clock;
-    objects.dynamic[0].worldFromObject = test::shift({ 0.05 * frame, 0, 0 });
-    settings.repairTimeBudget = (400 + 20 * frame) * TickingExecution::kTick;
+    IrradianceEngine engine;
+    JumpingExecution clock(jumpAt);
+    objects.dynamic[0].worldFromObject = {};
     engine.update(objects, settings, clock);
-    EXPECT_LE(clock.ticks(), 400 + 20 * frame + 20) << "frame " << frame;
+    objects.dynamic[0].worldFromObject = test::shift({ 0.3, 0, 0 });
+    engine.update(objects, settings, clock);
+    expectBalance(engine);
+    const auto found = static_cast<std::size_t>(engine.statistics().invalidWalks);
+    ASSERT_GT(found, 100u);
+    dropped += numberOfStale(engine) == found - 16;
   }
+  EXPECT_GT(dropped, 25);
 }
 
 TEST(RepairBudget, WithoutABudgetNoClockAndNoBooks)
