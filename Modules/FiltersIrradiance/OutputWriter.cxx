@@ -117,23 +117,23 @@ void OutputWriter::addIrradiance(
 {
   if (settings_.separateSides)
   {
-    addSide(polyData, "IrradianceFront", object, firstCell, 0);
-    addSide(polyData, "IrradianceBack", object, firstCell, 1);
+    addSide(polyData, "Front", object, firstCell, 0);
+    addSide(polyData, "Back", object, firstCell, 1);
   }
   else
   {
-    addSide(polyData, "Irradiance", object, firstCell, 0);
+    addSide(polyData, "", object, firstCell, 0);
     polyData->GetCellData()->SetActiveScalars("Irradiance");
   }
 }
 
-void OutputWriter::addSide(vtkPolyData* polyData, const std::string& name, std::uint32_t object,
+void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
   std::size_t firstCell, int side) const
 {
   const std::vector<double>& areas = scene_.areas(object);
-  const auto add = [&](const std::string& arrayName, const auto& value) {
+  const auto add = [&](const std::string& name, const auto& value) {
     vtkNew<vtkDoubleArray> array;
-    array->SetName(arrayName.c_str());
+    array->SetName(name.c_str());
     array->SetNumberOfComponents(scene_.bands());
     array->SetNumberOfTuples(polyData->GetNumberOfCells());
     for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
@@ -146,13 +146,19 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& name, std::
     }
     polyData->GetCellData()->AddArray(array);
   };
-  add(name, [&](std::size_t cell, int band, double area) {
+  add("Irradiance" + suffix, [&](std::size_t cell, int band, double area) {
     return engine_.irradiance(object, cell, side, band, area);
   });
   if (withErrors_)
   {
-    add(name + "StandardError", [&](std::size_t cell, int band, double area) {
+    add("Irradiance" + suffix + "StandardError", [&](std::size_t cell, int band, double area) {
       return standardError(object, cell, side, band, area);
+    });
+  }
+  if (settings_.repairTimeBudget > 0)
+  {
+    add("StaleIrradiance" + suffix, [&](std::size_t cell, int band, double area) {
+      return engine_.staleIrradiance(object, cell, side, band, area);
     });
   }
 }
@@ -166,16 +172,18 @@ double OutputWriter::standardError(
 
 void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
 {
-  const auto addPower = [&](const char* name, const Power& power) {
+  const auto addWatts = [&](const char* name, double first, double second, double third) {
     if (scene_.bands() == 1)
     {
-      addField<vtkDoubleArray>(output, name, { engine_.watts(power[0]) });
+      addField<vtkDoubleArray>(output, name, { first });
     }
     else
     {
-      addField<vtkDoubleArray>(output, name,
-        { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) });
+      addField<vtkDoubleArray>(output, name, { first, second, third });
     }
+  };
+  const auto addPower = [&](const char* name, const Power& power) {
+    addWatts(name, engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]));
   };
   const auto addCount = [&](const char* name, std::int64_t count) {
     addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
@@ -188,7 +196,12 @@ void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
   addPower("EmittedPower", balance.emitted);
   addPower("AbsorbedPower", balance.absorbed);
   addPower("EscapedPower", balance.escaped);
-  addPower("StalePower", {}); // every stale walk has been repaired
+  addPower("StalePower", engine_.stale() ? engine_.stale()->power() : Power{});
+  if (settings_.repairTimeBudget > 0)
+  {
+    addWatts("StaleGainBound", engine_.staleGainBound(0), engine_.staleGainBound(1),
+      engine_.staleGainBound(2));
+  }
   addCount("NumberOfWalks", engine_.numberOfWalks());
   addCount("NumberOfSegments", balance.segments);
   if (withErrors_)

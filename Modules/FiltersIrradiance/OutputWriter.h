@@ -4,6 +4,8 @@
 #include "IrradianceEngine.h"
 #include "SceneReader.h"
 
+#include <string>
+
 class vtkMultiBlockDataSet;
 
 namespace irradiance
@@ -30,7 +32,8 @@ public:
 
 private:
   void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
-  void addSide(vtkPolyData* polyData, const std::string& name, std::uint32_t object,
+  /// `suffix`: of the arrays' names.
+  void addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
     std::size_t firstCell, int side) const;
   void addFieldData(vtkMultiBlockDataSet* output) const;
   /// W/m2; NaN where it is not known.

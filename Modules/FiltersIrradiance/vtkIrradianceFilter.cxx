@@ -94,6 +94,12 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
 
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
+  const double budget = filter->GetRepairTimeBudget();
+  if (!(budget >= 0))
+  {
+    throw irradiance::InputError("RepairTimeBudget is " + std::to_string(budget) +
+      "; 0 (none) or a positive number of seconds is possible");
+  }
   irradiance::EngineSettings settings;
   settings.numberOfWalks = Checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
   ReadErrorSettings(filter, settings);
@@ -102,6 +108,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.verify = filter->GetUpdateMode() == vtkIrradianceFilter::Verify;
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
+  settings.repairTimeBudget = budget;
   return settings;
 }
 
@@ -365,6 +372,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
+     << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
      << indent << "Dynamic transforms: " << this->Internals->Transforms.size() << "\n";
   for (const auto& transform : this->Internals->Transforms)
   {

@@ -42,11 +42,40 @@
  * not known: without an area, and where fewer than 25 photons of a walk's first power have arrived.
  *
  * Field data of the root, one tuple each: `EmittedPower`, `AbsorbedPower`, `EscapedPower`,
- * `StalePower` (W, per band; emitted = absorbed + escaped; nothing is stale after an update),
- * `NumberOfWalks` (those shot), `NumberOfSegments`; `ConfidenceFactor` with ComputeStandardError;
- * `ReachedRelativeError` with TargetRelativeError: what 95 % of the area is known to, infinite where
- * more than 5 % is not known; and what this update cost: `NumberOfInvalidWalks`,
- * `NumberOfRepairedSegments`, `ShootSeconds`, `VerifySeconds`, `RepairSeconds`, `HistoryBytes`.
+ * `StalePower` (W, per band; emitted = absorbed + escaped; nothing is stale after an update without
+ * a RepairTimeBudget), `NumberOfWalks` (those shot), `NumberOfSegments`; `ConfidenceFactor` with
+ * ComputeStandardError; `ReachedRelativeError` with TargetRelativeError: what 95 % of the area is
+ * known to, infinite where more than 5 % is not known, NaN while walks are stale; and what this
+ * update cost: `NumberOfInvalidWalks`, `NumberOfRepairedSegments`, `ShootSeconds`, `VerifySeconds`,
+ * `RepairSeconds`, `HistoryBytes`.
+ *
+ * @section Budget A budget of time
+ * With a RepairTimeBudget the repair of an update ends when the time is up; those walks come first
+ * whose stale segments carry most. All walks have been verified by then, so it is known what rests
+ * on walks that hold no longer. Then there are besides
+ * - the cell array `StaleIrradiance` (`StaleIrradianceFront` and `StaleIrradianceBack` with
+ *   SeparateSides; W/m2): this part of the irradiance rests on stale walks. The full update takes no
+ *   more than that from a cell.
+ * - the field data `StalePower`: the power that is not yet shot again.
+ * - the field data `StaleGainBound` (W, per band): the full update brings no more than that to all
+ *   cells together, counted from their irradiance without its stale part; infinite where walks are
+ *   stale and a surface reflects more than 0.99.
+ *
+ * What is left is gone on with at the next execution, whether something has moved or not. VTK
+ * executes a filter only if something was modified, so without motion say so:
+ * @code
+ * irradiance->SetRepairTimeBudget(0.02);
+ * irradiance->Update(); // after a motion
+ * auto* stale = irradiance->GetOutput()->GetFieldData()->GetArray("StalePower");
+ * while (stale->GetRange(-1)[1] > 0) // all bands; or one step of it when the program is idle
+ * {
+ *   irradiance->Modified();
+ *   irradiance->Update();
+ *   stale = irradiance->GetOutput()->GetFieldData()->GetArray("StalePower");
+ * }
+ * @endcode
+ * Each execution repairs some walks, however small the budget, so the loop ends; then, or after
+ * SetRepairTimeBudget(0) and Update(), the result is that of a new filter, bit for bit.
  *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
@@ -159,6 +188,17 @@ public:
 
   ///@{
   /**
+   * Seconds that the repair of an update may take, 0 for all that it takes. Verification comes before
+   * and does not count, nor does the first shooting. Without meaning where UpdateMode is Rebuild, or
+   * where everything has to be shot anew: then nothing is ever stale. See "A budget of time" above.
+   * Default 0.
+   */
+  vtkSetMacro(RepairTimeBudget, double);
+  vtkGetMacro(RepairTimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether the irradiance of the two sides of a cell is kept apart. Default off.
    */
   vtkSetMacro(SeparateSides, vtkTypeBool);
@@ -237,6 +277,7 @@ protected:
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;
   vtkIdType MaximumNumberOfWalks = 10000000;
+  double RepairTimeBudget = 0;
 
 private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;

@@ -1,6 +1,7 @@
 #ifndef irradiance_Execution_h
 #define irradiance_Execution_h
 
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -25,6 +26,13 @@ public:
   /// Called on the engine's own thread every few hundredths of a second; `progress` is 0..1. False
   /// stops the engine.
   virtual bool goOn(double /*progress*/) { return true; }
+
+  /// The clock by which the engine keeps to a budget; it never goes back. Asked by many threads.
+  virtual double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+  }
 };
 
 /// Execution::goOn said no.

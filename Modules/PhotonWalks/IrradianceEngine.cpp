@@ -1,5 +1,6 @@
 #include "IrradianceEngine.h"
 
+#include "BudgetedRepair.h"
 #include "ProgressSpan.h"
 #include "SceneChange.h"
 #include "SlicedPass.h"
@@ -8,7 +9,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <limits>
 #include <memory>
+#include <utility>
 
 namespace irradiance
 {
@@ -27,20 +30,6 @@ WalkPlan planOf(const EngineSettings& settings)
   return { settings.numberOfWalks,
     settings.targetRelativeError > 0 ? settings.maximumNumberOfWalks : settings.numberOfWalks,
     settings.replicates };
-}
-
-void store(const WalkBatch& batch, const WalkPlan& plan, std::vector<WalkBlock>& history)
-{
-  for (const WalkBatch::Tail& tail : batch.tails())
-  {
-    const WalkPlan::Place place = plan.placeOf(tail.walk);
-    history[place.block].replaceTail(place.walkInBlock, tail.bounce, tail.size);
-  }
-  for (const WalkBatch::Piece& piece : batch.pieces())
-  {
-    const WalkPlan::Place place = plan.placeOf(batch.tails()[piece.tail].walk);
-    history[place.block].setSegment(place.walkInBlock, piece.bounce, piece.segment);
-  }
 }
 
 }
@@ -86,7 +75,11 @@ void IrradianceEngine::update(
   {
     startAnew(execution);
   }
-  if (hasTarget)
+  if (stale_ && !stale_->isEmpty())
+  {
+    reached_ = std::numeric_limits<double>::quiet_NaN();
+  }
+  else if (hasTarget)
   {
     reachTarget(rest);
   }
@@ -94,10 +87,16 @@ void IrradianceEngine::update(
   {
     shootRound(0, execution);
   }
+  // Rounds may have come or gone.
+  if (stale_ && stale_->isEmpty() && (!hasBudget() || stale_->numberOfBlocks() != history_.size()))
+  {
+    stale_.reset();
+  }
   for (const WalkBlock& block : history_)
   {
     statistics_.historyBytes += block.bytes();
   }
+  statistics_.historyBytes += stale_ ? stale_->bytes() : 0;
   isValid_ = true;
 }
 
@@ -134,6 +133,7 @@ void IrradianceEngine::startAnew(Execution& execution)
   sums_.setRounds(0);
   balance_ = {};
   history_.clear();
+  stale_.reset();
   pointFrame_ = UnitFrame(walkBounds());
   pointReach_ = reachInFrame();
 }
@@ -164,7 +164,7 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
     }
     if (keep)
     {
-      store(batch, plan_, history_);
+      batch.store(plan_, history_);
       history_[plan_.placeOf(batch.tails().front().walk).block].shrink();
     }
   };
@@ -225,20 +225,46 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
     std::for_each(
       history_.begin(), history_.end(), [](WalkBlock& block) { block.forgetAllStaticHits(); });
   }
-  if (std::none_of(moved.begin(), moved.end(), [](bool b) { return b; }) || emitters_.isEmpty())
+  const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
+  if ((!hasMotion && (!stale_ || stale_->isEmpty())) || emitters_.isEmpty())
   {
     return;
   }
   Clock::time_point start = Clock::now();
-  commitScene(moved, execution);
   const SobolSequence samples(settings_.seed, plan_.deal());
   const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  const std::vector<std::vector<StaleSegment>> stale = verify(shooter, moved, execution);
-  statistics_.verifySeconds = secondsSince(start);
+  std::vector<std::vector<StaleSegment>> found;
+  if (hasMotion)
+  {
+    commitScene(moved, execution);
+    found = verify(shooter, moved, execution);
+  }
+  if (hasBudget() && !stale_)
+  {
+    stale_ = std::make_unique<StaleWalks>(
+      objects_, settings_.separateSides ? 2 : 1, plan_, history_.size(), samples);
+  }
+  if (stale_)
+  {
+    stale_->add(found, history_, execution);
+  }
+  statistics_.verifySeconds = hasMotion ? secondsSince(start) : 0;
 
   start = Clock::now();
-  repair(shooter, stale, execution);
-  statistics_.repairSeconds = secondsSince(start);
+  if (stale_)
+  {
+    const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;
+    BudgetedRepair budgeted(
+      { shooter, plan_, history_, sums_, *stale_, found, settings_.cacheStaticHits }, execution,
+      seconds);
+    statistics_.repairedSegments = budgeted.run(hasMotion ? 0.5 : 0, execution, balance_);
+    statistics_.repairSeconds = budgeted.seconds();
+  }
+  else
+  {
+    repair(shooter, found, execution);
+    statistics_.repairSeconds = secondsSince(start);
+  }
 }
 
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
@@ -256,14 +282,15 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   }
   const WalkVerifier verifier(shooter, moved, scan);
   std::vector<std::vector<StaleSegment>> stale(history_.size());
+  const StaleMarks none;
   constexpr std::size_t kTogether = 16; // in a row for a thread: it asks for the next in time
   SlicedPass pass{ 0, 0.5, (stale.size() + kTogether - 1) / kTogether, {} };
   pass.work = [&](std::size_t unit, const Deadline&, PowerBalance&) {
     const std::size_t end = std::min((unit + 1) * kTogether, stale.size());
     for (std::size_t block = unit * kTogether; block < end; ++block)
     {
-      stale[block] = verifier.staleSegments(
-        history_[block], history_[std::min(block + 1, end - 1)], plan_.firstWalkOf(block));
+      stale[block] = verifier.staleSegments(history_[block], history_[std::min(block + 1, end - 1)],
+        plan_.firstWalkOf(block), stale_ ? std::as_const(*stale_).marks(block) : none);
     }
     return true;
   };
@@ -303,7 +330,7 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
       const WalkPlan::Place place = plan_.placeOf(tail.walk);
       booking.remove(history_[place.block], place.walkInBlock, tail.walk, tail.bounce);
     }
-    store(batch, plan_, history_);
+    batch.store(plan_, history_);
     repaired += static_cast<std::int64_t>(batch.pieces().size());
   };
   run(pass, shooter, execution);
@@ -311,30 +338,23 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   {
     for (const StaleSegment& segment : stale[block])
     {
-      cacheStaticHit(history_[block], segment);
+      history_[block].updateStaticHit(
+        segment.walkInBlock, segment.bounce, segment.old, segment.hit, settings_.cacheStaticHits);
     }
   }
   statistics_.repairedSegments = repaired;
-}
-
-/// Section 3.3 of the paper: a static hit that becomes hidden is kept until the segment goes.
-void IrradianceEngine::cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const
-{
-  const auto isDynamic = [](const Hit& hit) { return hit && hit.id.object > 0; };
-  if (!isDynamic(stale.hit))
-  {
-    block.forgetStaticHit(stale.walkInBlock, stale.bounce);
-  }
-  else if (settings_.cacheStaticHits && !isDynamic(stale.old))
-  {
-    block.rememberStaticHit(stale.walkInBlock, stale.bounce, stale.old);
-  }
 }
 
 double IrradianceEngine::irradiance(
   std::uint32_t object, std::size_t cell, int side, int band, double area) const
 {
   return area > 0 ? watts(sums_.sum(object, cell, side, band)) / area : 0.0;
+}
+
+double IrradianceEngine::staleIrradiance(
+  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+{
+  return stale_ && area > 0 ? watts(stale_->sums().sum(object, cell, side, band)) / area : 0.0;
 }
 
 }

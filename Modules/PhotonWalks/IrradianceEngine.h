@@ -4,10 +4,12 @@
 #include "ErrorEstimate.h"
 #include "Execution.h"
 #include "PowerBalance.h"
+#include "StaleWalks.h"
 #include "Surface.h"
 #include "WalkVerifier.h"
 
 #include <chrono>
+#include <memory>
 
 namespace irradiance
 {
@@ -25,6 +27,9 @@ struct EngineSettings
   /// are doubled until then.
   double targetRelativeError = 0;
   std::uint32_t maximumNumberOfWalks = 10000000; ///< >= numberOfWalks; with a target
+  /// Seconds for the repair of a frame; what they do not suffice for stays stale for the next call.
+  /// 0: all that they take.
+  double repairTimeBudget = 0;
 };
 
 /// What a frame cost.
@@ -44,6 +49,9 @@ struct EngineStatistics
  * The first frame is shot. Later ones are verified and repaired where only dynamic objects changed
  * pose or points; the sums are then equal, bit for bit, to those of a new engine. Anything else (a
  * change of lights, reflectances, static geometry, settings, the number of objects) is shot anew.
+ *
+ * With a budget of time the repair may end early; then stale() says what is left, and further calls,
+ * with or without motion, go on with it.
  */
 class IrradianceEngine
 {
@@ -60,8 +68,15 @@ public:
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
   /// Those shot; more than in the settings if a target asks for them.
   std::uint32_t numberOfWalks() const { return plan_.rounds()[sums_.rounds() - 1].endWalk; }
-  /// See ErrorEstimate::relativeErrorOfMostArea; 0 without a target.
+  /// See ErrorEstimate::relativeErrorOfMostArea; 0 without a target, NaN while walks are stale.
   double reachedRelativeError() const { return reached_; }
+  /// What the budget has left unrepaired; null without a budget, or before anything moved.
+  const StaleWalks* stale() const { return stale_.get(); }
+  /// The part of irradiance() that rests on stale walks.
+  double staleIrradiance(
+    std::uint32_t object, std::size_t cell, int side, int band, double area) const;
+  /// StaleWalks::gainBound() in watts.
+  double staleGainBound(int band) const { return stale_ ? watts(stale_->gainBound(band)) : 0.0; }
   bool hasEmitters() const { return !emitters_.isEmpty(); }
   const PowerBalance& balance() const { return balance_; }
   const EngineStatistics& statistics() const { return statistics_; }
@@ -91,11 +106,11 @@ private:
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
   void repair(const WalkShooter& shooter, const std::vector<std::vector<StaleSegment>>& stale,
     Execution& execution);
+  bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   void run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution);
   /// Walks are inside, but for escapes.
   Box walkBounds() const;
   double reachInFrame() const;
-  void cacheStaticHit(WalkBlock& block, const StaleSegment& stale) const;
   /// The power of walks is that for the largest number of them, so that it does not depend on how
   /// many are shot: quanta count for more when there are fewer.
   double scale() const { return static_cast<double>(plan_.most()) / numberOfWalks(); }
@@ -108,9 +123,10 @@ private:
   EmitterTable emitters_;
   CellSums sums_;
   PowerBalance balance_;
-  std::vector<WalkBlock> history_; ///< empty unless something may move
-  UnitFrame pointFrame_;           ///< of the stored points
-  double pointReach_ = 0;          ///< their largest coordinate, but for those of escapes
+  std::vector<WalkBlock> history_;    ///< empty unless something may move
+  std::unique_ptr<StaleWalks> stale_; ///< null unless a budget has, or had, to be kept
+  UnitFrame pointFrame_;              ///< of the stored points
+  double pointReach_ = 0;             ///< their largest coordinate, but for those of escapes
   double reached_ = 0;
   EngineStatistics statistics_;
 };

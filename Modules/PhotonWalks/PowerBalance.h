@@ -41,6 +41,8 @@ public:
   /// `sign`: 1 to book, -1 to take back.
   void book(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
     const Power& carriedOn, int sign);
+  /// As if nothing had been booked in the cells; the balance is the caller's to drop.
+  void discard() { deposits_.clear(); }
   /// Has the memory bring the sum that a hit will change.
   void fetch(std::uint32_t walk, const Hit& hit) const { sums_.fetch(walk, hit.id); }
   /// Takes back the segments of a stored walk from `firstBounce` on.

@@ -29,6 +29,8 @@ public:
     return whole_.goOn(progress == 1 ? to_ : from_ + progress * (to_ - from_));
   }
 
+  double seconds() const override { return whole_.seconds(); }
+
 private:
   Execution& whole_;
   double from_, to_;

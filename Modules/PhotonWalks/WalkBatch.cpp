@@ -106,4 +106,18 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
   rays_.resize(kept);
 }
 
+void WalkBatch::store(const WalkPlan& plan, std::vector<WalkBlock>& history) const
+{
+  for (const Tail& tail : tails_)
+  {
+    const WalkPlan::Place place = plan.placeOf(tail.walk);
+    history[place.block].replaceTail(place.walkInBlock, tail.bounce, tail.size);
+  }
+  for (const Piece& piece : pieces_)
+  {
+    const WalkPlan::Place place = plan.placeOf(tails_[piece.tail].walk);
+    history[place.block].setSegment(place.walkInBlock, piece.bounce, piece.segment);
+  }
+}
+
 }

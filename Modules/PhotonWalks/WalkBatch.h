@@ -47,6 +47,8 @@ public:
   const std::vector<Tail>& tails() const { return tails_; }
   /// Those of a walk in order, those of several mixed.
   const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Puts what was shot in the place of what the walks had from there on.
+  void store(const WalkPlan& plan, std::vector<WalkBlock>& history) const;
 
 private:
   /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.

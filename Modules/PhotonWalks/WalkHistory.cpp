@@ -185,6 +185,20 @@ void WalkBlock::forgetStaticHit(std::uint32_t walk, std::uint32_t bounce)
   staticHits_.erase(key(walk, bounce));
 }
 
+void WalkBlock::updateStaticHit(
+  std::uint32_t walk, std::uint32_t bounce, const Hit& old, const Hit& now, bool isCached)
+{
+  const auto isDynamic = [](const Hit& hit) { return hit && hit.id.object > 0; };
+  if (!isDynamic(now))
+  {
+    forgetStaticHit(walk, bounce);
+  }
+  else if (isCached && !isDynamic(old))
+  {
+    rememberStaticHit(walk, bounce, old);
+  }
+}
+
 std::size_t WalkBlock::bytes() const
 {
   const auto held = [](const auto& pool) { return pool.capacity() * sizeof(pool[0]); };

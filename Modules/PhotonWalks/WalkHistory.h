@@ -66,6 +66,10 @@ public:
   const Hit* hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const;
   void rememberStaticHit(std::uint32_t walk, std::uint32_t bounce, const Hit& hit);
   void forgetStaticHit(std::uint32_t walk, std::uint32_t bounce);
+  /// When another hit ends the segment: a static one that becomes hidden is kept until the segment
+  /// goes (section 3.3 of the paper), if `isCached`.
+  void updateStaticHit(
+    std::uint32_t walk, std::uint32_t bounce, const Hit& old, const Hit& now, bool isCached);
   void forgetAllStaticHits() { staticHits_.clear(); }
 
   /// The pools as a scan reads them, holes included: from point i to point i + 1 goes a segment, or

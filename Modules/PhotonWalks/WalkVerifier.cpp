@@ -28,8 +28,8 @@ struct WalkVerifier::Candidates
   }
 };
 
-std::vector<StaleSegment> WalkVerifier::staleSegments(
-  const WalkBlock& block, const WalkBlock& next, std::uint32_t firstWalk) const
+std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, const WalkBlock& next,
+  std::uint32_t firstWalk, const StaleMarks& known) const
 {
   static thread_local std::vector<std::uint32_t> points;
   static thread_local Candidates blocked, lost;
@@ -44,6 +44,10 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(
       (place.bounce > 0 && hasMoved(block.hit(place.walk, place.bounce - 1).id)))
     {
       continue; // where a segment began on what moved, the one before is stale
+    }
+    if (isStale(known, place))
+    {
+      continue;
     }
     Hit hit = block.hit(place.walk, place.bounce);
     const Ray ray = shooter_.rayOf(block, place.walk, firstWalk + place.walk, place.bounce);

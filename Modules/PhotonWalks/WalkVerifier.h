@@ -2,6 +2,7 @@
 #define irradiance_WalkVerifier_h
 
 #include "SegmentScan.h"
+#include "StaleMark.h"
 #include "WalkShooter.h"
 
 #include <vector>
@@ -40,9 +41,10 @@ public:
   }
 
   /// At most one for each walk, ordered by walk. `next`: the block that will be asked for after it,
-  /// or the same; `firstWalk`: the number of the block's first walk.
-  std::vector<StaleSegment> staleSegments(
-    const WalkBlock& block, const WalkBlock& next, std::uint32_t firstWalk) const;
+  /// or the same; `firstWalk`: the number of the block's first walk. Walks that are `known` to be
+  /// stale are looked at up to there.
+  std::vector<StaleSegment> staleSegments(const WalkBlock& block, const WalkBlock& next,
+    std::uint32_t firstWalk, const StaleMarks& known = {}) const;
 
 private:
   struct Candidates;

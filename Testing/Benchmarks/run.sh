@@ -16,10 +16,10 @@ results=$PWD/$build/results
 documentation=$PWD/Documentation
 case ${1:-} in
   '')
-    ray_casting=(300000 5) modes=() scan=() teapot=(1000000 3)
+    ray_casting=(300000 5) modes=() scan=() teapot=(1000000 3) budget=()
     ;;
   --quick)
-    ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2)
+    ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2) budget=(20000 2)
     documentation=$results
     ;;
   *)
@@ -56,6 +56,7 @@ measure BenchmarkRayCasting "${ray_casting[@]}"
 measure BenchmarkTraversalModes "${modes[@]}"
 measure BenchmarkSegmentScan "${scan[@]}"
 measure BenchmarkMovingTeapot "${teapot[@]}"
+measure BenchmarkRepairBudget "${budget[@]}"
 
 ../../../Utilities/run-under-xvfb.sh ../bin/BenchmarkReport ../../../Testing/Benchmarks/Performance.md.in \
   "$documentation/Performance.md" "$documentation/pictures" "$results"/*.csv

@@ -127,6 +127,11 @@ Spoil SetErrorsOfWalks(vtkIdType walks)
   };
 }
 
+Spoil SetBudget(double seconds)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetRepairTimeBudget(seconds); };
+}
+
 template <class Array>
 Spoil ReplaceArray(const char* name, int components, vtkIdType tuples)
 {
@@ -208,6 +213,8 @@ const std::vector<BadInput> BadInputs{
   { "TargetWithFewerWalksThanTheFirst", SetTarget(0.1, 499),
     { "MaximumNumberOfWalks", "is 499; 500 to" } },
   { "TargetWithTooManyWalks", SetTarget(0.1, 1LL << 32), { "MaximumNumberOfWalks", "4294967296" } },
+  { "NegativeBudget", SetBudget(-0.5), { "RepairTimeBudget is -0.5" } },
+  { "BudgetIsNaN", SetBudget(NaN), { "RepairTimeBudget is nan" } },
 };
 
 /// Connects a spoiled scene and updates.
@@ -237,6 +244,7 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   filter->SetNumberOfReplicates(16);
   filter->SetTargetRelativeError(0);
   filter->ComputeStandardErrorOff();
+  filter->SetRepairTimeBudget(0);
   filter->Update();
   EXPECT_TRUE(observer->Errors.empty());
   EXPECT_TRUE(IsSame(OutputBits(filter), expected));
