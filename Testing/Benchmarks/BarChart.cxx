@@ -1,26 +1,18 @@
 #include "BarChart.h"
 
+#include "ChartPicture.h"
 #include "ResultTable.h"
 
 #include <vtkAxis.h>
-#include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkColorSeries.h>
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPlot.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
-#include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace
 {
@@ -99,48 +91,6 @@ void labelAxes(
   bottom->SetTitle("");
   bottom->SetGridVisible(false);
   chart->GetAxis(vtkAxis::LEFT)->SetTitle(valueTitle);
-  for (vtkAxis* axis : { bottom, chart->GetAxis(vtkAxis::LEFT) })
-  {
-    axis->GetLabelProperties()->SetFontSize(16);
-    axis->GetTitleProperties()->SetFontSize(16);
-    axis->GetTitleProperties()->BoldOff();
-  }
-}
-
-void placeLegend(vtkChartXY* chart)
-{
-  chart->SetShowLegend(true);
-  vtkChartLegend* legend = chart->GetLegend();
-  legend->SetInline(false);
-  legend->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-  legend->SetVerticalAlignment(vtkChartLegend::TOP);
-  legend->SetLabelSize(15);
-}
-
-void writePicture(vtkChartXY* chart, const std::string& path)
-{
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(chart);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
-  renderer->AddActor(actor);
-  vtkNew<vtkRenderWindow> window;
-  window->AddRenderer(renderer);
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(1200, 520);
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(window);
-  grabber->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grabber->GetOutputPort());
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    throw std::runtime_error(path + ": cannot be written");
-  }
 }
 
 }
@@ -152,6 +102,5 @@ void writeBarChart(
   vtkNew<vtkChartXY> chart;
   addBars(chart, makeTable(results, groups, distinct(results, &Result::row)));
   labelAxes(chart, groups, valueTitle);
-  placeLegend(chart);
   writePicture(chart, path);
 }

@@ -6,11 +6,11 @@
  *
  * Arguments: [walks = 1000000] [frames = 59] [head.off]
  */
+#include "CpuTime.h"
 #include "IrradianceEngine.h"
 #include "MovingTeapotScene.h"
 #include "Program.h"
 #include "Results.h"
-#include "Timing.h"
 #include "TwoThreads.h"
 
 #include <algorithm>
@@ -48,13 +48,6 @@ double meanPercent(const std::vector<double>& shares)
   return 100 * std::accumulate(shares.begin(), shares.end(), 0.0) /
     static_cast<double>(shares.size());
 }
-
-/// One thread by its CPU time: other programs do not disturb it.
-class CpuTime : public Execution
-{
-public:
-  double seconds() const override { return threadCpuSeconds(); }
-};
 
 /// Without a budget the engine's own clocks are those on the wall: only their ratio is used.
 double secondsOfRepair(IrradianceEngine& engine, const SceneObjects& objects,

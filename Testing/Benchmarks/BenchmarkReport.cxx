@@ -4,12 +4,19 @@
  *
  *   {{machine}}                 the machine, the versions, the date
  *   {{table NAME}}              the table of the benchmark NAME
- *   {{chart NAME: TITLE}}       its picture, with the title of the axis of values
+ *   {{chart NAME: TITLE}}       its picture with bars, with the title of the axis of values
+ *   {{lines NAME: X | Y}}       its picture with lines, quantity Y over quantity X; "log" before a
+ *                               quantity asks for a logarithmic axis
  *   {{further results}}         the tables of all benchmarks that are not named before
+ *
+ * and this within a line:
+ *
+ *   {{value NAME | ROW | QUANTITY}}   the median
  *
  * Arguments: TEMPLATE REPORT PICTURES RESULTS.csv... (PICTURES: a folder beside the report)
  */
 #include "BarChart.h"
+#include "LineChart.h"
 #include "Machine.h"
 #include "ResultFile.h"
 #include "ResultTable.h"
@@ -43,9 +50,9 @@ public:
   {
     static const std::regex placeholder(R"(\{\{(\w+) ?([^:}]*)(?:: ([^}]*))?\}\})");
     std::smatch match;
-    if (!std::regex_match(line, match, placeholder))
+    if (line.find("{{value ") != std::string::npos || !std::regex_match(line, match, placeholder))
     {
-      stream_ << line << '\n';
+      writeText(line);
     }
     else if (match[1] == "machine")
     {
@@ -58,6 +65,10 @@ public:
     else if (match[1] == "chart")
     {
       writeChartOf(match[2], match[3]);
+    }
+    else if (match[1] == "lines")
+    {
+      writeLinesOf(match[2], match[3]);
     }
     else if (match[1] == "further")
     {
@@ -93,9 +104,54 @@ private:
     {
       const std::string file = pictures_ + '/' + benchmark + ".png";
       writeBarChart(file, title, results);
-      stream_ << "![" << title << "](" << vtksys::SystemTools::GetFilenameName(pictures_) << '/'
-              << benchmark << ".png)\n";
+      writePictureLink(benchmark, title);
     }
+  }
+
+  void writeLinesOf(const std::string& benchmark, const std::string& axes)
+  {
+    static const std::regex form(R"((log )?(.*) \| (log )?(.*))");
+    std::smatch match;
+    if (!std::regex_match(axes, match, form))
+    {
+      throw std::runtime_error("axes of " + benchmark + ": " + axes);
+    }
+    const std::vector<Result> results = resultsOf(benchmark);
+    if (!results.empty())
+    {
+      writeLineChart(pictures_ + '/' + benchmark + ".png", { match[2], match[1].matched },
+        { match[4], match[3].matched }, results);
+      writePictureLink(benchmark, match.str(4) + " over " + match.str(2));
+    }
+  }
+
+  void writePictureLink(const std::string& benchmark, const std::string& title)
+  {
+    stream_ << "![" << title << "](" << vtksys::SystemTools::GetFilenameName(pictures_) << '/'
+            << benchmark << ".png)\n";
+  }
+
+  void writeText(std::string line)
+  {
+    static const std::regex form(R"(\{\{value (\w+) \| ([^|]*) \| ([^}]*)\}\})");
+    for (std::smatch match; std::regex_search(line, match, form);)
+    {
+      line = match.prefix().str() + valueOf(match[1], match[2], match[3]) + match.suffix().str();
+    }
+    stream_ << line << '\n';
+  }
+
+  std::string valueOf(
+    const std::string& benchmark, const std::string& row, const std::string& quantity) const
+  {
+    for (const Result& result : resultsOf(benchmark))
+    {
+      if (result.row == row && result.quantity == quantity)
+      {
+        return shortNumber(result.spread.median);
+      }
+    }
+    throw std::runtime_error("no result " + benchmark + " | " + row + " | " + quantity);
   }
 
   void writeFurther()

@@ -50,6 +50,10 @@ std::string matrixCell(
     return "";
   }
   const Spread& spread = found->spread;
+  if (spread.median == 0 && spread.largest > 0)
+  {
+    return shortNumber(spread.smallest) + " .. " + shortNumber(spread.largest);
+  }
   const double half = 50 * (spread.largest - spread.smallest) / spread.median;
   return shortNumber(spread.median) + (half > 0 ? formatted(" ±%.0f%%", half) : "");
 }

@@ -13,7 +13,7 @@ std::vector<std::string> distinct(const std::vector<Result>& results, std::strin
 
 /// The results of one benchmark as a Markdown table: a line for each with its range and goal; or,
 /// when no result has a goal and there are several quantities, rows by quantities, each with half the
-/// range in percent.
+/// range in percent (the range itself where the median is 0).
 void writeTable(std::ostream& stream, const std::vector<Result>& results);
 
 #endif

