@@ -153,6 +153,19 @@ void measurePilots(const TradeScene& scene, const std::vector<Truth>& truths, do
   figures.give(scene.name + ", " + row, results);
 }
 
+/// Where all walks are pilots, none is missed.
+void checkPilots(const TradeScene& scene, const std::vector<Truth>& truths)
+{
+  PilotTracer tracer(truths[0].objects, static_cast<std::uint32_t>(truths[0].signatures.size()),
+    kSeed, scene.strata);
+  tracer.update(truths[1].objects, { 1 });
+  if (staleOf(tracer.signatures(), truths[1]) > 0 ||
+    fieldOf(tracer, truths[1].objects) != truths[1].irradiance)
+  {
+    throw std::runtime_error(scene.name + ": pilots alone and a fresh start differ");
+  }
+}
+
 void run(int argc, char* argv[])
 {
   const auto walks =
@@ -163,6 +176,7 @@ void run(int argc, char* argv[])
   {
     results.add("PilotGroups", scene.name, "groups", { double(scene.strata.numberOfGroups()) });
     const std::vector<Truth> truths = truthsOf(scene, walks, frames);
+    checkPilots(scene, truths);
     const std::vector<double> seconds = measureVerification(scene, walks, truths, results);
     for (const int part : { 64, 32, 16, 8, 4, 2 })
     {

@@ -13,6 +13,7 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -79,10 +80,27 @@ void addLine(vtkChartXY* chart, const Line& line, const vtkColor3ub& color, int 
   plot->SetWidth(isPoint ? 3 : 2);
 }
 
-void setAxis(vtkChartXY* chart, int place, const LineAxis& axis)
+/// `largest`: of the values on it.
+void setAxis(vtkAxis* axis, const LineAxis& what, double largest)
 {
-  chart->GetAxis(place)->SetTitle(axis.quantity);
-  chart->GetAxis(place)->SetLogScale(axis.isLogarithmic);
+  constexpr double kRoom = 1.05;
+  axis->SetTitle(what.quantity);
+  axis->SetLogScale(what.isLogarithmic);
+  if (!what.isLogarithmic)
+  {
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetRange(0, kRoom * largest);
+  }
+}
+
+double largestOf(const std::vector<Line>& lines, std::vector<double> Line::*values)
+{
+  double largest = 0;
+  for (const Line& line : lines)
+  {
+    largest = std::max(largest, *std::max_element((line.*values).begin(), (line.*values).end()));
+  }
+  return largest;
 }
 
 std::size_t placeIn(std::vector<std::string>& names, const std::string& name)
@@ -105,7 +123,8 @@ void writeLineChart(const std::string& path, const LineAxis& bottom, const LineA
   vtkNew<vtkColorSeries> colors;
   colors->SetColorScheme(vtkColorSeries::BREWER_QUALITATIVE_DARK2);
   std::vector<std::string> groups, marks;
-  for (const Line& line : linesOf(results, bottom.quantity, left.quantity))
+  const std::vector<Line> lines = linesOf(results, bottom.quantity, left.quantity);
+  for (const Line& line : lines)
   {
     const std::size_t comma = std::min(line.name.find(','), line.name.size());
     const std::size_t group = placeIn(groups, line.name.substr(0, comma));
@@ -113,7 +132,7 @@ void writeLineChart(const std::string& path, const LineAxis& bottom, const LineA
     addLine(
       chart, line, colors->GetColorRepeating(static_cast<int>(group)), static_cast<int>(mark));
   }
-  setAxis(chart, vtkAxis::BOTTOM, bottom);
-  setAxis(chart, vtkAxis::LEFT, left);
+  setAxis(chart->GetAxis(vtkAxis::BOTTOM), bottom, largestOf(lines, &Line::x));
+  setAxis(chart->GetAxis(vtkAxis::LEFT), left, largestOf(lines, &Line::y));
   writePicture(chart, path);
 }

@@ -7,7 +7,7 @@
 struct LineAxis
 {
   std::string quantity;
-  bool isLogarithmic = false; ///< then all values are positive
+  bool isLogarithmic = false; ///< then all values are positive; else it begins at 0
 };
 
 /// Draws the medians of two quantities of one benchmark against each other and writes them to a PNG

@@ -14,9 +14,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=Utilities/packages.sh
 source Utilities/packages.sh
 
+root=$PWD
 build=build/benchmark
-results=$PWD/$build/results
-documentation=$PWD/Documentation
+results=$root/$build/results
+documentation=$root/Documentation
 ray_casting=(300000 5) modes=() scan=() teapot=(1000000 3) budget=()
 accuracy=() pilots=() stale=()
 if [[ ${1:-} == --quick ]]; then
@@ -57,7 +58,7 @@ measure()
 # write_page NAME PROGRAM...: the page of Documentation from its template and the results of the programs
 write_page()
 {
-  ../../../Utilities/run-under-xvfb.sh ../bin/BenchmarkReport "../../../Testing/Benchmarks/$1.md.in" \
+  "$root/Utilities/run-under-xvfb.sh" ../bin/BenchmarkReport "$root/Testing/Benchmarks/$1.md.in" \
     "$documentation/$1.md" "$documentation/pictures" "${@:2}"
   echo "$documentation/$1.md"
 }
