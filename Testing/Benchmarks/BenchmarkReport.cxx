@@ -9,7 +9,7 @@
  *                               quantity asks for a logarithmic axis
  *   {{further results}}         the tables of all benchmarks that are not named before
  *
- * and this within a line:
+ * and this within a line, whose paragraph is wrapped anew:
  *
  *   {{value NAME | ROW | QUANTITY}}   the median
  *
@@ -20,6 +20,7 @@
 #include "Machine.h"
 #include "ResultFile.h"
 #include "ResultTable.h"
+#include "TextWrap.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -50,9 +51,19 @@ public:
   {
     static const std::regex placeholder(R"(\{\{(\w+) ?([^:}]*)(?:: ([^}]*))?\}\})");
     std::smatch match;
-    if (line.find("{{value ") != std::string::npos || !std::regex_match(line, match, placeholder))
+    const bool isText =
+      line.find("{{value ") != std::string::npos || !std::regex_match(line, match, placeholder);
+    if (line.empty() || !isText || line.find("* ") < line.find_first_not_of(" *"))
     {
-      writeText(line);
+      finishParagraph();
+    }
+    if (line.empty())
+    {
+      stream_ << '\n';
+    }
+    else if (isText)
+    {
+      paragraph_ += line + '\n';
     }
     else if (match[1] == "machine")
     {
@@ -78,6 +89,20 @@ public:
     {
       throw std::runtime_error("unknown placeholder: " + line);
     }
+  }
+
+  /// The text that waits for its end: as it stands, or with its figures in lines of their own length.
+  void finishParagraph()
+  {
+    static const std::regex form(R"(\{\{value\s+(\w+)\s+\|\s+([^|]*)\s\|\s+([^}]*)\}\})");
+    bool hasFigures = false;
+    for (std::smatch match; std::regex_search(paragraph_, match, form); hasFigures = true)
+    {
+      paragraph_ =
+        match.prefix().str() + valueOf(match[1], match[2], match[3]) + match.suffix().str();
+    }
+    stream_ << (hasFigures ? wrapped(paragraph_) : paragraph_);
+    paragraph_.clear();
   }
 
 private:
@@ -131,16 +156,6 @@ private:
             << benchmark << ".png)\n";
   }
 
-  void writeText(std::string line)
-  {
-    static const std::regex form(R"(\{\{value (\w+) \| ([^|]*) \| ([^}]*)\}\})");
-    for (std::smatch match; std::regex_search(line, match, form);)
-    {
-      line = match.prefix().str() + valueOf(match[1], match[2], match[3]) + match.suffix().str();
-    }
-    stream_ << line << '\n';
-  }
-
   std::string valueOf(
     const std::string& benchmark, const std::string& row, const std::string& quantity) const
   {
@@ -169,6 +184,7 @@ private:
   std::ostream& stream_;
   std::string pictures_;
   std::vector<Result> results_;
+  std::string paragraph_;
   std::set<std::string> named_; ///< benchmarks whose table is written
 };
 
@@ -191,6 +207,7 @@ void run(const std::vector<std::string>& arguments)
   {
     report.writeLine(line);
   }
+  report.finishParagraph();
   std::ofstream file(arguments[1]);
   file << stream.str();
   if (!text.eof() || !file.flush())

@@ -189,7 +189,7 @@ void run(int argc, char* argv[])
     {
       truths.push_back(truthsOf(scene, start, frames, settings));
     }
-    for (const int percent : { 0, 10, 25, 50, 75, 100 })
+    for (const int percent : { 0, 10, 25, 50, 75, 100, 150 })
     {
       Figures figures;
       for (const std::vector<Truth>& truth : truths)

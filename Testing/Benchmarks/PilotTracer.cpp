@@ -1,11 +1,11 @@
 #include "PilotTracer.h"
 
 #include "Timing.h"
-#include "WalkBatch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 
 using namespace irradiance;
@@ -100,42 +100,39 @@ std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
   return group;
 }
 
-std::vector<bool> PilotTracer::shoot(const Walks& walks)
+void PilotTracer::shoot(const Walks& walks)
 {
   constexpr std::size_t kTogether = 1024;
   const WalkShooter shooter(scene_, objects_, emitters_, samples_);
-  std::vector<bool> changed;
   for (std::size_t first = 0; first < walks.size(); first += kTogether)
   {
     WalkBatch batch(shooter);
-    const std::size_t end = std::min(first + kTogether, walks.size());
-    std::for_each(walks.begin() + static_cast<std::ptrdiff_t>(first),
-      walks.begin() + static_cast<std::ptrdiff_t>(end),
-      [&](std::uint32_t walk) { batch.shoot(walk); });
+    for (std::size_t i = first; i < std::min(first + kTogether, walks.size()); ++i)
+    {
+      batch.shoot(walks[i]);
+    }
     WalkBooking booking(sums_, balance_);
     batch.run(booking, [] { return false; });
-    std::vector<std::uint64_t> old;
-    for (const WalkBatch::Tail& tail : batch.tails())
-    {
-      WalkBlock& block = history_[blockOf(tail.walk)];
-      old.push_back(signatureOf(tail.walk));
-      if (block.size(walkInBlock(tail.walk)) > 0)
-      {
-        booking.remove(block, walkInBlock(tail.walk), tail.walk, 0);
-      }
-      block.replaceTail(walkInBlock(tail.walk), 0, tail.size);
-    }
-    for (const WalkBatch::Piece& piece : batch.pieces())
-    {
-      const std::uint32_t walk = batch.tails()[piece.tail].walk;
-      history_[blockOf(walk)].setSegment(walkInBlock(walk), piece.bounce, piece.segment);
-    }
-    for (std::size_t i = 0; i < old.size(); ++i)
-    {
-      changed.push_back(signatureOf(batch.tails()[i].walk) != old[i]);
-    }
+    store(batch, booking);
   }
-  return changed;
+}
+
+void PilotTracer::store(const WalkBatch& batch, WalkBooking& booking)
+{
+  for (const WalkBatch::Tail& tail : batch.tails())
+  {
+    WalkBlock& block = history_[blockOf(tail.walk)];
+    if (block.size(walkInBlock(tail.walk)) > 0)
+    {
+      booking.remove(block, walkInBlock(tail.walk), tail.walk, 0);
+    }
+    block.replaceTail(walkInBlock(tail.walk), 0, tail.size);
+  }
+  for (const WalkBatch::Piece& piece : batch.pieces())
+  {
+    const std::uint32_t walk = batch.tails()[piece.tail].walk;
+    history_[blockOf(walk)].setSegment(walkInBlock(walk), piece.bounce, piece.segment);
+  }
 }
 
 std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effort)
@@ -156,35 +153,40 @@ std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effor
     }
   }
   ++frame_;
+  std::sort(pilots.begin(), pilots.end()); // as they stand in memory
+  const std::vector<std::uint64_t> old = signaturesOf(pilots);
+  shoot(pilots);
   std::size_t shot = pilots.size();
-  constexpr std::size_t kTogether = 16; // groups
-  Walks walks;
-  std::size_t groups = 0;
-  const std::vector<FlaggedGroup> flagged = flag(pilots, shoot(pilots));
-  for (std::size_t i = 0; i < flagged.size() && threadCpuSeconds() - start < effort.seconds; ++i)
+  const std::vector<FlaggedGroup> flagged = flag(pilots, old);
+  // With all the time in the world the order of groups is of no use, and that of memory is faster.
+  const std::size_t together = std::isinf(effort.seconds) ? groups_.size() : 64;
+  for (std::size_t first = 0; first < flagged.size() && threadCpuSeconds() - start < effort.seconds;
+       first += together)
   {
-    const Walks& group = groups_[flagged[i].group];
-    std::copy_if(group.begin(), group.end(), std::back_inserter(walks),
-      [&](std::uint32_t walk) { return !isPilot[walk]; });
-    if (++groups % kTogether == 0 || i + 1 == flagged.size())
+    Walks walks;
+    for (std::size_t i = first; i < std::min(first + together, flagged.size()); ++i)
     {
-      shot += walks.size();
-      shoot(walks);
-      walks.clear();
+      const Walks& group = groups_[flagged[i].group];
+      std::copy_if(group.begin(), group.end(), std::back_inserter(walks),
+        [&](std::uint32_t walk) { return !isPilot[walk]; });
     }
+    std::sort(walks.begin(), walks.end());
+    shoot(walks);
+    shot += walks.size();
   }
   return shot;
 }
 
 std::vector<PilotTracer::FlaggedGroup> PilotTracer::flag(
-  const Walks& pilots, const std::vector<bool>& changed) const
+  const Walks& pilots, const std::vector<std::uint64_t>& old) const
 {
+  const std::vector<std::uint64_t> now = signaturesOf(pilots);
   std::vector<double> found(groups_.size()), all(groups_.size());
   for (std::size_t i = 0; i < pilots.size(); ++i)
   {
     const std::uint32_t group = groupOfWalk_[pilots[i]];
     all[group] += 1;
-    found[group] += changed[i] ? 1 : 0;
+    found[group] += now[i] != old[i] ? 1 : 0;
   }
   std::vector<FlaggedGroup> flagged;
   for (std::size_t group = 0; group < groups_.size(); ++group)
@@ -217,12 +219,17 @@ std::uint64_t PilotTracer::signatureOf(std::uint32_t walk) const
   return hash;
 }
 
+std::vector<std::uint64_t> PilotTracer::signaturesOf(const Walks& walks) const
+{
+  std::vector<std::uint64_t> signatures;
+  std::transform(walks.begin(), walks.end(), std::back_inserter(signatures),
+    [this](std::uint32_t walk) { return signatureOf(walk); });
+  return signatures;
+}
+
 std::vector<std::uint64_t> PilotTracer::signatures() const
 {
-  std::vector<std::uint64_t> all;
-  for (std::uint32_t walk = 0; walk < numberOfWalks_; ++walk)
-  {
-    all.push_back(signatureOf(walk));
-  }
-  return all;
+  Walks all(numberOfWalks_);
+  std::iota(all.begin(), all.end(), 0u);
+  return signaturesOf(all);
 }

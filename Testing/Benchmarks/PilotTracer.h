@@ -6,6 +6,7 @@
 #include "Emitter.h"
 #include "PowerBalance.h"
 #include "Scene.h"
+#include "WalkBatch.h"
 #include "WalkHistory.h"
 #include "WalkShooter.h"
 
@@ -61,9 +62,12 @@ private:
 
   void commit(const irradiance::SceneObjects& objects);
   std::uint32_t groupOf(std::uint32_t walk) const;
-  /// In place of what is stored of them. Returns whether each has changed.
-  std::vector<bool> shoot(const Walks& walks);
-  std::vector<FlaggedGroup> flag(const Walks& pilots, const std::vector<bool>& changed) const;
+  /// In place of what is stored of them.
+  void shoot(const Walks& walks);
+  void store(const irradiance::WalkBatch& batch, irradiance::WalkBooking& booking);
+  std::vector<std::uint64_t> signaturesOf(const Walks& walks) const;
+  /// The groups that differ from these old signatures of the pilots.
+  std::vector<FlaggedGroup> flag(const Walks& pilots, const std::vector<std::uint64_t>& old) const;
   std::uint64_t signatureOf(std::uint32_t walk) const;
 
   std::uint32_t numberOfWalks_;

@@ -20,7 +20,7 @@ const char* const kColumns[] = { "benchmark", "row", "quantity", "median", "smal
 std::string textOf(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
+  std::snprintf(text, sizeof text, "%.10g", value);
   return std::isnan(value) ? "" : text;
 }
 
