@@ -3,6 +3,18 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// How much farther off an edge a point is kept than above its triangle: where two walls meet at
+/// more than the angle of 1 in 64, the step along the normal of one stays in front of the other.
+constexpr double kSharpest = 64;
+/// But no weight is raised beyond this for it, lest a margin that is large beside its triangle (far
+/// from the origin) gathers all points in the middle.
+constexpr double kMostRaised = 0x1p-7;
+
+}
+
 /// Keeping the point off the edges matters: beside an edge the rounded position may lie behind the
 /// neighbour, where no step along the own normal helps.
 SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
@@ -19,7 +31,8 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
   const Vector3 inset(perEdge * (triangle.c - triangle.b).lpNorm<1>(),
     perEdge * (triangle.a - triangle.c).lpNorm<1>(),
     perEdge * (triangle.b - triangle.a).lpNorm<1>());
-  Vector3 kept = weights.cwiseMax(inset.cwiseMin(1.0 / 3.0));
+  const Vector3 sharp = inset.cwiseMax((kSharpest * inset).cwiseMin(kMostRaised));
+  Vector3 kept = weights.cwiseMax(sharp.cwiseMin(1.0 / 3.0));
   kept *= 1 / kept.sum();
   point.position = kept[0] * triangle.a + kept[1] * triangle.b + kept[2] * triangle.c;
   return point;

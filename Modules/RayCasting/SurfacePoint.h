@@ -10,7 +10,7 @@ namespace irradiance
 /// rounding.
 struct SurfacePoint
 {
-  Vector3 position; ///< on the triangle, kept off its edges by `margin`
+  Vector3 position; ///< on the triangle, kept off its edges by 64 `margin` if there is room
   Vector3 normal;   ///< unit vector
   double margin;    ///< 2^-33 of the largest coordinate: the step along the normal that is clear
   bool isFront;     ///< the normal points to the front

@@ -11,6 +11,8 @@ namespace
 
 /// That of a rotation is at most 3.
 constexpr double kMostStretch = 4;
+/// Boxes below 2^-500 are points; a scale must be finite.
+constexpr int kSmallestExponent = -500;
 
 }
 
@@ -22,7 +24,8 @@ UnitFrame::UnitFrame(const Box& box)
     int exponent = 0;
     std::frexp(0.5 * box.extent().maxCoeff(), &exponent);
     // A box of no extent is a point: any scale will do.
-    scale = box.extent().maxCoeff() > 0 ? std::ldexp(1.0, -exponent) : 1.0;
+    scale =
+      box.extent().maxCoeff() > 0 ? std::ldexp(1.0, -std::max(exponent, kSmallestExponent)) : 1.0;
   }
 }
 

@@ -50,7 +50,8 @@ void ReadPose(ByteReader& bytes, vtkMatrix4x4* matrix)
 void ReadSettings(ByteReader& bytes, Inputs& inputs)
 {
   const int kind = bytes.byte();
-  inputs.NumberOfWalks = bytes.oneIn(64) ? kind - 1 : 1 + kind % 32;
+  // Few: where all light is reflected, an error ends it only after 2^16 bounces for each walk.
+  inputs.NumberOfWalks = bytes.oneIn(64) ? kind % 32 - 1 : 1 + kind % 8;
   inputs.Seed = bytes.byte();
   inputs.TraversalMode = bytes.below(3);
   inputs.CacheStaticHits = bytes.below(2) == 0;

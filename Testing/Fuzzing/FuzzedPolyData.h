@@ -171,7 +171,7 @@ inline vtkSmartPointer<vtkPolyData> Read(ByteReader& bytes)
   }
   if ((arrays & 2) != 0)
   {
-    polyData->GetCellData()->AddArray(ReadArray(bytes, "DiffuseReflectance", cells, 1));
+    polyData->GetCellData()->AddArray(ReadArray(bytes, "DiffuseReflectance", cells, 0.97));
   }
   if ((arrays & 4) != 0)
   {
