@@ -174,6 +174,7 @@ void IrradianceEngine::shootAll(Execution& execution)
   history_.clear();
   const bool keep = settings_.verify && !objects_.dynamic.empty();
   pointFrame_ = UnitFrame(walkBounds());
+  clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
   for (std::size_t block = 0; keep && block < numberOfBlocks(); ++block)
   {
@@ -244,8 +245,9 @@ Box IrradianceEngine::walkBounds() const
 double IrradianceEngine::reachInFrame() const
 {
   const Box world = walkBounds();
-  return std::max(
-    pointFrame_(world.lower).cwiseAbs().maxCoeff(), pointFrame_(world.upper).cwiseAbs().maxCoeff());
+  return std::max(pointFrame_(world.lower).cwiseAbs().maxCoeff(),
+           pointFrame_(world.upper).cwiseAbs().maxCoeff()) +
+    clearance_ * pointFrame_.scale;
 }
 
 void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)
@@ -274,17 +276,19 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution)
 {
-  pointReach_ = std::max(pointReach_, reachInFrame()); // stored points are where objects have been
+  // Stored points are where objects have been.
+  clearance_ = std::max(clearance_, scene_.clearance());
+  pointReach_ = std::max(pointReach_, reachInFrame());
   SegmentScan scan(pointFrame_, pointReach_);
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     if (moved[i] && !objects_.dynamic[i].body->mesh().isEmpty())
     {
-      scan.addBody(scene_.shadowBound(i));
+      scan.addBody(scene_.shadowBound(i, clearance_));
       scan.addMoved(i + 1);
     }
   }
-  const WalkVerifier verifier(shooter, moved, scan);
+  const WalkVerifier verifier(shooter, moved, scan, clearance_);
   std::vector<std::vector<StaleSegment>> stale(numberOfBlocks());
   SlicedPass pass{ 0, 0.5, numberOfBlocks(), {} };
   pass.work = [&](std::size_t block, const Deadline&, PowerBalance&) {

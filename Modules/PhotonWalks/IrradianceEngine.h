@@ -91,6 +91,7 @@ private:
   std::vector<WalkBlock> history_; ///< empty unless something may move
   UnitFrame pointFrame_;           ///< of the stored points
   double pointReach_ = 0;          ///< their largest coordinate, but for those of escapes
+  double clearance_ = 0;           ///< of all frames since the walks were shot, see Scene
   EngineStatistics statistics_;
 };
 

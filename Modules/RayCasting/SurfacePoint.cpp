@@ -1,11 +1,15 @@
 #include "SurfacePoint.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
 namespace
 {
 
+/// The margin, of the largest coordinate.
+constexpr double kMargin = 0x1p-33;
 /// How much farther off an edge a point is kept than above its triangle: where two walls meet at
 /// more than the angle of 1 in 64, the step along the normal of one stays in front of the other.
 constexpr double kSharpest = 64;
@@ -25,7 +29,7 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
   point.isFront = true;
   const double perLength = 1 / length; // one division for all
   point.normal = area * perLength;
-  point.margin = 0x1p-33 * triangle.bounds().magnitude();
+  point.margin = kMargin * triangle.bounds().magnitude();
   const double perEdge = point.margin * perLength;
   // The 1-norm is no less than the length and needs no square root.
   const Vector3 inset(perEdge * (triangle.c - triangle.b).lpNorm<1>(),
@@ -36,6 +40,17 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
   kept *= 1 / kept.sum();
   point.position = kept[0] * triangle.a + kept[1] * triangle.b + kept[2] * triangle.c;
   return point;
+}
+
+/// Weights that are raised by r in all, and brought back to a sum of 1, move the point by r longest
+/// edges at most. With the radius p of the inner circle the three insets are sqrt(3) margin / p
+/// together at most, the factor for their 1-norms.
+double farthestClearance(double magnitude, double longestEdge, double slenderness)
+{
+  const double margin = kMargin * magnitude;
+  const double inset = 1.74 * margin * slenderness; // times the longest edge
+  const double sharp = std::min(kSharpest * inset, 3 * kMostRaised * longestEdge);
+  return margin + std::min(inset + sharp, longestEdge);
 }
 
 }

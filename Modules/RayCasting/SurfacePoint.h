@@ -27,6 +27,11 @@ struct SurfacePoint
 /// `weights`: barycentric coordinates, not negative. The normal is that of the front.
 SurfacePoint surfacePoint(const Triangle& worldTriangle, const Vector3& weights);
 
+/// No clear position is farther than this from the point that the weights say, on triangles with no
+/// coordinate larger than `magnitude`, no edge longer than `longestEdge`, and no larger ratio of the
+/// longest edge to the radius of the circle within than `slenderness`.
+double farthestClearance(double magnitude, double longestEdge, double slenderness);
+
 }
 
 #endif

@@ -171,6 +171,26 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
   }
 }
 
+// Law: no point is farther off than verification takes into account, on the slenderest triangles too.
+TEST_P(SpawnedRays, BeginWithinTheClearance)
+{
+  constexpr unsigned kSeed = 7;
+  const TriangleMesh mesh(GetParam().triangles);
+  RandomVectors random(kSeed);
+  const double bound =
+    farthestClearance(mesh.bounds().magnitude(), mesh.longestEdge(), mesh.slenderness());
+  double farthest = 0;
+  for (int i = 0; i < 20000 / kFewer; ++i)
+  {
+    const Triangle& triangle = mesh[random.engine() % mesh.size()];
+    const Vector3 weights = randomWeights(random);
+    const Vector3 hit = weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
+    farthest = std::max(farthest, (surfacePoint(triangle, weights).clearPosition() - hit).norm());
+  }
+  EXPECT_LE(farthest, bound * (1 + 0x1p-20));
+  EXPECT_GT(farthest, 0.001 * bound); // not beyond all measure
+}
+
 TEST(SurfacePoint, OfATriangleThinnerThanTheMarginStaysInIt)
 {
   const Triangle sliver{ { 1, 0, 0 }, { 2, 0, 0 }, { 1.5, 1e-12, 0 } };
