@@ -144,10 +144,12 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
   const std::vector<double>& margins, double stretch, const Checkpoint& checkpoint)
   : isStretched_(stretch > kMostStretch)
 {
-  Box box;
-  for (const Triangle& triangle : triangles)
+  Box box; // with the margins, which may be larger than all else: distances in the frame are small
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    box.add(triangle.bounds());
+    Box bounds = triangles[i].bounds();
+    bounds.inflate(margins.empty() ? 0.0 : margins[i]);
+    box.add(bounds);
   }
   frame_ = UnitFrame(box);
   std::vector<Triangle> unit;

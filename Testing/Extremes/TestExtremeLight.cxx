@@ -45,7 +45,7 @@ TEST(ExtremeLight, WeakBesideStrong)
 // chance of 1e-4 to end has a standard deviation of a quarter of the mean.
 TEST(ExtremeLight, Reflectance09999)
 {
-  const vtkIdType walks = IsThorough() ? 4000 : 200;
+  const vtkIdType walks = IsThorough() ? 1000 : 200;
   Scene scene{ { MakeFurnace(1, { 0, 0, 0 }, 0.9999) },
     { MakeMoving(White(MakeBox(0.3, 0.2, 0.25)), { 0.4, 0.5, 0.6 }) } };
   const auto filter = MakeFilter(scene, walks);

@@ -185,6 +185,21 @@ inline NamedScene nearlyFlat()
   return scene;
 }
 
+/// The way to model space and back moves a point by more than the room: a tree over all triangles
+/// reaches far beyond them.
+inline NamedScene allButSingular()
+{
+  RandomVectors random(17);
+  const Matrix3 flat = random.rotation() * stretch(1, 1, 2e-14) * random.rotation();
+  NamedScene scene{ "all but singular", bodyOf(room()), {} };
+  const auto body = bodyOf(icosphere(0));
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.objects.push_back({ body, { flat, Vector3(1 + i, 1, 1) } });
+  }
+  return scene;
+}
+
 /// Small things close to the floor of a hall 1e9 times as large, and a loose one as large as the hall:
 /// what one tree takes for a trifle is more than all of another.
 inline NamedScene crumbsInAHall()
@@ -209,7 +224,7 @@ inline NamedScene crumbsInAHall()
 
 inline std::vector<NamedScene> testScenes()
 {
-  return { hardMaps(), nearlyFlat(), manyObjects(), crumbsInAHall(),
+  return { hardMaps(), nearlyFlat(), allButSingular(), manyObjects(), crumbsInAHall(),
     coincidentBoxes(Matrix3::Identity(), "coincident boxes"),
     coincidentBoxes(RandomVectors(14).rotation(), "coincident boxes, turned"), withoutStatic(),
     farAway() };
