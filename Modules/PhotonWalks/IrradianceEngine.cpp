@@ -135,6 +135,7 @@ void IrradianceEngine::startAnew(Execution& execution)
   history_.clear();
   stale_.reset();
   pointFrame_ = UnitFrame(walkBounds());
+  clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
 }
 
@@ -214,8 +215,9 @@ Box IrradianceEngine::walkBounds() const
 double IrradianceEngine::reachInFrame() const
 {
   const Box world = walkBounds();
-  return std::max(
-    pointFrame_(world.lower).cwiseAbs().maxCoeff(), pointFrame_(world.upper).cwiseAbs().maxCoeff());
+  return std::max(pointFrame_(world.lower).cwiseAbs().maxCoeff(),
+           pointFrame_(world.upper).cwiseAbs().maxCoeff()) +
+    clearance_ * pointFrame_.scale;
 }
 
 void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)
@@ -270,17 +272,19 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution)
 {
-  pointReach_ = std::max(pointReach_, reachInFrame()); // stored points are where objects have been
+  // Stored points are where objects have been.
+  clearance_ = std::max(clearance_, scene_.clearance());
+  pointReach_ = std::max(pointReach_, reachInFrame());
   SegmentScan scan(pointFrame_, pointReach_);
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     if (moved[i] && !objects_.dynamic[i].body->mesh().isEmpty())
     {
-      scan.addBody(scene_.shadowBound(i));
+      scan.addBody(scene_.shadowBound(i, clearance_));
       scan.addMoved(i + 1);
     }
   }
-  const WalkVerifier verifier(shooter, moved, scan);
+  const WalkVerifier verifier(shooter, moved, scan, clearance_);
   std::vector<std::vector<StaleSegment>> stale(history_.size());
   const StaleMarks none;
   constexpr std::size_t kTogether = 16; // in a row for a thread: it asks for the next in time

@@ -127,6 +127,7 @@ private:
   std::unique_ptr<StaleWalks> stale_; ///< null unless a budget has, or had, to be kept
   UnitFrame pointFrame_;              ///< of the stored points
   double pointReach_ = 0;             ///< their largest coordinate, but for those of escapes
+  double clearance_ = 0;              ///< of all frames since the walks were shot, see Scene
   double reached_ = 0;
   EngineStatistics statistics_;
 };
