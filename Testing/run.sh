@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing; builds build/release and runs all tests and examples there under a
 # private X server; builds build/sanitize and runs the engine's tests there with the address and
-# undefined-behaviour sanitizers. The last line sums it up; the status is 0 only if nothing failed.
+# undefined-behaviour sanitizers; builds build/fuzz and fuzzes for a minute. The last line sums it up; the
+# status is 0 only if nothing failed.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -64,7 +65,7 @@ run_tests()
   failed=$((failed + unsuccessful))
 }
 
-require_packages build display test
+require_packages build display test fuzz
 
 if ! fetch_data; then
   echo "The examples' data could not be fetched"
@@ -81,5 +82,11 @@ if ! [[ /proc/self/status -ef /proc/$BASHPID/status ]]; then
 fi
 if build sanitize; then
   run_tests sanitize
+fi
+echo "== fuzz"
+if Testing/Fuzzing/run.sh 30; then
+  passed=$((passed + 1))
+else
+  failed=$((failed + 1))
 fi
 finish

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # To be sourced by bash. The one list of what has to be installed, by role, and the way to get it:
 #
-#   require_packages ROLE...      build, display, test, benchmark, meshes (what the benchmark's come by)
+#   require_packages ROLE...      build, display, test, fuzz, benchmark, meshes (what the benchmark's come by)
 #   fetch_data                    what Data/fetch.sh fetches
 #
 # On Debian and its kin what is missing is installed, by root or through sudo; nothing is said when nothing
@@ -18,6 +18,7 @@ packages_of()
     build) echo g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev ;;
     display) echo xvfb ;;
     test) echo libgtest-dev clang-format clang-tidy ;;
+    fuzz) echo clang libclang-rt-dev ;;
     benchmark) echo libembree-dev ;;
     meshes) echo npm ;;
     *)
@@ -39,6 +40,7 @@ description_of()
     libeigen3-dev) echo "Eigen 3.3 or newer" ;;
     xvfb) echo "Xvfb, and Mesa's software OpenGL" ;;
     libgtest-dev) echo "GoogleTest" ;;
+    libclang-rt-dev) echo "clang's libFuzzer" ;;
     libembree-dev) echo "Embree 3" ;;
     *) echo "$1" ;;
   esac
@@ -67,6 +69,13 @@ has_command()
   return 1
 }
 
+can_fuzz()
+{
+  has_command clang++ &&
+    echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' |
+    clang++ -fsanitize=fuzzer -x c++ -o /dev/null - 2>/dev/null
+}
+
 is_present_without_dpkg()
 {
   case $1 in
@@ -77,6 +86,7 @@ is_present_without_dpkg()
     libeigen3-dev) [[ -n ${Eigen3_DIR:-} ]] || has_config Eigen3Config.cmake ;;
     xvfb) has_command Xvfb ;;
     libgtest-dev) [[ -n ${GTest_DIR:-} ]] || has_config GTestConfig.cmake ;;
+    libclang-rt-dev) can_fuzz ;;
     libembree-dev) [[ -n ${embree_DIR:-} ]] || has_config 'embree-config.cmake' ;;
     *) has_command "$1" "$1-14" ;;
   esac

@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -188,11 +189,17 @@ void PolyDataConverter::readStrips(vtkCellArray* cells)
   });
 }
 
-/// The cell's triangles are there; its arrays and its area follow.
+/// The cell's triangles are there; its arrays and its area follow. Triangles without area are dropped:
+/// they have no normal.
 void PolyDataConverter::readSurfaceCell()
 {
   Surface& surface = result_.surface;
   const auto cell = static_cast<std::size_t>(cell_);
+  const auto isPoint = [](const Triangle& t) { return !(t.areaVector().norm() > kSmallestArea); };
+  result_.triangles.erase(
+    std::remove_if(result_.triangles.begin() + static_cast<std::ptrdiff_t>(firstTriangle_),
+      result_.triangles.end(), isPoint),
+    result_.triangles.end());
   double area = 0;
   for (std::size_t i = firstTriangle_; i < result_.triangles.size(); ++i)
   {

@@ -44,6 +44,8 @@ public:
   /// Limits beyond which products of lengths, areas and powers might not be finite.
   static constexpr double kMostDistant = 1e30; ///< m
   static constexpr double kBrightest = 1e30;   ///< W/m2, W
+  /// And vanish: what is not larger has no area, m2.
+  static constexpr double kSmallestArea = 1e-60;
 
 private:
   void checkArray(vtkDataArray* array, const char* meaning) const;

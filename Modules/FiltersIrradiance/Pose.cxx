@@ -37,6 +37,9 @@ Matrix4 matrixOf(const std::string& where, vtkDataArray* array)
   return matrix;
 }
 
+/// Areas are squares of it, and lengths of normals squares of these: all must be more than 0.
+constexpr double kSmallestScale = 1e-30;
+
 void checkInvertible(const std::string& where, const Matrix4& matrix)
 {
   std::ostringstream message;
@@ -55,6 +58,11 @@ void checkInvertible(const std::string& where, const Matrix4& matrix)
   if (!(svd.singularValues()[2] > 1e-14 * svd.singularValues()[0]))
   {
     message << "is singular";
+    throw InputError(message.str());
+  }
+  if (!(svd.singularValues()[2] >= kSmallestScale))
+  {
+    message << "shrinks to less than " << kSmallestScale;
     throw InputError(message.str());
   }
 }

@@ -42,6 +42,30 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
   }
 }
 
+/// Positions are kept in double, and rays start clear of surfaces by 2^-33 of the largest coordinate.
+void checkDigits(const SceneObjects& objects)
+{
+  constexpr double kFarthest = 0x1p27; // in sizes of the scene
+  Box scene = objects.fixed.body->mesh().bounds();
+  for (const SceneObject& object : objects.dynamic)
+  {
+    const Box& model = object.body->mesh().bounds();
+    if (!model.isEmpty())
+    {
+      const AffineMap& map = object.worldFromObject;
+      const Vector3 center = map(model.center());
+      const Vector3 reach = 0.5 * map.linear.cwiseAbs() * model.extent();
+      scene.add(Box{ center - reach, center + reach });
+    }
+  }
+  const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
+  if (scene.magnitude() > kFarthest * size)
+  {
+    throw InputError("the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
+      " m away from the origin: too far for its size, as positions there have too few digits");
+  }
+}
+
 void append(ConvertedPolyData& all, const ConvertedPolyData& part)
 {
   const auto firstCell = static_cast<std::uint32_t>(all.surface.numberOfCells);
@@ -112,6 +136,7 @@ void SceneReader::read(const std::vector<InputConnection>& fixed,
     objects_.dynamic[i].worldFromObject = poses[i];
     areas_[i + 1] = cellAreas(objects_.dynamic[i]);
   }
+  checkDigits(objects_);
 }
 
 ConvertedPolyData SceneReader::convert(const InputConnection& connection)

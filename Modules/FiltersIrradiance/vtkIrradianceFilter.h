@@ -79,10 +79,11 @@
  *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
- * of range, singular or non-finite transforms, transforms of connections that do not exist: one
- * error that names the input, the cell and the value, and an empty output. A scene without lights
- * gives zeros and a warning. Progress is reported and AbortExecute honoured within 0.1 s; after an
- * abort the output is empty and, as with all of VTK, counts as up to date until Modified().
+ * of range, singular or non-finite transforms, transforms of connections that do not exist, scenes
+ * more than 1.3e8 times their size away from the origin (Documentation/Extremes.md): one error that
+ * names the input, the cell and the value, and an empty output. A scene without lights gives zeros
+ * and a warning. Progress is reported and AbortExecute honoured within 0.1 s; after an abort the
+ * output is empty and, as with all of VTK, counts as up to date until Modified().
  *
  * Runs on VTK's threads (vtkSMPTools).
  */

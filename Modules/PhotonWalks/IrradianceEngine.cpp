@@ -1,28 +1,20 @@
 #include "IrradianceEngine.h"
 
-#include "BudgetedRepair.h"
 #include "ProgressSpan.h"
 #include "SceneChange.h"
 #include "SlicedPass.h"
 #include "WalkBatch.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <limits>
 #include <memory>
-#include <utility>
 
 namespace irradiance
 {
 
 namespace
 {
-
-double secondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 WalkPlan planOf(const EngineSettings& settings)
 {
@@ -33,17 +25,6 @@ WalkPlan planOf(const EngineSettings& settings)
 }
 
 }
-
-/// Batches of walks, each for some blocks in a row.
-struct IrradianceEngine::BatchPass
-{
-  double progressFrom, progressTo;
-  std::size_t firstBlock, endBlock;
-  std::size_t blocksTogether;
-  std::function<void(std::size_t block, WalkBatch& batch)> fill;
-  /// Keeps what a batch has shot.
-  std::function<void(const WalkBatch& batch, WalkBooking& booking, PowerBalance& balance)> finish;
-};
 
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
@@ -135,6 +116,7 @@ void IrradianceEngine::startAnew(Execution& execution)
   history_.clear();
   stale_.reset();
   pointFrame_ = UnitFrame(walkBounds());
+  clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
 }
 
@@ -214,135 +196,9 @@ Box IrradianceEngine::walkBounds() const
 double IrradianceEngine::reachInFrame() const
 {
   const Box world = walkBounds();
-  return std::max(
-    pointFrame_(world.lower).cwiseAbs().maxCoeff(), pointFrame_(world.upper).cwiseAbs().maxCoeff());
-}
-
-void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)
-{
-  if (!settings_.cacheStaticHits)
-  {
-    std::for_each(
-      history_.begin(), history_.end(), [](WalkBlock& block) { block.forgetAllStaticHits(); });
-  }
-  const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
-  if ((!hasMotion && (!stale_ || stale_->isEmpty())) || emitters_.isEmpty())
-  {
-    return;
-  }
-  Clock::time_point start = Clock::now();
-  const SobolSequence samples(settings_.seed, plan_.deal());
-  const WalkShooter shooter(scene_, objects_, emitters_, samples);
-  std::vector<std::vector<StaleSegment>> found;
-  if (hasMotion)
-  {
-    commitScene(moved, execution);
-    found = verify(shooter, moved, execution);
-  }
-  if (hasBudget() && !stale_)
-  {
-    stale_ = std::make_unique<StaleWalks>(
-      objects_, settings_.separateSides ? 2 : 1, plan_, history_.size(), samples);
-  }
-  if (stale_)
-  {
-    stale_->add(found, history_, execution);
-  }
-  statistics_.verifySeconds = hasMotion ? secondsSince(start) : 0;
-
-  start = Clock::now();
-  if (stale_)
-  {
-    const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;
-    BudgetedRepair budgeted(
-      { shooter, plan_, history_, sums_, *stale_, found, settings_.cacheStaticHits }, execution,
-      seconds);
-    statistics_.repairedSegments = budgeted.run(hasMotion ? 0.5 : 0, execution, balance_);
-    statistics_.repairSeconds = budgeted.seconds();
-  }
-  else
-  {
-    repair(shooter, found, execution);
-    statistics_.repairSeconds = secondsSince(start);
-  }
-}
-
-std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
-  const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution)
-{
-  pointReach_ = std::max(pointReach_, reachInFrame()); // stored points are where objects have been
-  SegmentScan scan(pointFrame_, pointReach_);
-  for (std::uint32_t i = 0; i < moved.size(); ++i)
-  {
-    if (moved[i] && !objects_.dynamic[i].body->mesh().isEmpty())
-    {
-      scan.addBody(scene_.shadowBound(i));
-      scan.addMoved(i + 1);
-    }
-  }
-  const WalkVerifier verifier(shooter, moved, scan);
-  std::vector<std::vector<StaleSegment>> stale(history_.size());
-  const StaleMarks none;
-  constexpr std::size_t kTogether = 16; // in a row for a thread: it asks for the next in time
-  SlicedPass pass{ 0, 0.5, (stale.size() + kTogether - 1) / kTogether, {} };
-  pass.work = [&](std::size_t unit, const Deadline&, PowerBalance&) {
-    const std::size_t end = std::min((unit + 1) * kTogether, stale.size());
-    for (std::size_t block = unit * kTogether; block < end; ++block)
-    {
-      stale[block] = verifier.staleSegments(history_[block], history_[std::min(block + 1, end - 1)],
-        plan_.firstWalkOf(block), stale_ ? std::as_const(*stale_).marks(block) : none);
-    }
-    return true;
-  };
-  pass.run(execution, balance_);
-  for (const auto& found : stale)
-  {
-    statistics_.invalidWalks += static_cast<std::int64_t>(found.size());
-  }
-  return stale;
-}
-
-void IrradianceEngine::repair(const WalkShooter& shooter,
-  const std::vector<std::vector<StaleSegment>>& stale, Execution& execution)
-{
-  std::atomic<std::int64_t> repaired{ 0 };
-  // A block has few stale walks: those of several make a batch worth its name, if that leaves enough
-  // batches for all threads.
-  constexpr std::size_t kBatches = 32, kMostTogether = 16;
-  BatchPass pass{ 0.5, 1, 0, history_.size(),
-    std::clamp<std::size_t>(history_.size() / kBatches, 1, kMostTogether), {}, {} };
-  pass.fill = [&](std::size_t block, WalkBatch& batch) {
-    const WalkBlock& walks = history_[block];
-    for (const StaleSegment& segment : stale[block])
-    {
-      const std::uint32_t walk = plan_.firstWalkOf(block) + segment.walkInBlock;
-      batch.resume(walk, segment.bounce, segment.ray, segment.hit,
-        walks.power(segment.walkInBlock, 0), walks.power(segment.walkInBlock, segment.bounce));
-      for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
-      {
-        sums_.fetch(walk, walks.hit(segment.walkInBlock, i).id); // will be taken back
-      }
-    }
-  };
-  pass.finish = [&](const WalkBatch& batch, WalkBooking& booking, PowerBalance&) {
-    for (const WalkBatch::Tail& tail : batch.tails())
-    {
-      const WalkPlan::Place place = plan_.placeOf(tail.walk);
-      booking.remove(history_[place.block], place.walkInBlock, tail.walk, tail.bounce);
-    }
-    batch.store(plan_, history_);
-    repaired += static_cast<std::int64_t>(batch.pieces().size());
-  };
-  run(pass, shooter, execution);
-  for (std::size_t block = 0; block < stale.size(); ++block)
-  {
-    for (const StaleSegment& segment : stale[block])
-    {
-      history_[block].updateStaticHit(
-        segment.walkInBlock, segment.bounce, segment.old, segment.hit, settings_.cacheStaticHits);
-    }
-  }
-  statistics_.repairedSegments = repaired;
+  return std::max(pointFrame_(world.lower).cwiseAbs().maxCoeff(),
+           pointFrame_(world.upper).cwiseAbs().maxCoeff()) +
+    clearance_ * pointFrame_.scale;
 }
 
 double IrradianceEngine::irradiance(

@@ -9,10 +9,13 @@
 #include "WalkVerifier.h"
 
 #include <chrono>
+#include <functional>
 #include <memory>
 
 namespace irradiance
 {
+
+class WalkBatch;
 
 struct EngineSettings
 {
@@ -84,7 +87,21 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  struct BatchPass;
+  static double secondsSince(Clock::time_point start)
+  {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  /// Batches of walks, each for some blocks in a row.
+  struct BatchPass
+  {
+    double progressFrom, progressTo;
+    std::size_t firstBlock, endBlock;
+    std::size_t blocksTogether;
+    std::function<void(std::size_t block, WalkBatch& batch)> fill;
+    /// Keeps what a batch has shot.
+    std::function<void(const WalkBatch& batch, WalkBooking& booking, PowerBalance& balance)> finish;
+  };
 
   /// With the same lights.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
@@ -127,6 +144,7 @@ private:
   std::unique_ptr<StaleWalks> stale_; ///< null unless a budget has, or had, to be kept
   UnitFrame pointFrame_;              ///< of the stored points
   double pointReach_ = 0;             ///< their largest coordinate, but for those of escapes
+  double clearance_ = 0;              ///< of all frames since the walks were shot, see Scene
   double reached_ = 0;
   EngineStatistics statistics_;
 };

@@ -125,7 +125,7 @@ void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) cons
   for (std::size_t i = 0; i < count; ++i)
   {
     const WalkBlock::Place place = candidates.places[i];
-    const double clear = block.shortestLength(place.walk, place.bounce);
+    const double clear = std::max(0.0, block.shortestLength(place.walk, place.bounce) - clearance_);
     Hit& now = candidates.now[i];
     if (now.distance < clear)
     {

@@ -32,11 +32,14 @@ class WalkVerifier
 {
 public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
-  /// names all segments that these objects may change.
-  WalkVerifier(const WalkShooter& shooter, const std::vector<bool>& moved, const SegmentScan& scan)
+  /// names all segments that these objects may change. `clearance`: a stored segment may end this
+  /// far from where it hit, as the next one begins there (see Scene).
+  WalkVerifier(const WalkShooter& shooter, const std::vector<bool>& moved, const SegmentScan& scan,
+    double clearance)
     : shooter_(shooter)
     , moved_(moved)
     , scan_(scan)
+    , clearance_(clearance)
   {
   }
 
@@ -60,6 +63,7 @@ private:
   const WalkShooter& shooter_;
   const std::vector<bool>& moved_;
   const SegmentScan& scan_;
+  double clearance_;
 };
 
 }

@@ -324,12 +324,34 @@ double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
   return distance;
 }
 
-EllipsoidBound Scene::shadowBound(std::uint32_t index) const
+/// A map makes triangles slenderer by its condition squared at most: edges grow by the largest
+/// singular value, areas shrink by the two smallest.
+double Scene::clearance() const
+{
+  const TriangleMesh& still = static_->mesh();
+  const double magnitude = bounds_.magnitude();
+  double farthest = farthestClearance(magnitude, still.longestEdge(), still.slenderness());
+  for (const Placed& placed : placed_)
+  {
+    const TriangleMesh& mesh = placed.object.body->mesh();
+    const Matrix3& linear = placed.object.worldFromObject.linear;
+    const Matrix3 square = linear.transpose() * linear;
+    const double mean = square.trace() / 3;
+    const bool isSimilarity = (square - mean * Matrix3::Identity()).norm() < 0.125 * mean;
+    const double condition = isSimilarity ? 1.25 : linear.norm() * placed.inverse.norm();
+    farthest = std::max(farthest,
+      farthestClearance(
+        magnitude, linear.norm() * mesh.longestEdge(), condition * condition * mesh.slenderness()));
+  }
+  return farthest;
+}
+
+EllipsoidBound Scene::shadowBound(std::uint32_t index, double blur) const
 {
   const Placed& placed = placed_[index];
   const PlacedObject& object = placed.object;
   return EllipsoidBound(object.body->ellipsoid(), object.body->mesh().bounds(),
-    object.worldFromObject, placed.roundTrip + placed.slack);
+    object.worldFromObject, placed.roundTrip + placed.slack + blur);
 }
 
 }

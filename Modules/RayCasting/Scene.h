@@ -97,9 +97,12 @@ public:
   /// The distance at which a ray meets a triangle that it is known to hit.
   double distanceTo(const Ray& ray, const TriangleId& id) const;
 
+  /// No walk goes on farther than this from where it hit (see SurfacePoint).
+  double clearance() const;
+
   /// A body that contains all that a moved object can hide from a segment: the object, and around it
-  /// as much as the distance of a grazing hit may be off.
-  EllipsoidBound shadowBound(std::uint32_t index) const;
+  /// as much as the distance of a grazing hit may be off, and `blur`, by which the segment may be.
+  EllipsoidBound shadowBound(std::uint32_t index, double blur = 0) const;
 
 private:
   struct Placed

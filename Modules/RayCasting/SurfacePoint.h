@@ -10,7 +10,7 @@ namespace irradiance
 /// rounding.
 struct SurfacePoint
 {
-  Vector3 position; ///< on the triangle, kept off its edges by `margin`
+  Vector3 position; ///< on the triangle, kept off its edges by 64 `margin` if there is room
   Vector3 normal;   ///< unit vector
   double margin;    ///< 2^-33 of the largest coordinate: the step along the normal that is clear
   bool isFront;     ///< the normal points to the front
@@ -26,6 +26,11 @@ struct SurfacePoint
 
 /// `weights`: barycentric coordinates, not negative. The normal is that of the front.
 SurfacePoint surfacePoint(const Triangle& worldTriangle, const Vector3& weights);
+
+/// No clear position is farther than this from the point that the weights say, on triangles with no
+/// coordinate larger than `magnitude`, no edge longer than `longestEdge`, and no larger ratio of the
+/// longest edge to the radius of the circle within than `slenderness`.
+double farthestClearance(double magnitude, double longestEdge, double slenderness);
 
 }
 

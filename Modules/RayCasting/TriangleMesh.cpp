@@ -1,5 +1,6 @@
 #include "TriangleMesh.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace irradiance
@@ -11,6 +12,11 @@ TriangleMesh::TriangleMesh(std::vector<Triangle> triangles)
   for (const Triangle& triangle : triangles_)
   {
     bounds_.add(triangle.bounds());
+    const double a = (triangle.c - triangle.b).norm(), b = (triangle.a - triangle.c).norm(),
+                 c = (triangle.b - triangle.a).norm(), area = triangle.areaVector().norm();
+    const double longest = std::max({ a, b, c });
+    longestEdge_ = std::max(longestEdge_, longest);
+    slenderness_ = std::max(slenderness_, area > 0 ? longest * (a + b + c) / area : 0.0);
   }
 }
 

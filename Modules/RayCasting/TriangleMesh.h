@@ -57,10 +57,15 @@ public:
   }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const Box& bounds() const { return bounds_; }
+  double longestEdge() const { return longestEdge_; }
+  /// The largest ratio of a triangle's longest edge to the radius of the circle within it.
+  double slenderness() const { return slenderness_; }
 
 private:
   std::vector<Triangle> triangles_;
   Box bounds_;
+  double longestEdge_ = 0;
+  double slenderness_ = 0;
 };
 
 }

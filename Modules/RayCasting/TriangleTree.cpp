@@ -11,6 +11,8 @@ namespace
 
 /// That of a rotation is at most 3.
 constexpr double kMostStretch = 4;
+/// Boxes below 2^-500 are points; a scale must be finite.
+constexpr int kSmallestExponent = -500;
 
 }
 
@@ -22,7 +24,8 @@ UnitFrame::UnitFrame(const Box& box)
     int exponent = 0;
     std::frexp(0.5 * box.extent().maxCoeff(), &exponent);
     // A box of no extent is a point: any scale will do.
-    scale = box.extent().maxCoeff() > 0 ? std::ldexp(1.0, -exponent) : 1.0;
+    scale =
+      box.extent().maxCoeff() > 0 ? std::ldexp(1.0, -std::max(exponent, kSmallestExponent)) : 1.0;
   }
 }
 
@@ -141,10 +144,12 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
   const std::vector<double>& margins, double stretch, const Checkpoint& checkpoint)
   : isStretched_(stretch > kMostStretch)
 {
-  Box box;
-  for (const Triangle& triangle : triangles)
+  Box box; // with the margins, which may be larger than all else: distances in the frame are small
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    box.add(triangle.bounds());
+    Box bounds = triangles[i].bounds();
+    bounds.inflate(margins.empty() ? 0.0 : margins[i]);
+    box.add(bounds);
   }
   frame_ = UnitFrame(box);
   std::vector<Triangle> unit;

@@ -79,8 +79,12 @@ struct UnitCast
       limit = static_cast<float>(std::min(bound * rate - entry + margin, kFarthest));
     }
   }
-  /// A distance, in units of `direction`, that no closer hit exceeds by more than the margin.
-  double bound() const { return (static_cast<double>(limit) - margin + entry) / rate; }
+  /// A distance, in units of `direction`, behind which the best hit is not. With all of the margin:
+  /// what is a trifle in this tree's frame may be more than all of another tree.
+  double bound() const
+  {
+    return (isForFloats ? static_cast<double>(limit) + entry : exactLimit) / rate;
+  }
 };
 
 /// What a search is asked for: a ray in the space of a tree.

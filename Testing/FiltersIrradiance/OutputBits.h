@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <map>
 #include <set>
 
@@ -53,7 +52,7 @@ public:
       {
         return testing::AssertionFailure() << name << " is missing or has another size";
       }
-      if (std::memcmp(bytes.data(), found->second.data(), bytes.size()) != 0)
+      if (bytes != found->second)
       {
         std::size_t at = 0;
         while (bytes[at] == found->second[at])

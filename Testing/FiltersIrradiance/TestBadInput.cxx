@@ -78,6 +78,15 @@ Spoil SetPose(int row, int column, double value)
   };
 }
 
+Spoil ScalePose(double scale)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    vtkNew<vtkTransform> pose;
+    pose->Scale(scale, scale, scale);
+    filter->SetDynamicTransform(1, pose);
+  };
+}
+
 Spoil SetObjectToWorld(int numberOfValues, int changed, double value)
 {
   return [=](vtkIrradianceFilter* filter, Scene& scene) {
@@ -190,6 +199,7 @@ const std::vector<BadInput> BadInputs{
   { "FluxIsNegative", SetValue(2, "RadiantFlux", 0, -4), { Bulb, "cell 0", "flux -4" } },
   { "FluxIsNaN", SetValue(2, "RadiantFlux", 0, NaN), { Bulb, "cell 0", "flux nan" } },
   { "TransformIsSingular", SetPose(1, 1, 0), { Box, "singular", "0 0 1 0" } },
+  { "TransformShrinksToNothing", ScalePose(1e-40), { Box, "shrinks", "1e-40" } },
   { "TransformIsNaN", SetPose(0, 3, NaN), { Box, "not finite", "nan" } },
   { "TransformIsInfinite", SetPose(0, 0, Infinity), { Box, "not finite", "inf" } },
   { "TransformReachesTooFar", SetPose(1, 3, 1e200), { Box, "out of range", "1e+200" } },

@@ -109,3 +109,30 @@ TEST(TimeSteps, ReachTheInputsAndTheOutput)
   }
   EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
 }
+
+// To and fro at random: each time has the bits that it had when it was first asked for.
+TEST(TimeSteps, OutOfOrderHaveTheSameBits)
+{
+  Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
+  vtkNew<TimedSource> walker, runner;
+  walker->Model = MakeBall(0.3, 6);
+  runner->Model = MakeBox(0.4, 0.3, 0.5);
+  for (int i = 0; i < 12; ++i)
+  {
+    walker->Times.push_back(0.25 * i);
+    runner->Times.push_back(0.25 * i);
+  }
+  auto filter = MakeFilter(scene, 1000);
+  filter->AddInputConnection(1, walker->GetOutputPort());
+  filter->AddInputConnection(1, runner->GetOutputPort());
+  std::map<int, OutputBits> first;
+  RandomNumbers random(3);
+  for (int i = 0; i < 100; ++i)
+  {
+    const int step = random.Below(12);
+    filter->UpdateTimeStep(0.25 * step);
+    const auto known = first.emplace(step, OutputBits(filter)).first;
+    ASSERT_TRUE(IsSame(OutputBits(filter), known->second)) << "step " << step << ", visit " << i;
+  }
+  EXPECT_EQ(first.size(), 12u);
+}

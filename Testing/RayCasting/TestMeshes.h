@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <ostream>
@@ -25,6 +28,14 @@ constexpr int kFewer = 25;
 #else
 constexpr int kFewer = 1;
 #endif
+
+/// How often a test is to do what it does: 1, or what VTKIRRADIANCE_TEST_EFFORT says, for runs that
+/// take hours and find what seconds do not.
+inline int effort()
+{
+  const char* wanted = std::getenv("VTKIRRADIANCE_TEST_EFFORT");
+  return wanted ? std::max(1, std::atoi(wanted)) : 1;
+}
 
 struct NamedMesh
 {
@@ -270,6 +281,69 @@ inline Triangles angledHall()
   return hall.flat();
 }
 
+/// A prism of length 1 with an edge of this many degrees along y, where the origin is; the walls
+/// there are 1 long.
+inline Triangles wedge(double degrees)
+{
+  const double angle = degrees * std::acos(-1.0) / 180;
+  IndexedTriangles prism{ {}, { { 0, 1, 2 }, { 3, 5, 4 } } };
+  for (const double y : { 0.0, 1.0 })
+  {
+    prism.points.push_back(Vector3(0, y, 0));
+    prism.points.push_back(Vector3(1, y, 0));
+    prism.points.push_back(Vector3(std::cos(angle), y, std::sin(angle)));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const int next = (i + 1) % 3;
+    prism.corners.push_back({ i, i + 3, next + 3 });
+    prism.corners.push_back({ i, next + 3, next });
+  }
+  return prism.flat();
+}
+
+inline NamedMesh wedgeMesh(const std::string& name, double degrees, const Matrix3& turn)
+{
+  const double half = 0.5 * degrees * std::acos(-1.0) / 180;
+  const Vector3 inside = turn * Vector3(0.9 * std::cos(half), 0.5, 0.9 * std::sin(half));
+  return { name, moved(wedge(degrees), { turn, Vector3::Zero() }), true, inside };
+}
+
+/// A ball with a spike on each triangle: edges of all angles, and far from convex.
+inline Triangles spikyBall(int level, double reach)
+{
+  Triangles triangles;
+  for (const Triangle& t : icosphere(level))
+  {
+    const Vector3 tip = reach * (t.a + t.b + t.c).normalized();
+    append(triangles, { { t.a, t.b, tip }, { t.b, t.c, tip }, { t.c, t.a, tip } });
+  }
+  return triangles;
+}
+
+/// A closed mesh of triangles from Data/downloaded (OFF); empty if it was not fetched.
+inline Triangles downloadedMesh(const std::string& name)
+{
+  std::ifstream file(std::string(VTKIRRADIANCE_DATA_DIR) + "/downloaded/" + name);
+  std::string heading;
+  std::size_t points = 0, faces = 0, edges = 0;
+  if (!(file >> heading >> points >> faces >> edges))
+  {
+    return {};
+  }
+  IndexedTriangles mesh;
+  for (Vector3 point; mesh.points.size() < points && file >> point[0] >> point[1] >> point[2];)
+  {
+    mesh.points.push_back(point);
+  }
+  int corners = 0;
+  for (std::array<int, 3> face; file >> corners >> face[0] >> face[1] >> face[2];)
+  {
+    mesh.corners.push_back(face);
+  }
+  return mesh.flat();
+}
+
 /// Closed meshes with a point inside.
 inline std::vector<NamedMesh> closedMeshes()
 {
@@ -277,7 +351,8 @@ inline std::vector<NamedMesh> closedMeshes()
   const AffineMap away{ turn, Vector3(1e4, -2e4, 5e3) };
   const Triangles box = boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 });
   const Triangles sliver = boxOfCells({ -1, -1, -5e-7 }, { 1, 1, 5e-7 }, { 2, 2, 1 });
-  return {
+  const Matrix3 straight = Matrix3::Identity();
+  std::vector<NamedMesh> meshes = {
     { "box of 12", box, true, { 0, 0, 0 } },
     { "box of 12, turned", moved(box, { turn, Vector3::Zero() }), true, { 0, 0, 0 } },
     { "box of 12, 1e-6", scaled(box, 1e-6), true, { 0, 0, 0 } },
@@ -292,7 +367,20 @@ inline std::vector<NamedMesh> closedMeshes()
     { "sliver box 1e-6, turned", moved(sliver, { turn, Vector3::Zero() }), true, { 0, 0, 0 } },
     { "needle box 1e-3", boxOfCells({ 0, 0, 0 }, { 1, 1e-3, 1e-3 }, { 5, 1, 1 }), true,
       { 0.45, 4e-4, 5e-4 } },
+    { "spiky ball", spikyBall(1, 2.5), true, { 0, 0, 0 } },
+    wedgeMesh("wedge of 45", 45, straight),
+    wedgeMesh("wedge of 20, turned", 20, turn),
+    wedgeMesh("wedge of 5", 5, straight),
+    wedgeMesh("wedge of 5, turned", 5, turn),
+    wedgeMesh("wedge of 1", 1, straight),
+    wedgeMesh("wedge of 1, turned", 1, turn),
   };
+  const Triangles bunny = downloadedMesh("bunny.off");
+  if (!bunny.empty())
+  {
+    meshes.push_back({ "bunny", bunny, true, { -1, 4, 0 } });
+  }
+  return meshes;
 }
 
 inline std::vector<NamedMesh> testMeshes()

@@ -185,9 +185,46 @@ inline NamedScene nearlyFlat()
   return scene;
 }
 
+/// The way to model space and back moves a point by more than the room: a tree over all triangles
+/// reaches far beyond them.
+inline NamedScene allButSingular()
+{
+  RandomVectors random(17);
+  const Matrix3 flat = random.rotation() * stretch(1, 1, 2e-14) * random.rotation();
+  NamedScene scene{ "all but singular", bodyOf(room()), {} };
+  const auto body = bodyOf(icosphere(0));
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.objects.push_back({ body, { flat, Vector3(1 + i, 1, 1) } });
+  }
+  return scene;
+}
+
+/// Small things close to the floor of a hall 1e9 times as large, and a loose one as large as the hall:
+/// what one tree takes for a trifle is more than all of another.
+inline NamedScene crumbsInAHall()
+{
+  RandomVectors random(16);
+  constexpr double kSize = 1e9;
+  Triangles hall = boxOfCells({ -kSize, -kSize, -2 }, { kSize, kSize, kSize }, { 2, 2, 1 });
+  append(hall, moved(icosphere(1), { Matrix3::Identity(), Vector3(3, 0, 0) }));
+  const auto box = bodyOf(boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 }));
+  const auto sail =
+    bodyOf(grid(2, 2, [](int i, int j) { return Vector3(kSize * (i - 1), kSize * (j - 1), 0); }));
+  NamedScene scene{ "crumbs in a hall", bodyOf(hall), {} };
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.objects.push_back(
+      { box, { random.powerOfTwo(-3, 0) * random.rotation(), 3 * random.inCube() }, i == 3 });
+  }
+  // Stretched, so that floats are certain of nothing in it.
+  scene.objects.push_back({ sail, { stretch(1, 1, 8), { 0, 0, -1 } }, true });
+  return scene;
+}
+
 inline std::vector<NamedScene> testScenes()
 {
-  return { hardMaps(), nearlyFlat(), manyObjects(),
+  return { hardMaps(), nearlyFlat(), allButSingular(), manyObjects(), crumbsInAHall(),
     coincidentBoxes(Matrix3::Identity(), "coincident boxes"),
     coincidentBoxes(RandomVectors(14).rotation(), "coincident boxes, turned"), withoutStatic(),
     farAway() };

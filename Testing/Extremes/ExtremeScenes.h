@@ -1,0 +1,161 @@
+#ifndef ExtremeScenes_h
+#define ExtremeScenes_h
+
+#include "../FiltersIrradiance/ErrorObserver.h"
+#include "../FiltersIrradiance/OutputBits.h"
+#include "../FiltersIrradiance/TestScenes.h"
+
+#include "vtkTriangle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+/// Scenes at the limits, and what must hold in all of them.
+namespace ExtremeScenes
+{
+
+using namespace TestScenes;
+
+/// True for the full numbers, which take minutes: VTKIRRADIANCE_TEST_EFFORT above 1.
+inline bool IsThorough()
+{
+  const char* effort = std::getenv("VTKIRRADIANCE_TEST_EFFORT");
+  return effort && std::atoi(effort) > 1;
+}
+
+/// In double: scaled first, then shifted.
+inline Mesh Placed(const Mesh& mesh, double scale, const Vector& offset)
+{
+  Mesh placed = Copy(mesh);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* p = mesh->GetPoint(i);
+    points->InsertNextPoint(
+      offset[0] + scale * p[0], offset[1] + scale * p[1], offset[2] + scale * p[2]);
+  }
+  placed->SetPoints(points);
+  return placed;
+}
+
+/// A cube of side `size` at `offset`. Every cell reflects `reflectance` and emits what makes the
+/// irradiance `level` everywhere, on whatever stands inside as well if it reflects all light.
+inline Mesh MakeFurnace(
+  double size, const Vector& offset, double reflectance = 0.5, double level = 1, int resolution = 3)
+{
+  Mesh room = Placed(MakeRoom(1, resolution), size, offset);
+  SetCellValues(room, "DiffuseReflectance", { reflectance });
+  SetCellValues(room, "RadiantExitance", { level * (1 - reflectance) });
+  return room;
+}
+
+inline Mesh White(const Mesh& mesh)
+{
+  SetCellValues(mesh, "DiffuseReflectance", { 1 });
+  return mesh;
+}
+
+/// At `position` of a furnace, both in units of its size.
+inline MovingObject MakeMovingIn(
+  const Mesh& unitModel, double size, const Vector& offset, const Vector& position)
+{
+  return MakeMoving(Placed(unitModel, size, { 0, 0, 0 }),
+    { offset[0] + size * position[0], offset[1] + size * position[1],
+      offset[2] + size * position[2] });
+}
+
+inline double AreaOf(vtkPolyData* mesh, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  double area = 0;
+  for (vtkIdType i = 1; i + 1 < ids->GetNumberOfIds(); ++i)
+  {
+    double p[3][3];
+    mesh->GetPoint(ids->GetId(0), p[0]);
+    mesh->GetPoint(ids->GetId(i), p[1]);
+    mesh->GetPoint(ids->GetId(i + 1), p[2]);
+    area += vtkTriangle::TriangleArea(p[0], p[1], p[2]);
+  }
+  return area;
+}
+
+/// W on cells [first, last) of an output block; last < 0: all.
+inline double Received(vtkIrradianceFilter* filter, unsigned int port, unsigned int i,
+  vtkIdType first = 0, vtkIdType last = -1)
+{
+  vtkPolyData* mesh = OutputOf(filter->GetOutput(), port, i);
+  vtkDataArray* irradiance = IrradianceOf(filter, port, i);
+  double watts = 0;
+  for (vtkIdType cell = first; cell < (last < 0 ? mesh->GetNumberOfCells() : last); ++cell)
+  {
+    watts += irradiance->GetComponent(cell, 0) * AreaOf(mesh, cell);
+  }
+  return watts;
+}
+
+/// Area mean, W/m2.
+inline double MeanIrradiance(vtkIrradianceFilter* filter, unsigned int port, unsigned int i)
+{
+  vtkPolyData* mesh = OutputOf(filter->GetOutput(), port, i);
+  double area = 0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    area += AreaOf(mesh, cell);
+  }
+  return Received(filter, port, i) / area;
+}
+
+/// Updates, and checks what holds in every scene: no error, power in = power out to the last bit,
+/// finite numbers, and the bits of a new filter. `isClosed`: nothing escapes.
+inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isClosed = true)
+{
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  ASSERT_TRUE(observer->Errors.empty()) << observer->Errors[0];
+  const double emitted = Field(filter, "EmittedPower");
+  const double escaped = Field(filter, "EscapedPower");
+  EXPECT_GT(emitted, 0);
+  EXPECT_EQ(emitted, Field(filter, "AbsorbedPower") + escaped);
+  if (isClosed)
+  {
+    EXPECT_EQ(escaped, 0);
+  }
+  for (unsigned int port = 0; port < 2; ++port)
+  {
+    const std::size_t blocks = port == 0 ? scene.Fixed.size() : scene.Moving.size();
+    for (unsigned int i = 0; i < blocks; ++i)
+    {
+      vtkDataArray* irradiance = IrradianceOf(filter, port, i);
+      for (vtkIdType cell = 0; cell < irradiance->GetNumberOfTuples(); ++cell)
+      {
+        const double value = irradiance->GetComponent(cell, 0);
+        ASSERT_TRUE(std::isfinite(value) && value >= 0) << value << " on cell " << cell;
+      }
+    }
+  }
+  if (!scene.Moving.empty())
+  {
+    const auto fresh = MakeFilter(scene, filter->GetNumberOfWalks());
+    fresh->Update();
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+  }
+}
+
+/// The only error of an update that leaves no output.
+inline std::string ErrorOf(const Scene& scene, vtkIdType walks = 100)
+{
+  const auto filter = MakeFilter(scene, walks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(observer->Errors.size(), 1u);
+  return observer->Errors.empty() ? "" : observer->Errors[0];
+}
+
+}
+
+#endif

@@ -1,0 +1,188 @@
+// Very small and very large scenes, scenes far away, slivers, and small things in large halls.
+
+#include "ExtremeScenes.h"
+
+#include <cstdio>
+
+using namespace ExtremeScenes;
+
+namespace
+{
+
+constexpr vtkIdType NumberOfWalks = 20000;
+
+/// A furnace with a white box and a ball that move in it. The walks of a reflectance of 0.5 bring 2 with a
+/// standard deviation of 0.354 (a geometric tail of quarters), so that the mean irradiance of the
+/// room is 1 within 5 standard deviations, a false alarm in 2 million; the repaired frames as well.
+void ExpectFurnace(double size, const Vector& offset)
+{
+  const Mesh box = White(MakeBox(0.3, 0.2, 0.25)), ball = White(MakeBall(0.15, 24));
+  Scene scene{ { MakeFurnace(size, offset) },
+    { MakeMovingIn(box, size, offset, { 0.4, 0.5, 0.6 }),
+      MakeMovingIn(ball, size, offset, { 0.7, 0.7, 0.4 }) } };
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
+    const double inRoom = MeanIrradiance(filter, 0, 0), onBox = MeanIrradiance(filter, 1, 0);
+    EXPECT_NEAR(inRoom, 1, 5 * 0.177 / std::sqrt(1.0 * NumberOfWalks) + 0.005);
+    EXPECT_NEAR(onBox, 1, 0.1);
+    std::printf("size %g, offset %g, frame %d: mean irradiance %.5f in the room, %.4f on the box\n",
+      size, offset[0], frame, inRoom, onBox);
+    EXPECT_EQ(Field(filter, "ShootSeconds") > 0, frame == 0);
+    scene.Moving[0].Pose->RotateWXYZ(25, 1, 2, 3);
+    scene.Moving[0].Pose->Translate(0.05 * size, 0.1 * size, -0.1 * size);
+    scene.Moving[1].Pose->Translate(-0.01 * size, 0.02 * size, 0.05 * size);
+  }
+}
+
+}
+
+class ExtremeScale : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(ExtremeScale, TheFurnaceHolds)
+{
+  ExpectFurnace(GetParam(), { 0, 0, 0 });
+}
+
+INSTANTIATE_TEST_SUITE_P(Metres, ExtremeScale,
+  testing::Values(1e-28, 1e-12, 1e-6, 1.0, 1e6, 1e12, 1e28),
+  [](const auto& info) { return "Number" + std::to_string(info.index); });
+
+class ExtremeOffset : public testing::TestWithParam<double>
+{
+};
+
+// In units of the room, which itself is not 1 m, so that both come in.
+TEST_P(ExtremeOffset, TheFurnaceHolds)
+{
+  const double size = 0.01, far = GetParam() * size;
+  ExpectFurnace(size, { far, -0.7 * far, 0.4 * far });
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, ExtremeOffset, testing::Values(10.0, 1e3, 1e5, 1e6, 1e7),
+  [](const auto& info) { return "Number" + std::to_string(info.index); });
+
+// Far away, a walk goes on a good way from where it hit if that is beside an edge: the floor's diagonal.
+// What rolls there meets segments that do not end where the next ones begin.
+TEST(ExtremeLengths, ABallRollsOverAnEdgeFarAway)
+{
+  const Vector offset{ 1e7, -1e7, 4e6 };
+  Scene scene{ { MakeFurnace(1, offset, 0.5, 1, 1) },
+    { MakeMovingIn(White(MakeBall(0.04, 16)), 1, offset, { 0.2, 0.2, 0.045 }) } };
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    SCOPED_TRACE(frame);
+    ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
+    scene.Moving[0].Pose->Translate(0.05, 0.05, 0);
+  }
+}
+
+TEST(ExtremeSliver, StripsOfAspect1e6)
+{
+  // A floor of strips, 1e-6 wide every other one; the other walls as ever.
+  std::vector<Mesh> parts{ MakeRoom(1, 2) };
+  Mesh floor = Copy(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  constexpr int kStrips = 20;
+  for (int i = 0; i <= kStrips; ++i)
+  {
+    const double x = (i / 2) / (0.5 * kStrips) + (i % 2 != 0 ? 1e-6 : 0);
+    points->InsertNextPoint(x, 0, 0);
+    points->InsertNextPoint(x, 1, 0);
+  }
+  for (vtkIdType i = 0; i < kStrips; ++i)
+  {
+    const vtkIdType ids[4] = { 2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1 };
+    cells->InsertNextCell(4, ids);
+  }
+  floor->SetPoints(points);
+  floor->SetPolys(cells);
+  floor->GetCellData()->Initialize();
+  Mesh room = Placed(MakeRoom(1, 2), 1, { 0, 0, 0 });
+  vtkNew<vtkCellArray> walls; // all but the floor, which comes first
+  for (vtkIdType cell = 4; cell < room->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    room->GetCellPoints(cell, ids);
+    walls->InsertNextCell(ids);
+  }
+  room->SetPolys(walls);
+  for (const Mesh& mesh : { room, floor })
+  {
+    SetCellValues(mesh, "DiffuseReflectance", { 0.5 });
+    SetCellValues(mesh, "RadiantExitance", { 0.5 });
+  }
+  // A sheet 1e-6 thick and a needle 1e-6 wide.
+  Scene scene{ { room, floor },
+    { MakeMoving(White(Placed(MakeBox(0.5, 0.5, 1e-6), 1, { 0, 0, 0 })), { 0.4, 0.5, 0.6 }),
+      MakeMoving(White(Placed(MakeBox(0.7, 7e-7, 7e-7), 1, { 0, 0, 0 })), { 0.5, 0.4, 0.3 }) } };
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
+    EXPECT_NEAR(MeanIrradiance(filter, 0, 0), 1, 0.02);
+    EXPECT_NEAR(MeanIrradiance(filter, 0, 1), 1, 0.06);
+    EXPECT_NEAR(MeanIrradiance(filter, 1, 0), 1, 0.1);
+    scene.Moving[0].Pose->RotateWXYZ(40, 1, 0.3, 0.2);
+    scene.Moving[1].Pose->RotateWXYZ(33, 0.1, 0.3, 1);
+  }
+}
+
+// A square of 1 cm that lies 1 cm under a light, in a black hall of 100 km: it receives its solid
+// angle over 4 pi.
+TEST(ExtremeRatio, ThingsOf1cmInAHallOf100km)
+{
+  constexpr double side = 0.01, height = 0.01, hall = 1e5;
+  const double solidAngle =
+    4 * std::atan(side * side / (2 * height * std::sqrt(4 * height * height + 2 * side * side)));
+  for (const double place : { 0.5, 0.99 }) // also where the coordinates are largest
+  {
+    const double at = place * hall;
+    Mesh walls = Placed(MakeRoom(1, 2), hall, { 0, 0, 0 });
+    SetCellValues(walls, "DiffuseReflectance", { 0 });
+    const Mesh square =
+      Placed(MakeRectangle({ -0.5, -0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1), side, { 0, 0, 0 });
+    SetCellValues(square, "DiffuseReflectance", { 0 });
+    Scene scene{ { walls, MakePointLight({ at, at, at }, { 1 }) },
+      { MakeMoving(square, { at, at, at - height }),
+        MakeMoving(MakeBox(side, side, side), { at + 3 * side, at, at - height }) } };
+    const auto filter = MakeFilter(scene, NumberOfWalks);
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
+      const double share = solidAngle / (4 * vtkMath::Pi());
+      const double error = std::sqrt(share * (1 - share) / NumberOfWalks);
+      EXPECT_NEAR(Received(filter, 1, 0), share, 5 * error);
+      scene.Moving[1].Pose->Translate(0, 0.3 * side, 0.1 * side);
+      scene.Moving[1].Pose->RotateZ(20);
+    }
+  }
+}
+
+TEST(ExtremeLengths, BeyondAreRefusedInWords)
+{
+  EXPECT_NE(
+    ErrorOf({ { MakeFurnace(1e31, { 0, 0, 0 }) }, {} }).find("out of range"), std::string::npos);
+  Scene scene{ { MakeFurnace(1, { 0, 0, 0 }) }, { MakeMoving(MakeBox(1, 1, 1), { 1e31, 0, 0 }) } };
+  EXPECT_NE(ErrorOf(scene).find("out of range"), std::string::npos);
+
+  const double far = 1e9;
+  EXPECT_NE(ErrorOf({ { MakeFurnace(1, { far, far, far }) }, {} }).find("too few digits"),
+    std::string::npos);
+
+  // Too small for an area: a warning, as there is no light.
+  const auto filter = MakeFilter({ { MakeFurnace(1e-31, { 0, 0, 0 }) }, {} }, 100);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  ASSERT_EQ(observer->Warnings.size(), 2u);
+  EXPECT_NE(observer->Warnings[0].find("have no area"), std::string::npos);
+  EXPECT_NE(observer->Warnings[1].find("no light"), std::string::npos);
+}
