@@ -5,7 +5,7 @@
 
 std::string wrapped(const std::string& paragraph)
 {
-  constexpr std::size_t kWidth = 100;
+  constexpr std::size_t kWidth = 97; // a unit may follow
   const std::size_t text = std::min(paragraph.find_first_not_of(' '), paragraph.size());
   const std::string indent(text, ' ');
   const std::string hanging = indent + (paragraph.compare(text, 2, "* ") == 0 ? "  " : "");
@@ -14,7 +14,7 @@ std::string wrapped(const std::string& paragraph)
   for (std::string word; words >> word;)
   {
     const bool isFirst = line.find_first_not_of(' ') == std::string::npos;
-    if (!isFirst && line.size() + 1 + word.size() > kWidth)
+    if (!isFirst && word[0] != '%' && line.size() + 1 + word.size() > kWidth)
     {
       all += line + '\n';
       line = hanging + word;
