@@ -47,9 +47,8 @@ CellField fieldOf(const PilotTracer& tracer, const SceneObjects& objects)
   return field;
 }
 
-std::vector<Truth> truthsOf(const TradeScene& scene, std::uint32_t walks, int frames)
+std::vector<Truth> truthsOf(const TradeScene& scene, PilotTracer& fresh, int frames)
 {
-  PilotTracer fresh(scene.at(kFirst), walks, kSeed, scene.strata);
   std::vector<Truth> truths;
   for (int frame = 0; frame <= frames; ++frame)
   {
@@ -92,7 +91,7 @@ void addErrors(const CellField& field, const Truth& truth, Figures& figures)
   figures.worst.push_back(worstError(field, truth.irradiance, areas));
 }
 
-/// Right before what it is compared with: the machine is not as fast at all times.
+/// Right after what is compared with it: the machine is not as fast at all times.
 double secondsToShoot(PilotTracer& tracer, const Truth& truth)
 {
   const double start = threadCpuSeconds();
@@ -101,8 +100,8 @@ double secondsToShoot(PilotTracer& tracer, const Truth& truth)
 }
 
 /// Returns its time for each frame, s.
-std::vector<double> measureVerification(
-  const TradeScene& scene, std::uint32_t walks, const std::vector<Truth>& truths, Results& results)
+std::vector<double> measureVerification(const TradeScene& scene, std::uint32_t walks,
+  const std::vector<Truth>& truths, PilotTracer& fresh, Results& results)
 {
   EngineSettings settings;
   settings.numberOfWalks = walks;
@@ -110,8 +109,6 @@ std::vector<double> measureVerification(
   IrradianceEngine engine;
   Execution serial;
   engine.update(truths[0].objects, settings, serial);
-  PilotTracer fresh(truths[0].objects, walks, kSeed, scene.strata);
-  const double shooting = secondsToShoot(fresh, truths[0]);
   Figures figures;
   std::vector<double> times;
   for (std::size_t frame = 1; frame < truths.size(); ++frame)
@@ -124,7 +121,7 @@ std::vector<double> measureVerification(
     {
       throw std::runtime_error(scene.name + ": verification and a fresh start differ");
     }
-    figures.time.push_back(times.back() / shooting);
+    figures.time.push_back(times.back() / secondsToShoot(fresh, truth));
     figures.shot.push_back(100 * double(engine.statistics().invalidWalks) / walks);
     figures.missed.push_back(0); // the same bits
     addErrors(irradianceOf(engine, truth.objects), truth, figures);
@@ -135,11 +132,10 @@ std::vector<double> measureVerification(
 
 /// `seconds`: for each frame, or nothing for no limit.
 void measurePilots(const TradeScene& scene, const std::vector<Truth>& truths, double pilots,
-  const std::vector<double>& seconds, const std::string& row, Results& results)
+  const std::vector<double>& seconds, const std::string& row, PilotTracer& fresh, Results& results)
 {
   const auto walks = truths[0].signatures.size();
   PilotTracer tracer(truths[0].objects, static_cast<std::uint32_t>(walks), kSeed, scene.strata);
-  const double shooting = secondsToShoot(tracer, truths[0]);
   Figures figures;
   for (std::size_t frame = 1; frame < truths.size(); ++frame)
   {
@@ -152,7 +148,8 @@ void measurePilots(const TradeScene& scene, const std::vector<Truth>& truths, do
     }
     const double start = threadCpuSeconds();
     const std::size_t shot = tracer.update(truth.objects, effort);
-    figures.time.push_back((threadCpuSeconds() - start) / shooting);
+    const double time = threadCpuSeconds() - start;
+    figures.time.push_back(time / secondsToShoot(fresh, truth));
     figures.shot.push_back(100 * double(shot) / double(walks));
     const std::size_t after = staleOf(tracer.signatures(), truth);
     figures.missed.push_back(before == 0 ? 0 : 100 * double(after) / double(before));
@@ -183,15 +180,17 @@ void run(int argc, char* argv[])
   for (const TradeScene& scene : makeTradeScenes(argc > 3 ? argv[3] : VTKIRRADIANCE_HEAD))
   {
     results.add("PilotGroups", scene.name, "groups", { double(scene.strata.numberOfGroups()) });
-    const std::vector<Truth> truths = truthsOf(scene, walks, frames);
+    PilotTracer fresh(scene.at(kFirst), walks, kSeed, scene.strata);
+    const std::vector<Truth> truths = truthsOf(scene, fresh, frames);
     checkPilots(scene, truths);
-    const std::vector<double> seconds = measureVerification(scene, walks, truths, results);
+    const std::vector<double> seconds = measureVerification(scene, walks, truths, fresh, results);
     for (const int part : { 64, 32, 16, 8, 4, 2 })
     {
-      measurePilots(scene, truths, 1.0 / part, {}, "pilots, 1/" + std::to_string(part), results);
+      measurePilots(
+        scene, truths, 1.0 / part, {}, "pilots, 1/" + std::to_string(part), fresh, results);
     }
     measurePilots(
-      scene, truths, 1.0 / 64, seconds, "pilots in the time of verification, 1/64", results);
+      scene, truths, 1.0 / 64, seconds, "pilots in the time of verification, 1/64", fresh, results);
   }
   results.finish();
 }
