@@ -75,7 +75,8 @@
  * }
  * @endcode
  * Each execution repairs some walks, however small the budget, so the loop ends; then, or after
- * SetRepairTimeBudget(0) and Update(), the result is that of a new filter, bit for bit.
+ * SetRepairTimeBudget(0) and Update(), the result is that of a new filter, bit for bit. A target
+ * waits while walks are stale; standard errors tell nothing of what rests on them.
  *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out

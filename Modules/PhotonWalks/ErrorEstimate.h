@@ -60,9 +60,9 @@ private:
     std::array<Received, Power::kMaxBands> received{};
   };
   Received received(std::uint32_t object, std::size_t cell, int side, int band) const;
-  /// `average`: quanta that an area of this size receives on average. `factor`: confidenceFactor().
   /// All with an area.
   std::vector<CellSide> cellSides(const SceneObjects& objects, Execution& execution) const;
+  /// `average`: quanta that an area of this size receives on average. `factor`: confidenceFactor().
   double relativeError(const Received& received, int band, double average, double factor) const;
 
   const CellSums& sums_;

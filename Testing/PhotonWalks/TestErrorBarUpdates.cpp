@@ -1,6 +1,7 @@
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ThreadExecution.h"
+#include "TickingExecution.h"
 
 #include <gtest/gtest.h>
 
@@ -179,6 +180,37 @@ TEST(ErrorBarUpdates, UpdateEqualsRebuildWithATarget)
   EXPECT_GE(rises, 2);
   EXPECT_GE(falls, 2);
   EXPECT_GE(stays, 1);
+}
+
+// While walks wait for their repair the number of rounds stays; then it is that of a fresh start.
+TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
+{
+  ShadedRoom room;
+  EngineSettings settings = withErrors(3001);
+  settings.targetRelativeError = 0.2;
+  settings.maximumNumberOfWalks = 100000;
+  settings.repairTimeBudget = 50 * test::TickingExecution::kTick;
+  IrradianceEngine engine;
+  test::TickingExecution clock;
+  int waits = 0, changes = 0;
+  std::uint32_t before = 0;
+  for (const double height : { 1.5, 0.1, 1.7, 0.05, 1.0 })
+  {
+    const SceneObjects& objects = room.at(height);
+    engine.update(objects, settings, clock);
+    for (; engine.stale() && !engine.stale()->isEmpty(); ++waits)
+    {
+      ASSERT_TRUE(std::isnan(engine.reachedRelativeError()));
+      ASSERT_EQ(engine.numberOfWalks(), before);
+      engine.update(objects, settings, clock);
+    }
+    changes += before != 0 && engine.numberOfWalks() != before ? 1 : 0;
+    before = engine.numberOfWalks();
+    ASSERT_TRUE(fullAnswer(engine, objects, settings) == freshFullAnswer(objects, settings))
+      << "height " << height;
+  }
+  EXPECT_GT(waits, 10);
+  EXPECT_GE(changes, 2);
 }
 
 // Turning the dial goes on from the walks there are, and comes back to them.
