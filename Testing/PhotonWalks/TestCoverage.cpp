@@ -216,9 +216,9 @@ TEST_P(Coverage, IntervalsHoldTheTruth)
     "%.2f %% below; known in %.1f %% of the lit cells\n",
     GetParam().name, 100 * held / known, known, 100 * heldArea / knownArea, 100 * above / known,
     100 * (known - held - above) / known, 100 * known / cells);
-  EXPECT_GE(known, 0.9 * cells);
-  if (!test::kIsSanitized)
+  if (!test::kIsSanitized) // which has too few walks to know much
   {
+    EXPECT_GE(known, 0.9 * cells);
     EXPECT_NEAR(held / known, 0.95, 0.02);
     EXPECT_NEAR(heldArea / knownArea, 0.95, 0.02);
   }

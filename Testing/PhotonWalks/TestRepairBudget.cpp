@@ -209,7 +209,7 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     ball.addSphere({ 0, 0, 0 }, 0.7, 4, test::grey(reflectance));
     SceneObjects objects{ room.build(), { ball.build() } };
     EngineSettings settings;
-    settings.numberOfWalks = scaled(5000);
+    settings.numberOfWalks = 5000; // some hundreds become stale
     settings.repairTimeBudget = kNoTime;
     IrradianceEngine now, full;
     Execution execution;
@@ -304,7 +304,7 @@ void converge(EngineSettings settings, int bands, unsigned threads, unsigned see
     }
     EXPECT_EQ(engine.statistics().shootSeconds > 0, step == 0) << "shot anew";
   }
-  EXPECT_GT(partial, steps / 4);
+  EXPECT_GT(partial, test::kIsSanitized ? 0 : steps / 4); // with few walks, most calls repair all
   EXPECT_GT(exact, steps / 20);
 }
 
