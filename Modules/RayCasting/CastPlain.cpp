@@ -12,7 +12,7 @@ namespace irradiance
 namespace
 {
 
-/// Walks down the treelets plane by plane, in double.
+/// Walks down the treelets in double.
 class PlainSearch
 {
 public:
@@ -21,22 +21,21 @@ public:
     , cast_(cast)
     , tree_(*cast.tree)
     , ray_(tree_.bounds(), cast.exactOrigin, cast.exactDirection)
+    , octant_(ray_.axes[0].nearChild | ray_.axes[1].nearChild << 1 | ray_.axes[2].nearChild << 2)
   {
   }
 
   void run()
   {
-    const Entry root{ tree_.root(), 1, std::max(cast_.from, ray_.from), ray_.to };
-    if (root.from <= root.to)
-    {
-      stack_[depth_++] = root;
-    }
+    push(tree_.root(), std::max(cast_.from, ray_.from), ray_.to);
     while (depth_ > 0)
     {
       const Entry entry = stack_[--depth_];
       if (entry.from <= cast_.exactLimit)
       {
-        descend(entry);
+        (entry.child & Treelet::kLeaf) == 0
+          ? stepInto(tree_.treelets()[entry.child])
+          : testLeaf(tree_.blocks() + (entry.child & ~Treelet::kLeaf));
       }
     }
     if (castCounts())
@@ -49,55 +48,42 @@ private:
   struct Entry
   {
     std::uint32_t child; ///< as in a treelet
-    unsigned node;       ///< in the treelet
-    double from, to;
+    double from;
   };
 
-  /// From an entry to its nearest leaf; what is farther goes on the stack.
-  void descend(Entry entry)
+  void push(std::uint32_t child, double from, double to)
   {
-    while ((entry.child & Treelet::kLeaf) == 0)
+    if (from <= to)
     {
-      const Treelet& treelet = tree_.treelets()[entry.child];
-      counts_.treelets += entry.node == 1 ? 1 : 0;
-      if (entry.node >= 16)
-      {
-        entry.child = treelet.children[entry.node - 16];
-        entry.node = 1;
-        continue;
-      }
-      const std::uint32_t axis = treelet.axis(entry.node);
-      if (axis == Treelet::kNoPlane)
-      {
-        entry.node *= 2;
-        continue;
-      }
-      stepOver(ray_.axes[axis], treelet.plane(entry.node), entry);
-    }
-    if (entry.child != Treelet::kEmpty)
-    {
-      testLeaf(tree_.blocks() + (entry.child & ~Treelet::kLeaf));
+      stack_[depth_++] = { child, from };
     }
   }
 
-  void stepOver(const PaddedRay::Axis& axis, float place, Entry& entry)
+  /// The boxes that the ray passes, on the stack from far to near.
+  void stepInto(const Treelet& treelet)
   {
-    const double plane = (place - axis.origin) * axis.inverse;
-    const unsigned near = 2 * entry.node + axis.nearChild;
-    if (plane - axis.pad > entry.to)
+    ++counts_.treelets;
+    double from[Treelet::kSize], to[Treelet::kSize];
+    std::fill_n(from, Treelet::kSize, cast_.from);
+    std::fill_n(to, Treelet::kSize, cast_.exactLimit);
+    for (int i = 0; i < 3; ++i)
     {
-      entry.node = near;
+      const PaddedRay::Axis& axis = ray_.axes[i];
+      const float* near = treelet.bounds[axis.nearChild][i];
+      const float* far = treelet.bounds[1 - axis.nearChild][i];
+      for (unsigned lane = 0; lane < Treelet::kSize; ++lane)
+      {
+        from[lane] = std::max(from[lane], (near[lane] - axis.origin) * axis.inverse - axis.pad);
+        to[lane] = std::min(to[lane], (far[lane] - axis.origin) * axis.inverse + axis.pad);
+      }
     }
-    else if (plane + axis.pad < entry.from)
+    for (const unsigned lane : treelet.farToNear[octant_])
     {
-      entry.node = near ^ 1;
-    }
-    else
-    {
-      stack_[depth_++] = { entry.child, near ^ 1, std::max(entry.from, plane - axis.pad),
-        entry.to };
-      entry.to = std::min(entry.to, plane + axis.pad);
-      entry.node = near;
+      // From far enough even the boxes that are not there are near the others.
+      if (treelet.children[lane] != Treelet::kEmpty)
+      {
+        push(treelet.children[lane], from[lane], to[lane]);
+      }
     }
   }
 
@@ -125,9 +111,10 @@ private:
   UnitCast& cast_;
   const TriangleTree& tree_;
   PaddedRay ray_;
+  unsigned octant_;
   CastCounts counts_;
   int depth_ = 0;
-  Entry stack_[KdTree::kMaxDepth + 2];
+  Entry stack_[(KdTree::kMaxDepth + 1) * (Treelet::kSize - 1) + 2];
 };
 
 bool PlainSearch::misses(const TriangleBlock& block, unsigned lane) const

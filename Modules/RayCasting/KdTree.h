@@ -1,7 +1,7 @@
 #ifndef irradiance_KdTree_h
 #define irradiance_KdTree_h
 
-#include "Vector.h"
+#include "KdBounds.h"
 
 #include <cstdint>
 #include <vector>
@@ -50,7 +50,8 @@ struct KdTree
   static constexpr int kMaxDepth = 60;
 
   Box bounds;
-  std::vector<KdNode> nodes; ///< the root is nodes[0]
+  std::vector<KdNode> nodes;    ///< the root is nodes[0]
+  std::vector<KdBounds> filled; ///< for each node, what of its cell the primitives fill
   std::vector<std::uint32_t> references;
 
   bool isEmpty() const { return references.empty(); }

@@ -51,7 +51,7 @@ public:
     // Room behind the outermost walls, so that a plane can part them from the empty space inside.
     tree_.bounds.inflate(all.size() == 0 ? 0.0 : 0x1p-10 * tree_.bounds.extent().maxCoeff());
     maxDepth_ = depthFor(all.size());
-    tree_.nodes.resize(2); // the second is unused: siblings start at even places
+    addPair(); // the second is unused: siblings start at even places
     divide(0, all, tree_.bounds, 0, std::min(kCopies * all.size(), kMostReferences - all.size()));
     return std::move(tree_);
   }
@@ -87,14 +87,23 @@ private:
     const int kept = split.left > split.right ? 0 : 1;
     distribute(range, split, cells, kept, sides);
 
-    const auto child = static_cast<std::uint32_t>(tree_.nodes.size());
-    tree_.nodes.resize(child + 2);
+    const std::uint32_t child = addPair();
     tree_.nodes[node] = KdNode::inner(split.axis, split.plane, child);
     spare -= items - range.size();
     for (const int side : { 1 - kept, kept })
     {
       divide(child + side, sides[side], cells[side], depth + 1, spare * sides[side].size() / items);
+      tree_.filled[node].add(tree_.filled[child + side]);
     }
+  }
+
+  /// Returns the first of two new nodes.
+  std::uint32_t addPair()
+  {
+    const std::size_t first = tree_.nodes.size();
+    tree_.nodes.resize(first + 2);
+    tree_.filled.resize(first + 2);
+    return static_cast<std::uint32_t>(first);
   }
 
   void makeLeaf(std::uint32_t node, Range range)
@@ -103,6 +112,7 @@ private:
     for (std::size_t i = range.begin; i < range.end; ++i)
     {
       tree_.references.push_back(items_[i].primitive);
+      tree_.filled[node].add(items_[i]);
     }
     tree_.nodes[node] = KdNode::leaf(first, static_cast<std::uint32_t>(range.size()));
   }

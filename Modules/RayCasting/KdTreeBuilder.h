@@ -26,7 +26,7 @@ struct KdPrimitive
 struct KdTreeBuilder
 {
   double traversalCost = 1.0;    ///< of an inner node
-  double intersectionCost = 1.3; ///< of a block, in units of traversalCost's unit
+  double intersectionCost = 2.0; ///< of a block, in units of traversalCost's unit
   int blockSize = 8;             ///< primitives tested at a time; 1: each costs the same
   double emptyFactor = 0.9;      ///< reward (<= 1) for cutting off empty space
   Checkpoint checkpoint;         ///< may be empty

@@ -1,7 +1,10 @@
 #include "TriangleTree.h"
 
+#include "TreeletPlan.h"
+
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace irradiance
 {
@@ -37,64 +40,101 @@ public:
     : target_(target)
     , tree_(tree)
     , triangles_(triangles)
+    , plan_(tree)
   {
   }
 
-  std::uint32_t pack(std::uint32_t node)
+  std::uint32_t pack(std::uint32_t number)
   {
+    const std::uint32_t node = forkAt(tree_, number);
     return tree_.nodes[node].isLeaf() ? packLeaf(tree_.nodes[node]) : packInner(node);
   }
 
 private:
-  static constexpr std::uint32_t kAbsent = 0xffffffffu;
+  /// A node of the kd-tree within a treelet.
+  struct Part
+  {
+    std::uint32_t node;
+    int axis;               ///< of the plane that parts it; negative: it is a child of the treelet
+    unsigned left, right;   ///< the parts on either side of the plane
+    std::uint8_t place = 0; ///< of a child
+  };
+
+  /// Returns the number of the node's part.
+  unsigned addParts(std::uint32_t number, unsigned mostChildren, std::vector<Part>& parts) const
+  {
+    const std::uint32_t place = forkAt(tree_, number);
+    const auto part = static_cast<unsigned>(parts.size());
+    parts.push_back({ place, -1, 0, 0 });
+    const KdNode& node = tree_.nodes[place];
+    const unsigned onLeft = plan_.onLeft(place, mostChildren);
+    if (onLeft != 0)
+    {
+      const unsigned left = addParts(node.index(), onLeft, parts);
+      const unsigned right = addParts(node.index() + 1, mostChildren - onLeft, parts);
+      parts[part] = { place, node.axis(), left, right };
+    }
+    return part;
+  }
 
   std::uint32_t packInner(std::uint32_t node)
   {
-    std::array<std::uint32_t, 32> heap;
-    heap.fill(kAbsent);
-    heap[1] = node;
-    Treelet treelet;
-    treelet.axes = 0;
-    for (std::size_t i = 1; i < 16; ++i)
+    std::vector<Part> parts;
+    addParts(node, Treelet::kSize, parts);
+    Treelet treelet = emptyTreelet();
+    std::vector<std::uint32_t> children;
+    for (Part& part : parts)
     {
-      const bool isInner = heap[i] != kAbsent && !tree_.nodes[heap[i]].isLeaf();
-      const std::uint32_t axis =
-        isInner ? static_cast<std::uint32_t>(tree_.nodes[heap[i]].axis()) : Treelet::kNoPlane;
-      treelet.axes |= axis << (2 * i);
-      treelet.planes[i - 1] = isInner ? tree_.nodes[heap[i]].plane : Treelet::kFar;
-      // What ends early stands on the left of planes that are not there.
-      heap[2 * i] = isInner ? tree_.nodes[heap[i]].index() : heap[i];
-      heap[2 * i + 1] = isInner ? tree_.nodes[heap[i]].index() + 1 : kAbsent;
+      if (part.axis < 0)
+      {
+        part.place = static_cast<std::uint8_t>(children.size());
+        const KdBounds& bounds = tree_.filled[part.node];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          treelet.bounds[0][axis][part.place] = bounds.lower[axis];
+          treelet.bounds[1][axis][part.place] = bounds.upper[axis];
+        }
+        children.push_back(part.node);
+      }
     }
     for (unsigned octant = 0; octant < 8; ++octant)
     {
-      treelet.farToNear[octant] = farToNear(treelet, octant);
+      std::uint8_t* const order = treelet.farToNear[octant];
+      std::iota(sortFarToNear(parts, 0, octant, order), order + Treelet::kSize,
+        static_cast<std::uint8_t>(children.size()));
     }
     const auto place = static_cast<std::uint32_t>(target_.treelets_.size());
     target_.treelets_.emplace_back();
-    for (std::size_t i = 0; i < 16; ++i)
+    for (std::size_t i = 0; i < children.size(); ++i)
     {
-      treelet.children[i] = heap[16 + i] == kAbsent ? Treelet::kEmpty : pack(heap[16 + i]);
+      treelet.children[i] = pack(children[i]);
     }
     target_.treelets_[place] = treelet;
     return place;
   }
 
-  static std::uint64_t farToNear(const Treelet& treelet, unsigned octant)
+  static Treelet emptyTreelet()
   {
-    std::uint64_t order = 0;
-    for (unsigned place = 0; place < 16; ++place)
+    Treelet treelet;
+    treelet.children.fill(Treelet::kEmpty);
+    std::fill_n(&treelet.bounds[0][0][0], 3 * Treelet::kSize, Treelet::kFar);
+    std::fill_n(&treelet.bounds[1][0][0], 3 * Treelet::kSize, -Treelet::kFar);
+    return treelet;
+  }
+
+  /// Writes the places of the children of a part; returns the end.
+  static std::uint8_t* sortFarToNear(
+    const std::vector<Part>& parts, unsigned number, unsigned octant, std::uint8_t* order)
+  {
+    const Part& part = parts[number];
+    if (part.axis < 0)
     {
-      unsigned node = 1;
-      for (int level = 3; level >= 0; --level)
-      {
-        const std::uint32_t axis = treelet.axis(node);
-        const unsigned near = axis == Treelet::kNoPlane ? 0 : octant >> axis & 1;
-        node = 2 * node + ((place >> level & 1) != 0 ? near : 1 - near);
-      }
-      order |= std::uint64_t{ node - 16 } << (4 * place);
+      *order = part.place;
+      return order + 1;
     }
-    return order;
+    const bool isLeftNear = (octant >> part.axis & 1) == 0;
+    order = sortFarToNear(parts, isLeftNear ? part.right : part.left, octant, order);
+    return sortFarToNear(parts, isLeftNear ? part.left : part.right, octant, order);
   }
 
   std::uint32_t packLeaf(const KdNode& leaf)
@@ -138,6 +178,7 @@ private:
   TriangleTree& target_;
   const KdTree& tree_;
   const std::vector<Triangle>& triangles_;
+  TreeletPlan plan_;
 };
 
 TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,

@@ -2,6 +2,7 @@
 #define irradiance_TriangleTree_h
 
 #include "KdTreeBuilder.h"
+#include "Treelet.h"
 
 #include <array>
 #include <cstdint>
@@ -22,30 +23,6 @@ struct UnitFrame
   explicit UnitFrame(const Box& box);
 
   Vector3 operator()(const Vector3& position) const { return (position - center) * scale; }
-};
-
-/**
- * Four levels of a kd-tree: 15 planes and 16 children, numbered as in a heap (the children of node
- * i are 2i and 2i + 1; the planes are 1..15, the children 16..31). One SIMD step decides which of
- * the 16 a ray visits.
- */
-struct alignas(64) Treelet
-{
-  static constexpr std::uint32_t kLeaf = 0x80000000u;  ///< and the number of the first block
-  static constexpr std::uint32_t kEmpty = 0xffffffffu; ///< nothing is there
-  static constexpr std::uint32_t kNoPlane = 3;         ///< axis of a plane with all on its left
-  static constexpr float kFar = 1e30F;                 ///< place of such a plane
-
-  std::uint32_t axes; ///< 2 bits for each plane: axis of plane i in bits 2i and 2i + 1
-  std::array<float, 15> planes;
-  std::array<std::uint32_t, 16> children; ///< a treelet, a leaf, or nothing
-  /// For each octant of directions (bit i: component i is negative) the 16 children from far to
-  /// near, 4 bits for each. Bit l of a place says whether the child is on the near side of its
-  /// plane at level 3 - l.
-  std::array<std::uint64_t, 8> farToNear;
-
-  std::uint32_t axis(unsigned plane) const { return axes >> (2 * plane) & 3; }
-  float plane(unsigned plane) const { return planes[plane - 1]; }
 };
 
 /// Eight triangles of a leaf in the unit frame, in float, for a test that only rejects.

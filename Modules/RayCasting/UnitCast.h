@@ -46,7 +46,7 @@ struct UnitCast
   float edgeBlur;        ///< of an edge function, for each unit of its triangle's edges
   float leastBlur;       ///< and besides
   float slack;           ///< a hit's distance may be off by this when the ray grazes
-  float margin;          ///< slack and pad: from a hit to the limit behind it
+  float margin;          ///< from a hit to the limit behind it
   std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or none
   unsigned octant;
   bool isForFloats;
@@ -66,7 +66,8 @@ struct UnitCast
   {
     pad = static_cast<float>(2 * padding);
     slack = static_cast<float>(tree->slack() + kBlur);
-    margin = slack + pad;
+    // Half a pad for a box's own place, two for its order; see Documentation/Theory.md.
+    margin = slack + 3 * pad;
     edgeBlur = static_cast<float>(kEdgeBlur + 4 * tree->blur());
     leastBlur = static_cast<float>(kLeastBlur + 32 * tree->blur());
   }

@@ -57,34 +57,41 @@ private:
   CastRequest requests_[kMost];
 };
 
-/// A search on its way. The kernel knows the piece of the ray inside the child that comes next.
+/// Where in the bounds of a treelet the faces stand at which a ray enters and leaves boxes.
+struct BoxFaces
+{
+  unsigned near[3], far[3];
+
+  void start(unsigned octant)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const unsigned isNegative = octant >> axis & 1;
+      near[axis] = (3 * isNegative + axis) * Treelet::kSize;
+      far[axis] = (3 * (1 - isNegative) + axis) * Treelet::kSize;
+    }
+  }
+};
+
+/// A search on its way.
 template <class Kernel, bool isCounted>
 struct WideSearch
 {
-  /// Children of a treelet that wait to be searched; the nearest has the highest bit.
+  /// Children of a treelet that wait to be searched.
   struct alignas(64) Left
   {
-    float from[16], to[16];
-    std::uint32_t children[16];
-    unsigned lanes;
+    float from[Treelet::kSize];
+    const Treelet* treelet;
+    unsigned lanes; ///< the places in the order from far to near
   };
 
   UnitCast cast;
-  Kernel kernel;
+  BoxFaces faces;
   Candidates candidates;
   CastCounts counts; ///< of all searches in this place
   std::uint32_t child;
   unsigned depth;
-  Left stack[KdTree::kMaxDepth / 4 + 2]; ///< none of them without a child, but one behind the top
-
-  /// The place for children of a treelet. Whether there are any is as good as random: no branch.
-  Left& putBy(unsigned lanes)
-  {
-    Left& top = stack[depth];
-    top.lanes = lanes;
-    depth += lanes != 0 ? 1 : 0;
-    return top;
-  }
+  Left stack[KdTree::kMaxDepth + 2]; ///< none of them without a child, but one behind the top
 
   /// Takes the next search; false if there is none.
   bool start(CastSource& source, CastQueue& queue)
@@ -100,7 +107,7 @@ struct WideSearch
     child = cast.tree->root();
     depth = 0;
     candidates.count = 0;
-    kernel.start(cast);
+    faces.start(cast.octant);
     return true;
   }
 
@@ -113,7 +120,7 @@ struct WideSearch
       {
         ++counts.treelets;
       }
-      kernel.stepInto(cast.tree->treelets()[child], *this);
+      stepInto(cast.tree->treelets()[child]);
     }
     else
     {
@@ -123,6 +130,16 @@ struct WideSearch
   }
 
 private:
+  /// Puts the children that the ray passes on the stack. Whether there are any is as good as random:
+  /// no branch.
+  __attribute__((always_inline)) void stepInto(const Treelet& treelet)
+  {
+    Left& top = stack[depth];
+    top.treelet = &treelet;
+    top.lanes = Kernel::enter(treelet, faces, cast, top.from);
+    depth += top.lanes != 0 ? 1 : 0;
+  }
+
   void testLeaf(CastSource& source, const TriangleBlock* block)
   {
     for (bool goesOn = true; goesOn; ++block)
@@ -216,16 +233,16 @@ private:
       return finish(source);
     }
     Left& top = stack[depth - 1];
-    const unsigned lane = 31u - static_cast<unsigned>(__builtin_clz(top.lanes));
+    const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(top.lanes));
+    const unsigned lane = top.treelet->farToNear[cast.octant][place];
     // What lies deeper in the stack is farther away.
     if (top.from[lane] > cast.limit)
     {
       return finish(source);
     }
-    top.lanes ^= 1u << lane;
+    top.lanes ^= 1u << place;
     depth -= top.lanes == 0 ? 1 : 0;
-    child = top.children[lane];
-    kernel.resume(top.from[lane], top.to[lane]);
+    child = top.treelet->children[lane];
     return true;
   }
 };

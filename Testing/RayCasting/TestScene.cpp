@@ -163,6 +163,27 @@ TEST(Scene, WithoutMovedObjectsNothingIsHit)
   EXPECT_FALSE(scene.castMoved({ { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
 }
 
+// A ray may begin so far away that the whole scene is a point to it.
+TEST(Scene, CastsFromVeryFar)
+{
+  const NamedScene scene{ "", test::bodyOf(test::icosphere(2)), {} };
+  test::RandomVectors random(4);
+  for (const SimdLevel level : test::simdLevels())
+  {
+    const test::SimdLimit limit(level);
+    const Scene made = scene.scene(TraversalMode::Parallel);
+    for (const double distance : { 1e6, 1e9, 1e20, 1e35, 1e40, 1e100, 1e150 })
+    {
+      for (int i = 0; i < 50; ++i)
+      {
+        const Vector3 away = random.direction();
+        const Ray ray{ random.inCube() + distance * away, -away, {} };
+        EXPECT_EQ(made.cast(ray), test::bruteForce(scene, ray, { true })) << distance;
+      }
+    }
+  }
+}
+
 // The hit of two triangles at one distance is that of the smaller number, in all modes.
 TEST(Scene, BreaksTiesByObjectAndTriangle)
 {

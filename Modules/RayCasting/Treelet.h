@@ -1,0 +1,30 @@
+#ifndef irradiance_Treelet_h
+#define irradiance_Treelet_h
+
+#include <array>
+#include <cstdint>
+
+namespace irradiance
+{
+
+/**
+ * A piece of a kd-tree: up to 15 of its planes, which part up to 16 children. Of each child the box
+ * is kept that its triangles fill. One SIMD step decides which of the 16 a ray visits.
+ */
+struct alignas(64) Treelet
+{
+  static constexpr unsigned kSize = 16;
+  static constexpr std::uint32_t kLeaf = 0x80000000u;  ///< and the number of the first block
+  static constexpr std::uint32_t kEmpty = 0xffffffffu; ///< nothing is there
+  static constexpr float kFar = 1e30F; ///< of boxes that are not there: these end before they begin
+
+  float bounds[2][3][kSize];                 ///< lower and upper ones
+  std::array<std::uint32_t, kSize> children; ///< a treelet, a leaf, or nothing
+  /// For each octant of directions (bit i: component i is negative) the children from far to near.
+  /// As cells of a kd-tree do not overlap, there is such an order.
+  alignas(16) std::uint8_t farToNear[8][kSize];
+};
+
+}
+
+#endif
