@@ -2,6 +2,7 @@
 
 #include "CastCounts.h"
 #include "KdTree.h"
+#include "MeetingLanes.h"
 #include "SimdTarget.h"
 #include "UnitCast.h"
 
@@ -63,6 +64,11 @@ struct Avx2Kernel
 void runCastsAvx2(CastSource& source)
 {
   runInTurns<Avx2Kernel>(source);
+}
+
+void meetAllAvx2(MeetingLanes& lanes)
+{
+  lanes.meet();
 }
 
 }

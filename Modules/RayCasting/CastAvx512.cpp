@@ -2,6 +2,7 @@
 
 #include "CastCounts.h"
 #include "KdTree.h"
+#include "MeetingLanes.h"
 #include "SimdTarget.h"
 #include "UnitCast.h"
 
@@ -52,6 +53,11 @@ struct Avx512Kernel
 void runCastsAvx512(CastSource& source)
 {
   runInTurns<Avx512Kernel>(source);
+}
+
+void meetAllAvx512(MeetingLanes& lanes)
+{
+  lanes.meet();
 }
 
 }

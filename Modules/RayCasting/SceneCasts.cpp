@@ -180,25 +180,46 @@ void Scene::Casts::finish(const UnitCast& cast, const std::uint32_t* references,
 
 void Scene::Casts::decide()
 {
-  for (std::size_t i = 0; i < putOff_; ++i)
+  for (std::size_t first = 0; first < putOff_; first += MeetingLanes::kSize)
   {
-    const Decision& decision = decisions_[i];
-    decide(decision, scene_.shearedFor(rays_[decision.ray], decision.id.object));
+    const auto count = std::min<std::size_t>(putOff_ - first, MeetingLanes::kSize);
+    for (unsigned lane = 0; lane < count; ++lane)
+    {
+      const Decision& decision = decisions_[first + lane];
+      const Ray& ray = rays_[decision.ray];
+      const TriangleId& id = decision.id;
+      const Triangle& triangle = scene_.bodyOf(id.object).mesh()[id.triangle];
+      if (id.object == 0)
+      {
+        lanes_.set(lane, ray.origin, ray.direction, triangle);
+      }
+      else
+      {
+        const Placed& placed = scene_.placed_[id.object - 1];
+        lanes_.set(lane, placed.toObject(ray.origin), placed.inverse * ray.direction, triangle);
+      }
+    }
+    meetAll(lanes_);
+    for (unsigned lane = 0; lane < count; ++lane)
+    {
+      if (lanes_.distance[lane] > 0)
+      {
+        take(decisions_[first + lane],
+          { lanes_.distance[lane], lanes_.weightB[lane], lanes_.weightC[lane] });
+      }
+    }
   }
+  decided_ += putOff_;
   putOff_ = 0;
 }
 
-void Scene::Casts::decide(const Decision& decision, const ShearedRay& sheared)
+void Scene::Casts::take(const Decision& decision, const Vector3& found)
 {
-  ++decided_;
-  Hit hit;
-  hit.id = decision.id;
-  Vector3 weights;
+  const Hit hit{ found[0], decision.id,
+    { static_cast<float>(found[1]), static_cast<float>(found[2]) } };
   Hit& best = best_[decision.ray];
-  if (sheared.meets(scene_.bodyOf(hit.id.object).mesh()[hit.id.triangle], hit.distance, &weights) &&
-    isCloser(hit, best))
+  if (isCloser(hit, best))
   {
-    hit.weights = { static_cast<float>(weights[1]), static_cast<float>(weights[2]) };
     best = hit;
   }
 }
@@ -207,8 +228,15 @@ void Scene::Casts::test(UnitCast& cast, std::uint32_t reference)
 {
   const Job job = jobOf(cast.job);
   const TriangleId id = idOf(job, reference);
-  decide({ job.ray, id }, scene_.shearedFor(rays_[job.ray], id.object));
-  const double distance = best_[job.ray].distance;
+  double distance;
+  Vector3 weights;
+  ++decided_;
+  if (scene_.shearedFor(rays_[job.ray], id.object)
+        .meets(scene_.bodyOf(id.object).mesh()[id.triangle], distance, &weights))
+  {
+    take({ job.ray, id }, { distance, weights[1], weights[2] });
+  }
+  distance = best_[job.ray].distance;
   if (distance < cast.bound())
   {
     cast.setBound(distance);

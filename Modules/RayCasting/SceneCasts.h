@@ -1,6 +1,7 @@
 #ifndef irradiance_SceneCasts_h
 #define irradiance_SceneCasts_h
 
+#include "MeetingLanes.h"
 #include "Scene.h"
 #include "UnitCast.h"
 
@@ -67,10 +68,11 @@ private:
   {
     return job.mixed ? job.mixed->ids[reference] : TriangleId{ job.object, reference };
   }
+  /// Those put off.
   void decide();
-  void decide(const Decision& decision, const ShearedRay& sheared);
+  void take(const Decision& decision, const Vector3& distanceAndWeights);
 
-  static constexpr std::size_t kPutOff = 32;
+  static constexpr std::size_t kPutOff = 8 * MeetingLanes::kSize;
 
   const Scene& scene_;
   const Ray* rays_;
@@ -81,7 +83,8 @@ private:
   const std::vector<std::uint32_t>* order_ = nullptr; ///< in which they are searched, or empty
   std::uint32_t next_ = 0;
   std::size_t putOff_ = 0, decided_ = 0;
-  std::array<Decision, 2 * kPutOff> decisions_;
+  std::array<Decision, kPutOff> decisions_;
+  MeetingLanes lanes_;
 };
 
 }
