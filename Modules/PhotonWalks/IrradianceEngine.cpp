@@ -146,8 +146,9 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
     }
     if (keep)
     {
+      history_[plan_.placeOf(batch.tails().front().walk).block].reserve(
+        batch.pieces().size() + batch.tails().size());
       batch.store(plan_, history_);
-      history_[plan_.placeOf(batch.tails().front().walk).block].shrink();
     }
   };
   if (!emitters_.isEmpty())

@@ -123,23 +123,31 @@ void WalkBlock::closeHoles()
   *this = std::move(dense);
 }
 
+void WalkBlock::reserve(std::size_t points)
+{
+  x_.reserve(points);
+  y_.reserve(points);
+  z_.reserve(points);
+  tags_.reserve(points);
+  ids_.reserve(points);
+  weights_.reserve(points);
+  powers_.reserve(points * static_cast<std::size_t>(bands_));
+}
+
 void WalkBlock::resizePools(std::size_t size)
 {
-  // Doubling would waste half of the memory.
-  const std::size_t capacity =
-    size > x_.capacity() && !x_.empty() ? size + size / 8 : std::max(size, x_.capacity());
-  const auto resize = [](auto& pool, std::size_t newCapacity, std::size_t newSize) {
-    pool.reserve(newCapacity);
-    pool.resize(newSize);
-  };
-  resize(x_, capacity, size);
-  resize(y_, capacity, size);
-  resize(z_, capacity, size);
-  resize(tags_, capacity, size);
-  resize(ids_, capacity, size);
-  resize(weights_, capacity, size);
-  const auto bands = static_cast<std::size_t>(bands_);
-  resize(powers_, capacity * bands, size * bands);
+  if (size > x_.capacity())
+  {
+    // Doubling would waste half of the memory.
+    reserve(x_.empty() ? size : size + size / 8);
+  }
+  x_.resize(size);
+  y_.resize(size);
+  z_.resize(size);
+  tags_.resize(size);
+  ids_.resize(size);
+  weights_.resize(size);
+  powers_.resize(size * static_cast<std::size_t>(bands_));
 }
 
 void WalkBlock::copyPlaces(
@@ -206,17 +214,6 @@ std::size_t WalkBlock::bytes() const
     held(weights_) + held(powers_) +
     staticHits_.size() * (sizeof(decltype(staticHits_)::value_type) + 2 * sizeof(void*)) +
     staticHits_.bucket_count() * sizeof(void*);
-}
-
-void WalkBlock::shrink()
-{
-  x_.shrink_to_fit();
-  y_.shrink_to_fit();
-  z_.shrink_to_fit();
-  tags_.shrink_to_fit();
-  ids_.shrink_to_fit();
-  weights_.shrink_to_fit();
-  powers_.shrink_to_fit();
 }
 
 }

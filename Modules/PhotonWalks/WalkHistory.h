@@ -57,6 +57,8 @@ public:
   /// Lower bound of the length of a segment, in the world, within some 2^-20 of the scene.
   double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
 
+  /// Asks at once for the memory of `points` in all: one for each segment and one for each walk.
+  void reserve(std::size_t points);
   /// Makes room for `count` segments in the place of those from `bounce` on; each has to be set
   /// then. Cached static hits behind `bounce` go with the old ones.
   void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
@@ -102,8 +104,6 @@ public:
 
   /// Memory held, the unused part of the pools included.
   std::size_t bytes() const;
-  /// Gives back what the pools do not use.
-  void shrink();
 
 private:
   struct Range

@@ -55,18 +55,23 @@ StoredSegments::StoredSegments(const Box& room, std::size_t atLeast)
   while (size_ < atLeast)
   {
     WalkBlock block(WalkBlock::kWalks, 1, frame_);
-    for (std::uint32_t i = 0; i < WalkBlock::kWalks; ++i)
+    std::vector<std::vector<WalkSegment>> walks(WalkBlock::kWalks);
+    std::size_t segments = 0;
+    for (std::vector<WalkSegment>& walk : walks)
     {
-      const std::vector<WalkSegment> walk = makeWalk(room, random);
-      const auto length = static_cast<std::uint32_t>(walk.size());
-      block.replaceTail(i, 0, length);
-      for (std::uint32_t bounce = 0; bounce < length; ++bounce)
-      {
-        block.setSegment(i, bounce, walk[bounce]);
-      }
-      size_ += walk.size();
+      walk = makeWalk(room, random);
+      segments += walk.size();
     }
-    block.shrink();
+    block.reserve(segments + walks.size());
+    for (std::uint32_t i = 0; i < walks.size(); ++i)
+    {
+      block.replaceTail(i, 0, static_cast<std::uint32_t>(walks[i].size()));
+      for (std::uint32_t bounce = 0; bounce < walks[i].size(); ++bounce)
+      {
+        block.setSegment(i, bounce, walks[i][bounce]);
+      }
+    }
+    size_ += segments;
     blocks_.push_back(std::move(block));
   }
 }

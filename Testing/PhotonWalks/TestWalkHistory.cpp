@@ -146,7 +146,7 @@ void compareWithModel(unsigned seed, int bands)
     {
       block.forgetAllStaticHits();
       model.staticHits.clear();
-      block.shrink();
+      block.reserve(block.numberOfPoints() + random.below(10));
     }
     if (step % 50 == 0)
     {
