@@ -33,8 +33,8 @@ struct MeetingLanes
   alignas(64) double distance[kSize] = {}; ///< not a number where nothing is met
   alignas(64) double weightB[kSize] = {}, weightC[kSize] = {};
 
-  void set(unsigned lane, const Vector3& rayOrigin, const Vector3& rayDirection,
-    const Triangle& triangle)
+  void set(
+    unsigned lane, const Vector3& rayOrigin, const Vector3& rayDirection, const Triangle& triangle)
   {
     const RayAxes axes(rayDirection);
     origin.set(lane, axes, rayOrigin);
@@ -50,8 +50,7 @@ struct MeetingLanes
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
       const Meeting meeting(origin[lane], direction[lane], a[lane], b[lane], c[lane]);
-      distance[lane] =
-        meeting.isMet ? meeting.distance : std::numeric_limits<double>::quiet_NaN();
+      distance[lane] = meeting.isMet ? meeting.distance : std::numeric_limits<double>::quiet_NaN();
       weightB[lane] = meeting.weightB;
       weightC[lane] = meeting.weightC;
     }

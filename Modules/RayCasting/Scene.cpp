@@ -156,19 +156,15 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
   return group;
 }
 
-ShearedRay Scene::shearedFor(const Ray& ray, std::uint32_t object) const
+bool Scene::meets(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const
 {
-  if (object == 0)
-  {
-    return ShearedRay(ray.origin, ray.direction);
-  }
-  const Placed& placed = placed_[object - 1];
-  return ShearedRay(placed.toObject(ray.origin), placed.inverse * ray.direction);
+  const LocalRay local = localRay(ray, id.object);
+  return ShearedRay(local.origin, local.direction).meets(localTriangle(id), distance, weights);
 }
 
 Triangle Scene::worldTriangle(const TriangleId& id) const
 {
-  const Triangle& triangle = bodyOf(id.object).mesh()[id.triangle];
+  const Triangle& triangle = localTriangle(id);
   return id.object == 0 ? triangle
                         : transformed(placed_[id.object - 1].object.worldFromObject, triangle);
 }
@@ -320,7 +316,7 @@ SurfacePoint Scene::surfaceOf(const Hit& hit, bool isFront) const
 double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
 {
   double distance = kInfinity;
-  shearedFor(ray, id.object).meets(bodyOf(id.object).mesh()[id.triangle], distance);
+  meets(ray, id, distance, nullptr);
   return distance;
 }
 

@@ -115,11 +115,6 @@ private:
     EllipsoidBound bound;
     Vector3 ballCenter; ///< of a ball around the bound's box, which most segments miss
     double ballSquaredRadius;
-
-    Vector3 toObject(const Vector3& point) const
-    {
-      return inverse * (point - object.worldFromObject.translation);
-    }
   };
 
   /// Triangles of several objects in one tree, in world space.
@@ -153,8 +148,27 @@ private:
   {
     return object == 0 ? *static_ : *placed_[object - 1].object.body;
   }
-  /// The ray in the space of the object.
-  ShearedRay shearedFor(const Ray& ray, std::uint32_t object) const;
+  /// A ray in the space of an object.
+  struct LocalRay
+  {
+    Vector3 origin, direction;
+  };
+  LocalRay localRay(const Ray& ray, std::uint32_t object) const
+  {
+    if (object == 0)
+    {
+      return { ray.origin, ray.direction };
+    }
+    const Placed& placed = placed_[object - 1];
+    return { placed.inverse * (ray.origin - placed.object.worldFromObject.translation),
+      placed.inverse * ray.direction };
+  }
+  const Triangle& localTriangle(const TriangleId& id) const
+  {
+    return bodyOf(id.object).mesh()[id.triangle];
+  }
+  /// As the test in double finds them; false if the ray misses the triangle.
+  bool meets(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
   /// Nothing is farther from the ray's origin, in units of its direction.
   double reachOf(const Ray& ray) const;
   bool mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const;

@@ -132,8 +132,9 @@ void Scene::Casts::fetchAhead(const std::vector<std::uint32_t>& order, std::size
 void Scene::Casts::request(const Job& job, CastRequest& request) const
 {
   const Ray& ray = rays_[job.ray];
-  request.origin = ray.origin;
-  request.direction = ray.direction;
+  const LocalRay local = scene_.localRay(ray, job.object);
+  request.origin = local.origin;
+  request.direction = local.direction;
   request.from = from_ ? from_[job.ray] : 0.0;
   request.bound = job.bound;
   request.skipped = TriangleBlock::kNone;
@@ -147,12 +148,6 @@ void Scene::Casts::request(const Job& job, CastRequest& request) const
   if (ray.start.object == job.object)
   {
     request.skipped = ray.start.triangle;
-  }
-  if (job.object > 0)
-  {
-    const Placed& placed = scene_.placed_[job.object - 1];
-    request.origin = placed.toObject(ray.origin);
-    request.direction = placed.inverse * ray.direction;
   }
 }
 
@@ -185,27 +180,17 @@ void Scene::Casts::decide()
     const auto count = std::min<std::size_t>(putOff_ - first, MeetingLanes::kSize);
     for (unsigned lane = 0; lane < count; ++lane)
     {
-      const Decision& decision = decisions_[first + lane];
-      const Ray& ray = rays_[decision.ray];
-      const TriangleId& id = decision.id;
-      const Triangle& triangle = scene_.bodyOf(id.object).mesh()[id.triangle];
-      if (id.object == 0)
-      {
-        lanes_.set(lane, ray.origin, ray.direction, triangle);
-      }
-      else
-      {
-        const Placed& placed = scene_.placed_[id.object - 1];
-        lanes_.set(lane, placed.toObject(ray.origin), placed.inverse * ray.direction, triangle);
-      }
+      const auto& [ray, id] = decisions_[first + lane];
+      const LocalRay local = scene_.localRay(rays_[ray], id.object);
+      lanes_.set(lane, local.origin, local.direction, scene_.localTriangle(id));
     }
     meetAll(lanes_);
     for (unsigned lane = 0; lane < count; ++lane)
     {
       if (lanes_.distance[lane] > 0)
       {
-        take(decisions_[first + lane],
-          { lanes_.distance[lane], lanes_.weightB[lane], lanes_.weightC[lane] });
+        take(decisions_[first + lane], lanes_.distance[lane], lanes_.weightB[lane],
+          lanes_.weightC[lane]);
       }
     }
   }
@@ -213,10 +198,10 @@ void Scene::Casts::decide()
   putOff_ = 0;
 }
 
-void Scene::Casts::take(const Decision& decision, const Vector3& found)
+void Scene::Casts::take(const Decision& decision, double distance, double weightB, double weightC)
 {
-  const Hit hit{ found[0], decision.id,
-    { static_cast<float>(found[1]), static_cast<float>(found[2]) } };
+  const Hit hit{ distance, decision.id,
+    { static_cast<float>(weightB), static_cast<float>(weightC) } };
   Hit& best = best_[decision.ray];
   if (isCloser(hit, best))
   {
@@ -228,15 +213,14 @@ void Scene::Casts::test(UnitCast& cast, std::uint32_t reference)
 {
   const Job job = jobOf(cast.job);
   const TriangleId id = idOf(job, reference);
-  double distance;
   Vector3 weights;
+  double found;
   ++decided_;
-  if (scene_.shearedFor(rays_[job.ray], id.object)
-        .meets(scene_.bodyOf(id.object).mesh()[id.triangle], distance, &weights))
+  if (scene_.meets(rays_[job.ray], id, found, &weights))
   {
-    take({ job.ray, id }, { distance, weights[1], weights[2] });
+    take({ job.ray, id }, found, weights[1], weights[2]);
   }
-  distance = best_[job.ray].distance;
+  const double distance = best_[job.ray].distance;
   if (distance < cast.bound())
   {
     cast.setBound(distance);

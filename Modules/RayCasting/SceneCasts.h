@@ -68,9 +68,10 @@ private:
   {
     return job.mixed ? job.mixed->ids[reference] : TriangleId{ job.object, reference };
   }
-  /// Those put off.
+  /// On all that was put off.
   void decide();
-  void take(const Decision& decision, const Vector3& distanceAndWeights);
+  /// A meeting, which may be the ray's best hit.
+  void take(const Decision& decision, double distance, double weightB, double weightC);
 
   static constexpr std::size_t kPutOff = 8 * MeetingLanes::kSize;
 

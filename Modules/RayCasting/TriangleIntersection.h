@@ -44,7 +44,7 @@ struct Meeting
 {
   bool isMet;      ///< the closed triangle, in front of the origin
   double distance; ///< in units of the direction; this and the weights have a meaning only if met
-  double weightA, weightB, weightC; ///< barycentric: not negative, sum about 1
+  double weightA, weightB, weightC; ///< barycentric
 
   /// All coordinates by RayAxes.
   struct Point
@@ -56,9 +56,9 @@ struct Meeting
     const Point& origin, const Point& direction, const Point& a, const Point& b, const Point& c)
   {
     const double scale = 1.0 / direction.z;
-    const Point shear{ direction.x * scale, direction.y * scale, 0 };
-    const Point sa = sheared(a, origin, shear), sb = sheared(b, origin, shear),
-                sc = sheared(c, origin, shear);
+    const double shearX = direction.x * scale, shearY = direction.y * scale;
+    const Point sa = sheared(a, origin, shearX, shearY), sb = sheared(b, origin, shearX, shearY),
+                sc = sheared(c, origin, shearX, shearY);
     const double u = sc.x * sb.y - sc.y * sb.x;
     const double v = sa.x * sc.y - sa.y * sc.x;
     const double w = sb.x * sa.y - sb.y * sa.x;
@@ -80,10 +80,10 @@ private:
   static constexpr double kEdgeOn = 0x1p-40;
 
   __attribute__((always_inline)) static Point sheared(
-    const Point& point, const Point& origin, const Point& shear)
+    const Point& point, const Point& origin, double shearX, double shearY)
   {
     const double z = point.z - origin.z;
-    return { (point.x - origin.x) - shear.x * z, (point.y - origin.y) - shear.y * z, z };
+    return { (point.x - origin.x) - shearX * z, (point.y - origin.y) - shearY * z, z };
   }
   __attribute__((always_inline)) static double square(const Point& point)
   {

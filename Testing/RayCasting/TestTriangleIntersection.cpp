@@ -1,9 +1,13 @@
 #include "TriangleIntersection.h"
 
+#include "MeetingLanes.h"
 #include "RandomVectors.h"
+#include "TestSimdLevels.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <optional>
 
 namespace irradiance
@@ -13,21 +17,20 @@ namespace
 
 using test::RandomVectors;
 
-struct Meeting
+struct Found
 {
   double distance;
   Vector3 weights;
 };
 
-std::optional<Meeting> meet(
-  const Vector3& origin, const Vector3& direction, const Triangle& triangle)
+std::optional<Found> meet(const Vector3& origin, const Vector3& direction, const Triangle& triangle)
 {
-  Meeting meeting;
-  if (!ShearedRay(origin, direction).meets(triangle, meeting.distance, &meeting.weights))
+  Found found;
+  if (!ShearedRay(origin, direction).meets(triangle, found.distance, &found.weights))
   {
     return std::nullopt;
   }
-  return meeting;
+  return found;
 }
 
 const Triangle kUnit{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
@@ -167,6 +170,49 @@ TEST(TriangleIntersection, ScalesExactly)
     }
   }
   EXPECT_GT(hits, 40000);
+}
+
+// With all instructions, in all lanes: the bits of the test of one triangle.
+TEST(TriangleIntersection, IsTheSameInLanes)
+{
+  constexpr unsigned kSeed = 5;
+  for (const SimdLevel level : test::simdLevels())
+  {
+    const test::SimdLimit limit(level);
+    RandomVectors random(kSeed);
+    MeetingLanes lanes;
+    int hits = 0;
+    for (int i = 0; i < 40000; ++i)
+    {
+      std::array<std::optional<Found>, MeetingLanes::kSize> expected;
+      for (unsigned lane = 0; lane < MeetingLanes::kSize; ++lane)
+      {
+        const double flat = lane % 2 == 0 ? 1 : random.powerOfTwo(-60, 0);
+        const Triangle triangle{ random.inCube(), random.inCube(),
+          lane == 3 ? Vector3::Zero() : Vector3(flat * random.inCube()) };
+        const Vector3 target = lane < 5 ? Vector3((triangle.a + triangle.b + triangle.c) / 3)
+          : lane == 5                   ? triangle.b
+                                        : Vector3(0.5 * (triangle.a + triangle.c));
+        const Vector3 origin = random.powerOfTwo(-30, 30) * random.inCube();
+        lanes.set(lane, origin, target - origin, triangle);
+        expected[lane] = meet(origin, target - origin, triangle);
+      }
+      meetAll(lanes);
+      for (unsigned lane = 0; lane < MeetingLanes::kSize; ++lane)
+      {
+        ASSERT_EQ(expected[lane].has_value(), !std::isnan(lanes.distance[lane]));
+        if (expected[lane])
+        {
+          ++hits;
+          ASSERT_EQ(expected[lane]->distance, lanes.distance[lane]);
+          ASSERT_EQ(expected[lane]->weights[1], lanes.weightB[lane]);
+          ASSERT_EQ(expected[lane]->weights[2], lanes.weightC[lane]);
+        }
+      }
+    }
+    EXPECT_GT(hits, 100000);
+    EXPECT_LT(hits, 310000);
+  }
 }
 
 }
