@@ -73,7 +73,7 @@ private:
   /// A meeting, which may be the ray's best hit.
   void take(const Decision& decision, double distance, double weightB, double weightC);
 
-  static constexpr std::size_t kPutOff = 8 * MeetingLanes::kSize;
+  static constexpr std::size_t kPutOff = std::size_t{ 8 } * MeetingLanes::kSize;
 
   const Scene& scene_;
   const Ray* rays_;
