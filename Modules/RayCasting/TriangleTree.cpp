@@ -63,16 +63,16 @@ private:
   /// Returns the number of the node's part.
   unsigned addParts(std::uint32_t number, unsigned mostChildren, std::vector<Part>& parts) const
   {
-    const std::uint32_t place = forkAt(tree_, number);
+    const std::uint32_t fork = forkAt(tree_, number);
     const auto part = static_cast<unsigned>(parts.size());
-    parts.push_back({ place, -1, 0, 0 });
-    const KdNode& node = tree_.nodes[place];
-    const unsigned onLeft = plan_.onLeft(place, mostChildren);
+    parts.push_back({ fork, -1, 0, 0 });
+    const KdNode& node = tree_.nodes[fork];
+    const unsigned onLeft = plan_.onLeft(fork, mostChildren);
     if (onLeft != 0)
     {
       const unsigned left = addParts(node.index(), onLeft, parts);
       const unsigned right = addParts(node.index() + 1, mostChildren - onLeft, parts);
-      parts[part] = { place, node.axis(), left, right };
+      parts[part] = { fork, node.axis(), left, right };
     }
     return part;
   }
@@ -88,12 +88,7 @@ private:
       if (part.axis < 0)
       {
         part.place = static_cast<std::uint8_t>(children.size());
-        const KdBounds& bounds = tree_.filled[part.node];
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          treelet.bounds[0][axis][part.place] = bounds.lower[axis];
-          treelet.bounds[1][axis][part.place] = bounds.upper[axis];
-        }
+        setBox(treelet, part.place, tree_.filled[part.node]);
         children.push_back(part.node);
       }
     }
@@ -120,6 +115,15 @@ private:
     std::fill_n(&treelet.bounds[0][0][0], 3 * Treelet::kSize, Treelet::kFar);
     std::fill_n(&treelet.bounds[1][0][0], 3 * Treelet::kSize, -Treelet::kFar);
     return treelet;
+  }
+
+  static void setBox(Treelet& treelet, unsigned place, const KdBounds& bounds)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      treelet.bounds[0][axis][place] = bounds.lower[axis];
+      treelet.bounds[1][axis][place] = bounds.upper[axis];
+    }
   }
 
   /// Writes the places of the children of a part; returns the end.
