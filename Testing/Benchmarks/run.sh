@@ -18,7 +18,7 @@ root=$PWD
 build=build/benchmark
 results=$root/$build/results
 documentation=$root/Documentation
-ray_casting=(300000 5) modes=() scan=() teapot=(1000000 3) budget=()
+ray_casting=(300000 5) modes=() scan=() teapot=(1000000 5) budget=()
 accuracy=() pilots=() stale=()
 if [[ ${1:-} == --quick ]]; then
   ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) teapot=(20000 2 2) budget=(20000 2)
