@@ -143,10 +143,6 @@ private:
 
   std::uint32_t packLeaf(const KdNode& leaf)
   {
-    if (leaf.count == 0)
-    {
-      return Treelet::kEmpty;
-    }
     const auto first = static_cast<std::uint32_t>(target_.blocks_.size());
     for (std::uint32_t i = 0; i < leaf.count; i += TriangleBlock::kSize)
     {

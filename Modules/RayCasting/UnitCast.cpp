@@ -55,8 +55,6 @@ bool UnitCast::prepare(const CastRequest& request)
       originInverse[i] = origin[i] * inverse[i];
       octant |= (exactDirection[i] < 0 ? 1u : 0u) << i;
     }
-    inverse[3] = 1;
-    originInverse[3] = 0;
     setMargins(padding);
   }
   setBound(request.bound);

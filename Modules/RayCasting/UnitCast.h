@@ -37,8 +37,8 @@ struct UnitCast
   // For floats; used only if isForFloats.
   alignas(16) float origin[4];
   alignas(16) float direction[4];
-  alignas(16) float inverse[4];       ///< of the direction; the last is 1
-  alignas(16) float originInverse[4]; ///< their product; the last is 0
+  alignas(16) float inverse[4];       ///< of the direction
+  alignas(16) float originInverse[4]; ///< their product
   double rate;           ///< length in the frame, by the largest component, of one unit of distance
   double entry;          ///< distance of `origin` from where the ray begins
   float limit;           ///< nothing behind it matters; goes down as hits are found

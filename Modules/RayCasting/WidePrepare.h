@@ -62,11 +62,11 @@ inline bool prepareWide(const CastRequest& request, UnitCast& cast)
   }
   const __m128 begin =
     _mm256_cvtpd_ps(_mm256_fmadd_pd(direction, _mm256_set1_pd(cast.entry), origin));
-  const __m128 inverses = _mm_blend_ps(_mm256_cvtpd_ps(inverse), _mm_set1_ps(1), 8);
+  const __m128 inverses = _mm256_cvtpd_ps(inverse);
   _mm_store_ps(cast.origin, begin);
   _mm_store_ps(cast.direction, _mm256_cvtpd_ps(direction));
   _mm_store_ps(cast.inverse, inverses);
-  _mm_store_ps(cast.originInverse, _mm_blend_ps(_mm_mul_ps(begin, inverses), _mm_setzero_ps(), 8));
+  _mm_store_ps(cast.originInverse, _mm_mul_ps(begin, inverses));
   cast.octant = static_cast<unsigned>(_mm256_movemask_pd(worldDirection)) & 7u;
   cast.setMargins(padding);
   cast.setBound(request.bound);

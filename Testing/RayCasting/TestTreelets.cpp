@@ -9,7 +9,7 @@
 #include <functional>
 #include <utility>
 
-// Treelets hold all that the kd-tree held, can be searched from far to near, and are as few and as
+// The boxes of treelets lie in each other, can be searched from near to far, and are as few and as
 // small as can be.
 
 namespace irradiance
