@@ -1,7 +1,11 @@
 #include "OutputWriter.h"
 
+#include "Pose.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -50,17 +54,21 @@ void transformNormals(vtkLinearTransform* transform, vtkDataSetAttributes* attri
   }
 }
 
-/// Model to world. The input's own arrays are not touched.
+/// Model to world; float or double, as integers cannot hold it. The input's own arrays are not
+/// touched.
 void movePoints(const AffineMap& worldFromObject, vtkPolyData* polyData)
 {
-  if (!polyData->GetPoints() || worldFromObject == AffineMap())
+  vtkPoints* model = polyData->GetPoints();
+  const bool isFloating =
+    model && (model->GetDataType() == VTK_FLOAT || model->GetDataType() == VTK_DOUBLE);
+  if (!model || (isFloating && worldFromObject == AffineMap()))
   {
     return;
   }
   const auto transform = toVtk(worldFromObject);
   vtkNew<vtkPoints> points;
-  points->SetDataType(polyData->GetPoints()->GetDataType());
-  transform->TransformPoints(polyData->GetPoints(), points);
+  points->SetDataType(isFloating ? model->GetDataType() : VTK_DOUBLE);
+  transform->TransformPoints(model, points);
   polyData->SetPoints(points);
   transformNormals(transform, polyData->GetPointData());
   transformNormals(transform, polyData->GetCellData());
@@ -88,26 +96,58 @@ void setBlock(
 
 }
 
+vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
+  const InputConnection& connection, const MakePart& makePart)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(connection.data);
+  if (!tree)
+  {
+    return makePart(connection.parts.front());
+  }
+  const auto block = vtk::TakeSmartPointer(tree->NewInstance());
+  block->CopyStructure(tree);
+  block->GetFieldData()->PassData(tree->GetFieldData());
+  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  leaves->VisitOnlyLeavesOn();
+  auto part = connection.parts.begin();
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    block->SetDataSet(leaves, makePart(*part++));
+  }
+  return block;
+}
+
 void OutputWriter::write(const std::vector<InputConnection>& fixed,
   const std::vector<InputConnection>& moving, vtkMultiBlockDataSet* output) const
 {
   vtkNew<vtkMultiBlockDataSet> fixedBlocks, movingBlocks;
   setBlock(output, 0, fixedBlocks, "Static");
   setBlock(output, 1, movingBlocks, "Dynamic");
+  std::size_t fixedPart = 0;
+  const auto makeFixed = [&](const InputPart& part) {
+    auto polyData = vtkSmartPointer<vtkPolyData>::New();
+    polyData->ShallowCopy(part.polyData);
+    addIrradiance(polyData, 0, scene_.firstCellOfFixed(fixedPart++));
+    return polyData;
+  };
   for (unsigned int i = 0; i < fixed.size(); ++i)
   {
-    vtkNew<vtkPolyData> polyData;
-    polyData->ShallowCopy(fixed[i].polyData);
-    addIrradiance(polyData, 0, scene_.firstCellOfFixed(i));
-    setBlock(fixedBlocks, i, polyData, "Static " + std::to_string(i));
+    setBlock(fixedBlocks, i, blockOf(fixed[i], makeFixed), "Static " + std::to_string(i));
   }
+  std::uint32_t object = 0;
+  const auto makeMoving = [&](const InputPart& part) {
+    auto polyData = vtkSmartPointer<vtkPolyData>::New();
+    polyData->ShallowCopy(part.polyData);
+    movePoints(part.worldFromPart, polyData);
+    polyData->GetFieldData()->RemoveArray(kFieldPoseName); // applied
+    addIrradiance(polyData, ++object, 0);
+    return polyData;
+  };
   for (unsigned int i = 0; i < moving.size(); ++i)
   {
-    vtkNew<vtkPolyData> polyData;
-    polyData->ShallowCopy(moving[i].polyData);
-    movePoints(scene_.objects().dynamic[i].worldFromObject, polyData);
-    addIrradiance(polyData, i + 1, 0);
-    setBlock(movingBlocks, i, polyData, "Dynamic " + std::to_string(i));
+    const auto block = blockOf(moving[i], makeMoving);
+    block->GetFieldData()->RemoveArray(kFieldPoseName);
+    setBlock(movingBlocks, i, block, "Dynamic " + std::to_string(i));
   }
   addFieldData(output);
 }
@@ -136,8 +176,10 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
     array->SetName(name.c_str());
     array->SetNumberOfComponents(scene_.bands());
     array->SetNumberOfTuples(polyData->GetNumberOfCells());
+    CheckpointPace pace(checkpoint_);
     for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
     {
+      pace.step();
       const std::size_t cell = firstCell + static_cast<std::size_t>(i);
       for (int band = 0; band < scene_.bands(); ++band)
       {

@@ -4,8 +4,12 @@
 #include "IrradianceEngine.h"
 #include "SceneReader.h"
 
+#include "vtkSmartPointer.h"
+
+#include <functional>
 #include <string>
 
+class vtkDataObject;
 class vtkMultiBlockDataSet;
 
 namespace irradiance
@@ -18,11 +22,12 @@ public:
   /// The arguments must outlive the writer.
   /// `withErrors`: standard errors are written as well.
   OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
-    const EngineSettings& settings, bool withErrors)
+    const EngineSettings& settings, bool withErrors, const Checkpoint& checkpoint)
     : engine_(engine)
     , scene_(scene)
     , settings_(settings)
     , withErrors_(withErrors)
+    , checkpoint_(checkpoint)
     , errors_(engine.errorEstimate())
   {
   }
@@ -31,6 +36,11 @@ public:
     vtkMultiBlockDataSet* output) const;
 
 private:
+  using MakePart = std::function<vtkSmartPointer<vtkPolyData>(const InputPart&)>;
+
+  /// The output of a connection, in the structure of its input.
+  static vtkSmartPointer<vtkDataObject> blockOf(
+    const InputConnection& connection, const MakePart& makePart);
   void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
   /// `suffix`: of the arrays' names.
   void addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
@@ -44,6 +54,7 @@ private:
   const SceneReader& scene_;
   const EngineSettings& settings_;
   bool withErrors_;
+  const Checkpoint& checkpoint_;
   ErrorEstimate errors_;
 };
 

@@ -6,9 +6,11 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <sstream>
@@ -35,12 +37,16 @@ void forEachCell(vtkCellArray* cells, const Visit& visit)
 
 }
 
-PolyDataConverter::PolyDataConverter(
-  std::string where, vtkPolyData* input, const SurfaceArrays& arrays, int bands)
+PolyDataConverter::PolyDataConverter(std::string where, vtkPolyData* input,
+  const SurfaceArrays& arrays, ConvertedPolyData& target, const Checkpoint& checkpoint)
   : where_(std::move(where))
   , input_(input)
   , arrays_(arrays)
-  , bands_(bands)
+  , target_(target)
+  , bands_(target.surface.bands)
+  , pace_(checkpoint)
+  , ghosts_(input->GetCellGhostArray())
+  , firstCell_(target.surface.numberOfCells)
 {
 }
 
@@ -49,7 +55,7 @@ void PolyDataConverter::fail(const std::string& what) const
   throw InputError(where_ + ", cell " + std::to_string(cell_) + ": " + what);
 }
 
-ConvertedPolyData PolyDataConverter::convert()
+std::vector<std::string> PolyDataConverter::convert()
 {
   checkArray(arrays_.exitance, "radiant exitance");
   checkArray(arrays_.reflectance, "diffuse reflectance");
@@ -62,18 +68,91 @@ ConvertedPolyData PolyDataConverter::convert()
       throw InputError(where_ + ": the offsets of a cell array are not valid");
     }
   }
-  Surface& surface = result_.surface;
-  surface.bands = bands_;
-  surface.numberOfCells = static_cast<std::size_t>(input_->GetNumberOfCells());
-  const std::size_t values = surface.numberOfCells * static_cast<std::size_t>(bands_);
-  surface.reflectance.assign(values, 0.0);
-  surface.exitance.assign(arrays_.exitance ? values : 0, 0.0);
-
+  makeRoom();
   readPointLights(input_->GetVerts());
-  cell_ += input_->GetNumberOfLines(); // they have no surface
+  readLines();
   readPolygons(input_->GetPolys());
   readStrips(input_->GetStrips());
-  return std::move(result_);
+  checkMisplaced();
+  return oddities();
+}
+
+void PolyDataConverter::makeRoom()
+{
+  Surface& surface = target_.surface;
+  const auto bands = static_cast<std::size_t>(bands_);
+  surface.numberOfCells += static_cast<std::size_t>(input_->GetNumberOfCells());
+  surface.reflectance.resize(surface.numberOfCells * bands, 0.0);
+  if (arrays_.exitance || !surface.exitance.empty())
+  {
+    surface.exitance.resize(surface.numberOfCells * bands, 0.0);
+  }
+  // A polygon of n corners becomes n - 2 triangles. What grows by doubling is copied at once, which
+  // takes long.
+  const auto triangles = target_.triangles.size() +
+    static_cast<std::size_t>(std::max<vtkIdType>(0,
+      input_->GetPolys()->GetNumberOfConnectivityIds() - 2 * input_->GetNumberOfPolys() +
+        input_->GetStrips()->GetNumberOfConnectivityIds()));
+  target_.triangles.reserve(triangles);
+  surface.cellOfTriangle.reserve(triangles);
+}
+
+bool PolyDataConverter::isGhost() const
+{
+  constexpr int kAbsent = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  return ghosts_ && (ghosts_->GetValue(cell_) & kAbsent) != 0;
+}
+
+double PolyDataConverter::largest(vtkDataArray* array) const
+{
+  double largest = 0;
+  for (int band = 0; array && band < bands_; ++band)
+  {
+    largest = std::max(largest, value(array, band));
+  }
+  return largest;
+}
+
+std::string PolyDataConverter::OddCells::text() const
+{
+  return std::to_string(count) + (count == 1 ? " cell" : " cells") + ", the first is cell " +
+    std::to_string(first);
+}
+
+/// Light that is given to cells of the wrong kind alone cannot be meant.
+void PolyDataConverter::checkMisplaced() const
+{
+  const bool hasSurface = input_->GetNumberOfPolys() + input_->GetNumberOfStrips() > 0;
+  if (fluxElsewhere_.count > 0 && input_->GetNumberOfVerts() == 0)
+  {
+    throw InputError(where_ + ", cell " + std::to_string(fluxElsewhere_.first) +
+      ": has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
+  }
+  if (exitanceElsewhere_.count > 0 && !hasSurface)
+  {
+    throw InputError(where_ + ", cell " + std::to_string(exitanceElsewhere_.first) +
+      ": has a radiant exitance but no surface; vertices emit by their radiant flux, W");
+  }
+}
+
+std::vector<std::string> PolyDataConverter::oddities() const
+{
+  std::vector<std::string> odd;
+  if (withoutArea_.count > 0)
+  {
+    odd.push_back(where_ + ": no area in " + withoutArea_.text() + "; their irradiance is 0");
+  }
+  if (fluxElsewhere_.count > 0)
+  {
+    odd.push_back(where_ + ": a radiant flux, but no vertex, in " + fluxElsewhere_.text() +
+      "; it is not read there");
+  }
+  if (exitanceElsewhere_.count > 0)
+  {
+    odd.push_back(where_ + ": a radiant exitance, but no surface, in " + exitanceElsewhere_.text() +
+      "; it is not read there");
+  }
+  return odd;
 }
 
 void PolyDataConverter::checkArray(vtkDataArray* array, const char* meaning) const
@@ -134,7 +213,13 @@ void PolyDataConverter::readPoints(vtkIdType count, const vtkIdType* ids)
 void PolyDataConverter::readPointLights(vtkCellArray* cells)
 {
   forEachCell(cells, [this](vtkIdType count, const vtkIdType* ids) {
-    if (arrays_.flux && count > 0)
+    pace_.step();
+    const bool isAbsent = isGhost();
+    if (!isAbsent && largest(arrays_.exitance) > 0)
+    {
+      exitanceElsewhere_.add(cell_);
+    }
+    if (arrays_.flux && count > 0 && !isAbsent)
     {
       readPoints(count, ids);
       PointLight light{ Vector3::Zero(), {} };
@@ -154,7 +239,7 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
         light.position = corner;
         if (total > 0)
         {
-          result_.surface.pointLights.push_back(light);
+          target_.surface.pointLights.push_back(light);
         }
       }
     }
@@ -162,13 +247,36 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
   });
 }
 
+/// They have no surface, but may have been given light.
+void PolyDataConverter::readLines()
+{
+  const vtkIdType end = cell_ + input_->GetNumberOfLines();
+  for (; cell_ < end && (arrays_.flux || arrays_.exitance); ++cell_)
+  {
+    pace_.step();
+    if (!isGhost() && largest(arrays_.flux) > 0)
+    {
+      fluxElsewhere_.add(cell_);
+    }
+    if (!isGhost() && largest(arrays_.exitance) > 0)
+    {
+      exitanceElsewhere_.add(cell_);
+    }
+  }
+  cell_ = end;
+}
+
 void PolyDataConverter::readPolygons(vtkCellArray* cells)
 {
   forEachCell(cells, [this](vtkIdType count, const vtkIdType* ids) {
-    readPoints(count, ids);
-    firstTriangle_ = result_.triangles.size();
-    triangulate(corners_, result_.triangles);
-    readSurfaceCell();
+    pace_.step();
+    if (!isGhost())
+    {
+      readPoints(count, ids);
+      firstTriangle_ = target_.triangles.size();
+      triangulate(corners_, target_.triangles);
+      readSurfaceCell();
+    }
     ++cell_;
   });
 }
@@ -176,15 +284,19 @@ void PolyDataConverter::readPolygons(vtkCellArray* cells)
 void PolyDataConverter::readStrips(vtkCellArray* cells)
 {
   forEachCell(cells, [this](vtkIdType count, const vtkIdType* ids) {
-    readPoints(count, ids);
-    firstTriangle_ = result_.triangles.size();
-    for (std::size_t i = 0; i + 2 < corners_.size(); ++i)
+    pace_.step(static_cast<std::size_t>(count));
+    if (!isGhost())
     {
-      // Every other triangle of a strip runs the other way round.
-      const std::size_t odd = i % 2;
-      result_.triangles.push_back({ corners_[i], corners_[i + 1 + odd], corners_[i + 2 - odd] });
+      readPoints(count, ids);
+      firstTriangle_ = target_.triangles.size();
+      for (std::size_t i = 0; i + 2 < corners_.size(); ++i)
+      {
+        // Every other triangle of a strip runs the other way round.
+        const std::size_t odd = i % 2;
+        target_.triangles.push_back({ corners_[i], corners_[i + 1 + odd], corners_[i + 2 - odd] });
+      }
+      readSurfaceCell();
     }
-    readSurfaceCell();
     ++cell_;
   });
 }
@@ -193,22 +305,26 @@ void PolyDataConverter::readStrips(vtkCellArray* cells)
 /// they have no normal.
 void PolyDataConverter::readSurfaceCell()
 {
-  Surface& surface = result_.surface;
-  const auto cell = static_cast<std::size_t>(cell_);
+  Surface& surface = target_.surface;
+  const std::size_t cell = firstCell_ + static_cast<std::size_t>(cell_);
   const auto isPoint = [](const Triangle& t) { return !(t.areaVector().norm() > kSmallestArea); };
-  result_.triangles.erase(
-    std::remove_if(result_.triangles.begin() + static_cast<std::ptrdiff_t>(firstTriangle_),
-      result_.triangles.end(), isPoint),
-    result_.triangles.end());
+  target_.triangles.erase(
+    std::remove_if(target_.triangles.begin() + static_cast<std::ptrdiff_t>(firstTriangle_),
+      target_.triangles.end(), isPoint),
+    target_.triangles.end());
   double area = 0;
-  for (std::size_t i = firstTriangle_; i < result_.triangles.size(); ++i)
+  for (std::size_t i = firstTriangle_; i < target_.triangles.size(); ++i)
   {
     surface.cellOfTriangle.push_back(static_cast<std::uint32_t>(cell));
-    area += result_.triangles[i].areaVector().norm();
+    area += target_.triangles[i].areaVector().norm();
   }
-  if (!(area > 0) && result_.cellsWithoutArea++ == 0)
+  if (!(area > 0))
   {
-    result_.firstCellWithoutArea = cell_;
+    withoutArea_.add(cell_);
+  }
+  if (largest(arrays_.flux) > 0)
+  {
+    fluxElsewhere_.add(cell_);
   }
   for (int band = 0; band < bands_; ++band)
   {

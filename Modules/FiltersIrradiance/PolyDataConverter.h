@@ -1,6 +1,7 @@
 #ifndef irradiance_PolyDataConverter_h
 #define irradiance_PolyDataConverter_h
 
+#include "Checkpoint.h"
 #include "Surface.h"
 
 #include "vtkType.h"
@@ -10,17 +11,16 @@
 class vtkCellArray;
 class vtkDataArray;
 class vtkPolyData;
+class vtkUnsignedCharArray;
 
 namespace irradiance
 {
 
-/// The triangles of a polydata and what light does on its cells, which keep their order.
+/// The triangles of some polydata and what light does on their cells, which keep their order.
 struct ConvertedPolyData
 {
   std::vector<Triangle> triangles;
   Surface surface;
-  vtkIdType cellsWithoutArea = 0; ///< of the polygons and strips
-  vtkIdType firstCellWithoutArea = -1;
 };
 
 /// The cell arrays that are read; each may be null. One or three components.
@@ -33,13 +33,17 @@ struct SurfaceArrays
 };
 
 /// Reads one vtkPolyData. Throws InputError, naming `where` (as in "input port 1, connection 0"), the
-/// cell and the value, for anything that cannot be computed.
+/// cell and the value, for anything that cannot be computed. Ghost cells that are duplicates or hidden
+/// take no part.
 class PolyDataConverter
 {
 public:
-  PolyDataConverter(std::string where, vtkPolyData* input, const SurfaceArrays& arrays, int bands);
+  /// The input's cells follow those that `target` has, with as many bands.
+  PolyDataConverter(std::string where, vtkPolyData* input, const SurfaceArrays& arrays,
+    ConvertedPolyData& target, const Checkpoint& checkpoint);
 
-  ConvertedPolyData convert();
+  /// Returns what is odd about the input but can be computed, a sentence each.
+  std::vector<std::string> convert();
 
   /// Limits beyond which products of lengths, areas and powers might not be finite.
   static constexpr double kMostDistant = 1e30; ///< m
@@ -48,23 +52,44 @@ public:
   static constexpr double kSmallestArea = 1e-60;
 
 private:
+  /// Cells of a kind that is worth a warning.
+  struct OddCells
+  {
+    vtkIdType count = 0, first = -1;
+    void add(vtkIdType cell) { first = count++ == 0 ? cell : first; }
+    std::string text() const;
+  };
+
   void checkArray(vtkDataArray* array, const char* meaning) const;
+  void makeRoom();
   void readPointLights(vtkCellArray* cells);
+  void readLines();
   void readPolygons(vtkCellArray* cells);
   void readStrips(vtkCellArray* cells);
   void readSurfaceCell();
   void readPoints(vtkIdType count, const vtkIdType* ids);
   double value(vtkDataArray* array, int band) const;
+  bool isGhost() const;
+  /// The largest value of an array in the cell, 0 if there is none.
+  double largest(vtkDataArray* array) const;
+  void checkMisplaced() const;
+  std::vector<std::string> oddities() const;
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string where_;
   vtkPolyData* input_;
   SurfaceArrays arrays_;
+  ConvertedPolyData& target_;
   int bands_;
-  ConvertedPolyData result_;
-  vtkIdType cell_ = 0; ///< the cell that is read, counted as VTK does
+  CheckpointPace pace_;
+  vtkUnsignedCharArray* ghosts_;
+  std::size_t firstCell_; ///< in the target
+  vtkIdType cell_ = 0;    ///< the cell that is read, counted as VTK does
   std::vector<Vector3> corners_;
   std::size_t firstTriangle_ = 0; ///< of the cell
+  OddCells withoutArea_;          ///< polygons and strips
+  OddCells fluxElsewhere_;        ///< cells with a flux that are no vertices
+  OddCells exitanceElsewhere_;    ///< vertices and lines with an exitance
 };
 
 }

@@ -6,7 +6,6 @@
 #include "vtkFieldData.h"
 #include "vtkLinearTransform.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPolyData.h"
 
 #include <Eigen/SVD>
 
@@ -20,13 +19,19 @@ namespace
 
 using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
-Matrix4 matrixOf(const std::string& where, vtkDataArray* array)
+Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
 {
+  vtkDataArray* array = vtkDataArray::SafeDownCast(anyArray);
+  if (!array)
+  {
+    throw InputError(where + ": the field array " + kFieldPoseName + " is a " +
+      anyArray->GetClassName() + ", not numbers");
+  }
   const vtkIdType values = array->GetNumberOfValues();
   if (values != 16)
   {
-    throw InputError(
-      where + ": the field array ObjectToWorld has " + std::to_string(values) + " values, not 16");
+    throw InputError(where + ": the field array " + kFieldPoseName + " has " +
+      std::to_string(values) + " values, not 16");
   }
   Matrix4 matrix;
   const int components = array->GetNumberOfComponents();
@@ -67,23 +72,52 @@ void checkInvertible(const std::string& where, const Matrix4& matrix)
   }
 }
 
-}
-
-AffineMap poseOf(const std::string& where, vtkLinearTransform* transform, vtkPolyData* input)
+AffineMap mapOf(const std::string& where, const Matrix4& matrix)
 {
-  vtkDataArray* array = input->GetFieldData()->GetArray("ObjectToWorld");
-  Matrix4 matrix = Matrix4::Identity();
-  if (transform)
-  {
-    transform->Update();
-    matrix = Eigen::Map<const Matrix4>(transform->GetMatrix()->GetData());
-  }
-  else if (array)
-  {
-    matrix = matrixOf(where, array);
-  }
   checkInvertible(where, matrix);
   return { matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
+}
+
+}
+
+AffineMap poseOf(const std::string& where, vtkLinearTransform* transform)
+{
+  transform->Update();
+  return mapOf(where, Eigen::Map<const Matrix4>(transform->GetMatrix()->GetData()));
+}
+
+AffineMap poseOf(const std::string& where, vtkFieldData* fields)
+{
+  vtkAbstractArray* array = fields ? fields->GetAbstractArray(kFieldPoseName) : nullptr;
+  return array ? mapOf(where, matrixOf(where, array)) : AffineMap();
+}
+
+bool hasFieldPose(vtkFieldData* fields)
+{
+  vtkAbstractArray* array = fields ? fields->GetAbstractArray(kFieldPoseName) : nullptr;
+  if (!array)
+  {
+    return false;
+  }
+  const bool isMatrix = vtkDataArray::SafeDownCast(array) && array->GetNumberOfValues() == 16;
+  return !isMatrix || matrixOf("", array) != Matrix4::Identity();
+}
+
+AffineMap checkedPose(const std::string& where, const AffineMap& map)
+{
+  Matrix4 matrix = Matrix4::Identity();
+  matrix.topLeftCorner<3, 3>() = map.linear;
+  matrix.topRightCorner<3, 1>() = map.translation;
+  return mapOf(where, matrix);
+}
+
+AffineMap composed(const AffineMap& outer, const AffineMap& inner)
+{
+  if (outer == AffineMap() || inner == AffineMap())
+  {
+    return outer == AffineMap() ? inner : outer;
+  }
+  return { outer.linear * inner.linear, outer(inner.translation) };
 }
 
 }

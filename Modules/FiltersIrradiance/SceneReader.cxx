@@ -25,6 +25,19 @@ vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
   return numbers;
 }
 
+bool isEqual(
+  const std::vector<Triangle>& a, const std::vector<Triangle>& b, const Checkpoint& checkpoint)
+{
+  CheckpointPace pace(checkpoint);
+  bool isEqual = a.size() == b.size();
+  for (std::size_t i = 0; isEqual && i < a.size(); ++i)
+  {
+    isEqual = a[i] == b[i];
+    pace.step();
+  }
+  return isEqual;
+}
+
 /// A finite map can take finite points to where squares and volumes are not finite.
 void checkReach(const std::string& where, const AffineMap& map, const Box& box)
 {
@@ -66,59 +79,46 @@ void checkDigits(const SceneObjects& objects)
   }
 }
 
-void append(ConvertedPolyData& all, const ConvertedPolyData& part)
+}
+
+SceneReader::Parts SceneReader::partsOf(const std::vector<InputConnection>& connections)
 {
-  const auto firstCell = static_cast<std::uint32_t>(all.surface.numberOfCells);
-  const auto& from = part.surface;
-  auto& to = all.surface;
-  all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
-  std::transform(from.cellOfTriangle.begin(), from.cellOfTriangle.end(),
-    std::back_inserter(to.cellOfTriangle),
-    [firstCell](std::uint32_t cell) { return firstCell + cell; });
-  to.reflectance.insert(to.reflectance.end(), from.reflectance.begin(), from.reflectance.end());
-  if (!from.exitance.empty())
+  Parts parts;
+  for (const InputConnection& connection : connections)
   {
-    to.exitance.resize(to.numberOfCells * static_cast<std::size_t>(to.bands), 0.0);
-    to.exitance.insert(to.exitance.end(), from.exitance.begin(), from.exitance.end());
+    for (const InputPart& part : connection.parts)
+    {
+      parts.push_back(&part);
+    }
   }
-  to.pointLights.insert(to.pointLights.end(), from.pointLights.begin(), from.pointLights.end());
-  to.numberOfCells += from.numberOfCells;
-  if (!to.exitance.empty())
-  {
-    to.exitance.resize(to.numberOfCells * static_cast<std::size_t>(to.bands), 0.0);
-  }
+  return parts;
 }
 
-}
-
-SceneReader::Stamp SceneReader::stampOf(const InputConnection& connection)
+SceneReader::Stamp SceneReader::stampOf(const InputPart& part)
 {
-  return { connection.polyData, { connection.exitance, connection.reflectance, connection.flux },
-    connection.polyData->GetMTime() };
+  return { part.polyData, { part.exitance, part.reflectance, part.flux },
+    part.polyData->GetMTime() };
 }
 
-int SceneReader::countBands(
-  const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving)
+int SceneReader::countBands(const Parts& parts)
 {
   int bands = 1;
-  for (const auto* connections : { &fixed, &moving })
+  for (const InputPart* part : parts)
   {
-    for (const InputConnection& c : *connections)
+    for (vtkAbstractArray* array : { part->exitance, part->reflectance, part->flux })
     {
-      for (vtkAbstractArray* array : { c.exitance, c.reflectance, c.flux })
-      {
-        bands = array && array->GetNumberOfComponents() == 3 ? 3 : bands;
-      }
+      bands = array && array->GetNumberOfComponents() == 3 ? 3 : bands;
     }
   }
   return bands;
 }
 
-void SceneReader::read(const std::vector<InputConnection>& fixed,
-  const std::vector<InputConnection>& moving, const std::vector<AffineMap>& poses,
-  double defaultReflectance, const Checkpoint& checkpoint)
+void SceneReader::read(const std::vector<InputConnection>& fixedConnections,
+  const std::vector<InputConnection>& movingConnections, double defaultReflectance,
+  const Checkpoint& checkpoint)
 {
-  const Settings settings{ countBands(fixed, moving), defaultReflectance };
+  const Parts fixed = partsOf(fixedConnections), moving = partsOf(movingConnections);
+  const Settings settings{ std::max(countBands(fixed), countBands(moving)), defaultReflectance };
   if (settings != settings_)
   {
     fixedStamps_.reset();
@@ -131,36 +131,38 @@ void SceneReader::read(const std::vector<InputConnection>& fixed,
   readFixed(fixed, checkpoint);
   for (std::size_t i = 0; i < moving.size(); ++i)
   {
-    readMoving(moving[i], i, checkpoint);
-    checkReach(moving[i].name, poses[i], objects_.dynamic[i].body->mesh().bounds());
-    objects_.dynamic[i].worldFromObject = poses[i];
-    areas_[i + 1] = cellAreas(objects_.dynamic[i]);
+    readMoving(*moving[i], i, checkpoint);
+    SceneObject& object = objects_.dynamic[i];
+    checkReach(moving[i]->name, moving[i]->worldFromPart, object.body->mesh().bounds());
+    object.worldFromObject = moving[i]->worldFromPart;
+    areas_[i + 1] = cellAreas(object, checkpoint);
   }
   checkDigits(objects_);
 }
 
-ConvertedPolyData SceneReader::convert(const InputConnection& connection)
+void SceneReader::convert(
+  const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint)
 {
   SurfaceArrays arrays;
-  arrays.exitance = asNumbers(connection.exitance, connection.name);
-  arrays.reflectance = asNumbers(connection.reflectance, connection.name);
-  arrays.flux = asNumbers(connection.flux, connection.name);
+  arrays.exitance = asNumbers(part.exitance, part.name);
+  arrays.reflectance = asNumbers(part.reflectance, part.name);
+  arrays.flux = asNumbers(part.flux, part.name);
   arrays.defaultReflectance = settings_.defaultReflectance;
-  ConvertedPolyData data =
-    PolyDataConverter(connection.name, connection.polyData, arrays, settings_.bands).convert();
-  if (data.cellsWithoutArea > 0)
+  for (const auto& oddities : { part.oddities,
+         PolyDataConverter(part.name, part.polyData, arrays, target, checkpoint).convert() })
   {
-    warn(connection.name + ": " + std::to_string(data.cellsWithoutArea) +
-      " cells have no area, the first is cell " + std::to_string(data.firstCellWithoutArea) +
-      "; their irradiance is 0");
+    for (const std::string& oddity : oddities)
+    {
+      warn(oddity);
+    }
   }
-  return data;
 }
 
-void SceneReader::readFixed(const std::vector<InputConnection>& fixed, const Checkpoint& checkpoint)
+void SceneReader::readFixed(const Parts& fixed, const Checkpoint& checkpoint)
 {
   std::vector<Stamp> stamps;
-  std::transform(fixed.begin(), fixed.end(), std::back_inserter(stamps), stampOf);
+  std::transform(fixed.begin(), fixed.end(), std::back_inserter(stamps),
+    [](const InputPart* part) { return stampOf(*part); });
   if (fixedStamps_ == stamps)
   {
     return;
@@ -169,39 +171,42 @@ void SceneReader::readFixed(const std::vector<InputConnection>& fixed, const Che
   firstCell_.clear();
   ConvertedPolyData all;
   all.surface.bands = settings_.bands;
-  for (const InputConnection& connection : fixed)
+  for (const InputPart* part : fixed)
   {
     firstCell_.push_back(all.surface.numberOfCells);
-    append(all, convert(connection));
+    convert(*part, all, checkpoint);
   }
-  adopt(std::move(all), objects_.fixed, checkpoint);
-  areas_[0] = cellAreas(objects_.fixed);
+  adopt(std::move(all), objects_.fixed, false, checkpoint);
+  areas_[0] = cellAreas(objects_.fixed, checkpoint);
   fixedStamps_ = std::move(stamps);
 }
 
-void SceneReader::readMoving(
-  const InputConnection& connection, std::size_t index, const Checkpoint& checkpoint)
+void SceneReader::readMoving(const InputPart& part, std::size_t index, const Checkpoint& checkpoint)
 {
-  const Stamp stamp = stampOf(connection);
+  const Stamp stamp = stampOf(part);
   if (!(movingStamps_[index] == stamp))
   {
     movingStamps_[index].reset(); // until all is read
-    adopt(convert(connection), objects_.dynamic[index], checkpoint);
+    ConvertedPolyData data;
+    data.surface.bands = settings_.bands;
+    convert(part, data, checkpoint);
+    adopt(std::move(data), objects_.dynamic[index], true, checkpoint);
     movingStamps_[index] = stamp;
   }
 }
 
 /// Equal values keep the old object, and with it its tree, its ellipsoid and the stored walks.
-void SceneReader::adopt(ConvertedPolyData data, SceneObject& object, const Checkpoint& checkpoint)
+void SceneReader::adopt(
+  ConvertedPolyData data, SceneObject& object, bool mayMove, const Checkpoint& checkpoint)
 {
   if (!object.surface || !(*object.surface == data.surface))
   {
     object.surface = std::make_shared<Surface>(std::move(data.surface));
   }
-  if (!object.body || object.body->mesh().triangles() != data.triangles)
+  if (!object.body || !isEqual(object.body->mesh().triangles(), data.triangles, checkpoint))
   {
-    object.body =
-      std::make_shared<RigidObject>(TriangleMesh(std::move(data.triangles)), checkpoint);
+    object.body = std::make_shared<RigidObject>(
+      TriangleMesh(std::move(data.triangles), checkpoint), checkpoint, mayMove);
   }
 }
 

@@ -1,6 +1,7 @@
 #ifndef irradiance_SceneReader_h
 #define irradiance_SceneReader_h
 
+#include "InputConnection.h"
 #include "PolyDataConverter.h"
 
 #include "vtkSmartPointer.h"
@@ -8,20 +9,8 @@
 #include <array>
 #include <optional>
 
-class vtkAbstractArray;
-
 namespace irradiance
 {
-
-/// A connection of the filter and the cell arrays it found there; arrays may be null.
-struct InputConnection
-{
-  std::string name; ///< as in "input port 1, connection 0"
-  vtkPolyData* polyData = nullptr;
-  vtkAbstractArray* exitance = nullptr;
-  vtkAbstractArray* reflectance = nullptr;
-  vtkAbstractArray* flux = nullptr;
-};
 
 /**
  * Keeps the scene of the engine in step with the inputs of the filter. What did not change keeps its
@@ -31,15 +20,16 @@ struct InputConnection
 class SceneReader
 {
 public:
-  /// `poses[i]` belongs to `moving[i]`. Throws InputError. Afterwards objects() is the scene; after
-  /// an exception it is what it was, or partly new.
+  /// Object 0 is made of all parts of the fixed connections; each part of the moving ones is an object
+  /// of its own, in order. Throws InputError. Afterwards objects() is the scene; after an exception it
+  /// is what it was, or partly new.
   void read(const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving,
-    const std::vector<AffineMap>& poses, double defaultReflectance, const Checkpoint& checkpoint);
+    double defaultReflectance, const Checkpoint& checkpoint);
 
   const SceneObjects& objects() const { return objects_; }
   int bands() const { return settings_.bands; }
-  /// Number of the first cell of a static connection among the cells of object 0.
-  std::size_t firstCellOfFixed(std::size_t connection) const { return firstCell_[connection]; }
+  /// Number of the first cell of a static part among the cells of object 0.
+  std::size_t firstCellOfFixed(std::size_t part) const { return firstCell_[part]; }
   /// World area of the cells of an object, m2.
   const std::vector<double>& areas(std::uint32_t object) const { return areas_[object]; }
   /// What is odd about the inputs but can be computed; new ones since the last call.
@@ -68,15 +58,17 @@ private:
     }
   };
 
-  static Stamp stampOf(const InputConnection& connection);
-  static int countBands(
-    const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving);
-  ConvertedPolyData convert(const InputConnection& connection);
-  void readFixed(const std::vector<InputConnection>& fixed, const Checkpoint& checkpoint);
-  void readMoving(
-    const InputConnection& connection, std::size_t index, const Checkpoint& checkpoint);
+  using Parts = std::vector<const InputPart*>;
+
+  static Parts partsOf(const std::vector<InputConnection>& connections);
+  static Stamp stampOf(const InputPart& part);
+  static int countBands(const Parts& parts);
+  void convert(const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint);
+  void readFixed(const Parts& fixed, const Checkpoint& checkpoint);
+  void readMoving(const InputPart& part, std::size_t index, const Checkpoint& checkpoint);
   void warn(const std::string& warning);
-  void adopt(ConvertedPolyData data, SceneObject& object, const Checkpoint& checkpoint);
+  void adopt(
+    ConvertedPolyData data, SceneObject& object, bool mayMove, const Checkpoint& checkpoint);
 
   Settings settings_;
   std::optional<std::vector<Stamp>> fixedStamps_; ///< none: to be read

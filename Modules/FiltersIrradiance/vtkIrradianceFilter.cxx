@@ -2,7 +2,6 @@
 
 #include "InputError.h"
 #include "OutputWriter.h"
-#include "Pose.h"
 #include "SmpExecution.h"
 
 #include "vtkDataObject.h"
@@ -14,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,31 +29,26 @@ class vtkIrradianceFilter::vtkInternals
 public:
   using Connections = std::vector<irradiance::InputConnection>;
 
-  void Compute(vtkIrradianceFilter* filter, const Connections& fixed, const Connections& moving,
-    vtkMultiBlockDataSet* output);
-  std::vector<irradiance::AffineMap> GetPoses(const Connections& moving) const;
+  /// All that a result follows from, besides the properties.
+  struct Inputs
+  {
+    Connections Fixed, Moving;
+  };
+
+  Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
+  void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkMultiBlockDataSet* output);
 
   std::map<int, vtkSmartPointer<vtkLinearTransform>> Transforms;
   irradiance::SceneReader Scene;
   irradiance::IrradianceEngine Engine;
+  bool HasChangedMeanwhile = false; ///< a pose, a property or an input, while the filter ran
+  vtkTimeStamp Newest;
 };
 
 namespace
 {
 
-enum ArrayIndex
-{
-  ExitanceArray = 0,
-  ReflectanceArray = 1,
-  FluxArray = 4
-};
-
 constexpr vtkIdType MostWalks = std::numeric_limits<std::uint32_t>::max();
-
-std::string ConnectionName(int port, int connection)
-{
-  return "input port " + std::to_string(port) + ", connection " + std::to_string(connection);
-}
 
 /// Throws InputError unless `low` <= value <= `high`.
 std::uint32_t Checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)
@@ -100,6 +95,12 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     throw irradiance::InputError("RepairTimeBudget is " + std::to_string(budget) +
       "; 0 (none) or a positive number of seconds is possible");
   }
+  const double reflectance = filter->GetDefaultDiffuseReflectance();
+  if (!(reflectance >= 0 && reflectance <= 1))
+  {
+    throw irradiance::InputError(
+      "DefaultDiffuseReflectance is " + irradiance::text(reflectance) + "; 0 to 1 is possible");
+  }
   irradiance::EngineSettings settings;
   settings.numberOfWalks = Checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
   ReadErrorSettings(filter, settings);
@@ -135,10 +136,12 @@ vtkIrradianceFilter::vtkIrradianceFilter()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
-  const int cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  this->SetInputArrayToProcess(ExitanceArray, 0, 0, cells, "RadiantExitance");
-  this->SetInputArrayToProcess(ReflectanceArray, 0, 0, cells, "DiffuseReflectance");
-  this->SetInputArrayToProcess(FluxArray, 0, 0, cells, "RadiantFlux");
+  for (const irradiance::ArrayRole& role :
+    { irradiance::kExitanceArray, irradiance::kReflectanceArray, irradiance::kFluxArray })
+  {
+    this->SetInputArrayToProcess(
+      role.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, role.defaultName);
+  }
 }
 
 vtkIrradianceFilter::~vtkIrradianceFilter() = default;
@@ -178,6 +181,13 @@ void vtkIrradianceFilter::RemoveAllDynamicTransforms()
 vtkMTimeType vtkIrradianceFilter::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Internals->HasChangedMeanwhile)
+  {
+    // The executive takes the output for newer than what an observer of the progress changed: from now
+    // on it is older, until the filter runs again.
+    this->Internals->Newest.Modified();
+    time = this->Internals->Newest;
+  }
   for (const auto& transform : this->Internals->Transforms)
   {
     time = std::max(time, transform.second->GetMTime());
@@ -187,7 +197,10 @@ vtkMTimeType vtkIrradianceFilter::GetMTime()
 
 int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Composite types first: else the executive would call the filter for each block by itself.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
@@ -262,40 +275,40 @@ bool vtkIrradianceFilter::GoOn(double progress)
 #endif
 }
 
-std::vector<irradiance::AffineMap> vtkIrradianceFilter::vtkInternals::GetPoses(
-  const Connections& moving) const
+vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::GetInputs(
+  vtkIrradianceFilter* filter, vtkInformationVector** inputs) const
 {
+  const int moving = inputs[1]->GetNumberOfInformationObjects();
   const int last = this->Transforms.empty() ? -1 : this->Transforms.rbegin()->first;
   const int first = this->Transforms.empty() ? 0 : this->Transforms.begin()->first;
-  if (first < 0 || last >= static_cast<int>(moving.size()))
+  if (first < 0 || last >= moving)
   {
     throw irradiance::InputError("there is a transform for dynamic connection " +
       std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
-      std::to_string(moving.size()) + " connections");
+      std::to_string(moving) + " connections");
   }
-  std::vector<irradiance::AffineMap> poses;
-  for (const irradiance::InputConnection& connection : moving)
+  Inputs read;
+  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
-    const auto found = this->Transforms.find(static_cast<int>(poses.size()));
-    vtkLinearTransform* transform = found == this->Transforms.end() ? nullptr : found->second.Get();
-    poses.push_back(irradiance::poseOf(connection.name, transform, connection.polyData));
+    read.Fixed.push_back(
+      irradiance::staticConnection(filter, i, vtkDataObject::GetData(inputs[0], i)));
   }
-  return poses;
+  for (int i = 0; i < moving; ++i)
+  {
+    read.Moving.push_back(irradiance::dynamicConnection(
+      filter, i, vtkDataObject::GetData(inputs[1], i), filter->GetDynamicTransform(i)));
+  }
+  irradiance::checkChosenArrays(filter, read.Fixed, read.Moving);
+  return read;
 }
 
-void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter,
-  const Connections& fixed, const Connections& moving, vtkMultiBlockDataSet* output)
+void vtkIrradianceFilter::vtkInternals::Compute(
+  vtkIrradianceFilter* filter, const Inputs& inputs, vtkMultiBlockDataSet* output)
 {
   const irradiance::EngineSettings settings = CheckedSettings(filter);
-  const std::vector<irradiance::AffineMap> poses = this->GetPoses(moving);
   irradiance::SmpExecution execution([filter](double progress) { return filter->GoOn(progress); });
-  const auto checkpoint = [&execution] {
-    if (!execution.goOn(0))
-    {
-      throw irradiance::Interrupted();
-    }
-  };
-  this->Scene.read(fixed, moving, poses, filter->GetDefaultDiffuseReflectance(), checkpoint);
+  const irradiance::Checkpoint reading = irradiance::checkpointOf(execution, 0);
+  this->Scene.read(inputs.Fixed, inputs.Moving, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())
   {
     vtkWarningWithObjectMacro(filter, << warning);
@@ -310,9 +323,10 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter,
   {
     vtkWarningWithObjectMacro(filter, << TargetMissed(this->Engine, settings));
   }
+  const irradiance::Checkpoint writing = irradiance::checkpointOf(execution, 1);
   irradiance::OutputWriter(
-    this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0)
-    .write(fixed, moving, output);
+    this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0, writing)
+    .write(inputs.Fixed, inputs.Moving, output);
 }
 
 int vtkIrradianceFilter::RequestData(
@@ -320,25 +334,17 @@ int vtkIrradianceFilter::RequestData(
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   output->Initialize();
-  std::vector<irradiance::InputConnection> connections[2];
-  for (int port = 0; port < 2; ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[port], i);
-      connections[port].push_back({ ConnectionName(port, i), input,
-        this->GetInputAbstractArrayToProcess(ExitanceArray, input),
-        this->GetInputAbstractArrayToProcess(ReflectanceArray, input),
-        this->GetInputAbstractArrayToProcess(FluxArray, input) });
-    }
-  }
-  if (connections[0].empty() && connections[1].empty() && this->Internals->Transforms.empty())
+  if (inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects() ==
+      0 &&
+    this->Internals->Transforms.empty())
   {
     return 1;
   }
+  this->Internals->HasChangedMeanwhile = false;
+  const vtkMTimeType begun = this->InputTime(inputs);
   try
   {
-    this->Internals->Compute(this, connections[0], connections[1], output);
+    this->Internals->Compute(this, this->Internals->GetInputs(this, inputs), output);
     vtkInformation* info = outputs->GetInformationObject(0);
     if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
     {
@@ -355,7 +361,23 @@ int vtkIrradianceFilter::RequestData(
     output->Initialize();
     vtkErrorMacro(<< error.what());
   }
+  this->Internals->HasChangedMeanwhile = this->InputTime(inputs) != begun;
   return 1;
+}
+
+/// The latest change of the filter, its transforms and its inputs.
+vtkMTimeType vtkIrradianceFilter::InputTime(vtkInformationVector** inputs)
+{
+  vtkMTimeType time = this->GetMTime();
+  for (int port = 0; port < 2; ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject* data = vtkDataObject::GetData(inputs[port], i);
+      time = std::max(time, data ? data->GetMTime() : 0);
+    }
+  }
+  return time;
 }
 
 void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)

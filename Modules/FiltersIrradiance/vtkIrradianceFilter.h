@@ -286,6 +286,7 @@ private:
   void operator=(const vtkIrradianceFilter&) = delete;
 
   bool GoOn(double progress);
+  vtkMTimeType InputTime(vtkInformationVector** inputs);
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,6 +1,8 @@
 #ifndef irradiance_Execution_h
 #define irradiance_Execution_h
 
+#include "Checkpoint.h"
+
 #include <chrono>
 #include <cstddef>
 #include <exception>
@@ -41,6 +43,25 @@ class Interrupted : public std::exception
 public:
   const char* what() const noexcept override { return "interrupted"; }
 };
+
+/// A checkpoint that may be called often: every few hundredths of a second it asks whether to go on,
+/// and throws Interrupted if not. `execution` must outlive it.
+inline Checkpoint checkpointOf(Execution& execution, double progress)
+{
+  return [&execution, progress, last = std::chrono::steady_clock::now()]() mutable {
+    constexpr std::chrono::milliseconds kBetween{ 20 };
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last < kBetween)
+    {
+      return;
+    }
+    last = now;
+    if (!execution.goOn(progress))
+    {
+      throw Interrupted();
+    }
+  };
+}
 
 }
 

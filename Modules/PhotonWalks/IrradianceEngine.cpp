@@ -99,12 +99,7 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   scene_.setStatic(objects_.fixed.body);
   scene_.setDynamic(placed);
   scene_.setPointSources(emitters_.pointBounds());
-  scene_.commit(moved, [&execution] {
-    if (!execution.goOn(0))
-    {
-      throw Interrupted();
-    }
-  });
+  scene_.commit(moved, checkpointOf(execution, 0));
 }
 
 void IrradianceEngine::startAnew(Execution& execution)

@@ -69,7 +69,7 @@ struct SceneObjects
 };
 
 /// World area of every cell, m2.
-std::vector<double> cellAreas(const SceneObject& object);
+std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& checkpoint = {});
 
 }
 

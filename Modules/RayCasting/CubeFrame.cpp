@@ -14,12 +14,14 @@ constexpr double kFlatness = 0x1p-20;         // thinnest axis over the longest
 constexpr double kOffsetResolution = 0x1p-44; // thinnest axis over the distance from the origin
 constexpr double kSmallestLength = 0x1p-200;  // only a point exactly at the origin needs it
 
-Matrix3 principalDirections(const std::vector<Vector3>& points, const Vector3& origin, double unit)
+Matrix3 principalDirections(
+  const std::vector<Vector3>& points, const Vector3& origin, double unit, CheckpointPace& pace)
 {
   Vector3 mean = Vector3::Zero();
   for (const Vector3& point : points)
   {
     mean += (point - origin) / unit;
+    pace.step();
   }
   mean /= static_cast<double>(points.size());
   Matrix3 covariance = Matrix3::Zero();
@@ -27,6 +29,7 @@ Matrix3 principalDirections(const std::vector<Vector3>& points, const Vector3& o
   {
     const Vector3 d = (point - origin) / unit - mean;
     covariance += d * d.transpose();
+    pace.step();
   }
   // A needle's covariance has an entry of size n and others near its rounding; the solver copes.
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(covariance);
@@ -36,24 +39,27 @@ Matrix3 principalDirections(const std::vector<Vector3>& points, const Vector3& o
 
 }
 
-CubeFrame cubeFrame(const std::vector<Vector3>& points)
+CubeFrame cubeFrame(const std::vector<Vector3>& points, const Checkpoint& checkpoint)
 {
+  CheckpointPace pace(checkpoint);
   Box box;
   for (const Vector3& point : points)
   {
     box.add(point);
+    pace.step();
   }
   CubeFrame frame;
   frame.origin = box.center();
   const double resolution = std::max(box.magnitude() * kOffsetResolution, kSmallestLength);
   const double size = std::max(0.5 * box.extent().maxCoeff(), resolution);
   const double unit = std::ldexp(1.0, std::ilogb(size)); // a power of two: dividing is exact
-  frame.axes = principalDirections(points, frame.origin, unit);
+  frame.axes = principalDirections(points, frame.origin, unit, pace);
 
   Box rotated;
   for (const Vector3& point : points)
   {
     rotated.add(frame.axes.transpose() * (point - frame.origin));
+    pace.step();
   }
   frame.origin += frame.axes * rotated.center();
   const Vector3 extent = 0.5 * rotated.extent();

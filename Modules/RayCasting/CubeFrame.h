@@ -1,6 +1,7 @@
 #ifndef irradiance_CubeFrame_h
 #define irradiance_CubeFrame_h
 
+#include "Checkpoint.h"
 #include "Vector.h"
 
 #include <array>
@@ -25,7 +26,7 @@ struct CubeFrame
 
 /// An axis along which the points have no extent is 2^-20 of the longest, or 2^-44 of the distance
 /// from the origin if that is more. Scales exactly with powers of two.
-CubeFrame cubeFrame(const std::vector<Vector3>& points);
+CubeFrame cubeFrame(const std::vector<Vector3>& points, const Checkpoint& checkpoint = {});
 
 }
 

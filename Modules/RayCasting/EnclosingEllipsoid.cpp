@@ -42,7 +42,7 @@ constexpr std::size_t kFewPoints = 256;
 constexpr int kMaxActivations = 60;
 constexpr double kGoodGrowth = 1.001;
 
-void requireUsable(const Points& points)
+void requireUsable(const Points& points, CheckpointPace& pace)
 {
   if (points.empty())
   {
@@ -50,6 +50,7 @@ void requireUsable(const Points& points)
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
+    pace.step();
     if (!(points[i].cwiseAbs().maxCoeff() <= kLargestCoordinate) || !points[i].allFinite())
     {
       throw std::invalid_argument("encloseByEllipsoid: point " + std::to_string(i) +
@@ -165,7 +166,7 @@ struct Reach
   std::array<double, 8> distance;      // of that point; 0 if the octant has none
 };
 
-Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points)
+Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points, CheckpointPace& pace)
 {
   Reach reach;
   reach.furthest.fill(0);
@@ -173,6 +174,7 @@ Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points)
   const Matrix3 absoluteShape = ellipsoid.shape.cwiseAbs();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
+    pace.step();
     const Vector3 d = points[i] - ellipsoid.center;
     const Vector3 y = ellipsoid.shape * d;
     // d, the products and the sums are rounded at most four times; twelve leaves room for
@@ -191,7 +193,8 @@ Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points)
 }
 
 /// Up to 26 points that lie furthest along the axes, edges and corners of the cube.
-std::vector<std::size_t> extremePoints(const Points& points, const CubeFrame& frame)
+std::vector<std::size_t> extremePoints(
+  const Points& points, const CubeFrame& frame, CheckpointPace& pace)
 {
   static const std::array<Vector3, 13> directions = { Vector3(1, 0, 0), Vector3(0, 1, 0),
     Vector3(0, 0, 1), Vector3(1, 1, 0), Vector3(1, -1, 0), Vector3(1, 0, 1), Vector3(1, 0, -1),
@@ -202,6 +205,7 @@ std::vector<std::size_t> extremePoints(const Points& points, const CubeFrame& fr
   furthest.fill(-kInfinity);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
+    pace.step();
     const Vector3 x = frame.fromModel(points[i]);
     for (std::size_t k = 0; k < directions.size(); ++k)
     {
@@ -235,9 +239,10 @@ bool activate(const Reach& reach, std::vector<std::size_t>& active)
   return active.size() > before;
 }
 
-EnclosingEllipsoid proposeEllipsoid(const Points& points, const CubeFrame& frame)
+EnclosingEllipsoid proposeEllipsoid(
+  const Points& points, const CubeFrame& frame, CheckpointPace& pace)
 {
-  std::vector<std::size_t> active = extremePoints(points, frame);
+  std::vector<std::size_t> active = extremePoints(points, frame, pace);
   if (points.size() <= kFewPoints)
   {
     active.resize(points.size());
@@ -254,7 +259,7 @@ EnclosingEllipsoid proposeEllipsoid(const Points& points, const CubeFrame& frame
       inCube.push_back(frame.fromModel(points[index]));
     }
     EnclosingEllipsoid proposal = toModel(encloseInCube(inCube, frame), frame);
-    const Reach reach = measureReach(proposal, points);
+    const Reach reach = measureReach(proposal, points, pace);
     if (reach.largest <= kGoodGrowth || round == kMaxActivations || !activate(reach, active))
     {
       return proposal;
@@ -263,16 +268,17 @@ EnclosingEllipsoid proposeEllipsoid(const Points& points, const CubeFrame& frame
 }
 
 /// The smallest multiple of the ellipsoid that provably contains the points.
-EnclosingEllipsoid growAround(const Points& points, EnclosingEllipsoid ellipsoid)
+EnclosingEllipsoid growAround(
+  const Points& points, EnclosingEllipsoid ellipsoid, CheckpointPace& pace)
 {
   constexpr int kMaxRounds = 20; // one or two are needed
-  double reach = measureReach(ellipsoid, points).largest;
+  double reach = measureReach(ellipsoid, points, pace).largest;
   double margin = 4.0 * kUnitRoundoff;
   for (int round = 0; round < kMaxRounds; ++round)
   {
     // A single point is at the centre and has no reach; it keeps the thickness of its frame.
     ellipsoid.shape /= std::max(0.5, reach * (1.0 + margin));
-    reach = measureReach(ellipsoid, points).largest;
+    reach = measureReach(ellipsoid, points, pace).largest;
     if (reach <= 1.0)
     {
       return ellipsoid;
@@ -284,11 +290,12 @@ EnclosingEllipsoid growAround(const Points& points, EnclosingEllipsoid ellipsoid
 
 }
 
-EnclosingEllipsoid encloseByEllipsoid(const Points& points)
+EnclosingEllipsoid encloseByEllipsoid(const Points& points, const Checkpoint& checkpoint)
 {
-  requireUsable(points);
-  const CubeFrame frame = cubeFrame(points);
-  return growAround(points, proposeEllipsoid(points, frame));
+  CheckpointPace pace(checkpoint);
+  requireUsable(points, pace);
+  const CubeFrame frame = cubeFrame(points, checkpoint);
+  return growAround(points, proposeEllipsoid(points, frame, pace), pace);
 }
 
 }

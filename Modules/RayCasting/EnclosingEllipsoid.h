@@ -1,6 +1,7 @@
 #ifndef irradiance_EnclosingEllipsoid_h
 #define irradiance_EnclosingEllipsoid_h
 
+#include "Checkpoint.h"
 #include "Vector.h"
 
 #include <vector>
@@ -26,7 +27,8 @@ struct EnclosingEllipsoid
 ///
 /// Throws std::invalid_argument if there is no point, or if a coordinate is not finite or
 /// exceeds 1e38 in absolute value.
-EnclosingEllipsoid encloseByEllipsoid(const std::vector<Vector3>& points);
+EnclosingEllipsoid encloseByEllipsoid(
+  const std::vector<Vector3>& points, const Checkpoint& checkpoint = {});
 
 }
 

@@ -1,16 +1,12 @@
 #ifndef irradiance_KdTreeBuilder_h
 #define irradiance_KdTreeBuilder_h
 
+#include "Checkpoint.h"
 #include "KdTree.h"
 #include "TriangleMesh.h"
 
-#include <functional>
-
 namespace irradiance
 {
-
-/// Called now and then during long work; throws to stop it.
-using Checkpoint = std::function<void()>;
 
 /// What a tree is built over: a triangle, or a mere box when `triangle` is null.
 struct KdPrimitive

@@ -8,14 +8,16 @@
 namespace irradiance
 {
 
-/// Triangles that move together: the mesh, its tree and its ellipsoid in model space, made once.
+/// Triangles that move together: the mesh, its tree and its ellipsoid in model space, made once. A body
+/// that does not move needs no ellipsoid.
 class RigidObject
 {
 public:
-  explicit RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint = {});
+  explicit RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint = {}, bool mayMove = true);
 
   const TriangleMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }
+  /// Only of a body that may move.
   const EnclosingEllipsoid& ellipsoid() const { return ellipsoid_; }
 
 private:

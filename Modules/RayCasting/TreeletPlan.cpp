@@ -18,8 +18,9 @@ std::uint32_t forkAt(const KdTree& tree, std::uint32_t node)
   return node;
 }
 
-TreeletPlan::TreeletPlan(const KdTree& tree)
+TreeletPlan::TreeletPlan(const KdTree& tree, const Checkpoint& checkpoint)
   : tree_(tree)
+  , pace_(checkpoint)
   , onLeft_(tree.nodes.size())
 {
   plan(0);
@@ -27,6 +28,7 @@ TreeletPlan::TreeletPlan(const KdTree& tree)
 
 TreeletPlan::Areas TreeletPlan::plan(std::uint32_t node)
 {
+  pace_.step(kSize);
   node = forkAt(tree_, node);
   if (tree_.nodes[node].isLeaf())
   {

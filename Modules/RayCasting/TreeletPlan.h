@@ -1,6 +1,7 @@
 #ifndef irradiance_TreeletPlan_h
 #define irradiance_TreeletPlan_h
 
+#include "Checkpoint.h"
 #include "KdTree.h"
 #include "Treelet.h"
 
@@ -22,7 +23,7 @@ std::uint32_t forkAt(const KdTree& tree, std::uint32_t node);
 class TreeletPlan
 {
 public:
-  explicit TreeletPlan(const KdTree& tree);
+  explicit TreeletPlan(const KdTree& tree, const Checkpoint& checkpoint = {});
 
   /// How many of the `most` children that a node may have in a treelet are on the left of its
   /// plane; 0: the node is to be a child itself. For nodes that forkAt() returns.
@@ -38,6 +39,7 @@ private:
   Areas part(std::uint32_t node);
 
   const KdTree& tree_;
+  CheckpointPace pace_;
   std::vector<std::array<std::uint8_t, kSize>> onLeft_;
 };
 

@@ -6,9 +6,10 @@
 namespace irradiance
 {
 
-TriangleMesh::TriangleMesh(std::vector<Triangle> triangles)
+TriangleMesh::TriangleMesh(std::vector<Triangle> triangles, const Checkpoint& checkpoint)
   : triangles_(std::move(triangles))
 {
+  CheckpointPace pace(checkpoint);
   for (const Triangle& triangle : triangles_)
   {
     bounds_.add(triangle.bounds());
@@ -17,6 +18,7 @@ TriangleMesh::TriangleMesh(std::vector<Triangle> triangles)
     const double longest = std::max({ a, b, c });
     longestEdge_ = std::max(longestEdge_, longest);
     slenderness_ = std::max(slenderness_, area > 0 ? longest * (a + b + c) / area : 0.0);
+    pace.step();
   }
 }
 

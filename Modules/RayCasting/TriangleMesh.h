@@ -1,6 +1,7 @@
 #ifndef irradiance_TriangleMesh_h
 #define irradiance_TriangleMesh_h
 
+#include "Checkpoint.h"
 #include "Prefetch.h"
 #include "Vector.h"
 
@@ -43,7 +44,7 @@ class TriangleMesh
 {
 public:
   TriangleMesh() = default;
-  explicit TriangleMesh(std::vector<Triangle> triangles);
+  explicit TriangleMesh(std::vector<Triangle> triangles, const Checkpoint& checkpoint = {});
 
   std::size_t size() const { return triangles_.size(); }
   bool isEmpty() const { return triangles_.empty(); }

@@ -36,16 +36,25 @@ UnitFrame::UnitFrame(const Box& box)
 class TriangleTree::Packing
 {
 public:
-  Packing(TriangleTree& target, const KdTree& tree, const std::vector<Triangle>& triangles)
+  Packing(TriangleTree& target, const KdTree& tree, const std::vector<Triangle>& triangles,
+    const Checkpoint& checkpoint)
     : target_(target)
     , tree_(tree)
     , triangles_(triangles)
-    , plan_(tree)
+    , pace_(checkpoint)
+    , plan_(tree, checkpoint)
   {
+    std::size_t blocks = 0;
+    for (const KdNode& node : tree.nodes)
+    {
+      blocks += node.isLeaf() ? (node.count + TriangleBlock::kSize - 1) / TriangleBlock::kSize : 0;
+    }
+    target.blocks_.reserve(blocks);
   }
 
   std::uint32_t pack(std::uint32_t number)
   {
+    pace_.step(Treelet::kSize);
     const std::uint32_t node = forkAt(tree_, number);
     return tree_.nodes[node].isLeaf() ? packLeaf(tree_.nodes[node]) : packInner(node);
   }
@@ -178,6 +187,7 @@ private:
   TriangleTree& target_;
   const KdTree& tree_;
   const std::vector<Triangle>& triangles_;
+  CheckpointPace pace_;
   TreeletPlan plan_;
 };
 
@@ -185,12 +195,14 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
   const std::vector<double>& margins, double stretch, const Checkpoint& checkpoint)
   : isStretched_(stretch > kMostStretch)
 {
+  CheckpointPace pace(checkpoint);
   Box box; // with the margins, which may be larger than all else: distances in the frame are small
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     Box bounds = triangles[i].bounds();
     bounds.inflate(margins.empty() ? 0.0 : margins[i]);
     box.add(bounds);
+    pace.step();
   }
   frame_ = UnitFrame(box);
   std::vector<Triangle> unit;
@@ -208,6 +220,7 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
     bounds.inflate(margin);
     primitives.push_back({ bounds, &unit.back(), margin });
     blur_ = std::max(blur_, margin);
+    pace.step();
   }
   slack_ = 0x1p-8 * (isStretched_ ? 4.0 : std::min(4.0, stretch * longestEdge));
   KdTreeBuilder builder;
@@ -216,9 +229,8 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
   bounds_ = tree.bounds;
   if (!tree.isEmpty())
   {
-    root_ = Packing(*this, tree, unit).pack(0);
+    root_ = Packing(*this, tree, unit, checkpoint).pack(0);
     treelets_.shrink_to_fit();
-    blocks_.shrink_to_fit();
   }
 }
 

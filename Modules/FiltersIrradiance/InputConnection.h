@@ -1,0 +1,71 @@
+#ifndef irradiance_InputConnection_h
+#define irradiance_InputConnection_h
+
+#include "Vector.h"
+
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkLinearTransform;
+class vtkPolyData;
+
+namespace irradiance
+{
+
+/// A cell array that the filter reads: its index for SetInputArrayToProcess, its name where none is
+/// chosen, and what it means.
+struct ArrayRole
+{
+  int index;
+  const char* defaultName;
+  const char* meaning;
+};
+
+constexpr ArrayRole kExitanceArray{ 0, "RadiantExitance", "radiant exitance" };
+constexpr ArrayRole kReflectanceArray{ 1, "DiffuseReflectance", "diffuse reflectance" };
+constexpr ArrayRole kFluxArray{ 4, "RadiantFlux", "radiant flux" };
+
+/// One polydata of the scene: that of a connection, or a leaf of a composite one.
+struct InputPart
+{
+  std::string name; ///< as in "input port 1, connection 0" or "..., block 3 (Plate)"
+  vtkPolyData* polyData = nullptr;
+  /// Cell arrays; null where the polydata has none.
+  vtkAbstractArray* exitance = nullptr;
+  vtkAbstractArray* reflectance = nullptr;
+  vtkAbstractArray* flux = nullptr;
+  AffineMap worldFromPart;           ///< the identity for static parts
+  std::vector<std::string> oddities; ///< what is worth a warning, but can be computed
+};
+
+/// A connection of the filter and the polydata in it, in the order of its leaves.
+struct InputConnection
+{
+  std::string name; ///< as in "input port 1, connection 0"
+  vtkDataObject* data = nullptr;
+  std::vector<InputPart> parts;
+};
+
+/// A static connection. Throws InputError for a leaf that is no polydata.
+InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data);
+
+/**
+ * A dynamic connection. Its pose is that of `transform`; if null, of the field-data array
+ * ObjectToWorld of `data`; else the identity. In a composite one, a leaf with such an array of its
+ * own is moved by that first, then by the pose of the connection. Throws InputError also for a pose
+ * that is not an invertible affine map.
+ */
+InputConnection dynamicConnection(
+  vtkAlgorithm* filter, int index, vtkDataObject* data, vtkLinearTransform* transform);
+
+/// Throws InputError if the filter was told to read an array that cannot be meant: one of the points,
+/// or one that no input has.
+void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& fixed,
+  const std::vector<InputConnection>& moving);
+
+}
+
+#endif
