@@ -13,6 +13,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMatrixToLinearTransform.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiPieceDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -87,6 +88,16 @@ void addField(vtkMultiBlockDataSet* output, const char* name, std::initializer_l
   output->GetFieldData()->AddArray(array);
 }
 
+/// Of a type that a vtkMultiBlockDataSet may hold: it refuses partitioned ones.
+vtkSmartPointer<vtkDataObjectTree> emptyBlock(vtkDataObjectTree* input)
+{
+  if (input->IsA("vtkPartitionedDataSet"))
+  {
+    return vtkSmartPointer<vtkMultiPieceDataSet>::New();
+  }
+  return vtkSmartPointer<vtkMultiBlockDataSet>::New();
+}
+
 void setBlock(
   vtkMultiBlockDataSet* parent, unsigned int index, vtkDataObject* block, const std::string& name)
 {
@@ -104,7 +115,7 @@ vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
   {
     return makePart(connection.parts.front());
   }
-  const auto block = vtk::TakeSmartPointer(tree->NewInstance());
+  const auto block = emptyBlock(tree);
   block->CopyStructure(tree);
   block->GetFieldData()->PassData(tree->GetFieldData());
   const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());

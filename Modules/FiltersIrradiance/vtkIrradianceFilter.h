@@ -14,27 +14,41 @@
  * - Port 0, static: vtkPolyData, repeatable, optional.
  * - Port 1, dynamic: vtkPolyData in model coordinates, repeatable, optional. The pose is that of
  *   SetDynamicTransform; without one, that of the field-data array `ObjectToWorld` (16 values, row
- *   by row) of the input; else the identity. Any invertible affine map will do.
+ *   by row) of the input; else the identity. Any invertible affine map will do. On port 0 such an
+ *   array moves nothing, and a warning says so.
+ *
+ * Both take composite data as well (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+ * vtkPartitionedDataSetCollection): all leaves, which have to be vtkPolyData, belong to the scene;
+ * empty blocks are skipped. The pose of the connection moves all leaves; a leaf with an
+ * `ObjectToWorld` of its own is moved by that first: world = connection * leaf.
  *
  * Polygons and triangle strips are surfaces. Their front is the side from which the points of a cell
  * run counter-clockwise in world coordinates (so a reflecting transform turns it round). Vertex
  * cells with a flux are isotropic point lights; several points share the flux of their cell. Lines
- * are passed through.
+ * are passed through. Ghost cells (`vtkGhostType`) that are duplicates or hidden take no part: they
+ * neither emit nor block light, and their irradiance is 0.
  *
  * @section Arrays Cell arrays read
- * SetInputArrayToProcess(index, ...) chooses others. One component, or three for three bands.
+ * SetInputArrayToProcess(index, ...) chooses others; one that no input has on its cells is an error.
+ * One component, or three for three bands.
  * | index | default name         | meaning                                        |
  * |-------|----------------------|------------------------------------------------|
  * | 0     | RadiantExitance      | W/m2 emitted from the front, diffuse; >= 0     |
  * | 1     | DiffuseReflectance   | 0..1, both sides; DefaultDiffuseReflectance where absent |
  * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
  *
+ * Exitance of vertices and flux of polygons are not read: a warning, or an error where the input has
+ * no cell of the right kind. So are arrays of these names on the points: a warning.
+ *
  * @section Output
  * vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each a vtkMultiBlockDataSet with one
  * vtkPolyData per connection, in order: the input's points (dynamic ones in world coordinates, with
- * the active normals), its cells and arrays, and the cell array `Irradiance` (double, W/m2, one or
- * three components, both sides summed), or `IrradianceFront` and `IrradianceBack` if SeparateSides
- * is on. Cells without area, vertices and lines have 0.
+ * the active normals; integers become double), its cells and arrays, and the cell array `Irradiance`
+ * (double, W/m2, one or three components, both sides summed), or `IrradianceFront` and
+ * `IrradianceBack` if SeparateSides is on. Cells without area, vertices and lines have 0.
+ * `ObjectToWorld` is applied, and not handed on. A composite connection has a block of its structure:
+ * a vtkMultiPieceDataSet where the input is a vtkPartitionedDataSet (which a vtkMultiBlockDataSet may
+ * not hold), else a vtkMultiBlockDataSet.
  *
  * With ComputeStandardError also `IrradianceStandardError`, or `IrradianceFrontStandardError` and
  * `IrradianceBackStandardError`: the standard error of these, W/m2. The 95 % interval is the
@@ -124,8 +138,9 @@ public:
   ///@{
   /**
    * Pose (model to world) of the i-th connection of port 1, null for none. It is kept by reference:
-   * changing it, as well as another one, makes the filter execute. Indices follow the connections:
-   * after removing one, set the transforms again.
+   * changing it, as well as another one, makes the filter execute; also a change made while the filter
+   * runs, by an observer of its progress. Indices follow the connections: after removing one, set the
+   * transforms again.
    */
   void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
   vtkLinearTransform* GetDynamicTransform(int i);
@@ -246,8 +261,8 @@ public:
   ///@{
   /**
    * With a TargetRelativeError, the number of walks at which to stop; NumberOfWalks to
-   * 4,294,967,295. If something may move, a walk takes about 250 bytes (52 for each hit in one
-   * band). Default 10,000,000.
+   * 4,294,967,295. If something may move, a hit takes 52 bytes in one band when its walk is shot, and
+   * 75 to 105 after motions, which leave holes; `HistoryBytes` tells. Default 10,000,000.
    */
   vtkSetMacro(MaximumNumberOfWalks, vtkIdType);
   vtkGetMacro(MaximumNumberOfWalks, vtkIdType);

@@ -3,6 +3,9 @@
 
 #include "TestScenes.h"
 
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -21,8 +24,7 @@ public:
       auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
       for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
       {
-        this->AddBlock(
-          names[port] + std::to_string(i) + "/", TestScenes::OutputOf(output, port, i));
+        this->AddLeaves(names[port] + std::to_string(i) + "/", blocks->GetBlock(i));
       }
     }
     static const std::set<std::string> costs{ "NumberOfInvalidWalks", "NumberOfRepairedSegments",
@@ -67,6 +69,22 @@ public:
   }
 
 private:
+  void AddLeaves(const std::string& prefix, vtkDataObject* block)
+  {
+    auto* tree = vtkDataObjectTree::SafeDownCast(block);
+    if (!tree)
+    {
+      this->AddBlock(prefix, vtkPolyData::SafeDownCast(block));
+      return;
+    }
+    const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      this->AddBlock(prefix + std::to_string(leaves->GetCurrentFlatIndex()) + "/",
+        vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject()));
+    }
+  }
+
   void AddBlock(const std::string& prefix, vtkPolyData* block)
   {
     if (block->GetPoints())

@@ -136,6 +136,12 @@ Spoil SetErrorsOfWalks(vtkIdType walks)
   };
 }
 
+Spoil SetDefaultReflectance(double reflectance)
+{
+  return
+    [=](vtkIrradianceFilter* filter, Scene&) { filter->SetDefaultDiffuseReflectance(reflectance); };
+}
+
 Spoil SetBudget(double seconds)
 {
   return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetRepairTimeBudget(seconds); };
@@ -223,6 +229,8 @@ const std::vector<BadInput> BadInputs{
   { "TargetWithFewerWalksThanTheFirst", SetTarget(0.1, 499),
     { "MaximumNumberOfWalks", "is 499; 500 to" } },
   { "TargetWithTooManyWalks", SetTarget(0.1, 1LL << 32), { "MaximumNumberOfWalks", "4294967296" } },
+  { "DefaultReflectanceAbove1", SetDefaultReflectance(2), { "DefaultDiffuseReflectance is 2;" } },
+  { "DefaultReflectanceIsNaN", SetDefaultReflectance(NaN), { "DefaultDiffuseReflectance is nan" } },
   { "NegativeBudget", SetBudget(-0.5), { "RepairTimeBudget is -0.5" } },
   { "BudgetIsNaN", SetBudget(NaN), { "RepairTimeBudget is nan" } },
 };
@@ -255,6 +263,7 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   filter->SetTargetRelativeError(0);
   filter->ComputeStandardErrorOff();
   filter->SetRepairTimeBudget(0);
+  filter->SetDefaultDiffuseReflectance(0.5);
   filter->Update();
   EXPECT_TRUE(observer->Errors.empty());
   EXPECT_TRUE(IsSame(OutputBits(filter), expected));

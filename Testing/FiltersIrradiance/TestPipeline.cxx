@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <utility>
+
 using namespace TestScenes;
 
 namespace
@@ -79,6 +82,50 @@ TEST(Pipeline, ExecutesOnlyWhenSomethingChanged)
   filter->Update();
   filter->Update();
   EXPECT_EQ(counter->Count, 2);
+}
+
+// As a GUI does it: a pose, a property or an input changes between two signs of progress.
+TEST(Pipeline, WhatChangesWhileItRunsIsSeenNext)
+{
+  class Meddler : public vtkCommand
+  {
+  public:
+    static Meddler* New() { return new Meddler; }
+    void Execute(vtkObject*, unsigned long, void*) override
+    {
+      if (this->Change)
+      {
+        std::exchange(this->Change, nullptr)();
+      }
+    }
+    std::function<void()> Change;
+  };
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto meddler = vtkSmartPointer<Meddler>::New();
+  filter->AddObserver(vtkCommand::ProgressEvent, meddler);
+  const std::vector<std::function<void()>> changes{ [&] {
+                                                     scene.Moving[0].Pose->Translate(0.3, 0, 0);
+                                                   },
+    [&] { filter->SetNumberOfWalks(2 * NumberOfWalks); },
+    [&] { filter->SetDynamicTransform(0, nullptr); },
+    [&] { SetCellValues(scene.Fixed[1], "RadiantExitance", { 50 }); } };
+  for (const auto& change : changes)
+  {
+    meddler->Change = change;
+    filter->Modified();
+    filter->Update();
+    ASSERT_FALSE(meddler->Change);
+    filter->Update();
+    const auto fresh = MakeFilter(scene, filter->GetNumberOfWalks());
+    fresh->SetDynamicTransform(0, filter->GetDynamicTransform(0));
+    fresh->Update();
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+    const auto counter = vtkSmartPointer<ExecutionCounter>::New();
+    filter->AddObserver(vtkCommand::StartEvent, counter);
+    filter->Update();
+    EXPECT_EQ(counter->Count, 0);
+  }
 }
 
 TEST(Pipeline, ATransformIsARepair)
