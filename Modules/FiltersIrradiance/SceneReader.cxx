@@ -174,6 +174,7 @@ void SceneReader::readFixed(const Parts& fixed, const Checkpoint& checkpoint)
   for (const InputPart* part : fixed)
   {
     firstCell_.push_back(all.surface.numberOfCells);
+    all.surface.firstCellOfPart = firstCell_;
     convert(*part, all, checkpoint);
   }
   adopt(std::move(all), objects_.fixed, false, checkpoint);

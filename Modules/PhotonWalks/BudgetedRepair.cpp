@@ -180,8 +180,9 @@ void BudgetedRepair::fill(Batch& batch) const
   for (const Batch::Item& item : batch.items)
   {
     const StaleSegment* known = foundNow(item.block, item.mark->walkInBlock);
-    batch.segments.push_back(
-      known ? *known : StaleSegment{ item.mark->walkInBlock, item.mark->bounce, {}, {}, {} });
+    batch.segments.push_back(known
+        ? *known
+        : StaleSegment{ item.mark->walkInBlock, item.mark->bounce, {}, {}, {}, false });
     batch.isKnown.push_back(known != nullptr);
   }
   castAnew(batch);
@@ -215,7 +216,8 @@ const StaleSegment* BudgetedRepair::foundNow(std::size_t block, std::uint32_t wa
 /// if the static hit along it is known, only dynamic objects can precede it.
 void BudgetedRepair::castAnew(Batch& batch) const
 {
-  const Scene& scene = state_.shooter.scene();
+  const WalkShooter& shooter = state_.shooter;
+  const Scene& scene = shooter.scene();
   std::vector<Ray> rays[2]; // without and with a known static hit
   std::vector<Hit> hits[2];
   std::vector<std::size_t> which[2];
@@ -228,14 +230,18 @@ void BudgetedRepair::castAnew(Batch& batch) const
     StaleSegment& segment = batch.segments[i];
     const std::uint32_t walk = segment.walkInBlock;
     const WalkBlock& block = state_.history[batch.items[i].block];
-    segment.ray = state_.shooter.rayOf(block, walk, batch.items[i].walk, segment.bounce);
+    segment.ray = shooter.rayOf(block, walk, batch.items[i].walk, segment.bounce);
     segment.old = block.hit(walk, segment.bounce);
     const bool wasDynamic = segment.old && segment.old.id.object > 0;
-    if (segment.old && !wasDynamic)
+    segment.wasTouching = block.isContact(walk, segment.bounce) ||
+      shooter.isContact(segment.ray.start, segment.old.id) || shooter.hasContact(segment.old.id);
+    if (segment.old && !wasDynamic && !segment.wasTouching)
     {
       segment.old.distance = scene.distanceTo(segment.ray, segment.old.id);
     }
-    const Hit* fixed = wasDynamic ? block.hiddenStaticHit(walk, segment.bounce) : &segment.old;
+    const Hit* fixed = segment.wasTouching ? nullptr
+      : wasDynamic                         ? block.hiddenStaticHit(walk, segment.bounce)
+                                           : &segment.old;
     rays[fixed != nullptr].push_back(segment.ray);
     hits[fixed != nullptr].push_back(fixed ? *fixed : Hit{});
     which[fixed != nullptr].push_back(i);
@@ -246,7 +252,8 @@ void BudgetedRepair::castAnew(Batch& batch) const
   {
     for (std::size_t i = 0; i < which[isFixedKnown].size(); ++i)
     {
-      batch.segments[which[isFixedKnown][i]].hit = hits[isFixedKnown][i];
+      StaleSegment& segment = batch.segments[which[isFixedKnown][i]];
+      segment.hit = shooter.settled(segment.ray, hits[isFixedKnown][i]);
     }
   }
 }
@@ -261,8 +268,8 @@ void BudgetedRepair::finish(Batch& batch, PowerBalance& balance)
     WalkBlock& block = state_.history[item.block];
     batch.booking.remove(block, segment.walkInBlock, item.walk, segment.bounce);
     state_.stale.repair(item.block, block, *item.mark, stale);
-    block.updateStaticHit(
-      segment.walkInBlock, segment.bounce, segment.old, segment.hit, state_.cacheStaticHits);
+    block.updateStaticHit(segment.walkInBlock, segment.bounce, segment.old, segment.hit,
+      state_.cacheStaticHits && !segment.wasTouching);
   }
   state_.stale.take(stale);
   batch.walks.store(state_.plan, state_.history);

@@ -25,7 +25,7 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   }
   Clock::time_point start = Clock::now();
   const SobolSequence samples(settings_.seed, plan_.deal());
-  const WalkShooter shooter(scene_, objects_, emitters_, samples);
+  const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
   std::vector<std::vector<StaleSegment>> found;
   if (hasMotion)
   {
@@ -133,8 +133,8 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   {
     for (const StaleSegment& segment : stale[block])
     {
-      history_[block].updateStaticHit(
-        segment.walkInBlock, segment.bounce, segment.old, segment.hit, settings_.cacheStaticHits);
+      history_[block].updateStaticHit(segment.walkInBlock, segment.bounce, segment.old, segment.hit,
+        settings_.cacheStaticHits && !segment.wasTouching);
     }
   }
   statistics_.repairedSegments = repaired;

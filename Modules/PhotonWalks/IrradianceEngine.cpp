@@ -99,7 +99,9 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   scene_.setStatic(objects_.fixed.body);
   scene_.setDynamic(placed);
   scene_.setPointSources(emitters_.pointBounds());
-  scene_.commit(moved, checkpointOf(execution, 0));
+  const Checkpoint checkpoint = checkpointOf(execution, 0);
+  scene_.commit(moved, checkpoint);
+  contacts_.update(objects_, checkpoint);
 }
 
 void IrradianceEngine::startAnew(Execution& execution)
@@ -126,7 +128,7 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
     history_.emplace_back(plan_.walksIn(block), objects_.fixed.surface->bands, pointFrame_);
   }
   const SobolSequence samples(settings_.seed, plan_.deal());
-  const WalkShooter shooter(scene_, objects_, emitters_, samples);
+  const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
   BatchPass pass{ 0, 1, walks.firstBlock, walks.endBlock, 1, {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
     for (std::uint32_t i = 0; i < plan_.walksIn(block); ++i)

@@ -1,6 +1,7 @@
 #ifndef irradiance_IrradianceEngine_h
 #define irradiance_IrradianceEngine_h
 
+#include "Contacts.h"
 #include "ErrorEstimate.h"
 #include "Execution.h"
 #include "PowerBalance.h"
@@ -138,6 +139,7 @@ private:
   WalkPlan plan_;
   Scene scene_;
   EmitterTable emitters_;
+  Contacts contacts_; ///< of this frame
   CellSums sums_;
   PowerBalance balance_;
   std::vector<WalkBlock> history_;    ///< empty unless something may move

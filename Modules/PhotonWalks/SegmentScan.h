@@ -41,7 +41,7 @@ private:
 
   UnitFrame frame_;
   double reach_;
-  std::uint32_t tags_ = 0;
+  std::uint32_t tags_ = 1u << WalkBlock::kContactTag; ///< contacts are always named
   std::vector<ScanBody> bodies_;
   bool namesAll_ = false;
 };

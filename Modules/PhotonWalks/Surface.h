@@ -3,6 +3,7 @@
 
 #include "RigidObject.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct Surface
   std::vector<double> reflectance; ///< diffuse, 0..1
   std::vector<double> exitance;    ///< W/m2 from the front; empty: none
   std::vector<PointLight> pointLights;
+  /// Where the cells of each input begin, if there are several.
+  std::vector<std::size_t> firstCellOfPart;
 
   bool emits() const { return !exitance.empty() || !pointLights.empty(); }
   double reflectanceOf(std::uint32_t triangle, int band) const
@@ -38,11 +41,19 @@ struct Surface
       static_cast<std::size_t>(band)];
   }
 
+  std::uint32_t partOfCell(std::size_t cell) const
+  {
+    return static_cast<std::uint32_t>(
+      std::upper_bound(firstCellOfPart.begin(), firstCellOfPart.end(), cell) -
+      firstCellOfPart.begin());
+  }
+
   friend bool operator==(const Surface& a, const Surface& b)
   {
     return a.bands == b.bands && a.numberOfCells == b.numberOfCells &&
       a.cellOfTriangle == b.cellOfTriangle && a.reflectance == b.reflectance &&
-      a.exitance == b.exitance && a.pointLights == b.pointLights;
+      a.exitance == b.exitance && a.pointLights == b.pointLights &&
+      a.firstCellOfPart == b.firstCellOfPart;
   }
 };
 

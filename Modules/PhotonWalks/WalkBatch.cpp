@@ -48,7 +48,7 @@ bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop
     if (!areHitsKnown_)
     {
       hits_.resize(rays_.size());
-      shooter_.scene().cast(rays_.data() + first, count, hits_.data() + first);
+      shooter_.cast(rays_.data() + first, count, hits_.data() + first);
     }
     areHitsKnown_ = false;
     goOn(first, booking);
@@ -75,7 +75,8 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
     }
     State state = states_[i];
     Tail& tail = tails_[state.tail];
-    pieces_.push_back({ state.tail, state.bounce, { rays_[i], hits_[i], state.power, true } });
+    pieces_.push_back({ state.tail, state.bounce,
+      { rays_[i], hits_[i], state.power, true, shooter_.isContact(rays_[i].start, hits_[i].id) } });
     ++tail.size;
     const Hit& hit = hits_[i];
     if (!hit)

@@ -73,8 +73,9 @@ void WalkBlock::setSegment(std::uint32_t walk, std::uint32_t bounce, const WalkS
 {
   const std::size_t place = slot(walk, bounce);
   setPoint(place, segment.ray.origin);
-  tags_[place] = static_cast<std::uint16_t>(
-    walk | (segment.isFront ? 0u : kBack) | tagOf(segment.hit.id.object) << kTagShift);
+  const unsigned tag = segment.isContact ? kContactTag : tagOf(segment.hit.id.object);
+  tags_[place] =
+    static_cast<std::uint16_t>(walk | (segment.isFront ? 0u : kBack) | tag << kTagShift);
   ids_[place] = segment.hit.id;
   weights_[place] = segment.hit.weights;
   setPower(place, segment.power);

@@ -20,8 +20,9 @@ struct WalkSegment
 {
   Ray ray; ///< its direction is a unit vector
   Hit hit;
-  Power power;         ///< what it carries to its hit
-  bool isFront = true; ///< the side that was hit
+  Power power;            ///< what it carries to its hit
+  bool isFront = true;    ///< the side that was hit
+  bool isContact = false; ///< dynamic objects touch its ends, see Contacts
 };
 
 /**
@@ -81,13 +82,18 @@ public:
   const float* y() const { return y_.data(); }
   const float* z() const { return z_.data(); }
   const std::uint16_t* tags() const { return tags_.data(); }
-  /// The bit of tagMask() that stands for the object that the segment hits: 0 for static ones and
-  /// escapes; several dynamic objects may share a bit.
+  /// The number in a tag that stands for the object that the segment hits: 0 for static ones and
+  /// escapes; several dynamic objects may share a number.
   static unsigned tagOf(std::uint32_t object)
   {
-    return object == 0 || object == TriangleId::kNone ? 0 : 1 + (object - 1) % 31;
+    return object == 0 || object == TriangleId::kNone ? 0 : 1 + (object - 1) % (kContactTag - 1);
   }
-  static constexpr unsigned kTagShift = 11; ///< of that number in a tag
+  static constexpr unsigned kContactTag = 31; ///< instead of it, for contacts
+  static constexpr unsigned kTagShift = 11;   ///< of that number in a tag
+  bool isContact(std::uint32_t walk, std::uint32_t bounce) const
+  {
+    return tags_[slot(walk, bounce)] >> kTagShift == kContactTag;
+  }
 
   struct Place
   {

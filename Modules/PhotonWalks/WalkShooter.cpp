@@ -15,6 +15,16 @@ Power WalkShooter::powerAfter(std::uint32_t walk, std::uint32_t bounce, const Tr
     : power;
 }
 
+void WalkShooter::cast(const Ray* rays, std::size_t count, Hit* hits) const
+{
+  scene_.cast(rays, count, hits);
+  const bool mayTouch = contacts_ && !contacts_->isEmpty();
+  for (std::size_t i = 0; mayTouch && i < count; ++i)
+  {
+    hits[i] = contacts_->settled(scene_, rays[i], hits[i]);
+  }
+}
+
 void WalkShooter::fetchTriangle(const Hit& hit) const
 {
   if (hit)

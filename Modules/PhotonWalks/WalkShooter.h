@@ -1,6 +1,7 @@
 #ifndef irradiance_WalkShooter_h
 #define irradiance_WalkShooter_h
 
+#include "Contacts.h"
 #include "Emitter.h"
 #include "Scene.h"
 #include "WalkHistory.h"
@@ -13,18 +14,35 @@ namespace irradiance
 class WalkShooter
 {
 public:
-  /// The arguments must outlive the shooter.
+  /// The arguments must outlive the shooter. `contacts`: null if nothing coincides with a lamp.
   WalkShooter(const Scene& scene, const SceneObjects& objects, const EmitterTable& emitters,
-    const SobolSequence& samples)
+    const SobolSequence& samples, const Contacts* contacts = nullptr)
     : scene_(scene)
     , objects_(objects)
     , emitters_(emitters)
     , samples_(samples)
+    , contacts_(contacts)
   {
   }
 
   const Scene& scene() const { return scene_; }
   WalkStart start(std::uint32_t walk) const { return emitters_.start(walk, samples_); }
+
+  /// What the rays hit: the closest triangles, or where surfaces coincide those that are before the
+  /// others.
+  void cast(const Ray* rays, std::size_t count, Hit* hits) const;
+  /// The hit of a ray whose closest hit is known.
+  Hit settled(const Ray& ray, const Hit& closest) const
+  {
+    return contacts_ ? contacts_->settled(scene_, ray, closest) : closest;
+  }
+  /// Whether the hit of a segment may depend on dynamic objects that touch its ends.
+  bool isContact(const TriangleId& start, const TriangleId& hit) const
+  {
+    return contacts_ && (contacts_->hasDynamic(start) || contacts_->hasDynamic(hit));
+  }
+  /// Whether other triangles coincide with this one.
+  bool hasContact(const TriangleId& id) const { return contacts_ && contacts_->has(id); }
 
   /// What a walk carries on from a hit of segment `bounce`; zero: it ends there. Roulette is played
   /// below `threshold`.
@@ -48,6 +66,7 @@ private:
   const SceneObjects& objects_;
   const EmitterTable& emitters_;
   const SobolSequence& samples_;
+  const Contacts* contacts_;
 };
 
 }

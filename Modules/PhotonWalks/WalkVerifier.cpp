@@ -14,10 +14,11 @@ struct WalkVerifier::Candidates
   std::vector<Hit> old;
   std::vector<Hit> now;
   std::vector<StaleSegment> stale;
+  bool isTouching = false;
 
   void addStale(std::size_t i)
   {
-    stale.push_back({ places[i].walk, places[i].bounce, rays[i], now[i], old[i] });
+    stale.push_back({ places[i].walk, places[i].bounce, rays[i], now[i], old[i], isTouching });
   }
   void clear()
   {
@@ -32,10 +33,12 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
   std::uint32_t firstWalk, const StaleMarks& known) const
 {
   static thread_local std::vector<std::uint32_t> points;
-  static thread_local Candidates blocked, lost;
+  static thread_local Candidates blocked, lost, touching;
   scan_.find(block, next, points);
   blocked.clear();
   lost.clear();
+  touching.clear();
+  touching.isTouching = true;
   fetch(block, points);
   for (const std::uint32_t point : points)
   {
@@ -51,8 +54,10 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
     }
     Hit hit = block.hit(place.walk, place.bounce);
     const Ray ray = shooter_.rayOf(block, place.walk, firstWalk + place.walk, place.bounce);
-    Candidates& candidates = hasMoved(hit.id) ? lost : blocked;
-    if (hit && !hasMoved(hit.id))
+    const bool isTouching = block.isContact(place.walk, place.bounce) ||
+      shooter_.isContact(ray.start, hit.id) || shooter_.hasContact(hit.id);
+    Candidates& candidates = isTouching ? touching : hasMoved(hit.id) ? lost : blocked;
+    if (hit && !hasMoved(hit.id) && !isTouching)
     {
       hit.distance = shooter_.scene().distanceTo(ray, hit.id);
     }
@@ -62,11 +67,15 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
   }
   castBlocked(blocked);
   castLost(block, lost);
+  castTouching(block, touching);
 
   std::vector<StaleSegment> stale;
   stale.swap(blocked.stale);
-  stale.insert(stale.end(), lost.stale.begin(), lost.stale.end());
-  lost.stale.clear();
+  for (Candidates* others : { &lost, &touching })
+  {
+    stale.insert(stale.end(), others->stale.begin(), others->stale.end());
+    others->stale.clear();
+  }
   const auto order = [](const StaleSegment& s) { return std::tie(s.walkInBlock, s.bounce); };
   std::sort(stale.begin(), stale.end(),
     [&](const StaleSegment& a, const StaleSegment& b) { return order(a) < order(b); });
@@ -104,6 +113,27 @@ void WalkVerifier::castBlocked(Candidates& candidates) const
   for (std::size_t i = 0; i < candidates.rays.size(); ++i)
   {
     if (candidates.now[i] != candidates.old[i])
+    {
+      candidates.now[i] = shooter_.settled(candidates.rays[i], candidates.now[i]);
+      candidates.addStale(i);
+    }
+  }
+}
+
+/// Where objects touch, the hit is found anew. It may be the same while it has come to depend on other
+/// objects than before: then it is stored anew as well.
+void WalkVerifier::castTouching(const WalkBlock& block, Candidates& candidates) const
+{
+  const std::size_t count = candidates.rays.size();
+  candidates.now.assign(count, {});
+  shooter_.cast(candidates.rays.data(), count, candidates.now.data());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Hit &now = candidates.now[i], &old = candidates.old[i];
+    const WalkBlock::Place place = candidates.places[i];
+    if (now.id != old.id || now.weights != old.weights || hasMoved(now.id) ||
+      shooter_.isContact(candidates.rays[i].start, now.id) !=
+        block.isContact(place.walk, place.bounce))
     {
       candidates.addStale(i);
     }
@@ -148,6 +178,7 @@ void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) cons
   }
   for (std::size_t i = 0; i < count; ++i)
   {
+    candidates.now[i] = shooter_.settled(candidates.rays[i], candidates.now[i]);
     candidates.addStale(i);
   }
 }

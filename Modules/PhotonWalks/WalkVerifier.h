@@ -18,6 +18,8 @@ struct StaleSegment
   Ray ray;
   Hit hit; ///< in the new frame
   Hit old; ///< in the old one, if that was static or nowhere
+  /// Whether other triangles coincided with the old hit: then it is not that of the static tree alone.
+  bool wasTouching = false;
 };
 
 /**
@@ -59,6 +61,7 @@ private:
   void fetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const;
   void castBlocked(Candidates& candidates) const;
   void castLost(const WalkBlock& block, Candidates& candidates) const;
+  void castTouching(const WalkBlock& block, Candidates& candidates) const;
 
   const WalkShooter& shooter_;
   const std::vector<bool>& moved_;

@@ -162,6 +162,15 @@ bool Scene::meets(const Ray& ray, const TriangleId& id, double& distance, Vector
   return ShearedRay(local.origin, local.direction).meets(localTriangle(id), distance, weights);
 }
 
+Hit Scene::hitOf(const Ray& ray, const TriangleId& id) const
+{
+  double distance;
+  Vector3 weights;
+  return meets(ray, id, distance, &weights)
+    ? Hit{ distance, id, { static_cast<float>(weights[1]), static_cast<float>(weights[2]) } }
+    : Hit{};
+}
+
 Triangle Scene::worldTriangle(const TriangleId& id) const
 {
   const Triangle& triangle = localTriangle(id);

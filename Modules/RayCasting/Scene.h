@@ -94,6 +94,8 @@ public:
   SurfacePoint surfaceAt(const Vector3& direction, const Hit& hit) const;
   /// The point of a hit that came from the front or from the back.
   SurfacePoint surfaceOf(const Hit& hit, bool isFront) const;
+  /// The hit of a ray on this triangle, whatever lies before it.
+  Hit hitOf(const Ray& ray, const TriangleId& id) const;
   /// The distance at which a ray meets a triangle that it is known to hit.
   double distanceTo(const Ray& ray, const TriangleId& id) const;
 
