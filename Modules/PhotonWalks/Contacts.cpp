@@ -59,6 +59,40 @@ bool doCoincide(const Triangle& s, const Triangle& t)
     !isPartedByEdge(s, t, tolerance) && !isPartedByEdge(t, s, tolerance);
 }
 
+bool liesOn(const Triangle& triangle, const Vector3& point, double tolerance)
+{
+  const Vector3 normal = triangle.areaVector().normalized();
+  const auto corners = cornersOf(triangle);
+  bool isOn = std::abs(normal.dot(point - triangle.a)) <= tolerance;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Vector3& from = *corners[i];
+    const Vector3 inward = normal.cross((*corners[(i + 1) % 3] - from).normalized());
+    isOn = isOn && inward.dot(point - from) >= -4 * tolerance;
+  }
+  return isOn;
+}
+
+/// +1 if all of a mesh lies in front of the triangle, or in its plane; -1 if behind; else 0.
+int sideOfAll(const TriangleMesh& mesh, const Triangle& triangle, double tolerance,
+  const Checkpoint& checkpoint)
+{
+  CheckpointPace pace(checkpoint);
+  const Vector3 normal = triangle.areaVector().normalized();
+  bool isInFront = false, isBehind = false;
+  for (const Triangle& other : mesh.triangles())
+  {
+    pace.step();
+    for (const Vector3* corner : cornersOf(other))
+    {
+      const double distance = normal.dot(*corner - triangle.a);
+      isInFront = isInFront || distance > 8 * tolerance;
+      isBehind = isBehind || distance < -8 * tolerance;
+    }
+  }
+  return (isInFront ? 1 : 0) - (isBehind ? 1 : 0);
+}
+
 Triangle worldTriangle(const SceneObjects& objects, const TriangleId& id)
 {
   return transformed(
@@ -147,7 +181,7 @@ void Contacts::addOwn(
   const SceneObject& own = objects[object];
   if (known.body != own.body || known.surface != own.surface)
   {
-    known = { own.body, own.surface, {}, {} };
+    known = { own.body, own.surface, {}, {} }; // its sides may never be needed
     const TriangleMesh& mesh = own.body->mesh();
     CheckpointPace pace(checkpoint);
     for (std::uint32_t i = 0; i < mesh.size(); ++i)
@@ -214,28 +248,75 @@ void Contacts::add(const SceneObjects& objects, const TriangleId& a, const Trian
   }
 }
 
-Contacts::Partner Contacts::partnerOf(
-  const SceneObjects& objects, const TriangleId& id, const Checkpoint& checkpoint)
+const SolidSides& Contacts::sidesOf(
+  const SceneObjects& objects, std::uint32_t object, const Checkpoint& checkpoint)
 {
-  const SceneObject& object = objects[id.object];
-  Known& known = known_[id.object];
-  if (known.body != object.body || known.surface != object.surface)
+  known_.resize(objects.size());
+  const SceneObject& own = objects[object];
+  Known& known = known_[object];
+  if (known.body != own.body || known.surface != own.surface)
   {
-    known = { object.body, object.surface, {}, {} };
+    known = {};
   }
-  const TriangleMesh& mesh = object.body->mesh();
-  if (known.sides.empty())
+  const TriangleMesh& mesh = own.body->mesh();
+  if (known.sides.of.empty())
   {
     std::vector<bool> lamps;
     std::vector<std::uint32_t> parts;
     for (std::uint32_t i = 0; i < mesh.size(); ++i)
     {
-      lamps.push_back(isLamp(object, i));
-      parts.push_back(object.surface->partOfCell(object.surface->cellOfTriangle[i]));
+      lamps.push_back(isLamp(own, i));
+      parts.push_back(own.surface->partOfCell(own.surface->cellOfTriangle[i]));
     }
-    known.sides = solidSides(mesh.triangles(), parts, lamps, id.object == 0, checkpoint);
+    known.sides = solidSides(mesh.triangles(), parts, lamps, object == 0, checkpoint);
+    known.body = own.body;
+    known.surface = own.surface;
   }
-  return { id, known.sides[id.triangle], isLamp(object, id.triangle) };
+  return known.sides;
+}
+
+Contacts::Partner Contacts::partnerOf(
+  const SceneObjects& objects, const TriangleId& id, const Checkpoint& checkpoint)
+{
+  return { id, sidesOf(objects, id.object, checkpoint).of[id.triangle],
+    isLamp(objects[id.object], id.triangle) };
+}
+
+std::vector<Contacts::Wall> Contacts::wallsAt(
+  const SceneObjects& objects, const Vector3& light, const Checkpoint& checkpoint)
+{
+  std::vector<Wall> walls;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    Box box{ light, light };
+    box.inflate(2 * kTouching * box.magnitude());
+    for (const std::uint32_t i : trianglesNear(objects[object], box))
+    {
+      const Triangle triangle = worldTriangle(objects, { object, i });
+      const double tolerance =
+        kTouching * std::max(triangle.bounds().magnitude(), light.cwiseAbs().maxCoeff());
+      if (!liesOn(triangle, light, tolerance))
+      {
+        continue;
+      }
+      const SolidSides& sides = sidesOf(objects, object, checkpoint);
+      const Vector3 front = triangle.areaVector().normalized();
+      const int open = sides.of[i] == SolidSide::None
+        ? sideOfAll(objects.fixed.body->mesh(), triangle, tolerance, checkpoint)
+        : (sides.of[i] == SolidSide::Behind ? 1 : -1);
+      // A body that holds everything can only be a room.
+      const bool isRoomAfterAll = object == 0 && sides.isOfOutermost[i] &&
+        sideOfAll(objects.fixed.body->mesh(), triangle, tolerance, checkpoint) == -open;
+      const Vector3 normal = (isRoomAfterAll ? -open : open) * front;
+      const bool isKnown = std::any_of(walls.begin(), walls.end(),
+        [&](const Wall& wall) { return (wall.normal - normal).squaredNorm() < 0x1p-40; });
+      if (open != 0 && !isKnown)
+      {
+        walls.push_back({ normal, normal.dot(light - triangle.a), 0.5 * tolerance });
+      }
+    }
+  }
+  return walls;
 }
 
 bool Contacts::hasDynamic(const TriangleId& id) const

@@ -36,6 +36,17 @@ public:
   /// Whether the triangle touches another and one of the two is dynamic.
   bool hasDynamic(const TriangleId& id) const;
 
+  /// A wall in whose plane a point lies.
+  struct Wall
+  {
+    Vector3 normal;  ///< unit vector to the side where light can be
+    double distance; ///< of the point, along the normal
+    double margin;   ///< as in SurfacePoint
+  };
+  /// The walls in whose plane a point light lies; none of those that let it shine to both sides.
+  std::vector<Wall> wallsAt(
+    const SceneObjects& objects, const Vector3& light, const Checkpoint& checkpoint);
+
   /// The hit of a ray whose closest hit among all triangles is `closest`. Its distance is 0 where the
   /// ray cannot leave its start.
   Hit settled(const Scene& scene, const Ray& ray, const Hit& closest) const;
@@ -59,7 +70,7 @@ private:
     std::shared_ptr<const RigidObject> body;
     std::shared_ptr<const Surface> surface;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    std::vector<SolidSide> sides;
+    SolidSides sides;
   };
 
   static Key key(const TriangleId& id) { return { id.object, id.triangle }; }
@@ -68,6 +79,8 @@ private:
     const Checkpoint& checkpoint);
   void add(const SceneObjects& objects, const TriangleId& a, const TriangleId& b,
     const Checkpoint& checkpoint);
+  const SolidSides& sidesOf(
+    const SceneObjects& objects, std::uint32_t object, const Checkpoint& checkpoint);
   Partner partnerOf(
     const SceneObjects& objects, const TriangleId& id, const Checkpoint& checkpoint);
   Hit hitAtStart(const Scene& scene, const Ray& ray) const;

@@ -5,9 +5,45 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 
 namespace irradiance
 {
+
+namespace
+{
+
+/// Mirrors a direction at walls until it points to the open side of all; false if it never does.
+bool mirrorInto(const std::vector<Vector3>& openSides, Vector3& direction)
+{
+  constexpr int kMostMirrors = 256; // between walls at an acute angle it takes some
+  for (int i = 0; i < kMostMirrors; ++i)
+  {
+    const auto wall = std::find_if(openSides.begin(), openSides.end(),
+      [&](const Vector3& side) { return side.dot(direction) < 0; });
+    if (wall == openSides.end())
+    {
+      return true;
+    }
+    direction -= 2 * wall->dot(direction) * *wall;
+  }
+  return false;
+}
+
+void checkOpen(const Vector3& position, const std::vector<Vector3>& openSides)
+{
+  Vector3 direction(0.48, 0.6, 0.64);
+  if (!mirrorInto(openSides, direction))
+  {
+    std::ostringstream text;
+    text << "the point light at (" << position.transpose()
+         << ") lies in the planes of walls that leave it no side to shine into";
+    throw std::runtime_error(text.str());
+  }
+}
+
+}
 
 bool operator==(const Emitter& a, const Emitter& b)
 {
@@ -16,16 +52,18 @@ bool operator==(const Emitter& a, const Emitter& b)
 
 bool operator==(const EmitterTable& a, const EmitterTable& b)
 {
-  return a.numberOfWalks_ == b.numberOfWalks_ && a.emitters_ == b.emitters_;
+  return a.numberOfWalks_ == b.numberOfWalks_ && a.emitters_ == b.emitters_ &&
+    a.openSides_ == b.openSides_;
 }
 
-EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks)
+EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
+  Contacts* contacts, const Checkpoint& checkpoint)
   : numberOfWalks_(numberOfWalks)
 {
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     addTriangles(objects, object);
-    addPoints(objects[object]);
+    addPoints(objects, object, contacts, checkpoint);
   }
   if (!emitters_.empty())
   {
@@ -59,13 +97,29 @@ void EmitterTable::addTriangles(const SceneObjects& objects, std::uint32_t objec
   }
 }
 
-void EmitterTable::addPoints(const SceneObject& object)
+void EmitterTable::addPoints(const SceneObjects& objects, std::uint32_t number, Contacts* contacts,
+  const Checkpoint& checkpoint)
 {
+  const SceneObject& object = objects[number];
   for (const PointLight& light : object.surface->pointLights)
   {
-    const Vector3 position = object.worldFromObject(light.position);
+    Vector3 position = object.worldFromObject(light.position);
+    std::vector<Vector3> openSides;
+    if (contacts)
+    {
+      for (const Contacts::Wall& wall : contacts->wallsAt(objects, position, checkpoint))
+      {
+        position += std::max(0.0, wall.margin - wall.distance) * wall.normal;
+        openSides.push_back(wall.normal);
+      }
+      checkOpen(position, openSides);
+    }
     Emitter emitter{ {}, { position, position, position } };
     std::copy(light.flux.begin(), light.flux.end(), emitter.flux.begin());
+    if (emitter.totalFlux() > 0 && !openSides.empty())
+    {
+      openSides_[emitters_.size()] = openSides;
+    }
     add(emitter);
     pointBounds_.add(position);
   }
@@ -116,13 +170,20 @@ WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) 
 {
   const double chosen = samples.sample(walk, 0, SampleUse::Emitter)[0] * cumulative_.back();
   const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, chosen);
-  const Emitter& emitter = emitters_[static_cast<std::size_t>(found - cumulative_.begin())];
+  const auto number = static_cast<std::size_t>(found - cumulative_.begin());
+  const Emitter& emitter = emitters_[number];
 
   const auto direction = samples.sample(walk, 0, SampleUse::Direction);
   const Power power = powerOf(walk, emitter);
   if (emitter.isPoint())
   {
-    return { { emitter.triangle.a, sampleSphere(direction), emitter.id }, power };
+    Vector3 shining = sampleSphere(direction);
+    if (const auto sides = openSides_.empty() ? openSides_.end() : openSides_.find(number);
+        sides != openSides_.end())
+    {
+      mirrorInto(sides->second, shining);
+    }
+    return { { emitter.triangle.a, shining, emitter.id }, power };
   }
   const SurfacePoint point =
     surfacePoint(emitter.triangle, sampleTriangle(samples.sample(walk, 0, SampleUse::Position)));

@@ -1,12 +1,14 @@
 #ifndef irradiance_Emitter_h
 #define irradiance_Emitter_h
 
+#include "Contacts.h"
 #include "Power.h"
 #include "Ray.h"
 #include "SobolSequence.h"
 #include "Surface.h"
 #include "SurfacePoint.h"
 
+#include <map>
 #include <vector>
 
 namespace irradiance
@@ -40,7 +42,10 @@ class EmitterTable
 {
 public:
   EmitterTable() = default;
-  EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks);
+  /// `contacts`: finds the walls in whose plane point lights lie; these shine to the other side of them.
+  /// Null: there are none. Throws std::runtime_error for a light that walls leave no side.
+  EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
+    Contacts* contacts = nullptr, const Checkpoint& checkpoint = {});
 
   bool isEmpty() const { return emitters_.empty(); }
   const std::vector<Emitter>& emitters() const { return emitters_; }
@@ -60,11 +65,14 @@ public:
 
 private:
   void addTriangles(const SceneObjects& objects, std::uint32_t object);
-  void addPoints(const SceneObject& object);
+  void addPoints(const SceneObjects& objects, std::uint32_t object, Contacts* contacts,
+    const Checkpoint& checkpoint);
   void add(const Emitter& emitter);
   Power powerOf(std::uint32_t walk, const Emitter& emitter) const;
 
   std::vector<Emitter> emitters_;
+  /// By the number of a point light's emitter: the sides of the walls where it may shine.
+  std::map<std::size_t, std::vector<Vector3>> openSides_;
   std::vector<double> cumulative_; ///< W, up to and with each emitter
   std::uint64_t numberOfWalks_ = 0;
   std::uint64_t totalQuanta_ = 0;

@@ -9,6 +9,7 @@
 #include <cassert>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace irradiance
 {
@@ -30,10 +31,14 @@ void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
   const WalkPlan plan = planOf(settings);
-  bool sameLights = isValid_ && plan == plan_ && doLightsStand(objects, objects_);
+  // What a point light touches may have moved.
+  bool sameLights = isValid_ && plan == plan_ && doLightsStand(objects, objects_) &&
+    emitters_.pointBounds().isEmpty();
   if (!sameLights)
   {
-    EmitterTable emitters(objects, plan.most());
+    const bool wasValid = std::exchange(isValid_, false);
+    EmitterTable emitters(objects, plan.most(), &contacts_, checkpointOf(execution, 0));
+    isValid_ = wasValid;
     sameLights = isValid_ && emitters == emitters_;
     emitters_ = std::move(emitters);
   }

@@ -307,7 +307,7 @@ bool isRoom(const std::vector<Shell>& shells, std::size_t number, const Box& all
 
 }
 
-std::vector<SolidSide> solidSides(const std::vector<Triangle>& triangles,
+SolidSides solidSides(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
   const Checkpoint& checkpoint)
 {
@@ -323,14 +323,15 @@ std::vector<SolidSide> solidSides(const std::vector<Triangle>& triangles,
     isSolidWithout.push_back(
       mayHoldRooms && search.shells()[i].isClosed && isRoom(search.shells(), i, all));
   }
-  std::vector<SolidSide> sides;
-  sides.reserve(triangles.size());
+  SolidSides sides;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const bool isBehind = search.isTurned(i) == isSolidWithout[search.number(i)];
-    sides.push_back(!search.shellOf(i).isClosed ? SolidSide::None
-        : isBehind                              ? SolidSide::Behind
-                                                : SolidSide::InFront);
+    const Shell& shell = search.shellOf(i);
+    sides.isOfOutermost.push_back(shell.isClosed && holds(shell.bounds, all));
+    sides.of.push_back(!shell.isClosed ? SolidSide::None
+        : isBehind                     ? SolidSide::Behind
+                                       : SolidSide::InFront);
   }
   return sides;
 }

@@ -18,6 +18,13 @@ enum class SolidSide : std::int8_t
   InFront
 };
 
+struct SolidSides
+{
+  std::vector<SolidSide> of; ///< each triangle
+  std::vector<bool>
+    isOfOutermost; ///< whether it belongs to a closed surface that holds all of the mesh
+};
+
 /**
  * The solid sides of the triangles of a mesh. A surface that closes is that of a body, solid within;
  * everything else is a sheet. Surfaces are found by edges with the same two corners, exactly; which
@@ -31,7 +38,7 @@ enum class SolidSide : std::int8_t
  * close by themselves. `isLamp`: lamps belong to a surface only if it does not close without them.
  * Both for each triangle.
  */
-std::vector<SolidSide> solidSides(const std::vector<Triangle>& triangles,
+SolidSides solidSides(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
   const Checkpoint& checkpoint);
 

@@ -326,3 +326,100 @@ TEST(CoincidentFaces, ACoveredLampIsDark)
   fresh->Update();
   EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
 }
+
+namespace
+{
+
+struct Bulb
+{
+  std::string Name;
+  Vector Place;
+  Mesh Room;
+
+  friend std::ostream& operator<<(std::ostream& os, const Bulb& bulb) { return os << bulb.Name; }
+};
+
+class PointLightInAWall : public testing::TestWithParam<Bulb>
+{
+};
+
+Mesh MakeShiftedBox(double side)
+{
+  vtkNew<vtkTransform> shift;
+  shift->Translate(0.5 * side, 0.5 * side, 0.5 * side);
+  return Turned(MakeBox(side, side, side), shift);
+}
+
+}
+
+// It shines into the room with all of its power: so half of the sphere of directions, or less, has it all.
+TEST_P(PointLightInAWall, LosesNothing)
+{
+  for (const bool isTurned : { false, true })
+  {
+    const auto turn = Turn(isTurned);
+    const Scene scene{
+      { Turned(GetParam().Room, turn), Turned(MakePointLight(GetParam().Place, { 10 }), turn) }, {}
+    };
+    const auto filter = MakeFilter(scene, NumberOfWalks);
+    filter->Update();
+    EXPECT_DOUBLE_EQ(Field(filter, "EmittedPower"), 10);
+    ExpectTwiceTheEmittedPower(filter);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, PointLightInAWall,
+  testing::Values(Bulb{ "Ceiling", { 1.25, 1.75, 3 }, MakeRoom(3, 3) },
+    Bulb{ "EdgeOfCells", { 1, 2, 3 }, MakeRoom(3, 3) },
+    Bulb{ "EdgeOfRoom", { 0, 1.5, 3 }, MakeRoom(3, 3) },
+    Bulb{ "Corner", { 0, 3, 3 }, MakeRoom(3, 3) },
+    Bulb{ "FrontOutside", { 1.25, 1.75, 3 }, MakeShiftedBox(3) },
+    Bulb{ "CornerFrontOutside", { 3, 3, 0 }, MakeShiftedBox(3) }),
+  testing::PrintToStringParamName());
+
+// On the lid of a box in a room, standing or moving, it lights the room and not the box.
+TEST(CoincidentFaces, APointLightOnABodyStaysOutside)
+{
+  const Mesh box = MakeStandingBox(1);
+  for (const bool isDynamic : { false, true })
+  {
+    Scene scene{ { MakeRoom(3, 3), MakePointLight({ 1.5, 1.5, 1 }, { 10 }) }, {} };
+    vtkNew<vtkTransform> place;
+    place->Translate(1.5, 1.5, 0);
+    if (isDynamic)
+    {
+      scene.Moving = { MakeMoving(box, { 1.5, 1.5, 0 }) };
+    }
+    else
+    {
+      scene.Fixed.push_back(Turned(box, place));
+    }
+    const auto filter = MakeFilter(scene, NumberOfWalks);
+    filter->SeparateSidesOn();
+    filter->Update();
+    EXPECT_EQ(Field(filter, "EscapedPower"), 0);
+    ExpectAllZero(Side(filter, isDynamic ? 1 : 0, isDynamic ? 0 : 2, "Back"));
+    if (isDynamic) // it goes, and the light shines to all sides again
+    {
+      scene.Moving[0].Pose->Translate(0.5, 0, -0.25);
+      filter->Update();
+      const auto fresh = MakeFilter(scene, NumberOfWalks);
+      fresh->SeparateSidesOn();
+      fresh->Update();
+      EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+    }
+  }
+}
+
+// A street lamp: on a post that stands on a floor, and nothing else.
+TEST(CoincidentFaces, APointLightOnAPostInTheOpen)
+{
+  const Mesh post = MakeStandingBox(1);
+  const auto filter = MakeFilter({ { post, MakePointLight({ 0, 0, 1 }, { 10 }),
+                                     MakeRectangle({ -5, -5, 0 }, { 10, 0, 0 }, { 0, 10, 0 }, 1) },
+                                   {} },
+    NumberOfWalks);
+  filter->SeparateSidesOn();
+  filter->Update();
+  ExpectAllZero(Side(filter, 0, 0, "Back"));
+}
