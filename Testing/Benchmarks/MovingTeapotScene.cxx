@@ -25,11 +25,15 @@ AffineMap poseAt(double time, double scale)
   return { scale * matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
 }
 
-InputConnection connect(vtkPolyData* part)
+InputConnection connect(vtkPolyData* polyData, const AffineMap& worldFromPart = {})
 {
-  vtkCellData* cells = part->GetCellData();
-  return { "part of the scene", part, cells->GetAbstractArray("RadiantExitance"),
-    cells->GetAbstractArray("DiffuseReflectance"), nullptr };
+  InputPart part;
+  part.name = "part of the scene";
+  part.polyData = polyData;
+  part.exitance = polyData->GetCellData()->GetAbstractArray(kExitanceArray.defaultName);
+  part.reflectance = polyData->GetCellData()->GetAbstractArray(kReflectanceArray.defaultName);
+  part.worldFromPart = worldFromPart;
+  return { part.name, polyData, { part } };
 }
 
 movingteapot::TeapotScene partsWith(const std::string& head)
@@ -59,7 +63,7 @@ MovingTeapotScene::MovingTeapotScene(const movingteapot::TeapotScene& parts, dou
     }
   }
   SceneReader reader;
-  reader.read(fixed, { connect(parts.Teapot) }, { poseAt(0, scale) }, 0.5, {});
+  reader.read(fixed, { connect(parts.Teapot, poseAt(0, scale)) }, 0.5, {});
   objects_ = reader.objects();
 }
 
