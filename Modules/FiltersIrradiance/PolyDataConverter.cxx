@@ -167,7 +167,10 @@ void PolyDataConverter::readPolygons(vtkCellArray* cells)
   forEachCell(cells, [this](vtkIdType count, const vtkIdType* ids) {
     readPoints(count, ids);
     firstTriangle_ = result_.triangles.size();
-    triangulate(corners_, result_.triangles);
+    if (!triangulate(corners_, result_.triangles) && result_.crossedCells++ == 0)
+    {
+      result_.firstCrossedCell = cell_;
+    }
     readSurfaceCell();
     ++cell_;
   });

@@ -21,6 +21,8 @@ struct ConvertedPolyData
   Surface surface;
   vtkIdType cellsWithoutArea = 0; ///< of the polygons and strips
   vtkIdType firstCellWithoutArea = -1;
+  vtkIdType crossedCells = 0; ///< polygons that cross themselves
+  vtkIdType firstCrossedCell = -1;
 };
 
 /// The cell arrays that are read; each may be null. One or three components.
