@@ -154,6 +154,12 @@ ConvertedPolyData SceneReader::convert(const InputConnection& connection)
       " cells have no area, the first is cell " + std::to_string(data.firstCellWithoutArea) +
       "; their irradiance is 0");
   }
+  if (data.crossedCells > 0)
+  {
+    warn(connection.name + ": " + std::to_string(data.crossedCells) +
+      " polygons cross themselves, the first is cell " + std::to_string(data.firstCrossedCell) +
+      "; their area is what they go around, in either direction");
+  }
   return data;
 }
 
