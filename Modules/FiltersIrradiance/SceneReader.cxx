@@ -158,7 +158,7 @@ ConvertedPolyData SceneReader::convert(const InputConnection& connection)
   {
     warn(connection.name + ": " + std::to_string(data.crossedCells) +
       " polygons cross themselves, the first is cell " + std::to_string(data.firstCrossedCell) +
-      "; their area is what they go around, in either direction");
+      "; what lies inside them is not clear");
   }
   return data;
 }

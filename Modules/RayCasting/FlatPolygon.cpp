@@ -12,11 +12,10 @@ namespace irradiance
 namespace
 {
 
-/// Below this ratio of area to path nothing of the area vector is left but rounding.
-constexpr double kCancelled = 0x1p-40;
+/// Below this ratio of area to path the area vector may point along a polygon that is not quite planar.
+constexpr double kCancelled = 0x1p-6;
 constexpr int kSmallestBit = 75;       // 2^-75
 constexpr double kLeastTurn = 0x1p-20; // rad
-constexpr double kFlat = 0x1p-20;      // of the width
 
 struct Axes
 {
@@ -87,10 +86,15 @@ Vector3 frontOf(const std::vector<Vector3>& corners)
     path += part.norm();
   }
   const Vector3 normal = normalOfWidestTriangle(corners);
-  return normal.isZero(0) || area.norm() <= kCancelled * path ? normal : area;
+  if (!normal.isZero(0) && area.norm() > kCancelled * path)
+  {
+    return area;
+  }
+  const Eigen::Index towards = axesSeenFrom(normal).towards;
+  return area[towards] * normal[towards] < 0 ? -normal : normal;
 }
 
-bool isPlanar(const std::vector<Vector3>& corners, const Vector3& front)
+bool isPlanar(const std::vector<Vector3>& corners, const Vector3& front, double tolerance)
 {
   const Vector3 up = front.normalized();
   double height = 0, width = 0;
@@ -99,7 +103,7 @@ bool isPlanar(const std::vector<Vector3>& corners, const Vector3& front)
     height = std::max(height, std::abs(up.dot(corner - corners[0])));
     width = std::max(width, (corner - corners[0]).norm());
   }
-  return height <= kFlat * width;
+  return height <= tolerance * width;
 }
 
 std::vector<Vector2> seenAlongAxis(const std::vector<Vector3>& corners, const Vector3& front)

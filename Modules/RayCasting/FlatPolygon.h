@@ -22,8 +22,8 @@ std::vector<Vector3> inUnitFrame(const std::vector<Vector3>& corners);
 /// Zero if all corners are on a line. In the unit frame.
 Vector3 frontOf(const std::vector<Vector3>& corners);
 
-/// Whether no corner leaves the plane across `front` by more than 1e-6 of the polygon's width.
-bool isPlanar(const std::vector<Vector3>& corners, const Vector3& front);
+/// Whether no corner leaves the plane across `front` by more than `tolerance`, in widths of the polygon.
+bool isPlanar(const std::vector<Vector3>& corners, const Vector3& front, double tolerance);
 
 /// Seen from the front along a coordinate axis. Nothing is rounded, so that corners on a line
 /// stay on a line.

@@ -38,6 +38,8 @@ using Corners = std::vector<Vector3>;
 
 /// Relative to the polygon's size. What overlaps by less, touches: corners may be rounded to float.
 constexpr double kTouching = 0x1p-20;
+/// Relative to its width. What is bent like this need not meet where it is seen to cross.
+constexpr double kBent = 0x1p-4;
 /// Points of intersection beyond which no more are computed.
 constexpr std::size_t kMostCrossings = 1000;
 constexpr std::size_t kNoCorner = std::numeric_limits<std::size_t>::max();
@@ -295,25 +297,29 @@ Pieces cutPolygon(const Corners& corners)
   {
     return {};
   }
+  if (corners.size() == 4 && !isPlanar(unit, front, kBent))
+  {
+    return { cutFan(corners), true };
+  }
   const std::vector<Vector2> flat = seenAlongAxis(unit, front);
   if (isConvex(flat))
   {
     return { cutConvex(corners), true };
   }
   std::optional<Pieces> pieces = cut(corners, flat);
-  if (!pieces)
-  {
-    return { cutFan(corners), false };
-  }
-  if (!pieces->isSimple && !isPlanar(unit, front))
+  if (pieces && !pieces->isSimple && !isPlanar(unit, front, kTouching))
   {
     std::optional<Pieces> fromFront = cut(corners, seenFromFront(unit, front));
     if (fromFront && fromFront->isSimple)
     {
       return *fromFront;
     }
+    if (!isPlanar(unit, front, kBent))
+    {
+      pieces.reset();
+    }
   }
-  return *pieces;
+  return pieces ? *pieces : Pieces{ cutFan(corners), false };
 }
 
 }

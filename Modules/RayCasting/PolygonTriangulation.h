@@ -15,7 +15,8 @@ namespace irradiance
 /// vanishes. Triangles without area may be among the result.
 ///
 /// False if the polygon crosses itself. Then the triangles cover what it goes around at all, in either
-/// direction; where edges cross, new corners arise. One that crosses itself too often becomes a fan.
+/// direction; where edges cross, new corners arise. One that crosses itself too often, or is far from
+/// planar and is seen to cross itself, becomes a fan.
 ///
 /// Scaling the corners by a power of two scales the triangles exactly. Coordinates are finite.
 [[nodiscard]] bool triangulate(

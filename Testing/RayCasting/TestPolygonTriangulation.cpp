@@ -359,6 +359,7 @@ TEST(PolygonTriangulation, CornersOutOfThePlane)
 TEST(PolygonTriangulation, QuadsAreCutAlongTheFirstDiagonalThatLiesInside)
 {
   RandomVectors random(7);
+  int bent = 0;
   for (int i = 0; i < 1000; ++i)
   {
     const Corners p = { random.inCube(), random.inCube(), random.inCube(), random.inCube() };
@@ -373,7 +374,29 @@ TEST(PolygonTriangulation, QuadsAreCutAlongTheFirstDiagonalThatLiesInside)
     {
       EXPECT_EQ(cut.triangles, (std::vector<Triangle>{ c, d }));
     }
+    else
+    {
+      // Bent by more than an eighth of its width, it does not cross itself.
+      const double volume = std::abs(a.areaVector().dot(p[3] - p[0]));
+      const double width = std::max((p[2] - p[0]).norm(), (p[3] - p[1]).norm());
+      if (volume > 0.25 * width * width * width)
+      {
+        ++bent;
+        EXPECT_TRUE(cut.isSimple);
+        EXPECT_EQ(cut.triangles, (std::vector<Triangle>{ a, b }));
+      }
+    }
   }
+  EXPECT_GT(bent, 5);
+}
+
+// Its area vector is that of the bend, and lies in the plane of the wings.
+TEST(PolygonTriangulation, BentBowTie)
+{
+  const Cut cut({ { 0, 0, 0 }, { 1, 1, 0.01 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  EXPECT_FALSE(cut.isSimple);
+  EXPECT_NEAR(cut.area(), 0.5, 1e-3);
+  EXPECT_NEAR(std::abs(cut.areaVector().z()), 0.5, 1e-3);
 }
 
 TEST(PolygonTriangulation, FewCorners)
