@@ -142,6 +142,11 @@ std::vector<std::string> PolyDataConverter::oddities() const
   {
     odd.push_back(where_ + ": no area in " + withoutArea_.text() + "; their irradiance is 0");
   }
+  if (crossed_.count > 0)
+  {
+    odd.push_back(where_ + ": a polygon that crosses itself in " + crossed_.text() +
+      "; what lies inside is not clear");
+  }
   if (fluxElsewhere_.count > 0)
   {
     odd.push_back(where_ + ": a radiant flux, but no vertex, in " + fluxElsewhere_.text() +
@@ -274,7 +279,10 @@ void PolyDataConverter::readPolygons(vtkCellArray* cells)
     {
       readPoints(count, ids);
       firstTriangle_ = target_.triangles.size();
-      triangulate(corners_, target_.triangles);
+      if (!triangulate(corners_, target_.triangles))
+      {
+        crossed_.add(cell_);
+      }
       readSurfaceCell();
     }
     ++cell_;

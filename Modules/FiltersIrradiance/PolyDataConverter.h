@@ -88,6 +88,7 @@ private:
   std::vector<Vector3> corners_;
   std::size_t firstTriangle_ = 0; ///< of the cell
   OddCells withoutArea_;          ///< polygons and strips
+  OddCells crossed_;              ///< polygons that cross themselves
   OddCells fluxElsewhere_;        ///< cells with a flux that are no vertices
   OddCells exitanceElsewhere_;    ///< vertices and lines with an exitance
 };

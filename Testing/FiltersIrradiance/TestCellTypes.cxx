@@ -1,5 +1,6 @@
 // Every kind of cell of a vtkPolyData, in its order.
 
+#include "ErrorObserver.h"
 #include "TestScenes.h"
 
 #include "vtkMath.h"
@@ -78,6 +79,51 @@ TEST(CellTypes, ConcavePolygons)
       { 2, -3, 0 }, { 2, -2, 0 }, { 0, -2, 0 }, { 0, -1, 0 }, { -1, -1, 0 }, { -1, 0, 0 } });
   mesh->SetPolys(MakeCells({ { 0, 1, 2, 3 }, { 2, 1, 4, 3 }, { 5, 6, 7, 8, 9, 10, 11, 12 } }));
   ExpectUniform(mesh, 0);
+}
+
+// A plate of 4 m with a hole of 2 m, cut open along one edge, 1 m above the floor and 2 m below a light.
+TEST(CellTypes, PolygonWithAHole)
+{
+  Mesh plate = MakePolyData({ { 0, 0, 1 }, { 4, 0, 1 }, { 4, 4, 1 }, { 0, 4, 1 }, { 1, 1, 1 },
+    { 1, 3, 1 }, { 3, 3, 1 }, { 3, 1, 1 } });
+  plate->SetPolys(MakeCells({ { 0, 1, 2, 3, 0, 4, 5, 6, 7, 4 } }));
+  SetCellValues(plate, "RadiantExitance", { 5 });
+  const auto shining = MakeFilter({ { plate }, {} }, 10000);
+  const auto observer = ErrorObserver::Watch(shining);
+  shining->Update();
+  EXPECT_TRUE(observer->Warnings.empty());
+  EXPECT_NEAR(Field(shining, "EmittedPower"), 5 * (16 - 4), 1e-6);
+
+  SetCellValues(plate, "RadiantExitance", { 0 });
+  const Mesh below = MakeRectangle({ 1.5, 1.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1);
+  const Mesh shaded = MakeRectangle({ 4, 1.5, 0 }, { 0.5, 0, 0 }, { 0, 1, 0 }, 1);
+  const double height = 3, flux = 4 * vtkMath::Pi() * height * height * 10;
+  const Mesh light = MakePointLight({ 2, 2, height }, { flux });
+  const auto filter = MakeFilter({ { plate, Join({ below, shaded }), light }, {} }, 400000);
+  filter->SetDefaultDiffuseReflectance(0);
+  filter->Update();
+  // F / (4 pi h^2) to within (0.5 / h)^2
+  EXPECT_NEAR(IrradianceOf(filter, 0, 1)->GetComponent(0, 0), 10, 0.4);
+  EXPECT_EQ(IrradianceOf(filter, 0, 1)->GetComponent(1, 0), 0);
+}
+
+TEST(CellTypes, PolygonsThatCrossThemselvesAreReported)
+{
+  Mesh mesh =
+    MakePolyData({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 2, 0, 0 }, { 2, 2, 0 } });
+  mesh->SetPolys(MakeCells({ { 0, 4, 5 }, { 0, 1, 2, 3 }, { 0, 1, 5, 4, 2, 3 } }));
+  SetCellValues(mesh, "RadiantExitance", { 8 });
+  const auto filter = MakeFilter({ {}, { MakeMoving(mesh, { 0, 0, 0 }) } }, 10000);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  for (const char* word : { "input port 1, connection 0", "2 polygons", "cell 1;" })
+  {
+    EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
+  }
+  // Both lobes of each: two of 1/4 m2; one of 1/4 m2 and a half square of 2 m without its tip of 1/4 m2.
+  EXPECT_NEAR(Field(filter, "EmittedPower"), 8 * (2 + 0.5 + 0.25 + 1.75), 1e-6);
 }
 
 // The front of every triangle of a strip is that of the first one.

@@ -5,7 +5,8 @@
 #
 #   RayCasting <- PhotonWalks <- FiltersIrradiance     each may use only what stands left of it
 #   RayCasting and PhotonWalks know nothing of VTK
-#   CGAL is for Modules/RayCasting/EnclosingEllipsoid.cpp alone, Embree for Testing/Benchmarks alone
+#   CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp of Modules/RayCasting alone
+#   Embree is for Testing/Benchmarks alone
 #   a public header (vtk*.h) shows nothing of Eigen, CGAL, the engine or private headers
 set -euo pipefail
 shopt -s nullglob
@@ -96,9 +97,10 @@ fi
 
 mapfile -t files < <(source_files Modules; source_files Examples)
 for file in "${files[@]}"; do
-  [[ $file == Modules/RayCasting/EnclosingEllipsoid.cpp ]] && continue
+  [[ $file == Modules/RayCasting/EnclosingEllipsoid.cpp ||
+    $file == Modules/RayCasting/PolygonTriangulation.cpp ]] && continue
   reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]CGAL/|(^|[^[:alnum:]_])CGAL::' \
-    "CGAL is for EnclosingEllipsoid.cpp alone" "$file"
+    "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone" "$file"
 done
 
 mapfile -t files < <(source_files Modules; source_files Examples; for layer in "${layers[@]}"; do source_files "Testing/$layer"; done)

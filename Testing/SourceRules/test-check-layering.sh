@@ -16,6 +16,7 @@ clean_tree()
   printf '#include <Eigen/Core>\n' >Modules/RayCasting/Vector.h
   printf '#include "Vector.h"\n' >Modules/RayCasting/EnclosingEllipsoid.h
   printf '#include "EnclosingEllipsoid.h"\n#include <CGAL/Cartesian.h>\n' >Modules/RayCasting/EnclosingEllipsoid.cpp
+  printf '#include <CGAL/Cartesian.h>\nusing Kernel = CGAL::Cartesian<double>;\n' >Modules/RayCasting/PolygonTriangulation.cpp
   printf '#include "RayCasting/Vector.h"\n// as VTK would do\n' >Modules/PhotonWalks/Emitter.h
   printf '#include "Emitter.h"\n' >Modules/PhotonWalks/Emitter.cpp
   printf '#include "PhotonWalks/Emitter.h"\n' >Modules/FiltersIrradiance/Converter.h
@@ -56,9 +57,11 @@ expect_violation Modules/PhotonWalks/Emitter.h '#include "sub/vtkPolyData.h"' "P
 expect_violation Modules/PhotonWalks/Emitter.h 'class vtkPolyData;' "PhotonWalks may not know VTK"
 expect_violation Modules/PhotonWalks/Emitter.h 'int count(const vtkIdType* ids);' "PhotonWalks may not know VTK"
 expect_violation Testing/PhotonWalks/TestEmitter.cpp '#include <vtkNew.h>' "PhotonWalks may not know VTK"
-expect_violation Modules/RayCasting/Vector.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp alone"
-expect_violation Modules/RayCasting/EnclosingEllipsoid.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp alone"
-expect_violation Modules/FiltersIrradiance/vtkX.cxx 'CGAL::Bbox_3 box;' "CGAL is for EnclosingEllipsoid.cpp alone"
+expect_violation Modules/RayCasting/Vector.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
+expect_violation Modules/RayCasting/EnclosingEllipsoid.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
+expect_violation Modules/RayCasting/PolygonTriangulation.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
+expect_violation Modules/FiltersIrradiance/PolygonTriangulation.cpp 'CGAL::Bbox_3 box;' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
+expect_violation Modules/FiltersIrradiance/vtkX.cxx 'CGAL::Bbox_3 box;' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
 expect_violation Modules/RayCasting/Vector.h '#include <embree3/rtcore.h>' "Embree is for Testing/Benchmarks alone"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include <Eigen/Core>' "a public header may not show Eigen or CGAL"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include <CGAL/Cartesian.h>' "a public header may not show Eigen or CGAL"
