@@ -208,6 +208,10 @@ void SceneReader::adopt(
   {
     object.body = std::make_shared<RigidObject>(
       TriangleMesh(std::move(data.triangles), checkpoint), checkpoint, mayMove);
+    if (checkpoint)
+    {
+      checkpoint(); // to give back the memory of building takes a while
+    }
   }
 }
 

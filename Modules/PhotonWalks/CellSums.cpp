@@ -5,7 +5,7 @@
 namespace irradiance
 {
 
-CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan)
+CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds)
   : plan_(plan)
   , sides_(sides)
   , bands_(objects.fixed.surface->bands)
@@ -19,7 +19,7 @@ CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan)
   }
   roundSize_ = cells * static_cast<std::size_t>(sides_) * plan.deal().replicates() *
     static_cast<std::size_t>(bands_);
-  sums_.resize(roundSize_);
+  setRounds(rounds);
 }
 
 void CellSums::collect(std::uint32_t walk, const TriangleId& id, bool isFront, const Power& power,
@@ -33,11 +33,31 @@ void CellSums::collect(std::uint32_t walk, const TriangleId& id, bool isFront, c
   }
 }
 
-void CellSums::setRounds(std::size_t rounds)
+void CellSums::setRounds(std::size_t rounds, const Checkpoint& checkpoint)
 {
+  if (rounds == rounds_)
+  {
+    return;
+  }
+  // With many replicates this is a lot of memory: taken piece by piece, no piece takes long.
+  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
+  std::vector<std::int64_t> sums;
+  sums.reserve(rounds * roundSize_);
+  while (sums.size() < rounds * roundSize_)
+  {
+    const std::size_t first = sums.size();
+    const std::size_t end = std::min(first + kPiece, rounds * roundSize_);
+    const auto old = sums_.begin();
+    sums.insert(sums.end(), old + static_cast<std::ptrdiff_t>(std::min(first, sums_.size())),
+      old + static_cast<std::ptrdiff_t>(std::min(end, sums_.size())));
+    sums.resize(end);
+    if (checkpoint)
+    {
+      checkpoint();
+    }
+  }
+  sums_.swap(sums);
   rounds_ = rounds;
-  sums_.resize(rounds * roundSize_);
-  sums_.shrink_to_fit();
 }
 
 void CellSums::add(const std::vector<Deposit>& deposits)

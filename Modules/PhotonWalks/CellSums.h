@@ -31,11 +31,12 @@ class CellSums
 public:
   CellSums() = default;
   /// `sides`: 1 for the sum over both sides of a cell, 2 to keep front and back apart. There is
-  /// room for the first round.
-  CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan = {});
+  /// room for `rounds` rounds of the plan.
+  CellSums(
+    const SceneObjects& objects, int sides, const WalkPlan& plan = {}, std::size_t rounds = 1);
 
   /// Makes room for further rounds, or drops the last ones.
-  void setRounds(std::size_t rounds);
+  void setRounds(std::size_t rounds, const Checkpoint& checkpoint = {});
   std::size_t rounds() const { return rounds_; }
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 
@@ -84,7 +85,7 @@ private:
   int bands_ = 1;
   std::vector<std::size_t> firstCell_;
   std::vector<std::shared_ptr<const Surface>> surfaces_;
-  std::size_t rounds_ = 1;
+  std::size_t rounds_ = 0;
   std::size_t roundSize_ = 0; ///< sums of a round
   std::vector<std::int64_t> sums_;
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();

@@ -27,7 +27,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     ProgressSpan still(execution, progress, progress);
     reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan_.rounds().size());
-  dropRounds(rounds);
+  dropRounds(rounds, checkpointOf(execution, progress));
   if (!execution.goOn(1))
   {
     throw Interrupted();
@@ -46,23 +46,22 @@ double IrradianceEngine::expectedWalks(std::size_t rounds) const
   return std::clamp(plan_.rounds()[rounds - 1].endWalk * ratio * ratio, next, most);
 }
 
-void IrradianceEngine::dropRounds(std::size_t kept)
+void IrradianceEngine::dropRounds(std::size_t kept, const Checkpoint& checkpoint)
 {
   const std::size_t blocks = plan_.rounds()[kept - 1].endBlock;
-  for (std::size_t block = blocks; block < history_.size(); ++block)
+  while (history_.size() > blocks)
   {
     WalkBooking booking(sums_, balance_);
+    const std::size_t block = history_.size() - 1;
     for (std::uint32_t i = 0; i < history_[block].numberOfWalks(); ++i)
     {
       balance_.emitted -= history_[block].power(i, 0);
       booking.remove(history_[block], i, plan_.firstWalkOf(block) + i, 0);
     }
+    history_.pop_back();
+    checkpoint();
   }
-  if (blocks < history_.size())
-  {
-    history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(blocks), history_.end());
-  }
-  sums_.setRounds(kept);
+  sums_.setRounds(kept, checkpoint);
 }
 
 }

@@ -112,10 +112,14 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
 void IrradianceEngine::startAnew(Execution& execution)
 {
   commitScene({}, execution);
-  sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1, plan_);
-  sums_.setRounds(0);
+  sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1, plan_, 0);
   balance_ = {};
-  history_.clear();
+  const Checkpoint checkpoint = checkpointOf(execution, 0);
+  while (!history_.empty()) // many walks are not gone at once
+  {
+    history_.pop_back();
+    checkpoint();
+  }
   stale_.reset();
   pointFrame_ = UnitFrame(walkBounds());
   clearance_ = scene_.clearance();
@@ -127,7 +131,7 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
   const Clock::time_point start = Clock::now();
   const WalkRound& walks = plan_.rounds()[round];
   const bool keep = settings_.verify && !objects_.dynamic.empty();
-  sums_.setRounds(round + 1);
+  sums_.setRounds(round + 1, checkpointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
   {
     history_.emplace_back(plan_.walksIn(block), objects_.fixed.surface->bands, pointFrame_);

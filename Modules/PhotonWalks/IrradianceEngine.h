@@ -114,7 +114,7 @@ private:
   /// Walks that the target will take, as it seems after some rounds.
   double expectedWalks(std::size_t rounds) const;
   void shootRound(std::size_t round, Execution& execution);
-  void dropRounds(std::size_t kept);
+  void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
   ErrorEstimate errorEstimate(std::size_t rounds) const
   {
     return { sums_, plan_, rounds, emitters_.largestStart() };

@@ -125,6 +125,7 @@ void KdSplitSearch::fillBins(const KdItems& items, const Box& cell)
   }
   for (const KdItem& item : items)
   {
+    pace_.step();
     for (int axis = 0; axis < 3; ++axis)
     {
       bins_[axis].add(item.lower[axis], item.upper[axis]);
@@ -166,6 +167,7 @@ void KdSplitSearch::collectEvents(const KdItems& items, int axis)
   events_.clear();
   for (const KdItem& item : items)
   {
+    pace_.step();
     const float lower = item.lower[axis], upper = item.upper[axis];
     events_.add(lower, upper, isChosen_[bins.of(lower)], isChosen_[bins.of(upper)]);
   }

@@ -1,6 +1,7 @@
 #ifndef irradiance_KdSplitSearch_h
 #define irradiance_KdSplitSearch_h
 
+#include "Checkpoint.h"
 #include "KdBins.h"
 #include "KdCost.h"
 #include "KdEvents.h"
@@ -38,8 +39,10 @@ struct KdSplit
 class KdSplitSearch
 {
 public:
-  explicit KdSplitSearch(const KdCost& cost)
+  /// `checkpoint` must outlive the search.
+  KdSplitSearch(const KdCost& cost, const Checkpoint& checkpoint)
     : cost_(cost)
+    , pace_(checkpoint)
   {
   }
 
@@ -56,6 +59,7 @@ private:
   void sweepEvents(int axis, const KdAxisCost& cost, KdSplit& best);
 
   KdCost cost_;
+  CheckpointPace pace_;
   std::array<KdBins, 3> bins_;
   std::array<bool, KdBins::kMost> isChosen_; ///< of the bins of the axis at hand
   KdEvents events_;

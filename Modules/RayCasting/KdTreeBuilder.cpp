@@ -28,7 +28,9 @@ public:
     : config_(config)
     , primitives_(primitives)
     , search_({ config.traversalCost, config.intersectionCost, config.emptyFactor,
-        static_cast<std::uint32_t>(config.blockSize) })
+                static_cast<std::uint32_t>(config.blockSize) },
+        config.checkpoint)
+    , pace_(config.checkpoint)
   {
     assert(config.blockSize > 0);
   }
@@ -38,6 +40,7 @@ public:
     items_.reserve(primitives_.size() + primitives_.size() / 2 + 1);
     for (std::uint32_t i = 0; i < primitives_.size(); ++i)
     {
+      pace_.step();
       const KdItem item = KdItem::of(i, primitives_[i].bounds);
       if (!item.isEmpty())
       {
@@ -73,7 +76,6 @@ private:
   /// `spare` is how many items the node and all below it may add by parting others.
   void divide(std::uint32_t node, Range range, const Box& cell, int depth, std::size_t spare)
   {
-    pollCheckpoint(range.size());
     const KdSplit split = depth < maxDepth_ ? bestSplit(range, cell) : KdSplit{ 0 };
     const std::size_t items = std::size_t{ split.left } + split.right;
     if (split.axis < 0 || items > range.size() + spare)
@@ -134,6 +136,7 @@ private:
     sides[1 - kept] = { range.end, range.end };
     for (std::size_t i = range.begin; i < range.end; ++i)
     {
+      pace_.step();
       const KdItem item = items_[i];
       if (split.parts(item))
       {
@@ -180,17 +183,6 @@ private:
     return part;
   }
 
-  void pollCheckpoint(std::size_t work)
-  {
-    constexpr std::size_t kItemsBetween = 1u << 15;
-    sincePoll_ += work;
-    if (sincePoll_ >= kItemsBetween && config_.checkpoint)
-    {
-      sincePoll_ = 0;
-      config_.checkpoint();
-    }
-  }
-
   const KdTreeBuilder& config_;
   const std::vector<KdPrimitive>& primitives_;
   KdSplitSearch search_;
@@ -198,7 +190,7 @@ private:
   std::vector<KdItem> items_;
   double clipError_ = 0;
   int maxDepth_ = 0;
-  std::size_t sincePoll_ = 0;
+  CheckpointPace pace_;
 };
 
 }

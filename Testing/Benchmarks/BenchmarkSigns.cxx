@@ -135,7 +135,7 @@ void run(int argc, char* argv[])
     trial.update("2 million static triangles are read");
     ground->Modified();
     trial.update("they are merely Modified()");
-    trial->RemoveAllInputConnections(0);
+    trial->RemoveInputConnection(0, 1);
     trial.update("they go");
   }
   {
