@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -107,9 +108,11 @@ private:
   struct Edge
   {
     std::uint64_t corners;
-    std::uint32_t triangle;
+    std::uint32_t triangle; ///< among those chosen
+    int corner;             ///< where it begins
     bool isForward;
   };
+  using Edges = std::vector<Edge>;
 
   struct Corner
   {
@@ -149,10 +152,10 @@ private:
     return open;
   }
 
-  std::vector<Edge> edgesOf(const std::vector<std::uint32_t>& chosen, bool byParts)
+  Edges edgesOf(const std::vector<std::uint32_t>& chosen, bool byParts)
   {
     std::unordered_map<Corner, std::uint32_t, HashOfCorner> numbers;
-    std::vector<Edge> edges;
+    Edges edges;
     edges.reserve(3 * chosen.size());
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
     {
@@ -171,7 +174,7 @@ private:
       for (int k = 0; k < 3; ++k)
       {
         const std::uint64_t from = corners[k], to = corners[(k + 1) % 3];
-        edges.push_back({ std::min(from, to) << 32 | std::max(from, to), i, from < to });
+        edges.push_back({ std::min(from, to) << 32 | std::max(from, to), i, k, from < to });
       }
     }
     std::sort(edges.begin(), edges.end(),
@@ -182,7 +185,7 @@ private:
   /// Finds the shells of the chosen triangles; keeps those that are closed, or all.
   void find(const std::vector<std::uint32_t>& chosen, bool byParts, bool keepsOpen)
   {
-    const std::vector<Edge> edges = edgesOf(chosen, byParts);
+    Edges edges = edgesOf(chosen, byParts);
     OrientedSets sets(chosen.size());
     std::vector<std::uint32_t> flawed; // a triangle of each shell that does not close
     for (std::size_t i = 0; i < edges.size();)
@@ -192,21 +195,85 @@ private:
       {
         ++end;
       }
+      pace_.step(end - i);
+      const bool isPaired = (end - i == 2) ||
+        pairAround(chosen, edges.begin() + static_cast<std::ptrdiff_t>(i),
+          edges.begin() + static_cast<std::ptrdiff_t>(end));
       for (std::size_t k = i; k < end; ++k)
       {
-        pace_.step();
-        const bool isSameWay = edges[k].isForward == edges[i].isForward;
-        if (end - i != 2 ||
-          !sets.join(
-            edges[i].triangle, edges[i + 1].triangle, edges[i].isForward == edges[i + 1].isForward))
+        const Edge& other = edges[isPaired ? i + ((k - i) ^ 1) : i];
+        const bool isJoined =
+          sets.join(other.triangle, edges[k].triangle, other.isForward == edges[k].isForward);
+        if (!isPaired || !isJoined)
         {
           flawed.push_back(edges[k].triangle);
-          sets.join(edges[i].triangle, edges[k].triangle, isSameWay);
         }
       }
       i = end;
     }
     keep(chosen, sets, flawed, keepsOpen);
+  }
+
+  /// Where several bodies share an edge: orders its triangles in pairs that belong together. Going round
+  /// the edge, what is solid begins behind a triangle that runs backward along it and ends behind the next
+  /// that runs forward. False if they do not pair.
+  bool pairAround(
+    const std::vector<std::uint32_t>& chosen, Edges::iterator begin, Edges::iterator end) const
+  {
+    const auto forward = std::count_if(begin, end, [](const Edge& e) { return e.isForward; });
+    if (2 * forward != end - begin)
+    {
+      return false;
+    }
+    const auto cornerOf = [&](const Edge& edge, int k) -> const Vector3& {
+      const Triangle& t = triangles_[chosen[edge.triangle]];
+      const int corner = (edge.corner + k) % 3;
+      return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
+    };
+    const Vector3 axis =
+      (begin->isForward ? 1.0 : -1.0) * (cornerOf(*begin, 1) - cornerOf(*begin, 0)).normalized();
+    const auto across = [&](const Edge& edge) -> Vector3 {
+      const Vector3 d = cornerOf(edge, 2) - cornerOf(edge, 0);
+      return d - axis.dot(d) * axis;
+    };
+    const Vector3 zero = across(*begin), quarter = axis.cross(zero);
+    std::vector<std::pair<double, Edge>> around;
+    for (auto edge = begin; edge != end; ++edge)
+    {
+      const Vector3 d = across(*edge);
+      around.emplace_back(std::atan2(d.dot(quarter), d.dot(zero)), *edge);
+    }
+    // Of triangles that coincide, one ends a solid and the other begins the next.
+    constexpr double kSameAngle = 1e-6;
+    const auto byAngle = [](const auto& a, const auto& b) { return a.first < b.first; };
+    std::sort(around.begin(), around.end(), byAngle);
+    for (std::size_t i = 1; i < around.size(); ++i)
+    {
+      if (around[i].first - around[i - 1].first < kSameAngle)
+      {
+        around[i].first = around[i - 1].first;
+      }
+    }
+    for (auto& [angle, edge] : around)
+    {
+      angle = angle > M_PI - kSameAngle ? -M_PI : std::max(angle, -M_PI);
+    }
+    std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) {
+      return std::make_pair(a.first, !a.second.isForward) <
+        std::make_pair(b.first, !b.second.isForward);
+    });
+    const auto first = std::find_if(
+      around.begin(), around.end(), [](const auto& entry) { return !entry.second.isForward; });
+    std::rotate(around.begin(), first, around.end());
+    for (std::size_t i = 0; i < around.size(); ++i)
+    {
+      if (around[i].second.isForward != (i % 2 == 1))
+      {
+        return false;
+      }
+      *(begin + static_cast<std::ptrdiff_t>(i)) = around[i].second;
+    }
+    return true;
   }
 
   void keep(const std::vector<std::uint32_t>& chosen, const OrientedSets& sets,

@@ -1,0 +1,170 @@
+// Which side of a triangle is solid: within closed surfaces, without rooms, nowhere on sheets.
+
+#include "SolidSides.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+namespace
+{
+
+using Triangles = std::vector<Triangle>;
+
+/// Front: (b - a) x (d - a).
+Triangles quad(const Vector3& a, const Vector3& b, const Vector3& d)
+{
+  const Vector3 c = b + d - a;
+  return { { a, b, c }, { a, c, d } };
+}
+
+Triangles joined(const std::vector<Triangles>& parts)
+{
+  Triangles all;
+  for (const Triangles& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+Triangles reversed(Triangles triangles)
+{
+  for (Triangle& t : triangles)
+  {
+    std::swap(t.b, t.c);
+  }
+  return triangles;
+}
+
+/// With its front outside; two triangles a side, the floor first, then the lid.
+Triangles box(const Vector3& low, const Vector3& high)
+{
+  const Vector3 d = high - low;
+  const Vector3 x(d[0], 0, 0), y(0, d[1], 0), z(0, 0, d[2]);
+  return joined({ quad(low, low + y, low + x), quad(high, high - x, high - y),
+    quad(low, low + x, low + z), quad(high, high - z, high - x), quad(low, low + z, low + y),
+    quad(high, high - y, high - z) });
+}
+
+/// Faces up.
+Triangles sheet(double low, double high, double z)
+{
+  return quad({ low, low, z }, { high, low, z }, { low, high, z });
+}
+
+/// Parts are runs of triangles; lamps are those of the parts in `lamps`.
+std::vector<SolidSide> sidesOf(const std::vector<Triangles>& parts,
+  const std::vector<std::size_t>& lamps = {}, bool mayHoldRooms = true, bool isOnePart = false)
+{
+  std::vector<std::uint32_t> partOf;
+  std::vector<bool> isLamp;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    partOf.insert(partOf.end(), parts[i].size(), isOnePart ? 0 : static_cast<std::uint32_t>(i));
+    isLamp.insert(isLamp.end(), parts[i].size(), std::count(lamps.begin(), lamps.end(), i) > 0);
+  }
+  return solidSides(joined(parts), partOf, isLamp, mayHoldRooms, {}).of;
+}
+
+std::vector<SolidSide> all(std::size_t count, SolidSide side)
+{
+  return std::vector<SolidSide>(count, side);
+}
+
+std::vector<SolidSide> first(std::vector<SolidSide> sides, std::size_t count)
+{
+  sides.resize(count);
+  return sides;
+}
+
+const Vector3 kLow(0, 0, 0), kHigh(1, 1, 1);
+
+}
+
+TEST(SolidSides, WithinClosedSurfaces)
+{
+  const Triangles cube = box(kLow, kHigh);
+  EXPECT_EQ(sidesOf({ cube }, {}, false), all(12, SolidSide::Behind));
+  EXPECT_EQ(sidesOf({ reversed(cube) }, {}, false), all(12, SolidSide::InFront));
+  Triangles mixed = cube;
+  std::vector<SolidSide> expected = all(12, SolidSide::Behind);
+  for (const std::size_t i : { 0, 3, 4, 11 })
+  {
+    std::swap(mixed[i].a, mixed[i].b);
+    expected[i] = SolidSide::InFront;
+  }
+  EXPECT_EQ(sidesOf({ mixed }, {}, false), expected);
+}
+
+TEST(SolidSides, NoneOfSheets)
+{
+  Triangles open = box(kLow, kHigh);
+  open.pop_back();
+  EXPECT_EQ(sidesOf({ open }), all(11, SolidSide::None));
+  EXPECT_EQ(sidesOf({ sheet(0, 1, 0) }), all(2, SolidSide::None));
+  // There and back: closed, but nothing is within.
+  EXPECT_EQ(
+    sidesOf({ joined({ sheet(0, 1, 0), reversed(sheet(0, 1, 0)) }) }), all(4, SolidSide::None));
+}
+
+TEST(SolidSides, BodiesThatTouchAreBodies)
+{
+  const Triangles cube = box(kLow, kHigh);
+  // Stacked, side by side along an edge, and all in one part.
+  const Triangles on = box({ 0, 0, 1 }, { 1, 1, 2 }), beside = box({ 1, 1, 0 }, { 2, 2, 1 });
+  for (const bool isOnePart : { false, true })
+  {
+    EXPECT_EQ(sidesOf({ cube, on, beside }, {}, false, isOnePart), all(36, SolidSide::Behind));
+    EXPECT_EQ(sidesOf({ beside, on, cube }, {}, false, isOnePart), all(36, SolidSide::Behind));
+  }
+}
+
+// A light table as large as the box that stands on it shares its edges.
+TEST(SolidSides, LampsDoNotOpenABody)
+{
+  const Triangles cube = box(kLow, kHigh);
+  for (const bool isOnePart : { false, true })
+  {
+    EXPECT_EQ(first(sidesOf({ cube, sheet(0, 1, 0) }, { 1 }, true, isOnePart), 12),
+      all(12, SolidSide::Behind));
+    EXPECT_EQ(first(sidesOf({ cube, sheet(-1, 2, 0) }, { 1 }, true, isOnePart), 12),
+      all(12, SolidSide::Behind));
+  }
+}
+
+TEST(SolidSides, WithoutRooms)
+{
+  const Triangles cube = box(kLow, kHigh), lamp = sheet(0.25, 0.5, 1);
+  // Front outside: it holds everything, and a lamp.
+  EXPECT_EQ(first(sidesOf({ cube, lamp }, { 1 }), 12), all(12, SolidSide::InFront));
+  EXPECT_EQ(first(sidesOf({ cube, lamp }, { 1 }, false), 12), all(12, SolidSide::Behind));
+  // Front within: it holds everything, or something.
+  EXPECT_EQ(sidesOf({ reversed(cube) }), all(12, SolidSide::Behind));
+  const Triangles elsewhere = sheet(3, 4, 0);
+  EXPECT_EQ(first(sidesOf({ reversed(cube), lamp, elsewhere }), 12), all(12, SolidSide::Behind));
+  EXPECT_EQ(first(sidesOf({ cube, lamp, elsewhere }), 12), all(12, SolidSide::Behind));
+  EXPECT_EQ(first(sidesOf({ reversed(cube), elsewhere }), 12), all(12, SolidSide::InFront));
+  // A box in it is none.
+  const Triangles inner = box({ 0.25, 0.25, 0 }, { 0.5, 0.5, 0.5 });
+  const std::vector<SolidSide> both = sidesOf({ cube, inner });
+  EXPECT_EQ(first(both, 12), all(12, SolidSide::InFront));
+  EXPECT_EQ(both.back(), SolidSide::Behind);
+}
+
+TEST(SolidSides, PartsCloseTogether)
+{
+  const Triangles cube = box(kLow, kHigh);
+  std::vector<Triangles> sides;
+  for (std::size_t i = 0; i < 12; i += 2)
+  {
+    sides.push_back({ cube[i], cube[i + 1] });
+  }
+  sides.push_back(sheet(0.25, 0.5, 1));
+  EXPECT_EQ(first(sidesOf(sides, { 6 }), 12), all(12, SolidSide::InFront));
+}
+
+}
