@@ -19,8 +19,8 @@ using test::wattsOn;
 namespace
 {
 
-/// A light table of 2 m in the middle of a floor of 6 m, all at z = 0, and a lamp in the lid of a box that
-/// stands on the floor.
+/// A light table of 2 m in the middle of a floor of 6 m, all at z = 0, a lamp in the lid of a box that
+/// stands on the floor, and a ceiling.
 SceneObject makeFloor()
 {
   ObjectBuilder floor;
@@ -28,6 +28,7 @@ SceneObject makeFloor()
   floor.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 5, 5, test::grey(0.5, 10));
   floor.addBox(test::box({ 1.5, 1.5, 0 }, { 2.5, 2.5, 1 }), 2, test::grey(0.6));
   floor.addQuad({ 1.75, 1.75, 1 }, { 0.5, 0, 0 }, { 0, 0.5, 0 }, 1, 1, test::grey(0.5, 20));
+  floor.addQuad({ -3, -3, 3 }, { 0, 6, 0 }, { 6, 0, 0 }, 3, 3, test::grey(0.8));
   return floor.build();
 }
 
@@ -108,6 +109,34 @@ TEST(Contacts, OnABudgetToo)
       engine.update(objects, settings, one);
       ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "frame " << frame;
     }
+  }
+}
+
+// Two lamps so close that either may be taken for the upper one, and a sheet over them that coincides
+// with one of them alone: who receives a photon depends on the sheet even where it is not hit.
+TEST(Contacts, ASheetThatIsNotHitMatters)
+{
+  constexpr double margin = 0x1p-33; // of coordinates up to 1
+  ObjectBuilder lamps;
+  lamps.addQuad({ -1, -1, -margin }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, test::grey(0.5, 1));
+  lamps.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, test::grey(0.5, 1));
+  lamps.addQuad({ -1, -1, 0.5 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, test::grey(0.5, 10));
+  ObjectBuilder sheet;
+  sheet.addQuad({ -1, -1, 1.8 * margin }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, test::grey(0.5));
+  SceneObjects objects{ lamps.build(), { sheet.build() } };
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(5000);
+  IrradianceEngine engine;
+  Execution one;
+  std::int64_t received = 0;
+  for (const double x : { 0.0, 5.0, 0.0, 0.5, 5.0 })
+  {
+    objects.dynamic[0].worldFromObject = test::shift({ x, 0, 0 });
+    engine.update(objects, settings, one);
+    ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+    const std::int64_t upper = engine.sums().sum(0, 1, 0, 0);
+    EXPECT_NE(upper, received); // so it does matter
+    received = upper;
   }
 }
 
