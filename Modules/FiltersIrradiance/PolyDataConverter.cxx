@@ -113,12 +113,6 @@ double PolyDataConverter::largest(vtkDataArray* array) const
   return largest;
 }
 
-std::string PolyDataConverter::OddCells::text() const
-{
-  return std::to_string(count) + (count == 1 ? " cell" : " cells") + ", the first is cell " +
-    std::to_string(first);
-}
-
 /// Light that is given to cells of the wrong kind alone cannot be meant.
 void PolyDataConverter::checkMisplaced() const
 {
@@ -137,27 +131,19 @@ void PolyDataConverter::checkMisplaced() const
 
 std::vector<std::string> PolyDataConverter::oddities() const
 {
-  std::vector<std::string> odd;
-  if (withoutArea_.count > 0)
-  {
-    odd.push_back(where_ + ": no area in " + withoutArea_.text() + "; their irradiance is 0");
-  }
-  if (crossed_.count > 0)
-  {
-    odd.push_back(where_ + ": a polygon that crosses itself in " + crossed_.text() +
-      "; what lies inside is not clear");
-  }
-  if (fluxElsewhere_.count > 0)
-  {
-    odd.push_back(where_ + ": a radiant flux, but no vertex, in " + fluxElsewhere_.text() +
-      "; it is not read there");
-  }
-  if (exitanceElsewhere_.count > 0)
-  {
-    odd.push_back(where_ + ": a radiant exitance, but no surface, in " + exitanceElsewhere_.text() +
-      "; it is not read there");
-  }
-  return odd;
+  std::vector<std::string> oddities;
+  const auto add = [&](const OddCells& cells, const char* what, const char* so) {
+    if (cells.count > 0)
+    {
+      oddities.push_back(where_ + ": " + std::to_string(cells.count) + " cells " + what +
+        ", the first is cell " + std::to_string(cells.first) + "; " + so);
+    }
+  };
+  add(withoutArea_, "have no area", "their irradiance is 0");
+  add(crossed_, "are polygons that cross themselves", "what lies inside is not clear");
+  add(fluxElsewhere_, "have a radiant flux but are no vertices", "it is not read there");
+  add(exitanceElsewhere_, "have a radiant exitance but no surface", "it is not read there");
+  return oddities;
 }
 
 void PolyDataConverter::checkArray(vtkDataArray* array, const char* meaning) const

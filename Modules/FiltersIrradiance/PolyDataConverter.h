@@ -57,7 +57,6 @@ private:
   {
     vtkIdType count = 0, first = -1;
     void add(vtkIdType cell) { first = count++ == 0 ? cell : first; }
-    std::string text() const;
   };
 
   void checkArray(vtkDataArray* array, const char* meaning) const;

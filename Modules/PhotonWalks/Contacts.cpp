@@ -128,6 +128,12 @@ Box worldBounds(const SceneObject& object)
   return world;
 }
 
+bool holds(const Box& outer, const Box& inner)
+{
+  return !inner.isEmpty() && (inner.lower.array() >= outer.lower.array()).all() &&
+    (inner.upper.array() <= outer.upper.array()).all();
+}
+
 /// Triangles of an object that may touch a box in the world.
 std::vector<std::uint32_t> trianglesNear(const SceneObject& object, const Box& world)
 {
@@ -278,8 +284,15 @@ const SolidSides& Contacts::sidesOf(
 Contacts::Partner Contacts::partnerOf(
   const SceneObjects& objects, const TriangleId& id, const Checkpoint& checkpoint)
 {
-  return { id, sidesOf(objects, id.object, checkpoint).of[id.triangle],
-    isLamp(objects[id.object], id.triangle) };
+  const SolidSides& sides = sidesOf(objects, id.object, checkpoint);
+  SolidSide side = sides.of[id.triangle];
+  // A dynamic shell around everything, with its front within, lines a room.
+  if (id.object > 0 && side == SolidSide::InFront && sides.isOfOutermost[id.triangle] &&
+    holds(worldBounds(objects[id.object]), objects.fixed.body->mesh().bounds()))
+  {
+    side = SolidSide::Behind;
+  }
+  return { id, side, isLamp(objects[id.object], id.triangle) };
 }
 
 std::vector<Contacts::Wall> Contacts::wallsAt(

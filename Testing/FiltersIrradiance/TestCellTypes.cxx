@@ -118,7 +118,8 @@ TEST(CellTypes, PolygonsThatCrossThemselvesAreReported)
   filter->Update();
   EXPECT_TRUE(observer->Errors.empty());
   ASSERT_EQ(observer->Warnings.size(), 1u);
-  for (const char* word : { "input port 1, connection 0", "crosses itself", "2 cells", "cell 1;" })
+  for (const char* word :
+    { "input port 1, connection 0", "cross themselves", "2 cells", "cell 1;" })
   {
     EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
   }

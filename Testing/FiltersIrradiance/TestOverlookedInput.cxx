@@ -235,7 +235,7 @@ TEST(MisplacedLight, BesideTheRightCellsIsAWarning)
   both->GetCellData()->RemoveArray("RadiantFlux");
   SetCellValues(both, "RadiantExitance", { 2 });
   both->Modified();
-  ExpectOnlyWarning(filter, { "input port 0, connection 2", "1 cell", "cell 0", "exitance" });
+  ExpectOnlyWarning(filter, { "input port 0, connection 2", "1 cells", "cell 0", "exitance" });
 }
 
 TEST(PoseField, OfAStaticInputIsAWarning)
