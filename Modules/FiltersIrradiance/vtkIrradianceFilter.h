@@ -28,6 +28,10 @@
  * are passed through. Ghost cells (`vtkGhostType`) that are duplicates or hidden take no part: they
  * neither emit nor block light, and their irradiance is 0.
  *
+ * Faces may coincide. A closed mesh is a body, and no light gets inside, even where it stands exactly
+ * on a lamp; or a room, if it is static and holds the rest. A point light exactly in a wall of a room
+ * shines into the room with all of its power. Documentation/Theory.md, section 3, has the rules.
+ *
  * @section Arrays Cell arrays read
  * SetInputArrayToProcess(index, ...) chooses others; one that no input has on its cells is an error.
  * One component, or three for three bands.
