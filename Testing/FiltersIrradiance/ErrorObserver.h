@@ -4,7 +4,11 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkIrradianceFilter.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
@@ -41,5 +45,15 @@ public:
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
 };
+
+/// The only error of a filter's update, which must have left no output.
+inline std::string OnlyErrorOf(vtkIrradianceFilter* filter)
+{
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(observer->Errors.size(), 1u);
+  return observer->Errors.empty() ? "" : observer->Errors[0];
+}
 
 #endif

@@ -273,16 +273,6 @@ class BadInputTest : public testing::TestWithParam<BadInput>
 {
 };
 
-/// The only error of the filter's update, which must have left no output.
-std::string OnlyError(vtkIrradianceFilter* filter)
-{
-  const auto observer = ErrorObserver::Watch(filter);
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
-  EXPECT_EQ(observer->Errors.size(), 1u);
-  return observer->Errors.empty() ? "" : observer->Errors[0];
-}
-
 }
 
 TEST_P(BadInputTest, IsNamedAndForgotten)
@@ -414,7 +404,7 @@ TEST(OddInput, ReflectanceOneInAClosedRoom)
   {
     SetCellValues(mesh, "DiffuseReflectance", { 1 });
   }
-  const std::string error = OnlyError(MakeFilter(scene, NumberOfWalks));
+  const std::string error = OnlyErrorOf(MakeFilter(scene, NumberOfWalks));
   EXPECT_NE(error.find("reflectance"), std::string::npos) << error;
 }
 

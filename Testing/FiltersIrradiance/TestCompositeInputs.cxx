@@ -60,15 +60,6 @@ vtkDataObject* BlockOf(vtkIrradianceFilter* filter, unsigned int port, unsigned 
   return vtkMultiBlockDataSet::SafeDownCast(filter->GetOutput()->GetBlock(port))->GetBlock(i);
 }
 
-std::string OnlyError(vtkIrradianceFilter* filter)
-{
-  const auto observer = ErrorObserver::Watch(filter);
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
-  EXPECT_EQ(observer->Errors.size(), 1u);
-  return observer->Errors.empty() ? "" : observer->Errors[0];
-}
-
 }
 
 // What the executive did of itself: one scene for each block.
@@ -208,7 +199,7 @@ TEST(CompositeInputs, ALeafThatIsNoPolyDataIsAnError)
   vtkNew<vtkIrradianceFilter> filter;
   filter->AddInputDataObject(0, MakeLamp({ 0, 0, 1 }, 1, { 100 }));
   filter->AddInputDataObject(1, plates);
-  const std::string error = OnlyError(filter);
+  const std::string error = OnlyErrorOf(filter);
   for (const char* word : { "input port 1, connection 0, block 2 (Grid)", "vtkUnstructuredGrid" })
   {
     EXPECT_NE(error.find(word), std::string::npos) << error;
@@ -221,7 +212,7 @@ TEST(CompositeInputs, ErrorsNameTheBlock)
   SetCellValues(FirstLeaf(plates->GetBlock(2)), "DiffuseReflectance", { 1.5 });
   vtkNew<vtkIrradianceFilter> filter;
   filter->AddInputDataObject(0, plates);
-  const std::string error = OnlyError(filter);
+  const std::string error = OnlyErrorOf(filter);
   EXPECT_NE(error.find("input port 0, connection 0, block 4, cell 0"), std::string::npos) << error;
 }
 
