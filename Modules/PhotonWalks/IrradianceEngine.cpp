@@ -1,5 +1,6 @@
 #include "IrradianceEngine.h"
 
+#include "PointFrame.h"
 #include "ProgressSpan.h"
 #include "SceneChange.h"
 #include "SlicedPass.h"
@@ -115,7 +116,7 @@ void IrradianceEngine::startAnew(Execution& execution)
   balance_ = {};
   history_.clear();
   stale_.reset();
-  pointFrame_ = UnitFrame(walkBounds());
+  pointFrame_ = pointFrame(objects_, walkBounds());
   clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
 }
