@@ -90,6 +90,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
     return true;
   };
   pass.run(execution, balance_);
+  statistics_.suspectSegments = verifier.numberOfSuspects();
   for (const auto& found : stale)
   {
     statistics_.invalidWalks += static_cast<std::int64_t>(found.size());

@@ -1,5 +1,6 @@
 #include "IrradianceEngine.h"
 
+#include "PointFrame.h"
 #include "ProgressSpan.h"
 #include "SceneChange.h"
 #include "SlicedPass.h"
@@ -121,7 +122,7 @@ void IrradianceEngine::startAnew(Execution& execution)
     checkpoint();
   }
   stale_.reset();
-  pointFrame_ = UnitFrame(walkBounds());
+  pointFrame_ = pointFrame(objects_, walkBounds());
   clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
 }

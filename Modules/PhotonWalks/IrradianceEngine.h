@@ -39,7 +39,8 @@ struct EngineSettings
 /// What a frame cost.
 struct EngineStatistics
 {
-  std::int64_t invalidWalks = 0; ///< found by the verification
+  std::int64_t suspectSegments = 0; ///< of which the verification cast a ray
+  std::int64_t invalidWalks = 0;    ///< found by the verification
   std::int64_t repairedSegments = 0;
   double shootSeconds = 0;
   double verifySeconds = 0; ///< with the rebuilding of the trees over moving objects

@@ -16,12 +16,13 @@ struct ScanPoints
 };
 
 /// A ball in a frame of its own: point p of the scan stands at matrix * p + offset, and the ball
-/// around 0 there.
+/// around 0 there. It is larger for a segment that begins far from the origin of the points.
 struct ScanBody
 {
   float matrix[9]; ///< column by column
   float offset[3];
   float squaredRadius;
+  float byDistance; ///< by which it is larger, times the squared distance
 };
 
 /// What the loops of a SegmentScan work on: one look at each segment between two points in a row.
@@ -34,6 +35,8 @@ struct PointScan
   std::uint32_t tags;
   const ScanBody* bodies;
   std::size_t numberOfBodies;
+  /// From points this near to 0, floats tell enough.
+  float squaredNear;
   /// A bit for each segment, kTogether in a word: set if it may touch a body, or if the bit of its
   /// tag is set in `tags`.
   std::uint16_t* named;

@@ -25,13 +25,15 @@ struct Avx2Lanes
   static Floats all(float value) { return _mm256_set1_ps(value); }
   static Floats load(const float* values) { return _mm256_loadu_ps(values); }
   static Floats mulAdd(Floats a, Floats b, Floats c) { return _mm256_fmadd_ps(a, b, c); }
+  static Floats subtractMul(Floats a, Floats b, Floats c) { return _mm256_fnmadd_ps(b, c, a); }
   static Floats least(Floats a, Floats b) { return _mm256_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+  static Floats isLess(Floats a, Floats b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
+  static Floats choose(Floats first, Floats a, Floats b) { return _mm256_blendv_ps(b, a, first); }
   /// What is not a number counts as well.
-  static unsigned notAboveZero(Floats a)
+  static unsigned notAbove(Floats a, Floats b)
   {
-    return static_cast<unsigned>(
-      _mm256_movemask_ps(_mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_NGT_UQ)));
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_NGT_UQ)));
   }
   static unsigned tagged(const std::uint16_t* tags, std::uint32_t set)
   {

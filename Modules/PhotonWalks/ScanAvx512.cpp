@@ -25,13 +25,16 @@ struct Avx512Lanes
   static Floats all(float value) { return _mm512_set1_ps(value); }
   static Floats load(const float* values) { return _mm512_loadu_ps(values); }
   static Floats mulAdd(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
+  static Floats subtractMul(Floats a, Floats b, Floats c) { return _mm512_fnmadd_ps(b, c, a); }
   static Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }
-  /// What is not a number counts as well.
-  static unsigned notAboveZero(Floats a)
+  static __mmask16 isLess(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
+  static Floats choose(__mmask16 first, Floats a, Floats b)
   {
-    return _mm512_cmp_ps_mask(a, _mm512_setzero_ps(), _CMP_NGT_UQ);
+    return _mm512_mask_blend_ps(first, b, a);
   }
+  /// What is not a number counts as well.
+  static unsigned notAbove(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_NGT_UQ); }
   static unsigned tagged(const std::uint16_t* tags, std::uint32_t set)
   {
     const __m512i all =

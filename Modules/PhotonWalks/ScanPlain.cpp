@@ -19,10 +19,13 @@ struct PlainLanes
   static Floats all(float value) { return value; }
   static Floats load(const float* values) { return *values; }
   static Floats mulAdd(Floats a, Floats b, Floats c) { return a * b + c; }
+  static Floats subtractMul(Floats a, Floats b, Floats c) { return a - b * c; }
   static Floats least(Floats a, Floats b) { return a < b ? a : b; }
   static Floats most(Floats a, Floats b) { return a > b ? a : b; }
+  static bool isLess(Floats a, Floats b) { return a < b; }
+  static Floats choose(bool first, Floats a, Floats b) { return first ? a : b; }
   /// What is not a number counts as well.
-  static unsigned notAboveZero(Floats a) { return a > 0 ? 0 : 1; }
+  static unsigned notAbove(Floats a, Floats b) { return a > b ? 0 : 1; }
   static unsigned tagged(const std::uint16_t* tags, std::uint32_t set)
   {
     return set >> (std::uint32_t{ *tags } >> WalkBlock::kTagShift) & 1u;

@@ -2,6 +2,8 @@
 
 #include "SimdLevel.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -21,7 +23,6 @@ ScanPoints pointsOf(const WalkBlock& block)
 
 SegmentScan::SegmentScan(const UnitFrame& frame, double reach)
   : frame_(frame)
-  , reach_(reach)
   , namesAll_(!(reach <= kLargestReach))
 {
 }
@@ -30,21 +31,28 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
 {
   const EllipsoidBound::Ball ball = bound.ball();
   const Matrix3 matrix = ball.roundFromWorld / frame_.scale;
+  const Matrix3 inverse = matrix.inverse();
   const Vector3 offset = ball.roundFromWorld * (frame_.center - ball.center);
-  // No point is farther from 0. Floats are off by 2^-24 of each number in a sum of a few, squares of
-  // lengths by that of the squares; Documentation/Theory.md counts them.
-  const double farthest = 2 * reach_ * matrix.norm() + offset.norm();
-  const double radius = ball.radius + 0x1p-20 * farthest;
+  // No point of the body is farther from 0.
+  const double farthest = frame_(ball.center).norm() + ball.radius * inverse.norm();
+  // Floats are off by 2^-24 of each number in a sum of a few; Documentation/Theory.md counts them.
+  const double stretch = matrix.norm();
+  const double error = 0x1p-19 * stretch;
   ScanBody body;
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
-  body.squaredRadius =
-    static_cast<float>((radius * radius + 0x1p-18 * farthest * farthest) * (1 + 0x1p-20));
-  // Beyond these, a product of floats might overflow, or vanish.
-  constexpr double kMost = 1e6, kLeast = 1e-6;
-  const double stretch = matrix.norm();
+  const double radius = ball.radius + error * farthest;
+  // (radius + error |x|)^2 is at most this, whatever the share; about that if x is as far as the body.
+  const double share = std::max(0x1p-8, error * farthest / radius);
+  body.squaredRadius = static_cast<float>((1 + share) * radius * radius * (1 + 0x1p-20));
+  body.byDistance = static_cast<float>((1 + 1 / share) * error * error * (1 + 0x1p-20));
+  constexpr float kLittle = 0x1p-5f; // of the squared radius
+  squaredNear_ = std::min(squaredNear_, kLittle * body.squaredRadius / body.byDistance);
+  // Beyond these, a product of floats might overflow, or vanish, or errors are more than small.
+  constexpr double kMost = 0x1p30, kLeast = 0x1p-30, kThinnest = 3.1 * 0x1p20;
   namesAll_ = namesAll_ || bodies_.size() == kMostBodies || !(stretch < kMost) ||
-    !(stretch > kLeast) || !(farthest < kMost);
+    !(stretch > kLeast) || !(stretch * inverse.norm() < kThinnest) ||
+    !(farthest < 2 * kLargestReach);
   bodies_.push_back(body);
 }
 
@@ -66,7 +74,7 @@ void SegmentScan::find(
   static thread_local std::vector<std::uint16_t> named;
   named.resize(segments / PointScan::kTogether + 1);
   const PointScan scan{ pointsOf(block), pointsOf(next), tags_, bodies_.data(), bodies_.size(),
-    named.data() };
+    squaredNear_, named.data() };
 #ifdef __x86_64__
   const SimdLevel level = simdLevel();
   (level == SimdLevel::Avx512    ? runScanAvx512

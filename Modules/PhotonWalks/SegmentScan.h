@@ -6,6 +6,7 @@
 #include "WalkHistory.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace irradiance
@@ -34,15 +35,15 @@ public:
     const WalkBlock& block, const WalkBlock& next, std::vector<std::uint32_t>& points) const;
 
 private:
-  /// More bodies are not worth a look: the trees over the moved objects tell sooner.
-  static constexpr std::size_t kMostBodies = 64;
-  /// Beyond this, floats tell too little.
-  static constexpr double kLargestReach = 0x1p12;
+  /// To look at more bodies costs more than a ray through the trees over them.
+  static constexpr std::size_t kMostBodies = 512;
+  /// Escaped segments end behind all that is within this, see WalkBlock::kFar.
+  static constexpr double kLargestReach = 0x1p22;
 
   UnitFrame frame_;
-  double reach_;
   std::uint32_t tags_ = 1u << WalkBlock::kContactTag; ///< contacts are always named
   std::vector<ScanBody> bodies_;
+  float squaredNear_ = std::numeric_limits<float>::max();
   bool namesAll_ = false;
 };
 

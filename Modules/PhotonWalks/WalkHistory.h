@@ -40,8 +40,8 @@ class WalkBlock
 {
 public:
   static constexpr std::uint32_t kWalks = 1024;
-  /// An escaped segment ends here, in the frame of the points.
-  static constexpr double kFar = 0x1p16;
+  /// An escaped segment ends this far from where it begins, in the frame of the points.
+  static constexpr double kFar = 0x1p24;
 
   /// `frame`: of the points. `bands`: 1 or 3 powers a segment.
   WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame);

@@ -5,6 +5,7 @@
 #include "StaleMark.h"
 #include "WalkShooter.h"
 
+#include <atomic>
 #include <vector>
 
 namespace irradiance
@@ -50,6 +51,8 @@ public:
   /// stale are looked at up to there.
   std::vector<StaleSegment> staleSegments(const WalkBlock& block, const WalkBlock& next,
     std::uint32_t firstWalk, const StaleMarks& known = {}) const;
+  /// Segments of which rays were cast so far.
+  std::int64_t numberOfSuspects() const { return suspects_; }
 
 private:
   struct Candidates;
@@ -67,6 +70,7 @@ private:
   const std::vector<bool>& moved_;
   const SegmentScan& scan_;
   double clearance_;
+  mutable std::atomic<std::int64_t> suspects_{ 0 };
 };
 
 }

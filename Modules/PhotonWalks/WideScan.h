@@ -13,43 +13,98 @@ inline typename Lanes::Floats dot(typename Lanes::Floats ax, typename Lanes::Flo
   return Lanes::mulAdd(ax, bx, Lanes::mulAdd(ay, by, Lanes::mulAdd(az, bz, c)));
 }
 
-/// The segments from the first Lanes::kCount points that may touch the body, a bit for each. With p
-/// and p + q the ends, a the squared length and t the place nearest to 0, the distance from 0 is
-/// below r if t (t a + 2 p.q) + p.p < r^2; here times a, so that nothing is divided.
+/// Segments side by side.
 template <class Lanes>
-inline unsigned nameNear(const float* xs, const float* ys, const float* zs, const ScanBody& body)
+struct Segments
+{
+  using Floats = typename Lanes::Floats;
+
+  Floats x, y, z;    ///< where they begin
+  Floats dx, dy, dz; ///< to there from the other end
+  Floats distance;   ///< of where they begin from 0, squared
+
+  /// Between the points in a row.
+  Segments(const float* xs, const float* ys, const float* zs)
+    : x(Lanes::load(xs))
+    , y(Lanes::load(ys))
+    , z(Lanes::load(zs))
+    , dx(x - Lanes::load(xs + 1))
+    , dy(y - Lanes::load(ys + 1))
+    , dz(z - Lanes::load(zs + 1))
+    , distance(squaredLength(x, y, z))
+  {
+  }
+
+  /// Lets each of the same segments begin at that of its ends which is nearer to 0: rounding is by
+  /// the measure of how far that end is.
+  void beginNear(const float* xs, const float* ys, const float* zs)
+  {
+    const Floats x1 = Lanes::load(xs + 1), y1 = Lanes::load(ys + 1), z1 = Lanes::load(zs + 1);
+    const Floats other = squaredLength(x1, y1, z1), zero = Lanes::all(0);
+    const auto isNearer = Lanes::isLess(other, distance);
+    x = Lanes::choose(isNearer, x1, x);
+    y = Lanes::choose(isNearer, y1, y);
+    z = Lanes::choose(isNearer, z1, z);
+    dx = Lanes::choose(isNearer, zero - dx, dx);
+    dy = Lanes::choose(isNearer, zero - dy, dy);
+    dz = Lanes::choose(isNearer, zero - dz, dz);
+    distance = Lanes::least(other, distance);
+  }
+
+private:
+  static Floats squaredLength(Floats a, Floats b, Floats c)
+  {
+    return dot<Lanes>(a, b, c, a, b, c, Lanes::all(0));
+  }
+};
+
+/// Those that may touch the body, a bit for each. With p and p - q the ends as the body sees them, the
+/// point p - t q is nearest to it for t = p.q / q.q.
+template <class Lanes>
+inline unsigned nameNear(const Segments<Lanes>& segments, const ScanBody& body)
 {
   using Floats = typename Lanes::Floats;
   const Floats zero = Lanes::all(0);
-  const Floats x = Lanes::load(xs), y = Lanes::load(ys), z = Lanes::load(zs);
-  const Floats dx = Lanes::load(xs + 1) - x, dy = Lanes::load(ys + 1) - y,
-               dz = Lanes::load(zs + 1) - z;
   Floats p[3], q[3];
   for (int row = 0; row < 3; ++row)
   {
     const Floats a = Lanes::all(body.matrix[row]), b = Lanes::all(body.matrix[row + 3]),
                  c = Lanes::all(body.matrix[row + 6]);
-    p[row] = dot<Lanes>(a, b, c, x, y, z, Lanes::all(body.offset[row]));
-    q[row] = dot<Lanes>(a, b, c, dx, dy, dz, zero);
+    p[row] = dot<Lanes>(a, b, c, segments.x, segments.y, segments.z, Lanes::all(body.offset[row]));
+    q[row] = dot<Lanes>(a, b, c, segments.dx, segments.dy, segments.dz, zero);
   }
   const Floats length = dot<Lanes>(q[0], q[1], q[2], q[0], q[1], q[2], zero);
   const Floats along = dot<Lanes>(p[0], p[1], p[2], q[0], q[1], q[2], zero);
-  const Floats outside =
-    dot<Lanes>(p[0], p[1], p[2], p[0], p[1], p[2], Lanes::all(-body.squaredRadius));
-  const Floats nearest = Lanes::least(Lanes::most(along, -length), zero);
-  const Floats gap =
-    Lanes::mulAdd(nearest, Lanes::mulAdd(Lanes::all(-2), along, nearest), length * outside);
-  return Lanes::notAboveZero(gap);
+  // A segment of no length gives NaN, which becomes 0.
+  const Floats t = Lanes::least(Lanes::most(along / length, zero), Lanes::all(1));
+  for (int row = 0; row < 3; ++row)
+  {
+    p[row] = Lanes::subtractMul(p[row], t, q[row]);
+  }
+  const Floats reach =
+    Lanes::mulAdd(segments.distance, Lanes::all(body.byDistance), Lanes::all(body.squaredRadius));
+  return Lanes::notAbove(dot<Lanes>(p[0], p[1], p[2], p[0], p[1], p[2], zero), reach);
 }
 
-/// Those of the first kTogether points.
+/// Those of the first kTogether points that may touch any of the bodies.
 template <class Lanes>
-inline unsigned nameTogether(const float* x, const float* y, const float* z, const ScanBody& body)
+inline unsigned nameTogether(const float* x, const float* y, const float* z, const PointScan& scan)
 {
   unsigned named = 0;
   for (std::size_t i = 0; i < PointScan::kTogether; i += Lanes::kCount)
   {
-    named |= nameNear<Lanes>(x + i, y + i, z + i, body) << i;
+    Segments<Lanes> segments(x + i, y + i, z + i);
+    constexpr unsigned kAll = (1u << Lanes::kCount) - 1;
+    if (Lanes::notAbove(segments.distance, Lanes::all(scan.squaredNear)) != kAll)
+    {
+      segments.beginNear(x + i, y + i, z + i);
+    }
+    unsigned near = 0;
+    for (std::size_t body = 0; body < scan.numberOfBodies; ++body)
+    {
+      near |= nameNear<Lanes>(segments, scan.bodies[body]);
+    }
+    named |= near << i;
   }
   return named;
 }
@@ -98,56 +153,21 @@ inline void fetchAhead(const PointScan& scan, std::size_t first)
 }
 
 template <class Lanes>
-inline void scanForTags(const PointScan& scan, std::size_t steps)
+inline void runScan(const PointScan& scan)
 {
-  for (std::size_t i = 0; i < steps; ++i)
-  {
-    scan.named[i] = static_cast<std::uint16_t>(
-      nameTagged<Lanes>(scan.points.tags + i * PointScan::kTogether, scan.tags));
-  }
-}
-
-/// The first body's scan asks the memory for what comes, and looks at the tags as well.
-template <class Lanes, bool isFirst>
-inline void scanFor(const ScanBody& body, const PointScan& scan, std::size_t steps)
-{
-  const ScanBody own = body; // can stay in registers
+  const ScanPoints& all = scan.points;
+  const std::size_t segments = all.count - 1, steps = segments / PointScan::kTogether;
   for (std::size_t i = 0; i < steps; ++i)
   {
     const std::size_t first = i * PointScan::kTogether;
-    const ScanPoints& all = scan.points;
-    unsigned named = scan.named[i];
-    if (isFirst)
-    {
-      fetchAhead(scan, first);
-      named = nameTagged<Lanes>(all.tags + first, scan.tags);
-    }
-    named |= nameTogether<Lanes>(all.x + first, all.y + first, all.z + first, own);
-    scan.named[i] = static_cast<std::uint16_t>(named);
+    fetchAhead(scan, first);
+    scan.named[i] = static_cast<std::uint16_t>(nameTagged<Lanes>(all.tags + first, scan.tags) |
+      nameTogether<Lanes>(all.x + first, all.y + first, all.z + first, scan));
   }
-}
-
-template <class Lanes>
-inline void runScan(const PointScan& scan)
-{
-  const std::size_t segments = scan.points.count - 1, steps = segments / PointScan::kTogether;
-  if (scan.numberOfBodies == 0)
-  {
-    scanForTags<Lanes>(scan, steps);
-  }
-  for (std::size_t i = 0; i < scan.numberOfBodies; ++i)
-  {
-    i == 0 ? scanFor<Lanes, true>(scan.bodies[i], scan, steps)
-           : scanFor<Lanes, false>(scan.bodies[i], scan, steps);
-  }
-  const LastPoints last(scan.points, steps * PointScan::kTogether);
-  unsigned named = nameTagged<Lanes>(last.tags, scan.tags);
-  for (std::size_t i = 0; i < scan.numberOfBodies; ++i)
-  {
-    named |= nameTogether<Lanes>(last.x, last.y, last.z, scan.bodies[i]);
-  }
+  const LastPoints last(all, steps * PointScan::kTogether);
   const unsigned isThere = (1u << (segments - steps * PointScan::kTogether)) - 1;
-  scan.named[steps] = static_cast<std::uint16_t>(named & isThere);
+  scan.named[steps] = static_cast<std::uint16_t>(isThere &
+    (nameTagged<Lanes>(last.tags, scan.tags) | nameTogether<Lanes>(last.x, last.y, last.z, scan)));
 }
 
 }

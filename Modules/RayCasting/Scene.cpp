@@ -333,9 +333,7 @@ double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
 /// singular value, areas shrink by the two smallest.
 double Scene::clearance() const
 {
-  const TriangleMesh& still = static_->mesh();
-  const double magnitude = bounds_.magnitude();
-  double farthest = farthestClearance(magnitude, still.longestEdge(), still.slenderness());
+  double farthest = static_->mesh().clearance();
   for (const Placed& placed : placed_)
   {
     const TriangleMesh& mesh = placed.object.body->mesh();
@@ -344,6 +342,9 @@ double Scene::clearance() const
     const double mean = square.trace() / 3;
     const bool isSimilarity = (square - mean * Matrix3::Identity()).norm() < 0.125 * mean;
     const double condition = isSimilarity ? 1.25 : linear.norm() * placed.inverse.norm();
+    // Its own coordinates count, not those of something far.
+    const double magnitude =
+      boundsOf(placed.object.worldFromObject, mesh.bounds()).magnitude() * (1 + 0x1p-20);
     farthest = std::max(farthest,
       farthestClearance(
         magnitude, linear.norm() * mesh.longestEdge(), condition * condition * mesh.slenderness()));

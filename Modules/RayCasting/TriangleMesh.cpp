@@ -1,5 +1,7 @@
 #include "TriangleMesh.h"
 
+#include "SurfacePoint.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -17,7 +19,10 @@ TriangleMesh::TriangleMesh(std::vector<Triangle> triangles, const Checkpoint& ch
                  c = (triangle.b - triangle.a).norm(), area = triangle.areaVector().norm();
     const double longest = std::max({ a, b, c });
     longestEdge_ = std::max(longestEdge_, longest);
-    slenderness_ = std::max(slenderness_, area > 0 ? longest * (a + b + c) / area : 0.0);
+    const double slenderness = area > 0 ? longest * (a + b + c) / area : 0.0;
+    slenderness_ = std::max(slenderness_, slenderness);
+    clearance_ =
+      std::max(clearance_, farthestClearance(triangle.bounds().magnitude(), longest, slenderness));
     pace.step();
   }
 }

@@ -61,12 +61,15 @@ public:
   double longestEdge() const { return longestEdge_; }
   /// The largest ratio of a triangle's longest edge to the radius of the circle within it.
   double slenderness() const { return slenderness_; }
+  /// farthestClearance() of its triangles, where they stand.
+  double clearance() const { return clearance_; }
 
 private:
   std::vector<Triangle> triangles_;
   Box bounds_;
   double longestEdge_ = 0;
   double slenderness_ = 0;
+  double clearance_ = 0;
 };
 
 }

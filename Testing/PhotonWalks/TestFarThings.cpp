@@ -1,0 +1,193 @@
+#include "EngineRun.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+// Law: what is far costs nothing near. Counted are the segments of which the verification casts a
+// ray: those near the ball that moves, whatever stands 1 km away, or came back from there.
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::grey;
+using test::shift;
+
+const Vector3 kAway(600, 0, 800); ///< 1 km
+
+/// A small ball that moves in a room of 4 m without a ceiling, and a large one that rests.
+struct FarScene
+{
+  SceneObjects objects;
+  EngineSettings settings;
+  IrradianceEngine engine;
+  Execution execution;
+
+  FarScene(const Vector3& light, double lampHeight)
+  {
+    constexpr int kWalls = 5;
+    test::ObjectBuilder room, small, large;
+    for (int side = 0; side < kWalls; ++side)
+    {
+      room.addSide(test::box({ 0, 0, 0 }, { 4, 4, 4 }), side, 4, grey(0.5), true);
+    }
+    room.addQuad({ 1, 1, lampHeight }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
+    // A sliver, whose points are blurred most.
+    room.addQuad({ 0, 1, 1 }, { 0, 2, 0 }, { 0, 0, 1e-4 }, 1, 1, grey(0.5));
+    room.addPointLight(light, 1);
+    small.addSphere({ 0, 0, 0 }, 0.1, 5, grey(0.5));
+    large.addSphere({ 0, 0, 0 }, 0.3, 5, grey(0.5));
+    objects = { room.build(), { small.build(), large.build() } };
+    settings.numberOfWalks = test::scaled(20000);
+    moveSmall(0);
+    moveLarge({ 3, 3, 1 });
+  }
+
+  void moveSmall(int frame)
+  {
+    objects.dynamic[0].worldFromObject =
+      shift(Vector3(2, 2, 1.5) + 0.8 * Vector3(std::cos(frame), std::sin(frame), 0));
+  }
+  void moveLarge(const Vector3& place) { objects.dynamic[1].worldFromObject = shift(place); }
+
+  void update(const std::string& what)
+  {
+    engine.update(objects, settings, execution);
+    ASSERT_TRUE(test::answerOf(engine, objects) == test::freshAnswer(objects, settings)) << what;
+  }
+
+  /// Rays cast in frames in which only the small ball moves.
+  std::int64_t suspects(const std::string& what)
+  {
+    std::int64_t sum = 0;
+    for (int frame = 1; frame <= 6; ++frame)
+    {
+      moveSmall(frame);
+      update(what);
+      EXPECT_EQ(engine.statistics().shootSeconds, 0) << "shot anew";
+      sum += engine.statistics().suspectSegments;
+    }
+    return sum;
+  }
+};
+
+const Vector3 kLight(3, 1, 2);
+constexpr double kLamp = 3.5;
+
+std::int64_t suspectsOfNear()
+{
+  FarScene scene(kLight, kLamp);
+  scene.update("near");
+  const std::int64_t suspects = scene.suspects("near");
+  EXPECT_GT(suspects, 0);
+  return suspects;
+}
+
+std::int64_t limit(std::int64_t near)
+{
+  return near + near / 2 + 100;
+}
+
+}
+
+TEST(FarThings, ABallThatGoesAwayAndComesBackTakesNothingAlong)
+{
+  const std::int64_t near = suspectsOfNear();
+  FarScene scene(kLight, kLamp);
+  scene.update("first");
+  for (const double distances : { 1.0, 1e3 }) // of 1 km
+  {
+    scene.moveLarge(distances * kAway);
+    scene.update("goes");
+    EXPECT_LE(scene.suspects("away"), limit(near)) << distances << " km away";
+    scene.moveLarge({ 3, 3, 1 });
+    scene.update("comes");
+    if (distances == 1)
+    {
+      EXPECT_LE(scene.suspects("back"), limit(near)) << "back from there";
+    }
+  }
+}
+
+TEST(FarThings, ABallThatWasAlwaysAway)
+{
+  const std::int64_t near = suspectsOfNear();
+  for (const double distances : { 1.0, 1e2, 1e4 })
+  {
+    FarScene scene(kLight, kLamp);
+    scene.moveLarge(distances * kAway);
+    scene.update("first");
+    EXPECT_LE(scene.suspects("away"), limit(near)) << distances << " km away";
+  }
+}
+
+TEST(FarThings, FarLights)
+{
+  const std::int64_t near = suspectsOfNear();
+  for (const double distances : { 1.0, 1e2, 1e4 })
+  {
+    FarScene scene(distances * kAway, kLamp);
+    scene.update("first");
+    EXPECT_LE(scene.suspects("light"), limit(near)) << "light " << distances << " km away";
+  }
+  for (const double distances : { 1.0, 1e2 })
+  {
+    FarScene scene(kLight, 1e3 * distances);
+    scene.update("first");
+    EXPECT_LE(scene.suspects("lamp"), limit(near)) << "lamp " << distances << " km away";
+  }
+}
+
+// The frame of the stored points stays what it was, so there is an end: all is looked at, and right.
+TEST(FarThings, BeyondAllMeasureAllIsLookedAt)
+{
+  FarScene scene(kLight, kLamp);
+  scene.update("first");
+  scene.moveLarge(1e6 * kAway);
+  scene.update("goes");
+  EXPECT_GT(scene.suspects("away"), 10 * suspectsOfNear());
+  scene.moveLarge({ 3, 3, 1 });
+  scene.update("comes");
+}
+
+class ManyMoved : public testing::TestWithParam<int>
+{
+};
+
+// One more is not another case: each object brings no more than it does among few.
+TEST_P(ManyMoved, EachBringsItsShare)
+{
+  const int count = GetParam();
+  const auto suspects = [](int number) {
+    FarScene scene(kLight, kLamp);
+    scene.settings.numberOfWalks = 20000; // with sanitizers too: a few would tell nothing
+    test::ObjectBuilder grain;
+    grain.addSphere({ 0, 0, 0 }, 0.03, 4, grey(0.5));
+    const SceneObject body = grain.build();
+    scene.objects.dynamic.assign(static_cast<std::size_t>(number), body);
+    std::int64_t sum = 0;
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      for (int i = 0; i < number; ++i)
+      {
+        const auto at = [&](double step) { return 0.5 + 3 * std::fmod(step * i, 1.0); };
+        scene.objects.dynamic[static_cast<std::size_t>(i)].worldFromObject =
+          shift({ at(0.8191725134), at(0.6710436067) + 0.05 * frame, at(0.5497004779) });
+      }
+      scene.update(std::to_string(number));
+      sum += scene.engine.statistics().suspectSegments;
+    }
+    return static_cast<double>(sum) / number;
+  };
+  EXPECT_LE(suspects(count), 1.3 * suspects(8));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Objects, ManyMoved, testing::Values(9, 64, 65, 100, 200, 500), testing::PrintToStringParamName());
+
+}
