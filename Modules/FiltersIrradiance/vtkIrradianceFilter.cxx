@@ -340,6 +340,10 @@ void vtkIrradianceFilter::vtkInternals::Compute(
 {
   const irradiance::EngineSettings settings = CheckedSettings(filter);
   irradiance::SmpExecution execution([filter](double progress) { return filter->GoOn(progress); });
+  if (!execution.goOn(0)) // an update with nothing to do does not ask again
+  {
+    throw irradiance::Interrupted();
+  }
   const irradiance::Checkpoint reading = irradiance::checkpointOf(execution, 0);
   this->Scene.read(inputs.Fixed, inputs.Moving, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())
