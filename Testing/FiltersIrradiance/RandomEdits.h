@@ -50,10 +50,9 @@ inline void ChangeAPoseField(Trial& t)
   moving.Data->Modified();
 }
 
-/// Exactly: onto the floor, under the lamp, to a wall, or to the top of a box of a quarter.
+/// Exactly: the lamp, or in a corner the floor, two walls and what else went there.
 inline void TouchSomething(Trial& t)
 {
-  static const double planes[] = { 0, 0.25, 2.75, 3 };
   Connection& moving = Pick(t.Random, t.Moving());
   auto leaves = LeavesOf(moving.Data);
   if (moving.Pose && !leaves.empty())
@@ -62,10 +61,13 @@ inline void TouchSomething(Trial& t)
     double shift[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      shift[axis] = planes[t.Random.Below(4)] - bounds[2 * axis + t.Random.Below(2)];
+      shift[axis] = 0.25 * t.Random.Below(4) - bounds[2 * axis];
     }
-    const int free = t.Random.Below(3);
-    shift[free] = Chance(t.Random, 2) ? 1.5 : shift[free];
+    if (Chance(t.Random, 3))
+    {
+      shift[0] = shift[1] = 1.5;
+      shift[2] = 2.75 - bounds[4 + t.Random.Below(2)];
+    }
     moving.Pose->Identity();
     moving.Pose->Translate(shift);
   }
@@ -210,6 +212,25 @@ inline void ChangeBlocks(Trial& t)
 
 // Connections.
 
+/// What is static stands in the same corner, and touches exactly.
+inline void PutIntoTheCorner(Trial& t, vtkPolyData* mesh)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  double shift[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    shift[axis] = 0.25 * t.Random.Below(4) - bounds[2 * axis];
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    mesh->GetPoints()->SetPoint(i, point[0] + shift[0], point[1] + shift[1], point[2] + shift[2]);
+  }
+  mesh->GetPoints()->Modified();
+}
+
 inline void AddConnection(Trial& t)
 {
   const int port = Chance(t.Random, 3) ? 0 : 1;
@@ -220,6 +241,10 @@ inline void AddConnection(Trial& t)
     const auto data = isTwin ? Pick(t.Random, connections).Data : RandomData(t.Random);
     auto pose = vtkSmartPointer<vtkTransform>::New();
     MoveRandomly(t.Random, pose);
+    if (port == 0)
+    {
+      ForEachLeaf(data, [&](vtkPolyData* mesh) { PutIntoTheCorner(t, mesh); });
+    }
     connections.push_back({ data, port == 1 ? pose : nullptr });
     t.Filter->AddInputDataObject(port, data);
     ApplyPoses(t.Filter, t.Given);
