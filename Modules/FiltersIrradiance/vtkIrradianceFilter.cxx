@@ -41,7 +41,7 @@ public:
   std::map<int, vtkSmartPointer<vtkLinearTransform>> Transforms;
   irradiance::SceneReader Scene;
   irradiance::IrradianceEngine Engine;
-  bool HasChangedMeanwhile = false; ///< a pose, a property or an input, while the filter ran
+  vtkMTimeType Begun = 0; ///< time of what the last execution read, 0 before the first
   vtkTimeStamp Newest;
 };
 
@@ -180,19 +180,52 @@ void vtkIrradianceFilter::RemoveAllDynamicTransforms()
 
 vtkMTimeType vtkIrradianceFilter::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Internals->HasChangedMeanwhile)
+  if (this->HasChangedMeanwhile())
   {
     // The executive takes the output for newer than what an observer of the progress changed: from now
     // on it is older, until the filter runs again.
     this->Internals->Newest.Modified();
-    time = this->Internals->Newest;
+    return this->Internals->Newest;
   }
+  return this->OwnTime();
+}
+
+/// The latest change of the filter and its transforms.
+vtkMTimeType vtkIrradianceFilter::OwnTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
   for (const auto& transform : this->Internals->Transforms)
   {
     time = std::max(time, transform.second->GetMTime());
   }
   return time;
+}
+
+/// Of these and the inputs.
+vtkMTimeType vtkIrradianceFilter::InputTime()
+{
+  vtkMTimeType time = this->OwnTime();
+  for (int port = 0; port < 2; ++port)
+  {
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* data = this->GetInputDataObject(port, i);
+      time = std::max(time, data ? data->GetMTime() : 0);
+    }
+  }
+  return time;
+}
+
+/// While the filter ran, up to the last sign of progress, which the executive gives after RequestData.
+bool vtkIrradianceFilter::HasChangedMeanwhile()
+{
+  if (this->Internals->Begun == 0)
+  {
+    return false;
+  }
+  vtkDataObject* output = vtkDataObject::GetData(this->GetOutputInformation(0));
+  const vtkMTimeType time = this->InputTime();
+  return output && time > this->Internals->Begun && time <= output->GetUpdateTime();
 }
 
 int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
@@ -307,6 +340,10 @@ void vtkIrradianceFilter::vtkInternals::Compute(
 {
   const irradiance::EngineSettings settings = CheckedSettings(filter);
   irradiance::SmpExecution execution([filter](double progress) { return filter->GoOn(progress); });
+  if (!execution.goOn(0)) // an update with nothing to do does not ask again
+  {
+    throw irradiance::Interrupted();
+  }
   const irradiance::Checkpoint reading = irradiance::checkpointOf(execution, 0);
   this->Scene.read(inputs.Fixed, inputs.Moving, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())
@@ -340,8 +377,7 @@ int vtkIrradianceFilter::RequestData(
   {
     return 1;
   }
-  this->Internals->HasChangedMeanwhile = false;
-  const vtkMTimeType begun = this->InputTime(inputs);
+  this->Internals->Begun = this->InputTime();
   try
   {
     this->Internals->Compute(this, this->Internals->GetInputs(this, inputs), output);
@@ -361,23 +397,7 @@ int vtkIrradianceFilter::RequestData(
     output->Initialize();
     vtkErrorMacro(<< error.what());
   }
-  this->Internals->HasChangedMeanwhile = this->InputTime(inputs) != begun;
   return 1;
-}
-
-/// The latest change of the filter, its transforms and its inputs.
-vtkMTimeType vtkIrradianceFilter::InputTime(vtkInformationVector** inputs)
-{
-  vtkMTimeType time = this->GetMTime();
-  for (int port = 0; port < 2; ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkDataObject* data = vtkDataObject::GetData(inputs[port], i);
-      time = std::max(time, data ? data->GetMTime() : 0);
-    }
-  }
-  return time;
 }
 
 void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)

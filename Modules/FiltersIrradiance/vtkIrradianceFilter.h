@@ -305,7 +305,9 @@ private:
   void operator=(const vtkIrradianceFilter&) = delete;
 
   bool GoOn(double progress);
-  vtkMTimeType InputTime(vtkInformationVector** inputs);
+  vtkMTimeType OwnTime();
+  vtkMTimeType InputTime();
+  bool HasChangedMeanwhile();
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

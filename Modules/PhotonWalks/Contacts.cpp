@@ -180,14 +180,28 @@ void Contacts::update(const SceneObjects& objects, const Checkpoint& checkpoint)
   }
 }
 
-void Contacts::addOwn(
-  const SceneObjects& objects, std::uint32_t object, const Checkpoint& checkpoint)
+Contacts::Known& Contacts::knownOf(const SceneObjects& objects, std::uint32_t object)
 {
+  known_.resize(objects.size());
   Known& known = known_[object];
   const SceneObject& own = objects[object];
   if (known.body != own.body || known.surface != own.surface)
   {
-    known = { own.body, own.surface, {}, {} }; // its sides may never be needed
+    known = {};
+    known.body = own.body;
+    known.surface = own.surface;
+  }
+  return known;
+}
+
+void Contacts::addOwn(
+  const SceneObjects& objects, std::uint32_t object, const Checkpoint& checkpoint)
+{
+  Known& known = knownOf(objects, object);
+  const SceneObject& own = objects[object];
+  if (!known.hasPairs)
+  {
+    known.pairs.clear(); // of a search that was interrupted
     const TriangleMesh& mesh = own.body->mesh();
     CheckpointPace pace(checkpoint);
     for (std::uint32_t i = 0; i < mesh.size(); ++i)
@@ -207,6 +221,7 @@ void Contacts::addOwn(
         }
       }
     }
+    known.hasPairs = true;
   }
   for (const auto& [i, k] : known.pairs)
   {
@@ -257,13 +272,8 @@ void Contacts::add(const SceneObjects& objects, const TriangleId& a, const Trian
 const SolidSides& Contacts::sidesOf(
   const SceneObjects& objects, std::uint32_t object, const Checkpoint& checkpoint)
 {
-  known_.resize(objects.size());
   const SceneObject& own = objects[object];
-  Known& known = known_[object];
-  if (known.body != own.body || known.surface != own.surface)
-  {
-    known = {};
-  }
+  Known& known = knownOf(objects, object);
   const TriangleMesh& mesh = own.body->mesh();
   if (known.sides.of.empty())
   {
@@ -275,8 +285,6 @@ const SolidSides& Contacts::sidesOf(
       parts.push_back(own.surface->partOfCell(own.surface->cellOfTriangle[i]));
     }
     known.sides = solidSides(mesh.triangles(), parts, lamps, object == 0, checkpoint);
-    known.body = own.body;
-    known.surface = own.surface;
   }
   return known.sides;
 }

@@ -70,10 +70,13 @@ private:
     std::shared_ptr<const RigidObject> body;
     std::shared_ptr<const Surface> surface;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    SolidSides sides;
+    bool hasPairs = false; ///< `pairs` is complete
+    SolidSides sides;      ///< empty until it is needed
   };
 
   static Key key(const TriangleId& id) { return { id.object, id.triangle }; }
+  /// What is known of an object as it is now, perhaps nothing yet.
+  Known& knownOf(const SceneObjects& objects, std::uint32_t object);
   void addOwn(const SceneObjects& objects, std::uint32_t object, const Checkpoint& checkpoint);
   void addBetween(const SceneObjects& objects, std::uint32_t lamp, std::uint32_t other,
     const Checkpoint& checkpoint);

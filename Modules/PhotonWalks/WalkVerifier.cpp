@@ -65,7 +65,8 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
     candidates.rays.push_back(ray);
     candidates.old.push_back(hit);
   }
-  suspects_ += static_cast<std::int64_t>(blocked.rays.size() + lost.rays.size());
+  suspects_ +=
+    static_cast<std::int64_t>(blocked.rays.size() + lost.rays.size() + touching.rays.size());
   castBlocked(blocked);
   castLost(block, lost);
   castTouching(block, touching);

@@ -423,3 +423,21 @@ TEST(CoincidentFaces, APointLightOnAPostInTheOpen)
   filter->Update();
   ExpectAllZero(Side(filter, 0, 0, "Back"));
 }
+
+// The walls at the light are looked at before the lamps: these are found to lie in the floor all the same,
+// at first as well as when the light comes there later.
+TEST(CoincidentFaces, APointLightInAWallAndALampInTheFloor)
+{
+  const Mesh lamp = MakeRectangle({ 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1);
+  SetCellValues(lamp, "RadiantExitance", { Exitance });
+  const Scene scene{ { MakeRoom(3, 1), lamp },
+    { MakeMoving(MakePointLight({ 0, 0, 0 }, { 50 }), { 1, 1, 1 }) } };
+  const auto updated = MakeFilter(scene, NumberOfWalks);
+  updated->Update();
+  scene.Moving[0].Pose->Translate(-1, 0, 0);
+  updated->Update();
+  const auto fresh = MakeFilter(scene, NumberOfWalks);
+  fresh->Update();
+  EXPECT_GT(IrradianceOf(fresh, 0, 1)->GetComponent(0, 0), 1);
+  EXPECT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh)));
+}

@@ -175,3 +175,24 @@ TEST(Abort, WhileVerifyingOrRepairing)
     EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh))) << "abort at " << at;
   }
 }
+
+// Nothing has moved, so that there is nothing to abort; the output is empty all the same.
+TEST(Abort, WithNothingToDo)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, 1000);
+  filter->Update();
+  const auto observer = Watch(filter);
+  observer->Restart(0);
+  filter->Modified();
+  filter->Update();
+  ASSERT_TRUE(observer->HasAborted);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+
+  observer->Restart(2);
+  filter->Modified();
+  filter->Update();
+  const auto fresh = MakeFilter(scene, 1000);
+  fresh->Update();
+  EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+}

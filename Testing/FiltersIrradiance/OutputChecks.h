@@ -1,0 +1,135 @@
+#ifndef OutputChecks_h
+#define OutputChecks_h
+
+#include "RandomModel.h"
+
+#include "vtkPolygon.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// What holds of every output, stale or not.
+namespace OutputChecks
+{
+
+using namespace TestScenes;
+
+inline std::vector<vtkPolyData*> LeavesOf(vtkDataObject* data)
+{
+  std::vector<vtkPolyData*> leaves;
+  RandomModels::ForEachLeaf(data, [&](vtkPolyData* leaf) { leaves.push_back(leaf); });
+  return leaves;
+}
+
+inline std::vector<std::string> SidesOf(vtkIrradianceFilter* filter)
+{
+  return filter->GetSeparateSides() ? std::vector<std::string>{ "Front", "Back" }
+                                    : std::vector<std::string>{ "" };
+}
+
+inline double MostStale(vtkIrradianceFilter* filter)
+{
+  return filter->GetOutput()->GetFieldData()->GetArray("StalePower")->GetRange(-1)[1];
+}
+
+inline void ExpectFinite(vtkFieldData* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = data->GetArrayName(i);
+    const bool mayBeUnknown = name.find("StandardError") != std::string::npos ||
+      name == "ReachedRelativeError" || name == "StaleGainBound";
+    const bool isLight = name.find("Irradiance") != std::string::npos;
+    vtkDataArray* array = data->GetArray(i);
+    for (vtkIdType value = 0; !mayBeUnknown && value < array->GetNumberOfValues(); ++value)
+    {
+      const double number = array->GetVariantValue(value).ToDouble();
+      ASSERT_TRUE(std::isfinite(number) && !(isLight && number < 0)) << name << " is " << number;
+    }
+  }
+}
+
+inline void ExpectBalance(vtkIrradianceFilter* filter)
+{
+  vtkFieldData* fields = filter->GetOutput()->GetFieldData();
+  for (int band = 0; band < fields->GetArray("EmittedPower")->GetNumberOfComponents(); ++band)
+  {
+    const double emitted = Field(filter, "EmittedPower", band);
+    EXPECT_NEAR(emitted, Field(filter, "AbsorbedPower", band) + Field(filter, "EscapedPower", band),
+      1e-14 * emitted);
+    EXPECT_LE(Field(filter, "StalePower", band), emitted);
+  }
+}
+
+inline void ExpectSoundOutput(vtkIrradianceFilter* filter, const RandomModels::Model& model)
+{
+  vtkMultiBlockDataSet* output = filter->GetOutput();
+  ASSERT_EQ(output->GetNumberOfBlocks(), 2u);
+  for (const unsigned int port : { 0u, 1u })
+  {
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
+    ASSERT_EQ(blocks->GetNumberOfBlocks(), model.Ports[port].size());
+  }
+  ExpectFinite(output->GetFieldData());
+  for (vtkPolyData* leaf : LeavesOf(output))
+  {
+    ExpectFinite(leaf->GetCellData());
+    for (const std::string& side : SidesOf(filter))
+    {
+      ASSERT_TRUE(leaf->GetCellData()->HasArray(("Irradiance" + side).c_str()));
+    }
+  }
+  ExpectBalance(filter);
+}
+
+inline double AreaOf(vtkPolyData* polyData, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  polyData->GetCellPoints(cell, ids);
+  double normal[3];
+  return vtkPolygon::ComputeArea(
+    polyData->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
+}
+
+/// The full update takes no more than the stale part from a cell, and brings no more than the bound to
+/// all of them. Areas come from points that may be floats.
+inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
+{
+  const auto before = LeavesOf(now->GetOutput()), after = LeavesOf(full->GetOutput());
+  ASSERT_EQ(before.size(), after.size());
+  vtkDataArray* bound = now->GetOutput()->GetFieldData()->GetArray("StaleGainBound");
+  for (int band = 0; bound && band < bound->GetNumberOfComponents(); ++band)
+  {
+    double brought = 0, received = 0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      for (const std::string& side : SidesOf(now))
+      {
+        const auto array = [&](vtkPolyData* leaf, const std::string& name) {
+          return leaf->GetCellData()->GetArray((name + side).c_str());
+        };
+        for (vtkIdType cell = 0; cell < before[i]->GetNumberOfCells(); ++cell)
+        {
+          const auto value = [&](vtkDataArray* values) { return values->GetComponent(cell, band); };
+          const double e = value(array(before[i], "Irradiance")),
+                       stale = value(array(before[i], "StaleIrradiance")),
+                       exact = value(array(after[i], "Irradiance")), area = AreaOf(before[i], cell);
+          EXPECT_LE(stale, e * (1 + 1e-12));
+          EXPECT_GE(exact, (e - stale) - 1e-12 * e);
+          if (e > 0 || exact > 0) // the area of nothing may be NaN
+          {
+            brought += (exact - (e - stale)) * area;
+            received += exact * area;
+          }
+        }
+      }
+    }
+    EXPECT_LE(brought, bound->GetComponent(0, band) + 1e-4 * received);
+  }
+}
+
+}
+
+#endif

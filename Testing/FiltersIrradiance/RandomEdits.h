@@ -1,0 +1,271 @@
+#ifndef RandomEdits_h
+#define RandomEdits_h
+
+#include "RandomTrial.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+/// What users do to the inputs of a filter and their poses: each changes the model and the filter alike.
+namespace RandomPrograms
+{
+
+// Poses.
+
+inline void MoveAPose(Trial& t)
+{
+  Connection& moving = Pick(t.Random, t.Moving());
+  if (moving.Pose)
+  {
+    MoveRandomly(t.Random, moving.Pose);
+  }
+}
+
+inline void ReplaceOrRemoveAPose(Trial& t)
+{
+  const int i = t.Random.Below(static_cast<int>(t.Moving().size()));
+  auto& pose = t.Moving()[static_cast<std::size_t>(i)].Pose;
+  pose = Chance(t.Random, 3) ? nullptr : vtkSmartPointer<vtkTransform>::New();
+  if (pose)
+  {
+    MoveRandomly(t.Random, pose);
+  }
+  t.Filter->SetDynamicTransform(i, pose);
+}
+
+/// Of a leaf, or of the root of a connection.
+inline void ChangeAPoseField(Trial& t)
+{
+  Connection& moving = Pick(t.Random, t.Moving());
+  auto leaves = LeavesOf(moving.Data);
+  vtkDataObject* data = moving.Data;
+  if (!leaves.empty() && Chance(t.Random, 2))
+  {
+    data = Pick(t.Random, leaves);
+  }
+  vtkNew<vtkTransform> pose;
+  MoveRandomly(t.Random, pose);
+  Chance(t.Random, 4) ? data->GetFieldData()->RemoveArray("ObjectToWorld")
+                      : SetObjectToWorld(data, pose);
+  moving.Data->Modified();
+}
+
+/// Exactly: the lamp, or in a corner the floor, two walls and what else went there.
+inline void TouchSomething(Trial& t)
+{
+  Connection& moving = Pick(t.Random, t.Moving());
+  auto leaves = LeavesOf(moving.Data);
+  if (moving.Pose && !leaves.empty())
+  {
+    const double* bounds = Pick(t.Random, leaves)->GetBounds();
+    double shift[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      shift[axis] = 0.25 * t.Random.Below(4) - bounds[2 * axis];
+    }
+    if (Chance(t.Random, 3))
+    {
+      shift[0] = shift[1] = 1.5;
+      shift[2] = 2.75 - bounds[4 + t.Random.Below(2)];
+    }
+    moving.Pose->Identity();
+    moving.Pose->Translate(shift);
+  }
+}
+
+inline void GoWhereAnotherIs(Trial& t)
+{
+  Connection &one = Pick(t.Random, t.Moving()), &other = Pick(t.Random, t.Moving());
+  if (one.Pose && other.Pose)
+  {
+    one.Pose->SetMatrix(other.Pose->GetMatrix());
+  }
+}
+
+inline void GoFarAway(Trial& t)
+{
+  Connection& moving = Pick(t.Random, t.Moving());
+  if (moving.Pose)
+  {
+    moving.Pose->Identity();
+    moving.Pose->Translate(t.Random.Between(500, 1000), 1e3, -300);
+  }
+}
+
+// Data.
+
+/// One point of triangles, or all points of others, so that cells stay flat.
+inline void Deform(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(false);
+  if (leaf.IsGround)
+  {
+    return;
+  }
+  vtkPoints* points = leaf.Mesh->GetPoints();
+  const auto pick = [&] { return t.Random.Below(static_cast<int>(points->GetNumberOfPoints())); };
+  if (leaf.Mesh->GetPolys()->GetMaxCellSize() == 3)
+  {
+    double target[3] = { t.Random.Between(-0.5, 0.5), t.Random.Between(-0.5, 0.5), 0.25 };
+    if (Chance(t.Random, 4))
+    {
+      points->GetPoint(pick(), target); // triangles without area
+    }
+    points->SetPoint(pick(), target);
+  }
+  else
+  {
+    const int axis = t.Random.Below(3);
+    const double stretch = t.Random.Between(0.6, 1.5);
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      points->GetPoint(i, point);
+      point[axis] *= stretch;
+      points->SetPoint(i, point);
+    }
+  }
+  points->Modified();
+  leaf.Modified();
+}
+
+inline void TakeANewShape(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(false);
+  if (!leaf.IsGround)
+  {
+    leaf.Mesh->DeepCopy(RandomMesh(t.Random));
+    leaf.Modified();
+  }
+}
+
+inline void SetAnArray(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(true);
+  const bool isLight = !leaf.IsGround && Chance(t.Random, 3);
+  SetCellValues(leaf.Mesh, isLight ? "RadiantExitance" : "DiffuseReflectance",
+    RandomTuple(t.Random, isLight ? 50 : 0.9));
+  leaf.Modified();
+}
+
+inline void ChangeAValue(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(false);
+  for (const char* name : { "RadiantExitance", "DiffuseReflectance", "RadiantFlux", "Albedo" })
+  {
+    if (vtkDataArray* array = leaf.Mesh->GetCellData()->GetArray(name))
+    {
+      const int cell = t.Random.Below(static_cast<int>(array->GetNumberOfTuples()));
+      array->SetComponent(cell, 0, t.Random.Between(0, 0.9));
+      array->Modified();
+    }
+  }
+  leaf.Modified();
+}
+
+inline void RemoveAnArray(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(true);
+  leaf.Mesh->GetCellData()->RemoveArray(
+    Chance(t.Random, 2) ? "RadiantExitance" : "DiffuseReflectance");
+  leaf.Modified();
+}
+
+inline void ChangeGhosts(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(false);
+  leaf.Mesh->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  if (!Chance(t.Random, 3))
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; i < leaf.Mesh->GetNumberOfCells(); ++i)
+    {
+      ghosts->InsertNextValue(!Chance(t.Random, 6) ? 0
+          : Chance(t.Random, 2)                    ? vtkDataSetAttributes::HIDDENCELL
+                                                   : vtkDataSetAttributes::DUPLICATECELL);
+    }
+    leaf.Mesh->GetCellData()->AddArray(ghosts);
+  }
+  leaf.Modified();
+}
+
+inline void ChangeBlocks(Trial& t)
+{
+  Connection& connection = Pick(t.Random, t.Given.Ports[Chance(t.Random, 4) ? 0 : 1]);
+  const auto i = static_cast<unsigned int>(t.Random.Below(4));
+  const Mesh mesh = Chance(t.Random, 2) ? nullptr : RandomMesh(t.Random);
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(connection.Data))
+  {
+    Chance(t.Random, 3) ? blocks->SetNumberOfBlocks(i) : blocks->SetBlock(i, mesh);
+  }
+  else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(connection.Data))
+  {
+    Chance(t.Random, 3) ? pieces->SetNumberOfPartitions(i) : pieces->SetPartition(i, mesh);
+  }
+  else if (auto* all = vtkPartitionedDataSetCollection::SafeDownCast(connection.Data))
+  {
+    Chance(t.Random, 3) ? all->SetNumberOfPartitionedDataSets(i) : all->SetPartition(i, 0, mesh);
+  }
+  connection.Data->Modified();
+}
+
+// Connections.
+
+/// What is static stands in the same corner, and touches exactly.
+inline void PutIntoTheCorner(Trial& t, vtkPolyData* mesh)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  double shift[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    shift[axis] = 0.25 * t.Random.Below(4) - bounds[2 * axis];
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    mesh->GetPoints()->SetPoint(i, point[0] + shift[0], point[1] + shift[1], point[2] + shift[2]);
+  }
+  mesh->GetPoints()->Modified();
+}
+
+inline void AddConnection(Trial& t)
+{
+  const int port = Chance(t.Random, 3) ? 0 : 1;
+  auto& connections = t.Given.Ports[port];
+  if (connections.size() < 7)
+  {
+    const bool isTwin = port == 1 && Chance(t.Random, 4); // the same data, in another place
+    const auto data = isTwin ? Pick(t.Random, connections).Data : RandomData(t.Random);
+    auto pose = vtkSmartPointer<vtkTransform>::New();
+    MoveRandomly(t.Random, pose);
+    if (port == 0)
+    {
+      ForEachLeaf(data, [&](vtkPolyData* mesh) { PutIntoTheCorner(t, mesh); });
+    }
+    connections.push_back({ data, port == 1 ? pose : nullptr });
+    t.Filter->AddInputDataObject(port, data);
+    ApplyPoses(t.Filter, t.Given);
+  }
+}
+
+/// The ground stays, and one that moves.
+inline void RemoveConnection(Trial& t)
+{
+  const int port = Chance(t.Random, 3) ? 0 : 1;
+  auto& connections = t.Given.Ports[port];
+  if (connections.size() > 1)
+  {
+    const int i = 1 + t.Random.Below(static_cast<int>(connections.size()) - 1);
+    connections.erase(connections.begin() + i);
+    t.Filter->RemoveInputConnection(port, i);
+    t.Filter->RemoveAllDynamicTransforms();
+    ApplyPoses(t.Filter, t.Given);
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,266 @@
+#ifndef RandomModel_h
+#define RandomModel_h
+
+#include "TestScenes.h"
+
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkInformation.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+/// All that a filter's result follows from, and random parts for it.
+namespace RandomModels
+{
+
+using namespace TestScenes;
+using Tuple = std::vector<double>;
+
+struct Settings
+{
+  vtkIdType NumberOfWalks = 1000, MaximumNumberOfWalks = 6000;
+  int Seed = 1, NumberOfReplicates = 16;
+  int TraversalMode = vtkIrradianceFilter::Parallel, UpdateMode = vtkIrradianceFilter::Verify;
+  bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
+  double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
+  std::string ReflectanceArray = "DiffuseReflectance";
+};
+
+struct Connection
+{
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkSmartPointer<vtkTransform> Pose; ///< null for none; of port 1 alone
+};
+
+struct Model
+{
+  std::vector<Connection> Ports[2];
+  Settings Set;
+  int NumberOfThreads = 1;
+};
+
+inline void ChooseReflectance(vtkIrradianceFilter* filter, const std::string& name)
+{
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name.c_str());
+}
+
+inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
+{
+  filter->SetNumberOfWalks(settings.NumberOfWalks);
+  filter->SetMaximumNumberOfWalks(settings.MaximumNumberOfWalks);
+  filter->SetSeed(settings.Seed);
+  filter->SetNumberOfReplicates(settings.NumberOfReplicates);
+  filter->SetTraversalMode(settings.TraversalMode);
+  filter->SetUpdateMode(settings.UpdateMode);
+  filter->SetCacheStaticHits(settings.CacheStaticHits);
+  filter->SetSeparateSides(settings.SeparateSides);
+  filter->SetComputeStandardError(settings.ComputeStandardError);
+  filter->SetDefaultDiffuseReflectance(settings.DefaultDiffuseReflectance);
+  filter->SetTargetRelativeError(settings.TargetRelativeError);
+  filter->SetRepairTimeBudget(settings.RepairTimeBudget);
+  const char* chosen = filter->GetInputArrayInformation(1)->Get(vtkDataObject::FIELD_NAME());
+  if (settings.ReflectanceArray != chosen)
+  {
+    ChooseReflectance(filter, settings.ReflectanceArray);
+  }
+}
+
+inline void ApplyPoses(vtkIrradianceFilter* filter, const Model& model)
+{
+  for (std::size_t i = 0; i < model.Ports[1].size(); ++i)
+  {
+    filter->SetDynamicTransform(static_cast<int>(i), model.Ports[1][i].Pose);
+  }
+}
+
+/// For a filter without connections.
+inline void Configure(vtkIrradianceFilter* filter, const Model& model)
+{
+  ApplySettings(filter, model.Set);
+  for (const int port : { 0, 1 })
+  {
+    for (const Connection& connection : model.Ports[port])
+    {
+      filter->AddInputDataObject(port, connection.Data);
+    }
+  }
+  ApplyPoses(filter, model);
+}
+
+/// Visits the polydata in `data`, in order; `data` may be one.
+template <class Visit>
+void ForEachLeaf(vtkDataObject* data, const Visit& visit)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
+  {
+    visit(polyData);
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      visit(vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject()));
+    }
+  }
+}
+
+inline bool Chance(RandomNumbers& random, int oneIn)
+{
+  return random.Below(oneIn) == 0;
+}
+
+template <class T>
+T& Pick(RandomNumbers& random, std::vector<T>& from)
+{
+  return from[static_cast<std::size_t>(random.Below(static_cast<int>(from.size())))];
+}
+
+inline Tuple RandomTuple(RandomNumbers& random, double high)
+{
+  Tuple tuple{ random.Between(0, high) };
+  if (Chance(random, 4))
+  {
+    tuple.insert(tuple.end(), { random.Between(0, high), Chance(random, 2) ? 0 : high });
+  }
+  return tuple;
+}
+
+inline Vector RandomPlace(RandomNumbers& random)
+{
+  return { random.Between(-0.2, 3.2), random.Between(-0.2, 3.2), random.Between(-0.2, 3.2) };
+}
+
+/// Around the origin. The lengths of boxes and plates are quarters: they can touch exactly.
+inline Mesh RandomMesh(RandomNumbers& random)
+{
+  const auto length = [&] { return 0.25 * (1 + random.Below(4)); };
+  const int kind = random.Below(16);
+  if (kind == 0)
+  {
+    return MakePointLight({ 0, 0, 0 }, RandomTuple(random, 40));
+  }
+  if (kind == 1)
+  {
+    return MakeLamp({ 0, 0, 0 }, length(), RandomTuple(random, 100));
+  }
+  const double x = length(), y = length(), z = length();
+  Mesh mesh = kind < 7 ? MakeBall(0.5 * x, 4 + random.Below(4))
+    : kind < 6
+    ? MakeBox(x, y, z)
+    : MakeRectangle({ -x, -y, 0 }, { 2 * x, 0, 0 }, { 0, 2 * y, 0 }, 1 + random.Below(3));
+  if (Chance(random, 2))
+  {
+    SetCellValues(mesh, "DiffuseReflectance", RandomTuple(random, 0.95));
+  }
+  if (Chance(random, 16))
+  {
+    SetCellValues(mesh, "RadiantExitance", RandomTuple(random, 30));
+  }
+  return mesh;
+}
+
+/// The field array that moves `data` as well as a transform does.
+inline void SetObjectToWorld(vtkDataObject* data, vtkTransform* pose)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("ObjectToWorld");
+  array->SetNumberOfComponents(16);
+  array->InsertNextTuple(pose->GetMatrix()->GetData());
+  data->GetFieldData()->AddArray(array);
+}
+
+inline void MoveRandomly(RandomNumbers& random, vtkTransform* pose)
+{
+  switch (random.Below(5))
+  {
+    case 0:
+      pose->Translate(
+        random.Between(-0.3, 0.3), random.Between(-0.3, 0.3), random.Between(-0.3, 0.3));
+      break;
+    case 1:
+      pose->RotateWXYZ(random.Between(0, 360), random.Between(-1, 1), random.Between(-1, 1), 1);
+      break;
+    case 2:
+      pose->Identity();
+      pose->Translate(RandomPlace(random).data());
+      pose->Scale(random.Between(0.3, 2), random.Between(0.3, 2), random.Between(0.3, 2));
+      break;
+    case 3:
+      pose->Identity();
+      pose->Translate(RandomPlace(random).data());
+      pose->Scale(1, -1, 1);
+      break;
+    default:
+      pose->Identity();
+      pose->Translate(RandomPlace(random).data());
+  }
+}
+
+/// A polydata, or one to three of them in a composite dataset of some kind.
+inline vtkSmartPointer<vtkDataObject> RandomData(RandomNumbers& random)
+{
+  const auto count = static_cast<unsigned int>(1 + random.Below(3));
+  const auto leaf = [&] {
+    Mesh mesh = RandomMesh(random);
+    vtkNew<vtkTransform> pose;
+    pose->Translate(random.Between(-1, 1), random.Between(-1, 1), random.Between(-1, 1));
+    SetObjectToWorld(mesh, pose);
+    return mesh;
+  };
+  const int kind = random.Below(6);
+  if (kind == 0)
+  {
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    vtkNew<vtkMultiBlockDataSet> inner;
+    inner->SetBlock(1, leaf());
+    blocks->SetBlock(0, inner);
+    for (unsigned int i = 1; i < count; ++i)
+    {
+      blocks->SetBlock(i, leaf());
+    }
+    return blocks;
+  }
+  if (kind == 1)
+  {
+    auto pieces = vtkSmartPointer<vtkPartitionedDataSet>::New();
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      pieces->SetPartition(i, leaf());
+    }
+    return pieces;
+  }
+  if (kind == 2)
+  {
+    auto collection = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      collection->SetPartition(i, i % 2, leaf());
+    }
+    return collection;
+  }
+  return RandomMesh(random);
+}
+
+/// A room or an open floor, which stays, a lamp and a few more things.
+inline Model RandomModel(RandomNumbers& random)
+{
+  Model model;
+  Mesh ground = Chance(random, 3) ? MakeRectangle({ -2, -2, 0 }, { 7, 0, 0 }, { 0, 7, 0 }, 3)
+                                  : MakeRoom(3, 1 + random.Below(3));
+  SetCellValues(ground, "Albedo", { 0.3 });
+  model.Ports[0] = { { ground, nullptr },
+    { MakeLamp({ 1.5, 1.5, 2.75 }, 0.75, RandomTuple(random, 100)), nullptr } };
+  for (int i = 0; i < 4; ++i)
+  {
+    auto pose = vtkSmartPointer<vtkTransform>::New();
+    pose->Translate(RandomPlace(random).data());
+    model.Ports[1].push_back({ RandomData(random), pose });
+  }
+  model.Set.NumberOfWalks = 500 + random.Below(1500);
+  return model;
+}
+
+}
+
+#endif

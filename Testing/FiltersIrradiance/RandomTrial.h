@@ -1,0 +1,191 @@
+#ifndef RandomTrial_h
+#define RandomTrial_h
+
+#include "ErrorObserver.h"
+#include "OutputBits.h"
+#include "OutputChecks.h"
+#include "RandomModel.h"
+
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+
+/// One long-lived filter that is compared with fresh ones.
+namespace RandomPrograms
+{
+
+using namespace RandomModels;
+using namespace OutputChecks;
+
+/// Does something at one of the next signs of progress.
+class Meddler : public vtkCommand
+{
+public:
+  static Meddler* New() { return new Meddler; }
+  void Execute(vtkObject*, unsigned long, void* progress) override
+  {
+    if (this->Change && this->EventsToWait-- == 0)
+    {
+      this->Progress = *static_cast<double*>(progress);
+      std::exchange(this->Change, nullptr)();
+    }
+  }
+  std::function<void()> Change;
+  int EventsToWait = 0;
+  double Progress = 0; ///< when it was done
+};
+
+inline void Update(vtkIrradianceFilter* filter, int threads)
+{
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ threads, "STDThread", false }, [filter] { filter->Update(); });
+}
+
+/// One leaf of a connection.
+struct Leaf
+{
+  Connection* In;
+  vtkPolyData* Mesh;
+  bool IsGround;
+
+  void Modified() const
+  {
+    this->Mesh->Modified();
+    this->In->Data->Modified(); // a composite one does not look into its leaves
+  }
+};
+
+struct Counts
+{
+  int Operations = 0, Compared = 0, Repairs = 0, Stale = 0, Errors = 0, Aborts = 0, Meddlings = 0;
+};
+
+/// A long-lived filter and what it is to compute.
+struct Trial
+{
+  Trial(std::uint64_t seed, Counts& counts)
+    : Random(seed)
+    , Given(RandomModel(Random))
+    , Done(counts)
+  {
+    Configure(this->Filter, this->Given);
+    this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Observer);
+  }
+
+  std::vector<Connection>& Moving() { return this->Given.Ports[1]; }
+  Settings& Set() { return this->Given.Set; }
+  void Update() { RandomPrograms::Update(this->Filter, this->Given.NumberOfThreads); }
+  void Apply() { ApplySettings(this->Filter, this->Given.Set); }
+
+  Leaf PickLeaf(bool withSurface)
+  {
+    std::vector<Leaf> leaves;
+    for (auto& port : this->Given.Ports)
+    {
+      for (Connection& connection : port)
+      {
+        ForEachLeaf(connection.Data, [&](vtkPolyData* mesh) {
+          if (!withSurface || mesh->GetNumberOfPolys() > 0)
+          {
+            leaves.push_back({ &connection, mesh, leaves.empty() });
+          }
+        });
+      }
+    }
+    return Pick(this->Random, leaves);
+  }
+
+  /// At one of the first signs of progress of the next update, true if it came to that.
+  bool UpdateAndMeddle(const std::function<void()>& change)
+  {
+    this->Observer->EventsToWait = this->Random.Below(6);
+    this->Observer->Change = change;
+    this->Update();
+    return !std::exchange(this->Observer->Change, nullptr);
+  }
+
+  void ExpectOneError()
+  {
+    this->Reports->Clear();
+    this->Update();
+    EXPECT_EQ(this->Reports->Errors.size(), 1u);
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfBlocks(), 0u);
+    EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+    this->MustCompare = true;
+    ++this->Done.Errors;
+  }
+
+  /// With another number of threads.
+  vtkSmartPointer<vtkIrradianceFilter> MakeFresh() const
+  {
+    auto fresh = vtkSmartPointer<vtkIrradianceFilter>::New();
+    const auto reports = ErrorObserver::Watch(fresh);
+    Configure(fresh, this->Given);
+    RandomPrograms::Update(fresh, 3 - this->Given.NumberOfThreads);
+    EXPECT_TRUE(reports->Errors.empty()) << reports->Errors.front();
+    return fresh;
+  }
+
+  void UpdateAndCheck();
+  void Compare();
+
+  RandomNumbers Random;
+  Model Given;
+  Counts& Done;
+  bool MustCompare = true;
+  vtkNew<vtkIrradianceFilter> Filter;
+  vtkSmartPointer<ErrorObserver> Reports = ErrorObserver::Watch(this->Filter);
+  vtkSmartPointer<Meddler> Observer = vtkSmartPointer<Meddler>::New();
+};
+
+inline void Trial::UpdateAndCheck()
+{
+  this->Reports->Clear();
+  this->Update();
+  ASSERT_TRUE(this->Reports->Errors.empty()) << this->Reports->Errors.front();
+  ExpectSoundOutput(this->Filter, this->Given);
+  if (testing::Test::HasFatalFailure())
+  {
+    return;
+  }
+  ++this->Done.Operations;
+  this->Done.Repairs += Field(this->Filter, "VerifySeconds") > 0;
+  if (std::exchange(this->MustCompare, false) || Chance(this->Random, 3))
+  {
+    this->Compare();
+  }
+}
+
+/// What is stale keeps its bounds, and is made good at once or left to later operations.
+inline void Trial::Compare()
+{
+  const auto fresh = this->MakeFresh();
+  ++this->Done.Compared;
+  if (MostStale(this->Filter) > 0)
+  {
+    ++this->Done.Stale;
+    if (Field(this->Filter, "NumberOfWalks") == Field(fresh, "NumberOfWalks"))
+    {
+      ExpectBounds(this->Filter, fresh); // with a target, others may have to be shot
+    }
+    if (Chance(this->Random, 2))
+    {
+      return;
+    }
+  }
+  for (double left = MostStale(this->Filter); left > 0;)
+  {
+    this->Filter->Modified();
+    this->Update();
+    ASSERT_LT(MostStale(this->Filter), left) << "each execution repairs some walks";
+    left = MostStale(this->Filter);
+  }
+  EXPECT_TRUE(IsSame(OutputBits(this->Filter), OutputBits(fresh)));
+}
+
+}
+
+#endif
