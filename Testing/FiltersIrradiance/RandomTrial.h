@@ -149,6 +149,8 @@ inline void Trial::UpdateAndCheck()
   if (errors.size() == 1 && errors[0].find("no side to shine into") != std::string::npos)
   {
     this->MakeFresh(1); // a point light between faces that touch: bad input, by chance
+    this->Filter
+      ->Modified(); // else the next operation, if it changes nothing, keeps the empty output
     this->MustCompare = true;
     return;
   }
