@@ -119,13 +119,13 @@ struct Trial
   }
 
   /// With another number of threads.
-  vtkSmartPointer<vtkIrradianceFilter> MakeFresh() const
+  vtkSmartPointer<vtkIrradianceFilter> MakeFresh(std::size_t errors = 0) const
   {
     auto fresh = vtkSmartPointer<vtkIrradianceFilter>::New();
     const auto reports = ErrorObserver::Watch(fresh);
     Configure(fresh, this->Given);
     RandomPrograms::Update(fresh, 3 - this->Given.NumberOfThreads);
-    EXPECT_TRUE(reports->Errors.empty()) << reports->Errors.front();
+    EXPECT_EQ(reports->Errors.size(), errors);
     return fresh;
   }
 
@@ -145,7 +145,16 @@ inline void Trial::UpdateAndCheck()
 {
   this->Reports->Clear();
   this->Update();
-  ASSERT_TRUE(this->Reports->Errors.empty()) << this->Reports->Errors.front();
+  const auto& errors = this->Reports->Errors;
+  if (errors.size() == 1 && errors[0].find("no side to shine into") != std::string::npos)
+  {
+    this->MakeFresh(1); // a point light between faces that touch: bad input, by chance
+    this->Filter
+      ->Modified(); // else the next operation, if it changes nothing, keeps the empty output
+    this->MustCompare = true;
+    return;
+  }
+  ASSERT_TRUE(errors.empty()) << errors.front();
   ExpectSoundOutput(this->Filter, this->Given);
   if (testing::Test::HasFatalFailure())
   {
