@@ -98,7 +98,8 @@
  *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
- * of range, singular or non-finite transforms, transforms of connections that do not exist, scenes
+ * of range, singular or non-finite transforms, transforms of connections that do not exist, leaves
+ * that are no polydata, point lights between walls that leave them no side to shine into, scenes
  * more than 1.3e8 times their size away from the origin (Documentation/Extremes.md): one error that
  * names the input, the cell and the value, and an empty output. A scene without lights gives zeros
  * and a warning. Progress is reported and AbortExecute honoured within 0.1 s; after an abort the

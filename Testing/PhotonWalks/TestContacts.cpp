@@ -140,6 +140,29 @@ TEST(Contacts, ASheetThatIsNotHitMatters)
   }
 }
 
+// A shutter comes before a lamp that lies in a ceiling, and goes; behind the ceiling there is a plate. What
+// the shutter hid is no hit of the static tree alone, so it is not kept for later.
+TEST(Contacts, AShutterBeforeALampInACeiling)
+{
+  ObjectBuilder room, shutter, plate;
+  room.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, test::grey(0.5, 10));
+  room.addQuad({ -1, -1, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, test::grey(0.5));
+  room.addQuad({ -1, -1, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, test::grey(0.5, 1));
+  shutter.addQuad({ -1, -1, 0.5 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, test::grey(0.5));
+  plate.addQuad({ -9, -9, 2 }, { 18, 0, 0 }, { 0, 18, 0 }, 1, 1, test::grey(0.5));
+  SceneObjects objects{ room.build(), { shutter.build(), plate.build() } };
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(5000);
+  IrradianceEngine engine;
+  Execution one;
+  for (const double x : { 5.0, 0.0, 5.0, 1.0, 5.0 })
+  {
+    objects.dynamic[0].worldFromObject = test::shift({ x, 0, 0 });
+    engine.update(objects, settings, one);
+    ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+  }
+}
+
 // Wherever it stands on the table, a box is dark within, and takes what lies under it.
 TEST(Contacts, NoLightGetsInside)
 {
