@@ -114,9 +114,9 @@ bool isLamp(const SceneObject& object, std::uint32_t triangle)
   return false;
 }
 
-Box worldBounds(const SceneObject& object)
+/// Of a box in the space of the object, and a little around it.
+Box worldBounds(const SceneObject& object, const Box& model)
 {
-  const Box& model = object.body->mesh().bounds();
   Box world;
   if (!model.isEmpty())
   {
@@ -126,6 +126,11 @@ Box worldBounds(const SceneObject& object)
     world.inflate(2 * kTouching * world.magnitude());
   }
   return world;
+}
+
+Box worldBounds(const SceneObject& object)
+{
+  return worldBounds(object, object.body->mesh().bounds());
 }
 
 bool holds(const Box& outer, const Box& inner)
@@ -212,6 +217,7 @@ void Contacts::addOwn(
         continue;
       }
       Box box = mesh[i].bounds();
+      known.lamps.add(box);
       box.inflate(2 * kTouching * box.magnitude());
       for (const std::uint32_t k : irradiance::trianglesNear(own.body->tree(), box))
       {
@@ -232,7 +238,8 @@ void Contacts::addOwn(
 void Contacts::addBetween(const SceneObjects& objects, std::uint32_t lamp, std::uint32_t other,
   const Checkpoint& checkpoint)
 {
-  const Box common = worldBounds(objects[lamp]).intersection(worldBounds(objects[other]));
+  const Box common = worldBounds(objects[lamp], knownOf(objects, lamp).lamps)
+                       .intersection(worldBounds(objects[other]));
   if (common.isEmpty())
   {
     return;

@@ -70,7 +70,8 @@ private:
     std::shared_ptr<const RigidObject> body;
     std::shared_ptr<const Surface> surface;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    bool hasPairs = false; ///< `pairs` is complete
+    Box lamps;             ///< bounds of its lamps, in the space of the object
+    bool hasPairs = false; ///< `pairs` and `lamps` are complete
     SolidSides sides;      ///< empty until it is needed
   };
 

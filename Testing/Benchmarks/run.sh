@@ -18,10 +18,10 @@ root=$PWD
 build=build/benchmark
 results=$root/$build/results
 documentation=$root/Documentation
-ray_casting=(300000 5) modes=() scan=() far=() teapot=(1000000 5) budget=()
+ray_casting=(300000 5) modes=() scan=() far=() signs=() teapot=(1000000 5) budget=()
 accuracy=() pilots=() stale=()
 if [[ ${1:-} == --quick ]]; then
-  ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) far=(5000 1) teapot=(20000 2 2) budget=(20000 2)
+  ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) far=(5000 1) signs=(100) teapot=(20000 2 2) budget=(20000 2)
   accuracy=(65536 1) pilots=(8192 2) stale=(8192 2)
   documentation=$results
   shift
@@ -71,9 +71,10 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkTraversalModes "${modes[@]}"
   measure BenchmarkSegmentScan "${scan[@]}"
   measure BenchmarkFarAndMany "${far[@]}"
+  measure BenchmarkSigns "${signs[@]}"
   measure BenchmarkMovingTeapot "${teapot[@]}"
   measure BenchmarkRepairBudget "${budget[@]}"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,MovingTeapot,RepairBudget}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,MovingTeapot,RepairBudget}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "${accuracy[@]}"
