@@ -24,7 +24,8 @@ namespace irradiance
 class Contacts
 {
 public:
-  /// Brings it up to date with a frame. What neither moved nor changed is not looked at again.
+  /// Brings it up to date with a frame. Within an object that has not changed nothing is looked for
+  /// again.
   void update(const SceneObjects& objects, const Checkpoint& checkpoint);
 
   bool isEmpty() const { return partners_.empty(); }
