@@ -1,6 +1,7 @@
 #include "SceneReader.h"
 
 #include "InputError.h"
+#include "MovedBox.h"
 
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
@@ -62,14 +63,7 @@ void checkDigits(const SceneObjects& objects)
   Box scene = objects.fixed.body->mesh().bounds();
   for (const SceneObject& object : objects.dynamic)
   {
-    const Box& model = object.body->mesh().bounds();
-    if (!model.isEmpty())
-    {
-      const AffineMap& map = object.worldFromObject;
-      const Vector3 center = map(model.center());
-      const Vector3 reach = 0.5 * map.linear.cwiseAbs() * model.extent();
-      scene.add(Box{ center - reach, center + reach });
-    }
+    scene.add(movedBox(object.worldFromObject, object.body->mesh().bounds()));
   }
   const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
   if (scene.magnitude() > kFarthest * size)

@@ -1,6 +1,7 @@
 #include "Contacts.h"
 
 #include "BoxQuery.h"
+#include "MovedBox.h"
 
 #include <algorithm>
 #include <array>
@@ -117,14 +118,8 @@ bool isLamp(const SceneObject& object, std::uint32_t triangle)
 /// Of a box in the space of the object, and a little around it.
 Box worldBounds(const SceneObject& object, const Box& model)
 {
-  Box world;
-  if (!model.isEmpty())
-  {
-    const Vector3 center = object.worldFromObject(model.center());
-    const Vector3 reach = 0.5 * object.worldFromObject.linear.cwiseAbs() * model.extent();
-    world = { center - reach, center + reach };
-    world.inflate(2 * kTouching * world.magnitude());
-  }
+  Box world = movedBox(object.worldFromObject, model);
+  world.inflate(2 * kTouching * world.magnitude());
   return world;
 }
 

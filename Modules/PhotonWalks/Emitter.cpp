@@ -178,8 +178,7 @@ WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) 
   if (emitter.isPoint())
   {
     Vector3 shining = sampleSphere(direction);
-    if (const auto sides = openSides_.empty() ? openSides_.end() : openSides_.find(number);
-        sides != openSides_.end())
+    if (const auto sides = openSides_.find(number); sides != openSides_.end())
     {
       mirrorInto(sides->second, shining);
     }
