@@ -377,6 +377,31 @@ INSTANTIATE_TEST_SUITE_P(Each, PointLightInAWall,
     Bulb{ "CornerFrontOutside", { 3, 3, 0 }, MakeShiftedBox(3) }),
   testing::PrintToStringParamName());
 
+// In a black room nothing comes back: the wall that it lies in stays dark, as all of it goes to the others.
+TEST(CoincidentFaces, APointLightInACeilingDoesNotLightIt)
+{
+  for (const bool isTurned : { false, true })
+  {
+    const auto turn = Turn(isTurned);
+    const auto filter = MakeFilter(
+      { { Turned(MakeRoom(3, 3), turn), Turned(MakePointLight({ 1.25, 1.75, 3 }, { 10 }), turn) },
+        {} },
+      NumberOfWalks);
+    filter->SetDefaultDiffuseReflectance(0);
+    filter->Update();
+    EXPECT_EQ(Field(filter, "EscapedPower"), 0);
+    double received = 0; // all cells have 1 m2
+    for (vtkIdType cell = 0; cell < 54; ++cell)
+    {
+      const double irradiance = IrradianceOf(filter, 0, 0)->GetComponent(cell, 0);
+      const bool isCeiling = cell >= 9 && cell < 18;
+      EXPECT_EQ(irradiance > 0, !isCeiling) << "cell " << cell;
+      received += irradiance;
+    }
+    EXPECT_NEAR(received, 10, 1e-6);
+  }
+}
+
 // On the lid of a box in a room, standing or moving, it lights the room and not the box.
 TEST(CoincidentFaces, APointLightOnABodyStaysOutside)
 {
