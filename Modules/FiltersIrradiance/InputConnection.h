@@ -1,7 +1,7 @@
 #ifndef irradiance_InputConnection_h
 #define irradiance_InputConnection_h
 
-#include "Vector.h"
+#include "Geometry/Vector.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "PolyDataConverter.h"
 
 #include "InputError.h"
-#include "PolygonTriangulation.h"
+#include "Meshes/PolygonTriangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

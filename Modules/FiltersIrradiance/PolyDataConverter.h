@@ -1,8 +1,8 @@
 #ifndef irradiance_PolyDataConverter_h
 #define irradiance_PolyDataConverter_h
 
-#include "Checkpoint.h"
-#include "Surface.h"
+#include "Light/SceneObjects.h"
+#include "Progress/Checkpoint.h"
 
 #include "vtkType.h"
 

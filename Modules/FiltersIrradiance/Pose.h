@@ -1,7 +1,7 @@
 #ifndef irradiance_Pose_h
 #define irradiance_Pose_h
 
-#include "Vector.h"
+#include "Geometry/Vector.h"
 
 #include <string>
 

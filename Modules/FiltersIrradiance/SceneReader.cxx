@@ -1,7 +1,7 @@
 #include "SceneReader.h"
 
+#include "Geometry/MovedBox.h"
 #include "InputError.h"
-#include "MovedBox.h"
 
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"

@@ -1,7 +1,7 @@
 #ifndef irradiance_SmpExecution_h
 #define irradiance_SmpExecution_h
 
-#include "Execution.h"
+#include "Execution/Execution.h"
 
 #include "vtkSMPTools.h"
 

@@ -1,7 +1,8 @@
-#include "BudgetedRepair.h"
+#include "Execution/ProgressSpan.h"
+#include "Execution/SlicedPass.h"
 #include "IrradianceEngine.h"
-#include "SlicedPass.h"
-#include "WalkBatch.h"
+#include "Repair/BudgetedRepair.h"
+#include "Shooting/WalkBatch.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +11,13 @@
 /// How the engine brings stored walks up to date when something has moved.
 namespace irradiance
 {
+
+namespace
+{
+
+constexpr double kVerified = 0.5; ///< progress between verification and repair
+
+}
 
 void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)
 {
@@ -29,8 +37,9 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   std::vector<std::vector<StaleSegment>> found;
   if (hasMotion)
   {
-    commitScene(moved, execution);
-    found = verify(shooter, moved, execution);
+    ProgressSpan span(execution, 0, kVerified);
+    commitScene(moved, span);
+    found = verify(shooter, moved, span);
   }
   if (hasBudget() && !stale_)
   {
@@ -39,23 +48,26 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   }
   if (stale_)
   {
-    stale_->add(found, history_, execution);
+    ProgressSpan verified(execution, hasMotion ? kVerified : 0, hasMotion ? kVerified : 0);
+    stale_->add(found, history_, verified);
   }
   statistics_.verifySeconds = hasMotion ? secondsSince(start) : 0;
 
   start = Clock::now();
+  ProgressSpan rest(execution, hasMotion ? kVerified : 0, 1);
   if (stale_)
   {
     const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;
+    SharedBalance balance(balance_);
     BudgetedRepair budgeted(
-      { shooter, plan_, history_, sums_, *stale_, found, settings_.cacheStaticHits }, execution,
-      seconds);
-    statistics_.repairedSegments = budgeted.run(hasMotion ? 0.5 : 0, execution, balance_);
+      { shooter, plan_, history_, sums_, balance, *stale_, found, settings_.cacheStaticHits },
+      execution, seconds);
+    statistics_.repairedSegments = budgeted.run(rest);
     statistics_.repairSeconds = budgeted.seconds();
   }
   else
   {
-    repair(shooter, found, execution);
+    repair(shooter, found, rest);
     statistics_.repairSeconds = secondsSince(start);
   }
 }
@@ -79,8 +91,8 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   std::vector<std::vector<StaleSegment>> stale(history_.size());
   const StaleMarks none;
   constexpr std::size_t kTogether = 16; // in a row for a thread: it asks for the next in time
-  SlicedPass pass{ 0, 0.5, (stale.size() + kTogether - 1) / kTogether, {} };
-  pass.work = [&](std::size_t unit, const Deadline&, PowerBalance&) {
+  SlicedPass pass{ (stale.size() + kTogether - 1) / kTogether, {} };
+  pass.work = [&](std::size_t unit, const Deadline&) {
     const std::size_t end = std::min((unit + 1) * kTogether, stale.size());
     for (std::size_t block = unit * kTogether; block < end; ++block)
     {
@@ -89,7 +101,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
     }
     return true;
   };
-  pass.run(execution, balance_);
+  pass.run(execution);
   statistics_.suspectSegments = verifier.numberOfSuspects();
   for (const auto& found : stale)
   {
@@ -105,7 +117,7 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   // A block has few stale walks: those of several make a batch worth its name, if that leaves enough
   // batches for all threads.
   constexpr std::size_t kBatches = 32, kMostTogether = 16;
-  BatchPass pass{ 0.5, 1, 0, history_.size(),
+  BatchPass pass{ 0, history_.size(),
     std::clamp<std::size_t>(history_.size() / kBatches, 1, kMostTogether), {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
     const WalkBlock& walks = history_[block];

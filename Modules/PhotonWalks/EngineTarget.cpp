@@ -1,5 +1,5 @@
+#include "Execution/ProgressSpan.h"
 #include "IrradianceEngine.h"
-#include "ProgressSpan.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 #include "IrradianceEngine.h"
 
-#include "PointFrame.h"
-#include "ProgressSpan.h"
-#include "SceneChange.h"
-#include "SlicedPass.h"
-#include "WalkBatch.h"
+#include "Execution/ProgressSpan.h"
+#include "Execution/SlicedPass.h"
+#include "History/PointFrame.h"
+#include "Repair/SceneChange.h"
+#include "Shooting/WalkBatch.h"
 
 #include <algorithm>
 #include <cassert>
@@ -139,7 +139,7 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
   }
   const SobolSequence samples(settings_.seed, plan_.deal());
   const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
-  BatchPass pass{ 0, 1, walks.firstBlock, walks.endBlock, 1, {}, {} };
+  BatchPass pass{ walks.firstBlock, walks.endBlock, 1, {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
     for (std::uint32_t i = 0; i < plan_.walksIn(block); ++i)
     {
@@ -170,8 +170,10 @@ void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Ex
   const std::size_t together = pass.blocksTogether;
   std::vector<std::unique_ptr<WalkBatch>> open(
     (pass.endBlock - pass.firstBlock + together - 1) / together);
-  SlicedPass sliced{ pass.progressFrom, pass.progressTo, open.size(), {} };
-  sliced.work = [&](std::size_t unit, const Deadline& deadline, PowerBalance& balance) {
+  SharedBalance total(balance_);
+  SlicedPass sliced{ open.size(), {} };
+  sliced.work = [&](std::size_t unit, const Deadline& deadline) {
+    PowerBalance balance;
     WalkBooking booking(sums_, balance);
     std::unique_ptr<WalkBatch>& batch = open[unit];
     if (!batch)
@@ -183,15 +185,16 @@ void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Ex
         pass.fill(i, *batch);
       }
     }
-    if (!batch->run(booking, [&] { return deadline.hasPassed(); }))
+    const bool isDone = batch->run(booking, [&] { return deadline.hasPassed(); });
+    if (isDone)
     {
-      return false;
+      pass.finish(*batch, booking, balance);
+      batch.reset();
     }
-    pass.finish(*batch, booking, balance);
-    batch.reset();
-    return true;
+    total.add(balance);
+    return isDone;
   };
-  sliced.run(execution, balance_);
+  sliced.run(execution);
 }
 
 Box IrradianceEngine::walkBounds() const

@@ -1,13 +1,13 @@
 #ifndef irradiance_IrradianceEngine_h
 #define irradiance_IrradianceEngine_h
 
-#include "Contacts.h"
-#include "ErrorEstimate.h"
-#include "Execution.h"
-#include "PowerBalance.h"
-#include "StaleWalks.h"
-#include "Surface.h"
-#include "WalkVerifier.h"
+#include "Execution/Execution.h"
+#include "Light/Contacts.h"
+#include "Light/SceneObjects.h"
+#include "Repair/StaleWalks.h"
+#include "Repair/WalkVerifier.h"
+#include "Tally/ErrorEstimate.h"
+#include "Tally/WalkTally.h"
 
 #include <chrono>
 #include <functional>
@@ -97,7 +97,6 @@ private:
   /// Batches of walks, each for some blocks in a row.
   struct BatchPass
   {
-    double progressFrom, progressTo;
     std::size_t firstBlock, endBlock;
     std::size_t blocksTogether;
     std::function<void(std::size_t block, WalkBatch& batch)> fill;

@@ -2,7 +2,7 @@
 #define AabbTreeCaster_h
 
 #include "Caster.h"
-#include "TriangleMesh.h"
+#include "Meshes/TriangleMesh.h"
 
 #include <memory>
 

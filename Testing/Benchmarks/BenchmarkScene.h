@@ -1,7 +1,7 @@
 #ifndef BenchmarkScene_h
 #define BenchmarkScene_h
 
-#include "Surface.h"
+#include "Light/SceneObjects.h"
 
 #include <optional>
 #include <string>

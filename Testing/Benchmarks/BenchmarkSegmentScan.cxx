@@ -11,10 +11,10 @@
 #include "MovingTeapotScene.h"
 
 #include "Goals.h"
+#include "History/SegmentScan.h"
 #include "Program.h"
 #include "ResultTable.h"
 #include "Results.h"
-#include "SegmentScan.h"
 #include "StoredSegments.h"
 #include "Timing.h"
 

@@ -8,8 +8,8 @@
  * Arguments: [rays = 300000] [rounds = 7]
  */
 #include "BenchmarkScene.h"
-#include "CastCounts.h"
 #include "Goals.h"
+#include "Kernels/CastCounts.h"
 #include "OurCaster.h"
 #include "Program.h"
 #include "RaySet.h"

@@ -1,7 +1,7 @@
 #ifndef Caster_h
 #define Caster_h
 
-#include "Ray.h"
+#include "Geometry/Ray.h"
 
 #include <string>
 #include <utility>

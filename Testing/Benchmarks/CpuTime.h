@@ -1,7 +1,7 @@
 #ifndef CpuTime_h
 #define CpuTime_h
 
-#include "Execution.h"
+#include "Execution/Execution.h"
 #include "Timing.h"
 
 /// One thread by its CPU time: other programs do not disturb it.

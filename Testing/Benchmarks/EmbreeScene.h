@@ -1,8 +1,8 @@
 #ifndef EmbreeScene_h
 #define EmbreeScene_h
 
-#include "Ray.h"
-#include "Surface.h"
+#include "Geometry/Ray.h"
+#include "Light/SceneObjects.h"
 
 #include <embree3/rtcore.h>
 

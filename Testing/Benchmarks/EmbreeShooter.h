@@ -2,7 +2,7 @@
 #define EmbreeShooter_h
 
 #include "EmbreeScene.h"
-#include "PowerBalance.h"
+#include "Tally/WalkTally.h"
 
 /// How rays are given to Embree.
 enum class EmbreeForm

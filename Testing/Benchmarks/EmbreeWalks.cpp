@@ -1,7 +1,8 @@
 #include "EmbreeWalks.h"
 
-#include "DirectionSampling.h"
-#include "Reflection.h"
+#include "Light/Reflection.h"
+#include "Light/Roulette.h"
+#include "Sampling/DirectionSampling.h"
 
 using namespace irradiance;
 

@@ -1,8 +1,8 @@
 #ifndef EmbreeWalks_h
 #define EmbreeWalks_h
 
-#include "Emitter.h"
-#include "PowerBalance.h"
+#include "Light/Emitter.h"
+#include "Tally/WalkTally.h"
 
 /// Where a walk stands.
 struct EmbreeWalk

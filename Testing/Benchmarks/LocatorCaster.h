@@ -2,7 +2,7 @@
 #define LocatorCaster_h
 
 #include "Caster.h"
-#include "TriangleMesh.h"
+#include "Meshes/TriangleMesh.h"
 
 #include <vtkNew.h>
 

@@ -1,7 +1,7 @@
 #ifndef MovingTeapotScene_h
 #define MovingTeapotScene_h
 
-#include "Surface.h"
+#include "Light/SceneObjects.h"
 
 #include <string>
 

@@ -2,9 +2,9 @@
 #define OurCaster_h
 
 #include "Caster.h"
-#include "Scene.h"
-#include "SimdLevel.h"
-#include "Surface.h"
+#include "Light/SceneObjects.h"
+#include "Scene/Scene.h"
+#include "Simd/SimdLevel.h"
 
 /// Instructions that our casts can be held to.
 struct SimdChoice

@@ -15,12 +15,12 @@ namespace
 
 std::uint32_t blockOf(std::uint32_t walk)
 {
-  return walk / WalkBlock::kWalks;
+  return walk / WalkPlan::kWalksPerBlock;
 }
 
 std::uint32_t walkInBlock(std::uint32_t walk)
 {
-  return walk % WalkBlock::kWalks;
+  return walk % WalkPlan::kWalksPerBlock;
 }
 
 std::uint32_t stratumOf(double sample, int bits)
@@ -78,10 +78,10 @@ void PilotTracer::shootAll(const SceneObjects& objects)
   balance_ = {};
   history_.clear();
   const UnitFrame frame(scene_.bounds());
-  for (std::uint32_t first = 0; first < numberOfWalks_; first += WalkBlock::kWalks)
+  for (std::uint32_t first = 0; first < numberOfWalks_; first += WalkPlan::kWalksPerBlock)
   {
-    history_.emplace_back(
-      std::min(WalkBlock::kWalks, numberOfWalks_ - first), objects.fixed.surface->bands, frame);
+    history_.emplace_back(std::min(WalkPlan::kWalksPerBlock, numberOfWalks_ - first),
+      objects.fixed.surface->bands, frame);
   }
   Walks all(numberOfWalks_);
   std::iota(all.begin(), all.end(), 0u);

@@ -3,12 +3,12 @@
 
 #include "TradeScene.h"
 
-#include "Emitter.h"
-#include "PowerBalance.h"
-#include "Scene.h"
-#include "WalkBatch.h"
-#include "WalkHistory.h"
-#include "WalkShooter.h"
+#include "History/WalkHistory.h"
+#include "Light/Emitter.h"
+#include "Scene/Scene.h"
+#include "Shooting/WalkBatch.h"
+#include "Shooting/WalkShooter.h"
+#include "Tally/WalkTally.h"
 
 #include <limits>
 

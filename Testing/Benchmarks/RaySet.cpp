@@ -1,7 +1,7 @@
 #include "RaySet.h"
 
-#include "DirectionSampling.h"
-#include "SobolSequence.h"
+#include "Sampling/DirectionSampling.h"
+#include "Sampling/SobolSequence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #define RaySet_h
 
 #include "BenchmarkScene.h"
-#include "Ray.h"
+#include "Geometry/Ray.h"
 
 /// Where the rays start.
 enum class RaySet

@@ -54,8 +54,8 @@ StoredSegments::StoredSegments(const Box& room, std::size_t atLeast)
   Random random(1);
   while (size_ < atLeast)
   {
-    WalkBlock block(WalkBlock::kWalks, 1, frame_);
-    std::vector<std::vector<WalkSegment>> walks(WalkBlock::kWalks);
+    WalkBlock block(WalkPlan::kWalksPerBlock, 1, frame_);
+    std::vector<std::vector<WalkSegment>> walks(WalkPlan::kWalksPerBlock);
     std::size_t segments = 0;
     for (std::vector<WalkSegment>& walk : walks)
     {

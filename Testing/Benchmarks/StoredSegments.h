@@ -1,7 +1,7 @@
 #ifndef StoredSegments_h
 #define StoredSegments_h
 
-#include "WalkHistory.h"
+#include "History/WalkHistory.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef TradeScene_h
 #define TradeScene_h
 
-#include "Surface.h"
+#include "Light/SceneObjects.h"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #ifndef TwoThreads_h
 #define TwoThreads_h
 
-#include "Execution.h"
+#include "Execution/Execution.h"
 
 #include <atomic>
 #include <thread>

@@ -1,7 +1,7 @@
 #ifndef irradiance_test_LambertContour_h
 #define irradiance_test_LambertContour_h
 
-#include "Vector.h"
+#include "Geometry/Vector.h"
 
 #include <cmath>
 #include <vector>

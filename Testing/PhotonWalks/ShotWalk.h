@@ -1,7 +1,7 @@
 #ifndef ShotWalk_h
 #define ShotWalk_h
 
-#include "WalkBatch.h"
+#include "Shooting/WalkBatch.h"
 
 namespace irradiance::test
 {

@@ -1,4 +1,4 @@
-#include "CellSums.h"
+#include "Tally/CellSums.h"
 
 #include "TestScenes.h"
 #include "ThreadExecution.h"

@@ -1,4 +1,4 @@
-#include "DirectionSampling.h"
+#include "Sampling/DirectionSampling.h"
 
 #include "../RayCasting/RandomVectors.h"
 

@@ -1,4 +1,4 @@
-#include "Emitter.h"
+#include "Light/Emitter.h"
 
 #include "TestScenes.h"
 

@@ -1,5 +1,5 @@
 #include "EngineRun.h"
-#include "ErrorEstimate.h"
+#include "Tally/ErrorEstimate.h"
 #include "TestScenes.h"
 
 #include "../RayCasting/RandomVectors.h"

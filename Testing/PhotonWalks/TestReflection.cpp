@@ -1,4 +1,5 @@
-#include "Reflection.h"
+#include "Light/Reflection.h"
+#include "Light/Roulette.h"
 
 #include "TestScenes.h"
 

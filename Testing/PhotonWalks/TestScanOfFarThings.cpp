@@ -1,6 +1,6 @@
 #include "../RayCasting/TestScenes.h"
 #include "../RayCasting/TestSimdLevels.h"
-#include "SegmentScan.h"
+#include "History/SegmentScan.h"
 #include "ShotWalk.h"
 
 #include <gtest/gtest.h>
@@ -214,7 +214,7 @@ TEST(ScanOfFarThings, FewOthersAreNamed)
         const AffineMap pose{ 0.2 * Matrix3::Identity(), 0.9 * inRoom(random) };
         const EllipsoidBound bound = boundOf(*ball, pose);
         std::vector<Segment> segments;
-        for (std::uint32_t i = 0; i < WalkBlock::kWalks; ++i)
+        for (std::uint32_t i = 0; i < WalkPlan::kWalksPerBlock; ++i)
         {
           segments.push_back(
             aimed(random, inRoom(random) + away * Vector3(0.6, 0, 0.8), escapes && away == 0));
@@ -240,7 +240,7 @@ TEST(ScanOfFarThings, FarBodiesTakeNothingOfTheRoom)
   const auto ball = test::bodyOf(test::icosphere(3));
   const UnitFrame frame = frameOfRoom();
   std::vector<Segment> segments;
-  for (std::uint32_t i = 0; i < WalkBlock::kWalks; ++i)
+  for (std::uint32_t i = 0; i < WalkPlan::kWalksPerBlock; ++i)
   {
     segments.push_back(aimed(random, inRoom(random), false));
   }
@@ -259,7 +259,7 @@ TEST(ScanOfFarThings, ManyBodiesNameWhatEachNames)
   const auto ball = test::bodyOf(test::icosphere(2));
   const UnitFrame frame = frameOfRoom();
   std::vector<Segment> segments;
-  for (std::uint32_t i = 0; i < WalkBlock::kWalks; ++i)
+  for (std::uint32_t i = 0; i < WalkPlan::kWalksPerBlock; ++i)
   {
     segments.push_back(aimed(random, inRoom(random), false));
   }

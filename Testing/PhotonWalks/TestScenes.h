@@ -1,7 +1,7 @@
 #ifndef irradiance_test_TestScenes_h
 #define irradiance_test_TestScenes_h
 
-#include "Surface.h"
+#include "Light/SceneObjects.h"
 
 #include <array>
 #include <memory>

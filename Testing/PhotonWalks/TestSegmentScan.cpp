@@ -1,7 +1,7 @@
 #include "../RayCasting/TestScenes.h"
 #include "../RayCasting/TestSimdLevels.h"
-#include "Scene.h"
-#include "SegmentScan.h"
+#include "History/SegmentScan.h"
+#include "Scene/Scene.h"
 #include "ShotWalk.h"
 
 #include <gtest/gtest.h>

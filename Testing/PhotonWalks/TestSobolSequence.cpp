@@ -1,5 +1,5 @@
 #include "EngineRun.h"
-#include "SobolSequence.h"
+#include "Sampling/SobolSequence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "StudentT.h"
+#include "Tally/StudentT.h"
 
 #include <gtest/gtest.h>
 

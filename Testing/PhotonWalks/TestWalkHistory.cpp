@@ -1,5 +1,5 @@
+#include "History/WalkHistory.h"
 #include "ShotWalk.h"
-#include "WalkHistory.h"
 
 #include <gtest/gtest.h>
 

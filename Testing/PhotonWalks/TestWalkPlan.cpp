@@ -1,6 +1,6 @@
-#include "WalkPlan.h"
+#include "Sampling/WalkPlan.h"
 
-#include "WalkHistory.h"
+#include "History/WalkHistory.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(WalkPlan, EveryWalkHasOnePlaceInABlockOfItsRound)
     {
       EXPECT_EQ(plan.firstWalkOf(block), next);
       ASSERT_GE(plan.walksIn(block), 1u);
-      ASSERT_LE(plan.walksIn(block), WalkBlock::kWalks);
+      ASSERT_LE(plan.walksIn(block), WalkPlan::kWalksPerBlock);
       for (std::uint32_t i = 0; i < plan.walksIn(block); ++i, ++next)
       {
         const WalkPlan::Place place = plan.placeOf(next);

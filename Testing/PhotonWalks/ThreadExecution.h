@@ -1,7 +1,7 @@
 #ifndef irradiance_test_ThreadExecution_h
 #define irradiance_test_ThreadExecution_h
 
-#include "Execution.h"
+#include "Execution/Execution.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 #ifndef irradiance_test_AdversarialSegments_h
 #define irradiance_test_AdversarialSegments_h
 
-#include "EnclosingEllipsoid.h"
+#include "Ellipsoids/EnclosingEllipsoid.h"
 #include "RandomVectors.h"
 
 #include <algorithm>

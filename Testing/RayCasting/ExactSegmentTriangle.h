@@ -1,7 +1,7 @@
 #ifndef irradiance_test_ExactSegmentTriangle_h
 #define irradiance_test_ExactSegmentTriangle_h
 
-#include "Vector.h"
+#include "Geometry/Vector.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

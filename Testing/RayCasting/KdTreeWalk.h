@@ -1,7 +1,7 @@
 #ifndef irradiance_test_KdTreeWalk_h
 #define irradiance_test_KdTreeWalk_h
 
-#include "KdTreeBuilder.h"
+#include "Trees/KdTreeBuilder.h"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef irradiance_test_QuadGeometry_h
 #define irradiance_test_QuadGeometry_h
 
-#include "EnclosingEllipsoid.h"
+#include "Ellipsoids/EnclosingEllipsoid.h"
 #include "ExactSegmentTriangle.h"
 
 #include <array>

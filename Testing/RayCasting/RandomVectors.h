@@ -1,7 +1,7 @@
 #ifndef irradiance_test_RandomVectors_h
 #define irradiance_test_RandomVectors_h
 
-#include "Vector.h"
+#include "Geometry/Vector.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 // Triangles near a box, against all of them.
 
-#include "BoxQuery.h"
+#include "Trees/BoxQuery.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "EllipsoidBound.h"
+#include "Ellipsoids/EllipsoidBound.h"
 
 #include "AdversarialSegments.h"
 #include "ExactSegmentTriangle.h"

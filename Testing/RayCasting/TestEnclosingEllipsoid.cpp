@@ -1,4 +1,4 @@
-#include "EnclosingEllipsoid.h"
+#include "Ellipsoids/EnclosingEllipsoid.h"
 
 #include "RandomVectors.h"
 

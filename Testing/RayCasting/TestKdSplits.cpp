@@ -1,7 +1,7 @@
-#include "KdItem.h"
 #include "KdTreeWalk.h"
 #include "RandomVectors.h"
 #include "TestMeshes.h"
+#include "Trees/KdItem.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
-#include "Scene.h"
+#include "Scene/Scene.h"
 
 #include "TestMeshes.h"
 #include "TestRays.h"
 #include "TestSimdLevels.h"
+#include "Trees/KdTreeBuilder.h"
 
 #include <gtest/gtest.h>
 

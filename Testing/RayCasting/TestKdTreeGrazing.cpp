@@ -1,4 +1,4 @@
-#include "Scene.h"
+#include "Scene/Scene.h"
 
 #include "TestMeshes.h"
 #include "TestRays.h"

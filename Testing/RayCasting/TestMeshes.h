@@ -1,8 +1,8 @@
 #ifndef irradiance_test_TestMeshes_h
 #define irradiance_test_TestMeshes_h
 
+#include "Meshes/TriangleMesh.h"
 #include "RandomVectors.h"
-#include "TriangleMesh.h"
 
 #include <algorithm>
 #include <array>

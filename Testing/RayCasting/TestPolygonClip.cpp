@@ -1,4 +1,4 @@
-#include "PolygonClip.h"
+#include "Meshes/PolygonClip.h"
 
 #include "RandomVectors.h"
 

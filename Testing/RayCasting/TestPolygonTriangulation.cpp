@@ -1,6 +1,6 @@
 // Polygons that are concave, touch themselves, cross themselves or have no area; all areas from formulas.
 
-#include "PolygonTriangulation.h"
+#include "Meshes/PolygonTriangulation.h"
 #include "RandomVectors.h"
 
 #include <gtest/gtest.h>

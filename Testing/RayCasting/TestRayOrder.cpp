@@ -1,5 +1,5 @@
 #include "RandomVectors.h"
-#include "RayOrder.h"
+#include "Scene/RayOrder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #ifndef irradiance_test_TestRays_h
 #define irradiance_test_TestRays_h
 
+#include "Geometry/Ray.h"
+#include "Meshes/TriangleMesh.h"
 #include "RandomVectors.h"
-#include "Ray.h"
-#include "TriangleMesh.h"
 
 #include <array>
 #include <iomanip>

@@ -1,4 +1,4 @@
-#include "Scene.h"
+#include "Scene/Scene.h"
 
 #include "TestRays.h"
 #include "TestScenes.h"

@@ -1,7 +1,7 @@
 #ifndef irradiance_test_TestScenes_h
 #define irradiance_test_TestScenes_h
 
-#include "Scene.h"
+#include "Scene/Scene.h"
 
 #include "TestMeshes.h"
 

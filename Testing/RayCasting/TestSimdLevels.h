@@ -1,7 +1,7 @@
 #ifndef TestSimdLevels_h
 #define TestSimdLevels_h
 
-#include "SimdLevel.h"
+#include "Simd/SimdLevel.h"
 
 #include <vector>
 

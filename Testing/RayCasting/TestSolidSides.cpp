@@ -1,6 +1,6 @@
 // Which side of a triangle is solid: within closed surfaces, without rooms, nowhere on sheets.
 
-#include "SolidSides.h"
+#include "Meshes/SolidSides.h"
 
 #include <gtest/gtest.h>
 

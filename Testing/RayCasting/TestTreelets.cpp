@@ -1,7 +1,7 @@
 #include "KdTreeWalk.h"
 #include "TestMeshes.h"
-#include "TreeletPlan.h"
-#include "TriangleTree.h"
+#include "Trees/TreeletPlan.h"
+#include "Trees/TriangleTree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "TriangleIntersection.h"
+#include "Geometry/TriangleIntersection.h"
 
-#include "MeetingLanes.h"
+#include "Kernels/MeetingLanes.h"
 #include "RandomVectors.h"
 #include "TestSimdLevels.h"
 

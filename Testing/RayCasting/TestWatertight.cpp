@@ -1,4 +1,4 @@
-#include "TriangleIntersection.h"
+#include "Geometry/TriangleIntersection.h"
 
 #include "TestMeshes.h"
 #include "TestRays.h"

@@ -3,9 +3,10 @@
 #
 #   check-layering.sh ROOT
 #
-#   RayCasting <- PhotonWalks <- FiltersIrradiance     each may use only what stands left of it
+#   RayCasting <- PhotonWalks <- FiltersIrradiance     each module may use only those left of it
+#   the rooms of RayCasting and PhotonWalks            each may use only itself and those before it
 #   RayCasting and PhotonWalks know nothing of VTK
-#   CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp of Modules/RayCasting alone
+#   CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp of RayCasting alone
 #   Embree is for Testing/Benchmarks alone
 #   a public header (vtk*.h) shows nothing of Eigen, CGAL, the engine or private headers
 set -euo pipefail
@@ -14,7 +15,12 @@ shopt -s nullglob
 root=${1:?usage: check-layering.sh ROOT}
 cd "$root"
 
-layers=(RayCasting PhotonWalks FiltersIrradiance)
+modules=(RayCasting PhotonWalks FiltersIrradiance)
+# From the bottom to the top. A module's own folder, without a room, comes after its rooms.
+rooms=(
+  RayCasting/{Simd,Progress,Geometry,Meshes,Trees,Ellipsoids,Kernels,Scene} RayCasting
+  PhotonWalks/{Execution,Sampling,Light,History,Tally,Shooting,Repair} PhotonWalks
+  FiltersIrradiance)
 failures=0
 
 # reject FILE LINE_NUMBER REASON
@@ -43,24 +49,35 @@ includes()
     sed -nE 's/^([0-9]+):[^"<]*["<]([^">]*)[">].*$/\1 \2/p' || true
 }
 
-# layer_of PATH FOLDER: the number of the layer that PATH, included by a file in FOLDER, lies in;
-# nothing if it is none of ours
-layer_of()
+# room_of FILE: the number of the room that a file of Modules/ lies in; nothing if there is no such room
+room_of()
 {
-  local path=$1 folder=$2 i
-  for i in "${!layers[@]}"; do
-    if [[ $path == "${layers[i]}"/* || $path == */"${layers[i]}"/* ]]; then
-      echo "$i"
-      return
-    fi
+  local folder=${1%/*} i
+  for i in "${!rooms[@]}"; do
+    [[ $folder == "${rooms[i]}" ]] && echo "$i" && return
   done
-  [[ -e $folder/${path##*/} ]] && return # its own
-  for i in "${!layers[@]}"; do
-    if [[ -e Modules/${layers[i]}/${path##*/} ]]; then
-      echo "$i"
-      return
-    fi
+  true
+}
+
+# included PATH FOLDER: the file of Modules/, without that, which PATH, included by a file in FOLDER, stands
+# for; nothing if it is none of ours
+included()
+{
+  local path=$1 folder=$2 module candidate
+  path=${path##*../}
+  [[ $path != */* && -e $folder/$path ]] && path=${folder#Modules/}/$path
+  for module in "${modules[@]}"; do
+    for candidate in "$module/$path" "${path#Modules/}"; do
+      if [[ $candidate == "$module"/* && -e Modules/$candidate ]]; then
+        echo "$candidate"
+        return
+      fi
+    done
   done
+  # By its name alone, wherever it lies.
+  candidate=$(find Modules -type f -name "${path##*/}" | head -n 1)
+  [[ $candidate ]] && echo "${candidate#Modules/}"
+  true
 }
 
 source_files()
@@ -72,21 +89,29 @@ source_files()
 }
 
 checked=0
-for i in "${!layers[@]}"; do
-  for folder in "Modules/${layers[i]}" "Testing/${layers[i]}"; do
+for i in "${!modules[@]}"; do
+  module=${modules[i]}
+  for folder in "Modules/$module" "Testing/$module"; do
     mapfile -t files < <(source_files "$folder")
     checked=$((checked + ${#files[@]}))
     for file in "${files[@]}"; do
+      own_room=$(room_of "$module/end") # a test may use all rooms of its module
+      if [[ $file == Modules/* ]]; then
+        own_room=$(room_of "${file#Modules/}")
+        [[ $own_room ]] || reject "$file" 1 "this folder is no room of the list in check-layering.sh"
+      fi
       while read -r number path; do
-        layer=$(layer_of "$path" "$(dirname "$file")")
-        if [[ -n $layer ]] && ((layer > i)); then
-          reject "$file" "$number" "${layers[i]} may not use ${layers[layer]} ($path)"
+        used=$(included "$path" "$(dirname "$file")")
+        [[ $used && $own_room ]] || continue
+        room=$(room_of "$used")
+        if [[ $room ]] && ((room > own_room)); then
+          reject "$file" "$number" "${rooms[own_room]} may not use ${rooms[room]} ($path)"
         fi
       done < <(includes "$file")
     done
-    if ((i < 2)) && ((${#files[@]})); then
+    if [[ $module != FiltersIrradiance ]] && ((${#files[@]})); then
       reject_matches '^[[:space:]]*#[[:space:]]*include.*[vV][tT][kK]|(^|[^[:alnum:]_])(vtk|VTK_)[[:alnum:]_]*' \
-        "${layers[i]} may not know VTK" "${files[@]}"
+        "$module may not know VTK" "${files[@]}"
     fi
   done
 done
@@ -97,13 +122,13 @@ fi
 
 mapfile -t files < <(source_files Modules; source_files Examples)
 for file in "${files[@]}"; do
-  [[ $file == Modules/RayCasting/EnclosingEllipsoid.cpp ||
-    $file == Modules/RayCasting/PolygonTriangulation.cpp ]] && continue
+  [[ $file == Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.cpp ||
+    $file == Modules/RayCasting/Meshes/PolygonTriangulation.cpp ]] && continue
   reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]CGAL/|(^|[^[:alnum:]_])CGAL::' \
     "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone" "$file"
 done
 
-mapfile -t files < <(source_files Modules; source_files Examples; for layer in "${layers[@]}"; do source_files "Testing/$layer"; done)
+mapfile -t files < <(source_files Modules; source_files Examples; for module in "${modules[@]}"; do source_files "Testing/$module"; done)
 for file in "${files[@]}"; do
   reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]embree' \
     "Embree is for Testing/Benchmarks alone" "$file"
@@ -113,11 +138,10 @@ for file in Modules/FiltersIrradiance/vtk*.h; do
   reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/](Eigen|CGAL|boost)/|(^|[^[:alnum:]_])(Eigen|CGAL)::' \
     "a public header may not show Eigen or CGAL" "$file"
   while read -r number path; do
-    name=${path##*/}
-    if [[ -e Modules/RayCasting/$name || -e Modules/PhotonWalks/$name ||
-      $path == *RayCasting/* || $path == *PhotonWalks/* ]]; then
+    used=$(included "$path" Modules/FiltersIrradiance)
+    if [[ $used == RayCasting/* || $used == PhotonWalks/* ]]; then
       reject "$file" "$number" "a public header may not show the engine ($path)"
-    elif [[ $name != vtk* && -e Modules/FiltersIrradiance/$name ]]; then
+    elif [[ $used && ${used##*/} != vtk* ]]; then
       reject "$file" "$number" "a public header may not show a private one ($path)"
     fi
   done < <(includes "$file")

@@ -22,7 +22,7 @@ case $mode in
 esac
 
 mapfile -t files < <(find Modules Testing Examples -type f \
-  \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' \) | sort)
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' -o -name '*.inl' \) | sort)
 if ((${#files[@]} == 0)); then
   echo "format.sh: no source file found"
   exit 1

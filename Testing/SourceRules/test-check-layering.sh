@@ -11,18 +11,21 @@ failures=0
 clean_tree()
 {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/Modules/{RayCasting,PhotonWalks,FiltersIrradiance} "$tree"/Testing/{RayCasting,PhotonWalks}
+  mkdir -p "$tree"/Modules/{RayCasting/{Geometry,Meshes,Ellipsoids},PhotonWalks/{Light,Tally},FiltersIrradiance} \
+    "$tree"/Testing/{RayCasting,PhotonWalks}
   cd "$tree"
-  printf '#include <Eigen/Core>\n' >Modules/RayCasting/Vector.h
-  printf '#include "Vector.h"\n' >Modules/RayCasting/EnclosingEllipsoid.h
-  printf '#include "EnclosingEllipsoid.h"\n#include <CGAL/Cartesian.h>\n' >Modules/RayCasting/EnclosingEllipsoid.cpp
-  printf '#include <CGAL/Cartesian.h>\nusing Kernel = CGAL::Cartesian<double>;\n' >Modules/RayCasting/PolygonTriangulation.cpp
-  printf '#include "RayCasting/Vector.h"\n// as VTK would do\n' >Modules/PhotonWalks/Emitter.h
-  printf '#include "Emitter.h"\n' >Modules/PhotonWalks/Emitter.cpp
-  printf '#include "PhotonWalks/Emitter.h"\n' >Modules/FiltersIrradiance/Converter.h
+  printf '#include <Eigen/Core>\n' >Modules/RayCasting/Geometry/Vector.h
+  printf '#include "Geometry/Vector.h"\n' >Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.h
+  printf '#include "Ellipsoids/EnclosingEllipsoid.h"\n#include <CGAL/Cartesian.h>\n' >Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.cpp
+  printf '#include <CGAL/Cartesian.h>\nusing Kernel = CGAL::Cartesian<double>;\n' >Modules/RayCasting/Meshes/PolygonTriangulation.cpp
+  printf '#include "RayCasting/Geometry/Vector.h"\n// as VTK would do\n' >Modules/PhotonWalks/Light/Emitter.h
+  printf '#include "Light/Emitter.h"\n' >Modules/PhotonWalks/Light/Emitter.cpp
+  printf '#include "Light/Emitter.h"\n' >Modules/PhotonWalks/Tally/CellSums.h
+  printf '#include "Tally/CellSums.h"\n' >Modules/PhotonWalks/Engine.h
+  printf '#include "PhotonWalks/Light/Emitter.h"\n' >Modules/FiltersIrradiance/Converter.h
   printf '#include "vtkObject.h"\n#include <memory>\nclass vtkX;\n' >Modules/FiltersIrradiance/vtkX.h
   printf '#include "vtkX.h"\n#include "Converter.h"\n' >Modules/FiltersIrradiance/vtkX.cxx
-  printf '#include "RayCasting/Vector.h"\n#include <CGAL/Gmpq.h>\n' >Testing/RayCasting/TestVector.cpp
+  printf '#include "RayCasting/Geometry/Vector.h"\n#include <CGAL/Gmpq.h>\n' >Testing/RayCasting/TestVector.cpp
 }
 
 # expect_violation FILE LINE REASON: FILE with LINE added must be refused for REASON
@@ -30,6 +33,7 @@ expect_violation()
 {
   local file=$1 line=$2 reason=$3 report
   clean_tree
+  mkdir -p "$(dirname "$tree/$file")"
   printf '%s\n' "$line" >>"$tree/$file"
   if report=$(bash "$here/check-layering.sh" "$tree"); then
     echo "not found: '$line' in $file"
@@ -46,26 +50,31 @@ if ! bash "$here/check-layering.sh" "$tree"; then
   failures=$((failures + 1))
 fi
 
-expect_violation Modules/RayCasting/Vector.h '#include "PhotonWalks/Emitter.h"' "RayCasting may not use PhotonWalks"
-expect_violation Modules/RayCasting/Vector.h '#include "../PhotonWalks/Emitter.h"' "RayCasting may not use PhotonWalks"
-expect_violation Modules/RayCasting/Vector.h '#include <Emitter.h>' "RayCasting may not use PhotonWalks"
-expect_violation Modules/RayCasting/Vector.h '#  include "Converter.h"' "RayCasting may not use FiltersIrradiance"
-expect_violation Modules/PhotonWalks/Emitter.cpp '#include "FiltersIrradiance/Converter.h"' "PhotonWalks may not use FiltersIrradiance"
-expect_violation Testing/RayCasting/TestVector.cpp '#include "PhotonWalks/Emitter.h"' "RayCasting may not use PhotonWalks"
-expect_violation Modules/RayCasting/Vector.h '#include <vtkPolyData.h>' "RayCasting may not know VTK"
-expect_violation Modules/PhotonWalks/Emitter.h '#include "sub/vtkPolyData.h"' "PhotonWalks may not know VTK"
-expect_violation Modules/PhotonWalks/Emitter.h 'class vtkPolyData;' "PhotonWalks may not know VTK"
-expect_violation Modules/PhotonWalks/Emitter.h 'int count(const vtkIdType* ids);' "PhotonWalks may not know VTK"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include "PhotonWalks/Light/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Light"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include "../../PhotonWalks/Light/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Light"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include <Emitter.h>' "RayCasting/Geometry may not use PhotonWalks/Light"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#  include "Converter.h"' "RayCasting/Geometry may not use FiltersIrradiance"
+expect_violation Modules/PhotonWalks/Light/Emitter.cpp '#include "FiltersIrradiance/Converter.h"' "PhotonWalks/Light may not use FiltersIrradiance"
+expect_violation Testing/RayCasting/TestVector.cpp '#include "PhotonWalks/Light/Emitter.h"' "RayCasting may not use PhotonWalks/Light"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include "Ellipsoids/EnclosingEllipsoid.h"' "RayCasting/Geometry may not use RayCasting/Ellipsoids"
+expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "Tally/CellSums.h"' "PhotonWalks/Light may not use PhotonWalks/Tally"
+expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "../Tally/CellSums.h"' "PhotonWalks/Light may not use PhotonWalks/Tally"
+expect_violation Modules/PhotonWalks/Tally/CellSums.h '#include "Engine.h"' "PhotonWalks/Tally may not use PhotonWalks"
+expect_violation Modules/PhotonWalks/Attic/Old.h '#include "Light/Emitter.h"' "this folder is no room"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include <vtkPolyData.h>' "RayCasting may not know VTK"
+expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "sub/vtkPolyData.h"' "PhotonWalks may not know VTK"
+expect_violation Modules/PhotonWalks/Light/Emitter.h 'class vtkPolyData;' "PhotonWalks may not know VTK"
+expect_violation Modules/PhotonWalks/Light/Emitter.h 'int count(const vtkIdType* ids);' "PhotonWalks may not know VTK"
 expect_violation Testing/PhotonWalks/TestEmitter.cpp '#include <vtkNew.h>' "PhotonWalks may not know VTK"
-expect_violation Modules/RayCasting/Vector.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
-expect_violation Modules/RayCasting/EnclosingEllipsoid.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
-expect_violation Modules/RayCasting/PolygonTriangulation.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
+expect_violation Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
+expect_violation Modules/RayCasting/Meshes/PolygonTriangulation.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
 expect_violation Modules/FiltersIrradiance/PolygonTriangulation.cpp 'CGAL::Bbox_3 box;' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
 expect_violation Modules/FiltersIrradiance/vtkX.cxx 'CGAL::Bbox_3 box;' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
-expect_violation Modules/RayCasting/Vector.h '#include <embree3/rtcore.h>' "Embree is for Testing/Benchmarks alone"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include <embree3/rtcore.h>' "Embree is for Testing/Benchmarks alone"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include <Eigen/Core>' "a public header may not show Eigen or CGAL"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include <CGAL/Cartesian.h>' "a public header may not show Eigen or CGAL"
-expect_violation Modules/FiltersIrradiance/vtkX.h '#include "RayCasting/Vector.h"' "a public header may not show the engine"
+expect_violation Modules/FiltersIrradiance/vtkX.h '#include "RayCasting/Geometry/Vector.h"' "a public header may not show the engine"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include "Emitter.h"' "a public header may not show the engine"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include "Converter.h"' "a public header may not show a private one"
 

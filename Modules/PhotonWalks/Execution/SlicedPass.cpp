@@ -1,0 +1,48 @@
+#include "Execution/SlicedPass.h"
+
+#include <algorithm>
+#include <mutex>
+#include <vector>
+
+namespace irradiance
+{
+
+void SlicedPass::run(Execution& execution) const
+{
+  std::vector<char> isDone(units, 0);
+  std::size_t first = 0; // of those that are not done
+  while (first < units)
+  {
+    const Deadline deadline;
+    std::mutex mutex;
+    std::exception_ptr error;
+    execution.parallelFor(units - first, [&](std::size_t begin, std::size_t end) {
+      try
+      {
+        for (std::size_t i = first + begin; i < first + end && !deadline.hasPassed(); ++i)
+        {
+          isDone[i] = isDone[i] != 0 || work(i, deadline) ? 1 : 0;
+        }
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        error = std::current_exception();
+      }
+    });
+    if (error)
+    {
+      std::rethrow_exception(error);
+    }
+    first = static_cast<std::size_t>(
+      std::find(isDone.begin() + static_cast<std::ptrdiff_t>(first), isDone.end(), 0) -
+      isDone.begin());
+    const auto done = static_cast<double>(std::count(isDone.begin(), isDone.end(), 1));
+    if (!execution.goOn(done / static_cast<double>(units)))
+    {
+      throw Interrupted();
+    }
+  }
+}
+
+}

@@ -1,0 +1,38 @@
+#ifndef irradiance_SlicedPass_h
+#define irradiance_SlicedPass_h
+
+#include "Execution/Execution.h"
+
+#include <chrono>
+#include <functional>
+
+namespace irradiance
+{
+
+/// The end of a slice of time.
+class Deadline
+{
+public:
+  bool hasPassed() const { return std::chrono::steady_clock::now() >= end_; }
+
+private:
+  static constexpr std::chrono::milliseconds kSlice{ 30 };
+
+  std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + kSlice;
+};
+
+/// Units of work for the threads of an execution. The pass is cut into slices, between which
+/// progress is told and an interruption can happen; what is computed does not depend on the cuts.
+struct SlicedPass
+{
+  std::size_t units;
+  /// Works on a unit until its end or the deadline; true at the end.
+  std::function<bool(std::size_t unit, const Deadline& deadline)> work;
+
+  /// Reports progress from 0 to 1. Throws Interrupted, and what the work throws.
+  void run(Execution& execution) const;
+};
+
+}
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef irradiance_TimeBudget_h
+#define irradiance_TimeBudget_h
+
+#include "Execution/Execution.h"
+
+#include <cmath>
+#include <mutex>
+
+namespace irradiance
+{
+
+/// Time that several threads may spend on items of a cost that only shows on the way.
+class TimeBudget
+{
+public:
+  /// Begins now. `seconds` may be infinite.
+  TimeBudget(const Execution& execution, double seconds)
+    : execution_(execution)
+    , begin_(execution.seconds())
+    , end_(begin_ + seconds)
+  {
+  }
+
+  double now() const { return execution_.seconds(); }
+  double elapsed() const { return now() - begin_; }
+  bool isEndless() const { return std::isinf(end_); }
+  bool hasEnded() const { return now() >= end_; }
+  /// How many items a thread should begin together, at most `most`: such that, going by what others
+  /// have cost, they take half of the time that is left. 0: it is over.
+  std::size_t itemsToBegin(std::size_t most) const;
+  /// Tells what items have cost the thread that did them.
+  void spend(double seconds, std::size_t items);
+
+private:
+  const Execution& execution_;
+  double begin_, end_;
+  mutable std::mutex mutex_;
+  double spent_ = 0;
+  double items_ = 0;
+};
+
+}
+
+#endif

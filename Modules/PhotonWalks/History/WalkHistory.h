@@ -1,0 +1,157 @@
+#ifndef irradiance_WalkHistory_h
+#define irradiance_WalkHistory_h
+
+#include "Geometry/Ray.h"
+#include "Geometry/UnitFrame.h"
+#include "Light/Power.h"
+#include "Sampling/WalkPlan.h"
+#include "Simd/Prefetch.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace irradiance
+{
+
+/// One straight piece of a walk while it is being shot, and the hit that ends it; the last of a walk
+/// may escape.
+struct WalkSegment
+{
+  Ray ray; ///< its direction is a unit vector
+  Hit hit;
+  Power power;            ///< what it carries to its hit
+  bool isFront = true;    ///< the side that was hit
+  bool isContact = false; ///< dynamic objects touch its ends, see Contacts
+};
+
+/**
+ * The stored walks of a run of consecutive walk numbers, at most WalkPlan::kWalksPerBlock: the unit of work of a
+ * thread. Stored is what cannot be had otherwise: the triangle hit, where on it, the power; rays and
+ * distances follow from these (WalkShooter::rayOf, Scene::distanceTo). The points of a walk are kept
+ * besides, as floats, to be scanned for segments near moved objects.
+ *
+ * Walks stand in pools one after the other, each with one place more than it has segments: place i
+ * holds segment i and the point where it begins, the last holds the point where the walk ends. A
+ * walk that outgrows its places moves to the end of the pools, and the holes are closed when they
+ * make up a third.
+ */
+class WalkBlock
+{
+public:
+  /// An escaped segment ends this far from where it begins, in the frame of the points.
+  static constexpr double kFar = 0x1p24;
+
+  /// `frame`: of the points. `bands`: 1 or 3 powers a segment.
+  WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame);
+
+  std::uint32_t numberOfWalks() const { return static_cast<std::uint32_t>(places_.size()); }
+  std::uint32_t size(std::uint32_t walk) const { return places_[walk].size; }
+  /// All of the hit but its distance.
+  Hit hit(std::uint32_t walk, std::uint32_t bounce) const;
+  bool isFront(std::uint32_t walk, std::uint32_t bounce) const
+  {
+    return (tags_[slot(walk, bounce)] & kBack) == 0;
+  }
+  Power power(std::uint32_t walk, std::uint32_t bounce) const;
+  /// Lower bound of the length of a segment, in the world, within some 2^-20 of the scene.
+  double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
+
+  /// Asks at once for the memory of `points` in all: one for each segment and one for each walk.
+  void reserve(std::size_t points);
+  /// Makes room for `count` segments in the place of those from `bounce` on; each has to be set
+  /// then. Cached static hits behind `bounce` go with the old ones.
+  void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
+  void setSegment(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment);
+
+  /// The static hit that a dynamic object hides from the segment; null if not known.
+  const Hit* hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const;
+  void rememberStaticHit(std::uint32_t walk, std::uint32_t bounce, const Hit& hit);
+  void forgetStaticHit(std::uint32_t walk, std::uint32_t bounce);
+  /// When another hit ends the segment: a static one that becomes hidden is kept until the segment
+  /// goes (section 3.3 of the paper), if `isCached`.
+  void updateStaticHit(
+    std::uint32_t walk, std::uint32_t bounce, const Hit& old, const Hit& now, bool isCached);
+  void forgetAllStaticHits() { staticHits_.clear(); }
+
+  /// The pools as a scan reads them, holes included: from point i to point i + 1 goes a segment, or
+  /// nothing; segmentAt() says which.
+  std::size_t numberOfPoints() const { return x_.size(); }
+  const float* x() const { return x_.data(); }
+  const float* y() const { return y_.data(); }
+  const float* z() const { return z_.data(); }
+  const std::uint16_t* tags() const { return tags_.data(); }
+  /// The number in a tag that stands for the object that the segment hits: 0 for static ones and
+  /// escapes; several dynamic objects may share a number.
+  static unsigned tagOf(std::uint32_t object)
+  {
+    return object == 0 || object == TriangleId::kNone ? 0 : 1 + (object - 1) % (kContactTag - 1);
+  }
+  static constexpr unsigned kContactTag = 31; ///< instead of it, for contacts
+  static constexpr unsigned kTagShift = 11;   ///< of that number in a tag
+  bool isContact(std::uint32_t walk, std::uint32_t bounce) const
+  {
+    return tags_[slot(walk, bounce)] >> kTagShift == kContactTag;
+  }
+
+  struct Place
+  {
+    std::uint32_t walk, bounce;
+  };
+  /// Has the memory bring what is stored of the segment that begins there.
+  void fetch(std::size_t point) const
+  {
+    prefetch(ids_.data() + point);
+    prefetch(weights_.data() + point);
+  }
+  /// False if no segment begins at point i.
+  bool segmentAt(std::size_t point, Place& place) const;
+
+  /// Memory held, the unused part of the pools included.
+  std::size_t bytes() const;
+
+private:
+  struct Range
+  {
+    std::uint32_t first = 0;
+    std::uint32_t size = 0;     ///< segments
+    std::uint32_t capacity = 0; ///< places
+  };
+
+  // A tag: the walk, the side of the hit, and tagOf() its object.
+  static constexpr std::uint16_t kWalkMask = 0x3ff;
+  static constexpr std::uint16_t kBack = 0x400;
+
+  static std::uint64_t key(std::uint32_t walk, std::uint32_t bounce)
+  {
+    return std::uint64_t{ walk } << 32 | bounce;
+  }
+  std::size_t slot(std::uint32_t walk, std::uint32_t bounce) const
+  {
+    return places_[walk].first + std::size_t{ bounce };
+  }
+  Vector3 point(std::size_t slot) const { return { x_[slot], y_[slot], z_[slot] }; }
+  void setPower(std::size_t slot, const Power& power);
+  void setPoint(std::size_t slot, const Vector3& world);
+  void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);
+  void closeHoles();
+  void resizePools(std::size_t size);
+  void copyPlaces(
+    const WalkBlock& from, std::uint32_t source, std::uint32_t target, std::uint32_t count);
+
+  UnitFrame frame_;
+  int bands_;
+  std::uint32_t unused_ = 0;
+  std::vector<Range> places_;
+  std::vector<float> x_, y_, z_;
+  std::vector<std::uint16_t> tags_;
+  std::vector<TriangleId> ids_;
+  std::vector<std::array<float, 2>> weights_;
+  std::vector<std::int64_t> powers_; ///< bands_ for each place
+  std::unordered_map<std::uint64_t, Hit> staticHits_;
+};
+
+}
+
+#endif

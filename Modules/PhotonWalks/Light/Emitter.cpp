@@ -1,0 +1,193 @@
+#include "Light/Emitter.h"
+
+#include "Sampling/DirectionSampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Mirrors a direction at walls until it points to the open side of all; false if it never does.
+bool mirrorInto(const std::vector<Vector3>& openSides, Vector3& direction)
+{
+  constexpr int kMostMirrors = 256; // between walls at an acute angle it takes some
+  for (int i = 0; i < kMostMirrors; ++i)
+  {
+    const auto wall = std::find_if(openSides.begin(), openSides.end(),
+      [&](const Vector3& side) { return side.dot(direction) < 0; });
+    if (wall == openSides.end())
+    {
+      return true;
+    }
+    direction -= 2 * wall->dot(direction) * *wall;
+  }
+  return false;
+}
+
+void checkOpen(const Vector3& position, const std::vector<Vector3>& openSides)
+{
+  Vector3 direction(0.48, 0.6, 0.64);
+  if (!mirrorInto(openSides, direction))
+  {
+    std::ostringstream text;
+    text << "the point light at (" << position.transpose()
+         << ") lies in the planes of walls that leave it no side to shine into";
+    throw std::runtime_error(text.str());
+  }
+}
+
+}
+
+bool operator==(const Emitter& a, const Emitter& b)
+{
+  return a.id == b.id && a.triangle == b.triangle && a.flux == b.flux;
+}
+
+bool operator==(const EmitterTable& a, const EmitterTable& b)
+{
+  return a.numberOfWalks_ == b.numberOfWalks_ && a.emitters_ == b.emitters_ &&
+    a.openSides_ == b.openSides_;
+}
+
+EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
+  Contacts* contacts, const Checkpoint& checkpoint)
+  : numberOfWalks_(numberOfWalks)
+{
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    addTriangles(objects, object);
+    addPoints(objects, object, contacts, checkpoint);
+  }
+  if (!emitters_.empty())
+  {
+    int exponent;
+    std::frexp(cumulative_.back(), &exponent);
+    const int smallest = std::numeric_limits<double>::min_exponent; // below lie subnormals, then 0
+    quantum_ = std::ldexp(1.0, std::max(exponent - 46, smallest));
+    totalQuanta_ = static_cast<std::uint64_t>(std::llround(cumulative_.back() / quantum_));
+  }
+  if (totalQuanta_ == 0)
+  {
+    emitters_.clear(); // too weak for a double
+  }
+}
+
+void EmitterTable::addTriangles(const SceneObjects& objects, std::uint32_t object)
+{
+  const Surface& surface = *objects[object].surface;
+  const TriangleMesh& mesh = objects[object].body->mesh();
+  for (std::uint32_t i = 0; i < mesh.size() && !surface.exitance.empty(); ++i)
+  {
+    Emitter emitter{ { object, i }, transformed(objects[object].worldFromObject, mesh[i]) };
+    const double area = 0.5 * emitter.triangle.areaVector().norm();
+    for (int band = 0; band < surface.bands; ++band)
+    {
+      emitter.flux[static_cast<std::size_t>(band)] = area *
+        surface.exitance[surface.cellOfTriangle[i] * static_cast<std::size_t>(surface.bands) +
+          static_cast<std::size_t>(band)];
+    }
+    add(emitter);
+  }
+}
+
+void EmitterTable::addPoints(const SceneObjects& objects, std::uint32_t number, Contacts* contacts,
+  const Checkpoint& checkpoint)
+{
+  const SceneObject& object = objects[number];
+  for (const PointLight& light : object.surface->pointLights)
+  {
+    Vector3 position = object.worldFromObject(light.position);
+    std::vector<Vector3> openSides;
+    if (contacts)
+    {
+      for (const Contacts::Wall& wall : contacts->wallsAt(objects, position, checkpoint))
+      {
+        position += std::max(0.0, wall.margin - wall.distance) * wall.normal;
+        openSides.push_back(wall.normal);
+      }
+      checkOpen(position, openSides);
+    }
+    Emitter emitter{ {}, { position, position, position } };
+    std::copy(light.flux.begin(), light.flux.end(), emitter.flux.begin());
+    if (emitter.totalFlux() > 0 && !openSides.empty())
+    {
+      openSides_[emitters_.size()] = openSides;
+    }
+    add(emitter);
+    pointBounds_.add(position);
+  }
+}
+
+void EmitterTable::add(const Emitter& emitter)
+{
+  if (emitter.totalFlux() > 0)
+  {
+    cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + emitter.totalFlux());
+    emitters_.push_back(emitter);
+  }
+}
+
+Power EmitterTable::powerOf(std::uint32_t walk, const Emitter& emitter) const
+{
+  // floor(walks * total / number), with the whole part taken out so that nothing overflows.
+  const std::uint64_t whole = totalQuanta_ / numberOfWalks_, rest = totalQuanta_ % numberOfWalks_;
+  const auto upTo = [&](std::uint64_t walks) {
+    return static_cast<std::int64_t>(walks * whole + walks * rest / numberOfWalks_);
+  };
+  const auto total = static_cast<double>(upTo(std::uint64_t{ walk } + 1) - upTo(walk));
+  Power power;
+  for (int band = 0; band < Power::kMaxBands; ++band)
+  {
+    const double share = emitter.flux[static_cast<std::size_t>(band)] / emitter.totalFlux();
+    power[band] = nearestQuanta(total * share);
+  }
+  return power;
+}
+
+std::array<double, Power::kMaxBands> EmitterTable::largestStart() const
+{
+  std::array<double, Power::kMaxBands> largest{};
+  const double walk =
+    std::ceil(static_cast<double>(totalQuanta_) / static_cast<double>(numberOfWalks_));
+  for (const Emitter& emitter : emitters_)
+  {
+    for (std::size_t band = 0; band < largest.size(); ++band)
+    {
+      largest[band] = std::max(largest[band], walk * (emitter.flux[band] / emitter.totalFlux()));
+    }
+  }
+  return largest;
+}
+
+WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) const
+{
+  const double chosen = samples.sample(walk, 0, SampleUse::Emitter)[0] * cumulative_.back();
+  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, chosen);
+  const auto number = static_cast<std::size_t>(found - cumulative_.begin());
+  const Emitter& emitter = emitters_[number];
+
+  const auto direction = samples.sample(walk, 0, SampleUse::Direction);
+  const Power power = powerOf(walk, emitter);
+  if (emitter.isPoint())
+  {
+    Vector3 shining = sampleSphere(direction);
+    if (const auto sides = openSides_.find(number); sides != openSides_.end())
+    {
+      mirrorInto(sides->second, shining);
+    }
+    return { { emitter.triangle.a, shining, emitter.id }, power };
+  }
+  const SurfacePoint point =
+    surfacePoint(emitter.triangle, sampleTriangle(samples.sample(walk, 0, SampleUse::Position)));
+  return { { point.clearPosition(), sampleCosineHemisphere(point.normal, direction), emitter.id },
+    power };
+}
+
+}

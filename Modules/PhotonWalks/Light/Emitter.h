@@ -1,0 +1,85 @@
+#ifndef irradiance_Emitter_h
+#define irradiance_Emitter_h
+
+#include "Geometry/Ray.h"
+#include "Light/Contacts.h"
+#include "Light/Power.h"
+#include "Light/SceneObjects.h"
+#include "Meshes/SurfacePoint.h"
+#include "Sampling/SobolSequence.h"
+
+#include <map>
+#include <vector>
+
+namespace irradiance
+{
+
+/// A triangle of a cell with exitance, or a point light, in world space.
+struct Emitter
+{
+  TriangleId id;                               ///< none for a point light
+  Triangle triangle;                           ///< a point light stands in all three corners
+  std::array<double, Power::kMaxBands> flux{}; ///< W
+
+  bool isPoint() const { return id == TriangleId{}; }
+  double totalFlux() const { return flux[0] + flux[1] + flux[2]; }
+  friend bool operator==(const Emitter& a, const Emitter& b);
+};
+
+/// The state in which a walk leaves its light.
+struct WalkStart
+{
+  Ray ray;
+  Power power;
+};
+
+/**
+ * All lights of a frame. Every walk carries the same share of the total flux; which light it starts
+ * from is sampled in proportion to flux. The power of walk i is floor((i + 1) Q / N) - floor(i Q / N)
+ * of Q quanta for N walks, so that nothing is lost by rounding.
+ */
+class EmitterTable
+{
+public:
+  EmitterTable() = default;
+  /// `contacts`: finds the walls in whose plane point lights lie; these shine to the other side of them.
+  /// Null: there are none. Throws std::runtime_error for a light that walls leave no side.
+  EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
+    Contacts* contacts = nullptr, const Checkpoint& checkpoint = {});
+
+  bool isEmpty() const { return emitters_.empty(); }
+  const std::vector<Emitter>& emitters() const { return emitters_; }
+  /// Bounds of the point lights.
+  const Box& pointBounds() const { return pointBounds_; }
+  /// Watts per quantum: a power of two, such that the total flux is 2^45 to 2^46 quanta. This leaves
+  /// 2^17 times the emitted power for a cell to receive before a sum overflows.
+  double quantum() const { return quantum_; }
+
+  /// Quanta with which the most powerful walk starts, in each band.
+  std::array<double, Power::kMaxBands> largestStart() const;
+
+  WalkStart start(std::uint32_t walk, const SobolSequence& samples) const;
+
+  /// Equal tables start the same walks, bit for bit.
+  friend bool operator==(const EmitterTable& a, const EmitterTable& b);
+
+private:
+  void addTriangles(const SceneObjects& objects, std::uint32_t object);
+  void addPoints(const SceneObjects& objects, std::uint32_t object, Contacts* contacts,
+    const Checkpoint& checkpoint);
+  void add(const Emitter& emitter);
+  Power powerOf(std::uint32_t walk, const Emitter& emitter) const;
+
+  std::vector<Emitter> emitters_;
+  /// By the number of a point light's emitter: the sides of the walls where it may shine.
+  std::map<std::size_t, std::vector<Vector3>> openSides_;
+  std::vector<double> cumulative_; ///< W, up to and with each emitter
+  std::uint64_t numberOfWalks_ = 0;
+  std::uint64_t totalQuanta_ = 0;
+  double quantum_ = 1;
+  Box pointBounds_;
+};
+
+}
+
+#endif

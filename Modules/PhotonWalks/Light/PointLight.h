@@ -1,0 +1,25 @@
+#ifndef irradiance_PointLight_h
+#define irradiance_PointLight_h
+
+#include "Geometry/Vector.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// Isotropic point light.
+struct PointLight
+{
+  Vector3 position;         ///< in the space of its object
+  std::vector<double> flux; ///< W, one per band
+
+  friend bool operator==(const PointLight& a, const PointLight& b)
+  {
+    return a.position == b.position && a.flux == b.flux;
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,56 @@
+#include "Repair/SceneChange.h"
+
+namespace irradiance
+{
+
+namespace
+{
+
+bool isSameLook(const SceneObject& now, const SceneObject& before)
+{
+  return now.surface == before.surface && now.isLoose == before.isLoose &&
+    now.body->mesh().size() == before.body->mesh().size();
+}
+
+bool hasMoved(const SceneObject& now, const SceneObject& before)
+{
+  return now.body != before.body || now.worldFromObject != before.worldFromObject;
+}
+
+/// `isSame` for all pairs of objects, and as many of them.
+template <class Function>
+bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Function& isSame)
+{
+  bool same = now.size() == before.size();
+  for (std::uint32_t i = 0; same && i < now.size(); ++i)
+  {
+    same = isSame(now[i], before[i]);
+  }
+  return same;
+}
+
+}
+
+bool doLightsStand(const SceneObjects& now, const SceneObjects& before)
+{
+  return isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
+    return a.surface == b.surface && !(a.surface->emits() && hasMoved(a, b));
+  });
+}
+
+bool isSameButForMotion(const SceneObjects& now, const SceneObjects& before)
+{
+  return now.fixed.body == before.fixed.body && isSameForAll(now, before, isSameLook);
+}
+
+std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before)
+{
+  std::vector<bool> moved;
+  for (std::size_t i = 0; i < now.dynamic.size(); ++i)
+  {
+    moved.push_back(hasMoved(now.dynamic[i], before.dynamic[i]));
+  }
+  return moved;
+}
+
+}

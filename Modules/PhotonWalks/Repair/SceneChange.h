@@ -1,0 +1,21 @@
+#ifndef irradiance_SceneChange_h
+#define irradiance_SceneChange_h
+
+#include "Light/SceneObjects.h"
+
+namespace irradiance
+{
+
+/// Whether two frames have the same lights. Cheap: what is the same has the same address; false is
+/// no proof that they changed.
+bool doLightsStand(const SceneObjects& now, const SceneObjects& before);
+
+/// Whether two frames differ at most in the pose and the points of dynamic objects.
+bool isSameButForMotion(const SceneObjects& now, const SceneObjects& before);
+
+/// Which dynamic objects have another pose or other points; both frames have the same number.
+std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before);
+
+}
+
+#endif

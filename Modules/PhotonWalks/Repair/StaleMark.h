@@ -1,0 +1,35 @@
+#ifndef irradiance_StaleMark_h
+#define irradiance_StaleMark_h
+
+#include "History/WalkHistory.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/// From this segment on a stored walk holds no longer, and has not been shot again yet. Its ray does
+/// hold, and all before it.
+struct StaleMark
+{
+  std::uint16_t walkInBlock;
+  std::uint16_t effect; ///< class of the power that the segment carries, larger: more; 0: repaired
+  std::uint32_t bounce;
+  std::int64_t gain; ///< see TailBound
+};
+
+/// Those of a block, ordered by walk, at most one for each.
+using StaleMarks = std::vector<StaleMark>;
+
+inline bool isStale(const StaleMarks& marks, const WalkBlock::Place& place)
+{
+  const auto found = std::lower_bound(marks.begin(), marks.end(), place.walk,
+    [](const StaleMark& mark, std::uint32_t walk) { return mark.walkInBlock < walk; });
+  return found != marks.end() && found->walkInBlock == place.walk && place.bounce >= found->bounce;
+}
+
+}
+
+#endif

@@ -1,0 +1,163 @@
+#include "Repair/StaleWalks.h"
+
+#include "Execution/SlicedPass.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Four classes to an octave.
+std::uint16_t effectOf(const Power& power)
+{
+  const auto all = static_cast<float>(power[0] + power[1] + power[2]);
+  std::uint32_t bits = 0;
+  static_assert(sizeof(bits) == sizeof(all), "exponent and mantissa are read from the bits");
+  std::memcpy(&bits, &all, sizeof(bits));
+  return static_cast<std::uint16_t>(bits >> 21);
+}
+
+}
+
+StaleWalks::StaleWalks(const SceneObjects& objects, int sides, const WalkPlan& plan,
+  std::size_t blocks, const SobolSequence& samples)
+  : plan_(plan)
+  , blocks_(blocks)
+  , sums_(objects, sides)
+  , bound_(objects, samples)
+{
+}
+
+bool StaleWalks::isEmpty() const
+{
+  return std::all_of(
+    blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
+}
+
+void StaleWalks::add(const std::vector<std::vector<StaleSegment>>& found,
+  const std::vector<WalkBlock>& history, Execution& execution)
+{
+  SlicedPass pass{ found.size(), {} };
+  pass.work = [&](std::size_t block, const Deadline&) {
+    add(block, history[block], found[block]);
+    return true;
+  };
+  pass.run(execution);
+}
+
+void StaleWalks::add(
+  std::size_t block, const WalkBlock& walks, const std::vector<StaleSegment>& found)
+{
+  if (found.empty())
+  {
+    return;
+  }
+  const StaleMarks before = std::move(blocks_[block].marks);
+  StaleMarks& marks = blocks_[block].marks;
+  marks.clear();
+  marks.reserve(before.size() + found.size());
+  std::vector<Deposit> deposits;
+  auto old = before.begin();
+  for (const StaleSegment& segment : found)
+  {
+    for (; old != before.end() && old->walkInBlock < segment.walkInBlock; ++old)
+    {
+      marks.push_back(*old);
+    }
+    const std::uint32_t walk = segment.walkInBlock;
+    std::uint32_t end = walks.size(walk);
+    if (old != before.end() && old->walkInBlock == walk)
+    {
+      count(blocks_[block], walks, *old, -1);
+      end = old->bounce; // the rest is booked
+      ++old;
+    }
+    const Power carried = walks.power(walk, segment.bounce);
+    const std::uint32_t number = plan_.firstWalkOf(block) + walk;
+    marks.push_back({ static_cast<std::uint16_t>(walk), effectOf(carried), segment.bounce,
+      bound_.isKnown() ? bound_(number, segment.bounce, walks.power(walk, 0), carried) : 0 });
+    count(blocks_[block], walks, marks.back(), 1);
+    book(walks, marks.back(), end, 1, deposits);
+  }
+  marks.insert(marks.end(), old, before.end());
+  sums_.add(deposits);
+}
+
+void StaleWalks::repair(
+  std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits)
+{
+  book(walks, mark, walks.size(mark.walkInBlock), -1, deposits);
+  count(blocks_[block], walks, mark, -1);
+  mark.effect = 0;
+}
+
+void StaleWalks::forgetRepaired(std::size_t block)
+{
+  StaleMarks& marks = blocks_[block].marks;
+  marks.erase(std::remove_if(
+                marks.begin(), marks.end(), [](const StaleMark& mark) { return mark.effect == 0; }),
+    marks.end());
+}
+
+void StaleWalks::book(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
+  std::vector<Deposit>& deposits) const
+{
+  const std::uint32_t walk = mark.walkInBlock;
+  for (std::uint32_t i = mark.bounce; i < end; ++i)
+  {
+    const Hit hit = walks.hit(walk, i);
+    if (hit)
+    {
+      constexpr std::uint32_t kAny = 0; // these sums are not kept apart by walk
+      sums_.collect(kAny, hit.id, walks.isFront(walk, i), walks.power(walk, i), sign, deposits);
+    }
+  }
+}
+
+void StaleWalks::count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign)
+{
+  const Power carried = walks.power(mark.walkInBlock, mark.bounce);
+  for (int band = 0; band < Power::kMaxBands; ++band)
+  {
+    block.power[band] += sign * carried[band];
+    block.gain[band] += carried[band] > 0 ? sign * mark.gain : 0; // a band without power stays so
+  }
+}
+
+Power StaleWalks::power() const
+{
+  Power sum;
+  for (const Block& block : blocks_)
+  {
+    sum += block.power;
+  }
+  return sum;
+}
+
+double StaleWalks::gainBound(int band) const
+{
+  Power gain;
+  for (const Block& block : blocks_)
+  {
+    gain += block.gain;
+  }
+  return bound_.isKnown() || power()[band] == 0 ? static_cast<double>(gain[band])
+                                                : std::numeric_limits<double>::infinity();
+}
+
+std::size_t StaleWalks::bytes() const
+{
+  std::size_t sum = blocks_.capacity() * sizeof(Block);
+  for (const Block& block : blocks_)
+  {
+    sum += block.marks.capacity() * sizeof(StaleMark);
+  }
+  return sum;
+}
+
+}

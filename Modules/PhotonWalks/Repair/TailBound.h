@@ -1,0 +1,38 @@
+#ifndef irradiance_TailBound_h
+#define irradiance_TailBound_h
+
+#include "Light/Power.h"
+#include "Light/SceneObjects.h"
+#include "Sampling/SobolSequence.h"
+
+namespace irradiance
+{
+
+/**
+ * The most that the rest of a walk can bring to all cells together, wherever it goes: what it brings
+ * if it never escapes and always hits what reflects most. Roulette is played with the walk's own
+ * samples, so that this holds for certain, not in the mean. See Theory, "The time budget".
+ */
+class TailBound
+{
+public:
+  TailBound(const SceneObjects& objects, const SobolSequence& samples);
+
+  /// False where a surface reflects more than kMostReflecting: no bound is known.
+  bool isKnown() const { return reflectance_ <= kMostReflecting; }
+  /// Quanta in any one band, if isKnown(). `first` is the power with which the walk started,
+  /// `incoming` what its segment `bounce` carries.
+  std::int64_t operator()(
+    std::uint32_t walk, std::uint32_t bounce, const Power& first, const Power& incoming) const;
+
+private:
+  /// Beyond, the bound would take long, and be a hundred times the power or more.
+  static constexpr double kMostReflecting = 0.99;
+
+  SobolSequence samples_;
+  double reflectance_ = 0; ///< the largest of any triangle
+};
+
+}
+
+#endif

@@ -1,0 +1,49 @@
+#include "Sampling/WalkPlan.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+WalkPlan::WalkPlan(std::uint32_t first, std::uint32_t most, std::uint32_t replicates)
+  : deal_(replicates)
+{
+  WalkRound round{ 0, 0, 0, 0 };
+  while (round.endWalk < most)
+  {
+    const std::uint64_t twice = std::uint64_t{ round.endWalk } * 2;
+    round.firstWalk = round.endWalk;
+    round.endWalk =
+      rounds_.empty() ? first : static_cast<std::uint32_t>(std::min<std::uint64_t>(twice, most));
+    round.firstBlock = round.endBlock;
+    round.endBlock +=
+      (std::size_t{ round.endWalk - round.firstWalk } + kWalksPerBlock - 1) / kWalksPerBlock;
+    rounds_.push_back(round);
+  }
+}
+
+WalkPlan::Place WalkPlan::placeOf(std::uint32_t walk) const
+{
+  const WalkRound& round = rounds_[roundOf(walk)];
+  const std::uint32_t inRound = walk - round.firstWalk;
+  return { round.firstBlock + inRound / kWalksPerBlock, inRound % kWalksPerBlock };
+}
+
+const WalkRound& WalkPlan::roundOfBlock(std::size_t block) const
+{
+  return *std::find_if(rounds_.begin(), rounds_.end(),
+    [block](const WalkRound& round) { return block < round.endBlock; });
+}
+
+std::uint32_t WalkPlan::firstWalkOf(std::size_t block) const
+{
+  const WalkRound& round = roundOfBlock(block);
+  return round.firstWalk + static_cast<std::uint32_t>(block - round.firstBlock) * kWalksPerBlock;
+}
+
+std::uint32_t WalkPlan::walksIn(std::size_t block) const
+{
+  return std::min<std::uint32_t>(kWalksPerBlock, roundOfBlock(block).endWalk - firstWalkOf(block));
+}
+
+}

@@ -1,0 +1,79 @@
+#ifndef irradiance_WalkPlan_h
+#define irradiance_WalkPlan_h
+
+#include "Sampling/Replicates.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Walks [firstWalk, endWalk), stored in blocks [firstBlock, endBlock) of their own.
+struct WalkRound
+{
+  std::uint32_t firstWalk, endWalk;
+  std::size_t firstBlock, endBlock;
+};
+
+/**
+ * Which walks may be shot, in which order: in rounds, each of which doubles the number of walks until
+ * the limit is reached. Walk numbers, their replicates and their blocks do not depend on how many
+ * rounds are shot in the end.
+ */
+class WalkPlan
+{
+public:
+  /// Of a full block.
+  static constexpr std::uint32_t kWalksPerBlock = 1024;
+
+  /// All walks in one round, one replicate.
+  WalkPlan()
+    : WalkPlan(
+        std::numeric_limits<std::uint32_t>::max(), std::numeric_limits<std::uint32_t>::max(), 1)
+  {
+  }
+  /// 1 <= `first` <= `most`. With `first` == `most` there is one round.
+  WalkPlan(std::uint32_t first, std::uint32_t most, std::uint32_t replicates);
+
+  const std::vector<WalkRound>& rounds() const { return rounds_; }
+  std::uint32_t most() const { return rounds_.back().endWalk; }
+  const ReplicateDeal& deal() const { return deal_; }
+
+  std::size_t roundOf(std::uint32_t walk) const
+  {
+    std::size_t round = 0;
+    while (round + 1 < rounds_.size() && walk >= rounds_[round].endWalk)
+    {
+      ++round;
+    }
+    return round;
+  }
+
+  struct Place
+  {
+    std::size_t block;
+    std::uint32_t walkInBlock;
+  };
+  Place placeOf(std::uint32_t walk) const;
+  std::uint32_t firstWalkOf(std::size_t block) const;
+  std::uint32_t walksIn(std::size_t block) const;
+
+  friend bool operator==(const WalkPlan& a, const WalkPlan& b)
+  {
+    return a.rounds_.front().endWalk == b.rounds_.front().endWalk && a.most() == b.most() &&
+      a.deal_.replicates() == b.deal_.replicates();
+  }
+
+private:
+  const WalkRound& roundOfBlock(std::size_t block) const;
+
+  ReplicateDeal deal_;
+  std::vector<WalkRound> rounds_;
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+#include "Shooting/WalkShooter.h"
+
+#include "Light/Reflection.h"
+#include "Light/Roulette.h"
+#include "Sampling/DirectionSampling.h"
+
+namespace irradiance
+{
+
+Power WalkShooter::powerAfter(std::uint32_t walk, std::uint32_t bounce, const TriangleId& id,
+  const Power& incoming, std::int64_t threshold) const
+{
+  const Power power = reflected(incoming, *objects_[id.object].surface, id.triangle);
+  return power.largest() < threshold
+    ? playRoulette(power, threshold, samples_.sample(walk, bounce + 1, SampleUse::Roulette)[0])
+    : power;
+}
+
+void WalkShooter::cast(const Ray* rays, std::size_t count, Hit* hits) const
+{
+  scene_.cast(rays, count, hits);
+  const bool mayTouch = contacts_ && !contacts_->isEmpty();
+  for (std::size_t i = 0; mayTouch && i < count; ++i)
+  {
+    hits[i] = contacts_->settled(scene_, rays[i], hits[i]);
+  }
+}
+
+void WalkShooter::fetchTriangle(const Hit& hit) const
+{
+  if (hit)
+  {
+    const SceneObject& object = objects_[hit.id.object];
+    object.body->mesh().fetch(hit.id.triangle);
+    prefetch(object.surface->cellOfTriangle.data() + hit.id.triangle);
+  }
+}
+
+void WalkShooter::fetchCell(const Hit& hit) const
+{
+  if (hit)
+  {
+    const Surface& surface = *objects_[hit.id.object].surface;
+    prefetch(surface.reflectance.data() +
+      surface.cellOfTriangle[hit.id.triangle] * static_cast<std::size_t>(surface.bands));
+  }
+}
+
+Ray WalkShooter::rayFrom(
+  std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point, const TriangleId& id) const
+{
+  return { point.clearPosition(),
+    sampleCosineHemisphere(point.normal, samples_.sample(walk, bounce, SampleUse::Direction)), id };
+}
+
+Ray WalkShooter::rayOf(
+  const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk, std::uint32_t bounce) const
+{
+  if (bounce == 0)
+  {
+    return start(walk).ray;
+  }
+  const Hit left = block.hit(walkInBlock, bounce - 1);
+  return rayFrom(
+    walk, bounce, scene_.surfaceOf(left, block.isFront(walkInBlock, bounce - 1)), left.id);
+}
+
+}

@@ -1,0 +1,74 @@
+#ifndef irradiance_WalkShooter_h
+#define irradiance_WalkShooter_h
+
+#include "History/WalkHistory.h"
+#include "Light/Contacts.h"
+#include "Light/Emitter.h"
+#include "Scene/Scene.h"
+
+namespace irradiance
+{
+
+/// What a walk does at its start and at each hit. A walk is a pure function of the scene, the
+/// samples and its number.
+class WalkShooter
+{
+public:
+  /// The arguments must outlive the shooter. `contacts`: null if nothing coincides with a lamp.
+  WalkShooter(const Scene& scene, const SceneObjects& objects, const EmitterTable& emitters,
+    const SobolSequence& samples, const Contacts* contacts = nullptr)
+    : scene_(scene)
+    , objects_(objects)
+    , emitters_(emitters)
+    , samples_(samples)
+    , contacts_(contacts)
+  {
+  }
+
+  const Scene& scene() const { return scene_; }
+  WalkStart start(std::uint32_t walk) const { return emitters_.start(walk, samples_); }
+
+  /// What the rays hit: the closest triangles, or where surfaces coincide those that are before the
+  /// others.
+  void cast(const Ray* rays, std::size_t count, Hit* hits) const;
+  /// The hit of a ray whose closest hit is known.
+  Hit settled(const Ray& ray, const Hit& closest) const
+  {
+    return contacts_ ? contacts_->settled(scene_, ray, closest) : closest;
+  }
+  /// Whether the hit of a segment may depend on dynamic objects that touch its ends.
+  bool isContact(const TriangleId& start, const TriangleId& hit) const
+  {
+    return contacts_ && (contacts_->hasDynamic(start) || contacts_->hasDynamic(hit));
+  }
+  /// Whether other triangles coincide with this one.
+  bool hasContact(const TriangleId& id) const { return contacts_ && contacts_->has(id); }
+
+  /// What a walk carries on from a hit of segment `bounce`; zero: it ends there. Roulette is played
+  /// below `threshold`.
+  Power powerAfter(std::uint32_t walk, std::uint32_t bounce, const TriangleId& id,
+    const Power& incoming, std::int64_t threshold) const;
+  /// The ray with which a walk leaves its hit on `point`, as its segment `bounce`.
+  Ray rayFrom(std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point,
+    const TriangleId& id) const;
+
+  /// The ray of a stored segment, the same as when it was shot if the objects stand as they did.
+  Ray rayOf(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
+    std::uint32_t bounce) const;
+
+  /// Has the memory bring what surfaceAt() and powerAfter() will read; the second when the first has
+  /// come.
+  void fetchTriangle(const Hit& hit) const;
+  void fetchCell(const Hit& hit) const;
+
+private:
+  const Scene& scene_;
+  const SceneObjects& objects_;
+  const EmitterTable& emitters_;
+  const SobolSequence& samples_;
+  const Contacts* contacts_;
+};
+
+}
+
+#endif

@@ -1,0 +1,96 @@
+#ifndef irradiance_CellSums_h
+#define irradiance_CellSums_h
+
+#include "Geometry/Ray.h"
+#include "Light/Power.h"
+#include "Light/SceneObjects.h"
+#include "Sampling/WalkPlan.h"
+#include "Simd/Prefetch.h"
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace irradiance
+{
+
+/// What a photon brings to a cell, or takes away again.
+struct Deposit
+{
+  std::size_t slot;
+  std::int64_t quanta;
+};
+
+/// The power that each cell receives, in quanta: adding a photon adds its power, removing it
+/// subtracts it. Threads collect deposits and hand them in many at a time; the result does not
+/// depend on their order.
+///
+/// The sums are kept apart by round and replicate of the walks, as far as the plan has several.
+class CellSums
+{
+public:
+  CellSums() = default;
+  /// `sides`: 1 for the sum over both sides of a cell, 2 to keep front and back apart. There is
+  /// room for `rounds` rounds of the plan.
+  CellSums(
+    const SceneObjects& objects, int sides, const WalkPlan& plan = {}, std::size_t rounds = 1);
+
+  /// Makes room for further rounds, or drops the last ones.
+  void setRounds(std::size_t rounds, const Checkpoint& checkpoint = {});
+  std::size_t rounds() const { return rounds_; }
+  std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
+
+  /// Has the memory bring what collect() and add() will need.
+  void fetch(std::uint32_t walk, const TriangleId& id) const
+  {
+    if (id.object != TriangleId::kNone)
+    {
+      const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
+      prefetch(sums_.data() + slot(groupOf(walk), id.object, cell, 0));
+    }
+  }
+  /// Appends the deposits of a photon. `sign`: 1 to add it, -1 to remove it.
+  void collect(std::uint32_t walk, const TriangleId& id, bool isFront, const Power& power, int sign,
+    std::vector<Deposit>& deposits) const;
+  /// May be called by many threads at once.
+  void add(const std::vector<Deposit>& deposits);
+  /// `side`: 0 front (or both), 1 back.
+  std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band) const;
+  /// What the walks of one replicate in the first `rounds` rounds brought.
+  std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band,
+    std::uint32_t replicate, std::size_t rounds) const;
+
+  int sides() const { return sides_; }
+
+private:
+  /// Walks whose deposits go to the same sums.
+  struct Group
+  {
+    std::size_t round = 0, replicate = 0;
+  };
+  Group groupOf(std::uint32_t walk) const
+  {
+    return { plan_.roundOf(walk), plan_.deal().replicateOf(walk) };
+  }
+  std::size_t slot(const Group& group, std::uint32_t object, std::size_t cell, int side) const
+  {
+    const std::size_t part = (firstCell_[object] + cell) * static_cast<std::size_t>(sides_) +
+      static_cast<std::size_t>(side);
+    return group.round * roundSize_ +
+      (part * plan_.deal().replicates() + group.replicate) * static_cast<std::size_t>(bands_);
+  }
+
+  WalkPlan plan_;
+  int sides_ = 1;
+  int bands_ = 1;
+  std::vector<std::size_t> firstCell_;
+  std::vector<std::shared_ptr<const Surface>> surfaces_;
+  std::size_t rounds_ = 0;
+  std::size_t roundSize_ = 0; ///< sums of a round
+  std::vector<std::int64_t> sums_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+};
+
+}
+
+#endif

@@ -1,0 +1,161 @@
+#include "Tally/ErrorEstimate.h"
+
+#include "Execution/SlicedPass.h"
+#include "Tally/StudentT.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// The least error below which parts have this area together.
+double quantileOfArea(std::vector<std::pair<double, double>> errorsWithAreas, double area)
+{
+  std::sort(errorsWithAreas.begin(), errorsWithAreas.end());
+  double within = 0;
+  for (const auto& [error, itsArea] : errorsWithAreas)
+  {
+    within += itsArea;
+    if (within >= area)
+    {
+      return error;
+    }
+  }
+  return 0; // nothing has an area
+}
+
+}
+
+ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
+  const std::array<double, Power::kMaxBands>& photon)
+  : sums_(sums)
+  , rounds_(rounds)
+  , walks_(plan.rounds()[rounds - 1].endWalk)
+  , photon_(photon)
+{
+  double squares = 0;
+  for (std::uint32_t replicate = 0; replicate < plan.deal().replicates(); ++replicate)
+  {
+    share_.push_back(double(plan.deal().share(replicate, walks_)) / walks_);
+    squares += share_.back() * share_.back();
+  }
+  unbiased_ = 1 / (1 - squares);
+}
+
+double ErrorEstimate::confidenceFactor(std::uint32_t replicates)
+{
+  return studentQuantile(kConfidence, static_cast<int>(replicates) - 1);
+}
+
+ErrorEstimate::Received ErrorEstimate::received(
+  std::uint32_t object, std::size_t cell, int side, int band) const
+{
+  const auto replicates = static_cast<std::uint32_t>(share_.size());
+  const auto ofReplicate = [&](std::uint32_t i) {
+    return sums_.sum(object, cell, side, band, i, rounds_);
+  };
+  std::int64_t total = 0;
+  for (std::uint32_t i = 0; i < replicates; ++i)
+  {
+    total += ofReplicate(i);
+  }
+  const auto quanta = static_cast<double>(total);
+  const double photon = photon_[static_cast<std::size_t>(band)];
+  if (replicates < 2 || walks_ < kFewestPhotons || total == 0 || quanta < kFewestPhotons * photon)
+  {
+    return { quanta, std::nan("") };
+  }
+  double squares = 0;
+  for (std::uint32_t i = 0; i < replicates; ++i)
+  {
+    const double off = static_cast<double>(ofReplicate(i)) - share_[i] * quanta;
+    squares += off * off;
+  }
+  // Sums come in steps of a photon, so that replicates may agree by chance: the variance within a
+  // step is the least that can be claimed.
+  return { quanta, std::sqrt(std::max(unbiased_ * squares, replicates * photon * photon / 12)) };
+}
+
+double ErrorEstimate::relativeError(
+  const Received& received, int band, double average, double factor) const
+{
+  const double photon = photon_[static_cast<std::size_t>(band)];
+  if (photon == 0)
+  {
+    return 0; // no light has this band
+  }
+  if (received.quanta == 0)
+  {
+    return 3 * photon / average; // where 3 photons are expected, none comes in 5 % of all cases
+  }
+  return std::isnan(received.error) ? kInfinity : factor * received.error / received.quanta;
+}
+
+std::vector<ErrorEstimate::CellSide> ErrorEstimate::cellSides(
+  const SceneObjects& objects, Execution& execution) const
+{
+  std::vector<CellSide> parts;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const std::vector<double> areas = cellAreas(objects[object]);
+    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+    {
+      for (int side = 0; side < sums_.sides() && areas[cell] > 0; ++side)
+      {
+        parts.push_back({ object, cell, side, areas[cell] });
+      }
+    }
+  }
+  constexpr std::size_t kTogether = 4096;
+  SlicedPass pass{ (parts.size() + kTogether - 1) / kTogether, {} };
+  pass.work = [&](std::size_t unit, const Deadline&) {
+    for (std::size_t i = unit * kTogether; i < std::min((unit + 1) * kTogether, parts.size()); ++i)
+    {
+      for (int band = 0; band < objects.fixed.surface->bands; ++band)
+      {
+        parts[i].received[static_cast<std::size_t>(band)] =
+          received(parts[i].object, parts[i].cell, parts[i].side, band);
+      }
+    }
+    return true;
+  };
+  pass.run(execution);
+  return parts;
+}
+
+double ErrorEstimate::relativeErrorOfMostArea(
+  const SceneObjects& objects, Execution& execution) const
+{
+  const std::vector<CellSide> parts = cellSides(objects, execution);
+  double area = 0;
+  std::array<double, Power::kMaxBands> sums{}; // quanta
+  for (const CellSide& part : parts)
+  {
+    area += part.area;
+    for (std::size_t band = 0; band < sums.size(); ++band)
+    {
+      sums[band] += part.received[band].quanta;
+    }
+  }
+  const double factor = confidenceFactor(static_cast<std::uint32_t>(share_.size()));
+  std::vector<std::pair<double, double>> errors; // with the area
+  errors.reserve(parts.size());
+  for (const CellSide& part : parts)
+  {
+    double worst = 0;
+    for (int band = 0; band < objects.fixed.surface->bands; ++band)
+    {
+      const auto i = static_cast<std::size_t>(band);
+      worst =
+        std::max(worst, relativeError(part.received[i], band, sums[i] / area * part.area, factor));
+    }
+    errors.emplace_back(worst, part.area);
+  }
+  return quantileOfArea(std::move(errors), kConfidence * area);
+}
+
+}

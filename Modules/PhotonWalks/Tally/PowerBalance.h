@@ -1,0 +1,49 @@
+#ifndef irradiance_PowerBalance_h
+#define irradiance_PowerBalance_h
+
+#include "Light/Power.h"
+
+#include <cstdint>
+#include <mutex>
+
+namespace irradiance
+{
+
+/// Where the power went, in quanta. As integers, emitted = absorbed + escaped exactly: what a hit
+/// absorbs is booked as what came in minus what the walk carries on, so that it includes what
+/// Russian roulette takes or adds.
+struct PowerBalance
+{
+  Power emitted;
+  Power absorbed;
+  Power escaped;
+  std::int64_t segments = 0;
+  double received = 0; ///< by all cells in all bands; to notice an overflow before it happens
+
+  PowerBalance& operator+=(const PowerBalance& other);
+};
+
+/// Throws std::overflow_error when cell sums might overflow.
+void checkReceived(const PowerBalance& balance);
+
+/// A balance to which several threads add.
+class SharedBalance
+{
+public:
+  /// `total` must outlive this.
+  explicit SharedBalance(PowerBalance& total)
+    : total_(total)
+  {
+  }
+
+  /// Throws as checkReceived() does.
+  void add(const PowerBalance& part);
+
+private:
+  PowerBalance& total_;
+  std::mutex mutex_;
+};
+
+}
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef irradiance_WalkTally_h
+#define irradiance_WalkTally_h
+
+#include "History/WalkHistory.h"
+#include "Tally/CellSums.h"
+#include "Tally/PowerBalance.h"
+
+namespace irradiance
+{
+
+/// Books what a hit receives in the cells and the balance, or takes it back. The cells get it when
+/// the booking ends.
+class WalkBooking
+{
+public:
+  WalkBooking(CellSums& sums, PowerBalance& balance)
+    : sums_(sums)
+    , balance_(balance)
+  {
+  }
+  ~WalkBooking() { sums_.add(deposits_); }
+  WalkBooking(const WalkBooking&) = delete;
+  WalkBooking& operator=(const WalkBooking&) = delete;
+
+  /// `sign`: 1 to book, -1 to take back.
+  void book(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
+    const Power& carriedOn, int sign);
+  /// As if nothing had been booked in the cells; the balance is the caller's to drop.
+  void discard() { deposits_.clear(); }
+  /// Has the memory bring the sum that a hit will change.
+  void fetch(std::uint32_t walk, const Hit& hit) const { sums_.fetch(walk, hit.id); }
+  /// Takes back the segments of a stored walk from `firstBounce` on.
+  void remove(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
+    std::uint32_t firstBounce);
+
+private:
+  CellSums& sums_;
+  PowerBalance& balance_;
+  std::vector<Deposit> deposits_;
+};
+
+}
+
+#endif

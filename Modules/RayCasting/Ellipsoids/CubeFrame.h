@@ -1,0 +1,33 @@
+#ifndef irradiance_CubeFrame_h
+#define irradiance_CubeFrame_h
+
+#include "Geometry/Vector.h"
+#include "Progress/Checkpoint.h"
+
+#include <array>
+#include <vector>
+
+namespace irradiance
+{
+
+/// The frame along the principal directions of a set of points in which they fill [-1,1]^3.
+struct CubeFrame
+{
+  Vector3 origin;             // in the model
+  Matrix3 axes;               // columns: orthonormal principal directions
+  Vector3 halfWidth;          // along the axes, in model length, never 0
+  std::array<bool, 3> isFlat; // the points do not reach +-1 along this axis
+
+  Vector3 fromModel(const Vector3& point) const
+  {
+    return (axes.transpose() * (point - origin)).cwiseQuotient(halfWidth);
+  }
+};
+
+/// An axis along which the points have no extent is 2^-20 of the longest, or 2^-44 of the distance
+/// from the origin if that is more. Scales exactly with powers of two.
+CubeFrame cubeFrame(const std::vector<Vector3>& points, const Checkpoint& checkpoint = {});
+
+}
+
+#endif

@@ -1,0 +1,106 @@
+#ifndef irradiance_EllipsoidBound_h
+#define irradiance_EllipsoidBound_h
+
+#include "Ellipsoids/EnclosingEllipsoid.h"
+#include "Geometry/Vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+/// Where a rigid object is in one frame, from its ellipsoid alone: a box in the world, and a quick
+/// proof that a segment cannot touch the object. It never looks at the object's triangles.
+class EllipsoidBound
+{
+public:
+  /// Any finite affine map will do: a reflection, a shear, one that is nearly or exactly singular.
+  /// `worldPad` is a length in the world: the caller's own rounding of the object's points.
+  /// If any of the numbers is not finite, the box is all of space and nothing is rejected.
+  EllipsoidBound(const EnclosingEllipsoid& ellipsoid, const Box& modelBox,
+    const AffineMap& worldFromObject, double worldPad);
+
+  /// Contains all points within `worldPad` (per axis) of the moved object; empty if `modelBox` is.
+  const Box& worldBox() const { return worldBox_; }
+
+  /// True only if no point of the closed segment lies within `worldPad` of the moved ellipsoid.
+  /// False is always safe, and is the answer when a coordinate is not finite.
+  bool rejects(const Vector3& from, const Vector3& to) const noexcept;
+
+  /// A ball that contains all points within `worldPad` of the moved ellipsoid, as a map shows them
+  /// that makes the ellipsoid about round: |roundFromWorld (x - center)| <= radius.
+  struct Ball
+  {
+    Matrix3 roundFromWorld;
+    Vector3 center;
+    double radius;
+  };
+  Ball ball() const
+  {
+    const double stretch = roundFromWorld_.rowwise().norm().maxCoeff();
+    return { roundFromWorld_, center_,
+      (std::sqrt(radiusSquared_) + stretch * margin_) * (1 + kRounding) };
+  }
+
+private:
+  bool isSeparated(const Vector3& p, const Vector3& q, const Vector3& n) const noexcept;
+
+  static constexpr double kNegligibleTilt = 0x1p-10;
+  static constexpr double kRounding = 0x1p-48; // 32 units in the last place
+  static constexpr double kSmallest = 1e-120;
+  static constexpr double kLargest = 1e140;
+
+  Vector3 center_;         // in the world
+  Matrix3 roundFromWorld_; // makes the ellipsoid about round, of radius about 1
+  double radiusSquared_;   // of a ball that contains it then
+  double margin_;          // length in the world: worldPad, and how far the ellipsoid may be off
+  Box worldBox_;
+};
+
+// The certificate. Let W = roundFromWorld_ and n any vector. The plane with normal N = W^T n has
+// the ellipsoid, thickened by the margin, on one side; a point x lies strictly on the other if
+//     N . (x - center) - |N| margin > radius |n|.
+// If this holds for both ends of a segment, it does for the whole segment. Whatever n is, this
+// proof stands, so n need not be accurate. Only the inequality itself is guarded against rounding;
+// Documentation/Theory.md has the whole argument.
+inline bool EllipsoidBound::isSeparated(
+  const Vector3& p, const Vector3& q, const Vector3& n) const noexcept
+{
+  const Vector3 normal = roundFromWorld_.transpose() * n;
+  // The 1-norm is no less than |normal| and needs no square root.
+  const double length = normal.lpNorm<1>();
+  const double gapP = normal.dot(p) - length * (margin_ + kRounding * p.lpNorm<1>());
+  const double gapQ = normal.dot(q) - length * (margin_ + kRounding * q.lpNorm<1>());
+  const double gap = std::min(gapP, gapQ);
+  // Beyond these limits, or with a NaN, a product may have vanished or overflowed.
+  const bool isInRange =
+    (gapP > kSmallest) & (gapQ > kSmallest) & (gapP < kLargest) & (gapQ < kLargest);
+  return isInRange & (gap * gap > radiusSquared_ * n.squaredNorm());
+}
+
+// The best n is the point of the segment nearest to the centre, as W shows it.
+inline bool EllipsoidBound::rejects(const Vector3& from, const Vector3& to) const noexcept
+{
+  const Vector3 p = from - center_;
+  const Vector3 q = to - center_;
+  const Vector3 start = roundFromWorld_ * p;
+  const Vector3 along = roundFromWorld_ * q - start;
+  const double squaredLength = along.squaredNorm();
+  // A segment of no length gives NaN here, which max turns into 0.
+  const double position = std::min(1.0, std::max(0.0, -start.dot(along) / squaredLength));
+  const Vector3 n = start + position * along;
+  if (isSeparated(p, q, n))
+  {
+    return true;
+  }
+  // Beside a flat body a segment is very long, and rounding tilts n towards it: straighten n.
+  const double tilt = n.dot(along);
+  const bool mayHelp =
+    position > 0.0 && position < 1.0 && std::abs(tilt) > kNegligibleTilt * n.squaredNorm();
+  return mayHelp && isSeparated(p, q, n - (tilt / squaredLength) * along);
+}
+
+}
+
+#endif

@@ -1,0 +1,63 @@
+#ifndef irradiance_Ray_h
+#define irradiance_Ray_h
+
+#include "Geometry/Vector.h"
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+
+namespace irradiance
+{
+
+/// A triangle of the scene: object 0 is the static geometry, object i + 1 the i-th dynamic object.
+struct TriangleId
+{
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  std::uint32_t object = kNone;
+  std::uint32_t triangle = kNone;
+
+  friend bool operator==(const TriangleId& a, const TriangleId& b)
+  {
+    return a.object == b.object && a.triangle == b.triangle;
+  }
+  friend bool operator!=(const TriangleId& a, const TriangleId& b) { return !(a == b); }
+};
+
+/// Half line in world space. `start` is the triangle it leaves, which it cannot hit again.
+struct Ray
+{
+  Vector3 origin;
+  Vector3 direction; ///< need not be a unit vector, must not be zero
+  TriangleId start;
+};
+
+/// Where a ray ends. Default: nowhere.
+struct Hit
+{
+  double distance = kInfinity; ///< in multiples of the ray's direction
+  TriangleId id;
+  /// Barycentric weights of the second and third corner; rounded to float, so that a stored hit
+  /// says all that is needed to go on from it.
+  std::array<float, 2> weights{};
+
+  explicit operator bool() const { return id.object != TriangleId::kNone; }
+
+  friend bool operator==(const Hit& a, const Hit& b)
+  {
+    return a.distance == b.distance && a.id == b.id;
+  }
+  friend bool operator!=(const Hit& a, const Hit& b) { return !(a == b); }
+};
+
+/// The total order that makes the closest hit unique whatever order triangles are visited in.
+inline bool isCloser(const Hit& a, const Hit& b)
+{
+  return std::tie(a.distance, a.id.object, a.id.triangle) <
+    std::tie(b.distance, b.id.object, b.id.triangle);
+}
+
+}
+
+#endif

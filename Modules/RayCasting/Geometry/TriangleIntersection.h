@@ -1,0 +1,136 @@
+#ifndef irradiance_TriangleIntersection_h
+#define irradiance_TriangleIntersection_h
+
+#include "Geometry/Triangle.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+/// The axes of space in the order in which a ray sees them: the last is its steepest, the others
+/// follow so that all three keep their handedness.
+struct RayAxes
+{
+  int x, y, z;
+
+  explicit RayAxes(const Vector3& direction)
+  {
+    // Which axis is steepest is as good as random: no branches here.
+    constexpr int kNext[4] = { 1, 2, 0, 1 };
+    const Vector3 steepness = direction.cwiseAbs();
+    const int steeper = static_cast<int>(steepness[1] > steepness[0]);
+    const int isLast = static_cast<int>(steepness[2] > steepness[steeper]);
+    z = steeper + isLast * (2 - steeper);
+    const int flip = static_cast<int>(direction[z] < 0);
+    x = kNext[z + flip];
+    y = kNext[z + 1 - flip];
+  }
+};
+
+/**
+ * The only ray/triangle test of the project: every traversal, every verification and brute force
+ * call it, so that they agree bit for bit.
+ *
+ * After Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): the triangle is
+ * sheared so that the ray becomes the z axis, and the origin is tested against three edge functions
+ * in 2D. Two triangles that share an edge compute its function from the same two points with
+ * opposite signs, so no ray slips between them. This needs products that are rounded on their own:
+ * the file must be compiled without fused multiply-add (-ffp-contract=off).
+ *
+ * No branches: a loop over many meetings becomes SIMD.
+ */
+struct Meeting
+{
+  bool isMet;      ///< the closed triangle, in front of the origin
+  double distance; ///< in units of the direction; this and the weights have a meaning only if met
+  double weightA, weightB, weightC; ///< barycentric
+
+  /// All coordinates by RayAxes.
+  struct Point
+  {
+    double x, y, z;
+  };
+
+  __attribute__((always_inline)) Meeting(
+    const Point& origin, const Point& direction, const Point& a, const Point& b, const Point& c)
+  {
+    const double scale = 1.0 / direction.z;
+    const double shearX = direction.x * scale, shearY = direction.y * scale;
+    const Point sa = sheared(a, origin, shearX, shearY), sb = sheared(b, origin, shearX, shearY),
+                sc = sheared(c, origin, shearX, shearY);
+    const double u = sc.x * sb.y - sc.y * sb.x;
+    const double v = sa.x * sc.y - sa.y * sc.x;
+    const double w = sb.x * sa.y - sb.y * sa.x;
+    const bool isOutside = (least(least(u, v), w) < 0) & (most(most(u, v), w) > 0);
+    // A triangle seen edge-on has a silhouette of width zero up to rounding: where along it the ray
+    // passes is noise, so such a meeting does not count. Zero-area triangles end here as well.
+    const double determinant = u + v + w;
+    const double spread = most(most(square(sa), square(sb)), square(sc));
+    const bool isBroad = (determinant < 0 ? -determinant : determinant) > kEdgeOn * spread;
+    const double inverse = 1.0 / determinant;
+    distance = (u * sa.z + v * sb.z + w * sc.z) * inverse * scale;
+    weightA = u * inverse;
+    weightB = v * inverse;
+    weightC = w * inverse;
+    isMet = !isOutside & isBroad & (distance > 0);
+  }
+
+private:
+  static constexpr double kEdgeOn = 0x1p-40;
+
+  __attribute__((always_inline)) static Point sheared(
+    const Point& point, const Point& origin, double shearX, double shearY)
+  {
+    const double z = point.z - origin.z;
+    return { (point.x - origin.x) - shearX * z, (point.y - origin.y) - shearY * z, z };
+  }
+  __attribute__((always_inline)) static double square(const Point& point)
+  {
+    return point.x * point.x + point.y * point.y;
+  }
+  __attribute__((always_inline)) static double least(double a, double b) { return a < b ? a : b; }
+  __attribute__((always_inline)) static double most(double a, double b) { return a > b ? a : b; }
+};
+
+/// One ray on its way through many triangles.
+class ShearedRay
+{
+public:
+  ShearedRay(const Vector3& origin, const Vector3& direction)
+    : axes_(direction)
+    , origin_(ordered(origin))
+    , direction_(ordered(direction))
+  {
+  }
+
+  /// True if the ray meets the closed triangle in front of its origin; then `distance` is set, and
+  /// `weights`, when asked for, to the barycentric coordinates (not negative, sum about 1).
+  bool meets(const Triangle& triangle, double& distance, Vector3* weights = nullptr) const
+  {
+    const Meeting meeting(
+      origin_, direction_, ordered(triangle.a), ordered(triangle.b), ordered(triangle.c));
+    if (meeting.isMet)
+    {
+      distance = meeting.distance;
+      if (weights)
+      {
+        *weights = Vector3(meeting.weightA, meeting.weightB, meeting.weightC);
+      }
+    }
+    return meeting.isMet;
+  }
+
+private:
+  Meeting::Point ordered(const Vector3& point) const
+  {
+    return { point[axes_.x], point[axes_.y], point[axes_.z] };
+  }
+
+  RayAxes axes_;
+  Meeting::Point origin_, direction_;
+};
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+#include "Geometry/UnitFrame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Boxes below 2^-500 are points; a scale must be finite.
+constexpr int kSmallestExponent = -500;
+
+}
+
+UnitFrame::UnitFrame(const Box& box)
+{
+  if (!box.isEmpty())
+  {
+    center = box.center();
+    int exponent = 0;
+    std::frexp(0.5 * box.extent().maxCoeff(), &exponent);
+    // A box of no extent is a point: any scale will do.
+    scale =
+      box.extent().maxCoeff() > 0 ? std::ldexp(1.0, -std::max(exponent, kSmallestExponent)) : 1.0;
+  }
+}
+
+}

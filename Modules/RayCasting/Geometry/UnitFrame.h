@@ -1,0 +1,25 @@
+#ifndef irradiance_UnitFrame_h
+#define irradiance_UnitFrame_h
+
+#include "Geometry/Vector.h"
+
+namespace irradiance
+{
+
+/// unit = (position - center) * scale, with a power of two for a scale: a tree's box becomes about
+/// [-1, 1]^3, so that floats serve at every scale and place, and scaling a scene by 2^k changes
+/// nothing.
+struct UnitFrame
+{
+  Vector3 center = Vector3::Zero();
+  double scale = 1;
+
+  UnitFrame() = default;
+  explicit UnitFrame(const Box& box);
+
+  Vector3 operator()(const Vector3& position) const { return (position - center) * scale; }
+};
+
+}
+
+#endif

@@ -1,0 +1,295 @@
+// No include guard: included once by each kernel, between IRRADIANCE_TARGET_BEGIN and _END, after
+// <immintrin.h>, "KdTree.h" and "UnitCast.h". Only for kernels that have AVX2 and FMA.
+
+#include "Kernels/WideBlock.inl"
+#include "Kernels/WidePrepare.inl"
+
+namespace irradiance
+{
+namespace
+{
+
+/// Takes searches from a source, many at a time.
+class CastQueue
+{
+public:
+  explicit CastQueue(CastSource& source)
+    : source_(source)
+  {
+  }
+
+  /// The next search that floats can follow; false if there is none. Those they cannot are done on
+  /// the way.
+  bool next(UnitCast& cast)
+  {
+    for (;;)
+    {
+      if (next_ == count_)
+      {
+        next_ = 0;
+        count_ = source_.next(requests_, kMost);
+        if (count_ == 0)
+        {
+          return false;
+        }
+      }
+      const CastRequest& request = requests_[next_++];
+      if (request.tree->isEmpty() || !prepareWide(request, cast))
+      {
+        continue;
+      }
+      if (cast.isForFloats)
+      {
+        return true;
+      }
+      if (cast.prepare(request))
+      {
+        runCastPlain(source_, cast);
+      }
+    }
+  }
+
+private:
+  static constexpr std::size_t kMost = 16;
+
+  CastSource& source_;
+  std::size_t next_ = 0, count_ = 0;
+  CastRequest requests_[kMost];
+};
+
+/// Where in the bounds of a treelet the faces stand at which a ray enters and leaves boxes.
+struct BoxFaces
+{
+  unsigned near[3], far[3];
+
+  void start(unsigned octant)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const unsigned isNegative = octant >> axis & 1;
+      near[axis] = (3 * isNegative + axis) * Treelet::kSize;
+      far[axis] = (3 * (1 - isNegative) + axis) * Treelet::kSize;
+    }
+  }
+};
+
+/// A search on its way.
+template <class Kernel, bool isCounted>
+struct WideSearch
+{
+  /// Children of a treelet that wait to be searched.
+  struct alignas(64) Left
+  {
+    float from[Treelet::kSize];
+    const Treelet* treelet;
+    unsigned lanes; ///< the places in the order from far to near
+  };
+
+  UnitCast cast;
+  BoxFaces faces;
+  Candidates candidates;
+  CastCounts counts; ///< of all searches in this place
+  std::uint32_t child;
+  unsigned depth;
+  Left stack[KdTree::kMaxDepth + 2]; ///< none of them without a child, but one behind the top
+
+  /// Takes the next search; false if there is none.
+  bool start(CastSource& source, CastQueue& queue)
+  {
+    if (!queue.next(cast))
+    {
+      return false;
+    }
+    if (cast.isShared)
+    {
+      source.begin(cast);
+    }
+    child = cast.tree->root();
+    depth = 0;
+    candidates.count = 0;
+    faces.start(cast.octant);
+    return true;
+  }
+
+  /// One treelet or leaf; false at the end.
+  __attribute__((always_inline)) bool step(CastSource& source)
+  {
+    if ((child & Treelet::kLeaf) == 0)
+    {
+      if constexpr (isCounted)
+      {
+        ++counts.treelets;
+      }
+      stepInto(cast.tree->treelets()[child]);
+    }
+    else
+    {
+      testLeaf(source, cast.tree->blocks() + (child & ~Treelet::kLeaf));
+    }
+    return takeFromStack(source);
+  }
+
+private:
+  /// Puts the children that the ray passes on the stack. Whether there are any is as good as random:
+  /// no branch.
+  __attribute__((always_inline)) void stepInto(const Treelet& treelet)
+  {
+    Left& top = stack[depth];
+    top.treelet = &treelet;
+    top.lanes = Kernel::enter(treelet, faces, cast, top.from);
+    depth += top.lanes != 0 ? 1 : 0;
+  }
+
+  void testLeaf(CastSource& source, const TriangleBlock* block)
+  {
+    for (bool goesOn = true; goesOn; ++block)
+    {
+      goesOn = !block->isLast();
+      if constexpr (isCounted)
+      {
+        ++counts.blocks;
+      }
+      const BlockAnswer answer = askBlock(*block, cast);
+      if (answer.possible != 0)
+      {
+        cast.tree->isStretched() ? testAll(source, *block, answer.possible)
+                                 : take(source, *block, answer);
+      }
+    }
+  }
+
+  void testAll(CastSource& source, const TriangleBlock& block, unsigned found)
+  {
+    for (; found != 0; found &= found - 1)
+    {
+      source.test(cast, block.reference(static_cast<unsigned>(__builtin_ctz(found))));
+    }
+  }
+
+  void take(CastSource& source, const TriangleBlock& block, const BlockAnswer& answer)
+  {
+    alignas(32) float distances[8], sizes[8], blurs[8];
+    _mm256_store_ps(distances, answer.distance);
+    _mm256_store_ps(sizes, answer.size);
+    _mm256_store_ps(blurs, answer.blur);
+    for (unsigned found = answer.possible; found != 0; found &= found - 1)
+    {
+      const auto lane = static_cast<unsigned>(__builtin_ctz(found));
+      if (candidates.count == Candidates::kMost)
+      {
+        makeRoom(source);
+      }
+      candidates.references[candidates.count] = block.reference(lane);
+      candidates.distances[candidates.count] = distances[lane] - blurs[lane];
+      candidates.sizes[candidates.count++] = sizes[lane] + blurs[lane];
+      if ((answer.certain >> lane & 1) != 0)
+      {
+        lower((distances[lane] + blurs[lane]) / (sizes[lane] - blurs[lane]), source);
+      }
+    }
+  }
+
+  /// Something is hit at this distance or before.
+  void lower(float distance, CastSource& source)
+  {
+    const float limit = distance * (1 + 0x1p-20F) + cast.margin;
+    if (limit < cast.limit)
+    {
+      cast.limit = limit;
+      if (cast.isShared)
+      {
+        source.narrow(cast);
+      }
+    }
+  }
+
+  void makeRoom(CastSource& source)
+  {
+    candidates.sift(cast.limit);
+    for (; candidates.count == Candidates::kMost; candidates.count = 0)
+    {
+      for (const std::uint32_t reference : candidates.references)
+      {
+        source.test(cast, reference);
+      }
+    }
+  }
+
+  /// The end of the search.
+  bool finish(CastSource& source)
+  {
+    if (candidates.count > 1)
+    {
+      candidates.sift(cast.limit);
+    }
+    source.finish(cast, candidates.references, candidates.count);
+    return false;
+  }
+
+  bool takeFromStack(CastSource& source)
+  {
+    if (depth == 0)
+    {
+      return finish(source);
+    }
+    Left& top = stack[depth - 1];
+    const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(top.lanes));
+    const unsigned lane = top.treelet->farToNear[cast.octant][place];
+    // What lies deeper in the stack is farther away.
+    if (top.from[lane] > cast.limit)
+    {
+      return finish(source);
+    }
+    top.lanes ^= 1u << place;
+    depth -= top.lanes == 0 ? 1 : 0;
+    child = top.treelet->children[lane];
+    return true;
+  }
+};
+
+/// Several searches in turns: while one waits for memory, or for the outcome of a long chain of
+/// operations, the others compute.
+template <class Kernel, bool isCounted>
+void runInTurns(CastSource& source)
+{
+  constexpr unsigned kTogether = 4;
+  CastQueue queue(source);
+  WideSearch<Kernel, isCounted> searches[kTogether];
+  unsigned running = 0;
+  while (running < kTogether && searches[running].start(source, queue))
+  {
+    ++running;
+  }
+  unsigned ended = kTogether; // the first of them that found no successor
+  while (running == kTogether && ended == kTogether)
+  {
+#pragma GCC unroll 4
+    for (unsigned i = 0; i < kTogether; ++i)
+    {
+      if (__builtin_expect(!searches[i].step(source), 0) && !searches[i].start(source, queue))
+      {
+        ended = i;
+        break;
+      }
+    }
+  }
+  for (unsigned i = 0; i < running; ++i)
+  {
+    while (i != ended && searches[i].step(source))
+    {
+    }
+    if constexpr (isCounted)
+    {
+      *castCounts() += searches[i].counts;
+    }
+  }
+}
+
+template <class Kernel>
+void runInTurns(CastSource& source)
+{
+  castCounts() ? runInTurns<Kernel, true>(source) : runInTurns<Kernel, false>(source);
+}
+
+}
+}

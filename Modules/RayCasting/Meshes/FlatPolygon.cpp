@@ -1,0 +1,156 @@
+#include "Meshes/FlatPolygon.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Below this ratio of area to path the area vector may point along a polygon that is not quite planar.
+constexpr double kCancelled = 0x1p-6;
+constexpr int kSmallestBit = 75;       // 2^-75
+constexpr double kLeastTurn = 0x1p-20; // rad
+
+struct Axes
+{
+  Eigen::Index right, up, towards;
+};
+
+Axes axesSeenFrom(const Vector3& front)
+{
+  Axes axes{};
+  front.cwiseAbs().maxCoeff(&axes.towards);
+  axes.right = (axes.towards + 1) % 3;
+  axes.up = (axes.towards + 2) % 3;
+  if (front[axes.towards] < 0)
+  {
+    std::swap(axes.right, axes.up);
+  }
+  return axes;
+}
+
+/// Across the triangle of a corner, the corner furthest from it and the one furthest from their line.
+Vector3 normalOfWidestTriangle(const std::vector<Vector3>& corners)
+{
+  const Vector3& first = corners.front();
+  const auto furthest =
+    std::max_element(corners.begin(), corners.end(), [&](const Vector3& a, const Vector3& b) {
+      return (a - first).squaredNorm() < (b - first).squaredNorm();
+    });
+  const Vector3 line = *furthest - first;
+  Vector3 normal = Vector3::Zero();
+  for (const Vector3& corner : corners)
+  {
+    const Vector3 candidate = line.cross(corner - first);
+    normal = candidate.norm() > normal.norm() ? candidate : normal;
+  }
+  const bool isLine = !(normal.norm() > kLineWidth * line.norm());
+  return isLine ? Vector3::Zero() : normal;
+}
+
+}
+
+std::vector<Vector3> inUnitFrame(const std::vector<Vector3>& corners)
+{
+  double largest = 0;
+  for (const Vector3& corner : corners)
+  {
+    largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  }
+  std::vector<Vector3> result = corners;
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const auto rounded = [&](double x) {
+    return std::ldexp(std::nearbyint(std::ldexp(x, kSmallestBit - exponent)), -kSmallestBit);
+  };
+  for (Vector3& corner : result)
+  {
+    corner = corner.unaryExpr(rounded);
+  }
+  return result;
+}
+
+Vector3 frontOf(const std::vector<Vector3>& corners)
+{
+  Vector3 area = Vector3::Zero();
+  double path = 0;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+  {
+    const Vector3 part = (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+    area += part;
+    path += part.norm();
+  }
+  const Vector3 normal = normalOfWidestTriangle(corners);
+  if (!normal.isZero(0) && area.norm() > kCancelled * path)
+  {
+    return area;
+  }
+  const Eigen::Index towards = axesSeenFrom(normal).towards;
+  return area[towards] * normal[towards] < 0 ? -normal : normal;
+}
+
+bool isPlanar(const std::vector<Vector3>& corners, const Vector3& front, double tolerance)
+{
+  const Vector3 up = front.normalized();
+  double height = 0, width = 0;
+  for (const Vector3& corner : corners)
+  {
+    height = std::max(height, std::abs(up.dot(corner - corners[0])));
+    width = std::max(width, (corner - corners[0]).norm());
+  }
+  return height <= tolerance * width;
+}
+
+std::vector<Vector2> seenAlongAxis(const std::vector<Vector3>& corners, const Vector3& front)
+{
+  const Axes axes = axesSeenFrom(front);
+  std::vector<Vector2> flat;
+  flat.reserve(corners.size());
+  for (const Vector3& corner : corners)
+  {
+    flat.emplace_back(corner[axes.right], corner[axes.up]);
+  }
+  return flat;
+}
+
+std::vector<Vector2> seenFromFront(const std::vector<Vector3>& corners, const Vector3& front)
+{
+  const Axes axes = axesSeenFrom(front);
+  const Vector2 slope(
+    front[axes.right] / front[axes.towards], front[axes.up] / front[axes.towards]);
+  std::vector<Vector2> flat = seenAlongAxis(corners, front);
+  for (std::size_t i = 0; i < flat.size(); ++i)
+  {
+    flat[i] -= (corners[i][axes.towards] - corners[0][axes.towards]) * slope;
+  }
+  return flat;
+}
+
+bool isConvex(const std::vector<Vector2>& corners)
+{
+  const std::size_t size = corners.size();
+  const auto isUpward = [](const Vector2& edge) {
+    return edge.y() > 0 || (edge.y() == 0 && edge.x() > 0);
+  };
+  int rounds = 0;
+  Vector2 last = corners[0] - corners[size - 1];
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Vector2 next = corners[(i + 1) % size] - corners[i];
+    const double turn = last.x() * next.y() - last.y() * next.x();
+    if (!(turn > kLeastTurn * last.norm() * next.norm()))
+    {
+      return false;
+    }
+    rounds += isUpward(next) && !isUpward(last) ? 1 : 0;
+    last = next;
+  }
+  return rounds == 1;
+}
+
+}

@@ -1,0 +1,27 @@
+#ifndef irradiance_PolygonTriangulation_h
+#define irradiance_PolygonTriangulation_h
+
+#include "Meshes/TriangleMesh.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// Appends the triangles of a polygon, with the polygon's orientation: that of its area vector.
+///
+/// A polygon may be concave, not quite planar, and may touch itself: what lies inside is what it goes
+/// around once. So a hole that is cut open by an edge walked there and back stays a hole, and a spike
+/// vanishes. Triangles without area may be among the result.
+///
+/// False if the polygon crosses itself. Then the triangles cover what it goes around at all, in either
+/// direction; where edges cross, new corners arise. One that crosses itself too often, or is far from
+/// planar and is seen to cross itself, becomes a fan.
+///
+/// Scaling the corners by a power of two scales the triangles exactly. Coordinates are finite.
+[[nodiscard]] bool triangulate(
+  const std::vector<Vector3>& corners, std::vector<Triangle>& triangles);
+
+}
+
+#endif

@@ -1,0 +1,406 @@
+#include "Meshes/SolidSides.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A connected surface.
+struct Shell
+{
+  Box bounds;
+  bool isClosed = false;
+  bool isTurned = false; ///< its triangles, as given, have their front within
+};
+
+/// Sets of triangles that hang together; each triangle knows whether it runs the other way round than
+/// the first of its set.
+class OrientedSets
+{
+public:
+  explicit OrientedSets(std::size_t size)
+    : parent_(size)
+    , isTurned_(size, 0)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  std::uint32_t root(std::uint32_t i, bool& isTurned) const
+  {
+    isTurned = false;
+    while (parent_[i] != i)
+    {
+      isTurned = isTurned != (isTurned_[i] != 0);
+      i = parent_[i];
+    }
+    return i;
+  }
+
+  /// False if it contradicts what was joined before.
+  bool join(std::uint32_t i, std::uint32_t j, bool isOpposite)
+  {
+    bool isTurnedI, isTurnedJ;
+    std::uint32_t a = root(i, isTurnedI), b = root(j, isTurnedJ);
+    const bool isTurned = isOpposite != (isTurnedI != isTurnedJ);
+    if (a == b)
+    {
+      return !isTurned;
+    }
+    if (size(a) < size(b))
+    {
+      std::swap(a, b);
+    }
+    sizes_[a] = size(a) + size(b);
+    parent_[b] = a;
+    isTurned_[b] = isTurned ? 1 : 0;
+    return true;
+  }
+
+private:
+  std::uint32_t size(std::uint32_t root) const
+  {
+    const auto found = sizes_.find(root);
+    return found == sizes_.end() ? 1 : found->second;
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<char> isTurned_;
+  std::unordered_map<std::uint32_t, std::uint32_t> sizes_;
+};
+
+class ShellSearch
+{
+public:
+  ShellSearch(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& partOf,
+    const std::vector<bool>& isLamp, const Checkpoint& checkpoint)
+    : triangles_(triangles)
+    , partOf_(partOf)
+    , isLamp_(isLamp)
+    , pace_(checkpoint)
+    , shellOf_(triangles.size(), kNone)
+    , isTurned_(triangles.size(), 0)
+  {
+    std::vector<std::uint32_t> all(triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    find(all, true, false);
+    find(open(true), true, false);
+    find(open(true), false, false);
+    find(open(false), true, true);
+  }
+
+  const std::vector<Shell>& shells() const { return shells_; }
+  const Shell& shellOf(std::size_t triangle) const { return shells_[shellOf_[triangle]]; }
+  std::uint32_t number(std::size_t triangle) const { return shellOf_[triangle]; }
+  /// Whether the triangle has its front within.
+  bool isTurned(std::size_t triangle) const { return isTurned_[triangle] != 0; }
+
+private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  struct Edge
+  {
+    std::uint64_t corners;
+    std::uint32_t triangle; ///< among those chosen
+    int corner;             ///< where it begins
+    bool isForward;
+  };
+  using Edges = std::vector<Edge>;
+
+  struct Corner
+  {
+    std::array<double, 3> position;
+    std::uint32_t part;
+    bool operator==(const Corner& other) const
+    {
+      return position == other.position && part == other.part;
+    }
+  };
+
+  struct HashOfCorner
+  {
+    std::size_t operator()(const Corner& corner) const
+    {
+      std::size_t hash = corner.part;
+      for (const double x : corner.position)
+      {
+        hash = (hash ^ std::hash<double>()(x)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 29;
+      }
+      return hash;
+    }
+  };
+
+  /// Triangles that are in no closed shell yet.
+  std::vector<std::uint32_t> open(bool withoutLamps) const
+  {
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+    {
+      if (shellOf_[i] == kNone && !(withoutLamps && isLamp_[i]))
+      {
+        open.push_back(i);
+      }
+    }
+    return open;
+  }
+
+  Edges edgesOf(const std::vector<std::uint32_t>& chosen, bool byParts)
+  {
+    std::unordered_map<Corner, std::uint32_t, HashOfCorner> numbers;
+    Edges edges;
+    edges.reserve(3 * chosen.size());
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+    {
+      pace_.step(16);
+      const Triangle& triangle = triangles_[chosen[i]];
+      std::array<std::uint64_t, 3> corners;
+      const Vector3* const positions[3] = { &triangle.a, &triangle.b, &triangle.c };
+      for (int k = 0; k < 3; ++k)
+      {
+        const Vector3& p = *positions[k];
+        const Corner corner{ { p[0] + 0.0, p[1] + 0.0, p[2] + 0.0 }, // -0 is 0
+          byParts ? partOf_[chosen[i]] : 0u };
+        corners[k] =
+          numbers.emplace(corner, static_cast<std::uint32_t>(numbers.size())).first->second;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        const std::uint64_t from = corners[k], to = corners[(k + 1) % 3];
+        edges.push_back({ std::min(from, to) << 32 | std::max(from, to), i, k, from < to });
+      }
+    }
+    std::sort(edges.begin(), edges.end(),
+      [](const Edge& a, const Edge& b) { return a.corners < b.corners; });
+    return edges;
+  }
+
+  /// Finds the shells of the chosen triangles; keeps those that are closed, or all.
+  void find(const std::vector<std::uint32_t>& chosen, bool byParts, bool keepsOpen)
+  {
+    Edges edges = edgesOf(chosen, byParts);
+    OrientedSets sets(chosen.size());
+    std::vector<std::uint32_t> flawed; // a triangle of each shell that does not close
+    for (std::size_t i = 0; i < edges.size();)
+    {
+      std::size_t end = i + 1;
+      while (end < edges.size() && edges[end].corners == edges[i].corners)
+      {
+        ++end;
+      }
+      pace_.step(end - i);
+      const bool isPaired = (end - i == 2) ||
+        pairAround(chosen, edges.begin() + static_cast<std::ptrdiff_t>(i),
+          edges.begin() + static_cast<std::ptrdiff_t>(end));
+      for (std::size_t k = i; k < end; ++k)
+      {
+        const Edge& other = edges[isPaired ? i + ((k - i) ^ 1) : i];
+        const bool isJoined =
+          sets.join(other.triangle, edges[k].triangle, other.isForward == edges[k].isForward);
+        if (!isPaired || !isJoined)
+        {
+          flawed.push_back(edges[k].triangle);
+        }
+      }
+      i = end;
+    }
+    keep(chosen, sets, flawed, keepsOpen);
+  }
+
+  /// Where several bodies share an edge: orders its triangles in pairs that belong together. Going round
+  /// the edge, what is solid begins behind a triangle that runs backward along it and ends behind the next
+  /// that runs forward. False if they do not pair.
+  bool pairAround(
+    const std::vector<std::uint32_t>& chosen, Edges::iterator begin, Edges::iterator end) const
+  {
+    const auto forward = std::count_if(begin, end, [](const Edge& e) { return e.isForward; });
+    if (2 * forward != end - begin)
+    {
+      return false;
+    }
+    const auto cornerOf = [&](const Edge& edge, int k) -> const Vector3& {
+      const Triangle& t = triangles_[chosen[edge.triangle]];
+      const int corner = (edge.corner + k) % 3;
+      return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
+    };
+    const Vector3 axis =
+      (begin->isForward ? 1.0 : -1.0) * (cornerOf(*begin, 1) - cornerOf(*begin, 0)).normalized();
+    const auto across = [&](const Edge& edge) -> Vector3 {
+      const Vector3 d = cornerOf(edge, 2) - cornerOf(edge, 0);
+      return d - axis.dot(d) * axis;
+    };
+    const Vector3 zero = across(*begin), quarter = axis.cross(zero);
+    std::vector<std::pair<double, Edge>> around;
+    for (auto edge = begin; edge != end; ++edge)
+    {
+      const Vector3 d = across(*edge);
+      around.emplace_back(std::atan2(d.dot(quarter), d.dot(zero)), *edge);
+    }
+    // Of triangles that coincide, one ends a solid and the other begins the next.
+    constexpr double kSameAngle = 1e-6;
+    const auto byAngle = [](const auto& a, const auto& b) { return a.first < b.first; };
+    std::sort(around.begin(), around.end(), byAngle);
+    for (std::size_t i = 1; i < around.size(); ++i)
+    {
+      if (around[i].first - around[i - 1].first < kSameAngle)
+      {
+        around[i].first = around[i - 1].first;
+      }
+    }
+    for (auto& [angle, edge] : around)
+    {
+      angle = angle > M_PI - kSameAngle ? -M_PI : std::max(angle, -M_PI);
+    }
+    std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) {
+      return std::make_pair(a.first, !a.second.isForward) <
+        std::make_pair(b.first, !b.second.isForward);
+    });
+    const auto first = std::find_if(
+      around.begin(), around.end(), [](const auto& entry) { return !entry.second.isForward; });
+    std::rotate(around.begin(), first, around.end());
+    for (std::size_t i = 0; i < around.size(); ++i)
+    {
+      if (around[i].second.isForward != (i % 2 == 1))
+      {
+        return false;
+      }
+      *(begin + static_cast<std::ptrdiff_t>(i)) = around[i].second;
+    }
+    return true;
+  }
+
+  void keep(const std::vector<std::uint32_t>& chosen, const OrientedSets& sets,
+    const std::vector<std::uint32_t>& flawed, bool keepsOpen)
+  {
+    struct Found
+    {
+      Shell shell;
+      Vector3 origin;
+      double volume =
+        0; // six times that within; negative if the first triangle has its front within
+      double given = 0; // the same of the triangles as they are
+      std::uint32_t number = kNone;
+    };
+    std::unordered_map<std::uint32_t, Found> found;
+    bool isTurned;
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+    {
+      pace_.step(16);
+      const Triangle& t = triangles_[chosen[i]];
+      Found& shell = found.try_emplace(sets.root(i, isTurned), Found{ {}, t.a }).first->second;
+      const double volume =
+        (t.a - shell.origin).dot((t.b - shell.origin).cross(t.c - shell.origin));
+      shell.volume += isTurned ? -volume : volume;
+      shell.given += volume;
+      shell.shell.bounds.add(t.bounds());
+    }
+    for (auto& entry : found)
+    {
+      constexpr double kFlat = 0x1p-20;
+      Found& shell = entry.second;
+      const double size = shell.shell.bounds.extent().prod();
+      shell.shell.isClosed = std::abs(shell.volume) > kFlat * size;
+      shell.shell.isTurned = shell.given < -0.5 * std::abs(shell.volume);
+    }
+    for (const std::uint32_t triangle : flawed)
+    {
+      found.at(sets.root(triangle, isTurned)).shell.isClosed = false;
+    }
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+    {
+      Found& shell = found.at(sets.root(i, isTurned));
+      if (!shell.shell.isClosed && !keepsOpen)
+      {
+        continue;
+      }
+      if (shell.number == kNone)
+      {
+        shell.number = static_cast<std::uint32_t>(shells_.size());
+        shells_.push_back(shell.shell);
+      }
+      shellOf_[chosen[i]] = shell.number;
+      isTurned_[chosen[i]] = isTurned != (shell.volume < 0) ? 1 : 0;
+    }
+  }
+
+  const std::vector<Triangle>& triangles_;
+  const std::vector<std::uint32_t>& partOf_;
+  const std::vector<bool>& isLamp_;
+  CheckpointPace pace_;
+  std::vector<Shell> shells_;
+  std::vector<std::uint32_t> shellOf_;
+  std::vector<char> isTurned_;
+};
+
+bool holds(const Box& outer, const Box& inner)
+{
+  const double rounding = 0x1p-32 * outer.magnitude();
+  return (inner.lower.array() >= outer.lower.array() - rounding).all() &&
+    (inner.upper.array() <= outer.upper.array() + rounding).all();
+}
+
+/// A sheet as large as a side of a box lies against it; what is smaller is in it, or lights it.
+bool isSmallerThanASide(const Box& inner, const Box& outer)
+{
+  const double rounding = 0x1p-32 * outer.magnitude();
+  return (inner.extent().array() < outer.extent().array() - rounding).count() >= 2;
+}
+
+bool isRoom(const std::vector<Shell>& shells, std::size_t number, const Box& all)
+{
+  const Shell& shell = shells[number];
+  const bool holdsAll = holds(shell.bounds, all);
+  if (shell.isTurned == holdsAll)
+  {
+    return holdsAll;
+  }
+  for (std::size_t i = 0; i < shells.size(); ++i)
+  {
+    if (i != number && holds(shell.bounds, shells[i].bounds) &&
+      isSmallerThanASide(shells[i].bounds, shell.bounds))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+SolidSides solidSides(const std::vector<Triangle>& triangles,
+  const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
+  const Checkpoint& checkpoint)
+{
+  const ShellSearch search(triangles, partOf, isLamp, checkpoint);
+  Box all;
+  for (const Shell& shell : search.shells())
+  {
+    all.add(shell.bounds);
+  }
+  std::vector<bool> isSolidWithout;
+  for (std::size_t i = 0; i < search.shells().size(); ++i)
+  {
+    isSolidWithout.push_back(
+      mayHoldRooms && search.shells()[i].isClosed && isRoom(search.shells(), i, all));
+  }
+  SolidSides sides;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const bool isBehind = search.isTurned(i) == isSolidWithout[search.number(i)];
+    const Shell& shell = search.shellOf(i);
+    sides.isOfOutermost.push_back(shell.isClosed && holds(shell.bounds, all));
+    sides.of.push_back(!shell.isClosed ? SolidSide::None
+        : isBehind                     ? SolidSide::Behind
+                                       : SolidSide::InFront);
+  }
+  return sides;
+}
+
+}

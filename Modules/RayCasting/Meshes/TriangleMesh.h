@@ -1,0 +1,49 @@
+#ifndef irradiance_TriangleMesh_h
+#define irradiance_TriangleMesh_h
+
+#include "Geometry/Triangle.h"
+#include "Progress/Checkpoint.h"
+#include "Simd/Prefetch.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Triangles with their corners side by side, as the intersection test reads them.
+class TriangleMesh
+{
+public:
+  TriangleMesh() = default;
+  explicit TriangleMesh(std::vector<Triangle> triangles, const Checkpoint& checkpoint = {});
+
+  std::size_t size() const { return triangles_.size(); }
+  bool isEmpty() const { return triangles_.empty(); }
+  const Triangle& operator[](std::size_t i) const { return triangles_[i]; }
+  /// Has the memory bring a triangle that will be read soon.
+  void fetch(std::size_t i) const
+  {
+    const auto* first = reinterpret_cast<const char*>(triangles_.data() + i);
+    prefetch(first);
+    prefetch(first + sizeof(Triangle) - 1);
+  }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const Box& bounds() const { return bounds_; }
+  double longestEdge() const { return longestEdge_; }
+  /// The largest ratio of a triangle's longest edge to the radius of the circle within it.
+  double slenderness() const { return slenderness_; }
+  /// farthestClearance() of its triangles, where they stand.
+  double clearance() const { return clearance_; }
+
+private:
+  std::vector<Triangle> triangles_;
+  Box bounds_;
+  double longestEdge_ = 0;
+  double slenderness_ = 0;
+  double clearance_ = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,35 @@
+#include "Scene/RigidObject.h"
+
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+EnclosingEllipsoid enclose(const TriangleMesh& mesh, const Checkpoint& checkpoint)
+{
+  std::vector<Vector3> points;
+  points.reserve(3 * mesh.size());
+  CheckpointPace pace(checkpoint);
+  for (const Triangle& triangle : mesh.triangles())
+  {
+    points.insert(points.end(), { triangle.a, triangle.b, triangle.c });
+    pace.step();
+  }
+  return points.empty() ? EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() }
+                        : encloseByEllipsoid(points, checkpoint);
+}
+
+}
+
+RigidObject::RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint, bool mayMove)
+  : mesh_(std::move(mesh))
+  , tree_(treeOf(mesh_.triangles(), checkpoint))
+  , ellipsoid_(mayMove ? enclose(mesh_, checkpoint)
+                       : EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() })
+{
+}
+
+}

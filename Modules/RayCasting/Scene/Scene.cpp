@@ -1,0 +1,364 @@
+#include "Scene/Scene.h"
+
+#include "Scene/RayOrder.h"
+#include "Scene/SceneCasts.h"
+#include "Trees/KdTraversal.h"
+#include "Trees/KdTreeBuilder.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Fewer objects than this are tried one after the other.
+constexpr std::size_t kManyObjects = 9;
+
+/// How far world positions may be off after the way to model space and back: a few ulps times the
+/// condition of the map. 2^-44 leaves room for sums of a few hundred such errors.
+double roundTripError(const AffineMap& map, double condition, double magnitude)
+{
+  return 0x1p-44 * condition * (magnitude + map.translation.cwiseAbs().maxCoeff());
+}
+
+double conditionOf(const Matrix3& linear, const Matrix3& inverse)
+{
+  return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
+}
+
+Box boundsOf(const AffineMap& map, const Box& box)
+{
+  Box bounds;
+  for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner)
+  {
+    bounds.add(map(Vector3(corner & 1 ? box.upper[0] : box.lower[0],
+      corner & 2 ? box.upper[1] : box.lower[1], corner & 4 ? box.upper[2] : box.lower[2])));
+  }
+  return bounds;
+}
+
+}
+
+Scene::Scene()
+  : static_(std::make_shared<RigidObject>(TriangleMesh()))
+{
+}
+
+void Scene::setStatic(std::shared_ptr<const RigidObject> body)
+{
+  static_ = std::move(body);
+}
+
+void Scene::setDynamic(const std::vector<PlacedObject>& objects)
+{
+  objects_ = objects;
+}
+
+void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
+{
+  bounds_ = static_->mesh().bounds();
+  treeBytes_ = static_->tree().bytes();
+  for (const PlacedObject& object : objects_)
+  {
+    treeBytes_ += object.body->tree().bytes();
+    bounds_.add(boundsOf(object.worldFromObject, object.body->mesh().bounds()));
+  }
+  place(std::max(bounds_.magnitude(), pointSources_.magnitude()));
+  dynamic_ = group(std::vector<bool>(objects_.size(), true), checkpoint);
+  moved_ = moved.empty() ? Group{} : group(moved, checkpoint);
+  oneTree_ = {};
+  if (mode_ == TraversalMode::OneTree && !objects_.empty())
+  {
+    std::vector<std::uint32_t> all(objects_.size() + 1);
+    std::iota(all.begin(), all.end(), 0u);
+    oneTree_ = mix(all, checkpoint);
+  }
+}
+
+void Scene::place(double magnitude)
+{
+  placed_.clear();
+  for (const PlacedObject& object : objects_)
+  {
+    const Matrix3& linear = object.worldFromObject.linear;
+    const Matrix3 inverse = linear.inverse();
+    const double condition = conditionOf(linear, inverse);
+    const double error = roundTripError(object.worldFromObject, condition, magnitude);
+    const TriangleTree& tree = object.body->tree();
+    const double slack = tree.slack() / tree.frame().scale * linear.norm() * condition;
+    const EllipsoidBound bound(
+      object.body->ellipsoid(), object.body->mesh().bounds(), object.worldFromObject, error);
+    const Box& box = bound.worldBox();
+    // The second factor is for the rounding in mayTouch(), far below the box's own margin.
+    placed_.push_back({ object, inverse, condition, error, slack, bound,
+      box.isEmpty() ? Vector3::Zero() : box.center(),
+      box.isEmpty() ? 0.0 : 0.25 * box.extent().squaredNorm() * (1 + 0x1p-20) });
+  }
+}
+
+Scene::MixedTree Scene::mix(
+  const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const
+{
+  MixedTree mixed;
+  std::vector<Triangle> world;
+  std::vector<double> margins;
+  double stretch = 1;
+  mixed.first.resize(placed_.size() + 1, TriangleId::kNone);
+  for (const std::uint32_t object : objects)
+  {
+    mixed.first[object] = static_cast<std::uint32_t>(world.size());
+    stretch = std::max(stretch, object == 0 ? 1.0 : placed_[object - 1].condition);
+    for (std::uint32_t i = 0; i < bodyOf(object).mesh().size(); ++i)
+    {
+      mixed.ids.push_back({ object, i });
+      world.push_back(worldTriangle(mixed.ids.back()));
+      margins.push_back(object == 0 ? 0.0 : placed_[object - 1].roundTrip);
+    }
+  }
+  mixed.tree = TriangleTree(world, margins, stretch, checkpoint);
+  return mixed;
+}
+
+Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& checkpoint) const
+{
+  Group group;
+  std::vector<std::uint32_t> loose;
+  std::vector<KdPrimitive> boxes;
+  for (std::uint32_t i = 0; i < chosen.size(); ++i)
+  {
+    if (!chosen[i] || placed_[i].object.body->mesh().isEmpty())
+    {
+      continue;
+    }
+    if (placed_[i].object.isLoose)
+    {
+      loose.push_back(i + 1);
+    }
+    else
+    {
+      group.whole.push_back(i);
+      boxes.push_back({ placed_[i].bound.worldBox() });
+    }
+  }
+  group.loose = mix(loose, checkpoint);
+  if (boxes.size() >= kManyObjects)
+  {
+    KdTreeBuilder builder;
+    builder.blockSize = 1;
+    builder.checkpoint = checkpoint;
+    group.boxes = builder.build(boxes);
+  }
+  return group;
+}
+
+bool Scene::meets(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const
+{
+  const LocalRay local = localRay(ray, id.object);
+  return ShearedRay(local.origin, local.direction).meets(localTriangle(id), distance, weights);
+}
+
+Hit Scene::hitOf(const Ray& ray, const TriangleId& id) const
+{
+  double distance;
+  Vector3 weights;
+  return meets(ray, id, distance, &weights)
+    ? Hit{ distance, id, { static_cast<float>(weights[1]), static_cast<float>(weights[2]) } }
+    : Hit{};
+}
+
+Triangle Scene::worldTriangle(const TriangleId& id) const
+{
+  const Triangle& triangle = localTriangle(id);
+  return id.object == 0 ? triangle
+                        : transformed(placed_[id.object - 1].object.worldFromObject, triangle);
+}
+
+double Scene::reachOf(const Ray& ray) const
+{
+  return 2 *
+    std::max((bounds_.lower - ray.origin).cwiseAbs().maxCoeff(),
+      (bounds_.upper - ray.origin).cwiseAbs().maxCoeff()) /
+    ray.direction.cwiseAbs().maxCoeff();
+}
+
+bool Scene::mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const
+{
+  const double squaredLength = ray.direction.squaredNorm();
+  const double end = std::min(distance + placed.slack / std::sqrt(squaredLength), reach);
+  const Vector3 toCenter = placed.ballCenter - ray.origin;
+  const double nearest = std::min(std::max(toCenter.dot(ray.direction) / squaredLength, 0.0), end);
+  if ((toCenter - nearest * ray.direction).squaredNorm() > placed.ballSquaredRadius)
+  {
+    return false;
+  }
+  return !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
+}
+
+std::vector<std::uint32_t> Scene::orderOf(const Ray* rays, std::size_t count) const
+{
+  // Trees beyond the processor's own cache, and enough rays that some of them are near each other.
+  constexpr std::size_t kLargeTrees = 1u << 22, kManyRays = 1u << 15;
+  return treeBytes_ > kLargeTrees && count > kManyRays
+    ? coherentOrder(rays, static_cast<std::uint32_t>(count), bounds_)
+    : std::vector<std::uint32_t>();
+}
+
+void Scene::castStatic(const Ray* rays, std::size_t count, Hit* best, const double* from) const
+{
+  Casts(*this, rays, best, from)
+    .runAllStatic(static_cast<std::uint32_t>(count), orderOf(rays, count));
+}
+
+void Scene::castDynamic(const Ray* rays, std::size_t count, Hit* best) const
+{
+  castGroup(dynamic_, rays, count, best);
+}
+
+void Scene::castMoved(const Ray* rays, std::size_t count, Hit* best) const
+{
+  castGroup(moved_, rays, count, best);
+}
+
+void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const
+{
+  const std::vector<std::uint32_t> order = orderOf(rays, count);
+  Casts casts(*this, rays, best);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    casts.fetchAhead(order, i);
+    casts.addGroup(order.empty() ? i : order[i], group);
+    casts.runIfMany();
+  }
+  casts.run();
+  for (std::size_t i = 0; i < count && !group.boxes.isEmpty(); ++i)
+  {
+    castManyWhole(group, rays[i], best[i]);
+  }
+}
+
+/// Front to back through a tree over the objects' boxes, and into one object after the other.
+void Scene::castManyWhole(const Group& group, const Ray& ray, Hit& best) const
+{
+  KdTraversal traversal(group.boxes, ray.origin, ray.direction);
+  const double reach = reachOf(ray);
+  // An object stands in many leaves: the last ones entered are remembered.
+  constexpr std::uint32_t kRemembered = 16;
+  std::array<std::uint32_t, kRemembered> entered;
+  entered.fill(TriangleId::kNone);
+  while (traversal.advance(traversal.limit(best.distance)))
+  {
+    for (const std::uint32_t reference : traversal)
+    {
+      const std::uint32_t index = group.whole[reference];
+      if (std::exchange(entered[index % kRemembered], index) != index &&
+        mayTouch(placed_[index], ray, reach, best.distance))
+      {
+        Casts casts(*this, &ray, &best);
+        casts.add(0, index + 1);
+        casts.run();
+      }
+    }
+  }
+}
+
+void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
+{
+  std::fill_n(hits, count, Hit{});
+  if (placed_.empty())
+  {
+    return castStatic(rays, count, hits);
+  }
+  const bool areMany = mode_ == TraversalMode::Parallel && !dynamic_.boxes.isEmpty();
+  if (mode_ == TraversalMode::Sequential || areMany)
+  {
+    castDynamic(rays, count, hits);
+    return castStatic(rays, count, hits);
+  }
+  const std::vector<std::uint32_t> order = orderOf(rays, count);
+  Casts casts(*this, rays, hits);
+  std::vector<std::uint32_t> alone; // rays that touch nothing dynamic
+  for (std::uint32_t n = 0; n < count; ++n)
+  {
+    const std::uint32_t i = order.empty() ? n : order[n];
+    casts.fetchAhead(order, n);
+    if (mode_ == TraversalMode::OneTree)
+    {
+      casts.add(i, oneTree_);
+    }
+    else if (casts.addGroup(i, dynamic_))
+    {
+      casts.add(i, 0);
+    }
+    else
+    {
+      alone.push_back(i);
+    }
+    casts.runIfMany();
+  }
+  casts.run();
+  if (!alone.empty())
+  {
+    Casts(*this, rays, hits).runAllStatic(static_cast<std::uint32_t>(alone.size()), alone);
+  }
+}
+
+SurfacePoint Scene::surfaceAt(const Vector3& direction, const Hit& hit) const
+{
+  SurfacePoint point = surfaceOf(hit, true);
+  point.turn(direction.dot(point.normal) <= 0);
+  return point;
+}
+
+SurfacePoint Scene::surfaceOf(const Hit& hit, bool isFront) const
+{
+  const double b = hit.weights[0], c = hit.weights[1];
+  SurfacePoint point = surfacePoint(worldTriangle(hit.id), { 1 - b - c, b, c });
+  point.turn(isFront);
+  return point;
+}
+
+double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
+{
+  double distance = kInfinity;
+  meets(ray, id, distance, nullptr);
+  return distance;
+}
+
+/// A map makes triangles slenderer by its condition squared at most: edges grow by the largest
+/// singular value, areas shrink by the two smallest.
+double Scene::clearance() const
+{
+  double farthest = static_->mesh().clearance();
+  for (const Placed& placed : placed_)
+  {
+    const TriangleMesh& mesh = placed.object.body->mesh();
+    const Matrix3& linear = placed.object.worldFromObject.linear;
+    const Matrix3 square = linear.transpose() * linear;
+    const double mean = square.trace() / 3;
+    const bool isSimilarity = (square - mean * Matrix3::Identity()).norm() < 0.125 * mean;
+    const double condition = isSimilarity ? 1.25 : linear.norm() * placed.inverse.norm();
+    // Its own coordinates count, not those of something far.
+    const double magnitude =
+      boundsOf(placed.object.worldFromObject, mesh.bounds()).magnitude() * (1 + 0x1p-20);
+    farthest = std::max(farthest,
+      farthestClearance(
+        magnitude, linear.norm() * mesh.longestEdge(), condition * condition * mesh.slenderness()));
+  }
+  return farthest;
+}
+
+EllipsoidBound Scene::shadowBound(std::uint32_t index, double blur) const
+{
+  const Placed& placed = placed_[index];
+  const PlacedObject& object = placed.object;
+  return EllipsoidBound(object.body->ellipsoid(), object.body->mesh().bounds(),
+    object.worldFromObject, placed.roundTrip + placed.slack + blur);
+}
+
+}

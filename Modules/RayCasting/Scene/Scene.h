@@ -1,0 +1,196 @@
+#ifndef irradiance_Scene_h
+#define irradiance_Scene_h
+
+#include "Ellipsoids/EllipsoidBound.h"
+#include "Geometry/Ray.h"
+#include "Geometry/TriangleIntersection.h"
+#include "Meshes/SurfacePoint.h"
+#include "Scene/RigidObject.h"
+#include "Trees/KdTree.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// How the static and the dynamic geometry are searched; the hit found is the same.
+enum class TraversalMode
+{
+  OneTree,    ///< all triangles in one tree, rebuilt when anything moves
+  Sequential, ///< first the dynamic trees, then the static one up to the hit found
+  Parallel    ///< static and dynamic trees in turns, a hit in either shortens the search of both
+};
+
+/// A dynamic object and its pose in this frame.
+struct PlacedObject
+{
+  std::shared_ptr<const RigidObject> body;
+  AffineMap worldFromObject;
+  bool isLoose = false; ///< its triangles stand in the dynamic tree one by one
+};
+
+/**
+ * The geometry of one frame: the static mesh (object 0) in a static tree, and the dynamic objects
+ * (1, 2, ...), which are searched in their own trees behind their ellipsoids, or triangle by triangle
+ * in a tree that is rebuilt when one of them moves. A triangle of a dynamic object is always tested
+ * in its own model space, whichever tree led to it, so that all modes find the same bits.
+ *
+ * Rays are cast in batches: the searches of a batch run side by side.
+ */
+class Scene
+{
+public:
+  Scene();
+
+  void setTraversalMode(TraversalMode mode) { mode_ = mode; }
+  void setStatic(std::shared_ptr<const RigidObject> body);
+  void setDynamic(const std::vector<PlacedObject>& objects);
+  /// Rays may start here besides on surfaces.
+  void setPointSources(const Box& bounds) { pointSources_ = bounds; }
+  /// Rebuilds the trees that depend on poses. `moved[i]` marks the dynamic objects that the
+  /// verification has to look at. Call after any of the above, before any cast.
+  void commit(const std::vector<bool>& moved, const Checkpoint& checkpoint = {});
+
+  /// The closest hits among all triangles.
+  void cast(const Ray* rays, std::size_t count, Hit* hits) const;
+  /// For each ray the closest hit in the static tree that is closer than `best`, else `best`. The
+  /// caller knows that there is none before `from`, if that is given.
+  void castStatic(
+    const Ray* rays, std::size_t count, Hit* best, const double* from = nullptr) const;
+  /// The same among all dynamic objects.
+  void castDynamic(const Ray* rays, std::size_t count, Hit* best) const;
+  /// The same among the objects marked as moved.
+  void castMoved(const Ray* rays, std::size_t count, Hit* best) const;
+
+  Hit cast(const Ray& ray) const
+  {
+    Hit hit;
+    cast(&ray, 1, &hit);
+    return hit;
+  }
+  Hit castStatic(const Ray& ray, Hit best, double from = 0) const
+  {
+    castStatic(&ray, 1, &best, &from);
+    return best;
+  }
+  Hit castDynamic(const Ray& ray, Hit best) const
+  {
+    castDynamic(&ray, 1, &best);
+    return best;
+  }
+  Hit castMoved(const Ray& ray, Hit best) const
+  {
+    castMoved(&ray, 1, &best);
+    return best;
+  }
+
+  std::size_t numberOfObjects() const { return placed_.size(); }
+  /// Of all geometry.
+  const Box& bounds() const { return bounds_; }
+  /// The triangle in world space, with the corners in the order of the mesh.
+  Triangle worldTriangle(const TriangleId& id) const;
+  /// The point of a hit; the normal is turned to the side from which a ray of this direction comes.
+  SurfacePoint surfaceAt(const Vector3& direction, const Hit& hit) const;
+  /// The point of a hit that came from the front or from the back.
+  SurfacePoint surfaceOf(const Hit& hit, bool isFront) const;
+  /// The hit of a ray on this triangle, whatever lies before it.
+  Hit hitOf(const Ray& ray, const TriangleId& id) const;
+  /// The distance at which a ray meets a triangle that it is known to hit.
+  double distanceTo(const Ray& ray, const TriangleId& id) const;
+
+  /// No walk goes on farther than this from where it hit (see SurfacePoint).
+  double clearance() const;
+
+  /// A body that contains all that a moved object can hide from a segment: the object, and around it
+  /// as much as the distance of a grazing hit may be off, and `blur`, by which the segment may be.
+  EllipsoidBound shadowBound(std::uint32_t index, double blur = 0) const;
+
+private:
+  struct Placed
+  {
+    PlacedObject object;
+    Matrix3 inverse;  ///< of the linear part
+    double condition; ///< of the linear part
+    double roundTrip; ///< error of a world position taken to model space and back
+    double slack;     ///< in the world: a hit may be this much closer than its triangle
+    EllipsoidBound bound;
+    Vector3 ballCenter; ///< of a ball around the bound's box, which most segments miss
+    double ballSquaredRadius;
+  };
+
+  /// Triangles of several objects in one tree, in world space.
+  struct MixedTree
+  {
+    TriangleTree tree;
+    std::vector<TriangleId> ids;
+    std::vector<std::uint32_t> first; ///< for each object, its triangle 0 in `ids`, or kNone
+
+    std::uint32_t referenceTo(const TriangleId& id) const
+    {
+      const bool isHere = id.object < first.size() && first[id.object] != TriangleId::kNone;
+      return isHere ? first[id.object] + id.triangle : TriangleBlock::kNone;
+    }
+  };
+
+  /// Some of the dynamic objects.
+  struct Group
+  {
+    MixedTree loose;
+    std::vector<std::uint32_t> whole; ///< indices in placed_
+    KdTree boxes;                     ///< over those, if they are many
+  };
+
+  class Casts;
+
+  void place(double magnitude);
+  MixedTree mix(const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const;
+  Group group(const std::vector<bool>& chosen, const Checkpoint& checkpoint) const;
+  const RigidObject& bodyOf(std::uint32_t object) const
+  {
+    return object == 0 ? *static_ : *placed_[object - 1].object.body;
+  }
+  /// A ray in the space of an object.
+  struct LocalRay
+  {
+    Vector3 origin, direction;
+  };
+  LocalRay localRay(const Ray& ray, std::uint32_t object) const
+  {
+    if (object == 0)
+    {
+      return { ray.origin, ray.direction };
+    }
+    const Placed& placed = placed_[object - 1];
+    return { placed.inverse * (ray.origin - placed.object.worldFromObject.translation),
+      placed.inverse * ray.direction };
+  }
+  const Triangle& localTriangle(const TriangleId& id) const
+  {
+    return bodyOf(id.object).mesh()[id.triangle];
+  }
+  /// As the test in double finds them; false if the ray misses the triangle.
+  bool meets(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
+  /// Nothing is farther from the ray's origin, in units of its direction.
+  double reachOf(const Ray& ray) const;
+  bool mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const;
+  /// In which to search the rays of a batch; empty: as they are.
+  std::vector<std::uint32_t> orderOf(const Ray* rays, std::size_t count) const;
+  void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;
+  void castManyWhole(const Group& group, const Ray& ray, Hit& best) const;
+
+  TraversalMode mode_ = TraversalMode::Parallel;
+  std::shared_ptr<const RigidObject> static_;
+  std::vector<PlacedObject> objects_;
+  std::vector<Placed> placed_;
+  Box pointSources_;
+  Box bounds_;
+  std::size_t treeBytes_ = 0; ///< of all bodies
+  Group dynamic_;
+  Group moved_;
+  MixedTree oneTree_;
+};
+
+}
+
+#endif

@@ -1,0 +1,259 @@
+#include "Scene/SceneCasts.h"
+
+#include "Kernels/CastCounts.h"
+#include "Simd/Prefetch.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Memory that serves all batches of a thread.
+template <class Job>
+std::vector<Job>& emptyJobs()
+{
+  static thread_local std::vector<Job> jobs;
+  jobs.clear();
+  return jobs;
+}
+
+}
+
+Scene::Casts::Casts(const Scene& scene, const Ray* rays, Hit* best, const double* from)
+  : scene_(scene)
+  , rays_(rays)
+  , best_(best)
+  , from_(from)
+  , jobs_(emptyJobs<Job>())
+{
+}
+
+void Scene::Casts::add(std::uint32_t ray, std::uint32_t object)
+{
+  jobs_.push_back({ ray, object, nullptr, nullptr, best_[ray].distance });
+}
+
+void Scene::Casts::add(std::uint32_t ray, const MixedTree& mixed)
+{
+  jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
+}
+
+void Scene::Casts::runIfMany()
+{
+  constexpr std::size_t kMany = 1024; // as many as stay in a processor's cache
+  if (jobs_.size() >= kMany)
+  {
+    run();
+  }
+}
+
+bool Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
+{
+  const std::size_t before = jobs_.size();
+  if (!group.loose.tree.isEmpty())
+  {
+    add(ray, group.loose);
+  }
+  if (group.boxes.isEmpty() && !group.whole.empty())
+  {
+    const double reach = scene_.reachOf(rays_[ray]);
+    for (const std::uint32_t index : group.whole)
+    {
+      if (scene_.mayTouch(scene_.placed_[index], rays_[ray], reach, best_[ray].distance))
+      {
+        add(ray, index + 1);
+      }
+    }
+  }
+  return jobs_.size() > before;
+}
+
+void Scene::Casts::run()
+{
+  runCasts(*this);
+  decide();
+  if (castCounts())
+  {
+    castCounts()->triangles += decided_;
+  }
+  decided_ = 0;
+  jobs_.clear();
+  next_ = 0;
+}
+
+void Scene::Casts::runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order)
+{
+  all_ = count;
+  order_ = &order;
+  run();
+}
+
+std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
+{
+  const std::size_t total = all_ == 0 ? jobs_.size() : all_;
+  const std::size_t count = std::min(most, total - next_);
+  for (std::size_t i = 0; i < count; ++i, ++next_)
+  {
+    Job job = jobOf(next_);
+    bool isShared = false;
+    if (all_ == 0)
+    {
+      isShared = (next_ > 0 && jobs_[next_ - 1].ray == job.ray) ||
+        (next_ + 1 < total && jobs_[next_ + 1].ray == job.ray);
+    }
+    else
+    {
+      job.bound = best_[job.ray].distance;
+      fetchAhead(*order_, next_);
+    }
+    request(job, requests[i]);
+    requests[i].job = next_;
+    requests[i].isShared = isShared;
+  }
+  return count;
+}
+
+void Scene::Casts::fetchAhead(const std::vector<std::uint32_t>& order, std::size_t number) const
+{
+  constexpr std::size_t kAhead = 32;
+  if (number + kAhead < order.size())
+  {
+    const std::uint32_t soon = order[number + kAhead];
+    const auto* ray = reinterpret_cast<const char*>(rays_ + soon);
+    prefetch(ray);
+    prefetch(ray + sizeof(Ray) - 1);
+    prefetch(best_ + soon);
+  }
+}
+
+void Scene::Casts::request(const Job& job, CastRequest& request) const
+{
+  const Ray& ray = rays_[job.ray];
+  const LocalRay local = scene_.localRay(ray, job.object);
+  request.origin = local.origin;
+  request.direction = local.direction;
+  request.from = from_ ? from_[job.ray] : 0.0;
+  request.bound = job.bound;
+  request.skipped = TriangleBlock::kNone;
+  if (job.mixed)
+  {
+    request.tree = &job.mixed->tree;
+    request.skipped = job.mixed->referenceTo(ray.start);
+    return;
+  }
+  request.tree = &scene_.bodyOf(job.object).tree();
+  if (ray.start.object == job.object)
+  {
+    request.skipped = ray.start.triangle;
+  }
+}
+
+void Scene::Casts::begin(UnitCast& cast)
+{
+  Job& job = jobs_[cast.job];
+  job.cast = &cast;
+  cast.setBound(job.bound);
+}
+
+void Scene::Casts::finish(const UnitCast& cast, const std::uint32_t* references, std::size_t count)
+{
+  const Job job = jobOf(cast.job);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const TriangleId id = idOf(job, references[i]);
+    scene_.bodyOf(id.object).mesh().fetch(id.triangle);
+    if (putOff_ == decisions_.size())
+    {
+      decide();
+    }
+    decisions_[putOff_++] = { job.ray, id };
+  }
+}
+
+void Scene::Casts::decide()
+{
+  for (std::size_t first = 0; first < putOff_; first += MeetingLanes::kSize)
+  {
+    const auto count = std::min<std::size_t>(putOff_ - first, MeetingLanes::kSize);
+    for (unsigned lane = 0; lane < count; ++lane)
+    {
+      const auto& [ray, id] = decisions_[first + lane];
+      const LocalRay local = scene_.localRay(rays_[ray], id.object);
+      lanes_.set(lane, local.origin, local.direction, scene_.localTriangle(id));
+    }
+    meetAll(lanes_);
+    for (unsigned lane = 0; lane < count; ++lane)
+    {
+      if (lanes_.distance[lane] > 0)
+      {
+        take(decisions_[first + lane], lanes_.distance[lane], lanes_.weightB[lane],
+          lanes_.weightC[lane]);
+      }
+    }
+  }
+  decided_ += putOff_;
+  putOff_ = 0;
+}
+
+void Scene::Casts::take(const Decision& decision, double distance, double weightB, double weightC)
+{
+  const Hit hit{ distance, decision.id,
+    { static_cast<float>(weightB), static_cast<float>(weightC) } };
+  Hit& best = best_[decision.ray];
+  if (isCloser(hit, best))
+  {
+    best = hit;
+  }
+}
+
+void Scene::Casts::test(UnitCast& cast, std::uint32_t reference)
+{
+  const Job job = jobOf(cast.job);
+  const TriangleId id = idOf(job, reference);
+  Vector3 weights;
+  double found;
+  ++decided_;
+  if (scene_.meets(rays_[job.ray], id, found, &weights))
+  {
+    take({ job.ray, id }, found, weights[1], weights[2]);
+  }
+  const double distance = best_[job.ray].distance;
+  if (distance < cast.bound())
+  {
+    cast.setBound(distance);
+    if (cast.isShared)
+    {
+      narrow(cast);
+    }
+  }
+}
+
+/// The other searches of the ray need not go farther either.
+void Scene::Casts::narrow(const UnitCast& cast)
+{
+  const double bound = cast.bound();
+  const std::uint32_t ray = jobs_[cast.job].ray;
+  const auto shorten = [&](Job& other, std::uint32_t place) {
+    if (bound < other.bound)
+    {
+      other.bound = bound;
+      if (other.cast && other.cast->job == place)
+      {
+        other.cast->setBound(bound);
+      }
+    }
+  };
+  for (std::uint32_t i = cast.job; i > 0 && jobs_[i - 1].ray == ray; --i)
+  {
+    shorten(jobs_[i - 1], i - 1);
+  }
+  for (std::uint32_t i = cast.job + 1; i < jobs_.size() && jobs_[i].ray == ray; ++i)
+  {
+    shorten(jobs_[i], i);
+  }
+}
+
+}

@@ -1,0 +1,73 @@
+#ifndef irradiance_KdBounds_h
+#define irradiance_KdBounds_h
+
+#include "Geometry/Vector.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace irradiance
+{
+
+inline float roundDown(double x)
+{
+  const float f = static_cast<float>(x);
+  return f > x ? std::nextafter(f, -HUGE_VALF) : f;
+}
+
+inline float roundUp(double x)
+{
+  const float f = static_cast<float>(x);
+  return f < x ? std::nextafter(f, HUGE_VALF) : f;
+}
+
+/// A box of floats, empty at first. Bounds in double are rounded outwards, which loses nothing:
+/// planes are floats, and a double is left of a float exactly if it is so when rounded up.
+struct KdBounds
+{
+  static constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+  float lower[3] = { kInfinite, kInfinite, kInfinite };
+  float upper[3] = { -kInfinite, -kInfinite, -kInfinite };
+
+  KdBounds() = default;
+  explicit KdBounds(const Box& box)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = roundDown(box.lower[axis]);
+      upper[axis] = roundUp(box.upper[axis]);
+    }
+  }
+
+  bool isEmpty() const
+  {
+    return !(lower[0] <= upper[0] && lower[1] <= upper[1] && lower[2] <= upper[2]);
+  }
+  void intersect(const KdBounds& other)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = std::max(lower[axis], other.lower[axis]);
+      upper[axis] = std::min(upper[axis], other.upper[axis]);
+    }
+  }
+  void add(const KdBounds& other)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = std::min(lower[axis], other.lower[axis]);
+      upper[axis] = std::max(upper[axis], other.upper[axis]);
+    }
+  }
+  /// Half of the surface; not of an empty box.
+  float halfArea() const
+  {
+    const float x = upper[0] - lower[0], y = upper[1] - lower[1], z = upper[2] - lower[2];
+    return x * y + y * z + z * x;
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,69 @@
+#ifndef irradiance_KdCost_h
+#define irradiance_KdCost_h
+
+#include "Geometry/Vector.h"
+
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// What a ray that meets a node is expected to cost, in any unit.
+struct KdCost
+{
+  double traversal;   ///< of an inner node
+  double block;       ///< of testing up to blockSize primitives
+  double emptyFactor; ///< of a split that cuts off empty space
+  std::uint32_t blockSize;
+
+  double leaf(std::uint32_t primitives) const
+  {
+    const std::uint32_t blocks = (primitives + blockSize - 1) / blockSize;
+    return block * static_cast<double>(blocks);
+  }
+};
+
+/// The surface-area heuristic for planes across one axis of a cell.
+class KdAxisCost
+{
+public:
+  KdAxisCost(const KdCost& cost, const Box& cell, int axis)
+    : cost_(cost)
+    , lower_(cell.lower[axis])
+    , upper_(cell.upper[axis])
+  {
+    const Vector3 extent = cell.extent();
+    const double u = extent[(axis + 1) % 3], v = extent[(axis + 2) % 3];
+    const double area = u * v + (u + v) * extent[axis];
+    isUseful_ = extent[axis] > 0 && area > 0 && area < kInfinity;
+    cap_ = u * v / area;
+    rim_ = (u + v) / area;
+  }
+
+  /// False where no plane parts anything.
+  bool isUseful() const { return isUseful_; }
+  bool isInside(float plane) const { return plane > lower_ && plane < upper_; }
+
+  double ofSplit(double plane, std::uint32_t left, std::uint32_t right) const
+  {
+    return atLeast(plane, left, plane, right);
+  }
+  /// Of any split with at least so many primitives on either side and in cells at least as large.
+  double atLeast(double leftUpTo, std::uint32_t left, double rightFrom, std::uint32_t right) const
+  {
+    const double cost = cost_.traversal + (cap_ + rim_ * (leftUpTo - lower_)) * cost_.leaf(left) +
+      (cap_ + rim_ * (upper_ - rightFrom)) * cost_.leaf(right);
+    return left == 0 || right == 0 ? cost_.emptyFactor * cost : cost;
+  }
+
+private:
+  KdCost cost_;
+  double lower_, upper_;
+  bool isUseful_;
+  double cap_,
+    rim_; ///< areas in units of the cell's: of both ends' half, and of the sides by length
+};
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef irradiance_KdItem_h
+#define irradiance_KdItem_h
+
+#include "Trees/KdBounds.h"
+
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// A primitive as far as it lies in a cell.
+struct alignas(16) KdItem : KdBounds
+{
+  std::uint32_t primitive;
+
+  static KdItem of(std::uint32_t primitive, const Box& bounds)
+  {
+    KdItem item;
+    static_cast<KdBounds&>(item) = KdBounds(bounds);
+    item.primitive = primitive;
+    return item;
+  }
+};
+
+/// The items of a node, side by side.
+struct KdItems
+{
+  const KdItem* first;
+  const KdItem* last;
+
+  const KdItem* begin() const { return first; }
+  const KdItem* end() const { return last; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(last - first); }
+};
+
+}
+
+#endif

@@ -1,0 +1,207 @@
+#include "Trees/KdSplitSearch.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// To look at a bin costs about as much as to look at two items.
+int numberOfBins(std::uint32_t items)
+{
+  return static_cast<int>(std::clamp(items / 2, 1u, KdBins::kMost));
+}
+
+void consider(const KdSplit& split, KdSplit& best)
+{
+  if (split.cost < best.cost)
+  {
+    best = split;
+  }
+}
+
+/// The cheapest place at an edge of a bin. As a rule some event is as cheap: between two events the
+/// cost is linear, so that one of them is as cheap as any place between. But the cell's own face is
+/// no place for a plane, though items may lie flat in it.
+double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
+{
+  const bool mayLeftBeEmpty = bins.begunBefore(bins.size() - 1) > 0;
+  const bool mayRightBeEmpty = bins.endingFrom(1) > 0;
+  double least = kInfinity;
+  for (int bin = 1; bin < bins.size(); ++bin)
+  {
+    const std::uint32_t left = bins.begunBefore(bin), right = bins.endingFrom(bin);
+    if ((left > 0 || mayLeftBeEmpty) && (right > 0 || mayRightBeEmpty))
+    {
+      least = std::min(least, cost.ofSplit(bins.edge(bin), left, right));
+    }
+  }
+  return least;
+}
+
+/// Bounds of all items together.
+KdItem hullOf(const KdItems& items)
+{
+  KdItem hull = *items.begin();
+  for (const KdItem& item : items)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      hull.lower[axis] = std::min(hull.lower[axis], item.lower[axis]);
+      hull.upper[axis] = std::max(hull.upper[axis], item.upper[axis]);
+    }
+  }
+  return hull;
+}
+
+}
+
+KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
+{
+  KdSplit best{ cost_.leaf(items.size()) };
+  const AxisCosts costs = { KdAxisCost(cost_, cell, 0), KdAxisCost(cost_, cell, 1),
+    KdAxisCost(cost_, cell, 2) };
+  if (items.size() <= cost_.blockSize)
+  {
+    cutOffEmptySpace(items, costs, best);
+    return best;
+  }
+  fillBins(items, cell);
+  // The rounding of a place to its bin changes a cost by less.
+  const double slack = 0x1p-20 * best.cost;
+  std::array<double, 3> estimates;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    estimates[axis] = costs[axis].isUseful() ? leastAtEdges(bins_[axis], costs[axis]) : kInfinity;
+  }
+  // The most promising axis first: what it finds spares work on the others.
+  std::array<int, 3> order = { 0, 1, 2 };
+  std::stable_sort(
+    order.begin(), order.end(), [&](int a, int b) { return estimates[a] < estimates[b]; });
+  const double promised = estimates[order[0]] + slack;
+  for (const int axis : order)
+  {
+    sweep(items, axis, costs[axis], std::min(best.cost + slack, promised), best);
+  }
+  for (int axis = 0; axis < 3 && best.cost > promised; ++axis)
+  {
+    sweep(items, axis, costs[axis], kInfinity, best);
+  }
+  return best;
+}
+
+/// All that a single block of primitives may gain from.
+void KdSplitSearch::cutOffEmptySpace(
+  const KdItems& items, const AxisCosts& costs, KdSplit& best) const
+{
+  const std::uint32_t count = items.size();
+  if (count == 0)
+  {
+    return;
+  }
+  const KdItem hull = hullOf(items);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const KdAxisCost& cost = costs[axis];
+    const float lower = hull.lower[axis], upper = hull.upper[axis];
+    if (cost.isUseful() && cost.isInside(lower))
+    {
+      consider({ cost.ofSplit(lower, 0, count), axis, lower, false, 0, count }, best);
+    }
+    if (cost.isUseful() && cost.isInside(upper))
+    {
+      consider({ cost.ofSplit(upper, count, 0), axis, upper, true, count, 0 }, best);
+    }
+  }
+}
+
+void KdSplitSearch::fillBins(const KdItems& items, const Box& cell)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bins_[axis].reset(cell.lower[axis], cell.upper[axis], numberOfBins(items.size()));
+  }
+  for (const KdItem& item : items)
+  {
+    pace_.step();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bins_[axis].add(item.lower[axis], item.upper[axis]);
+    }
+  }
+  for (KdBins& bins : bins_)
+  {
+    bins.accumulate();
+  }
+}
+
+/// Considers all planes of an axis that may be as cheap as `limit`.
+void KdSplitSearch::sweep(
+  const KdItems& items, int axis, const KdAxisCost& cost, double limit, KdSplit& best)
+{
+  if (cost.isUseful() && chooseBins(bins_[axis], cost, limit))
+  {
+    collectEvents(items, axis);
+    sweepEvents(axis, cost, best);
+  }
+}
+
+bool KdSplitSearch::chooseBins(const KdBins& bins, const KdAxisCost& cost, double limit)
+{
+  bool isAnyChosen = false;
+  for (int bin = 0; bin < bins.size(); ++bin)
+  {
+    const double least = cost.atLeast(
+      bins.edge(bin), bins.begunBefore(bin), bins.edge(bin + 1), bins.endingFrom(bin + 1));
+    isChosen_[bin] = least <= limit;
+    isAnyChosen = isAnyChosen || isChosen_[bin];
+  }
+  return isAnyChosen;
+}
+
+void KdSplitSearch::collectEvents(const KdItems& items, int axis)
+{
+  const KdBins& bins = bins_[axis];
+  events_.clear();
+  for (const KdItem& item : items)
+  {
+    pace_.step();
+    const float lower = item.lower[axis], upper = item.upper[axis];
+    events_.add(lower, upper, isChosen_[bins.of(lower)], isChosen_[bins.of(upper)]);
+  }
+  events_.sort();
+}
+
+/// Moves a plane over the chosen bins, counting what lies on either side.
+void KdSplitSearch::sweepEvents(int axis, const KdAxisCost& cost, KdSplit& best)
+{
+  const KdBins& bins = bins_[axis];
+  int bin = -1;
+  std::uint32_t left = 0, right = 0;
+  KdEvents::Step step;
+  while (events_.next(step))
+  {
+    if (bins.of(step.x) != bin)
+    {
+      bin = bins.of(step.x);
+      left = bins.begunBefore(bin);
+      right = bins.endingFrom(bin);
+    }
+    right -= step.ending + step.lying;
+    if (cost.isInside(step.x))
+    {
+      const std::uint32_t more = left + step.lying;
+      consider({ cost.ofSplit(step.x, more, right), axis, step.x, true, more, right }, best);
+    }
+    if (cost.isInside(step.x) && step.lying > 0)
+    {
+      const std::uint32_t more = right + step.lying;
+      consider({ cost.ofSplit(step.x, left, more), axis, step.x, false, left, more }, best);
+    }
+    left += step.beginning + step.lying;
+  }
+}
+
+}

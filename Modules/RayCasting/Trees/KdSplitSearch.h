@@ -1,0 +1,70 @@
+#ifndef irradiance_KdSplitSearch_h
+#define irradiance_KdSplitSearch_h
+
+#include "Progress/Checkpoint.h"
+#include "Trees/KdBins.h"
+#include "Trees/KdCost.h"
+#include "Trees/KdEvents.h"
+#include "Trees/KdItem.h"
+
+#include <array>
+
+namespace irradiance
+{
+
+struct KdSplit
+{
+  double cost;
+  int axis = -1; ///< negative: none is cheaper than a leaf
+  float plane = 0;
+  bool flatGoLeft = true;            ///< side of the items that lie in the plane
+  std::uint32_t left = 0, right = 0; ///< items, as far as their bounds tell
+
+  bool parts(const KdItem& item) const
+  {
+    return item.lower[axis] < plane && item.upper[axis] > plane;
+  }
+  /// Side of an item that is not parted.
+  bool isLeft(const KdItem& item) const
+  {
+    return flatGoLeft ? item.upper[axis] <= plane : item.lower[axis] < plane;
+  }
+};
+
+/**
+ * Finds the cheapest of all planes at which an item begins or ends. Bins give lower bounds of the
+ * cost first; only the events in bins that may hold the cheapest plane are sorted and swept. So the
+ * answer is that of a full sweep, as a rule in linear time.
+ */
+class KdSplitSearch
+{
+public:
+  /// `checkpoint` must outlive the search.
+  KdSplitSearch(const KdCost& cost, const Checkpoint& checkpoint)
+    : cost_(cost)
+    , pace_(checkpoint)
+  {
+  }
+
+  KdSplit best(const KdItems& items, const Box& cell);
+
+private:
+  using AxisCosts = std::array<KdAxisCost, 3>;
+
+  void cutOffEmptySpace(const KdItems& items, const AxisCosts& costs, KdSplit& best) const;
+  void fillBins(const KdItems& items, const Box& cell);
+  void sweep(const KdItems& items, int axis, const KdAxisCost& cost, double limit, KdSplit& best);
+  bool chooseBins(const KdBins& bins, const KdAxisCost& cost, double limit);
+  void collectEvents(const KdItems& items, int axis);
+  void sweepEvents(int axis, const KdAxisCost& cost, KdSplit& best);
+
+  KdCost cost_;
+  CheckpointPace pace_;
+  std::array<KdBins, 3> bins_;
+  std::array<bool, KdBins::kMost> isChosen_; ///< of the bins of the axis at hand
+  KdEvents events_;
+};
+
+}
+
+#endif

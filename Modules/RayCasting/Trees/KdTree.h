@@ -1,0 +1,62 @@
+#ifndef irradiance_KdTree_h
+#define irradiance_KdTree_h
+
+#include "Trees/KdBounds.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Inner node: a plane and two children side by side, the left one at an even place. Leaf: a range
+/// of references.
+struct KdNode
+{
+  static constexpr std::uint32_t kLeaf = 3;
+
+  union
+  {
+    float plane;         ///< inner
+    std::uint32_t count; ///< leaf
+  };
+  std::uint32_t packed; ///< low 2 bits: axis or kLeaf; the rest: left child or first reference
+
+  static KdNode inner(int axis, float plane, std::uint32_t leftChild)
+  {
+    KdNode node;
+    node.plane = plane;
+    node.packed = leftChild << 2 | static_cast<std::uint32_t>(axis);
+    return node;
+  }
+  static KdNode leaf(std::uint32_t first, std::uint32_t count)
+  {
+    KdNode node;
+    node.count = count;
+    node.packed = first << 2 | kLeaf;
+    return node;
+  }
+  bool isLeaf() const { return (packed & 3) == kLeaf; }
+  int axis() const { return static_cast<int>(packed & 3); }
+  std::uint32_t index() const { return packed >> 2; }
+};
+
+/**
+ * A kd-tree over anything with bounds. It only says where to look: a leaf lists the primitives that
+ * may touch its cell, and a primitive is listed in every leaf whose cell it touches.
+ */
+struct KdTree
+{
+  static constexpr int kMaxDepth = 60;
+
+  Box bounds;
+  std::vector<KdNode> nodes;    ///< the root is nodes[0]
+  std::vector<KdBounds> filled; ///< for each node, what of its cell the primitives fill
+  std::vector<std::uint32_t> references;
+
+  bool isEmpty() const { return references.empty(); }
+};
+
+}
+
+#endif

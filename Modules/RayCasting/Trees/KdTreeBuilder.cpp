@@ -1,0 +1,203 @@
+#include "Trees/KdTreeBuilder.h"
+
+#include "Meshes/PolygonClip.h"
+#include "Trees/KdSplitSearch.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A part of the items' arena.
+struct Range
+{
+  std::size_t begin = 0, end = 0;
+
+  std::size_t size() const { return end - begin; }
+};
+
+class Build
+{
+public:
+  Build(const KdTreeBuilder& config, const std::vector<KdPrimitive>& primitives)
+    : config_(config)
+    , primitives_(primitives)
+    , search_({ config.traversalCost, config.intersectionCost, config.emptyFactor,
+                static_cast<std::uint32_t>(config.blockSize) },
+        config.checkpoint)
+    , pace_(config.checkpoint)
+  {
+    assert(config.blockSize > 0);
+  }
+
+  KdTree run()
+  {
+    items_.reserve(primitives_.size() + primitives_.size() / 2 + 1);
+    for (std::uint32_t i = 0; i < primitives_.size(); ++i)
+    {
+      pace_.step();
+      const KdItem item = KdItem::of(i, primitives_[i].bounds);
+      if (!item.isEmpty())
+      {
+        items_.push_back(item);
+        tree_.bounds.add(primitives_[i].bounds);
+      }
+    }
+    const Range all{ 0, items_.size() };
+    // Rounding of a clip is a few ulps of the coordinates; this is 2^8 of them.
+    clipError_ = 0x1p-44 * tree_.bounds.magnitude();
+    // Room behind the outermost walls, so that a plane can part them from the empty space inside.
+    tree_.bounds.inflate(all.size() == 0 ? 0.0 : 0x1p-10 * tree_.bounds.extent().maxCoeff());
+    maxDepth_ = depthFor(all.size());
+    addPair(); // the second is unused: siblings start at even places
+    divide(0, all, tree_.bounds, 0, std::min(kCopies * all.size(), kMostReferences - all.size()));
+    return std::move(tree_);
+  }
+
+private:
+  /// Bounds the references to parted primitives, for input of which no plane parts much.
+  static constexpr std::size_t kCopies = 64;
+  static constexpr std::size_t kMostReferences = std::size_t{ 1 } << 30; ///< of a KdNode
+
+  int depthFor(std::size_t size) const
+  {
+    constexpr double kFarthest = 0x1p126; // differences of floats beyond may be infinite
+    const double depth = 12 + 1.3 * std::log2(1.0 + static_cast<double>(size));
+    return tree_.bounds.magnitude() < kFarthest
+      ? std::min(KdTree::kMaxDepth, static_cast<int>(depth))
+      : 0;
+  }
+
+  /// `spare` is how many items the node and all below it may add by parting others.
+  void divide(std::uint32_t node, Range range, const Box& cell, int depth, std::size_t spare)
+  {
+    const KdSplit split = depth < maxDepth_ ? bestSplit(range, cell) : KdSplit{ 0 };
+    const std::size_t items = std::size_t{ split.left } + split.right;
+    if (split.axis < 0 || items > range.size() + spare)
+    {
+      makeLeaf(node, range);
+      return;
+    }
+    Box cells[2] = { cell, cell };
+    cells[0].upper[split.axis] = cells[1].lower[split.axis] = split.plane;
+    Range sides[2];
+    const int kept = split.left > split.right ? 0 : 1;
+    distribute(range, split, cells, kept, sides);
+
+    const std::uint32_t child = addPair();
+    tree_.nodes[node] = KdNode::inner(split.axis, split.plane, child);
+    spare -= items - range.size();
+    for (const int side : { 1 - kept, kept })
+    {
+      divide(child + side, sides[side], cells[side], depth + 1, spare * sides[side].size() / items);
+      tree_.filled[node].add(tree_.filled[child + side]);
+    }
+  }
+
+  /// Returns the first of two new nodes.
+  std::uint32_t addPair()
+  {
+    const std::size_t first = tree_.nodes.size();
+    tree_.nodes.resize(first + 2);
+    tree_.filled.resize(first + 2);
+    return static_cast<std::uint32_t>(first);
+  }
+
+  void makeLeaf(std::uint32_t node, Range range)
+  {
+    const auto first = static_cast<std::uint32_t>(tree_.references.size());
+    for (std::size_t i = range.begin; i < range.end; ++i)
+    {
+      tree_.references.push_back(items_[i].primitive);
+      tree_.filled[node].add(items_[i]);
+    }
+    tree_.nodes[node] = KdNode::leaf(first, static_cast<std::uint32_t>(range.size()));
+  }
+
+  KdSplit bestSplit(Range range, const Box& cell)
+  {
+    const KdItem* items = items_.data();
+    return search_.best({ items + range.begin, items + range.end }, cell);
+  }
+
+  /// The larger side is kept where the items stand, the other is put behind them. It is done with
+  /// first, so that the arena holds little more than the items of one level of the tree.
+  void distribute(Range range, const KdSplit& split, const Box cells[2], int kept, Range sides[2])
+  {
+    // One more, for the item that is written and not counted.
+    const std::size_t end = range.end + std::min(split.left, split.right) + 1;
+    items_.resize(std::max(items_.size(), end));
+    sides[kept] = { range.begin, range.begin };
+    sides[1 - kept] = { range.end, range.end };
+    for (std::size_t i = range.begin; i < range.end; ++i)
+    {
+      pace_.step();
+      const KdItem item = items_[i];
+      if (split.parts(item))
+      {
+        appendParts(item, split.axis, cells, sides);
+        continue;
+      }
+      // To both, and then only one counts it: no branch that is wrong every other time.
+      const bool isLeft = split.isLeft(item);
+      items_[sides[0].end] = item;
+      items_[sides[1].end] = item;
+      sides[0].end += isLeft ? 1 : 0;
+      sides[1].end += isLeft ? 0 : 1;
+    }
+  }
+
+  void appendParts(const KdItem& item, int axis, const Box cells[2], Range sides[2])
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      const KdItem part = clipped(item, cells[side], axis);
+      if (!part.isEmpty())
+      {
+        items_[sides[side].end++] = part;
+      }
+    }
+  }
+
+  /// Invariant: where a primitive touches a cell, its item there has bounds that contain the touch.
+  KdItem clipped(const KdItem& item, const Box& cell, int axis) const
+  {
+    const KdPrimitive& primitive = primitives_[item.primitive];
+    KdItem part = item;
+    part.lower[axis] = std::max(part.lower[axis], roundDown(cell.lower[axis]));
+    part.upper[axis] = std::min(part.upper[axis], roundUp(cell.upper[axis]));
+    if (primitive.triangle)
+    {
+      const double margin = clipError_ + primitive.margin;
+      Box wider = cell;
+      wider.inflate(margin);
+      Box bounds = boundsOfClipped(*primitive.triangle, wider);
+      bounds.inflate(margin);
+      part.intersect(KdItem::of(item.primitive, bounds));
+    }
+    return part;
+  }
+
+  const KdTreeBuilder& config_;
+  const std::vector<KdPrimitive>& primitives_;
+  KdSplitSearch search_;
+  KdTree tree_;
+  std::vector<KdItem> items_;
+  double clipError_ = 0;
+  int maxDepth_ = 0;
+  CheckpointPace pace_;
+};
+
+}
+
+KdTree KdTreeBuilder::build(const std::vector<KdPrimitive>& primitives) const
+{
+  return Build(*this, primitives).run();
+}
+
+}

@@ -1,0 +1,233 @@
+#include "Trees/TriangleTree.h"
+
+#include "Trees/KdTreeBuilder.h"
+#include "Trees/TreeletPlan.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// That of a rotation is at most 3.
+constexpr double kMostStretch = 4;
+
+}
+
+/// Collapses a binary tree into treelets and blocks.
+class TriangleTree::Packing
+{
+public:
+  Packing(TriangleTree& target, const KdTree& tree, const std::vector<Triangle>& triangles,
+    const Checkpoint& checkpoint)
+    : target_(target)
+    , tree_(tree)
+    , triangles_(triangles)
+    , pace_(checkpoint)
+    , plan_(tree, checkpoint)
+  {
+    std::size_t blocks = 0;
+    for (const KdNode& node : tree.nodes)
+    {
+      blocks += node.isLeaf() ? (node.count + TriangleBlock::kSize - 1) / TriangleBlock::kSize : 0;
+    }
+    target.blocks_.reserve(blocks);
+  }
+
+  std::uint32_t pack(std::uint32_t number)
+  {
+    pace_.step(Treelet::kSize);
+    const std::uint32_t node = forkAt(tree_, number);
+    return tree_.nodes[node].isLeaf() ? packLeaf(tree_.nodes[node]) : packInner(node);
+  }
+
+private:
+  /// A node of the kd-tree within a treelet.
+  struct Part
+  {
+    std::uint32_t node;
+    int axis;               ///< of the plane that parts it; negative: it is a child of the treelet
+    unsigned left, right;   ///< the parts on either side of the plane
+    std::uint8_t place = 0; ///< of a child
+  };
+
+  /// Returns the number of the node's part.
+  unsigned addParts(std::uint32_t number, unsigned mostChildren, std::vector<Part>& parts) const
+  {
+    const std::uint32_t fork = forkAt(tree_, number);
+    const auto part = static_cast<unsigned>(parts.size());
+    parts.push_back({ fork, -1, 0, 0 });
+    const KdNode& node = tree_.nodes[fork];
+    const unsigned onLeft = plan_.onLeft(fork, mostChildren);
+    if (onLeft != 0)
+    {
+      const unsigned left = addParts(node.index(), onLeft, parts);
+      const unsigned right = addParts(node.index() + 1, mostChildren - onLeft, parts);
+      parts[part] = { fork, node.axis(), left, right };
+    }
+    return part;
+  }
+
+  std::uint32_t packInner(std::uint32_t node)
+  {
+    std::vector<Part> parts;
+    addParts(node, Treelet::kSize, parts);
+    Treelet treelet = emptyTreelet();
+    std::vector<std::uint32_t> children;
+    for (Part& part : parts)
+    {
+      if (part.axis < 0)
+      {
+        part.place = static_cast<std::uint8_t>(children.size());
+        setBox(treelet, part.place, tree_.filled[part.node]);
+        children.push_back(part.node);
+      }
+    }
+    for (unsigned octant = 0; octant < 8; ++octant)
+    {
+      std::uint8_t* const order = treelet.farToNear[octant];
+      std::iota(sortFarToNear(parts, 0, octant, order), order + Treelet::kSize,
+        static_cast<std::uint8_t>(children.size()));
+    }
+    const auto place = static_cast<std::uint32_t>(target_.treelets_.size());
+    target_.treelets_.emplace_back();
+    for (std::size_t i = 0; i < children.size(); ++i)
+    {
+      treelet.children[i] = pack(children[i]);
+    }
+    target_.treelets_[place] = treelet;
+    return place;
+  }
+
+  static Treelet emptyTreelet()
+  {
+    Treelet treelet;
+    treelet.children.fill(Treelet::kEmpty);
+    std::fill_n(&treelet.bounds[0][0][0], 3 * Treelet::kSize, Treelet::kFar);
+    std::fill_n(&treelet.bounds[1][0][0], 3 * Treelet::kSize, -Treelet::kFar);
+    return treelet;
+  }
+
+  static void setBox(Treelet& treelet, unsigned place, const KdBounds& bounds)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      treelet.bounds[0][axis][place] = bounds.lower[axis];
+      treelet.bounds[1][axis][place] = bounds.upper[axis];
+    }
+  }
+
+  /// Writes the places of the children of a part; returns the end.
+  static std::uint8_t* sortFarToNear(
+    const std::vector<Part>& parts, unsigned number, unsigned octant, std::uint8_t* order)
+  {
+    const Part& part = parts[number];
+    if (part.axis < 0)
+    {
+      *order = part.place;
+      return order + 1;
+    }
+    const bool isLeftNear = (octant >> part.axis & 1) == 0;
+    order = sortFarToNear(parts, isLeftNear ? part.right : part.left, octant, order);
+    return sortFarToNear(parts, isLeftNear ? part.left : part.right, octant, order);
+  }
+
+  std::uint32_t packLeaf(const KdNode& leaf)
+  {
+    const auto first = static_cast<std::uint32_t>(target_.blocks_.size());
+    for (std::uint32_t i = 0; i < leaf.count; i += TriangleBlock::kSize)
+    {
+      const std::uint32_t count = std::min(leaf.count - i, TriangleBlock::kSize);
+      target_.blocks_.push_back(block(tree_.references.data() + leaf.index() + i, count));
+      if (i + TriangleBlock::kSize < leaf.count)
+      {
+        target_.blocks_.back().references[TriangleBlock::kSize - 1] |= TriangleBlock::kMore;
+      }
+    }
+    return Treelet::kLeaf | first;
+  }
+
+  TriangleBlock block(const std::uint32_t* references, std::uint32_t count) const
+  {
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    TriangleBlock block;
+    for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
+    {
+      const bool isUsed = lane < count;
+      const Triangle& triangle = triangles_[references[isUsed ? lane : 0]];
+      for (int i = 0; i < 3; ++i)
+      {
+        block.corner[i][lane] = static_cast<float>(triangle.a[i]);
+        block.edge1[i][lane] = isUsed ? static_cast<float>(triangle.b[i] - triangle.a[i]) : kNaN;
+        block.edge2[i][lane] = isUsed ? static_cast<float>(triangle.c[i] - triangle.a[i]) : kNaN;
+      }
+      block.references[lane] = isUsed ? references[lane] : TriangleBlock::kNone;
+    }
+    return block;
+  }
+
+  TriangleTree& target_;
+  const KdTree& tree_;
+  const std::vector<Triangle>& triangles_;
+  CheckpointPace pace_;
+  TreeletPlan plan_;
+};
+
+TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
+  const std::vector<double>& margins, double stretch, const Checkpoint& checkpoint)
+  : isStretched_(stretch > kMostStretch)
+{
+  CheckpointPace pace(checkpoint);
+  Box box; // with the margins, which may be larger than all else: distances in the frame are small
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    Box bounds = triangles[i].bounds();
+    bounds.inflate(margins.empty() ? 0.0 : margins[i]);
+    box.add(bounds);
+    pace.step();
+  }
+  frame_ = UnitFrame(box);
+  std::vector<Triangle> unit;
+  unit.reserve(triangles.size()); // primitives point into it
+  std::vector<KdPrimitive> primitives;
+  primitives.reserve(triangles.size());
+  double longestEdge = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle& triangle = triangles[i];
+    unit.push_back({ frame_(triangle.a), frame_(triangle.b), frame_(triangle.c) });
+    const double margin = margins.empty() ? 0.0 : margins[i] * frame_.scale;
+    Box bounds = unit.back().bounds();
+    longestEdge = std::max(longestEdge, bounds.extent().norm());
+    bounds.inflate(margin);
+    primitives.push_back({ bounds, &unit.back(), margin });
+    blur_ = std::max(blur_, margin);
+    pace.step();
+  }
+  slack_ = 0x1p-8 * (isStretched_ ? 4.0 : std::min(4.0, stretch * longestEdge));
+  KdTreeBuilder builder;
+  builder.checkpoint = checkpoint;
+  const KdTree tree = builder.build(primitives);
+  bounds_ = tree.bounds;
+  if (!tree.isEmpty())
+  {
+    root_ = Packing(*this, tree, unit, checkpoint).pack(0);
+    treelets_.shrink_to_fit();
+  }
+}
+
+std::size_t TriangleTree::bytes() const
+{
+  return treelets_.capacity() * sizeof(Treelet) + blocks_.capacity() * sizeof(TriangleBlock);
+}
+
+TriangleTree treeOf(const std::vector<Triangle>& triangles, const Checkpoint& checkpoint)
+{
+  return TriangleTree(triangles, {}, 1, checkpoint);
+}
+
+}

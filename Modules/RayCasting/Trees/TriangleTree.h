@@ -1,0 +1,79 @@
+#ifndef irradiance_TriangleTree_h
+#define irradiance_TriangleTree_h
+
+#include "Geometry/Triangle.h"
+#include "Geometry/UnitFrame.h"
+#include "Progress/Checkpoint.h"
+#include "Trees/Treelet.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Eight triangles of a leaf in the unit frame, in float, for a test that only rejects.
+struct alignas(64) TriangleBlock
+{
+  static constexpr unsigned kSize = 8;
+  static constexpr std::uint32_t kMore = 0x80000000u; ///< in the last reference: a block follows
+  static constexpr std::uint32_t kNone = 0x7fffffffu; ///< unused place
+
+  float corner[3][kSize];
+  float edge1[3][kSize]; ///< from the corner; NaN in unused places, which no test passes
+  float edge2[3][kSize];
+  std::uint32_t references[kSize];
+
+  std::uint32_t reference(unsigned lane) const { return references[lane] & ~kMore; }
+  bool isLast() const { return (references[kSize - 1] & kMore) == 0; }
+};
+
+/**
+ * A kd-tree over triangles as SIMD searches it. It is float and only says which triangles may be
+ * hit; the owner of the triangles decides in double. Triangle i is known by its number alone.
+ */
+class TriangleTree
+{
+public:
+  TriangleTree() = default;
+  /// `margins`: how far the triangles may be off; empty for exact ones. `stretch`: the condition of
+  /// the map to the space in which they are tested; 1 if that is this one.
+  TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& margins,
+    double stretch, const Checkpoint& checkpoint);
+
+  bool isEmpty() const { return blocks_.empty(); }
+  const UnitFrame& frame() const { return frame_; }
+  /// In the unit frame.
+  const Box& bounds() const { return bounds_; }
+  /// How far behind a hit others that might be closer are looked for, in the unit frame.
+  double slack() const { return slack_; }
+  /// How far off the triangles may be, in the unit frame.
+  double blur() const { return blur_; }
+
+  /// What floats take for a certain hit, the test in the other space may not accept.
+  bool isStretched() const { return isStretched_; }
+
+  std::uint32_t root() const { return root_; }
+  const Treelet* treelets() const { return treelets_.data(); }
+  const TriangleBlock* blocks() const { return blocks_.data(); }
+  std::size_t bytes() const;
+
+private:
+  class Packing;
+
+  UnitFrame frame_;
+  Box bounds_;
+  double slack_ = 0;
+  double blur_ = 0;
+  bool isStretched_ = false;
+  std::uint32_t root_ = Treelet::kEmpty;
+  std::vector<Treelet> treelets_;
+  std::vector<TriangleBlock> blocks_;
+};
+
+/// The tree of a mesh in the mesh's own space.
+TriangleTree treeOf(const std::vector<Triangle>& triangles, const Checkpoint& checkpoint = {});
+
+}
+
+#endif
