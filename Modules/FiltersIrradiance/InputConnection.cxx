@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "InputConnection.h"
 
 #include "InputError.h"
@@ -13,28 +14,28 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
 namespace
 {
 
-constexpr const ArrayRole* kRoles[] = { &kExitanceArray, &kReflectanceArray, &kFluxArray };
-
 /// Name of the array to read; null if an attribute was chosen, as the active scalars.
-const char* chosenName(vtkAlgorithm* filter, const ArrayRole& role)
+const char* chosenName(vtkAlgorithm* filter, const MaterialArrayRole& role)
 {
   return filter->GetInputArrayInformation(role.index)->Get(vtkDataObject::FIELD_NAME());
 }
 
-bool isDefault(vtkAlgorithm* filter, const ArrayRole& role)
+bool isDefault(vtkAlgorithm* filter, const MaterialArrayRole& role)
 {
   const char* name = chosenName(filter, role);
   return name && std::string(name) == role.defaultName;
 }
 
 vtkAbstractArray* findArray(
-  vtkAlgorithm* filter, const ArrayRole& role, vtkDataSetAttributes* attributes)
+  vtkAlgorithm* filter, const MaterialArrayRole& role, vtkDataSetAttributes* attributes)
 {
   vtkInformation* choice = filter->GetInputArrayInformation(role.index);
   if (const char* name = chosenName(filter, role))
@@ -46,7 +47,7 @@ vtkAbstractArray* findArray(
     : nullptr;
 }
 
-vtkAbstractArray* readArray(vtkAlgorithm* filter, const ArrayRole& role, InputPart& part)
+vtkAbstractArray* readArray(vtkAlgorithm* filter, const MaterialArrayRole& role, InputPart& part)
 {
   vtkAbstractArray* array = findArray(filter, role, part.polyData->GetCellData());
   vtkAbstractArray* ofPoints = findArray(filter, role, part.polyData->GetPointData());
@@ -63,9 +64,8 @@ InputPart partOf(vtkAlgorithm* filter, const std::string& name, vtkPolyData* pol
   InputPart part;
   part.name = name;
   part.polyData = polyData;
-  part.exitance = readArray(filter, kExitanceArray, part);
-  part.reflectance = readArray(filter, kReflectanceArray, part);
-  part.flux = readArray(filter, kFluxArray, part);
+  std::transform(kArrayRoles.begin(), kArrayRoles.end(), part.arrays.begin(),
+    [&](const MaterialArrayRole& role) { return readArray(filter, role, part); });
   return part;
 }
 
@@ -148,16 +148,16 @@ InputConnection dynamicConnection(
   return connection;
 }
 
-void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& fixed,
-  const std::vector<InputConnection>& moving)
+void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics)
 {
-  for (const ArrayRole* role : kRoles)
+  for (const MaterialArrayRole& role : kArrayRoles)
   {
-    const char* name = chosenName(filter, *role);
+    const char* name = chosenName(filter, role);
     const std::string choice = std::string("the array ") + (name ? name : "(an attribute)") +
-      ", chosen for the " + role->meaning + ",";
+      ", chosen for the " + role.meaning + ",";
     const int association =
-      filter->GetInputArrayInformation(role->index)->Get(vtkDataObject::FIELD_ASSOCIATION());
+      filter->GetInputArrayInformation(role.index)->Get(vtkDataObject::FIELD_ASSOCIATION());
     if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
       association == vtkDataObject::FIELD_ASSOCIATION_NONE)
     {
@@ -166,18 +166,18 @@ void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>&
         "; only cell arrays can be read");
     }
     bool hasParts = false, isFound = false;
-    for (const auto* connections : { &fixed, &moving })
+    for (const auto* connections : { &statics, &dynamics })
     {
       for (const InputConnection& connection : *connections)
       {
         for (const InputPart& part : connection.parts)
         {
           hasParts = true;
-          isFound = isFound || findArray(filter, *role, part.polyData->GetCellData());
+          isFound = isFound || findArray(filter, role, part.polyData->GetCellData());
         }
       }
     }
-    if (hasParts && !isFound && !isDefault(filter, *role))
+    if (hasParts && !isFound && !isDefault(filter, role))
     {
       throw InputError(choice + " is not among the cell arrays of any input");
     }

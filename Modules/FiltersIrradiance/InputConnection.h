@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_InputConnection_h
 #define irradiance_InputConnection_h
 
 #include "Geometry/Vector.h"
+#include "MaterialArrays.h"
 
 #include <string>
 #include <vector>
@@ -15,28 +17,12 @@ class vtkPolyData;
 namespace irradiance
 {
 
-/// A cell array that the filter reads: its index for SetInputArrayToProcess, its name where none is
-/// chosen, and what it means.
-struct ArrayRole
-{
-  int index;
-  const char* defaultName;
-  const char* meaning;
-};
-
-constexpr ArrayRole kExitanceArray{ 0, "RadiantExitance", "radiant exitance" };
-constexpr ArrayRole kReflectanceArray{ 1, "DiffuseReflectance", "diffuse reflectance" };
-constexpr ArrayRole kFluxArray{ 4, "RadiantFlux", "radiant flux" };
-
 /// One polydata of the scene: that of a connection, or a leaf of a composite one.
 struct InputPart
 {
   std::string name; ///< as in "input port 1, connection 0" or "..., block 3 (Plate)"
   vtkPolyData* polyData = nullptr;
-  /// Cell arrays; null where the polydata has none.
-  vtkAbstractArray* exitance = nullptr;
-  vtkAbstractArray* reflectance = nullptr;
-  vtkAbstractArray* flux = nullptr;
+  MaterialArrays<vtkAbstractArray> arrays{};
   AffineMap worldFromPart;           ///< the identity for static parts
   std::vector<std::string> oddities; ///< what is worth a warning, but can be computed
 };
@@ -63,8 +49,8 @@ InputConnection dynamicConnection(
 
 /// Throws InputError if the filter was told to read an array that cannot be meant: one of the points,
 /// or one that no input has.
-void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& fixed,
-  const std::vector<InputConnection>& moving);
+void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics);
 
 }
 

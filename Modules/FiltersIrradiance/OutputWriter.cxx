@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "OutputWriter.h"
 
 #include "Pose.h"
@@ -128,25 +129,25 @@ vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
   return block;
 }
 
-void OutputWriter::write(const std::vector<InputConnection>& fixed,
-  const std::vector<InputConnection>& moving, vtkMultiBlockDataSet* output) const
+void OutputWriter::write(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const
 {
-  vtkNew<vtkMultiBlockDataSet> fixedBlocks, movingBlocks;
-  setBlock(output, 0, fixedBlocks, "Static");
-  setBlock(output, 1, movingBlocks, "Dynamic");
-  std::size_t fixedPart = 0;
-  const auto makeFixed = [&](const InputPart& part) {
+  vtkNew<vtkMultiBlockDataSet> staticBlocks, dynamicBlocks;
+  setBlock(output, 0, staticBlocks, "Static");
+  setBlock(output, 1, dynamicBlocks, "Dynamic");
+  std::size_t staticPart = 0;
+  const auto makeStatic = [&](const InputPart& part) {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
     polyData->ShallowCopy(part.polyData);
-    addIrradiance(polyData, 0, scene_.firstCellOfFixed(fixedPart++));
+    addIrradiance(polyData, 0, scene_.firstCellOfStatic(staticPart++));
     return polyData;
   };
-  for (unsigned int i = 0; i < fixed.size(); ++i)
+  for (unsigned int i = 0; i < statics.size(); ++i)
   {
-    setBlock(fixedBlocks, i, blockOf(fixed[i], makeFixed), "Static " + std::to_string(i));
+    setBlock(staticBlocks, i, blockOf(statics[i], makeStatic), "Static " + std::to_string(i));
   }
   std::uint32_t object = 0;
-  const auto makeMoving = [&](const InputPart& part) {
+  const auto makeDynamic = [&](const InputPart& part) {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
     polyData->ShallowCopy(part.polyData);
     movePoints(part.worldFromPart, polyData);
@@ -154,11 +155,11 @@ void OutputWriter::write(const std::vector<InputConnection>& fixed,
     addIrradiance(polyData, ++object, 0);
     return polyData;
   };
-  for (unsigned int i = 0; i < moving.size(); ++i)
+  for (unsigned int i = 0; i < dynamics.size(); ++i)
   {
-    const auto block = blockOf(moving[i], makeMoving);
+    const auto block = blockOf(dynamics[i], makeDynamic);
     block->GetFieldData()->RemoveArray(kFieldPoseName);
-    setBlock(movingBlocks, i, block, "Dynamic " + std::to_string(i));
+    setBlock(dynamicBlocks, i, block, "Dynamic " + std::to_string(i));
   }
   addFieldData(output);
 }

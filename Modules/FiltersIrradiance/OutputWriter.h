@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_OutputWriter_h
 #define irradiance_OutputWriter_h
 
@@ -32,8 +33,8 @@ public:
   {
   }
 
-  void write(const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving,
-    vtkMultiBlockDataSet* output) const;
+  void write(const std::vector<InputConnection>& statics,
+    const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const;
 
 private:
   using MakePart = std::function<vtkSmartPointer<vtkPolyData>(const InputPart&)>;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataConverter.h"
 
 #include "InputError.h"
@@ -38,15 +39,17 @@ void forEachCell(vtkCellArray* cells, const Visit& visit)
 }
 
 PolyDataConverter::PolyDataConverter(std::string where, vtkPolyData* input,
-  const SurfaceArrays& arrays, ConvertedPolyData& target, const Checkpoint& checkpoint)
+  const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance, ConvertedPolyData& target,
+  const Checkpoint& checkpoint)
   : where_(std::move(where))
   , input_(input)
   , arrays_(arrays)
+  , defaultReflectance_(defaultReflectance)
   , target_(target)
-  , bands_(target.surface.bands)
+  , bands_(target.material.bands)
   , pace_(checkpoint)
   , ghosts_(input->GetCellGhostArray())
-  , firstCell_(target.surface.numberOfCells)
+  , firstCell_(target.material.numberOfCells)
 {
 }
 
@@ -57,9 +60,10 @@ void PolyDataConverter::fail(const std::string& what) const
 
 std::vector<std::string> PolyDataConverter::convert()
 {
-  checkArray(arrays_.exitance, "radiant exitance");
-  checkArray(arrays_.reflectance, "diffuse reflectance");
-  checkArray(arrays_.flux, "radiant flux");
+  for (const MaterialArray number : { Exitance, Reflectance, Flux })
+  {
+    checkArray(number);
+  }
   for (vtkCellArray* cells :
     { input_->GetVerts(), input_->GetLines(), input_->GetPolys(), input_->GetStrips() })
   {
@@ -79,13 +83,13 @@ std::vector<std::string> PolyDataConverter::convert()
 
 void PolyDataConverter::makeRoom()
 {
-  Surface& surface = target_.surface;
+  Material& material = target_.material;
   const auto bands = static_cast<std::size_t>(bands_);
-  surface.numberOfCells += static_cast<std::size_t>(input_->GetNumberOfCells());
-  surface.reflectance.resize(surface.numberOfCells * bands, 0.0);
-  if (arrays_.exitance || !surface.exitance.empty())
+  material.numberOfCells += static_cast<std::size_t>(input_->GetNumberOfCells());
+  material.reflectance.resize(material.numberOfCells * bands, 0.0);
+  if (arrays_[Exitance] || !material.exitance.empty())
   {
-    surface.exitance.resize(surface.numberOfCells * bands, 0.0);
+    material.exitance.resize(material.numberOfCells * bands, 0.0);
   }
   // A polygon of n corners becomes n - 2 triangles. What grows by doubling is copied at once, which
   // takes long.
@@ -94,7 +98,7 @@ void PolyDataConverter::makeRoom()
       input_->GetPolys()->GetNumberOfConnectivityIds() - 2 * input_->GetNumberOfPolys() +
         input_->GetStrips()->GetNumberOfConnectivityIds()));
   target_.triangles.reserve(triangles);
-  surface.cellOfTriangle.reserve(triangles);
+  material.cellOfTriangle.reserve(triangles);
 }
 
 bool PolyDataConverter::isGhost() const
@@ -146,15 +150,16 @@ std::vector<std::string> PolyDataConverter::oddities() const
   return oddities;
 }
 
-void PolyDataConverter::checkArray(vtkDataArray* array, const char* meaning) const
+void PolyDataConverter::checkArray(MaterialArray number) const
 {
+  vtkDataArray* array = arrays_[number];
   if (!array)
   {
     return;
   }
   std::ostringstream message;
   message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)") << " ("
-          << meaning << ") has ";
+          << kArrayRoles[number].meaning << ") has ";
   if (array->GetNumberOfTuples() != input_->GetNumberOfCells())
   {
     message << array->GetNumberOfTuples() << " tuples for " << input_->GetNumberOfCells()
@@ -206,18 +211,18 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
   forEachCell(cells, [this](vtkIdType count, const vtkIdType* ids) {
     pace_.step();
     const bool isAbsent = isGhost();
-    if (!isAbsent && largest(arrays_.exitance) > 0)
+    if (!isAbsent && largest(arrays_[Exitance]) > 0)
     {
       exitanceElsewhere_.add(cell_);
     }
-    if (arrays_.flux && count > 0 && !isAbsent)
+    if (arrays_[Flux] && count > 0 && !isAbsent)
     {
       readPoints(count, ids);
       PointLight light{ Vector3::Zero(), {} };
       double total = 0;
       for (int band = 0; band < bands_; ++band)
       {
-        const double flux = value(arrays_.flux, band);
+        const double flux = value(arrays_[Flux], band);
         if (!(flux >= 0 && flux <= kBrightest))
         {
           fail("radiant flux " + text(flux) + " W is not within 0.." + text(kBrightest));
@@ -230,7 +235,7 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
         light.position = corner;
         if (total > 0)
         {
-          target_.surface.pointLights.push_back(light);
+          target_.material.pointLights.push_back(light);
         }
       }
     }
@@ -242,14 +247,14 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
 void PolyDataConverter::readLines()
 {
   const vtkIdType end = cell_ + input_->GetNumberOfLines();
-  for (; cell_ < end && (arrays_.flux || arrays_.exitance); ++cell_)
+  for (; cell_ < end && (arrays_[Flux] || arrays_[Exitance]); ++cell_)
   {
     pace_.step();
-    if (!isGhost() && largest(arrays_.flux) > 0)
+    if (!isGhost() && largest(arrays_[Flux]) > 0)
     {
       fluxElsewhere_.add(cell_);
     }
-    if (!isGhost() && largest(arrays_.exitance) > 0)
+    if (!isGhost() && largest(arrays_[Exitance]) > 0)
     {
       exitanceElsewhere_.add(cell_);
     }
@@ -299,7 +304,7 @@ void PolyDataConverter::readStrips(vtkCellArray* cells)
 /// they have no normal.
 void PolyDataConverter::readSurfaceCell()
 {
-  Surface& surface = target_.surface;
+  Material& material = target_.material;
   const std::size_t cell = firstCell_ + static_cast<std::size_t>(cell_);
   const auto isPoint = [](const Triangle& t) { return !(t.areaVector().norm() > kSmallestArea); };
   target_.triangles.erase(
@@ -309,14 +314,14 @@ void PolyDataConverter::readSurfaceCell()
   double area = 0;
   for (std::size_t i = firstTriangle_; i < target_.triangles.size(); ++i)
   {
-    surface.cellOfTriangle.push_back(static_cast<std::uint32_t>(cell));
+    material.cellOfTriangle.push_back(static_cast<std::uint32_t>(cell));
     area += target_.triangles[i].areaVector().norm();
   }
   if (!(area > 0))
   {
     withoutArea_.add(cell_);
   }
-  if (largest(arrays_.flux) > 0)
+  if (largest(arrays_[Flux]) > 0)
   {
     fluxElsewhere_.add(cell_);
   }
@@ -325,20 +330,20 @@ void PolyDataConverter::readSurfaceCell()
     const std::size_t slot =
       cell * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band);
     const double reflectance =
-      arrays_.reflectance ? value(arrays_.reflectance, band) : arrays_.defaultReflectance;
+      arrays_[Reflectance] ? value(arrays_[Reflectance], band) : defaultReflectance_;
     if (!(reflectance >= 0 && reflectance <= 1))
     {
       fail("diffuse reflectance " + text(reflectance) + " is not within 0..1");
     }
-    surface.reflectance[slot] = reflectance;
-    if (arrays_.exitance)
+    material.reflectance[slot] = reflectance;
+    if (arrays_[Exitance])
     {
-      const double exitance = value(arrays_.exitance, band);
+      const double exitance = value(arrays_[Exitance], band);
       if (!(exitance >= 0 && exitance <= kBrightest))
       {
         fail("radiant exitance " + text(exitance) + " W/m2 is not within 0.." + text(kBrightest));
       }
-      surface.exitance[slot] = exitance;
+      material.exitance[slot] = exitance;
     }
   }
 }

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_PolyDataConverter_h
 #define irradiance_PolyDataConverter_h
 
-#include "Light/SceneObjects.h"
+#include "Geometry/Triangle.h"
+#include "Light/Material.h"
+#include "MaterialArrays.h"
 #include "Progress/Checkpoint.h"
 
 #include "vtkType.h"
@@ -20,16 +23,7 @@ namespace irradiance
 struct ConvertedPolyData
 {
   std::vector<Triangle> triangles;
-  Surface surface;
-};
-
-/// The cell arrays that are read; each may be null. One or three components.
-struct SurfaceArrays
-{
-  vtkDataArray* exitance = nullptr;
-  vtkDataArray* reflectance = nullptr;
-  vtkDataArray* flux = nullptr;
-  double defaultReflectance = 0.5;
+  Material material;
 };
 
 /// Reads one vtkPolyData. Throws InputError, naming `where` (as in "input port 1, connection 0"), the
@@ -39,7 +33,8 @@ class PolyDataConverter
 {
 public:
   /// The input's cells follow those that `target` has, with as many bands.
-  PolyDataConverter(std::string where, vtkPolyData* input, const SurfaceArrays& arrays,
+  PolyDataConverter(std::string where, vtkPolyData* input,
+    const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance,
     ConvertedPolyData& target, const Checkpoint& checkpoint);
 
   /// Returns what is odd about the input but can be computed, a sentence each.
@@ -59,7 +54,7 @@ private:
     void add(vtkIdType cell) { first = count++ == 0 ? cell : first; }
   };
 
-  void checkArray(vtkDataArray* array, const char* meaning) const;
+  void checkArray(MaterialArray number) const;
   void makeRoom();
   void readPointLights(vtkCellArray* cells);
   void readLines();
@@ -77,7 +72,8 @@ private:
 
   std::string where_;
   vtkPolyData* input_;
-  SurfaceArrays arrays_;
+  MaterialArrays<vtkDataArray> arrays_;
+  double defaultReflectance_;
   ConvertedPolyData& target_;
   int bands_;
   CheckpointPace pace_;

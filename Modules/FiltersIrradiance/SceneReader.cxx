@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "SceneReader.h"
 
 #include "Geometry/MovedBox.h"
@@ -60,10 +61,10 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
 void checkDigits(const SceneObjects& objects)
 {
   constexpr double kFarthest = 0x1p27; // in sizes of the scene
-  Box scene = objects.fixed.body->mesh().bounds();
-  for (const SceneObject& object : objects.dynamic)
+  Box scene = objects.staticObject.body->mesh().bounds();
+  for (const SceneObject& object : objects.dynamicObjects)
   {
-    scene.add(movedBox(object.worldFromObject, object.body->mesh().bounds()));
+    scene.add(object.worldBounds());
   }
   const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
   if (scene.magnitude() > kFarthest * size)
@@ -90,8 +91,7 @@ SceneReader::Parts SceneReader::partsOf(const std::vector<InputConnection>& conn
 
 SceneReader::Stamp SceneReader::stampOf(const InputPart& part)
 {
-  return { part.polyData, { part.exitance, part.reflectance, part.flux },
-    part.polyData->GetMTime() };
+  return { part.polyData, part.arrays, part.polyData->GetMTime() };
 }
 
 int SceneReader::countBands(const Parts& parts)
@@ -99,7 +99,7 @@ int SceneReader::countBands(const Parts& parts)
   int bands = 1;
   for (const InputPart* part : parts)
   {
-    for (vtkAbstractArray* array : { part->exitance, part->reflectance, part->flux })
+    for (vtkAbstractArray* array : part->arrays)
     {
       bands = array && array->GetNumberOfComponents() == 3 ? 3 : bands;
     }
@@ -107,28 +107,29 @@ int SceneReader::countBands(const Parts& parts)
   return bands;
 }
 
-void SceneReader::read(const std::vector<InputConnection>& fixedConnections,
-  const std::vector<InputConnection>& movingConnections, double defaultReflectance,
+void SceneReader::read(const std::vector<InputConnection>& staticConnections,
+  const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
   const Checkpoint& checkpoint)
 {
-  const Parts fixed = partsOf(fixedConnections), moving = partsOf(movingConnections);
-  const Settings settings{ std::max(countBands(fixed), countBands(moving)), defaultReflectance };
+  const Parts staticParts = partsOf(staticConnections), dynamicParts = partsOf(dynamicConnections);
+  const Settings settings{ std::max(countBands(staticParts), countBands(dynamicParts)),
+    defaultReflectance };
   if (settings != settings_)
   {
-    fixedStamps_.reset();
-    movingStamps_.clear();
+    staticStamps_.reset();
+    dynamicStamps_.clear();
     settings_ = settings;
   }
-  movingStamps_.resize(moving.size());
-  objects_.dynamic.resize(moving.size());
-  areas_.resize(moving.size() + 1);
-  readFixed(fixed, checkpoint);
-  for (std::size_t i = 0; i < moving.size(); ++i)
+  dynamicStamps_.resize(dynamicParts.size());
+  objects_.dynamicObjects.resize(dynamicParts.size());
+  areas_.resize(dynamicParts.size() + 1);
+  readStatic(staticParts, checkpoint);
+  for (std::size_t i = 0; i < dynamicParts.size(); ++i)
   {
-    readMoving(*moving[i], i, checkpoint);
-    SceneObject& object = objects_.dynamic[i];
-    checkReach(moving[i]->name, moving[i]->worldFromPart, object.body->mesh().bounds());
-    object.worldFromObject = moving[i]->worldFromPart;
+    readDynamic(*dynamicParts[i], i, checkpoint);
+    SceneObject& object = objects_.dynamicObjects[i];
+    checkReach(dynamicParts[i]->name, dynamicParts[i]->worldFromPart, object.body->mesh().bounds());
+    object.worldFromObject = dynamicParts[i]->worldFromPart;
     areas_[i + 1] = cellAreas(object, checkpoint);
   }
   checkDigits(objects_);
@@ -137,13 +138,13 @@ void SceneReader::read(const std::vector<InputConnection>& fixedConnections,
 void SceneReader::convert(
   const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint)
 {
-  SurfaceArrays arrays;
-  arrays.exitance = asNumbers(part.exitance, part.name);
-  arrays.reflectance = asNumbers(part.reflectance, part.name);
-  arrays.flux = asNumbers(part.flux, part.name);
-  arrays.defaultReflectance = settings_.defaultReflectance;
+  MaterialArrays<vtkDataArray> arrays;
+  std::transform(part.arrays.begin(), part.arrays.end(), arrays.begin(),
+    [&](vtkAbstractArray* array) { return asNumbers(array, part.name); });
   for (const auto& oddities : { part.oddities,
-         PolyDataConverter(part.name, part.polyData, arrays, target, checkpoint).convert() })
+         PolyDataConverter(
+           part.name, part.polyData, arrays, settings_.defaultReflectance, target, checkpoint)
+           .convert() })
   {
     for (const std::string& oddity : oddities)
     {
@@ -152,41 +153,42 @@ void SceneReader::convert(
   }
 }
 
-void SceneReader::readFixed(const Parts& fixed, const Checkpoint& checkpoint)
+void SceneReader::readStatic(const Parts& staticParts, const Checkpoint& checkpoint)
 {
   std::vector<Stamp> stamps;
-  std::transform(fixed.begin(), fixed.end(), std::back_inserter(stamps),
+  std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(stamps),
     [](const InputPart* part) { return stampOf(*part); });
-  if (fixedStamps_ == stamps)
+  if (staticStamps_ == stamps)
   {
     return;
   }
-  fixedStamps_.reset(); // until all is read
+  staticStamps_.reset(); // until all is read
   firstCell_.clear();
   ConvertedPolyData all;
-  all.surface.bands = settings_.bands;
-  for (const InputPart* part : fixed)
+  all.material.bands = settings_.bands;
+  for (const InputPart* part : staticParts)
   {
-    firstCell_.push_back(all.surface.numberOfCells);
-    all.surface.firstCellOfPart = firstCell_;
+    firstCell_.push_back(all.material.numberOfCells);
+    all.material.firstCellOfPart = firstCell_;
     convert(*part, all, checkpoint);
   }
-  adopt(std::move(all), objects_.fixed, false, checkpoint);
-  areas_[0] = cellAreas(objects_.fixed, checkpoint);
-  fixedStamps_ = std::move(stamps);
+  adopt(std::move(all), objects_.staticObject, false, checkpoint);
+  areas_[0] = cellAreas(objects_.staticObject, checkpoint);
+  staticStamps_ = std::move(stamps);
 }
 
-void SceneReader::readMoving(const InputPart& part, std::size_t index, const Checkpoint& checkpoint)
+void SceneReader::readDynamic(
+  const InputPart& part, std::size_t index, const Checkpoint& checkpoint)
 {
   const Stamp stamp = stampOf(part);
-  if (!(movingStamps_[index] == stamp))
+  if (!(dynamicStamps_[index] == stamp))
   {
-    movingStamps_[index].reset(); // until all is read
+    dynamicStamps_[index].reset(); // until all is read
     ConvertedPolyData data;
-    data.surface.bands = settings_.bands;
+    data.material.bands = settings_.bands;
     convert(part, data, checkpoint);
-    adopt(std::move(data), objects_.dynamic[index], true, checkpoint);
-    movingStamps_[index] = stamp;
+    adopt(std::move(data), objects_.dynamicObjects[index], true, checkpoint);
+    dynamicStamps_[index] = stamp;
   }
 }
 
@@ -194,9 +196,9 @@ void SceneReader::readMoving(const InputPart& part, std::size_t index, const Che
 void SceneReader::adopt(
   ConvertedPolyData data, SceneObject& object, bool mayMove, const Checkpoint& checkpoint)
 {
-  if (!object.surface || !(*object.surface == data.surface))
+  if (!object.material || !(*object.material == data.material))
   {
-    object.surface = std::make_shared<Surface>(std::move(data.surface));
+    object.material = std::make_shared<Material>(std::move(data.material));
   }
   if (!object.body || !isEqual(object.body->mesh().triangles(), data.triangles, checkpoint))
   {

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_SceneReader_h
 #define irradiance_SceneReader_h
 
 #include "InputConnection.h"
+#include "Light/SceneObjects.h"
 #include "PolyDataConverter.h"
 
 #include "vtkSmartPointer.h"
@@ -20,16 +22,17 @@ namespace irradiance
 class SceneReader
 {
 public:
-  /// Object 0 is made of all parts of the fixed connections; each part of the moving ones is an object
+  /// Object 0 is made of all parts of the static connections; each part of the dynamic ones is an object
   /// of its own, in order. Throws InputError. Afterwards objects() is the scene; after an exception it
   /// is what it was, or partly new.
-  void read(const std::vector<InputConnection>& fixed, const std::vector<InputConnection>& moving,
-    double defaultReflectance, const Checkpoint& checkpoint);
+  void read(const std::vector<InputConnection>& staticConnections,
+    const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
+    const Checkpoint& checkpoint);
 
   const SceneObjects& objects() const { return objects_; }
   int bands() const { return settings_.bands; }
   /// Number of the first cell of a static part among the cells of object 0.
-  std::size_t firstCellOfFixed(std::size_t part) const { return firstCell_[part]; }
+  std::size_t firstCellOfStatic(std::size_t part) const { return firstCell_[part]; }
   /// World area of the cells of an object, m2.
   const std::vector<double>& areas(std::uint32_t object) const { return areas_[object]; }
   /// What is odd about the inputs but can be computed; new ones since the last call.
@@ -50,7 +53,7 @@ private:
   struct Stamp
   {
     vtkSmartPointer<vtkPolyData> polyData;
-    std::array<vtkAbstractArray*, 3> arrays; ///< those chosen; never followed
+    MaterialArrays<vtkAbstractArray> arrays; ///< those chosen; never followed
     vtkMTimeType time;
     bool operator==(const Stamp& other) const
     {
@@ -64,15 +67,15 @@ private:
   static Stamp stampOf(const InputPart& part);
   static int countBands(const Parts& parts);
   void convert(const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint);
-  void readFixed(const Parts& fixed, const Checkpoint& checkpoint);
-  void readMoving(const InputPart& part, std::size_t index, const Checkpoint& checkpoint);
+  void readStatic(const Parts& parts, const Checkpoint& checkpoint);
+  void readDynamic(const InputPart& part, std::size_t index, const Checkpoint& checkpoint);
   void warn(const std::string& warning);
   void adopt(
     ConvertedPolyData data, SceneObject& object, bool mayMove, const Checkpoint& checkpoint);
 
   Settings settings_;
-  std::optional<std::vector<Stamp>> fixedStamps_; ///< none: to be read
-  std::vector<std::optional<Stamp>> movingStamps_;
+  std::optional<std::vector<Stamp>> staticStamps_; ///< none: to be read
+  std::vector<std::optional<Stamp>> dynamicStamps_;
   SceneObjects objects_;
   std::vector<std::size_t> firstCell_;
   std::vector<std::vector<double>> areas_;

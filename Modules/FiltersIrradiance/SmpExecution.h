@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_SmpExecution_h
 #define irradiance_SmpExecution_h
 
@@ -14,8 +15,8 @@ namespace irradiance
 class SmpExecution : public Execution
 {
 public:
-  explicit SmpExecution(std::function<bool(double)> goOn)
-    : goOn_(std::move(goOn))
+  explicit SmpExecution(std::function<bool(double)> report)
+    : report_(std::move(report))
   {
   }
 
@@ -28,10 +29,10 @@ public:
     vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1, range);
   }
 
-  bool goOn(double progress) override { return goOn_(progress); }
+  bool reportProgress(double progress) override { return report_(progress); }
 
 private:
-  std::function<bool(double)> goOn_;
+  std::function<bool(double)> report_;
 };
 
 }

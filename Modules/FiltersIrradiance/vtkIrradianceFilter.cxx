@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceFilter.h"
 
 #include "InputError.h"
@@ -32,7 +33,7 @@ public:
   /// All that a result follows from, besides the properties.
   struct Inputs
   {
-    Connections Fixed, Moving;
+    Connections Static, Dynamic;
   };
 
   Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
@@ -136,8 +137,7 @@ vtkIrradianceFilter::vtkIrradianceFilter()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
-  for (const irradiance::ArrayRole& role :
-    { irradiance::kExitanceArray, irradiance::kReflectanceArray, irradiance::kFluxArray })
+  for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
   {
     this->SetInputArrayToProcess(
       role.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, role.defaultName);
@@ -298,7 +298,7 @@ int vtkIrradianceFilter::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkIrradianceFilter::GoOn(double progress)
+bool vtkIrradianceFilter::ReportProgress(double progress)
 {
   this->UpdateProgress(progress);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
@@ -311,27 +311,27 @@ bool vtkIrradianceFilter::GoOn(double progress)
 vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::GetInputs(
   vtkIrradianceFilter* filter, vtkInformationVector** inputs) const
 {
-  const int moving = inputs[1]->GetNumberOfInformationObjects();
+  const int dynamics = inputs[1]->GetNumberOfInformationObjects();
   const int last = this->Transforms.empty() ? -1 : this->Transforms.rbegin()->first;
   const int first = this->Transforms.empty() ? 0 : this->Transforms.begin()->first;
-  if (first < 0 || last >= moving)
+  if (first < 0 || last >= dynamics)
   {
     throw irradiance::InputError("there is a transform for dynamic connection " +
       std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
-      std::to_string(moving) + " connections");
+      std::to_string(dynamics) + " connections");
   }
   Inputs read;
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
-    read.Fixed.push_back(
+    read.Static.push_back(
       irradiance::staticConnection(filter, i, vtkDataObject::GetData(inputs[0], i)));
   }
-  for (int i = 0; i < moving; ++i)
+  for (int i = 0; i < dynamics; ++i)
   {
-    read.Moving.push_back(irradiance::dynamicConnection(
+    read.Dynamic.push_back(irradiance::dynamicConnection(
       filter, i, vtkDataObject::GetData(inputs[1], i), filter->GetDynamicTransform(i)));
   }
-  irradiance::checkChosenArrays(filter, read.Fixed, read.Moving);
+  irradiance::checkChosenArrays(filter, read.Static, read.Dynamic);
   return read;
 }
 
@@ -339,13 +339,14 @@ void vtkIrradianceFilter::vtkInternals::Compute(
   vtkIrradianceFilter* filter, const Inputs& inputs, vtkMultiBlockDataSet* output)
 {
   const irradiance::EngineSettings settings = CheckedSettings(filter);
-  irradiance::SmpExecution execution([filter](double progress) { return filter->GoOn(progress); });
-  if (!execution.goOn(0)) // an update with nothing to do does not ask again
+  irradiance::SmpExecution execution(
+    [filter](double progress) { return filter->ReportProgress(progress); });
+  if (!execution.reportProgress(0)) // an update with nothing to do does not ask again
   {
     throw irradiance::Interrupted();
   }
   const irradiance::Checkpoint reading = irradiance::checkpointOf(execution, 0);
-  this->Scene.read(inputs.Fixed, inputs.Moving, filter->GetDefaultDiffuseReflectance(), reading);
+  this->Scene.read(inputs.Static, inputs.Dynamic, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())
   {
     vtkWarningWithObjectMacro(filter, << warning);
@@ -363,7 +364,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(
   const irradiance::Checkpoint writing = irradiance::checkpointOf(execution, 1);
   irradiance::OutputWriter(
     this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0, writing)
-    .write(inputs.Fixed, inputs.Moving, output);
+    .write(inputs.Static, inputs.Dynamic, output);
 }
 
 int vtkIrradianceFilter::RequestData(
@@ -396,6 +397,7 @@ int vtkIrradianceFilter::RequestData(
   {
     output->Initialize();
     vtkErrorMacro(<< error.what());
+    return 0;
   }
   return 1;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkIrradianceFilter
  * @brief   light received by every cell of a scene in which things move
@@ -305,7 +306,7 @@ private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;
   void operator=(const vtkIrradianceFilter&) = delete;
 
-  bool GoOn(double progress);
+  bool ReportProgress(double progress);
   vtkMTimeType OwnTime();
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/ProgressSpan.h"
 #include "Execution/SlicedPass.h"
 #include "IrradianceEngine.h"
@@ -32,7 +33,7 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
     return;
   }
   Clock::time_point start = Clock::now();
-  const SobolSequence samples(settings_.seed, plan_.deal());
+  const SobolSequence samples(settings_.seed, plan_.replicates());
   const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
   std::vector<std::vector<StaleSegment>> found;
   if (hasMotion)
@@ -81,7 +82,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   SegmentScan scan(pointFrame_, pointReach_);
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
-    if (moved[i] && !objects_.dynamic[i].body->mesh().isEmpty())
+    if (moved[i] && !objects_.dynamicObjects[i].body->mesh().isEmpty())
     {
       scan.addBody(scene_.shadowBound(i, clearance_));
       scan.addMoved(i + 1);
@@ -128,15 +129,15 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
         walks.power(segment.walkInBlock, 0), walks.power(segment.walkInBlock, segment.bounce));
       for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
       {
-        sums_.fetch(walk, walks.hit(segment.walkInBlock, i).id); // will be taken back
+        sums_.prefetch(walk, walks.hit(segment.walkInBlock, i).id); // will be taken back
       }
     }
   };
-  pass.finish = [&](const WalkBatch& batch, WalkBooking& booking, PowerBalance&) {
+  pass.finish = [&](const WalkBatch& batch, WalkTally& tally, PowerBalance&) {
     for (const WalkBatch::Tail& tail : batch.tails())
     {
       const WalkPlan::Place place = plan_.placeOf(tail.walk);
-      booking.remove(history_[place.block], place.walkInBlock, tail.walk, tail.bounce);
+      tally.remove(history_[place.block], place.walkInBlock, tail.walk, tail.bounce);
     }
     batch.store(plan_, history_);
     repaired += static_cast<std::int64_t>(batch.pieces().size());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/ProgressSpan.h"
 #include "IrradianceEngine.h"
 
@@ -28,7 +29,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan_.rounds().size());
   dropRounds(rounds, checkpointOf(execution, progress));
-  if (!execution.goOn(1))
+  if (!execution.reportProgress(1))
   {
     throw Interrupted();
   }
@@ -51,12 +52,12 @@ void IrradianceEngine::dropRounds(std::size_t kept, const Checkpoint& checkpoint
   const std::size_t blocks = plan_.rounds()[kept - 1].endBlock;
   while (history_.size() > blocks)
   {
-    WalkBooking booking(sums_, balance_);
+    WalkTally tally(sums_, balance_);
     const std::size_t block = history_.size() - 1;
     for (std::uint32_t i = 0; i < history_[block].numberOfWalks(); ++i)
     {
       balance_.emitted -= history_[block].power(i, 0);
-      booking.remove(history_[block], i, plan_.firstWalkOf(block) + i, 0);
+      tally.remove(history_[block], i, plan_.firstWalkOf(block) + i, 0);
     }
     history_.pop_back();
     checkpoint();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "IrradianceEngine.h"
 
 #include "Execution/ProgressSpan.h"
@@ -89,21 +90,16 @@ void IrradianceEngine::update(
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
 {
-  return isValid_ && settings.verify && settings_.verify && !objects.dynamic.empty() &&
+  return isValid_ && settings.verify && settings_.verify && !objects.dynamicObjects.empty() &&
     planOf(settings) == plan_ && settings.seed == settings_.seed &&
     settings.separateSides == settings_.separateSides && isSameButForMotion(objects, objects_);
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)
 {
-  std::vector<PlacedObject> placed;
-  for (const SceneObject& object : objects_.dynamic)
-  {
-    placed.push_back({ object.body, object.worldFromObject, object.isLoose });
-  }
   scene_.setTraversalMode(settings_.traversalMode);
-  scene_.setStatic(objects_.fixed.body);
-  scene_.setDynamic(placed);
+  scene_.setStatic(objects_.staticObject.body);
+  scene_.setDynamic(objects_.dynamicBodies());
   scene_.setPointSources(emitters_.pointBounds());
   const Checkpoint checkpoint = checkpointOf(execution, 0);
   scene_.commit(moved, checkpoint);
@@ -131,13 +127,13 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
   const Clock::time_point start = Clock::now();
   const WalkRound& walks = plan_.rounds()[round];
-  const bool keep = settings_.verify && !objects_.dynamic.empty();
+  const bool keep = settings_.verify && !objects_.dynamicObjects.empty();
   sums_.setRounds(round + 1, checkpointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
   {
-    history_.emplace_back(plan_.walksIn(block), objects_.fixed.surface->bands, pointFrame_);
+    history_.emplace_back(plan_.walksIn(block), objects_.staticObject.material->bands, pointFrame_);
   }
-  const SobolSequence samples(settings_.seed, plan_.deal());
+  const SobolSequence samples(settings_.seed, plan_.replicates());
   const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
   BatchPass pass{ walks.firstBlock, walks.endBlock, 1, {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
@@ -146,7 +142,7 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
       batch.shoot(plan_.firstWalkOf(block) + i);
     }
   };
-  pass.finish = [&](const WalkBatch& batch, WalkBooking&, PowerBalance& balance) {
+  pass.finish = [&](const WalkBatch& batch, WalkTally&, PowerBalance& balance) {
     for (const WalkBatch::Piece& piece : batch.pieces())
     {
       balance.emitted += piece.bounce == 0 ? piece.segment.power : Power{};
@@ -174,7 +170,7 @@ void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Ex
   SlicedPass sliced{ open.size(), {} };
   sliced.work = [&](std::size_t unit, const Deadline& deadline) {
     PowerBalance balance;
-    WalkBooking booking(sums_, balance);
+    WalkTally tally(sums_, balance);
     std::unique_ptr<WalkBatch>& batch = open[unit];
     if (!batch)
     {
@@ -185,10 +181,10 @@ void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Ex
         pass.fill(i, *batch);
       }
     }
-    const bool isDone = batch->run(booking, [&] { return deadline.hasPassed(); });
+    const bool isDone = batch->run(tally, [&] { return deadline.hasPassed(); });
     if (isDone)
     {
-      pass.finish(*batch, booking, balance);
+      pass.finish(*batch, tally, balance);
       batch.reset();
     }
     total.add(balance);

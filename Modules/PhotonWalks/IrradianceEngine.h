@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_IrradianceEngine_h
 #define irradiance_IrradianceEngine_h
 
@@ -101,7 +102,7 @@ private:
     std::size_t blocksTogether;
     std::function<void(std::size_t block, WalkBatch& batch)> fill;
     /// Keeps what a batch has shot.
-    std::function<void(const WalkBatch& batch, WalkBooking& booking, PowerBalance& balance)> finish;
+    std::function<void(const WalkBatch& batch, WalkTally& tally, PowerBalance& balance)> finish;
   };
 
   /// With the same lights.

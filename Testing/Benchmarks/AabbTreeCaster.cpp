@@ -78,7 +78,7 @@ void AabbTreeCaster::cast(std::vector<Hit>& hits)
     const Kernel::Ray_3& ray = tree_->rays[i];
     hits[i] = {};
     const auto found = tree_->aabb.first_intersection(ray);
-    // In the plane of a triangle a ray meets a segment of it; the others count no such meeting.
+    // In the plane of a triangle a ray meets a segment of it; the others count no such intersection.
     if (const auto* point = found ? boost::get<Kernel::Point_3>(&found->first) : nullptr)
     {
       hits[i].distance = std::sqrt(CGAL::squared_distance(ray.source(), *point));

@@ -63,7 +63,7 @@ struct Follower
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       const double angle = 0.3 * frame + static_cast<double>(i);
-      objects.dynamic[i].worldFromObject =
+      objects.dynamicObjects[i].worldFromObject =
         test::shift(places[i] + 0.1 * Vector3(std::cos(angle), std::sin(angle), 0));
     }
   }
@@ -85,7 +85,7 @@ struct Follower
     fresh.update(objects, settings, serial);
     for (std::uint32_t object = 0; object < objects.size(); ++object)
     {
-      for (std::size_t cell = 0; cell < objects[object].surface->numberOfCells; ++cell)
+      for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
       {
         if (engine.sums().sum(object, cell, 0, 0) != fresh.sums().sum(object, cell, 0, 0))
         {
@@ -120,7 +120,7 @@ Case farCase(const std::string& name, const EngineSettings& settings, const Vect
   follower->move(0);
   for (const Vector3& stop : stops)
   {
-    follower->objects.dynamic[1].worldFromObject = test::shift(stop);
+    follower->objects.dynamicObjects[1].worldFromObject = test::shift(stop);
     follower->verify();
   }
   return { name, std::move(follower), {} };
@@ -138,7 +138,7 @@ Case manyCase(int count, const EngineSettings& settings)
   {
     const Vector3 unit = (i * step).unaryExpr([](double x) { return x - std::floor(x); });
     follower->places.push_back(Vector3(Vector3::Constant(0.4) + 3.0 * unit));
-    follower->objects.dynamic.push_back(ball);
+    follower->objects.dynamicObjects.push_back(ball);
   }
   follower->move(0);
   follower->verify();
@@ -208,7 +208,8 @@ void timeManyThings(const EngineSettings& settings, int frames, Results& results
   }
   follow(cases, frames);
   const auto each = [](const Case& one) {
-    return scaled(one.seconds, 1e3 / static_cast<double>(one.follower->objects.dynamic.size()));
+    return scaled(
+      one.seconds, 1e3 / static_cast<double>(one.follower->objects.dynamicObjects.size()));
   };
   for (const Case& one : cases)
   {

@@ -49,8 +49,8 @@ std::vector<Contender> makeContenders(const BenchmarkScene& scene)
     makeEmbree(kEmbreeTwoLevel, embree, RaysPerCall::One),
     makeEmbree("Embree rtcIntersect8", flatEmbree, RaysPerCall::Eight),
     makeEmbree("Embree rtcIntersect16", flatEmbree, RaysPerCall::Sixteen),
-    { std::make_shared<AabbTreeCaster>(kCgal, flat.fixed.body->mesh()), 4000, 2e-3 },
-    { std::make_shared<LocatorCaster>(kVtk, flat.fixed.body->mesh()), 1000, 2e-3 },
+    { std::make_shared<AabbTreeCaster>(kCgal, flat.staticObject.body->mesh()), 4000, 2e-3 },
+    { std::make_shared<LocatorCaster>(kVtk, flat.staticObject.body->mesh()), 1000, 2e-3 },
   };
   const auto ourFlat = makeScene(flat), ourTwoLevel = makeScene(scene.objects);
   for (const SimdChoice& choice : simdChoices())
@@ -194,7 +194,7 @@ void run(int argc, char* argv[])
     castSets(*scene, number - '0', count, rounds, results, seconds);
     if (number == '2' && buildRounds > 0)
     {
-      timeBuilds(scene->objects.dynamic[0], buildRounds, results);
+      timeBuilds(scene->objects.dynamicObjects[0], buildRounds, results);
     }
   }
   addMeans(seconds, results);

@@ -32,7 +32,7 @@ void compareAnswers(
 {
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    for (std::size_t cell = 0; cell < objects[object].surface->numberOfCells; ++cell)
+    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
     {
       if (a.sums().sum(object, cell, 0, 0) != b.sums().sum(object, cell, 0, 0))
       {

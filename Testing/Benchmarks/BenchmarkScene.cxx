@@ -86,10 +86,10 @@ void append(const Triangles& triangles, const AffineMap& worldFromMesh, Triangle
     [&](const Triangle& triangle) { return transformed(worldFromMesh, triangle); });
 }
 
-SceneObject makeObject(Triangles triangles, const AffineMap& pose = {}, bool isLoose = false)
+SceneObject makeObject(Triangles triangles, const AffineMap& pose = {}, bool isFlattened = false)
 {
   return { std::make_shared<RigidObject>(TriangleMesh(std::move(triangles))), nullptr, pose,
-    isLoose };
+    isFlattened };
 }
 
 Triangles randomTriangles(std::size_t count, unsigned seed)
@@ -143,11 +143,11 @@ std::optional<BenchmarkScene> makeDragonScene()
     { { 0, 0, 9.9 }, 1 }, count };
 }
 
-BenchmarkScene makeRandomScene(bool isLoose)
+BenchmarkScene makeRandomScene(bool isFlattened)
 {
   return { "random triangles",
     { makeObject(randomTriangles(50000, 1)),
-      { makeObject(randomTriangles(50000, 2), makePose(0.3, Vector3::Zero()), isLoose) } },
+      { makeObject(randomTriangles(50000, 2), makePose(0.3, Vector3::Zero()), isFlattened) } },
     { { 0, 0, 5.1 }, 5 } };
 }
 
@@ -172,8 +172,8 @@ BenchmarkScene makeTeapotsScene()
 
 SceneObjects flattened(const SceneObjects& objects)
 {
-  Triangles all = objects.fixed.body->mesh().triangles();
-  for (const SceneObject& object : objects.dynamic)
+  Triangles all = objects.staticObject.body->mesh().triangles();
+  for (const SceneObject& object : objects.dynamicObjects)
   {
     append(object.body->mesh().triangles(), object.worldFromObject, all);
   }
@@ -182,8 +182,8 @@ SceneObjects flattened(const SceneObjects& objects)
 
 Box boundsOf(const SceneObjects& objects)
 {
-  Box bounds = objects.fixed.body->mesh().bounds();
-  for (const SceneObject& object : objects.dynamic)
+  Box bounds = objects.staticObject.body->mesh().bounds();
+  for (const SceneObject& object : objects.dynamicObjects)
   {
     for (const Triangle& triangle : object.body->mesh().triangles())
     {

@@ -177,7 +177,7 @@ void run(int argc, char* argv[])
   const SceneObjects objects = MovingTeapotScene("").objectsAt(0);
   for (const double part : { 16.0, 4.0, 1.0 })
   {
-    timeScans(*objects.dynamic[0].body, millions / part, part == 1, rounds, results);
+    timeScans(*objects.dynamicObjects[0].body, millions / part, part == 1, rounds, results);
   }
   results.finish();
 }

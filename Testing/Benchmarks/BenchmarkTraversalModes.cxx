@@ -9,7 +9,7 @@
  */
 #include "BenchmarkScene.h"
 #include "Goals.h"
-#include "Kernels/CastCounts.h"
+#include "Kernels/QueryCounts.h"
 #include "OurCaster.h"
 #include "Program.h"
 #include "RaySet.h"
@@ -67,11 +67,11 @@ std::vector<std::vector<double>> timeModes(
 /// What a ray costs in steps, which no other program on the machine can disturb.
 void countSteps(OurCaster& caster, std::size_t rays, const std::string& column, Results& results)
 {
-  CastCounts counts;
-  castCounts() = &counts;
+  QueryCounts counts;
+  queryCounts() = &counts;
   std::vector<Hit> hits(rays);
   caster.cast(hits);
-  castCounts() = nullptr;
+  queryCounts() = nullptr;
   const auto add = [&](const char* what, std::uint64_t count) {
     results.add("TraversalModesCounts", caster.name() + ", " + what, column,
       { static_cast<double>(count) / static_cast<double>(rays) });

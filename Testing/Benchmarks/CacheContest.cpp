@@ -25,7 +25,7 @@ void compareSums(const IrradianceEngine& a, const IrradianceEngine& b, const Sce
 {
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    for (std::size_t cell = 0; cell < objects[i].surface->numberOfCells; ++cell)
+    for (std::size_t cell = 0; cell < objects[i].material->numberOfCells; ++cell)
     {
       if (a.sums().sum(i, cell, 0, 0) != b.sums().sum(i, cell, 0, 0))
       {

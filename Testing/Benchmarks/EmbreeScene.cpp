@@ -5,10 +5,10 @@ using namespace irradiance;
 EmbreeScene::EmbreeScene(const SceneObjects& objects)
   : device_(rtcNewDevice("threads=1"))
   , top_(rtcNewScene(device_))
-  , near_(static_cast<float>(1e-5 * objects.fixed.body->mesh().bounds().extent().maxCoeff()))
+  , near_(static_cast<float>(1e-5 * objects.staticObject.body->mesh().bounds().extent().maxCoeff()))
 {
   rtcSetSceneBuildQuality(top_, RTC_BUILD_QUALITY_HIGH);
-  const RTCGeometry fixed = makeMesh(objects.fixed.body->mesh());
+  const RTCGeometry fixed = makeMesh(objects.staticObject.body->mesh());
   rtcAttachGeometryByID(top_, fixed, 0);
   rtcReleaseGeometry(fixed);
   for (std::uint32_t i = 1; i < objects.size(); ++i)

@@ -26,7 +26,8 @@ std::int64_t shootWalkByWalk(const EmbreeScene& embree, EmbreeWalks& walks)
       rays.cast(1);
       ++segments;
       id = rays.id(0);
-    } while (id != TriangleId{} && walks.goOn(walk, ray.direction, id, rays.weights(0), ray));
+    } while (
+      id != TriangleId{} && walks.reportProgress(walk, ray.direction, id, rays.weights(0), ray));
   }
   return segments;
 }
@@ -42,16 +43,17 @@ std::size_t goOn(
   {
     if (i + 2 * kAhead < count)
     {
-      walks.fetchTriangle(rays.id(i + 2 * kAhead));
+      walks.prefetchTriangle(rays.id(i + 2 * kAhead));
     }
     if (i + kAhead < count)
     {
-      walks.fetchCell(rays.id(i + kAhead));
+      walks.prefetchCell(rays.id(i + kAhead));
     }
     const TriangleId id = rays.id(i);
     EmbreeWalk walk = batch[i];
     Ray ray;
-    if (id != TriangleId{} && walks.goOn(walk, rays.direction(i), id, rays.weights(i), ray))
+    if (id != TriangleId{} &&
+      walks.reportProgress(walk, rays.direction(i), id, rays.weights(i), ray))
     {
       rays.set(kept, ray); // the hit that stood here has been read
       batch[kept++] = walk;

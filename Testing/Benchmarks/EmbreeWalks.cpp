@@ -40,7 +40,7 @@ bool EmbreeWalks::goOn(EmbreeWalk& walk, const Vector3& direction, const Triangl
   {
     handIn();
   }
-  walk.power = reflected(walk.power, *object.surface, id.triangle);
+  walk.power = reflected(walk.power, *object.material, id.triangle);
   if (walk.power.largest() < walk.threshold)
   {
     walk.power = playRoulette(
@@ -64,23 +64,23 @@ void EmbreeWalks::handIn()
   deposits_.clear();
 }
 
-void EmbreeWalks::fetchTriangle(const TriangleId& id) const
+void EmbreeWalks::prefetchTriangle(const TriangleId& id) const
 {
   if (id != TriangleId{})
   {
     const SceneObject& object = objects_[id.object];
-    object.body->mesh().fetch(id.triangle);
-    __builtin_prefetch(object.surface->cellOfTriangle.data() + id.triangle);
+    object.body->mesh().prefetch(id.triangle);
+    __builtin_prefetch(object.material->cellOfTriangle.data() + id.triangle);
   }
 }
 
-void EmbreeWalks::fetchCell(const TriangleId& id) const
+void EmbreeWalks::prefetchCell(const TriangleId& id) const
 {
   if (id != TriangleId{})
   {
-    const Surface& surface = *objects_[id.object].surface;
-    __builtin_prefetch(surface.reflectance.data() +
-      surface.cellOfTriangle[id.triangle] * static_cast<std::size_t>(surface.bands));
-    sums_.fetch(0, id);
+    const Material& material = *objects_[id.object].material;
+    __builtin_prefetch(material.reflectance.data() +
+      material.cellOfTriangle[id.triangle] * static_cast<std::size_t>(material.bands));
+    sums_.prefetch(0, id);
   }
 }

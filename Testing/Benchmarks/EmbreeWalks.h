@@ -31,12 +31,12 @@ public:
 
   /// Books a hit at which a ray of this direction ends. False: so does the walk; else `ray` is the
   /// next.
-  bool goOn(EmbreeWalk& walk, const irradiance::Vector3& direction,
+  bool reportProgress(EmbreeWalk& walk, const irradiance::Vector3& direction,
     const irradiance::TriangleId& id, const irradiance::Vector3& weights, irradiance::Ray& ray);
 
   /// Have the memory bring what goOn() will read; the second when the first has come.
-  void fetchTriangle(const irradiance::TriangleId& id) const;
-  void fetchCell(const irradiance::TriangleId& id) const;
+  void prefetchTriangle(const irradiance::TriangleId& id) const;
+  void prefetchCell(const irradiance::TriangleId& id) const;
 
 private:
   void handIn();

@@ -70,6 +70,6 @@ MovingTeapotScene::MovingTeapotScene(const movingteapot::TeapotScene& parts, dou
 SceneObjects MovingTeapotScene::objectsAt(double time) const
 {
   SceneObjects objects = objects_;
-  objects.dynamic[0].worldFromObject = poseAt(time, scale_);
+  objects.dynamicObjects[0].worldFromObject = poseAt(time, scale_);
   return objects;
 }

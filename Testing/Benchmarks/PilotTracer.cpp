@@ -60,13 +60,8 @@ PilotTracer::PilotTracer(
 void PilotTracer::commit(const SceneObjects& objects)
 {
   objects_ = objects;
-  std::vector<PlacedObject> placed;
-  for (const SceneObject& object : objects.dynamic)
-  {
-    placed.push_back({ object.body, object.worldFromObject, object.isLoose });
-  }
-  scene_.setStatic(objects.fixed.body);
-  scene_.setDynamic(placed);
+  scene_.setStatic(objects.staticObject.body);
+  scene_.setDynamic(objects.dynamicBodies());
   scene_.setPointSources(emitters_.pointBounds());
   scene_.commit(std::vector<bool>(placed.size(), true));
 }
@@ -81,7 +76,7 @@ void PilotTracer::shootAll(const SceneObjects& objects)
   for (std::uint32_t first = 0; first < numberOfWalks_; first += WalkPlan::kWalksPerBlock)
   {
     history_.emplace_back(std::min(WalkPlan::kWalksPerBlock, numberOfWalks_ - first),
-      objects.fixed.surface->bands, frame);
+      objects.staticObject.material->bands, frame);
   }
   Walks all(numberOfWalks_);
   std::iota(all.begin(), all.end(), 0u);
@@ -111,20 +106,20 @@ void PilotTracer::shoot(const Walks& walks)
     {
       batch.shoot(walks[i]);
     }
-    WalkBooking booking(sums_, balance_);
-    batch.run(booking, [] { return false; });
-    store(batch, booking);
+    WalkTally tally(sums_, balance_);
+    batch.run(tally, [] { return false; });
+    store(batch, tally);
   }
 }
 
-void PilotTracer::store(const WalkBatch& batch, WalkBooking& booking)
+void PilotTracer::store(const WalkBatch& batch, WalkTally& tally)
 {
   for (const WalkBatch::Tail& tail : batch.tails())
   {
     WalkBlock& block = history_[blockOf(tail.walk)];
     if (block.size(walkInBlock(tail.walk)) > 0)
     {
-      booking.remove(block, walkInBlock(tail.walk), tail.walk, 0);
+      tally.remove(block, walkInBlock(tail.walk), tail.walk, 0);
     }
     block.replaceTail(walkInBlock(tail.walk), 0, tail.size);
   }

@@ -3,7 +3,7 @@
 
 #include "TradeScene.h"
 
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 #include "Light/Emitter.h"
 #include "Scene/Scene.h"
 #include "Shooting/WalkBatch.h"
@@ -64,7 +64,7 @@ private:
   std::uint32_t groupOf(std::uint32_t walk) const;
   /// In place of what is stored of them.
   void shoot(const Walks& walks);
-  void store(const irradiance::WalkBatch& batch, irradiance::WalkBooking& booking);
+  void store(const irradiance::WalkBatch& batch, irradiance::WalkTally& tally);
   std::vector<std::uint64_t> signaturesOf(const Walks& walks) const;
   /// The groups that differ from these old signatures of the pilots.
   std::vector<FlaggedGroup> flag(const Walks& pilots, const std::vector<std::uint64_t>& old) const;

@@ -1,7 +1,7 @@
 #ifndef StoredSegments_h
 #define StoredSegments_h
 
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 
 #include <cstdint>
 #include <vector>

@@ -41,39 +41,39 @@ vtkSmartPointer<vtkPolyData> decimated(vtkPolyData* mesh, double kept)
 }
 
 /// A look for each triangle: that of the cell it belongs to.
-std::shared_ptr<const Surface> withTrianglesAsCells(const Surface& surface)
+std::shared_ptr<const Material> withTrianglesAsCells(const Material& material)
 {
-  Surface cut = surface;
-  cut.numberOfCells = surface.cellOfTriangle.size();
+  Material cut = surface;
+  cut.numberOfCells = material.cellOfTriangle.size();
   cut.reflectance.clear();
   cut.exitance.clear();
-  const auto bands = static_cast<std::size_t>(surface.bands);
-  for (const std::uint32_t cell : surface.cellOfTriangle)
+  const auto bands = static_cast<std::size_t>(material.bands);
+  for (const std::uint32_t cell : material.cellOfTriangle)
   {
     for (std::size_t band = 0; band < bands; ++band)
     {
-      cut.reflectance.push_back(surface.reflectance[cell * bands + band]);
-      if (!surface.exitance.empty())
+      cut.reflectance.push_back(material.reflectance[cell * bands + band]);
+      if (!material.exitance.empty())
       {
-        cut.exitance.push_back(surface.exitance[cell * bands + band]);
+        cut.exitance.push_back(material.exitance[cell * bands + band]);
       }
     }
   }
   std::iota(cut.cellOfTriangle.begin(), cut.cellOfTriangle.end(), 0u);
-  return std::make_shared<const Surface>(std::move(cut));
+  return std::make_shared<const Material>(std::move(cut));
 }
 
 template <class Change>
 void changeAll(SceneObjects& objects, const Change& change)
 {
-  change(objects.fixed);
-  std::for_each(objects.dynamic.begin(), objects.dynamic.end(), change);
+  change(objects.staticObject);
+  std::for_each(objects.dynamicObjects.begin(), objects.dynamicObjects.end(), change);
 }
 
 void makeTrianglesCells(SceneObjects& objects)
 {
   changeAll(
-    objects, [](SceneObject& object) { object.surface = withTrianglesAsCells(*object.surface); });
+    objects, [](SceneObject& object) { object.material = withTrianglesAsCells(*object.material); });
 }
 
 TradeScene makeTeapot(const std::string& head)
@@ -89,7 +89,8 @@ TradeScene makeTeapot(const std::string& head)
   TradeScene trade{ "teapot", scene.objectsAt(0), {}, { 4, 4 } };
   makeTrianglesCells(trade.objects);
   trade.place = [scene](SceneObjects& objects, double time) {
-    objects.dynamic[0].worldFromObject = scene.objectsAt(time).dynamic[0].worldFromObject;
+    objects.dynamicObjects[0].worldFromObject =
+      scene.objectsAt(time).dynamicObjects[0].worldFromObject;
   };
   return trade;
 }
@@ -108,10 +109,10 @@ TradeScene makeBox()
   room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 6, test::grey(0.5), true);
   room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
   thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
-  thing.surface().exitance.clear();
+  thing.material().exitance.clear();
   TradeScene trade{ "box", { room.build(), { thing.build() } },
     [](SceneObjects& objects, double time) {
-      objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 2, 2 }, 1, time);
+      objects.dynamicObjects[0].worldFromObject = poseOnCircle({ 2, 2, 2 }, 1, time);
     },
     { 4, 4 } };
   makeTrianglesCells(trade.objects);
@@ -125,17 +126,17 @@ TradeScene makeFurnace()
   test::RandomVectors random(91);
   test::ObjectBuilder room, thing;
   room.addBox(test::box({ 0, 0, 0 }, { 4, 3, 5 }), 4, {}, true);
-  Surface& walls = room.surface();
+  Material& walls = room.material();
   for (std::size_t cell = 0; cell < walls.numberOfCells; ++cell)
   {
     walls.reflectance[cell] = random.uniform(0, 0.9);
     walls.exitance[cell] = 1 - walls.reflectance[cell];
   }
   thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
-  thing.surface().exitance.clear();
+  thing.material().exitance.clear();
   TradeScene trade{ "furnace", { room.build(), { thing.build() } },
     [](SceneObjects& objects, double time) {
-      objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 1.5, 2.5 }, 0.7, time);
+      objects.dynamicObjects[0].worldFromObject = poseOnCircle({ 2, 1.5, 2.5 }, 0.7, time);
     },
     { 6, 3 }, true };
   makeTrianglesCells(trade.objects);
@@ -159,13 +160,13 @@ SceneObject quartered(const SceneObject& object)
   SceneObject cut = object;
   cut.body =
     std::make_shared<RigidObject>(TriangleMesh(quartered(object.body->mesh().triangles())));
-  Surface surface = *object.surface;
-  surface.cellOfTriangle.clear();
-  for (const std::uint32_t cell : object.surface->cellOfTriangle)
+  Material material = *object.material;
+  material.cellOfTriangle.clear();
+  for (const std::uint32_t cell : object.material->cellOfTriangle)
   {
-    surface.cellOfTriangle.insert(surface.cellOfTriangle.end(), 4, cell);
+    material.cellOfTriangle.insert(material.cellOfTriangle.end(), 4, cell);
   }
-  cut.surface = withTrianglesAsCells(surface);
+  cut.material = withTrianglesAsCells(surface);
   return cut;
 }
 

@@ -21,7 +21,7 @@ double shareOf(const CellSums& sums, const SceneObjects& objects, std::uint32_t 
   double own = 0, all = 0;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    for (std::size_t cell = 0; cell < objects[i].surface->numberOfCells; ++cell)
+    for (std::size_t cell = 0; cell < objects[i].material->numberOfCells; ++cell)
     {
       const auto power = static_cast<double>(sums.sum(i, cell, 0, 0));
       all += power;

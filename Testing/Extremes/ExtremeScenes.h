@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ExtremeScenes_h
 #define ExtremeScenes_h
 
@@ -153,6 +154,7 @@ inline std::string ErrorOf(const Scene& scene, vtkIdType walks = 100)
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
   EXPECT_EQ(observer->Errors.size(), 1u);
+  EXPECT_EQ(observer->Failures, 1);
   return observer->Errors.empty() ? "" : observer->Errors[0];
 }
 

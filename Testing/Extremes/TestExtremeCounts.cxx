@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One triangle and millions, one walk and many.
 
 #include "ExtremeScenes.h"

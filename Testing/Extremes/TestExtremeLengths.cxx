@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Very small and very large scenes, scenes far away, slivers, and small things in large halls.
 
 #include "ExtremeScenes.h"

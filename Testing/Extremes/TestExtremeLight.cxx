@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Very weak and very strong lights, and rooms that hardly absorb.
 
 #include "ExtremeScenes.h"

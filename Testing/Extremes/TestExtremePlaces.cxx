@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Things in each other, in walls, under all maps; many of them; light that is carried about.
 
 #include "ExtremeScenes.h"

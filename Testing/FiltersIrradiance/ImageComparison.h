@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ImageComparison_h
 #define ImageComparison_h
 

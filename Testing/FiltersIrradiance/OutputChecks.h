@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef OutputChecks_h
 #define OutputChecks_h
 

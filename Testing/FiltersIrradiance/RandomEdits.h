@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef RandomEdits_h
 #define RandomEdits_h
 
@@ -116,12 +117,12 @@ inline void Deform(Trial& t)
   else
   {
     const int axis = t.Random.Below(3);
-    const double stretch = t.Random.Between(0.6, 1.5);
+    const double conditionNumber = t.Random.Between(0.6, 1.5);
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
     {
       double point[3];
       points->GetPoint(i, point);
-      point[axis] *= stretch;
+      point[axis] *= conditionNumber;
       points->SetPoint(i, point);
     }
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef RandomOperations_h
 #define RandomOperations_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef RandomTrial_h
 #define RandomTrial_h
 

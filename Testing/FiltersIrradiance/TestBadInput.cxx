@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Input that cannot be computed: one error that says where, an empty output, a filter that still
 // works.
 
@@ -246,6 +247,7 @@ void ExpectError(vtkIrradianceFilter* filter, ErrorObserver* observer, const Bad
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
   EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
   ASSERT_EQ(observer->Errors.size(), 1u);
+  EXPECT_EQ(observer->Failures, 1);
   for (const std::string& word : bad.Words)
   {
     EXPECT_NE(observer->Errors[0].find(word), std::string::npos)

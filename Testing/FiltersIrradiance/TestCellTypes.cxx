@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every kind of cell of a vtkPolyData, in its order.
 
 #include "ErrorObserver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faces that lie exactly in each other: light never gets inside a closed body that touches, and a lamp
 // in the plane of a wall shines into the room and receives what falls on it.
 

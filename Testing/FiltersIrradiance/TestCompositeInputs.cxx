@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Composite data on the ports: all polydata leaves belong to one scene, and the output has the
 // structure of the input.
 

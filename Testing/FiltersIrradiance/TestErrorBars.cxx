@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Standard errors and the target dial, as the user of the filter sees them.
 
 #include "ErrorObserver.h"

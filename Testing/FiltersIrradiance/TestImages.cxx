@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures of the results, and for each a scene that is a little wrong and must not pass.
 // They need an X server: see run-under-xvfb.sh.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Input that was once overlooked without a word: ghosts, light on cells of the wrong kind, arrays and
 // poses in the wrong place, points that are integers.
 

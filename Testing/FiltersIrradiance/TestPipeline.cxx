@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The filter in a VTK pipeline: what makes it execute, and what it then does anew.
 
 #include "ErrorObserver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Law 4 and law 7 in the field data: no photon is lost, and a scene pays only for what it has.
 
 #include "TestScenes.h"

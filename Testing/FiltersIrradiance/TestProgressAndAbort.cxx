@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Progress comes often and only rises; an abort stops soon and leaves nothing half done behind.
 
 #include "OutputBits.h"

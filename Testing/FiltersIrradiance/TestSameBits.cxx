@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Law 2: the same bits whatever the machine does.
 
 #include "OutputBits.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Law 6: lengths times 2^k change nothing but the units.
 
 #include "OutputBits.h"

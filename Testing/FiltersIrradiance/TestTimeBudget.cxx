@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // RepairTimeBudget: what waits is said, bounded, and made good by further executions.
 
 #include "OutputBits.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Times come from all inputs, and a requested time reaches all of them.
 
 #include "OutputBits.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Law 1: after any sequence of frames, an updated filter has the bits of a new one.
 
 #include "OutputBits.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_fuzzing_ByteReader_h
 #define irradiance_fuzzing_ByteReader_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Law: whatever the filter is given, it ends in one error that says something, or in finite numbers
 // with emitted = absorbed + escaped; and an update equals a rebuild, bit for bit. Bytes become inputs,
 // transforms and settings, and then some frames in which something changes.

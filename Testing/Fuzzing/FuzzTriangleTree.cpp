@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Law: ray casting = brute force, bit for bit, with every traversal and every kernel, whatever the
 // triangles, the poses and the rays. Bytes become a scene of up to 48 triangles and some rays.
 
@@ -76,8 +77,8 @@ test::NamedScene readScene(ByteReader& bytes)
   {
     const auto body = !scene.objects.empty() && bytes.oneIn(4) ? scene.objects.back().body
                                                                : test::bodyOf(readTriangles(bytes));
-    const bool isLoose = bytes.oneIn(3);
-    scene.objects.push_back({ body, readPose(bytes, body->mesh().bounds()), isLoose });
+    const bool isFlattened = bytes.oneIn(3);
+    scene.objects.push_back({ body, readPose(bytes, body->mesh().bounds()), isFlattened });
   }
   return scene;
 }
@@ -120,9 +121,9 @@ void print(const test::NamedScene& scene)
     }
   };
   printMesh("static", *scene.still);
-  for (const PlacedObject& object : scene.objects)
+  for (const PlacedBody& object : scene.objects)
   {
-    printMesh(object.isLoose ? "loose" : "rigid", *object.body);
+    printMesh(object.isFlattened ? "loose" : "rigid", *object.body);
     const AffineMap& map = object.worldFromObject;
     std::fprintf(stderr, "  columns %s %s %s, at %s\n", exactly(map.linear.col(0)).c_str(),
       exactly(map.linear.col(1)).c_str(), exactly(map.linear.col(2)).c_str(),
@@ -194,7 +195,7 @@ void run(ByteReader bytes)
   }
   for (std::uint32_t k = 0; k < scene.objects.size(); ++k)
   {
-    const PlacedObject& object = scene.objects[k];
+    const PlacedBody& object = scene.objects[k];
     for (std::uint32_t i = 0; i < object.body->mesh().size(); ++i)
     {
       triangles.push_back(transformed(object.worldFromObject, object.body->mesh()[i]));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FuzzedPolyData_h
 #define FuzzedPolyData_h
 

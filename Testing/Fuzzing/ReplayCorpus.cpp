@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Gives files to a fuzz target without a fuzzer: ReplayCorpus FILE_OR_FOLDER... A target aborts when
 // something is wrong; the last name printed says where.
 

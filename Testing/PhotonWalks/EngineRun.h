@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_test_EngineRun_h
 #define irradiance_test_EngineRun_h
 
@@ -34,12 +35,12 @@ inline Answer answerOf(
   Answer answer;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    const Surface& surface = *objects[object].surface;
-    for (std::size_t cell = 0; cell < surface.numberOfCells; ++cell)
+    const Material& material = *objects[object].material;
+    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
     {
       for (int side = 0; side < (separateSides ? 2 : 1); ++side)
       {
-        for (int band = 0; band < surface.bands; ++band)
+        for (int band = 0; band < material.bands; ++band)
         {
           answer.push_back(engine.sums().sum(object, cell, side, band));
         }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_test_LambertContour_h
 #define irradiance_test_LambertContour_h
 

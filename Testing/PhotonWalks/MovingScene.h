@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_test_MovingScene_h
 #define irradiance_test_MovingScene_h
 
@@ -30,10 +31,10 @@ public:
     }
     room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
     room.addPointLight({ 3, 1, 2 }, 2);
-    objects_.fixed = room.build();
+    objects_.staticObject = room.build();
     for (int i = 0; i < kObjects; ++i)
     {
-      objects_.dynamic.push_back(i == 4 ? deformed() : shape(i));
+      objects_.dynamicObjects.push_back(i == 4 ? deformed() : shape(i));
     }
     for (int i = 0; i < kObjects; ++i)
     {
@@ -75,18 +76,18 @@ private:
   {
     if (!deformingSurface_)
     {
-      deformingSurface_ = shape(1).surface;
+      deformingSurface_ = shape(1).material;
     }
     ObjectBuilder builder(bands_);
     builder.addSphere({ 0, 0, 0 }, random_.uniform(0.2, 0.6), 4, objectLook_);
     SceneObject object = builder.build();
-    object.surface = deformingSurface_;
+    object.material = deformingSurface_;
     return object;
   }
 
   void move(int i)
   {
-    SceneObject& object = objects_.dynamic[static_cast<std::size_t>(i)];
+    SceneObject& object = objects_.dynamicObjects[static_cast<std::size_t>(i)];
     AffineMap& pose = object.worldFromObject;
     pose.linear = random_.rotation();
     pose.translation = Vector3(2, 2, 2) + 1.3 * random_.inCube();
@@ -117,7 +118,7 @@ private:
   int bands_;
   RandomVectors random_;
   SceneObjects objects_;
-  std::shared_ptr<const Surface> deformingSurface_;
+  std::shared_ptr<const Material> deformingSurface_;
 };
 
 }

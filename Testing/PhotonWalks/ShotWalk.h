@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ShotWalk_h
 #define ShotWalk_h
 
@@ -12,10 +13,10 @@ inline std::vector<WalkSegment> shotWalk(
 {
   CellSums sums(objects, 1);
   PowerBalance balance;
-  WalkBooking booking(sums, balance);
+  WalkTally tally(sums, balance);
   WalkBatch batch(shooter);
   batch.shoot(walk);
-  batch.run(booking, [] { return false; });
+  batch.run(tally, [] { return false; });
   std::vector<WalkSegment> segments;
   for (const WalkBatch::Piece& piece : batch.pieces())
   {

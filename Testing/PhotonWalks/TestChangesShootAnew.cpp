@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ThreadExecution.h"
@@ -38,37 +39,39 @@ SceneObject lamp(double exitance)
 std::vector<Change> changes()
 {
   const auto changeSurface = [](SceneObject& object, const auto& change) {
-    auto surface = std::make_shared<Surface>(*object.surface);
+    auto surface = std::make_shared<Material>(*object.material);
     change(*surface);
-    object.surface = surface;
+    object.material = surface;
   };
   return {
-    { "moving emitter", [](Input& in) { in.objects.dynamic.back().worldFromObject = {}; } },
-    { "exitance", [](Input& in) { in.objects.dynamic.back() = lamp(5); } },
+    { "moving emitter", [](Input& in) { in.objects.dynamicObjects.back().worldFromObject = {}; } },
+    { "exitance", [](Input& in) { in.objects.dynamicObjects.back() = lamp(5); } },
     { "static reflectance",
       [=](Input& in) {
-        changeSurface(in.objects.fixed, [](Surface& s) { s.reflectance[3] = 0.9; });
+        changeSurface(in.objects.staticObject, [](Material& s) { s.reflectance[3] = 0.9; });
       } },
     { "dynamic reflectance",
       [=](Input& in) {
-        changeSurface(in.objects.dynamic[0], [](Surface& s) { s.reflectance[0] = 0; });
+        changeSurface(in.objects.dynamicObjects[0], [](Material& s) { s.reflectance[0] = 0; });
       } },
     { "point light",
       [=](Input& in) {
-        changeSurface(in.objects.fixed, [](Surface& s) { s.pointLights[0].position[2] += 1e-3; });
+        changeSurface(
+          in.objects.staticObject, [](Material& s) { s.pointLights[0].position[2] += 1e-3; });
       } },
     { "static geometry",
       [](Input& in) {
-        in.objects.fixed.body = MovingScene(1, true, 1).objects().fixed.body;
-        in.objects.fixed.surface = MovingScene(1, true, 1).objects().fixed.surface;
+        in.objects.staticObject.body = MovingScene(1, true, 1).objects().staticObject.body;
+        in.objects.staticObject.material = MovingScene(1, true, 1).objects().staticObject.material;
       } },
-    { "object added", [](Input& in) { in.objects.dynamic.push_back(in.objects.dynamic[0]); } },
+    { "object added",
+      [](Input& in) { in.objects.dynamicObjects.push_back(in.objects.dynamicObjects[0]); } },
     { "object removed",
-      [](Input& in) { in.objects.dynamic.erase(in.objects.dynamic.begin() + 1); } },
+      [](Input& in) { in.objects.dynamicObjects.erase(in.objects.dynamicObjects.begin() + 1); } },
     { "objects swapped",
-      [](Input& in) { std::swap(in.objects.dynamic[0], in.objects.dynamic[1]); } },
-    { "object loose", [](Input& in) { in.objects.dynamic[1].isLoose = true; } },
-    { "all objects gone", [](Input& in) { in.objects.dynamic.clear(); } },
+      [](Input& in) { std::swap(in.objects.dynamicObjects[0], in.objects.dynamicObjects[1]); } },
+    { "object loose", [](Input& in) { in.objects.dynamicObjects[1].isFlattened = true; } },
+    { "all objects gone", [](Input& in) { in.objects.dynamicObjects.clear(); } },
     { "seed", [](Input& in) { in.settings.seed = 77; } },
     { "number of walks", [](Input& in) { in.settings.numberOfWalks += 1; } },
     { "one walk", [](Input& in) { in.settings.numberOfWalks = 1; } },
@@ -79,8 +82,8 @@ std::vector<Change> changes()
     { "sequential", [](Input& in) { in.settings.traversalMode = TraversalMode::Sequential; } },
     { "darkness",
       [=](Input& in) {
-        in.objects.dynamic.pop_back();
-        changeSurface(in.objects.fixed, [](Surface& s) {
+        in.objects.dynamicObjects.pop_back();
+        changeSurface(in.objects.staticObject, [](Material& s) {
           s.pointLights.clear();
           s.exitance.clear();
         });
@@ -108,14 +111,14 @@ TEST(ChangesShootAnew, EveryChangeThereAndBackEqualsANewEngine)
   {
     const auto input = [&] {
       Input in{ scene.objects(), {} };
-      in.objects.dynamic.push_back(lamp(2));
+      in.objects.dynamicObjects.push_back(lamp(2));
       in.settings.numberOfWalks = scaled(3000);
       return in;
     };
     const std::string name = change.name;
-    const SceneObject still = input().objects.dynamic.back();
+    const SceneObject still = input().objects.dynamicObjects.back();
     const auto with = [&](Input in, bool changed) {
-      in.objects.dynamic.back() = still;
+      in.objects.dynamicObjects.back() = still;
       if (changed)
       {
         change.apply(in);

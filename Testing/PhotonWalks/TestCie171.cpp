@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "LambertContour.h"
 #include "TestScenes.h"
@@ -14,7 +15,6 @@ using test::box;
 using test::grey;
 using test::lambertIrradiance;
 using test::meanOverRectangle;
-using test::Replicates;
 
 // |t| > 3 with 15 degrees of freedom happens by chance in 0.9 % of the comparisons; seeds are
 // fixed.
@@ -57,7 +57,7 @@ TEST(Cie171, AreaSource53)
   const auto exact = [&](const Vector3& p) {
     return 1000 * M_PI * lambertIrradiance(p, inward, source);
   };
-  std::vector<Replicates> estimates(6);
+  std::vector<test::Replicates> estimates(6);
   overSeeds({ room.build(), {} }, test::scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
@@ -83,7 +83,8 @@ TEST(Cie171, FluxConservation54)
   room.addQuad({ -1, -1, 2 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 250));
   const SceneObjects objects{ room.build(), {} };
   overSeeds(objects, 10007, [&](const IrradianceEngine& engine) {
-    const double received = test::wattsOn(engine, 0, 0, objects.fixed.surface->numberOfCells);
+    const double received =
+      test::wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells);
     EXPECT_NEAR(received / 1484.5, 1, 1e-12);
     EXPECT_TRUE(engine.balance().escaped.isZero());
   });
@@ -109,8 +110,8 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
       lambertIrradiance(
         p, { 0, 1, 0 }, { { 0, 4, seenFrom }, { 4, 4, seenFrom }, { 4, 4, 3 }, { 0, 4, 3 } });
   };
-  std::vector<Replicates> estimates(6);
-  Replicates wall;
+  std::vector<test::Replicates> estimates(6);
+  test::Replicates wall;
   double wallTruth = 0;
   const SceneObjects objects{ room.build(), { obstruction.build() } };
   overSeeds(objects, test::scaled(65536), [&](const IrradianceEngine& engine) {
@@ -172,7 +173,7 @@ TEST(Cie171, InternalReflectedComponent58)
       overSeeds(room(0), walks,
         [&](const IrradianceEngine& engine) { direct[next++] = meanAndCenter(engine); });
     }
-    Replicates meanEstimate, centerEstimate;
+    test::Replicates meanEstimate, centerEstimate;
     overSeeds(room(reflectance), walks, [&](const IrradianceEngine& engine) {
       const auto [all, atCenter] = meanAndCenter(engine);
       const auto& [directAll, directCenter] =

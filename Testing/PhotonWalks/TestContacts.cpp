@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bodies that touch lamps exactly: no light within, and updates equal rebuilds while they come and go.
 
 #include "EngineRun.h"
@@ -72,7 +73,7 @@ TEST(Contacts, UpdatesEqualRebuilds)
   test::ThreadExecution three(3);
   for (int frame = 0; frame < (test::kIsSanitized ? 20 : 60); ++frame)
   {
-    for (SceneObject& object : objects.dynamic)
+    for (SceneObject& object : objects.dynamicObjects)
     {
       if (frame == 0 || poses.step(0, 2) > 0)
       {
@@ -99,7 +100,7 @@ TEST(Contacts, OnABudgetToo)
   Execution one;
   for (int frame = 0; frame < (test::kIsSanitized ? 10 : 30); ++frame)
   {
-    for (SceneObject& object : objects.dynamic)
+    for (SceneObject& object : objects.dynamicObjects)
     {
       poses.move(object);
     }
@@ -131,7 +132,7 @@ TEST(Contacts, ASheetThatIsNotHitMatters)
   std::int64_t received = 0;
   for (const double x : { 0.0, 5.0, 0.0, 0.5, 5.0 })
   {
-    objects.dynamic[0].worldFromObject = test::shift({ x, 0, 0 });
+    objects.dynamicObjects[0].worldFromObject = test::shift({ x, 0, 0 });
     engine.update(objects, settings, one);
     ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
     const std::int64_t upper = engine.sums().sum(0, 1, 0, 0);
@@ -157,7 +158,7 @@ TEST(Contacts, AShutterBeforeALampInACeiling)
   Execution one;
   for (const double x : { 5.0, 0.0, 5.0, 1.0, 5.0 })
   {
-    objects.dynamic[0].worldFromObject = test::shift({ x, 0, 0 });
+    objects.dynamicObjects[0].worldFromObject = test::shift({ x, 0, 0 });
     engine.update(objects, settings, one);
     ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
   }
@@ -174,7 +175,7 @@ TEST(Contacts, NoLightGetsInside)
   for (const double angle : { 0.0, 0.3, 1.1 })
   {
     const Eigen::AngleAxisd turn(angle, Vector3::UnitZ());
-    objects.dynamic[0].worldFromObject = { turn.toRotationMatrix(), Vector3(-0.3, -0.2, 0) };
+    objects.dynamicObjects[0].worldFromObject = { turn.toRotationMatrix(), Vector3(-0.3, -0.2, 0) };
     IrradianceEngine engine;
     engine.update(objects, settings, one);
     for (std::size_t cell = 0; cell < 24; ++cell)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "LambertContour.h"
 #include "TestScenes.h"
@@ -62,13 +63,13 @@ KnownScene furnace()
   KnownScene scene;
   for (ObjectBuilder* builder : { &room, &thing })
   {
-    Surface& surface = builder->surface();
-    for (std::size_t cell = 0; cell < surface.numberOfCells; ++cell)
+    Material& material = builder->material();
+    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
     {
-      surface.reflectance[cell] = random.uniform(0, 0.9);
-      surface.exitance[cell] = 1 - surface.reflectance[cell];
+      material.reflectance[cell] = random.uniform(0, 0.9);
+      material.exitance[cell] = 1 - material.reflectance[cell];
     }
-    scene.truth.emplace_back(surface.numberOfCells, 1.0);
+    scene.truth.emplace_back(material.numberOfCells, 1.0);
   }
   scene.objects = { room.build(), { thing.build(test::shift({ 1.5, 1.2, 2 })) } };
   return scene;

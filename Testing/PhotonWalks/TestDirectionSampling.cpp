@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/DirectionSampling.h"
 
 #include "../RayCasting/RandomVectors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Light/Emitter.h"
 
 #include "TestScenes.h"
@@ -128,7 +129,7 @@ TEST(Emitter, TablesAreEqualWhenTheyStartTheSameWalks)
   const SceneObject lamp = builder.build();
   const SceneObjects objects{ test::nothing(), { lamp } };
   SceneObjects moved = objects;
-  moved.dynamic[0].worldFromObject.translation[1] = 1e-9;
+  moved.dynamicObjects[0].worldFromObject.translation[1] = 1e-9;
   EXPECT_TRUE(EmitterTable(objects, 100) == EmitterTable(objects, 100));
   EXPECT_FALSE(EmitterTable(objects, 100) == EmitterTable(objects, 101));
   EXPECT_FALSE(EmitterTable(objects, 100) == EmitterTable(moved, 100));

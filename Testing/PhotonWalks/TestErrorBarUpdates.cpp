@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ThreadExecution.h"
@@ -28,11 +29,11 @@ test::Answer fullAnswer(
   const ErrorEstimate errors = engine.errorEstimate();
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    for (std::size_t cell = 0; cell < objects[object].surface->numberOfCells; ++cell)
+    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
     {
       for (int side = 0; side < (settings.separateSides ? 2 : 1); ++side)
       {
-        for (int band = 0; band < objects.fixed.surface->bands; ++band)
+        for (int band = 0; band < objects.staticObject.material->bands; ++band)
         {
           add(errors.standardError(object, cell, side, band));
         }
@@ -77,7 +78,7 @@ public:
   /// The shade at `height` m under the light: next to it, or far.
   const SceneObjects& at(double height)
   {
-    objects_.dynamic[0].worldFromObject = test::shift({ 2, 2, 2 - height });
+    objects_.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 2 - height });
     return objects_;
   }
 
@@ -287,7 +288,7 @@ TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)
   std::size_t cells = 0;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    cells += objects[i].surface->numberOfCells;
+    cells += objects[i].material->numberOfCells;
   }
   for (const std::uint32_t replicates : { 1u, 16u })
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "Tally/ErrorEstimate.h"
 #include "TestScenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "TestScenes.h"
 
@@ -50,10 +51,10 @@ struct FarScene
 
   void moveSmall(int frame)
   {
-    objects.dynamic[0].worldFromObject =
+    objects.dynamicObjects[0].worldFromObject =
       shift(Vector3(2, 2, 1.5) + 0.8 * Vector3(std::cos(frame), std::sin(frame), 0));
   }
-  void moveLarge(const Vector3& place) { objects.dynamic[1].worldFromObject = shift(place); }
+  void moveLarge(const Vector3& place) { objects.dynamicObjects[1].worldFromObject = shift(place); }
 
   void update(const std::string& what)
   {
@@ -169,14 +170,14 @@ TEST_P(ManyMoved, EachBringsItsShare)
     test::ObjectBuilder grain;
     grain.addSphere({ 0, 0, 0 }, 0.03, 4, grey(0.5));
     const SceneObject body = grain.build();
-    scene.objects.dynamic.assign(static_cast<std::size_t>(number), body);
+    scene.objects.dynamicObjects.assign(static_cast<std::size_t>(number), body);
     std::int64_t sum = 0;
     for (int frame = 0; frame < 3; ++frame)
     {
       for (int i = 0; i < number; ++i)
       {
         const auto at = [&](double step) { return 0.5 + 3 * std::fmod(step * i, 1.0); };
-        scene.objects.dynamic[static_cast<std::size_t>(i)].worldFromObject =
+        scene.objects.dynamicObjects[static_cast<std::size_t>(i)].worldFromObject =
           shift({ at(0.8191725134), at(0.6710436067) + 0.05 * frame, at(0.5497004779) });
       }
       scene.update(std::to_string(number));

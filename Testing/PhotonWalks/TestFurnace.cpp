@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "TestScenes.h"
 
@@ -22,11 +23,11 @@ constexpr int kCellsASide = 3;
 /// Every cell gets a reflectance of its own and the exitance 1 - reflectance: E = 1 everywhere.
 SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
 {
-  Surface& surface = builder.surface();
-  for (std::size_t cell = 0; cell < surface.numberOfCells; ++cell)
+  Material& material = builder.material();
+  for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
   {
-    surface.reflectance[cell] = random.uniform(0, 0.9);
-    surface.exitance[cell] = 1 - surface.reflectance[cell];
+    material.reflectance[cell] = random.uniform(0, 0.9);
+    material.exitance[cell] = 1 - material.reflectance[cell];
   }
   return builder.build();
 }
@@ -34,11 +35,11 @@ SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
 /// What reflects all light emits none: it may move without a change of the lights.
 SceneObject white(ObjectBuilder builder)
 {
-  for (double& reflectance : builder.surface().reflectance)
+  for (double& reflectance : builder.material().reflectance)
   {
     reflectance = 1;
   }
-  builder.surface().exitance.clear();
+  builder.material().exitance.clear();
   return builder.build();
 }
 
@@ -61,11 +62,11 @@ std::vector<ObjectBuilder> movingThings()
 void setPoses(SceneObjects& objects, int frame)
 {
   const double angle = 0.0628 * frame;
-  objects.dynamic[0].worldFromObject = {
+  objects.dynamicObjects[0].worldFromObject = {
     Eigen::AngleAxisd(3 * angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
     { 2 + 0.9 * std::cos(angle), 1.5, 2.5 + 1.5 * std::sin(angle) }
   };
-  objects.dynamic[1].worldFromObject = {
+  objects.dynamicObjects[1].worldFromObject = {
     Eigen::AngleAxisd(angle, Vector3(0, 0.6, 0.8)).toRotationMatrix(),
     { 2 - 0.9 * std::cos(angle), 1.5, 2.5 - 1.5 * std::sin(angle) }
   };
@@ -137,7 +138,7 @@ TEST(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
   SceneObjects objects{ furnace(room(), random), {} };
   for (const ObjectBuilder& thing : movingThings())
   {
-    objects.dynamic.push_back(furnace(thing, random));
+    objects.dynamicObjects.push_back(furnace(thing, random));
   }
   IrradianceEngine engine;
   Execution execution;
@@ -164,7 +165,7 @@ TEST(Furnace, EveryCellReceivesOneWattAfterManyUpdates)
   SceneObjects objects{ furnace(room(), random), {} };
   for (const ObjectBuilder& thing : movingThings())
   {
-    objects.dynamic.push_back(white(thing));
+    objects.dynamicObjects.push_back(white(thing));
   }
   FurnaceEstimates estimates;
   const int frames = kFrames / 20;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ShotWalk.h"
@@ -20,14 +21,9 @@ public:
     , samples_(settings.seed)
     , shooter_(scene_, objects_, emitters_, samples_)
   {
-    std::vector<PlacedObject> placed;
-    for (const SceneObject& object : objects.dynamic)
-    {
-      placed.push_back({ object.body, object.worldFromObject, object.isLoose });
-    }
     scene_.setTraversalMode(TraversalMode::Sequential);
-    scene_.setStatic(objects.fixed.body);
-    scene_.setDynamic(placed);
+    scene_.setStatic(objects.staticObject.body);
+    scene_.setDynamic(objects.dynamicBodies());
     scene_.setPointSources(emitters_.pointBounds());
     scene_.commit({});
   }

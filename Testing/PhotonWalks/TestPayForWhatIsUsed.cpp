@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 
@@ -30,7 +31,7 @@ TEST(PayForWhatIsUsed, NothingThatMovesNoHistory)
   SceneObjects objects = MovingScene(1, true, 61).objects();
   EXPECT_GT(shoot(objects, true, false).historyBytes, 0u);
   EXPECT_EQ(shoot(objects, false, false).historyBytes, 0u) << "every frame is shot anew";
-  objects.dynamic.clear();
+  objects.dynamicObjects.clear();
   EXPECT_EQ(shoot(objects, true, false).historyBytes, 0u);
 }
 
@@ -42,7 +43,7 @@ TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settings, execution);
-  objects.dynamic.clear();
+  objects.dynamicObjects.clear();
   engine.update(objects, settings, execution);
   EXPECT_EQ(engine.statistics().historyBytes, 0u);
 }
@@ -99,11 +100,11 @@ TEST(PayForWhatIsUsed, MotionOutOfReachInvalidatesNothing)
   settings.numberOfWalks = 5000;
   IrradianceEngine engine;
   Execution execution;
-  objects.dynamic[0].worldFromObject = test::shift({ 50, 0, 0 });
+  objects.dynamicObjects[0].worldFromObject = test::shift({ 50, 0, 0 });
   engine.update(objects, settings, execution);
   for (int frame = 1; frame <= 5; ++frame)
   {
-    objects.dynamic[0].worldFromObject.translation[0] += frame;
+    objects.dynamicObjects[0].worldFromObject.translation[0] += frame;
     engine.update(objects, settings, execution);
     EXPECT_EQ(engine.statistics().invalidWalks, 0);
     EXPECT_EQ(engine.statistics().repairedSegments, 0);
@@ -113,18 +114,18 @@ TEST(PayForWhatIsUsed, MotionOutOfReachInvalidatesNothing)
 TEST(PayForWhatIsUsed, NoLightNoWalks)
 {
   SceneObjects objects = MovingScene(1, true, 64).objects();
-  objects.fixed.surface = [&] {
-    Surface dark = *objects.fixed.surface;
+  objects.staticObject.material = [&] {
+    Material dark = *objects.staticObject.material;
     dark.exitance.clear();
     dark.pointLights.clear();
-    return std::make_shared<Surface>(dark);
+    return std::make_shared<Material>(dark);
   }();
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, {}, execution);
   EXPECT_FALSE(engine.hasEmitters());
   EXPECT_EQ(engine.balance().segments, 0);
-  objects.dynamic[0].worldFromObject.translation[0] += 0.5;
+  objects.dynamicObjects[0].worldFromObject.translation[0] += 0.5;
   engine.update(objects, {}, execution);
   EXPECT_EQ(engine.statistics().invalidWalks, 0);
 }

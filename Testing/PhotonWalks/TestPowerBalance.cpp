@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ShotWalk.h"
@@ -25,14 +26,9 @@ struct Recount
 Recount recount(const SceneObjects& objects, const EngineSettings& settings)
 {
   const EmitterTable emitters(objects, settings.numberOfWalks);
-  std::vector<PlacedObject> placed;
-  for (const SceneObject& object : objects.dynamic)
-  {
-    placed.push_back({ object.body, object.worldFromObject, object.isLoose });
-  }
   Scene scene;
-  scene.setStatic(objects.fixed.body);
-  scene.setDynamic(placed);
+  scene.setStatic(objects.staticObject.body);
+  scene.setDynamic(objects.dynamicBodies());
   scene.setPointSources(emitters.pointBounds());
   scene.commit({});
   const SobolSequence samples(settings.seed);
@@ -55,10 +51,10 @@ Power sumOfCells(const IrradianceEngine& engine, const SceneObjects& objects)
   Power sum;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    const Surface& surface = *objects[object].surface;
-    for (std::size_t cell = 0; cell < surface.numberOfCells; ++cell)
+    const Material& material = *objects[object].material;
+    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
     {
-      for (int band = 0; band < surface.bands; ++band)
+      for (int band = 0; band < material.bands; ++band)
       {
         sum[band] += engine.sums().sum(object, cell, 0, band);
       }
@@ -148,7 +144,7 @@ TEST(PowerBalance, HoldsForAllReflectancesInAnOpenRoom)
       EXPECT_FALSE(engine.balance().escaped.isZero());
       // Nothing is absorbed at 1: powers are never rounded, roulette is never played.
       EXPECT_EQ(engine.balance().absorbed.isZero(), reflectance == 1);
-      objects.dynamic[0].worldFromObject.translation[2] += 0.1;
+      objects.dynamicObjects[0].worldFromObject.translation[2] += 0.1;
     }
     std::printf("reflectance %.2f: %.2f segments a walk, %.4f of the power escapes\n", reflectance,
       double(engine.balance().segments) / settings.numberOfWalks,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Light/Reflection.h"
 #include "Light/Roulette.h"
 
@@ -13,20 +14,20 @@ namespace
 
 constexpr int kGrid = 10000;
 
-Surface oneTriangle(const std::array<double, 3>& reflectance, int bands)
+Material oneTriangle(const std::array<double, 3>& reflectance, int bands)
 {
   test::ObjectBuilder builder(bands);
   builder.addCell({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } }, { reflectance, {} });
-  return builder.surface();
+  return builder.material();
 }
 
 }
 
 TEST(Reflection, RoundsToTheNearestQuantum)
 {
-  const Surface surface = oneTriangle({ 0.5, 0.25, 1.0 }, 3);
-  EXPECT_EQ(reflected({ { 100, 100, 100 } }, surface, 0), (Power{ { 50, 25, 100 } }));
-  EXPECT_EQ(reflected({ { 1001, 1003, 7 } }, surface, 0), (Power{ { 501, 251, 7 } }));
+  const Material material = oneTriangle({ 0.5, 0.25, 1.0 }, 3);
+  EXPECT_EQ(reflected({ { 100, 100, 100 } }, material, 0), (Power{ { 50, 25, 100 } }));
+  EXPECT_EQ(reflected({ { 1001, 1003, 7 } }, material, 0), (Power{ { 501, 251, 7 } }));
   EXPECT_EQ(reflected({ { 9, 9, 9 } }, oneTriangle({ 1, 1, 1 }, 1), 0), (Power{ { 9, 0, 0 } }));
   EXPECT_TRUE(reflected({ { 9, 9, 9 } }, oneTriangle({ 0, 0, 0 }, 3), 0).isZero());
 }

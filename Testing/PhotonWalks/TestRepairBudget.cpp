@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A budget for the repair: what is left stale loses and gains no more than is said, and is made good
 // by later calls.
 
@@ -62,7 +63,7 @@ public:
 
   void compare(const IrradianceEngine& now, const IrradianceEngine& full)
   {
-    for (int band = 0; band < objects_.fixed.surface->bands; ++band)
+    for (int band = 0; band < objects_.staticObject.material->bands; ++band)
     {
       double brought = 0; // to all cells by the new tails
       double stale = 0;
@@ -99,7 +100,7 @@ private:
   {
     for (std::uint32_t object = 0; object < objects_.size(); ++object)
     {
-      for (std::size_t cell = 0; cell < objects_[object].surface->numberOfCells; ++cell)
+      for (std::size_t cell = 0; cell < objects_[object].material->numberOfCells; ++cell)
       {
         for (int side = 0; side < sides_; ++side)
         {
@@ -214,14 +215,14 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     IrradianceEngine now, full;
     Execution execution;
     now.update(objects, settings, execution);
-    objects.dynamic[0].worldFromObject = test::shift({ 0.4, -0.3, 0.2 });
+    objects.dynamicObjects[0].worldFromObject = test::shift({ 0.4, -0.3, 0.2 });
     now.update(objects, settings, execution);
     ASSERT_EQ(now.balance().escaped[0], 0);
     full.update(objects, settings, execution);
     double brought = 0;
     for (std::uint32_t object = 0; object < 2; ++object)
     {
-      for (std::size_t cell = 0; cell < objects[object].surface->numberOfCells; ++cell)
+      for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
       {
         brought += double(full.sums().sum(object, cell, 0, 0) - now.sums().sum(object, cell, 0, 0) +
           now.stale()->sums().sum(object, cell, 0, 0));
@@ -251,7 +252,7 @@ TEST(RepairBudget, NoGainBoundWhereNearlyAllIsReflected)
   Execution execution;
   engine.update(objects, settings, execution);
   EXPECT_EQ(gainBound(engine, 0), 0);
-  objects.dynamic[0].worldFromObject = test::shift({ 0.4, -0.3, 0.2 });
+  objects.dynamicObjects[0].worldFromObject = test::shift({ 0.4, -0.3, 0.2 });
   engine.update(objects, settings, execution);
   EXPECT_EQ(gainBound(engine, 0), kInfinity);
   settings.repairTimeBudget = 0;
@@ -340,12 +341,12 @@ TEST(RepairBudget, ThereAndBackWhileWalksWait)
   TickingExecution clock;
   engine.update(objects, settings, clock);
   const test::Answer first = answerOf(engine, objects);
-  const AffineMap home = objects.dynamic[0].worldFromObject;
+  const AffineMap home = objects.dynamicObjects[0].worldFromObject;
   settings.repairTimeBudget = kNoTime;
   for (int step = 1; step <= 12; ++step)
   {
-    objects.dynamic[0].worldFromObject = home;
-    objects.dynamic[0].worldFromObject.translation[0] += 0.3 * (step < 6 ? step : 12 - step);
+    objects.dynamicObjects[0].worldFromObject = home;
+    objects.dynamicObjects[0].worldFromObject.translation[0] += 0.3 * (step < 6 ? step : 12 - step);
     engine.update(objects, settings, clock);
   }
   EXPECT_GT(numberOfStale(engine), 0u);
@@ -469,9 +470,9 @@ TEST(RepairBudget, WhatIsHalfDoneIsDropped)
   {
     IrradianceEngine engine;
     JumpingExecution clock(jumpAt);
-    objects.dynamic[0].worldFromObject = {};
+    objects.dynamicObjects[0].worldFromObject = {};
     engine.update(objects, settings, clock);
-    objects.dynamic[0].worldFromObject = test::shift({ 0.3, 0, 0 });
+    objects.dynamicObjects[0].worldFromObject = test::shift({ 0.3, 0, 0 });
     engine.update(objects, settings, clock);
     expectBalance(engine);
     const auto found = static_cast<std::size_t>(engine.statistics().invalidWalks);

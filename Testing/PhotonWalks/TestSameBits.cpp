@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ThreadExecution.h"
@@ -20,7 +21,7 @@ struct Case
   TraversalMode mode;
   bool cache;
   bool verify;
-  bool isLoose;
+  bool isFlattened;
   std::shared_ptr<Execution> execution;
 };
 
@@ -39,9 +40,9 @@ Answer lastOfThreeFrames(const Case& way, bool separateSides)
   for (int frame = 0; frame < 3; ++frame, scene.nextFrame())
   {
     SceneObjects objects = scene.objects();
-    for (SceneObject& object : objects.dynamic)
+    for (SceneObject& object : objects.dynamicObjects)
     {
-      object.isLoose = object.isLoose || way.isLoose;
+      object.isFlattened = object.isFlattened || way.isFlattened;
     }
     engine.update(objects, settings, *way.execution);
     answer = test::answerOf(engine, objects, separateSides);
@@ -68,13 +69,13 @@ TEST(SameBits, WhateverTheWay)
       {
         for (const bool verify : { true, false })
         {
-          for (const bool isLoose : { true, false })
+          for (const bool isFlattened : { true, false })
           {
             const auto& execution = executions[number++ % executions.size()];
             EXPECT_TRUE(
-              lastOfThreeFrames({ mode, cache, verify, isLoose, execution }, sides) == first)
+              lastOfThreeFrames({ mode, cache, verify, isFlattened, execution }, sides) == first)
               << "traversal " << int(mode) << ", cache " << cache << ", verify " << verify
-              << ", loose " << isLoose << ", execution " << (number - 1) % executions.size();
+              << ", loose " << isFlattened << ", execution " << (number - 1) % executions.size();
           }
         }
       }
@@ -116,7 +117,7 @@ TEST(SameBits, SidesAddUpToTheSum)
     b.update(scene.objects(), apart, execution);
     for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
     {
-      for (std::size_t cell = 0; cell < scene.objects()[object].surface->numberOfCells; ++cell)
+      for (std::size_t cell = 0; cell < scene.objects()[object].material->numberOfCells; ++cell)
       {
         for (int band = 0; band < 3; ++band)
         {

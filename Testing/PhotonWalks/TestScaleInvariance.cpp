@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 
@@ -18,15 +19,15 @@ SceneObject scaledModel(const SceneObject& object, double scale)
   {
     triangles.push_back({ t.a * scale, t.b * scale, t.c * scale });
   }
-  Surface surface = *object.surface;
-  for (PointLight& light : surface.pointLights)
+  Material material = *object.material;
+  for (PointLight& light : material.pointLights)
   {
     light.position *= scale;
     light.flux[0] *= scale * scale; // as much per m2
   }
   SceneObject result = object;
   result.body = std::make_shared<RigidObject>(TriangleMesh(triangles));
-  result.surface = std::make_shared<Surface>(surface);
+  result.material = std::make_shared<Material>(material);
   return result;
 }
 
@@ -39,8 +40,8 @@ public:
     , scalesModels_(scalesModels)
     , objects_(objects)
   {
-    objects_.fixed = scaledModel(objects.fixed, scale);
-    for (SceneObject& object : objects_.dynamic)
+    objects_.staticObject = scaledModel(objects.staticObject, scale);
+    for (SceneObject& object : objects_.dynamicObjects)
     {
       object = scalesModels ? scaledModel(object, scale) : object;
     }
@@ -48,12 +49,12 @@ public:
 
   const SceneObjects& at(const SceneObjects& frame)
   {
-    for (std::size_t i = 0; i < frame.dynamic.size(); ++i)
+    for (std::size_t i = 0; i < frame.dynamicObjects.size(); ++i)
     {
-      AffineMap pose = frame.dynamic[i].worldFromObject;
+      AffineMap pose = frame.dynamicObjects[i].worldFromObject;
       pose.translation *= scale_;
       pose.linear *= scalesModels_ ? 1 : scale_;
-      objects_.dynamic[i].worldFromObject = pose;
+      objects_.dynamicObjects[i].worldFromObject = pose;
     }
     return objects_;
   }
@@ -76,9 +77,9 @@ void compareAtScale(int exponent, bool scalesModels)
   Execution execution;
   for (int i = 0; i < 4; ++i, scene.nextFrame())
   {
-    for (std::size_t k = 0; k < frame.dynamic.size(); ++k)
+    for (std::size_t k = 0; k < frame.dynamicObjects.size(); ++k)
     {
-      frame.dynamic[k].worldFromObject = scene.objects().dynamic[k].worldFromObject;
+      frame.dynamicObjects[k].worldFromObject = scene.objects().dynamicObjects[k].worldFromObject;
     }
     const SceneObjects& big = other.at(frame);
     unit.update(frame, settings, execution);

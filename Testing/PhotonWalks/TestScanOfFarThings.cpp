@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "../RayCasting/TestScenes.h"
 #include "../RayCasting/TestSimdLevels.h"
 #include "History/SegmentScan.h"

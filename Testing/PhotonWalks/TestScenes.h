@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_test_TestScenes_h
 #define irradiance_test_TestScenes_h
 
@@ -26,20 +27,20 @@ inline Look grey(double reflectance, double exitance = 0)
 class ObjectBuilder
 {
 public:
-  explicit ObjectBuilder(int bands = 1) { surface_.bands = bands; }
+  explicit ObjectBuilder(int bands = 1) { material_.bands = bands; }
 
   void addCell(const std::vector<Triangle>& triangles, const Look& look)
   {
     for (const Triangle& triangle : triangles)
     {
       triangles_.push_back(triangle);
-      surface_.cellOfTriangle.push_back(static_cast<std::uint32_t>(surface_.numberOfCells));
+      material_.cellOfTriangle.push_back(static_cast<std::uint32_t>(material_.numberOfCells));
     }
-    ++surface_.numberOfCells;
-    for (std::size_t band = 0; band < static_cast<std::size_t>(surface_.bands); ++band)
+    ++material_.numberOfCells;
+    for (std::size_t band = 0; band < static_cast<std::size_t>(material_.bands); ++band)
     {
-      surface_.reflectance.push_back(look.reflectance[band]);
-      surface_.exitance.push_back(look.exitance[band]);
+      material_.reflectance.push_back(look.reflectance[band]);
+      material_.exitance.push_back(look.exitance[band]);
     }
   }
 
@@ -122,21 +123,22 @@ public:
 
   void addPointLight(const Vector3& position, double flux)
   {
-    surface_.pointLights.push_back(
-      { position, std::vector<double>(static_cast<std::size_t>(surface_.bands), flux) });
+    material_.pointLights.push_back(
+      { position, std::vector<double>(static_cast<std::size_t>(material_.bands), flux) });
   }
 
-  Surface& surface() { return surface_; }
+  Material& material() { return material_; }
 
-  SceneObject build(const AffineMap& worldFromObject = {}, bool isLoose = false) const
+  SceneObject build(const AffineMap& worldFromObject = {}, bool isFlattened = false) const
   {
-    return { std::make_shared<RigidObject>(TriangleMesh(triangles_)),
-      std::make_shared<Surface>(surface_), worldFromObject, isLoose };
+    return { { std::make_shared<RigidObject>(TriangleMesh(triangles_)), worldFromObject,
+               isFlattened },
+      std::make_shared<Material>(material_) };
   }
 
 private:
   std::vector<Triangle> triangles_;
-  Surface surface_;
+  Material material_;
 };
 
 inline Box box(const Vector3& lower, const Vector3& upper)

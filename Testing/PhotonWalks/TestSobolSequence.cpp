@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "Sampling/SobolSequence.h"
 
@@ -186,7 +187,7 @@ TEST(SobolSequence, SuccessiveBouncesAreIndependent)
 TEST(SobolSequence, ReplicatesAreSequencesOfTheirOwn)
 {
   constexpr std::uint32_t kReplicates = 5;
-  const SobolSequence dealt(3, ReplicateDeal(kReplicates)), plain(3);
+  const SobolSequence dealt(3, Replicates(kReplicates)), plain(3);
   std::set<std::array<double, 2>> firsts;
   for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate)
   {
@@ -218,8 +219,8 @@ TEST(SobolSequence, ReplicatesAreIndependent)
   std::array<PairCounts, 3> pairs; // neighbours, far ones, the last with the next seed's first
   for (std::uint64_t seed = 1; seed <= 2000; ++seed)
   {
-    const SobolSequence samples(seed, ReplicateDeal(kReplicates)),
-      next(seed + 1, ReplicateDeal(kReplicates));
+    const SobolSequence samples(seed, Replicates(kReplicates)),
+      next(seed + 1, Replicates(kReplicates));
     const std::uint32_t walk = (seed % 61) * kReplicates;
     const auto first = [&](std::uint32_t replicate) {
       return samples.sample(walk + replicate, 0, SampleUse::Direction)[0];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ThreadExecution.h"
@@ -109,7 +110,7 @@ TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
   const auto pose = [&](int frame) {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      AffineMap& map = objects.dynamic[i].worldFromObject;
+      AffineMap& map = objects.dynamicObjects[i].worldFromObject;
       const double angle = 0.001 * frame * double(i + 1);
       map.linear = Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix();
       map.translation = Vector3(2 + std::sin(angle), 2 + std::cos(1.7 * angle), 1.0 + double(i));
@@ -146,7 +147,7 @@ TEST(UpdateEqualsRebuild, SignOfAZeroInAPose)
   {
     IrradianceEngine engine;
     Execution execution;
-    AffineMap& pose = objects.dynamic[0].worldFromObject;
+    AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
     pose = {};
     engine.update(objects, settings, execution);
     for (int i = 0; i < 12; ++i)

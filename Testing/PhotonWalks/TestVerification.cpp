@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "TestScenes.h"
 
@@ -54,7 +55,7 @@ public:
 
   void move(std::size_t plate, double x)
   {
-    objects_.dynamic[plate].worldFromObject = shift({ x, 0, 0 });
+    objects_.dynamicObjects[plate].worldFromObject = shift({ x, 0, 0 });
   }
   /// Moves a plate; returns the number of walks that were found invalid.
   std::int64_t movePlate(std::size_t plate, double x)
@@ -75,7 +76,7 @@ public:
   /// Hits on the tube with x in (from, to); its end is at 10.
   std::int64_t between(double from, double to) const
   {
-    const TriangleMesh& mesh = objects_.fixed.body->mesh();
+    const TriangleMesh& mesh = objects_.staticObject.body->mesh();
     std::int64_t quanta = 0;
     for (std::size_t i = 0; i < mesh.size(); i += 2) // two triangles a cell
     {

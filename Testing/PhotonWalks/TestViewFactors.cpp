@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "TestScenes.h"
 
@@ -33,7 +34,7 @@ std::array<Replicates, 2> viewFactors(const SceneObjects& objects, double emitte
     engine.update(objects, settings, execution);
     for (std::uint32_t object = 0; object < 2; ++object)
     {
-      const std::size_t cells = objects[object].surface->numberOfCells;
+      const std::size_t cells = objects[object].material->numberOfCells;
       estimates[object].add(test::wattsOn(engine, object, 0, cells) / emitterArea);
     }
   }
@@ -131,7 +132,7 @@ TEST(ViewFactors, ConcentricSpheres)
     inner.addSphere({ 0, 0, 0 }, 2 * ratio, 8, grey(0));
     const SceneObjects objects{ outer.build(), { inner.build() } };
     double area = 0;
-    for (const double cell : cellAreas(objects.fixed))
+    for (const double cell : cellAreas(objects.staticObject))
     {
       area += cell;
     }

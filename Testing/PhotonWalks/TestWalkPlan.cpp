@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/WalkPlan.h"
 
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ TEST(WalkPlan, EveryWalkHasOnePlaceInABlockOfItsRound)
 // Each replicate goes through the numbers 0, 1, 2, ... of its own sequence, whatever the total.
 TEST(WalkPlan, WalksAreDealtOutInTurn)
 {
-  const ReplicateDeal deal(7);
+  const Replicates deal(7);
   std::vector<std::uint32_t> dealt(7, 0);
   for (std::uint32_t walk = 0; walk < 1000; ++walk)
   {

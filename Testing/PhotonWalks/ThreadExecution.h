@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_test_ThreadExecution_h
 #define irradiance_test_ThreadExecution_h
 
@@ -71,7 +72,7 @@ public:
     : left_(stopAt)
   {
   }
-  bool goOn(double /*progress*/) override { return left_-- != 0; }
+  bool reportProgress(double /*progress*/) override { return left_-- != 0; }
 
 private:
   int left_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Triangles near a box, against all of them.
 
 #include "Trees/BoxQuery.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Ellipsoids/EllipsoidBound.h"
 
 #include "AdversarialSegments.h"

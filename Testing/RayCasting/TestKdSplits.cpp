@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "KdTreeWalk.h"
 #include "RandomVectors.h"
 #include "TestMeshes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
 #include "TestMeshes.h"
@@ -31,7 +32,7 @@ Hit bruteForce(const TriangleMesh& mesh, const Ray& ray)
   for (std::uint32_t i = 0; i < mesh.size(); ++i)
   {
     Hit hit{ 0, { 0, i } };
-    if (sheared.meets(mesh[i], hit.distance) && hit.id != ray.start && isCloser(hit, best))
+    if (sheared.intersects(mesh[i], hit.distance) && hit.id != ray.start && isCloser(hit, best))
     {
       best = hit;
     }

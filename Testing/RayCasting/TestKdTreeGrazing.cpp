@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
 #include "TestMeshes.h"
@@ -67,7 +68,7 @@ int mismatches(const AffineMap& place, double tilt, double length, int rays, Ran
     for (std::uint32_t k = 0; k < triangles.size(); ++k)
     {
       Hit hit{ 0, { 0, k } };
-      if (sheared.meets(triangles[k], hit.distance) && isCloser(hit, expected))
+      if (sheared.intersects(triangles[k], hit.distance) && isCloser(hit, expected))
       {
         expected = hit;
       }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Polygons that are concave, touch themselves, cross themselves or have no area; all areas from formulas.
 
 #include "Meshes/PolygonTriangulation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_test_TestRays_h
 #define irradiance_test_TestRays_h
 
@@ -49,12 +50,12 @@ enum class RayKind
   Edge,      ///< at a point of an edge, or just beside it
   Vertex,    ///< at a vertex, or just beside it
   AxisPlane, ///< in an axis-aligned plane through a vertex: zero direction components
-  Surface,   ///< starts on a surface: at a vertex, on an edge, or within
+  Material,  ///< starts on a surface: at a vertex, on an edge, or within
   Grazing,   ///< along a triangle, tilted by 2^-10 to 2^-54
   Anywhere
 };
 constexpr std::array<RayKind, 6> kRayKinds = { RayKind::Edge, RayKind::Vertex, RayKind::AxisPlane,
-  RayKind::Surface, RayKind::Grazing, RayKind::Anywhere };
+  RayKind::Material, RayKind::Grazing, RayKind::Anywhere };
 
 inline const char* nameOf(RayKind kind)
 {
@@ -92,7 +93,7 @@ public:
         return towards(nearly(vertex()), origin());
       case RayKind::AxisPlane:
         return inAxisPlane();
-      case RayKind::Surface:
+      case RayKind::Material:
         return fromSurface();
       case RayKind::Grazing:
         return grazing();

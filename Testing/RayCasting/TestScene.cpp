@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
 #include "TestRays.h"
@@ -67,9 +68,9 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
   constexpr int kRays = 8000 / kFewer;
   // The last: each object the other way, loose or rigid.
   NamedScene other = GetParam();
-  for (PlacedObject& object : other.objects)
+  for (PlacedBody& object : other.objects)
   {
-    object.isLoose = !object.isLoose;
+    object.isFlattened = !object.isFlattened;
   }
   std::vector<std::pair<std::string, Scene>> scenes;
   for (const TraversalMode mode : kModes)
@@ -190,10 +191,10 @@ TEST(Scene, BreaksTiesByObjectAndTriangle)
   const Triangle triangle{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   const auto twice = test::bodyOf({ triangle, triangle });
   const AffineMap identity;
-  for (const bool isLoose : { false, true })
+  for (const bool isFlattened : { false, true })
   {
     const NamedScene both{ "", twice,
-      { { twice, identity, isLoose }, { twice, identity, !isLoose } } };
+      { { twice, identity, isFlattened }, { twice, identity, !isFlattened } } };
     for (const TraversalMode mode : kModes)
     {
       const Scene scene = both.scene(mode, { true, true });
@@ -211,7 +212,7 @@ TEST(Scene, BreaksTiesByObjectAndTriangle)
 TEST(Scene, GivesWorldTrianglesAndNormals)
 {
   const Triangle triangle{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  const AffineMap mirrored{ test::stretch(2, -1, 1), { 0, 0, 5 } };
+  const AffineMap mirrored{ test::conditionNumber(2, -1, 1), { 0, 0, 5 } };
   const NamedScene one{ "", test::bodyOf({ triangle }),
     { { test::bodyOf({ triangle }), mirrored } } };
   const Scene scene = one.scene(TraversalMode::Parallel);
@@ -242,7 +243,7 @@ TEST(Scene, ScalesExactly)
   {
     NamedScene scaled = original;
     scaled.still = test::bodyOf(test::scaled(original.still->mesh().triangles(), factor));
-    for (PlacedObject& object : scaled.objects)
+    for (PlacedBody& object : scaled.objects)
     {
       object.worldFromObject.linear *= factor;
       object.worldFromObject.translation *= factor;

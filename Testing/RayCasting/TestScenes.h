@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_test_TestScenes_h
 #define irradiance_test_TestScenes_h
 
@@ -19,7 +20,7 @@ struct NamedScene
 {
   std::string name;
   std::shared_ptr<const RigidObject> still;
-  std::vector<PlacedObject> objects;
+  std::vector<PlacedBody> objects;
 
   Scene scene(
     TraversalMode mode, const std::vector<bool>& moved = {}, const Box& pointSources = {}) const
@@ -62,7 +63,8 @@ inline Hit bruteForce(
     for (std::uint32_t i = 0; i < body.mesh().size(); ++i)
     {
       Hit hit{ 0, { object, i } };
-      if (sheared.meets(body.mesh()[i], hit.distance) && hit.id != ray.start && isCloser(hit, best))
+      if (sheared.intersects(body.mesh()[i], hit.distance) && hit.id != ray.start &&
+        isCloser(hit, best))
       {
         best = hit;
       }
@@ -76,7 +78,7 @@ inline std::shared_ptr<const RigidObject> bodyOf(const Triangles& triangles)
   return std::make_shared<RigidObject>(TriangleMesh(triangles));
 }
 
-inline Matrix3 stretch(double x, double y, double z)
+inline Matrix3 conditionNumber(double x, double y, double z)
 {
   return Vector3(x, y, z).asDiagonal();
 }
@@ -94,13 +96,13 @@ inline NamedScene hardMaps()
   shear(2, 0) = -0.7;
   return { "hard maps", bodyOf(room()),
     { { box, { turn(), { 1, 1, 1 } } }, { box, { shear, { 2, 1.5, 1 } } },
-      { ball, { stretch(-0.6, 0.6, 0.6) * turn(), { 1.5, 1, 1.2 } } },
-      { ring, { turn() * stretch(1, 1, 1e-6) * turn(), { 2, 1.2, 0.7 } } },
-      { ball, { turn() * stretch(1e-6, 1e-6, 1.5) * turn(), { 2, 1.5, 1 } } },
-      { heap, { stretch(0.5, 0.5, 0.5), { 3, 2, 1 } }, true },
-      { ring, { turn() * stretch(1, 1e-3, 30) * turn(), { 2, 1.5, 1.2 } }, true },
+      { ball, { conditionNumber(-0.6, 0.6, 0.6) * turn(), { 1.5, 1, 1.2 } } },
+      { ring, { turn() * conditionNumber(1, 1, 1e-6) * turn(), { 2, 1.2, 0.7 } } },
+      { ball, { turn() * conditionNumber(1e-6, 1e-6, 1.5) * turn(), { 2, 1.5, 1 } } },
+      { heap, { conditionNumber(0.5, 0.5, 0.5), { 3, 2, 1 } }, true },
+      { ring, { turn() * conditionNumber(1, 1e-3, 30) * turn(), { 2, 1.5, 1.2 } }, true },
       { box, { 1e-6 * turn(), { 2.2, 1.1, 0.4 } } },
-      { box, { stretch(1, 1, 1), { 0.5, 0.5, 0.5 } } } } }; // its sides lie in the walls
+      { box, { conditionNumber(1, 1, 1), { 0.5, 0.5, 0.5 } } } } }; // its sides lie in the walls
 }
 
 /// More objects than any list of recent ones remembers, an empty one among them.
@@ -161,7 +163,7 @@ inline NamedScene farAway()
   scene.name = "far away";
   const Vector3 offset(3e4, -2e4, 1e4);
   scene.still = bodyOf(moved(room(), { Matrix3::Identity(), offset }));
-  for (PlacedObject& object : scene.objects)
+  for (PlacedBody& object : scene.objects)
   {
     object.worldFromObject.translation += offset;
   }
@@ -178,7 +180,7 @@ inline NamedScene nearlyFlat()
     {} };
   for (int i = 0; i < 6; ++i)
   {
-    const Matrix3 flat = random.rotation() * stretch(1, 1, 1e-11) * random.rotation();
+    const Matrix3 flat = random.rotation() * conditionNumber(1, 1, 1e-11) * random.rotation();
     const Vector3 center = Vector3(2, 1.5, 1.25) + 0.5 * random.inCube();
     scene.objects.push_back({ body, { flat, center }, i % 3 == 0 });
   }
@@ -190,7 +192,7 @@ inline NamedScene nearlyFlat()
 inline NamedScene allButSingular()
 {
   RandomVectors random(17);
-  const Matrix3 flat = random.rotation() * stretch(1, 1, 2e-14) * random.rotation();
+  const Matrix3 flat = random.rotation() * conditionNumber(1, 1, 2e-14) * random.rotation();
   NamedScene scene{ "all but singular", bodyOf(room()), {} };
   const auto body = bodyOf(icosphere(0));
   for (int i = 0; i < 3; ++i)
@@ -218,7 +220,7 @@ inline NamedScene crumbsInAHall()
       { box, { random.powerOfTwo(-3, 0) * random.rotation(), 3 * random.inCube() }, i == 3 });
   }
   // Stretched, so that floats are certain of nothing in it.
-  scene.objects.push_back({ sail, { stretch(1, 1, 8), { 0, 0, -1 } }, true });
+  scene.objects.push_back({ sail, { conditionNumber(1, 1, 8), { 0, 0, -1 } }, true });
   return scene;
 }
 

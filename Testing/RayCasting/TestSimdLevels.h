@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TestSimdLevels_h
 #define TestSimdLevels_h
 

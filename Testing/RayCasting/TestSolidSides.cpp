@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which side of a triangle is solid: within closed surfaces, without rooms, nowhere on sheets.
 
 #include "Meshes/SolidSides.h"

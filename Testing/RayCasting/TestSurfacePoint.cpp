@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
 #include "TestMeshes.h"
@@ -112,7 +113,7 @@ TEST(SurfacePoint, IsClearOfCoplanarTriangles)
       for (std::uint32_t k = 0; k < mesh.size(); ++k)
       {
         double distance;
-        met += k != start && ray.meets(mesh[k], distance) ? 1 : 0;
+        met += k != start && ray.intersects(mesh[k], distance) ? 1 : 0;
       }
     }
   }

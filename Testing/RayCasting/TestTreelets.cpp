@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "KdTreeWalk.h"
 #include "TestMeshes.h"
 #include "Trees/TreeletPlan.h"

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/TriangleIntersection.h"
 
-#include "Kernels/MeetingLanes.h"
+#include "Kernels/IntersectionLanes.h"
 #include "RandomVectors.h"
 #include "TestSimdLevels.h"
 
@@ -26,7 +27,7 @@ struct Found
 std::optional<Found> meet(const Vector3& origin, const Vector3& direction, const Triangle& triangle)
 {
   Found found;
-  if (!ShearedRay(origin, direction).meets(triangle, found.distance, &found.weights))
+  if (!ShearedRay(origin, direction).intersects(triangle, found.distance, &found.weights))
   {
     return std::nullopt;
   }
@@ -180,12 +181,12 @@ TEST(TriangleIntersection, IsTheSameInLanes)
   {
     const test::SimdLimit limit(level);
     RandomVectors random(kSeed);
-    MeetingLanes lanes;
+    IntersectionLanes lanes;
     int hits = 0;
     for (int i = 0; i < 40000; ++i)
     {
-      std::array<std::optional<Found>, MeetingLanes::kSize> expected;
-      for (unsigned lane = 0; lane < MeetingLanes::kSize; ++lane)
+      std::array<std::optional<Found>, IntersectionLanes::kSize> expected;
+      for (unsigned lane = 0; lane < IntersectionLanes::kSize; ++lane)
       {
         const double flat = lane % 2 == 0 ? 1 : random.powerOfTwo(-60, 0);
         const Triangle triangle{ random.inCube(), random.inCube(),
@@ -197,8 +198,8 @@ TEST(TriangleIntersection, IsTheSameInLanes)
         lanes.set(lane, origin, target - origin, triangle);
         expected[lane] = meet(origin, target - origin, triangle);
       }
-      meetAll(lanes);
-      for (unsigned lane = 0; lane < MeetingLanes::kSize; ++lane)
+      intersectAll(lanes);
+      for (unsigned lane = 0; lane < IntersectionLanes::kSize; ++lane)
       {
         ASSERT_EQ(expected[lane].has_value(), !std::isnan(lanes.distance[lane]));
         if (expected[lane])

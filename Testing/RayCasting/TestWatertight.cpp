@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/TriangleIntersection.h"
 
 #include "TestMeshes.h"
@@ -57,7 +58,7 @@ bool meetsAny(const ShearedRay& ray, const std::vector<Triangle>& triangles)
 {
   double distance;
   return std::any_of(triangles.begin(), triangles.end(),
-    [&](const Triangle& triangle) { return ray.meets(triangle, distance); });
+    [&](const Triangle& triangle) { return ray.intersects(triangle, distance); });
 }
 
 /// Where a ray may start: inside, and as far off the nearest surface as a point of a walk is
@@ -69,7 +70,7 @@ Vector3 pointInside(const NamedMesh& mesh, RandomVectors& random)
   double nearest = kInfinity, distance;
   for (const Triangle& triangle : mesh.triangles)
   {
-    nearest = ray.meets(triangle, distance) ? std::min(nearest, distance) : nearest;
+    nearest = ray.intersects(triangle, distance) ? std::min(nearest, distance) : nearest;
   }
   const double reach = random.uniform() < 0 ? random.uniform(0, 0.99) : 0.99;
   return mesh.inside + reach * nearest * direction;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_Execution_h
 #define irradiance_Execution_h
 
@@ -27,7 +28,7 @@ public:
 
   /// Called on the engine's own thread every few hundredths of a second; `progress` is 0..1. False
   /// stops the engine.
-  virtual bool goOn(double /*progress*/) { return true; }
+  virtual bool reportProgress(double /*progress*/) { return true; }
 
   /// The clock by which the engine keeps to a budget; it never goes back. Asked by many threads.
   virtual double seconds() const
@@ -37,7 +38,7 @@ public:
   }
 };
 
-/// Execution::goOn said no.
+/// Execution::reportProgress said no.
 class Interrupted : public std::exception
 {
 public:
@@ -56,7 +57,7 @@ inline Checkpoint checkpointOf(Execution& execution, double progress)
       return;
     }
     last = now;
-    if (!execution.goOn(progress))
+    if (!execution.reportProgress(progress))
     {
       throw Interrupted();
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_ProgressSpan_h
 #define irradiance_ProgressSpan_h
 
@@ -24,9 +25,9 @@ public:
     whole_.parallelFor(count, task);
   }
 
-  bool goOn(double progress) override
+  bool reportProgress(double progress) override
   {
-    return whole_.goOn(progress == 1 ? to_ : from_ + progress * (to_ - from_));
+    return whole_.reportProgress(progress == 1 ? to_ : from_ + progress * (to_ - from_));
   }
 
   double seconds() const override { return whole_.seconds(); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/SlicedPass.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ void SlicedPass::run(Execution& execution) const
       std::find(isDone.begin() + static_cast<std::ptrdiff_t>(first), isDone.end(), 0) -
       isDone.begin());
     const auto done = static_cast<double>(std::count(isDone.begin(), isDone.end(), 1));
-    if (!execution.goOn(done / static_cast<double>(units)))
+    if (!execution.reportProgress(done / static_cast<double>(units)))
     {
       throw Interrupted();
     }

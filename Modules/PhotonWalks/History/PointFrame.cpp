@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "History/PointFrame.h"
 
 #include <algorithm>

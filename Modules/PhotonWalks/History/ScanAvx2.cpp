@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
 #include "History/PointScan.h"
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
 

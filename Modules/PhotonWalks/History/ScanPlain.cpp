@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "History/PointScan.h"
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 #include "Simd/Prefetch.h"
 
 #include <algorithm>

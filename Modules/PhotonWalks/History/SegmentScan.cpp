@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "History/SegmentScan.h"
 
 #include "Simd/SimdLevel.h"
@@ -36,8 +37,8 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   // No point of the body is farther from 0.
   const double farthest = frame_(ball.center).norm() + ball.radius * inverse.norm();
   // Floats are off by 2^-24 of each number in a sum of a few; Documentation/Theory.md counts them.
-  const double stretch = matrix.norm();
-  const double error = 0x1p-19 * stretch;
+  const double conditionNumber = matrix.norm();
+  const double error = 0x1p-19 * conditionNumber;
   ScanBody body;
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
@@ -50,8 +51,8 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   squaredNear_ = std::min(squaredNear_, kLittle * body.squaredRadius / body.byDistance);
   // Beyond these, a product of floats might overflow, or vanish, or errors are more than small.
   constexpr double kMost = 0x1p30, kLeast = 0x1p-30, kThinnest = 3.1 * 0x1p20;
-  namesAll_ = namesAll_ || bodies_.size() == kMostBodies || !(stretch < kMost) ||
-    !(stretch > kLeast) || !(stretch * inverse.norm() < kThinnest) ||
+  namesAll_ = namesAll_ || bodies_.size() == kMostBodies || !(conditionNumber < kMost) ||
+    !(conditionNumber > kLeast) || !(conditionNumber * inverse.norm() < kThinnest) ||
     !(farthest < 2 * kLargestReach);
   bodies_.push_back(body);
 }

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_SegmentScan_h
 #define irradiance_SegmentScan_h
 
 #include "Ellipsoids/EllipsoidBound.h"
 #include "History/PointScan.h"
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 
 #include <cstdint>
 #include <limits>

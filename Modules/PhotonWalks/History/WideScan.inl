@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // No include guard: included once by each of the files that scan, between the marks of its target.
 
 namespace irradiance
@@ -139,17 +140,17 @@ struct LastPoints
 /// Pools are short and lie anywhere, so the machine does not foresee where the scan goes on: each
 /// step asks for a line of each array. What is asked for in one go, or so early that a branch on
 /// what is found comes between, arrives too late.
-inline void fetchAhead(const PointScan& scan, std::size_t first)
+inline void prefetchAhead(const PointScan& scan, std::size_t first)
 {
   constexpr std::size_t kAhead = 1024;
   const std::size_t ahead = first + kAhead;
   const bool isHere = ahead < scan.points.count;
   const ScanPoints& soon = isHere ? scan.points : scan.next;
   const std::size_t i = isHere ? ahead : std::min(ahead - scan.points.count, soon.count);
-  prefetch(soon.x + i);
-  prefetch(soon.y + i);
-  prefetch(soon.z + i);
-  prefetch(soon.tags + i);
+  prefetchLine(soon.x + i);
+  prefetchLine(soon.y + i);
+  prefetchLine(soon.z + i);
+  prefetchLine(soon.tags + i);
 }
 
 template <class Lanes>
@@ -160,7 +161,7 @@ inline void runScan(const PointScan& scan)
   for (std::size_t i = 0; i < steps; ++i)
   {
     const std::size_t first = i * PointScan::kTogether;
-    fetchAhead(scan, first);
+    prefetchAhead(scan, first);
     scan.named[i] = static_cast<std::uint16_t>(nameTagged<Lanes>(all.tags + first, scan.tags) |
       nameTogether<Lanes>(all.x + first, all.y + first, all.z + first, scan));
   }

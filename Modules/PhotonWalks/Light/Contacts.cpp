@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Light/Contacts.h"
 
 #include "Geometry/MovedBox.h"
@@ -102,12 +103,12 @@ Triangle worldTriangle(const SceneObjects& objects, const TriangleId& id)
 
 bool isLamp(const SceneObject& object, std::uint32_t triangle)
 {
-  const Surface& surface = *object.surface;
-  const auto bands = static_cast<std::size_t>(surface.bands);
-  const std::size_t first = surface.cellOfTriangle[triangle] * bands;
-  for (std::size_t band = 0; band < bands && !surface.exitance.empty(); ++band)
+  const Material& material = *object.material;
+  const auto bands = static_cast<std::size_t>(material.bands);
+  const std::size_t first = material.cellOfTriangle[triangle] * bands;
+  for (std::size_t band = 0; band < bands && !material.exitance.empty(); ++band)
   {
-    if (surface.exitance[first + band] > 0)
+    if (material.exitance[first + band] > 0)
     {
       return true;
     }
@@ -154,7 +155,7 @@ void Contacts::update(const SceneObjects& objects, const Checkpoint& checkpoint)
   known_.resize(objects.size());
   for (std::uint32_t lamp = 0; lamp < objects.size(); ++lamp)
   {
-    if (objects[lamp].surface->exitance.empty() || objects[lamp].body->mesh().isEmpty())
+    if (objects[lamp].material->exitance.empty() || objects[lamp].body->mesh().isEmpty())
     {
       continue;
     }
@@ -185,11 +186,11 @@ Contacts::Known& Contacts::knownOf(const SceneObjects& objects, std::uint32_t ob
   known_.resize(objects.size());
   Known& known = known_[object];
   const SceneObject& own = objects[object];
-  if (known.body != own.body || known.surface != own.surface)
+  if (known.body != own.body || known.material != own.material)
   {
     known = {};
     known.body = own.body;
-    known.surface = own.surface;
+    known.material = own.material;
   }
   return known;
 }
@@ -284,7 +285,7 @@ const SolidSides& Contacts::sidesOf(
     for (std::uint32_t i = 0; i < mesh.size(); ++i)
     {
       lamps.push_back(isLamp(own, i));
-      parts.push_back(own.surface->partOfCell(own.surface->cellOfTriangle[i]));
+      parts.push_back(own.material->partOfCell(own.material->cellOfTriangle[i]));
     }
     known.sides = solidSides(mesh.triangles(), parts, lamps, object == 0, checkpoint);
   }
@@ -298,7 +299,7 @@ Contacts::Partner Contacts::partnerOf(
   SolidSide side = sides.of[id.triangle];
   // A dynamic shell around everything, with its front within, lines a room.
   if (id.object > 0 && side == SolidSide::InFront && sides.isOfOutermost[id.triangle] &&
-    holds(worldBounds(objects[id.object]), objects.fixed.body->mesh().bounds()))
+    holds(worldBounds(objects[id.object]), objects.staticObject.body->mesh().bounds()))
   {
     side = SolidSide::Behind;
   }
@@ -325,11 +326,11 @@ std::vector<Contacts::Wall> Contacts::wallsAt(
       const SolidSides& sides = sidesOf(objects, object, checkpoint);
       const Vector3 front = triangle.areaVector().normalized();
       const int open = sides.of[i] == SolidSide::None
-        ? sideOfAll(objects.fixed.body->mesh(), triangle, tolerance, checkpoint)
+        ? sideOfAll(objects.staticObject.body->mesh(), triangle, tolerance, checkpoint)
         : (sides.of[i] == SolidSide::Behind ? 1 : -1);
       // A body that holds everything can only be a room.
       const bool isRoomAfterAll = object == 0 && sides.isOfOutermost[i] &&
-        sideOfAll(objects.fixed.body->mesh(), triangle, tolerance, checkpoint) == -open;
+        sideOfAll(objects.staticObject.body->mesh(), triangle, tolerance, checkpoint) == -open;
       const Vector3 normal = (isRoomAfterAll ? -open : open) * front;
       const bool isKnown = std::any_of(walls.begin(), walls.end(),
         [&](const Wall& wall) { return (wall.normal - normal).squaredNorm() < 0x1p-40; });

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_Contacts_h
 #define irradiance_Contacts_h
 
@@ -69,7 +70,7 @@ private:
   struct Known
   {
     std::shared_ptr<const RigidObject> body;
-    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const Material> material;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     Box lamps;             ///< bounds of its lamps, in the space of the object
     bool hasPairs = false; ///< `pairs` and `lamps` are complete

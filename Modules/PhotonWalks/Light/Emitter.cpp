@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Light/Emitter.h"
 
 #include "Sampling/DirectionSampling.h"
@@ -81,16 +82,16 @@ EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWa
 
 void EmitterTable::addTriangles(const SceneObjects& objects, std::uint32_t object)
 {
-  const Surface& surface = *objects[object].surface;
+  const Material& material = *objects[object].material;
   const TriangleMesh& mesh = objects[object].body->mesh();
-  for (std::uint32_t i = 0; i < mesh.size() && !surface.exitance.empty(); ++i)
+  for (std::uint32_t i = 0; i < mesh.size() && !material.exitance.empty(); ++i)
   {
     Emitter emitter{ { object, i }, transformed(objects[object].worldFromObject, mesh[i]) };
     const double area = 0.5 * emitter.triangle.areaVector().norm();
-    for (int band = 0; band < surface.bands; ++band)
+    for (int band = 0; band < material.bands; ++band)
     {
       emitter.flux[static_cast<std::size_t>(band)] = area *
-        surface.exitance[surface.cellOfTriangle[i] * static_cast<std::size_t>(surface.bands) +
+        material.exitance[material.cellOfTriangle[i] * static_cast<std::size_t>(material.bands) +
           static_cast<std::size_t>(band)];
     }
     add(emitter);
@@ -101,7 +102,7 @@ void EmitterTable::addPoints(const SceneObjects& objects, std::uint32_t number, 
   const Checkpoint& checkpoint)
 {
   const SceneObject& object = objects[number];
-  for (const PointLight& light : object.surface->pointLights)
+  for (const PointLight& light : object.material->pointLights)
   {
     Vector3 position = object.worldFromObject(light.position);
     std::vector<Vector3> openSides;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Light/SceneObjects.h"
 
 namespace irradiance
@@ -5,12 +6,12 @@ namespace irradiance
 
 std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& checkpoint)
 {
-  std::vector<double> areas(object.surface->numberOfCells, 0.0);
+  std::vector<double> areas(object.material->numberOfCells, 0.0);
   const TriangleMesh& mesh = object.body->mesh();
   CheckpointPace pace(checkpoint);
   for (std::size_t i = 0; i < mesh.size(); ++i)
   {
-    areas[object.surface->cellOfTriangle[i]] +=
+    areas[object.material->cellOfTriangle[i]] +=
       0.5 * transformed(object.worldFromObject, mesh[i]).areaVector().norm();
     pace.step();
   }

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_SceneObjects_h
 #define irradiance_SceneObjects_h
 
-#include "Light/Surface.h"
-#include "Scene/RigidObject.h"
+#include "Light/Material.h"
+#include "Scene/PlacedBody.h"
 
 #include <memory>
 #include <vector>
@@ -10,26 +11,28 @@
 namespace irradiance
 {
 
-/// Geometry, surface and pose of one object of the scene.
-struct SceneObject
+/// Geometry, pose and material of one object of the scene.
+struct SceneObject : PlacedBody
 {
-  std::shared_ptr<const RigidObject> body;
-  std::shared_ptr<const Surface> surface;
-  AffineMap worldFromObject;
-  bool isLoose = false; ///< see PlacedObject
+  std::shared_ptr<const Material> material;
 };
 
-/// The whole input of a frame. Object 0 is the static one, object i + 1 is dynamic[i].
+/// The whole input of a frame. Object 0 is the static one, object i + 1 is dynamicObjects[i].
 struct SceneObjects
 {
-  SceneObject fixed; ///< its pose is the identity
-  std::vector<SceneObject> dynamic;
+  SceneObject staticObject; ///< its pose is the identity
+  std::vector<SceneObject> dynamicObjects;
 
   const SceneObject& operator[](std::uint32_t object) const
   {
-    return object == 0 ? fixed : dynamic[object - 1];
+    return object == 0 ? staticObject : dynamicObjects[object - 1];
   }
-  std::uint32_t size() const { return static_cast<std::uint32_t>(dynamic.size() + 1); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(dynamicObjects.size() + 1); }
+  /// What the ray casting sees of the dynamic objects.
+  std::vector<PlacedBody> dynamicBodies() const
+  {
+    return { dynamicObjects.begin(), dynamicObjects.end() };
+  }
 };
 
 /// World area of every cell, m2.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/BudgetedRepair.h"
 
 #include "Execution/ProgressSpan.h"
@@ -22,7 +23,7 @@ struct BudgetedRepair::Batch
   };
 
   explicit Batch(const State& state)
-    : booking(state.sums, balance)
+    : tally(state.sums, balance)
     , walks(state.shooter)
   {
   }
@@ -31,7 +32,7 @@ struct BudgetedRepair::Batch
   std::vector<StaleSegment> segments; ///< of the items
   std::vector<bool> isKnown;          ///< of their hits: by the verification of this frame
   PowerBalance balance;
-  WalkBooking booking;
+  WalkTally tally;
   WalkBatch walks;
   double seconds = 0; ///< spent on it
   bool isFirst = false;
@@ -117,7 +118,7 @@ bool BudgetedRepair::work(Unit& unit, std::uint16_t weakest, const Deadline& dea
     const auto isTooLate = [&] { return !batch.isFirst && time_.hasEnded(); };
     const double start = time_.now();
     const bool isDone =
-      batch.walks.run(batch.booking, [&] { return deadline.hasPassed() || isTooLate(); });
+      batch.walks.run(batch.tally, [&] { return deadline.hasPassed() || isTooLate(); });
     if (isDone)
     {
       finish(batch);
@@ -127,7 +128,7 @@ bool BudgetedRepair::work(Unit& unit, std::uint16_t weakest, const Deadline& dea
     {
       return false;
     }
-    isDone ? time_.spend(batch.seconds, batch.items.size()) : batch.booking.discard();
+    isDone ? time_.spend(batch.seconds, batch.items.size()) : batch.tally.discard();
     unit.open.reset();
     if (deadline.hasPassed())
     {
@@ -195,7 +196,7 @@ void BudgetedRepair::fill(Batch& batch) const
       block.power(segment.walkInBlock, 0), block.power(segment.walkInBlock, segment.bounce));
     for (std::uint32_t k = segment.bounce; k < block.size(segment.walkInBlock); ++k)
     {
-      batch.booking.fetch(walk, block.hit(segment.walkInBlock, k)); // will be taken back
+      batch.tally.prefetch(walk, block.hit(segment.walkInBlock, k)); // will be taken back
     }
   }
 }
@@ -232,7 +233,7 @@ void BudgetedRepair::castAnew(Batch& batch) const
     const WalkBlock& block = state_.history[batch.items[i].block];
     segment.ray = shooter.rayOf(block, walk, batch.items[i].walk, segment.bounce);
     segment.old = block.hit(walk, segment.bounce);
-    const bool wasDynamic = segment.old && segment.old.id.object > 0;
+    const bool wasDynamic = segment.old.id.isDynamic();
     segment.wasTouching = block.isContact(walk, segment.bounce) ||
       shooter.isContact(segment.ray.start, segment.old.id) || shooter.hasContact(segment.old.id);
     if (segment.old && !wasDynamic && !segment.wasTouching)
@@ -266,7 +267,7 @@ void BudgetedRepair::finish(Batch& batch)
     const Batch::Item& item = batch.items[i];
     const StaleSegment& segment = batch.segments[i];
     WalkBlock& block = state_.history[item.block];
-    batch.booking.remove(block, segment.walkInBlock, item.walk, segment.bounce);
+    batch.tally.remove(block, segment.walkInBlock, item.walk, segment.bounce);
     state_.stale.repair(item.block, block, *item.mark, stale);
     block.updateStaticHit(segment.walkInBlock, segment.bounce, segment.old, segment.hit,
       state_.cacheStaticHits && !segment.wasTouching);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/SceneChange.h"
 
 namespace irradiance
@@ -8,7 +9,7 @@ namespace
 
 bool isSameLook(const SceneObject& now, const SceneObject& before)
 {
-  return now.surface == before.surface && now.isLoose == before.isLoose &&
+  return now.material == before.material && now.isFlattened == before.isFlattened &&
     now.body->mesh().size() == before.body->mesh().size();
 }
 
@@ -34,21 +35,21 @@ bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Fun
 bool doLightsStand(const SceneObjects& now, const SceneObjects& before)
 {
   return isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
-    return a.surface == b.surface && !(a.surface->emits() && hasMoved(a, b));
+    return a.material == b.material && !(a.material->emits() && hasMoved(a, b));
   });
 }
 
 bool isSameButForMotion(const SceneObjects& now, const SceneObjects& before)
 {
-  return now.fixed.body == before.fixed.body && isSameForAll(now, before, isSameLook);
+  return now.staticObject.body == before.staticObject.body && isSameForAll(now, before, isSameLook);
 }
 
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before)
 {
   std::vector<bool> moved;
-  for (std::size_t i = 0; i < now.dynamic.size(); ++i)
+  for (std::size_t i = 0; i < now.dynamicObjects.size(); ++i)
   {
-    moved.push_back(hasMoved(now.dynamic[i], before.dynamic[i]));
+    moved.push_back(hasMoved(now.dynamicObjects[i], before.dynamicObjects[i]));
   }
   return moved;
 }

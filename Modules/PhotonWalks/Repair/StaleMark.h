@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_StaleMark_h
 #define irradiance_StaleMark_h
 
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 
 #include <algorithm>
 #include <cstdint>

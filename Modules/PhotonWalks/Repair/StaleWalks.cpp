@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/StaleWalks.h"
 
 #include "Execution/SlicedPass.h"
@@ -82,7 +83,7 @@ void StaleWalks::add(
     marks.push_back({ static_cast<std::uint16_t>(walk), effectOf(carried), segment.bounce,
       bound_.isKnown() ? bound_(number, segment.bounce, walks.power(walk, 0), carried) : 0 });
     count(blocks_[block], walks, marks.back(), 1);
-    book(walks, marks.back(), end, 1, deposits);
+    tally(walks, marks.back(), end, 1, deposits);
   }
   marks.insert(marks.end(), old, before.end());
   sums_.add(deposits);
@@ -91,7 +92,7 @@ void StaleWalks::add(
 void StaleWalks::repair(
   std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits)
 {
-  book(walks, mark, walks.size(mark.walkInBlock), -1, deposits);
+  tally(walks, mark, walks.size(mark.walkInBlock), -1, deposits);
   count(blocks_[block], walks, mark, -1);
   mark.effect = 0;
 }
@@ -104,7 +105,7 @@ void StaleWalks::forgetRepaired(std::size_t block)
     marks.end());
 }
 
-void StaleWalks::book(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
+void StaleWalks::tally(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
   std::vector<Deposit>& deposits) const
 {
   const std::uint32_t walk = mark.walkInBlock;

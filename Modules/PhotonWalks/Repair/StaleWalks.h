@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_StaleWalks_h
 #define irradiance_StaleWalks_h
 
@@ -57,7 +58,7 @@ private:
 
   void add(std::size_t block, const WalkBlock& walks, const std::vector<StaleSegment>& found);
   /// What the segments from the mark to `end` bring.
-  void book(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
+  void tally(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
     std::vector<Deposit>& deposits) const;
   static void count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign);
 

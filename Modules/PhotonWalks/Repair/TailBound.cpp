@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/TailBound.h"
 
 #include "Light/Reflection.h"
@@ -13,11 +14,11 @@ TailBound::TailBound(const SceneObjects& objects, const SobolSequence& samples)
 {
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    const Surface& surface = *objects[object].surface;
-    const auto bands = static_cast<std::ptrdiff_t>(surface.bands);
-    for (const std::uint32_t cell : surface.cellOfTriangle)
+    const Material& material = *objects[object].material;
+    const auto bands = static_cast<std::ptrdiff_t>(material.bands);
+    for (const std::uint32_t cell : material.cellOfTriangle)
     {
-      const auto first = surface.reflectance.begin() + static_cast<std::ptrdiff_t>(cell) * bands;
+      const auto first = material.reflectance.begin() + static_cast<std::ptrdiff_t>(cell) * bands;
       reflectance_ = std::max(reflectance_, *std::max_element(first, first + bands));
     }
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/WalkVerifier.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
   lost.clear();
   touching.clear();
   touching.isTouching = true;
-  fetch(block, points);
+  prefetch(block, points);
   for (const std::uint32_t point : points)
   {
     WalkBlock::Place place;
@@ -90,19 +91,19 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
 
 /// The hits of the segments, and those before them, then their triangles: none of them waits for
 /// another, so the memory brings many at a time.
-void WalkVerifier::fetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const
+void WalkVerifier::prefetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const
 {
   for (const std::uint32_t point : points)
   {
-    block.fetch(point);
+    block.prefetch(point);
   }
   for (const std::uint32_t point : points)
   {
     WalkBlock::Place place;
     if (block.segmentAt(point, place))
     {
-      shooter_.fetchTriangle(block.hit(place.walk, place.bounce));
-      shooter_.fetchTriangle(place.bounce > 0 ? block.hit(place.walk, place.bounce - 1) : Hit{});
+      shooter_.prefetchTriangle(block.hit(place.walk, place.bounce));
+      shooter_.prefetchTriangle(place.bounce > 0 ? block.hit(place.walk, place.bounce - 1) : Hit{});
     }
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_WalkVerifier_h
 #define irradiance_WalkVerifier_h
 
@@ -57,11 +58,8 @@ public:
 private:
   struct Candidates;
 
-  bool hasMoved(const TriangleId& id) const
-  {
-    return id.object != TriangleId::kNone && id.object > 0 && moved_[id.object - 1];
-  }
-  void fetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const;
+  bool hasMoved(const TriangleId& id) const { return id.isDynamic() && moved_[id.object - 1]; }
+  void prefetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const;
   void castBlocked(Candidates& candidates) const;
   void castLost(const WalkBlock& block, Candidates& candidates) const;
   void castTouching(const WalkBlock& block, Candidates& candidates) const;

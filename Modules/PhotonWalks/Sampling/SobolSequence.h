@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_SobolSequence_h
 #define irradiance_SobolSequence_h
 
@@ -30,11 +31,11 @@ enum class SampleUse : std::uint32_t
 class SobolSequence
 {
 public:
-  explicit SobolSequence(std::uint64_t seed, const ReplicateDeal& deal = ReplicateDeal())
-    : deal_(deal)
+  explicit SobolSequence(std::uint64_t seed, const Replicates& replicates = Replicates())
+    : replicates_(replicates)
     , seeds_{ seed }
   {
-    for (std::uint32_t replicate = 1; replicate < deal.replicates(); ++replicate)
+    for (std::uint32_t replicate = 1; replicate < replicates.count(); ++replicate)
     {
       seeds_.push_back(mix(mix(seed) + replicate));
     }
@@ -42,12 +43,12 @@ public:
 
   std::array<double, 2> sample(std::uint32_t walk, std::uint32_t bounce, SampleUse use) const
   {
-    const std::uint64_t seed = seeds_[deal_.replicateOf(walk)];
+    const std::uint64_t seed = seeds_[replicates_.replicateOf(walk)];
     const std::uint64_t key =
       mix(seed ^ mix(std::uint64_t{ bounce } << 32 | static_cast<std::uint32_t>(use)));
     const std::uint64_t scrambles = mix(key);
     const std::uint32_t index =
-      scrambled(deal_.numberWithin(walk), static_cast<std::uint32_t>(key));
+      scrambled(replicates_.numberWithin(walk), static_cast<std::uint32_t>(key));
     // The first dimension reverses the bits of the index; scrambling reverses them once more.
     return { toUnit(reversed(permuted(index, static_cast<std::uint32_t>(scrambles)))),
       toUnit(reversed(permuted(pascal(index), static_cast<std::uint32_t>(scrambles >> 32)))) };
@@ -101,7 +102,7 @@ private:
 
   static double toUnit(std::uint32_t x) { return (x + 0.5) * 0x1p-32; }
 
-  ReplicateDeal deal_;
+  Replicates replicates_;
   std::vector<std::uint64_t> seeds_; ///< of each replicate
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/WalkPlan.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@ namespace irradiance
 {
 
 WalkPlan::WalkPlan(std::uint32_t first, std::uint32_t most, std::uint32_t replicates)
-  : deal_(replicates)
+  : replicates_(replicates)
 {
   WalkRound round{ 0, 0, 0, 0 };
   while (round.endWalk < most)

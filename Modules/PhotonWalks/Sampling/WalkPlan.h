@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_WalkPlan_h
 #define irradiance_WalkPlan_h
 
@@ -40,7 +41,7 @@ public:
 
   const std::vector<WalkRound>& rounds() const { return rounds_; }
   std::uint32_t most() const { return rounds_.back().endWalk; }
-  const ReplicateDeal& deal() const { return deal_; }
+  const Replicates& replicates() const { return replicates_; }
 
   std::size_t roundOf(std::uint32_t walk) const
   {
@@ -64,13 +65,13 @@ public:
   friend bool operator==(const WalkPlan& a, const WalkPlan& b)
   {
     return a.rounds_.front().endWalk == b.rounds_.front().endWalk && a.most() == b.most() &&
-      a.deal_.replicates() == b.deal_.replicates();
+      a.replicates_.count() == b.replicates_.count();
   }
 
 private:
   const WalkRound& roundOfBlock(std::size_t block) const;
 
-  ReplicateDeal deal_;
+  Replicates replicates_;
   std::vector<WalkRound> rounds_;
 };
 

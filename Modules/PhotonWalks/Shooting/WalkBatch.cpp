@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkBatch.h"
 
 #include "Light/Roulette.h"
@@ -31,7 +32,7 @@ void WalkBatch::add(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, co
   tails_.push_back({ walk, bounce, 0 });
 }
 
-bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop)
+bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
 {
   constexpr std::size_t kUsualLength = 4;
   pieces_.reserve(kUsualLength * tails_.size());
@@ -51,13 +52,13 @@ bool WalkBatch::run(WalkBooking& booking, const std::function<bool()>& hasToStop
       shooter_.cast(rays_.data() + first, count, hits_.data() + first);
     }
     areHitsKnown_ = false;
-    goOn(first, booking);
+    advance(first, tally);
   }
   return true;
 }
 
 /// From the hits of the walks to their next rays; walks that end drop out.
-void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
+void WalkBatch::advance(std::size_t first, WalkTally& tally)
 {
   constexpr std::size_t kAhead = 8;
   std::size_t kept = first;
@@ -66,12 +67,12 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
     // What a hit needs lies all over the memory: ask for it in time, what leads to it first.
     if (i + 2 * kAhead < states_.size())
     {
-      shooter_.fetchTriangle(hits_[i + 2 * kAhead]);
+      shooter_.prefetchTriangle(hits_[i + 2 * kAhead]);
     }
     if (i + kAhead < states_.size())
     {
-      shooter_.fetchCell(hits_[i + kAhead]);
-      booking.fetch(tails_[states_[i + kAhead].tail].walk, hits_[i + kAhead]);
+      shooter_.prefetchCell(hits_[i + kAhead]);
+      tally.prefetch(tails_[states_[i + kAhead].tail].walk, hits_[i + kAhead]);
     }
     State state = states_[i];
     Tail& tail = tails_[state.tail];
@@ -81,15 +82,15 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
     const Hit& hit = hits_[i];
     if (!hit)
     {
-      booking.book(tail.walk, hit, true, state.power, {}, 1);
+      tally.add(tail.walk, hit, true, state.power, {}, 1);
       continue;
     }
     const SurfacePoint point = shooter_.scene().surfaceAt(rays_[i].direction, hit);
     pieces_.back().segment.isFront = point.isFront;
-    const Power carriedOn =
+    const Power reflectedPower =
       shooter_.powerAfter(tail.walk, state.bounce, hit.id, state.power, state.threshold);
-    booking.book(tail.walk, hit, point.isFront, state.power, carriedOn, 1);
-    if (carriedOn.isZero())
+    tally.add(tail.walk, hit, point.isFront, state.power, reflectedPower, 1);
+    if (reflectedPower.isZero())
     {
       continue;
     }
@@ -99,7 +100,7 @@ void WalkBatch::goOn(std::size_t first, WalkBooking& booking)
         " does not end: the light cannot leave a part of the scene that absorbs nothing "
         "(reflectance 1)");
     }
-    state.power = carriedOn;
+    state.power = reflectedPower;
     rays_[kept] = shooter_.rayFrom(tail.walk, state.bounce, point, hit.id);
     states_[kept++] = state;
   }

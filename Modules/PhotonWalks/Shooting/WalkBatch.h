@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_WalkBatch_h
 #define irradiance_WalkBatch_h
 
@@ -29,7 +30,7 @@ public:
 
   /// Goes on until all walks have ended, or until `hasToStop` says so between two bounces; then it
   /// returns false and may be called again.
-  bool run(WalkBooking& booking, const std::function<bool()>& hasToStop);
+  bool run(WalkTally& tally, const std::function<bool()>& hasToStop);
 
   struct Tail
   {
@@ -69,7 +70,7 @@ private:
 
   void add(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
     const Power& power, std::int64_t threshold);
-  void goOn(std::size_t first, WalkBooking& booking);
+  void advance(std::size_t first, WalkTally& tally);
 
   const WalkShooter& shooter_;
   std::vector<State> states_; ///< of the walks that go on, with their rays and hits

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkShooter.h"
 
 #include "Light/Reflection.h"
@@ -10,7 +11,7 @@ namespace irradiance
 Power WalkShooter::powerAfter(std::uint32_t walk, std::uint32_t bounce, const TriangleId& id,
   const Power& incoming, std::int64_t threshold) const
 {
-  const Power power = reflected(incoming, *objects_[id.object].surface, id.triangle);
+  const Power power = reflected(incoming, *objects_[id.object].material, id.triangle);
   return power.largest() < threshold
     ? playRoulette(power, threshold, samples_.sample(walk, bounce + 1, SampleUse::Roulette)[0])
     : power;
@@ -26,23 +27,23 @@ void WalkShooter::cast(const Ray* rays, std::size_t count, Hit* hits) const
   }
 }
 
-void WalkShooter::fetchTriangle(const Hit& hit) const
+void WalkShooter::prefetchTriangle(const Hit& hit) const
 {
   if (hit)
   {
     const SceneObject& object = objects_[hit.id.object];
-    object.body->mesh().fetch(hit.id.triangle);
-    prefetch(object.surface->cellOfTriangle.data() + hit.id.triangle);
+    object.body->mesh().prefetch(hit.id.triangle);
+    prefetchLine(object.material->cellOfTriangle.data() + hit.id.triangle);
   }
 }
 
-void WalkShooter::fetchCell(const Hit& hit) const
+void WalkShooter::prefetchCell(const Hit& hit) const
 {
   if (hit)
   {
-    const Surface& surface = *objects_[hit.id.object].surface;
-    prefetch(surface.reflectance.data() +
-      surface.cellOfTriangle[hit.id.triangle] * static_cast<std::size_t>(surface.bands));
+    const Material& material = *objects_[hit.id.object].material;
+    prefetchLine(material.reflectance.data() +
+      material.cellOfTriangle[hit.id.triangle] * static_cast<std::size_t>(material.bands));
   }
 }
 

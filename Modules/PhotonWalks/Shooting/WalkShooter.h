@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_WalkShooter_h
 #define irradiance_WalkShooter_h
 
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 #include "Light/Contacts.h"
 #include "Light/Emitter.h"
 #include "Scene/Scene.h"
@@ -58,8 +59,8 @@ public:
 
   /// Has the memory bring what surfaceAt() and powerAfter() will read; the second when the first has
   /// come.
-  void fetchTriangle(const Hit& hit) const;
-  void fetchCell(const Hit& hit) const;
+  void prefetchTriangle(const Hit& hit) const;
+  void prefetchCell(const Hit& hit) const;
 
 private:
   const Scene& scene_;

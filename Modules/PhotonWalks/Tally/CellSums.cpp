@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Tally/CellSums.h"
 
 #include <algorithm>
@@ -8,16 +9,16 @@ namespace irradiance
 CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds)
   : plan_(plan)
   , sides_(sides)
-  , bands_(objects.fixed.surface->bands)
+  , bands_(objects.staticObject.material->bands)
 {
   std::size_t cells = 0;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     firstCell_.push_back(cells);
-    surfaces_.push_back(objects[object].surface);
-    cells += objects[object].surface->numberOfCells;
+    materials_.push_back(objects[object].material);
+    cells += objects[object].material->numberOfCells;
   }
-  roundSize_ = cells * static_cast<std::size_t>(sides_) * plan.deal().replicates() *
+  roundSize_ = cells * static_cast<std::size_t>(sides_) * plan.replicates().count() *
     static_cast<std::size_t>(bands_);
   setRounds(rounds);
 }
@@ -25,7 +26,7 @@ CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan,
 void CellSums::collect(std::uint32_t walk, const TriangleId& id, bool isFront, const Power& power,
   int sign, std::vector<Deposit>& deposits) const
 {
-  const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
+  const std::size_t cell = materials_[id.object]->cellOfTriangle[id.triangle];
   const std::size_t first = slot(groupOf(walk), id.object, cell, sides_ == 2 && !isFront ? 1 : 0);
   for (int band = 0; band < bands_; ++band)
   {
@@ -66,7 +67,7 @@ void CellSums::add(const std::vector<Deposit>& deposits)
   const std::lock_guard<std::mutex> lock(*mutex_);
   for (std::size_t i = 0; i < deposits.size(); ++i)
   {
-    prefetch(sums_.data() + deposits[std::min(i + kAhead, deposits.size() - 1)].slot);
+    prefetchLine(sums_.data() + deposits[std::min(i + kAhead, deposits.size() - 1)].slot);
     sums_[deposits[i].slot] += deposits[i].quanta;
   }
 }
@@ -74,7 +75,7 @@ void CellSums::add(const std::vector<Deposit>& deposits)
 std::int64_t CellSums::sum(std::uint32_t object, std::size_t cell, int side, int band) const
 {
   std::int64_t total = 0;
-  for (std::uint32_t replicate = 0; replicate < plan_.deal().replicates(); ++replicate)
+  for (std::uint32_t replicate = 0; replicate < plan_.replicates().count(); ++replicate)
   {
     total += sum(object, cell, side, band, replicate, rounds_);
   }

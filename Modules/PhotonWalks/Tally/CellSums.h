@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_CellSums_h
 #define irradiance_CellSums_h
 
@@ -41,12 +42,12 @@ public:
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 
   /// Has the memory bring what collect() and add() will need.
-  void fetch(std::uint32_t walk, const TriangleId& id) const
+  void prefetch(std::uint32_t walk, const TriangleId& id) const
   {
     if (id.object != TriangleId::kNone)
     {
-      const std::size_t cell = surfaces_[id.object]->cellOfTriangle[id.triangle];
-      prefetch(sums_.data() + slot(groupOf(walk), id.object, cell, 0));
+      const std::size_t cell = materials_[id.object]->cellOfTriangle[id.triangle];
+      prefetchLine(sums_.data() + slot(groupOf(walk), id.object, cell, 0));
     }
   }
   /// Appends the deposits of a photon. `sign`: 1 to add it, -1 to remove it.
@@ -70,21 +71,21 @@ private:
   };
   Group groupOf(std::uint32_t walk) const
   {
-    return { plan_.roundOf(walk), plan_.deal().replicateOf(walk) };
+    return { plan_.roundOf(walk), plan_.replicates().replicateOf(walk) };
   }
   std::size_t slot(const Group& group, std::uint32_t object, std::size_t cell, int side) const
   {
     const std::size_t part = (firstCell_[object] + cell) * static_cast<std::size_t>(sides_) +
       static_cast<std::size_t>(side);
     return group.round * roundSize_ +
-      (part * plan_.deal().replicates() + group.replicate) * static_cast<std::size_t>(bands_);
+      (part * plan_.replicates().count() + group.replicate) * static_cast<std::size_t>(bands_);
   }
 
   WalkPlan plan_;
   int sides_ = 1;
   int bands_ = 1;
   std::vector<std::size_t> firstCell_;
-  std::vector<std::shared_ptr<const Surface>> surfaces_;
+  std::vector<std::shared_ptr<const Material>> materials_;
   std::size_t rounds_ = 0;
   std::size_t roundSize_ = 0; ///< sums of a round
   std::vector<std::int64_t> sums_;

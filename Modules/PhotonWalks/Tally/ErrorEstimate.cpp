@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Tally/ErrorEstimate.h"
 
 #include "Execution/SlicedPass.h"
@@ -38,9 +39,9 @@ ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::si
   , photon_(photon)
 {
   double squares = 0;
-  for (std::uint32_t replicate = 0; replicate < plan.deal().replicates(); ++replicate)
+  for (std::uint32_t replicate = 0; replicate < plan.replicates().count(); ++replicate)
   {
-    share_.push_back(double(plan.deal().share(replicate, walks_)) / walks_);
+    share_.push_back(double(plan.replicates().share(replicate, walks_)) / walks_);
     squares += share_.back() * share_.back();
   }
   unbiased_ = 1 / (1 - squares);
@@ -115,7 +116,7 @@ std::vector<ErrorEstimate::CellSide> ErrorEstimate::cellSides(
   pass.work = [&](std::size_t unit, const Deadline&) {
     for (std::size_t i = unit * kTogether; i < std::min((unit + 1) * kTogether, parts.size()); ++i)
     {
-      for (int band = 0; band < objects.fixed.surface->bands; ++band)
+      for (int band = 0; band < objects.staticObject.material->bands; ++band)
       {
         parts[i].received[static_cast<std::size_t>(band)] =
           received(parts[i].object, parts[i].cell, parts[i].side, band);
@@ -147,7 +148,7 @@ double ErrorEstimate::relativeErrorOfMostArea(
   for (const CellSide& part : parts)
   {
     double worst = 0;
-    for (int band = 0; band < objects.fixed.surface->bands; ++band)
+    for (int band = 0; band < objects.staticObject.material->bands; ++band)
     {
       const auto i = static_cast<std::size_t>(band);
       worst =

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_StudentT_h
 #define irradiance_StudentT_h
 

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_WalkTally_h
 #define irradiance_WalkTally_h
 
-#include "History/WalkHistory.h"
+#include "History/WalkBlock.h"
 #include "Tally/CellSums.h"
 #include "Tally/PowerBalance.h"
 
@@ -9,26 +10,26 @@ namespace irradiance
 {
 
 /// Books what a hit receives in the cells and the balance, or takes it back. The cells get it when
-/// the booking ends.
-class WalkBooking
+/// the tally ends.
+class WalkTally
 {
 public:
-  WalkBooking(CellSums& sums, PowerBalance& balance)
+  WalkTally(CellSums& sums, PowerBalance& balance)
     : sums_(sums)
     , balance_(balance)
   {
   }
-  ~WalkBooking() { sums_.add(deposits_); }
-  WalkBooking(const WalkBooking&) = delete;
-  WalkBooking& operator=(const WalkBooking&) = delete;
+  ~WalkTally() { sums_.add(deposits_); }
+  WalkTally(const WalkTally&) = delete;
+  WalkTally& operator=(const WalkTally&) = delete;
 
   /// `sign`: 1 to book, -1 to take back.
-  void book(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
-    const Power& carriedOn, int sign);
+  void add(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
+    const Power& reflectedPower, int sign);
   /// As if nothing had been booked in the cells; the balance is the caller's to drop.
   void discard() { deposits_.clear(); }
   /// Has the memory bring the sum that a hit will change.
-  void fetch(std::uint32_t walk, const Hit& hit) const { sums_.fetch(walk, hit.id); }
+  void prefetch(std::uint32_t walk, const Hit& hit) const { sums_.prefetch(walk, hit.id); }
   /// Takes back the segments of a stored walk from `firstBounce` on.
   void remove(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
     std::uint32_t firstBounce);

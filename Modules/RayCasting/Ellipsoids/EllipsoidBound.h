@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_EllipsoidBound_h
 #define irradiance_EllipsoidBound_h
 
@@ -38,9 +39,9 @@ public:
   };
   Ball ball() const
   {
-    const double stretch = roundFromWorld_.rowwise().norm().maxCoeff();
+    const double conditionNumber = roundFromWorld_.rowwise().norm().maxCoeff();
     return { roundFromWorld_, center_,
-      (std::sqrt(radiusSquared_) + stretch * margin_) * (1 + kRounding) };
+      (std::sqrt(radiusSquared_) + conditionNumber * margin_) * (1 + kRounding) };
   }
 
 private:

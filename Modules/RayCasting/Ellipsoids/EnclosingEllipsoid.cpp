@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Ellipsoids/EnclosingEllipsoid.h"
 
 #include "Ellipsoids/CubeFrame.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_Ray_h
 #define irradiance_Ray_h
 
@@ -17,6 +18,8 @@ struct TriangleId
 
   std::uint32_t object = kNone;
   std::uint32_t triangle = kNone;
+
+  bool isDynamic() const { return object != kNone && object > 0; }
 
   friend bool operator==(const TriangleId& a, const TriangleId& b)
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_TriangleIntersection_h
 #define irradiance_TriangleIntersection_h
 
@@ -40,9 +41,9 @@ struct RayAxes
  *
  * No branches: a loop over many meetings becomes SIMD.
  */
-struct Meeting
+struct Intersection
 {
-  bool isMet;      ///< the closed triangle, in front of the origin
+  bool isHit;      ///< the closed triangle, in front of the origin
   double distance; ///< in units of the direction; this and the weights have a meaning only if met
   double weightA, weightB, weightC; ///< barycentric
 
@@ -52,7 +53,7 @@ struct Meeting
     double x, y, z;
   };
 
-  __attribute__((always_inline)) Meeting(
+  __attribute__((always_inline)) Intersection(
     const Point& origin, const Point& direction, const Point& a, const Point& b, const Point& c)
   {
     const double scale = 1.0 / direction.z;
@@ -73,7 +74,7 @@ struct Meeting
     weightA = u * inverse;
     weightB = v * inverse;
     weightC = w * inverse;
-    isMet = !isOutside & isBroad & (distance > 0);
+    isHit = !isOutside & isBroad & (distance > 0);
   }
 
 private:
@@ -106,29 +107,29 @@ public:
 
   /// True if the ray meets the closed triangle in front of its origin; then `distance` is set, and
   /// `weights`, when asked for, to the barycentric coordinates (not negative, sum about 1).
-  bool meets(const Triangle& triangle, double& distance, Vector3* weights = nullptr) const
+  bool intersects(const Triangle& triangle, double& distance, Vector3* weights = nullptr) const
   {
-    const Meeting meeting(
+    const Intersection intersection(
       origin_, direction_, ordered(triangle.a), ordered(triangle.b), ordered(triangle.c));
-    if (meeting.isMet)
+    if (intersection.isHit)
     {
-      distance = meeting.distance;
+      distance = intersection.distance;
       if (weights)
       {
-        *weights = Vector3(meeting.weightA, meeting.weightB, meeting.weightC);
+        *weights = Vector3(intersection.weightA, intersection.weightB, intersection.weightC);
       }
     }
-    return meeting.isMet;
+    return intersection.isHit;
   }
 
 private:
-  Meeting::Point ordered(const Vector3& point) const
+  Intersection::Point ordered(const Vector3& point) const
   {
     return { point[axes_.x], point[axes_.y], point[axes_.z] };
   }
 
   RayAxes axes_;
-  Meeting::Point origin_, direction_;
+  Intersection::Point origin_, direction_;
 };
 
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // No include guard: a part of WideCast.h.
 
 namespace irradiance
@@ -14,13 +15,13 @@ struct BlockAnswer
 };
 
 /// Leaves out only what the test in double cannot accept; unused places hold NaN and drop out.
-inline BlockAnswer askBlock(const TriangleBlock& block, const UnitCast& cast)
+inline BlockAnswer askBlock(const TriangleBlock& block, const TreeQuery& query)
 {
-  const __m256 dx = _mm256_set1_ps(cast.direction[0]), dy = _mm256_set1_ps(cast.direction[1]),
-               dz = _mm256_set1_ps(cast.direction[2]);
-  const __m256 cx = _mm256_sub_ps(_mm256_load_ps(block.corner[0]), _mm256_set1_ps(cast.origin[0]));
-  const __m256 cy = _mm256_sub_ps(_mm256_load_ps(block.corner[1]), _mm256_set1_ps(cast.origin[1]));
-  const __m256 cz = _mm256_sub_ps(_mm256_load_ps(block.corner[2]), _mm256_set1_ps(cast.origin[2]));
+  const __m256 dx = _mm256_set1_ps(query.direction[0]), dy = _mm256_set1_ps(query.direction[1]),
+               dz = _mm256_set1_ps(query.direction[2]);
+  const __m256 cx = _mm256_sub_ps(_mm256_load_ps(block.corner[0]), _mm256_set1_ps(query.origin[0]));
+  const __m256 cy = _mm256_sub_ps(_mm256_load_ps(block.corner[1]), _mm256_set1_ps(query.origin[1]));
+  const __m256 cz = _mm256_sub_ps(_mm256_load_ps(block.corner[2]), _mm256_set1_ps(query.origin[2]));
   const __m256 ax = _mm256_load_ps(block.edge1[0]), ay = _mm256_load_ps(block.edge1[1]),
                az = _mm256_load_ps(block.edge1[2]);
   const __m256 bx = _mm256_load_ps(block.edge2[0]), by = _mm256_load_ps(block.edge2[1]),
@@ -48,20 +49,20 @@ inline BlockAnswer askBlock(const TriangleBlock& block, const UnitCast& cast)
   const __m256 length =
     _mm256_add_ps(_mm256_add_ps(absolute(ax), _mm256_add_ps(absolute(ay), absolute(az))),
       _mm256_add_ps(absolute(bx), _mm256_add_ps(absolute(by), absolute(bz))));
-  const __m256 least = _mm256_set1_ps(cast.leastBlur);
-  const __m256 edgeBlur = _mm256_fmadd_ps(_mm256_set1_ps(cast.edgeBlur), length, least);
+  const __m256 least = _mm256_set1_ps(query.leastBlur);
+  const __m256 edgeBlur = _mm256_fmadd_ps(_mm256_set1_ps(query.edgeBlur), length, least);
   const __m256 blur =
-    _mm256_mul_ps(length, _mm256_fmadd_ps(_mm256_set1_ps(UnitCast::kSizeBlur), length, least));
+    _mm256_mul_ps(length, _mm256_fmadd_ps(_mm256_set1_ps(TreeQuery::kSizeBlur), length, least));
   const __m256 inside =
     _mm256_min_ps(_mm256_min_ps(u, v), _mm256_sub_ps(size, _mm256_add_ps(u, v)));
-  const __m256 far = _mm256_fmadd_ps(size, _mm256_set1_ps(cast.limit), blur);
-  const __m256 near = _mm256_fmadd_ps(size, _mm256_set1_ps(cast.slack), blur);
+  const __m256 far = _mm256_fmadd_ps(size, _mm256_set1_ps(query.limit), blur);
+  const __m256 near = _mm256_fmadd_ps(size, _mm256_set1_ps(query.slack), blur);
   const __m256 zero = _mm256_setzero_ps();
   const __m256i references =
     _mm256_and_si256(_mm256_load_si256(reinterpret_cast<const __m256i*>(block.references)),
       _mm256_set1_epi32(static_cast<int>(~TriangleBlock::kMore)));
   const __m256 isSkipped = _mm256_castsi256_ps(
-    _mm256_cmpeq_epi32(references, _mm256_set1_epi32(static_cast<int>(cast.skipped))));
+    _mm256_cmpeq_epi32(references, _mm256_set1_epi32(static_cast<int>(query.skipped))));
   const __m256 isPossible = _mm256_andnot_ps(isSkipped,
     _mm256_and_ps(_mm256_cmp_ps(_mm256_add_ps(inside, edgeBlur), zero, _CMP_GE_OQ),
       _mm256_and_ps(_mm256_cmp_ps(distance, far, _CMP_LE_OQ),

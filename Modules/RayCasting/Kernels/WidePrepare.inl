@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // No include guard: a part of WideCast.h.
 
 namespace irradiance
@@ -28,15 +29,15 @@ inline __m256d loadVector(const Vector3& vector)
   return _mm256_permute4x64_pd(_mm256_loadu_pd(vector.data()), 0x24);
 }
 
-/// What UnitCast::prepare() does, for searches in floats; those that floats cannot follow are marked.
+/// What TreeQuery::prepare() does, for searches in floats; those that floats cannot follow are marked.
 /// False if the ray misses the tree's box.
-inline bool prepareWide(const CastRequest& request, UnitCast& cast)
+inline bool prepareWide(const QueryRequest& request, TreeQuery& query)
 {
   const TriangleTree& tree = *request.tree;
-  cast.tree = &tree;
-  cast.skipped = request.skipped;
-  cast.job = request.job;
-  cast.isShared = request.isShared;
+  query.tree = &tree;
+  query.skipped = request.skipped;
+  query.job = request.job;
+  query.isShared = request.isShared;
   const __m256d worldDirection = loadVector(request.direction);
   const double largest = largestOf(absolute(worldDirection));
   const __m256d direction = _mm256_div_pd(worldDirection, _mm256_set1_pd(largest));
@@ -45,32 +46,32 @@ inline bool prepareWide(const CastRequest& request, UnitCast& cast)
     _mm256_mul_pd(_mm256_sub_pd(loadVector(request.origin), loadVector(tree.frame().center)),
       _mm256_set1_pd(tree.frame().scale));
   const double flattest = largestOf(absolute(inverse));
-  cast.isForFloats = flattest <= 1 / UnitCast::kSmallestComponent &&
-    largestOf(absolute(origin)) <= UnitCast::kLargestOrigin;
+  query.isForFloats = flattest <= 1 / TreeQuery::kSmallestComponent &&
+    largestOf(absolute(origin)) <= TreeQuery::kLargestOrigin;
   const __m256d lower =
     _mm256_mul_pd(_mm256_sub_pd(loadVector(tree.bounds().lower), origin), inverse);
   const __m256d upper =
     _mm256_mul_pd(_mm256_sub_pd(loadVector(tree.bounds().upper), origin), inverse);
-  cast.rate = largest * tree.frame().scale;
-  const double from = std::max(0.0, request.from * cast.rate - tree.slack());
-  cast.entry = std::max(from, largestOf(_mm256_min_pd(lower, upper)));
+  query.rate = largest * tree.frame().scale;
+  const double from = std::max(0.0, request.from * query.rate - tree.slack());
+  query.entry = std::max(from, largestOf(_mm256_min_pd(lower, upper)));
   const double exit = smallestOf(_mm256_max_pd(lower, upper));
-  const double padding = UnitCast::kBlur * flattest;
-  if (cast.isForFloats && cast.entry > exit + padding)
+  const double padding = TreeQuery::kBlur * flattest;
+  if (query.isForFloats && query.entry > exit + padding)
   {
     return false;
   }
   const __m128 begin =
-    _mm256_cvtpd_ps(_mm256_fmadd_pd(direction, _mm256_set1_pd(cast.entry), origin));
+    _mm256_cvtpd_ps(_mm256_fmadd_pd(direction, _mm256_set1_pd(query.entry), origin));
   const __m128 inverses = _mm256_cvtpd_ps(inverse);
-  _mm_store_ps(cast.origin, begin);
-  _mm_store_ps(cast.direction, _mm256_cvtpd_ps(direction));
-  _mm_store_ps(cast.inverse, inverses);
-  _mm_store_ps(cast.originInverse, _mm_mul_ps(begin, inverses));
-  cast.octant = static_cast<unsigned>(_mm256_movemask_pd(worldDirection)) & 7u;
-  cast.setMargins(padding);
-  cast.setBound(request.bound);
-  return !cast.isForFloats || cast.limit >= 0;
+  _mm_store_ps(query.origin, begin);
+  _mm_store_ps(query.direction, _mm256_cvtpd_ps(direction));
+  _mm_store_ps(query.inverse, inverses);
+  _mm_store_ps(query.originInverse, _mm_mul_ps(begin, inverses));
+  query.octant = static_cast<unsigned>(_mm256_movemask_pd(worldDirection)) & 7u;
+  query.setMargins(padding);
+  query.setBound(request.bound);
+  return !query.isForFloats || query.limit >= 0;
 }
 
 }

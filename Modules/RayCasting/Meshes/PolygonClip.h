@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_PolygonClip_h
 #define irradiance_PolygonClip_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes/PolygonCuts.h"
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes/PolygonTriangulation.h"
 
 #include "Meshes/FlatPolygon.h"

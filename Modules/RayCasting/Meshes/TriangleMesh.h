@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_TriangleMesh_h
 #define irradiance_TriangleMesh_h
 
@@ -22,11 +23,11 @@ public:
   bool isEmpty() const { return triangles_.empty(); }
   const Triangle& operator[](std::size_t i) const { return triangles_[i]; }
   /// Has the memory bring a triangle that will be read soon.
-  void fetch(std::size_t i) const
+  void prefetch(std::size_t i) const
   {
     const auto* first = reinterpret_cast<const char*>(triangles_.data() + i);
-    prefetch(first);
-    prefetch(first + sizeof(Triangle) - 1);
+    prefetchLine(first);
+    prefetchLine(first + sizeof(Triangle) - 1);
   }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const Box& bounds() const { return bounds_; }

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
+#include "Scene/QueryBatch.h"
 #include "Scene/RayOrder.h"
-#include "Scene/SceneCasts.h"
 #include "Trees/KdTraversal.h"
 #include "Trees/KdTreeBuilder.h"
 
@@ -32,17 +33,6 @@ double conditionOf(const Matrix3& linear, const Matrix3& inverse)
   return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
 }
 
-Box boundsOf(const AffineMap& map, const Box& box)
-{
-  Box bounds;
-  for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner)
-  {
-    bounds.add(map(Vector3(corner & 1 ? box.upper[0] : box.lower[0],
-      corner & 2 ? box.upper[1] : box.lower[1], corner & 4 ? box.upper[2] : box.lower[2])));
-  }
-  return bounds;
-}
-
 }
 
 Scene::Scene()
@@ -55,7 +45,7 @@ void Scene::setStatic(std::shared_ptr<const RigidObject> body)
   static_ = std::move(body);
 }
 
-void Scene::setDynamic(const std::vector<PlacedObject>& objects)
+void Scene::setDynamic(const std::vector<PlacedBody>& objects)
 {
   objects_ = objects;
 }
@@ -64,10 +54,10 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
 {
   bounds_ = static_->mesh().bounds();
   treeBytes_ = static_->tree().bytes();
-  for (const PlacedObject& object : objects_)
+  for (const PlacedBody& object : objects_)
   {
     treeBytes_ += object.body->tree().bytes();
-    bounds_.add(boundsOf(object.worldFromObject, object.body->mesh().bounds()));
+    bounds_.add(object.worldBounds());
   }
   place(std::max(bounds_.magnitude(), pointSources_.magnitude()));
   dynamic_ = group(std::vector<bool>(objects_.size(), true), checkpoint);
@@ -84,7 +74,7 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
 void Scene::place(double magnitude)
 {
   placed_.clear();
-  for (const PlacedObject& object : objects_)
+  for (const PlacedBody& object : objects_)
   {
     const Matrix3& linear = object.worldFromObject.linear;
     const Matrix3 inverse = linear.inverse();
@@ -108,12 +98,12 @@ Scene::MixedTree Scene::mix(
   MixedTree mixed;
   std::vector<Triangle> world;
   std::vector<double> margins;
-  double stretch = 1;
+  double conditionNumber = 1;
   mixed.first.resize(placed_.size() + 1, TriangleId::kNone);
   for (const std::uint32_t object : objects)
   {
     mixed.first[object] = static_cast<std::uint32_t>(world.size());
-    stretch = std::max(stretch, object == 0 ? 1.0 : placed_[object - 1].condition);
+    conditionNumber = std::max(conditionNumber, object == 0 ? 1.0 : placed_[object - 1].condition);
     for (std::uint32_t i = 0; i < bodyOf(object).mesh().size(); ++i)
     {
       mixed.ids.push_back({ object, i });
@@ -121,7 +111,7 @@ Scene::MixedTree Scene::mix(
       margins.push_back(object == 0 ? 0.0 : placed_[object - 1].roundTrip);
     }
   }
-  mixed.tree = TriangleTree(world, margins, stretch, checkpoint);
+  mixed.tree = TriangleTree(world, margins, conditionNumber, checkpoint);
   return mixed;
 }
 
@@ -136,17 +126,17 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
     {
       continue;
     }
-    if (placed_[i].object.isLoose)
+    if (placed_[i].object.isFlattened)
     {
       loose.push_back(i + 1);
     }
     else
     {
-      group.whole.push_back(i);
+      group.instanced.push_back(i);
       boxes.push_back({ placed_[i].bound.worldBox() });
     }
   }
-  group.loose = mix(loose, checkpoint);
+  group.flattened = mix(loose, checkpoint);
   if (boxes.size() >= kManyObjects)
   {
     KdTreeBuilder builder;
@@ -157,17 +147,18 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
   return group;
 }
 
-bool Scene::meets(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const
+bool Scene::intersects(
+  const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const
 {
   const LocalRay local = localRay(ray, id.object);
-  return ShearedRay(local.origin, local.direction).meets(localTriangle(id), distance, weights);
+  return ShearedRay(local.origin, local.direction).intersects(localTriangle(id), distance, weights);
 }
 
 Hit Scene::hitOf(const Ray& ray, const TriangleId& id) const
 {
   double distance;
   Vector3 weights;
-  return meets(ray, id, distance, &weights)
+  return intersects(ray, id, distance, &weights)
     ? Hit{ distance, id, { static_cast<float>(weights[1]), static_cast<float>(weights[2]) } }
     : Hit{};
 }
@@ -211,7 +202,7 @@ std::vector<std::uint32_t> Scene::orderOf(const Ray* rays, std::size_t count) co
 
 void Scene::castStatic(const Ray* rays, std::size_t count, Hit* best, const double* from) const
 {
-  Casts(*this, rays, best, from)
+  QueryBatch(*this, rays, best, from)
     .runAllStatic(static_cast<std::uint32_t>(count), orderOf(rays, count));
 }
 
@@ -228,22 +219,22 @@ void Scene::castMoved(const Ray* rays, std::size_t count, Hit* best) const
 void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const
 {
   const std::vector<std::uint32_t> order = orderOf(rays, count);
-  Casts casts(*this, rays, best);
+  QueryBatch batch(*this, rays, best);
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    casts.fetchAhead(order, i);
-    casts.addGroup(order.empty() ? i : order[i], group);
-    casts.runIfMany();
+    batch.prefetchAhead(order, i);
+    batch.addGroup(order.empty() ? i : order[i], group);
+    batch.runIfMany();
   }
-  casts.run();
+  batch.run();
   for (std::size_t i = 0; i < count && !group.boxes.isEmpty(); ++i)
   {
-    castManyWhole(group, rays[i], best[i]);
+    castManyInstanced(group, rays[i], best[i]);
   }
 }
 
 /// Front to back through a tree over the objects' boxes, and into one object after the other.
-void Scene::castManyWhole(const Group& group, const Ray& ray, Hit& best) const
+void Scene::castManyInstanced(const Group& group, const Ray& ray, Hit& best) const
 {
   KdTraversal traversal(group.boxes, ray.origin, ray.direction);
   const double reach = reachOf(ray);
@@ -255,13 +246,13 @@ void Scene::castManyWhole(const Group& group, const Ray& ray, Hit& best) const
   {
     for (const std::uint32_t reference : traversal)
     {
-      const std::uint32_t index = group.whole[reference];
+      const std::uint32_t index = group.instanced[reference];
       if (std::exchange(entered[index % kRemembered], index) != index &&
         mayTouch(placed_[index], ray, reach, best.distance))
       {
-        Casts casts(*this, &ray, &best);
-        casts.add(0, index + 1);
-        casts.run();
+        QueryBatch batch(*this, &ray, &best);
+        batch.add(0, index + 1);
+        batch.run();
       }
     }
   }
@@ -281,30 +272,30 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
     return castStatic(rays, count, hits);
   }
   const std::vector<std::uint32_t> order = orderOf(rays, count);
-  Casts casts(*this, rays, hits);
+  QueryBatch batch(*this, rays, hits);
   std::vector<std::uint32_t> alone; // rays that touch nothing dynamic
   for (std::uint32_t n = 0; n < count; ++n)
   {
     const std::uint32_t i = order.empty() ? n : order[n];
-    casts.fetchAhead(order, n);
+    batch.prefetchAhead(order, n);
     if (mode_ == TraversalMode::OneTree)
     {
-      casts.add(i, oneTree_);
+      batch.add(i, oneTree_);
     }
-    else if (casts.addGroup(i, dynamic_))
+    else if (batch.addGroup(i, dynamic_))
     {
-      casts.add(i, 0);
+      batch.add(i, 0);
     }
     else
     {
       alone.push_back(i);
     }
-    casts.runIfMany();
+    batch.runIfMany();
   }
-  casts.run();
+  batch.run();
   if (!alone.empty())
   {
-    Casts(*this, rays, hits).runAllStatic(static_cast<std::uint32_t>(alone.size()), alone);
+    QueryBatch(*this, rays, hits).runAllStatic(static_cast<std::uint32_t>(alone.size()), alone);
   }
 }
 
@@ -326,7 +317,7 @@ SurfacePoint Scene::surfaceOf(const Hit& hit, bool isFront) const
 double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
 {
   double distance = kInfinity;
-  meets(ray, id, distance, nullptr);
+  intersects(ray, id, distance, nullptr);
   return distance;
 }
 
@@ -344,8 +335,7 @@ double Scene::clearance() const
     const bool isSimilarity = (square - mean * Matrix3::Identity()).norm() < 0.125 * mean;
     const double condition = isSimilarity ? 1.25 : linear.norm() * placed.inverse.norm();
     // Its own coordinates count, not those of something far.
-    const double magnitude =
-      boundsOf(placed.object.worldFromObject, mesh.bounds()).magnitude() * (1 + 0x1p-20);
+    const double magnitude = placed.object.worldBounds().magnitude() * (1 + 0x1p-20);
     farthest = std::max(farthest,
       farthestClearance(
         magnitude, linear.norm() * mesh.longestEdge(), condition * condition * mesh.slenderness()));
@@ -356,7 +346,7 @@ double Scene::clearance() const
 EllipsoidBound Scene::shadowBound(std::uint32_t index, double blur) const
 {
   const Placed& placed = placed_[index];
-  const PlacedObject& object = placed.object;
+  const PlacedBody& object = placed.object;
   return EllipsoidBound(object.body->ellipsoid(), object.body->mesh().bounds(),
     object.worldFromObject, placed.roundTrip + placed.slack + blur);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_Scene_h
 #define irradiance_Scene_h
 
@@ -5,7 +6,7 @@
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
 #include "Meshes/SurfacePoint.h"
-#include "Scene/RigidObject.h"
+#include "Scene/PlacedBody.h"
 #include "Trees/KdTree.h"
 
 #include <memory>
@@ -20,14 +21,6 @@ enum class TraversalMode
   OneTree,    ///< all triangles in one tree, rebuilt when anything moves
   Sequential, ///< first the dynamic trees, then the static one up to the hit found
   Parallel    ///< static and dynamic trees in turns, a hit in either shortens the search of both
-};
-
-/// A dynamic object and its pose in this frame.
-struct PlacedObject
-{
-  std::shared_ptr<const RigidObject> body;
-  AffineMap worldFromObject;
-  bool isLoose = false; ///< its triangles stand in the dynamic tree one by one
 };
 
 /**
@@ -45,7 +38,7 @@ public:
 
   void setTraversalMode(TraversalMode mode) { mode_ = mode; }
   void setStatic(std::shared_ptr<const RigidObject> body);
-  void setDynamic(const std::vector<PlacedObject>& objects);
+  void setDynamic(const std::vector<PlacedBody>& objects);
   /// Rays may start here besides on surfaces.
   void setPointSources(const Box& bounds) { pointSources_ = bounds; }
   /// Rebuilds the trees that depend on poses. `moved[i]` marks the dynamic objects that the
@@ -109,7 +102,7 @@ public:
 private:
   struct Placed
   {
-    PlacedObject object;
+    PlacedBody object;
     Matrix3 inverse;  ///< of the linear part
     double condition; ///< of the linear part
     double roundTrip; ///< error of a world position taken to model space and back
@@ -136,12 +129,12 @@ private:
   /// Some of the dynamic objects.
   struct Group
   {
-    MixedTree loose;
-    std::vector<std::uint32_t> whole; ///< indices in placed_
-    KdTree boxes;                     ///< over those, if they are many
+    MixedTree flattened;
+    std::vector<std::uint32_t> instanced; ///< indices in placed_
+    KdTree boxes;                         ///< over those, if they are many
   };
 
-  class Casts;
+  class QueryBatch;
 
   void place(double magnitude);
   MixedTree mix(const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const;
@@ -170,18 +163,18 @@ private:
     return bodyOf(id.object).mesh()[id.triangle];
   }
   /// As the test in double finds them; false if the ray misses the triangle.
-  bool meets(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
+  bool intersects(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
   /// Nothing is farther from the ray's origin, in units of its direction.
   double reachOf(const Ray& ray) const;
   bool mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const;
   /// In which to search the rays of a batch; empty: as they are.
   std::vector<std::uint32_t> orderOf(const Ray* rays, std::size_t count) const;
   void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;
-  void castManyWhole(const Group& group, const Ray& ray, Hit& best) const;
+  void castManyInstanced(const Group& group, const Ray& ray, Hit& best) const;
 
   TraversalMode mode_ = TraversalMode::Parallel;
   std::shared_ptr<const RigidObject> static_;
-  std::vector<PlacedObject> objects_;
+  std::vector<PlacedBody> objects_;
   std::vector<Placed> placed_;
   Box pointSources_;
   Box bounds_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/KdSplitSearch.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/TriangleTree.h"
 
 #include "Trees/KdTreeBuilder.h"
@@ -14,7 +15,7 @@ namespace
 {
 
 /// That of a rotation is at most 3.
-constexpr double kMostStretch = 4;
+constexpr double kMostConditionNumber = 4;
 
 }
 
@@ -178,8 +179,8 @@ private:
 };
 
 TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
-  const std::vector<double>& margins, double stretch, const Checkpoint& checkpoint)
-  : isStretched_(stretch > kMostStretch)
+  const std::vector<double>& margins, double conditionNumber, const Checkpoint& checkpoint)
+  : isIllConditioned_(conditionNumber > kMostConditionNumber)
 {
   CheckpointPace pace(checkpoint);
   Box box; // with the margins, which may be larger than all else: distances in the frame are small
@@ -208,7 +209,7 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
     blur_ = std::max(blur_, margin);
     pace.step();
   }
-  slack_ = 0x1p-8 * (isStretched_ ? 4.0 : std::min(4.0, stretch * longestEdge));
+  slack_ = 0x1p-8 * (isIllConditioned_ ? 4.0 : std::min(4.0, conditionNumber * longestEdge));
   KdTreeBuilder builder;
   builder.checkpoint = checkpoint;
   const KdTree tree = builder.build(primitives);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef irradiance_TriangleTree_h
 #define irradiance_TriangleTree_h
 
@@ -36,10 +37,10 @@ class TriangleTree
 {
 public:
   TriangleTree() = default;
-  /// `margins`: how far the triangles may be off; empty for exact ones. `stretch`: the condition of
+  /// `margins`: how far the triangles may be off; empty for exact ones. `conditionNumber`: the condition of
   /// the map to the space in which they are tested; 1 if that is this one.
   TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& margins,
-    double stretch, const Checkpoint& checkpoint);
+    double conditionNumber, const Checkpoint& checkpoint);
 
   bool isEmpty() const { return blocks_.empty(); }
   const UnitFrame& frame() const { return frame_; }
@@ -51,7 +52,7 @@ public:
   double blur() const { return blur_; }
 
   /// What floats take for a certain hit, the test in the other space may not accept.
-  bool isStretched() const { return isStretched_; }
+  bool isIllConditioned() const { return isIllConditioned_; }
 
   std::uint32_t root() const { return root_; }
   const Treelet* treelets() const { return treelets_.data(); }
@@ -65,7 +66,7 @@ private:
   Box bounds_;
   double slack_ = 0;
   double blur_ = 0;
-  bool isStretched_ = false;
+  bool isIllConditioned_ = false;
   std::uint32_t root_ = Treelet::kEmpty;
   std::vector<Treelet> treelets_;
   std::vector<TriangleBlock> blocks_;

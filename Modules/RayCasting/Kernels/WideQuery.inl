@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // No include guard: included once by each kernel, between IRRADIANCE_TARGET_BEGIN and _END, after
-// <immintrin.h>, "KdTree.h" and "UnitCast.h". Only for kernels that have AVX2 and FMA.
+// <immintrin.h>, "KdTree.h" and "TreeQuery.h". Only for kernels that have AVX2 and FMA.
 
 #include "Kernels/WideBlock.inl"
 #include "Kernels/WidePrepare.inl"
@@ -10,17 +11,17 @@ namespace
 {
 
 /// Takes searches from a source, many at a time.
-class CastQueue
+class RequestQueue
 {
 public:
-  explicit CastQueue(CastSource& source)
+  explicit RequestQueue(QuerySource& source)
     : source_(source)
   {
   }
 
   /// The next search that floats can follow; false if there is none. Those they cannot are done on
   /// the way.
-  bool next(UnitCast& cast)
+  bool next(TreeQuery& query)
   {
     for (;;)
     {
@@ -33,18 +34,18 @@ public:
           return false;
         }
       }
-      const CastRequest& request = requests_[next_++];
-      if (request.tree->isEmpty() || !prepareWide(request, cast))
+      const QueryRequest& request = requests_[next_++];
+      if (request.tree->isEmpty() || !prepareWide(request, query))
       {
         continue;
       }
-      if (cast.isForFloats)
+      if (query.isForFloats)
       {
         return true;
       }
-      if (cast.prepare(request))
+      if (query.prepare(request))
       {
-        runCastPlain(source_, cast);
+        runQueryPlain(source_, query);
       }
     }
   }
@@ -52,9 +53,9 @@ public:
 private:
   static constexpr std::size_t kMost = 16;
 
-  CastSource& source_;
+  QuerySource& source_;
   std::size_t next_ = 0, count_ = 0;
-  CastRequest requests_[kMost];
+  QueryRequest requests_[kMost];
 };
 
 /// Where in the bounds of a treelet the faces stand at which a ray enters and leaves boxes.
@@ -85,34 +86,34 @@ struct WideSearch
     unsigned lanes; ///< the places in the order from far to near
   };
 
-  UnitCast cast;
+  TreeQuery query;
   BoxFaces faces;
   Candidates candidates;
-  CastCounts counts; ///< of all searches in this place
+  QueryCounts counts; ///< of all searches in this place
   std::uint32_t child;
   unsigned depth;
   Left stack[KdTree::kMaxDepth + 2]; ///< none of them without a child, but one behind the top
 
   /// Takes the next search; false if there is none.
-  bool start(CastSource& source, CastQueue& queue)
+  bool start(QuerySource& source, RequestQueue& queue)
   {
-    if (!queue.next(cast))
+    if (!queue.next(query))
     {
       return false;
     }
-    if (cast.isShared)
+    if (query.isShared)
     {
-      source.begin(cast);
+      source.begin(query);
     }
-    child = cast.tree->root();
+    child = query.tree->root();
     depth = 0;
     candidates.count = 0;
-    faces.start(cast.octant);
+    faces.start(query.octant);
     return true;
   }
 
   /// One treelet or leaf; false at the end.
-  __attribute__((always_inline)) bool step(CastSource& source)
+  __attribute__((always_inline)) bool step(QuerySource& source)
   {
     if ((child & Treelet::kLeaf) == 0)
     {
@@ -120,11 +121,11 @@ struct WideSearch
       {
         ++counts.treelets;
       }
-      stepInto(cast.tree->treelets()[child]);
+      stepInto(query.tree->treelets()[child]);
     }
     else
     {
-      testLeaf(source, cast.tree->blocks() + (child & ~Treelet::kLeaf));
+      testLeaf(source, query.tree->blocks() + (child & ~Treelet::kLeaf));
     }
     return takeFromStack(source);
   }
@@ -136,37 +137,37 @@ private:
   {
     Left& top = stack[depth];
     top.treelet = &treelet;
-    top.lanes = Kernel::enter(treelet, faces, cast, top.from);
+    top.lanes = Kernel::enter(treelet, faces, query, top.from);
     depth += top.lanes != 0 ? 1 : 0;
   }
 
-  void testLeaf(CastSource& source, const TriangleBlock* block)
+  void testLeaf(QuerySource& source, const TriangleBlock* block)
   {
-    for (bool goesOn = true; goesOn; ++block)
+    for (bool hasMore = true; hasMore; ++block)
     {
-      goesOn = !block->isLast();
+      hasMore = !block->isLast();
       if constexpr (isCounted)
       {
         ++counts.blocks;
       }
-      const BlockAnswer answer = askBlock(*block, cast);
+      const BlockAnswer answer = askBlock(*block, query);
       if (answer.possible != 0)
       {
-        cast.tree->isStretched() ? testAll(source, *block, answer.possible)
-                                 : take(source, *block, answer);
+        query.tree->isIllConditioned() ? testAll(source, *block, answer.possible)
+                                       : take(source, *block, answer);
       }
     }
   }
 
-  void testAll(CastSource& source, const TriangleBlock& block, unsigned found)
+  void testAll(QuerySource& source, const TriangleBlock& block, unsigned found)
   {
     for (; found != 0; found &= found - 1)
     {
-      source.test(cast, block.reference(static_cast<unsigned>(__builtin_ctz(found))));
+      source.test(query, block.reference(static_cast<unsigned>(__builtin_ctz(found))));
     }
   }
 
-  void take(CastSource& source, const TriangleBlock& block, const BlockAnswer& answer)
+  void take(QuerySource& source, const TriangleBlock& block, const BlockAnswer& answer)
   {
     alignas(32) float distances[8], sizes[8], blurs[8];
     _mm256_store_ps(distances, answer.distance);
@@ -190,43 +191,43 @@ private:
   }
 
   /// Something is hit at this distance or before.
-  void lower(float distance, CastSource& source)
+  void lower(float distance, QuerySource& source)
   {
-    const float limit = distance * (1 + 0x1p-20F) + cast.margin;
-    if (limit < cast.limit)
+    const float limit = distance * (1 + 0x1p-20F) + query.margin;
+    if (limit < query.limit)
     {
-      cast.limit = limit;
-      if (cast.isShared)
+      query.limit = limit;
+      if (query.isShared)
       {
-        source.narrow(cast);
+        source.narrow(query);
       }
     }
   }
 
-  void makeRoom(CastSource& source)
+  void makeRoom(QuerySource& source)
   {
-    candidates.sift(cast.limit);
+    candidates.sift(query.limit);
     for (; candidates.count == Candidates::kMost; candidates.count = 0)
     {
       for (const std::uint32_t reference : candidates.references)
       {
-        source.test(cast, reference);
+        source.test(query, reference);
       }
     }
   }
 
   /// The end of the search.
-  bool finish(CastSource& source)
+  bool finish(QuerySource& source)
   {
     if (candidates.count > 1)
     {
-      candidates.sift(cast.limit);
+      candidates.sift(query.limit);
     }
-    source.finish(cast, candidates.references, candidates.count);
+    source.finish(query, candidates.references, candidates.count);
     return false;
   }
 
-  bool takeFromStack(CastSource& source)
+  bool takeFromStack(QuerySource& source)
   {
     if (depth == 0)
     {
@@ -234,9 +235,9 @@ private:
     }
     Left& top = stack[depth - 1];
     const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(top.lanes));
-    const unsigned lane = top.treelet->farToNear[cast.octant][place];
+    const unsigned lane = top.treelet->farToNear[query.octant][place];
     // What lies deeper in the stack is farther away.
-    if (top.from[lane] > cast.limit)
+    if (top.from[lane] > query.limit)
     {
       return finish(source);
     }
@@ -250,10 +251,10 @@ private:
 /// Several searches in turns: while one waits for memory, or for the outcome of a long chain of
 /// operations, the others compute.
 template <class Kernel, bool isCounted>
-void runInTurns(CastSource& source)
+void runInTurns(QuerySource& source)
 {
   constexpr unsigned kTogether = 4;
-  CastQueue queue(source);
+  RequestQueue queue(source);
   WideSearch<Kernel, isCounted> searches[kTogether];
   unsigned running = 0;
   while (running < kTogether && searches[running].start(source, queue))
@@ -280,15 +281,15 @@ void runInTurns(CastSource& source)
     }
     if constexpr (isCounted)
     {
-      *castCounts() += searches[i].counts;
+      *queryCounts() += searches[i].counts;
     }
   }
 }
 
 template <class Kernel>
-void runInTurns(CastSource& source)
+void runInTurns(QuerySource& source)
 {
-  castCounts() ? runInTurns<Kernel, true>(source) : runInTurns<Kernel, false>(source);
+  queryCounts() ? runInTurns<Kernel, true>(source) : runInTurns<Kernel, false>(source);
 }
 
 }

@@ -1,5 +1,6 @@
-#ifndef irradiance_CastCounts_h
-#define irradiance_CastCounts_h
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_QueryCounts_h
+#define irradiance_QueryCounts_h
 
 #include <cstdint>
 
@@ -7,13 +8,13 @@ namespace irradiance
 {
 
 /// What searches did.
-struct CastCounts
+struct QueryCounts
 {
   std::uint64_t treelets = 0;  ///< entered
   std::uint64_t blocks = 0;    ///< of eight triangles, tested in float
   std::uint64_t triangles = 0; ///< tested in double
 
-  CastCounts& operator+=(const CastCounts& other)
+  QueryCounts& operator+=(const QueryCounts& other)
   {
     treelets += other.treelets;
     blocks += other.blocks;
@@ -23,7 +24,7 @@ struct CastCounts
 };
 
 /// Where the searches of this thread are counted; null, as at first, if they are not.
-CastCounts*& castCounts();
+QueryCounts*& queryCounts();
 
 }
 

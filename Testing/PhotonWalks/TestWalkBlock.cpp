@@ -1,4 +1,5 @@
-#include "History/WalkHistory.h"
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History/WalkBlock.h"
 #include "ShotWalk.h"
 
 #include <gtest/gtest.h>

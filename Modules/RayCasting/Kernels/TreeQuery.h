@@ -1,5 +1,6 @@
-#ifndef irradiance_UnitCast_h
-#define irradiance_UnitCast_h
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_TreeQuery_h
+#define irradiance_TreeQuery_h
 
 #include "Geometry/Ray.h"
 #include "Trees/TriangleTree.h"
@@ -9,7 +10,7 @@
 namespace irradiance
 {
 
-struct CastRequest;
+struct QueryRequest;
 
 /**
  * A search of one ray in one tree, as the kernels see it: in the tree's unit frame, begun where the
@@ -20,7 +21,7 @@ struct CastRequest;
  * bounded by constants: positions on the ray are off by less than kBlur, see
  * Documentation/Theory.md.
  */
-struct UnitCast
+struct TreeQuery
 {
   static constexpr double kBlur = 0x1p-20;
   /// Of an edge function, for each unit of its triangle's edges, and besides.
@@ -60,7 +61,7 @@ struct UnitCast
   bool isShared; ///< wants to be told of lower limits
 
   /// False if the ray misses the tree's box.
-  bool prepare(const CastRequest& request);
+  bool prepare(const QueryRequest& request);
   /// With the places where planes are passed off by `padding`.
   void setMargins(double padding)
   {
@@ -89,47 +90,48 @@ struct UnitCast
 };
 
 /// What a search is asked for: a ray in the space of a tree.
-struct CastRequest
+struct QueryRequest
 {
   const TriangleTree* tree;
   Vector3 origin;
   Vector3 direction;
   double from;           ///< no hit comes before, in units of `direction`
   double bound;          ///< the best hit so far
-  std::uint32_t skipped; ///< see UnitCast
+  std::uint32_t skipped; ///< see TreeQuery
   std::uint32_t job;     ///< the owner's number
-  bool isShared;         ///< see UnitCast
+  bool isShared;         ///< see TreeQuery
 };
 
 /// Whose rays are searched: hands out searches and decides on the triangles found. All in double
 /// and in plain code: the kernels only say where to look.
-class CastSource
+class QuerySource
 {
 public:
   /// The next searches, `most` at most; returns their number, 0 at the end.
-  virtual std::size_t next(CastRequest* requests, std::size_t most) = 0;
+  virtual std::size_t next(QueryRequest* requests, std::size_t most) = 0;
   /// A shared search begins.
-  virtual void begin(UnitCast& cast) = 0;
+  virtual void begin(TreeQuery& query) = 0;
   /// One of these triangles is the closest hit of the search, if there is one.
-  virtual void finish(const UnitCast& cast, const std::uint32_t* references, std::size_t count) = 0;
-  /// Tests a triangle at once and lowers the limit of the cast if it is hit.
-  virtual void test(UnitCast& cast, std::uint32_t reference) = 0;
-  /// The limit of a shared cast has gone down.
-  virtual void narrow(const UnitCast& cast) = 0;
+  virtual void finish(
+    const TreeQuery& query, const std::uint32_t* references, std::size_t count) = 0;
+  /// Tests a triangle at once and lowers the limit of the query if it is hit.
+  virtual void test(TreeQuery& query, std::uint32_t reference) = 0;
+  /// The limit of a shared query has gone down.
+  virtual void narrow(const TreeQuery& query) = 0;
 
 protected:
-  ~CastSource() = default;
+  ~QuerySource() = default;
 };
 
 /// Runs all searches of the source, with the best instructions of the machine.
-void runCasts(CastSource& source);
+void runQueries(QuerySource& source);
 
 /// The kernels: the same hits.
-void runCastsPlain(CastSource& source);
-void runCastsAvx2(CastSource& source);
-void runCastsAvx512(CastSource& source);
+void runQueriesPlain(QuerySource& source);
+void runQueriesAvx2(QuerySource& source);
+void runQueriesAvx512(QuerySource& source);
 /// One search, all in double. For rays that floats cannot follow.
-void runCastPlain(CastSource& source, UnitCast& cast);
+void runQueryPlain(QuerySource& source, TreeQuery& query);
 
 }
 

@@ -1,6 +1,7 @@
-#include "Scene/SceneCasts.h"
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/QueryBatch.h"
 
-#include "Kernels/CastCounts.h"
+#include "Kernels/QueryCounts.h"
 #include "Simd/Prefetch.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ std::vector<Job>& emptyJobs()
 
 }
 
-Scene::Casts::Casts(const Scene& scene, const Ray* rays, Hit* best, const double* from)
+Scene::QueryBatch::QueryBatch(const Scene& scene, const Ray* rays, Hit* best, const double* from)
   : scene_(scene)
   , rays_(rays)
   , best_(best)
@@ -31,17 +32,17 @@ Scene::Casts::Casts(const Scene& scene, const Ray* rays, Hit* best, const double
 {
 }
 
-void Scene::Casts::add(std::uint32_t ray, std::uint32_t object)
+void Scene::QueryBatch::add(std::uint32_t ray, std::uint32_t object)
 {
   jobs_.push_back({ ray, object, nullptr, nullptr, best_[ray].distance });
 }
 
-void Scene::Casts::add(std::uint32_t ray, const MixedTree& mixed)
+void Scene::QueryBatch::add(std::uint32_t ray, const MixedTree& mixed)
 {
   jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
 }
 
-void Scene::Casts::runIfMany()
+void Scene::QueryBatch::runIfMany()
 {
   constexpr std::size_t kMany = 1024; // as many as stay in a processor's cache
   if (jobs_.size() >= kMany)
@@ -50,17 +51,17 @@ void Scene::Casts::runIfMany()
   }
 }
 
-bool Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
+bool Scene::QueryBatch::addGroup(std::uint32_t ray, const Group& group)
 {
   const std::size_t before = jobs_.size();
-  if (!group.loose.tree.isEmpty())
+  if (!group.flattened.tree.isEmpty())
   {
-    add(ray, group.loose);
+    add(ray, group.flattened);
   }
-  if (group.boxes.isEmpty() && !group.whole.empty())
+  if (group.boxes.isEmpty() && !group.instanced.empty())
   {
     const double reach = scene_.reachOf(rays_[ray]);
-    for (const std::uint32_t index : group.whole)
+    for (const std::uint32_t index : group.instanced)
     {
       if (scene_.mayTouch(scene_.placed_[index], rays_[ray], reach, best_[ray].distance))
       {
@@ -71,27 +72,27 @@ bool Scene::Casts::addGroup(std::uint32_t ray, const Group& group)
   return jobs_.size() > before;
 }
 
-void Scene::Casts::run()
+void Scene::QueryBatch::run()
 {
-  runCasts(*this);
-  decide();
-  if (castCounts())
+  runQueries(*this);
+  confirm();
+  if (queryCounts())
   {
-    castCounts()->triangles += decided_;
+    queryCounts()->triangles += confirmed_;
   }
-  decided_ = 0;
+  confirmed_ = 0;
   jobs_.clear();
   next_ = 0;
 }
 
-void Scene::Casts::runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order)
+void Scene::QueryBatch::runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order)
 {
   all_ = count;
   order_ = &order;
   run();
 }
 
-std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
+std::size_t Scene::QueryBatch::next(QueryRequest* requests, std::size_t most)
 {
   const std::size_t total = all_ == 0 ? jobs_.size() : all_;
   const std::size_t count = std::min(most, total - next_);
@@ -107,7 +108,7 @@ std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
     else
     {
       job.bound = best_[job.ray].distance;
-      fetchAhead(*order_, next_);
+      prefetchAhead(*order_, next_);
     }
     request(job, requests[i]);
     requests[i].job = next_;
@@ -116,20 +117,21 @@ std::size_t Scene::Casts::next(CastRequest* requests, std::size_t most)
   return count;
 }
 
-void Scene::Casts::fetchAhead(const std::vector<std::uint32_t>& order, std::size_t number) const
+void Scene::QueryBatch::prefetchAhead(
+  const std::vector<std::uint32_t>& order, std::size_t number) const
 {
   constexpr std::size_t kAhead = 32;
   if (number + kAhead < order.size())
   {
     const std::uint32_t soon = order[number + kAhead];
     const auto* ray = reinterpret_cast<const char*>(rays_ + soon);
-    prefetch(ray);
-    prefetch(ray + sizeof(Ray) - 1);
-    prefetch(best_ + soon);
+    prefetchLine(ray);
+    prefetchLine(ray + sizeof(Ray) - 1);
+    prefetchLine(best_ + soon);
   }
 }
 
-void Scene::Casts::request(const Job& job, CastRequest& request) const
+void Scene::QueryBatch::request(const Job& job, QueryRequest& request) const
 {
   const Ray& ray = rays_[job.ray];
   const LocalRay local = scene_.localRay(ray, job.object);
@@ -151,54 +153,56 @@ void Scene::Casts::request(const Job& job, CastRequest& request) const
   }
 }
 
-void Scene::Casts::begin(UnitCast& cast)
+void Scene::QueryBatch::begin(TreeQuery& query)
 {
-  Job& job = jobs_[cast.job];
-  job.cast = &cast;
-  cast.setBound(job.bound);
+  Job& job = jobs_[query.job];
+  job.query = &query;
+  query.setBound(job.bound);
 }
 
-void Scene::Casts::finish(const UnitCast& cast, const std::uint32_t* references, std::size_t count)
+void Scene::QueryBatch::finish(
+  const TreeQuery& query, const std::uint32_t* references, std::size_t count)
 {
-  const Job job = jobOf(cast.job);
+  const Job job = jobOf(query.job);
   for (std::size_t i = 0; i < count; ++i)
   {
     const TriangleId id = idOf(job, references[i]);
-    scene_.bodyOf(id.object).mesh().fetch(id.triangle);
-    if (putOff_ == decisions_.size())
+    scene_.bodyOf(id.object).mesh().prefetch(id.triangle);
+    if (putOff_ == pendingHits_.size())
     {
-      decide();
+      confirm();
     }
-    decisions_[putOff_++] = { job.ray, id };
+    pendingHits_[putOff_++] = { job.ray, id };
   }
 }
 
-void Scene::Casts::decide()
+void Scene::QueryBatch::confirm()
 {
-  for (std::size_t first = 0; first < putOff_; first += MeetingLanes::kSize)
+  for (std::size_t first = 0; first < putOff_; first += IntersectionLanes::kSize)
   {
-    const auto count = std::min<std::size_t>(putOff_ - first, MeetingLanes::kSize);
+    const auto count = std::min<std::size_t>(putOff_ - first, IntersectionLanes::kSize);
     for (unsigned lane = 0; lane < count; ++lane)
     {
-      const auto& [ray, id] = decisions_[first + lane];
+      const auto& [ray, id] = pendingHits_[first + lane];
       const LocalRay local = scene_.localRay(rays_[ray], id.object);
       lanes_.set(lane, local.origin, local.direction, scene_.localTriangle(id));
     }
-    meetAll(lanes_);
+    intersectAll(lanes_);
     for (unsigned lane = 0; lane < count; ++lane)
     {
       if (lanes_.distance[lane] > 0)
       {
-        take(decisions_[first + lane], lanes_.distance[lane], lanes_.weightB[lane],
+        take(pendingHits_[first + lane], lanes_.distance[lane], lanes_.weightB[lane],
           lanes_.weightC[lane]);
       }
     }
   }
-  decided_ += putOff_;
+  confirmed_ += putOff_;
   putOff_ = 0;
 }
 
-void Scene::Casts::take(const Decision& decision, double distance, double weightB, double weightC)
+void Scene::QueryBatch::take(
+  const PendingHit& decision, double distance, double weightB, double weightC)
 {
   const Hit hit{ distance, decision.id,
     { static_cast<float>(weightB), static_cast<float>(weightC) } };
@@ -209,48 +213,48 @@ void Scene::Casts::take(const Decision& decision, double distance, double weight
   }
 }
 
-void Scene::Casts::test(UnitCast& cast, std::uint32_t reference)
+void Scene::QueryBatch::test(TreeQuery& query, std::uint32_t reference)
 {
-  const Job job = jobOf(cast.job);
+  const Job job = jobOf(query.job);
   const TriangleId id = idOf(job, reference);
   Vector3 weights;
   double found;
-  ++decided_;
-  if (scene_.meets(rays_[job.ray], id, found, &weights))
+  ++confirmed_;
+  if (scene_.intersects(rays_[job.ray], id, found, &weights))
   {
     take({ job.ray, id }, found, weights[1], weights[2]);
   }
   const double distance = best_[job.ray].distance;
-  if (distance < cast.bound())
+  if (distance < query.bound())
   {
-    cast.setBound(distance);
-    if (cast.isShared)
+    query.setBound(distance);
+    if (query.isShared)
     {
-      narrow(cast);
+      narrow(query);
     }
   }
 }
 
 /// The other searches of the ray need not go farther either.
-void Scene::Casts::narrow(const UnitCast& cast)
+void Scene::QueryBatch::narrow(const TreeQuery& query)
 {
-  const double bound = cast.bound();
-  const std::uint32_t ray = jobs_[cast.job].ray;
+  const double bound = query.bound();
+  const std::uint32_t ray = jobs_[query.job].ray;
   const auto shorten = [&](Job& other, std::uint32_t place) {
     if (bound < other.bound)
     {
       other.bound = bound;
-      if (other.cast && other.cast->job == place)
+      if (other.query && other.query->job == place)
       {
-        other.cast->setBound(bound);
+        other.query->setBound(bound);
       }
     }
   };
-  for (std::uint32_t i = cast.job; i > 0 && jobs_[i - 1].ray == ray; --i)
+  for (std::uint32_t i = query.job; i > 0 && jobs_[i - 1].ray == ray; --i)
   {
     shorten(jobs_[i - 1], i - 1);
   }
-  for (std::uint32_t i = cast.job + 1; i < jobs_.size() && jobs_[i].ray == ray; ++i)
+  for (std::uint32_t i = query.job + 1; i < jobs_.size() && jobs_[i].ray == ray; ++i)
   {
     shorten(jobs_[i], i);
   }

@@ -1,5 +1,6 @@
-#include "Kernels/CastCounts.h"
-#include "Kernels/UnitCast.h"
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Kernels/QueryCounts.h"
+#include "Kernels/TreeQuery.h"
 #include "Trees/KdTree.h"
 #include "Trees/PaddedRay.h"
 
@@ -16,31 +17,31 @@ namespace
 class PlainSearch
 {
 public:
-  PlainSearch(CastSource& source, UnitCast& cast)
+  PlainSearch(QuerySource& source, TreeQuery& query)
     : source_(source)
-    , cast_(cast)
-    , tree_(*cast.tree)
-    , ray_(tree_.bounds(), cast.exactOrigin, cast.exactDirection)
+    , query_(query)
+    , tree_(*query.tree)
+    , ray_(tree_.bounds(), query.exactOrigin, query.exactDirection)
     , octant_(ray_.axes[0].nearChild | ray_.axes[1].nearChild << 1 | ray_.axes[2].nearChild << 2)
   {
   }
 
   void run()
   {
-    push(tree_.root(), std::max(cast_.from, ray_.from), ray_.to);
+    push(tree_.root(), std::max(query_.from, ray_.from), ray_.to);
     while (depth_ > 0)
     {
       const Entry entry = stack_[--depth_];
-      if (entry.from <= cast_.exactLimit)
+      if (entry.from <= query_.exactLimit)
       {
         (entry.child & Treelet::kLeaf) == 0
           ? stepInto(tree_.treelets()[entry.child])
           : testLeaf(tree_.blocks() + (entry.child & ~Treelet::kLeaf));
       }
     }
-    if (castCounts())
+    if (queryCounts())
     {
-      *castCounts() += counts_;
+      *queryCounts() += counts_;
     }
   }
 
@@ -64,8 +65,8 @@ private:
   {
     ++counts_.treelets;
     double from[Treelet::kSize], to[Treelet::kSize];
-    std::fill_n(from, Treelet::kSize, cast_.from);
-    std::fill_n(to, Treelet::kSize, cast_.exactLimit);
+    std::fill_n(from, Treelet::kSize, query_.from);
+    std::fill_n(to, Treelet::kSize, query_.exactLimit);
     for (int i = 0; i < 3; ++i)
     {
       const PaddedRay::Axis& axis = ray_.axes[i];
@@ -89,16 +90,16 @@ private:
 
   void testLeaf(const TriangleBlock* block)
   {
-    for (bool goesOn = true; goesOn; ++block)
+    for (bool hasMore = true; hasMore; ++block)
     {
-      goesOn = !block->isLast();
+      hasMore = !block->isLast();
       ++counts_.blocks;
       for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
       {
         if (block->reference(lane) != TriangleBlock::kNone &&
-          block->reference(lane) != cast_.skipped && !misses(*block, lane))
+          block->reference(lane) != query_.skipped && !misses(*block, lane))
         {
-          source_.test(cast_, block->reference(lane));
+          source_.test(query_, block->reference(lane));
         }
       }
     }
@@ -107,19 +108,19 @@ private:
   /// As the other kernels reject triangles, if floats can.
   bool misses(const TriangleBlock& block, unsigned lane) const;
 
-  CastSource& source_;
-  UnitCast& cast_;
+  QuerySource& source_;
+  TreeQuery& query_;
   const TriangleTree& tree_;
   PaddedRay ray_;
   unsigned octant_;
-  CastCounts counts_;
+  QueryCounts counts_;
   int depth_ = 0;
   Entry stack_[(KdTree::kMaxDepth + 1) * (Treelet::kSize - 1) + 2];
 };
 
 bool PlainSearch::misses(const TriangleBlock& block, unsigned lane) const
 {
-  if (!cast_.isForFloats)
+  if (!query_.isForFloats)
   {
     return false;
   }
@@ -127,8 +128,8 @@ bool PlainSearch::misses(const TriangleBlock& block, unsigned lane) const
   const auto at = [lane](const float(&values)[3][TriangleBlock::kSize]) {
     return Vector3f(values[0][lane], values[1][lane], values[2][lane]);
   };
-  const Vector3f origin(cast_.origin[0], cast_.origin[1], cast_.origin[2]);
-  const Vector3f direction(cast_.direction[0], cast_.direction[1], cast_.direction[2]);
+  const Vector3f origin(query_.origin[0], query_.origin[1], query_.origin[2]);
+  const Vector3f direction(query_.direction[0], query_.direction[1], query_.direction[2]);
   const Vector3f toCorner = at(block.corner) - origin, edge1 = at(block.edge1),
                  edge2 = at(block.edge2);
   const Vector3f normal = edge1.cross(edge2), moment = toCorner.cross(direction);
@@ -136,33 +137,33 @@ bool PlainSearch::misses(const TriangleBlock& block, unsigned lane) const
   const float sign = std::copysign(1.0F, determinant), size = std::abs(determinant);
   const float u = sign * moment.dot(edge2), v = -sign * moment.dot(edge1);
   const float length = edge1.lpNorm<1>() + edge2.lpNorm<1>();
-  const float blur = cast_.edgeBlur * length + cast_.leastBlur;
+  const float blur = query_.edgeBlur * length + query_.leastBlur;
   if (u < -blur || v < -blur || u + v > size + blur)
   {
     return true;
   }
   const float distance = sign * normal.dot(toCorner);
-  const float distanceBlur = length * (UnitCast::kSizeBlur * length + cast_.leastBlur);
-  return distance < -(distanceBlur + size * cast_.slack) ||
-    distance > size * cast_.limit + distanceBlur;
+  const float distanceBlur = length * (TreeQuery::kSizeBlur * length + query_.leastBlur);
+  return distance < -(distanceBlur + size * query_.slack) ||
+    distance > size * query_.limit + distanceBlur;
 }
 
 }
 
-void runCastPlain(CastSource& source, UnitCast& cast)
+void runQueryPlain(QuerySource& source, TreeQuery& query)
 {
-  PlainSearch(source, cast).run();
+  PlainSearch(source, query).run();
 }
 
-void runCastsPlain(CastSource& source)
+void runQueriesPlain(QuerySource& source)
 {
-  CastRequest request;
-  UnitCast cast;
+  QueryRequest request;
+  TreeQuery query;
   while (source.next(&request, 1) != 0)
   {
-    if (cast.prepare(request))
+    if (query.prepare(request))
     {
-      runCastPlain(source, cast);
+      runQueryPlain(source, query);
     }
   }
 }

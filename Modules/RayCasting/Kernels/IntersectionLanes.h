@@ -1,5 +1,6 @@
-#ifndef irradiance_MeetingLanes_h
-#define irradiance_MeetingLanes_h
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_IntersectionLanes_h
+#define irradiance_IntersectionLanes_h
 
 #include "Geometry/TriangleIntersection.h"
 
@@ -9,7 +10,7 @@ namespace irradiance
 {
 
 /// Eight meetings of a ray and a triangle side by side.
-struct MeetingLanes
+struct IntersectionLanes
 {
   static constexpr unsigned kSize = 8;
 
@@ -23,7 +24,7 @@ struct MeetingLanes
       y[lane] = point[axes.y];
       z[lane] = point[axes.z];
     }
-    __attribute__((always_inline)) Meeting::Point operator[](unsigned lane) const
+    __attribute__((always_inline)) Intersection::Point operator[](unsigned lane) const
     {
       return { x[lane], y[lane], z[lane] };
     }
@@ -45,22 +46,23 @@ struct MeetingLanes
   }
 
   /// To be compiled once for each kind of machine.
-  __attribute__((always_inline)) void meet()
+  __attribute__((always_inline)) void intersect()
   {
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      const Meeting meeting(origin[lane], direction[lane], a[lane], b[lane], c[lane]);
-      distance[lane] = meeting.isMet ? meeting.distance : std::numeric_limits<double>::quiet_NaN();
-      weightB[lane] = meeting.weightB;
-      weightC[lane] = meeting.weightC;
+      const Intersection intersection(origin[lane], direction[lane], a[lane], b[lane], c[lane]);
+      distance[lane] =
+        intersection.isHit ? intersection.distance : std::numeric_limits<double>::quiet_NaN();
+      weightB[lane] = intersection.weightB;
+      weightC[lane] = intersection.weightC;
     }
   }
 };
 
 /// With the best instructions of the machine; the same bits with all.
-void meetAll(MeetingLanes& lanes);
-void meetAllAvx2(MeetingLanes& lanes);
-void meetAllAvx512(MeetingLanes& lanes);
+void intersectAll(IntersectionLanes& lanes);
+void intersectAllAvx2(IntersectionLanes& lanes);
+void intersectAllAvx512(IntersectionLanes& lanes);
 
 }
 

@@ -1,4 +1,5 @@
-#include "Kernels/UnitCast.h"
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Kernels/TreeQuery.h"
 
 #include "Simd/SimdLevel.h"
 
@@ -8,7 +9,7 @@
 namespace irradiance
 {
 
-bool UnitCast::prepare(const CastRequest& request)
+bool TreeQuery::prepare(const QueryRequest& request)
 {
   if (request.tree->isEmpty())
   {
@@ -61,20 +62,20 @@ bool UnitCast::prepare(const CastRequest& request)
   return !isForFloats || limit >= 0;
 }
 
-void runCasts(CastSource& source)
+void runQueries(QuerySource& source)
 {
 #ifdef __x86_64__
   switch (simdLevel())
   {
     case SimdLevel::Avx512:
-      return runCastsAvx512(source);
+      return runQueriesAvx512(source);
     case SimdLevel::Avx2:
-      return runCastsAvx2(source);
+      return runQueriesAvx2(source);
     case SimdLevel::Plain:
       break;
   }
 #endif
-  runCastsPlain(source);
+  runQueriesPlain(source);
 }
 
 }

@@ -1,4 +1,5 @@
-#include "History/WalkHistory.h"
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History/WalkBlock.h"
 
 #include <algorithm>
 
@@ -197,12 +198,11 @@ void WalkBlock::forgetStaticHit(std::uint32_t walk, std::uint32_t bounce)
 void WalkBlock::updateStaticHit(
   std::uint32_t walk, std::uint32_t bounce, const Hit& old, const Hit& now, bool isCached)
 {
-  const auto isDynamic = [](const Hit& hit) { return hit && hit.id.object > 0; };
-  if (!isDynamic(now))
+  if (!now.id.isDynamic())
   {
     forgetStaticHit(walk, bounce);
   }
-  else if (isCached && !isDynamic(old))
+  else if (isCached && !old.id.isDynamic())
   {
     rememberStaticHit(walk, bounce, old);
   }

@@ -1,5 +1,6 @@
-#ifndef irradiance_Surface_h
-#define irradiance_Surface_h
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Material_h
+#define irradiance_Material_h
 
 #include "Light/PointLight.h"
 
@@ -12,7 +13,7 @@ namespace irradiance
 {
 
 /// What light does on the cells of an object. Arrays hold one value per cell and band, cell-major.
-struct Surface
+struct Material
 {
   int bands = 1; ///< 1 or 3
   std::size_t numberOfCells = 0;
@@ -37,7 +38,7 @@ struct Surface
       firstCellOfPart.begin());
   }
 
-  friend bool operator==(const Surface& a, const Surface& b)
+  friend bool operator==(const Material& a, const Material& b)
   {
     return a.bands == b.bands && a.numberOfCells == b.numberOfCells &&
       a.cellOfTriangle == b.cellOfTriangle && a.reflectance == b.reflectance &&

@@ -1,5 +1,6 @@
-#ifndef irradiance_WalkHistory_h
-#define irradiance_WalkHistory_h
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkBlock_h
+#define irradiance_WalkBlock_h
 
 #include "Geometry/Ray.h"
 #include "Geometry/UnitFrame.h"
@@ -100,10 +101,10 @@ public:
     std::uint32_t walk, bounce;
   };
   /// Has the memory bring what is stored of the segment that begins there.
-  void fetch(std::size_t point) const
+  void prefetch(std::size_t point) const
   {
-    prefetch(ids_.data() + point);
-    prefetch(weights_.data() + point);
+    prefetchLine(ids_.data() + point);
+    prefetchLine(weights_.data() + point);
   }
   /// False if no segment begins at point i.
   bool segmentAt(std::size_t point, Place& place) const;

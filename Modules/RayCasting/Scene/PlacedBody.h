@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PlacedBody_h
+#define irradiance_PlacedBody_h
+
+#include "Geometry/MovedBox.h"
+#include "Scene/RigidObject.h"
+
+#include <memory>
+
+namespace irradiance
+{
+
+/// A body and its pose in this frame.
+struct PlacedBody
+{
+  std::shared_ptr<const RigidObject> body;
+  AffineMap worldFromObject;
+  /// Its triangles stand one by one in the tree over moving triangles, which is rebuilt when one of
+  /// them moves; otherwise the body is searched in its own tree, behind its ellipsoid.
+  bool isFlattened = false;
+
+  Box worldBounds() const { return movedBox(worldFromObject, body->mesh().bounds()); }
+};
+
+}
+
+#endif
