@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-// Tests with sanitizers run about ten times slower: they do less.
+// Sanitizers make tests about ten times slower, so they do less there.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define IRRADIANCE_TEST_IS_SANITIZED 1
 #else
@@ -20,13 +20,13 @@ namespace irradiance::test
 
 constexpr bool kIsSanitized = IRRADIANCE_TEST_IS_SANITIZED != 0;
 
-/// `count` in an ordinary build, less of it with sanitizers.
+/// `count` in an ordinary build, a twelfth of it with sanitizers, at least 1.
 constexpr std::uint32_t scaled(std::uint32_t count)
 {
   return kIsSanitized ? std::max(count / 12, 1u) : count;
 }
 
-/// All that the engine answers, in integers.
+/// The engine's whole answer, in integers.
 using Answer = std::vector<std::int64_t>;
 
 inline Answer answerOf(
@@ -56,7 +56,7 @@ inline Answer answerOf(
   return answer;
 }
 
-/// What a new engine answers.
+/// The answer of a new engine.
 inline Answer freshAnswer(const SceneObjects& objects, const EngineSettings& settings)
 {
   IrradianceEngine engine;
@@ -91,8 +91,8 @@ public:
   int count() const { return count_; }
   double mean() const { return mean_; }
   double standardError() const { return std::sqrt(squares_ / (count_ - 1) / count_); }
-  /// Student's t of `truth`, with count() - 1 degrees of freedom. Integer sums can come out equal
-  /// in all replicates; what rounding can do is no error then.
+  /// Student's t of `truth`, with count() - 1 degrees of freedom. Integer sums can be equal in all
+  /// replicates; then the relative 1e-12 keeps rounding from counting as an error.
   double t(double truth) const
   {
     return (mean_ - truth) / (standardError() + 1e-12 * std::abs(truth));

@@ -10,9 +10,9 @@ namespace irradiance::test
 {
 
 /**
- * A room of 4 x 4 x 4 m with a lamp, lit from a point as well, and six objects in it: a rigid box,
- * a sheared sphere, a mirrored box that reaches through a wall, a sphere that leaves the room and
- * comes back, one that deforms, and one with loose triangles. In each frame some of them rest.
+ * A room of 4 x 4 x 4 m with a lamp and a point light, and six dynamic objects: a rigid box, a
+ * sheared sphere, a mirrored box that sticks through a wall, a sphere that leaves the room and
+ * comes back, one that deforms, and one with isFlattened set. In each frame some of them rest.
  */
 class MovingScene
 {
@@ -71,7 +71,7 @@ private:
     return builder.build({}, i == 5);
   }
 
-  /// Same cells, other points.
+  /// The same cells with other points.
   SceneObject deformed()
   {
     if (!deformingSurface_)

@@ -25,7 +25,7 @@ inline std::vector<WalkSegment> shotWalk(
   return segments;
 }
 
-/// Puts the segments in the place of those from `bounce` on.
+/// Replaces the segments of a walk from `bounce` on by `tail`.
 inline void replaceTail(
   WalkBlock& block, std::uint32_t walk, std::uint32_t bounce, const std::vector<WalkSegment>& tail)
 {

@@ -35,7 +35,7 @@ SceneObject lamp(double exitance)
   return builder.build(test::shift({ 3, 3, 1 }));
 }
 
-/// Everything that may change between two frames besides poses of objects that do not shine.
+/// Changes between two frames, other than poses of objects that do not shine.
 std::vector<Change> changes()
 {
   const auto changeSurface = [](SceneObject& object, const auto& change) {
@@ -137,7 +137,7 @@ TEST(ChangesShootAnew, EveryChangeThereAndBackEqualsANewEngine)
   }
 }
 
-// goOn says no at the first, second, ... call of an update; the next update equals a new engine.
+// reportProgress stops an update at its first, second, ... call; the next equals a new engine.
 TEST(ChangesShootAnew, InterruptedUpdatesLeaveNoTrace)
 {
   for (const bool isFirstFrame : { true, false })

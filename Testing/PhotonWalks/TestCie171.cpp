@@ -39,8 +39,8 @@ void overSeeds(const SceneObjects& objects, std::uint32_t walks, const Use& use)
 
 }
 
-// CIE 171:2006, 5.3: 1 x 1 m of exitance 1000 pi in the ceiling of a black room. A strip of 0.25 m
-// around each point is compared with the mean of Lambert's formula over the strip.
+// CIE 171:2006, 5.3: 1 x 1 m of exitance 1000 pi in the ceiling of a black room. A strip of 0.5 x
+// 0.25 m around each point is compared with the mean of Lambert's formula over the strip.
 TEST(Cie171, AreaSource53)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25, 0.75, 0.25 };
@@ -90,8 +90,8 @@ TEST(Cie171, FluxConservation54)
   });
 }
 
-// 5.7: a lit patch behind an obstruction. Only what is above the line of sight over the box counts.
-// Strips of the wall of 4 x 0.5 m are compared with the mean of Lambert's formula.
+// 5.7: a shining wall, of which only the part above the line of sight over an obstruction counts.
+// Strips of 4 x 0.5 m of the opposite wall are compared with the mean of Lambert's formula.
 TEST(Cie171, DiffuseReflectionWithObstruction57)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25, 0.75, 0.25 };
@@ -134,9 +134,9 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
   EXPECT_NEAR(wall.mean(), wallTruth, (test::kIsSanitized ? 0.05 : 0.01) * wallTruth);
 }
 
-// 5.8: the internal reflected component in a 4 m cube. The mean has a closed form; at the centre of
-// a wall the values of an independent program are taken. The direct part, which is the same in all
-// bits at reflectance 0, is subtracted.
+// 5.8: the internal reflected component in a 4 m cube. The mean has a closed form; the centre of a
+// wall is compared with values of an independent program. The direct part, which has the same bits
+// at reflectance 0, is subtracted.
 TEST(Cie171, InternalReflectedComponent58)
 {
   constexpr int kCells = 15;

@@ -40,7 +40,7 @@ SceneObject makeBox(double size)
   return builder.build();
 }
 
-/// Poses that touch, nearly touch, and do not.
+/// Poses that touch, nearly touch, and do not touch.
 class RandomPoses
 {
 public:
@@ -95,7 +95,7 @@ TEST(Contacts, OnABudgetToo)
   EngineSettings settings;
   settings.numberOfWalks = test::scaled(6000);
   EngineSettings hasty = settings;
-  hasty.repairTimeBudget = 1e-9; // some walks a frame
+  hasty.repairTimeBudget = 1e-9; // a few walks per frame
   IrradianceEngine engine;
   Execution one;
   for (int frame = 0; frame < (test::kIsSanitized ? 10 : 30); ++frame)
@@ -113,11 +113,11 @@ TEST(Contacts, OnABudgetToo)
   }
 }
 
-// Two lamps so close that either may be taken for the upper one, and a sheet over them that coincides
-// with one of them alone: who receives a photon depends on the sheet even where it is not hit.
+// Two lamps so close that either may count as the upper one, and a sheet over them that coincides
+// with only one. Which lamp receives a photon depends on the sheet even where it is not hit.
 TEST(Contacts, ASheetThatIsNotHitMatters)
 {
-  constexpr double margin = 0x1p-33; // of coordinates up to 1
+  constexpr double margin = 0x1p-33; // SurfacePoint's, for coordinates up to 1
   ObjectBuilder lamps;
   lamps.addQuad({ -1, -1, -margin }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, test::grey(0.5, 1));
   lamps.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, test::grey(0.5, 1));
@@ -141,8 +141,8 @@ TEST(Contacts, ASheetThatIsNotHitMatters)
   }
 }
 
-// A shutter comes before a lamp that lies in a ceiling, and goes; behind the ceiling there is a plate. What
-// the shutter hid is no hit of the static tree alone, so it is not kept for later.
+// A shutter moves in front of a lamp in a ceiling and away again; a plate lies behind the ceiling.
+// The hit that the shutter hides is not one of the static tree alone, so it is not cached.
 TEST(Contacts, AShutterBeforeALampInACeiling)
 {
   ObjectBuilder room, shutter, plate;
@@ -164,7 +164,7 @@ TEST(Contacts, AShutterBeforeALampInACeiling)
   }
 }
 
-// Wherever it stands on the table, a box is dark within, and takes what lies under it.
+// However a box on the table is turned, it is dark inside and receives the light from under it.
 TEST(Contacts, NoLightGetsInside)
 {
   SceneObjects objects{ makeFloor(), { makeBox(0.5) } };
@@ -182,8 +182,8 @@ TEST(Contacts, NoLightGetsInside)
     {
       EXPECT_EQ(engine.sums().sum(1, cell, 1, 0), 0) << "angle " << angle << ", cell " << cell;
     }
-    // To and fro between the reflectances .5 and .7: 10 / .65 W/m2 on a quarter of a square metre. About
-    // 5,000 photons: 10 % are passed by chance in 1 of 10^9 runs (with sanitizers, 35 %).
+    // Interreflection between .5 and .7: 10 / .65 W/m2 on 0.25 m2. With about 5,000 photons, chance
+    // exceeds 10 % in 1 of 10^9 runs (with sanitizers, 35 %).
     const double received = wattsOn(engine, 1, 16, 20);
     EXPECT_NEAR(received, 0.25 * 10 / 0.65, (test::kIsSanitized ? 0.35 : 0.1) * 0.25 * 10 / 0.65);
   }

@@ -53,7 +53,7 @@ double dark(const Vector3& /*point*/)
   return 0;
 }
 
-/// All cells shine with 1 - their reflectance: 1 W/m2 everywhere.
+/// Every cell has the exitance 1 - its reflectance, so the irradiance is 1 W/m2 everywhere.
 KnownScene furnace()
 {
   test::RandomVectors random(91);
@@ -75,7 +75,7 @@ KnownScene furnace()
   return scene;
 }
 
-/// A shining square and a wall that meets it at an edge.
+/// A shining square and a wall that shares an edge with it.
 KnownScene perpendicularSquares()
 {
   const std::vector<Vector3> source = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
@@ -92,15 +92,15 @@ KnownScene perpendicularSquares()
   return scene;
 }
 
-/// CIE 171:2006, 5.7: a shining wall behind an obstruction as wide as the room. Half of the area can
-/// get no light.
+/// CIE 171:2006, 5.7: a shining wall behind an obstruction as wide as the room. Half of the area
+/// gets no light.
 KnownScene obstruction()
 {
   const auto from = [](double z) {
     return std::vector<Vector3>{ { 0, 4, z }, { 4, 4, z }, { 4, 4, 3 }, { 0, 4, 3 } };
   };
   const auto onWall = [&](const Vector3& p) {
-    const double edge = p[2] < 1 ? 2.5 : 2.7; // of the box, that hides what is below
+    const double edge = p[2] < 1 ? 2.5 : 2.7; // of the box, which hides what is below it
     return 100 *
       lambertIrradiance(p, { 0, 1, 0 }, from(std::max(0.0, p[2] + (1 - p[2]) * 4 / edge)));
   };
@@ -181,9 +181,9 @@ void forEachCell(const IrradianceEngine& engine, const KnownScene& scene, const 
 
 }
 
-// 20 seeds of 100 to 200 cells: the share of intervals that hold the truth scatters by 0.4 to 0.5 %,
-// and lies within 2 % of 95 %. Were it 95 % exactly, a false alarm in less than 10^-4 of all choices
-// of seeds; at 94.5 %, in 0.2 %.
+// 20 seeds of 100 to 216 lit cells: the share of intervals that hold the truth scatters by 0.3 to
+// 0.5 % and must lie within 2 % of 95 %. If it is exactly 95 %, less than 10^-4 of all choices of
+// seeds raise a false alarm; at 94.5 %, 0.2 %.
 TEST_P(Coverage, IntervalsHoldTheTruth)
 {
   const KnownScene scene = GetParam().make();
@@ -217,7 +217,7 @@ TEST_P(Coverage, IntervalsHoldTheTruth)
     "%.2f %% below; known in %.1f %% of the lit cells\n",
     GetParam().name, 100 * held / known, known, 100 * heldArea / knownArea, 100 * above / known,
     100 * (known - held - above) / known, 100 * known / cells);
-  if (!test::kIsSanitized) // which has too few walks to know much
+  if (!test::kIsSanitized) // with sanitizers there are too few walks to know much
   {
     EXPECT_GE(known, 0.9 * cells);
     EXPECT_NEAR(held / known, 0.95, 0.02);
@@ -225,8 +225,8 @@ TEST_P(Coverage, IntervalsHoldTheTruth)
   }
 }
 
-// The dial asks for 95 % of the area within 20 %. By chance the area that is truly within it falls
-// short only if the intervals are too small.
+// The target asks for 95 % of the area to be within 20 %. Apart from chance, less of the area is
+// truly within it only if the intervals are too small.
 TEST_P(Coverage, TargetIsReachedOnMostOfTheArea)
 {
   const KnownScene scene = GetParam().make();

@@ -13,7 +13,7 @@ namespace
 
 constexpr int kGrid = 1000;
 
-/// Mean of f over the midpoints of a kGrid x kGrid grid on the unit square: no chance in it.
+/// Mean of f over the midpoints of a kGrid x kGrid grid on the unit square, free of chance.
 template <class Result, class Function>
 Result meanOverGrid(const Result& zero, const Function& f)
 {
@@ -120,8 +120,8 @@ TEST(DirectionSampling, MomentsOfTheTriangle)
   EXPECT_LT((second - (Matrix3::Identity() + Matrix3::Ones()) / 12).norm(), 1e-5);
 }
 
-// Each of 16 congruent parts of the triangle gets a 16th of the points. The grid of points is cut
-// by the parts' edges: about 2 kGrid points of a part may fall to its neighbours.
+// Each of 16 congruent parts of the triangle gets a 16th of the points. The edges of the parts cut
+// the grid, so about 2 kGrid points of a part may fall to its neighbours.
 TEST(DirectionSampling, TriangleIsFilledUniformly)
 {
   std::array<int, 64> counts{};

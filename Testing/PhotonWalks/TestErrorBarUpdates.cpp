@@ -16,7 +16,7 @@ namespace
 
 using test::MovingScene;
 
-/// The engine's answer with the bits of the standard errors and of what the target reached.
+/// The engine's answer with the bits of the standard errors and of the relative error reached.
 test::Answer fullAnswer(
   const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
 {
@@ -62,8 +62,8 @@ EngineSettings withErrors(std::uint32_t walks)
   return settings;
 }
 
-/// A closed room with a lamp and a shade that hides more or less of the light: the target takes more
-/// walks the less is left.
+/// A closed room with a point light and a shade that hides more or less of its light: the less is
+/// left, the more walks the target takes.
 class ShadedRoom
 {
 public:
@@ -75,7 +75,7 @@ public:
     shade.addBox(test::box({ -0.5, -0.5, -0.02 }, { 0.5, 0.5, 0.02 }), 1, test::grey(0.1));
     objects_ = { room.build(), { shade.build() } };
   }
-  /// The shade at `height` m under the light: next to it, or far.
+  /// The shade is `height` m below the light.
   const SceneObjects& at(double height)
   {
     objects_.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 2 - height });
@@ -153,8 +153,7 @@ TEST(ErrorBarUpdates, SameBitsWhateverTheWay)
   }
 }
 
-// The number of rounds rises and falls from frame to frame; what the frames before asked for leaves
-// no trace.
+// The number of rounds rises and falls from frame to frame; earlier frames leave no trace.
 TEST(ErrorBarUpdates, UpdateEqualsRebuildWithATarget)
 {
   ShadedRoom room;
@@ -183,7 +182,7 @@ TEST(ErrorBarUpdates, UpdateEqualsRebuildWithATarget)
   EXPECT_GE(stays, 1);
 }
 
-// While walks wait for their repair the number of rounds stays; then it is that of a fresh start.
+// While walks wait for repair the number of rounds stays; afterwards it is that of a new engine.
 TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
 {
   ShadedRoom room;
@@ -214,7 +213,7 @@ TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
   EXPECT_GE(changes, 2);
 }
 
-// Turning the dial goes on from the walks there are, and comes back to them.
+// A new target continues from the existing walks, and the old target returns to them.
 TEST(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
 {
   ShadedRoom room;
@@ -242,7 +241,7 @@ TEST(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
   EXPECT_TRUE(fullAnswer(engine, objects, settings) == freshFullAnswer(objects, settings));
 }
 
-// Whatever the number of rounds, the power is that of the lights, and balanced to the last quantum.
+// With any number of rounds, the power is that of the lights and balances to the last quantum.
 TEST(ErrorBarUpdates, PowerIsThatOfTheScene)
 {
   ShadedRoom room;
@@ -308,7 +307,7 @@ TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)
   }
 }
 
-// What an interrupted round leaves behind is not taken for a frame.
+// The remains of an interrupted round do not pass for a frame.
 TEST(ErrorBarUpdates, AnInterruptionLeavesNoTrace)
 {
   ShadedRoom room;

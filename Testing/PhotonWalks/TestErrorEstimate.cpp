@@ -13,7 +13,7 @@ namespace irradiance
 namespace
 {
 
-/// A row of quads of 1 x 1 m, x in [0, cells], with areas as wide as `widths`.
+/// A row of quads along x, `widths` m wide and 1 m long.
 SceneObjects strip(const std::vector<double>& widths, int bands = 1)
 {
   test::ObjectBuilder builder(bands);
@@ -26,7 +26,7 @@ SceneObjects strip(const std::vector<double>& widths, int bands = 1)
   return { builder.build(), {} };
 }
 
-/// Gives `quanta` of a walk to a cell of strip().
+/// Adds `quanta` of a walk to a cell of strip().
 void add(CellSums& sums, std::uint32_t walk, std::uint32_t cell, const Power& quanta)
 {
   std::vector<Deposit> deposits;
@@ -54,8 +54,8 @@ TEST(ErrorEstimate, IsThatOfTheMeanOfReplicates)
   EXPECT_NEAR(errors.standardError(0, 1, 0, 0) / estimates.standardError(), 1, 1e-12);
 }
 
-// The expected square of the estimate is the variance whatever the remainder of walks / replicates:
-// walks carry 3/4 of kPhoton or all of it. By chance off by 5 standard errors once in 10^6.
+// The expected square of the estimate is the variance, for any remainder of walks / replicates. A
+// walk carries 3/4 of kPhoton or all of it. Chance exceeds 5 standard errors once in 10^6.
 TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
 {
   constexpr std::uint32_t kReplicates = 16;
@@ -75,7 +75,7 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
         sums.collect(walk, { 0, 0 }, true, { { quanta, 0, 0 } }, 1, deposits);
       }
       sums.add(deposits);
-      // As if photons were small, so that no floor stands in the way.
+      // Photons of one quantum keep the error's lower bound out of the way.
       const double error = ErrorEstimate(sums, plan, 1, { 1, 0, 0 }).standardError(0, 0, 0, 0);
       squares.add(error * error);
     }
@@ -97,7 +97,7 @@ TEST(ErrorEstimate, IsUnknownBelow25Photons)
   EXPECT_TRUE(std::isnan(errors.standardError(0, 2, 0, 0))) << "nothing received";
 }
 
-// One replicate knows nothing of its spread; so do fewer than 25 walks, however much each brings.
+// One replicate says nothing about the spread, nor do fewer than 25 walks, however strong they are.
 TEST(ErrorEstimate, IsUnknownWithoutReplicatesOrWalks)
 {
   const WalkPlan one(1600, 1600, 1), few(24, 24, 8), enough(25, 25, 8);
@@ -110,7 +110,7 @@ TEST(ErrorEstimate, IsUnknownWithoutReplicatesOrWalks)
   }
 }
 
-// Replicates that agree by chance do not make a false 0.
+// Replicates that agree by chance do not yield a false 0.
 TEST(ErrorEstimate, IsAtLeastThatOfRoundingToAPhoton)
 {
   const WalkPlan plan(1600, 1600, 4);
@@ -123,8 +123,8 @@ TEST(ErrorEstimate, IsAtLeastThatOfRoundingToAPhoton)
   EXPECT_NEAR(error, 600 * std::sqrt(4 / 12.0), 1e-9);
 }
 
-// Two cells are known to a and b of their sum, one is dark: each decides when it holds what is
-// missing to 95 % of the area.
+// Two cells are known to 10 % and 20 % of their sums, one is dark. The cell that completes 95 % of
+// the area determines the result.
 TEST(ErrorEstimate, OfMostAreaGoesByArea)
 {
   constexpr std::int64_t kPhoton = 1000;
@@ -144,7 +144,7 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
   const double t = 12.7062047; // of one degree
   EXPECT_NEAR(reached({ 96, 3, 1 }, 0), t * 0.1, 1e-6);
   EXPECT_NEAR(reached({ 93, 6, 1 }, 0), t * 0.2, 1e-6);
-  // 100 m2 receive 2.2e6 quanta: 10 dark ones would 2.2e5 on average. 3 photons are 3000.
+  // 100 m2 receive 2.2e6 quanta, so A m2 receive 2.2e4 A on average. 3 photons are 3000 quanta.
   EXPECT_NEAR(reached({ 0.01, 0.01, 99.98 }, 0), 3 * 1000 / (2.2e6 / 100 * 99.98), 1e-9);
   EXPECT_NEAR(reached({ 86, 4, 10 }, 0), t * 0.1, 1e-6) << "a dark cell is better known";
   EXPECT_EQ(reached({ 86, 4, 10 }, 1), kInfinity) << "one photon: no longer dark, but not known";
@@ -166,7 +166,7 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
 }
 
-// Of a prefix of the rounds: what later walks brought does not count.
+// The estimate of the first rounds ignores what later walks brought.
 TEST(ErrorEstimate, LooksAtTheFirstRoundsAlone)
 {
   const WalkPlan plan(100, 400, 2);

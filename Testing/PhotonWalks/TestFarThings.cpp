@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-// Law: what is far costs nothing near. Counted are the segments of which the verification casts a
-// ray: those near the ball that moves, whatever stands 1 km away, or came back from there.
+// Law: far things cost nothing near. The tests count the segments for which the verification casts
+// a ray: those near the moving ball, even if something stands 1 km away or came back from there.
 
 namespace irradiance
 {
@@ -38,7 +38,7 @@ struct FarScene
       room.addSide(test::box({ 0, 0, 0 }, { 4, 4, 4 }), side, 4, grey(0.5), true);
     }
     room.addQuad({ 1, 1, lampHeight }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
-    // A sliver, whose points are blurred most.
+    // A sliver, whose points are moved farthest off its edges.
     room.addQuad({ 0, 1, 1 }, { 0, 2, 0 }, { 0, 0, 1e-4 }, 1, 1, grey(0.5));
     room.addPointLight(light, 1);
     small.addSphere({ 0, 0, 0 }, 0.1, 5, grey(0.5));
@@ -62,7 +62,7 @@ struct FarScene
     ASSERT_TRUE(test::answerOf(engine, objects) == test::freshAnswer(objects, settings)) << what;
   }
 
-  /// Rays cast in frames in which only the small ball moves.
+  /// Rays cast over six frames in which only the small ball moves.
   std::int64_t suspects(const std::string& what)
   {
     std::int64_t sum = 0;
@@ -144,7 +144,7 @@ TEST(FarThings, FarLights)
   }
 }
 
-// The frame of the stored points stays what it was, so there is an end: all is looked at, and right.
+// The frame of the stored points does not grow: beyond its range all segments are checked, rightly.
 TEST(FarThings, BeyondAllMeasureAllIsLookedAt)
 {
   FarScene scene(kLight, kLamp);
@@ -160,7 +160,7 @@ class ManyMoved : public testing::TestWithParam<int>
 {
 };
 
-// One more is not another case: each object brings no more than it does among few.
+// No number of objects is a special case: each makes no more segments suspect than among few.
 TEST_P(ManyMoved, EachBringsItsShare)
 {
   const int count = GetParam();

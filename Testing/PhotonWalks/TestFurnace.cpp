@@ -20,7 +20,7 @@ using test::Replicates;
 constexpr int kFrames = test::kIsSanitized ? 20 : 100;
 constexpr int kCellsASide = 3;
 
-/// Every cell gets a reflectance of its own and the exitance 1 - reflectance: E = 1 everywhere.
+/// Every cell has its own reflectance and the exitance 1 - reflectance, so E = 1 everywhere.
 SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
 {
   Material& material = builder.material();
@@ -32,7 +32,7 @@ SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
   return builder.build();
 }
 
-/// What reflects all light emits none: it may move without a change of the lights.
+/// An object that reflects all light emits none, so it moves without a change of the lights.
 SceneObject white(ObjectBuilder builder)
 {
   for (double& reflectance : builder.material().reflectance)
@@ -58,7 +58,7 @@ std::vector<ObjectBuilder> movingThings()
   return { a, b };
 }
 
-/// The two things go round without meeting each other or a wall.
+/// The two things circle without touching each other or a wall.
 void setPoses(SceneObjects& objects, int frame)
 {
   const double angle = 0.0628 * frame;
@@ -96,8 +96,8 @@ public:
     }
   }
 
-  /// `limit`: of |t| of an area mean. All cells together: chi-square of t, which has the variance
-  /// n / (n - 2) of Student's t; exceeded by chance once in 10^4 (cells taken as independent).
+  /// `limit` bounds |t| of an area mean. All cells together: chi-square of t, with the variance
+  /// n / (n - 2) of Student's t; chance exceeds it once in 10^4 (cells taken as independent).
   void expectOne(double limit) const
   {
     for (const Replicates& area : areas_)
@@ -130,8 +130,8 @@ private:
 
 }
 
-// All cells shine, those of the moving things as well: every frame is shot anew, with its own seed.
-// 8 area means, |t| > 3.5 of 99 degrees: a false alarm in 0.6 % of all choices of seeds.
+// All cells shine, those of moving things too, so every frame is shot anew, with its own seed. 8
+// area means, |t| > 3.5 of 99 degrees: a false alarm in 0.6 % of all choices of seeds.
 TEST(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
 {
   test::RandomVectors random(81);
@@ -156,7 +156,7 @@ TEST(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
   estimates.expectOne(3.5);
 }
 
-// White things move in a room that shines: walks are verified and repaired from frame to frame. The
+// White things move in a shining room: walks are verified and repaired from frame to frame. The
 // last frames of 16 seeds of 65,536 walks are compared; 8 area means, |t| > 4 of 15 degrees: a
 // false alarm in 0.9 %.
 TEST(Furnace, EveryCellReceivesOneWattAfterManyUpdates)

@@ -81,7 +81,7 @@ Counts countByDefinition(const Frame& before, const Frame& now, std::uint32_t wa
 
 }
 
-// Not a walk too few, nor one too many.
+// Not one walk too few or too many.
 TEST(InvalidWalks, AreThoseThatChangedByDefinition)
 {
   for (const bool isClosed : { true, false })

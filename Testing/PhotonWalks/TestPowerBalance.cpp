@@ -16,7 +16,7 @@ namespace
 using test::MovingScene;
 using test::scaled;
 
-/// The power that all cells receive, and the balance, counted anew from walks shot one by one.
+/// The power that all cells receive, and the balance, recounted from walks shot one by one.
 struct Recount
 {
   Power received, emitted, escaped;
@@ -70,7 +70,7 @@ void expectBalance(const PowerBalance& balance)
   EXPECT_EQ(balance.emitted, gone);
 }
 
-/// A room whose cells all have one reflectance and a lamp in it; open: without a ceiling.
+/// A room with a point light and a box, all of one reflectance. An open room has no ceiling.
 SceneObjects uniformRoom(double reflectance, bool isClosed)
 {
   test::ObjectBuilder room;
@@ -168,7 +168,7 @@ TEST(PowerBalance, NothingEscapesFromAClosedRoom)
   }
 }
 
-// Light that cannot go anywhere: the engine says so instead of running for ever, and can go on.
+// Light that cannot go anywhere is an error, not an endless run, and the engine stays usable.
 TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
 {
   EngineSettings settings;

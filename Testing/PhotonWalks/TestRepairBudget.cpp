@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A budget for the repair: what is left stale loses and gains no more than is said, and is made good
-// by later calls.
+// A time budget for the repair: stale light loses and gains no more than the bounds say, and later
+// calls repair it.
 
 #include "EngineRun.h"
 #include "MovingScene.h"
@@ -22,7 +22,7 @@ using test::MovingScene;
 using test::scaled;
 using test::TickingExecution;
 
-constexpr double kNoTime = 1e-9; ///< the budget that is over when it begins
+constexpr double kNoTime = 1e-9; ///< s; a budget that is over when it begins
 
 std::size_t numberOfStale(const IrradianceEngine& engine)
 {
@@ -51,7 +51,7 @@ void expectBalance(const IrradianceEngine& engine)
   EXPECT_EQ(sum.quanta, engine.balance().emitted.quanta);
 }
 
-/// Watches over both bounds, in quanta, and over how much of them was needed.
+/// Checks both bounds, in quanta, and records how much of them is used.
 class BoundCheck
 {
 public:
@@ -121,7 +121,7 @@ struct Share
   double ofFullRepair;
   IrradianceEngine engine;
   std::unique_ptr<BoundCheck> check;
-  double left = 0; ///< part of the stale power that was not repaired, sum over the frames
+  double left = 0; ///< part of the walks left stale, mean over the frames
 };
 
 void checkBounds(const EngineSettings& common, int bands, bool isClosed, unsigned seed)
@@ -149,7 +149,7 @@ void checkBounds(const EngineSettings& common, int bands, bool isClosed, unsigne
       answerOf(full, scene.objects(), common.separateSides));
     for (Share& share : shares)
     {
-      if (frame % 8 == 0) // now and then from a full repair on, so that few walks wait as well
+      if (frame % 8 == 0) // a full repair now and then, so that at times few walks wait
       {
         share.engine.update(scene.objects(), common, execution);
         continue;
@@ -198,7 +198,7 @@ TEST(RepairBudget, BoundsHoldInColourWithSides)
   checkBounds(settings, 3, true, 32);
 }
 
-// Where nothing escapes and all reflect alike, the walks do what the bound assumes: it is reached,
+// Where nothing escapes and all cells reflect alike, walks do what the bound assumes and attain it
 // to the quantum.
 TEST(RepairBudget, GainBoundIsReachedInAFurnace)
 {
@@ -210,7 +210,7 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     ball.addSphere({ 0, 0, 0 }, 0.7, 4, test::grey(reflectance));
     SceneObjects objects{ room.build(), { ball.build() } };
     EngineSettings settings;
-    settings.numberOfWalks = 5000; // some hundreds become stale
+    settings.numberOfWalks = 5000; // a few hundred become stale
     settings.repairTimeBudget = kNoTime;
     IrradianceEngine now, full;
     Execution execution;
@@ -231,7 +231,7 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     EXPECT_GT(brought, 0);
     EXPECT_EQ(brought, gainBound(now, 0)) << "reflectance " << reflectance;
     // Roulette keeps the mean: power / (1 - reflectance), within 5 standard errors (one false alarm
-    // in 10^6). A walk's tail has a standard deviation of about the mean at most.
+    // in 10^6). The standard deviation of a walk's tail is at most about its mean.
     const double mean = double(stalePower(now)[0]) / (1 - reflectance);
     EXPECT_NEAR(
       brought, mean, 5 * mean / std::sqrt(double(numberOfStale(now))) + double(numberOfStale(now)));
@@ -330,8 +330,8 @@ TEST(RepairBudget, ConvergesToTheExactState)
   }
 }
 
-// An object goes out and comes back while walks wait: those whose prefix it crosses on the way, and
-// those that it hits itself.
+// An object moves out and back while walks wait, among them walks whose prefix it crosses on the
+// way and walks that hit the object itself.
 TEST(RepairBudget, ThereAndBackWhileWalksWait)
 {
   SceneObjects objects = MovingScene(1, true, 33).objects();
@@ -373,8 +373,8 @@ std::map<std::uint16_t, std::size_t> effects(const IrradianceEngine& engine)
 
 }
 
-// Classes of few walks are taken together, 128 for a unit; above the weakest of a group there are
-// fewer than that.
+// Classes of few walks are merged up to 128 walks per unit, so the classes above the weakest of a
+// group have fewer walks than that.
 TEST(RepairBudget, TheStrongestComeFirst)
 {
   constexpr std::size_t kTogether = 6 * 128; // 6 blocks, each a unit
@@ -399,7 +399,7 @@ TEST(RepairBudget, TheStrongestComeFirst)
     const auto weakestTouched = std::find_if(before.begin(), before.end(),
       [&](const auto& effect) { return after[effect.first] < effect.second; });
     ASSERT_NE(weakestTouched, before.end());
-    std::size_t passedOver = 0; // stronger than that, and perhaps left
+    std::size_t passedOver = 0; // stronger walks that may be left
     for (auto it = std::next(weakestTouched); it != before.end() && it->first <= strongestLeft;
          ++it)
     {
@@ -410,7 +410,7 @@ TEST(RepairBudget, TheStrongestComeFirst)
   EXPECT_GT(calls, 3);
 }
 
-// In ticks: a batch ends between two bounces, and each of the six units looks once more.
+// In ticks: a batch ends between two bounces, and each of the six units reads the clock once more.
 TEST(RepairBudget, TheTimeIsKept)
 {
   MovingScene scene(1, true, 35);
@@ -433,7 +433,7 @@ TEST(RepairBudget, TheTimeIsKept)
 namespace
 {
 
-/// From look number `jumpAt` on, all budgets are over.
+/// After `jumpAt` readings of the clock, all budgets are over.
 class JumpingExecution : public TickingExecution
 {
 public:
@@ -453,8 +453,8 @@ private:
 
 }
 
-// The first 16 walks are done without a look at the clock, the batch after them looks at it at every
-// bounce: wherever it is interrupted, none of its walks counts.
+// The first 16 walks are finished whatever the clock says. The next batch reads it at every bounce;
+// wherever that batch is interrupted, none of its walks counts.
 TEST(RepairBudget, WhatIsHalfDoneIsDropped)
 {
   test::ObjectBuilder room, ball;

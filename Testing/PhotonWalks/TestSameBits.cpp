@@ -25,7 +25,7 @@ struct Case
   std::shared_ptr<Execution> execution;
 };
 
-/// The same three frames whatever the way.
+/// The answer for the last of the same three frames, computed in the given way.
 Answer lastOfThreeFrames(const Case& way, bool separateSides)
 {
   MovingScene scene(3, false, 41);

@@ -31,7 +31,7 @@ SceneObject scaledModel(const SceneObject& object, double scale)
   return result;
 }
 
-/// The scene in another unit of length: either the models are scaled, or their poses.
+/// The scene in another unit of length: either the models or their poses are scaled.
 class ScaledScene
 {
 public:
@@ -65,7 +65,7 @@ private:
   SceneObjects objects_;
 };
 
-/// A few frames in both units: sums are the same integers, irradiance is the same double.
+/// A few frames in both units: the sums are the same integers, the irradiance is the same double.
 void compareAtScale(int exponent, bool scalesModels)
 {
   MovingScene scene(1, false, 51);

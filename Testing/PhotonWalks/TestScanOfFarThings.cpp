@@ -11,7 +11,7 @@
 #include <set>
 
 // Law: however far the ends of a segment, the body and the frame's origin are from each other, a
-// segment that touches a body is named; and few others are.
+// segment that touches a body is flagged, and few others are.
 
 namespace irradiance
 {
@@ -29,7 +29,7 @@ struct Segment
   double length;
 };
 
-/// How near it comes to the centre of a ball, as the ball's map shows it.
+/// Distance of the segment from the centre of a ball, in the space where the body's bound is round.
 Exact distanceFrom(const EllipsoidBound::Ball& ball, const Segment& segment)
 {
   const Eigen::Matrix<Exact, 3, 3> map = ball.roundFromWorld.cast<Exact>();
@@ -79,8 +79,8 @@ double nearlyOne(test::RandomVectors& random)
   return 1 - random.uniform() * random.powerOfTwo(-30, -22);
 }
 
-/// It touches the ball from outside, or all but touches it: somewhere along it, or with an end; the
-/// other end lies near or far, or the segment escapes.
+/// A segment that touches the ball from outside, or nearly so, somewhere along it or with an end.
+/// The other end is near or far, or the segment escapes.
 Segment grazing(test::RandomVectors& random, const EllipsoidBound::Ball& ball, double farthest)
 {
   const Matrix3 worldFromRound = ball.roundFromWorld.inverse();
@@ -99,7 +99,7 @@ Segment grazing(test::RandomVectors& random, const EllipsoidBound::Ball& ball, d
   return segment;
 }
 
-/// The same from a given place outside of the ball.
+/// The same from a given place outside the ball.
 Segment grazingFrom(
   test::RandomVectors& random, const EllipsoidBound::Ball& ball, const Vector3& from)
 {
@@ -117,7 +117,7 @@ struct Grazed
   int touching = 0, missed = 0, beside = 0, named = 0;
 };
 
-/// Of many grazing segments; the body is far from the frame's origin, or not, and flat, or not.
+/// Scans many grazing segments; the body may be far from the frame's origin, and may be flat.
 Grazed graze(test::RandomVectors& random, const RigidObject& body)
 {
   const double unit = random.powerOfTwo(-30, 30);
@@ -154,7 +154,7 @@ Grazed graze(test::RandomVectors& random, const RigidObject& body)
   return counts;
 }
 
-/// A room of 4 m at the origin of the frame, the scale of which is that of 100 km.
+/// The frame of a room of 4 m at its origin, scaled for 100 km.
 UnitFrame frameOfRoom()
 {
   UnitFrame frame;
@@ -167,7 +167,7 @@ Vector3 inRoom(test::RandomVectors& random)
   return 2 * random.inCube();
 }
 
-/// From a place to one in the room, and on to beyond it if `escapes`.
+/// From a place to one in the room, or on through it to infinity if `escapes`.
 Segment aimed(test::RandomVectors& random, const Vector3& from, bool escapes)
 {
   const Vector3 to = inRoom(random);
@@ -199,7 +199,7 @@ TEST(ScanOfFarThings, NoneThatTouchesIsMissed)
   }
 }
 
-// A light 100 km away, aimed at the room; an escape from the room; the body in it.
+// The body is in the room. Segments come from there and from up to 10^9 m away; some escape.
 TEST(ScanOfFarThings, FewOthersAreNamed)
 {
   test::RandomVectors random(6);
@@ -234,7 +234,7 @@ TEST(ScanOfFarThings, FewOthersAreNamed)
   }
 }
 
-// A body far away is looked for there: what stays in the room is not named.
+// A far body is looked for where it is: segments inside the room are not flagged.
 TEST(ScanOfFarThings, FarBodiesTakeNothingOfTheRoom)
 {
   test::RandomVectors random(7);

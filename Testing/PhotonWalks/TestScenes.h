@@ -23,7 +23,7 @@ inline Look grey(double reflectance, double exitance = 0)
   return { { reflectance, reflectance, reflectance }, { exitance, exitance, exitance } };
 }
 
-/// Makes an object from cells. Shared corners have the same bits, so that closed shapes are tight.
+/// Makes an object from cells. Shared corners have the same bits, so closed shapes are watertight.
 class ObjectBuilder
 {
 public:
@@ -44,7 +44,7 @@ public:
     }
   }
 
-  /// nu x nv cells; `corner(i, j)` for i in 0..nu, j in 0..nv; the front is du x dv.
+  /// nu x nv cells; `corner(i, j)` for i in 0..nu, j in 0..nv; the front faces du x dv.
   template <class Corner>
   void addGrid(int nu, int nv, const Look& look, const Corner& corner)
   {
@@ -68,7 +68,7 @@ public:
     }
   }
 
-  /// The front of the quad is u x v.
+  /// The front of the quad faces u x v.
   void addQuad(
     const Vector3& corner, const Vector3& u, const Vector3& v, int nu, int nv, const Look& look)
   {
@@ -76,8 +76,8 @@ public:
       [&](int i, int j) { return Vector3(corner + u * (double(i) / nu) + v * (double(j) / nv)); });
   }
 
-  /// One side of a box, n x n cells; `side`: 0 lower x, 1 upper x, 2 lower y, ... The front looks
-  /// out, or in when `isRoom`.
+  /// One side of a box, n x n cells; `side`: 0 lower x, 1 upper x, 2 lower y, ... The front faces
+  /// out, or in if `isRoom`.
   void addSide(const Box& box, int side, int n, const Look& look, bool isRoom = false)
   {
     const int axis = side / 2;
@@ -103,7 +103,7 @@ public:
     }
   }
 
-  /// Its corners lie on the sphere; n stacks, 2 n slices.
+  /// The corners lie on the sphere; n stacks, 2 n slices.
   void addSphere(const Vector3& center, double radius, int n, const Look& look, bool isRoom = false)
   {
     const auto corner = [&](int slice, int stack) {

@@ -9,7 +9,7 @@
 
 #include <set>
 
-// Law: a scan names every segment that a moved object changes.
+// Law: a scan flags every segment that a moved object changes.
 
 namespace irradiance
 {
@@ -124,7 +124,7 @@ Counts scanOne(test::RandomVectors& random, const std::shared_ptr<const RigidObj
 
 Matrix3 randomShape(test::RandomVectors& random, double size)
 {
-  // Round, flat or needle-like, now and then sheared or mirrored.
+  // Round, flat or needle-like in any direction, now and then mirrored.
   const Vector3 lengths(
     random.powerOfTwo(-3, 0), random.powerOfTwo(-12, 0), random.powerOfTwo(-3, 0));
   Matrix3 shape = random.rotation() * lengths.asDiagonal() * random.rotation();
@@ -164,7 +164,7 @@ TEST(SegmentScan, NamesEverySegmentThatAMovedObjectChanges)
   }
 }
 
-// What is named beyond need costs a ray each.
+// Each segment that is flagged without need costs a ray.
 TEST(SegmentScan, NamesFewOthers)
 {
   test::RandomVectors random(2);
@@ -204,7 +204,7 @@ TEST(SegmentScan, NamesAllWhereFloatsTellTooLittle)
   SegmentScan scan(walks.frame, 4);
   for (int i = 0; i < 100; ++i)
   {
-    scan.addBody(scene.shadowBound(0)); // more than a scan takes
+    scan.addBody(scene.shadowBound(0)); // too flat for the floats of a scan
   }
   EXPECT_EQ(walks.namedBy(scan).size(), segments);
 }

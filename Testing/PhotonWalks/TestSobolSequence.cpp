@@ -27,7 +27,7 @@ std::uint32_t fromDirectionNumbers(std::uint32_t index, const std::array<std::ui
   return point;
 }
 
-/// False where an elementary interval of 2^-a by 2^-(m - a) does not hold exactly one of the points
+/// Whether every elementary interval of 2^-a by 2^-(m - a) holds exactly one of the points
 /// [first, first + 2^m).
 bool isNet(
   const SobolSequence& samples, std::uint32_t bounce, SampleUse use, std::uint32_t first, int m)
@@ -135,8 +135,8 @@ TEST(SobolSequence, ValuesAreOddMultiplesOfTheHalfStep)
   }
 }
 
-// One walk under many seeds: bounces and uses do not know of each other. 24 tests: a false alarm
-// once in 40,000 choices of the hash.
+// One walk under many seeds: bounces and uses are independent. 24 tests: a false alarm once in
+// 40,000 choices of the hash.
 TEST(SobolSequence, BouncesAndUsesAreIndependentUnderManySeeds)
 {
   double worst = 0;
@@ -183,7 +183,7 @@ TEST(SobolSequence, SuccessiveBouncesAreIndependent)
     EXPECT_LT(pair.chiSquare(), kLimit);
   }
 }
-// Each replicate goes through a net of its own, the first through that of the seed.
+// Each replicate follows a net of its own, the first that of the seed.
 TEST(SobolSequence, ReplicatesAreSequencesOfTheirOwn)
 {
   constexpr std::uint32_t kReplicates = 5;
@@ -212,11 +212,11 @@ TEST(SobolSequence, ReplicatesAreSequencesOfTheirOwn)
   EXPECT_EQ(firsts.size(), kReplicates);
 }
 
-// Pairs of replicates, walk by walk, as those of independent numbers.
+// Pairs of replicates, walk by walk, are distributed like pairs of independent numbers.
 TEST(SobolSequence, ReplicatesAreIndependent)
 {
   constexpr std::uint32_t kReplicates = 16;
-  std::array<PairCounts, 3> pairs; // neighbours, far ones, the last with the next seed's first
+  std::array<PairCounts, 3> pairs; // neighbours; distant ones; the last and the next seed's first
   for (std::uint64_t seed = 1; seed <= 2000; ++seed)
   {
     const SobolSequence samples(seed, Replicates(kReplicates)),

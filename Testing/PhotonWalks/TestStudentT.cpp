@@ -8,7 +8,7 @@
 namespace irradiance
 {
 
-// Two-sided quantiles as printed in NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.2.
+// Two-sided quantiles from the NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.2.
 TEST(StudentT, QuantilesOfThePublishedTable)
 {
   const struct

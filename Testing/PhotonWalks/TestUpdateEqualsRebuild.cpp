@@ -18,7 +18,7 @@ using test::freshAnswer;
 using test::MovingScene;
 using test::scaled;
 
-/// An engine with one of the ways to do the same work.
+/// An engine with one of the ways to compute the same bits.
 struct Variant
 {
   EngineSettings settings;
@@ -97,7 +97,7 @@ TEST(UpdateEqualsRebuild, OverRandomFramesInColourWithSides)
   compareOverFrames(settings, 3, true, 22);
 }
 
-// 10,000 frames there and the same 10,000 back: nothing drifts, nothing is left behind.
+// 10,000 frames out and the same 10,000 back: nothing drifts, nothing is left behind.
 TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
 {
   const int frames = test::kIsSanitized ? 1000 : 10000;

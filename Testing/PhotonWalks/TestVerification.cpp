@@ -196,7 +196,7 @@ TEST_P(Verification, NothingBehindAnObjectThatWent)
   EXPECT_EQ(tube.escaped(), 0);
 }
 
-// However little an object moves, the walks that hit it are shot again from there.
+// However little an object moves, the walks that hit it are shot again from that hit.
 TEST_P(Verification, MotionOfAnUlpIsAMotion)
 {
   Tube tube(true, GetParam());
@@ -207,7 +207,7 @@ TEST_P(Verification, MotionOfAnUlpIsAMotion)
   EXPECT_EQ(tube.movePlate(0, std::nextafter(5, 6)), onPlate) << "moved by an ulp";
 }
 
-// A static hit that gets hidden, hidden deeper, hidden by another, and free again: section 3.3.
+// A static hit is hidden, hidden nearer the lamp, hidden by another plate, and freed: section 3.3.
 TEST_P(Verification, HiddenStaticHitsComeBack)
 {
   Tube tube(true, GetParam());

@@ -14,7 +14,7 @@ using test::grey;
 using test::Replicates;
 
 // 16 seeds of 65,536 walks: 10^6 in all. |t| > 3 with 15 degrees of freedom happens by chance in
-// 0.9 % of the comparisons; seeds are fixed, so that a test that passed once passes always.
+// 0.9 % of the comparisons; seeds are fixed, so a test that passed once always passes.
 constexpr int kSeeds = 16;
 constexpr std::uint32_t kWalks = test::scaled(65536);
 
@@ -41,7 +41,7 @@ std::array<Replicates, 2> viewFactors(const SceneObjects& objects, double emitte
   return estimates;
 }
 
-/// Within 1 %, or, where so few walks meet the receiver that chance alone makes more, within three
+/// Within 1 %, or, where so few walks hit the receiver that chance alone exceeds that, within three
 /// standard errors of plain Monte Carlo.
 void expectWithinBounds(const Replicates& estimate, double truth, const char* name)
 {
@@ -115,14 +115,14 @@ TEST(ViewFactors, PerpendicularRectangles)
   }
 }
 
-// A cube: one side sees itself not at all, the opposite one by C-11, four others by C-14.
+// A cube: a side does not see itself; the opposite one follows C-11, the four others C-14.
 TEST(ViewFactors, ClosureOfACube)
 {
   EXPECT_NEAR(aligned(1, 1, 1) + 4 * perpendicular(1, 1, 1), 1, 1e-12);
 }
 
 // Spheres with the same corners up to a factor: their areas have the ratio (r1 / r2)^2 exactly, the
-// inner one is convex and sees nothing but the outer one, so reciprocity gives F21 = (r1 / r2)^2.
+// inner one is convex and sees only the outer one, so reciprocity gives F21 = (r1 / r2)^2.
 TEST(ViewFactors, ConcentricSpheres)
 {
   for (const double ratio : { 0.2, 0.5, 0.9 })

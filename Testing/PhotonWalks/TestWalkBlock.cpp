@@ -15,7 +15,7 @@ namespace
 
 const UnitFrame kFrame;
 
-/// The same as a WalkBlock in the plainest way.
+/// A WalkBlock in its plainest form.
 struct Model
 {
   std::vector<std::vector<WalkSegment>> walks;
@@ -64,7 +64,7 @@ private:
   std::mt19937 engine_;
 };
 
-/// Both ends of all segments, each found by way of its point.
+/// Checks both ends of all segments, each found through its point.
 void expectPoints(const WalkBlock& block, const std::vector<std::vector<WalkSegment>>& walks)
 {
   std::size_t found = 0, stored = 0;
@@ -161,7 +161,7 @@ void compareWithModel(unsigned seed, int bands)
     mostSegments = std::max(mostSegments, segments);
   }
   ASSERT_NO_FATAL_FAILURE(expectEqual(block, model));
-  // Holes are closed: the pools stay in proportion to what was held at most, static hits included.
+  // Holes are closed: the pools stay in proportion to the most they held, static hits included.
   EXPECT_LT(block.bytes(), 6 * mostSegments * (sizeof(WalkSegment) + 32) + 10000);
   std::printf(
     "seed %u: at most %zu segments, in the end %zu bytes\n", seed, mostSegments, block.bytes());
@@ -211,7 +211,7 @@ TEST(WalkHistory, StaticHitsBehindTheNewTailAreForgotten)
     EXPECT_EQ(block.hiddenStaticHit(0, i) != nullptr, i <= 2) << i;
     EXPECT_NE(block.hiddenStaticHit(1, i), nullptr);
   }
-  // A static "nowhere" is worth remembering, too.
+  // A static miss is remembered too.
   block.rememberStaticHit(1, 0, {});
   ASSERT_NE(block.hiddenStaticHit(1, 0), nullptr);
   EXPECT_FALSE(*block.hiddenStaticHit(1, 0));
@@ -229,7 +229,7 @@ TEST(WalkHistory, HolesAreClosed)
       test::replaceTail(block, walk, 0, random.tail(1 + (walk + round) % 20, 1));
     }
   }
-  // 20 segments a walk at most, a third of holes, and what a vector keeps in reserve.
+  // At most 20 segments per walk, a third of holes, and the spare capacity of vectors.
   EXPECT_LT(block.bytes(), 100 * 20 * (sizeof(WalkSegment) + 8) * 3 + 10000);
 }
 

@@ -22,7 +22,7 @@ TEST(WalkPlan, RoundsDoubleUpToTheLimit)
   EXPECT_EQ(WalkPlan(3000, 24000, 1).rounds().size(), 4u);
 }
 
-// The numbers of walks reach to the largest of 32 bits.
+// Walk numbers go up to the largest of 32 bits.
 TEST(WalkPlan, NothingOverflowsAtTheLargestNumbers)
 {
   const WalkPlan plan(1, 4294967295u, 16);
@@ -59,7 +59,7 @@ TEST(WalkPlan, EveryWalkHasOnePlaceInABlockOfItsRound)
   }
 }
 
-// Each replicate goes through the numbers 0, 1, 2, ... of its own sequence, whatever the total.
+// Each replicate takes the numbers 0, 1, 2, ... of its own sequence, for any total.
 TEST(WalkPlan, WalksAreDealtOutInTurn)
 {
   const Replicates deal(7);

@@ -12,7 +12,7 @@
 namespace irradiance::test
 {
 
-/// N threads of the standard library that take one item after the other.
+/// Threads of the standard library that take one item after the other.
 class ThreadExecution : public Execution
 {
 public:
@@ -64,7 +64,7 @@ public:
   }
 };
 
-/// Serial; says no at call number `stopAt` of goOn (0: the first).
+/// Serial; reportProgress returns false at call number `stopAt` (0: the first).
 class StoppingExecution : public Execution
 {
 public:

@@ -9,8 +9,8 @@
 namespace irradiance::test
 {
 
-/// Its clock goes on by a tick whenever it is looked at: with one thread a budget ends at the same
-/// walk every time.
+/// Its clock advances by a tick at every reading: with one thread a budget ends at the same walk
+/// every time.
 class TickingExecution : public ThreadExecution
 {
 public:
