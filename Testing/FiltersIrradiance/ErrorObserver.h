@@ -51,10 +51,10 @@ public:
 
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
-  int Failures = 0; ///< executions that the pipeline was told to have failed
+  int Failures = 0; ///< executions reported to the pipeline as failed
 };
 
-/// The only error of a filter's update, which must have left no output.
+/// Updates a filter and returns its only error; the output must be empty.
 inline std::string OnlyErrorOf(vtkIrradianceFilter* filter)
 {
   const auto observer = ErrorObserver::Watch(filter);

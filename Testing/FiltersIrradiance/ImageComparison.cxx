@@ -38,13 +38,13 @@ Picture::Picture(const std::array<double, 3>& cameraPosition, const std::array<d
 namespace
 {
 
-/// A component of a cell array; grey ones serve all bands.
+/// A component of a cell array; grey arrays serve all bands.
 double ValueOf(vtkDataArray* array, vtkIdType cell, int band)
 {
   return array->GetComponent(cell, array->GetNumberOfComponents() == 3 ? band : 0);
 }
 
-/// W/m2
+/// Reflected and emitted, W/m2.
 double RadiosityOf(vtkCellData* cells, vtkIdType cell, int band)
 {
   vtkDataArray* exitance = cells->GetArray("RadiantExitance");
@@ -90,12 +90,12 @@ void Picture::Add(vtkPolyData* polyData, double brightest)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
-  actor->GetProperty()->BackfaceCullingOn(); // looks into rooms through their walls
+  actor->GetProperty()->BackfaceCullingOn(); // shows rooms through their walls
   this->Renderer->AddActor(actor);
 }
 
-// Not vtkTesting's comparison: its vtkImageDifference forgives every pixel a difference of 105 (of
-// 3 * 255), by which a red wall passes for a green one.
+// vtkTesting's comparison does not serve: its vtkImageDifference forgives a difference of 105 (of
+// 3 * 255) in every pixel, so a red wall passes for a green one.
 bool Picture::IsSame(const std::string& name, bool isExpected)
 {
   constexpr int forgivenOfAPixel = 16;

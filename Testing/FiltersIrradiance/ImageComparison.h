@@ -12,19 +12,19 @@
 #include <string>
 
 /// Shows cells in colours that depend on the numbers alone, and compares the picture with
-/// Baseline/<name>.png. Where there is none, the test fails and the picture is left in the build
-/// folder: look at it, then copy it.
+/// Baseline/<name>.png. Without a baseline the test fails and leaves the picture in the build
+/// folder, to be looked at and copied.
 class Picture
 {
 public:
   Picture(const std::array<double, 3>& cameraPosition, const std::array<double, 3>& focus);
 
-  /// What the cells emit and reflect, from 0 (black) to `brightest`, W/m2: grey, or the three bands
-  /// as red, green and blue; by its square root, near to what displays expect.
+  /// Adds cells by what they emit and reflect, from 0 (black) to `brightest`, W/m2: grey, or the
+  /// bands as red, green and blue. Colours are its square root, close to what displays expect.
   void Add(vtkPolyData* polyData, double brightest);
 
-  /// True if picture and baseline agree. A picture that is expected to, and does not, is written to
-  /// the build folder.
+  /// Whether picture and baseline agree. A picture that should agree and does not is written to the
+  /// build folder.
   bool IsSame(const std::string& name, bool isExpected);
 
 private:

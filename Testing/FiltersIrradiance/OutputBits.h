@@ -12,8 +12,8 @@
 #include <map>
 #include <set>
 
-/// Every array of an output, byte for byte, by a name such as "Dynamic 2/cell/Irradiance". Of the
-/// field data, only what depends on the scene alone: not what the update cost.
+/// Every array of an output, byte for byte, by a name such as "Dynamic 2/cell/Irradiance". Field
+/// data count only where they depend on the scene alone, not on the cost of the update.
 class OutputBits
 {
 public:
@@ -40,7 +40,7 @@ public:
 
   bool IsEmpty() const { return this->Arrays.empty(); }
 
-  /// Says which array differs first, and where.
+  /// Tells which array differs first, and where.
   friend testing::AssertionResult IsSame(const OutputBits& a, const OutputBits& b)
   {
     if (a.Arrays.size() != b.Arrays.size())

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// What holds of every output, stale or not.
+/// What holds for every output, stale or not.
 namespace OutputChecks
 {
 
@@ -94,8 +94,8 @@ inline double AreaOf(vtkPolyData* polyData, vtkIdType cell)
     polyData->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
 }
 
-/// The full update takes no more than the stale part from a cell, and brings no more than the bound to
-/// all of them. Areas come from points that may be floats.
+/// The full update takes at most the stale part from a cell, and brings at most the bound to all
+/// cells. Areas come from points that may be floats.
 inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
 {
   const auto before = LeavesOf(now->GetOutput()), after = LeavesOf(full->GetOutput());
@@ -119,7 +119,7 @@ inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
                        exact = value(array(after[i], "Irradiance")), area = AreaOf(before[i], cell);
           EXPECT_LE(stale, e * (1 + 1e-12));
           EXPECT_GE(exact, (e - stale) - 1e-12 * e);
-          if (e > 0 || exact > 0) // the area of nothing may be NaN
+          if (e > 0 || exact > 0) // the area of a degenerate cell may be NaN
           {
             brought += (exact - (e - stale)) * area;
             received += exact * area;

@@ -7,7 +7,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
-/// What users do to the inputs of a filter and their poses: each changes the model and the filter alike.
+/// What users do to a filter's inputs and their poses. Each edit changes model and filter alike.
 namespace RandomPrograms
 {
 
@@ -34,7 +34,7 @@ inline void ReplaceOrRemoveAPose(Trial& t)
   t.Filter->SetDynamicTransform(i, pose);
 }
 
-/// Of a leaf, or of the root of a connection.
+/// The field of a leaf, or of the root of a connection.
 inline void ChangeAPoseField(Trial& t)
 {
   Connection& moving = Pick(t.Random, t.Moving());
@@ -51,7 +51,7 @@ inline void ChangeAPoseField(Trial& t)
   moving.Data->Modified();
 }
 
-/// Exactly: the lamp, or in a corner the floor, two walls and what else went there.
+/// Touches exactly: the lamp, or in a corner the floor, two walls and other things there.
 inline void TouchSomething(Trial& t)
 {
   Connection& moving = Pick(t.Random, t.Moving());
@@ -95,7 +95,7 @@ inline void GoFarAway(Trial& t)
 
 // Data.
 
-/// One point of triangles, or all points of others, so that cells stay flat.
+/// Moves one point of a mesh of triangles, or scales all points of another, whose cells stay flat.
 inline void Deform(Trial& t)
 {
   const Leaf leaf = t.PickLeaf(false);
@@ -213,7 +213,7 @@ inline void ChangeBlocks(Trial& t)
 
 // Connections.
 
-/// What is static stands in the same corner, and touches exactly.
+/// Static meshes stand in the same corner, and touch exactly.
 inline void PutIntoTheCorner(Trial& t, vtkPolyData* mesh)
 {
   double bounds[6];
@@ -252,7 +252,7 @@ inline void AddConnection(Trial& t)
   }
 }
 
-/// The ground stays, and one that moves.
+/// The ground stays, and so does the first dynamic connection.
 inline void RemoveConnection(Trial& t)
 {
   const int port = Chance(t.Random, 3) ? 0 : 1;

@@ -10,7 +10,7 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 
-/// All that a filter's result follows from, and random parts for it.
+/// Everything that determines a filter's result, and random parts of it.
 namespace RandomModels
 {
 
@@ -30,7 +30,7 @@ struct Settings
 struct Connection
 {
   vtkSmartPointer<vtkDataObject> Data;
-  vtkSmartPointer<vtkTransform> Pose; ///< null for none; of port 1 alone
+  vtkSmartPointer<vtkTransform> Pose; ///< null for none; port 1 only
 };
 
 struct Model
@@ -74,7 +74,7 @@ inline void ApplyPoses(vtkIrradianceFilter* filter, const Model& model)
   }
 }
 
-/// For a filter without connections.
+/// Sets up a filter that has no connections yet.
 inline void Configure(vtkIrradianceFilter* filter, const Model& model)
 {
   ApplySettings(filter, model.Set);
@@ -88,7 +88,7 @@ inline void Configure(vtkIrradianceFilter* filter, const Model& model)
   ApplyPoses(filter, model);
 }
 
-/// Visits the polydata in `data`, in order; `data` may be one.
+/// Visits the polydata in `data`, in order; `data` may itself be one.
 template <class Visit>
 void ForEachLeaf(vtkDataObject* data, const Visit& visit)
 {
@@ -132,7 +132,7 @@ inline Vector RandomPlace(RandomNumbers& random)
   return { random.Between(-0.2, 3.2), random.Between(-0.2, 3.2), random.Between(-0.2, 3.2) };
 }
 
-/// Around the origin. The lengths of boxes and plates are quarters: they can touch exactly.
+/// Around the origin. Lengths are multiples of 0.25 m, so flat faces can touch exactly.
 inline Mesh RandomMesh(RandomNumbers& random)
 {
   const auto length = [&] { return 0.25 * (1 + random.Below(4)); };
@@ -161,7 +161,7 @@ inline Mesh RandomMesh(RandomNumbers& random)
   return mesh;
 }
 
-/// The field array that moves `data` as well as a transform does.
+/// Adds the field array that moves `data` as a transform does.
 inline void SetObjectToWorld(vtkDataObject* data, vtkTransform* pose)
 {
   vtkNew<vtkDoubleArray> array;
@@ -243,7 +243,7 @@ inline vtkSmartPointer<vtkDataObject> RandomData(RandomNumbers& random)
   return RandomMesh(random);
 }
 
-/// A room or an open floor, which stays, a lamp and a few more things.
+/// A room or an open floor, which stays, a lamp and four dynamic inputs.
 inline Model RandomModel(RandomNumbers& random)
 {
   Model model;

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-/// What else users do to a filter, and the table of it all.
+/// What else users do to a filter, and the table of all operations.
 namespace RandomPrograms
 {
 
@@ -68,7 +68,7 @@ inline void SayModified(Trial& t)
   t.Filter->Modified();
 }
 
-/// The last sign of all, 1, is the executive's and comes too late.
+/// The last progress event, 1, is the executive's and comes too late to abort.
 inline void Abort(Trial& t)
 {
   MoveAPose(t);
@@ -95,7 +95,7 @@ inline void MeddleWhileItRuns(Trial& t)
 
 // Bad input, for one update.
 
-/// A cell that takes part, -1 for none.
+/// A random cell; -1 if it is a ghost and takes no part.
 inline vtkIdType PickCell(Trial& t, vtkPolyData* mesh)
 {
   const vtkIdType cell = t.Random.Below(static_cast<int>(mesh->GetNumberOfCells()));
@@ -142,7 +142,7 @@ inline void SpoilAReflectance(Trial& t)
   }
 }
 
-/// Or one too many.
+/// A singular pose, of a dynamic connection or of one past the last.
 inline void SpoilAPose(Trial& t)
 {
   const int i = t.Random.Below(static_cast<int>(t.Moving().size()) + 1);

@@ -21,7 +21,7 @@ namespace RandomPrograms
 using namespace RandomModels;
 using namespace OutputChecks;
 
-/// Does something at one of the next signs of progress.
+/// Does something at one of the next progress events.
 class Meddler : public vtkCommand
 {
 public:
@@ -55,7 +55,7 @@ struct Leaf
   void Modified() const
   {
     this->Mesh->Modified();
-    this->In->Data->Modified(); // a composite one does not look into its leaves
+    this->In->Data->Modified(); // a composite dataset does not look into its leaves
   }
 };
 
@@ -99,7 +99,7 @@ struct Trial
     return Pick(this->Random, leaves);
   }
 
-  /// At one of the first signs of progress of the next update, true if it came to that.
+  /// Updates, with `change` at one of the first progress events; false if there were too few.
   bool UpdateAndMeddle(const std::function<void()>& change)
   {
     this->Observer->EventsToWait = this->Random.Below(6);
@@ -119,7 +119,7 @@ struct Trial
     ++this->Done.Errors;
   }
 
-  /// With another number of threads.
+  /// A new filter, updated with another number of threads.
   vtkSmartPointer<vtkIrradianceFilter> MakeFresh(std::size_t errors = 0) const
   {
     auto fresh = vtkSmartPointer<vtkIrradianceFilter>::New();
@@ -149,7 +149,7 @@ inline void Trial::UpdateAndCheck()
   const auto& errors = this->Reports->Errors;
   if (errors.size() == 1 && errors[0].find("no side to shine into") != std::string::npos)
   {
-    this->MakeFresh(1); // a point light between faces that touch: bad input, by chance
+    this->MakeFresh(1); // a point light between faces that touch is bad input, met by chance
     this->Filter
       ->Modified(); // else the next operation, if it changes nothing, keeps the empty output
     this->MustCompare = true;
@@ -169,7 +169,7 @@ inline void Trial::UpdateAndCheck()
   }
 }
 
-/// What is stale keeps its bounds, and is made good at once or left to later operations.
+/// Stale light keeps its bounds, and is repaired at once or left to later operations.
 inline void Trial::Compare()
 {
   const auto fresh = this->MakeFresh();
@@ -179,7 +179,7 @@ inline void Trial::Compare()
     ++this->Done.Stale;
     if (Field(this->Filter, "NumberOfWalks") == Field(fresh, "NumberOfWalks"))
     {
-      ExpectBounds(this->Filter, fresh); // with a target, others may have to be shot
+      ExpectBounds(this->Filter, fresh); // a target may give the fresh filter other walks
     }
     if (Chance(this->Random, 2))
     {

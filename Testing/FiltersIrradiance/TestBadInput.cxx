@@ -171,7 +171,7 @@ const std::string Bulb = "input port 0, connection 2";
 const std::string Ball = "input port 1, connection 0";
 const std::string Box = "input port 1, connection 1";
 
-// The cube's point 3 is first used by its cell 0, which are the points 0, 1, 3 and 2.
+// The cube's point 3 is first used by its cell 0, whose points are 0, 1, 3 and 2.
 const std::vector<BadInput> BadInputs{
   { "PointIsNaN", MovePoint(1, 3, NaN), { Box, "cell 0", "point 3", "nan" } },
   { "PointIsInfinite", MovePoint(1, 3, -Infinity), { Box, "cell 0", "point 3", "-inf" } },
@@ -318,7 +318,7 @@ TEST(BadInputGoes, AndTheStaticInputWithIt)
   EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
 }
 
-// A point that no cell uses is nobody's business.
+// A point that no cell uses may have any coordinates.
 TEST(OddInput, UnusedPointThatIsNaN)
 {
   Scene scene = MakeGoodScene();
@@ -395,10 +395,10 @@ TEST(OddInput, CellsWithoutAreaAreKeptAndReported)
   observer->Clear();
   scene.Moving[0].Pose->Translate(0.1, 0, 0);
   filter->Update();
-  EXPECT_TRUE(observer->Warnings.empty()); // it was said
+  EXPECT_TRUE(observer->Warnings.empty()); // reported once
 }
 
-// Light that never goes: an error, not a filter that never ends.
+// Light that is never absorbed is an error, not an endless update.
 TEST(OddInput, ReflectanceOneInAClosedRoom)
 {
   Scene scene{ { MakeRoom(3, 1), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) }, {} };
@@ -410,7 +410,7 @@ TEST(OddInput, ReflectanceOneInAClosedRoom)
   EXPECT_NE(error.find("reflectance"), std::string::npos) << error;
 }
 
-// Very little light is light: powers times 2^k make irradiances times 2^k.
+// Very little light counts: powers times 2^k give irradiances times 2^k.
 TEST(OddInput, TinyPowers)
 {
   const Scene scene = MakeSmallScene();
@@ -428,7 +428,7 @@ TEST(OddInput, TinyPowers)
         << "k " << k << ", cell " << cell;
     }
   }
-  // Below the normal doubles a light counts as none.
+  // A light below the normal doubles counts as none.
   SetCellValues(scene.Fixed[1], "RadiantExitance", { std::ldexp(100.0, -1060) });
   const auto filter = MakeFilter(scene, NumberOfWalks);
   const auto observer = ErrorObserver::Watch(filter);

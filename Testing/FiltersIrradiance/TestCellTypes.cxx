@@ -36,8 +36,8 @@ vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::vector<vtkIdType>
   return array;
 }
 
-/// A light high above makes the same irradiance on every cell of the plane z = 0, if each has its
-/// own area and receives its own light. At height h, flux F: F / (4 pi h^2) to within (2 / h)^2.
+/// A light high above gives every cell of the plane z = 0 the same irradiance, if each has its own
+/// area and receives its own light. At height h, flux F: F / (4 pi h^2) to within (2 / h)^2.
 void ExpectUniform(const Mesh& mesh, vtkIdType firstSurface)
 {
   const double height = 20, flux = 4 * vtkMath::Pi() * height * height * 10;
@@ -74,7 +74,7 @@ TEST(CellTypes, VerticesLinesPolygonsAndStripsInOneMesh)
 
 TEST(CellTypes, ConcavePolygons)
 {
-  // An arrowhead, whose notch is filled by another one, and an L with its complement.
+  // An arrowhead, whose notch is filled by another one, and a staircase.
   Mesh mesh = MakePolyData(
     { { 0, 0, 0 }, { 2, 2, 0 }, { 0, 1, 0 }, { -2, 2, 0 }, { 0, 3, 0 }, { -2, 0, 0 }, { -2, -3, 0 },
       { 2, -3, 0 }, { 2, -2, 0 }, { 0, -2, 0 }, { 0, -1, 0 }, { -1, -1, 0 }, { -1, 0, 0 } });
@@ -82,7 +82,7 @@ TEST(CellTypes, ConcavePolygons)
   ExpectUniform(mesh, 0);
 }
 
-// A plate of 4 m with a hole of 2 m, cut open along one edge, 1 m above the floor and 2 m below a light.
+// A plate of 4 m with a hole of 2 m, cut open along one edge, 1 m above a floor, 2 m below a light.
 TEST(CellTypes, PolygonWithAHole)
 {
   Mesh plate = MakePolyData({ { 0, 0, 1 }, { 4, 0, 1 }, { 4, 4, 1 }, { 0, 4, 1 }, { 1, 1, 1 },
@@ -124,7 +124,7 @@ TEST(CellTypes, PolygonsThatCrossThemselvesAreReported)
   {
     EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
   }
-  // Both lobes of each: two of 1/4 m2; one of 1/4 m2 and a half square of 2 m without its tip of 1/4 m2.
+  // Both lobes of each: two of 1/4 m2; 1/4 m2 and half a square of 2 m less its tip of 1/4 m2.
   EXPECT_NEAR(Field(filter, "EmittedPower"), 8 * (2 + 0.5 + 0.25 + 1.75), 1e-6);
 }
 
@@ -153,8 +153,8 @@ TEST(CellTypes, PolyVertexIsSeveralLights)
   const auto filter = MakeFilter({ { Join({ near, far }), lights }, {} }, 60000);
   filter->SetDefaultDiffuseReflectance(0);
   filter->Update();
-  // Half of the flux over a face of a cube of 2 m around the light: a sixth of it. The other light,
-  // 11.3 m away, adds less than 1 m / (4 pi (11.3 m)^3) of its flux per m2.
+  // Each cell is a face of a cube of 2 m around a light and receives a sixth of half the flux. The
+  // other light, 11.3 m away, adds less than 1 m / (4 pi (11.3 m)^3) of its flux per m2.
   for (vtkIdType cell = 0; cell < 2; ++cell)
   {
     EXPECT_NEAR(IrradianceOf(filter, 0, 0)->GetComponent(cell, 0), 30.0 / 6 / 4, 0.03);

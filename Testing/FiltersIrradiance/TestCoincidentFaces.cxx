@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces that lie exactly in each other: light never gets inside a closed body that touches, and a lamp
-// in the plane of a wall shines into the room and receives what falls on it.
+// Coincident faces: light never gets inside a closed body that touches another, and a lamp in the
+// plane of a wall shines into the room and receives what falls on it.
 
 #include "OutputBits.h"
 #include "TestScenes.h"
@@ -18,7 +18,7 @@ namespace
 constexpr vtkIdType NumberOfWalks = 40000;
 constexpr double Exitance = 100;
 
-/// In double, so that faces that coincide do so to the last digits but not exactly.
+/// In double, so coincident faces agree up to the last digits but not exactly.
 Mesh Turned(vtkPolyData* mesh, vtkTransform* transform)
 {
   vtkNew<vtkTransformPolyDataFilter> filter;
@@ -80,8 +80,8 @@ void ExpectAllZero(vtkDataArray* array)
   EXPECT_EQ(array->GetRange()[1], 0);
 }
 
-/// A closed room of reflectance 1/2 receives twice what is emitted. The hits of a walk vary by sqrt(2),
-/// so their mean over all walks by 0.4 %.
+/// A closed room of reflectance 1/2 receives twice what is emitted. The number of hits of a walk
+/// has a standard deviation of sqrt(2), its mean over all walks one of 0.4 %.
 void ExpectTwiceTheEmittedPower(vtkIrradianceFilter* filter)
 {
   EXPECT_EQ(Field(filter, "EscapedPower"), 0);
@@ -123,8 +123,8 @@ class LampInACeiling : public testing::TestWithParam<std::tuple<bool, bool>>
 
 }
 
-// Between table and box the light goes to and fro: M / (1 - rho^2). The 200,000 walks leave some 12,000
-// photons under the box, so a deviation of about 1 %: 5 % are passed by chance in 1 of 10^6 runs.
+// Table and box reflect light to each other: M / (1 - rho^2). The 200,000 walks leave about 12,000
+// photons under the box, a deviation of about 1 %: chance exceeds 5 % in 1 of 10^6 runs.
 TEST_P(BoxOnALightTable, IsLitFromBelowAndDarkWithin)
 {
   const Standing& how = GetParam();
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Each, BoxOnALightTable,
     Standing{ false, true, true, false }),
   testing::PrintToStringParamName());
 
-// It slides, lifts off, comes down again, turns: each frame has the bits of a new filter.
+// A box slides, lifts off, comes down again, turns: each frame has the bits of a new filter.
 TEST(CoincidentFaces, UpdatesEqualRebuilds)
 {
   const auto turn = Turn(true);
@@ -203,7 +203,7 @@ TEST(CoincidentFaces, UpdatesEqualRebuilds)
   EXPECT_TRUE(IsSame(OutputBits(filters[1]), OutputBits(filters[0])));
 }
 
-// The lamp covers the middle cell of the ceiling: all that arrives there is the lamp's.
+// The lamp covers the middle cell of the ceiling and receives all that arrives there.
 TEST_P(LampInACeiling, ReceivesWhatFallsOnIt)
 {
   const auto [isTurned, isFrontWithin] = GetParam();
@@ -217,8 +217,8 @@ TEST_P(LampInACeiling, ReceivesWhatFallsOnIt)
   EXPECT_EQ(Field(filter, "EscapedPower"), 0);
   constexpr vtkIdType middle = 13; // of the ceiling
   EXPECT_EQ(IrradianceOf(filter, 0, 0)->GetComponent(middle, 0), 0);
-  // The same lamp as a cell of the ceiling itself, exact but for the noise of some 4,000 photons: 1.6 %
-  // each, so 10 % are passed by chance in 1 of 10^5 runs.
+  // The same lamp as a cell of the ceiling itself. Both have the noise of about 4,000 photons,
+  // 1.6 %, so chance exceeds 10 % in 1 of 10^5 runs.
   Mesh whole = Copy(room);
   SetCellValues(whole, "RadiantExitance", { 0 });
   whole->GetCellData()->GetArray("RadiantExitance")->SetComponent(middle, 0, Exitance);
@@ -234,7 +234,7 @@ TEST_P(LampInACeiling, ReceivesWhatFallsOnIt)
 
 INSTANTIATE_TEST_SUITE_P(Each, LampInACeiling, testing::Combine(testing::Bool(), testing::Bool()));
 
-// A room of one box, as vtkCubeSource makes it: its front is outside, and still it is a room.
+// A room that is one box of vtkCubeSource: its fronts face outwards, and still it is a room.
 TEST(CoincidentFaces, ALampShinesIntoABoxThatHoldsTheScene)
 {
   Scene scene{ { MakeStandingBox(3), MakeLamp({ 0, 0, 3 }, 1, { Exitance }) }, {} };
@@ -243,7 +243,7 @@ TEST(CoincidentFaces, ALampShinesIntoABoxThatHoldsTheScene)
   ExpectTwiceTheEmittedPower(filter);
 }
 
-// Walls that are inputs of their own, any way round.
+// Each wall is an input of its own and faces either way.
 TEST(CoincidentFaces, ALampShinesIntoARoomOfSixSheets)
 {
   const double s = 3;
@@ -286,7 +286,7 @@ TEST(CoincidentFaces, AClosedLampOnTheFloorLosesNothing)
   }
 }
 
-// What stands on a lit floor, beside a wall or on another box is dark within.
+// A box that stands on a lit floor, against a wall or on another box is dark inside.
 TEST(CoincidentFaces, BodiesThatTouchAreDarkWithin)
 {
   const Mesh box = MakeStandingBox(0.5);
@@ -304,7 +304,7 @@ TEST(CoincidentFaces, BodiesThatTouchAreDarkWithin)
   }
 }
 
-// A covered lamp lights nothing but what covers it.
+// A covered lamp lights only what covers it.
 TEST(CoincidentFaces, ACoveredLampIsDark)
 {
   Scene scene{ { MakeRoom(3, 3) }, { MakeMoving(MakeStandingBox(1), { 1.5, 1.5, 0 }) } };
@@ -353,7 +353,7 @@ Mesh MakeShiftedBox(double side)
 
 }
 
-// It shines into the room with all of its power: so half of the sphere of directions, or less, has it all.
+// It shines into the room with all of its power, over half of the sphere of directions or less.
 TEST_P(PointLightInAWall, LosesNothing)
 {
   for (const bool isTurned : { false, true })
@@ -378,7 +378,7 @@ INSTANTIATE_TEST_SUITE_P(Each, PointLightInAWall,
     Bulb{ "CornerFrontOutside", { 3, 3, 0 }, MakeShiftedBox(3) }),
   testing::PrintToStringParamName());
 
-// In a black room nothing comes back: the wall that it lies in stays dark, as all of it goes to the others.
+// In a black room nothing comes back: the wall with the light stays dark, the others receive all.
 TEST(CoincidentFaces, APointLightInACeilingDoesNotLightIt)
 {
   for (const bool isTurned : { false, true })
@@ -403,7 +403,7 @@ TEST(CoincidentFaces, APointLightInACeilingDoesNotLightIt)
   }
 }
 
-// On the lid of a box in a room, standing or moving, it lights the room and not the box.
+// On the lid of a box, static or dynamic, a point light lights the room and not the box's inside.
 TEST(CoincidentFaces, APointLightOnABodyStaysOutside)
 {
   const Mesh box = MakeStandingBox(1);
@@ -425,7 +425,7 @@ TEST(CoincidentFaces, APointLightOnABodyStaysOutside)
     filter->Update();
     EXPECT_EQ(Field(filter, "EscapedPower"), 0);
     ExpectAllZero(Side(filter, isDynamic ? 1 : 0, isDynamic ? 0 : 2, "Back"));
-    if (isDynamic) // it goes, and the light shines to all sides again
+    if (isDynamic) // the box moves away, and the light shines to all sides again
     {
       scene.Moving[0].Pose->Translate(0.5, 0, -0.25);
       filter->Update();
@@ -450,8 +450,8 @@ TEST(CoincidentFaces, APointLightOnAPostInTheOpen)
   ExpectAllZero(Side(filter, 0, 0, "Back"));
 }
 
-// The walls at the light are looked at before the lamps: these are found to lie in the floor all the same,
-// at first as well as when the light comes there later.
+// The walls at a point light are examined before the lamps. The lamp in the floor is found all the
+// same, whether the light is there from the start or comes later.
 TEST(CoincidentFaces, APointLightInAWallAndALampInTheFloor)
 {
   const Mesh lamp = MakeRectangle({ 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1);

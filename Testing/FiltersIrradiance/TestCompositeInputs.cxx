@@ -38,7 +38,7 @@ vtkSmartPointer<vtkTransform> Shift(double x, double y, double z)
   return shift;
 }
 
-/// Blocks: a plate 1 m below the lamp, nothing, and in a block of its own a plate right under it.
+/// Blocks: a plate 1 m below the lamp, nothing, and in a nested block a larger plate half-way up.
 vtkSmartPointer<vtkMultiBlockDataSet> MakePlates()
 {
   vtkNew<vtkMultiBlockDataSet> inner;
@@ -63,7 +63,7 @@ vtkDataObject* BlockOf(vtkIrradianceFilter* filter, unsigned int port, unsigned 
 
 }
 
-// What the executive did of itself: one scene for each block.
+// VTK's executive, left to itself, would make one scene of each block.
 TEST(CompositeInputs, BlocksShadeEachOther)
 {
   vtkNew<vtkIrradianceFilter> filter;
@@ -84,7 +84,7 @@ TEST(CompositeInputs, BlocksShadeEachOther)
   EXPECT_GT(lit->GetRange()[0], 0);
 }
 
-// The same leaves as connections of their own: the same numbers. Every composite type of VTK's.
+// Leaves give the same numbers as connections of their own, in every composite type of VTK.
 TEST(CompositeInputs, LeavesAreAsConnections)
 {
   const Scene scene = MakeSmallScene();
@@ -165,7 +165,7 @@ TEST(CompositeInputs, PosesCompose)
     EXPECT_EQ(output->GetFieldData()->GetAbstractArray("ObjectToWorld"), nullptr);
     EXPECT_EQ(output->GetBlock(0)->GetFieldData()->GetAbstractArray("ObjectToWorld"), nullptr);
   }
-  EXPECT_NE(posed->GetFieldData()->GetAbstractArray("ObjectToWorld"), nullptr); // the input's own
+  EXPECT_NE(posed->GetFieldData()->GetAbstractArray("ObjectToWorld"), nullptr); // the input has it
 }
 
 TEST(CompositeInputs, MotionIsARepair)
@@ -229,7 +229,7 @@ TEST(CompositeInputs, AnEmptyOneIsNothing)
   EXPECT_EQ(Field(filter, "EscapedPower"), Field(filter, "EmittedPower"));
 }
 
-// The leaf's own pose as a transform of a plain connection.
+// A leaf's own pose acts as the transform of a plain connection does.
 TEST(CompositeInputs, ALeafMovesAsAPlainInput)
 {
   const Scene scene = MakeSmallScene();

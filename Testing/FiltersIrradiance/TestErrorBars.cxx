@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Standard errors and the target dial, as the user of the filter sees them.
+// Standard errors and the target error, as the user of the filter sees them.
 
 #include "ErrorObserver.h"
 #include "OutputBits.h"
@@ -36,8 +36,8 @@ bool HasField(vtkIrradianceFilter* filter, const char* name)
 
 }
 
-// Over the seeds, the irradiance scatters by what its standard error says: the ratio of the two
-// variances, averaged over the cells, is off by 5 standard errors of it once in 10^6.
+// Over the seeds, the irradiance scatters as its standard error says: the ratio of the two
+// variances, averaged over the cells, is off by 5 of its standard errors once in 10^6.
 TEST(StandardError, IsTheScatterOverSeeds)
 {
   const Scene scene = MakeLitScene(1);
@@ -103,7 +103,7 @@ TEST(StandardError, ArraysAreThoseAskedFor)
   EXPECT_NEAR(Field(filter, "ConfidenceFactor"), 12.706, 1e-3);
 }
 
-// The third band has no light: its zeros are not known to be right from photons. The outsides of the
+// The third band has no light, so no photon shows that its zeros are right. The outsides of the
 // walls, points and cells without area receive nothing either.
 TEST(StandardError, IsNaNWhereNothingIsKnown)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of the results, and for each a scene that is a little wrong and must not pass.
-// They need an X server: see run-under-xvfb.sh.
+// They need an X server: see Utilities/run-under-xvfb.sh.
 
 #include "ImageComparison.h"
 #include "TestScenes.h"
@@ -69,7 +69,7 @@ bool IsColouredRoom(const std::vector<double>& left, const std::vector<double>& 
   return picture.IsSame("ColouredRoom", left[0] > left[1]);
 }
 
-/// The ball walks and turns over the floor; the picture is that of the last of five frames.
+/// A ball moves over the floor and a box turns; the picture shows the last of five frames.
 bool IsWalkingBall(int frames)
 {
   Scene scene = MakeBallOverFloor(-1.2);

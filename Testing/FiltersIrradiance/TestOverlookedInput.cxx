@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input that was once overlooked without a word: ghosts, light on cells of the wrong kind, arrays and
-// poses in the wrong place, points that are integers.
+// Input that was once overlooked without a word: ghosts, light on cells of the wrong kind, arrays
+// and poses in the wrong place, points that are integers.
 
 #include "ErrorObserver.h"
 #include "OutputBits.h"
@@ -57,7 +57,7 @@ void ExpectOnlyWarning(vtkIrradianceFilter* filter, const std::vector<std::strin
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
 }
 
-/// `kinds[i]` of cell i.
+/// Cell i gets `kinds[i]`, and 0 beyond the end of `kinds`.
 void SetGhosts(vtkPolyData* mesh, const std::vector<unsigned char>& kinds)
 {
   vtkNew<vtkUnsignedCharArray> ghosts;
@@ -93,7 +93,7 @@ void SetPoseField(vtkPolyData* mesh, double shift)
 
 }
 
-// A lamp of two cells of which one is another piece's, under a hidden shade.
+// A lamp of four cells, one of them another piece's, above a hidden shade.
 TEST(GhostCells, TakeNoPart)
 {
   const Mesh lamp =
@@ -117,7 +117,7 @@ TEST(GhostCells, TakeNoPart)
   EXPECT_NEAR(IrradianceOf(filter, 0, 1)->GetComponent(0, 0) * 1e4, 75, 0.1); // nearly all
 }
 
-// Cells that are merely on a border, or refined elsewhere, are there.
+// Cells with another mark, such as those on a border, take part.
 TEST(GhostCells, OtherMarksMeanNothing)
 {
   const Scene scene = MakeSmallScene();
@@ -172,7 +172,7 @@ TEST(ChosenArray, ThatIsNowhereIsAnError)
   ExpectOnlyError(filter, { "Albedo", "diffuse reflectance", "not among the cell arrays" });
   filter->SetInputArrayToProcess(
     1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "DiffuseReflectance");
-  EXPECT_TRUE(Update(filter).Errors.empty()); // it need not be there
+  EXPECT_TRUE(Update(filter).Errors.empty()); // the default array may be missing
 }
 
 TEST(ChosenArray, ThatOneInputHasIsRead)
@@ -222,7 +222,7 @@ TEST(MisplacedLight, ExitanceOfVerticesAloneIsAnError)
     MakeFilter(scene, NumberOfWalks), { "input port 0, connection 2, cell 0", "radiant exitance" });
 }
 
-// Where both kinds of cells are, an array has to say something of either.
+// Where a mesh has both kinds of cells, an array has values for both.
 TEST(MisplacedLight, BesideTheRightCellsIsAWarning)
 {
   Scene scene = MakeSmallScene();
@@ -261,7 +261,7 @@ TEST(PoseField, OfStringsIsAnError)
   ExpectOnlyError(filter, { "input port 1, connection 1", "ObjectToWorld", "vtkStringArray" });
 }
 
-// The output stands where the pose took it: fed back, it stays there.
+// The pose has already moved the output: fed back as an input, it does not move again.
 TEST(PoseField, IsNotHandedOn)
 {
   const Scene scene = MakeSmallScene();

@@ -28,7 +28,7 @@ public:
   int Count = 0;
 };
 
-/// Updates; the result is a new filter's. True if nothing was shot.
+/// Updates; true if the output has the bits of a new filter's.
 testing::AssertionResult UpdatesLikeANewOne(vtkIrradianceFilter* filter, const Scene& scene)
 {
   filter->Update();
@@ -85,8 +85,7 @@ TEST(Pipeline, ExecutesOnlyWhenSomethingChanged)
   EXPECT_EQ(counter->Count, 2);
 }
 
-// As a GUI does it: a pose, a property or an input changes between two signs of progress, or at the very
-// end.
+// As a GUI does it: a pose, a property or an input changes at a progress event, or at the very end.
 TEST(Pipeline, WhatChangesWhileItRunsIsSeenNext)
 {
   class Meddler : public vtkCommand
@@ -223,7 +222,7 @@ TEST(Pipeline, EveryOtherChangeIsANewFilter)
   EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << "default reflectance changed";
 }
 
-// The input itself is as it was; what is read of it is not.
+// The input itself does not change; what the filter reads of it does.
 TEST(Pipeline, AnotherArrayIsChosen)
 {
   const Scene scene = MakeSmallScene();
@@ -348,7 +347,7 @@ TEST(Pipeline, DynamicIsStaticMovedBeforehand)
           << name << ", cell " << i;
       }
     }
-    const char* lit = mirror > 0 ? "IrradianceFront" : "IrradianceBack"; // it turns inside out
+    const char* lit = mirror > 0 ? "IrradianceFront" : "IrradianceBack"; // mirrored: inside out
     const char* dark = mirror > 0 ? "IrradianceBack" : "IrradianceFront";
     EXPECT_GT(found->GetCellData()->GetArray(lit)->GetRange()[1], 5);
     EXPECT_EQ(found->GetCellData()->GetArray(dark)->GetRange()[1], 0);

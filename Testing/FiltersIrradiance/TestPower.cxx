@@ -58,8 +58,8 @@ TEST(Power, NothingIsAbsorbedWhereThereIsOnlyALight)
   EXPECT_EQ(Field(filter, "NumberOfSegments"), 1000);
 }
 
-// What the faces of a black cube receive from a point light at its centre is its flux; each face a
-// sixth. The walks are strata of the sphere: much better than 1 / sqrt(walks).
+// The faces of a black cube receive the whole flux of a point light at its centre, a sixth each.
+// The walks stratify the sphere, so the error is much smaller than 1 / sqrt(walks).
 TEST(Power, BlackCubeAroundAPointLight)
 {
   const Scene scene{ { MakeRoom(2, 1), MakePointLight({ 1, 1, 1 }, { 60 }) }, {} };
@@ -123,7 +123,7 @@ TEST(Power, GreyIsOneComponent)
 }
 
 // One array of three components makes three bands everywhere; grey arrays serve all of them. Equal
-// bands are the grey result, but for the rounding to quanta of 2^-45 of the power.
+// bands are the grey result, up to rounding to quanta of 2^-45 of the power.
 TEST(Power, ThreeEqualBandsAreTheGreyResult)
 {
   Scene scene = MakeSmallScene();
@@ -155,7 +155,7 @@ TEST(Power, ThreeEqualBandsAreTheGreyResult)
   }
 }
 
-// The front of a rectangle sees the lamp, the back sees nothing.
+// The front of a rectangle sees the light, the back sees nothing.
 TEST(Power, SidesAreKeptApart)
 {
   const Scene scene{ { MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),

@@ -24,7 +24,7 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Notes every progress event, and aborts at one of them if told so.
+/// Records every progress event, and aborts from progress AbortAt on; never if that is above 1.
 class ProgressObserver : public vtkCommand
 {
 public:
@@ -65,7 +65,7 @@ vtkSmartPointer<ProgressObserver> Watch(vtkIrradianceFilter* filter)
   return observer;
 }
 
-/// Walks that take about `seconds` to shoot here and now.
+/// The number of walks that take about `seconds` to shoot on this machine now.
 vtkIdType NumberOfWalksIn(double seconds, const Scene& scene)
 {
   constexpr vtkIdType sample = 20000;
@@ -84,8 +84,8 @@ void ExpectRisingFrom0To1(const std::vector<double>& values)
 
 }
 
-// The promise is an event every 0.1 s. A loaded machine may stop the whole process for longer: so
-// the events are counted, and a single gap may be 0.5 s.
+// The promise is an event every 0.1 s. A loaded machine may stop the whole process for longer, so
+// the test counts the events and allows a single gap of 0.5 s.
 TEST(Progress, RisesAndComesOften)
 {
   const Scene scene = MakeSmallScene();
@@ -108,7 +108,7 @@ TEST(Progress, RisesAndComesOften)
   EXPECT_LT(observer->LongestGap, 0.5);
 }
 
-// In rounds whose number is not known beforehand; afterwards in an update that needs more or fewer.
+// First in rounds whose number is not known beforehand, then in updates that need more or fewer.
 TEST(Progress, RisesWithATarget)
 {
   const Scene scene = MakeSmallScene();
@@ -138,7 +138,7 @@ TEST(Abort, WhileShooting)
   filter->Update();
   ASSERT_TRUE(observer->HasAborted);
   EXPECT_LT(observer->Values.back(), 0.7);
-  EXPECT_LT(SecondsSince(observer->Last), 0.5); // it went on for no longer
+  EXPECT_LT(SecondsSince(observer->Last), 0.5); // the update ends soon
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
   EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
 
@@ -150,8 +150,8 @@ TEST(Abort, WhileShooting)
   EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
 }
 
-// Verification is the first half of an update, repair the second. What was aborted in either must
-// not be taken for a frame that can be repaired.
+// Verification is the first half of an update, repair the second. A frame aborted in either must
+// not pass for one that can be repaired.
 TEST(Abort, WhileVerifyingOrRepairing)
 {
   for (const double at : { 0.0, 0.1, 0.6 })
@@ -177,7 +177,7 @@ TEST(Abort, WhileVerifyingOrRepairing)
   }
 }
 
-// Nothing has moved, so that there is nothing to abort; the output is empty all the same.
+// Nothing has moved, so there is nothing to abort; the output is empty all the same.
 TEST(Abort, WithNothingToDo)
 {
   const Scene scene = MakeSmallScene();

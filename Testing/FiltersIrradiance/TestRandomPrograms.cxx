@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random programs of what users do to one long-lived filter: after every operation it has the bits of a
-// fresh filter. VTKIRRADIANCE_TEST_EFFORT=9 runs nine times as many; VTKIRRADIANCE_TEST_PROGRAM=17 runs
-// number 17 alone, and names each operation.
+// Random programs of what users do to one long-lived filter, which keeps the bits of a fresh one
+// (compared after a third of the operations). VTKIRRADIANCE_TEST_EFFORT=9 runs nine times as many,
+// VTKIRRADIANCE_TEST_PROGRAM=17 runs number 17 alone and prints each operation.
 
 #include "RandomOperations.h"
 

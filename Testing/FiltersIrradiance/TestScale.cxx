@@ -11,7 +11,7 @@ using namespace TestScenes;
 namespace
 {
 
-/// Times 2^k, as float or double; exact in both.
+/// Scaled by 2^k, as float or double; exact in both.
 Mesh Scaled(vtkPolyData* mesh, int k, int type)
 {
   Mesh scaled = Copy(mesh);

@@ -55,7 +55,7 @@ inline void SetCellValues(vtkPolyData* polyData, const char* name, const std::ve
   polyData->GetCellData()->AddArray(array);
 }
 
-/// Front: axis1 x axis2.
+/// The front faces axis1 x axis2.
 inline Mesh MakeRectangle(
   const Vector& corner, const Vector& axis1, const Vector& axis2, int resolution)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// RepairTimeBudget: what waits is said, bounded, and made good by further executions.
+// RepairTimeBudget: stale light is reported, bounded, and repaired by further executions.
 
 #include "OutputBits.h"
 #include "TestScenes.h"
@@ -30,7 +30,7 @@ bool IsAnythingStale(vtkIrradianceFilter* filter)
   return filter->GetOutput()->GetFieldData()->GetArray("StalePower")->GetRange(-1)[1] > 0;
 }
 
-/// Both bounds, for all cells of both filters' outputs.
+/// Checks both bounds for all cells of both filters' outputs.
 void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full, const Scene& scene,
   const std::vector<std::string>& sides)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times come from all inputs, and a requested time reaches all of them.
+// Times come from all inputs, and a requested time is passed to all of them.
 
 #include "OutputBits.h"
 #include "TestScenes.h"
@@ -111,7 +111,7 @@ TEST(TimeSteps, ReachTheInputsAndTheOutput)
   EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
 }
 
-// To and fro at random: each time has the bits that it had when it was first asked for.
+// Times in random order: each has the bits that it had when it was first asked for.
 TEST(TimeSteps, OutOfOrderHaveTheSameBits)
 {
   Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };

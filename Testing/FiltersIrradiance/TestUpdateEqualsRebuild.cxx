@@ -16,7 +16,7 @@ namespace
 constexpr int NumberOfFrames = 200;
 constexpr vtkIdType NumberOfWalks = 400;
 
-/// Room [0, 3]^3 with a square lamp and a point light; what moves has reasons to be difficult.
+/// Room [0, 3]^3 with a square lamp and a point light; each dynamic object is a difficult case.
 Scene MakeDifficultScene(int bands)
 {
   const auto tuple = [bands](double red, double green, double blue) {
@@ -123,8 +123,8 @@ std::vector<Updated> MakeUpdatedFilters(const Scene& scene)
   return updated;
 }
 
-/// Object 5 stays. Object 2 now and then goes to where its twin stands, object 4 lies down on the
-/// floor: rays meet two triangles at the same distance.
+/// Object 5 stays. Now and then object 2 moves to its twin's place and object 4 lies down on the
+/// floor, so rays hit two triangles at the same distance.
 void StepAll(RandomNumbers& random, const Scene& scene)
 {
   for (std::size_t i = 0; i < scene.Moving.size(); ++i)
@@ -174,7 +174,7 @@ TEST(UpdateEqualsRebuild, InEveryConfiguration)
     }
     StepAll(random, scene);
   }
-  // The updates were updates: walks became invalid, fewer than all of them, and none was shot anew.
+  // The updates were real: some walks became invalid, but not all, and no frame was shot anew.
   EXPECT_EQ(shootSeconds, 0);
   EXPECT_GT(invalid, 0.1 * 12 * NumberOfFrames * NumberOfWalks);
   EXPECT_LT(invalid, 0.9 * 12 * NumberOfFrames * NumberOfWalks);
@@ -204,7 +204,7 @@ TEST(UpdateEqualsRebuild, ThreeBandsAndSidesApart)
   EXPECT_EQ(cells->GetArray("IrradianceFront")->GetNumberOfComponents(), 3);
 }
 
-// Points that change, cells that stay: only the object's own tree is new.
+// Points change, cells stay: only the object's own tree is rebuilt.
 TEST(UpdateEqualsRebuild, WhenObjectsDeform)
 {
   constexpr std::uint64_t seed = 20260103;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies that touch lamps exactly: no light within, and updates equal rebuilds while they come and go.
+// Bodies that touch lamps exactly: dark inside, and updates equal rebuilds while they come and go.
 
 #include "EngineRun.h"
 #include "TestScenes.h"
@@ -20,8 +20,8 @@ using test::wattsOn;
 namespace
 {
 
-/// A light table of 2 m in the middle of a floor of 6 m, all at z = 0, a lamp in the lid of a box that
-/// stands on the floor, and a ceiling.
+/// A light table of 2 m in the middle of a floor of 6 m, all at z = 0, a lamp in the lid of a box
+/// that stands on the floor, and a ceiling.
 SceneObject makeFloor()
 {
   ObjectBuilder floor;

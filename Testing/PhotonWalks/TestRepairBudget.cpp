@@ -453,8 +453,8 @@ private:
 
 }
 
-// The first 16 walks are finished whatever the clock says. The next batch reads it at every bounce;
-// wherever that batch is interrupted, none of its walks counts.
+// The first 16 walks are finished regardless of the clock. The next batch reads it at every bounce;
+// where that batch is interrupted, none of its walks counts.
 TEST(RepairBudget, WhatIsHalfDoneIsDropped)
 {
   test::ObjectBuilder room, ball;
