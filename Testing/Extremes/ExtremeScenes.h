@@ -42,8 +42,8 @@ inline Mesh Placed(const Mesh& mesh, double scale, const Vector& offset)
   return placed;
 }
 
-/// A cube of side `size` at `offset`. Every cell reflects `reflectance` and emits what makes the
-/// irradiance `level` everywhere, on whatever stands inside as well if it reflects all light.
+/// A cube of side `size` at `offset`. Every cell reflects `reflectance` and emits so much that the
+/// irradiance is `level` everywhere, also on objects inside it that reflect all light.
 inline Mesh MakeFurnace(
   double size, const Vector& offset, double reflectance = 0.5, double level = 1, int resolution = 3)
 {
@@ -59,7 +59,7 @@ inline Mesh White(const Mesh& mesh)
   return mesh;
 }
 
-/// At `position` of a furnace, both in units of its size.
+/// A dynamic object at `position` of a furnace; model and position are in units of its size.
 inline MovingObject MakeMovingIn(
   const Mesh& unitModel, double size, const Vector& offset, const Vector& position)
 {
@@ -146,7 +146,7 @@ inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isC
   }
 }
 
-/// The only error of an update that leaves no output.
+/// The only error of the update of a scene; the output must be empty.
 inline std::string ErrorOf(const Scene& scene, vtkIdType walks = 100)
 {
   const auto filter = MakeFilter(scene, walks);

@@ -11,7 +11,7 @@ using namespace ExtremeScenes;
 namespace
 {
 
-/// Most memory that this process has had so far, bytes; 0 where it is not told.
+/// Peak memory of this process so far, bytes; 0 where the system does not tell.
 double PeakBytes()
 {
   std::ifstream status("/proc/self/status");
@@ -73,7 +73,7 @@ TEST(ExtremeCounts, OneTriangle)
   }
 }
 
-// The furnace, cut into 2 million triangles, and what they take.
+// The furnace, cut into 2 million triangles, and the memory that they take.
 TEST(ExtremeCounts, TwoMillionTriangles)
 {
   constexpr int kResolution = 409; // 6 x 409^2 squares
@@ -102,7 +102,7 @@ class ExtremeWalks : public testing::TestWithParam<vtkIdType>
 {
 };
 
-// See TestExtremeLengths for the deviation; one walk alone brings 1 to 2 W and more.
+// See TestExtremeLengths for the deviation. Of one or two walks the mean is printed only.
 TEST_P(ExtremeWalks, TheFurnaceHolds)
 {
   const vtkIdType walks = GetParam();

@@ -12,9 +12,9 @@ namespace
 
 constexpr vtkIdType NumberOfWalks = 20000;
 
-/// A furnace with a white box and a ball that move in it. The walks of a reflectance of 0.5 bring 2 with a
-/// standard deviation of 0.354 (a geometric tail of quarters), so that the mean irradiance of the
-/// room is 1 within 5 standard deviations, a false alarm in 2 million; the repaired frames as well.
+/// A furnace with a white box and a white ball that move in it. At reflectance 0.5 a walk brings 2
+/// with a standard deviation of 0.354 (a geometric tail of quarters), so the mean irradiance of the
+/// room is 1 within 5 standard deviations, a false alarm in 2 million; so it is in repaired frames.
 void ExpectFurnace(double size, const Vector& offset)
 {
   const Mesh box = White(MakeBox(0.3, 0.2, 0.25)), ball = White(MakeBall(0.15, 24));
@@ -57,7 +57,7 @@ class ExtremeOffset : public testing::TestWithParam<double>
 {
 };
 
-// In units of the room, which itself is not 1 m, so that both come in.
+// In units of the room, whose size is not 1 m, so that size and offset both matter.
 TEST_P(ExtremeOffset, TheFurnaceHolds)
 {
   const double size = 0.01, far = GetParam() * size;
@@ -67,8 +67,8 @@ TEST_P(ExtremeOffset, TheFurnaceHolds)
 INSTANTIATE_TEST_SUITE_P(Sizes, ExtremeOffset, testing::Values(10.0, 1e3, 1e5, 1e6, 1e7),
   [](const auto& info) { return "Number" + std::to_string(info.index); });
 
-// Far away, a walk goes on a good way from where it hit if that is beside an edge: the floor's diagonal.
-// What rolls there meets segments that do not end where the next ones begin.
+// Far away, a walk that hits beside an edge, here the floor's diagonal, continues a good way from
+// there. A ball that rolls there hits segments that do not end where the next ones begin.
 TEST(ExtremeLengths, ABallRollsOverAnEdgeFarAway)
 {
   const Vector offset{ 1e7, -1e7, 4e6 };
@@ -85,7 +85,7 @@ TEST(ExtremeLengths, ABallRollsOverAnEdgeFarAway)
 
 TEST(ExtremeSliver, StripsOfAspect1e6)
 {
-  // A floor of strips, 1e-6 wide every other one; the other walls as ever.
+  // A floor of strips, every other one 1e-6 wide; the other walls as usual.
   std::vector<Mesh> parts{ MakeRoom(1, 2) };
   Mesh floor = Copy(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1));
   vtkNew<vtkPoints> points;
@@ -120,7 +120,7 @@ TEST(ExtremeSliver, StripsOfAspect1e6)
     SetCellValues(mesh, "DiffuseReflectance", { 0.5 });
     SetCellValues(mesh, "RadiantExitance", { 0.5 });
   }
-  // A sheet 1e-6 thick and a needle 1e-6 wide.
+  // A sheet 1e-6 thick and a needle 7e-7 wide.
   Scene scene{ { room, floor },
     { MakeMoving(White(Placed(MakeBox(0.5, 0.5, 1e-6), 1, { 0, 0, 0 })), { 0.4, 0.5, 0.6 }),
       MakeMoving(White(Placed(MakeBox(0.7, 7e-7, 7e-7), 1, { 0, 0, 0 })), { 0.5, 0.4, 0.3 }) } };
@@ -178,7 +178,7 @@ TEST(ExtremeLengths, BeyondAreRefusedInWords)
   EXPECT_NE(ErrorOf({ { MakeFurnace(1, { far, far, far }) }, {} }).find("too few digits"),
     std::string::npos);
 
-  // Too small for an area: a warning, as there is no light.
+  // Too small for an area: a warning, and another as there is no light.
   const auto filter = MakeFilter({ { MakeFurnace(1e-31, { 0, 0, 0 }) }, {} }, 100);
   const auto observer = ErrorObserver::Watch(filter);
   filter->Update();

@@ -31,7 +31,7 @@ TEST_P(ExtremePower, TheFurnaceHolds)
 INSTANTIATE_TEST_SUITE_P(Watts, ExtremePower, testing::Values(1e-200, 1e-12, 1e-6, 1e6, 1e12, 1e30),
   [](const auto& info) { return "Number" + std::to_string(info.index); });
 
-// Lights of 1e-12 W and of 1e12 W in one scene: the sum is right, and the weak one is not heard.
+// Lights of 1e-12 W and of 1e12 W in one scene: the sum is right; the weak one is below a quantum.
 TEST(ExtremeLight, WeakBesideStrong)
 {
   Scene scene{ { MakeFurnace(1, { 0, 0, 0 }), MakePointLight({ 0.5, 0.5, 0.5 }, { 1e12 }),
@@ -42,8 +42,8 @@ TEST(ExtremeLight, WeakBesideStrong)
   EXPECT_NEAR(Field(filter, "EmittedPower") / 1e12, 1, 1e-11);
 }
 
-// Walks of 24,000 bounces: 5 million segments, of which none may leak. The tail of quarters with the
-// chance of 1e-4 to end has a standard deviation of a quarter of the mean.
+// Walks of 24,000 bounces: 5 million segments, none of which may leak. The tail of quarters, which
+// ends with a chance of 1e-4 per bounce, has a standard deviation of a quarter of the mean.
 TEST(ExtremeLight, Reflectance09999)
 {
   const vtkIdType walks = IsThorough() ? 1000 : 200;
@@ -60,11 +60,11 @@ TEST(ExtremeLight, BeyondAreRefusedInWords)
 {
   EXPECT_NE(ErrorOf({ { MakeFurnace(1, { 0, 0, 0 }, 0.5, 1e31) }, {} }).find("exitance 5e+30"),
     std::string::npos);
-  // No power is absorbed, so that no walk ends.
+  // No power is absorbed, so no walk ends.
   Mesh room = MakeFurnace(1, { 0, 0, 0 });
   SetCellValues(room, "DiffuseReflectance", { 1 });
   EXPECT_NE(ErrorOf({ { room }, {} }, 3).find("too near 1"), std::string::npos);
-  // Too weak for a double: no light, and it says so.
+  // Too weak for a double: no light, and a warning.
   const auto filter = MakeFilter({ { MakeFurnace(1, { 0, 0, 0 }, 0.5, 1e-322) }, {} }, 100);
   const auto observer = ErrorObserver::Watch(filter);
   filter->Update();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Things in each other, in walls, under all maps; many of them; light that is carried about.
+// Objects inside each other, in walls, under all maps; many of them; lamps that move.
 
 #include "ExtremeScenes.h"
 
@@ -22,7 +22,7 @@ Mesh GreyBox(double x, double y, double z)
 }
 
 // Dynamic copies of static walls, exactly in their place: ties go to the static ones, and the room
-// is what it is without them. A second copy of the copy changes nothing either.
+// is the same as without them. A second copy changes nothing either.
 TEST(ExtremePlaces, CoincidentFaces)
 {
   const Scene alone{ { MakeFurnace(1, { 0, 0, 0 }) }, {} };
@@ -65,7 +65,7 @@ TEST(ExtremePlaces, CoplanarFaces)
   }
 }
 
-// Boxes through each other, through a wall, and one around all of the room.
+// Boxes through each other, through a wall, and one around the whole room.
 TEST(ExtremePlaces, Interpenetration)
 {
   Scene scene{ { MakeFurnace(1, { 0, 0, 0 }) },
@@ -86,7 +86,7 @@ TEST(ExtremePlaces, Interpenetration)
   }
 }
 
-// Flattened by up to 1e-13 (singular begins at 1e-14), stretched by up to 1e6, sheared, reflected.
+// Scaled along one axis by down to 1e-13 (singular begins at 1e-14), sheared, reflected.
 TEST(ExtremePlaces, NearSingularAndReflectingMaps)
 {
   const Mesh box = White(MakeBox(0.4, 0.3, 0.2));
@@ -112,8 +112,8 @@ TEST(ExtremePlaces, NearSingularAndReflectingMaps)
   EXPECT_NE(ErrorOf(scene).find("is singular"), std::string::npos);
 }
 
-// A lamp that looks up lights the upper half of a black room alone; mirrored left to right, its corners
-// run the other way round, and it lights the lower half.
+// A lamp that faces up lights only the upper half of a black room; mirrored left to right, its
+// corners run the other way round, and it lights the lower half.
 TEST(ExtremePlaces, AReflectionTurnsALampRound)
 {
   Mesh walls = MakeRoom(1, 2); // floor first, then the ceiling, 4 cells each
@@ -177,7 +177,7 @@ TEST(ExtremePlaces, AnEmitterInsideAMovingClosedBox)
   }
 }
 
-// The box is put over a lamp that stands still, and taken away: this is verified and repaired.
+// A box is put over a static lamp and taken away: both are verified and repaired.
 TEST(ExtremePlaces, AClosedBoxOverALampAndAway)
 {
   Mesh walls = MakeRoom(1, 2);

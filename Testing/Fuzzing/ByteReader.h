@@ -10,7 +10,7 @@
 namespace irradiance::fuzzing
 {
 
-/// Reads what a fuzzer writes. Behind the end all bytes are 0, so that every text says something.
+/// Reads what a fuzzer writes. Past the end all bytes are 0, so every input has a meaning.
 class ByteReader
 {
 public:
@@ -26,8 +26,8 @@ public:
   int below(int end) { return byte() % end; }
   bool oneIn(int count) { return below(count) == count - 1; }
 
-  /// Any double. Small whole numbers, exact fractions, powers of two and values that all but equal the
-  /// last ones come often: from these are made shared corners, coplanar faces and slivers.
+  /// Any double. Small whole numbers, exact fractions, powers of two and values next to the last
+  /// one are frequent: they make shared corners, coplanar faces and slivers.
   double number()
   {
     switch (below(8))
@@ -64,7 +64,7 @@ public:
   double numberWithin(double most)
   {
     const double value = number();
-    last_ = std::abs(value) <= most ? value : 0.0; // NaN is none either
+    last_ = std::abs(value) <= most ? value : 0.0; // NaN becomes 0 too
     return last_;
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Law: whatever the filter is given, it ends in one error that says something, or in finite numbers
-// with emitted = absorbed + escaped; and an update equals a rebuild, bit for bit. Bytes become inputs,
-// transforms and settings, and then some frames in which something changes.
+// Law: for any input the filter ends with one error, or with finite numbers, emitted = absorbed +
+// escaped, and a warning if all is dark; and an update equals a rebuild, bit for bit. Bytes become
+// inputs, transforms and settings, and then some frames in which something changes.
 
 #include "FuzzedPolyData.h"
 
@@ -51,7 +51,7 @@ void ReadPose(ByteReader& bytes, vtkMatrix4x4* matrix)
 void ReadSettings(ByteReader& bytes, Inputs& inputs)
 {
   const int kind = bytes.byte();
-  // Few: where all light is reflected, an error ends it only after 2^16 bounces for each walk.
+  // Few: where all light is reflected, the error comes only after about 2^16 bounces per walk.
   inputs.NumberOfWalks = bytes.oneIn(64) ? kind % 32 - 1 : 1 + kind % 8;
   inputs.Seed = bytes.byte();
   inputs.TraversalMode = bytes.below(3);
@@ -162,7 +162,7 @@ void CheckIrradiance(vtkPolyData* block)
   }
 }
 
-/// Finite, balanced, and not all dark without a word.
+/// The numbers are finite and balanced, and not all is dark without a warning.
 void CheckNumbers(vtkIrradianceFilter* filter, const ErrorObserver* observer)
 {
   vtkMultiBlockDataSet* output = filter->GetOutput();
@@ -194,7 +194,7 @@ void CheckNumbers(vtkIrradianceFilter* filter, const ErrorObserver* observer)
   }
 }
 
-/// One error and no output, or none and an output that holds.
+/// One error and no output, or no error and a valid output.
 void CheckUpdate(vtkIrradianceFilter* filter, const ErrorObserver* observer, const Inputs& inputs)
 {
   if (observer->Errors.size() > 1)
@@ -221,7 +221,7 @@ void Run(ByteReader bytes)
   for (int frame = 0; frame < 4; ++frame)
   {
     observer->Clear();
-    filter->Modified(); // else it says nothing, as VTK has it, where nothing changed
+    filter->Modified(); // else VTK does not execute it again, and it reports nothing
     filter->Update();
     CheckUpdate(filter, observer, inputs);
     const auto fresh = MakeFuzzedFilter(inputs);
@@ -246,7 +246,7 @@ void Run(ByteReader bytes)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  // What VTK itself says of broken cells is not the point; events are sent nevertheless.
+  // VTK's own messages about broken cells do not matter; events are sent nevertheless.
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   Run({ data, size });
   return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Law: ray casting = brute force, bit for bit, with every traversal and every kernel, whatever the
-// triangles, the poses and the rays. Bytes become a scene of up to 48 triangles and some rays.
+// Law: ray casting = brute force, bit for bit, with every traversal and every kernel, for any
+// triangles, poses and rays. Bytes become a scene of up to 64 triangles and up to 32 rays.
 
 #include "ByteReader.h"
 
@@ -21,7 +21,7 @@ namespace
 
 using test::exactly;
 
-/// What the filter lets pass: see PolyDataConverter, SceneReader and Pose.
+/// What the filter accepts: see PolyDataConverter, SceneReader and Pose.
 constexpr double kMostDistant = 1e30;
 constexpr double kMostSingular = 1e-14;
 
@@ -101,7 +101,7 @@ Ray readRay(ByteReader& bytes, const test::Triangles& triangles, const std::vect
   ray.origin = readTarget(bytes, triangles);
   ray.direction =
     bytes.oneIn(4) ? readPoint(bytes) : Vector3(readTarget(bytes, triangles) - ray.origin);
-  // As long as a unit vector, or about: what walks have.
+  // Of unit length, or nearly, as the rays of walks are.
   ray.direction.stableNormalize();
   if (!ids.empty() && bytes.oneIn(2))
   {
@@ -110,7 +110,7 @@ Ray readRay(ByteReader& bytes, const test::Triangles& triangles, const std::vect
   return ray;
 }
 
-/// All that a test needs to say the same without a fuzzer.
+/// Prints all that a test needs to repeat the case without a fuzzer.
 void print(const test::NamedScene& scene)
 {
   const auto printMesh = [](const char* name, const RigidObject& body) {

@@ -17,8 +17,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
-/// Polydata as nobody should make it: cells of all kinds, indices past the points, arrays of other
-/// sizes and types, values that are no numbers. Most of it is in order, so that the filter gets far.
+/// Polydata as nobody should make it: cells of all kinds, indices past the points, arrays of wrong
+/// sizes and types, values that are no numbers. Most of it is valid, so the filter gets far.
 namespace FuzzedPolyData
 {
 
@@ -108,7 +108,7 @@ inline vtkSmartPointer<vtkAbstractArray> ReadArray(
         double value = isTame ? bytes.below(9) / 8.0 * high : bytes.number();
         if (numbers->GetDataType() == VTK_INT && !(std::abs(value) < 1e9))
         {
-          value = 0; // has no int
+          value = 0; // no int can hold it
         }
         numbers->SetComponent(i, k, value);
       }

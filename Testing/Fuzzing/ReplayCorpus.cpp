@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gives files to a fuzz target without a fuzzer: ReplayCorpus FILE_OR_FOLDER... A target aborts when
-// something is wrong; the last name printed says where.
+// Feeds files to a fuzz target without a fuzzer: Replay<target> FILE_OR_FOLDER... A target aborts
+// if something is wrong; the last name printed is that of the culprit.
 
 #include <algorithm>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #   run.sh [SECONDS]       for each target (default 30)
 #
 # Builds build/fuzz with clang. What the fuzzers learn stays in build/fuzz/Corpus, what they find goes to
-# build/fuzz/found; a finding that is mended goes, by a name that says what it was, to Corpus/ here.
+# build/fuzz/found. A finding that has been fixed moves to Corpus/ here, under a name that says what it was.
 set -euo pipefail
 
 seconds=${1:-30}
@@ -14,7 +14,7 @@ cd "$here/../.."
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz --parallel "$(nproc)"
 
-# The search for leaks looks itself up in /proc, which is missing or another's in some chroots.
+# The leak check looks itself up in /proc, which is missing or another system's in some chroots.
 [[ /proc/self/status -ef /proc/$BASHPID/status ]] || export ASAN_OPTIONS=detect_leaks=0
 status=0
 for corpus in "$here"/Corpus/*; do
