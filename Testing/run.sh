@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every test: installs what is missing; builds build/release and runs all tests and examples there under a
+# Runs every test: installs what is missing; builds build/release and runs all tests and examples there under a
 # private X server; builds build/sanitize and runs the engine's tests there with the address and
 # undefined-behaviour sanitizers; builds build/fuzz and fuzzes for a minute. The last line sums it up; the
 # status is 0 only if nothing failed.
@@ -19,7 +19,7 @@ finish()
   exit 0
 }
 
-# build PRESET [CONFIGURE_OPTION...]: one failure if it cannot be built
+# build PRESET [CONFIGURE_OPTION...]: counts one failure if it cannot be built
 build()
 {
   local preset=$1
@@ -54,7 +54,7 @@ run_tests()
     unsuccessful=$(count failures "$report")
     not_run=$(($(count skipped "$report") + $(count disabled "$report")))
   fi
-  # Something failed that is no failed test: no test at all, a program that is not there, no server.
+  # Something other than a test failed: there is no test at all, a program is missing, or no server starts.
   if ((status != 0 && unsuccessful == 0)); then
     unsuccessful=$((not_run > 0 ? not_run : 1))
     not_run=$((not_run > 0 ? 0 : not_run))
@@ -75,7 +75,7 @@ fi
 if build release -DBUILD_TESTING=ON -DVTKIRRADIANCE_BUILD_EXAMPLES=ON; then
   run_tests release Utilities/run-under-xvfb.sh
 fi
-# The search for leaks looks itself up in /proc, which is missing or another's in some chroots.
+# The leak check looks itself up in /proc, which is missing or another system's in some chroots.
 if ! [[ /proc/self/status -ef /proc/$BASHPID/status ]]; then
   echo "Without the search for leaks: /proc is not that of this process."
   export ASAN_OPTIONS=detect_leaks=0

@@ -1,11 +1,11 @@
 # shellcheck shell=bash
-# To be sourced by bash. The one list of what has to be installed, by role, and the way to get it:
+# For bash to source. The only list of what must be installed, by role, and the way to get it:
 #
-#   require_packages ROLE...      build, display, test, fuzz, benchmark, meshes (what the benchmark's come by)
+#   require_packages ROLE...      build, display, test, fuzz, benchmark, meshes (to fetch the benchmark's)
 #   fetch_data                    what Data/fetch.sh fetches
 #
-# On Debian and its kin what is missing is installed, by root or through sudo; nothing is said when nothing
-# is missing. Elsewhere it says what is missing and ends the script with status 2.
+# On Debian and its derivatives, missing packages are installed, as root or through sudo; nothing is printed if
+# none is missing. Elsewhere, or without root, it prints what is missing and ends the script with status 2.
 
 has_dpkg=no
 if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then
@@ -28,7 +28,7 @@ packages_of()
   esac
 }
 
-# What a Debian package is for those who have none.
+# Describes a Debian package for users of other systems.
 description_of()
 {
   case $1 in
@@ -109,7 +109,7 @@ missing_packages()
   done
 }
 
-# apt ARGUMENT...: apt-get as root, nothing asked
+# apt ARGUMENT...: apt-get as root, without questions
 apt()
 {
   local as_root=(env DEBIAN_FRONTEND=noninteractive)
@@ -155,7 +155,7 @@ require_packages()
   rm -f "$log"
 }
 
-# From the folder of the repository. Packages are fetched by apt's lists, and a system that has everything
+# Run in the folder of the repository. A download needs apt's package lists, and a system that has everything
 # installed may still have none.
 fetch_data()
 {

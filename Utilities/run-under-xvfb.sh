@@ -3,9 +3,9 @@
 #
 #   run-under-xvfb.sh COMMAND [ARGUMENT...]
 #
-# The server chooses its own display number and tells it (-displayfd): asking for a free number first, as
+# The server chooses its own display number and reports it (-displayfd). Looking for a free number first, as
 # xvfb-run does, is a race that two runs on one machine can lose. Software OpenGL gives the same pictures
-# on every machine; Debian's VTK renders through X only, so a server there must be.
+# on every machine. Debian's VTK renders only through X, so a server is needed.
 set -euo pipefail
 
 if (($# == 0)); then
@@ -39,7 +39,7 @@ trap 'exit 143' TERM
 trap 'exit 130' INT
 trap 'exit 129' HUP
 
-# Where the system can promise it, the server ends even if this script is killed outright.
+# Where the system supports it, the server ends even if this script is killed outright.
 with_parent=()
 if setpriv --pdeathsig TERM true 2>/dev/null; then
   with_parent=(setpriv --pdeathsig TERM)

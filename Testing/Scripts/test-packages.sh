@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Utilities/packages.sh where there is no dpkg: what is there counts as there, what is not is named, and the
-# script ends with status 2.
+# Utilities/packages.sh without dpkg: it accepts what is installed, names what is missing, and then ends the
+# script with status 2.
 set -euo pipefail
 
 # shellcheck source=Utilities/packages.sh
@@ -8,7 +8,7 @@ source "$(cd "$(dirname "${BASH_SOURCE[0]}")/../../Utilities" && pwd)/packages.s
 has_dpkg=no
 failures=0
 
-# This test runs in a build: what a build needs is there.
+# This test runs in a build, so all that a build needs is installed.
 if ! report=$(require_packages build test fuzz) || [[ -n $report ]]; then
   printf '%s\n' "all is there, and it says:" "$report"
   failures=$((failures + 1))

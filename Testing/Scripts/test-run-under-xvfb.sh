@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# However run-under-xvfb.sh ends, no process and no file of it may remain, and the command's status and
-# streams must pass through it.
+# However run-under-xvfb.sh ends, it must leave no process and no file behind, and pass the command's status
+# and streams through.
 # shellcheck disable=SC2016 # what stands in single quotes is for the inner shell
 set -euo pipefail
 
@@ -10,7 +10,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/tmp"
 failures=0
 
-# Every process that descends from here carries this in its environment, whatever becomes of its parents.
+# Every process that descends from here has this in its environment, even if its parents have ended.
 mark=XVFB_TEST_MARK=$$.$RANDOM.$RANDOM
 
 run=(env TMPDIR="$scratch/tmp" "$mark" "$runner")
@@ -100,7 +100,7 @@ for signal in TERM HUP; do
   expect_no_file_left "signal $signal"
 done
 
-# Two at a time get two displays.
+# Two runs at a time get two displays.
 "${run[@]}" bash -c 'echo "$DISPLAY"; sleep 1' >"$scratch/first" &
 first=$!
 "${run[@]}" bash -c 'echo "$DISPLAY"; sleep 1' >"$scratch/second"

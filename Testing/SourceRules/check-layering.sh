@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Says which includes and names break the layering, and fails if there are any.
+# Prints the includes and names that break the layering, and fails if there are any.
 #
 #   check-layering.sh ROOT
 #
@@ -59,8 +59,8 @@ room_of()
   true
 }
 
-# included PATH FOLDER: the file of Modules/, without that, which PATH, included by a file in FOLDER, stands
-# for; nothing if it is none of ours
+# included PATH FOLDER: the file that PATH means where a file in FOLDER includes it, relative to Modules/;
+# nothing if it is none of ours
 included()
 {
   local path=$1 folder=$2 module candidate
@@ -74,7 +74,7 @@ included()
       fi
     done
   done
-  # By its name alone, wherever it lies.
+  # By its name alone, in any folder.
   candidate=$(find Modules -type f -name "${path##*/}" | head -n 1)
   [[ $candidate ]] && echo "${candidate#Modules/}"
   true

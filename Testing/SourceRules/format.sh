@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Formats our C++ sources by .clang-format, or says which are not formatted.
+# Formats our C++ sources with .clang-format, or reports those that are not formatted.
 #
 #   format.sh --check|--in-place [CLANG_FORMAT]
 set -euo pipefail

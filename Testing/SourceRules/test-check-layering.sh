@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The negative control of check-layering.sh: in a made-up tree each kind of violation must be found, by its
-# own reason and in its own file, and the tree without it must pass.
+# The negative control of check-layering.sh: in a made-up tree it must find each kind of violation, for the
+# right reason and in the right file, and the tree without violations must pass.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

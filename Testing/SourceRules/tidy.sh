@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Runs clang-tidy by .clang-tidy over the engine's sources (and, through them, its headers).
+# Runs clang-tidy with .clang-tidy over the engine's sources (and, through them, its headers).
 #
 #   tidy.sh BUILD_DIR [CLANG_TIDY]      BUILD_DIR holds compile_commands.json
 #
-# EnclosingEllipsoid.cpp and PolygonTriangulation.cpp are left out: reading CGAL takes longer than all
+# It leaves out EnclosingEllipsoid.cpp and PolygonTriangulation.cpp: reading CGAL takes longer than all
 # the rest together.
 set -euo pipefail
 
