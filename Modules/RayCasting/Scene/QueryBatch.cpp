@@ -44,7 +44,6 @@ void Scene::QueryBatch::add(std::uint32_t ray, const MixedTree& mixed)
 
 void Scene::QueryBatch::runIfMany()
 {
-  constexpr std::size_t kMany = 1024; // as many as stay in a processor's cache
   if (jobs_.size() >= kMany)
   {
     run();
@@ -58,7 +57,7 @@ bool Scene::QueryBatch::addGroup(std::uint32_t ray, const Group& group)
   {
     add(ray, group.flattened);
   }
-  if (group.boxes.isEmpty() && !group.instanced.empty())
+  if (group.bodies.isEmpty() && !group.instanced.empty())
   {
     const double reach = scene_.reachOf(rays_[ray]);
     for (const std::uint32_t index : group.instanced)
@@ -74,6 +73,7 @@ bool Scene::QueryBatch::addGroup(std::uint32_t ray, const Group& group)
 
 void Scene::QueryBatch::run()
 {
+  end_ = static_cast<std::uint32_t>(jobs_.size());
   runQueries(*this);
   confirm();
   if (queryCounts())
@@ -85,25 +85,48 @@ void Scene::QueryBatch::run()
   next_ = 0;
 }
 
+void Scene::QueryBatch::runAll(
+  std::uint32_t first, std::uint32_t end, const std::vector<std::uint32_t>& order)
+{
+  isForAll_ = true;
+  order_ = &order;
+  next_ = first;
+  end_ = end;
+  runQueries(*this);
+  isForAll_ = false;
+  next_ = 0;
+}
+
 void Scene::QueryBatch::runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order)
 {
-  all_ = count;
-  order_ = &order;
+  runAll(0, count, order);
   run();
+}
+
+void Scene::QueryBatch::runAllBodies(
+  const Group& group, std::uint32_t count, const std::vector<std::uint32_t>& order)
+{
+  group_ = &group;
+  for (std::uint32_t first = 0; first < count; first += kMany)
+  {
+    bodies_ = &group.bodies;
+    runAll(first, std::min(first + kMany, count), order);
+    bodies_ = nullptr;
+    run();
+  }
 }
 
 std::size_t Scene::QueryBatch::next(QueryRequest* requests, std::size_t most)
 {
-  const std::size_t total = all_ == 0 ? jobs_.size() : all_;
-  const std::size_t count = std::min(most, total - next_);
+  const std::size_t count = std::min<std::size_t>(most, end_ - next_);
   for (std::size_t i = 0; i < count; ++i, ++next_)
   {
     Job job = jobOf(next_);
     bool isShared = false;
-    if (all_ == 0)
+    if (!isForAll_)
     {
       isShared = (next_ > 0 && jobs_[next_ - 1].ray == job.ray) ||
-        (next_ + 1 < total && jobs_[next_ + 1].ray == job.ray);
+        (next_ + 1 < end_ && jobs_[next_ + 1].ray == job.ray);
     }
     else
     {
@@ -146,6 +169,11 @@ void Scene::QueryBatch::request(const Job& job, QueryRequest& request) const
     request.skipped = job.mixed->referenceTo(ray.start);
     return;
   }
+  if (bodies_)
+  {
+    request.tree = bodies_;
+    return;
+  }
   request.tree = &scene_.bodyOf(job.object).tree();
   if (ray.start.object == job.object)
   {
@@ -164,6 +192,17 @@ void Scene::QueryBatch::finish(
   const TreeQuery& query, const std::uint32_t* references, std::size_t count)
 {
   const Job job = jobOf(query.job);
+  if (bodies_)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (std::find(references, references + i, references[i]) == references + i)
+      {
+        enter(job.ray, references[i]);
+      }
+    }
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i)
   {
     const TriangleId id = idOf(job, references[i]);
@@ -173,6 +212,17 @@ void Scene::QueryBatch::finish(
       confirm();
     }
     pendingHits_[putOff_++] = { job.ray, id };
+  }
+}
+
+void Scene::QueryBatch::enter(std::uint32_t ray, std::uint32_t reference)
+{
+  const std::uint32_t index = group_->instanced[reference];
+  const double distance = best_[ray].distance;
+  const double reach = distance < kInfinity ? kInfinity : scene_.reachOf(rays_[ray]);
+  if (scene_.mayTouch(scene_.placed_[index], rays_[ray], reach, distance))
+  {
+    add(ray, index + 1);
   }
 }
 
@@ -216,6 +266,11 @@ void Scene::QueryBatch::take(
 void Scene::QueryBatch::test(TreeQuery& query, std::uint32_t reference)
 {
   const Job job = jobOf(query.job);
+  if (bodies_)
+  {
+    enter(job.ray, reference);
+    return;
+  }
   const TriangleId id = idOf(job, reference);
   Vector3 weights;
   double found;

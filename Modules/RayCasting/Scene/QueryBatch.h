@@ -23,10 +23,14 @@ public:
   /// The ray in the tree of an object.
   void add(std::uint32_t ray, std::uint32_t object);
   void add(std::uint32_t ray, const MixedTree& mixed);
-  /// All rays in the static tree, in this order if it is not empty. Nothing else may be added.
+  /// All rays in the static tree, in this order if it is not empty.
   void runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order);
-  /// The ray in all trees of the group that it may touch, but for those of many objects; false if
-  /// there are none.
+  /// All rays in the tree over the bodies of the group, and in the trees of those bodies that they may
+  /// touch.
+  void runAllBodies(
+    const Group& group, std::uint32_t count, const std::vector<std::uint32_t>& order);
+  /// The ray in all trees of the group that it may touch, without the tree over bodies; false if there
+  /// are none.
   bool addGroup(std::uint32_t ray, const Group& group);
   /// In another order than theirs, the memory does not guess which rays come next: this asks for the
   /// one some places behind `number`.
@@ -61,10 +65,14 @@ private:
 
   Job jobOf(std::uint32_t number) const
   {
-    return all_ == 0 ? jobs_[number]
-                     : Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 };
+    return isForAll_
+      ? Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 }
+      : jobs_[number];
   }
   void request(const Job& job, QueryRequest& request) const;
+  void runAll(std::uint32_t first, std::uint32_t end, const std::vector<std::uint32_t>& order);
+  /// Adds the search in the tree of a body, unless the ray misses its ellipsoid.
+  void enter(std::uint32_t ray, std::uint32_t reference);
   TriangleId idOf(const Job& job, std::uint32_t reference) const
   {
     return job.mixed ? job.mixed->ids[reference] : TriangleId{ job.object, reference };
@@ -74,6 +82,7 @@ private:
   /// A meeting, which may be the ray's best hit.
   void take(const PendingHit& decision, double distance, double weightB, double weightC);
 
+  static constexpr std::uint32_t kMany = 1024; ///< searches that stay in a processor's cache
   static constexpr std::size_t kPutOff = std::size_t{ 8 } * IntersectionLanes::kSize;
 
   const Scene& scene_;
@@ -81,9 +90,12 @@ private:
   Hit* best_;
   const double* from_;
   std::vector<Job>& jobs_;
-  std::uint32_t all_ = 0;                             ///< rays of runAllStatic()
-  const std::vector<std::uint32_t>* order_ = nullptr; ///< in which they are searched, or empty
-  std::uint32_t next_ = 0;
+  /// Instead of jobs, all rays are searched in one tree: that over bodies, or the static one.
+  bool isForAll_ = false;
+  const TriangleTree* bodies_ = nullptr;
+  const Group* group_ = nullptr;                      ///< of the bodies
+  const std::vector<std::uint32_t>* order_ = nullptr; ///< of all rays; may be empty
+  std::uint32_t next_ = 0, end_ = 0;
   std::size_t putOff_ = 0, confirmed_ = 0;
   std::array<PendingHit, kPutOff> pendingHits_;
   IntersectionLanes lanes_;

@@ -3,8 +3,6 @@
 
 #include "Scene/QueryBatch.h"
 #include "Scene/RayOrder.h"
-#include "Trees/KdTraversal.h"
-#include "Trees/KdTreeBuilder.h"
 
 #include <Eigen/LU>
 
@@ -19,7 +17,7 @@ namespace
 {
 
 /// Fewer objects than this are tried one after the other.
-constexpr std::size_t kManyObjects = 9;
+constexpr std::size_t kManyObjects = 4;
 
 /// How far world positions may be off after the way to model space and back: a few ulps times the
 /// condition of the map. 2^-44 leaves room for sums of a few hundred such errors.
@@ -118,8 +116,10 @@ Scene::MixedTree Scene::mix(
 Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& checkpoint) const
 {
   Group group;
-  std::vector<std::uint32_t> loose;
-  std::vector<KdPrimitive> boxes;
+  std::vector<std::uint32_t> flattened;
+  std::vector<Box> boxes;
+  double slack = 0;
+  bool areFinite = true;
   for (std::uint32_t i = 0; i < chosen.size(); ++i)
   {
     if (!chosen[i] || placed_[i].object.body->mesh().isEmpty())
@@ -128,21 +128,20 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
     }
     if (placed_[i].object.isFlattened)
     {
-      loose.push_back(i + 1);
+      flattened.push_back(i + 1);
     }
     else
     {
       group.instanced.push_back(i);
-      boxes.push_back({ placed_[i].bound.worldBox() });
+      boxes.push_back(placed_[i].bound.worldBox());
+      slack = std::max(slack, placed_[i].slack);
+      areFinite = areFinite && std::isfinite(boxes.back().magnitude());
     }
   }
-  group.flattened = mix(loose, checkpoint);
-  if (boxes.size() >= kManyObjects)
+  group.flattened = mix(flattened, checkpoint);
+  if (boxes.size() >= kManyObjects && areFinite)
   {
-    KdTreeBuilder builder;
-    builder.blockSize = 1;
-    builder.checkpoint = checkpoint;
-    group.boxes = builder.build(boxes);
+    group.bodies = TriangleTree(boxes, slack, checkpoint);
   }
   return group;
 }
@@ -227,34 +226,9 @@ void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hi
     batch.runIfMany();
   }
   batch.run();
-  for (std::size_t i = 0; i < count && !group.boxes.isEmpty(); ++i)
+  if (!group.bodies.isEmpty())
   {
-    castManyInstanced(group, rays[i], best[i]);
-  }
-}
-
-/// Front to back through a tree over the objects' boxes, and into one object after the other.
-void Scene::castManyInstanced(const Group& group, const Ray& ray, Hit& best) const
-{
-  KdTraversal traversal(group.boxes, ray.origin, ray.direction);
-  const double reach = reachOf(ray);
-  // An object stands in many leaves: the last ones entered are remembered.
-  constexpr std::uint32_t kRemembered = 16;
-  std::array<std::uint32_t, kRemembered> entered;
-  entered.fill(TriangleId::kNone);
-  while (traversal.advance(traversal.limit(best.distance)))
-  {
-    for (const std::uint32_t reference : traversal)
-    {
-      const std::uint32_t index = group.instanced[reference];
-      if (std::exchange(entered[index % kRemembered], index) != index &&
-        mayTouch(placed_[index], ray, reach, best.distance))
-      {
-        QueryBatch batch(*this, &ray, &best);
-        batch.add(0, index + 1);
-        batch.run();
-      }
-    }
+    batch.runAllBodies(group, static_cast<std::uint32_t>(count), order);
   }
 }
 
@@ -265,11 +239,16 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
   {
     return castStatic(rays, count, hits);
   }
-  const bool areMany = mode_ == TraversalMode::Parallel && !dynamic_.boxes.isEmpty();
-  if (mode_ == TraversalMode::Sequential || areMany)
+  if (mode_ == TraversalMode::Sequential)
   {
     castDynamic(rays, count, hits);
     return castStatic(rays, count, hits);
+  }
+  if (mode_ == TraversalMode::Parallel && !dynamic_.bodies.isEmpty())
+  {
+    // Behind a static hit few of many bodies matter.
+    castStatic(rays, count, hits);
+    return castDynamic(rays, count, hits);
   }
   const std::vector<std::uint32_t> order = orderOf(rays, count);
   QueryBatch batch(*this, rays, hits);

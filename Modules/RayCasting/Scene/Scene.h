@@ -7,7 +7,6 @@
 #include "Geometry/TriangleIntersection.h"
 #include "Meshes/SurfacePoint.h"
 #include "Scene/PlacedBody.h"
-#include "Trees/KdTree.h"
 
 #include <memory>
 #include <vector>
@@ -131,7 +130,7 @@ private:
   {
     MixedTree flattened;
     std::vector<std::uint32_t> instanced; ///< indices in placed_
-    KdTree boxes;                         ///< over those, if they are many
+    TriangleTree bodies; ///< over those, if they are many
   };
 
   class QueryBatch;
@@ -170,7 +169,6 @@ private:
   /// In which to search the rays of a batch; empty: as they are.
   std::vector<std::uint32_t> orderOf(const Ray* rays, std::size_t count) const;
   void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;
-  void castManyInstanced(const Group& group, const Ray& ray, Hit& best) const;
 
   TraversalMode mode_ = TraversalMode::Parallel;
   std::shared_ptr<const RigidObject> static_;

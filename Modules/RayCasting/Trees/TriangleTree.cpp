@@ -212,11 +212,41 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
   slack_ = 0x1p-8 * (isIllConditioned_ ? 4.0 : std::min(4.0, conditionNumber * longestEdge));
   KdTreeBuilder builder;
   builder.checkpoint = checkpoint;
+  pack(primitives, unit, builder);
+}
+
+TriangleTree::TriangleTree(
+  const std::vector<Box>& boxes, double slack, const Checkpoint& checkpoint)
+{
+  Box all;
+  for (const Box& box : boxes)
+  {
+    all.add(box);
+  }
+  frame_ = UnitFrame(all);
+  std::vector<KdPrimitive> primitives;
+  for (const Box& box : boxes)
+  {
+    primitives.push_back({ { frame_(box.lower), frame_(box.upper) } });
+  }
+  constexpr double kBeyondTheFrame = 0x1p20;
+  blur_ = kBeyondTheFrame; // no test rejects
+  slack_ = slack * frame_.scale;
+  KdTreeBuilder builder;
+  builder.checkpoint = checkpoint;
+  builder.blockSize = 1;
+  pack(primitives, std::vector<Triangle>(boxes.size(), { Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY() }),
+    builder);
+}
+
+void TriangleTree::pack(const std::vector<KdPrimitive>& primitives,
+  const std::vector<Triangle>& unit, const KdTreeBuilder& builder)
+{
   const KdTree tree = builder.build(primitives);
   bounds_ = tree.bounds;
   if (!tree.isEmpty())
   {
-    root_ = Packing(*this, tree, unit, checkpoint).pack(0);
+    root_ = Packing(*this, tree, unit, builder.checkpoint).pack(0);
     treelets_.shrink_to_fit();
   }
 }

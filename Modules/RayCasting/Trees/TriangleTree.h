@@ -13,6 +13,9 @@
 namespace irradiance
 {
 
+struct KdPrimitive;
+struct KdTreeBuilder;
+
 /// Eight triangles of a leaf in the unit frame, in float, for a test that only rejects.
 struct alignas(64) TriangleBlock
 {
@@ -41,6 +44,9 @@ public:
   /// the map to the space in which they are tested; 1 if that is this one.
   TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& margins,
     double conditionNumber, const Checkpoint& checkpoint);
+  /// A tree over bodies: a search finds all whose boxes it may touch, as if each held a triangle that
+  /// is known only up to that box. Boxes are finite. `slack`: a hit in a box may be this much closer.
+  TriangleTree(const std::vector<Box>& boxes, double slack, const Checkpoint& checkpoint);
 
   bool isEmpty() const { return blocks_.empty(); }
   const UnitFrame& frame() const { return frame_; }
@@ -61,6 +67,9 @@ public:
 
 private:
   class Packing;
+
+  void pack(const std::vector<KdPrimitive>& primitives, const std::vector<Triangle>& unit,
+    const KdTreeBuilder& builder);
 
   UnitFrame frame_;
   Box bounds_;
