@@ -36,8 +36,8 @@ struct WalkStart
 
 /**
  * All lights of a frame. Every walk carries the same share of the total flux; which light it starts
- * from is sampled in proportion to flux. The power of walk i is floor((i + 1) Q / N) - floor(i Q /
- * N) of Q quanta for N walks, so that nothing is lost to rounding.
+ * from is sampled in proportion to flux. The power of walk i is floor((i + 1) Q / N) -
+ * floor(i Q / N) of Q quanta for N walks, so that nothing is lost to rounding.
  */
 class EmitterTable
 {
