@@ -120,7 +120,7 @@ private:
     std::uint32_t capacity = 0; ///< places
   };
 
-  // A tag holds the walk, the side of the hit, and the tagOf() its object or kContactTag.
+  // A tag holds the walk, the side of the hit, and tagOf() its object or kContactTag.
   static constexpr std::uint16_t kWalkMask = 0x3ff;
   static constexpr std::uint16_t kBack = 0x400;
 
