@@ -22,7 +22,7 @@ namespace irradiance
 namespace
 {
 
-/// Name of the array to read; null if an attribute was chosen, as the active scalars.
+/// Name of the array to read; null if an attribute was chosen, such as the active scalars.
 const char* chosenName(vtkAlgorithm* filter, const MaterialArrayRole& role)
 {
   return filter->GetInputArrayInformation(role.index)->Get(vtkDataObject::FIELD_NAME());

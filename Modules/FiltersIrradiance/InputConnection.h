@@ -24,7 +24,7 @@ struct InputPart
   vtkPolyData* polyData = nullptr;
   MaterialArrays<vtkAbstractArray> arrays{};
   AffineMap worldFromPart;           ///< the identity for static parts
-  std::vector<std::string> oddities; ///< what is worth a warning, but can be computed
+  std::vector<std::string> oddities; ///< warnings about what can be computed all the same
 };
 
 /// A connection of the filter and the polydata in it, in the order of its leaves.
@@ -39,16 +39,16 @@ struct InputConnection
 InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data);
 
 /**
- * A dynamic connection. Its pose is that of `transform`; if null, of the field-data array
- * ObjectToWorld of `data`; else the identity. In a composite one, a leaf with such an array of its
- * own is moved by that first, then by the pose of the connection. Throws InputError also for a pose
+ * A dynamic connection. Its pose is that of `transform`; if null, the field-data array
+ * ObjectToWorld of `data`; else the identity. In composite data, a leaf with such an array of its
+ * own is moved by that first, then by the pose of the connection. Also throws InputError for a pose
  * that is not an invertible affine map.
  */
 InputConnection dynamicConnection(
   vtkAlgorithm* filter, int index, vtkDataObject* data, vtkLinearTransform* transform);
 
-/// Throws InputError if the filter was told to read an array that cannot be meant: one of the points,
-/// or one that no input has.
+/// Throws InputError if the filter was told to read an array of the points or of the field data, or
+/// one that no input has.
 void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
   const std::vector<InputConnection>& dynamics);
 

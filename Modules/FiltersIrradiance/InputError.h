@@ -16,7 +16,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// A value as a message shows it: so many digits that 1.000000001 is not taken for 1.
+/// A value as a message shows it, with enough digits that 1.000000001 does not look like 1.
 inline std::string text(double value)
 {
   std::ostringstream stream;

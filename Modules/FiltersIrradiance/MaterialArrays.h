@@ -8,7 +8,7 @@
 namespace irradiance
 {
 
-/// The cell arrays that the filter reads: here alone stand their names and numbers.
+/// The cell arrays that the filter reads. Their names and numbers are defined here alone.
 enum MaterialArray : std::size_t
 {
   Exitance,

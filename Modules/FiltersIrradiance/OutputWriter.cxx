@@ -56,8 +56,8 @@ void transformNormals(vtkLinearTransform* transform, vtkDataSetAttributes* attri
   }
 }
 
-/// Model to world; float or double, as integers cannot hold it. The input's own arrays are not
-/// touched.
+/// Moves points and active normals to the world. Integer points become double, as integers cannot
+/// hold the result. The input's own arrays do not change.
 void movePoints(const AffineMap& worldFromObject, vtkPolyData* polyData)
 {
   vtkPoints* model = polyData->GetPoints();
@@ -89,7 +89,7 @@ void addField(vtkMultiBlockDataSet* output, const char* name, std::initializer_l
   output->GetFieldData()->AddArray(array);
 }
 
-/// Of a type that a vtkMultiBlockDataSet may hold: it refuses partitioned ones.
+/// An empty block of a type that a vtkMultiBlockDataSet may hold: it refuses partitioned ones.
 vtkSmartPointer<vtkDataObjectTree> emptyBlock(vtkDataObjectTree* input)
 {
   if (input->IsA("vtkPartitionedDataSet"))

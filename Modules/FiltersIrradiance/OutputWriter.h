@@ -21,7 +21,7 @@ class OutputWriter
 {
 public:
   /// The arguments must outlive the writer.
-  /// `withErrors`: standard errors are written as well.
+  /// `withErrors`: also writes standard errors.
   OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
     const EngineSettings& settings, bool withErrors, const Checkpoint& checkpoint)
     : engine_(engine)
@@ -43,7 +43,7 @@ private:
   static vtkSmartPointer<vtkDataObject> blockOf(
     const InputConnection& connection, const MakePart& makePart);
   void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
-  /// `suffix`: of the arrays' names.
+  /// `suffix`: part of the arrays' names, such as Front.
   void addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
     std::size_t firstCell, int side) const;
   void addFieldData(vtkMultiBlockDataSet* output) const;

@@ -91,8 +91,8 @@ void PolyDataConverter::makeRoom()
   {
     material.exitance.resize(material.numberOfCells * bands, 0.0);
   }
-  // A polygon of n corners becomes n - 2 triangles. What grows by doubling is copied at once, which
-  // takes long.
+  // A polygon of n corners becomes n - 2 triangles. Growth by doubling would copy all at once,
+  // which takes long.
   const auto triangles = target_.triangles.size() +
     static_cast<std::size_t>(std::max<vtkIdType>(0,
       input_->GetPolys()->GetNumberOfConnectivityIds() - 2 * input_->GetNumberOfPolys() +
@@ -117,7 +117,7 @@ double PolyDataConverter::largest(vtkDataArray* array) const
   return largest;
 }
 
-/// Light that is given to cells of the wrong kind alone cannot be meant.
+/// An input that gives light to cells of the wrong kind only is an error.
 void PolyDataConverter::checkMisplaced() const
 {
   const bool hasSurface = input_->GetNumberOfPolys() + input_->GetNumberOfStrips() > 0;
@@ -243,7 +243,7 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
   });
 }
 
-/// They have no surface, but may have been given light.
+/// Lines have no surface, but may carry a flux or an exitance.
 void PolyDataConverter::readLines()
 {
   const vtkIdType end = cell_ + input_->GetNumberOfLines();
@@ -290,7 +290,7 @@ void PolyDataConverter::readStrips(vtkCellArray* cells)
       firstTriangle_ = target_.triangles.size();
       for (std::size_t i = 0; i + 2 < corners_.size(); ++i)
       {
-        // Every other triangle of a strip runs the other way round.
+        // Every other triangle of a strip has the opposite orientation.
         const std::size_t odd = i % 2;
         target_.triangles.push_back({ corners_[i], corners_[i + 1 + odd], corners_[i + 2 - odd] });
       }
@@ -300,8 +300,8 @@ void PolyDataConverter::readStrips(vtkCellArray* cells)
   });
 }
 
-/// The cell's triangles are there; its arrays and its area follow. Triangles without area are dropped:
-/// they have no normal.
+/// Reads the arrays of a cell whose triangles have been added. Triangles without area are dropped,
+/// as they have no normal.
 void PolyDataConverter::readSurfaceCell()
 {
   Material& material = target_.material;

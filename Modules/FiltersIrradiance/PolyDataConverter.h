@@ -19,35 +19,35 @@ class vtkUnsignedCharArray;
 namespace irradiance
 {
 
-/// The triangles of some polydata and what light does on their cells, which keep their order.
+/// The triangles of some polydata and the material of its cells, which keep their order.
 struct ConvertedPolyData
 {
   std::vector<Triangle> triangles;
   Material material;
 };
 
-/// Reads one vtkPolyData. Throws InputError, naming `where` (as in "input port 1, connection 0"), the
-/// cell and the value, for anything that cannot be computed. Ghost cells that are duplicates or hidden
-/// take no part.
+/// Reads one vtkPolyData. Throws InputError, naming `where` (as in "input port 1, connection 0"),
+/// the cell and the value, for anything that cannot be computed. Ghost cells that are duplicates or
+/// hidden take no part.
 class PolyDataConverter
 {
 public:
-  /// The input's cells follow those that `target` has, with as many bands.
+  /// Appends the input's cells to those of `target`, with the bands of `target`.
   PolyDataConverter(std::string where, vtkPolyData* input,
     const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance,
     ConvertedPolyData& target, const Checkpoint& checkpoint);
 
-  /// Returns what is odd about the input but can be computed, a sentence each.
+  /// Returns warnings about input that can be computed all the same, a sentence each.
   std::vector<std::string> convert();
 
   /// Limits beyond which products of lengths, areas and powers might not be finite.
   static constexpr double kMostDistant = 1e30; ///< m
   static constexpr double kBrightest = 1e30;   ///< W/m2, W
-  /// And vanish: what is not larger has no area, m2.
+  /// As such products might vanish, a triangle has no area unless twice its area exceeds this, m2.
   static constexpr double kSmallestArea = 1e-60;
 
 private:
-  /// Cells of a kind that is worth a warning.
+  /// Cells that deserve a warning: how many, and the first.
   struct OddCells
   {
     vtkIdType count = 0, first = -1;
@@ -79,12 +79,12 @@ private:
   CheckpointPace pace_;
   vtkUnsignedCharArray* ghosts_;
   std::size_t firstCell_; ///< in the target
-  vtkIdType cell_ = 0;    ///< the cell that is read, counted as VTK does
+  vtkIdType cell_ = 0;    ///< the cell being read, by VTK's number
   std::vector<Vector3> corners_;
   std::size_t firstTriangle_ = 0; ///< of the cell
   OddCells withoutArea_;          ///< polygons and strips
   OddCells crossed_;              ///< polygons that cross themselves
-  OddCells fluxElsewhere_;        ///< cells with a flux that are no vertices
+  OddCells fluxElsewhere_;        ///< cells with a flux that are not vertices
   OddCells exitanceElsewhere_;    ///< vertices and lines with an exitance
 };
 

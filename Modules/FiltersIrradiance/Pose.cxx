@@ -43,7 +43,7 @@ Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
   return matrix;
 }
 
-/// Areas are squares of it, and lengths of normals squares of these: all must be more than 0.
+/// Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
 constexpr double kSmallestScale = 1e-30;
 
 void checkInvertible(const std::string& where, const Matrix4& matrix)

@@ -15,20 +15,20 @@ namespace irradiance
 /// The field-data array that holds a pose: 16 values, row by row.
 constexpr const char* kFieldPoseName = "ObjectToWorld";
 
-/// The pose of a transform. Throws InputError, naming `where`, if it is not an invertible affine map.
+/// A transform's pose. Throws InputError, naming `where`, if it is not an invertible affine map.
 AffineMap poseOf(const std::string& where, vtkLinearTransform* transform);
 
-/// The pose in the field data; the identity if there is none. Throws InputError also for an array
+/// The pose in the field data; the identity if there is none. Also throws InputError for an array
 /// that does not hold 16 numbers.
 AffineMap poseOf(const std::string& where, vtkFieldData* fields);
 
-/// Whether the field data hold anything else than the identity as a pose.
+/// Whether the field data hold anything but the identity as a pose.
 bool hasFieldPose(vtkFieldData* fields);
 
-/// The same map. Throws InputError, naming `where`, if it is not invertible.
+/// Returns `map`. Throws InputError, naming `where`, if it is not invertible.
 AffineMap checkedPose(const std::string& where, const AffineMap& map);
 
-/// First `inner`, then `outer`; a factor that is the identity leaves the other's bits.
+/// First `inner`, then `outer`. If one is the identity, the result has the bits of the other.
 AffineMap composed(const AffineMap& outer, const AffineMap& inner);
 
 }

@@ -57,7 +57,7 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
   }
 }
 
-/// Positions are kept in double, and rays start clear of surfaces by 2^-33 of the largest coordinate.
+/// Positions are doubles, and rays start 2^-33 of the largest coordinate off the surface.
 void checkDigits(const SceneObjects& objects)
 {
   constexpr double kFarthest = 0x1p27; // in sizes of the scene
@@ -206,12 +206,12 @@ void SceneReader::adopt(
       TriangleMesh(std::move(data.triangles), checkpoint), checkpoint, mayMove);
     if (checkpoint)
     {
-      checkpoint(); // to give back the memory of building takes a while
+      checkpoint(); // freeing the memory of the build takes a while
     }
   }
 }
 
-/// What was read before an error is read, and reported, once more.
+/// Input read before an error is read again; its warnings must not be listed twice.
 void SceneReader::warn(const std::string& warning)
 {
   if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())

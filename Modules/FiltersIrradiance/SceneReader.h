@@ -15,16 +15,16 @@ namespace irradiance
 {
 
 /**
- * Keeps the scene of the engine in step with the inputs of the filter. What did not change keeps its
- * address, by which the engine knows it: an input is read when VTK says that it was modified, and
- * replaced only where its values differ.
+ * Keeps the engine's scene in step with the inputs of the filter. What did not change keeps its
+ * address, by which the engine recognizes it. An input is read when VTK says that it was modified,
+ * and replaced only if its values differ.
  */
 class SceneReader
 {
 public:
-  /// Object 0 is made of all parts of the static connections; each part of the dynamic ones is an object
-  /// of its own, in order. Throws InputError. Afterwards objects() is the scene; after an exception it
-  /// is what it was, or partly new.
+  /// All parts of the static connections make up object 0; each part of the dynamic ones is an
+  /// object of its own, in order. Throws InputError. Afterwards objects() is the scene; after an
+  /// exception it is what it was, or partly new.
   void read(const std::vector<InputConnection>& staticConnections,
     const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
     const Checkpoint& checkpoint);
@@ -35,7 +35,7 @@ public:
   std::size_t firstCellOfStatic(std::size_t part) const { return firstCell_[part]; }
   /// World area of the cells of an object, m2.
   const std::vector<double>& areas(std::uint32_t object) const { return areas_[object]; }
-  /// What is odd about the inputs but can be computed; new ones since the last call.
+  /// New warnings since the last call, about inputs that can be computed all the same.
   std::vector<std::string> takeWarnings();
 
 private:
@@ -49,11 +49,11 @@ private:
     }
   };
 
-  /// An input as it was when it was read. The polydata is held so that its address stays its own.
+  /// An input as it was when it was read. The polydata is held so that its address is not reused.
   struct Stamp
   {
     vtkSmartPointer<vtkPolyData> polyData;
-    MaterialArrays<vtkAbstractArray> arrays; ///< those chosen; never followed
+    MaterialArrays<vtkAbstractArray> arrays; ///< those chosen; never dereferenced
     vtkMTimeType time;
     bool operator==(const Stamp& other) const
     {

@@ -11,7 +11,7 @@
 namespace irradiance
 {
 
-/// VTK's threads, and a function that tells progress and says whether to go on.
+/// VTK's threads, and a function that reports progress and returns whether to continue.
 class SmpExecution : public Execution
 {
 public:

@@ -30,7 +30,7 @@ class vtkIrradianceFilter::vtkInternals
 public:
   using Connections = std::vector<irradiance::InputConnection>;
 
-  /// All that a result follows from, besides the properties.
+  /// All that a result depends on, except the properties.
   struct Inputs
   {
     Connections Static, Dynamic;
@@ -42,7 +42,7 @@ public:
   std::map<int, vtkSmartPointer<vtkLinearTransform>> Transforms;
   irradiance::SceneReader Scene;
   irradiance::IrradianceEngine Engine;
-  vtkMTimeType Begun = 0; ///< time of what the last execution read, 0 before the first
+  vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
   vtkTimeStamp Newest;
 };
 
@@ -182,8 +182,8 @@ vtkMTimeType vtkIrradianceFilter::GetMTime()
 {
   if (this->HasChangedMeanwhile())
   {
-    // The executive takes the output for newer than what an observer of the progress changed: from now
-    // on it is older, until the filter runs again.
+    // An observer of the progress changed something, and the executive takes the output for newer.
+    // This time makes the output older, until the filter runs again.
     this->Internals->Newest.Modified();
     return this->Internals->Newest;
   }
@@ -201,7 +201,7 @@ vtkMTimeType vtkIrradianceFilter::OwnTime()
   return time;
 }
 
-/// Of these and the inputs.
+/// The latest change of these and the inputs.
 vtkMTimeType vtkIrradianceFilter::InputTime()
 {
   vtkMTimeType time = this->OwnTime();
@@ -216,7 +216,7 @@ vtkMTimeType vtkIrradianceFilter::InputTime()
   return time;
 }
 
-/// While the filter ran, up to the last sign of progress, which the executive gives after RequestData.
+/// Whether something changed during a run, up to its last progress event, after RequestData.
 bool vtkIrradianceFilter::HasChangedMeanwhile()
 {
   if (this->Internals->Begun == 0)
@@ -230,7 +230,7 @@ bool vtkIrradianceFilter::HasChangedMeanwhile()
 
 int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composite types first: else the executive would call the filter for each block by itself.
+  // Composite types first: else the executive would call the filter for each block separately.
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -239,7 +239,7 @@ int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-// The executive copies the times of the first connection alone; a scene has those of all.
+// The executive copies only the times of the first connection; a scene has those of all.
 int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
@@ -341,7 +341,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(
   const irradiance::EngineSettings settings = CheckedSettings(filter);
   irradiance::SmpExecution execution(
     [filter](double progress) { return filter->ReportProgress(progress); });
-  if (!execution.reportProgress(0)) // an update with nothing to do does not ask again
+  if (!execution.reportProgress(0)) // an update with nothing to do does not report again
   {
     throw irradiance::Interrupted();
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkIrradianceFilter
- * @brief   light received by every cell of a scene in which things move
+ * @brief   irradiance of every cell of a scene in which things move
  *
- * Shoots photon walks from the lights of the scene, stores them when something may move, and at
- * each further update verifies the stored walks against the objects that moved and repairs only
- * those that changed. The result of an update equals that of a new filter on the same input, bit
- * for bit, whatever the number of threads, the traversal mode and the use of the cache.
+ * Shoots photon walks from the lights of the scene and stores them if something may move. Each
+ * further update verifies the stored walks against the objects that moved, and repairs only those
+ * that changed. The result equals that of a new filter on the same input, bit for bit, for any
+ * number of threads, any traversal mode, with and without the cache (but see RepairTimeBudget).
  *
  * After Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of Shooting
  * Walks" (SCCG 2003).
@@ -14,79 +14,79 @@
  * @section Inputs
  * - Port 0, static: vtkPolyData, repeatable, optional.
  * - Port 1, dynamic: vtkPolyData in model coordinates, repeatable, optional. The pose is that of
- *   SetDynamicTransform; without one, that of the field-data array `ObjectToWorld` (16 values, row
- *   by row) of the input; else the identity. Any invertible affine map will do. On port 0 such an
- *   array moves nothing, and a warning says so.
+ *   SetDynamicTransform; without one, the field-data array `ObjectToWorld` (16 values, row by row)
+ *   of the input; else the identity. Any invertible affine map will do. On port 0 such an array
+ *   moves nothing, and a warning says so.
  *
- * Both take composite data as well (vtkMultiBlockDataSet, vtkPartitionedDataSet,
- * vtkPartitionedDataSetCollection): all leaves, which have to be vtkPolyData, belong to the scene;
+ * Both ports also take composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+ * vtkPartitionedDataSetCollection). All leaves belong to the scene and have to be vtkPolyData;
  * empty blocks are skipped. The pose of the connection moves all leaves; a leaf with an
  * `ObjectToWorld` of its own is moved by that first: world = connection * leaf.
  *
- * Polygons and triangle strips are surfaces. Their front is the side from which the points of a cell
- * run counter-clockwise in world coordinates (so a reflecting transform turns it round). Vertex
+ * Polygons and triangle strips are surfaces. Their front is the side from which the points of a
+ * cell run counter-clockwise in world coordinates (so a reflecting transform flips it). Vertex
  * cells with a flux are isotropic point lights; several points share the flux of their cell. Lines
  * are passed through. Ghost cells (`vtkGhostType`) that are duplicates or hidden take no part: they
  * neither emit nor block light, and their irradiance is 0.
  *
- * Faces may coincide. A closed mesh is a body, and no light gets inside, even where it stands exactly
- * on a lamp; or a room, if it is static and holds the rest. A point light exactly in a wall of a room
- * shines into the room with all of its power. Documentation/Theory.md, section 3, has the rules.
+ * Faces may coincide. A closed mesh is a body, which no light enters even where it stands exactly
+ * on a lamp; a closed static mesh that encloses the rest is a room. A point light exactly in its
+ * wall shines into the room with all of its power. Documentation/Theory.md, section 3: the rules.
  *
  * @section Arrays Cell arrays read
- * SetInputArrayToProcess(index, ...) chooses others; one that no input has on its cells is an error.
- * One component, or three for three bands.
+ * SetInputArrayToProcess(index, ...) chooses others; one that is on no input's cells is an error.
+ * Arrays have one component, or three for three bands.
  * | index | default name         | meaning                                        |
  * |-------|----------------------|------------------------------------------------|
  * | 0     | RadiantExitance      | W/m2 emitted from the front, diffuse; >= 0     |
- * | 1     | DiffuseReflectance   | 0..1, both sides; DefaultDiffuseReflectance where absent |
+ * | 1     | DiffuseReflectance   | 0..1, both sides; absent: DefaultDiffuseReflectance |
  * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
  *
- * Exitance of vertices and flux of polygons are not read: a warning, or an error where the input has
- * no cell of the right kind. So are arrays of these names on the points: a warning.
+ * Exitance on vertices and lines, and flux on lines and faces, are not read: a warning, or an error
+ * if the input has no cell of the right kind. Arrays of these names on points: a warning.
  *
  * @section Output
  * vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each a vtkMultiBlockDataSet with one
- * vtkPolyData per connection, in order: the input's points (dynamic ones in world coordinates, with
- * the active normals; integers become double), its cells and arrays, and the cell array `Irradiance`
- * (double, W/m2, one or three components, both sides summed), or `IrradianceFront` and
- * `IrradianceBack` if SeparateSides is on. Cells without area, vertices and lines have 0.
- * `ObjectToWorld` is applied, and not handed on. A composite connection has a block of its structure:
- * a vtkMultiPieceDataSet where the input is a vtkPartitionedDataSet (which a vtkMultiBlockDataSet may
- * not hold), else a vtkMultiBlockDataSet.
+ * vtkPolyData per connection, in order: the input's points (dynamic ones in world coordinates, as
+ * are the active normals; integers become double), its cells and arrays, and the cell array
+ * `Irradiance` (double, W/m2, one or three components, both sides summed), or `IrradianceFront` and
+ * `IrradianceBack` if SeparateSides is on. Cells without area, vertices and lines have 0. A dynamic
+ * input's `ObjectToWorld` is applied and not passed on. A composite connection has a block of its
+ * structure instead: a vtkMultiPieceDataSet for a vtkPartitionedDataSet (which a
+ * vtkMultiBlockDataSet may not hold), else a vtkMultiBlockDataSet.
  *
- * With ComputeStandardError also `IrradianceStandardError`, or `IrradianceFrontStandardError` and
- * `IrradianceBackStandardError`: the standard error of these, W/m2. The 95 % interval is the
- * irradiance +- `ConfidenceFactor` (a field-data value: Student's t) times that. It is NaN where it is
- * not known: without an area, and where fewer than 25 photons of a walk's first power have arrived.
+ * ComputeStandardError adds `IrradianceStandardError`, or `IrradianceFrontStandardError` and
+ * `IrradianceBackStandardError`, W/m2. The 95 % interval is the irradiance +- this times
+ * `ConfidenceFactor` (field data: Student's t). It is NaN where it is not known: without an area,
+ * and where less than 25 times the largest power with which a walk starts has arrived.
  *
  * Field data of the root, one tuple each: `EmittedPower`, `AbsorbedPower`, `EscapedPower`,
  * `StalePower` (W, per band; emitted = absorbed + escaped; nothing is stale after an update without
  * a RepairTimeBudget), `NumberOfWalks` (those shot), `NumberOfSegments`; `ConfidenceFactor` with
- * ComputeStandardError; `ReachedRelativeError` with TargetRelativeError: what 95 % of the area is
- * known to, infinite where more than 5 % is not known, NaN while walks are stale; and what this
- * update cost: `NumberOfInvalidWalks`, `NumberOfRepairedSegments`, `ShootSeconds`, `VerifySeconds`,
- * `RepairSeconds`, `HistoryBytes`.
+ * ComputeStandardError; `ReachedRelativeError` with TargetRelativeError: the relative error within
+ * which 95 % of the area is known, infinite if more than 5 % is not, NaN while walks are stale; and
+ * what this update cost: `NumberOfInvalidWalks`, `NumberOfRepairedSegments`, `ShootSeconds`,
+ * `VerifySeconds`, `RepairSeconds`, `HistoryBytes`.
  *
- * @section Budget A budget of time
- * With a RepairTimeBudget the repair of an update ends when the time is up; those walks come first
- * whose stale segments carry most. All walks have been verified by then, so it is known what rests
- * on walks that hold no longer. Then there are besides
+ * @section Budget A time budget
+ * With a RepairTimeBudget the repair of an update ends when the time is up. Walks whose stale
+ * segments carry most power are repaired first. All walks have been verified by then, so it is
+ * known what rests on stale walks, which are no longer valid. The output then also has
  * - the cell array `StaleIrradiance` (`StaleIrradianceFront` and `StaleIrradianceBack` with
- *   SeparateSides; W/m2): this part of the irradiance rests on stale walks. The full update takes no
- *   more than that from a cell.
+ *   SeparateSides; W/m2): the part of the irradiance that rests on stale walks. The full update
+ *   takes no more than that from a cell.
  * - the field data `StalePower`: the power that is not yet shot again.
  * - the field data `StaleGainBound` (W, per band): the full update brings no more than that to all
- *   cells together, counted from their irradiance without its stale part; infinite where walks are
- *   stale and a surface reflects more than 0.99.
+ *   cells together, counted from their irradiance without its stale part; infinite if walks are
+ *   stale and a cell reflects more than 0.99.
  *
- * What is left is gone on with at the next execution, whether something has moved or not. VTK
- * executes a filter only if something was modified, so without motion say so:
+ * The next execution continues with what is left, whether something has moved or not. VTK executes
+ * a filter only if something was modified, so without motion call Modified():
  * @code
  * irradiance->SetRepairTimeBudget(0.02);
  * irradiance->Update(); // after a motion
  * auto* stale = irradiance->GetOutput()->GetFieldData()->GetArray("StalePower");
- * while (stale->GetRange(-1)[1] > 0) // all bands; or one step of it when the program is idle
+ * while (stale->GetRange(-1)[1] > 0) // all bands; or one step at a time when the program is idle
  * {
  *   irradiance->Modified();
  *   irradiance->Update();
@@ -95,16 +95,16 @@
  * @endcode
  * Each execution repairs some walks, however small the budget, so the loop ends; then, or after
  * SetRepairTimeBudget(0) and Update(), the result is that of a new filter, bit for bit. A target
- * waits while walks are stale; standard errors tell nothing of what rests on them.
+ * waits while walks are stale; standard errors do not cover what rests on them.
  *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
  * of range, singular or non-finite transforms, transforms of connections that do not exist, leaves
  * that are no polydata, point lights between walls that leave them no side to shine into, scenes
  * more than 1.3e8 times their size away from the origin (Documentation/Extremes.md): one error that
- * names the input, the cell and the value, and an empty output. A scene without lights gives zeros
- * and a warning. Progress is reported and AbortExecute honoured within 0.1 s; after an abort the
- * output is empty and, as with all of VTK, counts as up to date until Modified().
+ * names the input, the cell and the value concerned, and an empty output. A scene without lights
+ * gives zeros and a warning. Progress is reported and AbortExecute honoured within 0.1 s; after an
+ * abort the output is empty and, as with all VTK filters, up to date until Modified().
  *
  * Runs on VTK's threads (vtkSMPTools).
  */
@@ -130,8 +130,8 @@ public:
   enum TraversalModes
   {
     OneTree = 0,    ///< one tree over all triangles, rebuilt whenever something moves
-    Sequential = 1, ///< the dynamic tree, then the static one up to the hit found
-    Parallel = 2    ///< both side by side, always the one whose next node is nearer
+    Sequential = 1, ///< the dynamic trees, then the static one up to the hit found
+    Parallel = 2    ///< all side by side; a hit in one shortens the searches of the others
   };
 
   /// What happens when dynamic objects have moved; the result is the same.
@@ -144,9 +144,8 @@ public:
   ///@{
   /**
    * Pose (model to world) of the i-th connection of port 1, null for none. It is kept by reference:
-   * changing it, as well as another one, makes the filter execute; also a change made while the filter
-   * runs, by an observer of its progress. Indices follow the connections: after removing one, set the
-   * transforms again.
+   * setting or changing it makes the filter execute, even if an observer of the progress changes it
+   * during a run. Indices follow the connections: after removing one, set the transforms again.
    */
   void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
   vtkLinearTransform* GetDynamicTransform(int i);
@@ -155,8 +154,8 @@ public:
 
   ///@{
   /**
-   * Number of photon walks, 1 to 4,294,967,295. The error of a cell falls with about the square
-   * root. Default 1,000,000.
+   * Number of photon walks, 1 to 4,294,967,295; at least NumberOfReplicates if those are used. The
+   * error of a cell falls with about its square root. Default 1,000,000.
    */
   vtkSetMacro(NumberOfWalks, vtkIdType);
   vtkGetMacro(NumberOfWalks, vtkIdType);
@@ -164,7 +163,7 @@ public:
 
   ///@{
   /**
-   * Chooses the random scrambling of the samples: two seeds give independent results. Default 1.
+   * Chooses the random scrambling of the samples. Two seeds give independent results. Default 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -172,7 +171,7 @@ public:
 
   ///@{
   /**
-   * Diffuse reflectance, 0..1, of the inputs without such an array. Default 0.5.
+   * Diffuse reflectance, 0..1, of inputs without such an array. Default 0.5.
    */
   vtkSetMacro(DefaultDiffuseReflectance, double);
   vtkGetMacro(DefaultDiffuseReflectance, double);
@@ -180,7 +179,8 @@ public:
 
   ///@{
   /**
-   * See TraversalModes. Default Parallel.
+   * See TraversalModes. From 9 dynamic objects on, Parallel searches as Sequential does. Default
+   * Parallel.
    */
   vtkSetClampMacro(TraversalMode, int, OneTree, Parallel);
   vtkGetMacro(TraversalMode, int);
@@ -201,8 +201,8 @@ public:
 
   ///@{
   /**
-   * Whether a static hit that a dynamic object hides is remembered for the time when the object is
-   * gone again. Changes the time, not the result. Default on.
+   * Whether a static hit that a dynamic object hides is kept for when the object has gone again.
+   * Changes the time, not the result. Default on.
    */
   vtkSetMacro(CacheStaticHits, vtkTypeBool);
   vtkGetMacro(CacheStaticHits, vtkTypeBool);
@@ -211,10 +211,9 @@ public:
 
   ///@{
   /**
-   * Seconds that the repair of an update may take, 0 for all that it takes. Verification comes before
-   * and does not count, nor does the first shooting. Without meaning where UpdateMode is Rebuild, or
-   * where everything has to be shot anew: then nothing is ever stale. See "A budget of time" above.
-   * Default 0.
+   * Seconds that the repair of an update may take; 0: no limit. Verification does not count, nor
+   * does the first shooting. No effect if UpdateMode is Rebuild or everything has to be shot anew:
+   * then nothing is stale. See "A time budget" above. Default 0.
    */
   vtkSetMacro(RepairTimeBudget, double);
   vtkGetMacro(RepairTimeBudget, double);
@@ -222,7 +221,7 @@ public:
 
   ///@{
   /**
-   * Whether the irradiance of the two sides of a cell is kept apart. Default off.
+   * Whether the irradiance of the two sides of a cell is computed separately. Default off.
    */
   vtkSetMacro(SeparateSides, vtkTypeBool);
   vtkGetMacro(SeparateSides, vtkTypeBool);
@@ -231,9 +230,9 @@ public:
 
   ///@{
   /**
-   * Whether the standard error of the irradiance is estimated, see the arrays above: from walks that
-   * are dealt out to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
-   * cell, band, side and replicate. Default off.
+   * Whether the standard error of the irradiance is estimated, see "Output" above. Walks are
+   * assigned to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
+   * cell, band, side and replicate, with a target times the rounds of walks. Default off.
    */
   vtkSetMacro(ComputeStandardError, vtkTypeBool);
   vtkGetMacro(ComputeStandardError, vtkTypeBool);
@@ -242,9 +241,9 @@ public:
 
   ///@{
   /**
-   * Number of independent replicates from which errors are estimated, 2 to 256. With few the
+   * Number of independent replicates from which errors are estimated, 2 to 256. With few, the
    * estimate is crude and the interval wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with
-   * 64); with many each has few walks, so that less is gained by the evenness of the samples.
+   * 64). With many, each has few walks, and less is gained by the evenness of the samples.
    * Default 16.
    */
   vtkSetMacro(NumberOfReplicates, int);
@@ -254,10 +253,10 @@ public:
   ///@{
   /**
    * If positive, NumberOfWalks are shot first, and their number is doubled until the half-width of
-   * the 95 % interval is at most this times the irradiance on 95 % of the area, or until
-   * MaximumNumberOfWalks are shot: then a warning says what was reached. A cell that has received
-   * nothing is in it when 3 photons more would make it no brighter than this times the average; a
-   * cell with too few photons is not. Updates shoot more, or fewer, as the scene asks for. 0: no
+   * the 95 % interval is at most this times the irradiance on 95 % of the area. If that takes more
+   * than MaximumNumberOfWalks, a warning says what was reached. A cell that has received nothing
+   * meets the target if 3 more photons would make it no brighter than this times the average; a
+   * cell with too few photons does not. Updates shoot more or fewer, as the scene needs. 0: no
    * target. Default 0.
    */
   vtkSetMacro(TargetRelativeError, double);
@@ -267,14 +266,14 @@ public:
   ///@{
   /**
    * With a TargetRelativeError, the number of walks at which to stop; NumberOfWalks to
-   * 4,294,967,295. If something may move, a hit takes 52 bytes in one band when its walk is shot, and
-   * 75 to 105 after motions, which leave holes; `HistoryBytes` tells. Default 10,000,000.
+   * 4,294,967,295. If something may move, a hit takes about 52 bytes in one band when its walk is
+   * shot, and 75 to 105 after motions, which leave holes; see `HistoryBytes`. Default 10,000,000.
    */
   vtkSetMacro(MaximumNumberOfWalks, vtkIdType);
   vtkGetMacro(MaximumNumberOfWalks, vtkIdType);
   ///@}
 
-  /// Counts the transforms.
+  /// Includes the transforms.
   vtkMTimeType GetMTime() override;
 
 protected:

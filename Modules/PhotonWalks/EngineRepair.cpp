@@ -9,7 +9,7 @@
 #include <atomic>
 #include <utility>
 
-/// How the engine brings stored walks up to date when something has moved.
+/// How the engine updates the stored walks when something has moved.
 namespace irradiance
 {
 
@@ -76,7 +76,7 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution)
 {
-  // Stored points are where objects have been.
+  // Stored points may lie where objects were in earlier frames.
   clearance_ = std::max(clearance_, scene_.clearance());
   pointReach_ = std::max(pointReach_, reachInFrame());
   SegmentScan scan(pointFrame_, pointReach_);
@@ -91,7 +91,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   const WalkVerifier verifier(shooter, moved, scan, clearance_);
   std::vector<std::vector<StaleSegment>> stale(history_.size());
   const StaleMarks none;
-  constexpr std::size_t kTogether = 16; // in a row for a thread: it asks for the next in time
+  constexpr std::size_t kTogether = 16; // blocks in a row for a thread, which prefetches the next
   SlicedPass pass{ (stale.size() + kTogether - 1) / kTogether, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
     const std::size_t end = std::min((unit + 1) * kTogether, stale.size());
@@ -115,8 +115,8 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   const std::vector<std::vector<StaleSegment>>& stale, Execution& execution)
 {
   std::atomic<std::int64_t> repaired{ 0 };
-  // A block has few stale walks: those of several make a batch worth its name, if that leaves enough
-  // batches for all threads.
+  // A block has few stale walks. Those of several blocks are shot together, as long as that leaves
+  // enough batches for all threads.
   constexpr std::size_t kBatches = 32, kMostTogether = 16;
   BatchPass pass{ 0, history_.size(),
     std::clamp<std::size_t>(history_.size() / kBatches, 1, kMostTogether), {}, {} };
@@ -129,7 +129,7 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
         walks.power(segment.walkInBlock, 0), walks.power(segment.walkInBlock, segment.bounce));
       for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
       {
-        sums_.prefetch(walk, walks.hit(segment.walkInBlock, i).id); // will be taken back
+        sums_.prefetch(walk, walks.hit(segment.walkInBlock, i).id); // will be subtracted
       }
     }
   };

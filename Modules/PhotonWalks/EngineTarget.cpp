@@ -16,7 +16,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
   {
     if (rounds == sums_.rounds())
     {
-      // What was expected before may have been less: progress waits rather than going back.
+      // Fewer walks may have been expected before. Progress then waits rather than going back.
       const double expected = expectedWalks(rounds);
       const double from = std::max(progress, plan_.rounds()[rounds].firstWalk / expected);
       progress = std::max(from, plan_.rounds()[rounds].endWalk / expected);
@@ -42,7 +42,7 @@ double IrradianceEngine::expectedWalks(std::size_t rounds) const
   {
     return most;
   }
-  // The error falls like the square root.
+  // The error falls with the square root of the number of walks.
   const double ratio = reached_ / settings_.targetRelativeError;
   return std::clamp(plan_.rounds()[rounds - 1].endWalk * ratio * ratio, next, most);
 }

@@ -33,7 +33,7 @@ void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
   const WalkPlan plan = planOf(settings);
-  // What a point light touches may have moved.
+  // A wall that a point light touches may have moved.
   bool sameLights = isValid_ && plan == plan_ && doLightsStand(objects, objects_) &&
     emitters_.pointBounds().isEmpty();
   if (!sameLights)
@@ -75,7 +75,7 @@ void IrradianceEngine::update(
   {
     shootRound(0, execution);
   }
-  // Rounds may have come or gone.
+  // Rounds may have been added or dropped.
   if (stale_ && stale_->isEmpty() && (!hasBudget() || stale_->numberOfBlocks() != history_.size()))
   {
     stale_.reset();
@@ -112,7 +112,7 @@ void IrradianceEngine::startAnew(Execution& execution)
   sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1, plan_, 0);
   balance_ = {};
   const Checkpoint checkpoint = checkpointOf(execution, 0);
-  while (!history_.empty()) // many walks are not gone at once
+  while (!history_.empty()) // freeing many walks takes a while
   {
     history_.pop_back();
     checkpoint();

@@ -27,24 +27,24 @@ struct EngineSettings
   bool verify = true; ///< false: every frame is shot anew
   bool cacheStaticHits = true;
   bool separateSides = false;
-  std::uint32_t replicates = 1; ///< independent ones; with 2 or more, standard errors are known
-  /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. Walks
-  /// are doubled until then.
+  std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known
+  /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. The
+  /// number of walks is doubled until then.
   double targetRelativeError = 0;
   std::uint32_t maximumNumberOfWalks = 10000000; ///< >= numberOfWalks; with a target
-  /// Seconds for the repair of a frame; what they do not suffice for stays stale for the next call.
-  /// 0: all that they take.
+  /// Seconds for the repair of a frame; what is not repaired in time stays stale for the next call.
+  /// 0: no limit.
   double repairTimeBudget = 0;
 };
 
 /// What a frame cost.
 struct EngineStatistics
 {
-  std::int64_t suspectSegments = 0; ///< of which the verification cast a ray
+  std::int64_t suspectSegments = 0; ///< for which the verification cast a ray
   std::int64_t invalidWalks = 0;    ///< found by the verification
   std::int64_t repairedSegments = 0;
   double shootSeconds = 0;
-  double verifySeconds = 0; ///< with the rebuilding of the trees over moving objects
+  double verifySeconds = 0; ///< includes rebuilding the trees over dynamic objects
   double repairSeconds = 0;
   std::size_t historyBytes = 0;
 };
@@ -52,31 +52,32 @@ struct EngineStatistics
 /**
  * The front door of the engine: a scene in, the power received by every cell out.
  *
- * The first frame is shot. Later ones are verified and repaired where only dynamic objects changed
- * pose or points; the sums are then equal, bit for bit, to those of a new engine. Anything else (a
- * change of lights, reflectances, static geometry, settings, the number of objects) is shot anew.
+ * The first frame is shot. A later one is verified and repaired if only dynamic objects changed
+ * pose or points; its sums then equal those of a new engine, bit for bit. It is shot anew if
+ * lights, materials, static geometry, seed or sides changed, or the number of objects, triangles,
+ * walks or replicates.
  *
- * With a budget of time the repair may end early; then stale() says what is left, and further calls,
- * with or without motion, go on with it.
+ * With a time budget the repair may end early. Then stale() tells what is left, and further calls,
+ * with or without motion, continue with it.
  */
 class IrradianceEngine
 {
 public:
-  /// All objects need a body and a surface, with the same number of bands.
+  /// All objects need a body and a material, with the same number of bands.
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
   /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0.
   double irradiance(std::uint32_t object, std::size_t cell, int side, int band, double area) const;
-  /// What the replicates tell about the errors of the sums; valid until the next update.
+  /// The errors of the sums, from the spread of the replicates; valid until the next update.
   ErrorEstimate errorEstimate() const { return errorEstimate(sums_.rounds()); }
   /// Watts of a number of quanta.
   double watts(double quanta) const { return quanta * (emitters_.quantum() * scale()); }
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
-  /// Those shot; more than in the settings if a target asks for them.
+  /// The number of walks shot; more than in the settings if a target needs them.
   std::uint32_t numberOfWalks() const { return plan_.rounds()[sums_.rounds() - 1].endWalk; }
   /// See ErrorEstimate::relativeErrorOfMostArea; 0 without a target, NaN while walks are stale.
   double reachedRelativeError() const { return reached_; }
-  /// What the budget has left unrepaired; null without a budget, or before anything moved.
+  /// What the budget left unrepaired; null without a budget, or before anything moved.
   const StaleWalks* stale() const { return stale_.get(); }
   /// The part of irradiance() that rests on stale walks.
   double staleIrradiance(
@@ -95,7 +96,7 @@ private:
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  /// Batches of walks, each for some blocks in a row.
+  /// Work on batches of walks, each from some consecutive blocks.
   struct BatchPass
   {
     std::size_t firstBlock, endBlock;
@@ -105,14 +106,14 @@ private:
     std::function<void(const WalkBatch& batch, WalkTally& tally, PowerBalance& balance)> finish;
   };
 
-  /// With the same lights.
+  /// Whether the stored walks can be repaired, given that the lights are the same.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
   void commitScene(const std::vector<bool>& moved, Execution& execution);
   void startAnew(Execution& execution);
-  /// Shoots rounds of walks until the target is reached, and drops those that it does not need: what
-  /// remains is what a new engine would shoot.
+  /// Shoots rounds of walks until the target is reached, and drops those that it does not need:
+  /// what remains is what a new engine would shoot.
   void reachTarget(Execution& execution);
-  /// Walks that the target will take, as it seems after some rounds.
+  /// An estimate, after some rounds, of the number of walks that the target will take.
   double expectedWalks(std::size_t rounds) const;
   void shootRound(std::size_t round, Execution& execution);
   void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
@@ -127,11 +128,11 @@ private:
     Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   void run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution);
-  /// Walks are inside, but for escapes.
+  /// Walks stay inside, except where they escape.
   Box walkBounds() const;
   double reachInFrame() const;
-  /// The power of walks is that for the largest number of them, so that it does not depend on how
-  /// many are shot: quanta count for more when there are fewer.
+  /// Each walk has its power for the largest number of walks, so that it does not depend on how
+  /// many are shot. With fewer walks a quantum counts for more.
   double scale() const { return static_cast<double>(plan_.most()) / numberOfWalks(); }
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
@@ -144,9 +145,9 @@ private:
   CellSums sums_;
   PowerBalance balance_;
   std::vector<WalkBlock> history_;    ///< empty unless something may move
-  std::unique_ptr<StaleWalks> stale_; ///< null unless a budget has, or had, to be kept
+  std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
   UnitFrame pointFrame_;              ///< of the stored points
-  double pointReach_ = 0;             ///< their largest coordinate, but for those of escapes
+  double pointReach_ = 0;             ///< their largest coordinate, except the ends of escapes
   double clearance_ = 0;              ///< of all frames since the walks were shot, see Scene
   double reached_ = 0;
   EngineStatistics statistics_;

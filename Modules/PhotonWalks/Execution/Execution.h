@@ -12,25 +12,25 @@
 namespace irradiance
 {
 
-/// How the engine gets its threads and tells how far it is. This one is serial and silent.
+/// Gives the engine its threads and takes its reports of progress. This one is serial and silent.
 class Execution
 {
 public:
   virtual ~Execution() = default;
 
-  /// Calls `task(begin, end)` for ranges that make up [0, count), in any order and at once if it
-  /// likes. `task` does not throw.
+  /// Calls `task(begin, end)` for ranges that make up [0, count), in any order and possibly at the
+  /// same time. `task` does not throw.
   virtual void parallelFor(
     std::size_t count, const std::function<void(std::size_t, std::size_t)>& task)
   {
     task(0, count);
   }
 
-  /// Called on the engine's own thread every few hundredths of a second; `progress` is 0..1. False
-  /// stops the engine.
+  /// Is called every few hundredths of a second, on the thread that called the engine. `progress`
+  /// is 0..1. Returning false stops the engine.
   virtual bool reportProgress(double /*progress*/) { return true; }
 
-  /// The clock by which the engine keeps to a budget; it never goes back. Asked by many threads.
+  /// The monotonic clock, in seconds, by which a time budget is kept. Many threads call it.
   virtual double seconds() const
   {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -38,15 +38,15 @@ public:
   }
 };
 
-/// Execution::reportProgress said no.
+/// Execution::reportProgress() returned false.
 class Interrupted : public std::exception
 {
 public:
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// A checkpoint that may be called often: every few hundredths of a second it asks whether to go on,
-/// and throws Interrupted if not. `execution` must outlive it.
+/// A checkpoint that may be called often. At most every 20 ms it reports `progress`, and throws
+/// Interrupted if the report returns false. `execution` must outlive it.
 inline Checkpoint checkpointOf(Execution& execution, double progress)
 {
   return [&execution, progress, last = std::chrono::steady_clock::now()]() mutable {

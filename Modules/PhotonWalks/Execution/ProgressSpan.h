@@ -7,7 +7,7 @@
 namespace irradiance
 {
 
-/// A part of the work: its progress 0..1 is that of the whole from `from` to `to`.
+/// A part of the work: its progress 0..1 counts as `from`..`to` of the whole.
 class ProgressSpan : public Execution
 {
 public:

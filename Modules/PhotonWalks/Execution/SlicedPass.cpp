@@ -11,7 +11,7 @@ namespace irradiance
 void SlicedPass::run(Execution& execution) const
 {
   std::vector<char> isDone(units, 0);
-  std::size_t first = 0; // of those that are not done
+  std::size_t first = 0; // unit that is not done yet
   while (first < units)
   {
     const Deadline deadline;

@@ -22,15 +22,15 @@ private:
   std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + kSlice;
 };
 
-/// Units of work for the threads of an execution. The pass is cut into slices, between which
-/// progress is told and an interruption can happen; what is computed does not depend on the cuts.
+/// Units of work for the threads of an execution. The pass is cut into slices of time, between
+/// which it reports progress and may be interrupted. The result does not depend on the cuts.
 struct SlicedPass
 {
   std::size_t units;
-  /// Works on a unit until its end or the deadline; true at the end.
+  /// Works on a unit until it is done or the deadline has passed; returns whether it is done.
   std::function<bool(std::size_t unit, const Deadline& deadline)> work;
 
-  /// Reports progress from 0 to 1. Throws Interrupted, and what the work throws.
+  /// Reports progress from 0 to 1. Throws Interrupted, and what `work` throws.
   void run(Execution& execution) const;
 };
 

@@ -8,7 +8,7 @@ namespace irradiance
 
 std::size_t TimeBudget::itemsToBegin(std::size_t most) const
 {
-  constexpr std::size_t kToLearn = 16; // while nothing is known
+  constexpr std::size_t kToLearn = 16; // while no cost is known
   const double left = end_ - now();
   if (!(left > 0))
   {

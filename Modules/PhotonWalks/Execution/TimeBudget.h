@@ -10,7 +10,7 @@
 namespace irradiance
 {
 
-/// Time that several threads may spend on items of a cost that only shows on the way.
+/// Time that several threads may spend on items whose cost is only learnt by doing them.
 class TimeBudget
 {
 public:
@@ -26,10 +26,10 @@ public:
   double elapsed() const { return now() - begin_; }
   bool isEndless() const { return std::isinf(end_); }
   bool hasEnded() const { return now() >= end_; }
-  /// How many items a thread should begin together, at most `most`: such that, going by what others
-  /// have cost, they take half of the time that is left. 0: it is over.
+  /// How many items, at most `most`, a thread should begin together: by the mean cost so far they
+  /// take half of the time that is left. 0 if that does not suffice for one.
   std::size_t itemsToBegin(std::size_t most) const;
-  /// Tells what items have cost the thread that did them.
+  /// Records what items have cost the thread that did them.
   void spend(double seconds, std::size_t items);
 
 private:

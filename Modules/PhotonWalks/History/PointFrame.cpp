@@ -11,7 +11,7 @@ namespace irradiance
 namespace
 {
 
-/// Corners of every so many-th triangle, by their coordinates.
+/// The coordinates, axis by axis, of one corner of every n-th triangle.
 std::array<std::vector<double>, 3> someCorners(const SceneObjects& objects)
 {
   constexpr std::size_t kEnough = 10000;

@@ -8,9 +8,9 @@
 namespace irradiance
 {
 
-/// The frame in which the points of walks are stored as floats: its scale is that of all there is,
-/// its origin amid most of the triangles, wherever a far light or vehicle may be, as floats are finest
-/// near 0. `bounds`: of all geometry and point lights.
+/// The frame in which the points of walks are stored as floats. Its scale is that of the whole
+/// scene. Its origin is the median of the triangles' corners, as floats are finest near 0: a far
+/// light or vehicle does not move it. `bounds`: of all geometry and point lights.
 UnitFrame pointFrame(const SceneObjects& objects, const Box& bounds);
 
 }

@@ -8,7 +8,7 @@
 namespace irradiance
 {
 
-/// Points in a row, each with the tag of the segment that begins there.
+/// Consecutive points, each with the tag of the segment that begins there.
 struct ScanPoints
 {
   const float *x, *y, *z;
@@ -16,30 +16,30 @@ struct ScanPoints
   std::size_t count;
 };
 
-/// A ball in a frame of its own: point p of the scan stands at matrix * p + offset, and the ball
-/// around 0 there. It is larger for a segment that begins far from the origin of the points.
+/// A ball around 0 in a frame of its own, in which point p of the scan is at matrix * p + offset.
+/// It is larger for a segment that begins far from the origin of the points.
 struct ScanBody
 {
   float matrix[9]; ///< column by column
   float offset[3];
   float squaredRadius;
-  float byDistance; ///< by which it is larger, times the squared distance
+  float byDistance; ///< times the squared distance from that origin: added to squaredRadius
 };
 
-/// What the loops of a SegmentScan work on: one look at each segment between two points in a row.
+/// What the loops of a SegmentScan work on: they test each segment between consecutive points once.
 struct PointScan
 {
-  static constexpr std::size_t kTogether = 16; ///< segments
+  static constexpr std::size_t kTogether = 16; ///< segments to a word of `named`
 
   ScanPoints points;
-  ScanPoints next; ///< will be read after these
+  ScanPoints next; ///< the points of the next scan, to be prefetched
   std::uint32_t tags;
   const ScanBody* bodies;
   std::size_t numberOfBodies;
-  /// From points this near to 0, floats tell enough.
+  /// Within this squared distance of 0, errors are small beside each body.
   float squaredNear;
-  /// A bit for each segment, kTogether in a word: set if it may touch a body, or if the bit of its
-  /// tag is set in `tags`.
+  /// A flag bit for each segment, kTogether to a word: set if the segment may touch a body, or if
+  /// the bit of its tag is set in `tags`.
   std::uint16_t* named;
 };
 

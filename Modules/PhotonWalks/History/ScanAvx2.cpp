@@ -31,7 +31,7 @@ struct Avx2Lanes
   static Floats most(Floats a, Floats b) { return _mm256_max_ps(a, b); }
   static Floats isLess(Floats a, Floats b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
   static Floats choose(Floats first, Floats a, Floats b) { return _mm256_blendv_ps(b, a, first); }
-  /// What is not a number counts as well.
+  /// NaN counts as not above.
   static unsigned notAbove(Floats a, Floats b)
   {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_NGT_UQ)));

@@ -34,7 +34,7 @@ struct Avx512Lanes
   {
     return _mm512_mask_blend_ps(first, b, a);
   }
-  /// What is not a number counts as well.
+  /// NaN counts as not above.
   static unsigned notAbove(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_NGT_UQ); }
   static unsigned tagged(const std::uint16_t* tags, std::uint32_t set)
   {

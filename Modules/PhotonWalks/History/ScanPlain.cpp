@@ -25,7 +25,7 @@ struct PlainLanes
   static Floats most(Floats a, Floats b) { return a > b ? a : b; }
   static bool isLess(Floats a, Floats b) { return a < b; }
   static Floats choose(bool first, Floats a, Floats b) { return first ? a : b; }
-  /// What is not a number counts as well.
+  /// NaN counts as not above.
   static unsigned notAbove(Floats a, Floats b) { return a > b ? 0 : 1; }
   static unsigned tagged(const std::uint16_t* tags, std::uint32_t set)
   {

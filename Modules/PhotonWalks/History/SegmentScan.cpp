@@ -36,20 +36,20 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   const Vector3 offset = ball.roundFromWorld * (frame_.center - ball.center);
   // No point of the body is farther from 0.
   const double farthest = frame_(ball.center).norm() + ball.radius * inverse.norm();
-  // Floats are off by 2^-24 of each number in a sum of a few; Documentation/Theory.md counts them.
+  // Each term of a sum of floats is off by 2^-24 of itself; Documentation/Theory.md counts them.
   const double conditionNumber = matrix.norm();
   const double error = 0x1p-19 * conditionNumber;
   ScanBody body;
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
   const double radius = ball.radius + error * farthest;
-  // (radius + error |x|)^2 is at most this, whatever the share; about that if x is as far as the body.
+  // Bounds (radius + error |x|)^2 for any share, and tightly where x is as far as the body.
   const double share = std::max(0x1p-8, error * farthest / radius);
   body.squaredRadius = static_cast<float>((1 + share) * radius * radius * (1 + 0x1p-20));
   body.byDistance = static_cast<float>((1 + 1 / share) * error * error * (1 + 0x1p-20));
   constexpr float kLittle = 0x1p-5f; // of the squared radius
   squaredNear_ = std::min(squaredNear_, kLittle * body.squaredRadius / body.byDistance);
-  // Beyond these, a product of floats might overflow, or vanish, or errors are more than small.
+  // Beyond these limits a product of floats may overflow or vanish, or errors are no longer small.
   constexpr double kMost = 0x1p30, kLeast = 0x1p-30, kThinnest = 3.1 * 0x1p20;
   namesAll_ = namesAll_ || bodies_.size() == kMostBodies || !(conditionNumber < kMost) ||
     !(conditionNumber > kLeast) || !(conditionNumber * inverse.norm() < kThinnest) ||

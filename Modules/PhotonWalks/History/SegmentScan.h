@@ -14,35 +14,35 @@ namespace irradiance
 {
 
 /**
- * Finds the stored segments that moved objects may change, by a look at all of them: those that come
- * near one of some bodies, and those that end on an object that moved. It never misses one, and
- * names a few too many.
+ * Finds the stored segments that moved objects may change, by testing all segments. It flags those
+ * that come near one of its bodies, those that end on an object that moved, and contacts. It never
+ * misses one, and flags a few too many.
  */
 class SegmentScan
 {
 public:
-  /// `frame` is that of the points; `reach` the largest coordinate of any point in it, but for the
+  /// `frame` is that of the points; `reach` the largest coordinate of any point in it, except the
   /// ends of escaped segments.
   SegmentScan(const UnitFrame& frame, double reach);
 
-  /// A body that segments must not touch.
+  /// Segments that may touch this body are flagged.
   void addBody(const EllipsoidBound& bound);
-  /// Segments that end on this dynamic object are named.
+  /// Segments that end on this dynamic object are flagged.
   void addMoved(std::uint32_t object) { tags_ |= 1u << WalkBlock::tagOf(object); }
 
-  /// The points of the block, in order, where such segments begin. `next`: the block that will be
-  /// looked at after it, or the same.
+  /// Lists in `points` the points of the block, in order, where flagged segments begin. `next`: the
+  /// block that is scanned after it, to be prefetched, or the same one.
   void find(
     const WalkBlock& block, const WalkBlock& next, std::vector<std::uint32_t>& points) const;
 
 private:
-  /// To look at more bodies costs more than a ray through the trees over them.
+  /// To test more bodies costs more than a ray through the trees over them.
   static constexpr std::size_t kMostBodies = 512;
-  /// Escaped segments end behind all that is within this, see WalkBlock::kFar.
+  /// Escaped segments end beyond everything within this reach, see WalkBlock::kFar.
   static constexpr double kLargestReach = 0x1p22;
 
   UnitFrame frame_;
-  std::uint32_t tags_ = 1u << WalkBlock::kContactTag; ///< contacts are always named
+  std::uint32_t tags_ = 1u << WalkBlock::kContactTag; ///< contacts are always flagged
   std::vector<ScanBody> bodies_;
   float squaredNear_ = std::numeric_limits<float>::max();
   bool namesAll_ = false;

@@ -115,7 +115,7 @@ void WalkBlock::closeHoles()
   std::uint32_t next = 0;
   for (std::uint32_t walk = 0; walk < numberOfWalks(); ++walk)
   {
-    // The walk that is just being moved has no end yet, but room for one.
+    // The walk that is being moved has no end point yet, but room for one.
     const std::uint32_t count = std::min(places_[walk].size + 1, places_[walk].capacity);
     dense.copyPlaces(*this, places_[walk].first, next, count);
     dense.places_[walk] = { next, places_[walk].size, places_[walk].size + 1 };
@@ -140,7 +140,7 @@ void WalkBlock::resizePools(std::size_t size)
 {
   if (size > x_.capacity())
   {
-    // Doubling would waste half of the memory.
+    // Doubling might waste half of the memory.
     reserve(x_.empty() ? size : size + size / 8);
   }
   x_.resize(size);
@@ -174,7 +174,7 @@ bool WalkBlock::segmentAt(std::size_t point, Place& place) const
 {
   place.walk = tags_[point] & kWalkMask;
   const Range& range = places_[place.walk];
-  // What a walk left behind when it moved is not in its range.
+  // Places that a walk left when it moved are not in its range.
   place.bounce = static_cast<std::uint32_t>(point) - range.first;
   return place.bounce < range.size;
 }

@@ -16,27 +16,27 @@
 namespace irradiance
 {
 
-/// One straight piece of a walk while it is being shot, and the hit that ends it; the last of a walk
-/// may escape.
+/// One straight segment of a walk while it is being shot, and the hit that ends it. The last
+/// segment of a walk may escape.
 struct WalkSegment
 {
   Ray ray; ///< its direction is a unit vector
   Hit hit;
   Power power;            ///< what it carries to its hit
   bool isFront = true;    ///< the side that was hit
-  bool isContact = false; ///< dynamic objects touch its ends, see Contacts
+  bool isContact = false; ///< its hit may depend on dynamic objects that touch, see Contacts
 };
 
 /**
- * The stored walks of a run of consecutive walk numbers, at most WalkPlan::kWalksPerBlock: the unit of work of a
- * thread. Stored is what cannot be had otherwise: the triangle hit, where on it, the power; rays and
- * distances follow from these (WalkShooter::rayOf, Scene::distanceTo). The points of a walk are kept
- * besides, as floats, to be scanned for segments near moved objects.
+ * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock; the unit of work of a
+ * thread. A block stores what cannot be computed again: the triangle hit, its side, the point on it
+ * and the power. Rays and distances follow from these (WalkShooter::rayOf, Scene::distanceTo). The
+ * points of a walk are also kept as floats, to be scanned for segments near moved objects.
  *
- * Walks stand in pools one after the other, each with one place more than it has segments: place i
- * holds segment i and the point where it begins, the last holds the point where the walk ends. A
- * walk that outgrows its places moves to the end of the pools, and the holes are closed when they
- * make up a third.
+ * Walks lie one after the other in pools, each with one place more than it has segments: place i
+ * holds segment i and the point where it begins, the last place the point where the walk ends. A
+ * walk that outgrows its places moves to the end of the pools. The holes are closed when they make
+ * up a third.
  */
 class WalkBlock
 {
@@ -44,25 +44,25 @@ public:
   /// An escaped segment ends this far from where it begins, in the frame of the points.
   static constexpr double kFar = 0x1p24;
 
-  /// `frame`: of the points. `bands`: 1 or 3 powers a segment.
+  /// `frame`: of the points. `bands`: 1 or 3 powers per segment.
   WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame);
 
   std::uint32_t numberOfWalks() const { return static_cast<std::uint32_t>(places_.size()); }
   std::uint32_t size(std::uint32_t walk) const { return places_[walk].size; }
-  /// All of the hit but its distance.
+  /// The hit without its distance.
   Hit hit(std::uint32_t walk, std::uint32_t bounce) const;
   bool isFront(std::uint32_t walk, std::uint32_t bounce) const
   {
     return (tags_[slot(walk, bounce)] & kBack) == 0;
   }
   Power power(std::uint32_t walk, std::uint32_t bounce) const;
-  /// Lower bound of the length of a segment, in the world, within some 2^-20 of the scene.
+  /// Lower bound of a segment's length in the world, too short by some 2^-20 of its coordinates.
   double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
 
-  /// Asks at once for the memory of `points` in all: one for each segment and one for each walk.
+  /// Reserves the memory of all `points`: one for each segment and one for each walk.
   void reserve(std::size_t points);
-  /// Makes room for `count` segments in the place of those from `bounce` on; each has to be set
-  /// then. Cached static hits behind `bounce` go with the old ones.
+  /// Replaces the segments from `bounce` on by room for `count` new ones, each of which must then
+  /// be set. Drops the cached static hits of segments after `bounce`.
   void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
   void setSegment(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment);
 
@@ -70,27 +70,27 @@ public:
   const Hit* hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const;
   void rememberStaticHit(std::uint32_t walk, std::uint32_t bounce, const Hit& hit);
   void forgetStaticHit(std::uint32_t walk, std::uint32_t bounce);
-  /// When another hit ends the segment: a static one that becomes hidden is kept until the segment
-  /// goes (section 3.3 of the paper), if `isCached`.
+  /// To be called when another hit ends the segment. With `isCached`, a static hit that becomes
+  /// hidden is kept while a dynamic object hides it (section 3.3 of the paper).
   void updateStaticHit(
     std::uint32_t walk, std::uint32_t bounce, const Hit& old, const Hit& now, bool isCached);
   void forgetAllStaticHits() { staticHits_.clear(); }
 
-  /// The pools as a scan reads them, holes included: from point i to point i + 1 goes a segment, or
-  /// nothing; segmentAt() says which.
+  /// The pools as a scan reads them, holes included. From point i to point i + 1 runs a segment or
+  /// nothing; segmentAt() tells which.
   std::size_t numberOfPoints() const { return x_.size(); }
   const float* x() const { return x_.data(); }
   const float* y() const { return y_.data(); }
   const float* z() const { return z_.data(); }
   const std::uint16_t* tags() const { return tags_.data(); }
-  /// The number in a tag that stands for the object that the segment hits: 0 for static ones and
-  /// escapes; several dynamic objects may share a number.
+  /// The number in a tag that stands for the object that the segment hits: 0 for the static one and
+  /// for escapes. Several dynamic objects may share a number.
   static unsigned tagOf(std::uint32_t object)
   {
     return object == 0 || object == TriangleId::kNone ? 0 : 1 + (object - 1) % (kContactTag - 1);
   }
-  static constexpr unsigned kContactTag = 31; ///< instead of it, for contacts
-  static constexpr unsigned kTagShift = 11;   ///< of that number in a tag
+  static constexpr unsigned kContactTag = 31; ///< replaces the number for contacts
+  static constexpr unsigned kTagShift = 11;   ///< position of the number in a tag
   bool isContact(std::uint32_t walk, std::uint32_t bounce) const
   {
     return tags_[slot(walk, bounce)] >> kTagShift == kContactTag;
@@ -100,16 +100,16 @@ public:
   {
     std::uint32_t walk, bounce;
   };
-  /// Has the memory bring what is stored of the segment that begins there.
+  /// Prefetches the hit of the segment that begins there.
   void prefetch(std::size_t point) const
   {
     prefetchLine(ids_.data() + point);
     prefetchLine(weights_.data() + point);
   }
-  /// False if no segment begins at point i.
+  /// False if no segment begins at `point`.
   bool segmentAt(std::size_t point, Place& place) const;
 
-  /// Memory held, the unused part of the pools included.
+  /// Memory held, including the unused part of the pools.
   std::size_t bytes() const;
 
 private:
@@ -120,7 +120,7 @@ private:
     std::uint32_t capacity = 0; ///< places
   };
 
-  // A tag: the walk, the side of the hit, and tagOf() its object.
+  // A tag holds the walk, the side of the hit, and tagOf() its object or kContactTag.
   static constexpr std::uint16_t kWalkMask = 0x3ff;
   static constexpr std::uint16_t kBack = 0x400;
 

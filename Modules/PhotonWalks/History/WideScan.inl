@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: included once by each of the files that scan, between the marks of its target.
+// No include guard: each kernel of the scan includes this once, between the marks of its target.
 
 namespace irradiance
 {
@@ -14,17 +14,17 @@ inline typename Lanes::Floats dot(typename Lanes::Floats ax, typename Lanes::Flo
   return Lanes::mulAdd(ax, bx, Lanes::mulAdd(ay, by, Lanes::mulAdd(az, bz, c)));
 }
 
-/// Segments side by side.
+/// Segments, one to a lane.
 template <class Lanes>
 struct Segments
 {
   using Floats = typename Lanes::Floats;
 
   Floats x, y, z;    ///< where they begin
-  Floats dx, dy, dz; ///< to there from the other end
-  Floats distance;   ///< of where they begin from 0, squared
+  Floats dx, dy, dz; ///< from the other end to there
+  Floats distance;   ///< squared, from 0 to where they begin
 
-  /// Between the points in a row.
+  /// The segments between consecutive points.
   Segments(const float* xs, const float* ys, const float* zs)
     : x(Lanes::load(xs))
     , y(Lanes::load(ys))
@@ -36,8 +36,8 @@ struct Segments
   {
   }
 
-  /// Lets each of the same segments begin at that of its ends which is nearer to 0: rounding is by
-  /// the measure of how far that end is.
+  /// Makes each of the same segments begin at its end nearer to 0: the error bound grows with the
+  /// distance of that end.
   void beginNear(const float* xs, const float* ys, const float* zs)
   {
     const Floats x1 = Lanes::load(xs + 1), y1 = Lanes::load(ys + 1), z1 = Lanes::load(zs + 1);
@@ -59,8 +59,8 @@ private:
   }
 };
 
-/// Those that may touch the body, a bit for each. With p and p - q the ends as the body sees them, the
-/// point p - t q is nearest to it for t = p.q / q.q.
+/// Flags the segments that may touch the body, a bit for each. With p and p - q the ends in the
+/// body's frame, p - t q is nearest to its centre for t = p.q / q.q.
 template <class Lanes>
 inline unsigned nameNear(const Segments<Lanes>& segments, const ScanBody& body)
 {
@@ -76,7 +76,7 @@ inline unsigned nameNear(const Segments<Lanes>& segments, const ScanBody& body)
   }
   const Floats length = dot<Lanes>(q[0], q[1], q[2], q[0], q[1], q[2], zero);
   const Floats along = dot<Lanes>(p[0], p[1], p[2], q[0], q[1], q[2], zero);
-  // A segment of no length gives NaN, which becomes 0.
+  // A segment of length 0 gives NaN, which becomes 0.
   const Floats t = Lanes::least(Lanes::most(along / length, zero), Lanes::all(1));
   for (int row = 0; row < 3; ++row)
   {
@@ -87,7 +87,7 @@ inline unsigned nameNear(const Segments<Lanes>& segments, const ScanBody& body)
   return Lanes::notAbove(dot<Lanes>(p[0], p[1], p[2], p[0], p[1], p[2], zero), reach);
 }
 
-/// Those of the first kTogether points that may touch any of the bodies.
+/// Flags those of the first kTogether segments that may touch any of the bodies.
 template <class Lanes>
 inline unsigned nameTogether(const float* x, const float* y, const float* z, const PointScan& scan)
 {
@@ -121,7 +121,7 @@ inline unsigned nameTagged(const std::uint16_t* tags, std::uint32_t set)
   return named;
 }
 
-/// The points after the last that are looked at together, with room behind them.
+/// The points left after the last full group of kTogether, filled up with zeros.
 struct LastPoints
 {
   float x[PointScan::kTogether + 1] = {}, y[PointScan::kTogether + 1] = {},
@@ -137,9 +137,9 @@ struct LastPoints
   }
 };
 
-/// Pools are short and lie anywhere, so the machine does not foresee where the scan goes on: each
-/// step asks for a line of each array. What is asked for in one go, or so early that a branch on
-/// what is found comes between, arrives too late.
+/// Pools are short and scattered, so the hardware does not foresee where the scan continues. Each
+/// step prefetches a line of each array. Lines that are requested all at once, or so early that a
+/// branch on what is found comes between, arrive too late.
 inline void prefetchAhead(const PointScan& scan, std::size_t first)
 {
   constexpr std::size_t kAhead = 1024;

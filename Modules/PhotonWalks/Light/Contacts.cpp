@@ -14,8 +14,8 @@ namespace irradiance
 namespace
 {
 
-/// Coincident is what is nearer than this, of the largest coordinate: so every point from which a ray
-/// leaves one triangle, 2^-33 above it, is on the same side of the other as well, or known to touch.
+/// Triangles nearer than this, of the largest coordinate, coincide. So a point from which a ray
+/// leaves one of them, 2^-33 above it, is on the same side of the other as well, or known to touch.
 constexpr double kTouching = 0x1p-32;
 
 double toleranceOf(const Triangle& s, const Triangle& t)
@@ -35,7 +35,7 @@ bool isInPlaneOf(const Triangle& s, const Triangle& t, double tolerance)
     std::abs(normal.dot(t.b - s.a)) <= tolerance && std::abs(normal.dot(t.c - s.a)) <= tolerance;
 }
 
-/// Whether a line along an edge of `s` parts the two, which lie in one plane.
+/// Whether a line along an edge of `s` separates the two triangles, which lie in one plane.
 bool isPartedByEdge(const Triangle& s, const Triangle& t, double tolerance)
 {
   const Vector3 normal = s.areaVector().normalized();
@@ -75,7 +75,7 @@ bool liesOn(const Triangle& triangle, const Vector3& point, double tolerance)
   return isOn;
 }
 
-/// +1 if all of a mesh lies in front of the triangle, or in its plane; -1 if behind; else 0.
+/// +1 if a mesh is on the front side of the triangle's plane alone, -1 if on the back side, else 0.
 int sideOfAll(const TriangleMesh& mesh, const Triangle& triangle, double tolerance,
   const Checkpoint& checkpoint)
 {
@@ -116,7 +116,7 @@ bool isLamp(const SceneObject& object, std::uint32_t triangle)
   return false;
 }
 
-/// Of a box in the space of the object, and a little around it.
+/// World bounds, slightly inflated, of a box in the space of the object.
 Box worldBounds(const SceneObject& object, const Box& model)
 {
   Box world = movedBox(object.worldFromObject, model);
@@ -202,7 +202,7 @@ void Contacts::addOwn(
   const SceneObject& own = objects[object];
   if (!known.hasPairs)
   {
-    known.pairs.clear(); // of a search that was interrupted
+    known.pairs.clear(); // left by an interrupted search
     const TriangleMesh& mesh = own.body->mesh();
     CheckpointPace pace(checkpoint);
     for (std::uint32_t i = 0; i < mesh.size(); ++i)
@@ -297,7 +297,7 @@ Contacts::Partner Contacts::partnerOf(
 {
   const SolidSides& sides = sidesOf(objects, id.object, checkpoint);
   SolidSide side = sides.of[id.triangle];
-  // A dynamic shell around everything, with its front within, lines a room.
+  // A dynamic shell that encloses all static geometry, with its front inside, lines a room.
   if (id.object > 0 && side == SolidSide::InFront && sides.isOfOutermost[id.triangle] &&
     holds(worldBounds(objects[id.object]), objects.staticObject.body->mesh().bounds()))
   {
@@ -328,7 +328,7 @@ std::vector<Contacts::Wall> Contacts::wallsAt(
       const int open = sides.of[i] == SolidSide::None
         ? sideOfAll(objects.staticObject.body->mesh(), triangle, tolerance, checkpoint)
         : (sides.of[i] == SolidSide::Behind ? 1 : -1);
-      // A body that holds everything can only be a room.
+      // A body that encloses everything can only be a room.
       const bool isRoomAfterAll = object == 0 && sides.isOfOutermost[i] &&
         sideOfAll(objects.staticObject.body->mesh(), triangle, tolerance, checkpoint) == -open;
       const Vector3 normal = (isRoomAfterAll ? -open : open) * front;
@@ -351,8 +351,8 @@ bool Contacts::hasDynamic(const TriangleId& id) const
 namespace
 {
 
-/// +1 if the direction goes into the solid of a triangle with this normal, -1 if it comes out of it, 0
-/// for sheets.
+/// +1 if the direction leads into the solid of a triangle with this normal, -1 if out of it, 0 for
+/// sheets.
 int intoSolid(SolidSide side, const Vector3& normal, const Vector3& direction)
 {
   const int along = normal.dot(direction) > 0 ? 1 : -1;
@@ -361,8 +361,8 @@ int intoSolid(SolidSide side, const Vector3& normal, const Vector3& direction)
 
 }
 
-/// Whether a ray that leaves the start in this direction is stopped by another triangle there: by one
-/// whose solid it would enter; and, out of a solid, by a sheet, which can only lie outside.
+/// Whether the other triangle stops a ray that leaves the start: the ray enters its solid and not
+/// the start's; or it comes out of the start's solid, and the other is a sheet, which lies outside.
 bool Contacts::blocks(
   const Scene& scene, const Vector3& leaving, const Partner& start, const Partner& other)
 {
@@ -371,8 +371,8 @@ bool Contacts::blocks(
   return toOther > 0 ? fromStart <= 0 : toOther == 0 && fromStart < 0;
 }
 
-/// Coincident triangles as a ray meets them, first those of least rank: a wall that it comes through
-/// from within, lamps that face it, sheets, lamps that do not, and what is solid behind.
+/// The order in which a ray hits coincident triangles: those out of whose solid it comes, lamps
+/// that face it, other sheets, lamps that face away, those into whose solid it goes.
 int Contacts::rank(const Scene& scene, const Vector3& direction, const Partner& partner)
 {
   const Vector3 normal = scene.worldTriangle(partner.id).areaVector();
@@ -393,7 +393,7 @@ Hit Contacts::settled(const Scene& scene, const Ray& ray, const Hit& closest) co
   return touching ? touching : has(closest.id) ? firstOf(scene, ray, closest) : closest;
 }
 
-/// The triangle that a ray cannot leave its start for.
+/// The hit on the triangle that stops a ray at its start; none if the ray can leave.
 Hit Contacts::hitAtStart(const Scene& scene, const Ray& ray) const
 {
   const Touched& start = partners_.at(key(ray.start));
@@ -416,7 +416,7 @@ Hit Contacts::hitAtStart(const Scene& scene, const Ray& ray) const
   return {};
 }
 
-/// Of the triangles that coincide with the closest, the one that the ray comes to first.
+/// Of the closest triangle and those that coincide with it, the one that the ray hits first.
 Hit Contacts::firstOf(const Scene& scene, const Ray& ray, const Hit& closest) const
 {
   const Touched& touched = partners_.at(key(closest.id));

@@ -14,19 +14,19 @@ namespace irradiance
 {
 
 /**
- * Where surfaces coincide with lamps: which of them light leaves and meets is decided by what is solid,
- * as rounding cannot tell. A body that stands on a lamp takes the light on the face that touches, and
- * gives it back to the lamp; none gets inside. A lamp in the plane of a wall shines into the room, and
- * receives what falls on it.
+ * Where triangles coincide with lamps, what is solid decides which of them light leaves and hits,
+ * as rounding cannot. A body that stands on a lamp receives light on the touching face, and
+ * reflects it back to the lamp; none gets inside. A lamp in the plane of a wall shines into the
+ * room, and receives what falls on it.
  *
- * Coincident are triangles of which one lies within twice the margin of SurfacePoint of the other's
- * plane, and which overlap. Documentation/Theory.md, section 3, says what holds.
+ * Triangles coincide if they overlap and one lies within twice SurfacePoint::margin of the other's
+ * plane. Documentation/Theory.md, section 3, has the rules.
  */
 class Contacts
 {
 public:
-  /// Brings it up to date with a frame. Within an object that has not changed nothing is looked for
-  /// again.
+  /// Updates the contacts to a frame. Those within an object that has not changed are not searched
+  /// for again.
   void update(const SceneObjects& objects, const Checkpoint& checkpoint);
 
   bool isEmpty() const { return partners_.empty(); }
@@ -42,15 +42,15 @@ public:
   struct Wall
   {
     Vector3 normal;  ///< unit vector to the side where light can be
-    double distance; ///< of the point, along the normal
-    double margin;   ///< as in SurfacePoint
+    double distance; ///< from the plane to the point, along the normal
+    double margin;   ///< distance from the plane at which light starts, as in SurfacePoint
   };
-  /// The walls in whose plane a point light lies; none of those that let it shine to both sides.
+  /// The walls in whose plane a point light lies, except those that let it shine to both sides.
   std::vector<Wall> wallsAt(
     const SceneObjects& objects, const Vector3& light, const Checkpoint& checkpoint);
 
-  /// The hit of a ray whose closest hit among all triangles is `closest`. Its distance is 0 where the
-  /// ray cannot leave its start.
+  /// The hit of a ray whose closest hit among all triangles is `closest`. Its distance is 0 where
+  /// the ray cannot leave its start.
   Hit settled(const Scene& scene, const Ray& ray, const Hit& closest) const;
 
 private:
@@ -66,7 +66,7 @@ private:
     Partner self;
     std::vector<Partner> partners; ///< ordered by object and triangle
   };
-  /// Of an object with itself, while it keeps its mesh and its surface; and its solid sides, if needed.
+  /// Contacts of an object with itself, and its solid sides. They hold for this body and material.
   struct Known
   {
     std::shared_ptr<const RigidObject> body;
@@ -74,11 +74,11 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     Box lamps;             ///< bounds of its lamps, in the space of the object
     bool hasPairs = false; ///< `pairs` and `lamps` are complete
-    SolidSides sides;      ///< empty until it is needed
+    SolidSides sides;      ///< empty until they are needed
   };
 
   static Key key(const TriangleId& id) { return { id.object, id.triangle }; }
-  /// What is known of an object as it is now, perhaps nothing yet.
+  /// What is known of an object in its present state; it may be empty.
   Known& knownOf(const SceneObjects& objects, std::uint32_t object);
   void addOwn(const SceneObjects& objects, std::uint32_t object, const Checkpoint& checkpoint);
   void addBetween(const SceneObjects& objects, std::uint32_t lamp, std::uint32_t other,

@@ -18,7 +18,7 @@ namespace
 /// Mirrors a direction at walls until it points to the open side of all; false if it never does.
 bool mirrorInto(const std::vector<Vector3>& openSides, Vector3& direction)
 {
-  constexpr int kMostMirrors = 256; // between walls at an acute angle it takes some
+  constexpr int kMostMirrors = 256; // walls at an acute angle take several
   for (int i = 0; i < kMostMirrors; ++i)
   {
     const auto wall = std::find_if(openSides.begin(), openSides.end(),

@@ -19,7 +19,7 @@ namespace irradiance
 struct Emitter
 {
   TriangleId id;                               ///< none for a point light
-  Triangle triangle;                           ///< a point light stands in all three corners
+  Triangle triangle;                           ///< a point light lies in all three corners
   std::array<double, Power::kMaxBands> flux{}; ///< W
 
   bool isPoint() const { return id == TriangleId{}; }
@@ -36,15 +36,15 @@ struct WalkStart
 
 /**
  * All lights of a frame. Every walk carries the same share of the total flux; which light it starts
- * from is sampled in proportion to flux. The power of walk i is floor((i + 1) Q / N) - floor(i Q / N)
- * of Q quanta for N walks, so that nothing is lost by rounding.
+ * from is sampled in proportion to flux. The power of walk i is floor((i + 1) Q / N) -
+ * floor(i Q / N) of Q quanta for N walks, so that nothing is lost to rounding.
  */
 class EmitterTable
 {
 public:
   EmitterTable() = default;
-  /// `contacts`: finds the walls in whose plane point lights lie; these shine to the other side of them.
-  /// Null: there are none. Throws std::runtime_error for a light that walls leave no side.
+  /// `contacts` finds walls in whose plane point lights lie; those shine to the other side alone.
+  /// Null: no walls. Throws std::runtime_error for a light to which walls leave no side.
   EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
     Contacts* contacts = nullptr, const Checkpoint& checkpoint = {});
 
@@ -52,8 +52,8 @@ public:
   const std::vector<Emitter>& emitters() const { return emitters_; }
   /// Bounds of the point lights.
   const Box& pointBounds() const { return pointBounds_; }
-  /// Watts per quantum: a power of two, such that the total flux is 2^45 to 2^46 quanta. This leaves
-  /// 2^17 times the emitted power for a cell to receive before a sum overflows.
+  /// Watts per quantum: the power of two for which the total flux is 2^45 to 2^46 quanta. This
+  /// leaves 2^17 times the emitted power for a cell to receive before a sum overflows.
   double quantum() const { return quantum_; }
 
   /// Quanta with which the most powerful walk starts, in each band.
@@ -72,9 +72,9 @@ private:
   Power powerOf(std::uint32_t walk, const Emitter& emitter) const;
 
   std::vector<Emitter> emitters_;
-  /// By the number of a point light's emitter: the sides of the walls where it may shine.
+  /// By the index of a point light's emitter: the normals of its walls, to the side that it lights.
   std::map<std::size_t, std::vector<Vector3>> openSides_;
-  std::vector<double> cumulative_; ///< W, up to and with each emitter
+  std::vector<double> cumulative_; ///< W, up to and including each emitter
   std::uint64_t numberOfWalks_ = 0;
   std::uint64_t totalQuanta_ = 0;
   double quantum_ = 1;

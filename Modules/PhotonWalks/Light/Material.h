@@ -12,7 +12,7 @@
 namespace irradiance
 {
 
-/// What light does on the cells of an object. Arrays hold one value per cell and band, cell-major.
+/// How cells of an object reflect and emit. Arrays hold one value per cell and band, cell-major.
 struct Material
 {
   int bands = 1; ///< 1 or 3
@@ -21,7 +21,7 @@ struct Material
   std::vector<double> reflectance; ///< diffuse, 0..1
   std::vector<double> exitance;    ///< W/m2 from the front; empty: none
   std::vector<PointLight> pointLights;
-  /// Where the cells of each input begin, if there are several.
+  /// The first cell of each input, if there are several.
   std::vector<std::size_t> firstCellOfPart;
 
   bool emits() const { return !exitance.empty() || !pointLights.empty(); }

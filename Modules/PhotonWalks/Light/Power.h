@@ -9,7 +9,7 @@
 namespace irradiance
 {
 
-/// The whole number nearest to a number of quanta, which is not negative and below 2^52.
+/// The integer nearest to `quanta`, which is at least 0 and below 2^52.
 inline std::int64_t nearestQuanta(double quanta)
 {
   const double halfMore = quanta + 0.5;
@@ -17,8 +17,8 @@ inline std::int64_t nearestQuanta(double quanta)
 }
 
 /// Radiant power in whole quanta, so that sums are exact in any order and can be undone. The size
-/// of a quantum in watts is a power of two that the emitters choose. One or three bands; the unused
-/// ones are 0.
+/// of a quantum in watts is a power of two, see EmitterTable::quantum(). One or three bands; the
+/// unused ones are 0.
 struct Power
 {
   static constexpr int kMaxBands = 3;

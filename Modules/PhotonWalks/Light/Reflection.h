@@ -8,7 +8,7 @@
 namespace irradiance
 {
 
-/// What a diffuse surface sends back of `incoming`, rounded to the nearest quantum.
+/// The part of `incoming` that a diffuse material reflects, rounded to the nearest quantum.
 inline Power reflected(const Power& incoming, const Material& material, std::uint32_t triangle)
 {
   Power outgoing;

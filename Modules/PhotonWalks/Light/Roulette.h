@@ -14,9 +14,9 @@ inline std::int64_t rouletteThreshold(const Power& first)
 }
 
 /**
- * Russian roulette (Arvo and Kirk 1990): a walk weaker than `threshold` goes on with probability
- * power / threshold, and then at the threshold, so that the mean is kept and no walk is cut. `u` is
- * uniform in (0, 1). Several bands keep their ratios; the strongest decides.
+ * Russian roulette (Arvo and Kirk 1990): a walk weaker than `threshold` survives with probability
+ * power / threshold, and then has the power `threshold`. So the mean is kept, and no walk is cut
+ * off. `u` is uniform in (0, 1). Several bands keep their ratios; the strongest one counts.
  */
 inline Power playRoulette(const Power& power, std::int64_t threshold, double u)
 {

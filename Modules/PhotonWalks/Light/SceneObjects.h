@@ -28,7 +28,7 @@ struct SceneObjects
     return object == 0 ? staticObject : dynamicObjects[object - 1];
   }
   std::uint32_t size() const { return static_cast<std::uint32_t>(dynamicObjects.size() + 1); }
-  /// What the ray casting sees of the dynamic objects.
+  /// The dynamic objects as the ray casting sees them.
   std::vector<PlacedBody> dynamicBodies() const
   {
     return { dynamicObjects.begin(), dynamicObjects.end() };

@@ -12,7 +12,7 @@
 namespace irradiance
 {
 
-/// Walks that are shot side by side, and what they bring until it is sure that they get done.
+/// Walks that are shot side by side, with a tally that is dropped if they are not done in time.
 struct BudgetedRepair::Batch
 {
   struct Item
@@ -30,7 +30,7 @@ struct BudgetedRepair::Batch
 
   std::vector<Item> items;
   std::vector<StaleSegment> segments; ///< of the items
-  std::vector<bool> isKnown;          ///< of their hits: by the verification of this frame
+  std::vector<bool> isKnown;          ///< whether this frame's verification found the hit
   PowerBalance balance;
   WalkTally tally;
   WalkBatch walks;
@@ -98,7 +98,7 @@ std::vector<BudgetedRepair::Class> BudgetedRepair::classes() const
 
 std::vector<BudgetedRepair::Unit> BudgetedRepair::units() const
 {
-  // As few blocks as leave enough units for all threads, as a block has few stale walks.
+  // As many blocks as leave enough units for all threads, as a block has few stale walks.
   constexpr std::size_t kUnits = 32, kMostTogether = 16;
   const std::size_t blocks = state_.history.size();
   const std::size_t together = std::clamp<std::size_t>(blocks / kUnits, 1, kMostTogether);
@@ -153,7 +153,7 @@ std::shared_ptr<BudgetedRepair::Batch> BudgetedRepair::begin(Unit& unit, std::ui
     StaleMarks& marks = state_.stale.marks(unit.block);
     for (; unit.mark < marks.size() && batch->items.size() < count; ++unit.mark)
     {
-      if (marks[unit.mark].effect >= weakest) // of those above none is left
+      if (marks[unit.mark].effect >= weakest) // no stronger class is left
       {
         StaleMark& mark = marks[unit.mark];
         batch->items.push_back(
@@ -196,7 +196,7 @@ void BudgetedRepair::fill(Batch& batch) const
       block.power(segment.walkInBlock, 0), block.power(segment.walkInBlock, segment.bounce));
     for (std::uint32_t k = segment.bounce; k < block.size(segment.walkInBlock); ++k)
     {
-      batch.tally.prefetch(walk, block.hit(segment.walkInBlock, k)); // will be taken back
+      batch.tally.prefetch(walk, block.hit(segment.walkInBlock, k)); // will be subtracted
     }
   }
 }
@@ -213,8 +213,8 @@ const StaleSegment* BudgetedRepair::foundNow(std::size_t block, std::uint32_t wa
   return known != found.end() && known->walkInBlock == walk ? &*known : nullptr;
 }
 
-/// A hit that the verification of an earlier frame found may have changed since. But the ray has not:
-/// if the static hit along it is known, only dynamic objects can precede it.
+/// A hit that the verification of an earlier frame found may have changed since, but its ray has
+/// not. If the static hit along the ray is known, only dynamic objects can precede it.
 void BudgetedRepair::castAnew(Batch& batch) const
 {
   const WalkShooter& shooter = state_.shooter;

@@ -16,9 +16,9 @@ namespace irradiance
 {
 
 /**
- * Shoots stale walks again, those first whose stale segments carry most, until the time is up. A
- * walk is repaired or it is not: what is half done at the end is dropped. The first few walks are
- * always finished, however small the budget, so that enough calls repair all.
+ * Shoots stale walks again until the time is up, those first whose stale segments carry most power.
+ * A walk is repaired completely or not at all: what is half done at the end is dropped. The first
+ * few walks are always finished, however small the budget, so that enough calls repair all.
  */
 class BudgetedRepair
 {
@@ -32,13 +32,12 @@ public:
     CellSums& sums;
     SharedBalance& balance;
     StaleWalks& stale;
-    /// By block, what the verification of this frame has marked; its new hits are known. May be
-    /// empty.
+    /// By block, what the verification of this frame found, with the new hits. May be empty.
     const std::vector<std::vector<StaleSegment>>& found;
     bool cacheStaticHits;
   };
 
-  /// The time begins now.
+  /// The budget of `seconds`, which may be infinite, begins now.
   BudgetedRepair(const State& state, const Execution& execution, double seconds)
     : state_(state)
     , time_(execution, seconds)
@@ -47,12 +46,12 @@ public:
 
   /// Returns the number of segments that were shot. Throws Interrupted.
   std::int64_t run(Execution& execution);
-  /// By the clock of the budget.
+  /// Seconds since the beginning, by the clock of the budget.
   double seconds() const { return time_.elapsed(); }
 
 private:
   struct Batch;
-  /// Some blocks in a row, which one thread at a time works on.
+  /// Consecutive blocks, on which one thread at a time works.
   struct Unit
   {
     std::size_t block, endBlock;
@@ -60,14 +59,14 @@ private:
     std::shared_ptr<Batch> open;
   };
 
-  /// Walks of like effect that are repaired before weaker ones.
+  /// Walks of similar effect that are repaired before weaker ones.
   struct Class
   {
     std::uint16_t weakest;
     std::size_t size;
   };
-  /// The strongest first. So large that there are enough for batches worth their name; all are one
-  /// if there is time for all.
+  /// The strongest first. Each is large enough to fill batches; if there is time for all, all are
+  /// in one class.
   std::vector<Class> classes() const;
   std::vector<Unit> units() const;
   bool isOver() const { return hasBegun_ && time_.itemsToBegin(1) == 0; }
@@ -75,7 +74,7 @@ private:
   /// The next walks of a unit; null if there are none or the time is up.
   std::shared_ptr<Batch> begin(Unit& unit, std::uint16_t weakest);
   void fill(Batch& batch) const;
-  /// Null if the walk was found in an earlier frame.
+  /// Null if the walk was marked in an earlier frame.
   const StaleSegment* foundNow(std::size_t block, std::uint32_t walk) const;
   void castAnew(Batch& batch) const;
   void finish(Batch& batch);

@@ -18,7 +18,7 @@ bool hasMoved(const SceneObject& now, const SceneObject& before)
   return now.body != before.body || now.worldFromObject != before.worldFromObject;
 }
 
-/// `isSame` for all pairs of objects, and as many of them.
+/// Whether both frames have the same number of objects, and `isSame` holds for each pair.
 template <class Function>
 bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Function& isSame)
 {

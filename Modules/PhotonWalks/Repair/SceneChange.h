@@ -7,14 +7,14 @@
 namespace irradiance
 {
 
-/// Whether two frames have the same lights. Cheap: what is the same has the same address; false is
-/// no proof that they changed.
+/// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does
+/// not prove that they changed.
 bool doLightsStand(const SceneObjects& now, const SceneObjects& before);
 
 /// Whether two frames differ at most in the pose and the points of dynamic objects.
 bool isSameButForMotion(const SceneObjects& now, const SceneObjects& before);
 
-/// Which dynamic objects have another pose or other points; both frames have the same number.
+/// Which dynamic objects have another pose or other points. Both frames have as many of them.
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before);
 
 }

@@ -11,17 +11,17 @@
 namespace irradiance
 {
 
-/// From this segment on a stored walk holds no longer, and has not been shot again yet. Its ray does
-/// hold, and all before it.
+/// From this segment on a stored walk is no longer valid, and it has not been shot again yet. The
+/// ray of the segment and all before it are valid.
 struct StaleMark
 {
   std::uint16_t walkInBlock;
-  std::uint16_t effect; ///< class of the power that the segment carries, larger: more; 0: repaired
+  std::uint16_t effect; ///< class of the power that it carries; larger is more, 0: repaired
   std::uint32_t bounce;
   std::int64_t gain; ///< see TailBound
 };
 
-/// Those of a block, ordered by walk, at most one for each.
+/// The marks of a block, ordered by walk, at most one per walk.
 using StaleMarks = std::vector<StaleMark>;
 
 inline bool isStale(const StaleMarks& marks, const WalkBlock::Place& place)

@@ -13,7 +13,7 @@ namespace irradiance
 namespace
 {
 
-/// Four classes to an octave.
+/// The class of a power, four classes to an octave.
 std::uint16_t effectOf(const Power& power)
 {
   const auto all = static_cast<float>(power[0] + power[1] + power[2]);
@@ -75,7 +75,7 @@ void StaleWalks::add(
     if (old != before.end() && old->walkInBlock == walk)
     {
       count(blocks_[block], walks, *old, -1);
-      end = old->bounce; // the rest is booked
+      end = old->bounce; // the rest has been tallied
       ++old;
     }
     const Power carried = walks.power(walk, segment.bounce);
@@ -114,7 +114,7 @@ void StaleWalks::tally(const WalkBlock& walks, const StaleMark& mark, std::uint3
     const Hit hit = walks.hit(walk, i);
     if (hit)
     {
-      constexpr std::uint32_t kAny = 0; // these sums are not kept apart by walk
+      constexpr std::uint32_t kAny = 0; // these sums do not depend on the walk
       sums_.collect(kAny, hit.id, walks.isFront(walk, i), walks.power(walk, i), sign, deposits);
     }
   }
@@ -126,7 +126,7 @@ void StaleWalks::count(Block& block, const WalkBlock& walks, const StaleMark& ma
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     block.power[band] += sign * carried[band];
-    block.gain[band] += carried[band] > 0 ? sign * mark.gain : 0; // a band without power stays so
+    block.gain[band] += carried[band] > 0 ? sign * mark.gain : 0; // a band without power gains none
   }
 }
 

@@ -12,9 +12,9 @@ namespace irradiance
 {
 
 /**
- * The stored walks that wait for their repair, what their stale tails have brought to the cells, and
- * what their new ones can bring. All in quanta, exact at any time. Several threads may work on
- * different blocks.
+ * The stored walks that await repair, the power that their stale tails brought to the cells, and a
+ * bound of what their new tails can bring. All in quanta, exact at any time. Several threads may
+ * work on different blocks.
  */
 class StaleWalks
 {
@@ -28,23 +28,23 @@ public:
   StaleMarks& marks(std::size_t block) { return blocks_[block].marks; }
   const StaleMarks& marks(std::size_t block) const { return blocks_[block].marks; }
 
-  /// Marks what a verification found, by block. It must not have looked at tails that were marked
-  /// before. Throws Interrupted.
+  /// Marks what a verification found, by block. The verification must have skipped the tails that
+  /// were marked before. Throws Interrupted.
   void add(const std::vector<std::vector<StaleSegment>>& found,
     const std::vector<WalkBlock>& history, Execution& execution);
-  /// Takes a walk out whose tail is about to be replaced; its mark stays until forgetRepaired().
+  /// Takes out a walk whose tail is about to be replaced; its mark stays until forgetRepaired().
   void repair(
     std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits);
   void forgetRepaired(std::size_t block);
 
-  /// What stale tails have brought to the cells.
+  /// The power that the stale tails brought to the cells.
   const CellSums& sums() const { return sums_; }
-  /// Hands in what repair() collected.
+  /// Adds the deposits that repair() collected.
   void take(const std::vector<Deposit>& deposits) { sums_.add(deposits); }
-  /// Carried by the first stale segments.
+  /// The power that the first stale segments carry.
   Power power() const;
-  /// All cells together receive at most so many quanta from the tails once they are repaired;
-  /// infinity where no bound is known.
+  /// Upper bound of the quanta that all cells together receive from the repaired tails; infinite
+  /// where no bound is known.
   double gainBound(int band) const;
   std::size_t bytes() const;
 
@@ -57,7 +57,7 @@ private:
   };
 
   void add(std::size_t block, const WalkBlock& walks, const std::vector<StaleSegment>& found);
-  /// What the segments from the mark to `end` bring.
+  /// Collects the deposits of the segments from the mark to `end`.
   void tally(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
     std::vector<Deposit>& deposits) const;
   static void count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign);

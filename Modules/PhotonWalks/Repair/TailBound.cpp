@@ -27,8 +27,8 @@ TailBound::TailBound(const SceneObjects& objects, const SobolSequence& samples)
 std::int64_t TailBound::operator()(
   std::uint32_t walk, std::uint32_t bounce, const Power& first, const Power& incoming) const
 {
-  // No band carries more than the strongest, and both reflection and roulette give the strongest the
-  // more the more it had.
+  // No band carries more than the strongest, and neither reflection nor roulette gives the
+  // strongest less if it had more.
   const std::int64_t threshold = rouletteThreshold(first);
   Power strongest{ { incoming.largest() } };
   std::int64_t received = 0;

@@ -10,16 +10,16 @@ namespace irradiance
 {
 
 /**
- * The most that the rest of a walk can bring to all cells together, wherever it goes: what it brings
- * if it never escapes and always hits what reflects most. Roulette is played with the walk's own
- * samples, so that this holds for certain, not in the mean. See Theory, "The time budget".
+ * The most that the rest of a walk can bring to all cells together, wherever it goes: what it
+ * brings if it never escapes and always hits the cell that reflects most. Roulette is played with
+ * the walk's own samples, so the bound is certain, not a mean. See Documentation/Theory.md, 4.1.
  */
 class TailBound
 {
 public:
   TailBound(const SceneObjects& objects, const SobolSequence& samples);
 
-  /// False where a surface reflects more than kMostReflecting: no bound is known.
+  /// False if a material reflects more than kMostReflecting: then no bound is known.
   bool isKnown() const { return reflectance_ <= kMostReflecting; }
   /// Quanta in any one band, if isKnown(). `first` is the power with which the walk started,
   /// `incoming` what its segment `bounce` carries.
@@ -27,7 +27,7 @@ public:
     std::uint32_t walk, std::uint32_t bounce, const Power& first, const Power& incoming) const;
 
 private:
-  /// Beyond, the bound would take long, and be a hundred times the power or more.
+  /// Beyond this the bound would take long, and be a hundred times the power or more.
   static constexpr double kMostReflecting = 0.99;
 
   SobolSequence samples_;

@@ -7,7 +7,7 @@
 namespace irradiance
 {
 
-/// Segments of a block side by side.
+/// Segments of a block, entry by entry.
 struct WalkVerifier::Candidates
 {
   std::vector<WalkBlock::Place> places;
@@ -47,7 +47,7 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
     if (!block.segmentAt(point, place) ||
       (place.bounce > 0 && hasMoved(block.hit(place.walk, place.bounce - 1).id)))
     {
-      continue; // where a segment began on what moved, the one before is stale
+      continue; // it begins on a moved object, so the segment before it is stale
     }
     if (isStale(known, place))
     {
@@ -89,8 +89,8 @@ std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, co
   return stale;
 }
 
-/// The hits of the segments, and those before them, then their triangles: none of them waits for
-/// another, so the memory brings many at a time.
+/// Prefetches the hits of the segments and of those before them, then their triangles. None waits
+/// for another, so the memory delivers many at a time.
 void WalkVerifier::prefetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const
 {
   for (const std::uint32_t point : points)
@@ -108,7 +108,7 @@ void WalkVerifier::prefetch(const WalkBlock& block, const std::vector<std::uint3
   }
 }
 
-/// The hit stands where it stood: valid, unless a moved object came in front of it.
+/// The old hit is not on a moved object. It is valid unless a moved object came in front of it.
 void WalkVerifier::castBlocked(Candidates& candidates) const
 {
   candidates.now = candidates.old;
@@ -123,7 +123,7 @@ void WalkVerifier::castBlocked(Candidates& candidates) const
   }
 }
 
-/// Where objects touch, the hit is found anew. It may be the same while it has come to depend on other
+/// Where objects touch, the ray is cast anew. The hit may be the same and yet depend on other
 /// objects than before: then it is stored anew as well.
 void WalkVerifier::castTouching(const WalkBlock& block, Candidates& candidates) const
 {
@@ -143,15 +143,15 @@ void WalkVerifier::castTouching(const WalkBlock& block, Candidates& candidates) 
   }
 }
 
-/// The object that was hit moved, so the hit is stale even where the same triangle is found again:
-/// its normal and the point on it have changed. Static geometry is known to lie behind the old hit.
+/// The object that was hit moved, so the hit is stale even if the same triangle is found again: its
+/// normal and the point on it have changed. Static geometry is known to lie behind the old hit.
 void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) const
 {
   const Scene& scene = shooter_.scene();
   const std::size_t count = candidates.rays.size();
   candidates.now.assign(count, {});
   scene.castDynamic(candidates.rays.data(), count, candidates.now.data());
-  std::vector<Ray> rays; // that may hit static geometry instead
+  std::vector<Ray> rays; // those that may hit static geometry instead
   std::vector<Hit> hits;
   std::vector<double> from;
   std::vector<std::size_t> which;

@@ -19,24 +19,24 @@ struct StaleSegment
   std::uint32_t bounce;
   Ray ray;
   Hit hit; ///< in the new frame
-  Hit old; ///< in the old one, if that was static or nowhere
-  /// Whether other triangles coincided with the old hit: then it is not that of the static tree alone.
+  Hit old; ///< in the old frame; its distance is valid only if nothing there moved or touches
+  /// Whether contacts affect the old hit: then it may differ from that of the static tree alone.
   bool wasTouching = false;
 };
 
 /**
- * Says which stored walks changed, and touches nothing. Conservative and exact: after the repair
+ * Finds which stored walks changed, and modifies none. Conservative and exact: after the repair
  * every stored hit is what a cast into the whole new scene finds.
  *
- * Section 3.2 of the paper, sharpened: only the objects that moved are looked at, unless the object
- * that was hit has moved itself. A scan names the segments near moved objects; rays are cast for
+ * Section 3.2 of the paper, sharpened: only the objects that moved are tested, unless the object
+ * that was hit has itself moved. A scan flags the segments near moved objects; rays are cast for
  * those alone, many at a time.
  */
 class WalkVerifier
 {
 public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
-  /// names all segments that these objects may change. `clearance`: a stored segment may end this
+  /// flags all segments that these objects may change. `clearance`: a stored segment may end this
   /// far from where it hit, as the next one begins there (see Scene).
   WalkVerifier(const WalkShooter& shooter, const std::vector<bool>& moved, const SegmentScan& scan,
     double clearance)
@@ -47,12 +47,12 @@ public:
   {
   }
 
-  /// At most one for each walk, ordered by walk. `next`: the block that will be asked for after it,
-  /// or the same; `firstWalk`: the number of the block's first walk. Walks that are `known` to be
-  /// stale are looked at up to there.
+  /// At most one per walk, ordered by walk. `next`: the block to be verified after this one, which
+  /// is prefetched, or the same one. `firstWalk`: number of the block's first walk. Walks `known`
+  /// to be stale are verified up to their marks.
   std::vector<StaleSegment> staleSegments(const WalkBlock& block, const WalkBlock& next,
     std::uint32_t firstWalk, const StaleMarks& known = {}) const;
-  /// Segments of which rays were cast so far.
+  /// The number of segments for which rays were cast so far.
   std::int64_t numberOfSuspects() const { return suspects_; }
 
 private:

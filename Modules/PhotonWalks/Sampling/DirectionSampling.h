@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// Two unit vectors that make a right-handed orthonormal frame with the unit vector `normal`. After
-/// Duff and others, "Building an Orthonormal Basis, Revisited" (JCGT 2017).
+/// Two unit vectors that form a right-handed orthonormal frame with the unit vector `normal`. After
+/// Duff et al., "Building an Orthonormal Basis, Revisited" (JCGT 2017).
 inline std::array<Vector3, 2> tangentsOf(const Vector3& normal)
 {
   const double sign = std::copysign(1.0, normal[2]);
@@ -37,7 +37,7 @@ inline Vector3 sampleSphere(const std::array<double, 2>& u)
   return { radius * std::cos(angle), radius * std::sin(angle), z };
 }
 
-/// Barycentric weights of a point, uniform over the area of a triangle.
+/// Barycentric weights of a point that is uniform over the area of a triangle.
 inline Vector3 sampleTriangle(const std::array<double, 2>& u)
 {
   const double root = std::sqrt(u[0]);

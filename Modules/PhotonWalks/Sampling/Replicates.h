@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// Deals walks out to replicates in turn: walk w is number w / R of replicate w mod R. So the first
-/// n walks are shared evenly for every n; the first n mod R replicates have one more.
+/// Assigns walks to replicates in turn: walk w is number w / R (rounded down) of replicate w mod R.
+/// So the first n walks are shared evenly for every n; the first n mod R replicates have one more.
 class Replicates
 {
 public:

@@ -9,24 +9,24 @@
 namespace irradiance
 {
 
-/// What the samples of a bounce are for; each is a two-dimensional pattern of its own.
+/// What a sample of a bounce is used for; each use has a two-dimensional pattern of its own.
 enum class SampleUse : std::uint32_t
 {
   Emitter,   ///< which light (first coordinate)
   Position,  ///< where on it
-  Direction, ///< where to
-  Roulette   ///< whether the walk goes on (first coordinate)
+  Direction, ///< in which direction the walk leaves
+  Roulette   ///< whether the walk continues (first coordinate)
 };
 
 /**
  * Randomized quasi-Monte-Carlo samples as a pure function of (seed, walk, bounce, use): the first
  * two Sobol' dimensions, their index shuffled and each coordinate scrambled by hash-based nested
- * uniform (Owen) scrambling. Every pair is a (0,2)-sequence in the walks, pairs are independent, and
- * there is no limit of depth. After Burley, "Practical Hash-based Owen Scrambling" (JCGT 2020), with
- * the hash of Vegdahl (2021). Coordinates are multiples of 2^-32 plus 2^-33, so never 0 or 1.
+ * uniform (Owen) scrambling. Every pair is a (0,2)-sequence in the walks, pairs are independent,
+ * and the depth is not limited. After Burley, "Practical Hash-based Owen Scrambling" (JCGT 2020),
+ * with the hash of Vegdahl (2021). Coordinates are multiples of 2^-32 plus 2^-33, so never 0 or 1.
  *
- * With several replicates each has a scrambling of its own and goes through the sequence from its
- * start, so that their estimates are independent. The first of them has that of the seed.
+ * Each replicate has a scrambling of its own and runs through the sequence from its start, so that
+ * the estimates of replicates are independent. The first replicate has the scrambling of the seed.
  */
 class SobolSequence
 {
@@ -65,7 +65,7 @@ public:
   }
 
   /// The product with Pascal's triangle mod 2, which generates the second Sobol' dimension when its
-  /// bits are reversed: bit k is the sum of the bits n with C(n, k) odd, i.e. k a subset of n.
+  /// bits are reversed: bit k is the sum of the bits n for which C(n, k) is odd.
   static std::uint32_t pascal(std::uint32_t x)
   {
     x ^= (x & 0xaaaaaaaau) >> 1;

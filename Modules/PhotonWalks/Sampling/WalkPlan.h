@@ -20,14 +20,14 @@ struct WalkRound
 };
 
 /**
- * Which walks may be shot, in which order: in rounds, each of which doubles the number of walks until
- * the limit is reached. Walk numbers, their replicates and their blocks do not depend on how many
- * rounds are shot in the end.
+ * The walks that may be shot, in rounds. Each round doubles the number of walks until the limit is
+ * reached. The numbers, replicates and blocks of walks do not depend on how many rounds are shot in
+ * the end.
  */
 class WalkPlan
 {
 public:
-  /// Of a full block.
+  /// Number of walks in a full block.
   static constexpr std::uint32_t kWalksPerBlock = 1024;
 
   /// All walks in one round, one replicate.

@@ -42,7 +42,7 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
     {
       return false;
     }
-    // From the end, so that those that wait stay where they are.
+    // From the end, so that waiting walks stay where they are.
     const std::size_t count =
       rounds_ < kRoundsTogether ? states_.size() : std::min(states_.size(), kPatient);
     const std::size_t first = states_.size() - count;
@@ -57,14 +57,14 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
   return true;
 }
 
-/// From the hits of the walks to their next rays; walks that end drop out.
+/// Takes the walks from their hits to their next rays; walks that end drop out.
 void WalkBatch::advance(std::size_t first, WalkTally& tally)
 {
   constexpr std::size_t kAhead = 8;
   std::size_t kept = first;
   for (std::size_t i = first; i < states_.size(); ++i)
   {
-    // What a hit needs lies all over the memory: ask for it in time, what leads to it first.
+    // What a hit needs is scattered in memory: prefetch it in time, and what leads to it first.
     if (i + 2 * kAhead < states_.size())
     {
       shooter_.prefetchTriangle(hits_[i + 2 * kAhead]);

@@ -11,8 +11,7 @@
 namespace irradiance
 {
 
-/// Shoots many walks side by side, one bounce of all after the other, so that their rays are cast
-/// together.
+/// Shoots many walks side by side, bounce by bounce, so that their rays are cast together.
 class WalkBatch
 {
 public:
@@ -21,15 +20,15 @@ public:
   {
   }
 
-  /// A whole walk.
+  /// Adds a whole walk.
   void shoot(std::uint32_t walk);
-  /// A walk from segment `bounce` on, whose new hit is known. `first` is the power with which the
-  /// walk started, `incoming` what the segment carries.
+  /// Adds a walk from segment `bounce` on, whose ray and new hit are known. `first` is the power
+  /// with which the walk started, `incoming` what the segment carries.
   void resume(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
     const Power& first, const Power& incoming);
 
-  /// Goes on until all walks have ended, or until `hasToStop` says so between two bounces; then it
-  /// returns false and may be called again.
+  /// Shoots until all walks have ended. If `hasToStop` returns true between two bounces, it returns
+  /// false and may be called again.
   bool run(WalkTally& tally, const std::function<bool()>& hasToStop);
 
   struct Tail
@@ -46,16 +45,16 @@ public:
   };
   /// In the order in which the walks were added.
   const std::vector<Tail>& tails() const { return tails_; }
-  /// Those of a walk in order, those of several mixed.
+  /// In order within a walk; those of several walks are mixed.
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Puts what was shot in the place of what the walks had from there on.
+  /// Replaces the stored tails of the walks by what was shot.
   void store(const WalkPlan& plan, std::vector<WalkBlock>& history) const;
 
 private:
   /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
   static constexpr std::uint32_t kMostBounces = 1u << 20;
-  /// After so many rounds, the few walks that go on are finished a few at a time: should they be
-  /// endless, that shows soon.
+  /// After this many rounds the few walks that are left are finished kPatient at a time, so that it
+  /// shows soon if they are endless.
   static constexpr std::uint32_t kRoundsTogether = 256;
   static constexpr std::size_t kPatient = 2;
 
@@ -73,7 +72,7 @@ private:
   void advance(std::size_t first, WalkTally& tally);
 
   const WalkShooter& shooter_;
-  std::vector<State> states_; ///< of the walks that go on, with their rays and hits
+  std::vector<State> states_; ///< of the walks that continue, with their rays and hits
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   bool areHitsKnown_ = false;

@@ -29,10 +29,10 @@ public:
   const Scene& scene() const { return scene_; }
   WalkStart start(std::uint32_t walk) const { return emitters_.start(walk, samples_); }
 
-  /// What the rays hit: the closest triangles, or where surfaces coincide those that are before the
-  /// others.
+  /// The hits of the rays: the closest triangles, and among triangles that coincide those that
+  /// Contacts puts first.
   void cast(const Ray* rays, std::size_t count, Hit* hits) const;
-  /// The hit of a ray whose closest hit is known.
+  /// The hit of a ray whose closest hit among all triangles is known.
   Hit settled(const Ray& ray, const Hit& closest) const
   {
     return contacts_ ? contacts_->settled(scene_, ray, closest) : closest;
@@ -45,20 +45,20 @@ public:
   /// Whether other triangles coincide with this one.
   bool hasContact(const TriangleId& id) const { return contacts_ && contacts_->has(id); }
 
-  /// What a walk carries on from a hit of segment `bounce`; zero: it ends there. Roulette is played
-  /// below `threshold`.
+  /// The power with which a walk leaves the hit of segment `bounce`; zero if it ends there.
+  /// Roulette is played below `threshold`.
   Power powerAfter(std::uint32_t walk, std::uint32_t bounce, const TriangleId& id,
     const Power& incoming, std::int64_t threshold) const;
-  /// The ray with which a walk leaves its hit on `point`, as its segment `bounce`.
+  /// The ray of segment `bounce`, with which a walk leaves its hit at `point` of triangle `id`.
   Ray rayFrom(std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point,
     const TriangleId& id) const;
 
-  /// The ray of a stored segment, the same as when it was shot if the objects stand as they did.
+  /// The ray of a stored segment, the same as when it was shot unless it starts on what has moved.
   Ray rayOf(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
     std::uint32_t bounce) const;
 
-  /// Has the memory bring what surfaceAt() and powerAfter() will read; the second when the first has
-  /// come.
+  /// Prefetch what surfaceAt() and powerAfter() will read. prefetchCell() is for later, as it reads
+  /// what prefetchTriangle() requested.
   void prefetchTriangle(const Hit& hit) const;
   void prefetchCell(const Hit& hit) const;
 

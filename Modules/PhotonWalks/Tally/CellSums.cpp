@@ -40,7 +40,7 @@ void CellSums::setRounds(std::size_t rounds, const Checkpoint& checkpoint)
   {
     return;
   }
-  // With many replicates this is a lot of memory: taken piece by piece, no piece takes long.
+  // With many replicates this is a lot of memory. Taken piece by piece, no step takes long.
   constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
   std::vector<std::int64_t> sums;
   sums.reserve(rounds * roundSize_);

@@ -15,18 +15,18 @@
 namespace irradiance
 {
 
-/// What a photon brings to a cell, or takes away again.
+/// The power that a photon adds to a sum, negative when the photon is removed.
 struct Deposit
 {
   std::size_t slot;
   std::int64_t quanta;
 };
 
-/// The power that each cell receives, in quanta: adding a photon adds its power, removing it
-/// subtracts it. Threads collect deposits and hand them in many at a time; the result does not
-/// depend on their order.
+/// The power that each cell receives, in quanta. Adding a photon adds its power, removing it
+/// subtracts it. Threads collect deposits and add many at a time; the result does not depend on
+/// their order.
 ///
-/// The sums are kept apart by round and replicate of the walks, as far as the plan has several.
+/// Each round and each replicate of the plan has sums of its own.
 class CellSums
 {
 public:
@@ -41,7 +41,7 @@ public:
   std::size_t rounds() const { return rounds_; }
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 
-  /// Has the memory bring what collect() and add() will need.
+  /// Prefetches the sum that add() will change.
   void prefetch(std::uint32_t walk, const TriangleId& id) const
   {
     if (id.object != TriangleId::kNone)
@@ -57,7 +57,7 @@ public:
   void add(const std::vector<Deposit>& deposits);
   /// `side`: 0 front (or both), 1 back.
   std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band) const;
-  /// What the walks of one replicate in the first `rounds` rounds brought.
+  /// The part that the walks of one replicate in the first `rounds` rounds brought.
   std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band,
     std::uint32_t replicate, std::size_t rounds) const;
 

@@ -13,7 +13,7 @@ namespace irradiance
 namespace
 {
 
-/// The least error below which parts have this area together.
+/// The least error that parts with this total area do not exceed.
 double quantileOfArea(std::vector<std::pair<double, double>> errorsWithAreas, double area)
 {
   std::sort(errorsWithAreas.begin(), errorsWithAreas.end());
@@ -76,8 +76,8 @@ ErrorEstimate::Received ErrorEstimate::received(
     const double off = static_cast<double>(ofReplicate(i)) - share_[i] * quanta;
     squares += off * off;
   }
-  // Sums come in steps of a photon, so that replicates may agree by chance: the variance within a
-  // step is the least that can be claimed.
+  // Sums come in steps of a photon, so replicates may agree by chance. The variance within a step
+  // is the least that can be claimed.
   return { quanta, std::sqrt(std::max(unbiased_ * squares, replicates * photon * photon / 12)) };
 }
 
@@ -91,7 +91,7 @@ double ErrorEstimate::relativeError(
   }
   if (received.quanta == 0)
   {
-    return 3 * photon / average; // where 3 photons are expected, none comes in 5 % of all cases
+    return 3 * photon / average; // where 3 photons are expected, none arrives in 5 % of cases
   }
   return std::isnan(received.error) ? kInfinity : factor * received.error / received.quanta;
 }

@@ -11,19 +11,19 @@ namespace irradiance
 {
 
 /**
- * What the replicates of the first rounds of walks tell about the error of the cell sums. The same
+ * Estimates the error of the cell sums from the replicates of the first rounds of walks. The same
  * integers give the same bits: all is summed up in the order of replicates and cells.
  *
- * With fewer photons the spread of the replicates is skewed, and too small where the sum is too small
- * by chance: then nothing is told. See Theory, 5.1.
+ * With few photons the spread of the replicates is skewed, and too small where the sum is too small
+ * by chance. Then the error counts as unknown. See Documentation/Theory.md, 5.1.
  */
 class ErrorEstimate
 {
 public:
-  /// Photons of full power that a cell has to receive, before its error is known.
+  /// Photons of full power that a cell has to receive before its error is known.
   static constexpr double kFewestPhotons = 25;
-  /// Probability with which the truth lies in the interval, and the part of the area for which a
-  /// target is to be reached.
+  /// Probability with which the truth lies in the interval, and the part of the area that has to
+  /// reach a target.
   static constexpr double kConfidence = 0.95;
 
   /// `photon`: quanta with which the most powerful walk starts, in each band. `sums` must outlive
@@ -31,19 +31,19 @@ public:
   ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
     const std::array<double, Power::kMaxBands>& photon);
 
-  /// Half of the interval of kConfidence is so many standard errors: Student's t.
+  /// Half the width of the interval of kConfidence, in standard errors: Student's t.
   static double confidenceFactor(std::uint32_t replicates);
 
-  /// Of a cell's sum, in quanta; NaN where too few photons tell too little.
+  /// Of a cell's sum, in quanta; NaN where too few photons arrived.
   double standardError(std::uint32_t object, std::size_t cell, int side, int band) const
   {
     return received(object, cell, side, band).error;
   }
 
-  /// The least e such that kConfidence of the area is known to e times its own irradiance, with
-  /// kConfidence; infinite if there is none. What has received nothing is known to 3 photons, of
-  /// which e is then the ratio to what an area of this size receives on average. The worst band of a
-  /// cell counts, each side by itself if they are kept apart.
+  /// The least e for which kConfidence of the area is known to within e times its own irradiance,
+  /// with probability kConfidence; infinite if there is none. A cell that received nothing is known
+  /// to within 3 photons; its e is 3 photons over what its area receives on average. The worst band
+  /// of a cell counts, and each side by itself if they are kept apart.
   double relativeErrorOfMostArea(const SceneObjects& objects, Execution& execution) const;
 
 private:
@@ -61,9 +61,9 @@ private:
     std::array<Received, Power::kMaxBands> received{};
   };
   Received received(std::uint32_t object, std::size_t cell, int side, int band) const;
-  /// All with an area.
+  /// All cells, or sides of cells, that have an area.
   std::vector<CellSide> cellSides(const SceneObjects& objects, Execution& execution) const;
-  /// `average`: quanta that an area of this size receives on average. `factor`: confidenceFactor().
+  /// `average`: quanta that a cell of this area receives on average. `factor`: confidenceFactor().
   double relativeError(const Received& received, int band, double average, double factor) const;
 
   const CellSums& sums_;

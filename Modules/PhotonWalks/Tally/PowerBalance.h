@@ -10,16 +10,16 @@
 namespace irradiance
 {
 
-/// Where the power went, in quanta. As integers, emitted = absorbed + escaped exactly: what a hit
-/// absorbs is booked as what came in minus what the walk carries on, so that it includes what
-/// Russian roulette takes or adds.
+/// Where the power went, in quanta. In integers, emitted = absorbed + escaped exactly: the absorbed
+/// power of a hit is the incoming minus the reflected power, so it includes what Russian roulette
+/// takes or adds.
 struct PowerBalance
 {
   Power emitted;
   Power absorbed;
   Power escaped;
   std::int64_t segments = 0;
-  double received = 0; ///< by all cells in all bands; to notice an overflow before it happens
+  double received = 0; ///< by all cells in all bands; shows an overflow before it happens
 
   PowerBalance& operator+=(const PowerBalance& other);
 };

@@ -10,7 +10,7 @@ void WalkTally::remove(
   Power incoming = block.power(walkInBlock, firstBounce);
   for (std::uint32_t i = firstBounce; i < block.size(walkInBlock); ++i)
   {
-    const Power reflectedPower = block.power(walkInBlock, i + 1); // zero behind the last
+    const Power reflectedPower = block.power(walkInBlock, i + 1); // zero after the last
     add(
       walk, block.hit(walkInBlock, i), block.isFront(walkInBlock, i), incoming, reflectedPower, -1);
     incoming = reflectedPower;

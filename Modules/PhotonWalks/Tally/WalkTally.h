@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// Books what a hit receives in the cells and the balance, or takes it back. The cells get it when
-/// the tally ends.
+/// Adds what hits receive to the cells and the balance, or subtracts it. The cells are updated when
+/// the tally is destroyed.
 class WalkTally
 {
 public:
@@ -23,14 +23,14 @@ public:
   WalkTally(const WalkTally&) = delete;
   WalkTally& operator=(const WalkTally&) = delete;
 
-  /// `sign`: 1 to book, -1 to take back.
+  /// `sign`: 1 to add, -1 to subtract.
   void add(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
     const Power& reflectedPower, int sign);
-  /// As if nothing had been booked in the cells; the balance is the caller's to drop.
+  /// Drops what was tallied for the cells; the caller drops the balance.
   void discard() { deposits_.clear(); }
-  /// Has the memory bring the sum that a hit will change.
+  /// Prefetches the sum that a hit will change.
   void prefetch(std::uint32_t walk, const Hit& hit) const { sums_.prefetch(walk, hit.id); }
-  /// Takes back the segments of a stored walk from `firstBounce` on.
+  /// Subtracts the segments of a stored walk from `firstBounce` on.
   void remove(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
     std::uint32_t firstBounce);
 
