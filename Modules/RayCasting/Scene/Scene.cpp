@@ -18,11 +18,11 @@ namespace irradiance
 namespace
 {
 
-/// Fewer objects than this are tried one after the other.
+/// Fewer instanced objects than this are tried one after the other.
 constexpr std::size_t kManyObjects = 9;
 
-/// How far world positions may be off after the way to model space and back: a few ulps times the
-/// condition of the map. 2^-44 leaves room for sums of a few hundred such errors.
+/// The error of a world position taken to model space and back: a few ulps times the condition of
+/// the map. 2^-44 leaves room for sums of a few hundred such errors.
 double roundTripError(const AffineMap& map, double condition, double magnitude)
 {
   return 0x1p-44 * condition * (magnitude + map.translation.cwiseAbs().maxCoeff());
@@ -85,7 +85,7 @@ void Scene::place(double magnitude)
     const EllipsoidBound bound(
       object.body->ellipsoid(), object.body->mesh().bounds(), object.worldFromObject, error);
     const Box& box = bound.worldBox();
-    // The second factor is for the rounding in mayTouch(), far below the box's own margin.
+    // The factor pays for the rounding in mayTouch(), which is far below the widening of the box.
     placed_.push_back({ object, inverse, condition, error, slack, bound,
       box.isEmpty() ? Vector3::Zero() : box.center(),
       box.isEmpty() ? 0.0 : 0.25 * box.extent().squaredNorm() * (1 + 0x1p-20) });
@@ -193,7 +193,7 @@ bool Scene::mayTouch(const Placed& placed, const Ray& ray, double reach, double 
 
 std::vector<std::uint32_t> Scene::orderOf(const Ray* rays, std::size_t count) const
 {
-  // Trees beyond the processor's own cache, and enough rays that some of them are near each other.
+  // Trees larger than the processor's cache, and enough rays that some are near each other.
   constexpr std::size_t kLargeTrees = 1u << 22, kManyRays = 1u << 15;
   return treeBytes_ > kLargeTrees && count > kManyRays
     ? coherentOrder(rays, static_cast<std::uint32_t>(count), bounds_)
@@ -233,12 +233,12 @@ void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hi
   }
 }
 
-/// Front to back through a tree over the objects' boxes, and into one object after the other.
+/// Walks front to back through the tree over the objects' boxes and searches one object at a time.
 void Scene::castManyInstanced(const Group& group, const Ray& ray, Hit& best) const
 {
   KdTraversal traversal(group.boxes, ray.origin, ray.direction);
   const double reach = reachOf(ray);
-  // An object stands in many leaves: the last ones entered are remembered.
+  // An object stands in many leaves. The last ones entered are remembered.
   constexpr std::uint32_t kRemembered = 16;
   std::array<std::uint32_t, kRemembered> entered;
   entered.fill(TriangleId::kNone);
@@ -321,8 +321,8 @@ double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
   return distance;
 }
 
-/// A map makes triangles slenderer by its condition squared at most: edges grow by the largest
-/// singular value, areas shrink by the two smallest.
+/// A map makes triangles slenderer by at most its condition squared: edges grow by at most the
+/// largest singular value, areas shrink by at most the product of the two smallest.
 double Scene::clearance() const
 {
   double farthest = static_->mesh().clearance();
@@ -334,7 +334,7 @@ double Scene::clearance() const
     const double mean = square.trace() / 3;
     const bool isSimilarity = (square - mean * Matrix3::Identity()).norm() < 0.125 * mean;
     const double condition = isSimilarity ? 1.25 : linear.norm() * placed.inverse.norm();
-    // Its own coordinates count, not those of something far.
+    // Only its own coordinates count, not those of something far away.
     const double magnitude = placed.object.worldBounds().magnitude() * (1 + 0x1p-20);
     farthest = std::max(farthest,
       farthestClearance(
