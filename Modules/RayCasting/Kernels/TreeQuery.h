@@ -60,7 +60,7 @@ struct TreeQuery
   std::uint32_t job;
   bool isShared; ///< the source wants to be told of lower limits
 
-  /// Sets all members; false if the tree is empty, the ray misses its box or enters it too late.
+  /// Prepares the search; false if the tree is empty or, in floats, the ray misses its box.
   bool prepare(const QueryRequest& request);
   /// `padding`: the error of the distances at which the ray passes planes.
   void setMargins(double padding)
