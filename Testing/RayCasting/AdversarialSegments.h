@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// Bodies, motions and segments that are hard on an ellipsoid test: the segments aim at a triangle
+// Bodies, motions and segments that are hard for an ellipsoid test. The segments aim at a triangle
 // where it touches the ellipsoid from inside, along the ellipsoid's surface or ending on it.
 
 namespace irradiance::test
@@ -21,7 +21,7 @@ struct Motion
 {
   std::string name;
   AffineMap worldFromObject;
-  bool hasInverse = true; ///< that doubles can represent
+  bool hasInverse = true; ///< one that doubles can represent
 };
 
 inline std::vector<Motion> hardMotions()
@@ -69,7 +69,7 @@ struct Body
   std::vector<std::array<Vector3, 3>> triangles;
   EnclosingEllipsoid ellipsoid;
   Box bounds;
-  std::vector<std::pair<std::size_t, int>> contacts; ///< triangle, corner on the ellipsoid
+  std::vector<std::pair<std::size_t, int>> contacts; ///< triangle, and its corner on the ellipsoid
 
   Body(std::string bodyName, std::vector<std::array<Vector3, 3>> bodyTriangles)
     : name(std::move(bodyName))
@@ -174,7 +174,7 @@ struct Segment
 {
   Vector3 from;
   Vector3 to;
-  std::size_t target; ///< the triangle it is aimed at
+  std::size_t target; ///< the triangle that it is aimed at
 };
 
 class SegmentSource
@@ -193,8 +193,8 @@ public:
     const auto& [target, corner] = body_.contacts[pick(body_.contacts.size())];
     const auto& triangle = body_.triangles[target];
     const Vector3& contact = triangle[corner];
-    // 2^-24 to 1 of the way into the triangle; a third of the segments is moved a little outwards,
-    // another third gets ends rounded to float.
+    // Aims 2^-24 to 1 of the way into the triangle. A third of the segments is moved a little
+    // outwards, another third gets ends rounded to float.
     const double depth = random_.powerOfTwo(-24, 0);
     const double side = random_.uniform(0, 1);
     const Vector3 inside = contact +
@@ -228,7 +228,7 @@ private:
     const double choice = random_.uniform(0, 10);
     return choice < 1 ? 0.0 : choice < 2 ? random_.powerOfTwo(-40, -7) : reach();
   }
-  /// Along the ellipsoid's surface, off by 2^-30 to 1; one in four anyhow.
+  /// Along the ellipsoid's surface, off by 2^-30 to 1; one in four is in any direction.
   Vector3 direction(const Vector3& onUnitBall)
   {
     const Vector3 tangent = onUnitBall.cross(random_.direction()).normalized();

@@ -9,9 +9,9 @@
 #include <array>
 #include <cmath>
 
-// Whether a closed segment touches a closed triangle that an affine map has moved, decided for the
-// exact real numbers that the doubles stand for: by double arithmetic that carries its error bound,
-// where that leaves doubt by quadruple precision that does, and then by rationals.
+// Decides whether a closed segment touches a closed triangle that an affine map has moved, for the
+// exact real numbers that the doubles represent. It uses double arithmetic with an error bound, in
+// case of doubt quadruple precision with an error bound, and then rationals.
 
 namespace irradiance::exact
 {
@@ -27,7 +27,7 @@ enum class Touch
   Flat     ///< triangle and segment lie in one plane, or the triangle has no area
 };
 
-/// A number known up to `error`.
+/// A number that may be off by up to `error`.
 template <typename T>
 struct Bounded
 {
@@ -68,7 +68,7 @@ constexpr int kUnknownSign = 2;
 template <typename T>
 int signOf(const Bounded<T>& x)
 {
-  // 1 % pays for the rounding of the bound, the constant for what vanished.
+  // 1 % pays for the rounding of the bound, the constant for underflow.
   const T doubt = x.error * T(1.01) + T(1e-280);
   return x.value > doubt ? 1 : x.value < -doubt ? -1 : kUnknownSign;
 }
@@ -87,7 +87,7 @@ Number determinant(const Vector<Number>& a, const Vector<Number>& b, const Vecto
     a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Corners and `to`, all relative to `from`.
+/// The corners and `to`, all relative to `from`.
 template <typename Number>
 struct Configuration
 {

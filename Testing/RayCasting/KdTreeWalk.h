@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-// Trees built for a test, and a way through all their nodes.
+// Builds trees for tests, and visits all their nodes.
 
 namespace irradiance::test
 {
@@ -24,7 +24,7 @@ inline std::vector<KdPrimitive> primitivesOf(const std::vector<Triangle>& triang
   return primitives;
 }
 
-/// The costs do not hang on what is measured to be fast.
+/// Costs set here, so that tests do not depend on the tuned defaults.
 inline KdTreeBuilder builderFor(int blockSize)
 {
   KdTreeBuilder builder;

@@ -7,7 +7,7 @@
 
 #include <array>
 
-// Distances and moved ellipsoids to 113 bits.
+// Distances and moved ellipsoids with 113 bits.
 
 namespace irradiance::exact
 {
@@ -40,7 +40,7 @@ inline Vector<Quad> moved(const AffineMap& map, const Vector3& point)
   return x;
 }
 
-/// Square of the distance of `x` from the segment.
+/// The squared distance of `x` from the segment.
 inline Quad squaredDistance(const Vector<Quad>& x, const Vector3& from, const Vector3& to)
 {
   const Vector<Quad> along = difference(quad(to), quad(from));
@@ -55,7 +55,7 @@ inline Quad squaredDistance(const Vector<Quad>& x, const Vector3& from, const Ve
   return dot(d, d);
 }
 
-/// Columns of linear * shape^-1, and the moved centre.
+/// The columns of linear * shape^-1, and the moved centre.
 struct QuadEllipsoid
 {
   std::array<Vector<Quad>, 3> axis;

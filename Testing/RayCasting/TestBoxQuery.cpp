@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles near a box, against all of them.
+// The triangles found near a box, compared with a search of all triangles.
 
 #include "Trees/BoxQuery.h"
 
@@ -35,7 +35,7 @@ TEST(BoxQuery, MissesNone)
     {
       if (!triangles[k].bounds().intersection(box).isEmpty())
       {
-        // A leaf holds what lies in it, and the box of a triangle is larger than the triangle.
+        // Bounds may touch where the triangle does not; one with a corner in the box surely does.
         const Vector3 closest = triangles[k].a.cwiseMax(box.lower).cwiseMin(box.upper);
         const bool isCornerWithin = closest == triangles[k].a;
         EXPECT_TRUE(!isCornerWithin || std::binary_search(near.begin(), near.end(), k));

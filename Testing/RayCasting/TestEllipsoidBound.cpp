@@ -29,7 +29,7 @@ struct Count
   long segments = 0;
   long rejected = 0;
   long falselyRejected = 0;
-  long flat = 0; ///< rejected ones that lie in the plane of their triangle: not decided
+  long flat = 0; ///< rejected ones that lie in the plane of their triangle: left undecided
 
   Count& operator+=(const Count& other)
   {
@@ -71,7 +71,7 @@ const Box kHuge = [] {
 
 }
 
-// Law: the ellipsoid never rejects a segment that hits.
+// Law: the ellipsoid never rejects a segment that hits the body.
 TEST(EllipsoidBound, RejectsNoSegmentThatHits)
 {
   const std::vector<Body> bodies = test::hardBodies();
@@ -95,7 +95,7 @@ TEST(EllipsoidBound, RejectsNoSegmentThatHits)
     total.segments, total.rejected, total.falselyRejected, total.flat);
 }
 
-// The test above can fail: an ellipsoid too small by 1e-4 is found out, by nearly every pair.
+// The test above can fail: nearly every pair detects an ellipsoid that is too small by 1e-4.
 TEST(EllipsoidBound, FuzzFindsARadiusTooSmall)
 {
   Count total;
@@ -116,7 +116,7 @@ TEST(EllipsoidBound, FuzzFindsARadiusTooSmall)
     total.segments, total.falselyRejected);
 }
 
-// Ends of segments exactly on a corner, where the corner's image is exact in doubles.
+// Segments end exactly on a corner whose image is exact in doubles.
 TEST(EllipsoidBound, RejectsNoSegmentThatEndsOnACorner)
 {
   RandomVectors random(3);

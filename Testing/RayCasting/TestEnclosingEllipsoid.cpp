@@ -30,7 +30,7 @@ double volume(const EnclosingEllipsoid& e)
   return 4.0 / 3.0 * kPi / std::abs(e.shape.determinant());
 }
 
-/// max |shape * (p - center)|^2 - 1, computed to 113 bits.
+/// max |shape * (p - center)|^2 - 1, computed with 113 bits.
 double excess(const EnclosingEllipsoid& e, const Points& points)
 {
   Quad largest = 0;
@@ -51,9 +51,9 @@ double excess(const EnclosingEllipsoid& e, const Points& points)
   return static_cast<double>(largest - 1);
 }
 
-/// No ellipsoid around the points is smaller than this. For weights u >= 0 of sum 1 with second
-/// central moment C, the dual of the problem bounds the volume by 4/3 pi sqrt(27 det C); the
-/// weights are improved by Titterington's multiplicative step, in the frame of `guess`.
+/// A lower bound of the volume of any ellipsoid around the points. For weights u >= 0 of sum 1 with
+/// second central moment C, the dual problem gives the bound 4/3 pi sqrt(27 det C). Titterington's
+/// multiplicative step improves the weights, in the frame of `guess`.
 double smallestPossibleVolume(const Points& points, const EnclosingEllipsoid& guess)
 {
   Points y;
@@ -138,7 +138,7 @@ Points transformed(Points points, const Matrix3& linear, const Vector3& translat
 void expectThickness(
   const std::string& name, const EnclosingEllipsoid& e, double longest, double thinnest)
 {
-  // Rows are longest axis first.
+  // The longest axis comes first.
   EXPECT_LE(1.0 / e.shape.row(0).norm(), longest) << name;
   EXPECT_LE(1.0 / e.shape.row(2).norm(), thinnest) << name;
 }
@@ -213,7 +213,7 @@ TEST(EnclosingEllipsoid, ContainsNeedlesPlatesAndOffsets)
       const double optimum = 4.0 / 3.0 * kPi * std::pow(3.0, 1.5) * size.prod();
       const double aligned = volume(checked(name, box));
       const double tilted = volume(checked(name, transformed(box, tilt, Vector3::Zero())));
-      if (thin > 0x1p-20) // beyond, axes are thickened on purpose
+      if (thin > 0x1p-20) // thinner axes are thickened on purpose
       {
         EXPECT_LE(aligned, 1.05 * optimum) << name;
         EXPECT_LE(tilted, 1.05 * optimum) << name;

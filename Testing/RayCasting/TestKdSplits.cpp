@@ -8,7 +8,7 @@
 
 #include <set>
 
-// Every split is the cheapest that the heuristic knows, whatever spares the search the work.
+// Every split is the cheapest by the heuristic, in spite of the search's shortcuts.
 
 namespace irradiance
 {
@@ -39,7 +39,7 @@ TEST(KdItem, RoundsOutwardsToTheNextFloat)
   }
 }
 
-/// The heuristic, by counting all boxes for one plane; those in the plane go where they cost less.
+/// The heuristic, counting all boxes for one plane; those in the plane go where they cost less.
 double costOfSplit(const std::vector<Box>& boxes, const Box& cell, int axis, double plane,
   const KdTreeBuilder& builder)
 {
@@ -81,8 +81,8 @@ double costOfBestSplit(const std::vector<Box>& boxes, const Box& cell, const KdT
   return best;
 }
 
-/// Boxes in clusters, flat ones among them, with float corners, so that planes are where they begin
-/// and end; on a coarse grid many lie in one plane.
+/// Boxes in clusters, some of them flat. Their corners are floats, so that planes are exactly where
+/// they begin and end; on a coarse grid many lie in one plane.
 std::vector<KdPrimitive> randomBoxes(int count, double grid, RandomVectors& random)
 {
   const auto onGrid = [&](double x) {
@@ -107,7 +107,7 @@ std::vector<KdPrimitive> randomBoxes(int count, double grid, RandomVectors& rand
   return boxes;
 }
 
-/// All that stand in the leaves below a node, each once.
+/// All primitives in the leaves below a node, each once.
 std::set<std::uint32_t> primitivesBelow(const KdTree& tree, const KdNode& node)
 {
   const std::uint32_t* first = tree.references.data() + node.index();
@@ -159,7 +159,7 @@ TEST(KdTreeBuilder, SplitsAtTheCheapestPlane)
   }
 }
 
-/// Two heaps of `each` unit boxes, apart along x.
+/// Two heaps of `each` unit boxes, separated along x.
 std::vector<KdPrimitive> twoHeaps(int each)
 {
   std::vector<KdPrimitive> boxes;
@@ -186,7 +186,7 @@ std::vector<std::uint32_t> countsOfLeaves(const KdTree& tree)
 TEST(KdTreeBuilder, PartsWhatFillsBlocks)
 {
   EXPECT_EQ(countsOfLeaves(build(twoHeaps(8), 8)), (std::vector<std::uint32_t>{ 8, 8 }));
-  // Both heaps fit in one block: to part them gains nothing.
+  // Both heaps fit in one block, so separating them gains nothing.
   EXPECT_EQ(countsOfLeaves(build(twoHeaps(4), 8)), (std::vector<std::uint32_t>{ 8 }));
   EXPECT_EQ(countsOfLeaves(build(twoHeaps(4), 1)), (std::vector<std::uint32_t>{ 4, 4 }));
 }
@@ -206,7 +206,7 @@ TEST(KdTreeBuilder, PutsFlatItemsWhereTheyCostLess)
 {
   for (const int below : { 7, 8 })
   {
-    // One flat box between 7 and 8 others: it makes a block full, or else begins one.
+    // One flat box between 7 and 8 others either fills a block or begins one.
     std::vector<KdPrimitive> boxes = { { Box{ { 0, 0, 1 }, { 1, 1, 1 } } } };
     for (int i = 0; i < 15; ++i)
     {

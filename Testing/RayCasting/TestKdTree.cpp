@@ -66,7 +66,7 @@ protected:
     return text;
   }
 
-  /// Rays of a kind: as many as 2e7 tests of one triangle allow.
+  /// The number of rays of a kind: as many as 2e7 ray/triangle tests allow.
   int numberOfRays() const
   {
     constexpr int kTests = 20000000, kMost = 30000;
@@ -112,7 +112,7 @@ TEST_P(KdTreeLaw, FindsWhatBruteForceFinds)
   EXPECT_GT(hits, numberOfRays());
 }
 
-// `from` may be any distance before which there is no hit, up to the hit itself.
+// `from` may be any distance up to that of the hit.
 TEST_P(KdTreeLaw, MayStartAnywhereBeforeTheHit)
 {
   constexpr unsigned kSeed = 2;
@@ -134,7 +134,7 @@ TEST_P(KdTreeLaw, MayStartAnywhereBeforeTheHit)
   }
 }
 
-// A hit that is known already only yields to a closer one, or to a smaller number at a tie.
+// A known hit is replaced only by a closer one, or by one with a smaller number at a tie.
 TEST_P(KdTreeLaw, KeepsABetterHit)
 {
   constexpr unsigned kSeed = 3;

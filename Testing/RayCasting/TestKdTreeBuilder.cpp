@@ -7,7 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
-// The tree lists what it must, is well formed, and stays small for any input.
+// The tree lists what it must list, is well formed, and stays small for any input.
 
 namespace irradiance
 {
@@ -23,7 +23,7 @@ using test::RandomVectors;
 using test::Triangles;
 using test::walk;
 
-/// Whether a leaf whose cell, made wider, contains the point lists the primitive.
+/// True if a leaf whose widened cell contains the point lists the primitive.
 bool isListedAt(const KdTree& tree, const Vector3& point, double slack, std::uint32_t primitive,
   std::uint32_t index = 0)
 {
@@ -61,7 +61,7 @@ TEST_P(KdTreeOfMesh, ListsEveryPrimitiveWhereItIs)
       const auto& [a, b, c] = triangles[i];
       for (int k = 0; k < 200 / test::kFewer; ++k)
       {
-        // Every third in a corner or on an edge.
+        // Every third point is in a corner or on an edge.
         const double s = k % 3 == 0 ? k / 3 % 2 : random.uniform(0, 1);
         const double t = k % 3 == 1 ? 0.0 : random.uniform(0, 1 - s);
         const Vector3 point = a + s * (b - a) + t * (c - a);
@@ -181,8 +181,8 @@ TEST(KdTreeBuilder, TakesDegenerateInput)
   }
 }
 
-/// Large triangles across each other in one plane: in a thin cell every split seems to pay, and
-/// every plane parts many.
+/// Large triangles cross each other in one plane: in a thin cell every split seems to pay, and
+/// every plane cuts many of them.
 TEST(KdTreeBuilder, BoundsTheReferences)
 {
   constexpr unsigned kSeed = 3;
@@ -206,7 +206,7 @@ TEST(KdTreeBuilder, PollsItsCheckpoint)
   KdTreeBuilder builder;
   builder.checkpoint = [&] { ++polls; };
   builder.build(primitivesOf(triangles));
-  // At least ten levels have as many items as the root, each at most 2^15 items after another.
+  // At least ten levels have as many items as the root, and polls are at most 2^15 items apart.
   EXPECT_GT(polls, 10);
   builder.checkpoint = [] { throw std::runtime_error("stop"); };
   EXPECT_THROW(builder.build(primitivesOf(triangles)), std::runtime_error);

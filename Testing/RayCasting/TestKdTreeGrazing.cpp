@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-// A ray almost in the plane of a large triangle is told a distance that is off by up to 2^-52 of
-// the size over the tilt, some 2^-13 for the flattest hits that count. If something lies just in
-// front of the triangle's edge, the triangle may be the closer one by its distance and the farther
-// one by its place in the tree. The tree must find it all the same.
+// A ray almost in the plane of a large triangle gets a distance that is off by up to 2^-52 of the
+// size divided by the tilt, some 2^-13 for the flattest hits that count. If something lies just in
+// front of the triangle's edge, the triangle may be closer by its computed distance and yet farther
+// by its place in the tree. The tree must still find it.
 
 namespace irradiance
 {
@@ -19,8 +19,8 @@ namespace
 using test::exactly;
 using test::RandomVectors;
 
-/// A large triangle in the x-y plane with an edge through the origin; along the negative x axis a
-/// comb of tiny triangles in the way, and beside it others, which make the tree part the comb from
+/// A large triangle in the x-y plane with an edge through the origin. A comb of tiny triangles
+/// along the negative x axis is in the way; others beside it make the tree separate the comb from
 /// the large triangle.
 test::Triangles combBeforeEdge(double length)
 {
@@ -45,7 +45,7 @@ test::Triangles combBeforeEdge(double length)
   return triangles;
 }
 
-/// Counts rays along x, tilted by `tilt`, for which the tree does not find what brute force does.
+/// Counts rays along x, tilted by about `tilt`, for which the tree and brute force differ.
 int mismatches(const AffineMap& place, double tilt, double length, int rays, RandomVectors& random)
 {
   const test::Triangles triangles = test::moved(combBeforeEdge(length), place);
@@ -94,7 +94,7 @@ TEST(KdTree, FindsAnEarlyHitOfAGrazedTriangle)
       int wrong = 0;
       for (int pose = 0; pose < 10; ++pose)
       {
-        // About the ray only: the tree's planes must stay across the comb.
+        // Rotates about the ray only: the tree's planes must stay across the comb.
         const AffineMap place{
           Eigen::AngleAxisd(0.1 + 0.3 * pose, Vector3::UnitX()).toRotationMatrix(), random.inCube()
         };

@@ -18,20 +18,20 @@
 #include <utility>
 #include <vector>
 
-// Meshes made in code, each hard on ray casting in its own way.
+// Meshes made in code, each hard for ray casting in its own way.
 
 namespace irradiance::test
 {
 
-/// Counts are for an optimised build; sanitizers and -O0 are some twenty times slower.
+/// Test counts are for an optimised build; sanitizers and -O0 are some twenty times slower.
 #if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
 constexpr int kFewer = 25;
 #else
 constexpr int kFewer = 1;
 #endif
 
-/// How often a test is to do what it does: 1, or what VTKIRRADIANCE_TEST_EFFORT says, for runs that
-/// take hours and find what seconds do not.
+/// How often a test repeats its work: 1, or what VTKIRRADIANCE_TEST_EFFORT says, for runs that take
+/// hours and find what seconds do not.
 inline int effort()
 {
   const char* wanted = std::getenv("VTKIRRADIANCE_TEST_EFFORT");
@@ -46,7 +46,7 @@ struct NamedMesh
   Vector3 inside = Vector3::Zero(); ///< a point inside, when closed
 };
 
-/// For INSTANTIATE_TEST_SUITE_P.
+/// Names the tests of INSTANTIATE_TEST_SUITE_P.
 struct NameOfMesh
 {
   template <typename ParamInfo>
@@ -85,7 +85,7 @@ inline Triangles scaled(const Triangles& triangles, double factor)
   return moved(triangles, { factor * Matrix3::Identity(), Vector3::Zero() });
 }
 
-/// Triangles with the corners that they share.
+/// Triangles as indices of shared corners.
 struct IndexedTriangles
 {
   std::vector<Vector3> points;
@@ -102,7 +102,7 @@ struct IndexedTriangles
   }
 };
 
-/// The grid (i, j), 0 <= i <= columns, 0 <= j <= rows, seen with the front towards i cross j.
+/// The grid (i, j), 0 <= i <= columns, 0 <= j <= rows; its front points along i cross j.
 inline Triangles grid(
   int columns, int rows, const std::function<Vector3(int, int)>& point, bool otherDiagonal = false)
 {
@@ -128,7 +128,7 @@ inline Triangles grid(
   return triangles;
 }
 
-/// Closed, fronts outside; each side has n[axis] cells along each axis.
+/// A closed box, fronts outside; each side has n[axis] cells along each axis.
 inline Triangles boxOfCells(const Vector3& lower, const Vector3& upper, const std::array<int, 3>& n)
 {
   const auto coordinate = [&](int axis, int i) {
@@ -153,7 +153,7 @@ inline Triangles boxOfCells(const Vector3& lower, const Vector3& upper, const st
   return triangles;
 }
 
-/// Unit sphere: an icosahedron, each triangle divided into four `level` times.
+/// A unit sphere: an icosahedron, each triangle divided into four, `level` times.
 inline Triangles icosphere(int level)
 {
   const double g = 0.5 * (1 + std::sqrt(5.0));
@@ -191,7 +191,7 @@ inline Triangles icosphere(int level)
   return sphere.flat();
 }
 
-/// Around the z axis, radii 1 and 0.4.
+/// A torus around the z axis with radii 1 and 0.4.
 inline Triangles torus(int around, int across)
 {
   const double step = 2 * std::acos(-1.0);
@@ -227,7 +227,7 @@ inline Triangles room()
   return triangles;
 }
 
-/// Two sheets in one plane, cut along different diagonals, one a part of the other.
+/// Two sheets in one plane, cut along different diagonals; one covers part of the other.
 inline Triangles coincidentSheets(const Matrix3& rotation)
 {
   const auto sheet = [&](double size, bool otherDiagonal) {
@@ -282,8 +282,8 @@ inline Triangles angledHall()
   return hall.flat();
 }
 
-/// A prism of length 1 with an edge of this many degrees along y, where the origin is; the walls
-/// there are 1 long.
+/// A prism of length 1. Its edge of this many degrees runs along y through the origin; the walls at
+/// the edge are 1 long.
 inline Triangles wedge(double degrees)
 {
   const double angle = degrees * std::acos(-1.0) / 180;
@@ -345,7 +345,7 @@ inline Triangles downloadedMesh(const std::string& name)
   return mesh.flat();
 }
 
-/// Closed meshes with a point inside.
+/// Closed meshes, each with a point inside.
 inline std::vector<NamedMesh> closedMeshes()
 {
   const Matrix3 turn = RandomVectors(5).rotation();

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-// The bounds of a triangle's part in a box contain that part, and no more.
+// The bounds of the part of a triangle in a box contain that part and no more.
 
 namespace irradiance
 {
@@ -62,7 +62,7 @@ TEST(PolygonClip, TakesTrianglesWithoutArea)
     { 0, 0.5, 0.5 }, { 1, 0.5, 0.5 });
 }
 
-/// Cut lengths of a segment with a box, by the slab method: an independent way to the same bounds.
+/// Adds the part of a segment in a box, by the slab method: an independent way to the same bounds.
 void addClippedSegment(const Vector3& p, const Vector3& q, const Box& box, Box& bounds)
 {
   double from = 0, to = 1;
@@ -80,7 +80,7 @@ void addClippedSegment(const Vector3& p, const Vector3& q, const Box& box, Box& 
   }
 }
 
-/// Corners of the part are: ends of cut edges of the triangle, and cuts of the box's edges with it.
+/// The corners of the part are ends of clipped triangle edges, and points where box edges cross it.
 Box boundsByCorners(const Triangle& triangle, const Box& box)
 {
   Box bounds;
@@ -127,7 +127,7 @@ TEST(PolygonClip, AgreesWithTheCornersOfThePart)
     const Box found = boundsOfClipped(triangle, box);
     if (expected.isEmpty() || found.isEmpty())
     {
-      // One of the two may see a touch in a point that the other misses by rounding.
+      // Through rounding, one of the two may miss a touch in a single point that the other finds.
       const Box& touch = expected.isEmpty() ? found : expected;
       EXPECT_TRUE(touch.isEmpty() || touch.extent().maxCoeff() < 1e-9 * touch.magnitude()) << i;
       continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons that are concave, touch themselves, cross themselves or have no area; all areas from formulas.
+// Polygons that are concave, touch or cross themselves, or have no area. All areas are by formula.
 
 #include "Meshes/PolygonTriangulation.h"
 #include "RandomVectors.h"
@@ -107,7 +107,7 @@ Corners squareWithHole()
     { 3, 1 }, { 1, 1 } });
 }
 
-/// Not one of them crosses itself.
+/// None of them crosses itself.
 std::vector<NamedPolygon> simplePolygons()
 {
   return {
@@ -144,7 +144,7 @@ std::vector<NamedPolygon> simplePolygons()
   };
 }
 
-/// A turn and a shift, so that what touched now touches but for rounding.
+/// Rotates and shifts, so that what touched still touches up to rounding.
 Corners moved(const Corners& corners, RandomVectors& random)
 {
   const Matrix3 rotation = random.rotation();
@@ -179,7 +179,7 @@ bool hasOnlyCornersOf(const Corners& corners, const std::vector<Triangle>& trian
     [&](const Triangle& t) { return isOld(t.a) && isOld(t.b) && isOld(t.c); });
 }
 
-/// By the edges that cross the ray to the right of (x, y).
+/// Counts the edges that cross the ray to the right of (x, y).
 int windingNumber(const Corners& corners, double x, double y)
 {
   int winding = 0;
@@ -194,7 +194,7 @@ int windingNumber(const Corners& corners, double x, double y)
   return winding;
 }
 
-/// Every point that the polygon goes around lies in one triangle, any other in none.
+/// Expects every point that the polygon goes around in one triangle, and any other in none.
 void expectCovered(const Corners& corners, RandomVectors& random)
 {
   const Cut cut(corners);
@@ -232,7 +232,7 @@ TEST(PolygonTriangulation, AreaAndOrientation)
     EXPECT_TRUE(hasOnlyCornersOf(polygon.corners, Cut(polygon.corners).triangles));
     for (int i = 0; i < 20; ++i)
     {
-      // From any corner, in either direction, anywhere.
+      // Starts at any corner, in either direction, in any position.
       std::rotate(polygon.corners.begin(), polygon.corners.begin() + 1, polygon.corners.end());
       expectArea(moved(polygon.corners, random), polygon.area);
       std::reverse(polygon.corners.begin(), polygon.corners.end());
@@ -294,7 +294,7 @@ TEST(PolygonTriangulation, CrossingItself)
       const Cut cut(corners);
       EXPECT_FALSE(cut.isSimple);
       EXPECT_NEAR(cut.area(), polygon.area, 1e-12);
-      EXPECT_NEAR(cut.areaVector().norm(), polygon.area, 1e-12); // all one way round
+      EXPECT_NEAR(cut.areaVector().norm(), polygon.area, 1e-12); // all oriented alike
       EXPECT_GE(cut.areaVector().dot(areaVector(corners)), -1e-12);
     }
   }
@@ -307,7 +307,7 @@ TEST(PolygonTriangulation, CrossingItselfTooOftenIsAFan)
   EXPECT_EQ(cut.triangles.size(), 299u);
 }
 
-// What the pictures of a crossing polygon depend on, too: where its edges cross.
+// This includes the points where the edges of a polygon cross.
 TEST(PolygonTriangulation, ScalingByAPowerOfTwoScalesTheTriangles)
 {
   std::vector<NamedPolygon> polygons = simplePolygons();
@@ -334,7 +334,7 @@ TEST(PolygonTriangulation, ScalingByAPowerOfTwoScalesTheTriangles)
   }
 }
 
-// A polygon that is star-shaped seen from its front, whatever the heights of its corners.
+// A polygon that is star-shaped as seen from its front, at any heights of its corners.
 TEST(PolygonTriangulation, CornersOutOfThePlane)
 {
   RandomVectors random(6);
@@ -377,7 +377,7 @@ TEST(PolygonTriangulation, QuadsAreCutAlongTheFirstDiagonalThatLiesInside)
     }
     else
     {
-      // Bent by more than an eighth of its width, it does not cross itself.
+      // A quad bent by more than an eighth of its width does not cross itself.
       const double volume = std::abs(a.areaVector().dot(p[3] - p[0]));
       const double width = std::max((p[2] - p[0]).norm(), (p[3] - p[1]).norm());
       if (volume > 0.25 * width * width * width)

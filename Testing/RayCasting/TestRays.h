@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// Rays that are hard on ray casting, aimed at given triangles.
+// Rays that are hard for ray casting, aimed at given triangles.
 
 namespace irradiance::test
 {
@@ -67,7 +67,7 @@ inline const char* nameOf(RayKind kind)
 class RaySource
 {
 public:
-  /// `ids` names the triangles; by default they are those of object 0.
+  /// `ids` identifies the triangles; by default they belong to object 0.
   RaySource(std::vector<Triangle> triangles, unsigned seed, std::vector<TriangleId> ids = {})
     : triangles_(std::move(triangles))
     , ids_(std::move(ids))
@@ -104,7 +104,7 @@ public:
   }
 
   Vector3 vertex() { return corner(any(triangles_), below(3)); }
-  /// Often close to an end.
+  /// A point of a random edge, often close to an end.
   Vector3 pointOfEdge()
   {
     const Triangle& triangle = any(triangles_);
@@ -114,7 +114,7 @@ public:
     return p + t * (q - p);
   }
   RandomVectors& random() { return random_; }
-  /// Contains all origins.
+  /// A box that contains all origins.
   Box originBounds() const
   {
     Box box = bounds_;
@@ -134,7 +134,7 @@ private:
     return k == 0 ? triangle.a : k == 1 ? triangle.b : triangle.c;
   }
 
-  /// In the bounds or around them.
+  /// A point in the bounds or around them.
   Vector3 origin()
   {
     const double reach = below(2) == 0 ? 0.5 : random_.powerOfTwo(-1, 4);
@@ -147,7 +147,7 @@ private:
     return p;
   }
 
-  /// Often the point itself, else a little beside it.
+  /// Often the point itself, otherwise one close to it.
   Vector3 nearly(const Vector3& point)
   {
     const double offset = bounds_.extent().maxCoeff() * random_.powerOfTwo(-52, -16);
@@ -216,7 +216,7 @@ private:
     const Vector3 e = triangle.b - triangle.a, f = triangle.c - triangle.a;
     const int k = below(3);
     const Vector3 p = corner(triangle, k), q = corner(triangle, (k + 1) % 3);
-    // At a corner more often than elsewhere: there a ray passes a triangle on the shortest way.
+    // Aims at corners more often than elsewhere: there a ray's way through a triangle is shortest.
     const Vector3 target = below(2) == 0 ? p : Vector3(p + random_.powerOfTwo(-30, 0) * (q - p));
     const Vector3 along =
       (random_.uniform() * e.normalized() + random_.uniform() * f.normalized()).normalized();

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <initializer_list>
 
-// Law: the same bits in all traversal modes, and they are those of brute force.
+// Law: all traversal modes give the same bits, those of brute force.
 
 namespace irradiance
 {
@@ -37,7 +37,7 @@ class SceneLaw : public testing::TestWithParam<NamedScene>
 protected:
   std::size_t numberOfObjects() const { return GetParam().objects.size(); }
 
-  /// Rays at the triangles of all objects, where they stand in the world.
+  /// Rays aimed at the triangles of all objects, in world space.
   RaySource rays(unsigned seed) const
   {
     const Scene scene = GetParam().scene(TraversalMode::Parallel);
@@ -66,7 +66,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
 {
   constexpr unsigned kSeed = 1;
   constexpr int kRays = 8000 / kFewer;
-  // The last: each object the other way, loose or rigid.
+  // The last ones swap flattened and instanced objects.
   NamedScene other = GetParam();
   for (PlacedBody& object : other.objects)
   {
@@ -115,7 +115,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
   EXPECT_GT(hits, 2 * kRays);
 }
 
-// castDynamic and castMoved see the objects they should and no others, and keep a better hit.
+// castDynamic and castMoved see only the objects that they should, and keep a closer hit.
 TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
 {
   constexpr unsigned kSeed = 2;
@@ -137,7 +137,7 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
       const Ray ray = source.next(kind);
       const Hit all = bruteForceAll(ray);
       const Hit nearest = bruteForce(GetParam(), ray, chosen);
-      // The last ends just behind the hit, where a bound that is too tight shows.
+      // The last one is just behind the hit, so that a bound that is too tight is noticed.
       for (const Hit& best : { Hit{}, all, Hit{ all ? 1.5 * all.distance : 1.0, { 0, 0 } },
              Hit{ std::nextafter(nearest.distance, kInfinity), { 0, 0 } } })
       {
@@ -164,7 +164,7 @@ TEST(Scene, WithoutMovedObjectsNothingIsHit)
   EXPECT_FALSE(scene.castMoved({ { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
 }
 
-// A ray may begin so far away that the whole scene is a point to it.
+// A ray may begin so far away that the scene looks like a point.
 TEST(Scene, CastsFromVeryFar)
 {
   const NamedScene scene{ "", test::bodyOf(test::icosphere(2)), {} };
@@ -185,7 +185,7 @@ TEST(Scene, CastsFromVeryFar)
   }
 }
 
-// The hit of two triangles at one distance is that of the smaller number, in all modes.
+// Of two triangles at the same distance the one with the smaller number is hit, in all modes.
 TEST(Scene, BreaksTiesByObjectAndTriangle)
 {
   const Triangle triangle{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
@@ -257,7 +257,7 @@ TEST(Scene, ScalesExactly)
       {
         const Ray ray = source.next(kind);
         Hit expected = one.cast(ray);
-        // The direction has no unit: distances scale.
+        // The direction has no unit, so distances scale.
         const Ray scaledRay{ factor * ray.origin, ray.direction, ray.start };
         const Hit found = other.cast(scaledRay);
         if (expected)

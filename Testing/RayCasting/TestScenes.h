@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// Scenes with objects under hard maps, in each other and in walls; and brute force over them.
+// Scenes of objects under difficult maps, inside each other and in walls; and brute force.
 
 namespace irradiance::test
 {
@@ -83,7 +83,7 @@ inline Matrix3 conditionNumber(double x, double y, double z)
   return Vector3(x, y, z).asDiagonal();
 }
 
-/// Rotation, shear, reflection, flattened a million times; overlapping each other and the walls.
+/// Rotated, sheared, reflected, flattened a million times; overlapping each other and the walls.
 inline NamedScene hardMaps()
 {
   RandomVectors random(11);
@@ -105,7 +105,7 @@ inline NamedScene hardMaps()
       { box, { conditionNumber(1, 1, 1), { 0.5, 0.5, 0.5 } } } } }; // its sides lie in the walls
 }
 
-/// More objects than any list of recent ones remembers, an empty one among them.
+/// More objects than any list of recent ones can hold, one of them empty.
 inline NamedScene manyObjects()
 {
   RandomVectors random(13);
@@ -126,8 +126,8 @@ inline NamedScene manyObjects()
   return scene;
 }
 
-/// The same box many times in one place: exactly, or turned by quarters so that only rounding
-/// parts the copies; and the same once more as static geometry.
+/// The same box many times in one place: exactly, or turned by quarters, so that only rounding
+/// separates the copies; and once more as static geometry.
 inline NamedScene coincidentBoxes(const Matrix3& common, const char* name)
 {
   const Triangles box = boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 2, 2, 2 });
@@ -156,7 +156,7 @@ inline NamedScene withoutStatic()
   return scene;
 }
 
-/// Far from the origin, where a rounded position is far off by the measure of the objects.
+/// Far from the origin, where rounding moves a position far compared with the objects.
 inline NamedScene farAway()
 {
   NamedScene scene = hardMaps();
@@ -170,8 +170,8 @@ inline NamedScene farAway()
   return scene;
 }
 
-/// Flattened so much that the way to model space and back moves a point by 2^-16 of the room.
-/// Few triangles, so that rays often pass where the bounds of an object end.
+/// Flattened so much that the round trip to model space moves a point by 2^-16 of the room. There
+/// are few triangles, so that rays often pass where the bounds of an object end.
 inline NamedScene nearlyFlat()
 {
   RandomVectors random(15);
@@ -187,8 +187,8 @@ inline NamedScene nearlyFlat()
   return scene;
 }
 
-/// The way to model space and back moves a point by more than the room: a tree over all triangles
-/// reaches far beyond them.
+/// The round trip to model space moves a point by more than the room: a tree over all triangles
+/// extends far beyond them.
 inline NamedScene allButSingular()
 {
   RandomVectors random(17);
@@ -202,8 +202,8 @@ inline NamedScene allButSingular()
   return scene;
 }
 
-/// Small things close to the floor of a hall 1e9 times as large, and a loose one as large as the hall:
-/// what one tree takes for a trifle is more than all of another.
+/// Small objects near the floor of a hall 1e9 times as large, and a flattened one as large as the
+/// hall: what is negligible in one tree exceeds the size of another.
 inline NamedScene crumbsInAHall()
 {
   RandomVectors random(16);
@@ -219,7 +219,7 @@ inline NamedScene crumbsInAHall()
     scene.objects.push_back(
       { box, { random.powerOfTwo(-3, 0) * random.rotation(), 3 * random.inCube() }, i == 3 });
   }
-  // Stretched, so that floats are certain of nothing in it.
+  // Stretched along z only: the condition, by row sums of |M| |M^-1|, stays 1.
   scene.objects.push_back({ sail, { conditionNumber(1, 1, 8), { 0, 0, -1 } }, true });
   return scene;
 }

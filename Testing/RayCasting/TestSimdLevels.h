@@ -9,7 +9,7 @@
 namespace irradiance::test
 {
 
-/// As long as it lives, at most this level is used.
+/// During its lifetime at most this level is used.
 class SimdLimit
 {
 public:
@@ -19,7 +19,7 @@ public:
   SimdLimit& operator=(const SimdLimit&) = delete;
 };
 
-/// All that this machine has.
+/// All levels that this machine supports.
 inline std::vector<SimdLevel> simdLevels()
 {
   std::vector<SimdLevel> levels;

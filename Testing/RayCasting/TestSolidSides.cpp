@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which side of a triangle is solid: within closed surfaces, without rooms, nowhere on sheets.
+// Which side of a triangle is solid: inside bodies, outside rooms, neither for sheets.
 
 #include "Meshes/SolidSides.h"
 
@@ -15,7 +15,7 @@ namespace
 
 using Triangles = std::vector<Triangle>;
 
-/// Front: (b - a) x (d - a).
+/// Its front points along (b - a) x (d - a).
 Triangles quad(const Vector3& a, const Vector3& b, const Vector3& d)
 {
   const Vector3 c = b + d - a;
@@ -41,7 +41,7 @@ Triangles reversed(Triangles triangles)
   return triangles;
 }
 
-/// With its front outside; two triangles a side, the floor first, then the lid.
+/// Fronts outside; two triangles per side, the floor first, then the lid.
 Triangles box(const Vector3& low, const Vector3& high)
 {
   const Vector3 d = high - low;
@@ -51,13 +51,13 @@ Triangles box(const Vector3& low, const Vector3& high)
     quad(high, high - y, high - z) });
 }
 
-/// Faces up.
+/// Its front is up.
 Triangles sheet(double low, double high, double z)
 {
   return quad({ low, low, z }, { high, low, z }, { low, high, z });
 }
 
-/// Parts are runs of triangles; lamps are those of the parts in `lamps`.
+/// Each part is a run of triangles; all triangles of the parts in `lamps` are lamps.
 std::vector<SolidSide> sidesOf(const std::vector<Triangles>& parts,
   const std::vector<std::size_t>& lamps = {}, bool mayHoldRooms = true, bool isOnePart = false)
 {
@@ -107,7 +107,7 @@ TEST(SolidSides, NoneOfSheets)
   open.pop_back();
   EXPECT_EQ(sidesOf({ open }), all(11, SolidSide::None));
   EXPECT_EQ(sidesOf({ sheet(0, 1, 0) }), all(2, SolidSide::None));
-  // There and back: closed, but nothing is within.
+  // There and back: closed, but with nothing inside.
   EXPECT_EQ(
     sidesOf({ joined({ sheet(0, 1, 0), reversed(sheet(0, 1, 0)) }) }), all(4, SolidSide::None));
 }
@@ -124,7 +124,7 @@ TEST(SolidSides, BodiesThatTouchAreBodies)
   }
 }
 
-// A light table as large as the box that stands on it shares its edges.
+// A light table as large as the box that stands on it shares the box's edges.
 TEST(SolidSides, LampsDoNotOpenABody)
 {
   const Triangles cube = box(kLow, kHigh);
@@ -140,16 +140,16 @@ TEST(SolidSides, LampsDoNotOpenABody)
 TEST(SolidSides, WithoutRooms)
 {
   const Triangles cube = box(kLow, kHigh), lamp = sheet(0.25, 0.5, 1);
-  // Front outside: it holds everything, and a lamp.
+  // Front outside: a room, because it holds everything and also a lamp.
   EXPECT_EQ(first(sidesOf({ cube, lamp }, { 1 }), 12), all(12, SolidSide::InFront));
   EXPECT_EQ(first(sidesOf({ cube, lamp }, { 1 }, false), 12), all(12, SolidSide::Behind));
-  // Front within: it holds everything, or something.
+  // Front inside: a room if it holds everything, or something smaller than a side.
   EXPECT_EQ(sidesOf({ reversed(cube) }), all(12, SolidSide::Behind));
   const Triangles elsewhere = sheet(3, 4, 0);
   EXPECT_EQ(first(sidesOf({ reversed(cube), lamp, elsewhere }), 12), all(12, SolidSide::Behind));
   EXPECT_EQ(first(sidesOf({ cube, lamp, elsewhere }), 12), all(12, SolidSide::Behind));
   EXPECT_EQ(first(sidesOf({ reversed(cube), elsewhere }), 12), all(12, SolidSide::InFront));
-  // A box in it is none.
+  // A box in it is not a room.
   const Triangles inner = box({ 0.25, 0.25, 0 }, { 0.5, 0.5, 0.5 });
   const std::vector<SolidSide> both = sidesOf({ cube, inner });
   EXPECT_EQ(first(both, 12), all(12, SolidSide::InFront));

@@ -18,7 +18,7 @@ using test::kFewer;
 using test::NamedMesh;
 using test::RandomVectors;
 
-/// Half of them close to an edge or to a corner; the sum is 1 up to rounding.
+/// Half of them are close to an edge or a corner; the sum is 1 up to rounding.
 Vector3 randomWeights(RandomVectors& random)
 {
   const double s = random.uniform(0, 1), t = random.uniform(0, 1) * (1 - s);
@@ -42,7 +42,7 @@ Vector3 randomWeights(RandomVectors& random)
   return weights / weights.sum();
 }
 
-/// On the side of the normal; one in five grazes.
+/// A direction on the side of the normal; one in five grazes.
 Vector3 randomDirection(const Vector3& normal, RandomVectors& random)
 {
   Vector3 direction = random.direction();
@@ -60,7 +60,7 @@ class SpawnedRays : public testing::TestWithParam<NamedMesh>
 {
 };
 
-// Law: a ray that leaves the inside of a closed mesh meets the inside of the mesh.
+// Law: a ray that starts on the inside of a closed mesh hits the mesh from inside.
 TEST_P(SpawnedRays, StayInAClosedMesh)
 {
   constexpr unsigned kSeed = 1;
@@ -79,7 +79,7 @@ TEST_P(SpawnedRays, StayInAClosedMesh)
     const Ray ray{ point.clearPosition(), randomDirection(point.normal, random), start };
     const Hit hit = scene.castStatic(ray, {});
     const bool isLeak = !hit;
-    const bool isLoss = hit && scene.surfaceAt(ray.direction, hit).isFront; // met from outside
+    const bool isLoss = hit && scene.surfaceAt(ray.direction, hit).isFront; // hit from outside
     leaks += isLeak ? 1 : 0;
     losses += isLoss ? 1 : 0;
     if ((isLeak || isLoss) && leaks + losses <= 3)
@@ -150,7 +150,7 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
     const double inradius = area / perimeter;
     if (inradius < 4 * point.margin)
     {
-      continue; // no room for the margin
+      continue; // too small to keep points off its edges
     }
     const double rounding = 0x1p-45;
     EXPECT_LT(std::abs(point.normal.dot(point.position - a)), rounding * (1 + size)) << i;
@@ -160,9 +160,9 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
       const Vector3 inwards = point.normal.cross(edges[k]).normalized();
       clearance = std::min(clearance, inwards.dot(point.position - corners[k]));
     }
-    // The weights are brought back to a sum of 1, which takes a little of the margin.
+    // Normalising the weights to a sum of 1 takes back a little of the distance.
     EXPECT_GT(clearance, 0.5 * point.margin) << "seed " << kSeed << " triangle " << i;
-    // Nowhere has it gone farther than the inset of two edges asks for.
+    // The point moves no farther than the insets of two edges require.
     const Vector3 exact =
       weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
     const double longest = std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
@@ -172,7 +172,7 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
   }
 }
 
-// Law: no point is farther off than verification takes into account, on the slenderest triangles too.
+// Law: no point is farther off than verification assumes, not even on the slenderest triangles.
 TEST_P(SpawnedRays, BeginWithinTheClearance)
 {
   constexpr unsigned kSeed = 7;
@@ -189,7 +189,7 @@ TEST_P(SpawnedRays, BeginWithinTheClearance)
     farthest = std::max(farthest, (surfacePoint(triangle, weights).clearPosition() - hit).norm());
   }
   EXPECT_LE(farthest, bound * (1 + 0x1p-20));
-  EXPECT_GT(farthest, 0.001 * bound); // not beyond all measure
+  EXPECT_GT(farthest, 0.001 * bound); // the bound is not absurdly large
 }
 
 TEST(SurfacePoint, OfATriangleThinnerThanTheMarginStaysInIt)

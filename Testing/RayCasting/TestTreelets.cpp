@@ -10,8 +10,8 @@
 #include <functional>
 #include <utility>
 
-// The boxes of treelets lie in each other, can be searched from near to far, and are as few and as
-// small as can be.
+// The boxes of treelets are nested, can be searched from near to far, and are as few and as small
+// as possible.
 
 namespace irradiance
 {
@@ -72,7 +72,7 @@ TEST_P(TreeletsOfMesh, BoxesLieWithinThoseAbove)
   });
 }
 
-/// Whether a ray of the octant that is in one box may later be in the other.
+/// True if a ray of the octant that is in the first box may later be in the second.
 bool mayFollow(const Treelet& treelet, unsigned octant, unsigned first, unsigned second)
 {
   for (unsigned axis = 0; axis < 3; ++axis)
@@ -80,7 +80,7 @@ bool mayFollow(const Treelet& treelet, unsigned octant, unsigned first, unsigned
     const bool isNegative = (octant >> axis & 1) != 0;
     const auto& lower = treelet.bounds[0][axis];
     const auto& upper = treelet.bounds[1][axis];
-    // Boxes that touch at a plane count as parted by it.
+    // Boxes that touch at a plane count as separated by it.
     if (isNegative ? lower[second] >= upper[first] : upper[second] <= lower[first])
     {
       return false;
@@ -140,7 +140,7 @@ double areaOf(const KdTree& tree, const TreeletPlan& plan, std::uint32_t root)
   return tree.filled[root].halfArea() + below(root, Treelet::kSize);
 }
 
-/// The least sum of areas, by trying for each node whether it is the first of a treelet.
+/// The least sum of areas, by trying for each node whether it is the root of a treelet.
 class AllPlans
 {
 public:

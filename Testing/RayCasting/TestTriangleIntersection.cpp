@@ -91,7 +91,7 @@ TEST(TriangleIntersection, FindsAnyKnownPoint)
     const double width = area.norm() / triangle.bounds().extent().maxCoeff();
     if (sine * width < 1e-3)
     {
-      continue; // seen too flat to know the answer well
+      continue; // seen too flat for a reliable reference
     }
     const auto hit = meet(origin, direction, triangle);
     ASSERT_TRUE(hit) << "seed " << kSeed << " ray " << i;
@@ -129,7 +129,7 @@ TEST(TriangleIntersection, NothingMeetsATriangleEdgeOn)
   RandomVectors random(kSeed);
   for (int i = 0; i < 20000; ++i)
   {
-    // All coordinates are multiples of 2^-20, so that the ray lies in the plane exactly.
+    // All coordinates are multiples of 2^-20, so that the ray lies exactly in the plane.
     const auto onGrid = [&] { return std::round(random.uniform() * 0x1p20) * 0x1p-20; };
     const double z = onGrid();
     const Triangle triangle{ { onGrid(), onGrid(), z }, { onGrid(), onGrid(), z },
@@ -173,7 +173,7 @@ TEST(TriangleIntersection, ScalesExactly)
   EXPECT_GT(hits, 40000);
 }
 
-// With all instructions, in all lanes: the bits of the test of one triangle.
+// All instruction sets and all lanes give the bits of the test of one triangle.
 TEST(TriangleIntersection, IsTheSameInLanes)
 {
   constexpr unsigned kSeed = 5;

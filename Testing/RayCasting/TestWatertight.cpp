@@ -10,7 +10,7 @@
 #include <array>
 #include <map>
 
-// From inside a closed mesh no ray gets out, however exactly it is aimed at an edge or a vertex.
+// No ray escapes from inside a closed mesh, however precisely it is aimed at an edge or a vertex.
 
 namespace irradiance
 {
@@ -61,8 +61,8 @@ bool meetsAny(const ShearedRay& ray, const std::vector<Triangle>& triangles)
     [&](const Triangle& triangle) { return ray.intersects(triangle, distance); });
 }
 
-/// Where a ray may start: inside, and as far off the nearest surface as a point of a walk is
-/// (SurfacePoint::margin). Found by going part of the way from the known point to a surface.
+/// A point inside: at most 99 % of the way from the known point to the surface in a random
+/// direction. So it is farther off that surface than a point of a walk (SurfacePoint::margin).
 Vector3 pointInside(const NamedMesh& mesh, RandomVectors& random)
 {
   const Vector3 direction = random.direction();

@@ -32,7 +32,7 @@ Matrix3 principalDirections(
     covariance += d * d.transpose();
     pace.step();
   }
-  // A needle's covariance has an entry of size n and others near its rounding; the solver copes.
+  // A needle's covariance: one entry is large, the others near its rounding. The solver copes.
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(covariance);
   const bool usable = solver.info() == Eigen::Success && solver.eigenvectors().allFinite();
   return usable ? solver.eigenvectors() : Matrix3::Identity();

@@ -11,7 +11,7 @@
 namespace irradiance
 {
 
-/// The frame along the principal directions of a set of points in which they fill [-1,1]^3.
+/// The frame, along the principal directions of a set of points, in which the points fill [-1,1]^3.
 struct CubeFrame
 {
   Vector3 origin;             // in the model
@@ -25,8 +25,8 @@ struct CubeFrame
   }
 };
 
-/// An axis along which the points have no extent is 2^-20 of the longest, or 2^-44 of the distance
-/// from the origin if that is more. Scales exactly with powers of two.
+/// An axis along which the points have no extent gets 2^-20 of the longest, or 2^-44 of the
+/// distance from the origin if that is more. Scales exactly with powers of two.
 CubeFrame cubeFrame(const std::vector<Vector3>& points, const Checkpoint& checkpoint = {});
 
 }

@@ -16,7 +16,7 @@ namespace
 constexpr double kUnitRoundoff = 0x1p-53;
 constexpr double kThinnest = 0x1p-20;        // of the longest semi-axis, see roundingMap
 constexpr double kLargestRadius = 16.0;      // it is about 1
-constexpr double kSmallestLength = 0x1p-500; // pays for products that vanish
+constexpr double kSmallestLength = 0x1p-500; // pays for products that underflow
 
 Box allOfSpace()
 {
@@ -63,8 +63,8 @@ MovedEllipsoid moved(const EnclosingEllipsoid& ellipsoid, const AffineMap& world
     centerError + axesError + kSmallestLength };
 }
 
-/// Axes shorter than `margin`, or by much than the longest, are taken to be longer: beside the
-/// margin their length does not matter, and it may be 0.
+/// Lengthens axes shorter than `margin` or much shorter than the longest. Beside the margin their
+/// length does not matter, and it may be 0.
 Matrix3 roundingMap(const Matrix3& matrix, double margin)
 {
   const Matrix3 semiAxes = principalSemiAxes(matrix);
@@ -83,7 +83,7 @@ Matrix3 roundingMap(const Matrix3& matrix, double margin)
   return usable.cwiseInverse().asDiagonal() * directions.transpose();
 }
 
-/// At least |G^T N| / |n| for N = W^T n as it is computed, whatever n.
+/// An upper bound of |G^T N| / |n| over all n, for N = W^T n as it is computed.
 double radiusBound(const Matrix3& roundFromWorld, const Matrix3& semiAxes)
 {
   const Matrix3 product = roundFromWorld * semiAxes;
@@ -117,7 +117,7 @@ Box boxOfModelBox(const Box& modelBox, const AffineMap& worldFromObject)
   return { center - reach, center + reach };
 }
 
-/// Inflates by `pad` and by the rounding of that, so that nothing within `pad` is left out.
+/// Inflates by `pad` and by the rounding of this step, so that nothing within `pad` is left out.
 Box padded(Box box, double pad)
 {
   const Vector3 lowerRounding = 4.0 * kUnitRoundoff * box.lower.cwiseAbs();
@@ -133,7 +133,7 @@ Box padded(Box box, double pad)
 EllipsoidBound::EllipsoidBound(const EnclosingEllipsoid& ellipsoid, const Box& modelBox,
   const AffineMap& worldFromObject, double worldPad)
   : center_(Vector3::Zero())
-  , roundFromWorld_(Matrix3::Zero()) // every normal is 0 with this, and nothing is rejected
+  , roundFromWorld_(Matrix3::Zero()) // makes every normal 0, so that nothing is rejected
   , radiusSquared_(0.0)
   , margin_(0.0)
 {

@@ -11,13 +11,13 @@
 namespace irradiance
 {
 
-/// Where a rigid object is in one frame, from its ellipsoid alone: a box in the world, and a quick
-/// proof that a segment cannot touch the object. It never looks at the object's triangles.
+/// Bounds a rigid object in one frame by its ellipsoid: a box in the world, and a quick proof that
+/// a segment cannot touch the object. It never looks at the object's triangles.
 class EllipsoidBound
 {
 public:
   /// Any finite affine map will do: a reflection, a shear, one that is nearly or exactly singular.
-  /// `worldPad` is a length in the world: the caller's own rounding of the object's points.
+  /// `worldPad` is a length in the world: the caller's own error of the object's points.
   /// If any of the numbers is not finite, the box is all of space and nothing is rejected.
   EllipsoidBound(const EnclosingEllipsoid& ellipsoid, const Box& modelBox,
     const AffineMap& worldFromObject, double worldPad);
@@ -29,8 +29,8 @@ public:
   /// False is always safe, and is the answer when a coordinate is not finite.
   bool rejects(const Vector3& from, const Vector3& to) const noexcept;
 
-  /// A ball that contains all points within `worldPad` of the moved ellipsoid, as a map shows them
-  /// that makes the ellipsoid about round: |roundFromWorld (x - center)| <= radius.
+  /// Every point x within `worldPad` of the moved ellipsoid has |roundFromWorld (x - center)| <=
+  /// radius. The map roundFromWorld makes the ellipsoid nearly a ball.
   struct Ball
   {
     Matrix3 roundFromWorld;
@@ -53,17 +53,17 @@ private:
   static constexpr double kLargest = 1e140;
 
   Vector3 center_;         // in the world
-  Matrix3 roundFromWorld_; // makes the ellipsoid about round, of radius about 1
-  double radiusSquared_;   // of a ball that contains it then
-  double margin_;          // length in the world: worldPad, and how far the ellipsoid may be off
+  Matrix3 roundFromWorld_; // makes the ellipsoid nearly a ball, of radius about 1
+  double radiusSquared_;   // of a ball that contains it in that space
+  double margin_;          // length in the world: worldPad plus the error of the ellipsoid
   Box worldBox_;
 };
 
 // The certificate. Let W = roundFromWorld_ and n any vector. The plane with normal N = W^T n has
 // the ellipsoid, thickened by the margin, on one side; a point x lies strictly on the other if
 //     N . (x - center) - |N| margin > radius |n|.
-// If this holds for both ends of a segment, it does for the whole segment. Whatever n is, this
-// proof stands, so n need not be accurate. Only the inequality itself is guarded against rounding;
+// If this holds for both ends of a segment, it holds for the whole segment. The proof is valid for
+// any n, so n need not be accurate. Only the inequality itself is guarded against rounding;
 // Documentation/Theory.md has the whole argument.
 inline bool EllipsoidBound::isSeparated(
   const Vector3& p, const Vector3& q, const Vector3& n) const noexcept
@@ -74,13 +74,13 @@ inline bool EllipsoidBound::isSeparated(
   const double gapP = normal.dot(p) - length * (margin_ + kRounding * p.lpNorm<1>());
   const double gapQ = normal.dot(q) - length * (margin_ + kRounding * q.lpNorm<1>());
   const double gap = std::min(gapP, gapQ);
-  // Beyond these limits, or with a NaN, a product may have vanished or overflowed.
+  // Beyond these limits, or with a NaN, a product may have underflowed or overflowed.
   const bool isInRange =
     (gapP > kSmallest) & (gapQ > kSmallest) & (gapP < kLargest) & (gapQ < kLargest);
   return isInRange & (gap * gap > radiusSquared_ * n.squaredNorm());
 }
 
-// The best n is the point of the segment nearest to the centre, as W shows it.
+// The best n is the point of the segment nearest to the centre, in the space that W maps to.
 inline bool EllipsoidBound::rejects(const Vector3& from, const Vector3& to) const noexcept
 {
   const Vector3 p = from - center_;
@@ -88,14 +88,14 @@ inline bool EllipsoidBound::rejects(const Vector3& from, const Vector3& to) cons
   const Vector3 start = roundFromWorld_ * p;
   const Vector3 along = roundFromWorld_ * q - start;
   const double squaredLength = along.squaredNorm();
-  // A segment of no length gives NaN here, which max turns into 0.
+  // A segment without length gives NaN here, which max turns into 0.
   const double position = std::min(1.0, std::max(0.0, -start.dot(along) / squaredLength));
   const Vector3 n = start + position * along;
   if (isSeparated(p, q, n))
   {
     return true;
   }
-  // Beside a flat body a segment is very long, and rounding tilts n towards it: straighten n.
+  // Near a flat body a segment is very long in that space, and rounding tilts n towards it: fix n.
   const double tilt = n.dot(along);
   const bool mayHelp =
     position > 0.0 && position < 1.0 && std::abs(tilt) > kNegligibleTilt * n.squaredNorm();

@@ -20,14 +20,14 @@
 #include <string>
 #include <utility>
 
-// The smallest ellipsoid is affine-equivariant, CGAL's arithmetic is not: an offset, a needle or a
-// door makes it return nonsense marked as valid, or never return. So the points are first moved
-// into a frame where they fill the cube [-1,1]^3, and what CGAL returns is taken as a proposal:
-// its size is measured against all points afterwards, with a bound on the rounding.
+// The smallest ellipsoid is affine-equivariant, but CGAL's arithmetic is not: an offset, a needle
+// or a door makes it return nonsense marked as valid, or never return. So the points are first
+// moved into a frame where they fill the cube [-1,1]^3, and CGAL's result is only a proposal: its
+// size is measured against all points afterwards, with a bound on the rounding.
 //
 // CGAL sees only a few hundred points, the active ones. The ellipsoid of some of the points is
-// never larger than that of all. So if the points left out stick out by a factor g, growing the
-// ellipsoid by g costs at most g^3 in volume; while g is large, the points furthest out join.
+// never larger than that of all. So if the others stick out by a factor g, growing the ellipsoid
+// by g costs at most g^3 in volume. While g is large, the points furthest out become active.
 
 namespace irradiance
 {
@@ -67,7 +67,7 @@ struct CubeEllipsoid
   Matrix3 upper = Matrix3::Identity() / std::sqrt(3.0); // around the whole cube
 };
 
-/// The points that CGAL is to see; those that keep it from calling the set degenerate are added.
+/// The points that CGAL sees: the active ones, and some that keep the set from being degenerate.
 Points fullDimensional(const Points& active, const CubeFrame& frame)
 {
   Points points = active;
@@ -85,7 +85,7 @@ Points fullDimensional(const Points& active, const CubeFrame& frame)
       points.push_back(mean - Vector3::Unit(axis));
     }
   }
-  while (points.size() <= 4) // CGAL holds any four points to be degenerate, even a tetrahedron
+  while (points.size() <= 4) // CGAL treats any four points as degenerate, even a tetrahedron
   {
     points.push_back(points.front());
   }
@@ -125,7 +125,7 @@ std::optional<CubeEllipsoid> proposeByCgal(const Points& points)
   return CubeEllipsoid{ -0.5 * factor.solve(vector), factor.matrixU() };
 }
 
-/// About `active` in the cube frame; falls back to the ellipsoid around the cube.
+/// The ellipsoid around `active` in the cube frame; falls back to the one around the cube.
 CubeEllipsoid encloseInCube(const Points& active, const CubeFrame& frame)
 {
   const Points points = fullDimensional(active, frame);
@@ -159,7 +159,7 @@ EnclosingEllipsoid toModel(const CubeEllipsoid& ellipsoid, const CubeFrame& fram
   return result;
 }
 
-/// How far the points reach from the centre, in units of the ellipsoid's surface.
+/// How far the points are from the centre, in units of the ellipsoid's surface.
 struct Reach
 {
   double largest = 0.0;                // an upper bound that holds in exact arithmetic
@@ -178,8 +178,7 @@ Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points, Ch
     pace.step();
     const Vector3 d = points[i] - ellipsoid.center;
     const Vector3 y = ellipsoid.shape * d;
-    // d, the products and the sums are rounded at most four times; twelve leaves room for
-    // the norms, too.
+    // d, the products and the sums are rounded at most four times; twelve covers the norms, too.
     const double error = 12.0 * kUnitRoundoff * (absoluteShape * d.cwiseAbs()).norm();
     const double distance = y.norm() + error;
     const int octant = (y[0] < 0.0 ? 1 : 0) + (y[1] < 0.0 ? 2 : 0) + (y[2] < 0.0 ? 4 : 0);
@@ -224,7 +223,7 @@ std::vector<std::size_t> extremePoints(
   return { extreme.begin(), extreme.end() };
 }
 
-/// Adds the points that stick out to the active ones; false if there is nothing new to add.
+/// Makes the points that stick out active; false if none is new.
 bool activate(const Reach& reach, std::vector<std::size_t>& active)
 {
   const std::size_t before = active.size();
@@ -277,7 +276,7 @@ EnclosingEllipsoid growAround(
   double margin = 4.0 * kUnitRoundoff;
   for (int round = 0; round < kMaxRounds; ++round)
   {
-    // A single point is at the centre and has no reach; it keeps the thickness of its frame.
+    // A single point is at the centre, at distance 0. It keeps the thickness of its frame.
     ellipsoid.shape /= std::max(0.5, reach * (1.0 + margin));
     reach = measureReach(ellipsoid, points, pace).largest;
     if (reach <= 1.0)

@@ -8,7 +8,7 @@ namespace irradiance
 namespace
 {
 
-/// Turns two columns in their plane until they are at right angles; false if they are already.
+/// Makes two columns orthogonal by a Jacobi rotation; false if they are orthogonal already.
 bool orthogonalize(Matrix3& columns, int p, int q)
 {
   constexpr double kNegligible = 0x1p-51 * 0x1p-51; // squared cosine
@@ -42,8 +42,8 @@ void sortLongestFirst(Matrix3& columns)
 
 }
 
-// One-sided Jacobi iteration (Hestenes 1958). The squares of an eigenvalue solver would drown the
-// axes of a needle.
+// One-sided Jacobi iteration (Hestenes 1958). An eigenvalue solver works on squares, in which the
+// short axes of a needle would drown.
 Matrix3 principalSemiAxes(const Matrix3& matrix)
 {
   // A power of two near the largest entry keeps fourth powers in range.

@@ -7,9 +7,9 @@
 namespace irradiance
 {
 
-/// The ellipsoid that `matrix` makes of the unit ball: columns are its semi-axes, at right angles
-/// to each other, longest first. A short axis is as accurate, in relation to its own length, as a
-/// long one; an axis of length 0 is a zero column. Scales exactly with powers of two.
+/// The columns are the semi-axes of the image of the unit ball under `matrix`, orthogonal to each
+/// other, longest first. A short axis is as accurate, relative to its own length, as a long one; an
+/// axis of length 0 is a zero column. Scales exactly with powers of two.
 Matrix3 principalSemiAxes(const Matrix3& matrix);
 
 }

@@ -7,7 +7,7 @@
 namespace irradiance
 {
 
-/// Bounds of a box that a map has moved; empty if the box is.
+/// Bounds of a box that a map has moved; empty if the box is empty. Not rounded outwards.
 inline Box movedBox(const AffineMap& map, const Box& box)
 {
   if (box.isEmpty())

@@ -28,7 +28,7 @@ struct TriangleId
   friend bool operator!=(const TriangleId& a, const TriangleId& b) { return !(a == b); }
 };
 
-/// Half line in world space. `start` is the triangle it leaves, which it cannot hit again.
+/// Half-line in world space. `start` is the triangle that it leaves and cannot hit again.
 struct Ray
 {
   Vector3 origin;
@@ -36,13 +36,13 @@ struct Ray
   TriangleId start;
 };
 
-/// Where a ray ends. Default: nowhere.
+/// Where a ray ends. By default it hits nothing.
 struct Hit
 {
-  double distance = kInfinity; ///< in multiples of the ray's direction
+  double distance = kInfinity; ///< in units of the ray's direction
   TriangleId id;
-  /// Barycentric weights of the second and third corner; rounded to float, so that a stored hit
-  /// says all that is needed to go on from it.
+  /// Barycentric weights of the second and third corner. They are rounded to float, so that a
+  /// stored hit defines exactly the point from which the walk continues.
   std::array<float, 2> weights{};
 
   explicit operator bool() const { return id.object != TriangleId::kNone; }
@@ -54,7 +54,7 @@ struct Hit
   friend bool operator!=(const Hit& a, const Hit& b) { return !(a == b); }
 };
 
-/// The total order that makes the closest hit unique whatever order triangles are visited in.
+/// The total order that makes the closest hit unique in whichever order triangles are visited.
 inline bool isCloser(const Hit& a, const Hit& b)
 {
   return std::tie(a.distance, a.id.object, a.id.triangle) <

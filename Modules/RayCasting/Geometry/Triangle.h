@@ -7,7 +7,7 @@
 namespace irradiance
 {
 
-/// Corners in an order that is counter-clockwise seen from the front.
+/// Corners in counter-clockwise order as seen from the front.
 struct Triangle
 {
   Vector3 a, b, c;
@@ -20,7 +20,7 @@ struct Triangle
     box.add(c);
     return box;
   }
-  /// Length: twice the area; direction: the front.
+  /// Its length is twice the area; it points to the front.
   Vector3 areaVector() const { return (b - a).cross(c - a); }
   double area() const { return 0.5 * areaVector().norm(); }
 

@@ -9,15 +9,15 @@
 namespace irradiance
 {
 
-/// The axes of space in the order in which a ray sees them: the last is its steepest, the others
-/// follow so that all three keep their handedness.
+/// The coordinate axes as a ray orders them: z is that of its largest component; x and y follow so
+/// that the triangle's orientation, as the ray sees it, is kept.
 struct RayAxes
 {
   int x, y, z;
 
   explicit RayAxes(const Vector3& direction)
   {
-    // Which axis is steepest is as good as random: no branches here.
+    // Which component is largest is unpredictable, so there are no branches here.
     constexpr int kNext[4] = { 1, 2, 0, 1 };
     const Vector3 steepness = direction.cwiseAbs();
     const int steeper = static_cast<int>(steepness[1] > steepness[0]);
@@ -30,24 +30,24 @@ struct RayAxes
 };
 
 /**
- * The only ray/triangle test of the project: every traversal, every verification and brute force
+ * The only ray/triangle test of the project. Every traversal, every verification and brute force
  * call it, so that they agree bit for bit.
  *
  * After Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): the triangle is
  * sheared so that the ray becomes the z axis, and the origin is tested against three edge functions
  * in 2D. Two triangles that share an edge compute its function from the same two points with
- * opposite signs, so no ray slips between them. This needs products that are rounded on their own:
- * the file must be compiled without fused multiply-add (-ffp-contract=off).
+ * opposite signs, so no ray slips between them. Each product must be rounded on its own: the file
+ * must be compiled without fused multiply-add (-ffp-contract=off).
  *
- * No branches: a loop over many meetings becomes SIMD.
+ * It has no branches, so that a loop over many intersections becomes SIMD.
  */
 struct Intersection
 {
-  bool isHit;      ///< the closed triangle, in front of the origin
-  double distance; ///< in units of the direction; this and the weights have a meaning only if met
+  bool isHit;      ///< the ray hits the closed triangle, in front of the origin
+  double distance; ///< in units of the direction; this and the weights are valid only if isHit
   double weightA, weightB, weightC; ///< barycentric
 
-  /// All coordinates by RayAxes.
+  /// Coordinates in the order of RayAxes.
   struct Point
   {
     double x, y, z;
@@ -64,8 +64,8 @@ struct Intersection
     const double v = sa.x * sc.y - sa.y * sc.x;
     const double w = sb.x * sa.y - sb.y * sa.x;
     const bool isOutside = (least(least(u, v), w) < 0) & (most(most(u, v), w) > 0);
-    // A triangle seen edge-on has a silhouette of width zero up to rounding: where along it the ray
-    // passes is noise, so such a meeting does not count. Zero-area triangles end here as well.
+    // The silhouette of a triangle seen edge-on has zero width up to rounding. Where along it the
+    // ray passes is noise, so this is no hit. Triangles of zero area are rejected here as well.
     const double determinant = u + v + w;
     const double spread = most(most(square(sa), square(sb)), square(sc));
     const bool isBroad = (determinant < 0 ? -determinant : determinant) > kEdgeOn * spread;
@@ -94,7 +94,7 @@ private:
   __attribute__((always_inline)) static double most(double a, double b) { return a > b ? a : b; }
 };
 
-/// One ray on its way through many triangles.
+/// One ray, to be tested against many triangles.
 class ShearedRay
 {
 public:
@@ -105,8 +105,9 @@ public:
   {
   }
 
-  /// True if the ray meets the closed triangle in front of its origin; then `distance` is set, and
-  /// `weights`, when asked for, to the barycentric coordinates (not negative, sum about 1).
+  /// True if the ray hits the closed triangle in front of its origin. Then `distance` is set, in
+  /// units of the direction, and `weights`, if given, to the barycentric coordinates (>= 0, sum
+  /// about 1).
   bool intersects(const Triangle& triangle, double& distance, Vector3* weights = nullptr) const
   {
     const Intersection intersection(

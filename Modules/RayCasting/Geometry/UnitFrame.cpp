@@ -10,7 +10,7 @@ namespace irradiance
 namespace
 {
 
-/// Boxes below 2^-500 are points; a scale must be finite.
+/// Boxes smaller than 2^-500 count as points, so that the scale stays finite.
 constexpr int kSmallestExponent = -500;
 
 }
@@ -22,7 +22,7 @@ UnitFrame::UnitFrame(const Box& box)
     center = box.center();
     int exponent = 0;
     std::frexp(0.5 * box.extent().maxCoeff(), &exponent);
-    // A box of no extent is a point: any scale will do.
+    // A box without extent is a point, for which any scale will do.
     scale =
       box.extent().maxCoeff() > 0 ? std::ldexp(1.0, -std::max(exponent, kSmallestExponent)) : 1.0;
   }

@@ -7,9 +7,9 @@
 namespace irradiance
 {
 
-/// unit = (position - center) * scale, with a power of two for a scale: a tree's box becomes about
-/// [-1, 1]^3, so that floats serve at every scale and place, and scaling a scene by 2^k changes
-/// nothing.
+/// unit = (position - center) * scale, where the scale is a power of two. A tree's box becomes
+/// about [-1, 1]^3, so that floats suffice at every scale and place, and scaling a scene by 2^k
+/// changes nothing.
 struct UnitFrame
 {
   Vector3 center = Vector3::Zero();

@@ -17,7 +17,7 @@ using Matrix3 = Eigen::Matrix3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// x -> linear * x + translation. Name a variable by both frames: `worldFromObject`.
+/// x -> linear * x + translation. Variables name both frames: `worldFromObject`.
 struct AffineMap
 {
   Matrix3 linear = Matrix3::Identity();

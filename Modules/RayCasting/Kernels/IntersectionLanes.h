@@ -9,7 +9,7 @@
 namespace irradiance
 {
 
-/// Eight meetings of a ray and a triangle side by side.
+/// Eight intersections of a ray and a triangle, side by side.
 struct IntersectionLanes
 {
   static constexpr unsigned kSize = 8;
@@ -31,7 +31,7 @@ struct IntersectionLanes
   };
 
   Points origin, direction, a, b, c;
-  alignas(64) double distance[kSize] = {}; ///< not a number where nothing is met
+  alignas(64) double distance[kSize] = {}; ///< NaN where the ray misses
   alignas(64) double weightB[kSize] = {}, weightC[kSize] = {};
 
   void set(
@@ -45,7 +45,7 @@ struct IntersectionLanes
     c.set(lane, axes, triangle.c);
   }
 
-  /// To be compiled once for each kind of machine.
+  /// Is compiled once for each instruction set.
   __attribute__((always_inline)) void intersect()
   {
     for (unsigned lane = 0; lane < kSize; ++lane)
@@ -59,7 +59,7 @@ struct IntersectionLanes
   }
 };
 
-/// With the best instructions of the machine; the same bits with all.
+/// Uses the best instructions of the machine. All give the same bits.
 void intersectAll(IntersectionLanes& lanes);
 void intersectAllAvx2(IntersectionLanes& lanes);
 void intersectAllAvx512(IntersectionLanes& lanes);

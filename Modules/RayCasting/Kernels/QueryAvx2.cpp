@@ -20,7 +20,7 @@ namespace irradiance
 namespace
 {
 
-/// The boxes of a treelet in two halves.
+/// Tests the 16 boxes of a treelet in two halves.
 struct Avx2Kernel
 {
   static __m256 pass(const float* planes, const TreeQuery& query, int axis)
@@ -29,7 +29,7 @@ struct Avx2Kernel
       _mm256_broadcast_ss(query.originInverse + axis));
   }
 
-  /// Where the ray enters eight boxes; all bits are set of those that it passes.
+  /// Writes to `from` where the ray enters eight boxes; all bits are set of those that it passes.
   static __m256i enterHalf(
     const float* planes, const BoxFaces& faces, const TreeQuery& query, float* from)
   {
@@ -44,7 +44,8 @@ struct Avx2Kernel
       _mm256_cmp_ps(begin, _mm256_add_ps(end, _mm256_broadcast_ss(&query.pad)), _CMP_LE_OQ));
   }
 
-  /// Where the ray enters the boxes; returns those that it passes, one bit each, from far to near.
+  /// Writes to `from` where the ray enters the boxes; returns the ones it passes, one bit each,
+  /// from far to near.
   static unsigned enter(
     const Treelet& treelet, const BoxFaces& faces, const TreeQuery& query, float* from)
   {

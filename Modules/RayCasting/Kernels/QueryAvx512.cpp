@@ -20,7 +20,7 @@ namespace irradiance
 namespace
 {
 
-/// All 16 boxes of a treelet at once.
+/// Tests all 16 boxes of a treelet at once.
 struct Avx512Kernel
 {
   static __m512 pass(const float* planes, const TreeQuery& query, int axis)
@@ -29,7 +29,8 @@ struct Avx512Kernel
       _mm512_set1_ps(query.originInverse[axis]));
   }
 
-  /// Where the ray enters the boxes; returns those that it passes, one bit each, from far to near.
+  /// Writes to `from` where the ray enters the boxes; returns the ones it passes, one bit each,
+  /// from far to near.
   static unsigned enter(
     const Treelet& treelet, const BoxFaces& faces, const TreeQuery& query, float* from)
   {

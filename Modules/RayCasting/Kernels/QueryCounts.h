@@ -7,7 +7,7 @@
 namespace irradiance
 {
 
-/// What searches did.
+/// What searches did, in numbers.
 struct QueryCounts
 {
   std::uint64_t treelets = 0;  ///< entered
@@ -23,7 +23,7 @@ struct QueryCounts
   }
 };
 
-/// Where the searches of this thread are counted; null, as at first, if they are not.
+/// Where the searches of this thread are counted; null, the initial value, if they are not.
 QueryCounts*& queryCounts();
 
 }

@@ -13,7 +13,7 @@ namespace irradiance
 namespace
 {
 
-/// Walks down the treelets in double.
+/// Searches the treelets in double.
 class PlainSearch
 {
 public:
@@ -60,7 +60,7 @@ private:
     }
   }
 
-  /// The boxes that the ray passes, on the stack from far to near.
+  /// Pushes the boxes that the ray passes, from far to near.
   void stepInto(const Treelet& treelet)
   {
     ++counts_.treelets;
@@ -80,7 +80,7 @@ private:
     }
     for (const unsigned lane : treelet.farToNear[octant_])
     {
-      // From far enough even the boxes that are not there are near the others.
+      // From a distant origin even the boxes of empty lanes seem to be near the others.
       if (treelet.children[lane] != Treelet::kEmpty)
       {
         push(treelet.children[lane], from[lane], to[lane]);
@@ -105,7 +105,7 @@ private:
     }
   }
 
-  /// As the other kernels reject triangles, if floats can.
+  /// Rejects triangles as the other kernels do, where floats can.
   bool misses(const TriangleBlock& block, unsigned lane) const;
 
   QuerySource& source_;

@@ -25,7 +25,7 @@ bool TreeQuery::prepare(const QueryRequest& request)
   rate = largest * tree->frame().scale;
   const double distant = exactOrigin.cwiseAbs().maxCoeff();
   const double steepest = exactDirection.cwiseAbs().minCoeff();
-  // With a NaN or an infinite number the plain search ends by itself.
+  // With a NaN or an infinite number this is false, and the plain search ends by itself.
   isForFloats = steepest >= kSmallestComponent && distant <= kLargestOrigin;
   from = std::max(0.0, request.from * rate - tree->slack());
   entry = from;

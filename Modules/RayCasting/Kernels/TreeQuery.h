@@ -13,26 +13,26 @@ namespace irradiance
 struct QueryRequest;
 
 /**
- * A search of one ray in one tree, as the kernels see it: in the tree's unit frame, begun where the
- * ray enters the tree's box, with a direction whose largest component is 1.
+ * A search of one ray in one tree, as the kernels see it: in the tree's unit frame, starting where
+ * the ray enters the tree's box, with a direction whose largest component is 1.
  *
  * Law: no leaf that holds the closest hit is skipped, and no triangle that the test in double would
- * accept is rejected. In the frame every coordinate is at most about 1, so that all rounding is
- * bounded by constants: positions on the ray are off by less than kBlur, see
- * Documentation/Theory.md.
+ * accept is rejected. In the frame every coordinate is at most about 1, so that constants bound all
+ * rounding: positions on the ray are off by less than kBlur. Documentation/Theory.md, section 3,
+ * derives these constants.
  */
 struct TreeQuery
 {
   static constexpr double kBlur = 0x1p-20;
-  /// Of an edge function, for each unit of its triangle's edges, and besides.
+  /// The error of an edge function is below kEdgeBlur * L + kLeastBlur; L = |edge1|_1 + |edge2|_1.
   static constexpr double kEdgeBlur = 0x1p-16;
   static constexpr double kLeastBlur = 0x1p-46;
-  /// Of a determinant, for each unit of its triangle's edges squared.
+  /// The error of a determinant is below kSizeBlur * L^2.
   static constexpr float kSizeBlur = 0x1p-19F;
-  /// What floats can tell ends at steeper directions and farther origins.
+  /// Floats do not serve directions with a smaller component, or farther origins.
   static constexpr double kSmallestComponent = 0x1p-12;
   static constexpr double kLargestOrigin = 0x1p26;
-  static constexpr double kFarthest = 4; ///< nothing is beyond, on a ray within the frame
+  static constexpr double kFarthest = 4; ///< no hit is farther, on a ray that starts in the frame
 
   const TriangleTree* tree;
   // For floats; used only if isForFloats.
@@ -41,38 +41,38 @@ struct TreeQuery
   alignas(16) float inverse[4];       ///< of the direction
   alignas(16) float originInverse[4]; ///< their product
   double rate;           ///< length in the frame, by the largest component, of one unit of distance
-  double entry;          ///< distance of `origin` from where the ray begins
-  float limit;           ///< nothing behind it matters; goes down as hits are found
-  float pad;             ///< the places where planes are passed may be off by half of this
-  float edgeBlur;        ///< of an edge function, for each unit of its triangle's edges
-  float leastBlur;       ///< and besides
+  double entry;          ///< distance of `origin` from the start of the ray, in the frame
+  float limit;           ///< nothing behind it matters; decreases as hits are found
+  float pad;             ///< twice the error of the distances at which the ray passes planes
+  float edgeBlur;        ///< error of an edge function, per unit of edge length
+  float leastBlur;       ///< the part of that error that does not depend on the triangle
   float slack;           ///< a hit's distance may be off by this when the ray grazes
   float margin;          ///< from a hit to the limit behind it
-  std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or none
+  std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or kNone
   unsigned octant;
   bool isForFloats;
-  // For the plain search, which takes all in double.
+  // For the plain search, which is all in double.
   Vector3 exactOrigin;
   Vector3 exactDirection;
-  double from; ///< no hit comes before
+  double from; ///< no hit comes before it
   double exactLimit;
-  // The source's own.
+  // These belong to the source.
   std::uint32_t job;
-  bool isShared; ///< wants to be told of lower limits
+  bool isShared; ///< the source wants to be told of lower limits
 
-  /// False if the ray misses the tree's box.
+  /// Prepares the search; false if the tree is empty or, in floats, the ray misses its box.
   bool prepare(const QueryRequest& request);
-  /// With the places where planes are passed off by `padding`.
+  /// `padding`: the error of the distances at which the ray passes planes.
   void setMargins(double padding)
   {
     pad = static_cast<float>(2 * padding);
     slack = static_cast<float>(tree->slack() + kBlur);
-    // Half a pad for a box's own place, two for its order; see Documentation/Theory.md.
+    // Half a pad for the entry of a box, two for its order; see Documentation/Theory.md.
     margin = slack + 3 * pad;
     edgeBlur = static_cast<float>(kEdgeBlur + 4 * tree->blur());
     leastBlur = static_cast<float>(kLeastBlur + 32 * tree->blur());
   }
-  /// The limits that follow from a hit at this distance.
+  /// Sets the limits that follow from a hit at this distance.
   void setBound(double bound)
   {
     exactLimit = bound * rate + tree->slack();
@@ -81,40 +81,40 @@ struct TreeQuery
       limit = static_cast<float>(std::min(bound * rate - entry + margin, kFarthest));
     }
   }
-  /// A distance, in units of `direction`, behind which the best hit is not. With all of the margin:
-  /// what is a trifle in this tree's frame may be more than all of another tree.
+  /// The best hit is not behind this distance, in units of the request's direction. It includes the
+  /// whole margin: a rounding error in this tree's frame may exceed the size of another tree.
   double bound() const
   {
     return (isForFloats ? static_cast<double>(limit) + entry : exactLimit) / rate;
   }
 };
 
-/// What a search is asked for: a ray in the space of a tree.
+/// Asks for a search: a ray in the space of a tree.
 struct QueryRequest
 {
   const TriangleTree* tree;
   Vector3 origin;
   Vector3 direction;
-  double from;           ///< no hit comes before, in units of `direction`
-  double bound;          ///< the best hit so far
+  double from;           ///< no hit comes before it, in units of `direction`
+  double bound;          ///< distance of the best hit so far, in units of `direction`
   std::uint32_t skipped; ///< see TreeQuery
-  std::uint32_t job;     ///< the owner's number
+  std::uint32_t job;     ///< the source's number for the search
   bool isShared;         ///< see TreeQuery
 };
 
-/// Whose rays are searched: hands out searches and decides on the triangles found. All in double
-/// and in plain code: the kernels only say where to look.
+/// Owns the rays: hands out searches and confirms the triangles found, in double and in plain code.
+/// The kernels only say where to look.
 class QuerySource
 {
 public:
-  /// The next searches, `most` at most; returns their number, 0 at the end.
+  /// Writes up to `most` searches; returns their number, 0 at the end.
   virtual std::size_t next(QueryRequest* requests, std::size_t most) = 0;
   /// A shared search begins.
   virtual void begin(TreeQuery& query) = 0;
-  /// One of these triangles is the closest hit of the search, if there is one.
+  /// A search ends. Its closest hit, if not yet tested, is one of these triangles.
   virtual void finish(
     const TreeQuery& query, const std::uint32_t* references, std::size_t count) = 0;
-  /// Tests a triangle at once and lowers the limit of the query if it is hit.
+  /// Tests a triangle at once and lowers the limit of the query if the ray hits it.
   virtual void test(TreeQuery& query, std::uint32_t reference) = 0;
   /// The limit of a shared query has gone down.
   virtual void narrow(const TreeQuery& query) = 0;
@@ -123,14 +123,14 @@ protected:
   ~QuerySource() = default;
 };
 
-/// Runs all searches of the source, with the best instructions of the machine.
+/// Runs all searches of the source with the best instructions of the machine.
 void runQueries(QuerySource& source);
 
-/// The kernels: the same hits.
+/// The kernels. All find the same hits.
 void runQueriesPlain(QuerySource& source);
 void runQueriesAvx2(QuerySource& source);
 void runQueriesAvx512(QuerySource& source);
-/// One search, all in double. For rays that floats cannot follow.
+/// Runs one search, traversal in double, for rays that floats cannot follow.
 void runQueryPlain(QuerySource& source, TreeQuery& query);
 
 }

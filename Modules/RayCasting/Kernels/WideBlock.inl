@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: a part of WideCast.h.
+// No include guard: a part of WideQuery.inl.
 
 namespace irradiance
 {
 namespace
 {
 
-/// What floats can say of the triangles of a block, one bit for each.
+/// What floats can say about the triangles of a block.
 struct BlockAnswer
 {
-  unsigned possible;           ///< may be the closest hit
-  unsigned certain;            ///< are hit for sure
-  __m256 size, distance, blur; ///< a hit is at distance / size, both up to the blur
+  unsigned possible;           ///< one bit each: may be the closest hit
+  unsigned certain;            ///< one bit each: is hit for certain
+  __m256 size, distance, blur; ///< a hit is at distance / size; each may be off by blur
 };
 
-/// Leaves out only what the test in double cannot accept; unused places hold NaN and drop out.
+/// Rejects only what the test in double cannot accept. Unused places hold NaN and are rejected.
 inline BlockAnswer askBlock(const TriangleBlock& block, const TreeQuery& query)
 {
   const __m256 dx = _mm256_set1_ps(query.direction[0]), dy = _mm256_set1_ps(query.direction[1]),
@@ -80,8 +80,8 @@ struct Candidates
 
   unsigned count;
   std::uint32_t references[kMost];
-  float distances[kMost]; ///< at least, in units of the size
-  float sizes[kMost];     ///< at most
+  float distances[kMost]; ///< lower bounds of distance * size
+  float sizes[kMost];     ///< upper bounds
 
   /// Drops what lies behind the limit.
   void sift(float limit)
@@ -92,7 +92,7 @@ struct Candidates
       references[kept] = references[i];
       distances[kept] = distances[i];
       sizes[kept] = sizes[i];
-      kept += distances[i] > limit * sizes[i] ? 0 : 1; // what is not a number stays
+      kept += distances[i] > limit * sizes[i] ? 0 : 1; // NaN stays
     }
     count = kept;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: a part of WideCast.h.
+// No include guard: a part of WideQuery.inl.
 
 namespace irradiance
 {
@@ -23,14 +23,14 @@ inline double smallestOf(__m256d x)
   return _mm_cvtsd_f64(_mm_min_sd(both, _mm_unpackhi_pd(both, both)));
 }
 
-/// Three coordinates, the first of them twice. Reads eight bytes more, of what follows them.
+/// Three coordinates, the first of them twice. Reads eight bytes beyond the vector.
 inline __m256d loadVector(const Vector3& vector)
 {
   return _mm256_permute4x64_pd(_mm256_loadu_pd(vector.data()), 0x24);
 }
 
-/// What TreeQuery::prepare() does, for searches in floats; those that floats cannot follow are marked.
-/// False if the ray misses the tree's box.
+/// Does what TreeQuery::prepare() does, for searches in floats; clears isForFloats where floats
+/// cannot follow. False if the ray misses the tree's box or enters it too late.
 inline bool prepareWide(const QueryRequest& request, TreeQuery& query)
 {
   const TriangleTree& tree = *request.tree;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: included once by each kernel, between IRRADIANCE_TARGET_BEGIN and _END, after
-// <immintrin.h>, "KdTree.h" and "TreeQuery.h". Only for kernels that have AVX2 and FMA.
+// No include guard: each kernel includes it once, between IRRADIANCE_TARGET_BEGIN and _END, after
+// <immintrin.h>, "Kernels/TreeQuery.h" and the other headers it uses. Needs AVX2 and FMA.
 
 #include "Kernels/WideBlock.inl"
 #include "Kernels/WidePrepare.inl"
@@ -10,7 +10,7 @@ namespace irradiance
 namespace
 {
 
-/// Takes searches from a source, many at a time.
+/// Takes searches from a source, several at a time.
 class RequestQueue
 {
 public:
@@ -19,7 +19,7 @@ public:
   {
   }
 
-  /// The next search that floats can follow; false if there is none. Those they cannot are done on
+  /// The next search that floats can follow; false if there is none. Runs those that they cannot on
   /// the way.
   bool next(TreeQuery& query)
   {
@@ -58,7 +58,7 @@ private:
   QueryRequest requests_[kMost];
 };
 
-/// Where in the bounds of a treelet the faces stand at which a ray enters and leaves boxes.
+/// Offsets, in the bounds of a treelet, of the faces at which a ray enters and leaves boxes.
 struct BoxFaces
 {
   unsigned near[3], far[3];
@@ -74,25 +74,25 @@ struct BoxFaces
   }
 };
 
-/// A search on its way.
+/// A running search.
 template <class Kernel, bool isCounted>
 struct WideSearch
 {
-  /// Children of a treelet that wait to be searched.
+  /// The children of a treelet that are still to be searched.
   struct alignas(64) Left
   {
     float from[Treelet::kSize];
     const Treelet* treelet;
-    unsigned lanes; ///< the places in the order from far to near
+    unsigned lanes; ///< one bit for each such child, in the order from far to near
   };
 
   TreeQuery query;
   BoxFaces faces;
   Candidates candidates;
-  QueryCounts counts; ///< of all searches in this place
+  QueryCounts counts; ///< of all searches that this object ran
   std::uint32_t child;
   unsigned depth;
-  Left stack[KdTree::kMaxDepth + 2]; ///< none of them without a child, but one behind the top
+  Left stack[KdTree::kMaxDepth + 2]; ///< each has a child left, except the one beyond the top
 
   /// Takes the next search; false if there is none.
   bool start(QuerySource& source, RequestQueue& queue)
@@ -112,7 +112,7 @@ struct WideSearch
     return true;
   }
 
-  /// One treelet or leaf; false at the end.
+  /// Searches one treelet or leaf; false at the end.
   __attribute__((always_inline)) bool step(QuerySource& source)
   {
     if ((child & Treelet::kLeaf) == 0)
@@ -131,7 +131,7 @@ struct WideSearch
   }
 
 private:
-  /// Puts the children that the ray passes on the stack. Whether there are any is as good as random:
+  /// Pushes the children that the ray passes. Whether there are any is unpredictable, so there is
   /// no branch.
   __attribute__((always_inline)) void stepInto(const Treelet& treelet)
   {
@@ -190,7 +190,7 @@ private:
     }
   }
 
-  /// Something is hit at this distance or before.
+  /// Lowers the limit: something is hit at this distance or before.
   void lower(float distance, QuerySource& source)
   {
     const float limit = distance * (1 + 0x1p-20F) + query.margin;
@@ -216,7 +216,7 @@ private:
     }
   }
 
-  /// The end of the search.
+  /// Ends the search and hands over its candidates.
   bool finish(QuerySource& source)
   {
     if (candidates.count > 1)
@@ -248,7 +248,7 @@ private:
   }
 };
 
-/// Several searches in turns: while one waits for memory, or for the outcome of a long chain of
+/// Runs several searches in turns: while one waits for memory, or for the result of a long chain of
 /// operations, the others compute.
 template <class Kernel, bool isCounted>
 void runInTurns(QuerySource& source)
@@ -261,7 +261,7 @@ void runInTurns(QuerySource& source)
   {
     ++running;
   }
-  unsigned ended = kTogether; // the first of them that found no successor
+  unsigned ended = kTogether; // the first one that found no next search
   while (running == kTogether && ended == kTogether)
   {
 #pragma GCC unroll 4

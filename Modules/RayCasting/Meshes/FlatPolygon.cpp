@@ -13,7 +13,8 @@ namespace irradiance
 namespace
 {
 
-/// Below this ratio of area to path the area vector may point along a polygon that is not quite planar.
+/// An area vector below this fraction of the sum of its parts may lie in the plane of a polygon
+/// that is not quite planar.
 constexpr double kCancelled = 0x1p-6;
 constexpr int kSmallestBit = 75;       // 2^-75
 constexpr double kLeastTurn = 0x1p-20; // rad
@@ -36,7 +37,7 @@ Axes axesSeenFrom(const Vector3& front)
   return axes;
 }
 
-/// Across the triangle of a corner, the corner furthest from it and the one furthest from their line.
+/// Normal of a triangle: a corner, the one furthest from it, and the one furthest from their line.
 Vector3 normalOfWidestTriangle(const std::vector<Vector3>& corners)
 {
   const Vector3& first = corners.front();

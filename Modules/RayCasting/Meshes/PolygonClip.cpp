@@ -9,8 +9,8 @@ namespace irradiance
 namespace
 {
 
-/// A triangle cut by six planes has nine corners at most. Rounding may bend an edge that lies in a
-/// plane; then a cut makes half as many more, so 3 * 1.5^6 is the hard limit.
+/// A triangle cut by six planes has at most nine corners. Rounding may bend an edge that lies in a
+/// plane; then a cut adds half as many again, so 3 * 1.5^6 is the hard limit.
 struct Polygon
 {
   Vector3 corners[36];

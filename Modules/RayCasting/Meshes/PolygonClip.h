@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// Bounds of the part of a triangle inside a box (Sutherland and Hodgman 1974); empty if none is.
-/// The error is a few ulps of the coordinates.
+/// Bounds of the part of a triangle inside a box (Sutherland and Hodgman 1974); empty if there is
+/// none. The error is a few ulps of the coordinates.
 Box boundsOfClipped(const Triangle& triangle, const Box& box);
 
 }

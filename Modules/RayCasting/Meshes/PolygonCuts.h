@@ -10,15 +10,15 @@
 namespace irradiance
 {
 
-// Polygons that are cut by the order of their corners alone.
+// Cuts polygons by the order of their corners alone.
 
-/// From the first corner.
+/// A fan from the first corner.
 std::vector<Triangle> cutFan(const std::vector<Vector3>& corners);
 
-/// Of a convex polygon: cuts off every other corner, and again, so that few triangles are long and thin.
+/// For a convex polygon. Cuts off every other corner, repeatedly: few triangles are slender.
 std::vector<Triangle> cutConvex(const std::vector<Vector3>& corners);
 
-/// Of four corners: by the diagonal 0-2, unless only 1-3 lies inside. Nothing if neither does.
+/// For four corners. Cuts along diagonal 0-2, or 1-3 if only that lies inside; nothing if neither.
 std::optional<std::vector<Triangle>> cutQuad(const std::vector<Vector3>& corners);
 
 }

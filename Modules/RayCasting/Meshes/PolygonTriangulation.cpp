@@ -24,11 +24,11 @@
 #include <utility>
 
 // The edges are forced into a Delaunay triangulation of the corners. Each edge then adds one to the
-// winding number on its left, so an edge walked there and back adds nothing, and a flood from outside
-// tells for every triangle how often the polygon goes around it.
+// winding number on its left, so an edge walked there and back adds nothing. A flood fill from
+// outside finds for every triangle how often the polygon goes around it.
 //
-// CGAL's predicates are exact, so touching is seen as such. Where edges cross, the fast kernel gives
-// up, and one with exact points of intersection begins anew.
+// CGAL's predicates are exact, so touching is recognised as such. Where edges cross, the fast
+// kernel gives up, and one with exact points of intersection starts again.
 
 namespace irradiance
 {
@@ -37,11 +37,11 @@ namespace
 
 using Corners = std::vector<Vector3>;
 
-/// Relative to the polygon's size. What overlaps by less, touches: corners may be rounded to float.
+/// Relative to the polygon's size. Less overlap is touching, as corners may be rounded to float.
 constexpr double kTouching = 0x1p-20;
-/// Relative to its width. What is bent like this need not meet where it is seen to cross.
+/// Relative to its width. If bent by more, edges need not intersect where they seem to cross.
 constexpr double kBent = 0x1p-4;
-/// Points of intersection beyond which no more are computed.
+/// The largest number of points of intersection that are computed.
 constexpr std::size_t kMostCrossings = 1000;
 constexpr std::size_t kNoCorner = std::numeric_limits<std::size_t>::max();
 constexpr int kUnknown = std::numeric_limits<int>::min();
@@ -55,7 +55,7 @@ struct Pieces
 
 struct VertexInfo
 {
-  std::size_t corner = kNoCorner; ///< the first of those here
+  std::size_t corner = kNoCorner; ///< the first of the corners at this vertex
 };
 
 struct FaceInfo
@@ -74,7 +74,7 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel,
 
 using FastDelaunay = Delaunay<CGAL::Exact_predicates_inexact_constructions_kernel,
   CGAL::No_constraint_intersection_requiring_constructions_tag>;
-/// The "plus" computes every intersection from whole edges, not from parts that end at intersections.
+/// The "plus" variant intersects whole edges, not parts of edges that end at other intersections.
 using ExactDelaunay = CGAL::Constrained_triangulation_plus_2<
   Delaunay<CGAL::Exact_predicates_exact_constructions_kernel, CGAL::Exact_intersections_tag>>;
 
@@ -129,7 +129,7 @@ private:
   using Vertex = typename Triangulation::Vertex_handle;
   using Face = typename Triangulation::Face_handle;
 
-  /// In an order in which neighbours follow each other but no point follows all on one side.
+  /// In an order in which neighbours are close but earlier points are not all on one side.
   void insertCorners()
   {
     std::vector<std::size_t> order(points_.size());
@@ -188,7 +188,7 @@ private:
     }
   }
 
-  /// A new corner, on edge i.
+  /// Adds a new corner, on edge i.
   void addCrossing(std::size_t i, Vertex vertex)
   {
     const std::size_t next = (i + 1) % corners_.size();
@@ -259,7 +259,7 @@ private:
     return box.sizes().maxCoeff();
   }
 
-  /// Over the longest side.
+  /// The height over the longest side.
   static double height(Face face)
   {
     const Vector2 a = flat(face->vertex(0)->point());

@@ -11,13 +11,13 @@ namespace irradiance
 
 /// Appends the triangles of a polygon, with the polygon's orientation: that of its area vector.
 ///
-/// A polygon may be concave, not quite planar, and may touch itself: what lies inside is what it goes
-/// around once. So a hole that is cut open by an edge walked there and back stays a hole, and a spike
-/// vanishes. Triangles without area may be among the result.
+/// A polygon may be concave, not quite planar, and may touch itself: its inside is what it goes
+/// around once. So a hole connected to the outline by an edge walked there and back stays a hole,
+/// and a spike vanishes. The result may contain triangles without area.
 ///
-/// False if the polygon crosses itself. Then the triangles cover what it goes around at all, in either
-/// direction; where edges cross, new corners arise. One that crosses itself too often, or is far from
-/// planar and is seen to cross itself, becomes a fan.
+/// False if the polygon crosses itself. Then the triangles cover everything that it goes around, in
+/// either direction, and crossings of edges become new corners. A polygon that crosses itself too
+/// often, or is far from planar and appears to cross itself, becomes a fan.
 ///
 /// Scaling the corners by a power of two scales the triangles exactly. Coordinates are finite.
 [[nodiscard]] bool triangulate(

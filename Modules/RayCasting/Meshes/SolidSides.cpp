@@ -19,10 +19,10 @@ struct Shell
 {
   Box bounds;
   bool isClosed = false;
-  bool isTurned = false; ///< its triangles, as given, have their front within
+  bool isTurned = false; ///< its triangles, as given, have their fronts inside
 };
 
-/// Sets of triangles that hang together; each triangle knows whether it runs the other way round than
+/// Sets of connected triangles. Each triangle knows whether its orientation is opposite to that of
 /// the first of its set.
 class OrientedSets
 {
@@ -100,7 +100,7 @@ public:
   const std::vector<Shell>& shells() const { return shells_; }
   const Shell& shellOf(std::size_t triangle) const { return shells_[shellOf_[triangle]]; }
   std::uint32_t number(std::size_t triangle) const { return shellOf_[triangle]; }
-  /// Whether the triangle has its front within.
+  /// True if the triangle has its front inside.
   bool isTurned(std::size_t triangle) const { return isTurned_[triangle] != 0; }
 
 private:
@@ -109,8 +109,8 @@ private:
   struct Edge
   {
     std::uint64_t corners;
-    std::uint32_t triangle; ///< among those chosen
-    int corner;             ///< where it begins
+    std::uint32_t triangle; ///< index among the chosen ones
+    int corner;             ///< where the edge begins
     bool isForward;
   };
   using Edges = std::vector<Edge>;
@@ -139,7 +139,7 @@ private:
     }
   };
 
-  /// Triangles that are in no closed shell yet.
+  /// The triangles that are in no closed shell yet.
   std::vector<std::uint32_t> open(bool withoutLamps) const
   {
     std::vector<std::uint32_t> open;
@@ -167,7 +167,7 @@ private:
       for (int k = 0; k < 3; ++k)
       {
         const Vector3& p = *positions[k];
-        const Corner corner{ { p[0] + 0.0, p[1] + 0.0, p[2] + 0.0 }, // -0 is 0
+        const Corner corner{ { p[0] + 0.0, p[1] + 0.0, p[2] + 0.0 }, // turns -0 into 0
           byParts ? partOf_[chosen[i]] : 0u };
         corners[k] =
           numbers.emplace(corner, static_cast<std::uint32_t>(numbers.size())).first->second;
@@ -183,12 +183,12 @@ private:
     return edges;
   }
 
-  /// Finds the shells of the chosen triangles; keeps those that are closed, or all.
+  /// Finds the shells of the chosen triangles and keeps the closed ones, or all.
   void find(const std::vector<std::uint32_t>& chosen, bool byParts, bool keepsOpen)
   {
     Edges edges = edgesOf(chosen, byParts);
     OrientedSets sets(chosen.size());
-    std::vector<std::uint32_t> flawed; // a triangle of each shell that does not close
+    std::vector<std::uint32_t> flawed; // at least one triangle of each shell that does not close
     for (std::size_t i = 0; i < edges.size();)
     {
       std::size_t end = i + 1;
@@ -215,9 +215,9 @@ private:
     keep(chosen, sets, flawed, keepsOpen);
   }
 
-  /// Where several bodies share an edge: orders its triangles in pairs that belong together. Going round
-  /// the edge, what is solid begins behind a triangle that runs backward along it and ends behind the next
-  /// that runs forward. False if they do not pair.
+  /// Where several bodies share an edge, orders its triangles in pairs that belong together. Going
+  /// around the edge, solid matter begins behind a triangle that runs backward along it and ends
+  /// behind the next one that runs forward. False if they do not pair.
   bool pairAround(
     const std::vector<std::uint32_t>& chosen, Edges::iterator begin, Edges::iterator end) const
   {
@@ -244,7 +244,7 @@ private:
       const Vector3 d = across(*edge);
       around.emplace_back(std::atan2(d.dot(quarter), d.dot(zero)), *edge);
     }
-    // Of triangles that coincide, one ends a solid and the other begins the next.
+    // Of two coinciding triangles, one ends a solid and the other begins the next.
     constexpr double kSameAngle = 1e-6;
     const auto byAngle = [](const auto& a, const auto& b) { return a.first < b.first; };
     std::sort(around.begin(), around.end(), byAngle);
@@ -285,8 +285,8 @@ private:
       Shell shell;
       Vector3 origin;
       double volume =
-        0; // six times that within; negative if the first triangle has its front within
-      double given = 0; // the same of the triangles as they are
+        0; // six times the enclosed one; negative if the first triangle has its front inside
+      double given = 0; // the same with the triangles oriented as given
       std::uint32_t number = kNone;
     };
     std::unordered_map<std::uint32_t, Found> found;
@@ -347,7 +347,7 @@ bool holds(const Box& outer, const Box& inner)
     (inner.upper.array() <= outer.upper.array() + rounding).all();
 }
 
-/// A sheet as large as a side of a box lies against it; what is smaller is in it, or lights it.
+/// A sheet as large as a side of the box lies against it. A smaller one lies in it, or lights it.
 bool isSmallerThanASide(const Box& inner, const Box& outer)
 {
   const double rounding = 0x1p-32 * outer.magnitude();

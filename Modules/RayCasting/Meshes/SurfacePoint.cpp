@@ -9,19 +9,19 @@ namespace irradiance
 namespace
 {
 
-/// The margin, of the largest coordinate.
+/// How far rays start off the triangle, relative to its largest coordinate.
 constexpr double kMargin = 0x1p-33;
-/// How much farther off an edge a point is kept than above its triangle: where two walls meet at
-/// more than the angle of 1 in 64, the step along the normal of one stays in front of the other.
+/// A point is kept this many times farther from the edges than above its triangle. If two walls
+/// meet at more than an angle of 1 in 64, the step off one of them stays in front of the other.
 constexpr double kSharpest = 64;
-/// But no weight is raised beyond this for it, lest a margin that is large beside its triangle (far
-/// from the origin) gathers all points in the middle.
+/// No weight is raised beyond this for that purpose. Otherwise a step that is large beside its
+/// triangle (far from the origin) would gather all points in the middle.
 constexpr double kMostRaised = 0x1p-7;
 
 }
 
-/// Keeping the point off the edges matters: beside an edge the rounded position may lie behind the
-/// neighbour, where no step along the own normal helps.
+/// The point is kept off the edges: beside an edge the rounded position may lie behind the
+/// neighbour, and then no step along the triangle's own normal helps.
 SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
 {
   const Vector3 area = triangle.areaVector();
@@ -43,9 +43,9 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
   return point;
 }
 
-/// Weights that are raised by r in all, and brought back to a sum of 1, move the point by r longest
-/// edges at most. With the radius p of the inner circle the three insets are sqrt(3) margin / p
-/// together at most, the factor for their 1-norms.
+/// Raising the weights by r in all and normalising them to a sum of 1 moves the point by at most r
+/// longest edges. With p the radius of the incircle, the three insets together are at most sqrt(3)
+/// margin / p; the factor sqrt(3) is for the 1-norms.
 double farthestClearance(double magnitude, double longestEdge, double slenderness)
 {
   const double margin = kMargin * magnitude;

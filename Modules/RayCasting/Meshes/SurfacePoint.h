@@ -7,16 +7,16 @@
 namespace irradiance
 {
 
-/// A point of a triangle as a ray may leave it without meeting that triangle or a neighbour by
+/// A point of a triangle that a ray can leave without hitting that triangle or a neighbour through
 /// rounding.
 struct SurfacePoint
 {
   Vector3 position; ///< on the triangle, kept off its edges by 64 `margin` if there is room
   Vector3 normal;   ///< unit vector
-  double margin;    ///< 2^-33 of the largest coordinate: the step along the normal that is clear
+  double margin;    ///< 2^-33 of the largest coordinate: the step along the normal to a clear start
   bool isFront;     ///< the normal points to the front
 
-  /// From the front to the side wanted.
+  /// Turns the normal, which must point to the front, to the given side.
   void turn(bool toFront)
   {
     isFront = toFront;
@@ -25,12 +25,12 @@ struct SurfacePoint
   Vector3 clearPosition() const { return position + margin * normal; }
 };
 
-/// `weights`: barycentric coordinates, not negative. The normal is that of the front.
+/// `weights`: barycentric coordinates, >= 0. The normal of the result points to the front.
 SurfacePoint surfacePoint(const Triangle& worldTriangle, const Vector3& weights);
 
-/// No clear position is farther than this from the point that the weights say, on triangles with no
-/// coordinate larger than `magnitude`, no edge longer than `longestEdge`, and no larger ratio of the
-/// longest edge to the radius of the circle within than `slenderness`.
+/// An upper bound of the distance from the point given by the weights to clearPosition(), for
+/// triangles with coordinates up to `magnitude`, edges up to `longestEdge` and a ratio of longest
+/// edge to incircle radius up to `slenderness`.
 double farthestClearance(double magnitude, double longestEdge, double slenderness);
 
 }

@@ -12,7 +12,7 @@
 namespace irradiance
 {
 
-/// Triangles with their corners side by side, as the intersection test reads them.
+/// Triangles with their corners contiguous, as the intersection test reads them.
 class TriangleMesh
 {
 public:
@@ -22,7 +22,7 @@ public:
   std::size_t size() const { return triangles_.size(); }
   bool isEmpty() const { return triangles_.empty(); }
   const Triangle& operator[](std::size_t i) const { return triangles_[i]; }
-  /// Has the memory bring a triangle that will be read soon.
+  /// Prefetches a triangle that will be read soon.
   void prefetch(std::size_t i) const
   {
     const auto* first = reinterpret_cast<const char*>(triangles_.data() + i);
@@ -32,9 +32,9 @@ public:
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const Box& bounds() const { return bounds_; }
   double longestEdge() const { return longestEdge_; }
-  /// The largest ratio of a triangle's longest edge to the radius of the circle within it.
+  /// The largest ratio of a triangle's longest edge to the radius of its incircle.
   double slenderness() const { return slenderness_; }
-  /// farthestClearance() of its triangles, where they stand.
+  /// The largest farthestClearance() of its triangles, in the mesh's own space.
   double clearance() const { return clearance_; }
 
 private:

@@ -8,10 +8,10 @@
 namespace irradiance
 {
 
-/// Called now and then during long work; throws to stop it. May be empty.
+/// Long work calls it from time to time; it throws to stop the work. May be empty.
 using Checkpoint = std::function<void()>;
 
-/// Calls a checkpoint once in a few thousand steps of a loop.
+/// Calls a checkpoint once every few thousand steps of a loop.
 class CheckpointPace
 {
 public:

@@ -10,13 +10,13 @@
 namespace irradiance
 {
 
-/// A body and its pose in this frame.
+/// A body and its pose in one frame.
 struct PlacedBody
 {
   std::shared_ptr<const RigidObject> body;
   AffineMap worldFromObject;
-  /// Its triangles stand one by one in the tree over moving triangles, which is rebuilt when one of
-  /// them moves; otherwise the body is searched in its own tree, behind its ellipsoid.
+  /// If true, its triangles stand one by one in a tree that every Scene::commit() rebuilds.
+  /// Otherwise the body is searched in its own tree, behind its ellipsoid.
   bool isFlattened = false;
 
   Box worldBounds() const { return movedBox(worldFromObject, body->mesh().bounds()); }

@@ -12,7 +12,7 @@ namespace irradiance
 namespace
 {
 
-/// Memory that serves all batches of a thread.
+/// Memory that all batches of a thread reuse.
 template <class Job>
 std::vector<Job>& emptyJobs()
 {
@@ -290,7 +290,7 @@ void Scene::QueryBatch::test(TreeQuery& query, std::uint32_t reference)
   }
 }
 
-/// The other searches of the ray need not go farther either.
+/// The ray's other searches need not look farther either.
 void Scene::QueryBatch::narrow(const TreeQuery& query)
 {
   const double bound = query.bound();

@@ -10,34 +10,34 @@ namespace irradiance
 {
 
 /**
- * The searches that a batch of rays asks for: which ray in which tree; and the decisions, in double,
- * on the triangles that the searches find. Those are put off until their triangles have come from
- * memory.
+ * The tree queries of a batch of rays (which ray in which tree), and the confirmation in double of
+ * the triangles that they find, which is put off until those have come from memory.
  */
 class Scene::QueryBatch final : public QuerySource
 {
 public:
-  /// `best`: in, hits known before; out, what is closer.
+  /// `best`: on input the hits known before, on output the closer ones. No hit of ray i comes
+  /// before `from[i]`, in units of its direction, if `from` is given.
   QueryBatch(const Scene& scene, const Ray* rays, Hit* best, const double* from = nullptr);
 
-  /// The ray in the tree of an object.
+  /// Adds a search of the ray in the tree of an object.
   void add(std::uint32_t ray, std::uint32_t object);
   void add(std::uint32_t ray, const MixedTree& mixed);
-  /// All rays in the static tree, in this order if it is not empty.
+  /// Searches all rays in the static tree, in this order if it is not empty.
   void runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order);
-  /// All rays in the tree over the bodies of the group, and in the trees of those bodies that they may
-  /// touch.
+  /// Searches all rays in the tree over the bodies of the group, then in the trees of the bodies that
+  /// they may touch.
   void runAllBodies(
     const Group& group, std::uint32_t count, const std::vector<std::uint32_t>& order);
-  /// The ray in all trees of the group that it may touch, without the tree over bodies; false if there
-  /// are none.
+  /// Adds the ray to all trees of the group that it may touch, except those behind the tree over
+  /// bodies; false if there are none.
   bool addGroup(std::uint32_t ray, const Group& group);
-  /// In another order than theirs, the memory does not guess which rays come next: this asks for the
-  /// one some places behind `number`.
+  /// Prefetches the ray some places after `number`: where rays are taken out of order, the hardware
+  /// does not guess which come next.
   void prefetchAhead(const std::vector<std::uint32_t>& order, std::size_t number) const;
   /// Runs what was added.
   void run();
-  /// The same, unless that is still little. Between rays only.
+  /// Runs what was added once it is many. Call it only between rays.
   void runIfMany();
 
   std::size_t next(QueryRequest* requests, std::size_t most) override;
@@ -52,7 +52,7 @@ private:
     std::uint32_t ray;
     std::uint32_t object;   ///< whose tree, if not a mixed one
     const MixedTree* mixed; ///< or null
-    TreeQuery* query;       ///< when it runs
+    TreeQuery* query;       ///< the running query, or null
     double bound;           ///< the ray's best hit is not behind it
   };
 
@@ -77,9 +77,9 @@ private:
   {
     return job.mixed ? job.mixed->ids[reference] : TriangleId{ job.object, reference };
   }
-  /// On all that was put off.
+  /// Tests all pending hits in double.
   void confirm();
-  /// A meeting, which may be the ray's best hit.
+  /// Keeps this hit if it is the ray's closest.
   void take(const PendingHit& decision, double distance, double weightB, double weightC);
 
   static constexpr std::uint32_t kMany = 1024; ///< searches that stay in a processor's cache

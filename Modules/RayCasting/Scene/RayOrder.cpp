@@ -11,7 +11,7 @@ namespace irradiance
 namespace
 {
 
-constexpr unsigned kDigitBits = 11; // of the sort; two digits make a key
+constexpr unsigned kDigitBits = 11; // of the radix sort; two digits make a key
 constexpr unsigned kOriginBits = 5; // for each axis
 constexpr unsigned kDirectionBits = 7;
 static_assert(3 * kOriginBits + kDirectionBits == 2 * kDigitBits, "the key fills the digits");
@@ -24,7 +24,7 @@ std::uint32_t spread(std::uint32_t x)
   return (x | x << 2) & 0x1249u;
 }
 
-/// A cell of the origin, in Morton order, then the octant and the slopes of the direction.
+/// The cell of the origin in Morton order, then the octant and the slopes of the direction.
 std::uint32_t keyOf(const Ray& ray, const Box& bounds, const Vector3& cellsPerLength)
 {
   std::uint32_t cell = 0, direction = 0;
@@ -33,7 +33,7 @@ std::uint32_t keyOf(const Ray& ray, const Box& bounds, const Vector3& cellsPerLe
   {
     const double place = (ray.origin[i] - bounds.lower[i]) * cellsPerLength[i];
     constexpr double kLast = (1u << kOriginBits) - 1;
-    // Not a number: the first cell.
+    // NaN goes to the first cell.
     cell |= spread(static_cast<std::uint32_t>(place > 0 ? std::min(place, kLast) : 0.0)) << i;
     direction = direction << 1 | (ray.direction[i] < 0 ? 1u : 0u);
   }
@@ -51,7 +51,7 @@ struct KeyedRay
   std::uint32_t key, ray;
 };
 
-/// Most rays go on beside the one before them.
+/// True if most rays are near and nearly parallel to the ray before them.
 bool areCoherent(const Ray* rays, std::uint32_t count, const Box& bounds)
 {
   constexpr double kSameWay = 0.95; // cosine

@@ -10,9 +10,9 @@
 namespace irradiance
 {
 
-/// The rays of a batch in an order in which those with like origins and directions are neighbours,
-/// so that they read the same parts of a large tree; empty if they are so already. Only the time
-/// depends on it.
+/// An order of a batch in which rays with similar origins and directions are neighbours, so that
+/// they read the same parts of a large tree; empty if they are in such an order already. Only the
+/// time depends on it.
 std::vector<std::uint32_t> coherentOrder(const Ray* rays, std::uint32_t count, const Box& bounds);
 
 }

@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// Triangles that move together: the mesh, its tree and its ellipsoid in model space, made once. A body
-/// that does not move needs no ellipsoid.
+/// Triangles that move together: the mesh, its tree and its ellipsoid in model space, built once. A
+/// body that does not move needs no ellipsoid.
 class RigidObject
 {
 public:
@@ -18,7 +18,7 @@ public:
 
   const TriangleMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }
-  /// Only of a body that may move.
+  /// Meaningful only if the body may move.
   const EnclosingEllipsoid& ellipsoid() const { return ellipsoid_; }
 
 private:

@@ -16,11 +16,11 @@ namespace irradiance
 namespace
 {
 
-/// Fewer objects than this are tried one after the other.
+/// Fewer instanced objects than this are tried one after the other.
 constexpr std::size_t kManyObjects = 4;
 
-/// How far world positions may be off after the way to model space and back: a few ulps times the
-/// condition of the map. 2^-44 leaves room for sums of a few hundred such errors.
+/// The error of a world position taken to model space and back: a few ulps times the condition of
+/// the map. 2^-44 leaves room for sums of a few hundred such errors.
 double roundTripError(const AffineMap& map, double condition, double magnitude)
 {
   return 0x1p-44 * condition * (magnitude + map.translation.cwiseAbs().maxCoeff());
@@ -83,7 +83,7 @@ void Scene::place(double magnitude)
     const EllipsoidBound bound(
       object.body->ellipsoid(), object.body->mesh().bounds(), object.worldFromObject, error);
     const Box& box = bound.worldBox();
-    // The second factor is for the rounding in mayTouch(), far below the box's own margin.
+    // The factor pays for the rounding in mayTouch(), which is far below the widening of the box.
     placed_.push_back({ object, inverse, condition, error, slack, bound,
       box.isEmpty() ? Vector3::Zero() : box.center(),
       box.isEmpty() ? 0.0 : 0.25 * box.extent().squaredNorm() * (1 + 0x1p-20) });
@@ -192,7 +192,7 @@ bool Scene::mayTouch(const Placed& placed, const Ray& ray, double reach, double 
 
 std::vector<std::uint32_t> Scene::orderOf(const Ray* rays, std::size_t count) const
 {
-  // Trees beyond the processor's own cache, and enough rays that some of them are near each other.
+  // Trees larger than the processor's cache, and enough rays that some are near each other.
   constexpr std::size_t kLargeTrees = 1u << 22, kManyRays = 1u << 15;
   return treeBytes_ > kLargeTrees && count > kManyRays
     ? coherentOrder(rays, static_cast<std::uint32_t>(count), bounds_)
@@ -300,8 +300,8 @@ double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
   return distance;
 }
 
-/// A map makes triangles slenderer by its condition squared at most: edges grow by the largest
-/// singular value, areas shrink by the two smallest.
+/// A map makes triangles slenderer by at most its condition squared: edges grow by at most the
+/// largest singular value, areas shrink by at most the product of the two smallest.
 double Scene::clearance() const
 {
   double farthest = static_->mesh().clearance();
@@ -313,7 +313,7 @@ double Scene::clearance() const
     const double mean = square.trace() / 3;
     const bool isSimilarity = (square - mean * Matrix3::Identity()).norm() < 0.125 * mean;
     const double condition = isSimilarity ? 1.25 : linear.norm() * placed.inverse.norm();
-    // Its own coordinates count, not those of something far.
+    // Only its own coordinates count, not those of something far away.
     const double magnitude = placed.object.worldBounds().magnitude() * (1 + 0x1p-20);
     farthest = std::max(farthest,
       farthestClearance(

@@ -14,21 +14,20 @@
 namespace irradiance
 {
 
-/// How the static and the dynamic geometry are searched; the hit found is the same.
+/// How the static and the dynamic geometry are searched. The hit found is the same.
 enum class TraversalMode
 {
-  OneTree,    ///< all triangles in one tree, rebuilt when anything moves
+  OneTree,    ///< all triangles in one tree, which every commit() rebuilds
   Sequential, ///< first the dynamic trees, then the static one up to the hit found
-  Parallel    ///< static and dynamic trees in turns, a hit in either shortens the search of both
+  Parallel    ///< in one batch, sharing limits; as Sequential from nine instanced objects on
 };
 
 /**
  * The geometry of one frame: the static mesh (object 0) in a static tree, and the dynamic objects
- * (1, 2, ...), which are searched in their own trees behind their ellipsoids, or triangle by triangle
- * in a tree that is rebuilt when one of them moves. A triangle of a dynamic object is always tested
- * in its own model space, whichever tree led to it, so that all modes find the same bits.
- *
- * Rays are cast in batches: the searches of a batch run side by side.
+ * (1, 2, ...). These are instanced (searched in their own trees behind their ellipsoids) or
+ * flattened (triangle by triangle in a tree that every commit() rebuilds). A triangle of a dynamic
+ * object is always tested in its own model space, whichever tree led to it, so that all modes find
+ * the same bits. Rays are cast in batches: the searches of a batch run side by side.
  */
 class Scene
 {
@@ -38,21 +37,21 @@ public:
   void setTraversalMode(TraversalMode mode) { mode_ = mode; }
   void setStatic(std::shared_ptr<const RigidObject> body);
   void setDynamic(const std::vector<PlacedBody>& objects);
-  /// Rays may start here besides on surfaces.
+  /// Rays may also start within these bounds, off all surfaces.
   void setPointSources(const Box& bounds) { pointSources_ = bounds; }
-  /// Rebuilds the trees that depend on poses. `moved[i]` marks the dynamic objects that the
-  /// verification has to look at. Call after any of the above, before any cast.
+  /// Rebuilds the trees that depend on poses. `moved[i]` says whether castMoved() searches dynamic
+  /// object i; empty means none. Call after any of the above and before any cast.
   void commit(const std::vector<bool>& moved, const Checkpoint& checkpoint = {});
 
   /// The closest hits among all triangles.
   void cast(const Ray* rays, std::size_t count, Hit* hits) const;
-  /// For each ray the closest hit in the static tree that is closer than `best`, else `best`. The
-  /// caller knows that there is none before `from`, if that is given.
+  /// For each ray the closest hit in the static tree if it is closer than `best`, else `best`. No
+  /// hit of ray i may come before `from[i]`, if `from` is given.
   void castStatic(
     const Ray* rays, std::size_t count, Hit* best, const double* from = nullptr) const;
-  /// The same among all dynamic objects.
+  /// The same for all dynamic objects.
   void castDynamic(const Ray* rays, std::size_t count, Hit* best) const;
-  /// The same among the objects marked as moved.
+  /// The same for the objects marked as moved.
   void castMoved(const Ray* rays, std::size_t count, Hit* best) const;
 
   Hit cast(const Ray& ray) const
@@ -78,24 +77,24 @@ public:
   }
 
   std::size_t numberOfObjects() const { return placed_.size(); }
-  /// Of all geometry.
+  /// Of all geometry, in world space.
   const Box& bounds() const { return bounds_; }
-  /// The triangle in world space, with the corners in the order of the mesh.
+  /// The triangle in world space, its corners in the order of the mesh.
   Triangle worldTriangle(const TriangleId& id) const;
-  /// The point of a hit; the normal is turned to the side from which a ray of this direction comes.
+  /// The point of a hit. The normal is turned to the side from which a ray of this direction comes.
   SurfacePoint surfaceAt(const Vector3& direction, const Hit& hit) const;
-  /// The point of a hit that came from the front or from the back.
+  /// The point of a hit from the front or from the back. The normal is turned to that side.
   SurfacePoint surfaceOf(const Hit& hit, bool isFront) const;
-  /// The hit of a ray on this triangle, whatever lies before it.
+  /// The hit of a ray on this triangle, even if something lies before it.
   Hit hitOf(const Ray& ray, const TriangleId& id) const;
-  /// The distance at which a ray meets a triangle that it is known to hit.
+  /// The distance at which a ray hits this triangle; infinite if it misses.
   double distanceTo(const Ray& ray, const TriangleId& id) const;
 
-  /// No walk goes on farther than this from where it hit (see SurfacePoint).
+  /// No walk continues farther than this from where it hit, in world units (see SurfacePoint).
   double clearance() const;
 
-  /// A body that contains all that a moved object can hide from a segment: the object, and around it
-  /// as much as the distance of a grazing hit may be off, and `blur`, by which the segment may be.
+  /// Contains all that a moved object can hide from a segment: the object, widened by the error of
+  /// the distance of a grazing hit, and by `blur`, the position error of the segment.
   EllipsoidBound shadowBound(std::uint32_t index, double blur = 0) const;
 
 private:
@@ -104,10 +103,10 @@ private:
     PlacedBody object;
     Matrix3 inverse;  ///< of the linear part
     double condition; ///< of the linear part
-    double roundTrip; ///< error of a world position taken to model space and back
-    double slack;     ///< in the world: a hit may be this much closer than its triangle
+    double roundTrip; ///< error of a world position taken to model space and back, world units
+    double slack;     ///< in world units: a hit may be this much closer than its triangle
     EllipsoidBound bound;
-    Vector3 ballCenter; ///< of a ball around the bound's box, which most segments miss
+    Vector3 ballCenter; ///< of a ball around the bound's box; most segments miss it
     double ballSquaredRadius;
   };
 
@@ -161,12 +160,12 @@ private:
   {
     return bodyOf(id.object).mesh()[id.triangle];
   }
-  /// As the test in double finds them; false if the ray misses the triangle.
+  /// By the test in double; false if the ray misses the triangle.
   bool intersects(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
-  /// Nothing is farther from the ray's origin, in units of its direction.
+  /// No geometry is farther from the ray's origin than this, in units of its direction.
   double reachOf(const Ray& ray) const;
   bool mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const;
-  /// In which to search the rays of a batch; empty: as they are.
+  /// The order in which to search the rays of a batch; empty means as they are.
   std::vector<std::uint32_t> orderOf(const Ray* rays, std::size_t count) const;
   void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;
 

@@ -5,12 +5,11 @@
 namespace irradiance
 {
 
-/// Has the memory bring the line of an address that will be read soon; any address will do.
+/// Prefetches the cache line of an address that will be read soon. Any address is allowed.
 __attribute__((always_inline)) inline void prefetchLine(const void* address)
 {
   __builtin_prefetch(address);
-  // Without this, GCC 12 takes a function that does nothing else for one without effect, and drops
-  // the calls of it.
+  // Without this, GCC 12 considers the function free of side effects and drops calls to it.
   __asm__ volatile("");
 }
 

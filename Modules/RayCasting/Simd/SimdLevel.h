@@ -5,7 +5,7 @@
 namespace irradiance
 {
 
-/// The instructions that searches are made of. What they find is the same, bit for bit.
+/// The instruction set that searches use. The hits found are the same, bit for bit.
 enum class SimdLevel
 {
   Plain, ///< any machine
@@ -13,10 +13,10 @@ enum class SimdLevel
   Avx512 ///< x86-64 with AVX-512 F, VL, BW and DQ
 };
 
-/// The best level of this machine, or the limit if that is lower.
+/// The best level of this machine, or the limit set by limitSimd() if that is lower.
 SimdLevel simdLevel();
 
-/// For tests and benchmarks; not to be called while others compute.
+/// For tests and benchmarks. Must not be called while other threads compute.
 void limitSimd(SimdLevel limit);
 
 }

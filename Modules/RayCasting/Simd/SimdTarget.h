@@ -3,10 +3,10 @@
 #define irradiance_SimdTarget_h
 
 /**
- * Functions between IRRADIANCE_TARGET_BEGIN and IRRADIANCE_TARGET_END may use the instructions named,
- * whatever the machine that compiles. All other headers are to be included before: what they define
- * must stay fit for every machine. Such functions belong into an unnamed namespace, so that the
- * linker never puts one of them in the place of a plain one.
+ * Functions between IRRADIANCE_TARGET_BEGIN and IRRADIANCE_TARGET_END may use the instructions
+ * named, whichever machine compiles them. Include all other headers first: what they define must
+ * run on every machine. Such functions belong in an unnamed namespace, so that the linker never
+ * substitutes one of them for a plain one.
  */
 #define IRRADIANCE_PRAGMA(text) _Pragma(#text)
 #ifdef __clang__

@@ -25,7 +25,7 @@ void addLeaf(const TriangleTree& tree, std::uint32_t first, std::vector<std::uin
   }
 }
 
-/// `box` in the unit frame.
+/// `box` is in the unit frame.
 void addNear(
   const TriangleTree& tree, std::uint32_t node, const Box& box, std::vector<std::uint32_t>& found)
 {

@@ -10,8 +10,8 @@
 namespace irradiance
 {
 
-/// Numbers of the triangles that may touch a box in the space of the tree's triangles, in order, each
-/// once: all that do, and some of their neighbours.
+/// The numbers of all triangles that touch a box in the space of the tree's triangles, and of some
+/// of their neighbours, in ascending order, each once.
 std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& box);
 
 }

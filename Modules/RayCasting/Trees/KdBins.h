@@ -12,7 +12,7 @@
 namespace irradiance
 {
 
-/// How many items begin and end in each of the equal parts of an interval.
+/// Counts how many items begin and end in each of the equal parts of an interval.
 class KdBins
 {
 public:
@@ -24,7 +24,7 @@ public:
     last_ = static_cast<float>(size - 1);
     lower_ = roundDown(lower);
     width_ = (upper - lower_) / size;
-    // Finite: infinite times nothing would be no place at all.
+    // The scale stays finite, because infinity times zero is NaN.
     constexpr double kMostScale = std::numeric_limits<float>::max();
     scale_ = width_ > 0 ? static_cast<float>(std::min(1 / width_, kMostScale)) : 0.0f;
     std::fill_n(begins_.begin(), size + 1, 0);
@@ -33,8 +33,8 @@ public:
 
   int size() const { return size_; }
   double edge(int bin) const { return lower_ + bin * width_; }
-  /// For x from `lower` on; monotonic. Rounding may put x into the neighbour of the bin whose edges
-  /// enclose it, if it is within 2^-22 of the interval's length of them.
+  /// The bin of x >= `lower`; monotonic in x. Rounding may choose the neighbour of the right bin if
+  /// x is within 2^-22 of the interval's length of their common edge.
   int of(float x) const { return static_cast<int>(std::min((x - lower_) * scale_, last_)); }
 
   void add(float lower, float upper)
@@ -42,7 +42,7 @@ public:
     ++begins_[of(lower) + 1];
     ++ends_[of(upper)];
   }
-  /// Ends the counting; then the sums may be asked for.
+  /// Ends the counting. Call it before the sums below.
   void accumulate()
   {
     for (int bin = 0; bin < size_; ++bin)
@@ -51,9 +51,9 @@ public:
       ends_[size_ - 1 - bin] += ends_[size_ - bin];
     }
   }
-  /// Items that begin in the bins before this one.
+  /// Number of items that begin in the bins before this one.
   std::uint32_t begunBefore(int bin) const { return begins_[bin]; }
-  /// Items that end in this bin or behind it.
+  /// Number of items that end in this bin or after it.
   std::uint32_t endingFrom(int bin) const { return ends_[bin]; }
 
 private:

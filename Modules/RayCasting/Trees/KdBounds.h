@@ -22,8 +22,8 @@ inline float roundUp(double x)
   return f < x ? std::nextafter(f, HUGE_VALF) : f;
 }
 
-/// A box of floats, empty at first. Bounds in double are rounded outwards, which loses nothing:
-/// planes are floats, and a double is left of a float exactly if it is so when rounded up.
+/// A box of floats, empty at first. Bounds in double are rounded outwards. This loses nothing:
+/// planes are floats, and a double is left of a float exactly if it still is when rounded up.
 struct KdBounds
 {
   static constexpr float kInfinite = std::numeric_limits<float>::infinity();
@@ -61,7 +61,7 @@ struct KdBounds
       upper[axis] = std::max(upper[axis], other.upper[axis]);
     }
   }
-  /// Half of the surface; not of an empty box.
+  /// Half of the surface area. The box must not be empty.
   float halfArea() const
   {
     const float x = upper[0] - lower[0], y = upper[1] - lower[1], z = upper[2] - lower[2];

@@ -9,7 +9,7 @@
 namespace irradiance
 {
 
-/// What a ray that meets a node is expected to cost, in any unit.
+/// The expected cost of a ray that enters a node, in any unit.
 struct KdCost
 {
   double traversal;   ///< of an inner node
@@ -41,7 +41,7 @@ public:
     rim_ = (u + v) / area;
   }
 
-  /// False where no plane parts anything.
+  /// False if no plane across this axis can split the cell.
   bool isUseful() const { return isUseful_; }
   bool isInside(float plane) const { return plane > lower_ && plane < upper_; }
 
@@ -49,7 +49,7 @@ public:
   {
     return atLeast(plane, left, plane, right);
   }
-  /// Of any split with at least so many primitives on either side and in cells at least as large.
+  /// A lower bound for splits with at least these numbers of primitives in cells at least as large.
   double atLeast(double leftUpTo, std::uint32_t left, double rightFrom, std::uint32_t right) const
   {
     const double cost = cost_.traversal + (cap_ + rim_ * (leftUpTo - lower_)) * cost_.leaf(left) +
@@ -62,7 +62,7 @@ private:
   double lower_, upper_;
   bool isUseful_;
   double cap_,
-    rim_; ///< areas in units of the cell's: of both ends' half, and of the sides by length
+    rim_; ///< areas over the cell's: of one of its two ends, and of its sides per unit of length
 };
 
 }

@@ -21,7 +21,7 @@ void KdEvents::Sequence::lower(float& x) const
   }
 }
 
-/// How many are at x, which is not behind the next.
+/// Passes the events at x and returns their number. No event before x may be left.
 std::uint32_t KdEvents::Sequence::pass(float x)
 {
   const std::size_t first = position;

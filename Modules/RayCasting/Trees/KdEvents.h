@@ -9,11 +9,11 @@
 namespace irradiance
 {
 
-/// Where items begin, end, or lie flat on one axis, in rising order.
+/// Where items begin, end, or lie flat on one axis, in ascending order.
 class KdEvents
 {
 public:
-  /// All that happens at one place.
+  /// All events at one place.
   struct Step
   {
     float x;
@@ -21,7 +21,7 @@ public:
   };
 
   void clear();
-  /// The events of an item, as far as they are asked for. One that is flat has but one event.
+  /// Adds the requested events of an item. A flat item has only one event.
   void add(float lower, float upper, bool takesLower, bool takesUpper)
   {
     if (takesLower)

@@ -9,7 +9,7 @@
 namespace irradiance
 {
 
-/// A primitive as far as it lies in a cell.
+/// The bounds of the part of a primitive that lies in a cell.
 struct alignas(16) KdItem : KdBounds
 {
   std::uint32_t primitive;
@@ -23,7 +23,7 @@ struct alignas(16) KdItem : KdBounds
   }
 };
 
-/// The items of a node, side by side.
+/// The items of a node, contiguous in memory.
 struct KdItems
 {
   const KdItem* first;

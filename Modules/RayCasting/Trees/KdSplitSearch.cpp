@@ -9,7 +9,7 @@ namespace irradiance
 namespace
 {
 
-/// To look at a bin costs about as much as to look at two items.
+/// Looking at a bin costs about as much as looking at two items.
 int numberOfBins(std::uint32_t items)
 {
   return static_cast<int>(std::clamp(items / 2, 1u, KdBins::kMost));
@@ -23,9 +23,9 @@ void consider(const KdSplit& split, KdSplit& best)
   }
 }
 
-/// The cheapest place at an edge of a bin. As a rule some event is as cheap: between two events the
-/// cost is linear, so that one of them is as cheap as any place between. But the cell's own face is
-/// no place for a plane, though items may lie flat in it.
+/// The least cost at an edge of a bin. As a rule some event is as cheap: between two events the
+/// cost is linear, so that one of them is as cheap as any place between. But a plane cannot lie in
+/// the cell's own face, though items may lie flat in it.
 double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
 {
   const bool mayLeftBeEmpty = bins.begunBefore(bins.size() - 1) > 0;
@@ -42,7 +42,7 @@ double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
   return least;
 }
 
-/// Bounds of all items together.
+/// The bounds of all items together.
 KdItem hullOf(const KdItems& items)
 {
   KdItem hull = *items.begin();
@@ -70,14 +70,14 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
     return best;
   }
   fillBins(items, cell);
-  // The rounding of a place to its bin changes a cost by less.
+  // Rounding a place to its bin changes the cost by less than this.
   const double slack = 0x1p-20 * best.cost;
   std::array<double, 3> estimates;
   for (int axis = 0; axis < 3; ++axis)
   {
     estimates[axis] = costs[axis].isUseful() ? leastAtEdges(bins_[axis], costs[axis]) : kInfinity;
   }
-  // The most promising axis first: what it finds spares work on the others.
+  // The most promising axis comes first: what it finds saves work on the others.
   std::array<int, 3> order = { 0, 1, 2 };
   std::stable_sort(
     order.begin(), order.end(), [&](int a, int b) { return estimates[a] < estimates[b]; });
@@ -93,7 +93,7 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
   return best;
 }
 
-/// All that a single block of primitives may gain from.
+/// A single block of primitives can gain from nothing else.
 void KdSplitSearch::cutOffEmptySpace(
   const KdItems& items, const AxisCosts& costs, KdSplit& best) const
 {
@@ -138,7 +138,7 @@ void KdSplitSearch::fillBins(const KdItems& items, const Box& cell)
   }
 }
 
-/// Considers all planes of an axis that may be as cheap as `limit`.
+/// Considers all planes across an axis that may be as cheap as `limit`.
 void KdSplitSearch::sweep(
   const KdItems& items, int axis, const KdAxisCost& cost, double limit, KdSplit& best)
 {
@@ -175,7 +175,7 @@ void KdSplitSearch::collectEvents(const KdItems& items, int axis)
   events_.sort();
 }
 
-/// Moves a plane over the chosen bins, counting what lies on either side.
+/// Sweeps a plane over the chosen bins and counts what lies on either side.
 void KdSplitSearch::sweepEvents(int axis, const KdAxisCost& cost, KdSplit& best)
 {
   const KdBins& bins = bins_[axis];

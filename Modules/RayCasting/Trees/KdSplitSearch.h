@@ -16,16 +16,16 @@ namespace irradiance
 struct KdSplit
 {
   double cost;
-  int axis = -1; ///< negative: none is cheaper than a leaf
+  int axis = -1; ///< negative: no split is cheaper than a leaf
   float plane = 0;
   bool flatGoLeft = true;            ///< side of the items that lie in the plane
-  std::uint32_t left = 0, right = 0; ///< items, as far as their bounds tell
+  std::uint32_t left = 0, right = 0; ///< numbers of items, judged by their bounds
 
   bool parts(const KdItem& item) const
   {
     return item.lower[axis] < plane && item.upper[axis] > plane;
   }
-  /// Side of an item that is not parted.
+  /// The side of an item that is not split.
   bool isLeft(const KdItem& item) const
   {
     return flatGoLeft ? item.upper[axis] <= plane : item.lower[axis] < plane;
@@ -33,9 +33,9 @@ struct KdSplit
 };
 
 /**
- * Finds the cheapest of all planes at which an item begins or ends. Bins give lower bounds of the
- * cost first; only the events in bins that may hold the cheapest plane are sorted and swept. So the
- * answer is that of a full sweep, as a rule in linear time.
+ * Finds the cheapest of all planes at which an item begins or ends. First, bins give lower bounds
+ * of the cost. Then only events in bins that may hold the cheapest plane are sorted and swept. So
+ * the answer is that of a full sweep, usually in linear time.
  */
 class KdSplitSearch
 {
@@ -62,7 +62,7 @@ private:
   KdCost cost_;
   CheckpointPace pace_;
   std::array<KdBins, 3> bins_;
-  std::array<bool, KdBins::kMost> isChosen_; ///< of the bins of the axis at hand
+  std::array<bool, KdBins::kMost> isChosen_; ///< for the bins of the current axis
   KdEvents events_;
 };
 

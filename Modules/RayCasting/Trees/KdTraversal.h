@@ -11,18 +11,18 @@ namespace irradiance
 {
 
 /**
- * Visits the leaves of a tree that a ray passes, front to back, one at a time.
+ * Visits the leaves that a ray passes, front to back, one at a time.
  *
  * Law: no leaf that holds the closest hit is skipped. Rounding in the intersection test lets a ray
  * "hit" a triangle that it misses by a few ulps, and gives a distance that is off when the ray
- * grazes: by up to 2^-10 for the flattest hits that count. So all cells are taken wider by `pad`
- * (2^-36 of the distance to the tree's far corner), and the search ends only 2^-8 of that distance
- * behind the best hit. Both cost next to nothing; Documentation/Theory.md has the reasons.
+ * grazes: by up to 2^-10 of the triangle for the flattest hits that count. So all cells are widened
+ * by `pad` (2^-36 of the distance to the tree's far corner), and the search ends only 2^-8 of that
+ * distance behind the best hit. Both cost almost nothing. Documentation/Theory.md has the reasons.
  */
 class KdTraversal
 {
 public:
-  /// How far behind a hit others that might be closer are looked for, in units of the reach.
+  /// How far behind a hit the search continues for closer ones, in units of the reach.
   static constexpr double kSlack = 0x1p-8;
 
   KdTraversal(const KdTree& tree, const Vector3& origin, const Vector3& direction)
@@ -38,10 +38,10 @@ public:
     }
   }
 
-  /// How far behind a hit at `distance` a leaf may begin and still matter.
+  /// A leaf that begins behind this holds nothing closer than a hit at `distance`.
   double limit(double distance) const { return distance + slack_; }
 
-  /// Goes to the next leaf that is not empty and begins before `limit`; false if there is none.
+  /// Moves to the next leaf that is not empty and begins before `limit`; false if there is none.
   bool advance(double limit)
   {
     while (depth_ > 0)
@@ -66,7 +66,7 @@ private:
     double from, to;
   };
 
-  /// From the entry on top of the stack to its nearest leaf; false if that is empty.
+  /// Descends from the entry on top of the stack to its nearest leaf; false if that is empty.
   bool descend()
   {
     double from = stack_[depth_].from, to = stack_[depth_].to;

@@ -10,8 +10,8 @@
 namespace irradiance
 {
 
-/// Inner node: a plane and two children side by side, the left one at an even place. Leaf: a range
-/// of references.
+/// An inner node has a plane and two adjacent children, the left one at an even index. A leaf has a
+/// range of references.
 struct KdNode
 {
   static constexpr std::uint32_t kLeaf = 3;
@@ -44,7 +44,7 @@ struct KdNode
 
 /**
  * A kd-tree over anything with bounds. It only says where to look: a leaf lists the primitives that
- * may touch its cell, and a primitive is listed in every leaf whose cell it touches.
+ * may touch its cell, and every leaf whose cell a primitive touches lists the primitive.
  */
 struct KdTree
 {
@@ -52,7 +52,7 @@ struct KdTree
 
   Box bounds;
   std::vector<KdNode> nodes;    ///< the root is nodes[0]
-  std::vector<KdBounds> filled; ///< for each node, what of its cell the primitives fill
+  std::vector<KdBounds> filled; ///< for each node, the part of its cell that the primitives fill
   std::vector<std::uint32_t> references;
 
   bool isEmpty() const { return references.empty(); }

@@ -14,7 +14,7 @@ namespace irradiance
 namespace
 {
 
-/// A part of the items' arena.
+/// A range of the item arena.
 struct Range
 {
   std::size_t begin = 0, end = 0;
@@ -50,18 +50,18 @@ public:
       }
     }
     const Range all{ 0, items_.size() };
-    // Rounding of a clip is a few ulps of the coordinates; this is 2^8 of them.
+    // Clipping rounds by a few ulps of the coordinates; this is 2^8 ulps.
     clipError_ = 0x1p-44 * tree_.bounds.magnitude();
-    // Room behind the outermost walls, so that a plane can part them from the empty space inside.
+    // Leaves room behind the outermost walls, so that a plane can cut off the empty space inside.
     tree_.bounds.inflate(all.size() == 0 ? 0.0 : 0x1p-10 * tree_.bounds.extent().maxCoeff());
     maxDepth_ = depthFor(all.size());
-    addPair(); // the second is unused: siblings start at even places
+    addPair(); // the second is unused: siblings start at even indices
     divide(0, all, tree_.bounds, 0, std::min(kCopies * all.size(), kMostReferences - all.size()));
     return std::move(tree_);
   }
 
 private:
-  /// Bounds the references to parted primitives, for input of which no plane parts much.
+  /// Limits the extra references to split primitives, for input that no plane separates well.
   static constexpr std::size_t kCopies = 64;
   static constexpr std::size_t kMostReferences = std::size_t{ 1 } << 30; ///< of a KdNode
 
@@ -74,7 +74,7 @@ private:
       : 0;
   }
 
-  /// `spare` is how many items the node and all below it may add by parting others.
+  /// `spare` is how many items the node and all below it may add by splitting items.
   void divide(std::uint32_t node, Range range, const Box& cell, int depth, std::size_t spare)
   {
     const KdSplit split = depth < maxDepth_ ? bestSplit(range, cell) : KdSplit{ 0 };
@@ -126,11 +126,11 @@ private:
     return search_.best({ items + range.begin, items + range.end }, cell);
   }
 
-  /// The larger side is kept where the items stand, the other is put behind them. It is done with
-  /// first, so that the arena holds little more than the items of one level of the tree.
+  /// The larger side stays where the items are, the other goes behind them. That other side is
+  /// finished first, so that the arena holds little more than the items of one level of the tree.
   void distribute(Range range, const KdSplit& split, const Box cells[2], int kept, Range sides[2])
   {
-    // One more, for the item that is written and not counted.
+    // One more, for the item that is written but not counted.
     const std::size_t end = range.end + std::min(split.left, split.right) + 1;
     items_.resize(std::max(items_.size(), end));
     sides[kept] = { range.begin, range.begin };
@@ -144,7 +144,7 @@ private:
         appendParts(item, split.axis, cells, sides);
         continue;
       }
-      // To both, and then only one counts it: no branch that is wrong every other time.
+      // Both sides get the item, one counts it: half the branches would be mispredicted.
       const bool isLeft = split.isLeft(item);
       items_[sides[0].end] = item;
       items_[sides[1].end] = item;
@@ -165,7 +165,7 @@ private:
     }
   }
 
-  /// Invariant: where a primitive touches a cell, its item there has bounds that contain the touch.
+  /// Invariant: where a primitive touches a cell, its item's bounds there contain the touch.
   KdItem clipped(const KdItem& item, const Box& cell, int axis) const
   {
     const KdPrimitive& primitive = primitives_[item.primitive];

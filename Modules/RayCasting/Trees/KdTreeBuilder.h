@@ -9,21 +9,21 @@
 namespace irradiance
 {
 
-/// What a tree is built over: a triangle, or a mere box when `triangle` is null.
+/// What a tree is built over: a triangle, or just a box if `triangle` is null.
 struct KdPrimitive
 {
-  Box bounds;                         ///< of the primitive, `margin` included
+  Box bounds;                         ///< of the primitive, widened by `margin`
   const Triangle* triangle = nullptr; ///< lets the builder clip instead of using boxes
-  double margin = 0;                  ///< the primitive is known only up to this distance
+  double margin = 0;                  ///< the position error of the primitive
 };
 
-/// Builds by the surface-area heuristic with triangles clipped to their cells, see Wald and Havran,
-/// "On building fast kd-trees for ray tracing, and on doing that in O(N log N)" (2006). Leaves are
+/// Builds by the surface-area heuristic with triangles clipped to their cells (Wald and Havran, "On
+/// building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006). Leaves are
 /// tested in blocks, and a block that is not full costs as much as a full one.
 struct KdTreeBuilder
 {
   double traversalCost = 1.0;    ///< of an inner node
-  double intersectionCost = 2.0; ///< of a block, in units of traversalCost's unit
+  double intersectionCost = 2.0; ///< of a block, in the unit of traversalCost
   int blockSize = 8;             ///< primitives tested at a time; 1: each costs the same
   double emptyFactor = 0.9;      ///< reward (<= 1) for cutting off empty space
   Checkpoint checkpoint;         ///< may be empty

@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// A ray as a walk through a kd-tree in double needs it. All cells are taken wider by `pad`, 2^-36
-/// of the reach, far more than any rounding; Documentation/Theory.md has the reasons.
+/// A ray as a kd-tree traversal in double needs it. All cells are widened by `pad`, 2^-36 of the
+/// reach, which is far more than any rounding. Documentation/Theory.md has the reasons.
 struct PaddedRay
 {
   struct Axis
@@ -23,7 +23,7 @@ struct PaddedRay
 
   Axis axes[3];
   double reach; ///< from the origin to the far corner of the box, by the largest component
-  double from = -kInfinity, to = kInfinity; ///< the piece inside the box
+  double from = -kInfinity, to = kInfinity; ///< the part inside the box
 
   PaddedRay(const Box& box, const Vector3& origin, const Vector3& direction)
     : reach(std::max(

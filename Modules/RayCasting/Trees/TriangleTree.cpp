@@ -14,7 +14,7 @@ namespace irradiance
 namespace
 {
 
-/// That of a rotation is at most 3.
+/// The condition number of a rotation is at most 3.
 constexpr double kMostConditionNumber = 4;
 
 }
@@ -47,16 +47,16 @@ public:
   }
 
 private:
-  /// A node of the kd-tree within a treelet.
+  /// A kd-tree node within a treelet.
   struct Part
   {
     std::uint32_t node;
-    int axis;               ///< of the plane that parts it; negative: it is a child of the treelet
+    int axis;               ///< of its plane; negative if it is a child of the treelet
     unsigned left, right;   ///< the parts on either side of the plane
-    std::uint8_t place = 0; ///< of a child
+    std::uint8_t place = 0; ///< the lane of a child
   };
 
-  /// Returns the number of the node's part.
+  /// Returns the index of the node's part.
   unsigned addParts(std::uint32_t number, unsigned mostChildren, std::vector<Part>& parts) const
   {
     const std::uint32_t fork = forkAt(tree_, number);
@@ -122,7 +122,7 @@ private:
     }
   }
 
-  /// Writes the places of the children of a part; returns the end.
+  /// Writes the lanes of the children of a part from far to near; returns the end.
   static std::uint8_t* sortFarToNear(
     const std::vector<Part>& parts, unsigned number, unsigned octant, std::uint8_t* order)
   {
@@ -183,7 +183,7 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
   : isIllConditioned_(conditionNumber > kMostConditionNumber)
 {
   CheckpointPace pace(checkpoint);
-  Box box; // with the margins, which may be larger than all else: distances in the frame are small
+  Box box; // includes the margins, which may dominate, so that distances in the frame stay small
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     Box bounds = triangles[i].bounds();

@@ -16,11 +16,11 @@ namespace irradiance
 struct KdPrimitive;
 struct KdTreeBuilder;
 
-/// Eight triangles of a leaf in the unit frame, in float, for a test that only rejects.
+/// Eight triangles of a leaf, as floats in the unit frame, for a test that only rejects.
 struct alignas(64) TriangleBlock
 {
   static constexpr unsigned kSize = 8;
-  static constexpr std::uint32_t kMore = 0x80000000u; ///< in the last reference: a block follows
+  static constexpr std::uint32_t kMore = 0x80000000u; ///< in the last reference: one more block
   static constexpr std::uint32_t kNone = 0x7fffffffu; ///< unused place
 
   float corner[3][kSize];
@@ -33,15 +33,15 @@ struct alignas(64) TriangleBlock
 };
 
 /**
- * A kd-tree over triangles as SIMD searches it. It is float and only says which triangles may be
- * hit; the owner of the triangles decides in double. Triangle i is known by its number alone.
+ * A kd-tree over triangles as SIMD searches it. It is in float and only says which triangles may be
+ * hit; their owner confirms hits in double. The tree knows triangles only by their numbers.
  */
 class TriangleTree
 {
 public:
   TriangleTree() = default;
-  /// `margins`: how far the triangles may be off; empty for exact ones. `conditionNumber`: the condition of
-  /// the map to the space in which they are tested; 1 if that is this one.
+  /// `margins`: the position errors of the triangles; empty if they are exact. `conditionNumber`:
+  /// that of the map to the space in which they are tested; 1 if that is this one.
   TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& margins,
     double conditionNumber, const Checkpoint& checkpoint);
   /// A tree over bodies: a search finds all whose boxes it may touch, as if each held a triangle that
@@ -52,12 +52,12 @@ public:
   const UnitFrame& frame() const { return frame_; }
   /// In the unit frame.
   const Box& bounds() const { return bounds_; }
-  /// How far behind a hit others that might be closer are looked for, in the unit frame.
+  /// How far the distance of a confirmed hit may differ from that in the tree, in the unit frame.
   double slack() const { return slack_; }
-  /// How far off the triangles may be, in the unit frame.
+  /// The largest position error of the triangles, in the unit frame.
   double blur() const { return blur_; }
 
-  /// What floats take for a certain hit, the test in the other space may not accept.
+  /// True if the test in the other space may reject what floats take for a certain hit.
   bool isIllConditioned() const { return isIllConditioned_; }
 
   std::uint32_t root() const { return root_; }
@@ -81,7 +81,7 @@ private:
   std::vector<TriangleBlock> blocks_;
 };
 
-/// The tree of a mesh in the mesh's own space.
+/// Builds the tree of a mesh in the mesh's own space.
 TriangleTree treeOf(const std::vector<Triangle>& triangles, const Checkpoint& checkpoint = {});
 
 }
