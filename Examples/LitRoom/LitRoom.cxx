@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole of vtkIrradiance in ten minutes: a room with a lamp, and a ball that moves through it.
-// Prints the light on the room, and leaves LitRoom.vtm for ParaView and the picture LitRoom.png.
+// Prints the light on the room, and leaves irradiance.vtm for ParaView and the picture irradiance.png.
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
@@ -88,8 +88,11 @@ int main()
   // For ParaView: the last frame with all its arrays.
   vtkNew<vtkXMLMultiBlockDataWriter> writer;
   writer->SetInputConnection(irradiance->GetOutputPort());
-  writer->SetFileName("LitRoom.vtm");
-  writer->Write();
+  writer->SetFileName("irradiance.vtm");
+  if (!writer->Write())
+  {
+    return 1;
+  }
 
   // A picture from inside the room, in the colours of the array. VTK's own lights are off: the colour
   // is the measured value. The lamp itself receives little, and is dark.
@@ -128,7 +131,7 @@ int main()
   grabber->SetInput(window);
   vtkNew<vtkPNGWriter> picture;
   picture->SetInputConnection(grabber->GetOutputPort());
-  picture->SetFileName("LitRoom.png");
+  picture->SetFileName("irradiance.png");
   picture->Write();
   return 0;
 }
