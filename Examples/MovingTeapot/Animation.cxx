@@ -1,35 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Animation.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkDataArray.h>
+#include "ProgressBar.h"
+#include "VtkErrors.h"
+
+#include <vtkCommand.h>
 #include <vtkFieldData.h>
 #include <vtkIrradianceFilter.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkTransform.h>
 
-#include <stdexcept>
-#include <string>
-
 namespace movingteapot
 {
-namespace
-{
 
-void ForwardProgress(vtkObject*, unsigned long, void* function, void* fraction)
-{
-  const auto& progress = *static_cast<std::function<void(double)>*>(function);
-  if (progress)
-  {
-    progress(*static_cast<double*>(fraction));
-  }
-}
-
-}
-
-Animation::Animation(const TeapotScene& scene, const AnimationConfig& config)
-  : Errors(Light)
+Animation::Animation(const std::string& name, const TeapotScene& scene, const Options& options,
+  bool cacheStaticHits, ProgressBar& bar)
+  : Name(name)
+  , Frames(options.Frames)
+  , Bar(bar)
 {
   for (vtkPolyData* still :
     { scene.Room.Get(), scene.Lamp.Get(), scene.Plinth.Get(), scene.Head.Get() })
@@ -40,61 +29,44 @@ Animation::Animation(const TeapotScene& scene, const AnimationConfig& config)
     }
   }
   this->Light->AddInputDataObject(1, scene.Teapot);
-  this->Light->SetDynamicTransform(0, this->TeapotToRoom);
-  this->Light->SetNumberOfWalks(config.Walks);
-  this->Light->SetTraversalMode(config.TraversalMode);
-  this->Light->SetCacheStaticHits(config.CacheStaticHits);
-
-  vtkNew<vtkCallbackCommand> forward;
-  forward->SetClientData(&this->Progress);
-  forward->SetCallback(ForwardProgress);
-  this->Light->AddObserver(vtkCommand::ProgressEvent, forward);
+  this->Light->SetDynamicTransform(0, this->RoomFromTeapot);
+  this->Light->SetNumberOfWalks(options.Walks);
+  this->Light->SetTraversalMode(options.TraversalMode);
+  this->Light->SetCacheStaticHits(cacheStaticHits);
+  this->Light->AddObserver(vtkCommand::ProgressEvent, this, &Animation::ShowProgress);
 }
 
 Animation::~Animation() = default;
 
-void Animation::SetProgressFunction(std::function<void(double)> function)
+void Animation::Show(int frame)
 {
-  this->Progress = std::move(function);
-}
-
-void Animation::Update(double time)
-{
-  this->Path.SetPose(time, this->TeapotToRoom);
+  const bool isFirst = this->Reports->GetNumberOfTuples() == 0;
+  this->Bar.BeginStep(isFirst ? ShootingWork : UpdateWork,
+    "frame " + std::to_string(frame + 1) + " of " + std::to_string(this->Frames) + this->Name);
+  this->Path.SetPose(this->TimeOf(frame), this->RoomFromTeapot);
+  const VtkErrors errors;
   this->Light->Update();
-  this->Errors.ThrowIfAny("the light cannot be computed");
+  errors.ThrowIfAny("the light cannot be computed");
+
+  vtkFieldData* report = this->GetScene()->GetFieldData();
+  if (isFirst)
+  {
+    this->Reports->DeepCopy(report);
+  }
+  else
+  {
+    this->Reports->InsertNextTuple(0, report);
+  }
 }
 
 vtkMultiBlockDataSet* Animation::GetScene()
 {
-  return vtkMultiBlockDataSet::SafeDownCast(this->Light->GetOutputDataObject(0));
+  return this->Light->GetOutput();
 }
 
-FrameReport Animation::GetReport()
+void Animation::ShowProgress(vtkObject*, unsigned long, void* fraction)
 {
-  FrameReport report;
-  report.ShootSeconds = this->GetFieldValue("ShootSeconds");
-  report.VerifySeconds = this->GetFieldValue("VerifySeconds");
-  report.RepairSeconds = this->GetFieldValue("RepairSeconds");
-  report.Walks = this->GetFieldValue("NumberOfWalks");
-  report.InvalidWalks = this->GetFieldValue("NumberOfInvalidWalks");
-  report.Segments = this->GetFieldValue("NumberOfSegments");
-  report.RepairedSegments = this->GetFieldValue("NumberOfRepairedSegments");
-  report.HistoryBytes = this->GetFieldValue("HistoryBytes");
-  report.EmittedPower = this->GetFieldValue("EmittedPower");
-  report.AbsorbedPower = this->GetFieldValue("AbsorbedPower");
-  report.EscapedPower = this->GetFieldValue("EscapedPower");
-  return report;
-}
-
-double Animation::GetFieldValue(const char* name)
-{
-  vtkDataArray* array = this->GetScene()->GetFieldData()->GetArray(name);
-  if (!array)
-  {
-    throw std::runtime_error(std::string("the light's field data lack ") + name);
-  }
-  return array->GetTuple1(0);
+  this->Bar.SetStepFraction(*static_cast<double*>(fraction));
 }
 
 }

@@ -2,60 +2,63 @@
 #ifndef Animation_h
 #define Animation_h
 
-#include "ErrorListener.h"
-#include "FrameReport.h"
-#include "TeapotPath.h"
+#include "Options.h"
 #include "TeapotScene.h"
 
 #include <vtkNew.h>
 
-#include <functional>
+#include <string>
 
+class vtkFieldData;
 class vtkIrradianceFilter;
 class vtkMultiBlockDataSet;
+class vtkObject;
 class vtkTransform;
 
 namespace movingteapot
 {
 
-struct AnimationConfig
-{
-  int Walks = 1000000;
-  int TraversalMode = 2;
-  bool CacheStaticHits = true;
-};
+class ProgressBar;
 
-/** The scene, its light, and the teapot's motion: a frame is a time from 0 to 1. */
+/** One play of the scene, frame after frame: its light, and a report of each frame. */
 class Animation
 {
 public:
-  Animation(const TeapotScene& scene, const AnimationConfig& config);
+  /** What takes how long in the progress bar. */
+  static constexpr double ShootingWork = 4.0;
+  static constexpr double UpdateWork = 1.0;
+
+  /** `name` goes into the progress bar, which must outlive the animation. */
+  Animation(const std::string& name, const TeapotScene& scene, const Options& options,
+    bool cacheStaticHits, ProgressBar& bar);
   ~Animation();
 
-  /** Called with 0 to 1 while a frame is computed. */
-  void SetProgressFunction(std::function<void(double)> function);
-
   /**
-   * Moves the teapot and brings the light up to date: the first call shoots all walks, the others
-   * verify them and shoot again what has changed. Throws std::runtime_error when the filter reports
-   * an error.
+   * Moves the teapot and brings the light up to date. The first frame shown, whichever it is, shoots
+   * all walks; the others verify them and shoot again what has changed. Throws std::runtime_error
+   * when the filter reports an error.
    */
-  void Update(double time);
+  void Show(int frame);
 
-  /** The lit scene of the last update. */
+  /** Of a frame, from 0 to 1. */
+  double TimeOf(int frame) const { return double(frame) / (this->Frames - 1); }
+
+  /** As it was shown last. */
   vtkMultiBlockDataSet* GetScene();
 
-  /** Of the last update. */
-  FrameReport GetReport();
+  /** The field data of the lit scene, a tuple for each frame shown. */
+  vtkFieldData* GetReports() { return this->Reports; }
 
 private:
-  double GetFieldValue(const char* name);
+  void ShowProgress(vtkObject*, unsigned long, void* fraction);
 
-  vtkNew<vtkIrradianceFilter> Light;
-  vtkNew<vtkTransform> TeapotToRoom;
+  std::string Name;
+  int Frames;
+  ProgressBar& Bar;
   TeapotPath Path;
-  ErrorListener Errors;
-  std::function<void(double)> Progress;
+  vtkNew<vtkTransform> RoomFromTeapot;
+  vtkNew<vtkIrradianceFilter> Light;
+  vtkNew<vtkFieldData> Reports;
 };
 
 }

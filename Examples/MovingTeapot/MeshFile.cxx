@@ -1,68 +1,144 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFile.h"
 
-#include "ErrorListener.h"
-#include "OffFile.h"
+#include "VtkErrors.h"
 
-#include <vtkLogger.h>
+#include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
-#include <vtkOutputWindow.h>
 #include <vtkPLYReader.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSTLReader.h>
-#include <vtkStringOutputWindow.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace movingteapot
 {
 namespace
 {
 
-// Keeps VTK from printing, as long as it lives: what matters is said by an exception.
-class Silence
-{
-public:
-  Silence()
-    : Window(vtkOutputWindow::GetInstance())
-    , Verbosity(vtkLogger::GetCurrentVerbosityCutoff())
-  {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-    vtkOutputWindow::SetInstance(vtkNew<vtkStringOutputWindow>());
-  }
-  ~Silence()
-  {
-    vtkOutputWindow::SetInstance(this->Window);
-    vtkLogger::SetStderrVerbosity(this->Verbosity);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  vtkSmartPointer<vtkOutputWindow> Window;
-  vtkLogger::Verbosity Verbosity;
-};
-
-// Runs one of VTK's readers; what it complains about becomes an exception.
 template <typename VtkReader>
 vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path)
 {
-  const Silence silence;
+  const VtkErrors errors;
   vtkNew<VtkReader> reader;
-  ErrorListener errors(reader);
   reader->SetFileName(path.c_str());
   reader->Update();
   errors.ThrowIfAny(path + " cannot be read");
   return reader->GetOutput();
+}
+
+// The lines of a file that say something: comments and blank lines are passed over.
+class LineReader
+{
+public:
+  explicit LineReader(const std::string& path)
+    : Path(path)
+    , File(path)
+  {
+  }
+
+  std::istringstream Next()
+  {
+    std::string line;
+    while (std::getline(this->File, line))
+    {
+      ++this->Number;
+      line = line.substr(0, line.find('#'));
+      if (line.find_first_not_of(" \t\r") != std::string::npos)
+      {
+        return std::istringstream(line);
+      }
+    }
+    throw this->Error("the file ends too early");
+  }
+
+  void Require(bool good, const std::string& what) const
+  {
+    if (!good)
+    {
+      throw this->Error(what);
+    }
+  }
+
+private:
+  std::runtime_error Error(const std::string& what) const
+  {
+    return std::runtime_error(this->Path + ", line " + std::to_string(this->Number) + ": " + what);
+  }
+
+  std::string Path;
+  std::ifstream File;
+  int Number = 0;
+};
+
+std::vector<vtkIdType> ReadPolygon(LineReader& lines, vtkIdType numberOfPoints)
+{
+  std::istringstream line = lines.Next();
+  vtkIdType size = 0;
+  lines.Require(
+    (line >> size) && size >= 1 && size <= numberOfPoints, "a polygon's number of points expected");
+  std::vector<vtkIdType> polygon(size);
+  for (vtkIdType& id : polygon)
+  {
+    lines.Require((line >> id) && id >= 0 && id < numberOfPoints,
+      "a point number from 0 to " + std::to_string(numberOfPoints - 1) + " expected");
+  }
+  return polygon;
+}
+
+// The Object File Format of Geomview (ASCII), for which VTK 9.1 has no reader. Colours are passed over.
+vtkSmartPointer<vtkPolyData> ReadOff(const std::string& path)
+{
+  LineReader lines(path);
+  std::istringstream line = lines.Next();
+  std::string word;
+  line >> word;
+  lines.Require(word == "OFF", "\"OFF\" expected, found \"" + word + "\"");
+  vtkIdType numberOfPoints = 0, numberOfPolygons = 0;
+  if (!(line >> numberOfPoints)) // the counts stand on the line of the word, or on the next
+  {
+    line = lines.Next();
+    line >> numberOfPoints;
+  }
+  line >> numberOfPolygons;
+  lines.Require(line && numberOfPoints >= 0 && numberOfPolygons >= 0,
+    "the numbers of points and polygons expected");
+
+  vtkNew<vtkPoints> points;
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  {
+    line = lines.Next();
+    double x[3];
+    lines.Require(bool(line >> x[0] >> x[1] >> x[2]), "three coordinates expected");
+    points->InsertNextPoint(x);
+  }
+  vtkNew<vtkCellArray> polygons;
+  for (vtkIdType i = 0; i < numberOfPolygons; ++i)
+  {
+    const std::vector<vtkIdType> polygon = ReadPolygon(lines, numberOfPoints);
+    if (polygon.size() >= 3)
+    {
+      polygons->InsertNextCell(polygon.size(), polygon.data());
+    }
+  }
+
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(polygons);
+  return mesh;
 }
 
 using Reader = vtkSmartPointer<vtkPolyData> (*)(const std::string& path);
@@ -73,7 +149,7 @@ const std::map<std::string, Reader> ReaderOfExtension = {
   { ".stl", ReadWith<vtkSTLReader> },
   { ".vtp", ReadWith<vtkXMLPolyDataReader> },
   { ".vtk", ReadWith<vtkPolyDataReader> },
-  { ".off", ReadOffFile },
+  { ".off", ReadOff },
 };
 
 }

@@ -3,7 +3,7 @@
 #ifndef MeshFile_h
 #define MeshFile_h
 
-#include "Box.h"
+#include "Meshes.h"
 
 #include <vtkSmartPointer.h>
 

@@ -6,14 +6,15 @@
  * of every cell up to date; at the end stands the paper's table, with its figures beside ours. See
  * README.md in this folder.
  */
-#include "FrameFile.h"
+#include "Animation.h"
 #include "Options.h"
-#include "Performance.h"
 #include "ProgressBar.h"
 #include "Recording.h"
-#include "SameBits.h"
 #include "TimingTable.h"
 
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -34,31 +36,19 @@ using namespace movingteapot;
 namespace
 {
 
-// The head that was asked for; else the fetched one; else none.
-std::string FindHead(const std::string& asked)
-{
-  if (!asked.empty())
-  {
-    return asked;
-  }
-  for (const char* place : { MOVINGTEAPOT_HEAD, "Data/downloaded/mannequin-devil.off" })
-  {
-    if (vtksys::SystemTools::FileExists(place, true))
-    {
-      return place;
-    }
-  }
-  std::cerr << "The plinth stays empty: Data/fetch.sh gets the head, or --head takes another.\n";
-  return "";
-}
-
 TeapotScene MakeScene(const Options& options)
 {
   SceneConfig config;
   config.CellSize = options.CellSize;
   config.TeapotSegments = options.TeapotSegments;
-  config.HeadFile = FindHead(options.HeadFile);
   config.TeapotFile = options.TeapotFile;
+  config.HeadFile = options.HeadFile.empty() ? MOVINGTEAPOT_DATA "/downloaded/mannequin-devil.off"
+                                             : options.HeadFile;
+  if (options.HeadFile.empty() && !vtksys::SystemTools::FileExists(config.HeadFile, true))
+  {
+    std::cerr << "The plinth stays empty: Data/fetch.sh gets the head, or --head takes another.\n";
+    config.HeadFile = "";
+  }
   return MakeTeapotScene(config);
 }
 
@@ -72,92 +62,102 @@ void PrintScene(const TeapotScene& scene, const Options& options)
             << " threads." << std::endl;
 }
 
-std::string CaptionOf(int frame, int frames, const FrameReport& report)
+double LastOf(Animation& animation, const char* name)
+{
+  vtkFieldData* reports = animation.GetReports();
+  return reports->GetArray(name)->GetTuple1(reports->GetNumberOfTuples() - 1);
+}
+
+std::string CaptionOf(int frame, int frames, Animation& animation)
 {
   char text[120];
-  if (frame == 0)
-  {
-    std::snprintf(text, sizeof text, "Frame 1 of %d: all walks shot", frames);
-  }
-  else
-  {
-    std::snprintf(text, sizeof text, "Frame %d of %d: %.1f %% of the path segments shot again",
-      frame + 1, frames, 100.0 * report.RepairedSegments / report.Segments);
-  }
-  return text;
+  std::snprintf(text, sizeof text, "Frame %d of %d: ", frame + 1, frames);
+  std::string caption = text;
+  std::snprintf(text, sizeof text, "%.1f %% of the path segments shot again",
+    100.0 * LastOf(animation, "NumberOfRepairedSegments") / LastOf(animation, "NumberOfSegments"));
+  return caption + (frame == 0 ? "all walks shot" : text);
 }
 
 // What is compared at the end; Uncached and Afresh are null without a comparison.
-struct Performances
+struct Animations
 {
-  std::unique_ptr<Performance> Cached, Uncached, Afresh;
+  std::unique_ptr<Animation> Cached, Uncached, Afresh;
 };
 
-Performances Play(const TeapotScene& scene, const Options& options, Recording& recording)
+Animations Play(const TeapotScene& scene, const Options& options, Recording& recording)
 {
-  const int frames = options.Frames;
-  const double work = Performance::ShootingWork + Performance::UpdateWork * (frames - 1);
-  ProgressBar bar(options.Comparison ? 2 * work + Performance::ShootingWork : work);
+  const double work = Animation::ShootingWork + Animation::UpdateWork * (options.Frames - 1);
+  ProgressBar bar(options.Comparison ? 2 * work + Animation::ShootingWork : work);
   const auto make = [&](const char* name, bool cacheStaticHits) {
-    const AnimationConfig config = { options.Walks, options.TraversalMode, cacheStaticHits };
-    return std::make_unique<Performance>(name, scene, config, frames, bar);
+    return std::make_unique<Animation>(name, scene, options, cacheStaticHits, bar);
   };
 
-  Performances play;
+  Animations play;
   play.Cached = make("", true);
-  std::vector<Performance*> inTurn = { play.Cached.get() };
+  std::vector<Animation*> inTurn = { play.Cached.get() };
   if (options.Comparison)
   {
     play.Uncached = make(", without cache", false);
     inTurn.push_back(play.Uncached.get());
   }
-  for (int frame = 0; frame < frames; ++frame)
+  for (int frame = 0; frame < options.Frames; ++frame)
   {
-    for (Performance* performance : inTurn)
+    for (Animation* animation : inTurn)
     {
-      performance->Show(frame);
+      animation->Show(frame);
     }
     std::reverse(inTurn.begin(), inTurn.end()); // neither is always the first
     recording.Add(frame, play.Cached->TimeOf(frame), play.Cached->GetScene(),
-      CaptionOf(frame, frames, play.Cached->GetReports().back()));
+      CaptionOf(frame, options.Frames, *play.Cached));
   }
   if (options.Comparison)
   {
     play.Afresh = make(", shot afresh", true);
-    play.Afresh->Show(frames - 1);
+    play.Afresh->Show(options.Frames - 1);
   }
   bar.Finish();
   return play;
 }
 
-void PrintPower(const FrameReport& last)
+// Of all cells, one mesh after the other.
+std::vector<double> IrradianceOf(Animation& animation)
 {
-  char line[160];
-  std::snprintf(line, sizeof line,
-    "Last frame: %.6g W emitted, %.6g W absorbed, %.6g W escaped from the closed room.\n",
-    last.EmittedPower, last.AbsorbedPower, last.EscapedPower);
-  std::cout << line;
+  std::vector<double> all;
+  for (vtkPolyData* mesh : vtkCompositeDataSet::GetDataSets<vtkPolyData>(animation.GetScene()))
+  {
+    auto* irradiance = vtkDoubleArray::SafeDownCast(mesh->GetCellData()->GetArray("Irradiance"));
+    all.insert(all.end(), irradiance->Begin(), irradiance->End());
+  }
+  return all;
+}
+
+bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
 // The promise of the method: whether it was kept.
-bool PrintSameness(const Performances& play)
+bool PrintSameness(const Animations& play)
 {
-  const bool same = HaveSameBits(play.Cached->GetScene(), play.Uncached->GetScene()) &&
-    HaveSameBits(play.Cached->GetScene(), play.Afresh->GetScene());
+  const std::vector<double> updated = IrradianceOf(*play.Cached);
+  const bool same = HaveSameBits(updated, IrradianceOf(*play.Uncached)) &&
+    HaveSameBits(updated, IrradianceOf(*play.Afresh));
   std::cout << "Updated with cache, without it, and shot afresh, the last frame is "
             << (same ? "the same bit for bit.\n" : "NOT the same.\n");
   return same;
 }
 
-bool PrintResults(const Performances& play, const Options& options)
+bool PrintResults(const Animations& play, const Options& options)
 {
-  const auto reportsOf = [](const std::unique_ptr<Performance>& performance) {
-    return performance ? performance->GetReports() : std::vector<FrameReport>();
+  const auto reportsOf = [](const std::unique_ptr<Animation>& animation) {
+    return animation ? animation->GetReports() : nullptr;
   };
   std::cout << '\n';
   WriteTimingTable(
     std::cout, { reportsOf(play.Cached), reportsOf(play.Uncached), reportsOf(play.Afresh) });
-  PrintPower(play.Cached->GetReports().back());
+  std::cout << "Last frame: " << LastOf(*play.Cached, "EmittedPower") << " W emitted, "
+            << LastOf(*play.Cached, "AbsorbedPower") << " W absorbed, "
+            << LastOf(*play.Cached, "EscapedPower") << " W escaped from the closed room.\n";
   const bool good = !options.Comparison || PrintSameness(play);
   std::cout << "Written to " << options.Output << ": MovingTeapot.pvd"
             << (options.Pictures ? ", MovingTeapot.ogv, pictures/" : "") << std::endl;
@@ -166,18 +166,11 @@ bool PrintResults(const Performances& play, const Options& options)
 
 int Run(const Options& options)
 {
-  if (options.Pictures && !HasDisplay())
-  {
-    throw std::runtime_error("pictures need an X display and DISPLAY is not set; start it through "
-                             "Examples/run.sh or xvfb-run, or add --no-pictures");
-  }
   vtkSMPTools::Initialize(options.Threads);
   const TeapotScene scene = MakeScene(options);
   PrintScene(scene, options);
-  MakeFolder(options.Output);
-  Recording recording(
-    { options.Output, options.Pictures, options.Width, options.Height, options.SmoothingPasses });
-  const Performances play = Play(scene, options, recording);
+  Recording recording(options);
+  const Animations play = Play(scene, options, recording);
   return PrintResults(play, options) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of the scene, against what is known of them beforehand.
-#include "CellArea.h"
-#include "GridBox.h"
 #include "MeshFile.h"
-#include "OffFile.h"
+#include "Meshes.h"
 #include "Options.h"
-#include "Smoothing.h"
-#include "TeapotPath.h"
+#include "Recording.h"
 #include "TeapotScene.h"
-#include "UtahTeapot.h"
-#include "UtahTeapotPatches.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -28,6 +23,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -108,14 +104,15 @@ double SignedVolume(vtkPolyData* mesh, vtkIdType first, vtkIdType last, const Po
   return volume / 6.0;
 }
 
-std::array<Point, 16> PatchNet(int patch)
+// In m2 where the points are in m.
+std::vector<double> CellAreas(vtkPolyData* mesh)
 {
-  std::array<Point, 16> net;
-  for (int i = 0; i < 16; ++i)
+  std::vector<double> areas;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    net[i] = TeapotControlPoints[TeapotPatches[patch][i] - 1];
+    areas.push_back(vtkTriangle::SafeDownCast(mesh->GetCell(cell))->ComputeArea());
   }
-  return net;
+  return areas;
 }
 
 std::string WriteFile(const std::string& name, const std::string& text)
@@ -154,13 +151,15 @@ Options ReadLine(std::vector<std::string> words)
 // The round parts are four equal quarters: a wrong digit in any of them would show.
 TEST(UtahTeapotPatches, RoundPartsAreFourEqualQuarters)
 {
+  const std::vector<Patch> patches = ReadTeapotPatches();
+  ASSERT_EQ(patches.size(), 32u);
   for (int first : { 0, 4, 8, 20, 24, 28 })
   {
     const bool bottom = first == 28; // runs the other way round
     for (int quarter = 0; quarter < 4; ++quarter)
     {
-      const auto net = PatchNet(first + quarter);
-      const auto next = PatchNet(first + (quarter + 1) % 4);
+      const Patch& net = patches[first + quarter];
+      const Patch& next = patches[first + (quarter + 1) % 4];
       for (int i = 0; i < 16; ++i)
       {
         const auto [x, y, z] = net[i];
@@ -173,10 +172,11 @@ TEST(UtahTeapotPatches, RoundPartsAreFourEqualQuarters)
 
 TEST(UtahTeapotPatches, HandleAndSpoutAreSymmetric)
 {
+  const std::vector<Patch> patches = ReadTeapotPatches();
   for (int patch : { 12, 14, 16, 18 })
   {
-    const auto net = PatchNet(patch);
-    const auto mirrored = PatchNet(patch + 1);
+    const Patch& net = patches[patch];
+    const Patch& mirrored = patches[patch + 1];
     for (int i = 0; i < 16; ++i)
     {
       const auto [x, y, z] = net[i];
@@ -213,12 +213,8 @@ TEST(UtahTeapot, HasThePublishedSize)
 
 TEST(UtahTeapot, HasNoEmptyTriangle)
 {
-  auto teapot = MakeUtahTeapot(10);
-  for (vtkIdType cell = 0; cell < teapot->GetNumberOfCells(); ++cell)
-  {
-    auto* triangle = vtkTriangle::SafeDownCast(teapot->GetCell(cell));
-    EXPECT_GT(triangle->ComputeArea(), 1e-6) << "triangle " << cell;
-  }
+  const auto areas = CellAreas(MakeUtahTeapot(10));
+  EXPECT_GT(*std::min_element(areas.begin(), areas.end()), 1e-6);
 }
 
 // Where a part is open, its ends are flat enough for a cone from their middle to close it.
@@ -272,7 +268,7 @@ TEST(OffFile, ReadsPointsAndPolygons)
 {
   const auto path = WriteFile("good.off",
     "OFF # a comment\n\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0 # corner\n3 0 1 2 255 0 0\n4 0 1 2 3\n");
-  auto mesh = ReadOffFile(path);
+  auto mesh = ReadMeshFile(path);
   EXPECT_EQ(mesh->GetNumberOfPoints(), 4);
   ASSERT_EQ(mesh->GetNumberOfPolys(), 2);
   EXPECT_EQ(mesh->GetCell(1)->GetNumberOfPoints(), 4);
@@ -281,7 +277,7 @@ TEST(OffFile, ReadsPointsAndPolygons)
 TEST(OffFile, SaysWhatIsWrongWhere)
 {
   const auto read = [](const char* text) {
-    return MessageOf([&] { ReadOffFile(WriteFile("bad.off", text)); });
+    return MessageOf([&] { ReadMeshFile(WriteFile("bad.off", text)); });
   };
   EXPECT_NE(read("PLY\n").find("line 1: \"OFF\" expected"), std::string::npos);
   EXPECT_NE(read("OFF\n3 x 0\n").find("line 2: the numbers"), std::string::npos);
@@ -327,7 +323,7 @@ TEST(MeshFile, ReadsWhatVtkWrites)
 TEST(MeshFile, FitsAMeshIntoABox)
 {
   auto mesh =
-    ReadOffFile(WriteFile("tall.off", "OFF 4 1 0\n0 0 0\n10 0 0\n10 0 40\n0 0 40\n4 0 1 2 3\n"));
+    ReadMeshFile(WriteFile("tall.off", "OFF 4 1 0\n0 0 0\n10 0 0\n10 0 40\n0 0 40\n4 0 1 2 3\n"));
   const Box box = { 1, 3, 1, 3, 5, 7 };
   double b[6];
   FitMesh(mesh, box)->GetBounds(b);
@@ -338,34 +334,38 @@ TEST(MeshFile, FitsAMeshIntoABox)
   }
 }
 
-TEST(Smoothing, KeepsPowerAndConstants)
+// Of Smooth, for a teapot with a value of its own in one cell.
+std::array<double, 3> SmoothSumAndRange(double spike, double others)
 {
   auto teapot = MakeUtahTeapot(5);
-  const vtkIdType count = teapot->GetNumberOfCells();
-  vtkNew<vtkDoubleArray> spike, constant;
-  spike->SetName("Spike");
-  constant->SetName("Constant");
-  for (vtkIdType cell = 0; cell < count; ++cell)
+  vtkNew<vtkDoubleArray> irradiance;
+  irradiance->SetName("Irradiance");
+  irradiance->SetNumberOfValues(teapot->GetNumberOfCells());
+  irradiance->FillValue(others);
+  irradiance->SetValue(77, spike);
+  teapot->GetCellData()->AddArray(irradiance);
+  auto smooth = Smooth(teapot, 2);
+  vtkDataArray* values = smooth->GetCellData()->GetArray("Irradiance");
+  const auto areas = CellAreas(teapot);
+  double power = 0.0;
+  for (vtkIdType cell = 0; cell < teapot->GetNumberOfCells(); ++cell)
   {
-    spike->InsertNextValue(cell == 77 ? 3.0 : 0.0);
-    constant->InsertNextValue(7.0);
+    power += values->GetTuple1(cell) * areas[cell];
   }
-  const double power = 3.0 * CellArea(teapot, 77);
-  teapot->GetCellData()->AddArray(spike);
-  teapot->GetCellData()->AddArray(constant);
-  SmoothCellArray(teapot, "Spike", 2);
-  SmoothCellArray(teapot, "Constant", 2);
+  EXPECT_EQ(irradiance->GetValue(77), spike); // the input's own array is not touched
+  return { power / areas[77], values->GetRange()[0], values->GetRange()[1] };
+}
 
-  vtkDataArray* smooth = teapot->GetCellData()->GetArray("Spike");
-  double sum = 0.0;
-  for (vtkIdType cell = 0; cell < count; ++cell)
-  {
-    sum += smooth->GetTuple1(cell) * CellArea(teapot, cell);
-    EXPECT_NEAR(teapot->GetCellData()->GetArray("Constant")->GetTuple1(cell), 7.0, 1e-12);
-  }
-  EXPECT_NEAR(sum, power, 1e-12 * power);
-  EXPECT_LT(smooth->GetTuple1(77), 1.0);
-  EXPECT_EQ(spike->GetTuple1(77), 3.0); // the input's own array is not touched
+TEST(Smoothing, KeepsPowerAndConstants)
+{
+  const auto [power, least, most] = SmoothSumAndRange(3.0, 0.0);
+  EXPECT_NEAR(power, 3.0, 1e-12);
+  EXPECT_EQ(least, 0.0);
+  EXPECT_LT(most, 1.0);
+  EXPECT_GT(most, 0.0);
+  const auto constant = SmoothSumAndRange(7.0, 7.0);
+  EXPECT_NEAR(constant[1], 7.0, 1e-12);
+  EXPECT_NEAR(constant[2], 7.0, 1e-12);
 }
 
 TEST(TeapotPath, StaysInTheRoomAndAboveTheHead)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimingTable.h"
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
-#include <numeric>
 #include <ostream>
+#include <valarray>
 
 namespace movingteapot
 {
@@ -18,61 +20,45 @@ constexpr double PaperVerify = 0.78;
 constexpr double PaperUpdateUncached = 0.16;
 constexpr double PaperUpdateCached = 0.11;
 
-struct Summary
-{
-  double Mean, Median, Least, Most;
-};
+using Values = std::valarray<double>;
 
-Summary Summarize(std::vector<double> values)
+Values ValuesOf(vtkFieldData* run, const char* name)
 {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return { std::accumulate(values.begin(), values.end(), 0.0) / double(n),
-    (values[(n - 1) / 2] + values[n / 2]) / 2, values.front(), values.back() };
-}
-
-// Of one figure over the updates of a run.
-template <typename Figure>
-Summary SummarizeUpdates(const std::vector<FrameReport>& run, Figure figure)
-{
-  std::vector<double> values;
-  std::transform(run.begin() + 1, run.end(), std::back_inserter(values), figure);
-  return Summarize(values);
-}
-
-double VerifySeconds(const FrameReport& frame)
-{
-  return frame.VerifySeconds;
-}
-
-double RepairSeconds(const FrameReport& frame)
-{
-  return frame.RepairSeconds;
-}
-
-double UpdateSeconds(const FrameReport& frame)
-{
-  return frame.VerifySeconds + frame.RepairSeconds;
-}
-
-double InvalidPercent(const FrameReport& frame)
-{
-  return 100.0 * frame.InvalidWalks / frame.Walks;
-}
-
-double RepairedPercent(const FrameReport& frame)
-{
-  return 100.0 * frame.RepairedSegments / frame.Segments;
-}
-
-double MostGigabytes(const std::vector<FrameReport>& run)
-{
-  double most = 0.0;
-  for (const FrameReport& frame : run)
+  vtkDataArray* array = run->GetArray(name);
+  Values values(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
-    most = std::max(most, frame.HistoryBytes / 1e9);
+    values[i] = array->GetTuple1(i);
   }
-  return most;
+  return values;
+}
+
+// All frames but the first.
+Values UpdatesOf(vtkFieldData* run, const char* name)
+{
+  const Values values = ValuesOf(run, name);
+  return values[std::slice(1, values.size() - 1, 1)];
+}
+
+double Median(Values values)
+{
+  std::sort(std::begin(values), std::end(values));
+  const std::size_t n = values.size();
+  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
+Values Shootings(const Measurements& m)
+{
+  Values seconds(3);
+  std::size_t count = 0;
+  for (vtkFieldData* run : { m.Cached, m.Uncached, m.Afresh })
+  {
+    if (run)
+    {
+      seconds[count++] = ValuesOf(run, "ShootSeconds")[0];
+    }
+  }
+  return seconds[std::slice(0, count, 1)];
 }
 
 class Table
@@ -84,24 +70,26 @@ public:
   {
   }
 
-  template <typename... Values>
-  void Write(const char* format, Values... values) const
+  template <typename... Arguments>
+  void Write(const char* format, Arguments... arguments) const
   {
     char line[200];
-    std::snprintf(line, sizeof line, format, values...);
+    std::snprintf(line, sizeof line, format, arguments...);
     this->Stream << line;
   }
 
-  void WriteSeconds(const char* name, const Summary& ours, double paper) const
+  void WriteSeconds(const char* name, const Values& ours, double paper) const
   {
-    this->Write("%-34s %8.3f %8.3f %8.3f %8.3f %7.3f  |%6.2f %6.3f\n", name, ours.Mean, ours.Median,
-      ours.Least, ours.Most, ours.Median / this->ShootSeconds, paper, paper / PaperShoot);
+    this->Write("%-34s %8.3f %8.3f %8.3f %8.3f %7.3f  |%6.2f %6.3f\n", name,
+      ours.sum() / ours.size(), Median(ours), ours.min(), ours.max(),
+      Median(ours) / this->ShootSeconds, paper, paper / PaperShoot);
   }
 
-  void WritePercent(const char* name, const Summary& ours) const
+  void WritePercent(const char* name, const Values& part, const Values& whole) const
   {
-    this->Write("%-34s %7.1f%% %7.1f%% %7.1f%% %7.1f%%\n", name, ours.Mean, ours.Median, ours.Least,
-      ours.Most);
+    const Values ours = 100.0 * part / whole;
+    this->Write("%-34s %7.1f%% %7.1f%% %7.1f%% %7.1f%%\n", name, ours.sum() / ours.size(),
+      Median(ours), ours.min(), ours.max());
   }
 
 private:
@@ -113,33 +101,29 @@ private:
 
 void WriteTimingTable(std::ostream& stream, const Measurements& m)
 {
-  std::vector<double> shootings;
-  for (const auto* run : { &m.Cached, &m.Uncached, &m.Afresh })
-  {
-    if (!run->empty())
-    {
-      shootings.push_back(run->front().ShootSeconds);
-    }
-  }
-  const Summary shoot = Summarize(shootings);
-  const Table table(stream, shoot.Median);
+  const Values shoot = Shootings(m);
+  const Values verify = UpdatesOf(m.Cached, "VerifySeconds");
+  const Values repair = UpdatesOf(m.Cached, "RepairSeconds");
+  const Values bytes = ValuesOf(m.Cached, "HistoryBytes");
+  const Table table(stream, Median(shoot));
   table.Write("%-34s %8s %8s %8s %8s %7s  |%6s %6s\n", "Seconds", "mean", "median", "least", "most",
     "ratio", "paper", "ratio");
   table.WriteSeconds("First shooting", shoot, PaperShoot);
-  table.WriteSeconds("Verification", SummarizeUpdates(m.Cached, VerifySeconds), PaperVerify);
-  if (!m.Uncached.empty())
+  table.WriteSeconds("Verification", verify, PaperVerify);
+  if (m.Uncached)
   {
-    table.WriteSeconds("Update, without static-hit cache",
-      SummarizeUpdates(m.Uncached, RepairSeconds), PaperUpdateUncached);
+    table.WriteSeconds("Update, without static-hit cache", UpdatesOf(m.Uncached, "RepairSeconds"),
+      PaperUpdateUncached);
   }
+  table.WriteSeconds("Update, with static-hit cache", repair, PaperUpdateCached);
   table.WriteSeconds(
-    "Update, with static-hit cache", SummarizeUpdates(m.Cached, RepairSeconds), PaperUpdateCached);
-  table.WriteSeconds("Verification + update with cache", SummarizeUpdates(m.Cached, UpdateSeconds),
-    PaperVerify + PaperUpdateCached);
-  table.WritePercent("Walks found invalid", SummarizeUpdates(m.Cached, InvalidPercent));
-  table.WritePercent("Path segments shot again", SummarizeUpdates(m.Cached, RepairedPercent));
+    "Verification + update with cache", verify + repair, PaperVerify + PaperUpdateCached);
+  table.WritePercent("Walks found invalid", UpdatesOf(m.Cached, "NumberOfInvalidWalks"),
+    UpdatesOf(m.Cached, "NumberOfWalks"));
+  table.WritePercent("Path segments shot again", UpdatesOf(m.Cached, "NumberOfRepairedSegments"),
+    UpdatesOf(m.Cached, "NumberOfSegments"));
   table.Write("%-34s %.2f GB at first, %.2f GB at most\n", "Memory of the stored walks",
-    m.Cached.front().HistoryBytes / 1e9, MostGigabytes(m.Cached));
+    bytes[0] / 1e9, bytes.max() / 1e9);
 }
 
 }

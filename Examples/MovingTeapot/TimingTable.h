@@ -2,20 +2,22 @@
 #ifndef TimingTable_h
 #define TimingTable_h
 
-#include "FrameReport.h"
-
 #include <iosfwd>
-#include <vector>
+
+class vtkFieldData;
 
 namespace movingteapot
 {
 
-/** What was measured; in each run the first frame is a shooting and the others are updates. */
+/**
+ * What was measured: the field data of vtkIrradianceFilter's output, a tuple for each frame. The
+ * first frame is a shooting, the others are updates.
+ */
 struct Measurements
 {
-  std::vector<FrameReport> Cached;   // with the static-hit cache
-  std::vector<FrameReport> Uncached; // without it; may be empty
-  std::vector<FrameReport> Afresh;   // the last frame alone; may be empty
+  vtkFieldData* Cached;   // with the static-hit cache
+  vtkFieldData* Uncached; // without it; may be null
+  vtkFieldData* Afresh;   // the last frame alone; may be null
 };
 
 /**
