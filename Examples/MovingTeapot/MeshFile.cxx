@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFile.h"
+#include "Meshes.h"
 
 #include "VtkErrors.h"
 
@@ -50,35 +50,31 @@ public:
   {
   }
 
-  std::istringstream Next()
-  {
-    std::string line;
-    while (std::getline(this->File, line))
-    {
-      ++this->Number;
-      line = line.substr(0, line.find('#'));
-      if (line.find_first_not_of(" \t\r") != std::string::npos)
-      {
-        return std::istringstream(line);
-      }
-    }
-    throw this->Error("the file ends too early");
-  }
-
   void Require(bool good, const std::string& what) const
   {
     if (!good)
     {
-      throw this->Error(what);
+      throw std::runtime_error(this->Path + ", line " + std::to_string(this->Number) + ": " + what);
     }
   }
 
-private:
-  std::runtime_error Error(const std::string& what) const
+  // The next line, which begins with these values.
+  template <typename... Values>
+  std::istringstream Read(const std::string& expected, Values&... values)
   {
-    return std::runtime_error(this->Path + ", line " + std::to_string(this->Number) + ": " + what);
+    std::string line;
+    while (line.find_first_not_of(" \t\r") == std::string::npos)
+    {
+      this->Require(bool(std::getline(this->File, line)), "the file ends too early");
+      ++this->Number;
+      line = line.substr(0, line.find('#'));
+    }
+    std::istringstream words(line);
+    this->Require(bool((words >> ... >> values)), expected + " expected");
+    return words;
   }
 
+private:
   std::string Path;
   std::ifstream File;
   int Number = 0;
@@ -86,10 +82,10 @@ private:
 
 std::vector<vtkIdType> ReadPolygon(LineReader& lines, vtkIdType numberOfPoints)
 {
-  std::istringstream line = lines.Next();
+  const std::string number = "a polygon's number of points";
   vtkIdType size = 0;
-  lines.Require(
-    (line >> size) && size >= 1 && size <= numberOfPoints, "a polygon's number of points expected");
+  std::istringstream line = lines.Read(number, size);
+  lines.Require(size >= 1 && size <= numberOfPoints, number + " expected");
   std::vector<vtkIdType> polygon(size);
   for (vtkIdType& id : polygon)
   {
@@ -103,41 +99,33 @@ std::vector<vtkIdType> ReadPolygon(LineReader& lines, vtkIdType numberOfPoints)
 vtkSmartPointer<vtkPolyData> ReadOff(const std::string& path)
 {
   LineReader lines(path);
-  std::istringstream line = lines.Next();
   std::string word;
-  line >> word;
+  std::istringstream line = lines.Read("\"OFF\"", word);
   lines.Require(word == "OFF", "\"OFF\" expected, found \"" + word + "\"");
   vtkIdType numberOfPoints = 0, numberOfPolygons = 0;
-  if (!(line >> numberOfPoints)) // the counts stand on the line of the word, or on the next
+  if (!(line >> numberOfPoints >>
+        numberOfPolygons)) // they stand on the line of the word, or the next
   {
-    line = lines.Next();
-    line >> numberOfPoints;
+    lines.Read("the numbers of points and polygons", numberOfPoints, numberOfPolygons);
   }
-  line >> numberOfPolygons;
-  lines.Require(line && numberOfPoints >= 0 && numberOfPolygons >= 0,
-    "the numbers of points and polygons expected");
 
-  vtkNew<vtkPoints> points;
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(vtkNew<vtkPoints>());
+  mesh->SetPolys(vtkNew<vtkCellArray>());
   for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
-    line = lines.Next();
     double x[3];
-    lines.Require(bool(line >> x[0] >> x[1] >> x[2]), "three coordinates expected");
-    points->InsertNextPoint(x);
+    lines.Read("three coordinates", x[0], x[1], x[2]);
+    mesh->GetPoints()->InsertNextPoint(x);
   }
-  vtkNew<vtkCellArray> polygons;
   for (vtkIdType i = 0; i < numberOfPolygons; ++i)
   {
     const std::vector<vtkIdType> polygon = ReadPolygon(lines, numberOfPoints);
     if (polygon.size() >= 3)
     {
-      polygons->InsertNextCell(polygon.size(), polygon.data());
+      mesh->GetPolys()->InsertNextCell(polygon.size(), polygon.data());
     }
   }
-
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(polygons);
   return mesh;
 }
 

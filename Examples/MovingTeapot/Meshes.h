@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** The meshes that are made here: boxes cut into cells, and the Utah teapot. */
+/** The meshes of the scene: boxes cut into cells, the Utah teapot, a user's own from a file. */
 #ifndef Meshes_h
 #define Meshes_h
 
@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -46,6 +47,15 @@ std::vector<Patch> ReadTeapotPatches();
  * is up, the bottom is at 0, the spout looks along +x.
  */
 vtkSmartPointer<vtkPolyData> MakeUtahTeapot(int segments = 10);
+
+/**
+ * Reads .obj .ply .stl .vtp .vtk or .off. Throws std::runtime_error that names the file when it is
+ * missing, of another kind, damaged, or has no polygon.
+ */
+vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& path);
+
+/** The mesh (z up) scaled uniformly to fit into the box, standing in the middle of its floor. */
+vtkSmartPointer<vtkPolyData> FitMesh(vtkPolyData* mesh, const Box& box);
 
 }
 

@@ -20,14 +20,11 @@
 #include <vtkSMPTools.h>
 #include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <iostream>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -78,47 +75,6 @@ std::string CaptionOf(int frame, int frames, Animation& animation)
   return caption + (frame == 0 ? "all walks shot" : text);
 }
 
-// What is compared at the end; Uncached and Afresh are null without a comparison.
-struct Animations
-{
-  std::unique_ptr<Animation> Cached, Uncached, Afresh;
-};
-
-Animations Play(const TeapotScene& scene, const Options& options, Recording& recording)
-{
-  const double work = Animation::ShootingWork + Animation::UpdateWork * (options.Frames - 1);
-  ProgressBar bar(options.Comparison ? 2 * work + Animation::ShootingWork : work);
-  const auto make = [&](const char* name, bool cacheStaticHits) {
-    return std::make_unique<Animation>(name, scene, options, cacheStaticHits, bar);
-  };
-
-  Animations play;
-  play.Cached = make("", true);
-  std::vector<Animation*> inTurn = { play.Cached.get() };
-  if (options.Comparison)
-  {
-    play.Uncached = make(", without cache", false);
-    inTurn.push_back(play.Uncached.get());
-  }
-  for (int frame = 0; frame < options.Frames; ++frame)
-  {
-    for (Animation* animation : inTurn)
-    {
-      animation->Show(frame);
-    }
-    std::reverse(inTurn.begin(), inTurn.end()); // neither is always the first
-    recording.Add(frame, play.Cached->TimeOf(frame), play.Cached->GetScene(),
-      CaptionOf(frame, options.Frames, *play.Cached));
-  }
-  if (options.Comparison)
-  {
-    play.Afresh = make(", shot afresh", true);
-    play.Afresh->Show(options.Frames - 1);
-  }
-  bar.Finish();
-  return play;
-}
-
 // Of all cells, one mesh after the other.
 std::vector<double> IrradianceOf(Animation& animation)
 {
@@ -137,31 +93,14 @@ bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
 }
 
 // The promise of the method: whether it was kept.
-bool PrintSameness(const Animations& play)
+bool PrintSameness(Animation& cached, Animation& uncached, Animation& afresh)
 {
-  const std::vector<double> updated = IrradianceOf(*play.Cached);
-  const bool same = HaveSameBits(updated, IrradianceOf(*play.Uncached)) &&
-    HaveSameBits(updated, IrradianceOf(*play.Afresh));
-  std::cout << "Updated with cache, without it, and shot afresh, the last frame is "
-            << (same ? "the same bit for bit.\n" : "NOT the same.\n");
+  const std::vector<double> updated = IrradianceOf(cached);
+  const bool same =
+    HaveSameBits(updated, IrradianceOf(uncached)) && HaveSameBits(updated, IrradianceOf(afresh));
+  std::printf("Updated with cache, without it, and shot afresh, the last frame is %s.\n",
+    same ? "the same bit for bit" : "NOT the same");
   return same;
-}
-
-bool PrintResults(const Animations& play, const Options& options)
-{
-  const auto reportsOf = [](const std::unique_ptr<Animation>& animation) {
-    return animation ? animation->GetReports() : nullptr;
-  };
-  std::cout << '\n';
-  WriteTimingTable(
-    std::cout, { reportsOf(play.Cached), reportsOf(play.Uncached), reportsOf(play.Afresh) });
-  std::cout << "Last frame: " << LastOf(*play.Cached, "EmittedPower") << " W emitted, "
-            << LastOf(*play.Cached, "AbsorbedPower") << " W absorbed, "
-            << LastOf(*play.Cached, "EscapedPower") << " W escaped from the closed room.\n";
-  const bool good = !options.Comparison || PrintSameness(play);
-  std::cout << "Written to " << options.Output << ": MovingTeapot.pvd"
-            << (options.Pictures ? ", MovingTeapot.ogv, pictures/" : "") << std::endl;
-  return good;
 }
 
 int Run(const Options& options)
@@ -170,8 +109,42 @@ int Run(const Options& options)
   const TeapotScene scene = MakeScene(options);
   PrintScene(scene, options);
   Recording recording(options);
-  const Animations play = Play(scene, options, recording);
-  return PrintResults(play, options) ? EXIT_SUCCESS : EXIT_FAILURE;
+
+  const int last = options.Frames - 1;
+  const double work = Animation::ShootingWork + Animation::UpdateWork * last;
+  ProgressBar bar(options.Comparison ? 2 * work + Animation::ShootingWork : work);
+  Animation cached("", scene, options, true, bar);
+  Animation uncached(", without cache", scene, options, false, bar);
+  Animation afresh(", shot afresh", scene, options, true, bar);
+  for (int frame = 0; frame <= last; ++frame)
+  {
+    std::vector<Animation*> inTurn = { &cached };
+    if (options.Comparison)
+    {
+      inTurn.insert(
+        frame % 2 ? inTurn.begin() : inTurn.end(), &uncached); // neither is always the first
+    }
+    for (Animation* animation : inTurn)
+    {
+      animation->Show(frame);
+    }
+    recording.Add(
+      frame, cached.TimeOf(frame), cached.GetScene(), CaptionOf(frame, last + 1, cached));
+  }
+  if (options.Comparison)
+  {
+    afresh.Show(last);
+  }
+  bar.Finish();
+
+  PrintTimingTable(cached.GetReports(), uncached.GetReports(), afresh.GetReports());
+  std::printf("Last frame: %.6g W emitted, %.6g W absorbed, %.6g W escaped from the closed room.\n",
+    LastOf(cached, "EmittedPower"), LastOf(cached, "AbsorbedPower"),
+    LastOf(cached, "EscapedPower"));
+  const bool good = !options.Comparison || PrintSameness(cached, uncached, afresh);
+  std::printf("Written to %s: MovingTeapot.pvd%s\n", options.Output.c_str(),
+    options.Pictures ? ", MovingTeapot.ogv, pictures/" : "");
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }

@@ -2,7 +2,7 @@
 #include "Options.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <iomanip>
@@ -24,46 +24,36 @@ struct Mismatch
 
 using Setter = std::function<void(const std::string&)>;
 
-Setter Number(double& value, double least, double most)
+template <typename T>
+Setter Number(T& value, double least, double most, const std::string& expected)
 {
-  return [&value, least, most](const std::string& text) {
+  return [&value, least, most, expected](const std::string& text) {
     char* end = nullptr;
-    value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !(value >= least && value <= most))
+    const double number = std::strtod(text.c_str(), &end);
+    const bool inRange = !text.empty() && *end == '\0' && number >= least && number <= most;
+    if (!inRange || T(number) != number)
     {
-      const auto bound = [](double x) { return std::to_string(x).substr(0, 6); };
-      throw Mismatch{ "a number from " + bound(least) + " to " + bound(most) };
+      throw Mismatch{ expected };
     }
+    value = T(number);
   };
 }
 
 Setter Count(int& value, int least)
 {
-  return [&value, least](const std::string& text) {
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    const bool whole = !text.empty() && *end == '\0' && number == std::floor(number);
-    if (!whole || number < least || number > std::numeric_limits<int>::max())
-    {
-      throw Mismatch{ "a whole number, at least " + std::to_string(least) + "," };
-    }
-    value = int(number);
-  };
+  return Number(value, least, std::numeric_limits<int>::max(),
+    "a whole number, at least " + std::to_string(least) + ",");
 }
 
 Setter Size(int& width, int& height)
 {
   return [&](const std::string& text) {
-    const std::size_t cross = text.find('x');
-    if (cross == std::string::npos)
+    int end = 0;
+    const int count = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end);
+    if (count != 2 || end != int(text.size()) || width < 160 || height < 120 || width > 8192 ||
+      height > 8192)
     {
-      throw Mismatch{ "width x height in pixels, such as 1280x720," };
-    }
-    Count(width, 160)(text.substr(0, cross));
-    Count(height, 120)(text.substr(cross + 1));
-    if (width > 8192 || height > 8192)
-    {
-      throw Mismatch{ "at most 8192x8192" };
+      throw Mismatch{ "width x height in pixels, such as 1280x720, 160x120 to 8192x8192," };
     }
   };
 }
@@ -113,7 +103,7 @@ std::vector<Option> OptionsOf(Options& o)
     { "--traversal", "MODE", "parallel", "onetree, sequential or parallel",
       TraversalMode(o.TraversalMode) },
     { "--cell-size", "M", "0.046", "edge of the cells of the walls in m",
-      Number(o.CellSize, 0.005, 1.0) },
+      Number(o.CellSize, 0.005, 1.0, "a number from 0.005 to 1") },
     { "--teapot-segments", "N", "10", "cuts along each edge of a teapot patch",
       Count(o.TeapotSegments, 2) },
     { "--head", "FILE", "", "a mesh of yours for the head (*)", Text(o.HeadFile) },

@@ -5,10 +5,8 @@
 #include "VtkErrors.h"
 
 #include <vtkActor.h>
-#include <vtkArrayCalculator.h>
 #include <vtkCamera.h>
 #include <vtkCellDataToPointData.h>
-#include <vtkCellSizeFilter.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
@@ -67,16 +65,21 @@ double ColorStops[][3] = { { 0.001, 0.000, 0.014 }, { 0.122, 0.047, 0.282 },
   { 0.891, 0.350, 0.197 }, { 0.978, 0.558, 0.035 }, { 0.976, 0.793, 0.240 },
   { 0.988, 0.998, 0.645 } };
 
-vtkNew<vtkArrayCalculator> MakeCalculator(
-  const char* a, const char* b, const char* function, const char* result)
+// Each point takes the mean of the cells around it, and each cell then that of its points: small cells,
+// which few photons hit, become less noisy.
+vtkSmartPointer<vtkPolyData> Smooth(vtkPolyData* mesh, int passes)
 {
-  vtkNew<vtkArrayCalculator> calculator;
-  calculator->AddScalarArrayName(a);
-  calculator->AddScalarArrayName(b);
-  calculator->SetFunction(function);
-  calculator->SetResultArrayName(result);
-  calculator->ReplaceInvalidValuesOn(); // 0 where there is no area
-  return calculator;
+  vtkSmartPointer<vtkPolyData> smooth = mesh;
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    vtkNew<vtkCellDataToPointData> toPoints;
+    toPoints->SetInputData(smooth);
+    vtkNew<vtkPointDataToCellData> toCells;
+    toCells->SetInputConnection(toPoints->GetOutputPort());
+    toCells->Update();
+    smooth = toCells->GetPolyDataOutput();
+  }
+  return smooth;
 }
 
 void SetStyle(vtkTextProperty* text, int fontSize)
@@ -109,43 +112,15 @@ vtkNew<vtkScalarBarActor> MakeColorBar(vtkColorTransferFunction* colors, int fon
 
 }
 
-vtkSmartPointer<vtkPolyData> Smooth(vtkPolyData* mesh, int passes)
-{
-  vtkNew<vtkCellSizeFilter> areas;
-  areas->SetInputData(mesh);
-  areas->Update();
-  vtkSmartPointer<vtkPolyData> smooth = vtkPolyData::SafeDownCast(areas->GetOutput());
-  for (int pass = 0; pass < passes; ++pass)
-  {
-    const auto powers = MakeCalculator(Irradiance, "Area", "Irradiance*Area", "Power");
-    powers->SetAttributeTypeToCellData();
-    powers->SetInputData(smooth);
-    vtkNew<vtkCellDataToPointData> toPoints;
-    toPoints->SetInputConnection(powers->GetOutputPort());
-    toPoints->ProcessAllArraysOff();
-    toPoints->AddCellDataArray("Power");
-    toPoints->AddCellDataArray("Area");
-    toPoints->PassCellDataOn();
-    const auto densities = MakeCalculator("Power", "Area", "Power/Area", Irradiance);
-    densities->SetAttributeTypeToPointData();
-    densities->SetInputConnection(toPoints->GetOutputPort());
-    vtkNew<vtkPointDataToCellData> toCells;
-    toCells->SetInputConnection(densities->GetOutputPort());
-    toCells->ProcessAllArraysOff();
-    toCells->AddPointDataArray(Irradiance);
-    toCells->Update();
-    smooth = toCells->GetPolyDataOutput();
-  }
-  return smooth;
-}
-
 Recording::Recording(const Options& options)
   : Folder(options.Output + "/")
   , Pictures(options.Pictures)
   , Smoothings(options.Smoothings)
 {
   // VTK itself ends the program where no window can be opened.
-  if (this->Pictures && this->Window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
+  const char* display = std::getenv("DISPLAY");
+  const bool needsDisplay = this->Pictures && this->Window->IsA("vtkXOpenGLRenderWindow");
+  if (needsDisplay && !(display && *display))
   {
     throw std::runtime_error("pictures need an X display and DISPLAY is not set; start it through "
                              "Examples/run.sh or xvfb-run, or add --no-pictures");

@@ -23,14 +23,6 @@ namespace movingteapot
 {
 
 /**
- * The mesh with its cell array `Irradiance` spread over neighbouring cells: each point takes the mean
- * of the cells around it, weighted by area, and each cell then the mean of its points; `passes` times.
- * Small cells, which few photons hit, become less noisy; the power of the whole stays, if all cells
- * have the same number of points.
- */
-vtkSmartPointer<vtkPolyData> Smooth(vtkPolyData* mesh, int passes);
-
-/**
  * What stays of a run, in one folder: MovingTeapot.pvd for ParaView, which lists
  * MovingTeapot/MovingTeapot_0000.vtm and so on; with pictures, one PNG per frame in pictures/ and
  * the movie MovingTeapot.ogv. Whatever is there after any frame can be opened. Throws

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TeapotScene.h"
 
-#include "MeshFile.h"
 #include "Meshes.h"
 
 #include <vtkCellData.h>

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ostream>
 #include <valarray>
 
 namespace movingteapot
@@ -33,7 +32,6 @@ Values ValuesOf(vtkFieldData* run, const char* name)
   return values;
 }
 
-// All frames but the first.
 Values UpdatesOf(vtkFieldData* run, const char* name)
 {
   const Values values = ValuesOf(run, name);
@@ -47,82 +45,50 @@ double Median(Values values)
   return (values[(n - 1) / 2] + values[n / 2]) / 2;
 }
 
-Values Shootings(const Measurements& m)
+void PrintSeconds(const char* name, const Values& ours, double shoot, double paper)
 {
-  Values seconds(3);
-  std::size_t count = 0;
-  for (vtkFieldData* run : { m.Cached, m.Uncached, m.Afresh })
-  {
-    if (run)
-    {
-      seconds[count++] = ValuesOf(run, "ShootSeconds")[0];
-    }
-  }
-  return seconds[std::slice(0, count, 1)];
+  std::printf("%-34s %8.3f %8.3f %8.3f %8.3f %7.3f  |%6.2f %6.3f\n", name, ours.sum() / ours.size(),
+    Median(ours), ours.min(), ours.max(), Median(ours) / shoot, paper, paper / PaperShoot);
 }
 
-class Table
+void PrintPercent(const char* name, vtkFieldData* run, const char* part, const char* whole)
 {
-public:
-  Table(std::ostream& stream, double shootSeconds)
-    : Stream(stream)
-    , ShootSeconds(shootSeconds)
-  {
-  }
-
-  template <typename... Arguments>
-  void Write(const char* format, Arguments... arguments) const
-  {
-    char line[200];
-    std::snprintf(line, sizeof line, format, arguments...);
-    this->Stream << line;
-  }
-
-  void WriteSeconds(const char* name, const Values& ours, double paper) const
-  {
-    this->Write("%-34s %8.3f %8.3f %8.3f %8.3f %7.3f  |%6.2f %6.3f\n", name,
-      ours.sum() / ours.size(), Median(ours), ours.min(), ours.max(),
-      Median(ours) / this->ShootSeconds, paper, paper / PaperShoot);
-  }
-
-  void WritePercent(const char* name, const Values& part, const Values& whole) const
-  {
-    const Values ours = 100.0 * part / whole;
-    this->Write("%-34s %7.1f%% %7.1f%% %7.1f%% %7.1f%%\n", name, ours.sum() / ours.size(),
-      Median(ours), ours.min(), ours.max());
-  }
-
-private:
-  std::ostream& Stream;
-  double ShootSeconds; // the unit of the ratios
-};
+  const Values ours = 100.0 * UpdatesOf(run, part) / UpdatesOf(run, whole);
+  std::printf("%-34s %7.1f%% %7.1f%% %7.1f%% %7.1f%%\n", name, ours.sum() / ours.size(),
+    Median(ours), ours.min(), ours.max());
+}
 
 }
 
-void WriteTimingTable(std::ostream& stream, const Measurements& m)
+void PrintTimingTable(vtkFieldData* cached, vtkFieldData* uncached, vtkFieldData* afresh)
 {
-  const Values shoot = Shootings(m);
-  const Values verify = UpdatesOf(m.Cached, "VerifySeconds");
-  const Values repair = UpdatesOf(m.Cached, "RepairSeconds");
-  const Values bytes = ValuesOf(m.Cached, "HistoryBytes");
-  const Table table(stream, Median(shoot));
-  table.Write("%-34s %8s %8s %8s %8s %7s  |%6s %6s\n", "Seconds", "mean", "median", "least", "most",
-    "ratio", "paper", "ratio");
-  table.WriteSeconds("First shooting", shoot, PaperShoot);
-  table.WriteSeconds("Verification", verify, PaperVerify);
-  if (m.Uncached)
+  const bool isCompared = uncached->GetNumberOfTuples() > 0;
+  Values shootings = ValuesOf(cached, "ShootSeconds")[std::slice(0, 1, 1)];
+  if (isCompared)
   {
-    table.WriteSeconds("Update, without static-hit cache", UpdatesOf(m.Uncached, "RepairSeconds"),
+    shootings = { shootings[0], ValuesOf(uncached, "ShootSeconds")[0],
+      ValuesOf(afresh, "ShootSeconds")[0] };
+  }
+  const double shoot = Median(shootings);
+  const Values verify = UpdatesOf(cached, "VerifySeconds");
+  const Values repair = UpdatesOf(cached, "RepairSeconds");
+  const Values bytes = ValuesOf(cached, "HistoryBytes");
+
+  std::printf("\n%-34s %8s %8s %8s %8s %7s  |%6s %6s\n", "Seconds", "mean", "median", "least",
+    "most", "ratio", "paper", "ratio");
+  PrintSeconds("First shooting", shootings, shoot, PaperShoot);
+  PrintSeconds("Verification", verify, shoot, PaperVerify);
+  if (isCompared)
+  {
+    PrintSeconds("Update, without static-hit cache", UpdatesOf(uncached, "RepairSeconds"), shoot,
       PaperUpdateUncached);
   }
-  table.WriteSeconds("Update, with static-hit cache", repair, PaperUpdateCached);
-  table.WriteSeconds(
-    "Verification + update with cache", verify + repair, PaperVerify + PaperUpdateCached);
-  table.WritePercent("Walks found invalid", UpdatesOf(m.Cached, "NumberOfInvalidWalks"),
-    UpdatesOf(m.Cached, "NumberOfWalks"));
-  table.WritePercent("Path segments shot again", UpdatesOf(m.Cached, "NumberOfRepairedSegments"),
-    UpdatesOf(m.Cached, "NumberOfSegments"));
-  table.Write("%-34s %.2f GB at first, %.2f GB at most\n", "Memory of the stored walks",
+  PrintSeconds("Update, with static-hit cache", repair, shoot, PaperUpdateCached);
+  PrintSeconds(
+    "Verification + update with cache", verify + repair, shoot, PaperVerify + PaperUpdateCached);
+  PrintPercent("Walks found invalid", cached, "NumberOfInvalidWalks", "NumberOfWalks");
+  PrintPercent("Path segments shot again", cached, "NumberOfRepairedSegments", "NumberOfSegments");
+  std::printf("%-34s %.2f GB at first, %.2f GB at most\n", "Memory of the stored walks",
     bytes[0] / 1e9, bytes.max() / 1e9);
 }
 

@@ -2,30 +2,21 @@
 #ifndef TimingTable_h
 #define TimingTable_h
 
-#include <iosfwd>
-
 class vtkFieldData;
 
 namespace movingteapot
 {
 
 /**
- * What was measured: the field data of vtkIrradianceFilter's output, a tuple for each frame. The
- * first frame is a shooting, the others are updates.
- */
-struct Measurements
-{
-  vtkFieldData* Cached;   // with the static-hit cache
-  vtkFieldData* Uncached; // without it; may be null
-  vtkFieldData* Afresh;   // the last frame alone; may be null
-};
-
-/**
- * Writes the table of the paper's section 5 with the paper's figures beside it: first shooting,
+ * Prints the table of the paper's section 5 with the paper's figures beside it: first shooting,
  * verification, and update with and without the static-hit cache, in seconds and as ratios to the
  * first shooting (medians, which other programs on the machine disturb least).
+ *
+ * Of each run the field data of vtkIrradianceFilter's output, a tuple for each frame; the first is a
+ * shooting, the others are updates. Without a comparison `uncached` (without the static-hit cache)
+ * and `afresh` (the last frame alone) have none.
  */
-void WriteTimingTable(std::ostream& stream, const Measurements& measurements);
+void PrintTimingTable(vtkFieldData* cached, vtkFieldData* uncached, vtkFieldData* afresh);
 
 }
 

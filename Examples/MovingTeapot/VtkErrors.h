@@ -29,8 +29,6 @@ public:
     vtkOutputWindow::SetInstance(this->Window);
     vtkLogger::SetStderrVerbosity(this->Verbosity);
   }
-  VtkErrors(const VtkErrors&) = delete;
-  VtkErrors& operator=(const VtkErrors&) = delete;
 
   /** Throws std::runtime_error, "what: first error", if there was one; prints mere warnings. */
   void ThrowIfAny(const std::string& what) const
