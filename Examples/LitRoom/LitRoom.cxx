@@ -71,12 +71,7 @@ int main()
     auto* output = irradiance->GetOutput(); // "Static", "Dynamic": cell array "Irradiance"
 
     // Both blocks hold a polydata for each connection. Field data of the whole say how it went.
-    auto* statics = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(0));
-    auto* lit = statics ? vtkPolyData::SafeDownCast(statics->GetBlock(0)) : nullptr;
-    if (!lit)
-    {
-      return 1; // the filter has said why
-    }
+    vtkPolyData* lit = vtkCompositeDataSet::GetDataSets<vtkPolyData>(output).at(0); // the room
     double range[2];
     lit->GetCellData()->GetArray("Irradiance")->GetRange(range);
     vtkFieldData* report = output->GetFieldData();
@@ -91,8 +86,7 @@ int main()
   writer->SetFileName("irradiance.vtm");
   writer->Write();
 
-  // A picture from inside the room, in the colours of the array. VTK's own lights are off: the colour
-  // is the measured value. The lamp itself receives little, and is dark.
+  // A picture from inside the room, in the colours of the array; VTK's own lights are off.
   vtkNew<vtkLookupTable> colours; // black, red, yellow, white
   colours->SetHueRange(0, 0.17);
   colours->SetSaturationRange(1, 0.4);
@@ -115,10 +109,11 @@ int main()
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(scene);
   renderer->AddViewProp(legend);
-  renderer->GetActiveCamera()->SetViewUp(0, 0, 1);
-  renderer->GetActiveCamera()->SetPosition(0, -1.95, 1.5);
-  renderer->GetActiveCamera()->SetFocalPoint(0, 0, 1.4);
-  renderer->GetActiveCamera()->SetViewAngle(75);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetViewUp(0, 0, 1);
+  camera->SetPosition(0, -1.95, 1.5);
+  camera->SetFocalPoint(0, 0, 1.4);
+  camera->SetViewAngle(75);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -129,17 +128,6 @@ vtkSmartPointer<vtkPolyData> ReadOff(const std::string& path)
   return mesh;
 }
 
-using Reader = vtkSmartPointer<vtkPolyData> (*)(const std::string& path);
-
-const std::map<std::string, Reader> ReaderOfExtension = {
-  { ".obj", ReadWith<vtkOBJReader> },
-  { ".ply", ReadWith<vtkPLYReader> },
-  { ".stl", ReadWith<vtkSTLReader> },
-  { ".vtp", ReadWith<vtkXMLPolyDataReader> },
-  { ".vtk", ReadWith<vtkPolyDataReader> },
-  { ".off", ReadOff },
-};
-
 }
 
 vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& path)
@@ -149,14 +137,19 @@ vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& path)
   {
     throw std::runtime_error(path + ": there is no such file");
   }
-  const auto reader =
-    ReaderOfExtension.find(SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(path)));
-  if (reader == ReaderOfExtension.end())
+  const std::string kind = SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(path));
+  const auto mesh = kind == ".obj" ? ReadWith<vtkOBJReader>(path)
+    : kind == ".ply"               ? ReadWith<vtkPLYReader>(path)
+    : kind == ".stl"               ? ReadWith<vtkSTLReader>(path)
+    : kind == ".vtp"               ? ReadWith<vtkXMLPolyDataReader>(path)
+    : kind == ".vtk"               ? ReadWith<vtkPolyDataReader>(path)
+    : kind == ".off"               ? ReadOff(path)
+                                   : nullptr;
+  if (!mesh)
   {
     throw std::runtime_error(
       path + ": unknown kind of file; .obj .ply .stl .vtp .vtk .off are read");
   }
-  vtkSmartPointer<vtkPolyData> mesh = reader->second(path);
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
     throw std::runtime_error(path + ": there is no polygon in it");

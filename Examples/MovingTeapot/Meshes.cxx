@@ -29,6 +29,8 @@ struct MeshBuilder
   explicit MeshBuilder(const Box& bounds)
   {
     this->Merge->InitPointInsertion(this->Points, bounds.data());
+    this->Mesh->SetPoints(this->Points);
+    this->Mesh->SetPolys(this->Cells);
   }
 
   vtkIdType Insert(const Point& x)
@@ -38,17 +40,10 @@ struct MeshBuilder
     return id;
   }
 
-  vtkSmartPointer<vtkPolyData> Mesh() const
-  {
-    auto mesh = vtkSmartPointer<vtkPolyData>::New();
-    mesh->SetPoints(this->Points);
-    mesh->SetPolys(this->Cells);
-    return mesh;
-  }
-
   vtkNew<vtkPoints> Points;
   vtkNew<vtkMergePoints> Merge;
   vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkPolyData> Mesh;
 };
 
 // Where the cells begin and end along an axis of the box: the same numbers for all sides that have this
@@ -93,14 +88,6 @@ Point PatchPoint(const Patch& patch, const Weights& u, const Weights& v)
   return Blend(u, rows);
 }
 
-void InsertTriangle(vtkIdType a, vtkIdType b, vtkIdType c, vtkCellArray* triangles)
-{
-  if (a != b && b != c && c != a)
-  {
-    triangles->InsertNextCell({ a, b, c });
-  }
-}
-
 void InsertPatch(const Patch& patch, int n, MeshBuilder& builder)
 {
   std::vector<vtkIdType> grid;
@@ -116,9 +103,15 @@ void InsertPatch(const Patch& patch, int n, MeshBuilder& builder)
   {
     for (int j = 0; j < n; ++j)
     {
-      const auto corner = [&](int di, int dj) { return grid[(i + di) * (n + 1) + j + dj]; };
-      InsertTriangle(corner(0, 0), corner(0, 1), corner(1, 1), builder.Cells);
-      InsertTriangle(corner(0, 0), corner(1, 1), corner(1, 0), builder.Cells);
+      const vtkIdType a = grid[i * (n + 1) + j], b = grid[i * (n + 1) + j + 1];
+      const vtkIdType c = grid[(i + 1) * (n + 1) + j + 1], d = grid[(i + 1) * (n + 1) + j];
+      for (const auto& [p, q, r] : { std::array{ a, b, c }, std::array{ a, c, d } })
+      {
+        if (p != q && q != r && r != p) // else the triangle has collapsed at a pole
+        {
+          builder.Cells->InsertNextCell({ p, q, r });
+        }
+      }
     }
   }
 }
@@ -159,9 +152,8 @@ vtkSmartPointer<vtkPolyData> MakeGridBox(
       }
     }
   }
-  auto mesh = builder.Mesh();
-  mesh->GetCellData()->AddArray(reflectance);
-  return mesh;
+  builder.Mesh->GetCellData()->AddArray(reflectance);
+  return builder.Mesh;
 }
 
 // A patch file (BPT): the number of patches, then of each its degrees, 3 3, and its points.
@@ -194,7 +186,7 @@ vtkSmartPointer<vtkPolyData> MakeUtahTeapot(int segments)
   {
     InsertPatch(patch, segments, builder);
   }
-  return builder.Mesh();
+  return builder.Mesh;
 }
 
 }

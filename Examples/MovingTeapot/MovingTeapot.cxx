@@ -13,7 +13,7 @@
 #include "TimingTable.h"
 
 #include <vtkCellData.h>
-#include <vtkDoubleArray.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
@@ -22,7 +22,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -33,18 +32,16 @@ using namespace movingteapot;
 namespace
 {
 
-TeapotScene MakeScene(const Options& options)
+TeapotScene MakeScene(SceneConfig config)
 {
-  SceneConfig config;
-  config.CellSize = options.CellSize;
-  config.TeapotSegments = options.TeapotSegments;
-  config.TeapotFile = options.TeapotFile;
-  config.HeadFile = options.HeadFile.empty() ? MOVINGTEAPOT_DATA "/downloaded/mannequin-devil.off"
-                                             : options.HeadFile;
-  if (options.HeadFile.empty() && !vtksys::SystemTools::FileExists(config.HeadFile, true))
+  const char* head = MOVINGTEAPOT_DATA "/downloaded/mannequin-devil.off";
+  if (config.HeadFile.empty() && vtksys::SystemTools::FileExists(head, true))
+  {
+    config.HeadFile = head;
+  }
+  if (config.HeadFile.empty())
   {
     std::cerr << "The plinth stays empty: Data/fetch.sh gets the head, or --head takes another.\n";
-    config.HeadFile = "";
   }
   return MakeTeapotScene(config);
 }
@@ -67,37 +64,31 @@ double LastOf(Animation& animation, const char* name)
 
 std::string CaptionOf(int frame, int frames, Animation& animation)
 {
-  char text[120];
-  std::snprintf(text, sizeof text, "Frame %d of %d: ", frame + 1, frames);
-  std::string caption = text;
-  std::snprintf(text, sizeof text, "%.1f %% of the path segments shot again",
+  char share[80];
+  std::snprintf(share, sizeof share, "%.1f %% of the path segments shot again",
     100.0 * LastOf(animation, "NumberOfRepairedSegments") / LastOf(animation, "NumberOfSegments"));
-  return caption + (frame == 0 ? "all walks shot" : text);
+  return "Frame " + std::to_string(frame + 1) + " of " + std::to_string(frames) + ": " +
+    (frame == 0 ? "all walks shot" : share);
 }
 
-// Of all cells, one mesh after the other.
-std::vector<double> IrradianceOf(Animation& animation)
+// The irradiance of all cells, byte for byte.
+std::string BytesOf(Animation& animation)
 {
-  std::vector<double> all;
+  std::string bytes;
   for (vtkPolyData* mesh : vtkCompositeDataSet::GetDataSets<vtkPolyData>(animation.GetScene()))
   {
-    auto* irradiance = vtkDoubleArray::SafeDownCast(mesh->GetCellData()->GetArray("Irradiance"));
-    all.insert(all.end(), irradiance->Begin(), irradiance->End());
+    vtkDataArray* irradiance = mesh->GetCellData()->GetArray("Irradiance");
+    bytes.append(static_cast<const char*>(irradiance->GetVoidPointer(0)),
+      irradiance->GetNumberOfValues() * irradiance->GetDataTypeSize());
   }
-  return all;
-}
-
-bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+  return bytes;
 }
 
 // The promise of the method: whether it was kept.
 bool PrintSameness(Animation& cached, Animation& uncached, Animation& afresh)
 {
-  const std::vector<double> updated = IrradianceOf(cached);
-  const bool same =
-    HaveSameBits(updated, IrradianceOf(uncached)) && HaveSameBits(updated, IrradianceOf(afresh));
+  const std::string updated = BytesOf(cached);
+  const bool same = !updated.empty() && updated == BytesOf(uncached) && updated == BytesOf(afresh);
   std::printf("Updated with cache, without it, and shot afresh, the last frame is %s.\n",
     same ? "the same bit for bit" : "NOT the same");
   return same;
@@ -106,7 +97,7 @@ bool PrintSameness(Animation& cached, Animation& uncached, Animation& afresh)
 int Run(const Options& options)
 {
   vtkSMPTools::Initialize(options.Threads);
-  const TeapotScene scene = MakeScene(options);
+  const TeapotScene scene = MakeScene(options.Scene);
   PrintScene(scene, options);
   Recording recording(options);
 
@@ -119,10 +110,9 @@ int Run(const Options& options)
   for (int frame = 0; frame <= last; ++frame)
   {
     std::vector<Animation*> inTurn = { &cached };
-    if (options.Comparison)
+    if (options.Comparison) // neither is always the first
     {
-      inTurn.insert(
-        frame % 2 ? inTurn.begin() : inTurn.end(), &uncached); // neither is always the first
+      inTurn.insert(frame % 2 ? inTurn.begin() : inTurn.end(), &uncached);
     }
     for (Animation* animation : inTurn)
     {
@@ -153,7 +143,7 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const Options options = ReadOptions(argc, argv);
+    const Options options = ReadOptions({ argv + 1, argv + argc });
     if (options.Help)
     {
       std::cout << HelpText();

@@ -16,12 +16,7 @@ namespace movingteapot
 namespace
 {
 
-// What was expected instead of an option's text.
-struct Mismatch
-{
-  std::string Expected;
-};
-
+// Throws std::invalid_argument that says what was expected instead of an option's text.
 using Setter = std::function<void(const std::string&)>;
 
 template <typename T>
@@ -33,7 +28,7 @@ Setter Number(T& value, double least, double most, const std::string& expected)
     const bool inRange = !text.empty() && *end == '\0' && number >= least && number <= most;
     if (!inRange || T(number) != number)
     {
-      throw Mismatch{ expected };
+      throw std::invalid_argument(expected);
     }
     value = T(number);
   };
@@ -49,11 +44,10 @@ Setter Size(int& width, int& height)
 {
   return [&](const std::string& text) {
     int end = 0;
-    const int count = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end);
-    if (count != 2 || end != int(text.size()) || width < 160 || height < 120 || width > 8192 ||
-      height > 8192)
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
+      end != int(text.size()) || width < 160 || height < 120 || std::max(width, height) > 8192)
     {
-      throw Mismatch{ "width x height in pixels, such as 1280x720, 160x120 to 8192x8192," };
+      throw std::invalid_argument("160x120 to 8192x8192 pixels, such as 1280x720,");
     }
   };
 }
@@ -65,7 +59,7 @@ Setter TraversalMode(int& mode)
     mode = int(std::find(names.begin(), names.end(), text) - names.begin());
     if (mode == int(names.size()))
     {
-      throw Mismatch{ "onetree, sequential or parallel" };
+      throw std::invalid_argument("onetree, sequential or parallel");
     }
   };
 }
@@ -103,11 +97,11 @@ std::vector<Option> OptionsOf(Options& o)
     { "--traversal", "MODE", "parallel", "onetree, sequential or parallel",
       TraversalMode(o.TraversalMode) },
     { "--cell-size", "M", "0.046", "edge of the cells of the walls in m",
-      Number(o.CellSize, 0.005, 1.0, "a number from 0.005 to 1") },
+      Number(o.Scene.CellSize, 0.005, 1.0, "a number from 0.005 to 1") },
     { "--teapot-segments", "N", "10", "cuts along each edge of a teapot patch",
-      Count(o.TeapotSegments, 2) },
-    { "--head", "FILE", "", "a mesh of yours for the head (*)", Text(o.HeadFile) },
-    { "--teapot", "FILE", "", "a mesh of yours for the teapot (*)", Text(o.TeapotFile) },
+      Count(o.Scene.TeapotSegments, 2) },
+    { "--head", "FILE", "", "a mesh of yours for the head (*)", Text(o.Scene.HeadFile) },
+    { "--teapot", "FILE", "", "a mesh of yours for the teapot (*)", Text(o.Scene.TeapotFile) },
     { "--no-pictures", "", "", "no PNG files and no movie", Switch(o.Pictures, false) },
     { "--no-comparison", "", "", "the updates alone: half the time and memory",
       Switch(o.Comparison, false) },
@@ -115,39 +109,9 @@ std::vector<Option> OptionsOf(Options& o)
   };
 }
 
-void Set(const Option& option, const std::string& text)
-{
-  try
-  {
-    option.Set(text);
-  }
-  catch (const Mismatch& mismatch)
-  {
-    throw std::runtime_error(
-      option.Name + ": " + mismatch.Expected + " is expected, not \"" + text + "\"");
-  }
 }
 
-// The words of the command line, "--option=value" as two of them.
-std::vector<std::string> WordsOf(int argc, char* argv[])
-{
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i];
-    const std::size_t equal = word.rfind("--", 0) == 0 ? word.find('=') : std::string::npos;
-    words.push_back(word.substr(0, equal));
-    if (equal != std::string::npos)
-    {
-      words.push_back(word.substr(equal + 1));
-    }
-  }
-  return words;
-}
-
-}
-
-Options ReadOptions(int argc, char* argv[])
+Options ReadOptions(const std::vector<std::string>& words)
 {
   Options result;
   const std::vector<Option> options = OptionsOf(result);
@@ -155,23 +119,34 @@ Options ReadOptions(int argc, char* argv[])
   {
     if (!option.Default.empty())
     {
-      Set(option, option.Default);
+      option.Set(option.Default);
     }
   }
-  const std::vector<std::string> words = WordsOf(argc, argv);
   for (auto word = words.begin(); word != words.end(); ++word)
   {
-    const auto option = std::find_if(
-      options.begin(), options.end(), [&](const Option& o) { return o.Name == *word; });
-    if (option == options.end())
+    const std::size_t equal = word->find('=');
+    const std::string name = word->substr(0, equal);
+    const auto option =
+      std::find_if(options.begin(), options.end(), [&](const Option& o) { return o.Name == name; });
+    if (option == options.end() || (option->Value.empty() && equal != std::string::npos))
     {
       throw std::runtime_error(*word + ": there is no such option");
     }
-    if (!option->Value.empty() && ++word == words.end())
+    const bool isNext = !option->Value.empty() && equal == std::string::npos;
+    if (isNext && ++word == words.end())
     {
       throw std::runtime_error("the last option lacks its value");
     }
-    Set(*option, *word);
+    const std::string value = isNext ? *word : word->substr(equal + 1);
+    try
+    {
+      option->Set(value);
+    }
+    catch (const std::invalid_argument& mismatch)
+    {
+      throw std::runtime_error(
+        name + ": " + mismatch.what() + " is expected, not \"" + value + "\"");
+    }
   }
   return result;
 }

@@ -47,17 +47,17 @@ public:
     this->NextTime = now + std::chrono::milliseconds(100);
     this->NextTenth = tenth + 1;
     const double elapsed = std::chrono::duration<double>(now - this->Start).count();
+    const double left = elapsed / fraction - elapsed;
     char time[40] = ""; // too early to tell
     if (fraction >= 0.02)
     {
-      std::snprintf(time, sizeof time, fraction < 1.0 ? "%.0f s left" : "%.0f s in all",
-        fraction < 1.0 ? elapsed / fraction - elapsed : elapsed);
+      std::snprintf(
+        time, sizeof time, "%.0f s %s", left > 0 ? left : elapsed, left > 0 ? "left" : "in all");
     }
     char line[160];
-    std::snprintf(line, sizeof line, "%s[%-30.*s] %3.0f %%  %-40.40s %14s",
-      this->OnTerminal ? "\r" : "", int(30 * fraction),
+    std::snprintf(line, sizeof line, "[%-30.*s] %3.0f %%  %-40.40s %14s", int(30 * fraction),
       "==============================", 100.0 * fraction, this->What.c_str(), time);
-    std::cerr << line << (this->OnTerminal ? "" : "\n") << std::flush;
+    std::cerr << line << (this->OnTerminal ? "\r" : "\n") << std::flush;
   }
 
   /** Ends the last step, and the line. */

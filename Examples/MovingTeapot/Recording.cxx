@@ -34,8 +34,6 @@ namespace movingteapot
 namespace
 {
 
-constexpr int FramesPerSecond = 15;
-
 void MakeFolder(const std::string& path)
 {
   if (!vtksys::SystemTools::MakeDirectory(path))
@@ -82,16 +80,7 @@ vtkSmartPointer<vtkPolyData> Smooth(vtkPolyData* mesh, int passes)
   return smooth;
 }
 
-void SetStyle(vtkTextProperty* text, int fontSize)
-{
-  text->SetColor(0.1, 0.1, 0.1);
-  text->SetFontSize(fontSize);
-  text->BoldOff();
-  text->ItalicOff();
-  text->ShadowOff();
-}
-
-vtkNew<vtkScalarBarActor> MakeColorBar(vtkColorTransferFunction* colors, int fontSize)
+vtkNew<vtkScalarBarActor> MakeColorBar(vtkColorTransferFunction* colors, vtkTextProperty* style)
 {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colors);
@@ -99,10 +88,10 @@ vtkNew<vtkScalarBarActor> MakeColorBar(vtkColorTransferFunction* colors, int fon
   bar->SetNumberOfLabels(6);
   bar->SetMaximumNumberOfColors(256);
   bar->SetLabelFormat("  %-.4g");
-  bar->SetVerticalTitleSeparation(fontSize * 3 / 5);
+  bar->SetVerticalTitleSeparation(style->GetFontSize() * 3 / 5);
   bar->UnconstrainedFontSizeOn();
-  SetStyle(bar->GetTitleTextProperty(), fontSize);
-  SetStyle(bar->GetLabelTextProperty(), fontSize);
+  bar->SetTitleTextProperty(style);
+  bar->SetLabelTextProperty(style);
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   bar->SetPosition(0.85, 0.12);
   bar->SetWidth(0.13);
@@ -131,7 +120,7 @@ Recording::Recording(const Options& options)
     MakeFolder(this->Folder + "pictures");
     this->SetUpWindow(options.Width, options.Height);
     this->Movie->SetFileName((this->Folder + "MovingTeapot.ogv").c_str());
-    this->Movie->SetRate(FramesPerSecond);
+    this->Movie->SetRate(15); // frames per second
     this->Movie->SetQuality(2);
   }
 }
@@ -149,8 +138,7 @@ void Recording::Add(int frame, double time, vtkMultiBlockDataSet* scene, const s
   this->AddToSeries(frame, time, scene);
   if (this->Pictures)
   {
-    this->Draw(scene, caption);
-    this->AddPicture(frame);
+    this->AddPicture(frame, scene, caption);
   }
 }
 
@@ -179,13 +167,15 @@ void Recording::AddToSeries(int frame, double time, vtkMultiBlockDataSet* scene)
 
 void Recording::SetUpWindow(int width, int height)
 {
-  const int fontSize = height / 36;
+  vtkNew<vtkTextProperty> style;
+  style->SetColor(0.1, 0.1, 0.1);
+  style->SetFontSize(height / 36);
   this->Colors->BuildFunctionFromTable(0.0, Brightest, int(std::size(ColorStops)), ColorStops[0]);
-  SetStyle(this->Caption->GetTextProperty(), fontSize);
+  this->Caption->SetTextProperty(style);
   this->Caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   this->Caption->SetPosition(0.012, 0.02);
   this->Renderer->AddViewProp(this->Caption);
-  this->Renderer->AddViewProp(MakeColorBar(this->Colors, fontSize));
+  this->Renderer->AddViewProp(MakeColorBar(this->Colors, style));
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->SetFocalPoint(0.0, 0.0, 1.2);
@@ -217,7 +207,7 @@ void Recording::AddActor(bool isRoom, bool isLamp)
   this->Mappers.push_back(mapper);
 }
 
-void Recording::Draw(vtkMultiBlockDataSet* scene, const std::string& caption)
+void Recording::AddPicture(int frame, vtkMultiBlockDataSet* scene, const std::string& caption)
 {
   int block = 0;
   for (vtkPolyData* mesh : vtkCompositeDataSet::GetDataSets<vtkPolyData>(scene))
@@ -233,11 +223,7 @@ void Recording::Draw(vtkMultiBlockDataSet* scene, const std::string& caption)
   }
   this->Caption->SetInput(caption.c_str());
   this->Renderer->ResetCameraClippingRange();
-  this->Window->Render();
-}
 
-void Recording::AddPicture(int frame)
-{
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(this->Window);
   picture->ReadFrontBufferOff();

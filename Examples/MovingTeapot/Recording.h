@@ -13,7 +13,6 @@
 class vtkColorTransferFunction;
 class vtkMultiBlockDataSet;
 class vtkOggTheoraWriter;
-class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -44,8 +43,7 @@ private:
   void SetUpWindow(int width, int height);
   void AddActor(bool isRoom, bool isLamp);
   void AddToSeries(int frame, double time, vtkMultiBlockDataSet* scene);
-  void Draw(vtkMultiBlockDataSet* scene, const std::string& caption);
-  void AddPicture(int frame);
+  void AddPicture(int frame, vtkMultiBlockDataSet* scene, const std::string& caption);
 
   std::string Folder;
   std::string DataSets; // what the .pvd lists
