@@ -41,10 +41,10 @@ using Patch = std::array<std::array<double, 3>, 16>;
 std::vector<Patch> ReadTeapotPatches();
 
 /**
- * The Utah teapot with `segments` cuts along each patch edge: 64 segments^2 - 8
- * segments triangles. Neighbouring patches share their points, the triangles that collapse at the two
- * poles are left out, and the front of every triangle looks out of the china. Lengths have no unit, z
- * is up, the bottom is at 0, the spout looks along +x.
+ * The Utah teapot with `segments` cuts along each patch edge: 64 segments^2 - 8 segments triangles.
+ * Neighbouring patches share their points, the triangles that collapse at the two poles are left out,
+ * and the front of every triangle looks out of the china. Lengths have no unit, z is up, the bottom is
+ * at 0, the spout looks along +x.
  */
 vtkSmartPointer<vtkPolyData> MakeUtahTeapot(int segments = 10);
 
