@@ -6,26 +6,24 @@
  * of every cell up to date; at the end stands the paper's table, with its figures beside ours. See
  * README.md in this folder.
  */
-#include "FrameFile.h"
+#include "Animation.h"
 #include "Options.h"
-#include "Performance.h"
 #include "ProgressBar.h"
 #include "Recording.h"
-#include "SameBits.h"
 #include "TimingTable.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -34,31 +32,17 @@ using namespace movingteapot;
 namespace
 {
 
-// The head that was asked for; else the fetched one; else none.
-std::string FindHead(const std::string& asked)
+TeapotScene MakeScene(SceneConfig config)
 {
-  if (!asked.empty())
+  const char* head = MOVINGTEAPOT_DATA "/downloaded/mannequin-devil.off";
+  if (config.HeadFile.empty() && vtksys::SystemTools::FileExists(head, true))
   {
-    return asked;
+    config.HeadFile = head;
   }
-  for (const char* place : { MOVINGTEAPOT_HEAD, "Data/downloaded/mannequin-devil.off" })
+  if (config.HeadFile.empty())
   {
-    if (vtksys::SystemTools::FileExists(place, true))
-    {
-      return place;
-    }
+    std::cerr << "The plinth stays empty: Data/fetch.sh gets the head, or --head takes another.\n";
   }
-  std::cerr << "The plinth stays empty: Data/fetch.sh gets the head, or --head takes another.\n";
-  return "";
-}
-
-TeapotScene MakeScene(const Options& options)
-{
-  SceneConfig config;
-  config.CellSize = options.CellSize;
-  config.TeapotSegments = options.TeapotSegments;
-  config.HeadFile = FindHead(options.HeadFile);
-  config.TeapotFile = options.TeapotFile;
   return MakeTeapotScene(config);
 }
 
@@ -72,113 +56,85 @@ void PrintScene(const TeapotScene& scene, const Options& options)
             << " threads." << std::endl;
 }
 
-std::string CaptionOf(int frame, int frames, const FrameReport& report)
+double LastOf(Animation& animation, const char* name)
 {
-  char text[120];
-  if (frame == 0)
-  {
-    std::snprintf(text, sizeof text, "Frame 1 of %d: all walks shot", frames);
-  }
-  else
-  {
-    std::snprintf(text, sizeof text, "Frame %d of %d: %.1f %% of the path segments shot again",
-      frame + 1, frames, 100.0 * report.RepairedSegments / report.Segments);
-  }
-  return text;
+  vtkFieldData* reports = animation.GetReports();
+  return reports->GetArray(name)->GetTuple1(reports->GetNumberOfTuples() - 1);
 }
 
-// What is compared at the end; Uncached and Afresh are null without a comparison.
-struct Performances
+std::string CaptionOf(int frame, int frames, Animation& animation)
 {
-  std::unique_ptr<Performance> Cached, Uncached, Afresh;
-};
-
-Performances Play(const TeapotScene& scene, const Options& options, Recording& recording)
-{
-  const int frames = options.Frames;
-  const double work = Performance::ShootingWork + Performance::UpdateWork * (frames - 1);
-  ProgressBar bar(options.Comparison ? 2 * work + Performance::ShootingWork : work);
-  const auto make = [&](const char* name, bool cacheStaticHits) {
-    const AnimationConfig config = { options.Walks, options.TraversalMode, cacheStaticHits };
-    return std::make_unique<Performance>(name, scene, config, frames, bar);
-  };
-
-  Performances play;
-  play.Cached = make("", true);
-  std::vector<Performance*> inTurn = { play.Cached.get() };
-  if (options.Comparison)
-  {
-    play.Uncached = make(", without cache", false);
-    inTurn.push_back(play.Uncached.get());
-  }
-  for (int frame = 0; frame < frames; ++frame)
-  {
-    for (Performance* performance : inTurn)
-    {
-      performance->Show(frame);
-    }
-    std::reverse(inTurn.begin(), inTurn.end()); // neither is always the first
-    recording.Add(frame, play.Cached->TimeOf(frame), play.Cached->GetScene(),
-      CaptionOf(frame, frames, play.Cached->GetReports().back()));
-  }
-  if (options.Comparison)
-  {
-    play.Afresh = make(", shot afresh", true);
-    play.Afresh->Show(frames - 1);
-  }
-  bar.Finish();
-  return play;
+  char share[80];
+  std::snprintf(share, sizeof share, "%.1f %% of the path segments shot again",
+    100.0 * LastOf(animation, "NumberOfRepairedSegments") / LastOf(animation, "NumberOfSegments"));
+  return "Frame " + std::to_string(frame + 1) + " of " + std::to_string(frames) + ": " +
+    (frame == 0 ? "all walks shot" : share);
 }
 
-void PrintPower(const FrameReport& last)
+// The irradiance of all cells, byte for byte.
+std::string BytesOf(Animation& animation)
 {
-  char line[160];
-  std::snprintf(line, sizeof line,
-    "Last frame: %.6g W emitted, %.6g W absorbed, %.6g W escaped from the closed room.\n",
-    last.EmittedPower, last.AbsorbedPower, last.EscapedPower);
-  std::cout << line;
+  std::string bytes;
+  for (vtkPolyData* mesh : vtkCompositeDataSet::GetDataSets<vtkPolyData>(animation.GetScene()))
+  {
+    vtkDataArray* irradiance = mesh->GetCellData()->GetArray("Irradiance");
+    bytes.append(static_cast<const char*>(irradiance->GetVoidPointer(0)),
+      irradiance->GetNumberOfValues() * irradiance->GetDataTypeSize());
+  }
+  return bytes;
 }
 
 // The promise of the method: whether it was kept.
-bool PrintSameness(const Performances& play)
+bool PrintSameness(Animation& cached, Animation& uncached, Animation& afresh)
 {
-  const bool same = HaveSameBits(play.Cached->GetScene(), play.Uncached->GetScene()) &&
-    HaveSameBits(play.Cached->GetScene(), play.Afresh->GetScene());
-  std::cout << "Updated with cache, without it, and shot afresh, the last frame is "
-            << (same ? "the same bit for bit.\n" : "NOT the same.\n");
+  const std::string updated = BytesOf(cached);
+  const bool same = !updated.empty() && updated == BytesOf(uncached) && updated == BytesOf(afresh);
+  std::printf("Updated with cache, without it, and shot afresh, the last frame is %s.\n",
+    same ? "the same bit for bit" : "NOT the same");
   return same;
-}
-
-bool PrintResults(const Performances& play, const Options& options)
-{
-  const auto reportsOf = [](const std::unique_ptr<Performance>& performance) {
-    return performance ? performance->GetReports() : std::vector<FrameReport>();
-  };
-  std::cout << '\n';
-  WriteTimingTable(
-    std::cout, { reportsOf(play.Cached), reportsOf(play.Uncached), reportsOf(play.Afresh) });
-  PrintPower(play.Cached->GetReports().back());
-  const bool good = !options.Comparison || PrintSameness(play);
-  std::cout << "Written to " << options.Output << ": MovingTeapot.pvd"
-            << (options.Pictures ? ", MovingTeapot.ogv, pictures/" : "") << std::endl;
-  return good;
 }
 
 int Run(const Options& options)
 {
-  if (options.Pictures && !HasDisplay())
-  {
-    throw std::runtime_error("pictures need an X display and DISPLAY is not set; start it through "
-                             "Examples/run.sh or xvfb-run, or add --no-pictures");
-  }
   vtkSMPTools::Initialize(options.Threads);
-  const TeapotScene scene = MakeScene(options);
+  const TeapotScene scene = MakeScene(options.Scene);
   PrintScene(scene, options);
-  MakeFolder(options.Output);
-  Recording recording(
-    { options.Output, options.Pictures, options.Width, options.Height, options.SmoothingPasses });
-  const Performances play = Play(scene, options, recording);
-  return PrintResults(play, options) ? EXIT_SUCCESS : EXIT_FAILURE;
+  Recording recording(options);
+
+  const int last = options.Frames - 1;
+  const double work = Animation::ShootingWork + Animation::UpdateWork * last;
+  ProgressBar bar(options.Comparison ? 2 * work + Animation::ShootingWork : work);
+  Animation cached("", scene, options, true, bar);
+  Animation uncached(", without cache", scene, options, false, bar);
+  Animation afresh(", shot afresh", scene, options, true, bar);
+  for (int frame = 0; frame <= last; ++frame)
+  {
+    std::vector<Animation*> inTurn = { &cached };
+    if (options.Comparison) // neither is always the first
+    {
+      inTurn.insert(frame % 2 ? inTurn.begin() : inTurn.end(), &uncached);
+    }
+    for (Animation* animation : inTurn)
+    {
+      animation->Show(frame);
+    }
+    recording.Add(
+      frame, cached.TimeOf(frame), cached.GetScene(), CaptionOf(frame, last + 1, cached));
+  }
+  if (options.Comparison)
+  {
+    afresh.Show(last);
+  }
+  bar.Finish();
+
+  PrintTimingTable(cached.GetReports(), uncached.GetReports(), afresh.GetReports());
+  std::printf("Last frame: %.6g W emitted, %.6g W absorbed, %.6g W escaped from the closed room.\n",
+    LastOf(cached, "EmittedPower"), LastOf(cached, "AbsorbedPower"),
+    LastOf(cached, "EscapedPower"));
+  const bool good = !options.Comparison || PrintSameness(cached, uncached, afresh);
+  std::printf("Written to %s: MovingTeapot.pvd%s\n", options.Output.c_str(),
+    options.Pictures ? ", MovingTeapot.ogv, pictures/" : "");
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }
@@ -187,7 +143,7 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const Options options = ReadOptions(argc, argv);
+    const Options options = ReadOptions({ argv + 1, argv + argc });
     if (options.Help)
     {
       std::cout << HelpText();

@@ -1,226 +1,166 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
-#include <vtksys/CommandLineArguments.hxx>
-
-#include <cmath>
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <iomanip>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace movingteapot
 {
 namespace
 {
 
-using Arguments = vtksys::CommandLineArguments;
+// Throws std::invalid_argument that says what was expected instead of an option's text.
+using Setter = std::function<void(const std::string&)>;
 
-[[noreturn]] void Reject(const std::string& option, const std::string& text, const std::string& why)
+template <typename T>
+Setter Number(T& value, double least, double most, const std::string& expected)
 {
-  throw std::runtime_error(option + ": " + why + ", not \"" + text + "\"");
-}
-
-double ReadNumber(const std::string& option, const std::string& text, double least, double most)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(value >= least && value <= most))
-  {
-    const auto bound = [](double x) { return std::to_string(x).substr(0, 6); };
-    Reject(option, text, "a number from " + bound(least) + " to " + bound(most) + " is expected");
-  }
-  return value;
-}
-
-int ReadCount(const std::string& option, const std::string& text, int least)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool whole = !text.empty() && *end == '\0' && value == std::floor(value);
-  if (!whole || value < least || value > std::numeric_limits<int>::max())
-  {
-    Reject(option, text, "a whole number, at least " + std::to_string(least) + ", is expected");
-  }
-  return int(value);
-}
-
-int ReadTraversalMode(const std::string& text)
-{
-  static const std::map<std::string, int> modes = { { "onetree", 0 }, { "sequential", 1 },
-    { "parallel", 2 } };
-  const auto mode = modes.find(text);
-  if (mode == modes.end())
-  {
-    Reject("--traversal", text, "onetree, sequential or parallel is expected");
-  }
-  return mode->second;
-}
-
-void ReadSize(const std::string& text, int& width, int& height)
-{
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos)
-  {
-    Reject("--size", text, "width x height in pixels, such as 1280x720, is expected");
-  }
-  width = ReadCount("--size", text.substr(0, cross), 160);
-  height = ReadCount("--size", text.substr(cross + 1), 120);
-  if (width > 8192 || height > 8192)
-  {
-    Reject("--size", text, "at most 8192x8192 is expected");
-  }
-}
-
-// The options as text, the way the parser of VTK takes them; their sense is checked above.
-struct Texts
-{
-  std::string Walks = "1000000";
-  std::string Frames = "60";
-  std::string Threads = "0";
-  std::string Output = "./MovingTeapot-output";
-  std::string Size = "1280x720";
-  std::string Smooth = "2";
-  std::string Traversal = "parallel";
-  std::string CellSize = "0.046";
-  std::string TeapotSegments = "10";
-  std::string Head;
-  std::string Teapot;
-  bool NoPictures = false;
-  bool NoComparison = false;
-  bool Help = false;
-};
-
-struct TextOption
-{
-  const char* Name;
-  const char* Value;
-  std::string Texts::*Text;
-  const char* Help;
-};
-
-struct Switch
-{
-  const char* Name;
-  bool Texts::*On;
-  const char* Help;
-};
-
-constexpr TextOption TextOptions[] = {
-  { "--walks", "N", &Texts::Walks, "shooting walks" },
-  { "--frames", "N", &Texts::Frames, "frames, the first included" },
-  { "--threads", "N", &Texts::Threads, "threads; 0: all there are" },
-  { "--output", "FOLDER", &Texts::Output, "where everything is written" },
-  { "--size", "WxH", &Texts::Size, "size of the pictures in pixels" },
-  { "--smooth", "N", &Texts::Smooth, "times to smooth head and teapot in the pictures" },
-  { "--traversal", "MODE", &Texts::Traversal, "onetree, sequential or parallel" },
-  { "--cell-size", "M", &Texts::CellSize, "edge of the cells of the walls in m" },
-  { "--teapot-segments", "N", &Texts::TeapotSegments, "cuts along each edge of a teapot patch" },
-  { "--head", "FILE", &Texts::Head, "a mesh of yours for the head (*)" },
-  { "--teapot", "FILE", &Texts::Teapot, "a mesh of yours for the teapot (*)" },
-};
-
-constexpr Switch Switches[] = {
-  { "--no-pictures", &Texts::NoPictures, "no PNG files and no movie" },
-  { "--no-comparison", &Texts::NoComparison, "the updates alone: half the time and memory" },
-  { "--help", &Texts::Help, "this text" },
-};
-
-void Declare(Arguments& arguments, Texts& texts)
-{
-  for (const TextOption& option : TextOptions)
-  {
-    arguments.AddArgument(
-      option.Name, Arguments::SPACE_ARGUMENT, &(texts.*option.Text), option.Help);
-  }
-  for (const Switch& option : Switches)
-  {
-    arguments.AddBooleanArgument(option.Name, &(texts.*option.On), option.Help);
-  }
-}
-
-// The parser's "--option value"; "--option=value" is split into it.
-void Feed(Arguments& arguments, int argc, char* argv[])
-{
-  arguments.Initialize();
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    const std::size_t equal = argument.find('=');
-    if (argument.rfind("--", 0) == 0 && equal != std::string::npos)
+  return [&value, least, most, expected](const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    const bool inRange = !text.empty() && *end == '\0' && number >= least && number <= most;
+    if (!inRange || T(number) != number)
     {
-      arguments.ProcessArgument(argument.substr(0, equal).c_str());
-      arguments.ProcessArgument(argument.substr(equal + 1).c_str());
+      throw std::invalid_argument(expected);
     }
-    else
+    value = T(number);
+  };
+}
+
+Setter Count(int& value, int least)
+{
+  return Number(value, least, std::numeric_limits<int>::max(),
+    "a whole number, at least " + std::to_string(least) + ",");
+}
+
+Setter Size(int& width, int& height)
+{
+  return [&](const std::string& text) {
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
+      end != int(text.size()) || width < 160 || height < 120 || std::max(width, height) > 8192)
     {
-      arguments.ProcessArgument(argument.c_str());
+      throw std::invalid_argument("160x120 to 8192x8192 pixels, such as 1280x720,");
+    }
+  };
+}
+
+Setter TraversalMode(int& mode)
+{
+  return [&mode](const std::string& text) {
+    const std::vector<std::string> names = { "onetree", "sequential", "parallel" };
+    mode = int(std::find(names.begin(), names.end(), text) - names.begin());
+    if (mode == int(names.size()))
+    {
+      throw std::invalid_argument("onetree, sequential or parallel");
+    }
+  };
+}
+
+Setter Text(std::string& value)
+{
+  return [&value](const std::string& text) { value = text; };
+}
+
+Setter Switch(bool& value, bool to)
+{
+  return [&value, to](const std::string&) { value = to; };
+}
+
+struct Option
+{
+  std::string Name;
+  std::string Value; // what it takes; empty for a switch
+  std::string Default;
+  std::string Help;
+  Setter Set;
+};
+
+std::vector<Option> OptionsOf(Options& o)
+{
+  return {
+    { "--walks", "N", "1000000", "shooting walks", Count(o.Walks, 1) },
+    { "--frames", "N", "60", "frames, the first included", Count(o.Frames, 2) },
+    { "--threads", "N", "0", "threads; 0: all there are", Count(o.Threads, 0) },
+    { "--output", "FOLDER", "./MovingTeapot-output", "where everything is written",
+      Text(o.Output) },
+    { "--size", "WxH", "1280x720", "size of the pictures in pixels", Size(o.Width, o.Height) },
+    { "--smooth", "N", "2", "times to smooth head and teapot in the pictures",
+      Count(o.Smoothings, 0) },
+    { "--traversal", "MODE", "parallel", "onetree, sequential or parallel",
+      TraversalMode(o.TraversalMode) },
+    { "--cell-size", "M", "0.046", "edge of the cells of the walls in m",
+      Number(o.Scene.CellSize, 0.005, 1.0, "a number from 0.005 to 1") },
+    { "--teapot-segments", "N", "10", "cuts along each edge of a teapot patch",
+      Count(o.Scene.TeapotSegments, 2) },
+    { "--head", "FILE", "", "a mesh of yours for the head (*)", Text(o.Scene.HeadFile) },
+    { "--teapot", "FILE", "", "a mesh of yours for the teapot (*)", Text(o.Scene.TeapotFile) },
+    { "--no-pictures", "", "", "no PNG files and no movie", Switch(o.Pictures, false) },
+    { "--no-comparison", "", "", "the updates alone: half the time and memory",
+      Switch(o.Comparison, false) },
+    { "--help", "", "", "this text", Switch(o.Help, true) },
+  };
+}
+
+}
+
+Options ReadOptions(const std::vector<std::string>& words)
+{
+  Options result;
+  const std::vector<Option> options = OptionsOf(result);
+  for (const Option& option : options)
+  {
+    if (!option.Default.empty())
+    {
+      option.Set(option.Default);
     }
   }
-}
-
-int KeepUnknown(const char* argument, void* unknown)
-{
-  *static_cast<std::string*>(unknown) = argument;
-  return 0;
-}
-
-void Parse(Arguments& arguments)
-{
-  std::string unknown;
-  arguments.SetClientData(&unknown);
-  arguments.SetUnknownArgumentCallback(KeepUnknown);
-  if (!arguments.Parse())
+  for (auto word = words.begin(); word != words.end(); ++word)
   {
-    throw std::runtime_error(
-      unknown.empty() ? "the last option lacks its value" : unknown + ": there is no such option");
+    const std::size_t equal = word->find('=');
+    const std::string name = word->substr(0, equal);
+    const auto option =
+      std::find_if(options.begin(), options.end(), [&](const Option& o) { return o.Name == name; });
+    if (option == options.end() || (option->Value.empty() && equal != std::string::npos))
+    {
+      throw std::runtime_error(*word + ": there is no such option");
+    }
+    const bool isNext = !option->Value.empty() && equal == std::string::npos;
+    if (isNext && ++word == words.end())
+    {
+      throw std::runtime_error("the last option lacks its value");
+    }
+    const std::string value = isNext ? *word : word->substr(equal + 1);
+    try
+    {
+      option->Set(value);
+    }
+    catch (const std::invalid_argument& mismatch)
+    {
+      throw std::runtime_error(
+        name + ": " + mismatch.what() + " is expected, not \"" + value + "\"");
+    }
   }
-}
-
-}
-
-Options ReadOptions(int argc, char* argv[])
-{
-  Texts texts;
-  Arguments arguments;
-  Feed(arguments, argc, argv);
-  Declare(arguments, texts);
-  Parse(arguments);
-
-  Options options;
-  options.Walks = ReadCount("--walks", texts.Walks, 1);
-  options.Frames = ReadCount("--frames", texts.Frames, 2);
-  options.Threads = ReadCount("--threads", texts.Threads, 0);
-  options.Output = texts.Output;
-  options.Pictures = !texts.NoPictures;
-  options.Comparison = !texts.NoComparison;
-  ReadSize(texts.Size, options.Width, options.Height);
-  options.SmoothingPasses = ReadCount("--smooth", texts.Smooth, 0);
-  options.TraversalMode = ReadTraversalMode(texts.Traversal);
-  options.CellSize = ReadNumber("--cell-size", texts.CellSize, 0.005, 1.0);
-  options.TeapotSegments = ReadCount("--teapot-segments", texts.TeapotSegments, 2);
-  options.HeadFile = texts.Head;
-  options.TeapotFile = texts.Teapot;
-  options.Help = texts.Help;
-  return options;
+  return result;
 }
 
 std::string HelpText()
 {
-  const Texts defaults;
+  Options ignored;
   std::ostringstream help;
-  help << "MovingTeapot: the light in a room through which a teapot moves.\n\nOptions:\n";
-  for (const TextOption& option : TextOptions)
+  help << "MovingTeapot: the light in a room through which a teapot moves.\n\nOptions:\n"
+       << std::left;
+  for (const Option& option : OptionsOf(ignored))
   {
-    const std::string& value = defaults.*option.Text;
-    help << "  " << std::left << std::setw(18) << option.Name << std::setw(7) << option.Value
-         << option.Help << (value.empty() ? "" : " (" + value + ")") << '\n';
-  }
-  for (const Switch& option : Switches)
-  {
-    help << "  " << std::left << std::setw(25) << option.Name << option.Help << '\n';
+    help << "  " << std::setw(18) << option.Name << std::setw(7) << option.Value << option.Help
+         << (option.Default.empty() ? "" : " (" + option.Default + ")") << '\n';
   }
   help << "\n(*) .obj .ply .stl .vtp .vtk or .off, z up; it is scaled to fit.\n";
   return help.str();

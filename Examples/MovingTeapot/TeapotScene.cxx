@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TeapotScene.h"
 
-#include "GridBox.h"
-#include "MeshFile.h"
-#include "UtahTeapot.h"
+#include "Meshes.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkTransform.h>
+#include <vtkTupleInterpolator.h>
 
 namespace movingteapot
 {
@@ -38,30 +38,6 @@ void SetCellConstant(vtkPolyData* mesh, const char* name, double value)
   mesh->GetCellData()->AddArray(array);
 }
 
-vtkSmartPointer<vtkPolyData> MakeRoom(double cellSize)
-{
-  const double wall = WallReflectance;
-  return MakeGridBox(RoomBox, cellSize, Facing::Inward,
-    { { wall, wall, wall, wall, FloorReflectance, CeilingReflectance } });
-}
-
-vtkSmartPointer<vtkPolyData> MakeLamp()
-{
-  const double cellSize = 0.2;
-  auto lamp = MakeGridBox(LampBox, cellSize, Facing::Outward,
-    { { none, none, none, none, CeilingReflectance,
-      none } }); // the lower side alone: its front looks down
-  SetCellConstant(lamp, "RadiantExitance", LampExitance);
-  return lamp;
-}
-
-vtkSmartPointer<vtkPolyData> MakePlinth(double cellSize)
-{
-  const double wall = WallReflectance;
-  return MakeGridBox(
-    PlinthBox, cellSize, Facing::Outward, { { wall, wall, wall, wall, none, wall } });
-}
-
 // A mesh that says nothing of its material is taken to be of white plaster.
 vtkSmartPointer<vtkPolyData> MakePlaster(vtkSmartPointer<vtkPolyData> mesh)
 {
@@ -72,28 +48,62 @@ vtkSmartPointer<vtkPolyData> MakePlaster(vtkSmartPointer<vtkPolyData> mesh)
   return mesh;
 }
 
-vtkSmartPointer<vtkPolyData> MakeHead(const std::string& file)
-{
-  return MakePlaster(FitMesh(ReadMeshFile(file), HeadBox));
-}
-
-vtkSmartPointer<vtkPolyData> MakeTeapot(const std::string& file, int segments)
-{
-  auto mesh = file.empty() ? MakeUtahTeapot(segments) : ReadMeshFile(file);
-  return MakePlaster(FitMesh(mesh, TeapotBox));
-}
+// A time, 0 to 1, and then: the middle of the teapot's bottom (m), its turn about the vertical (at 180
+// degrees the spout looks to the left), and its tilt towards the spout.
+constexpr double Keys[][6] = {
+  { 0.00, 1.05, -0.35, 0.00, 180.0, 0.0 },  // on the floor to the right of the head
+  { 0.30, 1.00, -0.20, 0.95, 180.0, 0.0 },  // lifted
+  { 0.48, 0.36, 0.05, 1.30, 185.0, 30.0 },  // over the head, tilted
+  { 0.70, -0.30, 0.05, 1.34, 240.0, 6.0 },  // moved to the left
+  { 0.86, -1.00, -0.20, 0.80, 300.0, 0.0 }, // going down
+  { 1.00, -1.05, -0.35, 0.00, 330.0, 0.0 }, // on the floor to the left of the head
+};
 
 }
 
 TeapotScene MakeTeapotScene(const SceneConfig& config)
 {
+  const double wall = WallReflectance, ceiling = CeilingReflectance, lampCellSize = 0.2;
   TeapotScene scene;
-  scene.Room = MakeRoom(config.CellSize);
-  scene.Lamp = MakeLamp();
-  scene.Plinth = MakePlinth(config.CellSize);
-  scene.Head = config.HeadFile.empty() ? nullptr : MakeHead(config.HeadFile);
-  scene.Teapot = MakeTeapot(config.TeapotFile, config.TeapotSegments);
+  scene.Room = MakeGridBox(RoomBox, config.CellSize, Facing::Inward,
+    { { wall, wall, wall, wall, FloorReflectance, ceiling } });
+  // The lower side alone: its front looks down.
+  scene.Lamp = MakeGridBox(
+    LampBox, lampCellSize, Facing::Outward, { { none, none, none, none, ceiling, none } });
+  SetCellConstant(scene.Lamp, "RadiantExitance", LampExitance);
+  scene.Plinth = MakeGridBox(
+    PlinthBox, config.CellSize, Facing::Outward, { { wall, wall, wall, wall, none, wall } });
+  if (!config.HeadFile.empty())
+  {
+    scene.Head = MakePlaster(FitMesh(ReadMeshFile(config.HeadFile), HeadBox));
+  }
+  const auto teapot = config.TeapotFile.empty() ? MakeUtahTeapot(config.TeapotSegments)
+                                                : ReadMeshFile(config.TeapotFile);
+  scene.Teapot = MakePlaster(FitMesh(teapot, TeapotBox));
   return scene;
+}
+
+TeapotPath::TeapotPath()
+{
+  this->Poses->SetNumberOfComponents(5);
+  this->Poses->SetInterpolationTypeToSpline();
+  for (auto [time, x, y, z, turn, tilt] : Keys)
+  {
+    double pose[5] = { x, y, z, turn, tilt };
+    this->Poses->AddTuple(time, pose);
+  }
+}
+
+TeapotPath::~TeapotPath() = default;
+
+void TeapotPath::SetPose(double time, vtkTransform* roomFromTeapot)
+{
+  double pose[5];
+  this->Poses->InterpolateTuple(time, pose);
+  roomFromTeapot->Identity();
+  roomFromTeapot->Translate(pose);
+  roomFromTeapot->RotateZ(pose[3]);
+  roomFromTeapot->RotateY(pose[4]);
 }
 
 }

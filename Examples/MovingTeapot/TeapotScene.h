@@ -6,11 +6,14 @@
 #ifndef TeapotScene_h
 #define TeapotScene_h
 
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
 
 class vtkPolyData;
+class vtkTransform;
+class vtkTupleInterpolator;
 
 namespace movingteapot
 {
@@ -39,6 +42,20 @@ constexpr int PlinthBlock = 2;
 
 /** Throws std::runtime_error when a file cannot be used. */
 TeapotScene MakeTeapotScene(const SceneConfig& config);
+
+/** The way of the teapot: lifted, moved to the left over the head as if to pour, set down. */
+class TeapotPath
+{
+public:
+  TeapotPath();
+  ~TeapotPath();
+
+  /** Sets the pose of the teapot (rigid, m) at a time from 0 to 1. */
+  void SetPose(double time, vtkTransform* roomFromTeapot);
+
+private:
+  vtkNew<vtkTupleInterpolator> Poses; // x, y, z, turn, tilt
+};
 
 }
 

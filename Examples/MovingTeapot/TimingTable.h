@@ -2,28 +2,21 @@
 #ifndef TimingTable_h
 #define TimingTable_h
 
-#include "FrameReport.h"
-
-#include <iosfwd>
-#include <vector>
+class vtkFieldData;
 
 namespace movingteapot
 {
 
-/** What was measured; in each run the first frame is a shooting and the others are updates. */
-struct Measurements
-{
-  std::vector<FrameReport> Cached;   // with the static-hit cache
-  std::vector<FrameReport> Uncached; // without it; may be empty
-  std::vector<FrameReport> Afresh;   // the last frame alone; may be empty
-};
-
 /**
- * Writes the table of the paper's section 5 with the paper's figures beside it: first shooting,
+ * Prints the table of the paper's section 5 with the paper's figures beside it: first shooting,
  * verification, and update with and without the static-hit cache, in seconds and as ratios to the
  * first shooting (medians, which other programs on the machine disturb least).
+ *
+ * Of each run the field data of vtkIrradianceFilter's output, a tuple for each frame; the first is a
+ * shooting, the others are updates. Without a comparison `uncached` (without the static-hit cache)
+ * and `afresh` (the last frame alone) have none.
  */
-void WriteTimingTable(std::ostream& stream, const Measurements& measurements);
+void PrintTimingTable(vtkFieldData* cached, vtkFieldData* uncached, vtkFieldData* afresh);
 
 }
 

@@ -1,8 +1,6 @@
 #include "BenchmarkScene.h"
 
-#include "GridBox.h"
-#include "MeshFile.h"
-#include "UtahTeapot.h"
+#include "Meshes.h"
 
 #include <vtkIdList.h>
 #include <vtkNew.h>

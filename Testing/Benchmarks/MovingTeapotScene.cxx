@@ -1,7 +1,6 @@
 #include "MovingTeapotScene.h"
 
 #include "SceneReader.h"
-#include "TeapotPath.h"
 #include "TeapotScene.h"
 
 #include <vtkCellData.h>

@@ -1,6 +1,5 @@
 #include "TradeScene.h"
 
-#include "MeshFile.h"
 #include "MovingTeapotScene.h"
 #include "TeapotScene.h"
 

@@ -1,4 +1,4 @@
-# Installs a build tree, looks at what was installed, and builds and runs ReadmeLines/ against it.
+# Installs a build tree, looks at what was installed, and builds and runs Examples/LitRoom against it.
 #
 #   build    the build tree; without it a static one is made from `source`
 #   scratch  a folder for all that is made here
@@ -19,7 +19,7 @@ set(toolchain
   "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
   "-DVTK_DIR=${vtk_dir}")
 set(prefix "${scratch}/prefix")
-file(REMOVE_RECURSE "${scratch}/prefix" "${scratch}/consumer")
+file(REMOVE_RECURSE "${scratch}/prefix" "${scratch}/package" "${scratch}/consumer")
 
 if (NOT build)
   # Kept from run to run: what did not change is not built again.
@@ -54,10 +54,11 @@ foreach (file IN LISTS package headers)
   endforeach ()
 endforeach ()
 
-run("${CMAKE_COMMAND}" -S "${source}/Testing/Consumer/ReadmeLines" -B "${scratch}/consumer" ${toolchain}
-  "-DCMAKE_PREFIX_PATH=${prefix}")
+set(installed ${toolchain} "-DCMAKE_PREFIX_PATH=${prefix}")
+run("${CMAKE_COMMAND}" -S "${source}/Testing/Consumer/Package" -B "${scratch}/package" ${installed})
+run("${CMAKE_COMMAND}" -S "${source}/Examples/LitRoom" -B "${scratch}/consumer" ${installed})
 run("${CMAKE_COMMAND}" --build "${scratch}/consumer")
-run("${scratch}/consumer/ReadmeLines")
+run("${scratch}/consumer/LitRoom" WORKING_DIRECTORY "${scratch}/consumer")
 message(STATUS "${output}")
 if (NOT output MATCHES "Irradiance ([0-9.e+-]+) to ([0-9.e+-]+) W/m2")
   message(FATAL_ERROR "the consumer said:\n${output}")
@@ -66,3 +67,8 @@ endif ()
 if (NOT CMAKE_MATCH_2 GREATER 0 OR CMAKE_MATCH_2 GREATER 1000)
   message(FATAL_ERROR "${CMAKE_MATCH_2} W/m2 cannot be")
 endif ()
+foreach (file IN ITEMS irradiance.vtm irradiance/irradiance_0.vtp irradiance.png)
+  if (NOT EXISTS "${scratch}/consumer/${file}")
+    message(FATAL_ERROR "the consumer wrote no ${file}")
+  endif ()
+endforeach ()
