@@ -133,6 +133,7 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
     areas_[i + 1] = cellAreas(object, checkpoint);
   }
   checkDigits(objects_);
+  flattenManySmall(objects_);
 }
 
 void SceneReader::convert(

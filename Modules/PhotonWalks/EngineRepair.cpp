@@ -91,11 +91,12 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   const WalkVerifier verifier(shooter, moved, scan, clearance_);
   std::vector<std::vector<StaleSegment>> stale(history_.size());
   const StaleMarks none;
-  constexpr std::size_t kTogether = 16; // blocks in a row for a thread, which prefetches the next
-  SlicedPass pass{ (stale.size() + kTogether - 1) / kTogether, {} };
+  constexpr std::size_t kBlocksPerUnit =
+    16; // blocks in a row for a thread, which prefetches the next
+  SlicedPass pass{ (stale.size() + kBlocksPerUnit - 1) / kBlocksPerUnit, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
-    const std::size_t end = std::min((unit + 1) * kTogether, stale.size());
-    for (std::size_t block = unit * kTogether; block < end; ++block)
+    const std::size_t end = std::min((unit + 1) * kBlocksPerUnit, stale.size());
+    for (std::size_t block = unit * kBlocksPerUnit; block < end; ++block)
     {
       stale[block] = verifier.staleSegments(history_[block], history_[std::min(block + 1, end - 1)],
         plan_.firstWalkOf(block), stale_ ? std::as_const(*stale_).marks(block) : none);

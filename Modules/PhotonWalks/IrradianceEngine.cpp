@@ -34,7 +34,7 @@ void IrradianceEngine::update(
 {
   const WalkPlan plan = planOf(settings);
   // A wall that a point light touches may have moved.
-  bool sameLights = isValid_ && plan == plan_ && doLightsStand(objects, objects_) &&
+  bool sameLights = isValid_ && plan == plan_ && areLightsUnchanged(objects, objects_) &&
     emitters_.pointBounds().isEmpty();
   if (!sameLights)
   {
@@ -92,7 +92,7 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
 {
   return isValid_ && settings.verify && settings_.verify && !objects.dynamicObjects.empty() &&
     planOf(settings) == plan_ && settings.seed == settings_.seed &&
-    settings.separateSides == settings_.separateSides && isSameButForMotion(objects, objects_);
+    settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)

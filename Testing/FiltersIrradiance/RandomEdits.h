@@ -117,12 +117,12 @@ inline void Deform(Trial& t)
   else
   {
     const int axis = t.Random.Below(3);
-    const double conditionNumber = t.Random.Between(0.6, 1.5);
+    const double factor = t.Random.Between(0.6, 1.5);
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
     {
       double point[3];
       points->GetPoint(i, point);
-      point[axis] *= conditionNumber;
+      point[axis] *= factor;
       points->SetPoint(i, point);
     }
   }

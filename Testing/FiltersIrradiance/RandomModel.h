@@ -147,7 +147,7 @@ inline Mesh RandomMesh(RandomNumbers& random)
   }
   const double x = length(), y = length(), z = length();
   Mesh mesh = kind < 7 ? MakeBall(0.5 * x, 4 + random.Below(4))
-    : kind < 6
+    : kind < 12
     ? MakeBox(x, y, z)
     : MakeRectangle({ -x, -y, 0 }, { 2 * x, 0, 0 }, { 0, 2 * y, 0 }, 1 + random.Below(3));
   if (Chance(random, 2))

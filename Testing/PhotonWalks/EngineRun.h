@@ -78,7 +78,7 @@ inline double wattsOn(const IrradianceEngine& engine, std::uint32_t object, std:
 }
 
 /// An estimate from independent replicates, with its standard error.
-class Replicates
+class ReplicateMean
 {
 public:
   void add(double value)

@@ -57,7 +57,7 @@ TEST(Cie171, AreaSource53)
   const auto exact = [&](const Vector3& p) {
     return 1000 * M_PI * lambertIrradiance(p, inward, source);
   };
-  std::vector<test::Replicates> estimates(6);
+  std::vector<test::ReplicateMean> estimates(6);
   overSeeds({ room.build(), {} }, test::scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
@@ -110,8 +110,8 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
       lambertIrradiance(
         p, { 0, 1, 0 }, { { 0, 4, seenFrom }, { 4, 4, seenFrom }, { 4, 4, 3 }, { 0, 4, 3 } });
   };
-  std::vector<test::Replicates> estimates(6);
-  test::Replicates wall;
+  std::vector<test::ReplicateMean> estimates(6);
+  test::ReplicateMean wall;
   double wallTruth = 0;
   const SceneObjects objects{ room.build(), { obstruction.build() } };
   overSeeds(objects, test::scaled(65536), [&](const IrradianceEngine& engine) {
@@ -173,7 +173,7 @@ TEST(Cie171, InternalReflectedComponent58)
       overSeeds(room(0), walks,
         [&](const IrradianceEngine& engine) { direct[next++] = meanAndCenter(engine); });
     }
-    test::Replicates meanEstimate, centerEstimate;
+    test::ReplicateMean meanEstimate, centerEstimate;
     overSeeds(room(reflectance), walks, [&](const IrradianceEngine& engine) {
       const auto [all, atCenter] = meanAndCenter(engine);
       const auto& [directAll, directCenter] =

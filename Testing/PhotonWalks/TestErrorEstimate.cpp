@@ -43,7 +43,7 @@ TEST(ErrorEstimate, IsThatOfTheMeanOfReplicates)
   test::RandomVectors random(11);
   const WalkPlan plan(kWalks, kWalks, kReplicates);
   CellSums sums(strip({ 1, 1 }), 1, plan);
-  test::Replicates estimates;
+  test::ReplicateMean estimates;
   for (std::uint32_t i = 0; i < kReplicates; ++i)
   {
     const auto quanta = static_cast<std::int64_t>(random.uniform(1000, 1100));
@@ -64,7 +64,7 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
   {
     std::mt19937 random(walks);
     const WalkPlan plan(walks, walks, kReplicates);
-    test::Replicates squares;
+    test::ReplicateMean squares;
     for (int trial = 0; trial < 20000; ++trial)
     {
       CellSums sums(strip({ 1 }), 1, plan);

@@ -15,7 +15,7 @@ namespace
 using test::box;
 using test::Look;
 using test::ObjectBuilder;
-using test::Replicates;
+using test::ReplicateMean;
 
 constexpr int kFrames = test::kIsSanitized ? 20 : 100;
 constexpr int kCellsASide = 3;
@@ -100,14 +100,14 @@ public:
   /// n / (n - 2) of Student's t; chance exceeds it once in 10^4 (cells taken as independent).
   void expectOne(double limit) const
   {
-    for (const Replicates& area : areas_)
+    for (const ReplicateMean& area : areas_)
     {
       area.print("area mean", 1);
       EXPECT_LE(std::abs(area.t(1)), limit);
       EXPECT_NEAR(area.mean(), 1, test::kIsSanitized ? 0.05 : 0.01);
     }
     double chiSquare = 0, worst = 0;
-    for (const Replicates& cell : cells_)
+    for (const ReplicateMean& cell : cells_)
     {
       chiSquare += cell.t(1) * cell.t(1);
       worst = std::max(worst, std::abs(cell.t(1)));
@@ -119,13 +119,13 @@ public:
   }
 
 private:
-  static Replicates& at(std::vector<Replicates>& all, std::size_t i)
+  static ReplicateMean& at(std::vector<ReplicateMean>& all, std::size_t i)
   {
     all.resize(std::max(all.size(), i + 1));
     return all[i];
   }
 
-  std::vector<Replicates> cells_, areas_;
+  std::vector<ReplicateMean> cells_, areas_;
 };
 
 }

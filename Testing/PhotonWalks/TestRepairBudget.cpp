@@ -377,7 +377,7 @@ std::map<std::uint16_t, std::size_t> effects(const IrradianceEngine& engine)
 // group have fewer walks than that.
 TEST(RepairBudget, TheStrongestComeFirst)
 {
-  constexpr std::size_t kTogether = 6 * 128; // 6 blocks, each a unit
+  constexpr std::size_t kBatchSize = 6 * 128; // 6 blocks, each a unit
   MovingScene scene(1, true, 34);
   EngineSettings settings;
   settings.numberOfWalks = 6000;
@@ -387,7 +387,7 @@ TEST(RepairBudget, TheStrongestComeFirst)
   engine.update(scene.objects(), settings, clock);
   scene.nextFrame();
   engine.update(scene.objects(), settings, clock);
-  ASSERT_GT(numberOfStale(engine), 2 * kTogether);
+  ASSERT_GT(numberOfStale(engine), 2 * kBatchSize);
   settings.repairTimeBudget = 30 * TickingExecution::kTick;
   int calls = 0;
   for (; numberOfStale(engine) > 0; ++calls)
@@ -405,7 +405,7 @@ TEST(RepairBudget, TheStrongestComeFirst)
     {
       passedOver += it->second;
     }
-    EXPECT_LT(passedOver, kTogether) << "call " << calls;
+    EXPECT_LT(passedOver, kBatchSize) << "call " << calls;
   }
   EXPECT_GT(calls, 3);
 }

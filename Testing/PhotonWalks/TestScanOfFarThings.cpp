@@ -53,7 +53,7 @@ WalkBlock store(const std::vector<Segment>& segments, const UnitFrame& frame)
   return block;
 }
 
-std::set<std::uint32_t> namedIn(const WalkBlock& block, const SegmentScan& scan)
+std::set<std::uint32_t> flaggedIn(const WalkBlock& block, const SegmentScan& scan)
 {
   std::vector<std::uint32_t> points;
   scan.find(block, block, points);
@@ -114,7 +114,7 @@ Segment grazingFrom(
 
 struct Grazed
 {
-  int touching = 0, missed = 0, beside = 0, named = 0;
+  int touching = 0, missed = 0, beside = 0, flagged = 0;
 };
 
 /// Scans many grazing segments; the body may be far from the frame's origin, and may be flat.
@@ -141,16 +141,16 @@ Grazed graze(test::RandomVectors& random, const RigidObject& body)
   }
   SegmentScan scan(frame, 0x1p22);
   scan.addBody(bound);
-  const std::set<std::uint32_t> named = namedIn(store(segments, frame), scan);
+  const std::set<std::uint32_t> flagged = flaggedIn(store(segments, frame), scan);
   Grazed counts;
   for (std::uint32_t i = 0; i < segments.size(); ++i)
   {
     const bool touches = distanceFrom(bound.ball(), segments[i]) <= Exact(bound.ball().radius);
     counts.touching += touches ? 1 : 0;
     counts.beside += touches ? 0 : 1;
-    counts.missed += touches && named.count(i) == 0 ? 1 : 0;
+    counts.missed += touches && flagged.count(i) == 0 ? 1 : 0;
   }
-  counts.named = static_cast<int>(named.size());
+  counts.flagged = static_cast<int>(flagged.size());
   return counts;
 }
 
@@ -192,7 +192,7 @@ TEST(ScanOfFarThings, NoneThatTouchesIsMissed)
                                   << static_cast<int>(level);
       all.touching += counts.touching;
       all.beside += counts.beside;
-      all.named += counts.named;
+      all.flagged += counts.flagged;
     }
     EXPECT_GT(all.touching, 50000 / test::kFewer);
     EXPECT_GT(all.beside, 50000 / test::kFewer) << "all but touching";
@@ -200,7 +200,7 @@ TEST(ScanOfFarThings, NoneThatTouchesIsMissed)
 }
 
 // The body is in the room. Segments come from there and from up to 10^9 m away; some escape.
-TEST(ScanOfFarThings, FewOthersAreNamed)
+TEST(ScanOfFarThings, FewOthersAreFlagged)
 {
   test::RandomVectors random(6);
   const auto ball = test::bodyOf(test::icosphere(3));
@@ -209,7 +209,7 @@ TEST(ScanOfFarThings, FewOthersAreNamed)
   {
     for (const bool escapes : { false, true })
     {
-      int touching = 0, named = 0;
+      int touching = 0, flagged = 0;
       for (int round = 0; round < 20; ++round)
       {
         const AffineMap pose{ 0.2 * Matrix3::Identity(), 0.9 * inRoom(random) };
@@ -222,14 +222,14 @@ TEST(ScanOfFarThings, FewOthersAreNamed)
         }
         SegmentScan scan(frame, 0x1p22);
         scan.addBody(bound);
-        named += static_cast<int>(namedIn(store(segments, frame), scan).size());
+        flagged += static_cast<int>(flaggedIn(store(segments, frame), scan).size());
         touching += static_cast<int>(
           std::count_if(segments.begin(), segments.end(), [&](const Segment& segment) {
             return distanceFrom(bound.ball(), segment) <= Exact(bound.ball().radius);
           }));
       }
       EXPECT_GT(touching, 50);
-      EXPECT_LE(named, 1.05 * touching + 5) << away << " m, escapes: " << escapes;
+      EXPECT_LE(flagged, 1.05 * touching + 5) << away << " m, escapes: " << escapes;
     }
   }
 }
@@ -250,11 +250,11 @@ TEST(ScanOfFarThings, FarBodiesTakeNothingOfTheRoom)
   {
     SegmentScan scan(frame, 0x1p22);
     scan.addBody(boundOf(*ball, { 0.1 * Matrix3::Identity(), { away, 0, 0 } }));
-    EXPECT_EQ(namedIn(block, scan).size(), 0u) << away << " m";
+    EXPECT_EQ(flaggedIn(block, scan).size(), 0u) << away << " m";
   }
 }
 
-TEST(ScanOfFarThings, ManyBodiesNameWhatEachNames)
+TEST(ScanOfFarThings, ManyBodiesFlagWhatEachFlags)
 {
   test::RandomVectors random(8);
   const auto ball = test::bodyOf(test::icosphere(2));
@@ -273,10 +273,10 @@ TEST(ScanOfFarThings, ManyBodiesNameWhatEachNames)
     SegmentScan alone(frame, 1);
     alone.addBody(bound);
     together.addBody(bound);
-    each.merge(namedIn(block, alone));
+    each.merge(flaggedIn(block, alone));
     if (count == 64 || count == 65 || count == 200)
     {
-      EXPECT_EQ(namedIn(block, together), each) << count << " bodies";
+      EXPECT_EQ(flaggedIn(block, together), each) << count << " bodies";
       EXPECT_LT(each.size(), segments.size() / 4);
     }
   }

@@ -64,20 +64,20 @@ struct RandomWalks
     return walk;
   }
 
-  std::set<std::pair<std::uint32_t, std::uint32_t>> namedBy(const SegmentScan& scan) const
+  std::set<std::pair<std::uint32_t, std::uint32_t>> flaggedBy(const SegmentScan& scan) const
   {
     std::vector<std::uint32_t> points;
     scan.find(block, block, points);
-    std::set<std::pair<std::uint32_t, std::uint32_t>> named;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> flagged;
     for (const std::uint32_t point : points)
     {
       WalkBlock::Place place;
       if (block.segmentAt(point, place))
       {
-        named.insert({ place.walk, place.bounce });
+        flagged.insert({ place.walk, place.bounce });
       }
     }
-    return named;
+    return flagged;
   }
 
   UnitFrame frame;
@@ -87,7 +87,7 @@ struct RandomWalks
 
 struct Counts
 {
-  int segments = 0, touched = 0, missed = 0, named = 0;
+  int segments = 0, touched = 0, missed = 0, flagged = 0;
 };
 
 /// One object that moved, at a random place in or around the box.
@@ -103,8 +103,8 @@ Counts scanOne(test::RandomVectors& random, const std::shared_ptr<const RigidObj
   const std::uint32_t movedObject = 2;
   scan.addMoved(movedObject);
   Counts counts;
-  const auto named = walks.namedBy(scan);
-  counts.named = static_cast<int>(named.size());
+  const auto flagged = walks.flaggedBy(scan);
+  counts.flagged = static_cast<int>(flagged.size());
   for (std::uint32_t walk = 0; walk < walks.walks.size(); ++walk)
   {
     for (std::uint32_t bounce = 0; bounce < walks.walks[walk].size(); ++bounce)
@@ -115,7 +115,7 @@ Counts scanOne(test::RandomVectors& random, const std::shared_ptr<const RigidObj
       const bool isBlocked =
         scene.castMoved(segment.ray, Hit{ segment.hit.distance, { 0, 0 } }).id.object == 1;
       counts.touched += isBlocked || endsOnMoved ? 1 : 0;
-      counts.missed += (isBlocked || endsOnMoved) && named.count({ walk, bounce }) == 0 ? 1 : 0;
+      counts.missed += (isBlocked || endsOnMoved) && flagged.count({ walk, bounce }) == 0 ? 1 : 0;
     }
   }
   (void)random;
@@ -178,10 +178,10 @@ TEST(SegmentScan, NamesFewOthers)
       const AffineMap pose{ 8 * radius * Matrix3::Identity(),
         Vector3(100, 200, 300) + 4 * random.inCube() };
       const Counts counts = scanOne(random, ball, pose, walks);
-      all.named += counts.named;
+      all.flagged += counts.flagged;
       all.touched += counts.touched;
     }
-    EXPECT_LT(all.named, 1.1 * all.touched) << "radius " << radius;
+    EXPECT_LT(all.flagged, 1.1 * all.touched) << "radius " << radius;
   }
 }
 
@@ -194,8 +194,8 @@ TEST(SegmentScan, NamesAllWhereFloatsTellTooLittle)
   {
     segments += walk.size();
   }
-  EXPECT_EQ(walks.namedBy(SegmentScan(walks.frame, 1e9)).size(), segments);
-  EXPECT_EQ(walks.namedBy(SegmentScan(walks.frame, 4)).size(), 0u);
+  EXPECT_EQ(walks.flaggedBy(SegmentScan(walks.frame, 1e9)).size(), segments);
+  EXPECT_EQ(walks.flaggedBy(SegmentScan(walks.frame, 4)).size(), 0u);
   Scene scene;
   AffineMap flat;
   flat.linear = Matrix3::Zero();
@@ -206,7 +206,7 @@ TEST(SegmentScan, NamesAllWhereFloatsTellTooLittle)
   {
     scan.addBody(scene.shadowBound(0)); // too flat for the floats of a scan
   }
-  EXPECT_EQ(walks.namedBy(scan).size(), segments);
+  EXPECT_EQ(walks.flaggedBy(scan).size(), segments);
 }
 
 }

@@ -11,7 +11,7 @@ namespace
 {
 
 using test::grey;
-using test::Replicates;
+using test::ReplicateMean;
 
 // 16 seeds of 65,536 walks: 10^6 in all. |t| > 3 with 15 degrees of freedom happens by chance in
 // 0.9 % of the comparisons; seeds are fixed, so a test that passed once always passes.
@@ -20,9 +20,9 @@ constexpr std::uint32_t kWalks = test::scaled(65536);
 
 /// A diffuse emitter of unit exitance (object 0) and a black receiver (object 1): view factors from
 /// the emitter to itself and to the receiver.
-std::array<Replicates, 2> viewFactors(const SceneObjects& objects, double emitterArea)
+std::array<ReplicateMean, 2> viewFactors(const SceneObjects& objects, double emitterArea)
 {
-  std::array<Replicates, 2> estimates;
+  std::array<ReplicateMean, 2> estimates;
   for (int seed = 1; seed <= kSeeds; ++seed)
   {
     EngineSettings settings;
@@ -43,7 +43,7 @@ std::array<Replicates, 2> viewFactors(const SceneObjects& objects, double emitte
 
 /// Within 1 %, or, where so few walks hit the receiver that chance alone exceeds that, within three
 /// standard errors of plain Monte Carlo.
-void expectWithinBounds(const Replicates& estimate, double truth, const char* name)
+void expectWithinBounds(const ReplicateMean& estimate, double truth, const char* name)
 {
   estimate.print(name, truth);
   EXPECT_LE(std::abs(estimate.t(truth)), 3) << name;

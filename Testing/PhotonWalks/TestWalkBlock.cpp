@@ -169,13 +169,13 @@ void compareWithModel(unsigned seed, int bands)
 
 }
 
-TEST(WalkHistory, AgreesWithAPlainModelUnderRandomOperations)
+TEST(WalkBlock, AgreesWithAPlainModelUnderRandomOperations)
 {
   compareWithModel(1, 1);
   compareWithModel(2, 3);
 }
 
-TEST(WalkHistory, TailsGrowAndShrink)
+TEST(WalkBlock, TailsGrowAndShrink)
 {
   RandomEntries random(5);
   WalkBlock block(3, 3, kFrame);
@@ -193,7 +193,7 @@ TEST(WalkHistory, TailsGrowAndShrink)
   }
 }
 
-TEST(WalkHistory, StaticHitsBehindTheNewTailAreForgotten)
+TEST(WalkBlock, StaticHitsBehindTheNewTailAreForgotten)
 {
   RandomEntries random(6);
   WalkBlock block(2, 1, kFrame);
@@ -217,7 +217,7 @@ TEST(WalkHistory, StaticHitsBehindTheNewTailAreForgotten)
   EXPECT_FALSE(*block.hiddenStaticHit(1, 0));
 }
 
-TEST(WalkHistory, HolesAreClosed)
+TEST(WalkBlock, HolesAreClosed)
 {
   RandomEntries random(7);
   WalkBlock block(100, 1, kFrame);

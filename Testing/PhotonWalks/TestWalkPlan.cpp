@@ -60,17 +60,17 @@ TEST(WalkPlan, EveryWalkHasOnePlaceInABlockOfItsRound)
 }
 
 // Each replicate takes the numbers 0, 1, 2, ... of its own sequence, for any total.
-TEST(WalkPlan, WalksAreDealtOutInTurn)
+TEST(WalkPlan, WalksAreAssignedInTurn)
 {
-  const Replicates deal(7);
-  std::vector<std::uint32_t> dealt(7, 0);
+  const Replicates replicates(7);
+  std::vector<std::uint32_t> assigned(7, 0);
   for (std::uint32_t walk = 0; walk < 1000; ++walk)
   {
-    const std::uint32_t replicate = deal.replicateOf(walk);
-    EXPECT_EQ(deal.numberWithin(walk), dealt[replicate]++);
+    const std::uint32_t replicate = replicates.replicateOf(walk);
+    EXPECT_EQ(replicates.numberWithin(walk), assigned[replicate]++);
     for (std::uint32_t i = 0; i < 7; ++i)
     {
-      ASSERT_EQ(deal.share(i, walk + 1), dealt[i]);
+      ASSERT_EQ(replicates.share(i, walk + 1), assigned[i]);
     }
   }
 }

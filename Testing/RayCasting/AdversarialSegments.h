@@ -29,7 +29,7 @@ inline std::vector<Motion> hardMotions()
   RandomVectors random(99);
   const Vector3 near(1.5, -2.25, 0.7);
   const Vector3 far(1e7, -1e7, 3e6);
-  const auto conditionNumber = [](double x, double y, double z) {
+  const auto stretch = [](double x, double y, double z) {
     return Matrix3(Vector3(x, y, z).asDiagonal());
   };
   const auto shear = [](double xy, double yz) {
@@ -42,24 +42,24 @@ inline std::vector<Motion> hardMotions()
   return {
     { "identity", {} },
     { "rotation", { turn(), near } },
-    { "reflection", { conditionNumber(-1, 1, 1) * turn(), near } },
+    { "reflection", { stretch(-1, 1, 1) * turn(), near } },
     { "uniform 1e-6", { turn() * 1e-6, near * 1e-6 } },
     { "uniform 1e6", { turn() * 1e6, near * 1e6 } },
     { "uniform 1e-6 away", { turn() * 1e-6, near } },
     { "uniform 1e-12", { turn() * 1e-12, Vector3::Zero() } },
     { "uniform 1e12", { turn() * 1e12, Vector3::Zero() } },
-    { "conditionNumber 1e-6 1 1e6", { turn() * conditionNumber(1e-6, 1, 1e6) * turn(), near } },
-    { "conditionNumber along axes", { conditionNumber(1e-6, 1, 1e6), near } },
+    { "stretch 1e-6 1 1e6", { turn() * stretch(1e-6, 1, 1e6) * turn(), near } },
+    { "stretch along axes", { stretch(1e-6, 1, 1e6), near } },
     { "shear 1e3", { turn() * shear(1e3, -50), near } },
     { "shear 1e6", { shear(1e6, 0), near } },
     { "1e5 away", { turn(), far * 1e-2 } },
     { "1e7 away", { turn(), far } },
-    { "1e7 away, reflected", { conditionNumber(1, -1, 1) * turn(), far } },
-    { "flattened 1e-6", { turn() * conditionNumber(1, 1, 1e-6) * turn(), near } },
-    { "needle 1e-6", { turn() * conditionNumber(1, 1e-6, 1e-6) * turn(), near } },
-    { "flattened 1e-12", { turn() * conditionNumber(1, 1, 1e-12) * turn(), near }, false },
-    { "flattened 1e-18", { turn() * conditionNumber(1, 1, 1e-18) * turn(), near }, false },
-    { "flat, rank 2", { conditionNumber(1, 1, 0), near }, false },
+    { "1e7 away, reflected", { stretch(1, -1, 1) * turn(), far } },
+    { "flattened 1e-6", { turn() * stretch(1, 1, 1e-6) * turn(), near } },
+    { "needle 1e-6", { turn() * stretch(1, 1e-6, 1e-6) * turn(), near } },
+    { "flattened 1e-12", { turn() * stretch(1, 1, 1e-12) * turn(), near }, false },
+    { "flattened 1e-18", { turn() * stretch(1, 1, 1e-18) * turn(), near }, false },
+    { "flat, rank 2", { stretch(1, 1, 0), near }, false },
   };
 }
 

@@ -256,13 +256,12 @@ TEST(EnclosingEllipsoid, IsCloseToTheSmallest)
       lathe.push_back(
         { radius * std::cos(angle) + (angle > 3.0 ? 0.5 : 0.0), radius * std::sin(angle), height });
     }
-    const Matrix3 conditionNumber =
+    const Matrix3 stretch =
       random.rotation() * Vector3(1, 1e-3, 20).asDiagonal() * random.rotation();
     for (const Points& points : { sphere, ball, lathe, cloud(random, n, { 1, 1, 1 }) })
     {
       expectSmall(std::to_string(n) + " points", points);
-      expectSmall(
-        std::to_string(n) + " stretched", transformed(points, conditionNumber, { 1, 2, 3 }));
+      expectSmall(std::to_string(n) + " stretched", transformed(points, stretch, { 1, 2, 3 }));
     }
   }
   std::printf("seed 4: 56 sets, largest volume / lower bound of the optimum %.4f\n", worst);

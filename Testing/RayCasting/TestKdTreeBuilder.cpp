@@ -80,8 +80,8 @@ TEST_P(KdTreeOfMesh, ListsWhatIsNearerThanItsMargin)
   std::vector<KdPrimitive> primitives = primitivesOf(triangles);
   for (KdPrimitive& primitive : primitives)
   {
-    primitive.margin = 0x1p-6 * random.uniform(0, 1) * primitive.bounds.extent().maxCoeff();
-    primitive.bounds.inflate(primitive.margin);
+    primitive.blur = 0x1p-6 * random.uniform(0, 1) * primitive.bounds.extent().maxCoeff();
+    primitive.bounds.inflate(primitive.blur);
   }
   const KdTree tree = build(primitives, 1);
   const double slack = 0x1p-48 * tree.bounds.magnitude(); // the rounding of a point
@@ -91,7 +91,7 @@ TEST_P(KdTreeOfMesh, ListsWhatIsNearerThanItsMargin)
     for (int k = 0; k < 200 / test::kFewer; ++k)
     {
       const double s = random.uniform(0, 1), t = random.uniform(0, 1 - s);
-      const Vector3 off = primitives[i].margin * random.inCube();
+      const Vector3 off = primitives[i].blur * random.inCube();
       const Vector3 point = a + s * (b - a) + t * (c - a) + off;
       ASSERT_TRUE(isListedAt(tree, point, slack, i)) << "triangle " << i << " point " << k;
     }

@@ -50,12 +50,12 @@ enum class RayKind
   Edge,      ///< at a point of an edge, or just beside it
   Vertex,    ///< at a vertex, or just beside it
   AxisPlane, ///< in an axis-aligned plane through a vertex: zero direction components
-  Material,  ///< starts on a surface: at a vertex, on an edge, or within
+  Surface,   ///< starts on a surface: at a vertex, on an edge, or within
   Grazing,   ///< along a triangle, tilted by 2^-10 to 2^-54
   Anywhere
 };
 constexpr std::array<RayKind, 6> kRayKinds = { RayKind::Edge, RayKind::Vertex, RayKind::AxisPlane,
-  RayKind::Material, RayKind::Grazing, RayKind::Anywhere };
+  RayKind::Surface, RayKind::Grazing, RayKind::Anywhere };
 
 inline const char* nameOf(RayKind kind)
 {
@@ -93,7 +93,7 @@ public:
         return towards(nearly(vertex()), origin());
       case RayKind::AxisPlane:
         return inAxisPlane();
-      case RayKind::Material:
+      case RayKind::Surface:
         return fromSurface();
       case RayKind::Grazing:
         return grazing();

@@ -77,7 +77,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
   {
     const std::string name = std::to_string(static_cast<int>(mode));
     scenes.emplace_back("mode " + name, GetParam().scene(mode));
-    scenes.emplace_back("loose for rigid, mode " + name, other.scene(mode));
+    scenes.emplace_back("flattened for instanced, mode " + name, other.scene(mode));
   }
   RaySource source = rays(kSeed);
   int hits = 0, wrong = 0;
@@ -212,7 +212,7 @@ TEST(Scene, BreaksTiesByObjectAndTriangle)
 TEST(Scene, GivesWorldTrianglesAndNormals)
 {
   const Triangle triangle{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  const AffineMap mirrored{ test::conditionNumber(2, -1, 1), { 0, 0, 5 } };
+  const AffineMap mirrored{ test::stretch(2, -1, 1), { 0, 0, 5 } };
   const NamedScene one{ "", test::bodyOf({ triangle }),
     { { test::bodyOf({ triangle }), mirrored } } };
   const Scene scene = one.scene(TraversalMode::Parallel);
@@ -265,7 +265,7 @@ TEST(Scene, ScalesExactly)
           const SurfacePoint p = one.surfaceAt(ray.direction, expected),
                              q = other.surfaceAt(scaledRay.direction, found);
           EXPECT_EQ(q.position, factor * p.position);
-          EXPECT_EQ(q.margin, factor * p.margin);
+          EXPECT_EQ(q.clearance, factor * p.clearance);
           EXPECT_EQ(q.normal, p.normal);
         }
         expected.distance *= factor;

@@ -78,7 +78,7 @@ inline std::shared_ptr<const RigidObject> bodyOf(const Triangles& triangles)
   return std::make_shared<RigidObject>(TriangleMesh(triangles));
 }
 
-inline Matrix3 conditionNumber(double x, double y, double z)
+inline Matrix3 stretch(double x, double y, double z)
 {
   return Vector3(x, y, z).asDiagonal();
 }
@@ -96,13 +96,13 @@ inline NamedScene hardMaps()
   shear(2, 0) = -0.7;
   return { "hard maps", bodyOf(room()),
     { { box, { turn(), { 1, 1, 1 } } }, { box, { shear, { 2, 1.5, 1 } } },
-      { ball, { conditionNumber(-0.6, 0.6, 0.6) * turn(), { 1.5, 1, 1.2 } } },
-      { ring, { turn() * conditionNumber(1, 1, 1e-6) * turn(), { 2, 1.2, 0.7 } } },
-      { ball, { turn() * conditionNumber(1e-6, 1e-6, 1.5) * turn(), { 2, 1.5, 1 } } },
-      { heap, { conditionNumber(0.5, 0.5, 0.5), { 3, 2, 1 } }, true },
-      { ring, { turn() * conditionNumber(1, 1e-3, 30) * turn(), { 2, 1.5, 1.2 } }, true },
+      { ball, { stretch(-0.6, 0.6, 0.6) * turn(), { 1.5, 1, 1.2 } } },
+      { ring, { turn() * stretch(1, 1, 1e-6) * turn(), { 2, 1.2, 0.7 } } },
+      { ball, { turn() * stretch(1e-6, 1e-6, 1.5) * turn(), { 2, 1.5, 1 } } },
+      { heap, { stretch(0.5, 0.5, 0.5), { 3, 2, 1 } }, true },
+      { ring, { turn() * stretch(1, 1e-3, 30) * turn(), { 2, 1.5, 1.2 } }, true },
       { box, { 1e-6 * turn(), { 2.2, 1.1, 0.4 } } },
-      { box, { conditionNumber(1, 1, 1), { 0.5, 0.5, 0.5 } } } } }; // its sides lie in the walls
+      { box, { stretch(1, 1, 1), { 0.5, 0.5, 0.5 } } } } }; // its sides lie in the walls
 }
 
 /// More objects than any list of recent ones can hold, one of them empty.
@@ -180,7 +180,7 @@ inline NamedScene nearlyFlat()
     {} };
   for (int i = 0; i < 6; ++i)
   {
-    const Matrix3 flat = random.rotation() * conditionNumber(1, 1, 1e-11) * random.rotation();
+    const Matrix3 flat = random.rotation() * stretch(1, 1, 1e-11) * random.rotation();
     const Vector3 center = Vector3(2, 1.5, 1.25) + 0.5 * random.inCube();
     scene.objects.push_back({ body, { flat, center }, i % 3 == 0 });
   }
@@ -192,7 +192,7 @@ inline NamedScene nearlyFlat()
 inline NamedScene allButSingular()
 {
   RandomVectors random(17);
-  const Matrix3 flat = random.rotation() * conditionNumber(1, 1, 2e-14) * random.rotation();
+  const Matrix3 flat = random.rotation() * stretch(1, 1, 2e-14) * random.rotation();
   NamedScene scene{ "all but singular", bodyOf(room()), {} };
   const auto body = bodyOf(icosphere(0));
   for (int i = 0; i < 3; ++i)
@@ -220,7 +220,7 @@ inline NamedScene crumbsInAHall()
       { box, { random.powerOfTwo(-3, 0) * random.rotation(), 3 * random.inCube() }, i == 3 });
   }
   // Stretched along z only: the condition, by row sums of |M| |M^-1|, stays 1.
-  scene.objects.push_back({ sail, { conditionNumber(1, 1, 8), { 0, 0, -1 } }, true });
+  scene.objects.push_back({ sail, { stretch(1, 1, 8), { 0, 0, -1 } }, true });
   return scene;
 }
 

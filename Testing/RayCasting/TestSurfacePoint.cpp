@@ -126,7 +126,7 @@ TEST(SurfacePoint, HasTheFrontsNormalAndAMarginByTheCoordinates)
   const SurfacePoint point = surfacePoint(triangle, { 0.25, 0.25, 0.5 });
   EXPECT_EQ(point.normal, Vector3(0, 0, 1));
   EXPECT_TRUE(point.isFront);
-  EXPECT_EQ(point.margin, 5 * 0x1p-33);
+  EXPECT_EQ(point.clearance, 5 * 0x1p-33);
   EXPECT_EQ(point.position, Vector3(3.25, 1, 5));
   EXPECT_EQ(point.clearPosition(), Vector3(3.25, 1, 5 + 5 * 0x1p-33));
 }
@@ -148,7 +148,7 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
     const Vector3 weights = randomWeights(random);
     const SurfacePoint point = surfacePoint(triangle, weights);
     const double inradius = area / perimeter;
-    if (inradius < 4 * point.margin)
+    if (inradius < 4 * point.clearance)
     {
       continue; // too small to keep points off its edges
     }
@@ -161,13 +161,13 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
       clearance = std::min(clearance, inwards.dot(point.position - corners[k]));
     }
     // Normalising the weights to a sum of 1 takes back a little of the distance.
-    EXPECT_GT(clearance, 0.5 * point.margin) << "seed " << kSeed << " triangle " << i;
+    EXPECT_GT(clearance, 0.5 * point.clearance) << "seed " << kSeed << " triangle " << i;
     // The point moves no farther than the insets of two edges require.
     const Vector3 exact =
       weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
     const double longest = std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
     EXPECT_LT((point.position - exact).norm(),
-      4 * 64 * point.margin * longest * longest / area + rounding * (1 + size))
+      4 * 64 * point.clearance * longest * longest / area + rounding * (1 + size))
       << "seed " << kSeed << " triangle " << i;
   }
 }
@@ -216,7 +216,7 @@ TEST(SurfacePoint, ScalesExactly)
       const SurfacePoint scaled =
         surfacePoint({ factor * triangle.a, factor * triangle.b, factor * triangle.c }, weights);
       ASSERT_EQ(scaled.position, factor * point.position) << "seed " << kSeed << ' ' << i;
-      ASSERT_EQ(scaled.margin, factor * point.margin);
+      ASSERT_EQ(scaled.clearance, factor * point.clearance);
       ASSERT_EQ(scaled.normal, point.normal);
     }
   }

@@ -62,7 +62,7 @@ bool meetsAny(const ShearedRay& ray, const std::vector<Triangle>& triangles)
 }
 
 /// A point inside: at most 99 % of the way from the known point to the surface in a random
-/// direction. So it is farther off that surface than a point of a walk (SurfacePoint::margin).
+/// direction. So it is farther off that surface than a point of a walk (SurfacePoint::clearance).
 Vector3 pointInside(const NamedMesh& mesh, RandomVectors& random)
 {
   const Vector3 direction = random.direction();

@@ -29,7 +29,7 @@ struct ScanBody
 /// What the loops of a SegmentScan work on: they test each segment between consecutive points once.
 struct PointScan
 {
-  static constexpr std::size_t kTogether = 16; ///< segments to a word of `named`
+  static constexpr std::size_t kGroupSize = 16; ///< segments to a word of `flagged`
 
   ScanPoints points;
   ScanPoints next; ///< the points of the next scan, to be prefetched
@@ -38,9 +38,9 @@ struct PointScan
   std::size_t numberOfBodies;
   /// Within this squared distance of 0, errors are small beside each body.
   float squaredNear;
-  /// A flag bit for each segment, kTogether to a word: set if the segment may touch a body, or if
+  /// A flag bit for each segment, kGroupSize to a word: set if the segment may touch a body, or if
   /// the bit of its tag is set in `tags`.
-  std::uint16_t* named;
+  std::uint16_t* flagged;
 };
 
 void runScanPlain(const PointScan& scan);

@@ -24,7 +24,7 @@ ScanPoints pointsOf(const WalkBlock& block)
 
 SegmentScan::SegmentScan(const UnitFrame& frame, double reach)
   : frame_(frame)
-  , namesAll_(!(reach <= kLargestReach))
+  , flagsAll_(!(reach <= kLargestReach))
 {
 }
 
@@ -37,8 +37,8 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   // No point of the body is farther from 0.
   const double farthest = frame_(ball.center).norm() + ball.radius * inverse.norm();
   // Each term of a sum of floats is off by 2^-24 of itself; Documentation/Theory.md counts them.
-  const double conditionNumber = matrix.norm();
-  const double error = 0x1p-19 * conditionNumber;
+  const double norm = matrix.norm();
+  const double error = 0x1p-19 * norm;
   ScanBody body;
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
@@ -51,9 +51,8 @@ void SegmentScan::addBody(const EllipsoidBound& bound)
   squaredNear_ = std::min(squaredNear_, kLittle * body.squaredRadius / body.byDistance);
   // Beyond these limits a product of floats may overflow or vanish, or errors are no longer small.
   constexpr double kMost = 0x1p30, kLeast = 0x1p-30, kThinnest = 3.1 * 0x1p20;
-  namesAll_ = namesAll_ || bodies_.size() == kMostBodies || !(conditionNumber < kMost) ||
-    !(conditionNumber > kLeast) || !(conditionNumber * inverse.norm() < kThinnest) ||
-    !(farthest < 2 * kLargestReach);
+  flagsAll_ = flagsAll_ || bodies_.size() == kMostBodies || !(norm < kMost) || !(norm > kLeast) ||
+    !(norm * inverse.norm() < kThinnest) || !(farthest < 2 * kLargestReach);
   bodies_.push_back(body);
 }
 
@@ -66,16 +65,16 @@ void SegmentScan::find(
     return;
   }
   const std::size_t segments = block.numberOfPoints() - 1;
-  if (namesAll_)
+  if (flagsAll_)
   {
     points.resize(segments);
     std::iota(points.begin(), points.end(), 0);
     return;
   }
-  static thread_local std::vector<std::uint16_t> named;
-  named.resize(segments / PointScan::kTogether + 1);
+  static thread_local std::vector<std::uint16_t> flagged;
+  flagged.resize(segments / PointScan::kGroupSize + 1);
   const PointScan scan{ pointsOf(block), pointsOf(next), tags_, bodies_.data(), bodies_.size(),
-    squaredNear_, named.data() };
+    squaredNear_, flagged.data() };
 #ifdef __x86_64__
   const SimdLevel level = simdLevel();
   (level == SimdLevel::Avx512    ? runScanAvx512
@@ -84,9 +83,9 @@ void SegmentScan::find(
 #else
   runScanPlain(scan);
 #endif
-  for (std::size_t first = 0; first < segments; first += PointScan::kTogether)
+  for (std::size_t first = 0; first < segments; first += PointScan::kGroupSize)
   {
-    for (unsigned bits = named[first / PointScan::kTogether]; bits != 0; bits &= bits - 1)
+    for (unsigned bits = flagged[first / PointScan::kGroupSize]; bits != 0; bits &= bits - 1)
     {
       points.push_back(
         static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(bits)));

@@ -45,7 +45,7 @@ private:
   std::uint32_t tags_ = 1u << WalkBlock::kContactTag; ///< contacts are always flagged
   std::vector<ScanBody> bodies_;
   float squaredNear_ = std::numeric_limits<float>::max();
-  bool namesAll_ = false;
+  bool flagsAll_ = false;
 };
 
 }

@@ -62,7 +62,7 @@ private:
 /// Flags the segments that may touch the body, a bit for each. With p and p - q the ends in the
 /// body's frame, p - t q is nearest to its centre for t = p.q / q.q.
 template <class Lanes>
-inline unsigned nameNear(const Segments<Lanes>& segments, const ScanBody& body)
+inline unsigned flagNear(const Segments<Lanes>& segments, const ScanBody& body)
 {
   using Floats = typename Lanes::Floats;
   const Floats zero = Lanes::all(0);
@@ -87,12 +87,12 @@ inline unsigned nameNear(const Segments<Lanes>& segments, const ScanBody& body)
   return Lanes::notAbove(dot<Lanes>(p[0], p[1], p[2], p[0], p[1], p[2], zero), reach);
 }
 
-/// Flags those of the first kTogether segments that may touch any of the bodies.
+/// Flags those of the first kGroupSize segments that may touch any of the bodies.
 template <class Lanes>
-inline unsigned nameTogether(const float* x, const float* y, const float* z, const PointScan& scan)
+inline unsigned flagGroup(const float* x, const float* y, const float* z, const PointScan& scan)
 {
-  unsigned named = 0;
-  for (std::size_t i = 0; i < PointScan::kTogether; i += Lanes::kCount)
+  unsigned flagged = 0;
+  for (std::size_t i = 0; i < PointScan::kGroupSize; i += Lanes::kCount)
   {
     Segments<Lanes> segments(x + i, y + i, z + i);
     constexpr unsigned kAll = (1u << Lanes::kCount) - 1;
@@ -103,30 +103,30 @@ inline unsigned nameTogether(const float* x, const float* y, const float* z, con
     unsigned near = 0;
     for (std::size_t body = 0; body < scan.numberOfBodies; ++body)
     {
-      near |= nameNear<Lanes>(segments, scan.bodies[body]);
+      near |= flagNear<Lanes>(segments, scan.bodies[body]);
     }
-    named |= near << i;
+    flagged |= near << i;
   }
-  return named;
+  return flagged;
 }
 
 template <class Lanes>
-inline unsigned nameTagged(const std::uint16_t* tags, std::uint32_t set)
+inline unsigned flagTagged(const std::uint16_t* tags, std::uint32_t set)
 {
-  unsigned named = 0;
-  for (std::size_t i = 0; i < PointScan::kTogether; i += Lanes::kCount)
+  unsigned flagged = 0;
+  for (std::size_t i = 0; i < PointScan::kGroupSize; i += Lanes::kCount)
   {
-    named |= Lanes::tagged(tags + i, set) << i;
+    flagged |= Lanes::tagged(tags + i, set) << i;
   }
-  return named;
+  return flagged;
 }
 
-/// The points left after the last full group of kTogether, filled up with zeros.
+/// The points left after the last full group of kGroupSize, filled up with zeros.
 struct LastPoints
 {
-  float x[PointScan::kTogether + 1] = {}, y[PointScan::kTogether + 1] = {},
-                                 z[PointScan::kTogether + 1] = {};
-  std::uint16_t tags[PointScan::kTogether + 1] = {};
+  float x[PointScan::kGroupSize + 1] = {}, y[PointScan::kGroupSize + 1] = {},
+                                  z[PointScan::kGroupSize + 1] = {};
+  std::uint16_t tags[PointScan::kGroupSize + 1] = {};
 
   LastPoints(const ScanPoints& all, std::size_t first)
   {
@@ -157,18 +157,18 @@ template <class Lanes>
 inline void runScan(const PointScan& scan)
 {
   const ScanPoints& all = scan.points;
-  const std::size_t segments = all.count - 1, steps = segments / PointScan::kTogether;
+  const std::size_t segments = all.count - 1, steps = segments / PointScan::kGroupSize;
   for (std::size_t i = 0; i < steps; ++i)
   {
-    const std::size_t first = i * PointScan::kTogether;
+    const std::size_t first = i * PointScan::kGroupSize;
     prefetchAhead(scan, first);
-    scan.named[i] = static_cast<std::uint16_t>(nameTagged<Lanes>(all.tags + first, scan.tags) |
-      nameTogether<Lanes>(all.x + first, all.y + first, all.z + first, scan));
+    scan.flagged[i] = static_cast<std::uint16_t>(flagTagged<Lanes>(all.tags + first, scan.tags) |
+      flagGroup<Lanes>(all.x + first, all.y + first, all.z + first, scan));
   }
-  const LastPoints last(all, steps * PointScan::kTogether);
-  const unsigned isThere = (1u << (segments - steps * PointScan::kTogether)) - 1;
-  scan.named[steps] = static_cast<std::uint16_t>(isThere &
-    (nameTagged<Lanes>(last.tags, scan.tags) | nameTogether<Lanes>(last.x, last.y, last.z, scan)));
+  const LastPoints last(all, steps * PointScan::kGroupSize);
+  const unsigned isThere = (1u << (segments - steps * PointScan::kGroupSize)) - 1;
+  scan.flagged[steps] = static_cast<std::uint16_t>(isThere &
+    (flagTagged<Lanes>(last.tags, scan.tags) | flagGroup<Lanes>(last.x, last.y, last.z, scan)));
 }
 
 }

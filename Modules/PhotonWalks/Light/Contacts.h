@@ -19,7 +19,7 @@ namespace irradiance
  * reflects it back to the lamp; none gets inside. A lamp in the plane of a wall shines into the
  * room, and receives what falls on it.
  *
- * Triangles coincide if they overlap and one lies within twice SurfacePoint::margin of the other's
+ * Triangles coincide if they overlap and one lies within twice SurfacePoint::clearance of the other's
  * plane. Documentation/Theory.md, section 3, has the rules.
  */
 class Contacts
@@ -41,9 +41,9 @@ public:
   /// A wall in whose plane a point lies.
   struct Wall
   {
-    Vector3 normal;  ///< unit vector to the side where light can be
-    double distance; ///< from the plane to the point, along the normal
-    double margin;   ///< distance from the plane at which light starts, as in SurfacePoint
+    Vector3 normal;   ///< unit vector to the side where light can be
+    double distance;  ///< from the plane to the point, along the normal
+    double clearance; ///< distance from the plane at which light starts, as in SurfacePoint
   };
   /// The walls in whose plane a point light lies, except those that let it shine to both sides.
   std::vector<Wall> wallsAt(

@@ -87,7 +87,7 @@ void EmitterTable::addTriangles(const SceneObjects& objects, std::uint32_t objec
   for (std::uint32_t i = 0; i < mesh.size() && !material.exitance.empty(); ++i)
   {
     Emitter emitter{ { object, i }, transformed(objects[object].worldFromObject, mesh[i]) };
-    const double area = 0.5 * emitter.triangle.areaVector().norm();
+    const double area = emitter.triangle.area();
     for (int band = 0; band < material.bands; ++band)
     {
       emitter.flux[static_cast<std::size_t>(band)] = area *
@@ -110,7 +110,7 @@ void EmitterTable::addPoints(const SceneObjects& objects, std::uint32_t number, 
     {
       for (const Contacts::Wall& wall : contacts->wallsAt(objects, position, checkpoint))
       {
-        position += std::max(0.0, wall.margin - wall.distance) * wall.normal;
+        position += std::max(0.0, wall.clearance - wall.distance) * wall.normal;
         openSides.push_back(wall.normal);
       }
       checkOpen(position, openSides);

@@ -1,8 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light/SceneObjects.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
+
+void flattenManySmall(SceneObjects& objects)
+{
+  constexpr std::size_t kFewTriangles = 48;
+  constexpr std::ptrdiff_t kMany = 128;
+  const auto isSmall = [](const SceneObject& object) {
+    return object.body->mesh().size() <= kFewTriangles;
+  };
+  std::vector<SceneObject>& all = objects.dynamicObjects;
+  const bool areMany = std::count_if(all.begin(), all.end(), isSmall) >= kMany;
+  for (SceneObject& object : all)
+  {
+    object.isFlattened = areMany && isSmall(object);
+  }
+}
 
 std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& checkpoint)
 {
@@ -12,7 +29,7 @@ std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& check
   for (std::size_t i = 0; i < mesh.size(); ++i)
   {
     areas[object.material->cellOfTriangle[i]] +=
-      0.5 * transformed(object.worldFromObject, mesh[i]).areaVector().norm();
+      transformed(object.worldFromObject, mesh[i]).area();
     pace.step();
   }
   return areas;

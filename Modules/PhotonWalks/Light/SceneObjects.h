@@ -35,6 +35,14 @@ struct SceneObjects
   }
 };
 
+/**
+ * Flattens the dynamic objects of few triangles if there are many of them, and instances all others.
+ * Then one tree over single moving triangles (section 2.2 of the paper), rebuilt in each frame, is
+ * faster than a tree for each object; Documentation/Performance.md has the measurements. Results do
+ * not depend on it.
+ */
+void flattenManySmall(SceneObjects& objects);
+
 /// World area of every cell, m2.
 std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& checkpoint = {});
 

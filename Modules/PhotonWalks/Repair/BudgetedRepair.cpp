@@ -140,9 +140,9 @@ bool BudgetedRepair::work(Unit& unit, std::uint16_t weakest, const Deadline& dea
 
 std::shared_ptr<BudgetedRepair::Batch> BudgetedRepair::begin(Unit& unit, std::uint16_t weakest)
 {
-  constexpr std::size_t kTogether = 512, kFirst = 16;
+  constexpr std::size_t kBatchSize = 512, kFirst = 16;
   const double start = time_.now();
-  const std::size_t count = hasBegun_ ? time_.itemsToBegin(kTogether) : kFirst;
+  const std::size_t count = hasBegun_ ? time_.itemsToBegin(kBatchSize) : kFirst;
   if (count == 0)
   {
     return nullptr;
@@ -240,21 +240,21 @@ void BudgetedRepair::castAnew(Batch& batch) const
     {
       segment.old.distance = scene.distanceTo(segment.ray, segment.old.id);
     }
-    const Hit* fixed = segment.wasTouching ? nullptr
-      : wasDynamic                         ? block.hiddenStaticHit(walk, segment.bounce)
-                                           : &segment.old;
-    rays[fixed != nullptr].push_back(segment.ray);
-    hits[fixed != nullptr].push_back(fixed ? *fixed : Hit{});
-    which[fixed != nullptr].push_back(i);
+    const Hit* staticHit = segment.wasTouching ? nullptr
+      : wasDynamic                             ? block.hiddenStaticHit(walk, segment.bounce)
+                                               : &segment.old;
+    rays[staticHit != nullptr].push_back(segment.ray);
+    hits[staticHit != nullptr].push_back(staticHit ? *staticHit : Hit{});
+    which[staticHit != nullptr].push_back(i);
   }
   scene.cast(rays[0].data(), rays[0].size(), hits[0].data());
   scene.castDynamic(rays[1].data(), rays[1].size(), hits[1].data());
-  for (const int isFixedKnown : { 0, 1 })
+  for (const int isStaticHitKnown : { 0, 1 })
   {
-    for (std::size_t i = 0; i < which[isFixedKnown].size(); ++i)
+    for (std::size_t i = 0; i < which[isStaticHitKnown].size(); ++i)
     {
-      StaleSegment& segment = batch.segments[which[isFixedKnown][i]];
-      segment.hit = shooter.settled(segment.ray, hits[isFixedKnown][i]);
+      StaleSegment& segment = batch.segments[which[isStaticHitKnown][i]];
+      segment.hit = shooter.settled(segment.ray, hits[isStaticHitKnown][i]);
     }
   }
 }

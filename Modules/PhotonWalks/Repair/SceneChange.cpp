@@ -32,14 +32,14 @@ bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Fun
 
 }
 
-bool doLightsStand(const SceneObjects& now, const SceneObjects& before)
+bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
 {
   return isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
     return a.material == b.material && !(a.material->emits() && hasMoved(a, b));
   });
 }
 
-bool isSameButForMotion(const SceneObjects& now, const SceneObjects& before)
+bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before)
 {
   return now.staticObject.body == before.staticObject.body && isSameForAll(now, before, isSameLook);
 }

@@ -9,10 +9,10 @@ namespace irradiance
 
 /// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does
 /// not prove that they changed.
-bool doLightsStand(const SceneObjects& now, const SceneObjects& before);
+bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
 
 /// Whether two frames differ at most in the pose and the points of dynamic objects.
-bool isSameButForMotion(const SceneObjects& now, const SceneObjects& before);
+bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before);
 
 /// Which dynamic objects have another pose or other points. Both frames have as many of them.
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before);

@@ -111,10 +111,11 @@ std::vector<ErrorEstimate::CellSide> ErrorEstimate::cellSides(
       }
     }
   }
-  constexpr std::size_t kTogether = 4096;
-  SlicedPass pass{ (parts.size() + kTogether - 1) / kTogether, {} };
+  constexpr std::size_t kPartsPerUnit = 4096;
+  SlicedPass pass{ (parts.size() + kPartsPerUnit - 1) / kPartsPerUnit, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
-    for (std::size_t i = unit * kTogether; i < std::min((unit + 1) * kTogether, parts.size()); ++i)
+    for (std::size_t i = unit * kPartsPerUnit;
+         i < std::min((unit + 1) * kPartsPerUnit, parts.size()); ++i)
     {
       for (int band = 0; band < objects.staticObject.material->bands; ++band)
       {

@@ -63,14 +63,14 @@ MovedEllipsoid moved(const EnclosingEllipsoid& ellipsoid, const AffineMap& world
     centerError + axesError + kSmallestLength };
 }
 
-/// Lengthens axes shorter than `margin` or much shorter than the longest. Beside the margin their
+/// Lengthens axes shorter than `pad` or much shorter than the longest. Beside the pad their
 /// length does not matter, and it may be 0.
-Matrix3 roundingMap(const Matrix3& matrix, double margin)
+Matrix3 roundingMap(const Matrix3& matrix, double pad)
 {
   const Matrix3 semiAxes = principalSemiAxes(matrix);
   const Vector3 lengths = semiAxes.colwise().norm();
-  const double longest = lengths[0] + margin;
-  const Vector3 usable = (lengths.array() + margin).cwiseMax(kThinnest * longest);
+  const double longest = lengths[0] + pad;
+  const Vector3 usable = (lengths.array() + pad).cwiseMax(kThinnest * longest);
   Matrix3 directions = Matrix3::Identity();
   if (lengths[0] > 0.0)
   {
@@ -135,7 +135,7 @@ EllipsoidBound::EllipsoidBound(const EnclosingEllipsoid& ellipsoid, const Box& m
   : center_(Vector3::Zero())
   , roundFromWorld_(Matrix3::Zero()) // makes every normal 0, so that nothing is rejected
   , radiusSquared_(0.0)
-  , margin_(0.0)
+  , pad_(0.0)
 {
   if (modelBox.isEmpty())
   {
@@ -150,15 +150,15 @@ EllipsoidBound::EllipsoidBound(const EnclosingEllipsoid& ellipsoid, const Box& m
   }
   worldBox_ = padded(worldBox_.intersection(boxAround(body)), worldPad);
 
-  const double margin = (worldPad + body.uncertainty) * (1.0 + 32.0 * kUnitRoundoff);
-  const Matrix3 guide = roundingMap(body.semiAxes, margin);
+  const double pad = (worldPad + body.uncertainty) * (1.0 + 32.0 * kUnitRoundoff);
+  const Matrix3 guide = roundingMap(body.semiAxes, pad);
   const double radius = radiusBound(guide, body.semiAxes);
   if (guide.allFinite() && radius < kLargestRadius)
   {
     center_ = body.center;
     roundFromWorld_ = guide;
     radiusSquared_ = radius * radius * (1.0 + 32.0 * kUnitRoundoff);
-    margin_ = margin;
+    pad_ = pad;
   }
 }
 

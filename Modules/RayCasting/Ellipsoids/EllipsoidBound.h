@@ -39,9 +39,9 @@ public:
   };
   Ball ball() const
   {
-    const double conditionNumber = roundFromWorld_.rowwise().norm().maxCoeff();
+    const double longestRow = roundFromWorld_.rowwise().norm().maxCoeff();
     return { roundFromWorld_, center_,
-      (std::sqrt(radiusSquared_) + conditionNumber * margin_) * (1 + kRounding) };
+      (std::sqrt(radiusSquared_) + longestRow * pad_) * (1 + kRounding) };
   }
 
 private:
@@ -55,13 +55,13 @@ private:
   Vector3 center_;         // in the world
   Matrix3 roundFromWorld_; // makes the ellipsoid nearly a ball, of radius about 1
   double radiusSquared_;   // of a ball that contains it in that space
-  double margin_;          // length in the world: worldPad plus the error of the ellipsoid
+  double pad_;             // length in the world: worldPad plus the error of the ellipsoid
   Box worldBox_;
 };
 
 // The certificate. Let W = roundFromWorld_ and n any vector. The plane with normal N = W^T n has
-// the ellipsoid, thickened by the margin, on one side; a point x lies strictly on the other if
-//     N . (x - center) - |N| margin > radius |n|.
+// the ellipsoid, thickened by the pad, on one side; a point x lies strictly on the other if
+//     N . (x - center) - |N| pad > radius |n|.
 // If this holds for both ends of a segment, it holds for the whole segment. The proof is valid for
 // any n, so n need not be accurate. Only the inequality itself is guarded against rounding;
 // Documentation/Theory.md has the whole argument.
@@ -71,8 +71,8 @@ inline bool EllipsoidBound::isSeparated(
   const Vector3 normal = roundFromWorld_.transpose() * n;
   // The 1-norm is no less than |normal| and needs no square root.
   const double length = normal.lpNorm<1>();
-  const double gapP = normal.dot(p) - length * (margin_ + kRounding * p.lpNorm<1>());
-  const double gapQ = normal.dot(q) - length * (margin_ + kRounding * q.lpNorm<1>());
+  const double gapP = normal.dot(p) - length * (pad_ + kRounding * p.lpNorm<1>());
+  const double gapQ = normal.dot(q) - length * (pad_ + kRounding * q.lpNorm<1>());
   const double gap = std::min(gapP, gapQ);
   // Beyond these limits, or with a NaN, a product may have underflowed or overflowed.
   const bool isInRange =

@@ -49,10 +49,10 @@ struct Box
     lower = lower.cwiseMin(other.lower);
     upper = upper.cwiseMax(other.upper);
   }
-  void inflate(double margin)
+  void inflate(double pad)
   {
-    lower.array() -= margin;
-    upper.array() += margin;
+    lower.array() -= pad;
+    upper.array() += pad;
   }
   Box intersection(const Box& other) const
   {

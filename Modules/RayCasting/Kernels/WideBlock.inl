@@ -7,7 +7,7 @@ namespace
 {
 
 /// What floats can say about the triangles of a block.
-struct BlockAnswer
+struct BlockResult
 {
   unsigned possible;           ///< one bit each: may be the closest hit
   unsigned certain;            ///< one bit each: is hit for certain
@@ -15,7 +15,7 @@ struct BlockAnswer
 };
 
 /// Rejects only what the test in double cannot accept. Unused places hold NaN and are rejected.
-inline BlockAnswer askBlock(const TriangleBlock& block, const TreeQuery& query)
+inline BlockResult testBlock(const TriangleBlock& block, const TreeQuery& query)
 {
   const __m256 dx = _mm256_set1_ps(query.direction[0]), dy = _mm256_set1_ps(query.direction[1]),
                dz = _mm256_set1_ps(query.direction[2]);

@@ -150,7 +150,7 @@ private:
       {
         ++counts.blocks;
       }
-      const BlockAnswer answer = askBlock(*block, query);
+      const BlockResult answer = testBlock(*block, query);
       if (answer.possible != 0)
       {
         query.tree->isIllConditioned() ? testAll(source, *block, answer.possible)
@@ -167,7 +167,7 @@ private:
     }
   }
 
-  void take(QuerySource& source, const TriangleBlock& block, const BlockAnswer& answer)
+  void take(QuerySource& source, const TriangleBlock& block, const BlockResult& answer)
   {
     alignas(32) float distances[8], sizes[8], blurs[8];
     _mm256_store_ps(distances, answer.distance);
@@ -253,19 +253,19 @@ private:
 template <class Kernel, bool isCounted>
 void runInTurns(QuerySource& source)
 {
-  constexpr unsigned kTogether = 4;
+  constexpr unsigned kSearches = 4;
   RequestQueue queue(source);
-  WideSearch<Kernel, isCounted> searches[kTogether];
+  WideSearch<Kernel, isCounted> searches[kSearches];
   unsigned running = 0;
-  while (running < kTogether && searches[running].start(source, queue))
+  while (running < kSearches && searches[running].start(source, queue))
   {
     ++running;
   }
-  unsigned ended = kTogether; // the first one that found no next search
-  while (running == kTogether && ended == kTogether)
+  unsigned ended = kSearches; // the first one that found no next search
+  while (running == kSearches && ended == kSearches)
   {
 #pragma GCC unroll 4
-    for (unsigned i = 0; i < kTogether; ++i)
+    for (unsigned i = 0; i < kSearches; ++i)
     {
       if (__builtin_expect(!searches[i].step(source), 0) && !searches[i].start(source, queue))
       {

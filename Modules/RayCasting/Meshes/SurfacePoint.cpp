@@ -10,7 +10,7 @@ namespace
 {
 
 /// How far rays start off the triangle, relative to its largest coordinate.
-constexpr double kMargin = 0x1p-33;
+constexpr double kClearance = 0x1p-33;
 /// A point is kept this many times farther from the edges than above its triangle. If two walls
 /// meet at more than an angle of 1 in 64, the step off one of them stays in front of the other.
 constexpr double kSharpest = 64;
@@ -30,8 +30,8 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
   point.isFront = true;
   const double perLength = 1 / length; // one division for all
   point.normal = area * perLength;
-  point.margin = kMargin * triangle.bounds().magnitude();
-  const double perEdge = point.margin * perLength;
+  point.clearance = kClearance * triangle.bounds().magnitude();
+  const double perEdge = point.clearance * perLength;
   // The 1-norm is no less than the length and needs no square root.
   const Vector3 inset(perEdge * (triangle.c - triangle.b).lpNorm<1>(),
     perEdge * (triangle.a - triangle.c).lpNorm<1>(),
@@ -45,13 +45,13 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
 
 /// Raising the weights by r in all and normalising them to a sum of 1 moves the point by at most r
 /// longest edges. With p the radius of the incircle, the three insets together are at most sqrt(3)
-/// margin / p; the factor sqrt(3) is for the 1-norms.
+/// clearance / p; the factor sqrt(3) is for the 1-norms.
 double farthestClearance(double magnitude, double longestEdge, double slenderness)
 {
-  const double margin = kMargin * magnitude;
-  const double inset = 1.74 * margin * slenderness; // times the longest edge
+  const double clearance = kClearance * magnitude;
+  const double inset = 1.74 * clearance * slenderness; // times the longest edge
   const double sharp = std::min(kSharpest * inset, 3 * kMostRaised * longestEdge);
-  return margin + std::min(inset + sharp, longestEdge);
+  return clearance + std::min(inset + sharp, longestEdge);
 }
 
 }

@@ -11,9 +11,9 @@ namespace irradiance
 /// rounding.
 struct SurfacePoint
 {
-  Vector3 position; ///< on the triangle, kept off its edges by 64 `margin` if there is room
+  Vector3 position; ///< on the triangle, kept off its edges by 64 `clearance` if there is room
   Vector3 normal;   ///< unit vector
-  double margin;    ///< 2^-33 of the largest coordinate: the step along the normal to a clear start
+  double clearance; ///< 2^-33 of the largest coordinate: the step along the normal to a clear start
   bool isFront;     ///< the normal points to the front
 
   /// Turns the normal, which must point to the front, to the given side.
@@ -22,7 +22,7 @@ struct SurfacePoint
     isFront = toFront;
     normal = toFront ? normal : Vector3(-normal);
   }
-  Vector3 clearPosition() const { return position + margin * normal; }
+  Vector3 clearPosition() const { return position + clearance * normal; }
 };
 
 /// `weights`: barycentric coordinates, >= 0. The normal of the result points to the front.

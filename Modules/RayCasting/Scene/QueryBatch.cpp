@@ -53,9 +53,9 @@ void Scene::QueryBatch::runIfMany()
 bool Scene::QueryBatch::addGroup(std::uint32_t ray, const Group& group)
 {
   const std::size_t before = jobs_.size();
-  if (!group.flattened.tree.isEmpty())
+  if (group.flattened)
   {
-    add(ray, group.flattened);
+    add(ray, *group.flattened);
   }
   if (group.bodies.isEmpty() && !group.instanced.empty())
   {
@@ -207,11 +207,11 @@ void Scene::QueryBatch::finish(
   {
     const TriangleId id = idOf(job, references[i]);
     scene_.bodyOf(id.object).mesh().prefetch(id.triangle);
-    if (putOff_ == pendingHits_.size())
+    if (pendingCount_ == pendingHits_.size())
     {
       confirm();
     }
-    pendingHits_[putOff_++] = { job.ray, id };
+    pendingHits_[pendingCount_++] = { job.ray, id };
   }
 }
 
@@ -228,9 +228,9 @@ void Scene::QueryBatch::enter(std::uint32_t ray, std::uint32_t reference)
 
 void Scene::QueryBatch::confirm()
 {
-  for (std::size_t first = 0; first < putOff_; first += IntersectionLanes::kSize)
+  for (std::size_t first = 0; first < pendingCount_; first += IntersectionLanes::kSize)
   {
-    const auto count = std::min<std::size_t>(putOff_ - first, IntersectionLanes::kSize);
+    const auto count = std::min<std::size_t>(pendingCount_ - first, IntersectionLanes::kSize);
     for (unsigned lane = 0; lane < count; ++lane)
     {
       const auto& [ray, id] = pendingHits_[first + lane];
@@ -247,16 +247,16 @@ void Scene::QueryBatch::confirm()
       }
     }
   }
-  confirmed_ += putOff_;
-  putOff_ = 0;
+  confirmed_ += pendingCount_;
+  pendingCount_ = 0;
 }
 
 void Scene::QueryBatch::take(
-  const PendingHit& decision, double distance, double weightB, double weightC)
+  const PendingHit& pending, double distance, double weightB, double weightC)
 {
-  const Hit hit{ distance, decision.id,
+  const Hit hit{ distance, pending.id,
     { static_cast<float>(weightB), static_cast<float>(weightC) } };
-  Hit& best = best_[decision.ray];
+  Hit& best = best_[pending.ray];
   if (isCloser(hit, best))
   {
     best = hit;

@@ -65,9 +65,8 @@ private:
 
   Job jobOf(std::uint32_t number) const
   {
-    return isForAll_
-      ? Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 }
-      : jobs_[number];
+    return isForAll_ ? Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 }
+                     : jobs_[number];
   }
   void request(const Job& job, QueryRequest& request) const;
   void runAll(std::uint32_t first, std::uint32_t end, const std::vector<std::uint32_t>& order);
@@ -80,10 +79,10 @@ private:
   /// Tests all pending hits in double.
   void confirm();
   /// Keeps this hit if it is the ray's closest.
-  void take(const PendingHit& decision, double distance, double weightB, double weightC);
+  void take(const PendingHit& pending, double distance, double weightB, double weightC);
 
   static constexpr std::uint32_t kMany = 1024; ///< searches that stay in a processor's cache
-  static constexpr std::size_t kPutOff = std::size_t{ 8 } * IntersectionLanes::kSize;
+  static constexpr std::size_t kMostPending = std::size_t{ 8 } * IntersectionLanes::kSize;
 
   const Scene& scene_;
   const Ray* rays_;
@@ -96,8 +95,8 @@ private:
   const Group* group_ = nullptr;                      ///< of the bodies
   const std::vector<std::uint32_t>* order_ = nullptr; ///< of all rays; may be empty
   std::uint32_t next_ = 0, end_ = 0;
-  std::size_t putOff_ = 0, confirmed_ = 0;
-  std::array<PendingHit, kPutOff> pendingHits_;
+  std::size_t pendingCount_ = 0, confirmed_ = 0;
+  std::array<PendingHit, kMostPending> pendingHits_;
   IntersectionLanes lanes_;
 };
 

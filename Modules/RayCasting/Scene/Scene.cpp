@@ -58,6 +58,7 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
     bounds_.add(object.worldBounds());
   }
   place(std::max(bounds_.magnitude(), pointSources_.magnitude()));
+  dynamic_ = {};
   dynamic_ = group(std::vector<bool>(objects_.size(), true), checkpoint);
   moved_ = moved.empty() ? Group{} : group(moved, checkpoint);
   oneTree_ = {};
@@ -94,8 +95,9 @@ Scene::MixedTree Scene::mix(
   const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const
 {
   MixedTree mixed;
+  mixed.objects = objects;
   std::vector<Triangle> world;
-  std::vector<double> margins;
+  std::vector<double> blurs;
   double conditionNumber = 1;
   mixed.first.resize(placed_.size() + 1, TriangleId::kNone);
   for (const std::uint32_t object : objects)
@@ -106,10 +108,10 @@ Scene::MixedTree Scene::mix(
     {
       mixed.ids.push_back({ object, i });
       world.push_back(worldTriangle(mixed.ids.back()));
-      margins.push_back(object == 0 ? 0.0 : placed_[object - 1].roundTrip);
+      blurs.push_back(object == 0 ? 0.0 : placed_[object - 1].roundTrip);
     }
   }
-  mixed.tree = TriangleTree(world, margins, conditionNumber, checkpoint);
+  mixed.tree = TriangleTree(world, blurs, conditionNumber, checkpoint);
   return mixed;
 }
 
@@ -138,7 +140,14 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
       areFinite = areFinite && std::isfinite(boxes.back().magnitude());
     }
   }
-  group.flattened = mix(flattened, checkpoint);
+  if (dynamic_.flattened && dynamic_.flattened->objects == flattened)
+  {
+    group.flattened = dynamic_.flattened;
+  }
+  else if (!flattened.empty())
+  {
+    group.flattened = std::make_shared<MixedTree>(mix(flattened, checkpoint));
+  }
   if (boxes.size() >= kManyObjects && areFinite)
   {
     group.bodies = TriangleTree(boxes, slack, checkpoint);

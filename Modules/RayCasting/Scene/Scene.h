@@ -113,6 +113,7 @@ private:
   /// Triangles of several objects in one tree, in world space.
   struct MixedTree
   {
+    std::vector<std::uint32_t> objects;
     TriangleTree tree;
     std::vector<TriangleId> ids;
     std::vector<std::uint32_t> first; ///< for each object, its triangle 0 in `ids`, or kNone
@@ -127,9 +128,9 @@ private:
   /// Some of the dynamic objects.
   struct Group
   {
-    MixedTree flattened;
-    std::vector<std::uint32_t> instanced; ///< indices in placed_
-    TriangleTree bodies; ///< over those, if they are many
+    std::shared_ptr<const MixedTree> flattened; ///< null if there are none
+    std::vector<std::uint32_t> instanced;       ///< indices in placed_
+    TriangleTree bodies;                        ///< over those, if they are many
   };
 
   class QueryBatch;

@@ -174,11 +174,11 @@ private:
     part.upper[axis] = std::min(part.upper[axis], roundUp(cell.upper[axis]));
     if (primitive.triangle)
     {
-      const double margin = clipError_ + primitive.margin;
+      const double pad = clipError_ + primitive.blur;
       Box wider = cell;
-      wider.inflate(margin);
+      wider.inflate(pad);
       Box bounds = boundsOfClipped(*primitive.triangle, wider);
-      bounds.inflate(margin);
+      bounds.inflate(pad);
       part.intersect(KdItem::of(item.primitive, bounds));
     }
     return part;

@@ -12,9 +12,9 @@ namespace irradiance
 /// What a tree is built over: a triangle, or just a box if `triangle` is null.
 struct KdPrimitive
 {
-  Box bounds;                         ///< of the primitive, widened by `margin`
+  Box bounds;                         ///< of the primitive, widened by `blur`
   const Triangle* triangle = nullptr; ///< lets the builder clip instead of using boxes
-  double margin = 0;                  ///< the position error of the primitive
+  double blur = 0;                    ///< the position error of the primitive
 };
 
 /// Builds by the surface-area heuristic with triangles clipped to their cells (Wald and Havran, "On

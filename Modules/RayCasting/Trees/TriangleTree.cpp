@@ -178,16 +178,16 @@ private:
   TreeletPlan plan_;
 };
 
-TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
-  const std::vector<double>& margins, double conditionNumber, const Checkpoint& checkpoint)
+TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& blurs,
+  double conditionNumber, const Checkpoint& checkpoint)
   : isIllConditioned_(conditionNumber > kMostConditionNumber)
 {
   CheckpointPace pace(checkpoint);
-  Box box; // includes the margins, which may dominate, so that distances in the frame stay small
+  Box box; // includes the blurs, which may dominate, so that distances in the frame stay small
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     Box bounds = triangles[i].bounds();
-    bounds.inflate(margins.empty() ? 0.0 : margins[i]);
+    bounds.inflate(blurs.empty() ? 0.0 : blurs[i]);
     box.add(bounds);
     pace.step();
   }
@@ -201,12 +201,12 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles,
   {
     const Triangle& triangle = triangles[i];
     unit.push_back({ frame_(triangle.a), frame_(triangle.b), frame_(triangle.c) });
-    const double margin = margins.empty() ? 0.0 : margins[i] * frame_.scale;
+    const double blur = blurs.empty() ? 0.0 : blurs[i] * frame_.scale;
     Box bounds = unit.back().bounds();
     longestEdge = std::max(longestEdge, bounds.extent().norm());
-    bounds.inflate(margin);
-    primitives.push_back({ bounds, &unit.back(), margin });
-    blur_ = std::max(blur_, margin);
+    bounds.inflate(blur);
+    primitives.push_back({ bounds, &unit.back(), blur });
+    blur_ = std::max(blur_, blur);
     pace.step();
   }
   slack_ = 0x1p-8 * (isIllConditioned_ ? 4.0 : std::min(4.0, conditionNumber * longestEdge));
@@ -235,7 +235,8 @@ TriangleTree::TriangleTree(
   KdTreeBuilder builder;
   builder.checkpoint = checkpoint;
   builder.blockSize = 1;
-  pack(primitives, std::vector<Triangle>(boxes.size(), { Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY() }),
+  pack(primitives,
+    std::vector<Triangle>(boxes.size(), { Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY() }),
     builder);
 }
 

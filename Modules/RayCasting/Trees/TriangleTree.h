@@ -40,9 +40,9 @@ class TriangleTree
 {
 public:
   TriangleTree() = default;
-  /// `margins`: the position errors of the triangles; empty if they are exact. `conditionNumber`:
+  /// `blurs`: the position errors of the triangles; empty if they are exact. `conditionNumber`:
   /// that of the map to the space in which they are tested; 1 if that is this one.
-  TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& margins,
+  TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& blurs,
     double conditionNumber, const Checkpoint& checkpoint);
   /// A tree over bodies: a search finds all whose boxes it may touch, as if each held a triangle that
   /// is known only up to that box. Boxes are finite. `slack`: a hit in a box may be this much closer.
