@@ -1,0 +1,257 @@
+/**
+ * The bars of the main job on the scene of Examples/MovingTeapot: how shooting compares with Embree
+ * doing the same walks in its fastest way, what a frame costs beside the first shooting, and what a
+ * cache and a second thread are good for. The answers are compared before any time counts; the rivals
+ * are timed in turns in one process by the thread's CPU time (two threads by the clock on the wall).
+ * 59 frames after the first are the teapot's whole way.
+ *
+ * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
+ */
+#include "Measuring/CellField.h"
+#include "Measuring/EngineTiming.h"
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "Rivals/EmbreeShooter.h"
+#include "Scenes/MovingTeapotScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+using namespace irradiance;
+
+namespace
+{
+
+const char* const kTable = "MovingTeapot";
+
+constexpr std::size_t kForms = std::tuple_size<decltype(EmbreeShooter::kForms)>::value;
+
+/// A frame that is verified and repaired.
+struct Frame
+{
+  double verification, repair; ///< s
+  double changed;              ///< share of the walks
+
+  double seconds() const { return verification + repair; }
+};
+
+/// What a round of updates costs, in seconds of this thread's CPU time.
+struct Round
+{
+  double shooting;                   ///< the first frame of a new engine
+  std::array<double, kForms> embree; ///< for the same walks
+  std::vector<Frame> frames;         ///< further ones
+  double unchanged;                  ///< an update with the input of the frame before
+  double bytesPerHit;
+};
+
+/// Power received by the teapot, the last object, as a part of that received by all.
+double teapotsShare(const CellSums& sums, const SceneObjects& objects)
+{
+  const CellField power =
+    fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double /*area*/) {
+      return static_cast<double>(sums.sum(object, cell, 0, 0));
+    });
+  const std::size_t cells = objects.dynamic[0].surface->numberOfCells;
+  return power.tail(static_cast<Eigen::Index>(cells)).sum() / power.sum();
+}
+
+void compareAnswers(const IrradianceEngine& engine, const SceneObjects& objects,
+  std::int64_t segments, const CellSums& sums)
+{
+  const double ours = teapotsShare(engine.sums(), objects), theirs = teapotsShare(sums, objects);
+  const std::int64_t counted = engine.balance().segments;
+  if (std::abs(static_cast<double>(segments) / static_cast<double>(counted) - 1) > 2e-3 ||
+    std::abs(ours / theirs - 1) > 2e-2)
+  {
+    throw std::runtime_error("The answers differ: " + std::to_string(counted) + " and " +
+      std::to_string(segments) + " segments, teapot's share " + std::to_string(ours) + " and " +
+      std::to_string(theirs));
+  }
+}
+
+/// Of each form, after its answer was compared with the engine's.
+std::array<double, kForms> timeEmbree(
+  const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
+{
+  const EmbreeShooter embree(objects, settings.numberOfWalks, settings.seed);
+  std::array<double, kForms> seconds{};
+  for (std::size_t form = 0; form < kForms; ++form)
+  {
+    CellSums sums(objects, 1);
+    const double start = threadCpuSeconds();
+    const std::int64_t segments = (embree.*EmbreeShooter::kForms[form].shoot)(sums);
+    seconds[form] = threadCpuSeconds() - start;
+    compareAnswers(engine, objects, segments, sums);
+  }
+  return seconds;
+}
+
+double timeUnchanged(
+  IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
+{
+  constexpr int kRepetitions = 20;
+  return medianOf(timeInTurns({ [&] { timeUpdate(engine, objects, settings); } }, kRepetitions)[0]);
+}
+
+Round timeRound(const MovingTeapotScene& scene, const EngineSettings& settings, int frames)
+{
+  const SceneObjects objects = scene.objectsAt(0);
+  IrradianceEngine engine;
+  Round round;
+  round.shooting = timeUpdate(engine, objects, settings).whole;
+  const auto segments = static_cast<double>(engine.balance().segments);
+  round.bytesPerHit = static_cast<double>(engine.statistics().historyBytes) / segments;
+  round.embree = timeEmbree(engine, objects, settings);
+  round.unchanged = timeUnchanged(engine, objects, settings);
+  for (int frame = 1; frame <= frames; ++frame)
+  {
+    const UpdateTime time = timeUpdate(engine, scene.objectsInFrame(frame), settings);
+    round.frames.push_back({ time.verification, time.repair,
+      static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks });
+  }
+  report("MovingTeapotSegments", "first shooting", "ns", 1e9 * round.shooting / segments);
+  for (std::size_t form = 0; form < kForms; ++form)
+  {
+    report("MovingTeapotSegments", std::string("Embree, ") + EmbreeShooter::kForms[form].name, "ns",
+      1e9 * round.embree[form] / segments);
+  }
+  return round;
+}
+
+std::vector<Round> timeRounds(
+  const MovingTeapotScene& scene, const EngineSettings& settings, int rounds, int frames)
+{
+  std::vector<Round> times(static_cast<std::size_t>(rounds));
+  std::generate(times.begin(), times.end(), [&] { return timeRound(scene, settings, frames); });
+  return times;
+}
+
+/// The form with the smallest median.
+std::size_t fastestForm(const std::vector<Round>& rounds)
+{
+  std::array<double, kForms> medians;
+  for (std::size_t form = 0; form < kForms; ++form)
+  {
+    std::vector<double> seconds;
+    std::transform(rounds.begin(), rounds.end(), std::back_inserter(seconds),
+      [form](const Round& round) { return round.embree[form]; });
+    medians[form] = medianOf(seconds);
+  }
+  return static_cast<std::size_t>(
+    std::min_element(medians.begin(), medians.end()) - medians.begin());
+}
+
+void reportPhases(const Round& round, std::size_t fastest)
+{
+  const std::string shooting = "first shooting", overShooting = "time / first shooting";
+  report(kTable, shooting, "speed / Embree's fastest way", round.embree[fastest] / round.shooting,
+    { 0.85, 1.2 });
+  for (std::size_t form = 0; form < kForms; ++form)
+  {
+    report(kTable, shooting, std::string("speed / ") + EmbreeShooter::kForms[form].name,
+      round.embree[form] / round.shooting);
+  }
+  for (const Frame& frame : round.frames)
+  {
+    report(kTable, "verification (paper: 0.14)", overShooting, frame.verification / round.shooting,
+      { 0.03, 0.01 });
+    report(kTable, "repair (paper: 0.029)", overShooting, frame.repair / round.shooting);
+    report(kTable, "verification and repair (paper: 0.17)", overShooting,
+      frame.seconds() / round.shooting);
+  }
+  report(kTable, "frame in which nothing moved", overShooting, round.unchanged / round.shooting,
+    { 0.0001, 0 });
+}
+
+void reportReshooting(const std::vector<Round>& rounds, const std::string& which,
+  const std::string& paper, const Goal& goal)
+{
+  const std::size_t fastest = fastestForm(rounds);
+  for (const Round& round : rounds)
+  {
+    for (const Frame& frame : round.frames)
+    {
+      report(kTable, "re-shooting in Embree's fastest way" + which + paper,
+        "time / verification and repair", round.embree[fastest] / frame.seconds(), goal);
+      report(kTable, "walks that change in a frame" + which, "share of all walks", frame.changed);
+    }
+  }
+}
+
+/// The teapot swings over the head and back with the same step in every frame, so that what it hides
+/// in one frame it sets free in another.
+void timeCache(const MovingTeapotScene& scene, const EngineSettings& settings, int frames)
+{
+  constexpr int kSwing = 5;         // frames in one direction
+  constexpr int kFill = 2 * kSwing; // the cache begins empty
+  const char* const overWithout = "time / without the cache of static hits";
+  EngineSettings without = settings;
+  without.cacheStaticHits = false;
+  IrradianceEngine engine, plain;
+  for (int frame = 0; frame <= kFill + frames; ++frame)
+  {
+    const int phase = kSwing - std::abs(kSwing - frame % (2 * kSwing));
+    const SceneObjects objects = scene.objectsAt(0.4 + MovingTeapotScene::kFrame * phase);
+    const UpdateTime cached = timeUpdate(engine, objects, settings);
+    const UpdateTime uncached = timeUpdate(plain, objects, without);
+    requireEqualSums(engine, plain, objects);
+    if (frame > kFill)
+    {
+      report(kTable, "repair, swinging teapot (paper: 0.69)", overWithout,
+        cached.repair / uncached.repair, { 0.8, 0.6 });
+      report(kTable, "verification, swinging teapot", overWithout,
+        cached.verification / uncached.verification);
+      report(kTable, "verification and repair, swinging teapot", overWithout,
+        cached.whole / uncached.whole);
+    }
+  }
+}
+
+/// The same updates with one thread and with two, in turns, by the clock on the wall.
+void timeThreads(
+  const MovingTeapotScene& scene, const EngineSettings& settings, int rounds, int frames)
+{
+  Execution one;
+  TwoThreads two;
+  for (int round = 0; round < rounds; ++round)
+  {
+    IrradianceEngine alone, together;
+    for (int frame = 0; frame <= frames; ++frame)
+    {
+      const SceneObjects objects = scene.objectsInFrame(frame);
+      const double slow = timeUpdate(alone, objects, settings, one).whole;
+      const double fast = timeUpdate(together, objects, settings, two).whole;
+      const std::string phase = frame == 0 ? "first shooting" : "verification and repair";
+      report(kTable, phase + ", two threads", "speed / one thread", slow / fast, { 1.7, 1.9 });
+    }
+  }
+}
+
+}
+
+void run(const Arguments& arguments)
+{
+  constexpr double kSmallTeapot = 0.5; // about a hundredth of the walks changes in a frame
+  EngineSettings settings;
+  settings.numberOfWalks = arguments.number(0, 1000000u);
+  const int rounds = arguments.number(1, 5);
+  const int frames = arguments.number(2, 59);
+  const std::string head = arguments.text(3, VTKIRRADIANCE_HEAD);
+  flushDenormals();
+  const MovingTeapotScene scene(head), small(head, kSmallTeapot);
+  const std::vector<Round> times = timeRounds(scene, settings, rounds, frames);
+  for (const Round& round : times)
+  {
+    reportPhases(round, fastestForm(times));
+  }
+  reportReshooting(times, "", " (paper: 5.9)", { 12, 25 });
+  reportReshooting(timeRounds(small, settings, rounds, frames), ", small teapot", "", { 25, 45 });
+  timeCache(scene, settings, frames);
+  timeThreads(scene, settings, rounds, std::min(frames, 10));
+  for (const Round& round : times)
+  {
+    report(kTable, "history", "bytes a hit", round.bytesPerHit, { 56, 40 });
+  }
+}

@@ -1,0 +1,172 @@
+/**
+ * Verification, which finds every walk that changed, beside pilot photons, which find some of them:
+ * what a frame costs, and what is wrong after it. Both go through the same frames with the same walks;
+ * what is right is what a fresh start gives, with which the engine has to agree to the bit. A frame's
+ * time is the CPU time of the one thread, divided by that of shooting all walks anew.
+ *
+ * Arguments: [walks = 262144] [frames = 4] [head.off]
+ */
+#include "Measuring/CellField.h"
+#include "Measuring/EngineTiming.h"
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "Rivals/PilotTracer.h"
+
+#include <limits>
+#include <stdexcept>
+
+using namespace irradiance;
+
+namespace
+{
+
+constexpr std::uint64_t kSeed = 1;
+
+/// What is right in a frame.
+struct Truth
+{
+  SceneObjects objects;
+  std::vector<std::uint64_t> signatures;
+  CellField irradiance;
+};
+
+CellField receivedBy(const PilotTracer& tracer, const SceneObjects& objects)
+{
+  return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double area) {
+    return tracer.watts(tracer.sums().sum(object, cell, 0, 0)) / area;
+  });
+}
+
+std::vector<Truth> truthsOf(const TradeScene& scene, PilotTracer& fresh, int frames)
+{
+  std::vector<Truth> truths;
+  for (int frame = 0; frame <= frames; ++frame)
+  {
+    const SceneObjects objects = scene.at(0.4 + frame / 60.0);
+    fresh.shootAll(objects);
+    truths.push_back({ objects, fresh.signatures(), receivedBy(fresh, objects) });
+  }
+  return truths;
+}
+
+double staleOf(const PilotTracer& tracer, const Truth& truth)
+{
+  const std::vector<std::uint64_t> walks = tracer.signatures();
+  double stale = 0;
+  for (std::size_t i = 0; i < walks.size(); ++i)
+  {
+    stale += walks[i] != truth.signatures[i] ? 1 : 0;
+  }
+  return stale;
+}
+
+/// One who follows a scene for a frame: what it cost and what it leaves.
+struct Outcome
+{
+  double seconds, shot, missed; ///< walks shot, changed walks missed: %
+  CellField irradiance;
+};
+
+void reportFrame(
+  const std::string& row, const Outcome& outcome, const Truth& truth, PilotTracer& fresh)
+{
+  // Right after what is compared with it: the machine is not as fast at all times.
+  const double start = threadCpuSeconds();
+  fresh.shootAll(truth.objects);
+  const double anew = threadCpuSeconds() - start;
+  const CellField areas = areasOf(truth.objects);
+  const auto reportValue = [&](const char* quantity, double value) {
+    report("PilotPhotons", row, quantity, value);
+  };
+  reportValue("time / all anew", outcome.seconds / anew);
+  reportValue("walks shot, %", outcome.shot);
+  reportValue("changed walks missed, %", outcome.missed);
+  reportValue("RMS error", rmsError(outcome.irradiance, truth.irradiance, areas));
+  reportValue("largest error",
+    (outcome.irradiance - truth.irradiance).abs().maxCoeff() / meanOf(truth.irradiance, areas));
+}
+
+/// Returns its time for each frame, s.
+std::vector<double> measureVerification(
+  const TradeScene& scene, const std::vector<Truth>& truths, PilotTracer& fresh)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = static_cast<std::uint32_t>(truths[0].signatures.size());
+  settings.seed = kSeed;
+  IrradianceEngine engine;
+  timeUpdate(engine, truths[0].objects, settings);
+  std::vector<double> times;
+  for (std::size_t frame = 1; frame < truths.size(); ++frame)
+  {
+    const Truth& truth = truths[frame];
+    times.push_back(timeUpdate(engine, truth.objects, settings).whole);
+    const CellField irradiance = irradianceOf(engine, truth.objects);
+    if ((irradiance != truth.irradiance).any())
+    {
+      throw std::runtime_error(scene.name + ": verification and a fresh start differ");
+    }
+    const double shot =
+      100 * static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks;
+    reportFrame(scene.name + ", verification, all are found", { times.back(), shot, 0, irradiance },
+      truth, fresh);
+  }
+  return times;
+}
+
+/// `pilots`: share of the walks. `seconds`: for each frame.
+void measurePilots(const TradeScene& scene, const std::vector<Truth>& truths, double pilots,
+  const std::vector<double>& seconds, const std::string& row, PilotTracer& fresh)
+{
+  const std::size_t walks = truths[0].signatures.size();
+  PilotTracer tracer(truths[0].objects, static_cast<std::uint32_t>(walks), kSeed, scene.strata);
+  for (std::size_t frame = 1; frame < truths.size(); ++frame)
+  {
+    const Truth& truth = truths[frame];
+    const double before = staleOf(tracer, truth);
+    const double start = threadCpuSeconds();
+    const std::size_t shot = tracer.update(truth.objects, { pilots, seconds[frame - 1] });
+    const double time = threadCpuSeconds() - start;
+    const double missed = before == 0 ? 0 : 100 * staleOf(tracer, truth) / before;
+    reportFrame(scene.name + ", " + row,
+      { time, 100 * static_cast<double>(shot) / static_cast<double>(walks), missed,
+        receivedBy(tracer, truth.objects) },
+      truth, fresh);
+  }
+}
+
+/// Where all walks are pilots, none is missed.
+void checkPilots(const TradeScene& scene, const std::vector<Truth>& truths)
+{
+  PilotTracer tracer(truths[0].objects, static_cast<std::uint32_t>(truths[0].signatures.size()),
+    kSeed, scene.strata);
+  tracer.update(truths[1].objects, { 1 });
+  if (staleOf(tracer, truths[1]) > 0 ||
+    (receivedBy(tracer, truths[1].objects) != truths[1].irradiance).any())
+  {
+    throw std::runtime_error(scene.name + ": pilots alone and a fresh start differ");
+  }
+}
+
+}
+
+void run(const Arguments& arguments)
+{
+  const auto walks = arguments.number(0, 1u << 18);
+  const int frames = arguments.number(1, 4);
+  for (const TradeScene& scene : makeTradeScenes(arguments.text(2, VTKIRRADIANCE_HEAD)))
+  {
+    report("PilotGroups", scene.name, "groups", scene.strata.numberOfGroups());
+    PilotTracer fresh(scene.at(0.4), walks, kSeed, scene.strata);
+    const std::vector<Truth> truths = truthsOf(scene, fresh, frames);
+    checkPilots(scene, truths);
+    const std::vector<double> seconds = measureVerification(scene, truths, fresh);
+    const std::vector<double> unlimited(truths.size(), std::numeric_limits<double>::infinity());
+    for (const int part : { 64, 32, 16, 8, 4, 2 })
+    {
+      const std::string row = "pilots, 1/" + std::to_string(part);
+      measurePilots(scene, truths, 1.0 / part, unlimited, row, fresh);
+    }
+    measurePilots(
+      scene, truths, 1.0 / 64, seconds, "pilots in the time of verification, 1/64", fresh);
+  }
+}

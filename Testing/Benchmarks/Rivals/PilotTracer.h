@@ -1,0 +1,83 @@
+#ifndef PilotTracer_h
+#define PilotTracer_h
+
+#include "Scenes/TradeScene.h"
+#include "Shooting/WalkBatch.h"
+#include "Shooting/WalkShooter.h"
+#include "Tally/WalkTally.h"
+
+#include <limits>
+
+/**
+ * The rival of verification: selective photon tracing (Dmitriev, Brabec, Myszkowski, Seidel 2002).
+ * A part of the walks, the pilots, is shot again in every frame. Where one of a group of like walks
+ * has changed, the whole group is shot again, the groups of which most pilots changed first; the
+ * others are taken to be valid. All but this choice is the engine's: the walks, their history, the
+ * rays, the sums.
+ *
+ * Simplified: (1) Groups are strata of the samples that walks start with. In the paper these are the
+ * photons whose numbers in Halton's sequence differ by multiples of a period, which fall into the same
+ * strata; our sequence shuffles its numbers. (2) A pilot is compared with its stored walk, and an old
+ * walk is taken back as it was stored; the paper, which stores none, traces corrective photons in the
+ * old scene as well, so that it pays twice. (3) Other walks become pilots in the next frame, so that
+ * what was missed may be found later, instead of the paper's slow refreshing of all photons.
+ */
+class PilotTracer
+{
+public:
+  struct Effort
+  {
+    double pilots; ///< share of the walks
+    /// CPU time for a frame, at the end of which no further group is begun.
+    double seconds = std::numeric_limits<double>::infinity();
+  };
+
+  PilotTracer(const irradiance::SceneObjects& objects, std::uint32_t walks, std::uint64_t seed,
+    const StartStrata& strata);
+
+  /// Returns the number of walks that were shot.
+  std::size_t update(const irradiance::SceneObjects& objects, const Effort& effort);
+  /// All walks anew.
+  void shootAll(const irradiance::SceneObjects& objects);
+
+  const irradiance::CellSums& sums() const { return sums_; }
+  double watts(std::int64_t quanta) const
+  {
+    return static_cast<double>(quanta) * emitters_.quantum();
+  }
+  /// A number for each walk that differs if a hit or a power of the walks does.
+  std::vector<std::uint64_t> signatures() const;
+
+private:
+  using Walks = std::vector<std::uint32_t>;
+  struct FlaggedGroup
+  {
+    double changed; ///< share of its pilots
+    std::size_t group;
+  };
+
+  void commit(const irradiance::SceneObjects& objects);
+  Walks allWalks() const;
+  std::uint32_t groupOf(std::uint32_t walk) const;
+  /// In place of what is stored of them.
+  void shoot(const Walks& walks);
+  std::vector<std::uint64_t> signaturesOf(const Walks& walks) const;
+  /// The groups that differ from these old signatures of the pilots.
+  std::vector<FlaggedGroup> flag(const Walks& pilots, const std::vector<std::uint64_t>& old) const;
+  std::uint64_t signatureOf(std::uint32_t walk) const;
+
+  irradiance::WalkPlan plan_;
+  StartStrata strata_;
+  irradiance::SceneObjects objects_;
+  irradiance::EmitterTable emitters_;
+  irradiance::SobolSequence samples_;
+  irradiance::Scene scene_;
+  irradiance::CellSums sums_;
+  irradiance::PowerBalance balance_;
+  std::vector<irradiance::WalkBlock> history_;
+  std::vector<Walks> groups_;
+  std::vector<std::uint32_t> groupOfWalk_;
+  std::size_t frame_ = 0;
+};
+
+#endif

@@ -1,0 +1,77 @@
+#include "Scenes/MovingTeapotScene.h"
+
+#include "Scenes/PolyDataObject.h"
+#include "TeapotPath.h"
+#include "TeapotScene.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkQuadricDecimation.h>
+#include <vtkTransform.h>
+#include <vtkTriangleFilter.h>
+
+using namespace irradiance;
+
+namespace
+{
+
+AffineMap poseAt(double time, double scale)
+{
+  static movingteapot::TeapotPath path;
+  vtkNew<vtkTransform> transform;
+  path.SetPose(time, transform);
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(
+    transform->GetMatrix()->GetData());
+  return { scale * matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
+}
+
+/// Of one material, like the mesh.
+vtkSmartPointer<vtkPolyData> decimated(vtkPolyData* mesh, double kept)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(mesh);
+  vtkNew<vtkQuadricDecimation> decimation;
+  decimation->SetInputConnection(triangles->GetOutputPort());
+  decimation->SetTargetReduction(1 - kept);
+  decimation->Update();
+  vtkSmartPointer<vtkPolyData> small = decimation->GetOutput();
+  vtkNew<vtkDoubleArray> reflectances;
+  reflectances->SetName("DiffuseReflectance");
+  reflectances->SetNumberOfValues(small->GetNumberOfCells());
+  reflectances->Fill(mesh->GetCellData()->GetArray("DiffuseReflectance")->GetTuple1(0));
+  small->GetCellData()->AddArray(reflectances);
+  return small;
+}
+
+}
+
+MovingTeapotScene::MovingTeapotScene(const std::string& head, double scale, bool isCoarse)
+  : scale_(scale)
+{
+  movingteapot::SceneConfig config;
+  config.HeadFile = head;
+  if (isCoarse)
+  {
+    config.CellSize = 0.2;
+    config.TeapotSegments = 4;
+  }
+  movingteapot::TeapotScene parts = movingteapot::MakeTeapotScene(config);
+  std::vector<vtkPolyData*> fixed = { parts.Room, parts.Lamp, parts.Plinth };
+  if (parts.Head)
+  {
+    constexpr double kKept = 0.08;
+    parts.Head = isCoarse ? decimated(parts.Head, kKept) : parts.Head;
+    fixed.push_back(parts.Head);
+  }
+  objects_ = { makeObject(fixed), { makeObject({ parts.Teapot }) } };
+}
+
+SceneObjects MovingTeapotScene::objectsAt(double time) const
+{
+  SceneObjects objects = objects_;
+  objects.dynamic[0].worldFromObject = poseAt(time, scale_);
+  return objects;
+}

@@ -1,0 +1,142 @@
+#include "Scenes/TradeScene.h"
+
+#include "../../PhotonWalks/TestScenes.h"
+#include "../../RayCasting/RandomVectors.h"
+#include "Scenes/MovingTeapotScene.h"
+
+#include <algorithm>
+#include <numeric>
+
+using namespace irradiance;
+
+namespace
+{
+
+/// A look for each triangle: that of the cell it belongs to. One band.
+std::shared_ptr<const Surface> withTrianglesAsCells(const Surface& surface)
+{
+  Surface cut = surface;
+  cut.numberOfCells = surface.cellOfTriangle.size();
+  const auto ofTriangles = [&](const std::vector<double>& ofCells) {
+    std::vector<double> values(ofCells.empty() ? 0 : cut.numberOfCells);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = ofCells[surface.cellOfTriangle[i]];
+    }
+    return values;
+  };
+  cut.reflectance = ofTriangles(surface.reflectance);
+  cut.exitance = ofTriangles(surface.exitance);
+  std::iota(cut.cellOfTriangle.begin(), cut.cellOfTriangle.end(), 0u);
+  return std::make_shared<const Surface>(std::move(cut));
+}
+
+template <class Change>
+void changeAll(SceneObjects& objects, const Change& change)
+{
+  change(objects.fixed);
+  std::for_each(objects.dynamic.begin(), objects.dynamic.end(), change);
+}
+
+TradeScene makeTeapot(const std::string& head)
+{
+  const MovingTeapotScene scene(head, 1, true);
+  const auto place = [scene](SceneObjects& objects, double time) {
+    objects.dynamic[0].worldFromObject = scene.objectsAt(time).dynamic[0].worldFromObject;
+  };
+  return { "teapot", scene.objectsAt(0), place, { 4, 4 } };
+}
+
+/// Round the middle of a room, turning.
+AffineMap poseOnCircle(const Vector3& middle, double radius, double time)
+{
+  const double angle = 2 * M_PI * time;
+  return { Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
+    middle + radius * Vector3(std::cos(angle), std::sin(angle), 0) };
+}
+
+TradeScene makeBox()
+{
+  test::ObjectBuilder room, thing;
+  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 6, test::grey(0.5), true);
+  room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
+  thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
+  thing.surface().exitance.clear();
+  return { "box", { room.build(), { thing.build() } },
+    [](SceneObjects& objects, double time) {
+      objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 2, 2 }, 1, time);
+    },
+    { 4, 4 } };
+}
+
+/// Each wall cell shines with 1 - its reflectance. What reflects all light emits none, so that it may
+/// move without a change of the lights.
+TradeScene makeFurnace()
+{
+  test::RandomVectors random(91);
+  test::ObjectBuilder room, thing;
+  room.addBox(test::box({ 0, 0, 0 }, { 4, 3, 5 }), 4, {}, true);
+  Surface& walls = room.surface();
+  for (std::size_t cell = 0; cell < walls.numberOfCells; ++cell)
+  {
+    walls.reflectance[cell] = random.uniform(0, 0.9);
+    walls.exitance[cell] = 1 - walls.reflectance[cell];
+  }
+  thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
+  thing.surface().exitance.clear();
+  return { "furnace", { room.build(), { thing.build() } },
+    [](SceneObjects& objects, double time) {
+      objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 1.5, 2.5 }, 0.7, time);
+    },
+    { 6, 3 }, true };
+}
+
+std::vector<Triangle> quartered(const std::vector<Triangle>& triangles)
+{
+  std::vector<Triangle> pieces;
+  for (const Triangle& t : triangles)
+  {
+    const Vector3 ab = 0.5 * (t.a + t.b), bc = 0.5 * (t.b + t.c), ca = 0.5 * (t.c + t.a);
+    pieces.insert(
+      pieces.end(), { { t.a, ab, ca }, { ab, t.b, bc }, { ca, bc, t.c }, { bc, ca, ab } });
+  }
+  return pieces;
+}
+
+SceneObject quartered(const SceneObject& object)
+{
+  SceneObject cut = object;
+  cut.body =
+    std::make_shared<RigidObject>(TriangleMesh(quartered(object.body->mesh().triangles())));
+  Surface surface = *object.surface;
+  surface.cellOfTriangle.clear();
+  for (const std::uint32_t cell : object.surface->cellOfTriangle)
+  {
+    surface.cellOfTriangle.insert(surface.cellOfTriangle.end(), 4, cell);
+  }
+  cut.surface = withTrianglesAsCells(surface);
+  return cut;
+}
+
+}
+
+std::vector<TradeScene> makeTradeScenes(const std::string& head)
+{
+  std::vector<TradeScene> scenes = { makeTeapot(head), makeBox(), makeFurnace() };
+  for (TradeScene& scene : scenes)
+  {
+    changeAll(scene.objects,
+      [](SceneObject& object) { object.surface = withTrianglesAsCells(*object.surface); });
+  }
+  return scenes;
+}
+
+SceneObjects subdivided(const SceneObjects& objects, int levels)
+{
+  SceneObjects cut = objects;
+  for (int level = 0; level < levels; ++level)
+  {
+    changeAll(cut, [](SceneObject& object) { object = quartered(object); });
+  }
+  return cut;
+}
