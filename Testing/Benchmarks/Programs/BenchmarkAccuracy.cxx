@@ -6,6 +6,7 @@
  *
  * Arguments: [walks of the reference = 16777216] [seeds = 3] [head.off]
  */
+#include "../../PhotonWalks/ThreadExecution.h"
 #include "Measuring/CellField.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
@@ -79,7 +80,7 @@ std::vector<KnownScene> known(const TradeScene& scene, std::uint32_t walks)
   CellField truth = CellField::Ones(areasOf(objects.back()).size());
   if (!scene.isFurnace)
   {
-    TwoThreads threads;
+    test::ThreadExecution threads(2);
     IrradianceEngine engine;
     engine.update(objects.back(), settingsWith(walks, kReferenceSeed), threads);
     truth = irradianceOf(engine, objects.back());

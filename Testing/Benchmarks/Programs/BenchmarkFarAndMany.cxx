@@ -120,7 +120,7 @@ void follow(Cases& cases, const EngineSettings& settings, int frames)
       {
         IrradianceEngine fresh;
         timeUpdate(fresh, one.objects, settings);
-        requireEqualSums(one.engine, fresh, one.objects);
+        requireEqualAnswers(one.engine, fresh, one.objects);
         one.seconds.clear();
       }
     }

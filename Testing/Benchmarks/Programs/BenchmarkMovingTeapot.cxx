@@ -7,6 +7,7 @@
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */
+#include "../../PhotonWalks/ThreadExecution.h"
 #include "Measuring/CellField.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
@@ -23,28 +24,11 @@ using namespace irradiance;
 namespace
 {
 
-const char* const kTable = "MovingTeapot";
+const std::string kTable = "MovingTeapot";
+const std::string kShooting = "first shooting";
+const std::string kOverShooting = "time / first shooting";
 
 constexpr std::size_t kForms = std::tuple_size<decltype(EmbreeShooter::kForms)>::value;
-
-/// A frame that is verified and repaired.
-struct Frame
-{
-  double verification, repair; ///< s
-  double changed;              ///< share of the walks
-
-  double seconds() const { return verification + repair; }
-};
-
-/// What a round of updates costs, in seconds of this thread's CPU time.
-struct Round
-{
-  double shooting;                   ///< the first frame of a new engine
-  std::array<double, kForms> embree; ///< for the same walks
-  std::vector<Frame> frames;         ///< further ones
-  double unchanged;                  ///< an update with the input of the frame before
-  double bytesPerHit;
-};
 
 /// Power received by the teapot, the last object, as a part of that received by all.
 double teapotsShare(const CellSums& sums, const SceneObjects& objects)
@@ -92,91 +76,61 @@ double timeUnchanged(
   IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
 {
   constexpr int kRepetitions = 20;
-  return medianOf(timeInTurns({ [&] { timeUpdate(engine, objects, settings); } }, kRepetitions)[0]);
+  Execution serial;
+  return medianOf(
+    timeInTurns({ [&] { engine.update(objects, settings, serial); } }, kRepetitions)[0]);
 }
 
-Round timeRound(const MovingTeapotScene& scene, const EngineSettings& settings, int frames)
+/// What shooting costs beside Embree's, and what else is measured before anything moves.
+void reportStart(IrradianceEngine& engine, const SceneObjects& objects,
+  const EngineSettings& settings, double shooting, const std::array<double, kForms>& embree,
+  double fastest)
 {
+  const auto segments = static_cast<double>(engine.balance().segments);
+  report(kTable, kShooting, "speed / Embree's fastest way", fastest / shooting, { 0.85, 1.2 });
+  report("MovingTeapotSegments", kShooting, "ns", 1e9 * shooting / segments);
+  for (std::size_t form = 0; form < kForms; ++form)
+  {
+    const std::string name = EmbreeShooter::kForms[form].name;
+    report(kTable, kShooting, "speed / " + name, embree[form] / shooting);
+    report("MovingTeapotSegments", "Embree, " + name, "ns", 1e9 * embree[form] / segments);
+  }
+  report(kTable, "history", "bytes a hit",
+    static_cast<double>(engine.statistics().historyBytes) / segments, { 56, 40 });
+  report(kTable, "frame in which nothing moved", kOverShooting,
+    timeUnchanged(engine, objects, settings) / shooting, { 0.0001, 0 });
+}
+
+/// A new engine from the first shooting on, beside Embree's shooting. Of a small teapot what a frame
+/// costs beside that is reported alone.
+void timeRound(
+  const MovingTeapotScene& scene, const EngineSettings& settings, int frames, bool isSmall)
+{
+  const std::string which = isSmall ? ", small teapot" : "";
   const SceneObjects objects = scene.objectsAt(0);
   IrradianceEngine engine;
-  Round round;
-  round.shooting = timeUpdate(engine, objects, settings).whole;
-  const auto segments = static_cast<double>(engine.balance().segments);
-  round.bytesPerHit = static_cast<double>(engine.statistics().historyBytes) / segments;
-  round.embree = timeEmbree(engine, objects, settings);
-  round.unchanged = timeUnchanged(engine, objects, settings);
+  const double shooting = timeUpdate(engine, objects, settings).whole;
+  const std::array<double, kForms> embree = timeEmbree(engine, objects, settings);
+  const double fastest = *std::min_element(embree.begin(), embree.end());
+  if (!isSmall)
+  {
+    reportStart(engine, objects, settings, shooting, embree, fastest);
+  }
   for (int frame = 1; frame <= frames; ++frame)
   {
     const UpdateTime time = timeUpdate(engine, scene.objectsInFrame(frame), settings);
-    round.frames.push_back({ time.verification, time.repair,
-      static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks });
-  }
-  report("MovingTeapotSegments", "first shooting", "ns", 1e9 * round.shooting / segments);
-  for (std::size_t form = 0; form < kForms; ++form)
-  {
-    report("MovingTeapotSegments", std::string("Embree, ") + EmbreeShooter::kForms[form].name, "ns",
-      1e9 * round.embree[form] / segments);
-  }
-  return round;
-}
-
-std::vector<Round> timeRounds(
-  const MovingTeapotScene& scene, const EngineSettings& settings, int rounds, int frames)
-{
-  std::vector<Round> times(static_cast<std::size_t>(rounds));
-  std::generate(times.begin(), times.end(), [&] { return timeRound(scene, settings, frames); });
-  return times;
-}
-
-/// The form with the smallest median.
-std::size_t fastestForm(const std::vector<Round>& rounds)
-{
-  std::array<double, kForms> medians;
-  for (std::size_t form = 0; form < kForms; ++form)
-  {
-    std::vector<double> seconds;
-    std::transform(rounds.begin(), rounds.end(), std::back_inserter(seconds),
-      [form](const Round& round) { return round.embree[form]; });
-    medians[form] = medianOf(seconds);
-  }
-  return static_cast<std::size_t>(
-    std::min_element(medians.begin(), medians.end()) - medians.begin());
-}
-
-void reportPhases(const Round& round, std::size_t fastest)
-{
-  const std::string shooting = "first shooting", overShooting = "time / first shooting";
-  report(kTable, shooting, "speed / Embree's fastest way", round.embree[fastest] / round.shooting,
-    { 0.85, 1.2 });
-  for (std::size_t form = 0; form < kForms; ++form)
-  {
-    report(kTable, shooting, std::string("speed / ") + EmbreeShooter::kForms[form].name,
-      round.embree[form] / round.shooting);
-  }
-  for (const Frame& frame : round.frames)
-  {
-    report(kTable, "verification (paper: 0.14)", overShooting, frame.verification / round.shooting,
-      { 0.03, 0.01 });
-    report(kTable, "repair (paper: 0.029)", overShooting, frame.repair / round.shooting);
-    report(kTable, "verification and repair (paper: 0.17)", overShooting,
-      frame.seconds() / round.shooting);
-  }
-  report(kTable, "frame in which nothing moved", overShooting, round.unchanged / round.shooting,
-    { 0.0001, 0 });
-}
-
-void reportReshooting(const std::vector<Round>& rounds, const std::string& which,
-  const std::string& paper, const Goal& goal)
-{
-  const std::size_t fastest = fastestForm(rounds);
-  for (const Round& round : rounds)
-  {
-    for (const Frame& frame : round.frames)
+    if (!isSmall)
     {
-      report(kTable, "re-shooting in Embree's fastest way" + which + paper,
-        "time / verification and repair", round.embree[fastest] / frame.seconds(), goal);
-      report(kTable, "walks that change in a frame" + which, "share of all walks", frame.changed);
+      report(kTable, "verification (paper: 0.14)", kOverShooting, time.verification / shooting,
+        { 0.03, 0.01 });
+      report(kTable, "repair (paper: 0.029)", kOverShooting, time.repair / shooting);
+      report(kTable, "verification and repair (paper: 0.17)", kOverShooting, time.whole / shooting);
     }
+    report(kTable, "re-shooting in Embree's fastest way" + (isSmall ? which : " (paper: 5.9)"),
+      "time / verification and repair", fastest / time.whole,
+      isSmall ? Goal{ 25, 45 } : Goal{ 12, 25 });
+    report(kTable, "walks that change in a frame" + which, "share of all walks",
+      static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks);
   }
 }
 
@@ -196,7 +150,7 @@ void timeCache(const MovingTeapotScene& scene, const EngineSettings& settings, i
     const SceneObjects objects = scene.objectsAt(0.4 + MovingTeapotScene::kFrame * phase);
     const UpdateTime cached = timeUpdate(engine, objects, settings);
     const UpdateTime uncached = timeUpdate(plain, objects, without);
-    requireEqualSums(engine, plain, objects);
+    requireEqualAnswers(engine, plain, objects);
     if (frame > kFill)
     {
       report(kTable, "repair, swinging teapot (paper: 0.69)", overWithout,
@@ -214,7 +168,7 @@ void timeThreads(
   const MovingTeapotScene& scene, const EngineSettings& settings, int rounds, int frames)
 {
   Execution one;
-  TwoThreads two;
+  test::ThreadExecution two(2);
   for (int round = 0; round < rounds; ++round)
   {
     IrradianceEngine alone, together;
@@ -223,7 +177,7 @@ void timeThreads(
       const SceneObjects objects = scene.objectsInFrame(frame);
       const double slow = timeUpdate(alone, objects, settings, one).whole;
       const double fast = timeUpdate(together, objects, settings, two).whole;
-      const std::string phase = frame == 0 ? "first shooting" : "verification and repair";
+      const std::string phase = frame == 0 ? kShooting : "verification and repair";
       report(kTable, phase + ", two threads", "speed / one thread", slow / fast, { 1.7, 1.9 });
     }
   }
@@ -241,17 +195,13 @@ void run(const Arguments& arguments)
   const std::string head = arguments.text(3, VTKIRRADIANCE_HEAD);
   flushDenormals();
   const MovingTeapotScene scene(head), small(head, kSmallTeapot);
-  const std::vector<Round> times = timeRounds(scene, settings, rounds, frames);
-  for (const Round& round : times)
+  for (const bool isSmall : { false, true })
   {
-    reportPhases(round, fastestForm(times));
+    for (int round = 0; round < rounds; ++round)
+    {
+      timeRound(isSmall ? small : scene, settings, frames, isSmall);
+    }
   }
-  reportReshooting(times, "", " (paper: 5.9)", { 12, 25 });
-  reportReshooting(timeRounds(small, settings, rounds, frames), ", small teapot", "", { 25, 45 });
   timeCache(scene, settings, frames);
   timeThreads(scene, settings, rounds, std::min(frames, 10));
-  for (const Round& round : times)
-  {
-    report(kTable, "history", "bytes a hit", round.bytesPerHit, { 56, 40 });
-  }
 }

@@ -149,19 +149,6 @@ void timeBuilds(const SceneObject& object, int rounds)
   report("TreeBuild", "Embree, HIGH quality", "s", seconds[0]);
 }
 
-std::optional<BenchmarkScene> makeNumberedScene(char number)
-{
-  switch (number)
-  {
-    case '1':
-      return makeBunnyScene();
-    case '2':
-      return makeDragonScene();
-    default:
-      return makeRandomScene();
-  }
-}
-
 }
 
 void run(const Arguments& arguments)
@@ -172,7 +159,8 @@ void run(const Arguments& arguments)
   Seconds seconds;
   for (const char number : arguments.text(2, "123"))
   {
-    const std::optional<BenchmarkScene> scene = makeNumberedScene(number);
+    const std::optional<BenchmarkScene> scene =
+      number == '3' ? makeRandomScene() : makeRoomScene(number == '2');
     if (!scene)
     {
       std::clog << "Scene " << number

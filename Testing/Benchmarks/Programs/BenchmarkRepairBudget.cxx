@@ -6,6 +6,7 @@
  *
  * Arguments: [walks = 1000000] [frames = 59] [head.off]
  */
+#include "../../PhotonWalks/ThreadExecution.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -41,7 +42,7 @@ void timeBudget(const MovingTeapotScene& scene, const EngineSettings& settings, 
     const double taken = timed.statistics().repairSeconds;
     const auto shot = static_cast<double>(timed.statistics().repairedSegments);
     timed.update(objects, settings, execution);
-    requireEqualSums(timed, full, objects);
+    requireEqualAnswers(timed, full, objects);
     if (part < 1)
     {
       const double excess = taken - budget;
@@ -79,7 +80,7 @@ void run(const Arguments& arguments)
   const int frames = arguments.number(1, 59);
   const MovingTeapotScene scene(arguments.text(2, VTKIRRADIANCE_HEAD));
   CpuTime one;
-  TwoThreads two;
+  test::ThreadExecution two(2);
   timeBudgets(scene, settings, frames, one, "one thread");
   timeBudgets(scene, settings, frames, two, "two threads");
 }

@@ -8,8 +8,8 @@
  *
  * Arguments: [millions of segments = 16] [rounds = 7] (and with a quarter and a sixteenth of them)
  */
+#include "../../PhotonWalks/ShotWalk.h"
 #include "History/SegmentScan.h"
-#include "History/WalkHistory.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Rounds.h"
@@ -75,31 +75,22 @@ struct StoredSegments
     Random random(1);
     while (size < atLeast)
     {
-      blocks.emplace_back(WalkPlan::kWalksPerBlock, 1, frame);
-      addWalks(blocks.back(), random);
-      bytes += blocks.back().bytes();
-    }
-  }
-
-  void addWalks(WalkBlock& block, Random& random)
-  {
-    std::vector<std::vector<WalkSegment>> walks(WalkPlan::kWalksPerBlock);
-    std::size_t segments = 0;
-    for (std::vector<WalkSegment>& walk : walks)
-    {
-      walk = makeWalk(random);
-      segments += walk.size();
-    }
-    block.reserve(segments + walks.size());
-    for (std::uint32_t i = 0; i < walks.size(); ++i)
-    {
-      block.replaceTail(i, 0, static_cast<std::uint32_t>(walks[i].size()));
-      for (std::uint32_t bounce = 0; bounce < walks[i].size(); ++bounce)
+      std::vector<std::vector<WalkSegment>> walks;
+      std::size_t segments = 0;
+      while (walks.size() < WalkPlan::kWalksPerBlock)
       {
-        block.setSegment(i, bounce, walks[i][bounce]);
+        walks.push_back(makeWalk(random));
+        segments += walks.back().size();
       }
+      WalkBlock& block = blocks.emplace_back(WalkPlan::kWalksPerBlock, 1, frame);
+      block.reserve(segments + walks.size());
+      for (std::uint32_t i = 0; i < walks.size(); ++i)
+      {
+        test::replaceTail(block, i, 0, walks[i]);
+      }
+      size += segments;
+      bytes += block.bytes();
     }
-    size += segments;
   }
 
   UnitFrame frame = UnitFrame(kRoom); ///< of the points

@@ -3,26 +3,18 @@
  * two progress events, at which an abort would be noticed, where inputs, results or changes are large.
  * An observer that does nothing, one round each.
  */
+#include "../../FiltersIrradiance/TestScenes.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Rounds.h"
 
-#include "vtkCellData.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
-#include "vtkIrradianceFilter.h"
-#include "vtkNew.h"
-#include "vtkPlaneSource.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkRegularPolygonSource.h"
-#include "vtkSmartPointer.h"
-#include "vtkTransform.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+using namespace TestScenes;
 
 namespace
 {
@@ -41,18 +33,10 @@ public:
   double Longest = 0, Last = 0; ///< s
 };
 
-vtkSmartPointer<vtkPolyData> outputOf(vtkPolyDataAlgorithm* source)
-{
-  source->Update();
-  return source->GetOutput();
-}
-
 /// A square of 1 m of resolution^2 cells, facing up; wavy in the middle so that it is no plane.
-vtkSmartPointer<vtkPolyData> makeGround(int resolution)
+Mesh makeGround(int resolution)
 {
-  vtkNew<vtkPlaneSource> source;
-  source->SetResolution(resolution, resolution);
-  const vtkSmartPointer<vtkPolyData> ground = outputOf(source);
+  const Mesh ground = MakeRectangle({ -0.5, -0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, resolution);
   for (vtkIdType i = 0; i < ground->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -62,27 +46,14 @@ vtkSmartPointer<vtkPolyData> makeGround(int resolution)
   return ground;
 }
 
-vtkSmartPointer<vtkPolyData> makeLamp()
-{
-  vtkNew<vtkPlaneSource> source; // facing down
-  source->SetOrigin(-0.2, -0.2, 0.5);
-  source->SetPoint1(-0.2, 0.2, 0.5);
-  source->SetPoint2(0.2, -0.2, 0.5);
-  const vtkSmartPointer<vtkPolyData> lamp = outputOf(source);
-  vtkNew<vtkDoubleArray> exitance;
-  exitance->SetName("RadiantExitance");
-  exitance->InsertNextValue(100);
-  lamp->GetCellData()->AddArray(exitance);
-  return lamp;
-}
-
 /// One polygon with a wavy rim.
-vtkSmartPointer<vtkPolyData> makePolygon(int corners)
+Mesh makePolygon(int corners)
 {
   vtkNew<vtkRegularPolygonSource> source;
   source->SetNumberOfSides(corners);
   source->GeneratePolylineOff();
-  const vtkSmartPointer<vtkPolyData> polygon = outputOf(source);
+  source->Update();
+  Mesh polygon = source->GetOutput();
   for (vtkIdType i = 0; i < corners; ++i)
   {
     double p[3];
@@ -100,7 +71,7 @@ public:
   {
     filter_->SetNumberOfWalks(10000);
     filter_->AddObserver(vtkCommand::ProgressEvent, watch_);
-    filter_->AddInputDataObject(0, makeLamp());
+    filter_->AddInputDataObject(0, MakeLamp({ 0, 0, 0.5 }, 0.4, { 100 }));
   }
 
   vtkIrradianceFilter* operator->() { return filter_; }

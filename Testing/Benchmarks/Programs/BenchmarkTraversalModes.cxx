@@ -12,89 +12,60 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Rounds.h"
+#include "Rivals/CastContest.h"
 #include "Rivals/OurCaster.h"
 #include "Scenes/RaySet.h"
-
-#include <stdexcept>
 
 using namespace irradiance;
 
 namespace
 {
 
-struct Mode
+std::vector<Contender> makeContenders(const SceneObjects& objects)
 {
-  TraversalMode mode;
-  const char* name;
-};
-
-constexpr Mode kModes[] = { { TraversalMode::OneTree, "one tree" },
-  { TraversalMode::Sequential, "sequential" }, { TraversalMode::Parallel, "parallel" } };
-
-std::vector<Caster> makeCasters(const SceneObjects& objects)
-{
-  std::vector<Caster> casters;
-  for (const Mode& mode : kModes)
-  {
-    casters.push_back(makeOurCaster(makeScene(objects, mode.mode), simdChoices().front().level));
-  }
-  return casters;
+  const auto contender = [&](const char* name, TraversalMode mode) -> Contender {
+    return { name, makeOurCaster(makeScene(objects, mode), simdChoices().front().level), 0 };
+  };
+  return { contender("one tree", TraversalMode::OneTree),
+    contender("sequential", TraversalMode::Sequential),
+    contender("parallel", TraversalMode::Parallel) };
 }
 
 /// What a ray costs in steps, which no other program on the machine can disturb.
-CastCounts countSteps(const std::function<void()>& cast)
+void reportSteps(
+  const Contender& contender, const std::vector<Ray>& rays, const std::string& column)
 {
   CastCounts counts;
+  std::vector<Hit> hits(rays.size());
   castCounts() = &counts;
-  cast();
+  contender.caster(rays)(hits);
   castCounts() = nullptr;
-  return counts;
-}
-
-/// The casts of each mode, in the order of kModes, into `hits`. The first is the measure.
-std::vector<std::function<void()>> checkedCasts(const std::vector<Caster>& casters,
-  const std::vector<Ray>& rays, std::vector<std::vector<Hit>>& hits)
-{
-  std::vector<std::function<void()>> casts;
-  for (std::size_t i = 0; i < casters.size(); ++i)
-  {
-    casts.push_back([cast = casters[i](rays), &found = hits[i]] { cast(found); });
-    casts.back()();
-    if (hits[i] != hits[0])
-    {
-      throw std::runtime_error(
-        std::string(kModes[i].name) + " finds other hits than " + kModes[0].name);
-    }
-  }
-  return casts;
+  const auto reportEach = [&](const char* what, std::uint64_t steps) {
+    report("TraversalModesCounts", contender.name + ", " + what, column,
+      static_cast<double>(steps) / static_cast<double>(rays.size()));
+  };
+  reportEach("treelets entered", counts.treelets);
+  reportEach("blocks tested", counts.blocks);
+  reportEach("triangles tested in double", counts.triangles);
 }
 
 void timeScene(const BenchmarkScene& scene, std::uint32_t count, int rounds)
 {
-  const std::vector<Caster> casters = makeCasters(scene.objects);
+  const std::vector<Contender> contenders = makeContenders(scene.objects);
   std::vector<std::vector<double>> overOneTree, overSequential; // [set][round]
   for (const RaySet& set : makeRaySets(scene, count))
   {
-    std::vector<std::vector<Hit>> hits(casters.size(), std::vector<Hit>(count));
-    const std::vector<std::function<void()>> casts = checkedCasts(casters, set.rays, hits);
-    const std::vector<std::vector<double>> seconds = timeInTurns(casts, rounds);
     const std::string column = scene.name + ", " + set.letter;
-    for (std::size_t i = 0; i < casts.size(); ++i)
+    const std::vector<Performance> performances = compete(contenders, set.rays, rounds);
+    const auto seconds = [&](std::size_t i) { return performances[i].seconds; };
+    for (std::size_t i = 0; i < contenders.size(); ++i)
     {
-      const std::string name = kModes[i].name;
-      report("TraversalModesSets", name, column, ratios(seconds[i], seconds[0]));
-      report("TraversalModesRates", name, column, ratios(1e-6 * count, seconds[i]));
-      const auto reportSteps = [&](const char* what, std::uint64_t steps) {
-        report("TraversalModesCounts", name + ", " + what, column,
-          static_cast<double>(steps) / static_cast<double>(count));
-      };
-      const CastCounts counts = countSteps(casts[i]);
-      reportSteps("treelets entered", counts.treelets);
-      reportSteps("blocks tested", counts.blocks);
-      reportSteps("triangles tested in double", counts.triangles);
+      report("TraversalModesSets", contenders[i].name, column, ratios(seconds(i), seconds(0)));
+      report("TraversalModesRates", contenders[i].name, column, ratios(1e-6, seconds(i)));
+      reportSteps(contenders[i], set.rays, column);
     }
-    overOneTree.push_back(ratios(seconds[0], seconds[2]));
-    overSequential.push_back(ratios(seconds[1], seconds[2]));
+    overOneTree.push_back(ratios(seconds(0), seconds(2)));
+    overSequential.push_back(ratios(seconds(1), seconds(2)));
   }
   report("TraversalModes", "parallel: " + scene.name, "speed / one tree",
     geometricMeans(overOneTree), { 0.9, 1.0 });

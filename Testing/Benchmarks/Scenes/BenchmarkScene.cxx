@@ -42,11 +42,6 @@ Triangles readMesh(const std::string& name, double edge)
     movingteapot::FitMesh(turn->GetOutput(), { -half, half, -half, half, 0, edge }));
 }
 
-bool hasMesh(const std::string& name)
-{
-  return std::filesystem::exists(meshPath(name));
-}
-
 /// Turned about an axis that is none of the frame's, so that no box stays aligned.
 AffineMap makePose(double angle, const Vector3& position)
 {
@@ -64,16 +59,6 @@ SceneObject makeBody(Triangles triangles, const AffineMap& pose = {}, bool isLoo
 {
   return { std::make_shared<RigidObject>(TriangleMesh(std::move(triangles))), nullptr, pose,
     isLoose };
-}
-
-BenchmarkScene makeRoomScene(const char* name, const Triangles& standing, const SceneObject& moving)
-{
-  const movingteapot::SideReflectances all = { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 };
-  Triangles fixed = trianglesOf(
-    movingteapot::MakeGridBox({ -5, 5, -5, 5, 0, 10 }, 0.25, movingteapot::Facing::Inward, all));
-  const std::size_t walls = fixed.size();
-  append(standing, { Matrix3::Identity(), { -1.5, 1, 0 } }, fixed);
-  return { name, { makeBody(std::move(fixed)), { moving } }, { { 0, 0, 9.9 }, 1 }, walls };
 }
 
 Triangles randomTriangles(std::size_t count, unsigned seed)
@@ -98,24 +83,28 @@ Triangles randomTriangles(std::size_t count, unsigned seed)
 
 }
 
-std::optional<BenchmarkScene> makeBunnyScene()
+std::optional<BenchmarkScene> makeRoomScene(bool isLarge)
 {
-  if (!hasMesh("bunny.off") || !hasMesh("teapot.off"))
+  for (const char* mesh : { "bunny.off", "teapot.off", "stanford-dragon.ply" })
   {
-    return {};
+    if (!std::filesystem::exists(meshPath(mesh)))
+    {
+      return {};
+    }
   }
-  return makeRoomScene("bunny and teapot", readMesh("bunny.off", 3.5),
-    makeBody(readMesh("teapot.off", 3), makePose(0.7, { 1.8, -1, 3 })));
-}
-
-std::optional<BenchmarkScene> makeDragonScene()
-{
-  if (!hasMesh("stanford-dragon.ply"))
+  const movingteapot::SideReflectances all = { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 };
+  Triangles fixed = trianglesOf(
+    movingteapot::MakeGridBox({ -5, 5, -5, 5, 0, 10 }, 0.25, movingteapot::Facing::Inward, all));
+  const std::size_t walls = fixed.size();
+  if (!isLarge)
   {
-    return {};
+    append(readMesh("bunny.off", 3.5), { Matrix3::Identity(), { -1.5, 1, 0 } }, fixed);
   }
-  return makeRoomScene(
-    "dragon", {}, makeBody(readMesh("stanford-dragon.ply", 6), makePose(0.5, { 0.2, 0.1, 2 })));
+  SceneObject moving = isLarge
+    ? makeBody(readMesh("stanford-dragon.ply", 6), makePose(0.5, { 0.2, 0.1, 2 }))
+    : makeBody(readMesh("teapot.off", 3), makePose(0.7, { 1.8, -1, 3 }));
+  return BenchmarkScene{ isLarge ? "dragon" : "bunny and teapot",
+    { makeBody(std::move(fixed)), { std::move(moving) } }, { { 0, 0, 9.9 }, 1 }, walls };
 }
 
 BenchmarkScene makeRandomScene(bool isLoose)

@@ -23,12 +23,9 @@ struct BenchmarkScene
 };
 
 /// A room of 10 m, 19,200 wall triangles, with a bunny (3,674) that stands and a teapot (992) that
-/// moves. Nothing when the meshes are not there.
-std::optional<BenchmarkScene> makeBunnyScene();
-
-/// The same room, empty but for a dragon of 871,414 triangles that moves. Nothing when the mesh is not
-/// there.
-std::optional<BenchmarkScene> makeDragonScene();
+/// moves; or, `isLarge`, empty but for a dragon of 871,414 triangles that moves. Nothing when their
+/// meshes are not there.
+std::optional<BenchmarkScene> makeRoomScene(bool isLarge);
 
 /// 100,000 triangles at random with edges of 0.03 of the cube that they fill, one half static, the
 /// other half one dynamic object. `isLoose`: each dynamic triangle is on its own.

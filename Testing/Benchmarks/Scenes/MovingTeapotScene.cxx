@@ -1,16 +1,11 @@
 #include "Scenes/MovingTeapotScene.h"
 
+#include "../../FiltersIrradiance/TestScenes.h"
 #include "Scenes/PolyDataObject.h"
 #include "TeapotPath.h"
 #include "TeapotScene.h"
 
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkMatrix4x4.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
-#include <vtkTransform.h>
 #include <vtkTriangleFilter.h>
 
 using namespace irradiance;
@@ -38,11 +33,9 @@ vtkSmartPointer<vtkPolyData> decimated(vtkPolyData* mesh, double kept)
   decimation->SetTargetReduction(1 - kept);
   decimation->Update();
   vtkSmartPointer<vtkPolyData> small = decimation->GetOutput();
-  vtkNew<vtkDoubleArray> reflectances;
-  reflectances->SetName("DiffuseReflectance");
-  reflectances->SetNumberOfValues(small->GetNumberOfCells());
-  reflectances->Fill(mesh->GetCellData()->GetArray("DiffuseReflectance")->GetTuple1(0));
-  small->GetCellData()->AddArray(reflectances);
+  const char* const reflectance = "DiffuseReflectance";
+  TestScenes::SetCellValues(
+    small, reflectance, { mesh->GetCellData()->GetArray(reflectance)->GetTuple1(0) });
   return small;
 }
 

@@ -1,5 +1,6 @@
 #include "Scenes/PolyDataObject.h"
 
+#include "../../PhotonWalks/TestScenes.h"
 #include "Meshes/PolygonTriangulation.h"
 
 #include <vtkCellData.h>
@@ -16,33 +17,21 @@ using namespace irradiance;
 namespace
 {
 
-void append(vtkPolyData* part, std::vector<Triangle>& triangles, Surface& surface)
+std::vector<Triangle> trianglesOf(vtkPolyData* mesh, vtkIdType cell)
 {
-  vtkDataArray* reflectance = part->GetCellData()->GetArray("DiffuseReflectance");
-  vtkDataArray* exitance = part->GetCellData()->GetArray("RadiantExitance");
-  surface.firstCellOfPart.push_back(surface.numberOfCells);
   vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
   std::vector<Vector3> corners;
-  for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
+  std::transform(ids->begin(), ids->end(), std::back_inserter(corners),
+    [&](vtkIdType id) { return Vector3(mesh->GetPoint(id)); });
+  std::vector<Triangle> triangles;
+  if (!triangulate(corners, triangles))
   {
-    part->GetCellPoints(cell, ids);
-    corners.resize(static_cast<std::size_t>(ids->GetNumberOfIds()));
-    std::transform(ids->begin(), ids->end(), corners.begin(),
-      [&](vtkIdType id) { return Vector3(part->GetPoint(id)); });
-    if (!triangulate(corners, triangles))
-    {
-      throw std::runtime_error("a polygon crosses itself");
-    }
-    triangles.erase(
-      std::remove_if(triangles.begin() + static_cast<std::ptrdiff_t>(surface.cellOfTriangle.size()),
-        triangles.end(), [](const Triangle& t) { return !(t.area() > 0); }),
-      triangles.end());
-    surface.cellOfTriangle.resize(
-      triangles.size(), static_cast<std::uint32_t>(surface.numberOfCells));
-    surface.reflectance.push_back(reflectance ? reflectance->GetTuple1(cell) : 0.5);
-    surface.exitance.push_back(exitance ? exitance->GetTuple1(cell) : 0);
-    ++surface.numberOfCells;
+    throw std::runtime_error("a polygon crosses itself");
   }
+  const auto isPoint = [](const Triangle& triangle) { return !(triangle.area() > 0); };
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isPoint), triangles.end());
+  return triangles;
 }
 
 }
@@ -50,23 +39,34 @@ void append(vtkPolyData* part, std::vector<Triangle>& triangles, Surface& surfac
 std::vector<Triangle> trianglesOf(vtkPolyData* mesh)
 {
   std::vector<Triangle> triangles;
-  Surface unused;
-  append(mesh, triangles, unused);
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const std::vector<Triangle> own = trianglesOf(mesh, cell);
+    triangles.insert(triangles.end(), own.begin(), own.end());
+  }
   return triangles;
 }
 
 SceneObject makeObject(const std::vector<vtkPolyData*>& parts)
 {
-  std::vector<Triangle> triangles;
-  auto surface = std::make_shared<Surface>();
+  test::ObjectBuilder object;
+  bool emits = false;
   for (vtkPolyData* part : parts)
   {
-    append(part, triangles, *surface);
+    object.surface().firstCellOfPart.push_back(object.surface().numberOfCells);
+    vtkDataArray* reflectance = part->GetCellData()->GetArray("DiffuseReflectance");
+    vtkDataArray* exitance = part->GetCellData()->GetArray("RadiantExitance");
+    emits = emits || exitance;
+    for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
+    {
+      object.addCell(trianglesOf(part, cell),
+        test::grey(reflectance ? reflectance->GetTuple1(cell) : 0.5,
+          exitance ? exitance->GetTuple1(cell) : 0));
+    }
   }
-  const auto isDark = [](double exitance) { return exitance == 0; };
-  if (std::all_of(surface->exitance.begin(), surface->exitance.end(), isDark))
+  if (!emits)
   {
-    surface->exitance.clear();
+    object.surface().exitance.clear();
   }
-  return { std::make_shared<RigidObject>(TriangleMesh(std::move(triangles))), surface, {} };
+  return object.build();
 }

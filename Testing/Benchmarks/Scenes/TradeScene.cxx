@@ -5,30 +5,39 @@
 #include "Scenes/MovingTeapotScene.h"
 
 #include <algorithm>
-#include <numeric>
 
 using namespace irradiance;
 
 namespace
 {
 
-/// A look for each triangle: that of the cell it belongs to. One band.
-std::shared_ptr<const Surface> withTrianglesAsCells(const Surface& surface)
+std::vector<Triangle> quartered(const Triangle& t)
 {
-  Surface cut = surface;
-  cut.numberOfCells = surface.cellOfTriangle.size();
-  const auto ofTriangles = [&](const std::vector<double>& ofCells) {
-    std::vector<double> values(ofCells.empty() ? 0 : cut.numberOfCells);
-    for (std::size_t i = 0; i < values.size(); ++i)
+  const Vector3 ab = 0.5 * (t.a + t.b), bc = 0.5 * (t.b + t.c), ca = 0.5 * (t.c + t.a);
+  return { { t.a, ab, ca }, { ab, t.b, bc }, { ca, bc, t.c }, { bc, ca, ab } };
+}
+
+/// Each of the pieces of its triangles is a cell, and looks like the cell it is cut from.
+template <class Pieces>
+SceneObject cut(const SceneObject& object, const Pieces& piecesOf)
+{
+  const Surface& surface = *object.surface;
+  test::ObjectBuilder builder;
+  for (std::size_t i = 0; i < surface.cellOfTriangle.size(); ++i)
+  {
+    const std::size_t cell = surface.cellOfTriangle[i];
+    for (const Triangle& piece : piecesOf(object.body->mesh()[i]))
     {
-      values[i] = ofCells[surface.cellOfTriangle[i]];
+      builder.addCell({ piece },
+        test::grey(
+          surface.reflectance[cell], surface.exitance.empty() ? 0 : surface.exitance[cell]));
     }
-    return values;
-  };
-  cut.reflectance = ofTriangles(surface.reflectance);
-  cut.exitance = ofTriangles(surface.exitance);
-  std::iota(cut.cellOfTriangle.begin(), cut.cellOfTriangle.end(), 0u);
-  return std::make_shared<const Surface>(std::move(cut));
+  }
+  if (surface.exitance.empty())
+  {
+    builder.surface().exitance.clear();
+  }
+  return builder.build(object.worldFromObject);
 }
 
 template <class Change>
@@ -91,33 +100,6 @@ TradeScene makeFurnace()
     { 6, 3 }, true };
 }
 
-std::vector<Triangle> quartered(const std::vector<Triangle>& triangles)
-{
-  std::vector<Triangle> pieces;
-  for (const Triangle& t : triangles)
-  {
-    const Vector3 ab = 0.5 * (t.a + t.b), bc = 0.5 * (t.b + t.c), ca = 0.5 * (t.c + t.a);
-    pieces.insert(
-      pieces.end(), { { t.a, ab, ca }, { ab, t.b, bc }, { ca, bc, t.c }, { bc, ca, ab } });
-  }
-  return pieces;
-}
-
-SceneObject quartered(const SceneObject& object)
-{
-  SceneObject cut = object;
-  cut.body =
-    std::make_shared<RigidObject>(TriangleMesh(quartered(object.body->mesh().triangles())));
-  Surface surface = *object.surface;
-  surface.cellOfTriangle.clear();
-  for (const std::uint32_t cell : object.surface->cellOfTriangle)
-  {
-    surface.cellOfTriangle.insert(surface.cellOfTriangle.end(), 4, cell);
-  }
-  cut.surface = withTrianglesAsCells(surface);
-  return cut;
-}
-
 }
 
 std::vector<TradeScene> makeTradeScenes(const std::string& head)
@@ -125,18 +107,19 @@ std::vector<TradeScene> makeTradeScenes(const std::string& head)
   std::vector<TradeScene> scenes = { makeTeapot(head), makeBox(), makeFurnace() };
   for (TradeScene& scene : scenes)
   {
-    changeAll(scene.objects,
-      [](SceneObject& object) { object.surface = withTrianglesAsCells(*object.surface); });
+    changeAll(scene.objects, [](SceneObject& object) {
+      object = cut(object, [](const Triangle& whole) { return std::vector<Triangle>{ whole }; });
+    });
   }
   return scenes;
 }
 
 SceneObjects subdivided(const SceneObjects& objects, int levels)
 {
-  SceneObjects cut = objects;
+  SceneObjects pieces = objects;
   for (int level = 0; level < levels; ++level)
   {
-    changeAll(cut, [](SceneObject& object) { object = quartered(object); });
+    changeAll(pieces, [](SceneObject& object) { object = cut(object, quartered); });
   }
-  return cut;
+  return pieces;
 }
