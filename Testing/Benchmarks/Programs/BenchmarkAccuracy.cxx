@@ -35,27 +35,6 @@ EngineSettings settingsWith(std::uint32_t walks, std::uint64_t seed)
   return settings;
 }
 
-/// A scene that stands, with the truth.
-struct KnownScene
-{
-  KnownScene(const std::string& ownName, const SceneObjects& ownObjects, const CellField& ownTruth)
-    : name(ownName)
-    , objects(ownObjects)
-    , areas(areasOf(ownObjects))
-    , truth(ownTruth)
-  {
-  }
-
-  double rmsErrorOf(const IrradianceEngine& engine) const
-  {
-    return rmsError(irradianceOf(engine, objects), truth, areas);
-  }
-
-  std::string name;
-  SceneObjects objects;
-  CellField areas, truth;
-};
-
 /// From cells cut into four to the cells they were cut from: the pieces have the same area.
 CellField coarsened(const CellField& field)
 {
@@ -68,33 +47,29 @@ CellField refined(const CellField& field, Eigen::Index size)
   return field.transpose().replicate(size / field.size(), 1).reshaped();
 }
 
-/// The scene by level: its cells are cut into four again and again.
-std::vector<KnownScene> known(const TradeScene& scene, std::uint32_t walks)
+/// The truth by level: cells are cut into four again and again.
+std::vector<Truth> truthsOf(const TradeScene& scene, std::uint32_t walks)
 {
   constexpr double kTime = 0.4;
-  std::vector<SceneObjects> objects;
-  for (int level = 0; level <= kLevels; ++level)
-  {
-    objects.push_back(subdivided(scene.at(kTime), level));
-  }
-  CellField truth = CellField::Ones(areasOf(objects.back()).size());
+  const SceneObjects finest = subdivided(scene.at(kTime), kLevels);
+  CellField right = CellField::Ones(areasOf(finest).size());
   if (!scene.isFurnace)
   {
     test::ThreadExecution threads(2);
     IrradianceEngine engine;
-    engine.update(objects.back(), settingsWith(walks, kReferenceSeed), threads);
-    truth = irradianceOf(engine, objects.back());
+    engine.update(finest, settingsWith(walks, kReferenceSeed), threads);
+    right = irradianceOf(engine, finest);
   }
-  std::vector<KnownScene> levels;
+  std::vector<Truth> levels;
   for (int level = kLevels; level >= 0; --level)
   {
-    levels.insert(levels.begin(), { scene.name, objects[static_cast<std::size_t>(level)], truth });
-    truth = coarsened(truth);
+    levels.insert(levels.begin(), { subdivided(scene.at(kTime), level), right });
+    right = coarsened(right);
   }
   return levels;
 }
 
-double secondsOf(IrradianceEngine& engine, const KnownScene& scene, const EngineSettings& settings)
+double secondsOf(IrradianceEngine& engine, const Truth& scene, const EngineSettings& settings)
 {
   return timeUpdate(engine, scene.objects, settings).whole;
 }
@@ -110,15 +85,15 @@ double slopeOf(const std::vector<double>& x, const std::vector<double>& y)
   return (u * v).sum() / u.square().sum();
 }
 
-void measureConvergence(const KnownScene& scene, std::uint64_t seed)
+void measureConvergence(const std::string& name, const Truth& scene, std::uint64_t seed)
 {
   std::vector<double> walks, seconds, errors;
   for (std::uint32_t number = 1u << 12; number <= 1u << 20; number *= 4)
   {
     IrradianceEngine engine;
     const double time = secondsOf(engine, scene, settingsWith(number, seed));
-    const double error = scene.rmsErrorOf(engine);
-    const std::string row = scene.name + ", " + std::to_string(number) + " walks";
+    const double error = scene.rmsError(engine);
+    const std::string row = name + ", " + std::to_string(number) + " walks";
     report("Convergence", row, "time, s", time);
     report("Convergence", row, "RMS error", error);
     report("Convergence", row, "efficiency 1/(error² x time), 1/s", 1 / (error * error * time));
@@ -126,27 +101,27 @@ void measureConvergence(const KnownScene& scene, std::uint64_t seed)
     seconds.push_back(time);
     errors.push_back(error);
   }
-  report("ConvergenceSlopes", scene.name, "slope over walks", slopeOf(walks, errors));
-  report("ConvergenceSlopes", scene.name, "slope over time", slopeOf(seconds, errors));
+  report("ConvergenceSlopes", name, "slope over walks", slopeOf(walks, errors));
+  report("ConvergenceSlopes", name, "slope over time", slopeOf(seconds, errors));
 }
 
-void measureCellSizes(const std::vector<KnownScene>& levels, std::uint64_t seed)
+void measureCellSizes(const std::string& name, const std::vector<Truth>& levels, std::uint64_t seed)
 {
-  const KnownScene& finest = levels.back();
-  for (const KnownScene& scene : levels)
+  const Truth& finest = levels.back();
+  for (const Truth& scene : levels)
   {
     IrradianceEngine engine;
     const double seconds = secondsOf(engine, scene, settingsWith(kUsualWalks, seed));
-    const std::string row = scene.name + ", " + std::to_string(scene.areas.size()) + " cells";
+    const std::string row = name + ", " + std::to_string(scene.areas.size()) + " cells";
     report("CellSizes", row, "time, s", seconds);
-    report("CellSizes", row, "RMS error of cells", scene.rmsErrorOf(engine));
+    report("CellSizes", row, "RMS error of cells", scene.rmsError(engine));
     report("CellSizes", row, "what the cells blur",
-      rmsError(refined(scene.truth, finest.truth.size()), finest.truth, finest.areas));
+      finest.rmsError(refined(scene.irradiance, finest.irradiance.size())));
   }
 }
 
 /// Shares of the cells and of the area in which the stated interval holds the truth.
-void measureCoverage(const KnownScene& scene, const IrradianceEngine& engine)
+void measureCoverage(const std::string& name, const Truth& scene, const IrradianceEngine& engine)
 {
   const ErrorEstimate estimate = engine.errorEstimate();
   const CellField errors =
@@ -154,18 +129,16 @@ void measureCoverage(const KnownScene& scene, const IrradianceEngine& engine)
       return engine.watts(estimate.standardError(object, cell, 0, 0)) / area;
     });
   const CellField isKnown = (!errors.isNaN()).cast<double>();
-  const CellField holds = ((irradianceOf(engine, scene.objects) - scene.truth).abs() <=
+  const CellField holds = ((irradianceOf(engine, scene.objects) - scene.irradiance).abs() <=
     ErrorEstimate::confidenceFactor(kReplicates) * errors)
                             .cast<double>(); // never where the error is NaN
   const double knownArea = (scene.areas * isKnown).sum();
-  report("Coverage", scene.name, "area with an interval, %", 100 * knownArea / scene.areas.sum());
-  report(
-    "Coverage", scene.name, "intervals that hold the truth, %", 100 * holds.sum() / isKnown.sum());
-  report(
-    "Coverage", scene.name, "the same by area, %", 100 * (scene.areas * holds).sum() / knownArea);
+  report("Coverage", name, "area with an interval, %", 100 * knownArea / scene.areas.sum());
+  report("Coverage", name, "intervals that hold the truth, %", 100 * holds.sum() / isKnown.sum());
+  report("Coverage", name, "the same by area, %", 100 * (scene.areas * holds).sum() / knownArea);
 }
 
-void measureErrorBars(const KnownScene& scene, std::uint64_t seed)
+void measureErrorBars(const std::string& name, const Truth& scene, std::uint64_t seed)
 {
   EngineSettings settings = settingsWith(kUsualWalks, seed);
   IrradianceEngine plain, barred;
@@ -175,12 +148,11 @@ void measureErrorBars(const KnownScene& scene, std::uint64_t seed)
   const auto bytesPerCell = [&](const IrradianceEngine& engine) {
     return static_cast<double>(engine.sums().bytes()) / static_cast<double>(scene.areas.size());
   };
-  report("ErrorBars", scene.name, "time / without", with / without);
-  report("ErrorBars", scene.name, "RMS error / without",
-    scene.rmsErrorOf(barred) / scene.rmsErrorOf(plain));
-  report("ErrorBars", scene.name, "bytes a cell", bytesPerCell(barred));
-  report("ErrorBars", scene.name, "bytes a cell without", bytesPerCell(plain));
-  measureCoverage(scene, barred);
+  report("ErrorBars", name, "time / without", with / without);
+  report("ErrorBars", name, "RMS error / without", scene.rmsError(barred) / scene.rmsError(plain));
+  report("ErrorBars", name, "bytes a cell", bytesPerCell(barred));
+  report("ErrorBars", name, "bytes a cell without", bytesPerCell(plain));
+  measureCoverage(name, scene, barred);
 }
 
 /// The least error that is not exceeded on a share of the area.
@@ -196,7 +168,7 @@ double quantileOf(const CellField& errors, const CellField& areas, double share)
   return errors[*found];
 }
 
-void measureTargets(const KnownScene& scene, std::uint64_t seed)
+void measureTargets(const std::string& name, const Truth& scene, std::uint64_t seed)
 {
   for (const int percent : { 40, 20, 10 })
   {
@@ -208,10 +180,10 @@ void measureTargets(const KnownScene& scene, std::uint64_t seed)
     const double seconds = secondsOf(engine, scene, settings);
     // Of each cell in units of its own irradiance, or of the mean where it has received nothing.
     const CellField field = irradianceOf(engine, scene.objects);
-    const CellField errors = (field - scene.truth).abs() /
+    const CellField errors = (field - scene.irradiance).abs() /
       (field > 0).select(field, CellField::Constant(field.size(), meanOf(field, scene.areas)));
     const CellField isWithin = (errors <= settings.targetRelativeError).cast<double>();
-    const std::string row = scene.name + ", target " + std::to_string(percent) + " %";
+    const std::string row = name + ", target " + std::to_string(percent) + " %";
     report("Targets", row, "stated, %", 100 * engine.reachedRelativeError());
     report("Targets", row, "true error of 95 % of the area, %",
       100 * quantileOf(errors, scene.areas, ErrorEstimate::kConfidence));
@@ -229,13 +201,13 @@ void run(const Arguments& arguments)
   const auto seeds = arguments.number<std::uint64_t>(1, 3);
   for (const TradeScene& trade : makeTradeScenes(arguments.text(2, VTKIRRADIANCE_HEAD)))
   {
-    const std::vector<KnownScene> levels = known(trade, walks);
+    const std::vector<Truth> levels = truthsOf(trade, walks);
     for (std::uint64_t seed = 1; seed <= seeds; ++seed)
     {
-      measureConvergence(levels[0], seed);
-      measureCellSizes(levels, seed);
-      measureErrorBars(levels[0], seed);
-      measureTargets(levels[0], seed);
+      measureConvergence(trade.name, levels[0], seed);
+      measureCellSizes(trade.name, levels, seed);
+      measureErrorBars(trade.name, levels[0], seed);
+      measureTargets(trade.name, levels[0], seed);
     }
   }
 }

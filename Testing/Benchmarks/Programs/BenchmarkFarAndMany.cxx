@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <list>
+#include <map>
 
 using namespace irradiance;
 
@@ -57,16 +58,16 @@ struct Case
     }
   }
 
-  void verify(const EngineSettings& settings)
+  /// Seconds of the verification.
+  double verify(const EngineSettings& settings)
   {
-    seconds.push_back(timeUpdate(engine, objects, settings).verification);
+    return timeUpdate(engine, objects, settings).verification;
   }
 
   std::string name;
   SceneObjects objects;
   std::vector<Vector3> places; ///< of the small balls
   IrradianceEngine engine;
-  std::vector<double> seconds; ///< of the verification of each frame
 };
 
 using Cases = std::list<Case>; // an engine stays where it is
@@ -88,40 +89,49 @@ void addFarCase(Cases& cases, const char* name, const EngineSettings& settings,
   }
 }
 
-void addManyCase(Cases& cases, int count, const EngineSettings& settings)
+void addManyCase(Cases& cases, std::size_t count, const EngineSettings& settings)
 {
   constexpr double kRadius = 0.04;
   Case& one = cases.emplace_back();
   one.name = std::to_string(count);
-  one.objects = { makeRoom({ 3, 1, 2 }, 3.5), {} };
-  const SceneObject ball = makeBall(kRadius);
+  one.objects = { makeRoom({ 3, 1, 2 }, 3.5), { count, makeBall(kRadius) } };
   // Spread evenly (Roberts 2018: the generalized golden ratio).
   const Vector3 step(0.8191725134, 0.6710436067, 0.5497004779);
-  for (int i = 0; i < count; ++i)
+  while (one.places.size() < count)
   {
-    const Vector3 unit = (i * step).unaryExpr([](double x) { return x - std::floor(x); });
+    const Vector3 unit = (static_cast<double>(one.places.size()) * step).unaryExpr([](double x) {
+      return x - std::floor(x);
+    });
     one.places.push_back(Vector3(Vector3::Constant(0.4) + 3.0 * unit));
-    one.objects.dynamic.push_back(ball);
   }
   one.move(0);
   one.verify(settings);
 }
 
-/// The first frame warms up and is checked; it is not counted.
-void follow(Cases& cases, const EngineSettings& settings, int frames)
+/// Reports the seconds of all cases in each frame. The first frame warms up and is checked.
+template <class ReportFrame>
+void follow(
+  Cases& cases, const EngineSettings& settings, int frames, const ReportFrame& reportFrame)
 {
-  for (int frame = 1; frame <= frames + 1; ++frame)
+  for (int frame = 0; frame <= frames; ++frame)
   {
+    std::map<const Case*, double> seconds;
     for (Case& one : cases)
     {
-      one.move(frame);
-      one.verify(settings);
-      if (frame == 1)
+      one.move(frame + 1);
+      seconds[&one] = one.verify(settings);
+      if (frame == 0)
       {
         IrradianceEngine fresh;
         timeUpdate(fresh, one.objects, settings);
         requireEqualAnswers(one.engine, fresh, one.objects);
-        one.seconds.clear();
+      }
+    }
+    for (const Case& one : cases)
+    {
+      if (frame > 0)
+      {
+        reportFrame(one, seconds);
       }
     }
   }
@@ -140,41 +150,30 @@ void timeFarThings(const EngineSettings& settings, int frames)
   addFarCase(cases, "point light 100 km away", settings, 100 * away, kLamp, { rest });
   addFarCase(cases, "lamp 1 km away", settings, light, kKilometre, { rest });
   addFarCase(cases, "lamp 100 km away", settings, light, 100 * kKilometre, { rest });
-  follow(cases, settings, frames);
-  for (const Case& one : cases)
-  {
+  follow(cases, settings, frames, [&](const Case& one, auto& seconds) {
     const auto segments = static_cast<double>(one.engine.balance().segments);
-    for (std::size_t frame = 0; frame < one.seconds.size(); ++frame)
-    {
-      const double seconds = one.seconds[frame];
-      report("FarThings", one.name, "ms", 1e3 * seconds);
-      report("FarThings", one.name, "ns a segment", 1e9 * seconds / segments);
-      report("FarThings", one.name, "time / all near", seconds / cases.front().seconds[frame]);
-    }
-  }
+    report("FarThings", one.name, "ms", 1e3 * seconds[&one]);
+    report("FarThings", one.name, "ns a segment", 1e9 * seconds[&one] / segments);
+    report("FarThings", one.name, "time / all near", seconds[&one] / seconds[&cases.front()]);
+  });
 }
 
 void timeManyThings(const EngineSettings& settings, int frames)
 {
   Cases cases;
-  for (const int count : { 1, 8, 9, 64, 65, 200, 512, 513, 1000 })
+  for (const std::size_t count : { 1, 8, 9, 64, 65, 200, 512, 513, 1000 })
   {
     addManyCase(cases, count, settings);
   }
-  follow(cases, settings, frames);
   const Case& eight = *std::next(cases.begin());
-  for (const Case& one : cases)
-  {
-    const auto count = static_cast<double>(one.places.size());
-    for (std::size_t frame = 0; frame < one.seconds.size(); ++frame)
-    {
-      const double seconds = one.seconds[frame];
-      report("ManyThings", one.name, "ms", 1e3 * seconds);
-      report("ManyThings", one.name, "ms each", 1e3 * seconds / count);
-      report(
-        "ManyThings", one.name, "each / each of 8", seconds / count / (eight.seconds[frame] / 8));
-    }
-  }
+  follow(cases, settings, frames, [&](const Case& one, auto& seconds) {
+    const auto each = [&](const Case& any) {
+      return seconds[&any] / static_cast<double>(any.places.size());
+    };
+    report("ManyThings", one.name, "ms", 1e3 * seconds[&one]);
+    report("ManyThings", one.name, "ms each", 1e3 * each(one));
+    report("ManyThings", one.name, "each / each of 8", each(one) / each(eight));
+  });
 }
 
 }

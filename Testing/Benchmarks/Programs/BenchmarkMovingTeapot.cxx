@@ -28,7 +28,7 @@ const std::string kTable = "MovingTeapot";
 const std::string kShooting = "first shooting";
 const std::string kOverShooting = "time / first shooting";
 
-constexpr std::size_t kForms = std::tuple_size<decltype(EmbreeShooter::kForms)>::value;
+constexpr std::size_t kForms = std::size(kEmbreeForms);
 
 /// Power received by the teapot, the last object, as a part of that received by all.
 double teapotsShare(const CellSums& sums, const SceneObjects& objects)
@@ -44,14 +44,13 @@ double teapotsShare(const CellSums& sums, const SceneObjects& objects)
 void compareAnswers(const IrradianceEngine& engine, const SceneObjects& objects,
   std::int64_t segments, const CellSums& sums)
 {
-  const double ours = teapotsShare(engine.sums(), objects), theirs = teapotsShare(sums, objects);
-  const std::int64_t counted = engine.balance().segments;
-  if (std::abs(static_cast<double>(segments) / static_cast<double>(counted) - 1) > 2e-3 ||
-    std::abs(ours / theirs - 1) > 2e-2)
+  const double share = teapotsShare(sums, objects) / teapotsShare(engine.sums(), objects);
+  const double walks =
+    static_cast<double>(segments) / static_cast<double>(engine.balance().segments);
+  if (std::abs(walks - 1) > 2e-3 || std::abs(share - 1) > 2e-2)
   {
-    throw std::runtime_error("The answers differ: " + std::to_string(counted) + " and " +
-      std::to_string(segments) + " segments, teapot's share " + std::to_string(ours) + " and " +
-      std::to_string(theirs));
+    throw std::runtime_error("Embree's answer differs: " + std::to_string(walks) +
+      " of the segments, " + std::to_string(share) + " of the teapot's share of power");
   }
 }
 
@@ -65,7 +64,7 @@ std::array<double, kForms> timeEmbree(
   {
     CellSums sums(objects, 1);
     const double start = threadCpuSeconds();
-    const std::int64_t segments = (embree.*EmbreeShooter::kForms[form].shoot)(sums);
+    const std::int64_t segments = (embree.*kEmbreeForms[form].shoot)(sums);
     seconds[form] = threadCpuSeconds() - start;
     compareAnswers(engine, objects, segments, sums);
   }
@@ -91,7 +90,7 @@ void reportStart(IrradianceEngine& engine, const SceneObjects& objects,
   report("MovingTeapotSegments", kShooting, "ns", 1e9 * shooting / segments);
   for (std::size_t form = 0; form < kForms; ++form)
   {
-    const std::string name = EmbreeShooter::kForms[form].name;
+    const std::string name = kEmbreeForms[form].name;
     report(kTable, kShooting, "speed / " + name, embree[form] / shooting);
     report("MovingTeapotSegments", "Embree, " + name, "ns", 1e9 * embree[form] / segments);
   }

@@ -13,6 +13,7 @@
 #include "Rivals/PilotTracer.h"
 
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 using namespace irradiance;
@@ -22,12 +23,10 @@ namespace
 
 constexpr std::uint64_t kSeed = 1;
 
-/// What is right in a frame.
-struct Truth
+struct Frame
 {
-  SceneObjects objects;
-  std::vector<std::uint64_t> signatures;
-  CellField irradiance;
+  Truth truth;
+  std::vector<std::uint64_t> signatures; ///< of the right walks
 };
 
 CellField receivedBy(const PilotTracer& tracer, const SceneObjects& objects)
@@ -37,27 +36,24 @@ CellField receivedBy(const PilotTracer& tracer, const SceneObjects& objects)
   });
 }
 
-std::vector<Truth> truthsOf(const TradeScene& scene, PilotTracer& fresh, int frames)
+std::vector<Frame> framesOf(const TradeScene& scene, PilotTracer& fresh, int count)
 {
-  std::vector<Truth> truths;
-  for (int frame = 0; frame <= frames; ++frame)
+  std::vector<Frame> frames;
+  for (int frame = 0; frame <= count; ++frame)
   {
     const SceneObjects objects = scene.at(0.4 + frame / 60.0);
     fresh.shootAll(objects);
-    truths.push_back({ objects, fresh.signatures(), receivedBy(fresh, objects) });
+    frames.push_back({ { objects, receivedBy(fresh, objects) }, fresh.signatures() });
   }
-  return truths;
+  return frames;
 }
 
-double staleOf(const PilotTracer& tracer, const Truth& truth)
+double staleOf(const PilotTracer& tracer, const Frame& frame)
 {
   const std::vector<std::uint64_t> walks = tracer.signatures();
-  double stale = 0;
-  for (std::size_t i = 0; i < walks.size(); ++i)
-  {
-    stale += walks[i] != truth.signatures[i] ? 1 : 0;
-  }
-  return stale;
+  return static_cast<double>(walks.size()) -
+    std::inner_product(
+      walks.begin(), walks.end(), frame.signatures.begin(), 0.0, std::plus<>(), std::equal_to<>());
 }
 
 /// One who follows a scene for a frame: what it cost and what it leaves.
@@ -74,37 +70,34 @@ void reportFrame(
   const double start = threadCpuSeconds();
   fresh.shootAll(truth.objects);
   const double anew = threadCpuSeconds() - start;
-  const CellField areas = areasOf(truth.objects);
   const auto reportValue = [&](const char* quantity, double value) {
     report("PilotPhotons", row, quantity, value);
   };
   reportValue("time / all anew", outcome.seconds / anew);
   reportValue("walks shot, %", outcome.shot);
   reportValue("changed walks missed, %", outcome.missed);
-  reportValue("RMS error", rmsError(outcome.irradiance, truth.irradiance, areas));
+  reportValue("RMS error", truth.rmsError(outcome.irradiance));
   reportValue("largest error",
-    (outcome.irradiance - truth.irradiance).abs().maxCoeff() / meanOf(truth.irradiance, areas));
+    (outcome.irradiance - truth.irradiance).abs().maxCoeff() /
+      meanOf(truth.irradiance, truth.areas));
 }
 
 /// Returns its time for each frame, s.
 std::vector<double> measureVerification(
-  const TradeScene& scene, const std::vector<Truth>& truths, PilotTracer& fresh)
+  const TradeScene& scene, const std::vector<Frame>& frames, PilotTracer& fresh)
 {
   EngineSettings settings;
-  settings.numberOfWalks = static_cast<std::uint32_t>(truths[0].signatures.size());
+  settings.numberOfWalks = static_cast<std::uint32_t>(frames[0].signatures.size());
   settings.seed = kSeed;
   IrradianceEngine engine;
-  timeUpdate(engine, truths[0].objects, settings);
+  timeUpdate(engine, frames[0].truth.objects, settings);
   std::vector<double> times;
-  for (std::size_t frame = 1; frame < truths.size(); ++frame)
+  for (std::size_t frame = 1; frame < frames.size(); ++frame)
   {
-    const Truth& truth = truths[frame];
+    const Truth& truth = frames[frame].truth;
     times.push_back(timeUpdate(engine, truth.objects, settings).whole);
     const CellField irradiance = irradianceOf(engine, truth.objects);
-    if ((irradiance != truth.irradiance).any())
-    {
-      throw std::runtime_error(scene.name + ": verification and a fresh start differ");
-    }
+    truth.require(irradiance, scene.name + ": verification");
     const double shot =
       100 * static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks;
     reportFrame(scene.name + ", verification, all are found", { times.back(), shot, 0, irradiance },
@@ -114,19 +107,20 @@ std::vector<double> measureVerification(
 }
 
 /// `pilots`: share of the walks. `seconds`: for each frame.
-void measurePilots(const TradeScene& scene, const std::vector<Truth>& truths, double pilots,
+void measurePilots(const TradeScene& scene, const std::vector<Frame>& frames, double pilots,
   const std::vector<double>& seconds, const std::string& row, PilotTracer& fresh)
 {
-  const std::size_t walks = truths[0].signatures.size();
-  PilotTracer tracer(truths[0].objects, static_cast<std::uint32_t>(walks), kSeed, scene.strata);
-  for (std::size_t frame = 1; frame < truths.size(); ++frame)
+  const std::size_t walks = frames[0].signatures.size();
+  PilotTracer tracer(
+    frames[0].truth.objects, static_cast<std::uint32_t>(walks), kSeed, scene.strata);
+  for (std::size_t frame = 1; frame < frames.size(); ++frame)
   {
-    const Truth& truth = truths[frame];
-    const double before = staleOf(tracer, truth);
+    const Truth& truth = frames[frame].truth;
+    const double before = staleOf(tracer, frames[frame]);
     const double start = threadCpuSeconds();
     const std::size_t shot = tracer.update(truth.objects, { pilots, seconds[frame - 1] });
     const double time = threadCpuSeconds() - start;
-    const double missed = before == 0 ? 0 : 100 * staleOf(tracer, truth) / before;
+    const double missed = before == 0 ? 0 : 100 * staleOf(tracer, frames[frame]) / before;
     reportFrame(scene.name + ", " + row,
       { time, 100 * static_cast<double>(shot) / static_cast<double>(walks), missed,
         receivedBy(tracer, truth.objects) },
@@ -135,15 +129,16 @@ void measurePilots(const TradeScene& scene, const std::vector<Truth>& truths, do
 }
 
 /// Where all walks are pilots, none is missed.
-void checkPilots(const TradeScene& scene, const std::vector<Truth>& truths)
+void checkPilots(const TradeScene& scene, const std::vector<Frame>& frames)
 {
-  PilotTracer tracer(truths[0].objects, static_cast<std::uint32_t>(truths[0].signatures.size()),
-    kSeed, scene.strata);
-  tracer.update(truths[1].objects, { 1 });
-  if (staleOf(tracer, truths[1]) > 0 ||
-    (receivedBy(tracer, truths[1].objects) != truths[1].irradiance).any())
+  PilotTracer tracer(frames[0].truth.objects,
+    static_cast<std::uint32_t>(frames[0].signatures.size()), kSeed, scene.strata);
+  tracer.update(frames[1].truth.objects, { 1 });
+  frames[1].truth.require(
+    receivedBy(tracer, frames[1].truth.objects), scene.name + ": pilots alone");
+  if (staleOf(tracer, frames[1]) > 0)
   {
-    throw std::runtime_error(scene.name + ": pilots alone and a fresh start differ");
+    throw std::runtime_error(scene.name + ": pilots alone miss walks");
   }
 }
 
@@ -152,21 +147,21 @@ void checkPilots(const TradeScene& scene, const std::vector<Truth>& truths)
 void run(const Arguments& arguments)
 {
   const auto walks = arguments.number(0, 1u << 18);
-  const int frames = arguments.number(1, 4);
+  const int count = arguments.number(1, 4);
   for (const TradeScene& scene : makeTradeScenes(arguments.text(2, VTKIRRADIANCE_HEAD)))
   {
     report("PilotGroups", scene.name, "groups", scene.strata.numberOfGroups());
     PilotTracer fresh(scene.at(0.4), walks, kSeed, scene.strata);
-    const std::vector<Truth> truths = truthsOf(scene, fresh, frames);
-    checkPilots(scene, truths);
-    const std::vector<double> seconds = measureVerification(scene, truths, fresh);
-    const std::vector<double> unlimited(truths.size(), std::numeric_limits<double>::infinity());
+    const std::vector<Frame> frames = framesOf(scene, fresh, count);
+    checkPilots(scene, frames);
+    const std::vector<double> seconds = measureVerification(scene, frames, fresh);
+    const std::vector<double> unlimited(frames.size(), std::numeric_limits<double>::infinity());
     for (const int part : { 64, 32, 16, 8, 4, 2 })
     {
       const std::string row = "pilots, 1/" + std::to_string(part);
-      measurePilots(scene, truths, 1.0 / part, unlimited, row, fresh);
+      measurePilots(scene, frames, 1.0 / part, unlimited, row, fresh);
     }
     measurePilots(
-      scene, truths, 1.0 / 64, seconds, "pilots in the time of verification, 1/64", fresh);
+      scene, frames, 1.0 / 64, seconds, "pilots in the time of verification, 1/64", fresh);
   }
 }

@@ -22,27 +22,25 @@ using namespace irradiance;
 namespace
 {
 
-/// What is right in a frame.
-struct Truth
+struct Frame
 {
-  SceneObjects objects;
+  Truth truth;
   double seconds; ///< of the repair
-  CellField irradiance;
 };
 
 /// The full update of the first frame, at this time, and of every frame after it.
-std::vector<Truth> truthsOf(
+std::vector<Frame> framesOf(
   const TradeScene& scene, double first, int frames, const EngineSettings& settings)
 {
   IrradianceEngine engine;
-  std::vector<Truth> truths;
+  std::vector<Frame> steps;
   for (int frame = 0; frame <= frames; ++frame)
   {
     const SceneObjects objects = scene.at(first + frame / 60.0);
     const double repair = timeUpdate(engine, objects, settings).repair;
-    truths.push_back({ objects, repair, irradianceOf(engine, objects) });
+    steps.push_back({ { objects, irradianceOf(engine, objects) }, repair });
   }
-  return truths;
+  return steps;
 }
 
 /// How much of the bounds the full update uses up.
@@ -55,18 +53,17 @@ struct BoundsUse
 /// Throws std::runtime_error when it is more than all.
 BoundsUse boundsUse(const IrradianceEngine& engine, const Truth& truth)
 {
-  const CellField areas = areasOf(truth.objects);
   const CellField stale =
     fieldOf(truth.objects, [&](std::uint32_t object, std::size_t cell, double area) {
       return engine.staleIrradiance(object, cell, 0, 0, area);
     });
   const CellField loss = irradianceOf(engine, truth.objects) - truth.irradiance;
-  const double rounding = 1e-12 * meanOf(truth.irradiance, areas);
+  const double rounding = 1e-12 * meanOf(truth.irradiance, truth.areas);
   if ((loss > stale + rounding).any())
   {
     throw std::runtime_error("a cell loses more than its stale part");
   }
-  const double gain = (areas * (stale - loss)).sum(), bound = engine.staleGainBound(0);
+  const double gain = (truth.areas * (stale - loss)).sum(), bound = engine.staleGainBound(0);
   if (gain > bound * (1 + 1e-9) + 1e-9 * rounding)
   {
     throw std::runtime_error("the cells gain more than the stale walks can carry");
@@ -87,15 +84,12 @@ int finish(IrradianceEngine& engine, const Truth& truth, const EngineSettings& s
     timeUpdate(engine, truth.objects, settings);
     ++calls;
   }
-  if ((irradianceOf(engine, truth.objects) != truth.irradiance).any())
-  {
-    throw std::runtime_error("many repairs within a budget and the full update differ");
-  }
+  truth.require(irradianceOf(engine, truth.objects), "many repairs within a budget");
   return calls;
 }
 
 void measure(
-  const std::vector<Truth>& truths, EngineSettings settings, int percent, const std::string& row)
+  const std::vector<Frame>& steps, EngineSettings settings, int percent, const std::string& row)
 {
   constexpr double kLeast = 1e-6; // s: only the first few walks
   const auto reportValue = [&](const char* quantity, double value) {
@@ -104,23 +98,22 @@ void measure(
   reportValue("budget, % of the full repair", percent);
   settings.repairTimeBudget = 1;
   IrradianceEngine engine;
-  timeUpdate(engine, truths[0].objects, settings);
+  timeUpdate(engine, steps[0].truth.objects, settings);
   BoundsUse most{ 0, 0 };
-  for (std::size_t frame = 1; frame < truths.size(); ++frame)
+  for (std::size_t frame = 1; frame < steps.size(); ++frame)
   {
-    const Truth& truth = truths[frame];
-    settings.repairTimeBudget = std::max(0.01 * percent * truth.seconds, kLeast);
+    const Truth& truth = steps[frame].truth;
+    settings.repairTimeBudget = std::max(0.01 * percent * steps[frame].seconds, kLeast);
     timeUpdate(engine, truth.objects, settings);
     const BoundsUse use = boundsUse(engine, truth);
     most.loss = std::max(most.loss, use.loss);
     most.gain = std::isnan(use.gain) ? use.gain : std::max(most.gain, use.gain);
-    const double error =
-      rmsError(irradianceOf(engine, truth.objects), truth.irradiance, areasOf(truth.objects));
+    const double error = truth.rmsError(engine);
     if (frame == 1)
     {
       reportValue("RMS error after the first frame", error);
     }
-    if (frame + 1 == truths.size())
+    if (frame + 1 == steps.size())
     {
       reportValue("RMS error at the end", error);
     }
@@ -131,7 +124,7 @@ void measure(
   reportValue("gain / StaleGainBound", most.gain);
   if (percent > 0)
   {
-    reportValue("calls to be exact", finish(engine, truths.back(), settings));
+    reportValue("calls to be exact", finish(engine, steps.back().truth, settings));
   }
 }
 
@@ -146,11 +139,11 @@ void run(const Arguments& arguments)
   {
     for (const double start : { 0.2, 0.4, 0.6 })
     {
-      const std::vector<Truth> truths = truthsOf(scene, start, frames, settings);
+      const std::vector<Frame> steps = framesOf(scene, start, frames, settings);
       for (const int percent : { 0, 10, 25, 50, 75, 100, 150 })
       {
         measure(
-          truths, settings, percent, scene.name + ", budget " + std::to_string(percent) + " %");
+          steps, settings, percent, scene.name + ", budget " + std::to_string(percent) + " %");
       }
     }
   }

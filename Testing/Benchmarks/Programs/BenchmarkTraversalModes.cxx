@@ -24,7 +24,7 @@ namespace
 std::vector<Contender> makeContenders(const SceneObjects& objects)
 {
   const auto contender = [&](const char* name, TraversalMode mode) -> Contender {
-    return { name, makeOurCaster(makeScene(objects, mode), simdChoices().front().level), 0 };
+    return { name, makeOurCaster(makeScene(objects, mode), SimdLevel::Avx512), 0 };
   };
   return { contender("one tree", TraversalMode::OneTree),
     contender("sequential", TraversalMode::Sequential),

@@ -5,7 +5,7 @@ import matplotlib
 matplotlib.use("Agg")  # no display
 from matplotlib import pyplot
 
-from results import distinct, quantities_of, rows_of
+from results import distinct
 
 
 def write(figure, axes, path):
@@ -17,10 +17,10 @@ def write(figure, axes, path):
 def bars(results, title, path):
     """The medians: a group of bars for each quantity, a colour for each row except that which is the
     unit of the others, so 1 everywhere."""
-    groups = quantities_of(results)
-    heights = {row: [results[row, group].median if (row, group) in results else 0 for group in groups]
-               for row in rows_of(results)}
-    series = {row: values for row, values in heights.items() if set(values) != {1}}
+    groups = distinct(quantity for _, quantity in results)
+    series = {row: [results[row, group].median if (row, group) in results else 0 for group in groups]
+              for row, _ in results}
+    series = {row: values for row, values in series.items() if set(values) != {1}}
     figure, axes = pyplot.subplots(figsize=(12, 5.2), layout="constrained")
     width = 0.8 / len(series)
     for i, (row, values) in enumerate(series.items()):
@@ -37,10 +37,11 @@ def lines(results, bottom, left, path):
     one; those with the same text before their first comma have the same colour."""
     figure, axes = pyplot.subplots(figsize=(12, 5.2), layout="constrained")
     x, y = bottom.removeprefix("log "), left.removeprefix("log ")
-    names = distinct(row.rpartition(",")[0] for row in rows_of(results))
-    groups, kinds = (distinct(name.partition(",")[i] for name in names) for i in (0, 2))
-    for name in names:
-        rows = [row for row in rows_of(results) if row.rpartition(",")[0] == name]
+    rows_of = {}
+    for row in distinct(row for row, _ in results):
+        rows_of.setdefault(row.rpartition(",")[0], []).append(row)
+    groups, kinds = (distinct(name.partition(",")[i] for name in rows_of) for i in (0, 2))
+    for name, rows in rows_of.items():
         group, _, kind = name.partition(",")
         mark = "DsPX"[kinds.index(kind) % 4]
         style = {"marker": "o"} if len(rows) > 1 else {"marker": mark, "linestyle": "", "markersize": 12}

@@ -13,7 +13,7 @@ A line of the template with nothing else is replaced if it is one of these:
 and these within a text, which is then wrapped anew:
 
     {{value NAME | ROW | QUANTITY}}      the median
-    {{scenes NAME | ROW | QUANTITY}}     the medians of all rows "SCENE, ROW", one for each scene
+    {{scenes NAME | ROW | QUANTITY}}     the medians of the rows "SCENE, ROW" of all scenes
 """
 
 import os
@@ -51,10 +51,11 @@ class Page:
             return "(Not measured in this run.)"
         return results.table(self.tables[name]).rstrip()
 
-    def picture(self, draw, name, title, *texts):
+    def picture(self, draw, name, *titles):
         if name not in self.tables:
             return ""
-        draw(self.tables[name], *texts, self.pictures / f"{name}.png")
+        draw(self.tables[name], *titles, self.pictures / f"{name}.png")
+        title = " over ".join(reversed(titles)).replace("log ", "")
         return f"![{title}]({self.pictures.name}/{name}.png)"
 
     def figure(self, kind, name, title):
@@ -63,37 +64,36 @@ class Page:
         if kind == "table":
             return self.table(name)
         if kind == "chart":
-            return self.picture(charts.bars, name, title, title)
+            return self.picture(charts.bars, name, title)
         if kind == "lines":
-            x, y = title.split(" | ")
-            return self.picture(charts.lines, name, f"{y} over {x}".replace("log ", ""), x, y)
+            return self.picture(charts.lines, name, *title.split(" | "))
         if kind == "further":
-            return "\n\n".join(f"## {name}\n\n{self.table(name)}"
-                               for name in self.tables if name not in self.named)
+            names = [name for name in self.tables if name not in self.named]
+            return "\n\n".join(f"## {name}\n\n{self.table(name)}" for name in names)
         raise KeyError(f"no such placeholder: {kind}")
 
     def medians(self, match):
         kind, name, row, quantity = match.groups()
         found = [result for (one, what), result in self.tables.get(name, {}).items()
-                 if what == quantity and (one == row or kind == "scenes" and one.endswith(", " + row))]
+                 if what == quantity and row == (one if kind == "value" else one.partition(", ")[2])]
         if not found:
             raise KeyError(f"no result {name} | {row} | {quantity}")
-        medians = [results.number(result.median) for result in found]
-        return " and ".join(filter(None, [", ".join(medians[:-1]), medians[-1]]))
+        *first, last = [results.number(result.median) for result in found]
+        return f"{', '.join(first)} and {last}" if first else last
 
     def block(self, text):
         """A paragraph, an item of a list, or a figure."""
-        figure = re.fullmatch(r"\{\{(\w+) ?([^:}]*)(?:: (.*))?\}\}", text)
-        if figure and figure[1] not in ("value", "scenes"):
+        figure = re.fullmatch(r"\{\{(\w+) ?([^:|}]*)(?:: (.*))?\}\}", text)
+        if figure:
             return self.figure(*figure.groups())
-        # Spaces that may be lines' ends: a long placeholder is wrapped like other text.
-        filled, count = re.subn(r"\{\{(value|scenes)\s+(\w+)\s+\|\s+([^|]*)\s\|\s+([^}]*)\}\}",
-                                self.medians, text)
+        filled, count = re.subn(r"\{\{(value|scenes) (\w+) \| ([^|]*?) ?\| ([^}]*)\}\}", self.medians,
+                                " ".join(text.split()))
         if count == 0:
             return text
         together = filled.replace(" %", "\0%")  # no line begins with a unit
-        return textwrap.fill(" ".join(together.split()), 100, break_on_hyphens=False,
-                             subsequent_indent="  " if text.startswith("* ") else "").replace("\0", " ")
+        indent = "  " if text.startswith("* ") else ""
+        return textwrap.fill(together, 100, subsequent_indent=indent,
+                             break_on_hyphens=False).replace("\0", " ")
 
 
 def main(template, page, versions, *measurements):
@@ -101,8 +101,11 @@ def main(template, page, versions, *measurements):
     pictures = page.parent / "pictures"
     pictures.mkdir(exist_ok=True)
     filler = Page(results.read(measurements), pathlib.Path(versions).read_text(), pictures)
-    parts = re.split(r"(\n\n|\n(?=\* ))", pathlib.Path(template).read_text().strip())
-    page.write_text("".join(map(filler.block, parts)) + "\n")
+    parts = re.split(r"(\n\n|\n(?=\* ))", pathlib.Path(template).read_text(encoding="utf-8").strip())
+    text = "".join(map(filler.block, parts))
+    if "{{" in text:
+        raise KeyError(f"not understood: {text[text.index('{{'):][:80]}")
+    page.write_text(text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -22,16 +22,22 @@ class Result:
     def range(self):
         return f"{number(min(self.values))} .. {number(max(self.values))}"
 
-    def goal(self, limit):
-        sign = "<=" if self.aim < self.bar else ">="
-        return "" if math.isnan(limit) else f"{sign} {number(limit)}"
+    def short(self):
+        """The median and half the range in percent; the range itself where the median is 0."""
+        extent = max(self.values) - min(self.values)
+        if self.median == 0 and extent > 0:
+            return self.range()
+        return number(self.median) + (f" ±{50 * extent / self.median:.0f}%" if extent > 0 else "")
 
-    def reached(self):
+    def long(self):
+        """Median, range, bar, aim, and which of the two is reached."""
         if math.isnan(self.bar):
-            return ""
-        sign = -1 if self.aim < self.bar else 1
-        reaches = lambda limit: sign * self.median >= sign * limit
-        return "aim" if reaches(self.aim) else "bar" if reaches(self.bar) else "no"
+            return [number(self.median), self.range(), "", "", ""]
+        sign, text = (-1, "<=") if self.aim < self.bar else (1, ">=")
+        reached = [name for name, limit in (("aim", self.aim), ("bar", self.bar))
+                   if sign * self.median >= sign * limit]
+        return [number(self.median), self.range(), f"{text} {number(self.bar)}",
+                f"{text} {number(self.aim)}", (reached + ["no"])[0]]
 
 
 def number(value):
@@ -44,10 +50,10 @@ def read(paths):
     tables = {}
     for path in paths:
         with open(path, newline="", encoding="utf-8") as file:
-            for table, row, quantity, *numbers in csv.reader(file):
-                value, bar, aim = map(float, numbers)
+            for table, row, quantity, value, bar, aim in csv.reader(file):
                 results = tables.setdefault(table, {})
-                results.setdefault((row, quantity), Result(bar, aim)).values.append(value)
+                result = results.setdefault((row, quantity), Result(float(bar), float(aim)))
+                result.values.append(float(value))
     return tables
 
 
@@ -56,40 +62,20 @@ def distinct(values):
     return list(dict.fromkeys(values))
 
 
-def rows_of(results):
-    return distinct(row for row, _ in results)
-
-
-def quantities_of(results):
-    return distinct(quantity for _, quantity in results)
-
-
-def cell(result):
-    """The median and half the range in percent; the range itself where the median is 0."""
-    if result is None:
-        return ""
-    if result.median == 0 and max(result.values) > 0:
-        return result.range()
-    extent = max(result.values) - min(result.values)
-    return number(result.median) + (f" ±{50 * extent / result.median:.0f}%" if extent > 0 else "")
-
-
-def markdown(heading, rows):
-    lines = [f"| {' | '.join(line)} |\n" for line in [heading] + rows]
-    return "".join([lines[0], "|---" * len(heading) + "|\n"] + lines[1:])
-
-
 def table(results):
     """As Markdown: a line for each result with its range and goal; or, when none has a goal and there
     are several quantities, rows by quantities."""
-    quantities = quantities_of(results)
+    quantities = distinct(quantity for _, quantity in results)
     if len(quantities) > 1 and all(math.isnan(result.bar) for result in results.values()):
-        return markdown([""] + quantities,
-                        [[row] + [cell(results.get((row, quantity))) for quantity in quantities]
-                         for row in rows_of(results)])
-    return markdown(["", "quantity", "median", "range", "bar", "aim", "reached"],
-                    [[row, quantity, number(one.median), one.range(), one.goal(one.bar),
-                      one.goal(one.aim), one.reached()] for (row, quantity), one in results.items()])
+        lines = [["", *quantities]]
+        for row in distinct(row for row, _ in results):
+            lines.append([row, *(results[row, quantity].short() if (row, quantity) in results else ""
+                                 for quantity in quantities)])
+    else:
+        lines = [["", "quantity", "median", "range", "bar", "aim", "reached"]]
+        lines += [[*names, *result.long()] for names, result in results.items()]
+    lines.insert(1, ["---"] * len(lines[0]))
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 if __name__ == "__main__":

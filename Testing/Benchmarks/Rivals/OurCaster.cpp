@@ -1,22 +1,6 @@
 #include "Rivals/OurCaster.h"
 
-#include <algorithm>
-
 using namespace irradiance;
-
-std::vector<SimdChoice> simdChoices()
-{
-  limitSimd(SimdLevel::Avx512);
-  std::vector<SimdChoice> choices = { { ", plain", SimdLevel::Plain },
-    { ", AVX2", SimdLevel::Avx2 }, { ", AVX-512", SimdLevel::Avx512 } };
-  while (choices.back().level > simdLevel())
-  {
-    choices.pop_back();
-  }
-  choices.back().name.clear();
-  std::reverse(choices.begin(), choices.end());
-  return choices;
-}
 
 std::vector<PlacedObject> placedObjects(const SceneObjects& objects)
 {

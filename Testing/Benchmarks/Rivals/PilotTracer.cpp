@@ -14,11 +14,6 @@ using namespace irradiance;
 namespace
 {
 
-std::uint32_t stratumOf(double sample, int bits)
-{
-  return static_cast<std::uint32_t>(std::ldexp(sample, bits));
-}
-
 /// Fowler, Noll and Vo's hash, of words.
 template <class Value>
 void mixIn(std::uint64_t& hash, Value value)
@@ -80,9 +75,12 @@ PilotTracer::Walks PilotTracer::allWalks() const
 
 std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
 {
-  const double emitter = samples_.sample(walk, 0, SampleUse::Emitter)[0];
+  const auto stratumOf = [](double sample, int bits) {
+    return static_cast<std::uint32_t>(std::ldexp(sample, bits));
+  };
   const std::array<double, 2> direction = samples_.sample(walk, 0, SampleUse::Direction);
-  std::uint32_t group = stratumOf(emitter, strata_.emitterBits);
+  std::uint32_t group =
+    stratumOf(samples_.sample(walk, 0, SampleUse::Emitter)[0], strata_.emitterBits);
   for (const double coordinate : direction)
   {
     group = group << strata_.directionBits | stratumOf(coordinate, strata_.directionBits);
@@ -137,7 +135,7 @@ std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effor
   const std::vector<std::uint64_t> old = signaturesOf(pilots);
   shoot(pilots);
   std::size_t shot = pilots.size();
-  const std::vector<FlaggedGroup> flagged = flag(pilots, old);
+  const std::vector<std::size_t> flagged = flag(pilots, old);
   // With all the time in the world the order of groups is of no use, and that of memory is faster.
   const std::size_t together = std::isinf(effort.seconds) ? groups_.size() : 64;
   for (std::size_t first = 0; first < flagged.size() && threadCpuSeconds() - start < effort.seconds;
@@ -146,7 +144,7 @@ std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effor
     Walks walks;
     for (std::size_t i = first; i < std::min(first + together, flagged.size()); ++i)
     {
-      const Walks& group = groups_[flagged[i].group];
+      const Walks& group = groups_[flagged[i]];
       std::copy_if(group.begin(), group.end(), std::back_inserter(walks),
         [&](std::uint32_t walk) { return !isPilot[walk]; });
     }
@@ -157,27 +155,27 @@ std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effor
   return shot;
 }
 
-std::vector<PilotTracer::FlaggedGroup> PilotTracer::flag(
+std::vector<std::size_t> PilotTracer::flag(
   const Walks& pilots, const std::vector<std::uint64_t>& old) const
 {
   const std::vector<std::uint64_t> now = signaturesOf(pilots);
-  std::vector<double> found(groups_.size()), all(groups_.size());
+  std::vector<double> changed(groups_.size()), all(groups_.size());
   for (std::size_t i = 0; i < pilots.size(); ++i)
   {
     const std::uint32_t group = groupOfWalk_[pilots[i]];
     all[group] += 1;
-    found[group] += now[i] != old[i] ? 1 : 0;
+    changed[group] += now[i] != old[i] ? 1 : 0;
   }
-  std::vector<FlaggedGroup> flagged;
+  std::vector<std::size_t> flagged;
   for (std::size_t group = 0; group < groups_.size(); ++group)
   {
-    if (found[group] > 0)
+    if (changed[group] > 0)
     {
-      flagged.push_back({ found[group] / all[group], group });
+      flagged.push_back(group);
     }
   }
   std::stable_sort(flagged.begin(), flagged.end(),
-    [](const FlaggedGroup& a, const FlaggedGroup& b) { return a.changed > b.changed; });
+    [&](std::size_t a, std::size_t b) { return changed[a] / all[a] > changed[b] / all[b]; });
   return flagged;
 }
 

@@ -15,12 +15,7 @@
  * others are taken to be valid. All but this choice is the engine's: the walks, their history, the
  * rays, the sums.
  *
- * Simplified: (1) Groups are strata of the samples that walks start with. In the paper these are the
- * photons whose numbers in Halton's sequence differ by multiples of a period, which fall into the same
- * strata; our sequence shuffles its numbers. (2) A pilot is compared with its stored walk, and an old
- * walk is taken back as it was stored; the paper, which stores none, traces corrective photons in the
- * old scene as well, so that it pays twice. (3) Other walks become pilots in the next frame, so that
- * what was missed may be found later, instead of the paper's slow refreshing of all photons.
+ * In which way it is simplified, Report/SpeedAndAccuracy.md.in says.
  */
 class PilotTracer
 {
@@ -50,11 +45,6 @@ public:
 
 private:
   using Walks = std::vector<std::uint32_t>;
-  struct FlaggedGroup
-  {
-    double changed; ///< share of its pilots
-    std::size_t group;
-  };
 
   void commit(const irradiance::SceneObjects& objects);
   Walks allWalks() const;
@@ -62,8 +52,8 @@ private:
   /// In place of what is stored of them.
   void shoot(const Walks& walks);
   std::vector<std::uint64_t> signaturesOf(const Walks& walks) const;
-  /// The groups that differ from these old signatures of the pilots.
-  std::vector<FlaggedGroup> flag(const Walks& pilots, const std::vector<std::uint64_t>& old) const;
+  /// The groups with pilots that differ from these old signatures, those with the most first.
+  std::vector<std::size_t> flag(const Walks& pilots, const std::vector<std::uint64_t>& old) const;
   std::uint64_t signatureOf(std::uint32_t walk) const;
 
   irradiance::WalkPlan plan_;

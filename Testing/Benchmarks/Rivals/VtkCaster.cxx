@@ -29,11 +29,6 @@ vtkSmartPointer<vtkPolyData> makePolyData(const TriangleMesh& mesh)
   return polyData;
 }
 
-struct Segment
-{
-  Vector3 from, to;
-};
-
 }
 
 Caster makeVtkCaster(const TriangleMesh& mesh)
@@ -44,23 +39,18 @@ Caster makeVtkCaster(const TriangleMesh& mesh)
   // From any place in the scene, everything is closer.
   const double length = 2 * mesh.bounds().extent().norm();
   return [locator, length](const std::vector<Ray>& rays) -> Cast {
-    std::vector<Segment> segments;
-    for (const Ray& ray : rays)
-    {
-      segments.push_back({ ray.origin, ray.origin + length * ray.direction });
-    }
-    return [locator, length, segments](std::vector<Hit>& hits) {
+    return [locator, length, rays](std::vector<Hit>& hits) {
       vtkNew<vtkGenericCell> cell;
-      std::transform(
-        segments.begin(), segments.end(), hits.begin(), [&](const Segment& segment) -> Hit {
-          constexpr double kTolerance = 0;
-          double t, point[3], parametric[3];
-          int part;
-          vtkIdType id;
-          const bool isHit = locator->IntersectWithLine(segment.from.data(), segment.to.data(),
-            kTolerance, t, point, parametric, part, id, cell);
-          return isHit ? Hit{ t * length, { 0, static_cast<std::uint32_t>(id) } } : Hit{};
-        });
+      std::transform(rays.begin(), rays.end(), hits.begin(), [&](const Ray& ray) -> Hit {
+        constexpr double kTolerance = 0;
+        const Vector3 end = ray.origin + length * ray.direction;
+        double t, point[3], parametric[3];
+        int part;
+        vtkIdType id;
+        const bool isHit = locator->IntersectWithLine(
+          ray.origin.data(), end.data(), kTolerance, t, point, parametric, part, id, cell);
+        return isHit ? Hit{ t * length, { 0, static_cast<std::uint32_t>(id) } } : Hit{};
+      });
     };
   };
 }
