@@ -11,9 +11,9 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 
+#include <algorithm>
 #include <cmath>
 #include <list>
-#include <map>
 
 using namespace irradiance;
 
@@ -58,16 +58,16 @@ struct Case
     }
   }
 
-  /// Seconds of the verification.
-  double verify(const EngineSettings& settings)
+  void verify(const EngineSettings& settings)
   {
-    return timeUpdate(engine, objects, settings).verification;
+    seconds = timeUpdate(engine, objects, settings).verification;
   }
 
   std::string name;
   SceneObjects objects;
   std::vector<Vector3> places; ///< of the small balls
   IrradianceEngine engine;
+  double seconds; ///< of the verification of this frame
 };
 
 using Cases = std::list<Case>; // an engine stays where it is
@@ -108,18 +108,17 @@ void addManyCase(Cases& cases, std::size_t count, const EngineSettings& settings
   one.verify(settings);
 }
 
-/// Reports the seconds of all cases in each frame. The first frame warms up and is checked.
+/// Calls `reportFrame` for each case in each frame. The first frame warms up and is checked.
 template <class ReportFrame>
 void follow(
   Cases& cases, const EngineSettings& settings, int frames, const ReportFrame& reportFrame)
 {
   for (int frame = 0; frame <= frames; ++frame)
   {
-    std::map<const Case*, double> seconds;
     for (Case& one : cases)
     {
       one.move(frame + 1);
-      seconds[&one] = one.verify(settings);
+      one.verify(settings);
       if (frame == 0)
       {
         IrradianceEngine fresh;
@@ -127,12 +126,9 @@ void follow(
         requireEqualAnswers(one.engine, fresh, one.objects);
       }
     }
-    for (const Case& one : cases)
+    if (frame > 0)
     {
-      if (frame > 0)
-      {
-        reportFrame(one, seconds);
-      }
+      std::for_each(cases.begin(), cases.end(), reportFrame);
     }
   }
 }
@@ -150,11 +146,11 @@ void timeFarThings(const EngineSettings& settings, int frames)
   addFarCase(cases, "point light 100 km away", settings, 100 * away, kLamp, { rest });
   addFarCase(cases, "lamp 1 km away", settings, light, kKilometre, { rest });
   addFarCase(cases, "lamp 100 km away", settings, light, 100 * kKilometre, { rest });
-  follow(cases, settings, frames, [&](const Case& one, auto& seconds) {
+  follow(cases, settings, frames, [&](const Case& one) {
     const auto segments = static_cast<double>(one.engine.balance().segments);
-    report("FarThings", one.name, "ms", 1e3 * seconds[&one]);
-    report("FarThings", one.name, "ns a segment", 1e9 * seconds[&one] / segments);
-    report("FarThings", one.name, "time / all near", seconds[&one] / seconds[&cases.front()]);
+    report("FarThings", one.name, "ms", 1e3 * one.seconds);
+    report("FarThings", one.name, "ns a segment", 1e9 * one.seconds / segments);
+    report("FarThings", one.name, "time / all near", one.seconds / cases.front().seconds);
   });
 }
 
@@ -166,11 +162,11 @@ void timeManyThings(const EngineSettings& settings, int frames)
     addManyCase(cases, count, settings);
   }
   const Case& eight = *std::next(cases.begin());
-  follow(cases, settings, frames, [&](const Case& one, auto& seconds) {
+  follow(cases, settings, frames, [&](const Case& one) {
     const auto each = [&](const Case& any) {
-      return seconds[&any] / static_cast<double>(any.places.size());
+      return any.seconds / static_cast<double>(any.places.size());
     };
-    report("ManyThings", one.name, "ms", 1e3 * seconds[&one]);
+    report("ManyThings", one.name, "ms", 1e3 * one.seconds);
     report("ManyThings", one.name, "ms each", 1e3 * each(one));
     report("ManyThings", one.name, "each / each of 8", each(one) / each(eight));
   });

@@ -28,8 +28,6 @@ const std::string kTable = "MovingTeapot";
 const std::string kShooting = "first shooting";
 const std::string kOverShooting = "time / first shooting";
 
-constexpr std::size_t kForms = std::size(kEmbreeForms);
-
 /// Power received by the teapot, the last object, as a part of that received by all.
 double teapotsShare(const CellSums& sums, const SceneObjects& objects)
 {
@@ -55,17 +53,17 @@ void compareAnswers(const IrradianceEngine& engine, const SceneObjects& objects,
 }
 
 /// Of each form, after its answer was compared with the engine's.
-std::array<double, kForms> timeEmbree(
+std::vector<double> timeEmbree(
   const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
 {
   const EmbreeShooter embree(objects, settings.numberOfWalks, settings.seed);
-  std::array<double, kForms> seconds{};
-  for (std::size_t form = 0; form < kForms; ++form)
+  std::vector<double> seconds;
+  for (const EmbreeForm& form : kEmbreeForms)
   {
     CellSums sums(objects, 1);
     const double start = threadCpuSeconds();
-    const std::int64_t segments = (embree.*kEmbreeForms[form].shoot)(sums);
-    seconds[form] = threadCpuSeconds() - start;
+    const std::int64_t segments = (embree.*form.shoot)(sums);
+    seconds.push_back(threadCpuSeconds() - start);
     compareAnswers(engine, objects, segments, sums);
   }
   return seconds;
@@ -80,44 +78,42 @@ double timeUnchanged(
     timeInTurns({ [&] { engine.update(objects, settings, serial); } }, kRepetitions)[0]);
 }
 
-/// What shooting costs beside Embree's, and what else is measured before anything moves.
-void reportStart(IrradianceEngine& engine, const SceneObjects& objects,
-  const EngineSettings& settings, double shooting, const std::array<double, kForms>& embree,
-  double fastest)
+/// What the first shooting costs, beside Embree's (`embree`: for each form), and its history.
+void reportShooting(
+  const IrradianceEngine& engine, double shooting, const std::vector<double>& embree)
 {
   const auto segments = static_cast<double>(engine.balance().segments);
-  report(kTable, kShooting, "speed / Embree's fastest way", fastest / shooting, { 0.85, 1.2 });
+  report(kTable, kShooting, "speed / Embree's fastest way",
+    *std::min_element(embree.begin(), embree.end()) / shooting, { 0.85, 1.2 });
   report("MovingTeapotSegments", kShooting, "ns", 1e9 * shooting / segments);
-  for (std::size_t form = 0; form < kForms; ++form)
+  for (std::size_t i = 0; i < embree.size(); ++i)
   {
-    const std::string name = kEmbreeForms[form].name;
-    report(kTable, kShooting, "speed / " + name, embree[form] / shooting);
-    report("MovingTeapotSegments", "Embree, " + name, "ns", 1e9 * embree[form] / segments);
+    const std::string name = kEmbreeForms[i].name;
+    report(kTable, kShooting, "speed / " + name, embree[i] / shooting);
+    report("MovingTeapotSegments", "Embree, " + name, "ns", 1e9 * embree[i] / segments);
   }
   report(kTable, "history", "bytes a hit",
     static_cast<double>(engine.statistics().historyBytes) / segments, { 56, 40 });
-  report(kTable, "frame in which nothing moved", kOverShooting,
-    timeUnchanged(engine, objects, settings) / shooting, { 0.0001, 0 });
 }
 
 /// A new engine from the first shooting on, beside Embree's shooting. Of a small teapot what a frame
 /// costs beside that is reported alone.
-void timeRound(
-  const MovingTeapotScene& scene, const EngineSettings& settings, int frames, bool isSmall)
+void timeRound(const MovingScene& scene, const EngineSettings& settings, int frames, bool isSmall)
 {
   const std::string which = isSmall ? ", small teapot" : "";
-  const SceneObjects objects = scene.objectsAt(0);
+  const SceneObjects objects = scene.at(0);
   IrradianceEngine engine;
   const double shooting = timeUpdate(engine, objects, settings).whole;
-  const std::array<double, kForms> embree = timeEmbree(engine, objects, settings);
-  const double fastest = *std::min_element(embree.begin(), embree.end());
+  const std::vector<double> embree = timeEmbree(engine, objects, settings);
   if (!isSmall)
   {
-    reportStart(engine, objects, settings, shooting, embree, fastest);
+    reportShooting(engine, shooting, embree);
+    report(kTable, "frame in which nothing moved", kOverShooting,
+      timeUnchanged(engine, objects, settings) / shooting, { 0.0001, 0 });
   }
   for (int frame = 1; frame <= frames; ++frame)
   {
-    const UpdateTime time = timeUpdate(engine, scene.objectsInFrame(frame), settings);
+    const UpdateTime time = timeUpdate(engine, scene.inFrame(frame), settings);
     if (!isSmall)
     {
       report(kTable, "verification (paper: 0.14)", kOverShooting, time.verification / shooting,
@@ -126,7 +122,8 @@ void timeRound(
       report(kTable, "verification and repair (paper: 0.17)", kOverShooting, time.whole / shooting);
     }
     report(kTable, "re-shooting in Embree's fastest way" + (isSmall ? which : " (paper: 5.9)"),
-      "time / verification and repair", fastest / time.whole,
+      "time / verification and repair",
+      *std::min_element(embree.begin(), embree.end()) / time.whole,
       isSmall ? Goal{ 25, 45 } : Goal{ 12, 25 });
     report(kTable, "walks that change in a frame" + which, "share of all walks",
       static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks);
@@ -135,7 +132,7 @@ void timeRound(
 
 /// The teapot swings over the head and back with the same step in every frame, so that what it hides
 /// in one frame it sets free in another.
-void timeCache(const MovingTeapotScene& scene, const EngineSettings& settings, int frames)
+void timeCache(const MovingScene& scene, const EngineSettings& settings, int frames)
 {
   constexpr int kSwing = 5;         // frames in one direction
   constexpr int kFill = 2 * kSwing; // the cache begins empty
@@ -146,7 +143,7 @@ void timeCache(const MovingTeapotScene& scene, const EngineSettings& settings, i
   for (int frame = 0; frame <= kFill + frames; ++frame)
   {
     const int phase = kSwing - std::abs(kSwing - frame % (2 * kSwing));
-    const SceneObjects objects = scene.objectsAt(0.4 + MovingTeapotScene::kFrame * phase);
+    const SceneObjects objects = scene.at(0.4 + MovingScene::kFrame * phase);
     const UpdateTime cached = timeUpdate(engine, objects, settings);
     const UpdateTime uncached = timeUpdate(plain, objects, without);
     requireEqualAnswers(engine, plain, objects);
@@ -163,8 +160,7 @@ void timeCache(const MovingTeapotScene& scene, const EngineSettings& settings, i
 }
 
 /// The same updates with one thread and with two, in turns, by the clock on the wall.
-void timeThreads(
-  const MovingTeapotScene& scene, const EngineSettings& settings, int rounds, int frames)
+void timeThreads(const MovingScene& scene, const EngineSettings& settings, int rounds, int frames)
 {
   Execution one;
   test::ThreadExecution two(2);
@@ -173,7 +169,7 @@ void timeThreads(
     IrradianceEngine alone, together;
     for (int frame = 0; frame <= frames; ++frame)
     {
-      const SceneObjects objects = scene.objectsInFrame(frame);
+      const SceneObjects objects = scene.inFrame(frame);
       const double slow = timeUpdate(alone, objects, settings, one).whole;
       const double fast = timeUpdate(together, objects, settings, two).whole;
       const std::string phase = frame == 0 ? kShooting : "verification and repair";
@@ -193,7 +189,7 @@ void run(const Arguments& arguments)
   const int frames = arguments.number(2, 59);
   const std::string head = arguments.text(3, VTKIRRADIANCE_HEAD);
   flushDenormals();
-  const MovingTeapotScene scene(head), small(head, kSmallTeapot);
+  const MovingScene scene = makeMovingTeapot(head), small = makeMovingTeapot(head, kSmallTeapot);
   for (const bool isSmall : { false, true })
   {
     for (int round = 0; round < rounds; ++round)

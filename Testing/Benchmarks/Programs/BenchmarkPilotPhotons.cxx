@@ -22,6 +22,7 @@ namespace
 {
 
 constexpr std::uint64_t kSeed = 1;
+constexpr double kUnlimited = std::numeric_limits<double>::infinity(); // s
 
 struct Frame
 {
@@ -41,7 +42,7 @@ std::vector<Frame> framesOf(const TradeScene& scene, PilotTracer& fresh, int cou
   std::vector<Frame> frames;
   for (int frame = 0; frame <= count; ++frame)
   {
-    const SceneObjects objects = scene.at(0.4 + frame / 60.0);
+    const SceneObjects objects = scene.at(0.4 + frame * MovingScene::kFrame);
     fresh.shootAll(objects);
     frames.push_back({ { objects, receivedBy(fresh, objects) }, fresh.signatures() });
   }
@@ -118,7 +119,7 @@ void measurePilots(const TradeScene& scene, const std::vector<Frame>& frames, do
     const Truth& truth = frames[frame].truth;
     const double before = staleOf(tracer, frames[frame]);
     const double start = threadCpuSeconds();
-    const std::size_t shot = tracer.update(truth.objects, { pilots, seconds[frame - 1] });
+    const std::size_t shot = tracer.update(truth.objects, pilots, seconds[frame - 1]);
     const double time = threadCpuSeconds() - start;
     const double missed = before == 0 ? 0 : 100 * staleOf(tracer, frames[frame]) / before;
     reportFrame(scene.name + ", " + row,
@@ -133,7 +134,7 @@ void checkPilots(const TradeScene& scene, const std::vector<Frame>& frames)
 {
   PilotTracer tracer(frames[0].truth.objects,
     static_cast<std::uint32_t>(frames[0].signatures.size()), kSeed, scene.strata);
-  tracer.update(frames[1].truth.objects, { 1 });
+  tracer.update(frames[1].truth.objects, 1, kUnlimited);
   frames[1].truth.require(
     receivedBy(tracer, frames[1].truth.objects), scene.name + ": pilots alone");
   if (staleOf(tracer, frames[1]) > 0)
@@ -155,7 +156,7 @@ void run(const Arguments& arguments)
     const std::vector<Frame> frames = framesOf(scene, fresh, count);
     checkPilots(scene, frames);
     const std::vector<double> seconds = measureVerification(scene, frames, fresh);
-    const std::vector<double> unlimited(frames.size(), std::numeric_limits<double>::infinity());
+    const std::vector<double> unlimited(frames.size(), kUnlimited);
     for (const int part : { 64, 32, 16, 8, 4, 2 })
     {
       const std::string row = "pilots, 1/" + std::to_string(part);

@@ -41,15 +41,11 @@ std::vector<SimdChoice> simdChoices()
 {
   limitSimd(SimdLevel::Avx512);
   const SimdLevel best = simdLevel();
-  std::vector<SimdChoice> choices = { { "", best } };
-  for (const SimdChoice& lower :
-    { SimdChoice{ ", AVX2", SimdLevel::Avx2 }, SimdChoice{ ", plain", SimdLevel::Plain } })
-  {
-    if (lower.level < best)
-    {
-      choices.push_back(lower);
-    }
-  }
+  std::vector<SimdChoice> choices = { { "", best }, { ", AVX2", SimdLevel::Avx2 },
+    { ", plain", SimdLevel::Plain } };
+  choices.erase(std::remove_if(choices.begin() + 1, choices.end(),
+                  [&](const SimdChoice& choice) { return choice.level >= best; }),
+    choices.end());
   return choices;
 }
 

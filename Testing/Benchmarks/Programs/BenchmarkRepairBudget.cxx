@@ -24,16 +24,16 @@ const char* const kTable = "RepairBudget";
 const char* const kInParts = "time with the rest / repair at once";
 
 /// `part`: the budget as a part of the time of the full repair; 1: endless.
-void timeBudget(const MovingTeapotScene& scene, const EngineSettings& settings, int frames,
-  double part, Execution& execution, const std::string& row)
+void timeBudget(const MovingScene& scene, const EngineSettings& settings, int frames, double part,
+  Execution& execution, const std::string& row)
 {
   IrradianceEngine full, timed;
-  full.update(scene.objectsAt(0), settings, execution);
-  timed.update(scene.objectsAt(0), settings, execution);
+  full.update(scene.at(0), settings, execution);
+  timed.update(scene.at(0), settings, execution);
   double kept = 0;
   for (int frame = 1; frame <= frames; ++frame)
   {
-    const SceneObjects objects = scene.objectsInFrame(frame);
+    const SceneObjects objects = scene.inFrame(frame);
     const double whole = timeUpdate(full, objects, settings, execution).repair;
     const double budget = part * whole;
     EngineSettings own = settings;
@@ -60,7 +60,7 @@ void timeBudget(const MovingTeapotScene& scene, const EngineSettings& settings, 
   }
 }
 
-void timeBudgets(const MovingTeapotScene& scene, const EngineSettings& settings, int frames,
+void timeBudgets(const MovingScene& scene, const EngineSettings& settings, int frames,
   Execution& execution, const std::string& threads)
 {
   for (const int percent : { 10, 50 })
@@ -78,7 +78,7 @@ void run(const Arguments& arguments)
   EngineSettings settings;
   settings.numberOfWalks = arguments.number(0, 1000000u);
   const int frames = arguments.number(1, 59);
-  const MovingTeapotScene scene(arguments.text(2, VTKIRRADIANCE_HEAD));
+  const MovingScene scene = makeMovingTeapot(arguments.text(2, VTKIRRADIANCE_HEAD));
   CpuTime one;
   test::ThreadExecution two(2);
   timeBudgets(scene, settings, frames, one, "one thread");

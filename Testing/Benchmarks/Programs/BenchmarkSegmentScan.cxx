@@ -30,11 +30,6 @@ const Box kRoom = { Vector3(-1.7, -1.1, 0), Vector3(1.7, 1.1, 2.4) };
 
 using Random = std::mt19937_64;
 
-std::uint32_t below(std::uint32_t limit, Random& random)
-{
-  return static_cast<std::uint32_t>(random() % limit);
-}
-
 Vector3 pointOnWall(std::uint32_t wall, Random& random)
 {
   std::uniform_real_distribution<double> unit;
@@ -52,15 +47,16 @@ Vector3 pointOnWall(std::uint32_t wall, Random& random)
 std::vector<WalkSegment> makeWalk(Random& random)
 {
   constexpr std::uint32_t kWalls = 6, kLongest = 7, kTriangles = 10000;
-  std::uint32_t wall = below(kWalls, random);
+  const auto below = [&](std::uint32_t limit) { return std::uint32_t(random() % limit); };
+  std::uint32_t wall = below(kWalls);
   Vector3 from = pointOnWall(wall, random);
-  std::vector<WalkSegment> walk(1 + below(kLongest, random));
+  std::vector<WalkSegment> walk(1 + below(kLongest));
   for (WalkSegment& segment : walk)
   {
-    wall = (wall + 1 + below(kWalls - 1, random)) % kWalls;
+    wall = (wall + 1 + below(kWalls - 1)) % kWalls;
     const Vector3 to = pointOnWall(wall, random);
     segment.ray = { from, (to - from).normalized(), {} };
-    segment.hit = { (to - from).norm(), { 0, below(kTriangles, random) }, {} };
+    segment.hit = { (to - from).norm(), { 0, below(kTriangles) }, {} };
     from = to;
   }
   return walk;
@@ -228,7 +224,7 @@ void run(const Arguments& arguments)
 {
   const double millions = arguments.number(0, 16.0);
   const int rounds = arguments.number(1, 7);
-  const SceneObjects objects = MovingTeapotScene("").objectsAt(0);
+  const SceneObjects objects = makeMovingTeapot("").at(0);
   for (const double part : { 16.0, 4.0, 1.0 })
   {
     timeScans(*objects.dynamic[0].body, millions / part, part == 1, rounds);

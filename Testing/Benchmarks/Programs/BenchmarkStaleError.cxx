@@ -36,7 +36,7 @@ std::vector<Frame> framesOf(
   std::vector<Frame> steps;
   for (int frame = 0; frame <= frames; ++frame)
   {
-    const SceneObjects objects = scene.at(first + frame / 60.0);
+    const SceneObjects objects = scene.at(first + frame * MovingScene::kFrame);
     const double repair = timeUpdate(engine, objects, settings).repair;
     steps.push_back({ { objects, irradianceOf(engine, objects) }, repair });
   }

@@ -13,10 +13,11 @@ EmbreeScene::EmbreeScene(const SceneObjects& objects)
 {
   for (std::uint32_t i = 1; i < objects.size(); ++i)
   {
-    parts_.push_back(makeScene(objects[i].body->mesh()));
-    rtcCommitScene(parts_.back());
+    const RTCScene part = makeScene(objects[i].body->mesh());
+    rtcCommitScene(part);
     const RTCGeometry instance = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, parts_.back());
+    rtcSetGeometryInstancedScene(instance, part);
+    rtcReleaseScene(part); // the instance keeps it
     Eigen::Matrix<float, 3, 4> pose;
     pose << objects[i].worldFromObject.linear.cast<float>(),
       objects[i].worldFromObject.translation.cast<float>();
@@ -31,10 +32,6 @@ EmbreeScene::EmbreeScene(const SceneObjects& objects)
 EmbreeScene::~EmbreeScene()
 {
   rtcReleaseScene(top_);
-  for (const RTCScene part : parts_)
-  {
-    rtcReleaseScene(part);
-  }
   rtcReleaseDevice(device_);
 }
 

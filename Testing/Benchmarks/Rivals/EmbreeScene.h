@@ -26,7 +26,6 @@ private:
 
   RTCDevice device_;
   RTCScene top_;
-  std::vector<RTCScene> parts_;
   float near_;
 };
 

@@ -2,22 +2,17 @@
 
 using namespace irradiance;
 
-std::vector<PlacedObject> placedObjects(const SceneObjects& objects)
+std::shared_ptr<const Scene> makeScene(const SceneObjects& objects, TraversalMode mode)
 {
   std::vector<PlacedObject> placed;
   for (const SceneObject& object : objects.dynamic)
   {
     placed.push_back({ object.body, object.worldFromObject, object.isLoose });
   }
-  return placed;
-}
-
-std::shared_ptr<const Scene> makeScene(const SceneObjects& objects, TraversalMode mode)
-{
   auto scene = std::make_shared<Scene>();
   scene->setTraversalMode(mode);
   scene->setStatic(objects.fixed.body);
-  scene->setDynamic(placedObjects(objects));
+  scene->setDynamic(placed);
   scene->commit({});
   return scene;
 }

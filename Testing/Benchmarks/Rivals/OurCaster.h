@@ -6,8 +6,6 @@
 #include "Scene/Scene.h"
 #include "Simd/SimdLevel.h"
 
-std::vector<irradiance::PlacedObject> placedObjects(const irradiance::SceneObjects& objects);
-
 /// The scene with its trees built, ready for casts.
 std::shared_ptr<const irradiance::Scene> makeScene(const irradiance::SceneObjects& objects,
   irradiance::TraversalMode mode = irradiance::TraversalMode::Parallel);

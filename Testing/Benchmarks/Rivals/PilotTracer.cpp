@@ -43,22 +43,14 @@ PilotTracer::PilotTracer(
   shootAll(objects);
 }
 
-void PilotTracer::commit(const SceneObjects& objects)
-{
-  objects_ = objects;
-  scene_.setStatic(objects.fixed.body);
-  scene_.setDynamic(placedObjects(objects));
-  scene_.setPointSources(emitters_.pointBounds());
-  scene_.commit(std::vector<bool>(objects.dynamic.size(), true));
-}
-
 void PilotTracer::shootAll(const SceneObjects& objects)
 {
-  commit(objects);
+  objects_ = objects;
+  scene_ = makeScene(objects);
   sums_ = CellSums(objects, 1);
   balance_ = {};
   history_.clear();
-  const UnitFrame frame(scene_.bounds());
+  const UnitFrame frame(scene_->bounds());
   for (std::size_t block = 0; block < plan_.rounds().back().endBlock; ++block)
   {
     history_.emplace_back(plan_.walksIn(block), objects.fixed.surface->bands, frame);
@@ -91,7 +83,7 @@ std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
 void PilotTracer::shoot(const Walks& walks)
 {
   constexpr std::size_t kTogether = 1024;
-  const WalkShooter shooter(scene_, objects_, emitters_, samples_);
+  const WalkShooter shooter(*scene_, objects_, emitters_, samples_);
   for (std::size_t first = 0; first < walks.size(); first += kTogether)
   {
     WalkBatch batch(shooter);
@@ -113,17 +105,18 @@ void PilotTracer::shoot(const Walks& walks)
   }
 }
 
-std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effort)
+std::size_t PilotTracer::update(const SceneObjects& objects, double share, double seconds)
 {
   const double start = threadCpuSeconds();
-  commit(objects);
+  objects_ = objects;
+  scene_ = makeScene(objects);
   // The pilots of a group are some of its walks in a row, from frame to frame the next ones.
   Walks pilots;
   std::vector<bool> isPilot(plan_.most());
   for (const Walks& group : groups_)
   {
     const auto count =
-      static_cast<std::size_t>(std::ceil(effort.pilots * static_cast<double>(group.size())));
+      static_cast<std::size_t>(std::ceil(share * static_cast<double>(group.size())));
     for (std::size_t i = 0; i < count; ++i)
     {
       pilots.push_back(group[(frame_ * count + i) % group.size()]);
@@ -137,8 +130,8 @@ std::size_t PilotTracer::update(const SceneObjects& objects, const Effort& effor
   std::size_t shot = pilots.size();
   const std::vector<std::size_t> flagged = flag(pilots, old);
   // With all the time in the world the order of groups is of no use, and that of memory is faster.
-  const std::size_t together = std::isinf(effort.seconds) ? groups_.size() : 64;
-  for (std::size_t first = 0; first < flagged.size() && threadCpuSeconds() - start < effort.seconds;
+  const std::size_t together = std::isinf(seconds) ? groups_.size() : 64;
+  for (std::size_t first = 0; first < flagged.size() && threadCpuSeconds() - start < seconds;
        first += together)
   {
     Walks walks;

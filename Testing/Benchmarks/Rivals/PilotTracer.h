@@ -6,8 +6,6 @@
 #include "Shooting/WalkShooter.h"
 #include "Tally/WalkTally.h"
 
-#include <limits>
-
 /**
  * The rival of verification: selective photon tracing (Dmitriev, Brabec, Myszkowski, Seidel 2002).
  * A part of the walks, the pilots, is shot again in every frame. Where one of a group of like walks
@@ -20,18 +18,12 @@
 class PilotTracer
 {
 public:
-  struct Effort
-  {
-    double pilots; ///< share of the walks
-    /// CPU time for a frame, at the end of which no further group is begun.
-    double seconds = std::numeric_limits<double>::infinity();
-  };
-
   PilotTracer(const irradiance::SceneObjects& objects, std::uint32_t walks, std::uint64_t seed,
     const StartStrata& strata);
 
-  /// Returns the number of walks that were shot.
-  std::size_t update(const irradiance::SceneObjects& objects, const Effort& effort);
+  /// Returns the number of walks that were shot. `pilots`: share of the walks. `seconds`: CPU time for
+  /// the frame, at the end of which no further group is begun.
+  std::size_t update(const irradiance::SceneObjects& objects, double pilots, double seconds);
   /// All walks anew.
   void shootAll(const irradiance::SceneObjects& objects);
 
@@ -46,7 +38,6 @@ public:
 private:
   using Walks = std::vector<std::uint32_t>;
 
-  void commit(const irradiance::SceneObjects& objects);
   Walks allWalks() const;
   std::uint32_t groupOf(std::uint32_t walk) const;
   /// In place of what is stored of them.
@@ -61,7 +52,7 @@ private:
   irradiance::SceneObjects objects_;
   irradiance::EmitterTable emitters_;
   irradiance::SobolSequence samples_;
-  irradiance::Scene scene_;
+  std::shared_ptr<const irradiance::Scene> scene_;
   irradiance::CellSums sums_;
   irradiance::PowerBalance balance_;
   std::vector<irradiance::WalkBlock> history_;

@@ -41,8 +41,7 @@ vtkSmartPointer<vtkPolyData> decimated(vtkPolyData* mesh, double kept)
 
 }
 
-MovingTeapotScene::MovingTeapotScene(const std::string& head, double scale, bool isCoarse)
-  : scale_(scale)
+MovingScene makeMovingTeapot(const std::string& head, double scale, bool isCoarse)
 {
   movingteapot::SceneConfig config;
   config.HeadFile = head;
@@ -59,12 +58,8 @@ MovingTeapotScene::MovingTeapotScene(const std::string& head, double scale, bool
     parts.Head = isCoarse ? decimated(parts.Head, kKept) : parts.Head;
     fixed.push_back(parts.Head);
   }
-  objects_ = { makeObject(fixed), { makeObject({ parts.Teapot }) } };
-}
-
-SceneObjects MovingTeapotScene::objectsAt(double time) const
-{
-  SceneObjects objects = objects_;
-  objects.dynamic[0].worldFromObject = poseAt(time, scale_);
-  return objects;
+  return { "teapot", { makeObject(fixed), { makeObject({ parts.Teapot }) } },
+    [scale](SceneObjects& objects, double time) {
+      objects.dynamic[0].worldFromObject = poseAt(time, scale);
+    } };
 }

@@ -2,7 +2,6 @@
 
 #include "../../PhotonWalks/TestScenes.h"
 #include "../../RayCasting/RandomVectors.h"
-#include "Scenes/MovingTeapotScene.h"
 
 #include <algorithm>
 
@@ -47,15 +46,6 @@ void changeAll(SceneObjects& objects, const Change& change)
   std::for_each(objects.dynamic.begin(), objects.dynamic.end(), change);
 }
 
-TradeScene makeTeapot(const std::string& head)
-{
-  const MovingTeapotScene scene(head, 1, true);
-  const auto place = [scene](SceneObjects& objects, double time) {
-    objects.dynamic[0].worldFromObject = scene.objectsAt(time).dynamic[0].worldFromObject;
-  };
-  return { "teapot", scene.objectsAt(0), place, { 4, 4 } };
-}
-
 /// Round the middle of a room, turning.
 AffineMap poseOnCircle(const Vector3& middle, double radius, double time)
 {
@@ -71,10 +61,10 @@ TradeScene makeBox()
   room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
   thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
   thing.surface().exitance.clear();
-  return { "box", { room.build(), { thing.build() } },
-    [](SceneObjects& objects, double time) {
-      objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 2, 2 }, 1, time);
-    },
+  return { { "box", { room.build(), { thing.build() } },
+             [](SceneObjects& objects, double time) {
+               objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 2, 2 }, 1, time);
+             } },
     { 4, 4 } };
 }
 
@@ -93,10 +83,10 @@ TradeScene makeFurnace()
   }
   thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
   thing.surface().exitance.clear();
-  return { "furnace", { room.build(), { thing.build() } },
-    [](SceneObjects& objects, double time) {
-      objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 1.5, 2.5 }, 0.7, time);
-    },
+  return { { "furnace", { room.build(), { thing.build() } },
+             [](SceneObjects& objects, double time) {
+               objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 1.5, 2.5 }, 0.7, time);
+             } },
     { 6, 3 }, true };
 }
 
@@ -104,7 +94,8 @@ TradeScene makeFurnace()
 
 std::vector<TradeScene> makeTradeScenes(const std::string& head)
 {
-  std::vector<TradeScene> scenes = { makeTeapot(head), makeBox(), makeFurnace() };
+  std::vector<TradeScene> scenes = { { makeMovingTeapot(head, 1, true), { 4, 4 } }, makeBox(),
+    makeFurnace() };
   for (TradeScene& scene : scenes)
   {
     changeAll(scene.objects, [](SceneObject& object) {

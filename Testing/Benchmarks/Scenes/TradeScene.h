@@ -1,11 +1,7 @@
 #ifndef TradeScene_h
 #define TradeScene_h
 
-#include "Light/SceneObjects.h"
-
-#include <functional>
-#include <string>
-#include <vector>
+#include "Scenes/MovingTeapotScene.h"
 
 /// Into how many strata, as powers of two, the samples with which walks start are cut to make groups
 /// of like walks: that which chooses the light, and each of the two that choose the direction.
@@ -16,22 +12,11 @@ struct StartStrata
   std::uint32_t numberOfGroups() const { return 1u << (emitterBits + 2 * directionBits); }
 };
 
-/// A moving scene in which speed is traded for accuracy. Every triangle is a cell.
-struct TradeScene
+/// A scene in which speed is traded for accuracy. Every triangle is a cell.
+struct TradeScene : MovingScene
 {
-  std::string name;
-  irradiance::SceneObjects objects;
-  /// Places the dynamic objects at a time from 0 to 1.
-  std::function<void(irradiance::SceneObjects&, double time)> place;
   StartStrata strata;
   bool isFurnace = false; ///< the truth is 1 W/m2 everywhere
-
-  irradiance::SceneObjects at(double time) const
-  {
-    irradiance::SceneObjects placed = objects;
-    place(placed, time);
-    return placed;
-  }
 };
 
 /// The scene of Examples/MovingTeapot with larger cells, its head decimated; a closed box with a lamp
