@@ -1,8 +1,8 @@
 /**
  * What verification costs when a scene has far things, and when many things move: a small ball that
- * moves in a room of 4 m, with another ball near, 1 km away, or back from there; with a light or a
- * lamp that is far; and 8 to 1000 balls that all move. The cases take turns, frame by frame, and
- * before any time counts each of them has to have the sums of a fresh engine. One thread, CPU time.
+ * moves in a room of 4 m, with another ball, a light or a lamp that is far; and 1 to 1000 balls that all
+ * move. The cases take turns, frame by frame, and before any time counts each of them has to have the
+ * answer of a fresh engine. One thread, CPU time.
  *
  * Arguments: [walks = 200000] [frames = 25]
  */

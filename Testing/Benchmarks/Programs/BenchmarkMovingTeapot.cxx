@@ -1,9 +1,8 @@
 /**
  * The bars of the main job on the scene of Examples/MovingTeapot: how shooting compares with Embree
- * doing the same walks in its fastest way, what a frame costs beside the first shooting, and what a
- * cache and a second thread are good for. The answers are compared before any time counts; the rivals
- * are timed in turns in one process by the thread's CPU time (two threads by the clock on the wall).
- * 59 frames after the first are the teapot's whole way.
+ * doing the same walks, what a frame costs beside the first shooting, and what a cache and a second
+ * thread are good for. The answers are compared before any time counts. CPU time of the one thread; two
+ * threads by the clock on the wall. 59 frames after the first are the teapot's whole way.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */

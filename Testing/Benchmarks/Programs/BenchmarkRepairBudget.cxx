@@ -23,10 +23,13 @@ namespace
 const char* const kTable = "RepairBudget";
 const char* const kInParts = "time with the rest / repair at once";
 
-/// `part`: the budget as a part of the time of the full repair; 1: endless.
-void timeBudget(const MovingScene& scene, const EngineSettings& settings, int frames, double part,
-  Execution& execution, const std::string& row)
+/// `percent`: the budget as a part of the time of the full repair; 100: endless.
+void timeBudget(const MovingScene& scene, const EngineSettings& settings, int frames, int percent,
+  Execution& execution, const std::string& threads)
 {
+  const bool isEndless = percent == 100;
+  const std::string row = threads +
+    (isEndless ? ", endless budget" : ", budget " + std::to_string(percent) + " % of the repair");
   IrradianceEngine full, timed;
   full.update(scene.at(0), settings, execution);
   timed.update(scene.at(0), settings, execution);
@@ -35,15 +38,15 @@ void timeBudget(const MovingScene& scene, const EngineSettings& settings, int fr
   {
     const SceneObjects objects = scene.inFrame(frame);
     const double whole = timeUpdate(full, objects, settings, execution).repair;
-    const double budget = part * whole;
+    const double budget = 0.01 * percent * whole;
     EngineSettings own = settings;
-    own.repairTimeBudget = part < 1 ? budget : std::numeric_limits<double>::infinity();
+    own.repairTimeBudget = isEndless ? std::numeric_limits<double>::infinity() : budget;
     timed.update(objects, own, execution);
     const double taken = timed.statistics().repairSeconds;
     const auto shot = static_cast<double>(timed.statistics().repairedSegments);
     timed.update(objects, settings, execution);
     requireEqualAnswers(timed, full, objects);
-    if (part < 1)
+    if (!isEndless)
     {
       const double excess = taken - budget;
       kept += excess <= std::max(0.2 * budget, 0.002) ? 1 : 0;
@@ -54,21 +57,10 @@ void timeBudget(const MovingScene& scene, const EngineSettings& settings, int fr
     }
     report(kTable, row, kInParts, (taken + timed.statistics().repairSeconds) / whole);
   }
-  if (part < 1)
+  if (!isEndless)
   {
     report(kTable, row, "frames within 20 % or 2 ms, %", 100 * kept / frames);
   }
-}
-
-void timeBudgets(const MovingScene& scene, const EngineSettings& settings, int frames,
-  Execution& execution, const std::string& threads)
-{
-  for (const int percent : { 10, 50 })
-  {
-    timeBudget(scene, settings, frames, 0.01 * percent, execution,
-      threads + ", budget " + std::to_string(percent) + " % of the repair");
-  }
-  timeBudget(scene, settings, frames, 1, execution, threads + ", endless budget");
 }
 
 }
@@ -81,6 +73,9 @@ void run(const Arguments& arguments)
   const MovingScene scene = makeMovingTeapot(arguments.text(2, VTKIRRADIANCE_HEAD));
   CpuTime one;
   test::ThreadExecution two(2);
-  timeBudgets(scene, settings, frames, one, "one thread");
-  timeBudgets(scene, settings, frames, two, "two threads");
+  for (const int percent : { 10, 50, 100 })
+  {
+    timeBudget(scene, settings, frames, percent, one, "one thread");
+    timeBudget(scene, settings, frames, percent, two, "two threads");
+  }
 }

@@ -1,10 +1,8 @@
 /**
- * How fast the segments near moved bodies are found among many: SegmentScan beside the least that
- * any look at every segment costs, to read memory once from end to end. What is read are as many
- * bytes as the history holds, and, as a second peer, 24 bytes a segment: its two ends as floats.
- * The segments are random ones of a room, the bodies are as large as the teapot of
- * Examples/MovingTeapot or a tenth of that; before any time counts, the segments that touch a body
- * are looked for one by one, and all must be among those found. One thread.
+ * How fast the segments near moved bodies are found among many: SegmentScan beside the least that any
+ * look at every segment costs, to read memory once from end to end. What is read are as many bytes as
+ * the history holds, and, as a second peer, 24 bytes a segment: its two ends as floats. Before any time
+ * counts, the segments that touch a body are looked for one by one. One thread.
  *
  * Arguments: [millions of segments = 16] [rounds = 7] (and with a quarter and a sixteenth of them)
  */

@@ -1,9 +1,5 @@
 #include "Rivals/EmbreeScene.h"
 
-#ifdef __SSE2__
-#include <pmmintrin.h>
-#endif
-
 using namespace irradiance;
 
 EmbreeScene::EmbreeScene(const SceneObjects& objects)
@@ -59,12 +55,4 @@ RTCScene EmbreeScene::makeScene(const TriangleMesh& mesh) const
   rtcAttachGeometryByID(scene, geometry, 0);
   rtcReleaseGeometry(geometry);
   return scene;
-}
-
-void flushDenormals()
-{
-#ifdef __SSE2__
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-#endif
 }

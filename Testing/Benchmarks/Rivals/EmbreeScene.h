@@ -6,6 +6,10 @@
 
 #include <embree3/rtcore.h>
 
+#ifdef __SSE2__
+#include <pmmintrin.h>
+#endif
+
 /// The peer: the same scene in Embree, the static mesh and one instance for each dynamic object, as
 /// an animation needs it.
 class EmbreeScene
@@ -30,6 +34,12 @@ private:
 };
 
 /// Tells the processor to take denormal numbers for zero in this thread, as Embree's manual advises.
-void flushDenormals();
+inline void flushDenormals()
+{
+#ifdef __SSE2__
+  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+#endif
+}
 
 #endif

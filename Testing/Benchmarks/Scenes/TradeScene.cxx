@@ -47,11 +47,15 @@ void changeAll(SceneObjects& objects, const Change& change)
 }
 
 /// Round the middle of a room, turning.
-AffineMap poseOnCircle(const Vector3& middle, double radius, double time)
+auto circling(const Vector3& middle, double radius)
 {
-  const double angle = 2 * M_PI * time;
-  return { Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
-    middle + radius * Vector3(std::cos(angle), std::sin(angle), 0) };
+  return [=](SceneObjects& objects, double time) {
+    const double angle = 2 * M_PI * time;
+    objects.dynamic[0].worldFromObject = {
+      Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
+      middle + radius * Vector3(std::cos(angle), std::sin(angle), 0)
+    };
+  };
 }
 
 TradeScene makeBox()
@@ -61,11 +65,7 @@ TradeScene makeBox()
   room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
   thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
   thing.surface().exitance.clear();
-  return { { "box", { room.build(), { thing.build() } },
-             [](SceneObjects& objects, double time) {
-               objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 2, 2 }, 1, time);
-             } },
-    { 4, 4 } };
+  return { { "box", { room.build(), { thing.build() } }, circling({ 2, 2, 2 }, 1) }, { 4, 4 } };
 }
 
 /// Each wall cell shines with 1 - its reflectance. What reflects all light emits none, so that it may
@@ -83,10 +83,7 @@ TradeScene makeFurnace()
   }
   thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
   thing.surface().exitance.clear();
-  return { { "furnace", { room.build(), { thing.build() } },
-             [](SceneObjects& objects, double time) {
-               objects.dynamic[0].worldFromObject = poseOnCircle({ 2, 1.5, 2.5 }, 0.7, time);
-             } },
+  return { { "furnace", { room.build(), { thing.build() } }, circling({ 2, 1.5, 2.5 }, 0.7) },
     { 6, 3 }, true };
 }
 
