@@ -7,8 +7,6 @@
 #include "Shooting/WalkShooter.h"
 #include "Tally/CellSums.h"
 
-#include <array>
-
 /// Re-shooting with the best ray tracer: the walks of the engine, with Embree in the place of the
 /// engine's trees, and nothing stored.
 class EmbreeShooter
