@@ -17,9 +17,9 @@ packages_of()
   case $1 in
     build) echo g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev ;;
     display) echo xvfb ;;
-    test) echo libgtest-dev clang-format clang-tidy ;;
+    test) echo libgtest-dev clang-format clang-tidy python3-matplotlib ;;
     fuzz) echo clang libclang-rt-dev ;;
-    benchmark) echo libembree-dev ;;
+    benchmark) echo libembree-dev python3-matplotlib ;;
     meshes) echo npm ;;
     *)
       echo "packages.sh: unknown role $1" >&2
@@ -42,6 +42,7 @@ description_of()
     libgtest-dev) echo "GoogleTest" ;;
     libclang-rt-dev) echo "clang's libFuzzer" ;;
     libembree-dev) echo "Embree 3" ;;
+    python3-matplotlib) echo "Python 3 with Matplotlib" ;;
     *) echo "$1" ;;
   esac
 }
@@ -76,6 +77,19 @@ can_fuzz()
     clang++ -fsanitize=fuzzer -x c++ -o /dev/null - 2>/dev/null
 }
 
+# The Python that has it: Debian's own, where another one comes first.
+python_with_matplotlib()
+{
+  local python
+  for python in python3 /usr/bin/python3; do
+    if has_command "$python" && "$python" -c 'import matplotlib' 2>/dev/null; then
+      echo "$python"
+      return 0
+    fi
+  done
+  return 1
+}
+
 is_present_without_dpkg()
 {
   case $1 in
@@ -88,6 +102,7 @@ is_present_without_dpkg()
     libgtest-dev) [[ -n ${GTest_DIR:-} ]] || has_config GTestConfig.cmake ;;
     libclang-rt-dev) can_fuzz ;;
     libembree-dev) [[ -n ${embree_DIR:-} ]] || has_config 'embree-config.cmake' ;;
+    python3-matplotlib) python_with_matplotlib >/dev/null ;;
     *) has_command "$1" "$1-14" ;;
   esac
 }

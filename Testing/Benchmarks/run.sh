@@ -14,16 +14,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=Utilities/packages.sh
 source Utilities/packages.sh
 
-root=$PWD
-build=build/benchmark
-results=$root/$build/results
-documentation=$root/Documentation
-ray_casting=(300000 5) modes=() scan=() far=() signs=() teapot=(1000000 5) budget=()
-accuracy=() pilots=() stale=()
+build=$PWD/build/benchmark
+report=$PWD/Testing/Benchmarks/Report
+documentation=$PWD/Documentation
+quick=no
 if [[ ${1:-} == --quick ]]; then
-  ray_casting=(10000 2 123 1) modes=(10000 2) scan=(1 2) far=(5000 1) signs=(100) teapot=(20000 2 2) budget=(20000 2)
-  accuracy=(65536 1) pilots=(8192 2) stale=(8192 2)
-  documentation=$results
+  quick=yes
+  documentation=$build/results
   shift
 fi
 part=${1:-all}
@@ -32,53 +29,58 @@ if (($# > 1)) || [[ $part != all && $part != performance && $part != accuracy ]]
   exit 2
 fi
 
-require_packages build display benchmark
+require_packages build benchmark
 fetch_data
 if [[ $part != accuracy ]]; then
   # npm may have come by another way than Debian's package.
   has_command npm || (require_packages meshes) || true
   Data/fetch-benchmark-meshes.sh || echo "The scenes of these meshes are left out."
 fi
+python=$(python_with_matplotlib)
 
 echo "Building in $build ..."
-if ! report=$(cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
+if ! log=$(cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
   -DVTKIRRADIANCE_BUILD_EXAMPLES=ON -DVTKIRRADIANCE_BUILD_BENCHMARKS=ON 2>&1); then
-  echo "$report"
+  echo "$log"
   exit 1
 fi
 cmake --build "$build" --parallel "$(nproc)"
 
-# measure PROGRAM [ARGUMENT...]: its table goes to the screen and to a file, its results to PROGRAM.csv
+# measure PROGRAM ARGUMENTS QUICK_ARGUMENTS: its results go to PROGRAM.csv, as tables to the screen and a file
 measure()
 {
+  local arguments=$2
+  [[ $quick == no ]] || arguments=$3
   echo "== $1"
-  "../bin/$1" "${@:2}" | tee "$1.txt"
+  # shellcheck disable=SC2086 # several words
+  "$build/bin/$1" $arguments >"$1.csv"
+  "$python" "$report/results.py" "$1.csv" | tee "$1.txt"
 }
 
 # write_page NAME PROGRAM...: the page of Documentation from its template and the results of the programs
 write_page()
 {
-  "$root/Utilities/run-under-xvfb.sh" ../bin/BenchmarkReport "$root/Testing/Benchmarks/$1.md.in" \
-    "$documentation/$1.md" "$documentation/pictures" "${@:2}"
+  "$python" "$report/page.py" "$report/$1.md.in" "$documentation/$1.md" \
+    "$build/Testing/Benchmarks/versions.md" "${@:2}"
   echo "$documentation/$1.md"
 }
 
-rm -rf "$results"
-mkdir -p "$results" "$documentation/pictures"
-cd "$results"
+rm -rf "$build/results"
+mkdir -p "$build/results"
+cd "$build/results"
 if [[ $part != accuracy ]]; then
-  measure BenchmarkRayCasting "${ray_casting[@]}"
-  measure BenchmarkTraversalModes "${modes[@]}"
-  measure BenchmarkSegmentScan "${scan[@]}"
-  measure BenchmarkFarAndMany "${far[@]}"
-  measure BenchmarkSigns "${signs[@]}"
-  measure BenchmarkMovingTeapot "${teapot[@]}"
-  measure BenchmarkRepairBudget "${budget[@]}"
+  measure BenchmarkRayCasting "300000 5" "10000 2"
+  measure BenchmarkTraversalModes "" "10000 2"
+  measure BenchmarkSegmentScan "" "1 2"
+  measure BenchmarkFarAndMany "" "5000 1"
+  measure BenchmarkSigns "" "100"
+  measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
+  measure BenchmarkRepairBudget "" "20000 2"
   write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,MovingTeapot,RepairBudget}.csv
 fi
 if [[ $part != performance ]]; then
-  measure BenchmarkAccuracy "${accuracy[@]}"
-  measure BenchmarkPilotPhotons "${pilots[@]}"
-  measure BenchmarkStaleError "${stale[@]}"
+  measure BenchmarkAccuracy "" "65536 1"
+  measure BenchmarkPilotPhotons "" "8192 2"
+  measure BenchmarkStaleError "" "8192 2"
   write_page SpeedAndAccuracy Benchmark{Accuracy,PilotPhotons,StaleError}.csv
 fi

@@ -1,0 +1,81 @@
+#ifndef CellField_h
+#define CellField_h
+
+#include "IrradianceEngine.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+/// A value for each cell of a scene, object after object.
+using CellField = Eigen::ArrayXd;
+
+/// `value(object, cell, area)` of each cell; areas are in m2, in the world.
+template <class Value>
+CellField fieldOf(const irradiance::SceneObjects& objects, const Value& value)
+{
+  std::vector<double> field;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const std::vector<double> areas = irradiance::cellAreas(objects[object]);
+    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+    {
+      field.push_back(value(object, cell, areas[cell]));
+    }
+  }
+  return Eigen::Map<CellField>(field.data(), static_cast<Eigen::Index>(field.size()));
+}
+
+inline CellField areasOf(const irradiance::SceneObjects& objects)
+{
+  return fieldOf(objects, [](std::uint32_t, std::size_t, double area) { return area; });
+}
+
+/// W/m2 in the first band.
+inline CellField irradianceOf(
+  const irradiance::IrradianceEngine& engine, const irradiance::SceneObjects& objects)
+{
+  return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double area) {
+    return engine.irradiance(object, cell, 0, 0, area);
+  });
+}
+
+/// The mean over the area.
+inline double meanOf(const CellField& field, const CellField& areas)
+{
+  return (field * areas).sum() / areas.sum();
+}
+
+/// A scene, and what is right in it.
+struct Truth
+{
+  Truth(const irradiance::SceneObjects& ownObjects, const CellField& right)
+    : objects(ownObjects)
+    , areas(areasOf(ownObjects))
+    , irradiance(right)
+  {
+  }
+
+  /// The root of the mean square difference over the area, in units of the mean irradiance.
+  double rmsError(const CellField& field) const
+  {
+    return std::sqrt(meanOf((field - irradiance).square(), areas)) / meanOf(irradiance, areas);
+  }
+  double rmsError(const irradiance::IrradianceEngine& engine) const
+  {
+    return rmsError(irradianceOf(engine, objects));
+  }
+  /// Throws std::runtime_error unless the field has the same bits.
+  void require(const CellField& field, const std::string& what) const
+  {
+    if ((field != irradiance).any())
+    {
+      throw std::runtime_error(what + " and a fresh start differ");
+    }
+  }
+
+  irradiance::SceneObjects objects;
+  CellField areas, irradiance;
+};
+
+#endif

@@ -1,0 +1,193 @@
+/**
+ * Closest hits per second on one thread: our trees, flat (all triangles static) and two-level (a
+ * static and a dynamic tree), beside Embree, CGAL and VTK. All cast the same rays in turns in one
+ * process, their hits are compared before any time counts, and the ratios are taken round by round.
+ *
+ * Arguments: [rays = 300000] [rounds = 7] [scenes = 123]
+ */
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "Measuring/Rounds.h"
+#include "Rivals/CastContest.h"
+#include "Rivals/EmbreeCaster.h"
+#include "Rivals/OurCaster.h"
+#include "Scenes/RaySet.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+using namespace irradiance;
+
+namespace
+{
+
+const std::string kReference = "Embree rtcIntersect1";
+const std::string kEmbreeTwoLevel = "Embree rtcIntersect1, mesh and instance";
+const std::string kCgal = "CGAL AABB_tree";
+const std::string kVtk = "VTK vtkStaticCellLocator";
+const std::string kOurFlat = "ours, flat";
+const std::string kOurTwoLevel = "ours, two-level";
+
+/// Instructions that our casts can be held to.
+struct SimdChoice
+{
+  std::string name; ///< behind that of the rival; empty for the best that the machine has
+  SimdLevel level;
+};
+
+/// All that this machine has.
+std::vector<SimdChoice> simdChoices()
+{
+  limitSimd(SimdLevel::Avx512);
+  const SimdLevel best = simdLevel();
+  std::vector<SimdChoice> choices = { { "", best }, { ", AVX2", SimdLevel::Avx2 },
+    { ", plain", SimdLevel::Plain } };
+  choices.erase(std::remove_if(choices.begin() + 1, choices.end(),
+                  [&](const SimdChoice& choice) { return choice.level >= best; }),
+    choices.end());
+  return choices;
+}
+
+std::vector<Contender> makeContenders(const BenchmarkScene& scene)
+{
+  constexpr double kFew = 1e-4, kSome = 2e-3; // mismatches
+  const SceneObjects flat = flattened(scene.objects);
+  const TriangleMesh& mesh = flat.fixed.body->mesh();
+  const auto flatEmbree = std::make_shared<const EmbreeScene>(flat);
+  const auto embree = std::make_shared<const EmbreeScene>(scene.objects);
+  std::vector<Contender> contenders = {
+    { kReference, makeEmbreeCaster<RTCRayHit>(flatEmbree), kFew },
+    { kEmbreeTwoLevel, makeEmbreeCaster<RTCRayHit>(embree), kFew },
+    { "Embree rtcIntersect8", makeEmbreeCaster<RTCRayHit8>(flatEmbree), kFew },
+    { "Embree rtcIntersect16", makeEmbreeCaster<RTCRayHit16>(flatEmbree), kFew },
+    { kCgal, makeCgalCaster(mesh), kSome, 4000 },
+    { kVtk, makeVtkCaster(mesh), kSome, 1000 },
+  };
+  const auto ourFlat = makeScene(flat), ourTwoLevel = makeScene(scene.objects);
+  for (const SimdChoice& choice : simdChoices())
+  {
+    contenders.push_back({ kOurFlat + choice.name, makeOurCaster(ourFlat, choice.level), kFew });
+    contenders.push_back(
+      { kOurTwoLevel + choice.name, makeOurCaster(ourTwoLevel, choice.level), kFew });
+  }
+  return contenders;
+}
+
+/// Seconds a ray, of each rival: [set][round].
+using Seconds = std::map<std::string, std::vector<std::vector<double>>>;
+
+void castSets(
+  const BenchmarkScene& scene, char number, std::uint32_t count, int rounds, Seconds& seconds)
+{
+  const std::vector<Contender> contenders = makeContenders(scene);
+  for (const RaySet& set : makeRaySets(scene, count))
+  {
+    const std::string column = { number, ' ', set.letter };
+    const std::vector<Performance> performances = compete(contenders, set.rays, rounds);
+    for (std::size_t i = 0; i < contenders.size(); ++i)
+    {
+      const std::string& name = contenders[i].name;
+      const std::vector<double>& own = performances[i].seconds;
+      seconds[name].push_back(own);
+      report("RayCastingSets", name, column, ratios(performances[0].seconds, own));
+      report("RayCastingRates", name, column, ratios(1e-6, own));
+      report("RayCastingMismatches", name, column, performances[i].mismatches);
+    }
+    std::clog << scene.name << ": rays " << column << " done\n";
+  }
+}
+
+/// Speed of `name` over that of `rival`: [set][round].
+std::vector<std::vector<double>> speedsOf(
+  const Seconds& seconds, const std::string& name, const std::string& rival)
+{
+  const auto &own = seconds.at(name), &other = seconds.at(rival);
+  std::vector<std::vector<double>> speeds;
+  for (std::size_t set = 0; set < own.size(); ++set)
+  {
+    speeds.push_back(ratios(other[set], own[set]));
+  }
+  return speeds;
+}
+
+/// The geometric mean over all sets of rays.
+void reportMean(
+  const Seconds& seconds, const std::string& name, const std::string& rival, const Goal& goal = {})
+{
+  report(
+    "RayCasting", name, "speed / " + rival, geometricMeans(speedsOf(seconds, name, rival)), goal);
+}
+
+void reportMeans(const Seconds& seconds)
+{
+  for (const SimdChoice& choice : simdChoices())
+  {
+    const bool isBest = choice.name.empty();
+    reportMean(seconds, kOurFlat + choice.name, kReference,
+      choice.level == SimdLevel::Avx512   ? Goal{ 1.0, 1.4 }
+        : choice.level == SimdLevel::Avx2 ? Goal{ 0.7, 1.0 }
+                                          : Goal{});
+    reportMean(
+      seconds, kOurTwoLevel + choice.name, kEmbreeTwoLevel, isBest ? Goal{ 1.0, 1.6 } : Goal{});
+    if (isBest)
+    {
+      const std::vector<std::vector<double>> speeds = speedsOf(seconds, kOurFlat, kReference);
+      report("RayCasting", kOurFlat + ", worst set", "speed / " + kReference,
+        *std::min_element(speeds.begin(), speeds.end(),
+          [](const auto& a, const auto& b) { return medianOf(a) < medianOf(b); }),
+        choice.level == SimdLevel::Avx512 ? Goal{ 0.8, 1.25 } : Goal{});
+    }
+  }
+  reportMean(seconds, kOurFlat, kCgal, { 12, 25 });
+  reportMean(seconds, kOurFlat, kVtk, { 30, 50 });
+  for (const auto& [name, perSet] : seconds)
+  {
+    if (name.find("ours") != 0 && name != kReference)
+    {
+      reportMean(seconds, name, kReference);
+    }
+  }
+}
+
+/// Both build on this thread alone, from the same triangles to what rays can be cast at.
+void timeBuilds(const SceneObject& object, int rounds)
+{
+  const std::vector<std::vector<double>> seconds =
+    timeInTurns({ [&] {
+                   EmbreeScene({ { object.body, nullptr, {} }, {} });
+                 },
+                  [&] { treeOf(object.body->mesh().triangles()); } },
+      rounds);
+  report(
+    "TreeBuild", "ours", "time / Embree's, HIGH quality", ratios(seconds[1], seconds[0]), { 4, 2 });
+  report("TreeBuild", "ours", "s", seconds[1]);
+  report("TreeBuild", "Embree, HIGH quality", "s", seconds[0]);
+}
+
+}
+
+void run(const Arguments& arguments)
+{
+  const auto count = arguments.number(0, 300000u);
+  const int rounds = arguments.number(1, 7);
+  flushDenormals();
+  Seconds seconds;
+  for (const char number : arguments.text(2, "123"))
+  {
+    const std::optional<BenchmarkScene> scene =
+      number == '3' ? makeRandomScene() : makeRoomScene(number == '2');
+    if (!scene)
+    {
+      std::clog << "Scene " << number
+                << " is left out: Data/fetch-benchmark-meshes.sh gets its meshes\n";
+      continue;
+    }
+    castSets(*scene, number, count, rounds, seconds);
+    if (number == '2')
+    {
+      timeBuilds(scene->objects.dynamic[0], rounds);
+    }
+  }
+  reportMeans(seconds);
+}

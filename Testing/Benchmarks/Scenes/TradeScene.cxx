@@ -1,0 +1,113 @@
+#include "Scenes/TradeScene.h"
+
+#include "../../PhotonWalks/TestScenes.h"
+#include "../../RayCasting/RandomVectors.h"
+
+#include <algorithm>
+
+using namespace irradiance;
+
+namespace
+{
+
+std::vector<Triangle> quartered(const Triangle& t)
+{
+  const Vector3 ab = 0.5 * (t.a + t.b), bc = 0.5 * (t.b + t.c), ca = 0.5 * (t.c + t.a);
+  return { { t.a, ab, ca }, { ab, t.b, bc }, { ca, bc, t.c }, { bc, ca, ab } };
+}
+
+/// Each of the pieces of its triangles is a cell, and looks like the cell it is cut from.
+template <class Pieces>
+SceneObject cut(const SceneObject& object, const Pieces& piecesOf)
+{
+  const Surface& surface = *object.surface;
+  test::ObjectBuilder builder;
+  for (std::size_t i = 0; i < surface.cellOfTriangle.size(); ++i)
+  {
+    const std::size_t cell = surface.cellOfTriangle[i];
+    for (const Triangle& piece : piecesOf(object.body->mesh()[i]))
+    {
+      builder.addCell({ piece },
+        test::grey(
+          surface.reflectance[cell], surface.exitance.empty() ? 0 : surface.exitance[cell]));
+    }
+  }
+  if (surface.exitance.empty())
+  {
+    builder.surface().exitance.clear();
+  }
+  return builder.build(object.worldFromObject);
+}
+
+template <class Change>
+void changeAll(SceneObjects& objects, const Change& change)
+{
+  change(objects.fixed);
+  std::for_each(objects.dynamic.begin(), objects.dynamic.end(), change);
+}
+
+/// Round the middle of a room, turning.
+auto circling(const Vector3& middle, double radius)
+{
+  return [=](SceneObjects& objects, double time) {
+    const double angle = 2 * M_PI * time;
+    objects.dynamic[0].worldFromObject = {
+      Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
+      middle + radius * Vector3(std::cos(angle), std::sin(angle), 0)
+    };
+  };
+}
+
+TradeScene makeBox()
+{
+  test::ObjectBuilder room, thing;
+  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 6, test::grey(0.5), true);
+  room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
+  thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
+  thing.surface().exitance.clear();
+  return { { "box", { room.build(), { thing.build() } }, circling({ 2, 2, 2 }, 1) }, { 4, 4 } };
+}
+
+/// Each wall cell shines with 1 - its reflectance. What reflects all light emits none, so that it may
+/// move without a change of the lights.
+TradeScene makeFurnace()
+{
+  test::RandomVectors random(91);
+  test::ObjectBuilder room, thing;
+  room.addBox(test::box({ 0, 0, 0 }, { 4, 3, 5 }), 4, {}, true);
+  Surface& walls = room.surface();
+  for (std::size_t cell = 0; cell < walls.numberOfCells; ++cell)
+  {
+    walls.reflectance[cell] = random.uniform(0, 0.9);
+    walls.exitance[cell] = 1 - walls.reflectance[cell];
+  }
+  thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
+  thing.surface().exitance.clear();
+  return { { "furnace", { room.build(), { thing.build() } }, circling({ 2, 1.5, 2.5 }, 0.7) },
+    { 6, 3 }, true };
+}
+
+}
+
+std::vector<TradeScene> makeTradeScenes(const std::string& head)
+{
+  std::vector<TradeScene> scenes = { { makeMovingTeapot(head, 1, true), { 4, 4 } }, makeBox(),
+    makeFurnace() };
+  for (TradeScene& scene : scenes)
+  {
+    changeAll(scene.objects, [](SceneObject& object) {
+      object = cut(object, [](const Triangle& whole) { return std::vector<Triangle>{ whole }; });
+    });
+  }
+  return scenes;
+}
+
+SceneObjects subdivided(const SceneObjects& objects, int levels)
+{
+  SceneObjects pieces = objects;
+  for (int level = 0; level < levels; ++level)
+  {
+    changeAll(pieces, [](SceneObject& object) { object = cut(object, quartered); });
+  }
+  return pieces;
+}
