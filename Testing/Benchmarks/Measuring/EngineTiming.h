@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef EngineTiming_h
 #define EngineTiming_h
 

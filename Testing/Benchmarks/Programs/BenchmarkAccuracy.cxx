@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * How the error of the irradiance falls with time: by the number of walks, by the size of cells, with
  * error bars, and with a target. The truth is 1 W/m2 in the furnace and a much longer run with another

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What verification costs when a scene has far things, and when many things move: a small ball that
  * moves in a room of 4 m, with another ball, a light or a lamp that is far; and 1 to 1000 balls that all
@@ -53,7 +54,7 @@ struct Case
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       const double angle = 0.3 * frame + static_cast<double>(i);
-      objects.dynamic[i].worldFromObject =
+      objects.dynamicObjects[i].worldFromObject =
         test::shift(places[i] + 0.1 * Vector3(std::cos(angle), std::sin(angle), 0));
     }
   }
@@ -84,7 +85,7 @@ void addFarCase(Cases& cases, const char* name, const EngineSettings& settings,
   one.move(0);
   for (const Vector3& stop : stops)
   {
-    one.objects.dynamic[1].worldFromObject = test::shift(stop);
+    one.objects.dynamicObjects[1].worldFromObject = test::shift(stop);
     one.verify(settings);
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * The bars of the main job on the scene of Examples/MovingTeapot: how shooting compares with Embree
  * doing the same walks, what a frame costs beside the first shooting, and what a cache and a second
@@ -34,7 +35,7 @@ double teapotsShare(const CellSums& sums, const SceneObjects& objects)
     fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double /*area*/) {
       return static_cast<double>(sums.sum(object, cell, 0, 0));
     });
-  const std::size_t cells = objects.dynamic[0].surface->numberOfCells;
+  const std::size_t cells = objects.dynamicObjects[0].material->numberOfCells;
   return power.tail(static_cast<Eigen::Index>(cells)).sum() / power.sum();
 }
 
@@ -118,7 +119,8 @@ void timeRound(const MovingScene& scene, const EngineSettings& settings, int fra
       report(kTable, "verification (paper: 0.14)", kOverShooting, time.verification / shooting,
         { 0.03, 0.01 });
       report(kTable, "repair (paper: 0.029)", kOverShooting, time.repair / shooting);
-      report(kTable, "verification and repair (paper: 0.17)", kOverShooting, time.whole / shooting);
+      report(
+        kTable, "verification and repair (paper: 0.17)", kOverShooting, time.whole / shooting);
     }
     report(kTable, "re-shooting in Embree's fastest way" + (isSmall ? which : " (paper: 5.9)"),
       "time / verification and repair",

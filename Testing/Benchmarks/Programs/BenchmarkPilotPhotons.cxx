@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Verification, which finds every walk that changed, beside pilot photons, which find some of them:
  * what a frame costs, and what is wrong after it. Both go through the same frames with the same walks;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Closest hits per second on one thread: our trees, flat (all triangles static) and two-level (a
  * static and a dynamic tree), beside Embree, CGAL and VTK. All cast the same rays in turns in one
@@ -53,7 +54,7 @@ std::vector<Contender> makeContenders(const BenchmarkScene& scene)
 {
   constexpr double kFew = 1e-4, kSome = 2e-3; // mismatches
   const SceneObjects flat = flattened(scene.objects);
-  const TriangleMesh& mesh = flat.fixed.body->mesh();
+  const TriangleMesh& mesh = flat.staticObject.body->mesh();
   const auto flatEmbree = std::make_shared<const EmbreeScene>(flat);
   const auto embree = std::make_shared<const EmbreeScene>(scene.objects);
   std::vector<Contender> contenders = {
@@ -155,7 +156,7 @@ void timeBuilds(const SceneObject& object, int rounds)
 {
   const std::vector<std::vector<double>> seconds =
     timeInTurns({ [&] {
-                   EmbreeScene({ { object.body, nullptr, {} }, {} });
+                   EmbreeScene({ object, {} });
                  },
                   [&] { treeOf(object.body->mesh().triangles()); } },
       rounds);
@@ -186,7 +187,7 @@ void run(const Arguments& arguments)
     castSets(*scene, number, count, rounds, seconds);
     if (number == '2')
     {
-      timeBuilds(scene->objects.dynamic[0], rounds);
+      timeBuilds(scene->objects.dynamicObjects[0], rounds);
     }
   }
   reportMeans(seconds);

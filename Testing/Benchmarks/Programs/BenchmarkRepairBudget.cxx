@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Whether a repair keeps to its budget of time, and what it gets done, on the scene of
  * Examples/MovingTeapot. Each frame is repaired in full by one engine, and by another one with a part

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * How fast the segments near moved bodies are found among many: SegmentScan beside the least that any
  * look at every segment costs, to read memory once from end to end. What is read are as many bytes as
@@ -225,6 +226,6 @@ void run(const Arguments& arguments)
   const SceneObjects objects = makeMovingTeapot("").at(0);
   for (const double part : { 16.0, 4.0, 1.0 })
   {
-    timeScans(*objects.dynamic[0].body, millions / part, part == 1, rounds);
+    timeScans(*objects.dynamicObjects[0].body, millions / part, part == 1, rounds);
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * How long vtkIrradianceFilter works without a sign: the longest CPU time of the calling thread between
  * two progress events, at which an abort would be noticed, where inputs, results or changes are large.

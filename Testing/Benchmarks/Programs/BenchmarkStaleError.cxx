@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What a budget of time for the repair leaves undone: a scene moves on without a pause, and the error is
  * the difference from the full update. Budgets are parts of the time that the full repair of the frame

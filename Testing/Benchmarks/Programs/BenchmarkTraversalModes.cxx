@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Section 2.5 of the paper: the static and the dynamic triangles in one tree, in two trees searched one
  * after the other, and in two trees searched side by side. Each dynamic triangle moves on its own. The
@@ -6,7 +7,7 @@
  *
  * Arguments: [rays = 300000] [rounds = 7]
  */
-#include "Kernels/CastCounts.h"
+#include "Kernels/QueryCounts.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Rounds.h"
@@ -33,11 +34,11 @@ std::vector<Contender> makeContenders(const SceneObjects& objects)
 void reportSteps(
   const Contender& contender, const std::vector<Ray>& rays, const std::string& column)
 {
-  CastCounts counts;
+  QueryCounts counts;
   std::vector<Hit> hits(rays.size());
-  castCounts() = &counts;
+  queryCounts() = &counts;
   contender.caster(rays)(hits);
-  castCounts() = nullptr;
+  queryCounts() = nullptr;
   const auto reportEach = [&](const char* what, std::uint64_t steps) {
     report("TraversalModesCounts", contender.name + ", " + what, column,
       static_cast<double>(steps) / static_cast<double>(rays.size()));

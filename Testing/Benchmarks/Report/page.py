@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Fills a template with the results of the benchmark programs.
 
     page.py TEMPLATE PAGE VERSIONS FILE.csv...      pictures go to the folder pictures/ beside the page

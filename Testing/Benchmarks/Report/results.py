@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The measurements that the benchmark programs write (see Measuring/Results.h), as tables.
 
     results.py FILE.csv...      prints their tables

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef Caster_h
 #define Caster_h
 
@@ -7,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-/// Casts the rays that it was made for: sets hits[i] for the i-th. This is timed. Only the distances of
+/// QueryBatch the rays that it was made for: sets hits[i] for the i-th. This is timed. Only the distances of
 /// hits are compared; what the numbers in an id mean is the rival's own affair.
 using Cast = std::function<void(std::vector<irradiance::Hit>& hits)>;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef EmbreeCaster_h
 #define EmbreeCaster_h
 

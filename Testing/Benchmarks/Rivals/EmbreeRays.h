@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef EmbreeRays_h
 #define EmbreeRays_h
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/EmbreeScene.h"
 
 using namespace irradiance;
 
 EmbreeScene::EmbreeScene(const SceneObjects& objects)
   : device_(rtcNewDevice("threads=1"))
-  , top_(makeScene(objects.fixed.body->mesh()))
-  , near_(static_cast<float>(1e-5 * objects.fixed.body->mesh().bounds().extent().maxCoeff()))
+  , top_(makeScene(objects.staticObject.body->mesh()))
+  , near_(static_cast<float>(1e-5 * objects.staticObject.body->mesh().bounds().extent().maxCoeff()))
 {
   for (std::uint32_t i = 1; i < objects.size(); ++i)
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef EmbreeScene_h
 #define EmbreeScene_h
 

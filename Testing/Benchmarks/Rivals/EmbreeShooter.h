@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef EmbreeShooter_h
 #define EmbreeShooter_h
 
@@ -79,13 +80,13 @@ private:
     {
       if (i + 2 * kAhead < count)
       {
-        walks_.fetchTriangle(rays.hit(i + 2 * kAhead));
+        walks_.prefetchTriangle(rays.hit(i + 2 * kAhead));
       }
       if (i + kAhead < count)
       {
         const irradiance::Hit ahead = rays.hit(i + kAhead);
-        walks_.fetchCell(ahead);
-        sums.fetch(states[i + kAhead].walk, ahead.id);
+        walks_.prefetchCell(ahead);
+        sums.prefetch(states[i + kAhead].walk, ahead.id);
       }
       const irradiance::Hit hit = rays.hit(i);
       if (!hit)

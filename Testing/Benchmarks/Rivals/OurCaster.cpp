@@ -1,18 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/OurCaster.h"
 
 using namespace irradiance;
 
 std::shared_ptr<const Scene> makeScene(const SceneObjects& objects, TraversalMode mode)
 {
-  std::vector<PlacedObject> placed;
-  for (const SceneObject& object : objects.dynamic)
-  {
-    placed.push_back({ object.body, object.worldFromObject, object.isLoose });
-  }
   auto scene = std::make_shared<Scene>();
   scene->setTraversalMode(mode);
-  scene->setStatic(objects.fixed.body);
-  scene->setDynamic(placed);
+  scene->setStatic(objects.staticObject.body);
+  scene->setDynamic(objects.dynamicBodies());
   scene->commit({});
   return scene;
 }

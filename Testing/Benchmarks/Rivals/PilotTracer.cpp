@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/PilotTracer.h"
 
 #include "Measuring/Rounds.h"
@@ -53,7 +54,7 @@ void PilotTracer::shootAll(const SceneObjects& objects)
   const UnitFrame frame(scene_->bounds());
   for (std::size_t block = 0; block < plan_.rounds().back().endBlock; ++block)
   {
-    history_.emplace_back(plan_.walksIn(block), objects.fixed.surface->bands, frame);
+    history_.emplace_back(plan_.walksIn(block), objects.staticObject.material->bands, frame);
   }
   shoot(allWalks());
 }
@@ -82,23 +83,23 @@ std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
 
 void PilotTracer::shoot(const Walks& walks)
 {
-  constexpr std::size_t kTogether = 1024;
+  constexpr std::size_t kBatchSize = 1024;
   const WalkShooter shooter(*scene_, objects_, emitters_, samples_);
-  for (std::size_t first = 0; first < walks.size(); first += kTogether)
+  for (std::size_t first = 0; first < walks.size(); first += kBatchSize)
   {
     WalkBatch batch(shooter);
-    for (std::size_t i = first; i < std::min(first + kTogether, walks.size()); ++i)
+    for (std::size_t i = first; i < std::min(first + kBatchSize, walks.size()); ++i)
     {
       batch.shoot(walks[i]);
     }
-    WalkBooking booking(sums_, balance_);
-    batch.run(booking, [] { return false; });
+    WalkTally tally(sums_, balance_);
+    batch.run(tally, [] { return false; });
     for (const WalkBatch::Tail& tail : batch.tails())
     {
       const WalkPlan::Place place = plan_.placeOf(tail.walk);
       if (history_[place.block].size(place.walkInBlock) > 0)
       {
-        booking.remove(history_[place.block], place.walkInBlock, tail.walk, 0);
+        tally.remove(history_[place.block], place.walkInBlock, tail.walk, 0);
       }
     }
     batch.store(plan_, history_);

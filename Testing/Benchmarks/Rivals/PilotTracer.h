@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PilotTracer_h
 #define PilotTracer_h
 

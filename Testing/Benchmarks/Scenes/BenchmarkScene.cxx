@@ -1,9 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes/BenchmarkScene.h"
 
-#include "GridBox.h"
-#include "MeshFile.h"
+#include "Meshes.h"
 #include "Scenes/PolyDataObject.h"
-#include "UtahTeapot.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -55,10 +54,10 @@ void append(const Triangles& triangles, const AffineMap& worldFromMesh, Triangle
     [&](const Triangle& triangle) { return transformed(worldFromMesh, triangle); });
 }
 
-SceneObject makeBody(Triangles triangles, const AffineMap& pose = {}, bool isLoose = false)
+SceneObject makeBody(Triangles triangles, const AffineMap& pose = {}, bool isFlattened = false)
 {
-  return { std::make_shared<RigidObject>(TriangleMesh(std::move(triangles))), nullptr, pose,
-    isLoose };
+  return { { std::make_shared<RigidObject>(TriangleMesh(std::move(triangles))), pose, isFlattened },
+    nullptr };
 }
 
 Triangles randomTriangles(std::size_t count, unsigned seed)
@@ -107,11 +106,11 @@ std::optional<BenchmarkScene> makeRoomScene(bool isLarge)
     { makeBody(std::move(fixed)), { std::move(moving) } }, { { 0, 0, 9.9 }, 1 }, walls };
 }
 
-BenchmarkScene makeRandomScene(bool isLoose)
+BenchmarkScene makeRandomScene(bool isFlattened)
 {
   return { "random triangles",
     { makeBody(randomTriangles(50000, 1)),
-      { makeBody(randomTriangles(50000, 2), makePose(0.3, Vector3::Zero()), isLoose) } },
+      { makeBody(randomTriangles(50000, 2), makePose(0.3, Vector3::Zero()), isFlattened) } },
     { { 0, 0, 5.1 }, 5 } };
 }
 

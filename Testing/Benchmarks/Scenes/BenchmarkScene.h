@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef BenchmarkScene_h
 #define BenchmarkScene_h
 
@@ -28,8 +29,8 @@ struct BenchmarkScene
 std::optional<BenchmarkScene> makeRoomScene(bool isLarge);
 
 /// 100,000 triangles at random with edges of 0.03 of the cube that they fill, one half static, the
-/// other half one dynamic object. `isLoose`: each dynamic triangle is on its own.
-BenchmarkScene makeRandomScene(bool isLoose = false);
+/// other half one dynamic object. `isFlattened`: each dynamic triangle is on its own.
+BenchmarkScene makeRandomScene(bool isFlattened = false);
 
 /// Three teapots that stand on a floor and three that hang between them, each of 102,080 triangles;
 /// those that hang are dynamic, and each of their triangles is on its own.

@@ -1,8 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes/MovingTeapotScene.h"
 
 #include "../../FiltersIrradiance/TestScenes.h"
 #include "Scenes/PolyDataObject.h"
-#include "TeapotPath.h"
 #include "TeapotScene.h"
 
 #include <vtkQuadricDecimation.h>
@@ -60,6 +60,6 @@ MovingScene makeMovingTeapot(const std::string& head, double scale, bool isCoars
   }
   return { "teapot", { makeObject(fixed), { makeObject({ parts.Teapot }) } },
     [scale](SceneObjects& objects, double time) {
-      objects.dynamic[0].worldFromObject = poseAt(time, scale);
+      objects.dynamicObjects[0].worldFromObject = poseAt(time, scale);
     } };
 }

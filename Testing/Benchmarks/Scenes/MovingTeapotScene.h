@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef MovingTeapotScene_h
 #define MovingTeapotScene_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes/PolyDataObject.h"
 
 #include "../../PhotonWalks/TestScenes.h"
@@ -53,7 +54,7 @@ SceneObject makeObject(const std::vector<vtkPolyData*>& parts)
   bool emits = false;
   for (vtkPolyData* part : parts)
   {
-    object.surface().firstCellOfPart.push_back(object.surface().numberOfCells);
+    object.material().firstCellOfPart.push_back(object.material().numberOfCells);
     vtkDataArray* reflectance = part->GetCellData()->GetArray("DiffuseReflectance");
     vtkDataArray* exitance = part->GetCellData()->GetArray("RadiantExitance");
     emits = emits || exitance;
@@ -66,7 +67,7 @@ SceneObject makeObject(const std::vector<vtkPolyData*>& parts)
   }
   if (!emits)
   {
-    object.surface().exitance.clear();
+    object.material().exitance.clear();
   }
   return object.build();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PolyDataObject_h
 #define PolyDataObject_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes/TradeScene.h"
 
 #include "../../PhotonWalks/TestScenes.h"
@@ -20,21 +21,21 @@ std::vector<Triangle> quartered(const Triangle& t)
 template <class Pieces>
 SceneObject cut(const SceneObject& object, const Pieces& piecesOf)
 {
-  const Surface& surface = *object.surface;
+  const Material& material = *object.material;
   test::ObjectBuilder builder;
-  for (std::size_t i = 0; i < surface.cellOfTriangle.size(); ++i)
+  for (std::size_t i = 0; i < material.cellOfTriangle.size(); ++i)
   {
-    const std::size_t cell = surface.cellOfTriangle[i];
+    const std::size_t cell = material.cellOfTriangle[i];
     for (const Triangle& piece : piecesOf(object.body->mesh()[i]))
     {
       builder.addCell({ piece },
         test::grey(
-          surface.reflectance[cell], surface.exitance.empty() ? 0 : surface.exitance[cell]));
+          material.reflectance[cell], material.exitance.empty() ? 0 : material.exitance[cell]));
     }
   }
-  if (surface.exitance.empty())
+  if (material.exitance.empty())
   {
-    builder.surface().exitance.clear();
+    builder.material().exitance.clear();
   }
   return builder.build(object.worldFromObject);
 }
@@ -42,8 +43,8 @@ SceneObject cut(const SceneObject& object, const Pieces& piecesOf)
 template <class Change>
 void changeAll(SceneObjects& objects, const Change& change)
 {
-  change(objects.fixed);
-  std::for_each(objects.dynamic.begin(), objects.dynamic.end(), change);
+  change(objects.staticObject);
+  std::for_each(objects.dynamicObjects.begin(), objects.dynamicObjects.end(), change);
 }
 
 /// Round the middle of a room, turning.
@@ -51,7 +52,7 @@ auto circling(const Vector3& middle, double radius)
 {
   return [=](SceneObjects& objects, double time) {
     const double angle = 2 * M_PI * time;
-    objects.dynamic[0].worldFromObject = {
+    objects.dynamicObjects[0].worldFromObject = {
       Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
       middle + radius * Vector3(std::cos(angle), std::sin(angle), 0)
     };
@@ -64,7 +65,7 @@ TradeScene makeBox()
   room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 6, test::grey(0.5), true);
   room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
   thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
-  thing.surface().exitance.clear();
+  thing.material().exitance.clear();
   return { { "box", { room.build(), { thing.build() } }, circling({ 2, 2, 2 }, 1) }, { 4, 4 } };
 }
 
@@ -75,14 +76,14 @@ TradeScene makeFurnace()
   test::RandomVectors random(91);
   test::ObjectBuilder room, thing;
   room.addBox(test::box({ 0, 0, 0 }, { 4, 3, 5 }), 4, {}, true);
-  Surface& walls = room.surface();
+  Material& walls = room.material();
   for (std::size_t cell = 0; cell < walls.numberOfCells; ++cell)
   {
     walls.reflectance[cell] = random.uniform(0, 0.9);
     walls.exitance[cell] = 1 - walls.reflectance[cell];
   }
   thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
-  thing.surface().exitance.clear();
+  thing.material().exitance.clear();
   return { { "furnace", { room.build(), { thing.build() } }, circling({ 2, 1.5, 2.5 }, 0.7) },
     { 6, 3 }, true };
 }
