@@ -1,85 +1,86 @@
-#!/ usr / bin / env bash
-#Every benchmark from nothing : installs what is missing, fetches the meshes,                      \
-  builds in build / benchmark, runs
-#the programs one after another and writes the pages of Documentation that they measure, with their
-#pictures.The results stay in build / benchmark / results.Nothing else should run meanwhile.
+#!/usr/bin/env bash
+# Every benchmark from nothing: installs what is missing, fetches the meshes, builds in build/benchmark, runs
+# the programs one after another and writes the pages of Documentation that they measure, with their
+# pictures. The results stay in build/benchmark/results. Nothing else should run meanwhile.
 #
-#run.sh[--quick][performance | accuracy]
+#   run.sh [--quick] [performance | accuracy]
 #
-#performance Performance.md alone; twenty minutes
-#accuracy SpeedAndAccuracy.md alone; six minutes
-#-- quick few rays, walks and rounds, to see that all runs; the pages go to the results' folder
-set -
-  euo pipefail
+#   performance   Performance.md alone; twenty minutes
+#   accuracy      SpeedAndAccuracy.md alone; six minutes
+#   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
+set -euo pipefail
 
-    cd "$(dirname " $
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+# shellcheck source=Utilities/packages.sh
+source Utilities/packages.sh
+
+build=$PWD/build/benchmark
+report=$PWD/Testing/Benchmarks/Report
+documentation=$PWD/Documentation
+quick=no
+if [[ ${1:-} == --quick ]]; then
+  quick=yes
+  documentation=$build/results
+  shift
+fi
+part=${1:-all}
+if (($# > 1)) || [[ $part != all && $part != performance && $part != accuracy ]]; then
+  echo "usage: run.sh [--quick] [performance | accuracy]" >&2
+  exit 2
+fi
+
+require_packages build benchmark
+fetch_data
+if [[ $part != accuracy ]]; then
+  # npm may have come by another way than Debian's package.
+  has_command npm || (require_packages meshes) || true
+  Data/fetch-benchmark-meshes.sh || echo "The scenes of these meshes are left out."
+fi
+python=$(python_with_matplotlib)
+
+echo "Building in $build ..."
+if ! log=$(cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
+  -DVTKIRRADIANCE_BUILD_EXAMPLES=ON -DVTKIRRADIANCE_BUILD_BENCHMARKS=ON 2>&1); then
+  echo "$log"
+  exit 1
+fi
+cmake --build "$build" --parallel "$(nproc)"
+
+# measure PROGRAM ARGUMENTS QUICK_ARGUMENTS: its results go to PROGRAM.csv, as tables to the screen and a file
+measure()
 {
-  BASH_SOURCE[0]
+  local arguments=$2
+  [[ $quick == no ]] || arguments=$3
+  echo "== $1"
+  # shellcheck disable=SC2086 # several words
+  "$build/bin/$1" $arguments >"$1.csv"
+  "$python" "$report/results.py" "$1.csv" | tee "$1.txt"
 }
-")/../.."
-#shellcheck source = Utilities / packages.sh
-  source Utilities /
-  packages.sh
 
-    build = $PWD / build / benchmark report = $PWD / Testing / Benchmarks /
-  Report documentation = $PWD / Documentation quick = no if[[${ 1 : -} == --quick]];
-then quick = yes documentation = $build / results shift fi part = $
+# write_page NAME PROGRAM...: the page of Documentation from its template and the results of the programs
+write_page()
 {
-  1 : -all
+  "$python" "$report/page.py" "$report/$1.md.in" "$documentation/$1.md" \
+    "$build/Testing/Benchmarks/versions.md" "${@:2}"
+  echo "$documentation/$1.md"
 }
-if (($ # > 1))
-  || [[$part != all && $part != performance && $part != accuracy]];
-then echo "usage: run.sh [--quick] [performance | accuracy]" >
-  &2 exit 2 fi
 
-    require_packages build benchmark fetch_data if [[$part != accuracy]];
-then
-#npm may have come by another way than Debian's package.
-    has_command npm ||
-  (require_packages meshes) || true Data / fetch - benchmark - meshes.sh
-  || echo "The scenes of these meshes are left out." fi python = $(python_with_matplotlib)
-
-  echo "Building in $build ..." if !log = $(
-    cmake - S.- B "$build" - G Ninja - DCMAKE_BUILD_TYPE = Release - DBUILD_TESTING = OFF -
-      DVTKIRRADIANCE_BUILD_EXAMPLES = ON - DVTKIRRADIANCE_BUILD_BENCHMARKS = ON 2 > &1);
-then echo "$log" exit 1 fi cmake-- build "$build" --parallel "$(nproc)"
-
-#measure PROGRAM ARGUMENTS QUICK_ARGUMENTS : its results go to PROGRAM.csv,                        \
-  as tables to the screen and a file
-  measure(){ local arguments = $2 [[$quick == no]] || arguments = $3 echo
-        "== $1"
-#shellcheck disable = SC2086 #several words
-        "$build/bin/$1" $arguments > "$1.csv"
-                                     "$python"
-                                     "$report/results.py"
-                                     "$1.csv" |
-      tee "$1.txt" }
-
-#write_page NAME PROGRAM... : the page of Documentation from its template and the results of the   \
-  programs
-  write_page(){ "$python"
-                "$report/page.py"
-                "$report/$1.md.in"
-                "$documentation/$1.md"
-                "$build/Testing/Benchmarks/versions.md"
-                "${@:2}" echo "$documentation/$1.md" }
-
-  rm
-  - rf "$build/results" mkdir - p "$build/results" cd "$build/results" if [[$part != accuracy]];
-then measure BenchmarkRayCasting
-  "300000 5"
-  "10000 2" measure BenchmarkTraversalModes ""
-  "10000 2" measure BenchmarkSegmentScan ""
-  "1 2" measure BenchmarkFarAndMany ""
-  "5000 1" measure BenchmarkSigns ""
-  "100" measure BenchmarkMovingTeapot "1000000 5"
-  "20000 2 2" measure BenchmarkRepairBudget ""
-  "20000 2" write_page Performance Benchmark{ RayCasting, TraversalModes, SegmentScan, FarAndMany,
-    Signs, MovingTeapot, RepairBudget }
-    .csv fi if [[$part != performance]];
-then measure BenchmarkAccuracy
-  ""
-  "65536 1" measure BenchmarkPilotPhotons ""
-  "8192 2" measure BenchmarkStaleError ""
-  "8192 2" write_page SpeedAndAccuracy Benchmark{ Accuracy, PilotPhotons, StaleError }
-    .csv fi
+rm -rf "$build/results"
+mkdir -p "$build/results"
+cd "$build/results"
+if [[ $part != accuracy ]]; then
+  measure BenchmarkRayCasting "300000 5" "10000 2"
+  measure BenchmarkTraversalModes "" "10000 2"
+  measure BenchmarkSegmentScan "" "1 2"
+  measure BenchmarkFarAndMany "" "5000 1"
+  measure BenchmarkSigns "" "100"
+  measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
+  measure BenchmarkRepairBudget "" "20000 2"
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,MovingTeapot,RepairBudget}.csv
+fi
+if [[ $part != performance ]]; then
+  measure BenchmarkAccuracy "" "65536 1"
+  measure BenchmarkPilotPhotons "" "8192 2"
+  measure BenchmarkStaleError "" "8192 2"
+  write_page SpeedAndAccuracy Benchmark{Accuracy,PilotPhotons,StaleError}.csv
+fi

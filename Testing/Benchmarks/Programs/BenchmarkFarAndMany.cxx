@@ -23,8 +23,14 @@ namespace
 
 constexpr double kKilometre = 1000;
 
-/// A room without a ceiling, a lamp and a point light.
-SceneObject makeRoom(const Vector3& light, double lampHeight)
+const Vector3 kLight(3, 1, 2);
+constexpr double kLampHeight = 3.5;
+constexpr int kBallSegments = 6;
+constexpr double kSmallBall = 0.04;
+
+/// A room without a ceiling, a lamp and a point light, and small balls that stay.
+SceneObject makeRoom(
+  const Vector3& light, double lampHeight, const std::vector<Vector3>& balls = {})
 {
   constexpr int kWalls = 5, kCells = 8;
   test::ObjectBuilder room;
@@ -35,13 +41,17 @@ SceneObject makeRoom(const Vector3& light, double lampHeight)
   room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0, 1));
   room.addQuad({ 2, 2, lampHeight }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0, 1));
   room.addPointLight(light, 1);
+  for (const Vector3& center : balls)
+  {
+    room.addSphere(center, kSmallBall, kBallSegments, test::grey(0.5));
+  }
   return room.build();
 }
 
 SceneObject makeBall(double radius)
 {
   test::ObjectBuilder ball;
-  ball.addSphere({ 0, 0, 0 }, radius, 6, test::grey(0.5));
+  ball.addSphere({ 0, 0, 0 }, radius, kBallSegments, test::grey(0.5));
   return ball.build();
 }
 
@@ -92,10 +102,9 @@ void addFarCase(Cases& cases, const char* name, const EngineSettings& settings,
 
 void addManyCase(Cases& cases, std::size_t count, const EngineSettings& settings)
 {
-  constexpr double kRadius = 0.04;
   Case& one = cases.emplace_back();
   one.name = std::to_string(count);
-  one.objects = { makeRoom({ 3, 1, 2 }, 3.5), { count, makeBall(kRadius) } };
+  one.objects = { makeRoom(kLight, kLampHeight), { count, makeBall(kSmallBall) } };
   // Spread evenly (Roberts 2018: the generalized golden ratio).
   const Vector3 step(0.8191725134, 0.6710436067, 0.5497004779);
   while (one.places.size() < count)
@@ -136,8 +145,8 @@ void follow(
 
 void timeFarThings(const EngineSettings& settings, int frames)
 {
-  const Vector3 light(3, 1, 2), rest(3, 3, 1), away = kKilometre * Vector3(0.6, 0, 0.8);
-  constexpr double kLamp = 3.5;
+  const Vector3 light = kLight, rest(3, 3, 1), away = kKilometre * Vector3(0.6, 0, 0.8);
+  constexpr double kLamp = kLampHeight;
   Cases cases;
   addFarCase(cases, "all near", settings, light, kLamp, { rest });
   addFarCase(cases, "ball went 1 km away", settings, light, kLamp, { rest, away });
@@ -173,6 +182,42 @@ void timeManyThings(const EngineSettings& settings, int frames)
   });
 }
 
+/// First shooting beside many objects that may move, by turns in fresh engines: each object with a tree
+/// of its own, all in one tree over single triangles, and the same triangles among the static ones.
+void timeManyShootings(const EngineSettings& settings, int rounds)
+{
+  Cases cases;
+  for (const std::size_t count : { 1, 9, 64, 200, 1000 })
+  {
+    addManyCase(cases, count, settings);
+  }
+  for (int round = 0; round < rounds; ++round)
+  {
+    double first = 0;
+    for (const Case& one : cases)
+    {
+      SceneObjects flattened = one.objects;
+      for (SceneObject& object : flattened.dynamicObjects)
+      {
+        object.isFlattened = true;
+      }
+      const SceneObjects allStatic{ makeRoom(kLight, kLampHeight, one.places), {} };
+      const std::pair<const char*, const SceneObjects*> ways[] = { { "instanced", &one.objects },
+        { "flattened", &flattened }, { "static", &allStatic } };
+      for (const auto& [way, objects] : ways)
+      {
+        IrradianceEngine engine;
+        timeUpdate(engine, *objects, settings);
+        const double seconds =
+          engine.statistics().shootSeconds / static_cast<double>(engine.balance().segments);
+        first = first == 0 ? seconds : first;
+        report("ManyShootings", one.name, std::string(way) + ", ns a segment", 1e9 * seconds);
+        report("ManyShootings", one.name, std::string(way) + " / one instanced", seconds / first);
+      }
+    }
+  }
+}
+
 }
 
 void run(const Arguments& arguments)
@@ -182,4 +227,5 @@ void run(const Arguments& arguments)
   const int frames = arguments.number(1, 25);
   timeFarThings(settings, frames);
   timeManyThings(settings, frames);
+  timeManyShootings(settings, (frames + 4) / 5);
 }

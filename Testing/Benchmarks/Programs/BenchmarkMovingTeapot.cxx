@@ -119,8 +119,7 @@ void timeRound(const MovingScene& scene, const EngineSettings& settings, int fra
       report(kTable, "verification (paper: 0.14)", kOverShooting, time.verification / shooting,
         { 0.03, 0.01 });
       report(kTable, "repair (paper: 0.029)", kOverShooting, time.repair / shooting);
-      report(
-        kTable, "verification and repair (paper: 0.17)", kOverShooting, time.whole / shooting);
+      report(kTable, "verification and repair (paper: 0.17)", kOverShooting, time.whole / shooting);
     }
     report(kTable, "re-shooting in Embree's fastest way" + (isSmall ? which : " (paper: 5.9)"),
       "time / verification and repair",
