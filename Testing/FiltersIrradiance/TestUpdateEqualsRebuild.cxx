@@ -233,3 +233,42 @@ TEST(UpdateEqualsRebuild, WhenObjectsDeform)
     Step(random, scene.Moving[1].Pose);
   }
 }
+
+// So many small objects that the filter flattens them, and a large one that it instances.
+TEST(UpdateEqualsRebuild, WithManySmallObjects)
+{
+  constexpr std::uint64_t seed = 20260104;
+  std::cout << "seed " << seed << "\n";
+  RandomNumbers random(seed);
+  Scene scene{ { MakeRoom(3, 3), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) },
+    { MakeMoving(MakeBall(0.4, 8), { 1, 1, 1 }) } };
+  for (int i = 0; i < 130; ++i)
+  {
+    scene.Moving.push_back(MakeMoving(MakeBox(0.1, 0.2, 0.1),
+      { random.Between(0.2, 2.8), random.Between(0.2, 2.8), random.Between(0.2, 2.6) }));
+  }
+  std::vector<vtkSmartPointer<vtkIrradianceFilter>> updated;
+  for (const int mode : { vtkIrradianceFilter::OneTree, vtkIrradianceFilter::Sequential,
+         vtkIrradianceFilter::Parallel })
+  {
+    updated.push_back(MakeFilter(scene, NumberOfWalks));
+    updated.back()->SetTraversalMode(mode);
+  }
+  double invalid = 0;
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    const auto fresh = MakeFilter(scene, NumberOfWalks);
+    fresh->Update();
+    for (const auto& filter : updated)
+    {
+      filter->Update();
+      ASSERT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)))
+        << "frame " << frame << ", mode " << filter->GetTraversalMode();
+      EXPECT_EQ(Field(filter, "ShootSeconds") == 0, frame > 0);
+      invalid += Field(filter, "NumberOfInvalidWalks");
+    }
+    Step(random, scene.Moving[static_cast<std::size_t>(random.Below(131))].Pose);
+    Step(random, scene.Moving[0].Pose);
+  }
+  EXPECT_GT(invalid, 0);
+}

@@ -4,6 +4,7 @@
 
 #include "IrradianceEngine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -33,6 +35,28 @@ TEST(PayForWhatIsUsed, NothingThatMovesNoHistory)
   EXPECT_EQ(shoot(objects, false, false).historyBytes, 0u) << "every frame is shot anew";
   objects.dynamicObjects.clear();
   EXPECT_EQ(shoot(objects, true, false).historyBytes, 0u);
+}
+
+// The tree over single moving triangles is for many objects of few triangles.
+TEST(PayForWhatIsUsed, ManySmallObjectsAreFlattened)
+{
+  constexpr std::size_t kMany = 128;
+  const auto plate = [](int triangles) {
+    test::ObjectBuilder builder;
+    builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, triangles / 2, 1, test::grey(0.5));
+    return builder.build();
+  };
+  const auto flattenedOf = [](SceneObjects objects) {
+    flattenManySmall(objects);
+    return std::count_if(objects.dynamicObjects.begin(), objects.dynamicObjects.end(),
+      [](const SceneObject& object) { return object.isFlattened; });
+  };
+  SceneObjects objects{ test::nothing(), { kMany - 1, plate(48) } };
+  EXPECT_EQ(flattenedOf(objects), 0);
+  objects.dynamicObjects.push_back(plate(50));
+  EXPECT_EQ(flattenedOf(objects), 0);
+  objects.dynamicObjects.push_back(plate(2));
+  EXPECT_EQ(flattenedOf(objects), static_cast<std::ptrdiff_t>(kMany));
 }
 
 TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)

@@ -267,19 +267,22 @@ TEST(ScanOfFarThings, ManyBodiesFlagWhatEachFlags)
   const WalkBlock block = store(segments, frame);
   SegmentScan together(frame, 1);
   std::set<std::uint32_t> each;
-  for (int count = 1; count <= 200; ++count)
+  constexpr int kMost = 256;
+  for (int count = 1; count <= kMost; ++count)
   {
     const EllipsoidBound bound = boundOf(*ball, { 0.02 * Matrix3::Identity(), inRoom(random) });
     SegmentScan alone(frame, 1);
     alone.addBody(bound);
     together.addBody(bound);
     each.merge(flaggedIn(block, alone));
-    if (count == 64 || count == 65 || count == 200)
+    if (count == 64 || count == 65 || count == kMost)
     {
       EXPECT_EQ(flaggedIn(block, together), each) << count << " bodies";
       EXPECT_LT(each.size(), segments.size() / 4);
     }
   }
+  together.addBody(boundOf(*ball, { 0.02 * Matrix3::Identity(), inRoom(random) }));
+  EXPECT_EQ(flaggedIn(block, together).size(), segments.size()) << "one body more than are scanned";
 }
 
 }
