@@ -131,7 +131,8 @@ public:
   {
     OneTree = 0,    ///< one tree over all triangles, rebuilt whenever something moves
     Sequential = 1, ///< the dynamic trees, then the static one up to the hit found
-    Parallel = 2    ///< all side by side; a hit in one shortens the searches of the others
+    Parallel = 2    ///< static and dynamic trees by turns, each hit shortening the other searches;
+                    ///< with four objects or more the static tree, then the objects before its hit
   };
 
   /// What happens when dynamic objects have moved; the result is the same.

@@ -19,7 +19,7 @@ enum class TraversalMode
 {
   OneTree,    ///< all triangles in one tree, which every commit() rebuilds
   Sequential, ///< first the dynamic trees, then the static one up to the hit found
-  Parallel    ///< in one batch, sharing limits; as Sequential from nine instanced objects on
+  Parallel    ///< both by turns, sharing limits; static first if there are many bodies
 };
 
 /**
