@@ -180,8 +180,7 @@ public:
 
   ///@{
   /**
-   * See TraversalModes. From 9 dynamic objects on, Parallel searches as Sequential does. Default
-   * Parallel.
+   * See TraversalModes. Default Parallel.
    */
   vtkSetClampMacro(TraversalMode, int, OneTree, Parallel);
   vtkGetMacro(TraversalMode, int);
