@@ -225,6 +225,7 @@ TriangleTree::TriangleTree(
   }
   frame_ = UnitFrame(all);
   std::vector<KdPrimitive> primitives;
+  primitives.reserve(boxes.size());
   for (const Box& box : boxes)
   {
     primitives.push_back({ { frame_(box.lower), frame_(box.upper) } });
