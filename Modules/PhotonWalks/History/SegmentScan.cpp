@@ -75,14 +75,7 @@ void SegmentScan::find(
   flagged.resize(segments / PointScan::kGroupSize + 1);
   const PointScan scan{ pointsOf(block), pointsOf(next), tags_, bodies_.data(), bodies_.size(),
     squaredNear_, flagged.data() };
-#ifdef __x86_64__
-  const SimdLevel level = simdLevel();
-  (level == SimdLevel::Avx512    ? runScanAvx512
-      : level == SimdLevel::Avx2 ? runScanAvx2
-                                 : runScanPlain)(scan);
-#else
-  runScanPlain(scan);
-#endif
+  IRRADIANCE_CALL_BEST(runScan, scan);
   for (std::size_t first = 0; first < segments; first += PointScan::kGroupSize)
   {
     for (unsigned bits = flagged[first / PointScan::kGroupSize]; bits != 0; bits &= bits - 1)

@@ -6,20 +6,14 @@
 namespace irradiance
 {
 
+void intersectAllPlain(IntersectionLanes& lanes)
+{
+  lanes.intersect();
+}
+
 void intersectAll(IntersectionLanes& lanes)
 {
-#ifdef __x86_64__
-  switch (simdLevel())
-  {
-    case SimdLevel::Avx512:
-      return intersectAllAvx512(lanes);
-    case SimdLevel::Avx2:
-      return intersectAllAvx2(lanes);
-    case SimdLevel::Plain:
-      break;
-  }
-#endif
-  lanes.intersect();
+  IRRADIANCE_CALL_BEST(intersectAll, lanes);
 }
 
 }

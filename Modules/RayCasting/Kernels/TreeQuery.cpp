@@ -64,18 +64,7 @@ bool TreeQuery::prepare(const QueryRequest& request)
 
 void runQueries(QuerySource& source)
 {
-#ifdef __x86_64__
-  switch (simdLevel())
-  {
-    case SimdLevel::Avx512:
-      return runQueriesAvx512(source);
-    case SimdLevel::Avx2:
-      return runQueriesAvx2(source);
-    case SimdLevel::Plain:
-      break;
-  }
-#endif
-  runQueriesPlain(source);
+  IRRADIANCE_CALL_BEST(runQueries, source);
 }
 
 }

@@ -21,4 +21,14 @@ void limitSimd(SimdLevel limit);
 
 }
 
+/// Calls the best of `name`Avx512, `name`Avx2 and `name`Plain that the machine can run.
+#ifdef __x86_64__
+#define IRRADIANCE_CALL_BEST(name, argument)                                                       \
+  (simdLevel() == SimdLevel::Avx512    ? name##Avx512                                              \
+      : simdLevel() == SimdLevel::Avx2 ? name##Avx2                                                \
+                                       : name##Plain)(argument)
+#else
+#define IRRADIANCE_CALL_BEST(name, argument) name##Plain(argument)
+#endif
+
 #endif
