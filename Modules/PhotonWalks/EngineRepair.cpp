@@ -13,13 +13,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-constexpr double kVerified = 0.5; ///< progress between verification and repair
-
-}
-
 void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)
 {
   if (!settings_.cacheStaticHits)
@@ -33,14 +26,15 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
     return;
   }
   Clock::time_point start = Clock::now();
+  const double verified = hasMotion ? 0.5 : 0; // progress between verification and repair
+  ProgressSpan verification(execution, 0, verified), rest(execution, verified, 1);
   const SobolSequence samples(settings_.seed, plan_.replicates());
   const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
   std::vector<std::vector<StaleSegment>> found;
   if (hasMotion)
   {
-    ProgressSpan span(execution, 0, kVerified);
-    commitScene(moved, span);
-    found = verify(shooter, moved, span);
+    commitScene(moved, verification);
+    found = verify(shooter, moved, verification);
   }
   if (hasBudget() && !stale_)
   {
@@ -49,13 +43,12 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   }
   if (stale_)
   {
-    ProgressSpan verified(execution, hasMotion ? kVerified : 0, hasMotion ? kVerified : 0);
-    stale_->add(found, history_, verified);
+    ProgressSpan atItsEnd(verification, 1, 1);
+    stale_->add(found, history_, atItsEnd);
   }
   statistics_.verifySeconds = hasMotion ? secondsSince(start) : 0;
 
   start = Clock::now();
-  ProgressSpan rest(execution, hasMotion ? kVerified : 0, 1);
   if (stale_)
   {
     const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;

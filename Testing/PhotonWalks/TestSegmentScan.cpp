@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../RayCasting/SingleRays.h"
 #include "../RayCasting/TestScenes.h"
 #include "../RayCasting/TestSimdLevels.h"
 #include "History/SegmentScan.h"
@@ -113,7 +114,7 @@ Counts scanOne(test::RandomVectors& random, const std::shared_ptr<const RigidObj
       ++counts.segments;
       const bool endsOnMoved = segment.hit.id.object == movedObject;
       const bool isBlocked =
-        scene.castMoved(segment.ray, Hit{ segment.hit.distance, { 0, 0 } }).id.object == 1;
+        test::castMoved(scene, segment.ray, Hit{ segment.hit.distance, { 0, 0 } }).id.object == 1;
       counts.touched += isBlocked || endsOnMoved ? 1 : 0;
       counts.missed += (isBlocked || endsOnMoved) && flagged.count({ walk, bounce }) == 0 ? 1 : 0;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
+#include "SingleRays.h"
 #include "TestMeshes.h"
 #include "TestRays.h"
 #include "TestSimdLevels.h"
@@ -126,7 +127,7 @@ TEST_P(KdTreeLaw, MayStartAnywhereBeforeTheHit)
       const double known = expected ? expected.distance : source.random().powerOfTwo(-10, 10);
       for (const double from : { known, known * source.random().uniform(0, 1) })
       {
-        const Hit found = scene.castStatic(ray, {}, from);
+        const Hit found = test::castStatic(scene, ray, {}, from);
         ASSERT_TRUE(haveSameBits(found, expected))
           << nameOf(kind) << " ray " << i << " from " << from << describe(ray, expected, found);
       }
@@ -151,7 +152,7 @@ TEST_P(KdTreeLaw, KeepsABetterHit)
           Hit{ std::nextafter(distance, 0.0), { 1, 0 } } })
       {
         const Hit expected = isCloser(nearest, best) ? nearest : best;
-        const Hit found = scene.castStatic(ray, best);
+        const Hit found = test::castStatic(scene, ray, best);
         ASSERT_TRUE(haveSameBits(found, expected))
           << nameOf(kind) << " ray " << i << ' ' << describe(ray, nearest, {}) << "\n  found "
           << exactly(found) << " with " << exactly(best);

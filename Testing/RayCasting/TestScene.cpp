@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
+#include "SingleRays.h"
 #include "TestRays.h"
 #include "TestScenes.h"
 #include "TestSimdLevels.h"
@@ -144,9 +145,9 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
         const std::string text = nameOf(kind) + (" ray " + std::to_string(i)) + ": " +
           exactly(ray) + " with " + exactly(best);
         const Hit inDynamic = bruteForce(GetParam(), ray, dynamic, best);
-        ASSERT_TRUE(haveSameBits(scene.castDynamic(ray, best), inDynamic)) << text;
+        ASSERT_TRUE(haveSameBits(test::castDynamic(scene, ray, best), inDynamic)) << text;
         const Hit inMoved = bruteForce(GetParam(), ray, chosen, best);
-        ASSERT_TRUE(haveSameBits(scene.castMoved(ray, best), inMoved)) << text;
+        ASSERT_TRUE(haveSameBits(test::castMoved(scene, ray, best), inMoved)) << text;
         const bool isCloser = inMoved != best;
         hits += isCloser ? 1 : 0;
       }
@@ -161,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Scene, WithoutMovedObjectsNothingIsHit)
 {
   const Scene scene = test::hardMaps().scene(TraversalMode::Parallel);
-  EXPECT_FALSE(scene.castMoved({ { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
+  EXPECT_FALSE(test::castMoved(scene, { { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
 }
 
 // The bounds of a body beyond the range of doubles are unknown. Those of the others must still count.
@@ -226,9 +227,9 @@ TEST(Scene, BreaksTiesByObjectAndTriangle)
       const Scene scene = both.scene(mode, { true, true });
       Ray ray{ { 0.2, 0.3, 2 }, { 0, 0, -1 }, {} };
       EXPECT_EQ(scene.cast(ray), (Hit{ 2, { 0, 0 } }));
-      EXPECT_EQ(scene.castDynamic(ray, {}), (Hit{ 2, { 1, 0 } }));
-      EXPECT_EQ(scene.castMoved(ray, Hit{ 2, { 1, 1 } }), (Hit{ 2, { 1, 0 } }));
-      EXPECT_EQ(scene.castMoved(ray, Hit{ 2, { 0, 1 } }), (Hit{ 2, { 0, 1 } }));
+      EXPECT_EQ(test::castDynamic(scene, ray, {}), (Hit{ 2, { 1, 0 } }));
+      EXPECT_EQ(test::castMoved(scene, ray, Hit{ 2, { 1, 1 } }), (Hit{ 2, { 1, 0 } }));
+      EXPECT_EQ(test::castMoved(scene, ray, Hit{ 2, { 0, 1 } }), (Hit{ 2, { 0, 1 } }));
       ray.start = { 0, 0 };
       EXPECT_EQ(scene.cast(ray), (Hit{ 2, { 0, 1 } }));
     }

@@ -35,42 +35,43 @@ bool isInPlaneOf(const Triangle& s, const Triangle& t, double tolerance)
     std::abs(normal.dot(t.b - s.a)) <= tolerance && std::abs(normal.dot(t.c - s.a)) <= tolerance;
 }
 
-/// Whether a line along an edge of `s` separates the two triangles, which lie in one plane.
-bool isPartedByEdge(const Triangle& s, const Triangle& t, double tolerance)
+/// For each edge the direction in the triangle's plane that points from it to the inside.
+std::array<Vector3, 3> inwardOf(const Triangle& t)
 {
-  const Vector3 normal = s.areaVector().normalized();
+  const Vector3 normal = t.areaVector().normalized();
+  return { normal.cross((t.b - t.a).normalized()), normal.cross((t.c - t.b).normalized()),
+    normal.cross((t.a - t.c).normalized()) };
+}
+
+/// Whether a line along an edge of `s` separates the two triangles, which lie in one plane.
+bool isSeparatedByEdge(const Triangle& s, const Triangle& t, double tolerance)
+{
   const auto corners = cornersOf(s);
-  for (int i = 0; i < 3; ++i)
+  const auto inward = inwardOf(s);
+  bool isSeparated = false;
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    const Vector3& from = *corners[i];
-    const Vector3 inward = normal.cross((*corners[(i + 1) % 3] - from).normalized());
-    const double farthest =
-      std::max({ inward.dot(t.a - from), inward.dot(t.b - from), inward.dot(t.c - from) });
-    if (farthest <= 4 * tolerance)
-    {
-      return true;
-    }
+    const auto in = [&](const Vector3& point) { return inward[i].dot(point - *corners[i]); };
+    isSeparated = isSeparated || std::max({ in(t.a), in(t.b), in(t.c) }) <= 4 * tolerance;
   }
-  return false;
+  return isSeparated;
 }
 
 bool doCoincide(const Triangle& s, const Triangle& t)
 {
   const double tolerance = toleranceOf(s, t);
   return (isInPlaneOf(s, t, tolerance) || isInPlaneOf(t, s, tolerance)) &&
-    !isPartedByEdge(s, t, tolerance) && !isPartedByEdge(t, s, tolerance);
+    !isSeparatedByEdge(s, t, tolerance) && !isSeparatedByEdge(t, s, tolerance);
 }
 
 bool liesOn(const Triangle& triangle, const Vector3& point, double tolerance)
 {
-  const Vector3 normal = triangle.areaVector().normalized();
   const auto corners = cornersOf(triangle);
-  bool isOn = std::abs(normal.dot(point - triangle.a)) <= tolerance;
-  for (int i = 0; i < 3; ++i)
+  const auto inward = inwardOf(triangle);
+  bool isOn = std::abs(triangle.areaVector().normalized().dot(point - triangle.a)) <= tolerance;
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    const Vector3& from = *corners[i];
-    const Vector3 inward = normal.cross((*corners[(i + 1) % 3] - from).normalized());
-    isOn = isOn && inward.dot(point - from) >= -4 * tolerance;
+    isOn = isOn && inward[i].dot(point - *corners[i]) >= -4 * tolerance;
   }
   return isOn;
 }
@@ -105,15 +106,10 @@ bool isLamp(const SceneObject& object, std::uint32_t triangle)
 {
   const Material& material = *object.material;
   const auto bands = static_cast<std::size_t>(material.bands);
-  const std::size_t first = material.cellOfTriangle[triangle] * bands;
-  for (std::size_t band = 0; band < bands && !material.exitance.empty(); ++band)
-  {
-    if (material.exitance[first + band] > 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  const auto emits = [&](std::size_t band) {
+    return band < bands && material.exitance[material.cellOfTriangle[triangle] * bands + band] > 0;
+  };
+  return !material.exitance.empty() && (emits(0) || emits(1) || emits(2));
 }
 
 /// World bounds, slightly inflated, of a box in the space of the object.

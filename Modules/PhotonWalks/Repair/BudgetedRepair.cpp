@@ -46,9 +46,6 @@ std::int64_t BudgetedRepair::run(Execution& execution)
   {
     all += like.size;
   }
-  const auto progress = [&](std::size_t count) {
-    return static_cast<double>(count) / static_cast<double>(all);
-  };
   for (const Class& like : order)
   {
     if (isOver())
@@ -56,7 +53,8 @@ std::int64_t BudgetedRepair::run(Execution& execution)
       break;
     }
     std::vector<Unit> parts = units();
-    ProgressSpan span(execution, progress(done), progress(done + like.size));
+    ProgressSpan span(execution, static_cast<double>(done) / static_cast<double>(all),
+      static_cast<double>(done + like.size) / static_cast<double>(all));
     SlicedPass pass{ parts.size(), {} };
     pass.work = [&](std::size_t i, const Deadline& deadline) {
       return work(parts[i], like.weakest, deadline);

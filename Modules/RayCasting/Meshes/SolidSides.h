@@ -22,8 +22,8 @@ enum class SolidSide : std::int8_t
 struct SolidSides
 {
   std::vector<SolidSide> of; ///< for each triangle
-  std::vector<bool>
-    isOfOutermost; ///< for each triangle: it belongs to a closed surface that holds all of the mesh
+  /// Whether a triangle belongs to a closed surface that holds all of the mesh.
+  std::vector<bool> isOfOutermost;
 };
 
 /**

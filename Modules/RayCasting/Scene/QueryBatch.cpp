@@ -85,8 +85,7 @@ void Scene::QueryBatch::run()
   next_ = 0;
 }
 
-void Scene::QueryBatch::runAll(
-  std::uint32_t first, std::uint32_t end, const std::vector<std::uint32_t>& order)
+void Scene::QueryBatch::runAll(std::uint32_t first, std::uint32_t end, const Order& order)
 {
   isForAll_ = true;
   order_ = &order;
@@ -97,14 +96,13 @@ void Scene::QueryBatch::runAll(
   next_ = 0;
 }
 
-void Scene::QueryBatch::runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order)
+void Scene::QueryBatch::runAllStatic(std::uint32_t count, const Order& order)
 {
   runAll(0, count, order);
   run();
 }
 
-void Scene::QueryBatch::runAllBodies(
-  const Group& group, std::uint32_t count, const std::vector<std::uint32_t>& order)
+void Scene::QueryBatch::runAllBodies(const Group& group, std::uint32_t count, const Order& order)
 {
   group_ = &group;
   for (std::uint32_t first = 0; first < count; first += kMany)
@@ -140,8 +138,7 @@ std::size_t Scene::QueryBatch::next(QueryRequest* requests, std::size_t most)
   return count;
 }
 
-void Scene::QueryBatch::prefetchAhead(
-  const std::vector<std::uint32_t>& order, std::size_t number) const
+void Scene::QueryBatch::prefetchAhead(const Order& order, std::size_t number) const
 {
   constexpr std::size_t kAhead = 32;
   if (number + kAhead < order.size())

@@ -16,6 +16,9 @@ namespace irradiance
 class Scene::QueryBatch final : public QuerySource
 {
 public:
+  /// Numbers of rays, in the order in which they are searched; empty: as they are.
+  using Order = std::vector<std::uint32_t>;
+
   /// `best`: on input the hits known before, on output the closer ones. No hit of ray i comes
   /// before `from[i]`, in units of its direction, if `from` is given.
   QueryBatch(const Scene& scene, const Ray* rays, Hit* best, const double* from = nullptr);
@@ -23,18 +26,17 @@ public:
   /// Adds a search of the ray in the tree of an object.
   void add(std::uint32_t ray, std::uint32_t object);
   void add(std::uint32_t ray, const MixedTree& mixed);
-  /// Searches all rays in the static tree, in this order if it is not empty.
-  void runAllStatic(std::uint32_t count, const std::vector<std::uint32_t>& order);
+  /// Searches all rays in the static tree.
+  void runAllStatic(std::uint32_t count, const Order& order);
   /// Searches all rays in the tree over the bodies of the group, then in the trees of the bodies that
   /// they may touch.
-  void runAllBodies(
-    const Group& group, std::uint32_t count, const std::vector<std::uint32_t>& order);
+  void runAllBodies(const Group& group, std::uint32_t count, const Order& order);
   /// Adds the ray to all trees of the group that it may touch, except those behind the tree over
   /// bodies; false if there are none.
   bool addGroup(std::uint32_t ray, const Group& group);
   /// Prefetches the ray some places after `number`: where rays are taken out of order, the hardware
   /// does not guess which come next.
-  void prefetchAhead(const std::vector<std::uint32_t>& order, std::size_t number) const;
+  void prefetchAhead(const Order& order, std::size_t number) const;
   /// Runs what was added.
   void run();
   /// Runs what was added once it is many. Call it only between rays.
@@ -69,7 +71,7 @@ private:
                      : jobs_[number];
   }
   void request(const Job& job, QueryRequest& request) const;
-  void runAll(std::uint32_t first, std::uint32_t end, const std::vector<std::uint32_t>& order);
+  void runAll(std::uint32_t first, std::uint32_t end, const Order& order);
   /// Adds the search in the tree of a body, unless the ray misses its ellipsoid.
   void enter(std::uint32_t ray, std::uint32_t reference);
   TriangleId idOf(const Job& job, std::uint32_t reference) const
@@ -92,8 +94,8 @@ private:
   /// Instead of jobs, all rays are searched in one tree: that over bodies, or the static one.
   bool isForAll_ = false;
   const TriangleTree* bodies_ = nullptr;
-  const Group* group_ = nullptr;                      ///< of the bodies
-  const std::vector<std::uint32_t>* order_ = nullptr; ///< of all rays; may be empty
+  const Group* group_ = nullptr; ///< of the bodies
+  const Order* order_ = nullptr; ///< of all rays; may be empty
   std::uint32_t next_ = 0, end_ = 0;
   std::size_t pendingCount_ = 0, confirmed_ = 0;
   std::array<PendingHit, kMostPending> pendingHits_;

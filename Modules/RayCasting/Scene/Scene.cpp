@@ -121,7 +121,6 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
   std::vector<std::uint32_t> flattened;
   std::vector<Box> boxes;
   double slack = 0;
-  bool areFinite = true;
   for (std::uint32_t i = 0; i < chosen.size(); ++i)
   {
     if (!chosen[i] || placed_[i].object.body->mesh().isEmpty())
@@ -137,7 +136,6 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
       group.instanced.push_back(i);
       boxes.push_back(placed_[i].bound.worldBox());
       slack = std::max(slack, placed_[i].slack);
-      areFinite = areFinite && std::isfinite(boxes.back().magnitude());
     }
   }
   if (dynamic_.flattened && dynamic_.flattened->objects == flattened)
@@ -148,7 +146,7 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
   {
     group.flattened = std::make_shared<MixedTree>(mix(flattened, checkpoint));
   }
-  if (boxes.size() >= kManyObjects && areFinite)
+  if (boxes.size() >= kManyObjects)
   {
     group.bodies = TriangleTree(boxes, slack, checkpoint);
   }

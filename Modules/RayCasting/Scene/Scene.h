@@ -60,21 +60,6 @@ public:
     cast(&ray, 1, &hit);
     return hit;
   }
-  Hit castStatic(const Ray& ray, Hit best, double from = 0) const
-  {
-    castStatic(&ray, 1, &best, &from);
-    return best;
-  }
-  Hit castDynamic(const Ray& ray, Hit best) const
-  {
-    castDynamic(&ray, 1, &best);
-    return best;
-  }
-  Hit castMoved(const Ray& ray, Hit best) const
-  {
-    castMoved(&ray, 1, &best);
-    return best;
-  }
 
   std::size_t numberOfObjects() const { return placed_.size(); }
   /// Of all geometry, in world space.

@@ -61,8 +61,8 @@ private:
   KdCost cost_;
   double lower_, upper_;
   bool isUseful_;
-  double cap_,
-    rim_; ///< areas over the cell's: of one of its two ends, and of its sides per unit of length
+  // areas over the cell's: of one end, and of the sides for each unit of length.
+  double cap_, rim_;
 };
 
 }

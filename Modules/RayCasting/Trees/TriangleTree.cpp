@@ -223,13 +223,15 @@ TriangleTree::TriangleTree(
   {
     all.add(box);
   }
-  frame_ = UnitFrame(all);
-  std::vector<KdPrimitive> primitives;
-  primitives.reserve(boxes.size());
-  for (const Box& box : boxes)
+  if (!std::isfinite(all.magnitude()))
   {
-    primitives.push_back({ { frame_(box.lower), frame_(box.upper) } });
+    return;
   }
+  frame_ = UnitFrame(all);
+  std::vector<KdPrimitive> primitives(boxes.size());
+  std::transform(boxes.begin(), boxes.end(), primitives.begin(), [&](const Box& box) {
+    return KdPrimitive{ { frame_(box.lower), frame_(box.upper) } };
+  });
   constexpr double kBeyondTheFrame = 0x1p20;
   blur_ = kBeyondTheFrame; // no test rejects
   slack_ = slack * frame_.scale;

@@ -45,7 +45,8 @@ public:
   TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& blurs,
     double conditionNumber, const Checkpoint& checkpoint);
   /// A tree over bodies: a search finds all whose boxes it may touch, as if each held a triangle that
-  /// is known only up to that box. Boxes are finite. `slack`: a hit in a box may be this much closer.
+  /// is known only up to that box. Empty if a box is not finite. `slack`: a hit may be this much
+  /// closer than its box.
   TriangleTree(const std::vector<Box>& boxes, double slack, const Checkpoint& checkpoint);
 
   bool isEmpty() const { return blocks_.empty(); }
