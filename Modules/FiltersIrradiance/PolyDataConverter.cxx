@@ -60,7 +60,7 @@ void PolyDataConverter::fail(const std::string& what) const
 
 std::vector<std::string> PolyDataConverter::convert()
 {
-  for (const MaterialArray number : { Exitance, Reflectance, Flux })
+  for (std::size_t number = 0; number < arrays_.size(); ++number)
   {
     checkArray(number);
   }
@@ -150,7 +150,7 @@ std::vector<std::string> PolyDataConverter::oddities() const
   return oddities;
 }
 
-void PolyDataConverter::checkArray(MaterialArray number) const
+void PolyDataConverter::checkArray(std::size_t number) const
 {
   vtkDataArray* array = arrays_[number];
   if (!array)

@@ -54,7 +54,7 @@ private:
     void add(vtkIdType cell) { first = count++ == 0 ? cell : first; }
   };
 
-  void checkArray(MaterialArray number) const;
+  void checkArray(std::size_t number) const;
   void makeRoom();
   void readPointLights(vtkCellArray* cells);
   void readLines();

@@ -84,8 +84,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   const WalkVerifier verifier(shooter, moved, scan, clearance_);
   std::vector<std::vector<StaleSegment>> stale(history_.size());
   const StaleMarks none;
-  constexpr std::size_t kBlocksPerUnit =
-    16; // blocks in a row for a thread, which prefetches the next
+  constexpr std::size_t kBlocksPerUnit = 16; // in a row for a thread, which prefetches the next
   SlicedPass pass{ (stale.size() + kBlocksPerUnit - 1) / kBlocksPerUnit, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
     const std::size_t end = std::min((unit + 1) * kBlocksPerUnit, stale.size());

@@ -104,12 +104,11 @@ void Scene::QueryBatch::runAllStatic(std::uint32_t count, const Order& order)
 
 void Scene::QueryBatch::runAllBodies(const Group& group, std::uint32_t count, const Order& order)
 {
-  group_ = &group;
   for (std::uint32_t first = 0; first < count; first += kMany)
   {
-    bodies_ = &group.bodies;
+    group_ = &group;
     runAll(first, std::min(first + kMany, count), order);
-    bodies_ = nullptr;
+    group_ = nullptr;
     run();
   }
 }
@@ -166,9 +165,9 @@ void Scene::QueryBatch::request(const Job& job, QueryRequest& request) const
     request.skipped = job.mixed->referenceTo(ray.start);
     return;
   }
-  if (bodies_)
+  if (group_)
   {
-    request.tree = bodies_;
+    request.tree = &group_->bodies;
     return;
   }
   request.tree = &scene_.bodyOf(job.object).tree();
@@ -189,7 +188,7 @@ void Scene::QueryBatch::finish(
   const TreeQuery& query, const std::uint32_t* references, std::size_t count)
 {
   const Job job = jobOf(query.job);
-  if (bodies_)
+  if (group_)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -263,7 +262,7 @@ void Scene::QueryBatch::take(
 void Scene::QueryBatch::test(TreeQuery& query, std::uint32_t reference)
 {
   const Job job = jobOf(query.job);
-  if (bodies_)
+  if (group_)
   {
     enter(job.ray, reference);
     return;

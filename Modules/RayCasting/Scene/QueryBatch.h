@@ -93,8 +93,7 @@ private:
   std::vector<Job>& jobs_;
   /// Instead of jobs, all rays are searched in one tree: that over bodies, or the static one.
   bool isForAll_ = false;
-  const TriangleTree* bodies_ = nullptr;
-  const Group* group_ = nullptr; ///< of the bodies
+  const Group* group_ = nullptr; ///< whose bodies are searched; null otherwise
   const Order* order_ = nullptr; ///< of all rays; may be empty
   std::uint32_t next_ = 0, end_ = 0;
   std::size_t pendingCount_ = 0, confirmed_ = 0;

@@ -226,7 +226,8 @@ void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hi
 {
   const std::vector<std::uint32_t> order = orderOf(rays, count);
   QueryBatch batch(*this, rays, best);
-  for (std::uint32_t i = 0; i < count; ++i)
+  const bool isAllBehindBodies = !group.flattened && !group.bodies.isEmpty();
+  for (std::uint32_t i = 0; i < count && !isAllBehindBodies; ++i)
   {
     batch.prefetchAhead(order, i);
     batch.addGroup(order.empty() ? i : order[i], group);
