@@ -119,7 +119,7 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
     {
       const std::uint32_t walk = plan_.firstWalkOf(block) + segment.walkInBlock;
       batch.resume(walk, segment.bounce, segment.ray, segment.hit,
-        walks.power(segment.walkInBlock, 0), walks.power(segment.walkInBlock, segment.bounce));
+        walks.power(segment.walkInBlock, segment.bounce));
       for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
       {
         sums_.prefetch(walk, walks.hit(segment.walkInBlock, i).id); // will be subtracted

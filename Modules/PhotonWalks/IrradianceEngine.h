@@ -71,7 +71,11 @@ public:
   /// The errors of the sums, from the spread of the replicates; valid until the next update.
   ErrorEstimate errorEstimate() const { return errorEstimate(sums_.rounds()); }
   /// Watts of a number of quanta.
-  double watts(double quanta) const { return quanta * (emitters_.quantum() * scale()); }
+  double watts(double quanta) const
+  {
+    return emitters_.flux() *
+      (quanta / (static_cast<double>(emitters_.photon()) * numberOfWalks()));
+  }
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
   /// The number of walks shot; more than in the settings if a target needs them.
   std::uint32_t numberOfWalks() const { return plan_.rounds()[sums_.rounds() - 1].endWalk; }
@@ -131,9 +135,6 @@ private:
   /// Walks stay inside, except where they escape.
   Box walkBounds() const;
   double reachInFrame() const;
-  /// Each walk has its power for the largest number of walks, so that it does not depend on how
-  /// many are shot. With fewer walks a quantum counts for more.
-  double scale() const { return static_cast<double>(plan_.most()) / numberOfWalks(); }
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
   SceneObjects objects_;

@@ -142,7 +142,7 @@ TEST(PowerBalance, HoldsForAllReflectancesInAnOpenRoom)
       engine.update(objects, settings, execution);
       expectBalance(engine.balance());
       EXPECT_FALSE(engine.balance().escaped.isZero());
-      // Nothing is absorbed at 1: powers are never rounded, roulette is never played.
+      // At 1 every walk survives every hit, and keeps its power.
       EXPECT_EQ(engine.balance().absorbed.isZero(), reflectance == 1);
       objects.dynamicObjects[0].worldFromObject.translation[2] += 0.1;
     }

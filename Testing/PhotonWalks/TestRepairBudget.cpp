@@ -230,7 +230,7 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     }
     EXPECT_GT(brought, 0);
     EXPECT_EQ(brought, gainBound(now, 0)) << "reflectance " << reflectance;
-    // Roulette keeps the mean: power / (1 - reflectance), within 5 standard errors (one false alarm
+    // A walk survives with probability = reflectance: power / (1 - reflectance), within 5 standard errors (one false alarm
     // in 10^6). The standard deviation of a walk's tail is at most about its mean.
     const double mean = double(stalePower(now)[0]) / (1 - reflectance);
     EXPECT_NEAR(
@@ -374,19 +374,22 @@ std::map<std::uint16_t, std::size_t> effects(const IrradianceEngine& engine)
 }
 
 // Classes of few walks are merged up to 128 walks per unit, so the classes above the weakest of a
-// group have fewer walks than that.
+// group have fewer walks than that. In one band all walks are equal, so there are three.
 TEST(RepairBudget, TheStrongestComeFirst)
 {
-  constexpr std::size_t kBatchSize = 6 * 128; // 6 blocks, each a unit
-  MovingScene scene(1, true, 34);
+  constexpr std::size_t kBatchSize = 12 * 128; // 12 blocks, each a unit
+  MovingScene scene(3, true, 34);
   EngineSettings settings;
-  settings.numberOfWalks = 6000;
+  settings.numberOfWalks = 12000;
   settings.repairTimeBudget = kNoTime;
   IrradianceEngine engine;
   TickingExecution clock;
   engine.update(scene.objects(), settings, clock);
-  scene.nextFrame();
-  engine.update(scene.objects(), settings, clock);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.nextFrame();
+    engine.update(scene.objects(), settings, clock);
+  }
   ASSERT_GT(numberOfStale(engine), 2 * kBatchSize);
   settings.repairTimeBudget = 30 * TickingExecution::kTick;
   int calls = 0;

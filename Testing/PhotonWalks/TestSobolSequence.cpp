@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr SampleUse kUses[] = { SampleUse::Emitter, SampleUse::Position, SampleUse::Direction,
-  SampleUse::Roulette };
+  SampleUse::Survival };
 
 /// Sobol's point as the xor of direction numbers m_k 2^(32 - k) (Bratley and Fox 1988).
 std::uint32_t fromDirectionNumbers(std::uint32_t index, const std::array<std::uint32_t, 32>& m)
@@ -149,7 +149,7 @@ TEST(SobolSequence, BouncesAndUsesAreIndependentUnderManySeeds)
       const auto a = samples.sample(walk, 0, SampleUse::Direction);
       const auto b = samples.sample(walk, 1, SampleUse::Direction);
       const auto c = samples.sample(walk, 0, SampleUse::Position);
-      const auto d = samples.sample(walk, 1, SampleUse::Roulette);
+      const auto d = samples.sample(walk, 1, SampleUse::Survival);
       pairs[0].add(a[0], a[1]);
       pairs[1].add(a[0], b[0]);
       pairs[2].add(a[1], b[1]);
@@ -176,7 +176,7 @@ TEST(SobolSequence, SuccessiveBouncesAreIndependent)
     const auto a = samples.sample(3, bounce, SampleUse::Direction);
     pairs[0].add(a[0], a[1]);
     pairs[1].add(a[0], samples.sample(3, bounce + 1, SampleUse::Direction)[0]);
-    pairs[2].add(a[1], samples.sample(3, bounce + 1, SampleUse::Roulette)[0]);
+    pairs[2].add(a[1], samples.sample(3, bounce + 1, SampleUse::Survival)[0]);
   }
   for (const PairCounts& pair : pairs)
   {

@@ -19,7 +19,7 @@ constexpr double kFar = -20; ///< behind the emitter, out of the way
 
 /**
  * A black tube along x, from an emitting end of 1 m2 at x = 0 to x = 10, and two black plates P and
- * Q that close it where they stand. All walks have one segment and the same power of 2^33 quanta,
+ * Q that close it where they stand. All walks have one segment and the same power of 2^34 quanta,
  * so that cell sums count walks. This is Figure 4 of the paper with nothing left to chance.
  *
  *     |------P-------Q----|
@@ -70,9 +70,9 @@ public:
 
   std::int64_t onPlate(std::size_t plate) const
   {
-    return engine_.sums().sum(static_cast<std::uint32_t>(plate + 1), 0, 0, 0) >> 33;
+    return engine_.sums().sum(static_cast<std::uint32_t>(plate + 1), 0, 0, 0) >> 34;
   }
-  std::int64_t escaped() const { return engine_.balance().escaped[0] >> 33; }
+  std::int64_t escaped() const { return engine_.balance().escaped[0] >> 34; }
   /// Hits on the tube with x in (from, to); its end is at 10.
   std::int64_t between(double from, double to) const
   {
@@ -83,7 +83,7 @@ public:
       const double x = mesh[i].bounds().center()[0];
       quanta += x > from && x < to ? engine_.sums().sum(0, i / 2, 0, 0) : 0;
     }
-    return quanta >> 33;
+    return quanta >> 34;
   }
   /// The same tube with both plates out of the way.
   const Tube& alone() const { return *alone_; }

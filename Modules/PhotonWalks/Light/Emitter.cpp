@@ -53,28 +53,23 @@ bool operator==(const Emitter& a, const Emitter& b)
 
 bool operator==(const EmitterTable& a, const EmitterTable& b)
 {
-  return a.numberOfWalks_ == b.numberOfWalks_ && a.emitters_ == b.emitters_ &&
-    a.openSides_ == b.openSides_;
+  return a.photon_ == b.photon_ && a.emitters_ == b.emitters_ && a.openSides_ == b.openSides_;
 }
 
 EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
   Contacts* contacts, const Checkpoint& checkpoint)
-  : numberOfWalks_(numberOfWalks)
 {
+  constexpr std::uint64_t kMostQuanta = std::uint64_t{ 1 } << 46;
+  while (2 * static_cast<std::uint64_t>(photon_) * numberOfWalks <= kMostQuanta)
+  {
+    photon_ *= 2;
+  }
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     addTriangles(objects, object);
     addPoints(objects, object, contacts, checkpoint);
   }
-  if (!emitters_.empty())
-  {
-    int exponent;
-    std::frexp(cumulative_.back(), &exponent);
-    const int smallest = std::numeric_limits<double>::min_exponent; // below lie subnormals, then 0
-    quantum_ = std::ldexp(1.0, std::max(exponent - 46, smallest));
-    totalQuanta_ = static_cast<std::uint64_t>(std::llround(cumulative_.back() / quantum_));
-  }
-  if (totalQuanta_ == 0)
+  if (flux() < std::numeric_limits<double>::min())
   {
     emitters_.clear(); // too weak for a double
   }
@@ -135,19 +130,13 @@ void EmitterTable::add(const Emitter& emitter)
   }
 }
 
-Power EmitterTable::powerOf(std::uint32_t walk, const Emitter& emitter) const
+Power EmitterTable::powerOf(const Emitter& emitter) const
 {
-  // floor(walks * total / number), with the whole part taken out so that nothing overflows.
-  const std::uint64_t whole = totalQuanta_ / numberOfWalks_, rest = totalQuanta_ % numberOfWalks_;
-  const auto upTo = [&](std::uint64_t walks) {
-    return static_cast<std::int64_t>(walks * whole + walks * rest / numberOfWalks_);
-  };
-  const auto total = static_cast<double>(upTo(std::uint64_t{ walk } + 1) - upTo(walk));
   Power power;
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     const double share = emitter.flux[static_cast<std::size_t>(band)] / emitter.totalFlux();
-    power[band] = nearestQuanta(total * share);
+    power[band] = nearestQuanta(static_cast<double>(photon_) * share);
   }
   return power;
 }
@@ -155,13 +144,12 @@ Power EmitterTable::powerOf(std::uint32_t walk, const Emitter& emitter) const
 std::array<double, Power::kMaxBands> EmitterTable::largestStart() const
 {
   std::array<double, Power::kMaxBands> largest{};
-  const double walk =
-    std::ceil(static_cast<double>(totalQuanta_) / static_cast<double>(numberOfWalks_));
   for (const Emitter& emitter : emitters_)
   {
+    const Power power = powerOf(emitter);
     for (std::size_t band = 0; band < largest.size(); ++band)
     {
-      largest[band] = std::max(largest[band], walk * (emitter.flux[band] / emitter.totalFlux()));
+      largest[band] = std::max(largest[band], static_cast<double>(power.quanta[band]));
     }
   }
   return largest;
@@ -175,7 +163,7 @@ WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) 
   const Emitter& emitter = emitters_[number];
 
   const auto direction = samples.sample(walk, 0, SampleUse::Direction);
-  const Power power = powerOf(walk, emitter);
+  const Power power = powerOf(emitter);
   if (emitter.isPoint())
   {
     Vector3 shining = sampleSphere(direction);

@@ -35,9 +35,8 @@ struct WalkStart
 };
 
 /**
- * All lights of a frame. Every walk carries the same share of the total flux; which light it starts
- * from is sampled in proportion to flux. The power of walk i is floor((i + 1) Q / N) -
- * floor(i Q / N) of Q quanta for N walks, so that nothing is lost to rounding.
+ * All lights of a frame. Every walk carries the same share of the total flux, a photon; which light
+ * it starts from is sampled in proportion to flux.
  */
 class EmitterTable
 {
@@ -52,11 +51,14 @@ public:
   const std::vector<Emitter>& emitters() const { return emitters_; }
   /// Bounds of the point lights.
   const Box& pointBounds() const { return pointBounds_; }
-  /// Watts per quantum: the power of two for which the total flux is 2^45 to 2^46 quanta. This
-  /// leaves 2^17 times the emitted power for a cell to receive before a sum overflows.
-  double quantum() const { return quantum_; }
+  /// W, of all lights in all bands.
+  double flux() const { return emitters_.empty() ? 0 : cumulative_.back(); }
+  /// Quanta with which every walk starts, in all bands together: the power of two for which all
+  /// walks have 2^45 to 2^46. This leaves 2^16 times the emitted power for the cells to receive
+  /// before a sum overflows.
+  std::int64_t photon() const { return photon_; }
 
-  /// Quanta with which the most powerful walk starts, in each band.
+  /// Quanta with which a walk from any light may start, in each band.
   std::array<double, Power::kMaxBands> largestStart() const;
 
   WalkStart start(std::uint32_t walk, const SobolSequence& samples) const;
@@ -69,15 +71,14 @@ private:
   void addPoints(const SceneObjects& objects, std::uint32_t object, Contacts* contacts,
     const Checkpoint& checkpoint);
   void add(const Emitter& emitter);
-  Power powerOf(std::uint32_t walk, const Emitter& emitter) const;
+  /// With which walks leave the light.
+  Power powerOf(const Emitter& emitter) const;
 
   std::vector<Emitter> emitters_;
   /// By the index of a point light's emitter: the normals of its walls, to the side that it lights.
   std::map<std::size_t, std::vector<Vector3>> openSides_;
   std::vector<double> cumulative_; ///< W, up to and including each emitter
-  std::uint64_t numberOfWalks_ = 0;
-  std::uint64_t totalQuanta_ = 0;
-  double quantum_ = 1;
+  std::int64_t photon_ = 1;
   Box pointBounds_;
 };
 

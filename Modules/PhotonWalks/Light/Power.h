@@ -16,9 +16,8 @@ inline std::int64_t nearestQuanta(double quanta)
   return static_cast<std::int64_t>(halfMore);
 }
 
-/// Radiant power in whole quanta, so that sums are exact in any order and can be undone. The size
-/// of a quantum in watts is a power of two, see EmitterTable::quantum(). One or three bands; the
-/// unused ones are 0.
+/// Radiant power in whole quanta, so that sums are exact in any order and can be undone. A photon
+/// of any walk has EmitterTable::photon() of them. One or three bands; the unused ones are 0.
 struct Power
 {
   static constexpr int kMaxBands = 3;

@@ -191,7 +191,7 @@ void BudgetedRepair::fill(Batch& batch) const
     const StaleSegment& segment = batch.segments[i];
     const std::uint32_t walk = batch.items[i].walk;
     batch.walks.resume(walk, segment.bounce, segment.ray, segment.hit,
-      block.power(segment.walkInBlock, 0), block.power(segment.walkInBlock, segment.bounce));
+      block.power(segment.walkInBlock, segment.bounce));
     for (std::uint32_t k = segment.bounce; k < block.size(segment.walkInBlock); ++k)
     {
       batch.tally.prefetch(walk, block.hit(segment.walkInBlock, k)); // will be subtracted

@@ -81,7 +81,7 @@ void StaleWalks::add(
     const Power carried = walks.power(walk, segment.bounce);
     const std::uint32_t number = plan_.firstWalkOf(block) + walk;
     marks.push_back({ static_cast<std::uint16_t>(walk), effectOf(carried), segment.bounce,
-      bound_.isKnown() ? bound_(number, segment.bounce, walks.power(walk, 0), carried) : 0 });
+      bound_.isKnown() ? bound_(number, segment.bounce, carried) : 0 });
     count(blocks_[block], walks, marks.back(), 1);
     tally(walks, marks.back(), end, 1, deposits);
   }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/TailBound.h"
 
-#include "Light/Reflection.h"
-#include "Light/Roulette.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -25,23 +22,13 @@ TailBound::TailBound(const SceneObjects& objects, const SobolSequence& samples)
 }
 
 std::int64_t TailBound::operator()(
-  std::uint32_t walk, std::uint32_t bounce, const Power& first, const Power& incoming) const
+  std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
 {
-  // No band carries more than the strongest, and neither reflection nor roulette gives the
-  // strongest less if it had more.
-  const std::int64_t threshold = rouletteThreshold(first);
-  Power strongest{ { incoming.largest() } };
-  std::int64_t received = 0;
-  while (!strongest.isZero())
+  // No band ever carries more than the strongest does now.
+  std::int64_t received = incoming.largest();
+  while (samples_.sample(walk, ++bounce, SampleUse::Survival)[0] < reflectance_)
   {
-    received += strongest[0];
-    ++bounce;
-    strongest[0] = nearestQuanta(reflectance_ * static_cast<double>(strongest[0]));
-    if (strongest[0] < threshold)
-    {
-      strongest =
-        playRoulette(strongest, threshold, samples_.sample(walk, bounce, SampleUse::Roulette)[0]);
-    }
+    received += incoming.largest();
   }
   return received;
 }

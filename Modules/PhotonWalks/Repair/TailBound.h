@@ -11,8 +11,8 @@ namespace irradiance
 
 /**
  * The most that the rest of a walk can bring to all cells together, wherever it goes: what it
- * brings if it never escapes and always hits the cell that reflects most. Roulette is played with
- * the walk's own samples, so the bound is certain, not a mean. See Documentation/Theory.md, 4.1.
+ * brings if it never escapes and always hits the cell that reflects most. Whether it survives a hit
+ * is decided by its own samples, so the bound is certain, not a mean. See Documentation/Theory.md, 4.1.
  */
 class TailBound
 {
@@ -21,10 +21,8 @@ public:
 
   /// False if a material reflects more than kMostReflecting: then no bound is known.
   bool isKnown() const { return reflectance_ <= kMostReflecting; }
-  /// Quanta in any one band, if isKnown(). `first` is the power with which the walk started,
-  /// `incoming` what its segment `bounce` carries.
-  std::int64_t operator()(
-    std::uint32_t walk, std::uint32_t bounce, const Power& first, const Power& incoming) const;
+  /// Quanta in any one band, if isKnown(). `incoming`: what segment `bounce` carries.
+  std::int64_t operator()(std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
 
 private:
   /// Beyond this the bound would take long, and be a hundred times the power or more.

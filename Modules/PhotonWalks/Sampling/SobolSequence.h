@@ -15,7 +15,7 @@ enum class SampleUse : std::uint32_t
   Emitter,   ///< which light (first coordinate)
   Position,  ///< where on it
   Direction, ///< in which direction the walk leaves
-  Roulette   ///< whether the walk continues (first coordinate)
+  Survival   ///< whether the walk leaves the hit before this bounce (first coordinate)
 };
 
 /**

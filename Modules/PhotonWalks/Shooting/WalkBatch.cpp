@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkBatch.h"
 
-#include "Light/Roulette.h"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -13,20 +11,20 @@ namespace irradiance
 void WalkBatch::shoot(std::uint32_t walk)
 {
   const WalkStart start = shooter_.start(walk);
-  add(walk, 0, start.ray, {}, start.power, rouletteThreshold(start.power));
+  add(walk, 0, start.ray, {}, start.power);
 }
 
-void WalkBatch::resume(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
-  const Power& first, const Power& incoming)
+void WalkBatch::resume(
+  std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& incoming)
 {
   areHitsKnown_ = true;
-  add(walk, bounce, ray, hit, incoming, rouletteThreshold(first));
+  add(walk, bounce, ray, hit, incoming);
 }
 
-void WalkBatch::add(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
-  const Power& power, std::int64_t threshold)
+void WalkBatch::add(
+  std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& power)
 {
-  states_.push_back({ static_cast<std::uint32_t>(tails_.size()), bounce, threshold, power });
+  states_.push_back({ static_cast<std::uint32_t>(tails_.size()), bounce, power });
   rays_.push_back(ray);
   hits_.push_back(hit);
   tails_.push_back({ walk, bounce, 0 });
@@ -87,8 +85,7 @@ void WalkBatch::advance(std::size_t first, WalkTally& tally)
     }
     const SurfacePoint point = shooter_.scene().surfaceAt(rays_[i].direction, hit);
     pieces_.back().segment.isFront = point.isFront;
-    const Power reflectedPower =
-      shooter_.powerAfter(tail.walk, state.bounce, hit.id, state.power, state.threshold);
+    const Power reflectedPower = shooter_.powerAfter(tail.walk, state.bounce, hit.id, state.power);
     tally.add(tail.walk, hit, point.isFront, state.power, reflectedPower, 1);
     if (reflectedPower.isZero())
     {

@@ -22,10 +22,10 @@ public:
 
   /// Adds a whole walk.
   void shoot(std::uint32_t walk);
-  /// Adds a walk from segment `bounce` on, whose ray and new hit are known. `first` is the power
-  /// with which the walk started, `incoming` what the segment carries.
+  /// Adds a walk from segment `bounce` on, whose ray and new hit are known. `incoming`: what the
+  /// segment carries.
   void resume(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
-    const Power& first, const Power& incoming);
+    const Power& incoming);
 
   /// Shoots until all walks have ended. If `hasToStop` returns true between two bounces, it returns
   /// false and may be called again.
@@ -63,12 +63,11 @@ private:
   {
     std::uint32_t tail;
     std::uint32_t bounce;
-    std::int64_t threshold; ///< of Russian roulette
     Power power;
   };
 
-  void add(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
-    const Power& power, std::int64_t threshold);
+  void add(
+    std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& power);
   void advance(std::size_t first, WalkTally& tally);
 
   const WalkShooter& shooter_;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkShooter.h"
 
-#include "Light/Reflection.h"
-#include "Light/Roulette.h"
+#include "Light/Absorption.h"
 #include "Sampling/DirectionSampling.h"
 
 namespace irradiance
 {
 
-Power WalkShooter::powerAfter(std::uint32_t walk, std::uint32_t bounce, const TriangleId& id,
-  const Power& incoming, std::int64_t threshold) const
+Power WalkShooter::powerAfter(
+  std::uint32_t walk, std::uint32_t bounce, const TriangleId& id, const Power& incoming) const
 {
-  const Power power = reflected(incoming, *objects_[id.object].material, id.triangle);
-  return power.largest() < threshold
-    ? playRoulette(power, threshold, samples_.sample(walk, bounce + 1, SampleUse::Roulette)[0])
-    : power;
+  const Material& material = *objects_[id.object].material;
+  const double probability = survivalProbability(incoming, material, id.triangle);
+  return samples_.sample(walk, bounce + 1, SampleUse::Survival)[0] < probability
+    ? survivingPower(incoming, material, id.triangle, probability)
+    : Power{};
 }
 
 void WalkShooter::cast(const Ray* rays, std::size_t count, Hit* hits) const

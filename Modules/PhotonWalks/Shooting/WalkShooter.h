@@ -46,9 +46,8 @@ public:
   bool hasContact(const TriangleId& id) const { return contacts_ && contacts_->has(id); }
 
   /// The power with which a walk leaves the hit of segment `bounce`; zero if it ends there.
-  /// Roulette is played below `threshold`.
-  Power powerAfter(std::uint32_t walk, std::uint32_t bounce, const TriangleId& id,
-    const Power& incoming, std::int64_t threshold) const;
+  Power powerAfter(
+    std::uint32_t walk, std::uint32_t bounce, const TriangleId& id, const Power& incoming) const;
   /// The ray of segment `bounce`, with which a walk leaves its hit at `point` of triangle `id`.
   Ray rayFrom(std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point,
     const TriangleId& id) const;

@@ -11,8 +11,7 @@ namespace irradiance
 {
 
 /// Where the power went, in quanta. In integers, emitted = absorbed + escaped exactly: the absorbed
-/// power of a hit is the incoming minus the reflected power, so it includes what Russian roulette
-/// takes or adds.
+/// power of a hit is the incoming minus the outgoing power: all of it or, in one band, nothing.
 struct PowerBalance
 {
   Power emitted;

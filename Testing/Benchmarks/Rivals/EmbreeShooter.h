@@ -2,7 +2,6 @@
 #ifndef EmbreeShooter_h
 #define EmbreeShooter_h
 
-#include "Light/Roulette.h"
 #include "Rivals/EmbreeRays.h"
 #include "Rivals/OurCaster.h"
 #include "Shooting/WalkShooter.h"
@@ -40,7 +39,7 @@ public:
       for (std::uint32_t i = 0; i < count; ++i)
       {
         const irradiance::WalkStart start = walks_.start(first + i);
-        states[i] = { first + i, 0, irradiance::rouletteThreshold(start.power), start.power };
+        states[i] = { first + i, 0, start.power };
         rays.set(i, start.ray.origin.cast<float>(), start.ray.direction.cast<float>());
       }
       while (count > 0)
@@ -64,7 +63,6 @@ private:
   struct State
   {
     std::uint32_t walk, bounce;
-    std::int64_t threshold; ///< of Russian roulette
     irradiance::Power power;
   };
 
@@ -96,8 +94,7 @@ private:
       State state = states[i];
       const irradiance::SurfacePoint point = scene_->surfaceAt(rays.direction(i), hit);
       sums.collect(state.walk, hit.id, point.isFront, state.power, 1, deposits);
-      state.power =
-        walks_.powerAfter(state.walk, state.bounce, hit.id, state.power, state.threshold);
+      state.power = walks_.powerAfter(state.walk, state.bounce, hit.id, state.power);
       if (!state.power.isZero())
       {
         const irradiance::Ray ray = walks_.rayFrom(state.walk, ++state.bounce, point, hit.id);

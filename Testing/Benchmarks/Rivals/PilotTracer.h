@@ -31,7 +31,8 @@ public:
   const irradiance::CellSums& sums() const { return sums_; }
   double watts(std::int64_t quanta) const
   {
-    return static_cast<double>(quanta) * emitters_.quantum();
+    return emitters_.flux() *
+      (static_cast<double>(quanta) / (static_cast<double>(emitters_.photon()) * plan_.most()));
   }
   /// A number for each walk that differs if a hit or a power of the walks does.
   std::vector<std::uint64_t> signatures() const;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Light/Absorption.h"
+
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::int64_t kPhoton = 1 << 26;
+
+Material oneTriangle(const std::array<double, 3>& reflectance, int bands)
+{
+  test::ObjectBuilder builder(bands);
+  builder.addCell({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } }, { reflectance, {} });
+  return builder.material();
+}
+
+}
+
+TEST(Absorption, OneBandSurvivesWithItsReflectanceAndKeepsItsPower)
+{
+  const Power photon{ { kPhoton, 0, 0 } };
+  for (const double reflectance : { 0.0, 0.3, 0.999, 1.0 })
+  {
+    const Material material = oneTriangle({ reflectance, 0, 0 }, 1);
+    EXPECT_EQ(survivalProbability(photon, material, 0), reflectance);
+    EXPECT_EQ(survivingPower(photon, material, 0, reflectance), photon);
+  }
+}
+
+// Probability times power is what the material reflects, to half a quantum; the strongest band keeps
+// what it had, and none exceeds it.
+TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
+{
+  const std::array<double, 3> reflectances[] = { { 0.5, 0.25, 1.0 }, { 0.9, 0.1, 0.0 },
+    { 0.3, 0.3, 0.3 }, { 1, 1, 1 }, { 1e-9, 0.7, 0.2 } };
+  const Power powers[] = { { { kPhoton, kPhoton, kPhoton } }, { { kPhoton, 3, 0 } },
+    { { 12345, 77777, 1001 } } };
+  for (const auto& reflectance : reflectances)
+  {
+    const Material material = oneTriangle(reflectance, 3);
+    for (const Power& power : powers)
+    {
+      const double probability = survivalProbability(power, material, 0);
+      ASSERT_LE(probability, *std::max_element(reflectance.begin(), reflectance.end()));
+      const Power after = survivingPower(power, material, 0, probability);
+      ASSERT_EQ(after.largest(), power.largest());
+      for (int band = 0; band < 3; ++band)
+      {
+        EXPECT_NEAR(static_cast<double>(after[band]) * probability,
+          reflectance[static_cast<std::size_t>(band)] * static_cast<double>(power[band]),
+          0.51 * probability);
+      }
+    }
+  }
+}
+
+TEST(Absorption, WhatReflectsNothingLetsNothingSurvive)
+{
+  EXPECT_EQ(survivalProbability({ { 9, 9, 9 } }, oneTriangle({ 0, 0, 0 }, 3), 0), 0);
+  EXPECT_EQ(survivalProbability({ { 0, 9, 0 } }, oneTriangle({ 1, 0, 1 }, 3), 0), 0);
+}
+
+}
