@@ -53,8 +53,8 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   {
     const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;
     SharedBalance balance(balance_);
-    BudgetedRepair budgeted(
-      { shooter, plan_, history_, sums_, balance, *stale_, found, settings_.cacheStaticHits },
+    BudgetedRepair budgeted({ shooter, plan_, history_, pointFrame_, sums_, balance, *stale_, found,
+                              settings_.cacheStaticHits },
       execution, seconds);
     statistics_.repairedSegments = budgeted.run(rest);
     statistics_.repairSeconds = budgeted.seconds();
@@ -81,18 +81,18 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
       scan.addMoved(i + 1);
     }
   }
-  const WalkVerifier verifier(shooter, moved, scan, clearance_);
+  const WalkVerifier verifier(shooter, plan_, history_, moved, scan, clearance_);
   std::vector<std::vector<StaleSegment>> stale(history_.size());
-  const StaleMarks none;
+  std::vector<const StaleMarks*> known;
+  for (std::size_t block = 0; stale_ && block < history_.size(); ++block)
+  {
+    known.push_back(&std::as_const(*stale_).marks(block));
+  }
   constexpr std::size_t kBlocksPerUnit = 16; // in a row for a thread, which prefetches the next
   SlicedPass pass{ (stale.size() + kBlocksPerUnit - 1) / kBlocksPerUnit, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
-    const std::size_t end = std::min((unit + 1) * kBlocksPerUnit, stale.size());
-    for (std::size_t block = unit * kBlocksPerUnit; block < end; ++block)
-    {
-      stale[block] = verifier.staleSegments(history_[block], history_[std::min(block + 1, end - 1)],
-        plan_.firstWalkOf(block), stale_ ? std::as_const(*stale_).marks(block) : none);
-    }
+    verifier.find(
+      unit * kBlocksPerUnit, std::min((unit + 1) * kBlocksPerUnit, stale.size()), known, stale);
     return true;
   };
   pass.run(execution);
@@ -112,7 +112,7 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
   // enough batches for all threads.
   constexpr std::size_t kBatches = 32, kMostTogether = 16;
   BatchPass pass{ 0, history_.size(),
-    std::clamp<std::size_t>(history_.size() / kBatches, 1, kMostTogether), {}, {} };
+    std::clamp<std::size_t>(history_.size() / kBatches, 1, kMostTogether), &pointFrame_, {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
     const WalkBlock& walks = history_[block];
     for (const StaleSegment& segment : stale[block])
@@ -122,7 +122,11 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
         walks.power(segment.walkInBlock, segment.bounce));
       for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
       {
-        sums_.prefetch(walk, walks.hit(segment.walkInBlock, i).id); // will be subtracted
+        const TriangleId id = walks.hit(segment.walkInBlock, i).id;
+        if (id != TriangleId{})
+        {
+          sums_.prefetch(walk, id.object, sums_.cellOf(id)); // will be subtracted
+        }
       }
     }
   };
@@ -133,7 +137,7 @@ void IrradianceEngine::repair(const WalkShooter& shooter,
       tally.remove(history_[place.block], place.walkInBlock, tail.walk, tail.bounce);
     }
     batch.store(plan_, history_);
-    repaired += static_cast<std::int64_t>(batch.pieces().size());
+    repaired += batch.numberOfSegments();
   };
   run(pass, shooter, execution);
   for (std::size_t block = 0; block < stale.size(); ++block)

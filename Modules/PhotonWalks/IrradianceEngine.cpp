@@ -11,6 +11,7 @@
 #include <cassert>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace irradiance
@@ -131,26 +132,23 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
   sums_.setRounds(round + 1, checkpointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
   {
-    history_.emplace_back(plan_.walksIn(block), objects_.staticObject.material->bands, pointFrame_);
+    history_.emplace_back(plan_.walksIn(block), objects_.staticObject.material->bands, pointFrame_,
+      Power{ { emitters_.photon() } });
   }
   const SobolSequence samples(settings_.seed, plan_.replicates());
   const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
-  BatchPass pass{ walks.firstBlock, walks.endBlock, 1, {}, {} };
+  BatchPass pass{ walks.firstBlock, walks.endBlock, 1, keep ? &pointFrame_ : nullptr, {}, {} };
   pass.fill = [&](std::size_t block, WalkBatch& batch) {
-    for (std::uint32_t i = 0; i < plan_.walksIn(block); ++i)
-    {
-      batch.shoot(plan_.firstWalkOf(block) + i);
-    }
+    std::vector<std::uint32_t> walks(plan_.walksIn(block));
+    std::iota(walks.begin(), walks.end(), plan_.firstWalkOf(block));
+    batch.shoot(walks);
   };
   pass.finish = [&](const WalkBatch& batch, WalkTally&, PowerBalance& balance) {
-    for (const WalkBatch::Piece& piece : batch.pieces())
-    {
-      balance.emitted += piece.bounce == 0 ? piece.segment.power : Power{};
-    }
+    balance.emitted += batch.emitted();
     if (keep)
     {
       history_[plan_.placeOf(batch.tails().front().walk).block].reserve(
-        batch.pieces().size() + batch.tails().size());
+        static_cast<std::size_t>(batch.numberOfSegments()) + batch.tails().size());
       batch.store(plan_, history_);
     }
   };
@@ -174,7 +172,7 @@ void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Ex
     std::unique_ptr<WalkBatch>& batch = open[unit];
     if (!batch)
     {
-      batch = std::make_unique<WalkBatch>(shooter);
+      batch = std::make_unique<WalkBatch>(shooter, pass.storedIn);
       const std::size_t first = pass.firstBlock + unit * together;
       for (std::size_t i = first; i < std::min(first + together, pass.endBlock); ++i)
       {

@@ -105,6 +105,7 @@ private:
   {
     std::size_t firstBlock, endBlock;
     std::size_t blocksTogether;
+    const UnitFrame* storedIn; ///< see WalkBatch
     std::function<void(std::size_t block, WalkBatch& batch)> fill;
     /// Keeps what a batch has shot.
     std::function<void(const WalkBatch& batch, WalkTally& tally, PowerBalance& balance)> finish;

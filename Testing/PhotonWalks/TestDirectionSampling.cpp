@@ -28,6 +28,12 @@ Result meanOverGrid(const Result& zero, const Function& f)
   return sum / (double(kGrid) * kGrid);
 }
 
+/// The directions along the surface that a turn of 0 and a quarter turn lead to.
+std::array<Vector3, 2> tangentsOf(const Vector3& normal)
+{
+  return { sampleCosineHemisphere(normal, { 1, 0 }), sampleCosineHemisphere(normal, { 1, 0.25 }) };
+}
+
 Matrix3 outer(const Vector3& v)
 {
   return v * v.transpose();

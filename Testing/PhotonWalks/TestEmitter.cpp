@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Light/Emitter.h"
+#include "Shooting/WalkRules.h"
 
 #include "TestScenes.h"
 
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 namespace irradiance
 {
@@ -19,16 +21,36 @@ SceneObjects onlyStatic(const ObjectBuilder& builder)
   return { builder.build(), {} };
 }
 
-Power totalOf(const EmitterTable& table, std::uint32_t walks)
+struct Starts
 {
-  const SobolSequence samples(1);
-  Power total;
-  for (std::uint32_t walk = 0; walk < walks; ++walk)
+  std::vector<Ray> rays;
+  std::vector<Power> powers;
+
+  Starts(const SceneObjects& objects, const EmitterTable& table, std::uint32_t walks,
+    std::uint64_t seed = 1)
+    : rays(walks)
   {
-    total += table.start(walk, samples).power;
+    const SobolSequence samples(seed);
+    const WalkRules rules(objects, table, samples);
+    std::vector<std::uint32_t> numbers(walks);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    rules.start(numbers.data(), walks, rays.data());
+    for (const std::uint32_t walk : numbers)
+    {
+      powers.push_back(rules.powerOf(walk));
+    }
   }
-  return total;
-}
+
+  Power total() const
+  {
+    Power sum;
+    for (const Power& power : powers)
+    {
+      sum += power;
+    }
+    return sum;
+  }
+};
 
 }
 
@@ -43,7 +65,8 @@ TEST(Emitter, EveryWalkOfOneBandStartsWithAPhoton)
     {
       const EmitterTable table(onlyStatic(builder), walks);
       EXPECT_EQ(table.flux(), flux + 0.3 * flux);
-      EXPECT_EQ(totalOf(table, walks), (Power{ { walks * table.photon(), 0, 0 } }));
+      EXPECT_EQ(Starts(onlyStatic(builder), table, walks).total(),
+        (Power{ { walks * table.photon(), 0, 0 } }));
     }
   }
 }
@@ -69,14 +92,15 @@ TEST(Emitter, LightsAreChosenInProportionToFlux)
   {
     builder.addPointLight({ flux, 0, 0 }, flux);
   }
-  const EmitterTable table(onlyStatic(builder), 8192);
+  const SceneObjects objects = onlyStatic(builder);
+  const EmitterTable table(objects, 8192);
   ASSERT_EQ(table.emitters().size(), 3u);
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
   {
     std::array<int, 6> counts{};
-    for (std::uint32_t walk = 0; walk < 8192; ++walk)
+    for (const Ray& ray : Starts(objects, table, 8192, seed).rays)
     {
-      ++counts[static_cast<std::size_t>(table.start(walk, SobolSequence(seed)).ray.origin[0])];
+      ++counts[static_cast<std::size_t>(ray.origin[0])];
     }
     EXPECT_EQ(counts, (std::array<int, 6>{ 0, 1024, 2048, 0, 0, 5120 })) << "seed " << seed;
   }
@@ -90,20 +114,23 @@ TEST(Emitter, CellsEmitFromTheirFrontInTheirColour)
   const SceneObjects objects{ test::nothing(3), { builder.build(test::shift({ 10, 0, 0 })) } };
   const EmitterTable table(objects, 1000);
   ASSERT_EQ(table.emitters().size(), 8u);
-  for (std::uint32_t walk = 0; walk < 1000; ++walk)
+  const Starts starts(objects, table, 1000, 3);
+  for (const Ray& ray : starts.rays)
   {
-    const WalkStart start = table.start(walk, SobolSequence(3));
-    ASSERT_LT(start.ray.direction[2], 0);
-    ASSERT_LT(start.ray.origin[2], 2);
-    ASSERT_NEAR(start.ray.origin[2], 2, 1e-8);
-    ASSERT_TRUE(start.ray.origin[0] > 11 && start.ray.origin[0] < 14);
-    ASSERT_EQ(start.ray.start.object, 1u);
-    ASSERT_NEAR(double(start.power[0]) / double(start.power[2]), 4, 1e-6);
-    ASSERT_NEAR(double(start.power[1]) / double(start.power[2]), 2, 1e-6);
+    ASSERT_LT(ray.direction[2], 0);
+    ASSERT_LT(ray.origin[2], 2);
+    ASSERT_NEAR(ray.origin[2], 2, 1e-8);
+    ASSERT_TRUE(ray.origin[0] > 11 && ray.origin[0] < 14);
+    ASSERT_EQ(ray.start.object, 1u);
+  }
+  for (const Power& power : starts.powers)
+  {
+    ASSERT_NEAR(double(power[0]) / double(power[2]), 4, 1e-6);
+    ASSERT_NEAR(double(power[1]) / double(power[2]), 2, 1e-6);
   }
   // 6 m2 of 4, 2, 1 W/m2; each band is rounded once.
   EXPECT_EQ(table.flux(), 42);
-  const Power total = totalOf(table, 1000);
+  const Power total = starts.total();
   for (int band = 0; band < 3; ++band)
   {
     EXPECT_NEAR(double(total[band]) / double(1000 * table.photon()), (24 >> band) / 42.0,

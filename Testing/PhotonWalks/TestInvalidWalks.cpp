@@ -11,6 +11,8 @@ namespace irradiance
 namespace
 {
 
+using test::WalkSegment;
+
 /// Everything needed to shoot walks into a frame, without an engine.
 class Frame
 {

@@ -13,6 +13,8 @@ namespace irradiance
 namespace
 {
 
+using test::WalkSegment;
+
 using test::MovingScene;
 using test::scaled;
 
@@ -36,7 +38,7 @@ Recount recount(const SceneObjects& objects, const EngineSettings& settings)
   Recount result;
   for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
   {
-    result.emitted += emitters.start(walk, samples).power;
+    result.emitted += shooter.rules().powerOf(walk);
     for (const WalkSegment& segment : test::shotWalk(shooter, objects, walk))
     {
       ++result.segments;

@@ -19,6 +19,8 @@ namespace irradiance
 namespace
 {
 
+using test::WalkSegment;
+
 using Exact = long double;
 using ExactVector = Eigen::Matrix<Exact, 3, 1>;
 
@@ -41,14 +43,14 @@ Exact distanceFrom(const EllipsoidBound::Ball& ball, const Segment& segment)
 
 WalkBlock store(const std::vector<Segment>& segments, const UnitFrame& frame)
 {
-  WalkBlock block(static_cast<std::uint32_t>(segments.size()), 1, frame);
+  WalkBlock block(static_cast<std::uint32_t>(segments.size()), 1, frame, {});
   for (std::uint32_t walk = 0; walk < segments.size(); ++walk)
   {
     WalkSegment stored;
     stored.ray = { segments[walk].from, segments[walk].direction, {} };
     stored.hit.distance = segments[walk].length;
     stored.hit.id = segments[walk].length < kInfinity ? TriangleId{ 0, 0 } : TriangleId{};
-    test::replaceTail(block, walk, 0, { stored });
+    test::replaceTail(block, walk, 0, { stored }, frame);
   }
   return block;
 }

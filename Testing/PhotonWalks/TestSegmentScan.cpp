@@ -18,6 +18,8 @@ namespace irradiance
 namespace
 {
 
+using test::WalkSegment;
+
 constexpr std::uint32_t kWalksOfOne = 400;
 
 /// A block of random walks in a box, and what they were made of.
@@ -25,12 +27,12 @@ struct RandomWalks
 {
   RandomWalks(test::RandomVectors& random, const Vector3& center, double size)
     : frame(boxAround(center, size))
-    , block(kWalksOfOne, 1, frame)
+    , block(kWalksOfOne, 1, frame, {})
   {
     for (std::uint32_t walk = 0; walk < kWalksOfOne; ++walk)
     {
       walks.push_back(makeWalk(random, center, size));
-      test::replaceTail(block, walk, 0, walks[walk]);
+      test::replaceTail(block, walk, 0, walks[walk], frame);
     }
   }
 

@@ -91,9 +91,8 @@ TEST(SobolSequence, FirstTwoDimensionsFollowTheDirectionNumbers)
   for (std::uint32_t i = 0; i < 200000; ++i)
   {
     const auto index = i < 100000 ? i : static_cast<std::uint32_t>(random());
-    ASSERT_EQ(SobolSequence::reversed(index), fromDirectionNumbers(index, first)) << index;
-    ASSERT_EQ(
-      SobolSequence::reversed(SobolSequence::pascal(index)), fromDirectionNumbers(index, second))
+    ASSERT_EQ(SobolPoint::reversed(index), fromDirectionNumbers(index, first)) << index;
+    ASSERT_EQ(SobolPoint::reversed(SobolPoint::pascal(index)), fromDirectionNumbers(index, second))
       << index;
   }
 }

@@ -13,7 +13,10 @@ namespace irradiance
 namespace
 {
 
+using test::WalkSegment;
+
 const UnitFrame kFrame;
+const Power kPhoton{ { 1 << 20 } }; ///< of all segments, if there is one band
 
 /// A WalkBlock in its plainest form.
 struct Model
@@ -52,7 +55,8 @@ public:
       entry.ray.direction = Vector3(below(99), below(99), below(99)).normalized();
       entry.hit = hit();
       entry.isFront = below(2) == 0;
-      for (int band = 0; band < bands; ++band)
+      entry.power = kPhoton;
+      for (int band = 0; band < bands && bands > 1; ++band)
       {
         entry.power[band] = below(1u << 30);
       }
@@ -118,7 +122,7 @@ void expectEqual(const WalkBlock& block, const Model& model)
 void compareWithModel(unsigned seed, int bands)
 {
   RandomEntries random(seed);
-  WalkBlock block(50, bands, kFrame);
+  WalkBlock block(50, bands, kFrame, kPhoton);
   Model model{ std::vector<std::vector<WalkSegment>>(50), {} };
   std::size_t mostSegments = 0;
   for (int step = 0; step < 20000; ++step)
@@ -129,7 +133,7 @@ void compareWithModel(unsigned seed, int bands)
     if (what < 5 || size == 0)
     {
       const auto tail = random.tail(1 + random.below(random.below(10) == 0 ? 60 : 6), bands);
-      test::replaceTail(block, walk, bounce, tail);
+      test::replaceTail(block, walk, bounce, tail, kFrame, bands);
       model.replaceTail(walk, bounce, tail);
     }
     else if (bounce < size && what < 8)
@@ -178,7 +182,7 @@ TEST(WalkBlock, AgreesWithAPlainModelUnderRandomOperations)
 TEST(WalkBlock, TailsGrowAndShrink)
 {
   RandomEntries random(5);
-  WalkBlock block(3, 3, kFrame);
+  WalkBlock block(3, 3, kFrame, kPhoton);
   Model model{ std::vector<std::vector<WalkSegment>>(3), {} };
   for (const std::uint32_t size : { 1u, 5u, 2u, 9u, 9u, 1u })
   {
@@ -186,7 +190,7 @@ TEST(WalkBlock, TailsGrowAndShrink)
     {
       const auto bounce = std::min<std::uint32_t>(walk, block.size(walk));
       const auto tail = random.tail(size, 3);
-      test::replaceTail(block, walk, bounce, tail);
+      test::replaceTail(block, walk, bounce, tail, kFrame, 3);
       model.replaceTail(walk, bounce, tail);
       ASSERT_NO_FATAL_FAILURE(expectEqual(block, model));
     }
@@ -196,16 +200,16 @@ TEST(WalkBlock, TailsGrowAndShrink)
 TEST(WalkBlock, StaticHitsBehindTheNewTailAreForgotten)
 {
   RandomEntries random(6);
-  WalkBlock block(2, 1, kFrame);
+  WalkBlock block(2, 1, kFrame, kPhoton);
   for (std::uint32_t walk = 0; walk < 2; ++walk)
   {
-    test::replaceTail(block, walk, 0, random.tail(5, 1));
+    test::replaceTail(block, walk, 0, random.tail(5, 1), kFrame);
     for (std::uint32_t i = 0; i < 5; ++i)
     {
       block.rememberStaticHit(walk, i, { 10.0 + i, { 0, i } });
     }
   }
-  test::replaceTail(block, 0, 2, random.tail(4, 1));
+  test::replaceTail(block, 0, 2, random.tail(4, 1), kFrame);
   for (std::uint32_t i = 0; i < 5; ++i)
   {
     EXPECT_EQ(block.hiddenStaticHit(0, i) != nullptr, i <= 2) << i;
@@ -220,13 +224,13 @@ TEST(WalkBlock, StaticHitsBehindTheNewTailAreForgotten)
 TEST(WalkBlock, HolesAreClosed)
 {
   RandomEntries random(7);
-  WalkBlock block(100, 1, kFrame);
+  WalkBlock block(100, 1, kFrame, kPhoton);
   for (int round = 0; round < 200; ++round)
   {
     for (std::uint32_t walk = 0; walk < 100; ++walk)
     {
-      test::replaceTail(block, walk, 0, random.tail(1, 1));
-      test::replaceTail(block, walk, 0, random.tail(1 + (walk + round) % 20, 1));
+      test::replaceTail(block, walk, 0, random.tail(1, 1), kFrame);
+      test::replaceTail(block, walk, 0, random.tail(1 + (walk + round) % 20, 1), kFrame);
     }
   }
   // At most 20 segments per walk, a third of holes, and the spare capacity of vectors.

@@ -6,10 +6,12 @@
 namespace irradiance
 {
 
-WalkBlock::WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame)
+WalkBlock::WalkBlock(
+  std::uint32_t numberOfWalks, int bands, const UnitFrame& frame, const Power& photon)
   : frame_(frame)
-  , bands_(bands)
   , places_(numberOfWalks)
+  , photon_(photon)
+  , storedBands_(bands > 1 ? static_cast<std::size_t>(bands) : 0)
 {
 }
 
@@ -24,12 +26,14 @@ Hit WalkBlock::hit(std::uint32_t walk, std::uint32_t bounce) const
 
 Power WalkBlock::power(std::uint32_t walk, std::uint32_t bounce) const
 {
-  Power power;
-  const std::size_t first = slot(walk, bounce) * static_cast<std::size_t>(bands_);
-  for (int band = 0; band < bands_; ++band)
+  if (storedBands_ == 0)
   {
-    power[band] = powers_[first + static_cast<std::size_t>(band)];
+    return photon_;
   }
+  Power power;
+  const std::size_t first = slot(walk, bounce) * storedBands_;
+  std::copy_n(
+    powers_.begin() + static_cast<std::ptrdiff_t>(first), storedBands_, power.quanta.begin());
   return power;
 }
 
@@ -40,20 +44,18 @@ double WalkBlock::shortestLength(std::uint32_t walk, std::uint32_t bounce) const
   return std::max(0.0, (to - from).norm() - 0x1p-20 * largest) / frame_.scale;
 }
 
-void WalkBlock::setPoint(std::size_t slot, const Vector3& world)
+void WalkBlock::setPoint(std::size_t slot, const StoredPoint& point)
 {
-  const Vector3 position = frame_(world);
-  x_[slot] = static_cast<float>(position[0]);
-  y_[slot] = static_cast<float>(position[1]);
-  z_[slot] = static_cast<float>(position[2]);
+  x_[slot] = point[0];
+  y_[slot] = point[1];
+  z_[slot] = point[2];
 }
 
-void WalkBlock::setPower(std::size_t slot, const Power& power)
+void WalkBlock::setPower(std::uint32_t walk, std::uint32_t bounce, const Power& power)
 {
-  for (int band = 0; band < bands_; ++band)
-  {
-    powers_[slot * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] = power[band];
-  }
+  const std::size_t first = slot(walk, bounce) * storedBands_;
+  std::copy_n(
+    power.quanta.begin(), storedBands_, powers_.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 void WalkBlock::replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count)
@@ -70,23 +72,22 @@ void WalkBlock::replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint3
   places_[walk].size = size;
 }
 
-void WalkBlock::setSegment(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment)
+void WalkBlock::setSegment(std::uint32_t walk, std::uint32_t bounce, const StoredSegment& segment)
 {
   const std::size_t place = slot(walk, bounce);
-  setPoint(place, segment.ray.origin);
-  const unsigned tag = segment.isContact ? kContactTag : tagOf(segment.hit.id.object);
+  setPoint(place, segment.begin);
+  const unsigned tag = segment.isContact ? kContactTag : tagOf(segment.id.object);
   tags_[place] =
     static_cast<std::uint16_t>(walk | (segment.isFront ? 0u : kBack) | tag << kTagShift);
-  ids_[place] = segment.hit.id;
-  weights_[place] = segment.hit.weights;
-  setPower(place, segment.power);
-  if (bounce + 1 == places_[walk].size)
-  {
-    const double length = segment.hit ? segment.hit.distance : kFar / frame_.scale;
-    setPoint(place + 1, segment.ray.origin + length * segment.ray.direction);
-    tags_[place + 1] = static_cast<std::uint16_t>(walk);
-    setPower(place + 1, {});
-  }
+  ids_[place] = segment.id;
+  weights_[place] = segment.weights;
+}
+
+void WalkBlock::setEnd(std::uint32_t walk, const StoredPoint& end)
+{
+  const std::size_t place = slot(walk, places_[walk].size);
+  setPoint(place, end);
+  tags_[place] = static_cast<std::uint16_t>(walk);
 }
 
 void WalkBlock::moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity)
@@ -105,7 +106,7 @@ void WalkBlock::moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t 
 
 void WalkBlock::closeHoles()
 {
-  WalkBlock dense(numberOfWalks(), bands_, frame_);
+  WalkBlock dense(numberOfWalks(), static_cast<int>(storedBands_), frame_, photon_);
   std::size_t total = 0;
   for (const Range& range : places_)
   {
@@ -133,7 +134,7 @@ void WalkBlock::reserve(std::size_t points)
   tags_.reserve(points);
   ids_.reserve(points);
   weights_.reserve(points);
-  powers_.reserve(points * static_cast<std::size_t>(bands_));
+  powers_.reserve(points * storedBands_);
 }
 
 void WalkBlock::resizePools(std::size_t size)
@@ -149,7 +150,7 @@ void WalkBlock::resizePools(std::size_t size)
   tags_.resize(size);
   ids_.resize(size);
   weights_.resize(size);
-  powers_.resize(size * static_cast<std::size_t>(bands_));
+  powers_.resize(size * storedBands_);
 }
 
 void WalkBlock::copyPlaces(
@@ -166,8 +167,7 @@ void WalkBlock::copyPlaces(
   copy(from.tags_, tags_, source, target, count);
   copy(from.ids_, ids_, source, target, count);
   copy(from.weights_, weights_, source, target, count);
-  const auto bands = static_cast<std::size_t>(bands_);
-  copy(from.powers_, powers_, source * bands, target * bands, count * bands);
+  copy(from.powers_, powers_, source * storedBands_, target * storedBands_, count * storedBands_);
 }
 
 bool WalkBlock::segmentAt(std::size_t point, Place& place) const

@@ -16,15 +16,24 @@
 namespace irradiance
 {
 
-/// One straight segment of a walk while it is being shot, and the hit that ends it. The last
-/// segment of a walk may escape.
-struct WalkSegment
+/// A point of a walk, in the frame of its block.
+using StoredPoint = std::array<float, 3>;
+
+inline StoredPoint storedPoint(const UnitFrame& frame, const Vector3& world)
 {
-  Ray ray; ///< its direction is a unit vector
-  Hit hit;
-  Power power;            ///< what it carries to its hit
-  bool isFront = true;    ///< the side that was hit
-  bool isContact = false; ///< its hit may depend on dynamic objects that touch, see Contacts
+  const Vector3 point = frame(world);
+  return { static_cast<float>(point[0]), static_cast<float>(point[1]),
+    static_cast<float>(point[2]) };
+}
+
+/// A straight segment of a walk and the hit that ends it, or none if it escapes.
+struct StoredSegment
+{
+  StoredPoint begin;
+  TriangleId id;
+  std::array<float, 2> weights; ///< see Hit
+  bool isFront;                 ///< the side from which the walk leaves the hit
+  bool isContact;               ///< the hit may depend on dynamic objects that touch, see Contacts
 };
 
 /**
@@ -44,8 +53,9 @@ public:
   /// An escaped segment ends this far from where it begins, in the frame of the points.
   static constexpr double kFar = 0x1p24;
 
-  /// `frame`: of the points. `bands`: 1 or 3 powers per segment.
-  WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame);
+  /// `frame`: of the points. `photon`: the power of all segments, if there is one band; several have
+  /// a power for each segment.
+  WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame, const Power& photon);
 
   std::uint32_t numberOfWalks() const { return static_cast<std::uint32_t>(places_.size()); }
   std::uint32_t size(std::uint32_t walk) const { return places_[walk].size; }
@@ -64,7 +74,10 @@ public:
   /// Replaces the segments from `bounce` on by room for `count` new ones, each of which must then
   /// be set. Drops the cached static hits of segments after `bounce`.
   void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
-  void setSegment(std::uint32_t walk, std::uint32_t bounce, const WalkSegment& segment);
+  void setSegment(std::uint32_t walk, std::uint32_t bounce, const StoredSegment& segment);
+  void setEnd(std::uint32_t walk, const StoredPoint& end);
+  /// Only if there are several bands.
+  void setPower(std::uint32_t walk, std::uint32_t bounce, const Power& power);
 
   /// The static hit that a dynamic object hides from the segment; null if not known.
   const Hit* hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const;
@@ -133,8 +146,7 @@ private:
     return places_[walk].first + std::size_t{ bounce };
   }
   Vector3 point(std::size_t slot) const { return { x_[slot], y_[slot], z_[slot] }; }
-  void setPower(std::size_t slot, const Power& power);
-  void setPoint(std::size_t slot, const Vector3& world);
+  void setPoint(std::size_t slot, const StoredPoint& point);
   void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);
   void closeHoles();
   void resizePools(std::size_t size);
@@ -142,14 +154,15 @@ private:
     const WalkBlock& from, std::uint32_t source, std::uint32_t target, std::uint32_t count);
 
   UnitFrame frame_;
-  int bands_;
   std::uint32_t unused_ = 0;
   std::vector<Range> places_;
   std::vector<float> x_, y_, z_;
   std::vector<std::uint16_t> tags_;
   std::vector<TriangleId> ids_;
   std::vector<std::array<float, 2>> weights_;
-  std::vector<std::int64_t> powers_; ///< bands_ for each place
+  Power photon_;
+  std::size_t storedBands_; ///< powers for each place: none if they are all the same
+  std::vector<std::int64_t> powers_;
   std::unordered_map<std::uint64_t, Hit> staticHits_;
 };
 

@@ -73,6 +73,10 @@ EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWa
   {
     emitters_.clear(); // too weak for a double
   }
+  for (const Emitter& emitter : emitters_)
+  {
+    powers_.push_back(powerOf(emitter));
+  }
 }
 
 void EmitterTable::addTriangles(const SceneObjects& objects, std::uint32_t object)
@@ -144,9 +148,8 @@ Power EmitterTable::powerOf(const Emitter& emitter) const
 std::array<double, Power::kMaxBands> EmitterTable::largestStart() const
 {
   std::array<double, Power::kMaxBands> largest{};
-  for (const Emitter& emitter : emitters_)
+  for (const Power& power : powers_)
   {
-    const Power power = powerOf(emitter);
     for (std::size_t band = 0; band < largest.size(); ++band)
     {
       largest[band] = std::max(largest[band], static_cast<double>(power.quanta[band]));
@@ -155,28 +158,21 @@ std::array<double, Power::kMaxBands> EmitterTable::largestStart() const
   return largest;
 }
 
-WalkStart EmitterTable::start(std::uint32_t walk, const SobolSequence& samples) const
+std::size_t EmitterTable::choose(double sample) const
 {
-  const double chosen = samples.sample(walk, 0, SampleUse::Emitter)[0] * cumulative_.back();
-  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, chosen);
-  const auto number = static_cast<std::size_t>(found - cumulative_.begin());
-  const Emitter& emitter = emitters_[number];
+  const auto found =
+    std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, sample * cumulative_.back());
+  return static_cast<std::size_t>(found - cumulative_.begin());
+}
 
-  const auto direction = samples.sample(walk, 0, SampleUse::Direction);
-  const Power power = powerOf(emitter);
-  if (emitter.isPoint())
+Ray EmitterTable::pointRay(std::size_t emitter, const std::array<double, 2>& u) const
+{
+  Vector3 shining = sampleSphere(u);
+  if (const auto sides = openSides_.find(emitter); sides != openSides_.end())
   {
-    Vector3 shining = sampleSphere(direction);
-    if (const auto sides = openSides_.find(number); sides != openSides_.end())
-    {
-      mirrorInto(sides->second, shining);
-    }
-    return { { emitter.triangle.a, shining, emitter.id }, power };
+    mirrorInto(sides->second, shining);
   }
-  const SurfacePoint point =
-    surfacePoint(emitter.triangle, sampleTriangle(samples.sample(walk, 0, SampleUse::Position)));
-  return { { point.clearPosition(), sampleCosineHemisphere(point.normal, direction), emitter.id },
-    power };
+  return { emitters_[emitter].triangle.a, shining, emitters_[emitter].id };
 }
 
 }

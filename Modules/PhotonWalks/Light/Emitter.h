@@ -7,7 +7,6 @@
 #include "Light/Power.h"
 #include "Light/SceneObjects.h"
 #include "Meshes/SurfacePoint.h"
-#include "Sampling/SobolSequence.h"
 
 #include <map>
 #include <vector>
@@ -25,13 +24,6 @@ struct Emitter
   bool isPoint() const { return id == TriangleId{}; }
   double totalFlux() const { return flux[0] + flux[1] + flux[2]; }
   friend bool operator==(const Emitter& a, const Emitter& b);
-};
-
-/// The state in which a walk leaves its light.
-struct WalkStart
-{
-  Ray ray;
-  Power power;
 };
 
 /**
@@ -61,7 +53,12 @@ public:
   /// Quanta with which a walk from any light may start, in each band.
   std::array<double, Power::kMaxBands> largestStart() const;
 
-  WalkStart start(std::uint32_t walk, const SobolSequence& samples) const;
+  /// The number of the emitter that a sample in (0, 1) chooses.
+  std::size_t choose(double sample) const;
+  /// With which walks leave an emitter.
+  const Power& power(std::size_t emitter) const { return powers_[emitter]; }
+  /// The ray that leaves a point light in the direction that a point of the unit square chooses.
+  Ray pointRay(std::size_t emitter, const std::array<double, 2>& u) const;
 
   /// Equal tables start the same walks, bit for bit.
   friend bool operator==(const EmitterTable& a, const EmitterTable& b);
@@ -71,13 +68,13 @@ private:
   void addPoints(const SceneObjects& objects, std::uint32_t object, Contacts* contacts,
     const Checkpoint& checkpoint);
   void add(const Emitter& emitter);
-  /// With which walks leave the light.
   Power powerOf(const Emitter& emitter) const;
 
   std::vector<Emitter> emitters_;
   /// By the index of a point light's emitter: the normals of its walls, to the side that it lights.
   std::map<std::size_t, std::vector<Vector3>> openSides_;
   std::vector<double> cumulative_; ///< W, up to and including each emitter
+  std::vector<Power> powers_;
   std::int64_t photon_ = 1;
   Box pointBounds_;
 };

@@ -28,6 +28,8 @@ struct Power
   std::int64_t operator[](int band) const { return quanta[static_cast<std::size_t>(band)]; }
 
   std::int64_t largest() const { return *std::max_element(quanta.begin(), quanta.end()); }
+  /// In all bands.
+  double total() const { return static_cast<double>(quanta[0] + quanta[1] + quanta[2]); }
   bool isZero() const { return quanta == decltype(quanta){}; }
 
   Power& operator+=(const Power& other)

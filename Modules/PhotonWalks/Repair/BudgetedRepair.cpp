@@ -24,7 +24,7 @@ struct BudgetedRepair::Batch
 
   explicit Batch(const State& state)
     : tally(state.sums, balance)
-    , walks(state.shooter)
+    , walks(state.shooter, &state.frame)
   {
   }
 
@@ -194,7 +194,11 @@ void BudgetedRepair::fill(Batch& batch) const
       block.power(segment.walkInBlock, segment.bounce));
     for (std::uint32_t k = segment.bounce; k < block.size(segment.walkInBlock); ++k)
     {
-      batch.tally.prefetch(walk, block.hit(segment.walkInBlock, k)); // will be subtracted
+      const TriangleId id = block.hit(segment.walkInBlock, k).id;
+      if (id != TriangleId{})
+      {
+        batch.tally.prefetch(walk, id.object, state_.sums.cellOf(id)); // will be subtracted
+      }
     }
   }
 }
@@ -217,19 +221,30 @@ void BudgetedRepair::castAnew(Batch& batch) const
 {
   const WalkShooter& shooter = state_.shooter;
   const Scene& scene = shooter.scene();
+  std::vector<WalkShooter::Stored> stored;
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < batch.items.size(); ++i)
+  {
+    if (!batch.isKnown[i])
+    {
+      const Batch::Item& item = batch.items[i];
+      stored.push_back({ &state_.history[item.block], batch.segments[i].walkInBlock, item.walk,
+        batch.segments[i].bounce });
+      unknown.push_back(i);
+    }
+  }
+  std::vector<Ray> derived(stored.size());
+  shooter.raysOf(stored.data(), stored.size(), derived.data());
   std::vector<Ray> rays[2]; // without and with a known static hit
   std::vector<Hit> hits[2];
   std::vector<std::size_t> which[2];
-  for (std::size_t i = 0; i < batch.items.size(); ++i)
+  for (std::size_t k = 0; k < unknown.size(); ++k)
   {
-    if (batch.isKnown[i])
-    {
-      continue;
-    }
+    const std::size_t i = unknown[k];
     StaleSegment& segment = batch.segments[i];
     const std::uint32_t walk = segment.walkInBlock;
-    const WalkBlock& block = state_.history[batch.items[i].block];
-    segment.ray = shooter.rayOf(block, walk, batch.items[i].walk, segment.bounce);
+    const WalkBlock& block = *stored[k].block;
+    segment.ray = derived[k];
     segment.old = block.hit(walk, segment.bounce);
     const bool wasDynamic = segment.old.id.isDynamic();
     segment.wasTouching = block.isContact(walk, segment.bounce) ||
@@ -273,7 +288,7 @@ void BudgetedRepair::finish(Batch& batch)
   state_.stale.take(stale);
   batch.walks.store(state_.plan, state_.history);
   state_.balance.add(batch.balance);
-  segments_ += static_cast<std::int64_t>(batch.walks.pieces().size());
+  segments_ += batch.walks.numberOfSegments();
 }
 
 }

@@ -29,6 +29,7 @@ public:
     const WalkShooter& shooter;
     const WalkPlan& plan;
     std::vector<WalkBlock>& history;
+    const UnitFrame& frame; ///< of the history
     CellSums& sums;
     SharedBalance& balance;
     StaleWalks& stale;

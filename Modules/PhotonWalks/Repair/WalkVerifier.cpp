@@ -7,110 +7,136 @@
 namespace irradiance
 {
 
-/// Segments of a block, entry by entry.
+/// Segments for which rays are cast in the same way, entry by entry.
 struct WalkVerifier::Candidates
 {
-  std::vector<WalkBlock::Place> places;
+  std::vector<WalkShooter::Stored> segments;
+  std::vector<std::size_t> blocks;
   std::vector<Ray> rays;
-  std::vector<Hit> old;
-  std::vector<Hit> now;
-  std::vector<StaleSegment> stale;
-  bool isTouching = false;
+  std::vector<Hit> old, now;
+  std::vector<std::size_t> stale; ///< entries
 
-  void addStale(std::size_t i)
+  void add(const WalkShooter::Stored& segment, std::size_t block, const Hit& hit)
   {
-    stale.push_back({ places[i].walk, places[i].bounce, rays[i], now[i], old[i], isTouching });
+    segments.push_back(segment);
+    blocks.push_back(block);
+    old.push_back(hit);
   }
   void clear()
   {
-    places.clear();
-    rays.clear();
+    segments.clear();
+    blocks.clear();
     old.clear();
     now.clear();
+    stale.clear();
   }
 };
 
-std::vector<StaleSegment> WalkVerifier::staleSegments(const WalkBlock& block, const WalkBlock& next,
-  std::uint32_t firstWalk, const StaleMarks& known) const
+struct WalkVerifier::Suspects
+{
+  Candidates blocked, lost, touching;
+};
+
+void WalkVerifier::find(std::size_t first, std::size_t end,
+  const std::vector<const StaleMarks*>& known, std::vector<std::vector<StaleSegment>>& stale) const
 {
   static thread_local std::vector<std::uint32_t> points;
-  static thread_local Candidates blocked, lost, touching;
-  scan_.find(block, next, points);
-  blocked.clear();
-  lost.clear();
-  touching.clear();
-  touching.isTouching = true;
-  prefetch(block, points);
-  for (const std::uint32_t point : points)
+  static thread_local Suspects suspects;
+  Candidates* const all[] = { &suspects.blocked, &suspects.lost, &suspects.touching };
+  for (Candidates* candidates : all)
   {
-    WalkBlock::Place place;
-    if (!block.segmentAt(point, place) ||
-      (place.bounce > 0 && hasMoved(block.hit(place.walk, place.bounce - 1).id)))
-    {
-      continue; // it begins on a moved object, so the segment before it is stale
-    }
-    if (isStale(known, place))
-    {
-      continue;
-    }
-    Hit hit = block.hit(place.walk, place.bounce);
-    const Ray ray = shooter_.rayOf(block, place.walk, firstWalk + place.walk, place.bounce);
-    const bool isTouching = block.isContact(place.walk, place.bounce) ||
-      shooter_.isContact(ray.start, hit.id) || shooter_.hasContact(hit.id);
-    Candidates& candidates = isTouching ? touching : hasMoved(hit.id) ? lost : blocked;
-    if (hit && !hasMoved(hit.id) && !isTouching)
-    {
-      hit.distance = shooter_.scene().distanceTo(ray, hit.id);
-    }
-    candidates.places.push_back(place);
-    candidates.rays.push_back(ray);
-    candidates.old.push_back(hit);
+    candidates->clear();
   }
-  suspects_ +=
-    static_cast<std::int64_t>(blocked.rays.size() + lost.rays.size() + touching.rays.size());
-  castBlocked(blocked);
-  castLost(block, lost);
-  castTouching(block, touching);
-
-  std::vector<StaleSegment> stale;
-  stale.swap(blocked.stale);
-  for (Candidates* others : { &lost, &touching })
+  for (std::size_t block = first; block < end; ++block)
   {
-    stale.insert(stale.end(), others->stale.begin(), others->stale.end());
-    others->stale.clear();
+    scan_.find(history_[block], history_[std::min(block + 1, end - 1)], points);
+    sort(block, points, known.empty() ? nullptr : known[block], suspects);
+  }
+  for (Candidates* candidates : all)
+  {
+    candidates->rays.resize(candidates->segments.size());
+    shooter_.raysOf(
+      candidates->segments.data(), candidates->segments.size(), candidates->rays.data());
+    suspects_ += static_cast<std::int64_t>(candidates->rays.size());
+  }
+  castBlocked(suspects.blocked);
+  castLost(suspects.lost);
+  castTouching(suspects.touching);
+  for (const Candidates* candidates : all)
+  {
+    for (const std::size_t i : candidates->stale)
+    {
+      const WalkShooter::Stored& segment = candidates->segments[i];
+      stale[candidates->blocks[i]].push_back(
+        { segment.walkInBlock, segment.bounce, candidates->rays[i], candidates->now[i],
+          candidates->old[i], candidates == &suspects.touching });
+    }
   }
   const auto order = [](const StaleSegment& s) { return std::tie(s.walkInBlock, s.bounce); };
-  std::sort(stale.begin(), stale.end(),
-    [&](const StaleSegment& a, const StaleSegment& b) { return order(a) < order(b); });
-  stale.erase(
-    std::unique(stale.begin(), stale.end(),
-      [](const StaleSegment& a, const StaleSegment& b) { return a.walkInBlock == b.walkInBlock; }),
-    stale.end());
-  return stale;
+  for (std::size_t block = first; block < end; ++block)
+  {
+    std::vector<StaleSegment>& found = stale[block];
+    std::sort(found.begin(), found.end(),
+      [&](const StaleSegment& a, const StaleSegment& b) { return order(a) < order(b); });
+    found.erase(std::unique(found.begin(), found.end(),
+                  [](const StaleSegment& a, const StaleSegment& b) {
+                    return a.walkInBlock == b.walkInBlock;
+                  }),
+      found.end());
+  }
 }
 
-/// Prefetches the hits of the segments and of those before them, then their triangles. None waits
-/// for another, so the memory delivers many at a time.
-void WalkVerifier::prefetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const
+/// Decides for each flagged segment of a block how to find out whether it is stale.
+void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& points,
+  const StaleMarks* known, Suspects& suspects) const
 {
+  const WalkBlock& block = history_[number];
+  // None of the requests waits for another, so the memory delivers many at a time.
   for (const std::uint32_t point : points)
   {
     block.prefetch(point);
   }
+  std::uint32_t stale = block.numberOfWalks(); // a walk with a segment that is stale for certain
   for (const std::uint32_t point : points)
   {
     WalkBlock::Place place;
-    if (block.segmentAt(point, place))
+    if (!block.segmentAt(point, place) || place.walk == stale ||
+      // It begins on a moved object, so the segment before it is stale.
+      (place.bounce > 0 && hasMoved(block.hit(place.walk, place.bounce - 1).id)) ||
+      (known && isStale(*known, place)))
     {
-      shooter_.prefetchTriangle(block.hit(place.walk, place.bounce));
-      shooter_.prefetchTriangle(place.bounce > 0 ? block.hit(place.walk, place.bounce - 1) : Hit{});
+      continue;
     }
+    const WalkShooter::Stored segment{ &block, place.walk, plan_.firstWalkOf(number) + place.walk,
+      place.bounce };
+    const Hit hit = block.hit(place.walk, place.bounce);
+    const bool isLost = hasMoved(hit.id);
+    stale = isLost ? place.walk : stale;
+    Candidates& candidates = isTouching(segment, hit) ? suspects.touching
+      : isLost                                        ? suspects.lost
+                                                      : suspects.blocked;
+    candidates.add(segment, number, hit);
   }
+}
+
+bool WalkVerifier::isTouching(const WalkShooter::Stored& segment, const Hit& hit) const
+{
+  return segment.block->isContact(segment.walkInBlock, segment.bounce) ||
+    (shooter_.hasContacts() &&
+      (shooter_.isContact(shooter_.startOf(segment), hit.id) || shooter_.hasContact(hit.id)));
 }
 
 /// The old hit is not on a moved object. It is valid unless a moved object came in front of it.
 void WalkVerifier::castBlocked(Candidates& candidates) const
 {
+  for (std::size_t i = 0; i < candidates.rays.size(); ++i)
+  {
+    Hit& old = candidates.old[i];
+    if (old)
+    {
+      old.distance = shooter_.scene().distanceTo(candidates.rays[i], old.id);
+    }
+  }
   candidates.now = candidates.old;
   shooter_.scene().castMoved(candidates.rays.data(), candidates.rays.size(), candidates.now.data());
   for (std::size_t i = 0; i < candidates.rays.size(); ++i)
@@ -118,14 +144,14 @@ void WalkVerifier::castBlocked(Candidates& candidates) const
     if (candidates.now[i] != candidates.old[i])
     {
       candidates.now[i] = shooter_.settled(candidates.rays[i], candidates.now[i]);
-      candidates.addStale(i);
+      candidates.stale.push_back(i);
     }
   }
 }
 
 /// Where objects touch, the ray is cast anew. The hit may be the same and yet depend on other
 /// objects than before: then it is stored anew as well.
-void WalkVerifier::castTouching(const WalkBlock& block, Candidates& candidates) const
+void WalkVerifier::castTouching(Candidates& candidates) const
 {
   const std::size_t count = candidates.rays.size();
   candidates.now.assign(count, {});
@@ -133,19 +159,19 @@ void WalkVerifier::castTouching(const WalkBlock& block, Candidates& candidates) 
   for (std::size_t i = 0; i < count; ++i)
   {
     const Hit &now = candidates.now[i], &old = candidates.old[i];
-    const WalkBlock::Place place = candidates.places[i];
+    const WalkShooter::Stored& segment = candidates.segments[i];
     if (now.id != old.id || now.weights != old.weights || hasMoved(now.id) ||
       shooter_.isContact(candidates.rays[i].start, now.id) !=
-        block.isContact(place.walk, place.bounce))
+        segment.block->isContact(segment.walkInBlock, segment.bounce))
     {
-      candidates.addStale(i);
+      candidates.stale.push_back(i);
     }
   }
 }
 
 /// The object that was hit moved, so the hit is stale even if the same triangle is found again: its
 /// normal and the point on it have changed. Static geometry is known to lie behind the old hit.
-void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) const
+void WalkVerifier::castLost(Candidates& candidates) const
 {
   const Scene& scene = shooter_.scene();
   const std::size_t count = candidates.rays.size();
@@ -157,14 +183,16 @@ void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) cons
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const WalkBlock::Place place = candidates.places[i];
-    const double clear = std::max(0.0, block.shortestLength(place.walk, place.bounce) - clearance_);
+    candidates.stale.push_back(i);
+    const WalkShooter::Stored& segment = candidates.segments[i];
+    const double clear = std::max(
+      0.0, segment.block->shortestLength(segment.walkInBlock, segment.bounce) - clearance_);
     Hit& now = candidates.now[i];
     if (now.distance < clear)
     {
       continue;
     }
-    if (const Hit* hidden = block.hiddenStaticHit(place.walk, place.bounce))
+    if (const Hit* hidden = segment.block->hiddenStaticHit(segment.walkInBlock, segment.bounce))
     {
       now = isCloser(*hidden, now) ? *hidden : now;
       continue;
@@ -182,7 +210,6 @@ void WalkVerifier::castLost(const WalkBlock& block, Candidates& candidates) cons
   for (std::size_t i = 0; i < count; ++i)
   {
     candidates.now[i] = shooter_.settled(candidates.rays[i], candidates.now[i]);
-    candidates.addStale(i);
   }
 }
 

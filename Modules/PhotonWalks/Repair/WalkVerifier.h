@@ -30,7 +30,7 @@ struct StaleSegment
  *
  * Section 3.2 of the paper, sharpened: only the objects that moved are tested, unless the object
  * that was hit has itself moved. A scan flags the segments near moved objects; rays are cast for
- * those alone, many at a time.
+ * those alone, many at a time, and for none behind a segment that is certainly stale.
  */
 class WalkVerifier
 {
@@ -38,33 +38,40 @@ public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
   /// flags all segments that these objects may change. `clearance`: a stored segment may end this
   /// far from where it hit, as the next one begins there (see Scene).
-  WalkVerifier(const WalkShooter& shooter, const std::vector<bool>& moved, const SegmentScan& scan,
+  WalkVerifier(const WalkShooter& shooter, const WalkPlan& plan,
+    const std::vector<WalkBlock>& history, const std::vector<bool>& moved, const SegmentScan& scan,
     double clearance)
     : shooter_(shooter)
+    , plan_(plan)
+    , history_(history)
     , moved_(moved)
     , scan_(scan)
     , clearance_(clearance)
   {
   }
 
-  /// At most one per walk, ordered by walk. `next`: the block to be verified after this one, which
-  /// is prefetched, or the same one. `firstWalk`: number of the block's first walk. Walks `known`
-  /// to be stale are verified up to their marks.
-  std::vector<StaleSegment> staleSegments(const WalkBlock& block, const WalkBlock& next,
-    std::uint32_t firstWalk, const StaleMarks& known = {}) const;
+  /// Of the blocks [first, end): in `stale[block]` at most one segment of each walk, ordered by walk.
+  /// Walks `known` to be stale (by block; null: none) are verified up to their marks.
+  void find(std::size_t first, std::size_t end, const std::vector<const StaleMarks*>& known,
+    std::vector<std::vector<StaleSegment>>& stale) const;
   /// The number of segments for which rays were cast so far.
   std::int64_t numberOfSuspects() const { return suspects_; }
 
 private:
   struct Candidates;
+  struct Suspects;
 
   bool hasMoved(const TriangleId& id) const { return id.isDynamic() && moved_[id.object - 1]; }
-  void prefetch(const WalkBlock& block, const std::vector<std::uint32_t>& points) const;
+  void sort(std::size_t block, const std::vector<std::uint32_t>& points, const StaleMarks* known,
+    Suspects& suspects) const;
+  bool isTouching(const WalkShooter::Stored& segment, const Hit& hit) const;
   void castBlocked(Candidates& candidates) const;
-  void castLost(const WalkBlock& block, Candidates& candidates) const;
-  void castTouching(const WalkBlock& block, Candidates& candidates) const;
+  void castLost(Candidates& candidates) const;
+  void castTouching(Candidates& candidates) const;
 
   const WalkShooter& shooter_;
+  const WalkPlan& plan_;
+  const std::vector<WalkBlock>& history_;
   const std::vector<bool>& moved_;
   const SegmentScan& scan_;
   double clearance_;

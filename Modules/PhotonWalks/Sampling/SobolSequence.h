@@ -2,6 +2,7 @@
 #ifndef irradiance_SobolSequence_h
 #define irradiance_SobolSequence_h
 
+#include "Sampling/SobolPoint.h"
 #include "Sampling/WalkPlan.h"
 
 #include <array>
@@ -33,62 +34,45 @@ class SobolSequence
 public:
   explicit SobolSequence(std::uint64_t seed, const Replicates& replicates = Replicates())
     : replicates_(replicates)
-    , seeds_{ seed }
   {
-    for (std::uint32_t replicate = 1; replicate < replicates.count(); ++replicate)
+    for (std::uint32_t replicate = 0; replicate < replicates.count(); ++replicate)
     {
-      seeds_.push_back(mix(mix(seed) + replicate));
+      seeds_.push_back(replicate == 0 ? seed : mix(mix(seed) + replicate));
+      for (std::uint32_t i = 0; i < kUses * kKnownBounces; ++i)
+      {
+        keys_.push_back(keysOf(seeds_.back(), i / kUses, i % kUses));
+      }
     }
   }
 
   std::array<double, 2> sample(std::uint32_t walk, std::uint32_t bounce, SampleUse use) const
   {
-    const std::uint64_t seed = seeds_[replicates_.replicateOf(walk)];
-    const std::uint64_t key =
-      mix(seed ^ mix(std::uint64_t{ bounce } << 32 | static_cast<std::uint32_t>(use)));
-    const std::uint64_t scrambles = mix(key);
-    const std::uint32_t index =
-      scrambled(replicates_.numberWithin(walk), static_cast<std::uint32_t>(key));
-    // The first dimension reverses the bits of the index; scrambling reverses them once more.
-    return { toUnit(reversed(permuted(index, static_cast<std::uint32_t>(scrambles)))),
-      toUnit(reversed(permuted(pascal(index), static_cast<std::uint32_t>(scrambles >> 32)))) };
+    const SampleKeys keys = keysOf(walk, bounce, use);
+    const SobolPoint point(indexOf(walk), keys.shuffle, keys.scrambles[0], keys.scrambles[1]);
+    return { SobolPoint::toUnit(point.x), SobolPoint::toUnit(point.y) };
   }
 
-  /// Bits in reverse order: van der Corput's radical inverse as a fixed-point number.
-  static std::uint32_t reversed(std::uint32_t x)
+  /// The number of a walk's point in its sequence.
+  std::uint32_t indexOf(std::uint32_t walk) const { return replicates_.numberWithin(walk); }
+  SampleKeys keysOf(std::uint32_t walk, std::uint32_t bounce, SampleUse use) const
   {
-    x = x << 16 | x >> 16;
-    x = (x & 0x00ff00ffu) << 8 | (x & 0xff00ff00u) >> 8;
-    x = (x & 0x0f0f0f0fu) << 4 | (x & 0xf0f0f0f0u) >> 4;
-    x = (x & 0x33333333u) << 2 | (x & 0xccccccccu) >> 2;
-    return (x & 0x55555555u) << 1 | (x & 0xaaaaaaaau) >> 1;
-  }
-
-  /// The product with Pascal's triangle mod 2, which generates the second Sobol' dimension when its
-  /// bits are reversed: bit k is the sum of the bits n for which C(n, k) is odd.
-  static std::uint32_t pascal(std::uint32_t x)
-  {
-    x ^= (x & 0xaaaaaaaau) >> 1;
-    x ^= (x & 0xccccccccu) >> 2;
-    x ^= (x & 0xf0f0f0f0u) >> 4;
-    x ^= (x & 0xff00ff00u) >> 8;
-    return x ^ (x & 0xffff0000u) >> 16;
+    const std::uint32_t replicate = replicates_.replicateOf(walk);
+    const auto number = static_cast<std::uint32_t>(use);
+    return bounce < kKnownBounces
+      ? keys_[(std::size_t{ replicate } * kKnownBounces + bounce) * kUses + number]
+      : keysOf(seeds_[replicate], bounce, number);
   }
 
 private:
-  /// A permutation in which a bit depends only on lower ones: a nested scramble of reversed bits.
-  static std::uint32_t permuted(std::uint32_t x, std::uint32_t seed)
-  {
-    x ^= x * 0x3d20adeau;
-    x += seed;
-    x *= (seed >> 16) | 1u;
-    x ^= x * 0x05526c56u;
-    return x ^ x * 0x53a22864u;
-  }
+  static constexpr std::uint32_t kUses = 4;
+  static constexpr std::uint32_t kKnownBounces = 32; ///< more are rare
 
-  static std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed)
+  static SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, std::uint32_t use)
   {
-    return reversed(permuted(reversed(x), seed));
+    const std::uint64_t key = mix(seed ^ mix(std::uint64_t{ bounce } << 32 | use));
+    const std::uint64_t scrambles = mix(key);
+    return { static_cast<std::uint32_t>(key),
+      { static_cast<std::uint32_t>(scrambles), static_cast<std::uint32_t>(scrambles >> 32) } };
   }
 
   /// SplitMix64's finalizer (Steele, Lea and Flood 2014).
@@ -100,10 +84,9 @@ private:
     return x ^ x >> 31;
   }
 
-  static double toUnit(std::uint32_t x) { return (x + 0.5) * 0x1p-32; }
-
   Replicates replicates_;
   std::vector<std::uint64_t> seeds_; ///< of each replicate
+  std::vector<SampleKeys> keys_;     ///< of each replicate, its first bounces, and uses
 };
 
 }

@@ -1,40 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkBatch.h"
 
+#include "Light/Absorption.h"
+
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
 namespace irradiance
 {
 
-void WalkBatch::shoot(std::uint32_t walk)
+namespace
 {
-  const WalkStart start = shooter_.start(walk);
-  add(walk, 0, start.ray, {}, start.power);
+
+constexpr std::size_t kAhead = 8; // hits between a request to memory and its use
+
+}
+
+WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn)
+  : shooter_(shooter)
+  , frame_(storedIn)
+{
+}
+
+void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
+{
+  const WalkRules& rules = shooter_.rules();
+  for (const std::uint32_t walk : walks)
+  {
+    const Power power = rules.bands() == 1 ? rules.photon() : rules.powerOf(walk);
+    emitted_ += power;
+    add(walk, 0, power);
+  }
+  const std::size_t first = rays_.size();
+  rays_.resize(walks_.size());
+  rules.start(walks.data(), walks.size(), rays_.data() + first);
 }
 
 void WalkBatch::resume(
   std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& incoming)
 {
   areHitsKnown_ = true;
-  add(walk, bounce, ray, hit, incoming);
-}
-
-void WalkBatch::add(
-  std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& power)
-{
-  states_.push_back({ static_cast<std::uint32_t>(tails_.size()), bounce, power });
+  add(walk, bounce, incoming);
   rays_.push_back(ray);
   hits_.push_back(hit);
+}
+
+void WalkBatch::add(std::uint32_t walk, std::uint32_t bounce, const Power& power)
+{
+  tailOf_.push_back(static_cast<std::uint32_t>(tails_.size()));
+  walks_.push_back(walk);
+  bounces_.push_back(bounce);
+  if (shooter_.rules().bands() > 1)
+  {
+    powers_.push_back(power);
+  }
   tails_.push_back({ walk, bounce, 0 });
 }
 
 bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
 {
-  constexpr std::size_t kUsualLength = 4;
-  pieces_.reserve(kUsualLength * tails_.size());
-  for (; !states_.empty(); ++rounds_)
+  for (; !walks_.empty(); ++rounds_)
   {
     if (hasToStop())
     {
@@ -42,80 +69,217 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
     }
     // From the end, so that waiting walks stay where they are.
     const std::size_t count =
-      rounds_ < kRoundsTogether ? states_.size() : std::min(states_.size(), kPatient);
-    const std::size_t first = states_.size() - count;
+      rounds_ < kRoundsTogether ? walks_.size() : std::min(walks_.size(), kPatient);
+    const std::size_t first = walks_.size() - count;
     if (!areHitsKnown_)
     {
-      hits_.resize(rays_.size());
+      hits_.resize(walks_.size());
       shooter_.cast(rays_.data() + first, count, hits_.data() + first);
     }
     areHitsKnown_ = false;
-    advance(first, tally);
+    segments_ += static_cast<std::int64_t>(count);
+    findCells(first, tally);
+    if (tally.sides() == 2)
+    {
+      findSides(first);
+    }
+    receive(first, tally);
+    tally.check();
+    absorb(first, tally);
+    if (frame_)
+    {
+      record(first);
+    }
+    leave(first, tally);
   }
   return true;
 }
 
-/// Takes the walks from their hits to their next rays; walks that end drop out.
-void WalkBatch::advance(std::size_t first, WalkTally& tally)
+/// What a hit needs is scattered in memory: it is prefetched in time, and what leads to it first.
+void WalkBatch::findCells(std::size_t first, WalkTally& tally)
 {
-  constexpr std::size_t kAhead = 8;
-  std::size_t kept = first;
-  for (std::size_t i = first; i < states_.size(); ++i)
+  const WalkRules& rules = shooter_.rules();
+  const std::size_t end = hits_.size();
+  cells_.resize(end - first);
+  for (std::size_t i = first; i < std::min(first + kAhead, end); ++i)
   {
-    // What a hit needs is scattered in memory: prefetch it in time, and what leads to it first.
-    if (i + 2 * kAhead < states_.size())
-    {
-      shooter_.prefetchTriangle(hits_[i + 2 * kAhead]);
-    }
-    if (i + kAhead < states_.size())
-    {
-      shooter_.prefetchCell(hits_[i + kAhead]);
-      tally.prefetch(tails_[states_[i + kAhead].tail].walk, hits_[i + kAhead]);
-    }
-    State state = states_[i];
-    Tail& tail = tails_[state.tail];
-    pieces_.push_back({ state.tail, state.bounce,
-      { rays_[i], hits_[i], state.power, true, shooter_.isContact(rays_[i].start, hits_[i].id) } });
-    ++tail.size;
-    const Hit& hit = hits_[i];
-    if (!hit)
-    {
-      tally.add(tail.walk, hit, true, state.power, {}, 1);
-      continue;
-    }
-    const SurfacePoint point = shooter_.scene().surfaceAt(rays_[i].direction, hit);
-    pieces_.back().segment.isFront = point.isFront;
-    const Power reflectedPower = shooter_.powerAfter(tail.walk, state.bounce, hit.id, state.power);
-    tally.add(tail.walk, hit, point.isFront, state.power, reflectedPower, 1);
-    if (reflectedPower.isZero())
-    {
-      continue;
-    }
-    if (++state.bounce > kMostBounces)
-    {
-      throw std::runtime_error("walk " + std::to_string(tail.walk) +
-        " does not end: the light cannot leave a part of the scene that absorbs nothing "
-        "(reflectance 1)");
-    }
-    state.power = reflectedPower;
-    rays_[kept] = shooter_.rayFrom(tail.walk, state.bounce, point, hit.id);
-    states_[kept++] = state;
+    rules.prefetchTriangle(hits_[i]);
   }
-  states_.resize(kept);
+  for (std::size_t i = first; i < end; ++i)
+  {
+    if (i + kAhead < end)
+    {
+      rules.prefetchTriangle(hits_[i + kAhead]);
+    }
+    if (hits_[i])
+    {
+      cells_[i - first] = rules.cellOf(hits_[i].id);
+      rules.prefetchCell(hits_[i]);
+      tally.prefetch(walks_[i], hits_[i].id.object, cells_[i - first]);
+    }
+  }
+}
+
+void WalkBatch::findSides(std::size_t first)
+{
+  isFront_.resize(hits_.size() - first);
+  for (std::size_t i = first; i < hits_.size(); ++i)
+  {
+    isFront_[i - first] = !hits_[i] ||
+      rays_[i].direction.dot(shooter_.rules().triangleOf(hits_[i].id).areaVector()) <= 0;
+  }
+}
+
+void WalkBatch::receive(std::size_t first, WalkTally& tally)
+{
+  for (std::size_t i = first; i < hits_.size(); ++i)
+  {
+    if (hits_[i])
+    {
+      const bool isFront = isFront_.empty() || isFront_[i - first] != 0;
+      tally.receive(walks_[i], hits_[i].id.object, cells_[i - first], isFront, powerOf(i));
+    }
+    else
+    {
+      tally.escape(powerOf(i));
+    }
+  }
+}
+
+/// Keeps what will be stored of the segments. Their sides follow when the walks leave.
+void WalkBatch::record(std::size_t first)
+{
+  std::size_t next = 0; // survivor
+  for (std::size_t i = first; i < hits_.size(); ++i)
+  {
+    const Ray& ray = rays_[i];
+    const Hit& hit = hits_[i];
+    ++tails_[tailOf_[i]].size;
+    const bool isFront = isFront_.empty() || isFront_[i - first] != 0;
+    pieces_.push_back({ tailOf_[i],
+      { storedPoint(*frame_, ray.origin), hit.id, hit.weights, isFront,
+        shooter_.isContact(ray.start, hit.id) } });
+    if (!powers_.empty())
+    {
+      piecePowers_.push_back(powers_[i]);
+    }
+    if (next < survivors_.size() && survivors_[next] == i)
+    {
+      ++next;
+      continue;
+    }
+    const double length = hit ? hit.distance : WalkBlock::kFar / frame_->scale;
+    ends_.push_back({ tailOf_[i], storedPoint(*frame_, ray.origin + length * ray.direction) });
+  }
+}
+
+void WalkBatch::absorb(std::size_t first, WalkTally& tally)
+{
+  const WalkRules& rules = shooter_.rules();
+  const std::size_t count = hits_.size() - first;
+  probabilities_.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Hit& hit = hits_[first + i];
+    probabilities_[i] = !hit ? 0
+      : powers_.empty()
+      ? rules.reflectanceOf(hit.id.object, cells_[i])
+      : survivalProbability(powers_[first + i], rules.materialOf(hit.id.object), hit.id.triangle);
+  }
+  survivors_.clear();
+  rules.survive(walks_.data() + first, bounces_.data() + first, probabilities_.data(), count,
+    static_cast<std::uint32_t>(first), survivors_);
+  std::size_t next = 0;
+  for (std::size_t i = first; i < hits_.size(); ++i)
+  {
+    if (next < survivors_.size() && survivors_[next] == i)
+    {
+      ++next;
+    }
+    else if (hits_[i])
+    {
+      tally.absorb(powerOf(i));
+    }
+  }
+}
+
+/// Takes the walks that survived from their hits to their next rays, without gaps between them. A
+/// place is written only after it was read, as no survivor moves up.
+void WalkBatch::leave(std::size_t first, WalkTally& tally)
+{
+  Departures departures(shooter_.rules());
+  std::size_t kept = first;
+  const std::size_t firstPiece = pieces_.size() - (hits_.size() - first);
+  bool ignored = true;
+  for (const std::uint32_t i : survivors_)
+  {
+    const Hit& hit = hits_[i];
+    checkEnd(i);
+    const double side = isFront_.empty() ? 0 : isFront_[i - first] != 0 ? 1 : -1;
+    bool* isFront = frame_ ? &pieces_[firstPiece + i - first].segment.isFront : &ignored;
+    tailOf_[kept] = tailOf_[i];
+    walks_[kept] = walks_[i];
+    bounces_[kept] = bounces_[i] + 1;
+    departures.add(
+      { walks_[kept], bounces_[kept], hit.id, weightsOf(hit), side, rays_[i].direction },
+      &rays_[kept], isFront);
+    if (!powers_.empty())
+    {
+      const Power incoming = powers_[i];
+      powers_[kept] = survivingPower(incoming, shooter_.rules().materialOf(hit.id.object),
+        hit.id.triangle, probabilities_[i - first]);
+      tally.absorb(incoming - powers_[kept]);
+    }
+    ++kept;
+  }
+  departures.flush();
+  tailOf_.resize(kept);
+  walks_.resize(kept);
+  bounces_.resize(kept);
   rays_.resize(kept);
+  hits_.resize(kept);
+  powers_.resize(powers_.empty() ? 0 : kept);
+}
+
+void WalkBatch::checkEnd(std::size_t place) const
+{
+  if (bounces_[place] >= kMostBounces)
+  {
+    throw std::runtime_error("walk " + std::to_string(walks_[place]) +
+      " does not end: the light cannot leave a part of the scene that absorbs nothing "
+      "(reflectance 1)");
+  }
 }
 
 void WalkBatch::store(const WalkPlan& plan, std::vector<WalkBlock>& history) const
 {
+  struct Cursor
+  {
+    WalkBlock* block;
+    std::uint32_t walk, next;
+  };
+  std::vector<Cursor> cursors;
+  cursors.reserve(tails_.size());
   for (const Tail& tail : tails_)
   {
     const WalkPlan::Place place = plan.placeOf(tail.walk);
-    history[place.block].replaceTail(place.walkInBlock, tail.bounce, tail.size);
+    WalkBlock& block = history[place.block];
+    block.replaceTail(place.walkInBlock, tail.bounce, tail.size);
+    cursors.push_back({ &block, place.walkInBlock, tail.bounce });
   }
-  for (const Piece& piece : pieces_)
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
   {
-    const WalkPlan::Place place = plan.placeOf(tails_[piece.tail].walk);
-    history[place.block].setSegment(place.walkInBlock, piece.bounce, piece.segment);
+    Cursor& cursor = cursors[pieces_[i].tail];
+    cursor.block->setSegment(cursor.walk, cursor.next, pieces_[i].segment);
+    if (!piecePowers_.empty())
+    {
+      cursor.block->setPower(cursor.walk, cursor.next, piecePowers_[i]);
+    }
+    ++cursor.next;
+  }
+  for (const End& end : ends_)
+  {
+    cursors[end.tail].block->setEnd(cursors[end.tail].walk, end.point);
   }
 }
 

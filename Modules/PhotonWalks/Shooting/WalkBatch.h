@@ -11,17 +11,16 @@
 namespace irradiance
 {
 
-/// Shoots many walks side by side, bounce by bounce, so that their rays are cast together.
+/// Shoots many walks side by side, bounce by bounce: each stage of a bounce is a loop over the walks
+/// that go on.
 class WalkBatch
 {
 public:
-  explicit WalkBatch(const WalkShooter& shooter)
-    : shooter_(shooter)
-  {
-  }
+  /// `storedIn`: the frame of the blocks to which store() will write; null if nothing is stored.
+  WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn);
 
-  /// Adds a whole walk.
-  void shoot(std::uint32_t walk);
+  /// Adds whole walks.
+  void shoot(const std::vector<std::uint32_t>& walks);
   /// Adds a walk from segment `bounce` on, whose ray and new hit are known. `incoming`: what the
   /// segment carries.
   void resume(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
@@ -31,22 +30,19 @@ public:
   /// false and may be called again.
   bool run(WalkTally& tally, const std::function<bool()>& hasToStop);
 
+  /// Segments shot so far.
+  std::int64_t numberOfSegments() const { return segments_; }
+  /// Power with which the walks added by shoot() started.
+  const Power& emitted() const { return emitted_; }
+
   struct Tail
   {
     std::uint32_t walk;
     std::uint32_t bounce; ///< of its first segment
     std::uint32_t size;   ///< segments
   };
-  struct Piece
-  {
-    std::uint32_t tail;
-    std::uint32_t bounce;
-    WalkSegment segment;
-  };
   /// In the order in which the walks were added.
   const std::vector<Tail>& tails() const { return tails_; }
-  /// In order within a walk; those of several walks are mixed.
-  const std::vector<Piece>& pieces() const { return pieces_; }
   /// Replaces the stored tails of the walks by what was shot.
   void store(const WalkPlan& plan, std::vector<WalkBlock>& history) const;
 
@@ -58,26 +54,54 @@ private:
   static constexpr std::uint32_t kRoundsTogether = 256;
   static constexpr std::size_t kPatient = 2;
 
-  /// The segment of a walk that is being shot.
-  struct State
+  /// A segment to be stored.
+  struct Piece
   {
     std::uint32_t tail;
-    std::uint32_t bounce;
-    Power power;
+    StoredSegment segment;
+  };
+  /// The point where a walk ended.
+  struct End
+  {
+    std::uint32_t tail;
+    StoredPoint point;
   };
 
-  void add(
-    std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& power);
-  void advance(std::size_t first, WalkTally& tally);
+  void add(std::uint32_t walk, std::uint32_t bounce, const Power& power);
+  Power powerOf(std::size_t place) const
+  {
+    return powers_.empty() ? shooter_.rules().photon() : powers_[place];
+  }
+  // The stages of a bounce, for the walks from place `first` on.
+  void findCells(std::size_t first, WalkTally& tally);
+  void findSides(std::size_t first);
+  void receive(std::size_t first, WalkTally& tally);
+  void record(std::size_t first);
+  void absorb(std::size_t first, WalkTally& tally);
+  void leave(std::size_t first, WalkTally& tally);
+  void checkEnd(std::size_t place) const;
 
   const WalkShooter& shooter_;
-  std::vector<State> states_; ///< of the walks that continue, with their rays and hits
+  const UnitFrame* frame_;
+  // Of the walks that go on, by place.
+  std::vector<std::uint32_t> tailOf_, walks_, bounces_;
+  std::vector<Power> powers_; ///< empty if there is one band
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
+  // Of the walks of this bounce, by place - first.
+  std::vector<std::uint32_t> cells_;
+  std::vector<double> probabilities_;
+  std::vector<char> isFront_; ///< empty if sides are not kept apart
+  std::vector<std::uint32_t> survivors_;
+
   bool areHitsKnown_ = false;
   std::uint32_t rounds_ = 0;
+  std::int64_t segments_ = 0;
+  Power emitted_;
   std::vector<Tail> tails_;
-  std::vector<Piece> pieces_;
+  std::vector<Piece> pieces_; ///< in order within a walk; those of several walks are mixed
+  std::vector<Power> piecePowers_;
+  std::vector<End> ends_;
 };
 
 }

@@ -4,14 +4,14 @@
 
 #include "History/WalkBlock.h"
 #include "Light/Contacts.h"
-#include "Light/Emitter.h"
 #include "Scene/Scene.h"
+#include "Shooting/WalkRules.h"
 
 namespace irradiance
 {
 
-/// What a walk does at its start and at each hit. A walk is a pure function of the scene, the
-/// samples and its number.
+/// The rules of walks and the scene in which they find their hits. So a walk is a pure function of
+/// the scene, the samples and its number.
 class WalkShooter
 {
 public:
@@ -19,15 +19,13 @@ public:
   WalkShooter(const Scene& scene, const SceneObjects& objects, const EmitterTable& emitters,
     const SobolSequence& samples, const Contacts* contacts = nullptr)
     : scene_(scene)
-    , objects_(objects)
-    , emitters_(emitters)
-    , samples_(samples)
+    , rules_(objects, emitters, samples)
     , contacts_(contacts)
   {
   }
 
   const Scene& scene() const { return scene_; }
-  WalkStart start(std::uint32_t walk) const { return emitters_.start(walk, samples_); }
+  const WalkRules& rules() const { return rules_; }
 
   /// The hits of the rays: the closest triangles, and among triangles that coincide those that
   /// Contacts puts first.
@@ -42,30 +40,29 @@ public:
   {
     return contacts_ && (contacts_->hasDynamic(start) || contacts_->hasDynamic(hit));
   }
+  bool hasContacts() const { return contacts_ && !contacts_->isEmpty(); }
   /// Whether other triangles coincide with this one.
   bool hasContact(const TriangleId& id) const { return contacts_ && contacts_->has(id); }
 
-  /// The power with which a walk leaves the hit of segment `bounce`; zero if it ends there.
-  Power powerAfter(
-    std::uint32_t walk, std::uint32_t bounce, const TriangleId& id, const Power& incoming) const;
-  /// The ray of segment `bounce`, with which a walk leaves its hit at `point` of triangle `id`.
-  Ray rayFrom(std::uint32_t walk, std::uint32_t bounce, const SurfacePoint& point,
-    const TriangleId& id) const;
-
-  /// The ray of a stored segment, the same as when it was shot unless it starts on what has moved.
-  Ray rayOf(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
-    std::uint32_t bounce) const;
-
-  /// Prefetch what surfaceAt() and powerAfter() will read. prefetchCell() is for later, as it reads
-  /// what prefetchTriangle() requested.
-  void prefetchTriangle(const Hit& hit) const;
-  void prefetchCell(const Hit& hit) const;
+  /// A segment in storage.
+  struct Stored
+  {
+    const WalkBlock* block;
+    std::uint32_t walkInBlock, walk, bounce;
+  };
+  /// The rays of stored segments, the same as when they were shot unless they start on what has
+  /// moved.
+  void raysOf(const Stored* segments, std::size_t count, Ray* rays) const;
+  /// The triangle on which a stored segment begins.
+  TriangleId startOf(const Stored& segment) const
+  {
+    return segment.bounce == 0 ? rules_.lightOf(segment.walk)
+                               : segment.block->hit(segment.walkInBlock, segment.bounce - 1).id;
+  }
 
 private:
   const Scene& scene_;
-  const SceneObjects& objects_;
-  const EmitterTable& emitters_;
-  const SobolSequence& samples_;
+  WalkRules rules_;
   const Contacts* contacts_;
 };
 

@@ -23,17 +23,6 @@ CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan,
   setRounds(rounds);
 }
 
-void CellSums::collect(std::uint32_t walk, const TriangleId& id, bool isFront, const Power& power,
-  int sign, std::vector<Deposit>& deposits) const
-{
-  const std::size_t cell = materials_[id.object]->cellOfTriangle[id.triangle];
-  const std::size_t first = slot(groupOf(walk), id.object, cell, sides_ == 2 && !isFront ? 1 : 0);
-  for (int band = 0; band < bands_; ++band)
-  {
-    deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
-  }
-}
-
 void CellSums::setRounds(std::size_t rounds, const Checkpoint& checkpoint)
 {
   if (rounds == rounds_)

@@ -42,17 +42,24 @@ public:
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 
   /// Prefetches the sum that add() will change.
-  void prefetch(std::uint32_t walk, const TriangleId& id) const
+  void prefetch(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
   {
-    if (id.object != TriangleId::kNone)
-    {
-      const std::size_t cell = materials_[id.object]->cellOfTriangle[id.triangle];
-      prefetchLine(sums_.data() + slot(groupOf(walk), id.object, cell, 0));
-    }
+    prefetchLine(sums_.data() + slot(groupOf(walk), object, cell, 0));
+  }
+  std::uint32_t cellOf(const TriangleId& id) const
+  {
+    return materials_[id.object]->cellOfTriangle[id.triangle];
   }
   /// Appends the deposits of a photon. `sign`: 1 to add it, -1 to remove it.
-  void collect(std::uint32_t walk, const TriangleId& id, bool isFront, const Power& power, int sign,
-    std::vector<Deposit>& deposits) const;
+  void collect(std::uint32_t walk, std::uint32_t object, std::uint32_t cell, bool isFront,
+    const Power& power, int sign, std::vector<Deposit>& deposits) const
+  {
+    const std::size_t first = slot(groupOf(walk), object, cell, sides_ == 2 && !isFront ? 1 : 0);
+    for (int band = 0; band < bands_; ++band)
+    {
+      deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
+    }
+  }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);
   /// `side`: 0 front (or both), 1 back.

@@ -7,33 +7,23 @@ namespace irradiance
 void WalkTally::remove(
   const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk, std::uint32_t firstBounce)
 {
-  Power incoming = block.power(walkInBlock, firstBounce);
-  for (std::uint32_t i = firstBounce; i < block.size(walkInBlock); ++i)
+  const std::uint32_t size = block.size(walkInBlock);
+  for (std::uint32_t i = firstBounce; i < size; ++i)
   {
-    const Power reflectedPower = block.power(walkInBlock, i + 1); // zero after the last
-    add(
-      walk, block.hit(walkInBlock, i), block.isFront(walkInBlock, i), incoming, reflectedPower, -1);
-    incoming = reflectedPower;
+    const Hit hit = block.hit(walkInBlock, i);
+    const Power incoming = block.power(walkInBlock, i);
+    --balance_.segments;
+    if (!hit)
+    {
+      balance_.escaped -= incoming;
+      continue;
+    }
+    const Power outgoing = i + 1 < size ? block.power(walkInBlock, i + 1) : Power{};
+    balance_.absorbed -= incoming - outgoing;
+    balance_.received -= incoming.total();
+    sums_.collect(walk, hit.id.object, sums_.cellOf(hit.id), block.isFront(walkInBlock, i),
+      incoming, -1, deposits_);
   }
-}
-
-void WalkTally::add(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
-  const Power& reflectedPower, int sign)
-{
-  balance_.segments += sign;
-  if (!hit)
-  {
-    sign > 0 ? balance_.escaped += incoming : balance_.escaped -= incoming;
-    return;
-  }
-  const Power kept = incoming - reflectedPower;
-  sign > 0 ? balance_.absorbed += kept : balance_.absorbed -= kept;
-  for (int band = 0; band < Power::kMaxBands; ++band)
-  {
-    balance_.received += sign * static_cast<double>(incoming[band]);
-  }
-  checkReceived(balance_);
-  sums_.collect(walk, hit.id, isFront, incoming, sign, deposits_);
 }
 
 }

@@ -23,13 +23,30 @@ public:
   WalkTally(const WalkTally&) = delete;
   WalkTally& operator=(const WalkTally&) = delete;
 
-  /// `sign`: 1 to add, -1 to subtract.
-  void add(std::uint32_t walk, const Hit& hit, bool isFront, const Power& incoming,
-    const Power& reflectedPower, int sign);
+  int sides() const { return sums_.sides(); }
+  /// A photon of a walk arrives at a cell.
+  void receive(
+    std::uint32_t walk, std::uint32_t object, std::uint32_t cell, bool isFront, const Power& power)
+  {
+    ++balance_.segments;
+    balance_.received += power.total();
+    sums_.collect(walk, object, cell, isFront, power, 1, deposits_);
+  }
+  void escape(const Power& power)
+  {
+    ++balance_.segments;
+    balance_.escaped += power;
+  }
+  /// What does not leave the cell where it arrived.
+  void absorb(const Power& power) { balance_.absorbed += power; }
   /// Drops what was tallied for the cells; the caller drops the balance.
   void discard() { deposits_.clear(); }
-  /// Prefetches the sum that a hit will change.
-  void prefetch(std::uint32_t walk, const Hit& hit) const { sums_.prefetch(walk, hit.id); }
+  /// Prefetches the sum that a photon will change.
+  void prefetch(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
+  {
+    sums_.prefetch(walk, object, cell);
+  }
+  void check() const { checkReceived(balance_); }
   /// Subtracts the segments of a stored walk from `firstBounce` on.
   void remove(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
     std::uint32_t firstBounce);

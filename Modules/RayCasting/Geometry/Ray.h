@@ -54,6 +54,13 @@ struct Hit
   friend bool operator!=(const Hit& a, const Hit& b) { return !(a == b); }
 };
 
+/// The barycentric weights of all three corners.
+inline Vector3 weightsOf(const Hit& hit)
+{
+  const double b = hit.weights[0], c = hit.weights[1];
+  return { 1 - b - c, b, c };
+}
+
 /// The total order that makes the closest hit unique in whichever order triangles are visited.
 inline bool isCloser(const Hit& a, const Hit& b)
 {

@@ -295,8 +295,7 @@ SurfacePoint Scene::surfaceAt(const Vector3& direction, const Hit& hit) const
 
 SurfacePoint Scene::surfaceOf(const Hit& hit, bool isFront) const
 {
-  const double b = hit.weights[0], c = hit.weights[1];
-  SurfacePoint point = surfacePoint(worldTriangle(hit.id), { 1 - b - c, b, c });
+  SurfacePoint point = surfacePoint(worldTriangle(hit.id), weightsOf(hit));
   point.turn(isFront);
   return point;
 }

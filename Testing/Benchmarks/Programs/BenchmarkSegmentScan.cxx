@@ -43,14 +43,14 @@ Vector3 pointOnWall(std::uint32_t wall, Random& random)
 }
 
 /// From wall to wall, never along one.
-std::vector<WalkSegment> makeWalk(Random& random)
+std::vector<test::WalkSegment> makeWalk(Random& random)
 {
   constexpr std::uint32_t kWalls = 6, kLongest = 7, kTriangles = 10000;
   const auto below = [&](std::uint32_t limit) { return std::uint32_t(random() % limit); };
   std::uint32_t wall = below(kWalls);
   Vector3 from = pointOnWall(wall, random);
-  std::vector<WalkSegment> walk(1 + below(kLongest));
-  for (WalkSegment& segment : walk)
+  std::vector<test::WalkSegment> walk(1 + below(kLongest));
+  for (test::WalkSegment& segment : walk)
   {
     wall = (wall + 1 + below(kWalls - 1)) % kWalls;
     const Vector3 to = pointOnWall(wall, random);
@@ -70,18 +70,18 @@ struct StoredSegments
     Random random(1);
     while (size < atLeast)
     {
-      std::vector<std::vector<WalkSegment>> walks;
+      std::vector<std::vector<test::WalkSegment>> walks;
       std::size_t segments = 0;
       while (walks.size() < WalkPlan::kWalksPerBlock)
       {
         walks.push_back(makeWalk(random));
         segments += walks.back().size();
       }
-      WalkBlock& block = blocks.emplace_back(WalkPlan::kWalksPerBlock, 1, frame);
+      WalkBlock& block = blocks.emplace_back(WalkPlan::kWalksPerBlock, 1, frame, Power{});
       block.reserve(segments + walks.size());
       for (std::uint32_t i = 0; i < walks.size(); ++i)
       {
-        test::replaceTail(block, i, 0, walks[i]);
+        test::replaceTail(block, i, 0, walks[i], frame);
       }
       size += segments;
       bytes += block.bytes();

@@ -51,10 +51,11 @@ void PilotTracer::shootAll(const SceneObjects& objects)
   sums_ = CellSums(objects, 1);
   balance_ = {};
   history_.clear();
-  const UnitFrame frame(scene_->bounds());
+  pointFrame_ = UnitFrame(scene_->bounds());
   for (std::size_t block = 0; block < plan_.rounds().back().endBlock; ++block)
   {
-    history_.emplace_back(plan_.walksIn(block), objects.staticObject.material->bands, frame);
+    history_.emplace_back(plan_.walksIn(block), objects.staticObject.material->bands, pointFrame_,
+      Power{ { emitters_.photon() } });
   }
   shoot(allWalks());
 }
@@ -87,11 +88,10 @@ void PilotTracer::shoot(const Walks& walks)
   const WalkShooter shooter(*scene_, objects_, emitters_, samples_);
   for (std::size_t first = 0; first < walks.size(); first += kBatchSize)
   {
-    WalkBatch batch(shooter);
-    for (std::size_t i = first; i < std::min(first + kBatchSize, walks.size()); ++i)
-    {
-      batch.shoot(walks[i]);
-    }
+    WalkBatch batch(shooter, &pointFrame_);
+    const auto begin = walks.begin() + static_cast<std::ptrdiff_t>(first);
+    batch.shoot(
+      { begin, begin + static_cast<std::ptrdiff_t>(std::min(kBatchSize, walks.size() - first)) });
     WalkTally tally(sums_, balance_);
     batch.run(tally, [] { return false; });
     for (const WalkBatch::Tail& tail : batch.tails())

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shooting/Stages.h"
+
+#include "Simd/SimdLevel.h"
+
+namespace irradiance
+{
+
+void drawAllPlain(SampleLanes& samples)
+{
+  samples.draw();
+}
+
+void leaveAllPlain(LeavingLanes& lanes)
+{
+  lanes.leave();
+}
+
+void drawAll(SampleLanes& samples)
+{
+  IRRADIANCE_CALL_BEST(drawAll, samples);
+}
+
+void leaveAll(LeavingLanes& lanes)
+{
+  IRRADIANCE_CALL_BEST(leaveAll, lanes);
+}
+
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifdef __x86_64__
+
+#include "Shooting/Stages.h"
+#include "Simd/SimdTarget.h"
+
+IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
+
+namespace irradiance
+{
+
+void drawAllAvx512(SampleLanes& samples)
+{
+  samples.draw();
+}
+
+void leaveAllAvx512(LeavingLanes& lanes)
+{
+  lanes.leave();
+}
+
+}
+
+IRRADIANCE_TARGET_END
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkRules_h
+#define irradiance_WalkRules_h
+
+#include "Light/Emitter.h"
+#include "Sampling/SobolSequence.h"
+#include "Shooting/LeavingLanes.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// A walk that leaves a triangle.
+struct Departure
+{
+  std::uint32_t walk, bounce; ///< the segment that begins
+  TriangleId id;
+  Vector3 weights;  ///< barycentric
+  double side;      ///< 1 front, -1 back, 0: that from which `incoming` comes
+  Vector3 incoming; ///< matters only if `side` is 0
+};
+
+/**
+ * What walks do at their start and at their hits. Knows no scene, so whoever finds the hits may use
+ * it. A walk is a pure function of objects, samples, its number and its hits.
+ */
+class WalkRules
+{
+public:
+  /// The arguments must outlive the rules.
+  WalkRules(
+    const SceneObjects& objects, const EmitterTable& emitters, const SobolSequence& samples);
+
+  int bands() const { return bands_; }
+
+  /// The first rays of walks.
+  void start(const std::uint32_t* walks, std::size_t count, Ray* rays) const;
+  /// The power with which a walk starts, that of its light.
+  Power powerOf(std::uint32_t walk) const { return emitters_.power(emitterOf(walk)); }
+  /// The triangle on which a walk starts; none for a point light.
+  TriangleId lightOf(std::uint32_t walk) const { return emitters_.emitters()[emitterOf(walk)].id; }
+  /// The power of all walks of one band.
+  Power photon() const { return { { emitters_.photon() } }; }
+
+  std::uint32_t cellOf(const TriangleId& id) const
+  {
+    return surfaces_[id.object].cellOfTriangle[id.triangle];
+  }
+  /// In one band.
+  double reflectanceOf(std::uint32_t object, std::uint32_t cell) const
+  {
+    return surfaces_[object].reflectance[cell];
+  }
+  /// Whether walks leave the hits of their segments `bounces`, to survive with `probabilities`.
+  /// Appends the places of those that do to `survivors`, each plus `first`.
+  void survive(const std::uint32_t* walks, const std::uint32_t* bounces,
+    const double* probabilities, std::size_t count, std::uint32_t first,
+    std::vector<std::uint32_t>& survivors) const;
+  const Material& materialOf(std::uint32_t object) const { return *surfaces_[object].material; }
+  /// In world space.
+  Triangle triangleOf(const TriangleId& id) const
+  {
+    const Triangle& triangle = surfaces_[id.object].triangles[id.triangle];
+    return id.object == 0 ? triangle : transformed(*surfaces_[id.object].worldFromObject, triangle);
+  }
+
+  /// Prefetch what the rules will read at a hit. prefetchCell() is for later, as it reads what
+  /// prefetchTriangle() requested.
+  void prefetchTriangle(const Hit& hit) const;
+  void prefetchCell(const Hit& hit) const;
+
+private:
+  friend class Departures;
+
+  /// What the rules read of an object.
+  struct Surface
+  {
+    const Triangle* triangles;
+    const AffineMap* worldFromObject;
+    const Material* material;
+    const std::uint32_t* cellOfTriangle;
+    const double* reflectance;
+  };
+
+  std::size_t emitterOf(std::uint32_t walk) const;
+
+  const EmitterTable& emitters_;
+  const SobolSequence& samples_;
+  int bands_;
+  std::vector<Surface> surfaces_;
+};
+
+/// Computes the rays of walks that leave triangles, many side by side.
+class Departures
+{
+public:
+  explicit Departures(const WalkRules& rules)
+    : rules_(rules)
+  {
+  }
+
+  /// The ray is written by the time of the next flush(), and to `isFront`, if given, whether the
+  /// walk leaves the front.
+  void add(const Departure& departure, Ray* ray, bool* isFront = nullptr);
+  void flush();
+
+private:
+  const WalkRules& rules_;
+  unsigned count_ = 0;
+  LeavingLanes lanes_;
+  TriangleId ids_[LeavingLanes::kSize];
+  Ray* rays_[LeavingLanes::kSize];
+  bool* isFront_[LeavingLanes::kSize];
+};
+
+}
+
+#endif
