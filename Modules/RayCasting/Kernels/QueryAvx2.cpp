@@ -52,12 +52,16 @@ struct Avx2Kernel
     const float* planes = &treelet.bounds[0][0][0];
     const __m256i first = enterHalf(planes, faces, query, from);
     const __m256i second = enterHalf(planes + 8, faces, query, from + 8);
-    const __m256i both = _mm256_permute4x64_epi64(_mm256_packs_epi32(first, second), 0xD8);
+    // Packing swaps the two middle groups of four lanes; so does what follows to the order, which
+    // does not wait for the planes.
+    const __m256i both = _mm256_packs_epi32(first, second);
     const __m128i passed =
       _mm_packs_epi16(_mm256_castsi256_si128(both), _mm256_extracti128_si256(both, 1));
+    const __m128i packed = _mm_setr_epi8(0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7, 12, 13, 14, 15);
     const __m128i order =
       _mm_load_si128(reinterpret_cast<const __m128i*>(treelet.farToNear[query.octant]));
-    return static_cast<unsigned>(_mm_movemask_epi8(_mm_shuffle_epi8(passed, order)));
+    return static_cast<unsigned>(
+      _mm_movemask_epi8(_mm_shuffle_epi8(passed, _mm_shuffle_epi8(packed, order))));
   }
 };
 

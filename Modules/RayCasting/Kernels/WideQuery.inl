@@ -92,7 +92,8 @@ struct WideSearch
   QueryCounts counts; ///< of all searches that this object ran
   std::uint32_t child;
   unsigned depth;
-  Left stack[KdTree::kMaxDepth + 2]; ///< each has a child left, except the one beyond the top
+  /// Each has a child left, except the first, which ends the search, and the one beyond the top.
+  Left stack[KdTree::kMaxDepth + 3];
 
   /// Takes the next search; false if there is none.
   bool start(QuerySource& source, RequestQueue& queue)
@@ -106,7 +107,9 @@ struct WideSearch
       source.begin(query);
     }
     child = query.tree->root();
-    depth = 0;
+    depth = 1;
+    stack[0].lanes = 0;
+    stack[0].treelet = nullptr;
     candidates.count = 0;
     faces.start(query.octant);
     return true;
@@ -121,24 +124,45 @@ struct WideSearch
       {
         ++counts.treelets;
       }
-      stepInto(query.tree->treelets()[child]);
+      const Treelet& treelet = query.tree->treelets()[child];
+      Left& top = stack[depth];
+      top.treelet = &treelet;
+      const unsigned lanes = Kernel::enter(treelet, faces, query, top.from);
+      // Whether the ray passes any is unpredictable, so there is no branch. What lies below in the
+      // stack has long been read when that is known.
+      const bool isAny = lanes != 0;
+      Left& below = stack[depth - 1];
+      const unsigned belowLanes = below.lanes;
+      depth -= isAny ? 0 : 1;
+      return descend(source, *(isAny ? &top : &below), isAny ? &treelet : below.treelet,
+        isAny ? lanes : belowLanes);
     }
-    else
-    {
-      testLeaf(source, query.tree->blocks() + (child & ~Treelet::kLeaf));
-    }
-    return takeFromStack(source);
+    testLeaf(source, query.tree->blocks() + (child & ~Treelet::kLeaf));
+    --depth;
+    return descend(source, stack[depth], stack[depth].treelet, stack[depth].lanes);
   }
 
 private:
-  /// Pushes the children that the ray passes. Whether there are any is unpredictable, so there is
-  /// no branch.
-  __attribute__((always_inline)) void stepInto(const Treelet& treelet)
+  /// Continues with the nearest child that is left in the top of the stack, at `depth`; false if the
+  /// search ends before it.
+  __attribute__((always_inline)) bool descend(
+    QuerySource& source, Left& top, const Treelet* treelet, unsigned lanes)
   {
-    Left& top = stack[depth];
-    top.treelet = &treelet;
-    top.lanes = Kernel::enter(treelet, faces, query, top.from);
+    if (lanes == 0)
+    {
+      return finish(source);
+    }
+    const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(lanes));
+    const unsigned lane = treelet->farToNear[query.octant][place];
+    // What lies deeper in the stack is farther away.
+    if (top.from[lane] > query.limit)
+    {
+      return finish(source);
+    }
+    top.lanes = lanes ^ 1u << place;
     depth += top.lanes != 0 ? 1 : 0;
+    child = treelet->children[lane];
+    return true;
   }
 
   void testLeaf(QuerySource& source, const TriangleBlock* block)
@@ -225,26 +249,6 @@ private:
     }
     source.finish(query, candidates.references, candidates.count);
     return false;
-  }
-
-  bool takeFromStack(QuerySource& source)
-  {
-    if (depth == 0)
-    {
-      return finish(source);
-    }
-    Left& top = stack[depth - 1];
-    const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(top.lanes));
-    const unsigned lane = top.treelet->farToNear[query.octant][place];
-    // What lies deeper in the stack is farther away.
-    if (top.from[lane] > query.limit)
-    {
-      return finish(source);
-    }
-    top.lanes ^= 1u << place;
-    depth -= top.lanes == 0 ? 1 : 0;
-    child = top.treelet->children[lane];
-    return true;
   }
 };
 
