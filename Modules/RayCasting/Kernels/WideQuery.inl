@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: each kernel includes it once, between IRRADIANCE_TARGET_BEGIN and _END, after
-// <immintrin.h>, "Kernels/TreeQuery.h" and the other headers it uses. Needs AVX2 and FMA.
+// No include guard: each kernel includes it once, between the marks of its target, after
+// "Kernels/TreeQuery.h" and the other headers it uses. Kernels name their lanes twice: `Boxes` for
+// the boxes of a treelet, `Lanes` for triangles and for single rays.
 
 #include "Kernels/WideBlock.inl"
 #include "Kernels/WidePrepare.inl"
@@ -11,6 +12,7 @@ namespace
 {
 
 /// Takes searches from a source, several at a time.
+template <class Lanes>
 class RequestQueue
 {
 public:
@@ -35,7 +37,7 @@ public:
         }
       }
       const QueryRequest& request = requests_[next_++];
-      if (request.tree->isEmpty() || !prepareWide(request, query))
+      if (request.tree->isEmpty() || !prepare<Lanes>(request, query))
       {
         continue;
       }
@@ -43,10 +45,7 @@ public:
       {
         return true;
       }
-      if (query.prepare(request))
-      {
-        runQueryPlain(source_, query);
-      }
+      runQueryExact(source_, request);
     }
   }
 
@@ -74,8 +73,39 @@ struct BoxFaces
   }
 };
 
+/// Where a ray passes planes.
+template <class Boxes>
+inline typename Boxes::Floats pass(const float* planes, const TreeQuery& query, int axis)
+{
+  return Boxes::mulSubtract(
+    Boxes::load(planes), Boxes::all(query.inverse[axis]), Boxes::all(query.originInverse[axis]));
+}
+
+/// Writes to `from` where the ray enters the boxes of a treelet; returns the ones it passes, one bit
+/// each, from far to near.
+template <class Boxes>
+inline unsigned enter(
+  const Treelet& treelet, const BoxFaces& faces, const TreeQuery& query, float* from)
+{
+  using Floats = typename Boxes::Floats;
+  typename Boxes::Mask passed[Treelet::kSize / Boxes::kCount];
+  for (unsigned first = 0; first < Treelet::kSize; first += Boxes::kCount)
+  {
+    const float* const planes = &treelet.bounds[0][0][0] + first;
+    const Floats begin = Boxes::most(Boxes::most(pass<Boxes>(planes + faces.near[0], query, 0),
+                                       pass<Boxes>(planes + faces.near[1], query, 1)),
+      Boxes::most(pass<Boxes>(planes + faces.near[2], query, 2), Boxes::all(0)));
+    const Floats end = Boxes::least(Boxes::least(pass<Boxes>(planes + faces.far[0], query, 0),
+                                      pass<Boxes>(planes + faces.far[1], query, 1)),
+      Boxes::least(pass<Boxes>(planes + faces.far[2], query, 2), Boxes::all(query.limit)));
+    Boxes::store(from + first, begin);
+    passed[first / Boxes::kCount] = Boxes::isAtMost(begin, end + Boxes::all(query.pad));
+  }
+  return Boxes::ordered(passed, treelet.farToNear[query.octant]);
+}
+
 /// A running search.
-template <class Kernel, bool isCounted>
+template <class Boxes, class Lanes, bool isCounted>
 struct WideSearch
 {
   /// The children of a treelet that are still to be searched.
@@ -96,7 +126,7 @@ struct WideSearch
   Left stack[KdTree::kMaxDepth + 3];
 
   /// Takes the next search; false if there is none.
-  bool start(QuerySource& source, RequestQueue& queue)
+  bool start(QuerySource& source, RequestQueue<Lanes>& queue)
   {
     if (!queue.next(query))
     {
@@ -127,7 +157,7 @@ struct WideSearch
       const Treelet& treelet = query.tree->treelets()[child];
       Left& top = stack[depth];
       top.treelet = &treelet;
-      const unsigned lanes = Kernel::enter(treelet, faces, query, top.from);
+      const unsigned lanes = enter<Boxes>(treelet, faces, query, top.from);
       // Whether the ray passes any is unpredictable, so there is no branch. What lies below in the
       // stack has long been read when that is known.
       const bool isAny = lanes != 0;
@@ -174,11 +204,14 @@ private:
       {
         ++counts.blocks;
       }
-      const BlockResult answer = testBlock(*block, query);
-      if (answer.possible != 0)
+      for (unsigned first = 0; first < TriangleBlock::kSize; first += Lanes::kCount)
       {
-        query.tree->isIllConditioned() ? testAll(source, *block, answer.possible)
-                                       : take(source, *block, answer);
+        const BlockResult<Lanes> result = testBlock<Lanes>(*block, first, query);
+        if (result.possible != 0)
+        {
+          query.tree->isIllConditioned() ? testAll(source, *block, result.possible << first)
+                                         : take(source, *block, first, result);
+        }
       }
     }
   }
@@ -191,23 +224,24 @@ private:
     }
   }
 
-  void take(QuerySource& source, const TriangleBlock& block, const BlockResult& answer)
+  void take(QuerySource& source, const TriangleBlock& block, unsigned first,
+    const BlockResult<Lanes>& result)
   {
-    alignas(32) float distances[8], sizes[8], blurs[8];
-    _mm256_store_ps(distances, answer.distance);
-    _mm256_store_ps(sizes, answer.size);
-    _mm256_store_ps(blurs, answer.blur);
-    for (unsigned found = answer.possible; found != 0; found &= found - 1)
+    alignas(32) float distances[Lanes::kCount], sizes[Lanes::kCount], blurs[Lanes::kCount];
+    Lanes::store(distances, result.distance);
+    Lanes::store(sizes, result.size);
+    Lanes::store(blurs, result.blur);
+    for (unsigned found = result.possible; found != 0; found &= found - 1)
     {
       const auto lane = static_cast<unsigned>(__builtin_ctz(found));
       if (candidates.count == Candidates::kMost)
       {
         makeRoom(source);
       }
-      candidates.references[candidates.count] = block.reference(lane);
+      candidates.references[candidates.count] = block.reference(first + lane);
       candidates.distances[candidates.count] = distances[lane] - blurs[lane];
       candidates.sizes[candidates.count++] = sizes[lane] + blurs[lane];
-      if ((answer.certain >> lane & 1) != 0)
+      if ((result.certain >> lane & 1) != 0)
       {
         lower((distances[lane] + blurs[lane]) / (sizes[lane] - blurs[lane]), source);
       }
@@ -254,12 +288,12 @@ private:
 
 /// Runs several searches in turns: while one waits for memory, or for the result of a long chain of
 /// operations, the others compute.
-template <class Kernel, bool isCounted>
+template <class Boxes, class Lanes, bool isCounted>
 void runInTurns(QuerySource& source)
 {
   constexpr unsigned kSearches = 4;
-  RequestQueue queue(source);
-  WideSearch<Kernel, isCounted> searches[kSearches];
+  RequestQueue<Lanes> queue(source);
+  WideSearch<Boxes, Lanes, isCounted> searches[kSearches];
   unsigned running = 0;
   while (running < kSearches && searches[running].start(source, queue))
   {
@@ -290,10 +324,10 @@ void runInTurns(QuerySource& source)
   }
 }
 
-template <class Kernel>
+template <class Boxes, class Lanes>
 void runInTurns(QuerySource& source)
 {
-  queryCounts() ? runInTurns<Kernel, true>(source) : runInTurns<Kernel, false>(source);
+  queryCounts() ? runInTurns<Boxes, Lanes, true>(source) : runInTurns<Boxes, Lanes, false>(source);
 }
 
 }
