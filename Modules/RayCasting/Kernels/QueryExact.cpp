@@ -12,6 +12,7 @@ namespace irradiance
 namespace
 {
 
+/// Searches the treelets in double, and rejects no triangle by floats.
 class ExactSearch
 {
 public:

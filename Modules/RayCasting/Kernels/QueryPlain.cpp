@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 #include "Kernels/WideQuery.inl"
 
@@ -21,8 +22,13 @@ struct PlainLanes
   static constexpr unsigned kCount = 4;
 
   static Floats all(float value) { return Floats{ value, value, value, value }; }
-  static Floats load(const float* values) { return *reinterpret_cast<const Floats*>(values); }
-  static void store(float* values, Floats x) { *reinterpret_cast<Floats*>(values) = x; }
+  static Floats load(const float* values)
+  {
+    Floats x;
+    std::memcpy(&x, values, sizeof(x));
+    return x;
+  }
+  static void store(float* values, Floats x) { std::memcpy(values, &x, sizeof(x)); }
   static Floats mulAdd(Floats a, Floats b, Floats c) { return a * b + c; }
   static Floats mulSubtract(Floats a, Floats b, Floats c) { return a * b - c; }
   static Floats least(Floats a, Floats b) { return a < b ? a : b; }

@@ -6,6 +6,7 @@ namespace irradiance
 namespace
 {
 
+/// Vectors, one to a lane.
 template <class Lanes>
 struct FloatVectors
 {
