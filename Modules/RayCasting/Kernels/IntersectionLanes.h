@@ -4,6 +4,7 @@
 
 #include "Geometry/TriangleIntersection.h"
 
+#include <cmath>
 #include <limits>
 
 namespace irradiance
@@ -18,15 +19,23 @@ struct IntersectionLanes
   {
     double x[kSize] = {}, y[kSize] = {}, z[kSize] = {};
 
-    void set(unsigned lane, const RayAxes& axes, const Vector3& point)
+    void set(unsigned lane, const Vector3& point)
     {
-      x[lane] = point[axes.x];
-      y[lane] = point[axes.y];
-      z[lane] = point[axes.z];
+      x[lane] = point[0];
+      y[lane] = point[1];
+      z[lane] = point[2];
     }
-    __attribute__((always_inline)) Intersection::Point operator[](unsigned lane) const
+    /// In the order of RayAxes.
+    __attribute__((always_inline)) Intersection::Point ordered(
+      unsigned lane, int axis, bool isFlipped) const
     {
-      return { x[lane], y[lane], z[lane] };
+      const double px = x[lane], py = y[lane], pz = z[lane];
+      const double first = axis == 0 ? py : axis == 1 ? pz : px;
+      const double second = axis == 0 ? pz : axis == 1 ? px : py;
+      return { isFlipped ? second : first, isFlipped ? first : second,
+        axis == 0     ? px
+          : axis == 1 ? py
+                      : pz };
     }
   };
 
@@ -37,12 +46,11 @@ struct IntersectionLanes
   void set(
     unsigned lane, const Vector3& rayOrigin, const Vector3& rayDirection, const Triangle& triangle)
   {
-    const RayAxes axes(rayDirection);
-    origin.set(lane, axes, rayOrigin);
-    direction.set(lane, axes, rayDirection);
-    a.set(lane, axes, triangle.a);
-    b.set(lane, axes, triangle.b);
-    c.set(lane, axes, triangle.c);
+    origin.set(lane, rayOrigin);
+    direction.set(lane, rayDirection);
+    a.set(lane, triangle.a);
+    b.set(lane, triangle.b);
+    c.set(lane, triangle.c);
   }
 
   /// Is compiled once for each instruction set.
@@ -50,7 +58,16 @@ struct IntersectionLanes
   {
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      const Intersection intersection(origin[lane], direction[lane], a[lane], b[lane], c[lane]);
+      const double steepX = std::abs(direction.x[lane]), steepY = std::abs(direction.y[lane]);
+      const bool isYSteeper = steepY > steepX;
+      const bool isZ = std::abs(direction.z[lane]) > (isYSteeper ? steepY : steepX);
+      const int axis = isZ ? 2 : isYSteeper ? 1 : 0;
+      const bool isFlipped = (isZ             ? direction.z[lane]
+                                 : isYSteeper ? direction.y[lane]
+                                              : direction.x[lane]) < 0;
+      const Intersection intersection(origin.ordered(lane, axis, isFlipped),
+        direction.ordered(lane, axis, isFlipped), a.ordered(lane, axis, isFlipped),
+        b.ordered(lane, axis, isFlipped), c.ordered(lane, axis, isFlipped));
       distance[lane] =
         intersection.isHit ? intersection.distance : std::numeric_limits<double>::quiet_NaN();
       weightB[lane] = intersection.weightB;

@@ -51,17 +51,15 @@ struct TreeQuery
   std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or kNone
   unsigned octant;
   bool isForFloats;
-  // For the plain search, which is all in double.
-  Vector3 exactOrigin;
-  Vector3 exactDirection;
-  double from; ///< no hit comes before it
-  double exactLimit;
+  double exactLimit; ///< as `limit`, from the start of the ray, for a search in double
   // These belong to the source.
   std::uint32_t job;
   bool isShared; ///< the source wants to be told of lower limits
 
-  /// Prepares the search; false if the tree is empty or, in floats, the ray misses its box.
-  bool prepare(const QueryRequest& request);
+  /// Copies from the request what all searches need. `largest`: that component of its direction.
+  void set(const QueryRequest& request, double largest);
+  /// No hit comes before this distance from the start of the ray, in the frame.
+  double from(const QueryRequest& request) const;
   /// `padding`: the error of the distances at which the ray passes planes.
   void setMargins(double padding)
   {
@@ -102,6 +100,20 @@ struct QueryRequest
   bool isShared;         ///< see TreeQuery
 };
 
+inline void TreeQuery::set(const QueryRequest& request, double largest)
+{
+  tree = request.tree;
+  skipped = request.skipped;
+  job = request.job;
+  isShared = request.isShared;
+  rate = largest * tree->frame().scale;
+}
+
+inline double TreeQuery::from(const QueryRequest& request) const
+{
+  return std::max(0.0, request.from * rate - tree->slack());
+}
+
 /// Owns the rays: hands out searches and confirms the triangles found, in double and in plain code.
 /// The kernels only say where to look.
 class QuerySource
@@ -130,8 +142,8 @@ void runQueries(QuerySource& source);
 void runQueriesPlain(QuerySource& source);
 void runQueriesAvx2(QuerySource& source);
 void runQueriesAvx512(QuerySource& source);
-/// Runs one search, traversal in double, for rays that floats cannot follow.
-void runQueryPlain(QuerySource& source, TreeQuery& query);
+/// Runs one search all in double, for rays that floats cannot follow. The tree must not be empty.
+void runQueryExact(QuerySource& source, const QueryRequest& request);
 
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: each kernel includes it once, between IRRADIANCE_TARGET_BEGIN and _END, after
-// <immintrin.h>, "Kernels/TreeQuery.h" and the other headers it uses. Needs AVX2 and FMA.
+// No include guard: each kernel includes it once, between the marks of its target, after
+// "Kernels/TreeQuery.h" and the other headers it uses. Kernels name their lanes twice: `Boxes` for
+// the boxes of a treelet, `Lanes` for triangles and for single rays.
 
 #include "Kernels/WideBlock.inl"
 #include "Kernels/WidePrepare.inl"
@@ -11,6 +12,7 @@ namespace
 {
 
 /// Takes searches from a source, several at a time.
+template <class Lanes>
 class RequestQueue
 {
 public:
@@ -35,7 +37,7 @@ public:
         }
       }
       const QueryRequest& request = requests_[next_++];
-      if (request.tree->isEmpty() || !prepareWide(request, query))
+      if (request.tree->isEmpty() || !prepare<Lanes>(request, query))
       {
         continue;
       }
@@ -43,10 +45,7 @@ public:
       {
         return true;
       }
-      if (query.prepare(request))
-      {
-        runQueryPlain(source_, query);
-      }
+      runQueryExact(source_, request);
     }
   }
 
@@ -74,8 +73,39 @@ struct BoxFaces
   }
 };
 
+/// Where a ray passes planes.
+template <class Boxes>
+inline typename Boxes::Floats pass(const float* planes, const TreeQuery& query, int axis)
+{
+  return Boxes::mulSubtract(
+    Boxes::load(planes), Boxes::all(query.inverse[axis]), Boxes::all(query.originInverse[axis]));
+}
+
+/// Writes to `from` where the ray enters the boxes of a treelet; returns the ones it passes, one bit
+/// each, from far to near.
+template <class Boxes>
+inline unsigned enter(
+  const Treelet& treelet, const BoxFaces& faces, const TreeQuery& query, float* from)
+{
+  using Floats = typename Boxes::Floats;
+  typename Boxes::Mask passed[Treelet::kSize / Boxes::kCount];
+  for (unsigned first = 0; first < Treelet::kSize; first += Boxes::kCount)
+  {
+    const float* const planes = &treelet.bounds[0][0][0] + first;
+    const Floats begin = Boxes::most(Boxes::most(pass<Boxes>(planes + faces.near[0], query, 0),
+                                       pass<Boxes>(planes + faces.near[1], query, 1)),
+      Boxes::most(pass<Boxes>(planes + faces.near[2], query, 2), Boxes::all(0)));
+    const Floats end = Boxes::least(Boxes::least(pass<Boxes>(planes + faces.far[0], query, 0),
+                                      pass<Boxes>(planes + faces.far[1], query, 1)),
+      Boxes::least(pass<Boxes>(planes + faces.far[2], query, 2), Boxes::all(query.limit)));
+    Boxes::store(from + first, begin);
+    passed[first / Boxes::kCount] = Boxes::isAtMost(begin, end + Boxes::all(query.pad));
+  }
+  return Boxes::ordered(passed, treelet.farToNear[query.octant]);
+}
+
 /// A running search.
-template <class Kernel, bool isCounted>
+template <class Boxes, class Lanes, bool isCounted>
 struct WideSearch
 {
   /// The children of a treelet that are still to be searched.
@@ -92,10 +122,11 @@ struct WideSearch
   QueryCounts counts; ///< of all searches that this object ran
   std::uint32_t child;
   unsigned depth;
-  Left stack[KdTree::kMaxDepth + 2]; ///< each has a child left, except the one beyond the top
+  /// Each has a child left, except the first, which ends the search, and the one beyond the top.
+  Left stack[KdTree::kMaxDepth + 3];
 
   /// Takes the next search; false if there is none.
-  bool start(QuerySource& source, RequestQueue& queue)
+  bool start(QuerySource& source, RequestQueue<Lanes>& queue)
   {
     if (!queue.next(query))
     {
@@ -106,7 +137,9 @@ struct WideSearch
       source.begin(query);
     }
     child = query.tree->root();
-    depth = 0;
+    depth = 1;
+    stack[0].lanes = 0;
+    stack[0].treelet = nullptr;
     candidates.count = 0;
     faces.start(query.octant);
     return true;
@@ -121,24 +154,45 @@ struct WideSearch
       {
         ++counts.treelets;
       }
-      stepInto(query.tree->treelets()[child]);
+      const Treelet& treelet = query.tree->treelets()[child];
+      Left& top = stack[depth];
+      top.treelet = &treelet;
+      const unsigned lanes = enter<Boxes>(treelet, faces, query, top.from);
+      // Whether the ray passes any is unpredictable, so there is no branch. What lies below in the
+      // stack has long been read when that is known.
+      const bool isAny = lanes != 0;
+      Left& below = stack[depth - 1];
+      const unsigned belowLanes = below.lanes;
+      depth -= isAny ? 0 : 1;
+      return descend(source, *(isAny ? &top : &below), isAny ? &treelet : below.treelet,
+        isAny ? lanes : belowLanes);
     }
-    else
-    {
-      testLeaf(source, query.tree->blocks() + (child & ~Treelet::kLeaf));
-    }
-    return takeFromStack(source);
+    testLeaf(source, query.tree->blocks() + (child & ~Treelet::kLeaf));
+    --depth;
+    return descend(source, stack[depth], stack[depth].treelet, stack[depth].lanes);
   }
 
 private:
-  /// Pushes the children that the ray passes. Whether there are any is unpredictable, so there is
-  /// no branch.
-  __attribute__((always_inline)) void stepInto(const Treelet& treelet)
+  /// Continues with the nearest child that is left in the top of the stack, at `depth`; false if the
+  /// search ends before it.
+  __attribute__((always_inline)) bool descend(
+    QuerySource& source, Left& top, const Treelet* treelet, unsigned lanes)
   {
-    Left& top = stack[depth];
-    top.treelet = &treelet;
-    top.lanes = Kernel::enter(treelet, faces, query, top.from);
+    if (lanes == 0)
+    {
+      return finish(source);
+    }
+    const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(lanes));
+    const unsigned lane = treelet->farToNear[query.octant][place];
+    // What lies deeper in the stack is farther away.
+    if (top.from[lane] > query.limit)
+    {
+      return finish(source);
+    }
+    top.lanes = lanes ^ 1u << place;
     depth += top.lanes != 0 ? 1 : 0;
+    child = treelet->children[lane];
+    return true;
   }
 
   void testLeaf(QuerySource& source, const TriangleBlock* block)
@@ -150,11 +204,14 @@ private:
       {
         ++counts.blocks;
       }
-      const BlockResult answer = testBlock(*block, query);
-      if (answer.possible != 0)
+      for (unsigned first = 0; first < TriangleBlock::kSize; first += Lanes::kCount)
       {
-        query.tree->isIllConditioned() ? testAll(source, *block, answer.possible)
-                                       : take(source, *block, answer);
+        const BlockResult<Lanes> result = testBlock<Lanes>(*block, first, query);
+        if (result.possible != 0)
+        {
+          query.tree->isIllConditioned() ? testAll(source, *block, result.possible << first)
+                                         : take(source, *block, first, result);
+        }
       }
     }
   }
@@ -167,23 +224,24 @@ private:
     }
   }
 
-  void take(QuerySource& source, const TriangleBlock& block, const BlockResult& answer)
+  void take(QuerySource& source, const TriangleBlock& block, unsigned first,
+    const BlockResult<Lanes>& result)
   {
-    alignas(32) float distances[8], sizes[8], blurs[8];
-    _mm256_store_ps(distances, answer.distance);
-    _mm256_store_ps(sizes, answer.size);
-    _mm256_store_ps(blurs, answer.blur);
-    for (unsigned found = answer.possible; found != 0; found &= found - 1)
+    alignas(32) float distances[Lanes::kCount], sizes[Lanes::kCount], blurs[Lanes::kCount];
+    Lanes::store(distances, result.distance);
+    Lanes::store(sizes, result.size);
+    Lanes::store(blurs, result.blur);
+    for (unsigned found = result.possible; found != 0; found &= found - 1)
     {
       const auto lane = static_cast<unsigned>(__builtin_ctz(found));
       if (candidates.count == Candidates::kMost)
       {
         makeRoom(source);
       }
-      candidates.references[candidates.count] = block.reference(lane);
+      candidates.references[candidates.count] = block.reference(first + lane);
       candidates.distances[candidates.count] = distances[lane] - blurs[lane];
       candidates.sizes[candidates.count++] = sizes[lane] + blurs[lane];
-      if ((answer.certain >> lane & 1) != 0)
+      if ((result.certain >> lane & 1) != 0)
       {
         lower((distances[lane] + blurs[lane]) / (sizes[lane] - blurs[lane]), source);
       }
@@ -226,36 +284,16 @@ private:
     source.finish(query, candidates.references, candidates.count);
     return false;
   }
-
-  bool takeFromStack(QuerySource& source)
-  {
-    if (depth == 0)
-    {
-      return finish(source);
-    }
-    Left& top = stack[depth - 1];
-    const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(top.lanes));
-    const unsigned lane = top.treelet->farToNear[query.octant][place];
-    // What lies deeper in the stack is farther away.
-    if (top.from[lane] > query.limit)
-    {
-      return finish(source);
-    }
-    top.lanes ^= 1u << place;
-    depth -= top.lanes == 0 ? 1 : 0;
-    child = top.treelet->children[lane];
-    return true;
-  }
 };
 
 /// Runs several searches in turns: while one waits for memory, or for the result of a long chain of
 /// operations, the others compute.
-template <class Kernel, bool isCounted>
+template <class Boxes, class Lanes, bool isCounted>
 void runInTurns(QuerySource& source)
 {
   constexpr unsigned kSearches = 4;
-  RequestQueue queue(source);
-  WideSearch<Kernel, isCounted> searches[kSearches];
+  RequestQueue<Lanes> queue(source);
+  WideSearch<Boxes, Lanes, isCounted> searches[kSearches];
   unsigned running = 0;
   while (running < kSearches && searches[running].start(source, queue))
   {
@@ -286,10 +324,10 @@ void runInTurns(QuerySource& source)
   }
 }
 
-template <class Kernel>
+template <class Boxes, class Lanes>
 void runInTurns(QuerySource& source)
 {
-  queryCounts() ? runInTurns<Kernel, true>(source) : runInTurns<Kernel, false>(source);
+  queryCounts() ? runInTurns<Boxes, Lanes, true>(source) : runInTurns<Boxes, Lanes, false>(source);
 }
 
 }

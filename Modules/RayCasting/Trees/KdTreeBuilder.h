@@ -23,7 +23,7 @@ struct KdPrimitive
 struct KdTreeBuilder
 {
   double traversalCost = 1.0;    ///< of an inner node
-  double intersectionCost = 2.0; ///< of a block, in the unit of traversalCost
+  double intersectionCost = 3.0; ///< of a block, in the unit of traversalCost
   int blockSize = 8;             ///< primitives tested at a time; 1: each costs the same
   double emptyFactor = 0.9;      ///< reward (<= 1) for cutting off empty space
   Checkpoint checkpoint;         ///< may be empty
