@@ -42,9 +42,9 @@ SceneObject makeRing(double size)
   return makeMesh(kAround, kAcross, [&](int i, int j) {
     const double around = 2 * M_PI * (i % kAround) / kAround;
     const double across = 2 * M_PI * (j % kAcross) / kAcross;
-    const double radius = size * (0.34 + 0.16 * std::cos(across));
+    const double radius = size * (0.42 + 0.08 * std::cos(across));
     return Vector3(
-      radius * std::cos(around), radius * std::sin(around), 0.16 * size * std::sin(across));
+      radius * std::cos(around), radius * std::sin(around), 0.08 * size * std::sin(across));
   });
 }
 
@@ -93,10 +93,11 @@ MovingScene makePlainRoom(double size)
   SceneObjects objects{ painted(makeRoom(), random),
     { painted(makeRing(size), random), painted(makeBall(0.8), random) } };
   return { "plain room", std::move(objects), [](SceneObjects& placed, double time) {
-            const double angle = 2 * M_PI * time;
+            // 2 cm and 1.5 degrees a frame, beside the ball and aside of the lamp.
+            const double angle = 0.5 * M_PI * (1 + time);
             placed.dynamicObjects[0].worldFromObject = {
               Eigen::AngleAxisd(angle, Vector3(1, 2, 2) / 3).toRotationMatrix(),
-              Vector3(2 + 0.8 * std::cos(angle), 2 + 0.8 * std::sin(angle), 1.5)
+              Vector3(2 + 0.8 * std::cos(angle), 2 + 0.8 * std::sin(angle), 1)
             };
             placed.dynamicObjects[1].worldFromObject = test::shift({ 3.2, 1, 0.6 });
           } };
