@@ -5,7 +5,7 @@
 #
 #   run.sh [--quick] [performance | accuracy]
 #
-#   performance   Performance.md alone; twenty minutes
+#   performance   Performance.md alone; half an hour
 #   accuracy      SpeedAndAccuracy.md alone; six minutes
 #   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
 set -euo pipefail
