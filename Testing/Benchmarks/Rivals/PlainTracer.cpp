@@ -223,10 +223,12 @@ private:
     const auto escaped = static_cast<unsigned>(tracer_.surfaces_.size() - 1);
     for (int k = 0; k < kWidth; ++k)
     {
-      packet_.ray.tfar[k] = std::numeric_limits<float>::max();
+      const bool isWalk = static_cast<std::size_t>(k) < left;
+      valid_[k] = isWalk ? -1 : 0;
+      // Where Embree has no packets of this width in instructions, it heeds the empty interval alone.
+      packet_.ray.tfar[k] = isWalk ? std::numeric_limits<float>::max() : -1.f;
       packet_.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       packet_.hit.primID[k] = escaped;
-      valid_[k] = static_cast<std::size_t>(k) < left ? -1 : 0;
     }
     intersect(valid_, tracer_.embree_, context_, packet_);
   }
