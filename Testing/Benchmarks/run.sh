@@ -5,7 +5,7 @@
 #
 #   run.sh [--quick] [performance | accuracy]
 #
-#   performance   Performance.md alone; twenty minutes
+#   performance   Performance.md alone; half an hour
 #   accuracy      SpeedAndAccuracy.md alone; six minutes
 #   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
 set -euo pipefail
@@ -75,8 +75,9 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkFarAndMany "" "5000 1"
   measure BenchmarkSigns "" "100"
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
+  measure BenchmarkShooting "" "20000 2"
   measure BenchmarkRepairBudget "" "20000 2"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,MovingTeapot,RepairBudget}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,RepairBudget}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"

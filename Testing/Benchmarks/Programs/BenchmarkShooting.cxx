@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Shooting and frames beside a plain tracer with Embree (Rivals/PlainTracer.h), at equal error.
+ *
+ * The efficiency of a shooting is 1 / (squared RMS error over the area x CPU time). A frame is compared
+ * with the time in which the tracer, shooting anew, would reach the error that our update has: its own
+ * time x (its error / ours)^2. Building Embree's scene is not counted, which favours the tracer. Answers
+ * are compared before any time counts. One thread, CPU time, in turns; two threads by the clock on the
+ * wall.
+ *
+ * Arguments: [walks = 1000000] [rounds = 5] [frames = 8] [head.off]
+ */
+#include "../../PhotonWalks/ThreadExecution.h"
+#include "Measuring/EngineTiming.h"
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "Rivals/Contest.h"
+#include "Rivals/EmbreeScene.h"
+#include "Scenes/DragonRoom.h"
+#include "Scenes/PlainRoom.h"
+#include "Simd/SimdLevel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+using namespace irradiance;
+
+namespace
+{
+
+const std::string kTable = "PlainTracer";
+const std::string kSegments = "PlainTracerSegments";
+const std::string kAnswers = "PlainTracerAnswers";
+
+/// While it lives the engine uses AVX2 at most.
+struct Avx2Alone
+{
+  Avx2Alone() { limitSimd(SimdLevel::Avx2); }
+  ~Avx2Alone() { limitSimd(SimdLevel::Avx512); }
+};
+
+std::string instructionSet()
+{
+  const SimdLevel level = simdLevel();
+  return level == SimdLevel::Avx512 ? "AVX-512" : level == SimdLevel::Avx2 ? "AVX2" : "plain";
+}
+
+std::string callOf(const PlainTracer& tracer)
+{
+  return "rtcIntersect" + std::to_string(tracer.width());
+}
+
+void reportSegments(const std::string& who, const Shot& shot)
+{
+  report(kSegments, who, "ns a segment", shot.nsPerSegment());
+  report(kSegments, who, "segments, millions", 1e-6 * static_cast<double>(shot.segments));
+}
+
+void reportAnswers(const std::string& scene, const SharedReference& reference)
+{
+  report(kAnswers, scene, "mean irradiance, ours / the tracer's", reference.ratio());
+  report(kAnswers, scene, "RMS difference / what noise explains", reference.overNoise());
+}
+
+void reportEfficiency(const std::string& row, const PlainTracer& tracer, double gain,
+  double plainSeconds, double seconds, const Goal& goal)
+{
+  report(kTable, row, "efficiency / plain tracer's with " + callOf(tracer),
+    gain * plainSeconds / seconds, goal);
+}
+
+/// The first shooting of a scene, with its history. Returns the gain of its errors.
+double timeShooting(const std::string& scene, const Contest& contest, int rounds, const Goal& goal)
+{
+  const std::string plain = "plain tracer, " + callOf(contest.tracer()) + ", " + scene,
+                    own = "ours, " + instructionSet() + ", " + scene;
+  reportAnswers(scene, contest.reference());
+  Errors errors;
+  std::vector<Shot> theirs, ours;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const auto seed = static_cast<std::uint64_t>(round) + 1;
+    theirs.push_back(contest.theirs(contest.tracer(), seed));
+    ours.push_back(contest.oursStored(seed));
+    errors.theirs.add(contest.reference().squaredError(theirs.back().irradiance));
+    errors.ours.add(contest.reference().squaredError(ours.back().irradiance));
+    reportSegments(plain, theirs.back());
+    reportSegments(own, ours.back());
+  }
+  for (std::size_t i = 0; i < ours.size(); ++i)
+  {
+    reportEfficiency("first shooting, " + scene, contest.tracer(), errors.gain(), theirs[i].seconds,
+      ours[i].seconds, goal);
+  }
+  report(kSegments, plain, "RMS error", std::sqrt(errors.theirs.value()));
+  report(kSegments, own, "RMS error", std::sqrt(errors.ours.value()));
+  return errors.gain();
+}
+
+/// Without a history, and with narrow instructions in both, which do not change our answer.
+void timeOtherWays(const std::string& scene, const Contest& contest, double gain, int rounds)
+{
+  const PlainTracer tracerOf8(contest.plain(), PlainTracer::Packets::Of8);
+  for (int round = 0; round < rounds; ++round)
+  {
+    const auto seed = static_cast<std::uint64_t>(round) + 1;
+    reportEfficiency("nothing stored, " + scene, contest.tracer(), gain,
+      contest.theirs(contest.tracer(), seed).seconds, contest.ours(seed).seconds, { 0.9, 1.25 });
+    const Avx2Alone narrow;
+    reportEfficiency("AVX2 alone, first shooting, " + scene, tracerOf8, gain,
+      contest.theirs(tracerOf8, seed).seconds, contest.oursStored(seed).seconds, { 0.6, 0.9 });
+  }
+}
+
+/// Of all walks, those that change in a frame, on the average of a few.
+double shareChanged(const MovingScene& scene, const EngineSettings& settings)
+{
+  constexpr int kFrames = 3;
+  IrradianceEngine engine;
+  timeUpdate(engine, scene.at(0), settings);
+  double changed = 0;
+  for (int frame = 1; frame <= kFrames; ++frame)
+  {
+    timeUpdate(engine, scene.inFrame(frame), settings);
+    changed += static_cast<double>(engine.statistics().invalidWalks);
+  }
+  return changed / kFrames / settings.numberOfWalks;
+}
+
+/// The size of the ring, in m, with which about that share of the walks changes in a frame. It depends on
+/// how far walks go.
+double findRingSize(double share, EngineSettings settings)
+{
+  constexpr int kHalvings = 7;
+  settings.numberOfWalks = std::min(settings.numberOfWalks, 100000u);
+  double small = 0.1, large = 1.8;
+  for (int i = 0; i < kHalvings; ++i)
+  {
+    const double middle = std::sqrt(small * large);
+    (shareChanged(makePlainRoom(middle), settings) < share ? small : large) = middle;
+  }
+  return std::sqrt(small * large);
+}
+
+struct FrameCase
+{
+  const char* name;
+  double share; ///< of the walks that change
+  Goal goal;
+};
+
+/// Every frame is shot by the tracer too, which is given the scene as it is then.
+void timeFrames(const FrameCase& which, const EngineSettings& settings, int rounds, int frames)
+{
+  const double ringSize = findRingSize(which.share, settings);
+  const MovingScene scene = makePlainRoom(ringSize);
+  const Contest contest(scene.at(0), settings);
+  const std::string row = std::string("frame, ") + which.name + " of the walks changed";
+  reportAnswers(std::string("frame, ") + which.name, contest.reference());
+  report(kTable, row, "ring, m", ringSize);
+  Errors errors;
+  std::vector<double> quotients;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const EngineSettings own = withSeed(settings, static_cast<std::uint64_t>(round) + 1);
+    IrradianceEngine engine;
+    const Shot first = shoot(engine, scene.at(0), own);
+    errors.ours.add(contest.reference().squaredError(first.irradiance));
+    errors.theirs.add(
+      contest.reference().squaredError(contest.theirs(contest.tracer(), own.seed).irradiance));
+    for (int frame = 1; frame <= frames; ++frame)
+    {
+      const SceneObjects objects = scene.inFrame(frame);
+      const UpdateTime time = timeUpdate(engine, objects, own);
+      const PlainScene plain = makePlainScene(objects);
+      const Shot theirs = shoot(PlainTracer(plain), objects, plain, own);
+      const EngineStatistics& cost = engine.statistics();
+      quotients.push_back(theirs.seconds / time.whole);
+      report(kTable, row, "changed, %", 100.0 * cost.invalidWalks / settings.numberOfWalks);
+      report(kTable, row, "repair, ns a segment / first shooting's",
+        1e9 * time.repair / static_cast<double>(cost.repairedSegments) / first.nsPerSegment(),
+        { 1.3, 1.0 });
+      report(kTable, row, "ms", 1e3 * time.whole);
+    }
+  }
+  for (const double quotient : quotients)
+  {
+    report(kTable, row, "plain tracer's time at equal error / update", errors.gain() * quotient,
+      which.goal);
+  }
+}
+
+/// What is stored, and what an update costs in which nothing has moved.
+void measureHistory(const SceneObjects& objects, const EngineSettings& settings, int rounds)
+{
+  for (int round = 0; round < rounds; ++round)
+  {
+    constexpr int kRepetitions = 20;
+    IrradianceEngine engine;
+    const Shot first = shoot(engine, objects, settings);
+    report(kTable, "history, plain room", "bytes a segment",
+      static_cast<double>(engine.statistics().historyBytes) / static_cast<double>(first.segments),
+      { 50, 40 });
+    const std::vector<double> still =
+      timeInTurns({ [&] { timeUpdate(engine, objects, settings); } }, kRepetitions)[0];
+    report(kTable, "frame in which nothing moved", "time / first shooting",
+      medianOf(still) / first.seconds, { 1e-5, 0 });
+  }
+}
+
+/// Beside what a million walks took when Russian roulette began at a quarter of the power: 3.58 million
+/// segments.
+void measureHistoryOfTeapot(const SceneObjects& objects, const EngineSettings& settings)
+{
+  constexpr double kBytesOfWalk = 186.4;
+  IrradianceEngine engine;
+  timeUpdate(engine, objects, settings);
+  report(kTable, "history, moving teapot", "bytes / with roulette at a quarter of the power",
+    static_cast<double>(engine.statistics().historyBytes) / (kBytesOfWalk * settings.numberOfWalks),
+    { 0.6, 0.5 });
+}
+
+/// The same updates with one thread and with two, in turns, by the clock on the wall.
+void timeThreads(const MovingScene& scene, const EngineSettings& settings, int rounds, int frames)
+{
+  Execution one;
+  test::ThreadExecution two(2);
+  for (int round = 0; round < rounds; ++round)
+  {
+    IrradianceEngine alone, together;
+    for (int frame = 0; frame <= frames; ++frame)
+    {
+      const SceneObjects objects = scene.inFrame(frame);
+      const double slow = timeUpdate(alone, objects, settings, one).whole;
+      const double fast = timeUpdate(together, objects, settings, two).whole;
+      report(kTable, frame == 0 ? "two threads, first shooting" : "two threads, frame",
+        "speed / one thread", slow / fast, { frame == 0 ? 1.85 : 1.8, 1.95 });
+    }
+  }
+}
+
+}
+
+void run(const Arguments& arguments)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = arguments.number(0, 1000000u);
+  const int rounds = arguments.number(1, 5);
+  const int frames = arguments.number(2, 8);
+  const MovingScene room = makePlainRoom();
+  const MovingScene teapot = makeMovingTeapot(arguments.text(3, VTKIRRADIANCE_HEAD));
+  flushDenormals();
+  const Contest inRoom(room.at(0), settings);
+  const double gain = timeShooting(room.name, inRoom, rounds, { 0.8, 1.1 });
+  timeOtherWays(room.name, inRoom, gain, rounds);
+  timeShooting("moving teapot", { teapot.at(0), settings }, rounds, { 0.75, 1.1 });
+  if (const std::optional<SceneObjects> dragon = makeDragonRoom())
+  {
+    timeShooting("room with the dragon", { *dragon, settings }, rounds, { 0.75, 1.1 });
+  }
+  for (const FrameCase& which : { FrameCase{ "3.5 %", 0.035, { 8, 12 } },
+         FrameCase{ "2 %", 0.02, { 11, 15 } }, FrameCase{ "1 %", 0.01, { 18, 26 } } })
+  {
+    timeFrames(which, settings, rounds, frames);
+  }
+  measureHistory(room.at(0), settings, rounds);
+  measureHistoryOfTeapot(teapot.at(0), settings);
+  timeThreads(room, settings, rounds, frames);
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PlainRoom_h
+#define PlainRoom_h
+
+#include "Scenes/MovingTeapotScene.h"
+
+/// A room of 4 x 4 x 3 m with 14 x 14 cells a wall, reflectances of .05 to .9 at random, a lamp of 4 cells
+/// below the ceiling, and two closed meshes, a ring of 6,000 triangles and a knobbly ball of 960, whose
+/// triangles are cells. Both may move, but only the ring does. `size`: m, across the ring, at most 1.8;
+/// the ball is .8 m.
+MovingScene makePlainRoom(double size = 0.8);
+
+#endif
