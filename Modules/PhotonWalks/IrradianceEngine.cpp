@@ -147,8 +147,12 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
     balance.emitted += batch.emitted();
     if (keep)
     {
-      history_[plan_.placeOf(batch.tails().front().walk).block].reserve(
-        static_cast<std::size_t>(batch.numberOfSegments()) + batch.tails().size());
+      std::vector<std::uint32_t> sizes;
+      for (const WalkBatch::Tail& tail : batch.tails())
+      {
+        sizes.push_back(tail.size);
+      }
+      history_[plan_.placeOf(batch.tails().front().walk).block].makeRoom(sizes);
       batch.store(plan_, history_);
     }
   };

@@ -72,8 +72,8 @@ TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
   EXPECT_EQ(engine.statistics().historyBytes, 0u);
 }
 
-// A segment holds its point (12 bytes), a tag (2), the triangle (8), the place on it (8) and 8 for
-// each of several bands. Each walk holds that once more for its end, and 12 bytes for its own place.
+// A segment holds its point (12 bytes) with a tag (2), the triangle (8), the place on it (8) and 8 for
+// each of several bands. Each walk has a point more, for its end, and 16 bytes for its own place.
 TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
 {
   EngineSettings settings;
@@ -90,7 +90,7 @@ TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
       const double perSegment =
         double(engine.statistics().historyBytes) / double(engine.balance().segments);
       const double perWalk = double(settings.numberOfWalks) / double(engine.balance().segments);
-      const double needed = (30 + (bands > 1 ? 8 * bands : 0)) * (1 + perWalk) + 12 * perWalk;
+      const double needed = 14 * (1 + perWalk) + 16 + (bands > 1 ? 8 * bands : 0) + 16 * perWalk;
       EXPECT_GE(perSegment, needed);
       EXPECT_LE(perSegment, needed + 0.4 * perWalk); // a little for each block
       std::printf("%d bands, sides %d: %.1f bytes a segment\n", bands, int(sides), perSegment);

@@ -151,7 +151,6 @@ void compareWithModel(unsigned seed, int bands)
     {
       block.forgetAllStaticHits();
       model.staticHits.clear();
-      block.reserve(block.numberOfPoints() + random.below(10));
     }
     if (step % 50 == 0)
     {

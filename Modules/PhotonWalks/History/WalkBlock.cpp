@@ -17,7 +17,7 @@ WalkBlock::WalkBlock(
 
 Hit WalkBlock::hit(std::uint32_t walk, std::uint32_t bounce) const
 {
-  const std::size_t place = slot(walk, bounce);
+  const std::size_t place = hitOf(walk, bounce);
   Hit hit;
   hit.id = ids_[place];
   hit.weights = weights_[place];
@@ -31,7 +31,7 @@ Power WalkBlock::power(std::uint32_t walk, std::uint32_t bounce) const
     return photon_;
   }
   Power power;
-  const std::size_t first = slot(walk, bounce) * storedBands_;
+  const std::size_t first = hitOf(walk, bounce) * storedBands_;
   std::copy_n(
     powers_.begin() + static_cast<std::ptrdiff_t>(first), storedBands_, power.quanta.begin());
   return power;
@@ -39,23 +39,35 @@ Power WalkBlock::power(std::uint32_t walk, std::uint32_t bounce) const
 
 double WalkBlock::shortestLength(std::uint32_t walk, std::uint32_t bounce) const
 {
-  const Vector3 from = point(slot(walk, bounce)), to = point(slot(walk, bounce) + 1);
+  const Vector3 from = point(pointOf(walk, bounce)), to = point(pointOf(walk, bounce) + 1);
   const double largest = std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
   return std::max(0.0, (to - from).norm() - 0x1p-20 * largest) / frame_.scale;
 }
 
-void WalkBlock::setPoint(std::size_t slot, const StoredPoint& point)
+void WalkBlock::setPoint(std::size_t i, const StoredPoint& point)
 {
-  x_[slot] = point[0];
-  y_[slot] = point[1];
-  z_[slot] = point[2];
+  x_[i] = point[0];
+  y_[i] = point[1];
+  z_[i] = point[2];
 }
 
 void WalkBlock::setPower(std::uint32_t walk, std::uint32_t bounce, const Power& power)
 {
-  const std::size_t first = slot(walk, bounce) * storedBands_;
+  const std::size_t first = hitOf(walk, bounce) * storedBands_;
   std::copy_n(
     power.quanta.begin(), storedBands_, powers_.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+void WalkBlock::makeRoom(const std::vector<std::uint32_t>& sizes)
+{
+  std::uint32_t points = 0, hits = 0;
+  for (std::uint32_t walk = 0; walk < numberOfWalks(); ++walk)
+  {
+    places_[walk] = { points, hits, 0, sizes[walk] };
+    points += places_[walk].points();
+    hits += sizes[walk];
+  }
+  resizePools(points, hits);
 }
 
 void WalkBlock::replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count)
@@ -65,109 +77,101 @@ void WalkBlock::replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint3
     staticHits_.erase(key(walk, i));
   }
   const std::uint32_t size = bounce + count;
-  if (size + 1 > places_[walk].capacity)
+  if (size > places_[walk].capacity)
   {
-    moveToEnd(walk, bounce, size + 1);
+    moveToEnd(walk, bounce, size);
   }
   places_[walk].size = size;
 }
 
 void WalkBlock::setSegment(std::uint32_t walk, std::uint32_t bounce, const StoredSegment& segment)
 {
-  const std::size_t place = slot(walk, bounce);
-  setPoint(place, segment.begin);
+  const std::size_t point = pointOf(walk, bounce), hit = hitOf(walk, bounce);
+  setPoint(point, segment.begin);
   const unsigned tag = segment.isContact ? kContactTag : tagOf(segment.id.object);
-  tags_[place] =
+  tags_[point] =
     static_cast<std::uint16_t>(walk | (segment.isFront ? 0u : kBack) | tag << kTagShift);
-  ids_[place] = segment.id;
-  weights_[place] = segment.weights;
+  ids_[hit] = segment.id;
+  weights_[hit] = segment.weights;
 }
 
 void WalkBlock::setEnd(std::uint32_t walk, const StoredPoint& end)
 {
-  const std::size_t place = slot(walk, places_[walk].size);
-  setPoint(place, end);
-  tags_[place] = static_cast<std::uint16_t>(walk);
+  const std::size_t point = pointOf(walk, places_[walk].size);
+  setPoint(point, end);
+  tags_[point] = static_cast<std::uint16_t>(walk);
 }
 
 void WalkBlock::moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity)
 {
   places_[walk].size = kept;
-  unused_ += places_[walk].capacity;
+  unused_ += places_[walk].points();
   if (3 * std::size_t{ unused_ } > x_.size() + capacity)
   {
     closeHoles();
   }
-  const auto end = static_cast<std::uint32_t>(x_.size());
-  resizePools(end + std::size_t{ capacity });
-  copyPlaces(*this, places_[walk].first, end, kept);
-  places_[walk] = { end, kept, capacity };
+  const Range moved{ static_cast<std::uint32_t>(x_.size()), static_cast<std::uint32_t>(ids_.size()),
+    kept, capacity };
+  resizePools(x_.size() + moved.points(), ids_.size() + capacity);
+  copy(*this, places_[walk], moved, kept);
+  places_[walk] = moved;
 }
 
 void WalkBlock::closeHoles()
 {
   WalkBlock dense(numberOfWalks(), static_cast<int>(storedBands_), frame_, photon_);
-  std::size_t total = 0;
+  std::vector<std::uint32_t> sizes;
   for (const Range& range : places_)
   {
-    total += range.size + std::size_t{ 1 };
+    sizes.push_back(range.size);
   }
-  dense.resizePools(total);
-  std::uint32_t next = 0;
+  dense.makeRoom(sizes);
   for (std::uint32_t walk = 0; walk < numberOfWalks(); ++walk)
   {
-    // The walk that is being moved has no end point yet, but room for one.
-    const std::uint32_t count = std::min(places_[walk].size + 1, places_[walk].capacity);
-    dense.copyPlaces(*this, places_[walk].first, next, count);
-    dense.places_[walk] = { next, places_[walk].size, places_[walk].size + 1 };
-    next += places_[walk].size + 1;
+    dense.copy(*this, places_[walk], dense.places_[walk], places_[walk].size);
+    dense.places_[walk].size = places_[walk].size;
   }
   dense.staticHits_.swap(staticHits_);
   *this = std::move(dense);
 }
 
-void WalkBlock::reserve(std::size_t points)
+void WalkBlock::resizePools(std::size_t points, std::size_t hits)
 {
-  x_.reserve(points);
-  y_.reserve(points);
-  z_.reserve(points);
-  tags_.reserve(points);
-  ids_.reserve(points);
-  weights_.reserve(points);
-  powers_.reserve(points * storedBands_);
+  const auto resize = [](auto& pool, std::size_t size) {
+    if (size > pool.capacity())
+    {
+      // Doubling might waste half of the memory.
+      pool.reserve(pool.empty() ? size : size + size / 8);
+    }
+    pool.resize(size);
+  };
+  resize(x_, points);
+  resize(y_, points);
+  resize(z_, points);
+  resize(tags_, points);
+  resize(ids_, hits);
+  resize(weights_, hits);
+  resize(powers_, hits * storedBands_);
 }
 
-void WalkBlock::resizePools(std::size_t size)
+void WalkBlock::copy(
+  const WalkBlock& from, const Range& source, const Range& target, std::uint32_t count)
 {
-  if (size > x_.capacity())
-  {
-    // Doubling might waste half of the memory.
-    reserve(x_.empty() ? size : size + size / 8);
-  }
-  x_.resize(size);
-  y_.resize(size);
-  z_.resize(size);
-  tags_.resize(size);
-  ids_.resize(size);
-  weights_.resize(size);
-  powers_.resize(size * storedBands_);
-}
-
-void WalkBlock::copyPlaces(
-  const WalkBlock& from, std::uint32_t source, std::uint32_t target, std::uint32_t count)
-{
-  const auto copy = [](const auto& pool, auto& copied, std::size_t first, std::size_t to,
-                      std::size_t number) {
+  const auto copyPool = [](const auto& pool, auto& copied, std::size_t first, std::size_t to,
+                          std::size_t number) {
     std::copy_n(pool.begin() + static_cast<std::ptrdiff_t>(first), number,
       copied.begin() + static_cast<std::ptrdiff_t>(to));
   };
-  copy(from.x_, x_, source, target, count);
-  copy(from.y_, y_, source, target, count);
-  copy(from.z_, z_, source, target, count);
-  copy(from.tags_, tags_, source, target, count);
-  copy(from.ids_, ids_, source, target, count);
-  copy(from.weights_, weights_, source, target, count);
-  copy(from.powers_, powers_, source * storedBands_, target * storedBands_, count * storedBands_);
+  // A walk that grows has no end point yet, but room for one.
+  const std::uint32_t points = std::min({ count + 1, source.points(), target.points() });
+  copyPool(from.x_, x_, source.firstPoint, target.firstPoint, points);
+  copyPool(from.y_, y_, source.firstPoint, target.firstPoint, points);
+  copyPool(from.z_, z_, source.firstPoint, target.firstPoint, points);
+  copyPool(from.tags_, tags_, source.firstPoint, target.firstPoint, points);
+  copyPool(from.ids_, ids_, source.firstHit, target.firstHit, count);
+  copyPool(from.weights_, weights_, source.firstHit, target.firstHit, count);
+  copyPool(from.powers_, powers_, source.firstHit * storedBands_, target.firstHit * storedBands_,
+    count * storedBands_);
 }
 
 bool WalkBlock::segmentAt(std::size_t point, Place& place) const
@@ -175,7 +179,7 @@ bool WalkBlock::segmentAt(std::size_t point, Place& place) const
   place.walk = tags_[point] & kWalkMask;
   const Range& range = places_[place.walk];
   // Places that a walk left when it moved are not in its range.
-  place.bounce = static_cast<std::uint32_t>(point) - range.first;
+  place.bounce = static_cast<std::uint32_t>(point) - range.firstPoint;
   return place.bounce < range.size;
 }
 

@@ -39,13 +39,13 @@ struct StoredSegment
 /**
  * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock; the unit of work of a
  * thread. A block stores what cannot be computed again: the triangle hit, its side, the point on it
- * and the power. Rays and distances follow from these (WalkShooter::rayOf, Scene::distanceTo). The
+ * and the power. Rays and distances follow from these (WalkShooter::raysOf, Scene::distanceTo). The
  * points of a walk are also kept as floats, to be scanned for segments near moved objects.
  *
- * Walks lie one after the other in pools, each with one place more than it has segments: place i
- * holds segment i and the point where it begins, the last place the point where the walk ends. A
- * walk that outgrows its places moves to the end of the pools. The holes are closed when they make
- * up a third.
+ * Walks lie one after the other in two kinds of pools: of hits, one for each segment, and of points,
+ * one more for each walk: point i is where segment i begins, the last one where the walk ends. A walk
+ * that outgrows its room moves to the end of the pools. The holes are closed when they make up a
+ * third.
  */
 class WalkBlock
 {
@@ -63,14 +63,14 @@ public:
   Hit hit(std::uint32_t walk, std::uint32_t bounce) const;
   bool isFront(std::uint32_t walk, std::uint32_t bounce) const
   {
-    return (tags_[slot(walk, bounce)] & kBack) == 0;
+    return (tags_[pointOf(walk, bounce)] & kBack) == 0;
   }
   Power power(std::uint32_t walk, std::uint32_t bounce) const;
   /// Lower bound of a segment's length in the world, too short by some 2^-20 of its coordinates.
   double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
 
-  /// Reserves the memory of all `points`: one for each segment and one for each walk.
-  void reserve(std::size_t points);
+  /// Gives each walk of an empty block room for that many segments.
+  void makeRoom(const std::vector<std::uint32_t>& sizes);
   /// Replaces the segments from `bounce` on by room for `count` new ones, each of which must then
   /// be set. Drops the cached static hits of segments after `bounce`.
   void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
@@ -106,18 +106,19 @@ public:
   static constexpr unsigned kTagShift = 11;   ///< position of the number in a tag
   bool isContact(std::uint32_t walk, std::uint32_t bounce) const
   {
-    return tags_[slot(walk, bounce)] >> kTagShift == kContactTag;
+    return tags_[pointOf(walk, bounce)] >> kTagShift == kContactTag;
   }
 
   struct Place
   {
     std::uint32_t walk, bounce;
   };
-  /// Prefetches the hit of the segment that begins there.
-  void prefetch(std::size_t point) const
+  /// Prefetches the hit of a segment, and that before it.
+  void prefetch(const Place& place) const
   {
-    prefetchLine(ids_.data() + point);
-    prefetchLine(weights_.data() + point);
+    const std::size_t hit = hitOf(place.walk, place.bounce);
+    prefetchLine(ids_.data() + hit);
+    prefetchLine(weights_.data() + hit);
   }
   /// False if no segment begins at `point`.
   bool segmentAt(std::size_t point, Place& place) const;
@@ -128,9 +129,10 @@ public:
 private:
   struct Range
   {
-    std::uint32_t first = 0;
+    std::uint32_t firstPoint = 0, firstHit = 0;
     std::uint32_t size = 0;     ///< segments
-    std::uint32_t capacity = 0; ///< places
+    std::uint32_t capacity = 0; ///< segments; a walk without room has no place for a point either
+    std::uint32_t points() const { return capacity == 0 ? 0 : capacity + 1; }
   };
 
   // A tag holds the walk, the side of the hit, and tagOf() its object or kContactTag.
@@ -141,27 +143,31 @@ private:
   {
     return std::uint64_t{ walk } << 32 | bounce;
   }
-  std::size_t slot(std::uint32_t walk, std::uint32_t bounce) const
+  std::size_t pointOf(std::uint32_t walk, std::uint32_t bounce) const
   {
-    return places_[walk].first + std::size_t{ bounce };
+    return places_[walk].firstPoint + std::size_t{ bounce };
   }
-  Vector3 point(std::size_t slot) const { return { x_[slot], y_[slot], z_[slot] }; }
-  void setPoint(std::size_t slot, const StoredPoint& point);
+  std::size_t hitOf(std::uint32_t walk, std::uint32_t bounce) const
+  {
+    return places_[walk].firstHit + std::size_t{ bounce };
+  }
+  Vector3 point(std::size_t i) const { return { x_[i], y_[i], z_[i] }; }
+  void setPoint(std::size_t i, const StoredPoint& point);
   void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);
   void closeHoles();
-  void resizePools(std::size_t size);
-  void copyPlaces(
-    const WalkBlock& from, std::uint32_t source, std::uint32_t target, std::uint32_t count);
+  void resizePools(std::size_t points, std::size_t hits);
+  /// `count` segments with the point after them, if that has a place.
+  void copy(const WalkBlock& from, const Range& source, const Range& target, std::uint32_t count);
 
   UnitFrame frame_;
-  std::uint32_t unused_ = 0;
+  std::uint32_t unused_ = 0; ///< points that no walk owns
   std::vector<Range> places_;
   std::vector<float> x_, y_, z_;
   std::vector<std::uint16_t> tags_;
   std::vector<TriangleId> ids_;
   std::vector<std::array<float, 2>> weights_;
   Power photon_;
-  std::size_t storedBands_; ///< powers for each place: none if they are all the same
+  std::size_t storedBands_; ///< powers for each hit: none if they are all the same
   std::vector<std::int64_t> powers_;
   std::unordered_map<std::uint64_t, Hit> staticHits_;
 };

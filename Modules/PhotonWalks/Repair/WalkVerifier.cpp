@@ -94,7 +94,11 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
   // None of the requests waits for another, so the memory delivers many at a time.
   for (const std::uint32_t point : points)
   {
-    block.prefetch(point);
+    WalkBlock::Place place;
+    if (block.segmentAt(point, place))
+    {
+      block.prefetch(place);
+    }
   }
   std::uint32_t stale = block.numberOfWalks(); // a walk with a segment that is stale for certain
   for (const std::uint32_t point : points)

@@ -27,6 +27,7 @@ WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn)
 void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
 {
   const WalkRules& rules = shooter_.rules();
+  reserve(walks.size());
   for (const std::uint32_t walk : walks)
   {
     const Power power = rules.bands() == 1 ? rules.photon() : rules.powerOf(walk);
@@ -36,6 +37,20 @@ void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
   const std::size_t first = rays_.size();
   rays_.resize(walks_.size());
   rules.start(walks.data(), walks.size(), rays_.data() + first);
+}
+
+void WalkBatch::reserve(std::size_t walks)
+{
+  const std::size_t all = walks_.size() + walks;
+  tailOf_.reserve(all);
+  walks_.reserve(all);
+  bounces_.reserve(all);
+  tails_.reserve(all);
+  rays_.reserve(all);
+  hits_.reserve(all);
+  constexpr std::size_t kUsualLength = 3;
+  pieces_.reserve(frame_ ? kUsualLength * all : 0);
+  ends_.reserve(frame_ ? all : 0);
 }
 
 void WalkBatch::resume(
@@ -85,7 +100,7 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
     }
     receive(first, tally);
     tally.check();
-    absorb(first, tally);
+    absorb(first);
     if (frame_)
     {
       record(first);
@@ -173,7 +188,7 @@ void WalkBatch::record(std::size_t first)
   }
 }
 
-void WalkBatch::absorb(std::size_t first, WalkTally& tally)
+void WalkBatch::absorb(std::size_t first)
 {
   const WalkRules& rules = shooter_.rules();
   const std::size_t count = hits_.size() - first;
@@ -189,18 +204,6 @@ void WalkBatch::absorb(std::size_t first, WalkTally& tally)
   survivors_.clear();
   rules.survive(walks_.data() + first, bounces_.data() + first, probabilities_.data(), count,
     static_cast<std::uint32_t>(first), survivors_);
-  std::size_t next = 0;
-  for (std::size_t i = first; i < hits_.size(); ++i)
-  {
-    if (next < survivors_.size() && survivors_[next] == i)
-    {
-      ++next;
-    }
-    else if (hits_[i])
-    {
-      tally.absorb(powerOf(i));
-    }
-  }
 }
 
 /// Takes the walks that survived from their hits to their next rays, without gaps between them. A
@@ -225,11 +228,10 @@ void WalkBatch::leave(std::size_t first, WalkTally& tally)
       &rays_[kept], isFront);
     if (!powers_.empty())
     {
-      const Power incoming = powers_[i];
-      powers_[kept] = survivingPower(incoming, shooter_.rules().materialOf(hit.id.object),
+      powers_[kept] = survivingPower(powers_[i], shooter_.rules().materialOf(hit.id.object),
         hit.id.triangle, probabilities_[i - first]);
-      tally.absorb(incoming - powers_[kept]);
     }
+    tally.release(powerOf(kept));
     ++kept;
   }
   departures.flush();

@@ -67,6 +67,7 @@ private:
     StoredPoint point;
   };
 
+  void reserve(std::size_t walks);
   void add(std::uint32_t walk, std::uint32_t bounce, const Power& power);
   Power powerOf(std::size_t place) const
   {
@@ -77,7 +78,7 @@ private:
   void findSides(std::size_t first);
   void receive(std::size_t first, WalkTally& tally);
   void record(std::size_t first);
-  void absorb(std::size_t first, WalkTally& tally);
+  void absorb(std::size_t first);
   void leave(std::size_t first, WalkTally& tally);
   void checkEnd(std::size_t place) const;
 

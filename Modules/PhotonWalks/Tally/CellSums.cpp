@@ -2,6 +2,7 @@
 #include "Tally/CellSums.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace irradiance
 {
@@ -52,12 +53,35 @@ void CellSums::setRounds(std::size_t rounds, const Checkpoint& checkpoint)
 
 void CellSums::add(const std::vector<Deposit>& deposits)
 {
-  constexpr std::size_t kAhead = 16;
-  const std::lock_guard<std::mutex> lock(*mutex_);
-  for (std::size_t i = 0; i < deposits.size(); ++i)
+  // Sorted by part, each by one pass to count and one to place.
+  static thread_local std::vector<Deposit> sorted;
+  sorted.resize(deposits.size());
+  const std::size_t partSize = sums_.size() / kParts + 1;
+  const auto shift = static_cast<unsigned>(64 - __builtin_clzll(partSize));
+  std::array<std::size_t, kParts + 1> ends{};
+  for (const Deposit& deposit : deposits)
   {
-    prefetchLine(sums_.data() + deposits[std::min(i + kAhead, deposits.size() - 1)].slot);
-    sums_[deposits[i].slot] += deposits[i].quanta;
+    ++ends[(deposit.slot >> shift) + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  for (const Deposit& deposit : deposits)
+  {
+    sorted[ends[deposit.slot >> shift]++] = deposit;
+  }
+  constexpr std::size_t kAhead = 16;
+  std::size_t i = 0;
+  for (std::size_t part = 0; part < kParts && i < sorted.size(); ++part)
+  {
+    if (i == ends[part])
+    {
+      continue;
+    }
+    const std::lock_guard<std::mutex> lock((*mutexes_)[part]);
+    for (; i < ends[part]; ++i)
+    {
+      prefetchLine(sums_.data() + sorted[std::min(i + kAhead, sorted.size() - 1)].slot);
+      sums_[sorted[i].slot] += sorted[i].quanta;
+    }
   }
 }
 

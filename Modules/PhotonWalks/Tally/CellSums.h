@@ -8,6 +8,7 @@
 #include "Sampling/WalkPlan.h"
 #include "Simd/Prefetch.h"
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -96,7 +97,10 @@ private:
   std::size_t rounds_ = 0;
   std::size_t roundSize_ = 0; ///< sums of a round
   std::vector<std::int64_t> sums_;
-  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  /// Of consecutive parts of the sums, so that threads seldom wait for each other.
+  static constexpr std::size_t kParts = 16;
+  using Mutexes = std::array<std::mutex, kParts>;
+  std::unique_ptr<Mutexes> mutexes_ = std::make_unique<Mutexes>();
 };
 
 }

@@ -11,7 +11,7 @@ namespace irradiance
 {
 
 /// Where the power went, in quanta. In integers, emitted = absorbed + escaped exactly: the absorbed
-/// power of a hit is the incoming minus the outgoing power: all of it or, in one band, nothing.
+/// power of a hit is the incoming minus the outgoing power. In one band that is all or nothing.
 struct PowerBalance
 {
   Power emitted;

@@ -30,6 +30,7 @@ public:
   {
     ++balance_.segments;
     balance_.received += power.total();
+    balance_.absorbed += power;
     sums_.collect(walk, object, cell, isFront, power, 1, deposits_);
   }
   void escape(const Power& power)
@@ -37,8 +38,8 @@ public:
     ++balance_.segments;
     balance_.escaped += power;
   }
-  /// What does not leave the cell where it arrived.
-  void absorb(const Power& power) { balance_.absorbed += power; }
+  /// What arrived leaves again.
+  void release(const Power& power) { balance_.absorbed -= power; }
   /// Drops what was tallied for the cells; the caller drops the balance.
   void discard() { deposits_.clear(); }
   /// Prefetches the sum that a photon will change.

@@ -4,6 +4,7 @@
 #include "Kernels/IntersectionLanes.h"
 #include "Kernels/QueryCounts.h"
 #include "Kernels/TreeQuery.h"
+#include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
 #include "Trees/KdTree.h"
 

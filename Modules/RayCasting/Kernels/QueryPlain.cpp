@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kernels/QueryCounts.h"
 #include "Kernels/TreeQuery.h"
+#include "Simd/Prefetch.h"
 #include "Trees/KdTree.h"
 
 #include <algorithm>

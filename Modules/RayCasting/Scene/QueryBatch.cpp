@@ -59,10 +59,11 @@ bool Scene::QueryBatch::addGroup(std::uint32_t ray, const Group& group)
   }
   if (group.bodies.isEmpty() && !group.instanced.empty())
   {
-    const double reach = scene_.reachOf(rays_[ray]);
     for (const std::uint32_t index : group.instanced)
     {
-      if (scene_.mayTouch(scene_.placed_[index], rays_[ray], reach, best_[ray].distance))
+      const Placed& placed = scene_.placed_[index];
+      if (passesBall(placed, rays_[ray]) &&
+        scene_.mayTouch(placed, rays_[ray], best_[ray].distance))
       {
         add(ray, index + 1);
       }
@@ -214,9 +215,7 @@ void Scene::QueryBatch::finish(
 void Scene::QueryBatch::enter(std::uint32_t ray, std::uint32_t reference)
 {
   const std::uint32_t index = group_->instanced[reference];
-  const double distance = best_[ray].distance;
-  const double reach = distance < kInfinity ? kInfinity : scene_.reachOf(rays_[ray]);
-  if (scene_.mayTouch(scene_.placed_[index], rays_[ray], reach, distance))
+  if (scene_.mayTouch(scene_.placed_[index], rays_[ray], best_[ray].distance))
   {
     add(ray, index + 1);
   }

@@ -184,10 +184,11 @@ double Scene::reachOf(const Ray& ray) const
     ray.direction.cwiseAbs().maxCoeff();
 }
 
-bool Scene::mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const
+bool Scene::mayTouch(const Placed& placed, const Ray& ray, double distance) const
 {
   const double squaredLength = ray.direction.squaredNorm();
-  const double end = std::min(distance + placed.slack / std::sqrt(squaredLength), reach);
+  const double end =
+    distance < kInfinity ? distance + placed.slack / std::sqrt(squaredLength) : reachOf(ray);
   const Vector3 toCenter = placed.ballCenter - ray.origin;
   const double nearest = std::min(std::max(toCenter.dot(ray.direction) / squaredLength, 0.0), end);
   if ((toCenter - nearest * ray.direction).squaredNorm() > placed.ballSquaredRadius)

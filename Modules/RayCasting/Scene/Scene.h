@@ -148,9 +148,22 @@ private:
   }
   /// By the test in double; false if the ray misses the triangle.
   bool intersects(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
+  /// Whether the ray passes the ball around an object's bound, wherever it ends. Most do not.
+  static bool passesBall(const Placed& placed, const Ray& ray)
+  {
+    const Vector3 toCenter = placed.ballCenter - ray.origin;
+    const double along = toCenter.dot(ray.direction);
+    const double distance = toCenter.squaredNorm(), length = ray.direction.squaredNorm();
+    // By Pythagoras, times the length: without a division or a root, but with cancellation.
+    const double ahead = along > 0 ? along * along : 0.0;
+    return !(
+      distance * length - ahead > (placed.ballSquaredRadius + kCancelled * distance) * length);
+  }
+  static constexpr double kCancelled = 0x1p-48; ///< some ten roundings, each of 2^-53
   /// No geometry is farther from the ray's origin than this, in units of its direction.
   double reachOf(const Ray& ray) const;
-  bool mayTouch(const Placed& placed, const Ray& ray, double reach, double distance) const;
+  /// False if the ray certainly misses the object up to a hit at `distance`, which may be infinite.
+  bool mayTouch(const Placed& placed, const Ray& ray, double distance) const;
   /// The order in which to search the rays of a batch; empty means as they are.
   std::vector<std::uint32_t> orderOf(const Ray* rays, std::size_t count) const;
   void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;

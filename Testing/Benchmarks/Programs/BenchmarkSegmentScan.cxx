@@ -78,7 +78,12 @@ struct StoredSegments
         segments += walks.back().size();
       }
       WalkBlock& block = blocks.emplace_back(WalkPlan::kWalksPerBlock, 1, frame, Power{});
-      block.reserve(segments + walks.size());
+      std::vector<std::uint32_t> sizes;
+      for (const auto& walk : walks)
+      {
+        sizes.push_back(static_cast<std::uint32_t>(walk.size()));
+      }
+      block.makeRoom(sizes);
       for (std::uint32_t i = 0; i < walks.size(); ++i)
       {
         test::replaceTail(block, i, 0, walks[i], frame);
