@@ -201,15 +201,33 @@ std::unique_ptr<WalkRepair::Batch> WalkRepair::begin(Unit& unit)
 
 void WalkRepair::fill(Batch& batch) const
 {
+  constexpr std::ptrdiff_t kAhead = 16;
   findSegments(batch);
   for (const Item* item = batch.begin; item != batch.end; ++item)
   {
+    if (batch.end - item > kAhead)
+    {
+      prefetch(item[kAhead]);
+    }
     const StaleSegment& segment = *item->segment;
     const WalkBlock& block = state_.history[item->block];
     const std::uint32_t walk = state_.plan.firstWalkOf(item->block) + segment.walkInBlock;
     batch.walks.resume(walk, segment.bounce, segment.ray, segment.hit,
       block.power(segment.walkInBlock, segment.bounce));
     batch.tally.remove(block, segment.walkInBlock, walk, segment.bounce);
+  }
+}
+
+/// Prefetches what the tally will read of the old tail and what the new one will overwrite.
+void WalkRepair::prefetch(const Item& item) const
+{
+  const WalkBlock& block = state_.history[item.block];
+  const std::uint32_t point = item.segment->point;
+  block.prefetch(point);
+  prefetchLine(block.tags() + point);
+  for (const float* points : { block.x(), block.y(), block.z() })
+  {
+    prefetchLine(points + point);
   }
 }
 

@@ -61,6 +61,7 @@ private:
   /// The next walks of a unit; null if there are none or the time is up.
   std::unique_ptr<Batch> begin(Unit& unit);
   void fill(Batch& batch) const;
+  void prefetch(const Item& item) const;
   void findSegments(Batch& batch) const;
   /// Null if the walk was marked in an earlier frame.
   const StaleSegment* foundNow(const Item& item) const;
