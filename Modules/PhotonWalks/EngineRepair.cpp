@@ -2,11 +2,10 @@
 #include "Execution/ProgressSpan.h"
 #include "Execution/SlicedPass.h"
 #include "IrradianceEngine.h"
-#include "Repair/BudgetedRepair.h"
-#include "Shooting/WalkBatch.h"
+#include "Repair/WalkRepair.h"
 
 #include <algorithm>
-#include <atomic>
+#include <optional>
 #include <utility>
 
 /// How the engine updates the stored walks when something has moved.
@@ -49,21 +48,15 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   statistics_.verifySeconds = hasMotion ? secondsSince(start) : 0;
 
   start = Clock::now();
-  if (stale_)
+  std::optional<TimeBudget> budget;
+  if (hasBudget())
   {
-    const double seconds = hasBudget() ? settings_.repairTimeBudget : kInfinity;
-    SharedBalance balance(balance_);
-    BudgetedRepair budgeted({ shooter, plan_, history_, pointFrame_, sums_, balance, *stale_, found,
-                              settings_.cacheStaticHits },
-      execution, seconds);
-    statistics_.repairedSegments = budgeted.run(rest);
-    statistics_.repairSeconds = budgeted.seconds();
+    budget.emplace(execution, settings_.repairTimeBudget);
   }
-  else
-  {
-    repair(shooter, found, rest);
-    statistics_.repairSeconds = secondsSince(start);
-  }
+  WalkRepair repair({ shooter, plan_, history_, pointFrame_, sums_, balance_,
+    settings_.cacheStaticHits, found, stale_.get(), budget ? &*budget : nullptr });
+  statistics_.repairedSegments = repair.run(rest);
+  statistics_.repairSeconds = budget ? budget->elapsed() : secondsSince(start);
 }
 
 std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
@@ -102,53 +95,6 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
     statistics_.invalidWalks += static_cast<std::int64_t>(found.size());
   }
   return stale;
-}
-
-void IrradianceEngine::repair(const WalkShooter& shooter,
-  const std::vector<std::vector<StaleSegment>>& stale, Execution& execution)
-{
-  std::atomic<std::int64_t> repaired{ 0 };
-  // A block has few stale walks. Those of several blocks are shot together, as long as that leaves
-  // enough batches for all threads.
-  constexpr std::size_t kBatches = 32, kMostTogether = 16;
-  BatchPass pass{ 0, history_.size(),
-    std::clamp<std::size_t>(history_.size() / kBatches, 1, kMostTogether), &pointFrame_, {}, {} };
-  pass.fill = [&](std::size_t block, WalkBatch& batch) {
-    const WalkBlock& walks = history_[block];
-    for (const StaleSegment& segment : stale[block])
-    {
-      const std::uint32_t walk = plan_.firstWalkOf(block) + segment.walkInBlock;
-      batch.resume(walk, segment.bounce, segment.ray, segment.hit,
-        walks.power(segment.walkInBlock, segment.bounce));
-      for (std::uint32_t i = segment.bounce; i < walks.size(segment.walkInBlock); ++i)
-      {
-        const TriangleId id = walks.hit(segment.walkInBlock, i).id;
-        if (id != TriangleId{})
-        {
-          sums_.prefetch(walk, id.object, sums_.cellOf(id)); // will be subtracted
-        }
-      }
-    }
-  };
-  pass.finish = [&](const WalkBatch& batch, WalkTally& tally, PowerBalance&) {
-    for (const WalkBatch::Tail& tail : batch.tails())
-    {
-      const WalkPlan::Place place = plan_.placeOf(tail.walk);
-      tally.remove(history_[place.block], place.walkInBlock, tail.walk, tail.bounce);
-    }
-    batch.store(plan_, history_);
-    repaired += batch.numberOfSegments();
-  };
-  run(pass, shooter, execution);
-  for (std::size_t block = 0; block < stale.size(); ++block)
-  {
-    for (const StaleSegment& segment : stale[block])
-    {
-      history_[block].updateStaticHit(segment.walkInBlock, segment.bounce, segment.old, segment.hit,
-        settings_.cacheStaticHits && !segment.wasTouching);
-    }
-  }
-  statistics_.repairedSegments = repaired;
 }
 
 }

@@ -135,64 +135,44 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
     history_.emplace_back(plan_.walksIn(block), objects_.staticObject.material->bands, pointFrame_,
       Power{ { emitters_.photon() } });
   }
-  const SobolSequence samples(settings_.seed, plan_.replicates());
-  const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
-  BatchPass pass{ walks.firstBlock, walks.endBlock, 1, keep ? &pointFrame_ : nullptr, {}, {} };
-  pass.fill = [&](std::size_t block, WalkBatch& batch) {
-    std::vector<std::uint32_t> walks(plan_.walksIn(block));
-    std::iota(walks.begin(), walks.end(), plan_.firstWalkOf(block));
-    batch.shoot(walks);
-  };
-  pass.finish = [&](const WalkBatch& batch, WalkTally&, PowerBalance& balance) {
-    balance.emitted += batch.emitted();
-    if (keep)
-    {
-      std::vector<std::uint32_t> sizes;
-      for (const WalkBatch::Tail& tail : batch.tails())
-      {
-        sizes.push_back(tail.size);
-      }
-      history_[plan_.placeOf(batch.tails().front().walk).block].makeRoom(sizes);
-      batch.store(plan_, history_);
-    }
-  };
-  if (!emitters_.isEmpty())
-  {
-    run(pass, shooter, execution);
-  }
+  shootBlocks(walks, keep ? &pointFrame_ : nullptr, execution);
   statistics_.shootSeconds += secondsSince(start);
 }
 
-void IrradianceEngine::run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution)
+void IrradianceEngine::shootBlocks(
+  const WalkRound& walks, const UnitFrame* storedIn, Execution& execution)
 {
-  const std::size_t together = pass.blocksTogether;
-  std::vector<std::unique_ptr<WalkBatch>> open(
-    (pass.endBlock - pass.firstBlock + together - 1) / together);
+  const SobolSequence samples(settings_.seed, plan_.replicates());
+  const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
   SharedBalance total(balance_);
-  SlicedPass sliced{ open.size(), {} };
-  sliced.work = [&](std::size_t unit, const Deadline& deadline) {
+  std::vector<std::unique_ptr<WalkBatch>> open(walks.endBlock - walks.firstBlock);
+  SlicedPass pass{ emitters_.isEmpty() ? 0 : open.size(), {} };
+  pass.work = [&](std::size_t i, const Deadline& deadline) {
+    const std::size_t block = walks.firstBlock + i;
+    if (!open[i])
+    {
+      std::vector<std::uint32_t> numbers(plan_.walksIn(block));
+      std::iota(numbers.begin(), numbers.end(), plan_.firstWalkOf(block));
+      open[i] = std::make_unique<WalkBatch>(shooter, storedIn);
+      open[i]->shoot(numbers);
+    }
     PowerBalance balance;
     WalkTally tally(sums_, balance);
-    std::unique_ptr<WalkBatch>& batch = open[unit];
-    if (!batch)
-    {
-      batch = std::make_unique<WalkBatch>(shooter, pass.storedIn);
-      const std::size_t first = pass.firstBlock + unit * together;
-      for (std::size_t i = first; i < std::min(first + together, pass.endBlock); ++i)
-      {
-        pass.fill(i, *batch);
-      }
-    }
-    const bool isDone = batch->run(tally, [&] { return deadline.hasPassed(); });
+    const bool isDone = open[i]->run(tally, [&] { return deadline.hasPassed(); });
     if (isDone)
     {
-      pass.finish(*batch, tally, balance);
-      batch.reset();
+      balance.emitted += open[i]->emitted();
+      if (storedIn)
+      {
+        history_[block].makeRoom(open[i]->sizes());
+        open[i]->store(plan_, history_);
+      }
+      open[i].reset();
     }
     total.add(balance);
     return isDone;
   };
-  sliced.run(execution);
+  pass.run(execution);
 }
 
 Box IrradianceEngine::walkBounds() const

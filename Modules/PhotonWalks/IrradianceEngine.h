@@ -11,13 +11,10 @@
 #include "Tally/WalkTally.h"
 
 #include <chrono>
-#include <functional>
 #include <memory>
 
 namespace irradiance
 {
-
-class WalkBatch;
 
 struct EngineSettings
 {
@@ -100,17 +97,6 @@ private:
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  /// Work on batches of walks, each from some consecutive blocks.
-  struct BatchPass
-  {
-    std::size_t firstBlock, endBlock;
-    std::size_t blocksTogether;
-    const UnitFrame* storedIn; ///< see WalkBatch
-    std::function<void(std::size_t block, WalkBatch& batch)> fill;
-    /// Keeps what a batch has shot.
-    std::function<void(const WalkBatch& batch, WalkTally& tally, PowerBalance& balance)> finish;
-  };
-
   /// Whether the stored walks can be repaired, given that the lights are the same.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
   void commitScene(const std::vector<bool>& moved, Execution& execution);
@@ -121,6 +107,8 @@ private:
   /// An estimate, after some rounds, of the number of walks that the target will take.
   double expectedWalks(std::size_t rounds) const;
   void shootRound(std::size_t round, Execution& execution);
+  /// `storedIn`: the frame of the history; null if the walks are not stored.
+  void shootBlocks(const WalkRound& walks, const UnitFrame* storedIn, Execution& execution);
   void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
   ErrorEstimate errorEstimate(std::size_t rounds) const
   {
@@ -129,10 +117,7 @@ private:
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
   std::vector<std::vector<StaleSegment>> verify(
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
-  void repair(const WalkShooter& shooter, const std::vector<std::vector<StaleSegment>>& stale,
-    Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
-  void run(const BatchPass& pass, const WalkShooter& shooter, Execution& execution);
   /// Walks stay inside, except where they escape.
   Box walkBounds() const;
   double reachInFrame() const;

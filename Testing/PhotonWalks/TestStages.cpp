@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
 #include <functional>
 
 namespace irradiance
@@ -19,7 +19,8 @@ namespace
 template <class Lanes>
 void expectSameBits(const Lanes& a, const Lanes& b)
 {
-  EXPECT_EQ(std::memcmp(&a, &b, sizeof(Lanes)), 0);
+  const auto* const bytes = reinterpret_cast<const char*>(&a);
+  EXPECT_TRUE(std::equal(bytes, bytes + sizeof(Lanes), reinterpret_cast<const char*>(&b)));
 }
 
 /// The stage as each instruction set of this machine runs it.

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <map>
 
 namespace irradiance
 {
@@ -38,6 +40,29 @@ bool StaleWalks::isEmpty() const
 {
   return std::all_of(
     blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
+}
+
+std::vector<EffectClass> StaleWalks::classes(std::size_t enough) const
+{
+  std::map<std::uint16_t, std::size_t, std::greater<>> counts;
+  for (const Block& block : blocks_)
+  {
+    for (const StaleMark& mark : block.marks)
+    {
+      ++counts[mark.effect];
+    }
+  }
+  std::vector<EffectClass> classes;
+  for (const auto& [effect, count] : counts)
+  {
+    if (classes.empty() || classes.back().size >= enough)
+    {
+      classes.push_back({ effect, 0 });
+    }
+    classes.back().weakest = effect;
+    classes.back().size += count;
+  }
+  return classes;
 }
 
 void StaleWalks::add(const std::vector<std::vector<StaleSegment>>& found,

@@ -11,6 +11,13 @@
 namespace irradiance
 {
 
+/// Walks whose stale segments carry similar power.
+struct EffectClass
+{
+  std::uint16_t weakest; ///< StaleMark::effect
+  std::size_t size;
+};
+
 /**
  * The stored walks that await repair, the power that their stale tails brought to the cells, and a
  * bound of what their new tails can bring. All in quanta, exact at any time. Several threads may
@@ -27,6 +34,9 @@ public:
   std::size_t numberOfBlocks() const { return blocks_.size(); }
   StaleMarks& marks(std::size_t block) { return blocks_[block].marks; }
   const StaleMarks& marks(std::size_t block) const { return blocks_[block].marks; }
+
+  /// All stale walks, the strongest first; each class but the last has at least `enough`.
+  std::vector<EffectClass> classes(std::size_t enough) const;
 
   /// Marks what a verification found, by block. The verification must have skipped the tails that
   /// were marked before. Throws Interrupted.

@@ -12,20 +12,24 @@ struct WalkVerifier::Candidates
 {
   std::vector<WalkShooter::Stored> segments;
   std::vector<std::size_t> blocks;
+  std::vector<std::uint32_t> points;
   std::vector<Ray> rays;
   std::vector<Hit> old, now;
   std::vector<std::size_t> stale; ///< entries
 
-  void add(const WalkShooter::Stored& segment, std::size_t block, const Hit& hit)
+  void add(
+    const WalkShooter::Stored& segment, std::size_t block, std::uint32_t point, const Hit& hit)
   {
     segments.push_back(segment);
     blocks.push_back(block);
+    points.push_back(point);
     old.push_back(hit);
   }
   void clear()
   {
     segments.clear();
     blocks.clear();
+    points.clear();
     old.clear();
     now.clear();
     stale.clear();
@@ -69,7 +73,7 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
       const WalkShooter::Stored& segment = candidates->segments[i];
       stale[candidates->blocks[i]].push_back(
         { segment.walkInBlock, segment.bounce, candidates->rays[i], candidates->now[i],
-          candidates->old[i], candidates == &suspects.touching });
+          candidates->old[i], candidates == &suspects.touching, candidates->points[i] });
     }
   }
   const auto order = [](const StaleSegment& s) { return std::tie(s.walkInBlock, s.bounce); };
@@ -119,7 +123,7 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
     Candidates& candidates = isTouching(segment, hit) ? suspects.touching
       : isLost                                        ? suspects.lost
                                                       : suspects.blocked;
-    candidates.add(segment, number, hit);
+    candidates.add(segment, number, point, hit);
   }
 }
 

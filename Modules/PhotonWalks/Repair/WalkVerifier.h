@@ -22,6 +22,7 @@ struct StaleSegment
   Hit old; ///< in the old frame; its distance is valid only if nothing there moved or touches
   /// Whether contacts affect the old hit: then it may differ from that of the static tree alone.
   bool wasTouching = false;
+  std::uint32_t point = 0; ///< where the block stored it when it was found; to prefetch it
 };
 
 /**

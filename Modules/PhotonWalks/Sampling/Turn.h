@@ -18,7 +18,8 @@ struct Turn
   __attribute__((always_inline)) explicit Turn(double turns)
   {
     // The nearest quarter turn, and the angle from there, exact in turns: at most an eighth of one.
-    const int quarter = static_cast<int>(4 * turns + 0.5);
+    const double halfMore = 4 * turns + 0.5;
+    const int quarter = static_cast<int>(halfMore);
     const double x = (turns - 0.25 * quarter) * 6.283185307179586;
     const double z = x * x;
     // Taylor's series: what is left out is below (pi / 4)^17 / 17!.

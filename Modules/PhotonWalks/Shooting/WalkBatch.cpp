@@ -253,6 +253,14 @@ void WalkBatch::checkEnd(std::size_t place) const
   }
 }
 
+std::vector<std::uint32_t> WalkBatch::sizes() const
+{
+  std::vector<std::uint32_t> sizes(tails_.size());
+  std::transform(
+    tails_.begin(), tails_.end(), sizes.begin(), [](const Tail& tail) { return tail.size; });
+  return sizes;
+}
+
 void WalkBatch::store(const WalkPlan& plan, std::vector<WalkBlock>& history) const
 {
   struct Cursor

@@ -43,6 +43,8 @@ public:
   };
   /// In the order in which the walks were added.
   const std::vector<Tail>& tails() const { return tails_; }
+  /// The numbers of segments of the tails.
+  std::vector<std::uint32_t> sizes() const;
   /// Replaces the stored tails of the walks by what was shot.
   void store(const WalkPlan& plan, std::vector<WalkBlock>& history) const;
 

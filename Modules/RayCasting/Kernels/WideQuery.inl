@@ -199,14 +199,14 @@ private:
   /// The other searches take their steps before this one reads its child.
   __attribute__((always_inline)) void prefetchChild() const
   {
-    constexpr unsigned kLine = 64;
+    constexpr std::size_t kLine = 64;
     const bool isLeaf = (child & Treelet::kLeaf) != 0;
     const auto* memory = isLeaf
       ? reinterpret_cast<const char*>(query.tree->blocks() + (child & ~Treelet::kLeaf))
       : reinterpret_cast<const char*>(query.tree->treelets() + child);
-    for (unsigned line = 0; line < sizeof(TriangleBlock) / kLine; ++line)
+    for (std::size_t place = 0; place < sizeof(TriangleBlock); place += kLine)
     {
-      prefetchLine(memory + line * kLine);
+      prefetchLine(memory + place);
     }
   }
 
