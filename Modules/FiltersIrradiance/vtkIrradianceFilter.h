@@ -266,8 +266,9 @@ public:
   ///@{
   /**
    * With a TargetRelativeError, the number of walks at which to stop; NumberOfWalks to
-   * 4,294,967,295. If something may move, a hit takes about 52 bytes in one band when its walk is
-   * shot, and 75 to 105 after motions, which leave holes; see `HistoryBytes`. Default 10,000,000.
+   * 4,294,967,295. If something may move, one band takes 30 bytes for each segment and 30 for each
+   * walk, some 46 a segment in a room that reflects half; after motions, which leave holes, up to
+   * 1.7 times that. See `HistoryBytes`. Default 10,000,000.
    */
   vtkSetMacro(MaximumNumberOfWalks, vtkIdType);
   vtkGetMacro(MaximumNumberOfWalks, vtkIdType);
