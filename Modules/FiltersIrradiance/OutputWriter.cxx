@@ -247,7 +247,11 @@ void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
   };
   const PowerBalance& balance = engine_.balance();
   const EngineStatistics& statistics = engine_.statistics();
-  addPower("EmittedPower", balance.emitted);
+  // The integers balance; so that the rounded watts do too, they are added.
+  const auto emitted = [&](int band) {
+    return engine_.watts(balance.absorbed[band]) + engine_.watts(balance.escaped[band]);
+  };
+  addWatts("EmittedPower", emitted(0), emitted(1), emitted(2));
   addPower("AbsorbedPower", balance.absorbed);
   addPower("EscapedPower", balance.escaped);
   addPower("StalePower", engine_.stale() ? engine_.stale()->power() : Power{});

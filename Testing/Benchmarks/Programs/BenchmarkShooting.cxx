@@ -212,7 +212,7 @@ void measureHistory(const SceneObjects& objects, const EngineSettings& settings,
 /// Beside what its walks took when Russian roulette began at a quarter of the power.
 void measureHistoryOfTeapot(const SceneObjects& objects, const EngineSettings& settings)
 {
-  constexpr double kBytesOfWalk = 175.6;
+  constexpr double kBytesOfWalk = 186.4;
   IrradianceEngine engine;
   timeUpdate(engine, objects, settings);
   report(kTable, "history, moving teapot", "bytes / with roulette at a quarter of the power",
