@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The main job on the scene of Examples/MovingTeapot: what a frame costs beside the first shooting, which is
- * what every frame would cost without a history, and what a cache and a second thread are good for.
- * BenchmarkShooting compares with the rival that users would take. The answers are compared before any time
- * counts. CPU time of the one thread; two threads by the clock on the wall. 59 frames after the first are
- * the teapot's whole way.
+ * what every frame would cost without a history, and what the cache is good for. BenchmarkShooting compares
+ * with the rival that users would take. The answers are compared before any time counts. CPU time of the
+ * one thread. 59 frames after the first are the teapot's whole way.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */
-#include "../../PhotonWalks/ThreadExecution.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -103,26 +101,6 @@ void timeCache(const MovingScene& scene, const EngineSettings& settings, int fra
   }
 }
 
-/// The same updates with one thread and with two, in turns, by the clock on the wall.
-void timeThreads(const MovingScene& scene, const EngineSettings& settings, int rounds, int frames)
-{
-  Execution one;
-  test::ThreadExecution two(2);
-  for (int round = 0; round < rounds; ++round)
-  {
-    IrradianceEngine alone, together;
-    for (int frame = 0; frame <= frames; ++frame)
-    {
-      const SceneObjects objects = scene.inFrame(frame);
-      const double slow = timeUpdate(alone, objects, settings, one).whole;
-      const double fast = timeUpdate(together, objects, settings, two).whole;
-      const std::string phase = frame == 0 ? kShooting : "frame";
-      report(kTable, phase + ", two threads", "speed / one thread", slow / fast,
-        { frame == 0 ? 1.85 : 1.8, 1.95 });
-    }
-  }
-}
-
 }
 
 void run(const Arguments& arguments)
@@ -142,5 +120,4 @@ void run(const Arguments& arguments)
     }
   }
   timeCache(scene, settings, frames);
-  timeThreads(scene, settings, rounds, std::min(frames, 10));
 }
