@@ -113,12 +113,21 @@ public:
   {
     std::uint32_t walk, bounce;
   };
-  /// Prefetches the hit of a segment, and that before it.
+  /// Prefetches the hit of a segment.
   void prefetch(const Place& place) const
   {
     const std::size_t hit = hitOf(place.walk, place.bounce);
     prefetchLine(ids_.data() + hit);
     prefetchLine(weights_.data() + hit);
+  }
+  /// Prefetches where a segment begins.
+  void prefetchPoint(const Place& place) const
+  {
+    const std::size_t point = pointOf(place.walk, place.bounce);
+    prefetchLine(x_.data() + point);
+    prefetchLine(y_.data() + point);
+    prefetchLine(z_.data() + point);
+    prefetchLine(tags_.data() + point);
   }
   /// False if no segment begins at `point`.
   bool segmentAt(std::size_t point, Place& place) const;

@@ -12,8 +12,7 @@ StaleSegment known(const WalkShooter& shooter, const WalkShooter::Stored& stored
 {
   const Hit old = stored.block->hit(stored.walkInBlock, stored.bounce);
   StaleSegment segment{ stored.walkInBlock, stored.bounce, ray, {}, old, false };
-  segment.wasTouching = stored.block->isContact(stored.walkInBlock, stored.bounce) ||
-    shooter.isContact(ray.start, old.id) || shooter.hasContact(old.id);
+  segment.wasTouching = shooter.isTouching(stored, old);
   if (old && !old.id.isDynamic() && !segment.wasTouching)
   {
     segment.old.distance = shooter.scene().distanceTo(ray, old.id);

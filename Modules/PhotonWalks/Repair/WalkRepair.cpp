@@ -222,13 +222,9 @@ void WalkRepair::fill(Batch& batch) const
 void WalkRepair::prefetch(const Item& item) const
 {
   const WalkBlock& block = state_.history[item.block];
-  const std::uint32_t point = item.segment->point;
-  block.prefetch({ item.segment->walkInBlock, item.segment->bounce });
-  prefetchLine(block.tags() + point);
-  for (const float* points : { block.x(), block.y(), block.z() })
-  {
-    prefetchLine(points + point);
-  }
+  const WalkBlock::Place place{ item.segment->walkInBlock, item.segment->bounce };
+  block.prefetch(place);
+  block.prefetchPoint(place);
 }
 
 /// Those that this frame's verification found have their new hits; the others are cast.

@@ -12,24 +12,20 @@ struct WalkVerifier::Candidates
 {
   std::vector<WalkShooter::Stored> segments;
   std::vector<std::size_t> blocks;
-  std::vector<std::uint32_t> points;
   std::vector<Ray> rays;
   std::vector<Hit> old, now;
   std::vector<std::size_t> stale; ///< entries
 
-  void add(
-    const WalkShooter::Stored& segment, std::size_t block, std::uint32_t point, const Hit& hit)
+  void add(const WalkShooter::Stored& segment, std::size_t block, const Hit& hit)
   {
     segments.push_back(segment);
     blocks.push_back(block);
-    points.push_back(point);
     old.push_back(hit);
   }
   void clear()
   {
     segments.clear();
     blocks.clear();
-    points.clear();
     old.clear();
     now.clear();
     stale.clear();
@@ -73,7 +69,7 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
       const WalkShooter::Stored& segment = candidates->segments[i];
       stale[candidates->blocks[i]].push_back(
         { segment.walkInBlock, segment.bounce, candidates->rays[i], candidates->now[i],
-          candidates->old[i], candidates == &suspects.touching, candidates->points[i] });
+          candidates->old[i], candidates == &suspects.touching });
     }
   }
   const auto order = [](const StaleSegment& s) { return std::tie(s.walkInBlock, s.bounce); };
@@ -104,6 +100,7 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
       block.prefetch(place);
     }
   }
+  const std::uint32_t firstWalk = plan_.firstWalkOf(number);
   std::uint32_t stale = block.numberOfWalks(); // a walk with a segment that is stale for certain
   for (const std::uint32_t point : points)
   {
@@ -115,23 +112,15 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
     {
       continue;
     }
-    const WalkShooter::Stored segment{ &block, place.walk, plan_.firstWalkOf(number) + place.walk,
-      place.bounce };
+    const WalkShooter::Stored segment{ &block, place.walk, firstWalk + place.walk, place.bounce };
     const Hit hit = block.hit(place.walk, place.bounce);
     const bool isLost = hasMoved(hit.id);
     stale = isLost ? place.walk : stale;
-    Candidates& candidates = isTouching(segment, hit) ? suspects.touching
-      : isLost                                        ? suspects.lost
-                                                      : suspects.blocked;
-    candidates.add(segment, number, point, hit);
+    Candidates& candidates = shooter_.isTouching(segment, hit) ? suspects.touching
+      : isLost                                                 ? suspects.lost
+                                                               : suspects.blocked;
+    candidates.add(segment, number, hit);
   }
-}
-
-bool WalkVerifier::isTouching(const WalkShooter::Stored& segment, const Hit& hit) const
-{
-  return segment.block->isContact(segment.walkInBlock, segment.bounce) ||
-    (shooter_.hasContacts() &&
-      (shooter_.isContact(shooter_.startOf(segment), hit.id) || shooter_.hasContact(hit.id)));
 }
 
 /// The old hit is not on a moved object. It is valid unless a moved object came in front of it.

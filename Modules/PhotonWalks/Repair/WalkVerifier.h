@@ -22,7 +22,6 @@ struct StaleSegment
   Hit old; ///< in the old frame; its distance is valid only if nothing there moved or touches
   /// Whether contacts affect the old hit: then it may differ from that of the static tree alone.
   bool wasTouching = false;
-  std::uint32_t point = 0; ///< where the block stored it when it was found; to prefetch it
 };
 
 /**
@@ -65,7 +64,6 @@ private:
   bool hasMoved(const TriangleId& id) const { return id.isDynamic() && moved_[id.object - 1]; }
   void sort(std::size_t block, const std::vector<std::uint32_t>& points, const StaleMarks* known,
     Suspects& suspects) const;
-  bool isTouching(const WalkShooter::Stored& segment, const Hit& hit) const;
   void castBlocked(Candidates& candidates) const;
   void castLost(Candidates& candidates) const;
   void castTouching(Candidates& candidates) const;

@@ -4,7 +4,6 @@
 #include "Light/Absorption.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -151,8 +150,8 @@ void WalkBatch::receive(std::size_t first, WalkTally& tally)
   {
     if (hits_[i])
     {
-      const bool isFront = isFront_.empty() || isFront_[i - first] != 0;
-      tally.receive(walks_[i], hits_[i].id.object, cells_[i - first], isFront, powerOf(i));
+      tally.receive(
+        walks_[i], hits_[i].id.object, cells_[i - first], isFront(i - first), powerOf(i));
     }
     else
     {
@@ -170,9 +169,8 @@ void WalkBatch::record(std::size_t first)
     const Ray& ray = rays_[i];
     const Hit& hit = hits_[i];
     ++tails_[tailOf_[i]].size;
-    const bool isFront = isFront_.empty() || isFront_[i - first] != 0;
     pieces_.push_back({ tailOf_[i],
-      { storedPoint(*frame_, ray.origin), hit.id, hit.weights, isFront,
+      { storedPoint(*frame_, ray.origin), hit.id, hit.weights, isFront(i - first),
         shooter_.isContact(ray.start, hit.id) } });
     if (!powers_.empty())
     {
@@ -212,20 +210,18 @@ void WalkBatch::leave(std::size_t first, WalkTally& tally)
 {
   Departures departures(shooter_.rules());
   std::size_t kept = first;
-  const std::size_t firstPiece = pieces_.size() - (hits_.size() - first);
-  bool ignored = true;
+  Piece* const pieces = frame_ ? &pieces_[pieces_.size() - (hits_.size() - first)] : nullptr;
   for (const std::uint32_t i : survivors_)
   {
     const Hit& hit = hits_[i];
     checkEnd(i);
-    const double side = isFront_.empty() ? 0 : isFront_[i - first] != 0 ? 1 : -1;
-    bool* isFront = frame_ ? &pieces_[firstPiece + i - first].segment.isFront : &ignored;
+    const double side = isFront_.empty() ? 0 : isFront(i - first) ? 1 : -1;
     tailOf_[kept] = tailOf_[i];
     walks_[kept] = walks_[i];
     bounces_[kept] = bounces_[i] + 1;
     departures.add(
       { walks_[kept], bounces_[kept], hit.id, weightsOf(hit), side, rays_[i].direction },
-      &rays_[kept], isFront);
+      &rays_[kept], pieces ? &pieces[i - first].segment.isFront : nullptr);
     if (!powers_.empty())
     {
       powers_[kept] = survivingPower(powers_[i], shooter_.rules().materialOf(hit.id.object),

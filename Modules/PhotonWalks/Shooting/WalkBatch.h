@@ -75,6 +75,11 @@ private:
   {
     return powers_.empty() ? shooter_.rules().photon() : powers_[place];
   }
+  /// Whether the front was hit; true if sides are not kept apart.
+  bool isFront(std::size_t placeOfBounce) const
+  {
+    return isFront_.empty() || isFront_[placeOfBounce] != 0;
+  }
   // The stages of a bounce, for the walks from place `first` on.
   void findCells(std::size_t first, WalkTally& tally);
   void findSides(std::size_t first);

@@ -59,6 +59,12 @@ public:
     return segment.bounce == 0 ? rules_.lightOf(segment.walk)
                                : segment.block->hit(segment.walkInBlock, segment.bounce - 1).id;
   }
+  /// Whether contacts affect a stored segment that has this hit.
+  bool isTouching(const Stored& segment, const Hit& hit) const
+  {
+    return segment.block->isContact(segment.walkInBlock, segment.bounce) ||
+      (hasContacts() && (isContact(startOf(segment), hit.id) || hasContact(hit.id)));
+  }
 
 private:
   const Scene& scene_;
