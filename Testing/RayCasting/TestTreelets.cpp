@@ -80,8 +80,11 @@ bool mayFollow(const Treelet& treelet, unsigned octant, unsigned first, unsigned
     const bool isNegative = (octant >> axis & 1) != 0;
     const auto& lower = treelet.bounds[0][axis];
     const auto& upper = treelet.bounds[1][axis];
-    // Boxes that touch at a plane count as separated by it.
-    if (isNegative ? lower[second] >= upper[first] : upper[second] <= lower[first])
+    // Boxes that touch at a plane count as separated by it, also if one is a float too wide so that
+    // the plane hides nothing in it.
+    const auto widened = [](float bound) { return std::nextafter(bound, HUGE_VALF); };
+    if (isNegative ? widened(lower[second]) >= upper[first]
+                   : upper[second] <= widened(lower[first]))
     {
       return false;
     }

@@ -74,12 +74,22 @@ struct Intersection
     weightA = u * inverse;
     weightB = v * inverse;
     weightC = w * inverse;
-    isHit = !isOutside & isBroad & (distance > 0);
+    isHit = !isOutside & isBroad & (distance > 0) &
+      !isBehind(origin.x, direction.x, a.x, b.x, c.x) &
+      !isBehind(origin.y, direction.y, a.y, b.y, c.y);
   }
 
 private:
   static constexpr double kEdgeOn = 0x1p-40;
 
+  /// Whether the ray leaves all corners behind on an axis. Near edge-on rounding may turn a distance
+  /// before the origin into one after it; this comparison is exact.
+  __attribute__((always_inline)) static bool isBehind(
+    double origin, double direction, double a, double b, double c)
+  {
+    return (direction > 0) & (most(most(a, b), c) < origin) |
+      (direction < 0) & (least(least(a, b), c) > origin);
+  }
   __attribute__((always_inline)) static Point sheared(
     const Point& point, const Point& origin, double shearX, double shearY)
   {

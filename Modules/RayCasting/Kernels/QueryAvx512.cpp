@@ -34,7 +34,10 @@ struct Avx512Boxes
   static Floats mulSubtract(Floats a, Floats b, Floats c) { return _mm512_fmsub_ps(a, b, c); }
   static Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }
+  static Floats flip(Floats x, Floats sign) { return _mm512_xor_ps(x, sign); }
+  static Mask isLess(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
   static Mask isAtMost(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
+  static Mask both(Mask a, Mask b) { return _kand_mask16(a, b); }
   static unsigned ordered(const Mask (&passed)[1], const std::uint8_t* order)
   {
     const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(order));

@@ -3,9 +3,11 @@
 #define irradiance_TreeQuery_h
 
 #include "Geometry/Ray.h"
+#include "Trees/KdBounds.h"
 #include "Trees/TriangleTree.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace irradiance
 {
@@ -33,6 +35,8 @@ struct TreeQuery
   static constexpr double kSmallestComponent = 0x1p-12;
   static constexpr double kLargestOrigin = 0x1p26;
   static constexpr double kFarthest = 4; ///< no hit is farther, on a ray that starts in the frame
+  /// A ray that starts this far from a plane, in the frame, and leaves it hits nothing behind it.
+  static constexpr double kClearOfPlane = 0x1p-40;
 
   const TriangleTree* tree;
   // For floats; used only if isForFloats.
@@ -49,6 +53,11 @@ struct TreeQuery
   float slack;           ///< a hit's distance may be off by this when the ray grazes
   float margin;          ///< from a hit to the limit behind it
   std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or kNone
+  /// If the ray leaves a triangle that lies in a plane across an axis: a box is behind the ray whose
+  /// farthest bound on that axis, with this sign, is at most `behind`.
+  float behind;
+  float behindSign; ///< 0 or -0
+  int behindAxis;
   unsigned octant;
   bool isForFloats;
   double exactLimit; ///< as `limit`, from the start of the ray, for a search in double
@@ -60,6 +69,8 @@ struct TreeQuery
   void set(const QueryRequest& request, double largest);
   /// No hit comes before this distance from the start of the ray, in the frame.
   double from(const QueryRequest& request) const;
+  /// Sets what is behind the ray.
+  void setBehind(const QueryRequest& request);
   /// `padding`: the error of the distances at which the ray passes planes.
   void setMargins(double padding)
   {
@@ -107,6 +118,24 @@ inline void TreeQuery::set(const QueryRequest& request, double largest)
   job = request.job;
   isShared = request.isShared;
   rate = largest * tree->frame().scale;
+}
+
+inline void TreeQuery::setBehind(const QueryRequest& request)
+{
+  behind = -std::numeric_limits<float>::infinity();
+  behindSign = 0;
+  behindAxis = 0;
+  if (const AxisPlane* plane = tree->planes().of(skipped))
+  {
+    const UnitFrame& frame = tree->frame();
+    const double side = std::copysign(1.0, request.direction[plane->axis]);
+    const double place = side * plane->place;
+    const double origin =
+      side * ((request.origin[plane->axis] - frame.center[plane->axis]) * frame.scale);
+    behind = origin - place >= kClearOfPlane ? roundUp(place) : behind;
+    behindSign = static_cast<float>(std::copysign(0.0, side));
+    behindAxis = plane->axis;
+  }
 }
 
 inline double TreeQuery::from(const QueryRequest& request) const

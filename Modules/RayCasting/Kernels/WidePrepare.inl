@@ -46,6 +46,7 @@ inline bool prepare(const QueryRequest& request, TreeQuery& query)
   }
   query.octant = Lanes::octantOf(worldDirection);
   query.setMargins(padding);
+  query.setBehind(request);
   query.setBound(request.bound);
   return query.limit >= 0;
 }

@@ -60,9 +60,9 @@ private:
 /// Offsets, in the bounds of a treelet, of the faces at which a ray enters and leaves boxes.
 struct BoxFaces
 {
-  unsigned near[3], far[3];
+  unsigned near[3], far[3], behind;
 
-  void start(unsigned octant)
+  void start(unsigned octant, int behindAxis)
   {
     for (unsigned axis = 0; axis < 3; ++axis)
     {
@@ -70,6 +70,7 @@ struct BoxFaces
       near[axis] = (3 * isNegative + axis) * Treelet::kSize;
       far[axis] = (3 * (1 - isNegative) + axis) * Treelet::kSize;
     }
+    behind = far[behindAxis];
   }
 };
 
@@ -99,7 +100,10 @@ inline unsigned enter(
                                       pass<Boxes>(planes + faces.far[1], query, 1)),
       Boxes::least(pass<Boxes>(planes + faces.far[2], query, 2), Boxes::all(query.limit)));
     Boxes::store(from + first, begin);
-    passed[first / Boxes::kCount] = Boxes::isAtMost(begin, end + Boxes::all(query.pad));
+    const Floats reach =
+      Boxes::flip(Boxes::load(planes + faces.behind), Boxes::all(query.behindSign));
+    passed[first / Boxes::kCount] = Boxes::both(Boxes::isAtMost(begin, end + Boxes::all(query.pad)),
+      Boxes::isLess(Boxes::all(query.behind), reach));
   }
   return Boxes::ordered(passed, treelet.farToNear[query.octant]);
 }
@@ -141,7 +145,7 @@ struct WideSearch
     stack[0].lanes = 0;
     stack[0].treelet = nullptr;
     candidates.count = 0;
-    faces.start(query.octant);
+    faces.start(query.octant, query.behindAxis);
     return true;
   }
 

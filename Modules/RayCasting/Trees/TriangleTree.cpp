@@ -46,6 +46,27 @@ public:
     return tree_.nodes[node].isLeaf() ? packLeaf(tree_.nodes[node]) : packInner(node);
   }
 
+  /// Widens the box of a child, and all below it, where a plane would hide triangles in it.
+  void separate(std::uint32_t child, KdBounds& box)
+  {
+    if ((child & Treelet::kLeaf) != 0)
+    {
+      return separateLeaf(target_.blocks_.data() + (child & ~Treelet::kLeaf), box);
+    }
+    pace_.step(Treelet::kSize);
+    Treelet& treelet = target_.treelets_[child];
+    for (unsigned lane = 0; lane < Treelet::kSize; ++lane)
+    {
+      if (treelet.children[lane] != Treelet::kEmpty)
+      {
+        KdBounds below = boxOf(treelet, lane);
+        separate(treelet.children[lane], below);
+        setBox(treelet, lane, below);
+        box.add(below);
+      }
+    }
+  }
+
 private:
   /// A kd-tree node within a treelet.
   struct Part
@@ -111,6 +132,46 @@ private:
     std::fill_n(&treelet.bounds[0][0][0], 3 * Treelet::kSize, Treelet::kFar);
     std::fill_n(&treelet.bounds[1][0][0], 3 * Treelet::kSize, -Treelet::kFar);
     return treelet;
+  }
+
+  void separateLeaf(const TriangleBlock* block, KdBounds& box) const
+  {
+    KdBounds wider = box;
+    for (bool hasMore = true; hasMore; ++block)
+    {
+      hasMore = !block->isLast();
+      for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
+      {
+        if (block->reference(lane) == TriangleBlock::kNone)
+        {
+          continue;
+        }
+        const Box whole = triangles_[block->reference(lane)].bounds();
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          if (target_.planes_.hide(axis, -1, box.lower[axis], whole))
+          {
+            wider.lower[axis] = std::nextafter(box.lower[axis], -HUGE_VALF);
+          }
+          if (target_.planes_.hide(axis, 1, box.upper[axis], whole))
+          {
+            wider.upper[axis] = std::nextafter(box.upper[axis], HUGE_VALF);
+          }
+        }
+      }
+    }
+    box = wider;
+  }
+
+  static KdBounds boxOf(const Treelet& treelet, unsigned place)
+  {
+    KdBounds box;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.lower[axis] = treelet.bounds[0][axis][place];
+      box.upper[axis] = treelet.bounds[1][axis][place];
+    }
+    return box;
   }
 
   static void setBox(Treelet& treelet, unsigned place, const KdBounds& bounds)
@@ -210,6 +271,10 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, const std::ve
     pace.step();
   }
   slack_ = 0x1p-8 * (isIllConditioned_ ? 4.0 : std::min(4.0, conditionNumber * longestEdge));
+  if (blurs.empty())
+  {
+    planes_ = AxisPlanes(unit);
+  }
   KdTreeBuilder builder;
   builder.checkpoint = checkpoint;
   pack(primitives, unit, builder);
@@ -250,14 +315,21 @@ void TriangleTree::pack(const std::vector<KdPrimitive>& primitives,
   bounds_ = tree.bounds;
   if (!tree.isEmpty())
   {
-    root_ = Packing(*this, tree, unit, builder.checkpoint).pack(0);
+    Packing packing(*this, tree, unit, builder.checkpoint);
+    root_ = packing.pack(0);
+    if (!planes_.isEmpty())
+    {
+      KdBounds box;
+      packing.separate(root_, box);
+    }
     treelets_.shrink_to_fit();
   }
 }
 
 std::size_t TriangleTree::bytes() const
 {
-  return treelets_.capacity() * sizeof(Treelet) + blocks_.capacity() * sizeof(TriangleBlock);
+  return treelets_.capacity() * sizeof(Treelet) + blocks_.capacity() * sizeof(TriangleBlock) +
+    planes_.bytes();
 }
 
 TriangleTree treeOf(const std::vector<Triangle>& triangles, const Checkpoint& checkpoint)

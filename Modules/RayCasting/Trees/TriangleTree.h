@@ -5,6 +5,7 @@
 #include "Geometry/Triangle.h"
 #include "Geometry/UnitFrame.h"
 #include "Progress/Checkpoint.h"
+#include "Trees/AxisPlanes.h"
 #include "Trees/Treelet.h"
 
 #include <cstdint>
@@ -61,6 +62,10 @@ public:
   /// True if the test in the other space may reject what floats take for a certain hit.
   bool isIllConditioned() const { return isIllConditioned_; }
 
+  /// The planes across axes in which triangles lie, in the unit frame. Known only if the triangles
+  /// are exact.
+  const AxisPlanes& planes() const { return planes_; }
+
   std::uint32_t root() const { return root_; }
   const Treelet* treelets() const { return treelets_.data(); }
   const TriangleBlock* blocks() const { return blocks_.data(); }
@@ -77,6 +82,7 @@ private:
   double slack_ = 0;
   double blur_ = 0;
   bool isIllConditioned_ = false;
+  AxisPlanes planes_;
   std::uint32_t root_ = Treelet::kEmpty;
   std::vector<Treelet> treelets_;
   std::vector<TriangleBlock> blocks_;
