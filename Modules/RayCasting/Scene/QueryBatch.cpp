@@ -37,9 +37,14 @@ void Scene::QueryBatch::add(std::uint32_t ray, std::uint32_t object)
   jobs_.push_back({ ray, object, nullptr, nullptr, best_[ray].distance });
 }
 
-void Scene::QueryBatch::add(std::uint32_t ray, const MixedTree& mixed)
+void Scene::QueryBatch::add(
+  const MixedTree& mixed, std::uint32_t first, std::uint32_t end, const Order& order)
 {
-  jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
+  for (std::uint32_t place = first; place < end; ++place)
+  {
+    const std::uint32_t ray = rayAt(order, place);
+    jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
+  }
 }
 
 void Scene::QueryBatch::runIfMany()
@@ -50,26 +55,42 @@ void Scene::QueryBatch::runIfMany()
   }
 }
 
-bool Scene::QueryBatch::addGroup(std::uint32_t ray, const Group& group)
+void Scene::QueryBatch::addGroup(
+  const Group& group, std::uint32_t first, std::uint32_t end, const Order& order, Order* alone)
 {
-  const std::size_t before = jobs_.size();
-  if (group.flattened)
+  const std::size_t bodies = group.bodies.isEmpty() ? group.instanced.size() : 0;
+  std::uint32_t rays[BallLanes::kSize];
+  BallLanes lanes;
+  for (std::uint32_t place = first; place < end; ++place)
   {
-    add(ray, *group.flattened);
+    rays[place - first] = rayAt(order, place);
+    lanes.set(place - first, rays_[rays[place - first]]);
   }
-  if (group.bodies.isEmpty() && !group.instanced.empty())
+  passing_.resize(bodies);
+  for (std::size_t body = 0; body < bodies; ++body)
   {
-    for (const std::uint32_t index : group.instanced)
+    passing_[body] = lanes.passing(scene_.placed_[group.instanced[body]].ball);
+  }
+  for (unsigned lane = 0; lane < end - first; ++lane)
+  {
+    const std::uint32_t ray = rays[lane];
+    const std::size_t before = jobs_.size();
+    if (group.flattened)
     {
-      const Placed& placed = scene_.placed_[index];
-      if (passesBall(placed, rays_[ray]) &&
-        scene_.mayTouch(placed, rays_[ray], best_[ray].distance))
+      jobs_.push_back({ ray, 0, group.flattened.get(), nullptr, best_[ray].distance });
+    }
+    for (std::size_t body = 0; body < bodies; ++body)
+    {
+      if ((passing_[body] >> lane & 1) != 0)
       {
-        add(ray, index + 1);
+        enter(ray, group.instanced[body]);
       }
     }
+    if (alone)
+    {
+      jobs_.size() > before ? add(ray, 0) : alone->push_back(ray);
+    }
   }
-  return jobs_.size() > before;
 }
 
 void Scene::QueryBatch::run()
@@ -128,8 +149,8 @@ std::size_t Scene::QueryBatch::next(QueryRequest* requests, std::size_t most)
     }
     else
     {
+      job.ray = rayAt(*order_, next_);
       job.bound = best_[job.ray].distance;
-      prefetchAhead(*order_, next_);
     }
     request(job, requests[i]);
     requests[i].job = next_;
@@ -138,17 +159,22 @@ std::size_t Scene::QueryBatch::next(QueryRequest* requests, std::size_t most)
   return count;
 }
 
-void Scene::QueryBatch::prefetchAhead(const Order& order, std::size_t number) const
+std::uint32_t Scene::QueryBatch::rayAt(const Order& order, std::size_t place) const
 {
   constexpr std::size_t kAhead = 32;
-  if (number + kAhead < order.size())
+  if (order.empty())
   {
-    const std::uint32_t soon = order[number + kAhead];
+    return static_cast<std::uint32_t>(place);
+  }
+  if (place + kAhead < order.size())
+  {
+    const std::uint32_t soon = order[place + kAhead];
     const auto* ray = reinterpret_cast<const char*>(rays_ + soon);
     prefetchLine(ray);
     prefetchLine(ray + sizeof(Ray) - 1);
     prefetchLine(best_ + soon);
   }
+  return order[place];
 }
 
 void Scene::QueryBatch::request(const Job& job, QueryRequest& request) const
@@ -195,7 +221,7 @@ void Scene::QueryBatch::finish(
     {
       if (std::find(references, references + i, references[i]) == references + i)
       {
-        enter(job.ray, references[i]);
+        enter(job.ray, group_->instanced[references[i]]);
       }
     }
     return;
@@ -212,9 +238,8 @@ void Scene::QueryBatch::finish(
   }
 }
 
-void Scene::QueryBatch::enter(std::uint32_t ray, std::uint32_t reference)
+void Scene::QueryBatch::enter(std::uint32_t ray, std::uint32_t index)
 {
-  const std::uint32_t index = group_->instanced[reference];
   if (scene_.mayTouch(scene_.placed_[index], rays_[ray], best_[ray].distance))
   {
     add(ray, index + 1);
@@ -263,7 +288,7 @@ void Scene::QueryBatch::test(TreeQuery& query, std::uint32_t reference)
   const Job job = jobOf(query.job);
   if (group_)
   {
-    enter(job.ray, reference);
+    enter(job.ray, group_->instanced[reference]);
     return;
   }
   const TriangleId id = idOf(job, reference);

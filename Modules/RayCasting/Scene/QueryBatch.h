@@ -23,20 +23,18 @@ public:
   /// before `from[i]`, in units of its direction, if `from` is given.
   QueryBatch(const Scene& scene, const Ray* rays, Hit* best, const double* from = nullptr);
 
-  /// Adds a search of the ray in the tree of an object.
-  void add(std::uint32_t ray, std::uint32_t object);
-  void add(std::uint32_t ray, const MixedTree& mixed);
+  /// Adds searches of the rays at places from `first` to `end` of the order.
+  void add(const MixedTree& mixed, std::uint32_t first, std::uint32_t end, const Order& order);
+  /// Adds those rays, eight at most, to all trees of the group that they may touch, except those
+  /// behind the tree over bodies. If `alone` is given, they are added to the static tree as well,
+  /// except those that touch nothing, which are appended to it.
+  void addGroup(
+    const Group& group, std::uint32_t first, std::uint32_t end, const Order& order, Order* alone);
   /// Searches all rays in the static tree.
   void runAllStatic(std::uint32_t count, const Order& order);
   /// Searches all rays in the tree over the bodies of the group, then in the trees of the bodies that
   /// they may touch.
   void runAllBodies(const Group& group, std::uint32_t count, const Order& order);
-  /// Adds the ray to all trees of the group that it may touch, except those behind the tree over
-  /// bodies; false if there are none.
-  bool addGroup(std::uint32_t ray, const Group& group);
-  /// Prefetches the ray some places after `number`: where rays are taken out of order, the hardware
-  /// does not guess which come next.
-  void prefetchAhead(const Order& order, std::size_t number) const;
   /// Runs what was added.
   void run();
   /// Runs what was added once it is many. Call it only between rays.
@@ -70,10 +68,15 @@ private:
     return isForAll_ ? Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 }
                      : jobs_[number];
   }
+  /// The ray at a place of the order. Prefetches that some places after it: where rays are taken out
+  /// of order, the hardware does not guess which come next.
+  std::uint32_t rayAt(const Order& order, std::size_t place) const;
+  /// Adds a search of the ray in the tree of an object.
+  void add(std::uint32_t ray, std::uint32_t object);
   void request(const Job& job, QueryRequest& request) const;
   void runAll(std::uint32_t first, std::uint32_t end, const Order& order);
-  /// Adds the search in the tree of a body, unless the ray misses its ellipsoid.
-  void enter(std::uint32_t ray, std::uint32_t reference);
+  /// Adds the search in the tree of a placed body, unless the ray misses its ellipsoid.
+  void enter(std::uint32_t ray, std::uint32_t index);
   TriangleId idOf(const Job& job, std::uint32_t reference) const
   {
     return job.mixed ? job.mixed->ids[reference] : TriangleId{ job.object, reference };
@@ -96,6 +99,7 @@ private:
   const Group* group_ = nullptr; ///< whose bodies are searched; null otherwise
   const Order* order_ = nullptr; ///< of all rays; may be empty
   std::uint32_t next_ = 0, end_ = 0;
+  std::vector<unsigned> passing_; ///< by body, the rays that pass its ball, one bit each
   std::size_t pendingCount_ = 0, confirmed_ = 0;
   std::array<PendingHit, kMostPending> pendingHits_;
   IntersectionLanes lanes_;

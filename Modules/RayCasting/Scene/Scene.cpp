@@ -5,6 +5,7 @@
 #include "Scene/RayOrder.h"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <numeric>
@@ -16,14 +17,37 @@ namespace irradiance
 namespace
 {
 
-/// Fewer instanced objects than this are tried one after the other.
-constexpr std::size_t kManyObjects = 4;
-
 /// The error of a world position taken to model space and back: a few ulps times the condition of
 /// the map. 2^-44 leaves room for sums of a few hundred such errors.
 double roundTripError(const AffineMap& map, double condition, double magnitude)
 {
   return 0x1p-44 * condition * (magnitude + map.translation.cwiseAbs().maxCoeff());
+}
+
+/// Fewer instanced objects than this are tried one after the other.
+constexpr std::size_t kManyObjects = 4;
+
+/// That around the ellipsoid or that around its box, whichever is smaller.
+Ball ballAround(const EllipsoidBound& bound)
+{
+  const Box& box = bound.worldBox();
+  if (box.isEmpty())
+  {
+    return { Vector3::Zero(), 0 };
+  }
+  // Pays for all rounding, which is far below the widening of the bound.
+  constexpr double kWider = 1 + 0x1p-20;
+  const Ball aroundBox{ box.center(), 0.25 * box.extent().squaredNorm() * kWider };
+  const EllipsoidBound::Ball round = bound.ball();
+  constexpr double kVanished = 0x1p-10; // about 1 unless numbers are too small to be squared
+  if (round.radius < kVanished)
+  {
+    return aroundBox;
+  }
+  const Vector3 stretches = Eigen::JacobiSVD<Matrix3>(round.roundFromWorld).singularValues();
+  const double longest = round.radius / stretches[2];
+  const Ball aroundEllipsoid{ round.center, longest * longest * kWider };
+  return aroundEllipsoid.squaredRadius < aroundBox.squaredRadius ? aroundEllipsoid : aroundBox;
 }
 
 double conditionOf(const Matrix3& linear, const Matrix3& inverse)
@@ -83,11 +107,7 @@ void Scene::place(double magnitude)
     const double slack = tree.slack() / tree.frame().scale * linear.norm() * condition;
     const EllipsoidBound bound(
       object.body->ellipsoid(), object.body->mesh().bounds(), object.worldFromObject, error);
-    const Box& box = bound.worldBox();
-    // The factor pays for the rounding in mayTouch(), which is far below the widening of the box.
-    placed_.push_back({ object, inverse, condition, error, slack, bound,
-      box.isEmpty() ? Vector3::Zero() : box.center(),
-      box.isEmpty() ? 0.0 : 0.25 * box.extent().squaredNorm() * (1 + 0x1p-20) });
+    placed_.push_back({ object, inverse, condition, error, slack, bound, ballAround(bound) });
   }
 }
 
@@ -189,9 +209,9 @@ bool Scene::mayTouch(const Placed& placed, const Ray& ray, double distance) cons
   const double squaredLength = ray.direction.squaredNorm();
   const double end =
     distance < kInfinity ? distance + placed.slack / std::sqrt(squaredLength) : reachOf(ray);
-  const Vector3 toCenter = placed.ballCenter - ray.origin;
+  const Vector3 toCenter = placed.ball.center - ray.origin;
   const double nearest = std::min(std::max(toCenter.dot(ray.direction) / squaredLength, 0.0), end);
-  if ((toCenter - nearest * ray.direction).squaredNorm() > placed.ballSquaredRadius)
+  if ((toCenter - nearest * ray.direction).squaredNorm() > placed.ball.squaredRadius)
   {
     return false;
   }
@@ -228,10 +248,10 @@ void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hi
   const std::vector<std::uint32_t> order = orderOf(rays, count);
   QueryBatch batch(*this, rays, best);
   const bool isAllBehindBodies = !group.flattened && !group.bodies.isEmpty();
-  for (std::uint32_t i = 0; i < count && !isAllBehindBodies; ++i)
+  const auto end = static_cast<std::uint32_t>(isAllBehindBodies ? 0 : count);
+  for (std::uint32_t first = 0; first < end; first += BallLanes::kSize)
   {
-    batch.prefetchAhead(order, i);
-    batch.addGroup(order.empty() ? i : order[i], group);
+    batch.addGroup(group, first, std::min(first + BallLanes::kSize, end), order, nullptr);
     batch.runIfMany();
   }
   batch.run();
@@ -262,22 +282,12 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
   const std::vector<std::uint32_t> order = orderOf(rays, count);
   QueryBatch batch(*this, rays, hits);
   std::vector<std::uint32_t> alone; // rays that touch nothing dynamic
-  for (std::uint32_t n = 0; n < count; ++n)
+  const auto end = static_cast<std::uint32_t>(count);
+  for (std::uint32_t first = 0; first < end; first += BallLanes::kSize)
   {
-    const std::uint32_t i = order.empty() ? n : order[n];
-    batch.prefetchAhead(order, n);
-    if (mode_ == TraversalMode::OneTree)
-    {
-      batch.add(i, oneTree_);
-    }
-    else if (batch.addGroup(i, dynamic_))
-    {
-      batch.add(i, 0);
-    }
-    else
-    {
-      alone.push_back(i);
-    }
+    const std::uint32_t next = std::min(first + BallLanes::kSize, end);
+    mode_ == TraversalMode::OneTree ? batch.add(oneTree_, first, next, order)
+                                    : batch.addGroup(dynamic_, first, next, order, &alone);
     batch.runIfMany();
   }
   batch.run();

@@ -6,6 +6,7 @@
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
 #include "Meshes/SurfacePoint.h"
+#include "Scene/BallLanes.h"
 #include "Scene/PlacedBody.h"
 
 #include <memory>
@@ -91,8 +92,7 @@ private:
     double roundTrip; ///< error of a world position taken to model space and back, world units
     double slack;     ///< in world units: a hit may be this much closer than its triangle
     EllipsoidBound bound;
-    Vector3 ballCenter; ///< of a ball around the bound's box; most segments miss it
-    double ballSquaredRadius;
+    Ball ball; ///< around the bound; most segments miss it
   };
 
   /// Triangles of several objects in one tree, in world space.
@@ -148,18 +148,6 @@ private:
   }
   /// By the test in double; false if the ray misses the triangle.
   bool intersects(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
-  /// Whether the ray passes the ball around an object's bound, wherever it ends. Most do not.
-  static bool passesBall(const Placed& placed, const Ray& ray)
-  {
-    const Vector3 toCenter = placed.ballCenter - ray.origin;
-    const double along = toCenter.dot(ray.direction);
-    const double distance = toCenter.squaredNorm(), length = ray.direction.squaredNorm();
-    // By Pythagoras, times the length: without a division or a root, but with cancellation.
-    const double ahead = along > 0 ? along * along : 0.0;
-    return !(
-      distance * length - ahead > (placed.ballSquaredRadius + kCancelled * distance) * length);
-  }
-  static constexpr double kCancelled = 0x1p-48; ///< some ten roundings, each of 2^-53
   /// No geometry is farther from the ray's origin than this, in units of its direction.
   double reachOf(const Ray& ray) const;
   /// False if the ray certainly misses the object up to a hit at `distance`, which may be infinite.
