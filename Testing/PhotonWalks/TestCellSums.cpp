@@ -24,7 +24,7 @@ SceneObjects quadAndBox(int bands)
 void add(CellSums& sums, const TriangleId& id, bool isFront, const Power& power, int sign)
 {
   std::vector<Deposit> deposits;
-  sums.collect(0, id.object, sums.cellOf(id), isFront, power, sign, deposits);
+  sums.collect(sums.slotOf(0, id.object, sums.cellOf(id)), isFront, power, sign, deposits);
   sums.add(deposits);
 }
 

@@ -30,7 +30,7 @@ SceneObjects strip(const std::vector<double>& widths, int bands = 1)
 void add(CellSums& sums, std::uint32_t walk, std::uint32_t cell, const Power& quanta)
 {
   std::vector<Deposit> deposits;
-  sums.collect(walk, 0, cell, true, quanta, 1, deposits);
+  sums.collect(sums.slotOf(walk, 0, cell), true, quanta, 1, deposits);
   sums.add(deposits);
 }
 
@@ -72,7 +72,7 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
       for (std::uint32_t walk = 0; walk < walks; ++walk)
       {
         const std::int64_t quanta = kPhoton / 4 * static_cast<std::int64_t>(3 + random() % 2);
-        sums.collect(walk, 0, 0, true, { { quanta, 0, 0 } }, 1, deposits);
+        sums.collect(sums.slotOf(walk, 0, 0), true, { { quanta, 0, 0 } }, 1, deposits);
       }
       sums.add(deposits);
       // Photons of one quantum keep the error's lower bound out of the way.

@@ -140,7 +140,7 @@ void StaleWalks::tally(const WalkBlock& walks, const StaleMark& mark, std::uint3
     if (hit)
     {
       constexpr std::uint32_t kAny = 0; // these sums do not depend on the walk
-      sums_.collect(kAny, hit.id.object, sums_.cellOf(hit.id), walks.isFront(walk, i),
+      sums_.collect(sums_.slotOf(kAny, hit.id.object, sums_.cellOf(hit.id)), walks.isFront(walk, i),
         walks.power(walk, i), sign, deposits);
     }
   }

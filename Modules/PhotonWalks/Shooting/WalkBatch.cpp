@@ -115,6 +115,7 @@ void WalkBatch::findCells(std::size_t first, WalkTally& tally)
   const WalkRules& rules = shooter_.rules();
   const std::size_t end = hits_.size();
   cells_.resize(end - first);
+  slots_.resize(end - first);
   for (std::size_t i = first; i < std::min(first + kAhead, end); ++i)
   {
     rules.prefetchTriangle(hits_[i]);
@@ -129,7 +130,8 @@ void WalkBatch::findCells(std::size_t first, WalkTally& tally)
     {
       cells_[i - first] = rules.cellOf(hits_[i].id);
       rules.prefetchCell(hits_[i]);
-      tally.prefetch(walks_[i], hits_[i].id.object, cells_[i - first]);
+      slots_[i - first] = tally.slotOf(walks_[i], hits_[i].id.object, cells_[i - first]);
+      tally.prefetch(slots_[i - first]);
     }
   }
 }
@@ -150,8 +152,7 @@ void WalkBatch::receive(std::size_t first, WalkTally& tally)
   {
     if (hits_[i])
     {
-      tally.receive(
-        walks_[i], hits_[i].id.object, cells_[i - first], isFront(i - first), powerOf(i));
+      tally.receive(slots_[i - first], isFront(i - first), powerOf(i));
     }
     else
     {
@@ -163,7 +164,15 @@ void WalkBatch::receive(std::size_t first, WalkTally& tally)
 /// Keeps what will be stored of the segments. Their sides follow when the walks leave.
 void WalkBatch::record(std::size_t first)
 {
-  std::size_t next = 0; // survivor
+  const std::size_t count = hits_.size() - first;
+  isSurvivor_.assign(count, 0);
+  for (const std::uint32_t survivor : survivors_)
+  {
+    isSurvivor_[survivor - first] = 1;
+  }
+  const std::size_t firstEnd = ends_.size();
+  ends_.resize(firstEnd + count);
+  std::size_t ends = firstEnd;
   for (std::size_t i = first; i < hits_.size(); ++i)
   {
     const Ray& ray = rays_[i];
@@ -172,17 +181,16 @@ void WalkBatch::record(std::size_t first)
     pieces_.push_back({ tailOf_[i],
       { storedPoint(*frame_, ray.origin), hit.id, hit.weights, isFront(i - first),
         shooter_.isContact(ray.start, hit.id) } });
-    if (!powers_.empty())
-    {
-      piecePowers_.push_back(powers_[i]);
-    }
-    if (next < survivors_.size() && survivors_[next] == i)
-    {
-      ++next;
-      continue;
-    }
+    // Written for all, counted for those that end: which do is unpredictable.
     const double length = hit ? hit.distance : WalkBlock::kFar / frame_->scale;
-    ends_.push_back({ tailOf_[i], storedPoint(*frame_, ray.origin + length * ray.direction) });
+    ends_[ends] = { tailOf_[i], storedPoint(*frame_, ray.origin + length * ray.direction) };
+    ends += isSurvivor_[i - first] != 0 ? 0 : 1;
+  }
+  ends_.resize(ends);
+  if (!powers_.empty())
+  {
+    piecePowers_.insert(
+      piecePowers_.end(), powers_.begin() + static_cast<std::ptrdiff_t>(first), powers_.end());
   }
 }
 

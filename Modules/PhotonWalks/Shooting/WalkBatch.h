@@ -98,9 +98,11 @@ private:
   std::vector<Hit> hits_;
   // Of the walks of this bounce, by place - first.
   std::vector<std::uint32_t> cells_;
+  std::vector<std::size_t> slots_; ///< where the tally adds their photons
   std::vector<double> probabilities_;
   std::vector<char> isFront_; ///< empty if sides are not kept apart
   std::vector<std::uint32_t> survivors_;
+  std::vector<char> isSurvivor_;
 
   bool areHitsKnown_ = false;
   std::uint32_t rounds_ = 0;

@@ -38,7 +38,7 @@ public:
   /// Whether the hit of a segment may depend on dynamic objects that touch its ends.
   bool isContact(const TriangleId& start, const TriangleId& hit) const
   {
-    return contacts_ && (contacts_->hasDynamic(start) || contacts_->hasDynamic(hit));
+    return hasContacts() && (contacts_->hasDynamic(start) || contacts_->hasDynamic(hit));
   }
   bool hasContacts() const { return contacts_ && !contacts_->isEmpty(); }
   /// Whether other triangles coincide with this one.

@@ -42,20 +42,22 @@ public:
   std::size_t rounds() const { return rounds_; }
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 
-  /// Prefetches the sum that add() will change.
-  void prefetch(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
+  /// Where the photons of a walk on the front of a cell are added.
+  std::size_t slotOf(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
   {
-    prefetchLine(sums_.data() + slot(groupOf(walk), object, cell, 0));
+    return slot(groupOf(walk), object, cell, 0);
   }
+  /// Prefetches the sum that add() will change.
+  void prefetch(std::size_t slot) const { prefetchLine(sums_.data() + slot); }
   std::uint32_t cellOf(const TriangleId& id) const
   {
     return materials_[id.object]->cellOfTriangle[id.triangle];
   }
-  /// Appends the deposits of a photon. `sign`: 1 to add it, -1 to remove it.
-  void collect(std::uint32_t walk, std::uint32_t object, std::uint32_t cell, bool isFront,
-    const Power& power, int sign, std::vector<Deposit>& deposits) const
+  /// Appends the deposits of a photon on a cell with this slot. `sign`: 1 to add it, -1 to remove it.
+  void collect(std::size_t slot, bool isFront, const Power& power, int sign,
+    std::vector<Deposit>& deposits) const
   {
-    const std::size_t first = slot(groupOf(walk), object, cell, sides_ == 2 && !isFront ? 1 : 0);
+    const std::size_t first = slot + (sides_ == 2 && !isFront ? sideSize() : 0);
     for (int band = 0; band < bands_; ++band)
     {
       deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
@@ -85,8 +87,13 @@ private:
   {
     const std::size_t part = (firstCell_[object] + cell) * static_cast<std::size_t>(sides_) +
       static_cast<std::size_t>(side);
-    return group.round * roundSize_ +
-      (part * plan_.replicates().count() + group.replicate) * static_cast<std::size_t>(bands_);
+    return group.round * roundSize_ + part * sideSize() +
+      group.replicate * static_cast<std::size_t>(bands_);
+  }
+  /// Sums of one side of a cell.
+  std::size_t sideSize() const
+  {
+    return plan_.replicates().count() * static_cast<std::size_t>(bands_);
   }
 
   WalkPlan plan_;

@@ -21,8 +21,8 @@ void WalkTally::remove(
     const Power outgoing = i + 1 < size ? block.power(walkInBlock, i + 1) : Power{};
     balance_.absorbed -= incoming - outgoing;
     balance_.received -= incoming.total();
-    sums_.collect(walk, hit.id.object, sums_.cellOf(hit.id), block.isFront(walkInBlock, i),
-      incoming, -1, deposits_);
+    sums_.collect(sums_.slotOf(walk, hit.id.object, sums_.cellOf(hit.id)),
+      block.isFront(walkInBlock, i), incoming, -1, deposits_);
   }
 }
 

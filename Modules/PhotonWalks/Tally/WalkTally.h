@@ -24,14 +24,20 @@ public:
   WalkTally& operator=(const WalkTally&) = delete;
 
   int sides() const { return sums_.sides(); }
-  /// A photon of a walk arrives at a cell.
-  void receive(
-    std::uint32_t walk, std::uint32_t object, std::uint32_t cell, bool isFront, const Power& power)
+  /// Where the photons of a walk on a cell are tallied.
+  std::size_t slotOf(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
+  {
+    return sums_.slotOf(walk, object, cell);
+  }
+  /// Prefetches the sum that a photon will change.
+  void prefetch(std::size_t slot) const { sums_.prefetch(slot); }
+  /// A photon arrives.
+  void receive(std::size_t slot, bool isFront, const Power& power)
   {
     ++balance_.segments;
     balance_.received += power.total();
     balance_.absorbed += power;
-    sums_.collect(walk, object, cell, isFront, power, 1, deposits_);
+    sums_.collect(slot, isFront, power, 1, deposits_);
   }
   void escape(const Power& power)
   {
@@ -42,11 +48,6 @@ public:
   void release(const Power& power) { balance_.absorbed -= power; }
   /// Drops what was tallied for the cells; the caller drops the balance.
   void discard() { deposits_.clear(); }
-  /// Prefetches the sum that a photon will change.
-  void prefetch(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
-  {
-    sums_.prefetch(walk, object, cell);
-  }
   void check() const { checkReceived(balance_); }
   /// Subtracts the segments of a stored walk from `firstBounce` on.
   void remove(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,

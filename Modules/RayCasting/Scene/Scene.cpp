@@ -37,7 +37,7 @@ Ball ballAround(const EllipsoidBound& bound)
   }
   // Pays for all rounding, which is far below the widening of the bound.
   constexpr double kWider = 1 + 0x1p-20;
-  const Ball aroundBox{ box.center(), 0.25 * box.extent().squaredNorm() * kWider };
+  Ball aroundBox{ box.center(), 0.25 * box.extent().squaredNorm() * kWider };
   const EllipsoidBound::Ball round = bound.ball();
   constexpr double kVanished = 0x1p-10; // about 1 unless numbers are too small to be squared
   if (round.radius < kVanished)
