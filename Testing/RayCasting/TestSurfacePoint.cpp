@@ -173,7 +173,8 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
   }
 }
 
-// Law: no point is farther off than verification assumes, not even on the slenderest triangles.
+// Law: no point is farther off than verification assumes, not even on the slenderest triangles. The
+// weights are rounded as those of a hit are.
 TEST_P(SpawnedRays, BeginWithinTheClearance)
 {
   constexpr unsigned kSeed = 7;
@@ -187,7 +188,9 @@ TEST_P(SpawnedRays, BeginWithinTheClearance)
     const Triangle& triangle = mesh[random.engine() % mesh.size()];
     const Vector3 weights = randomWeights(random);
     const Vector3 hit = weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
-    farthest = std::max(farthest, (surfacePoint(triangle, weights).clearPosition() - hit).norm());
+    const Hit stored{ 0, {}, { static_cast<float>(weights[1]), static_cast<float>(weights[2]) } };
+    farthest =
+      std::max(farthest, (surfacePoint(triangle, weightsOf(stored)).clearPosition() - hit).norm());
   }
   EXPECT_LE(farthest, bound * (1 + 0x1p-20));
   EXPECT_GT(farthest, 0.001 * bound); // the bound is not absurdly large
