@@ -5,7 +5,7 @@
 #
 #   run.sh [--quick] [performance | accuracy]
 #
-#   performance   Performance.md alone; half an hour
+#   performance   Performance.md alone; a quarter of an hour
 #   accuracy      SpeedAndAccuracy.md alone; six minutes
 #   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
 set -euo pipefail
@@ -76,8 +76,9 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkSigns "" "100"
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
   measure BenchmarkShooting "" "20000 2"
+  measure BenchmarkFrameProfile "" "20000 2"
   measure BenchmarkRepairBudget "" "20000 2"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,RepairBudget}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"
