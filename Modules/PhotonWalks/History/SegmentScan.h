@@ -37,7 +37,7 @@ public:
 
 private:
   /// To test more bodies costs more than a ray through the trees over them.
-  static constexpr std::size_t kMostBodies = 512;
+  static constexpr std::size_t kMostBodies = 128;
   /// Escaped segments end beyond everything within this reach, see WalkBlock::kFar.
   static constexpr double kLargestReach = 0x1p22;
 

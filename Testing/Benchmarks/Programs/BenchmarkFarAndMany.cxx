@@ -167,7 +167,7 @@ void timeFarThings(const EngineSettings& settings, int frames)
 void timeManyThings(const EngineSettings& settings, int frames)
 {
   Cases cases;
-  for (const std::size_t count : { 1, 8, 9, 64, 65, 200, 512, 513, 1000 })
+  for (const std::size_t count : { 1, 8, 9, 64, 128, 129, 200, 500, 1000 })
   {
     addManyCase(cases, count, settings);
   }
