@@ -126,14 +126,8 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
 /// The old hit is not on a moved object. It is valid unless a moved object came in front of it.
 void WalkVerifier::castBlocked(Candidates& candidates) const
 {
-  for (std::size_t i = 0; i < candidates.rays.size(); ++i)
-  {
-    Hit& old = candidates.old[i];
-    if (old)
-    {
-      old.distance = shooter_.scene().distanceTo(candidates.rays[i], old.id);
-    }
-  }
+  shooter_.scene().findDistances(
+    candidates.rays.data(), candidates.rays.size(), candidates.old.data());
   candidates.now = candidates.old;
   shooter_.scene().castMoved(candidates.rays.data(), candidates.rays.size(), candidates.now.data());
   for (std::size_t i = 0; i < candidates.rays.size(); ++i)

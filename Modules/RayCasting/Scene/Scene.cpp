@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
+#include "Kernels/IntersectionLanes.h"
 #include "Scene/QueryBatch.h"
 #include "Scene/RayOrder.h"
 
@@ -316,6 +317,41 @@ double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
   double distance = kInfinity;
   intersects(ray, id, distance, nullptr);
   return distance;
+}
+
+void Scene::findDistances(const Ray* rays, std::size_t count, Hit* hits) const
+{
+  constexpr std::size_t kAhead = 16;
+  IntersectionLanes lanes;
+  std::array<Hit*, IntersectionLanes::kSize> found;
+  unsigned waiting = 0;
+  const auto finish = [&] {
+    intersectAll(lanes);
+    for (unsigned lane = 0; lane < waiting; ++lane)
+    {
+      found[lane]->distance = lanes.distance[lane] > 0 ? lanes.distance[lane] : kInfinity;
+    }
+    waiting = 0;
+  };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i + kAhead < count && hits[i + kAhead])
+    {
+      const TriangleId& soon = hits[i + kAhead].id;
+      bodyOf(soon.object).mesh().prefetch(soon.triangle);
+    }
+    if (hits[i])
+    {
+      const LocalRay local = localRay(rays[i], hits[i].id.object);
+      lanes.set(waiting, local.origin, local.direction, localTriangle(hits[i].id));
+      found[waiting] = hits + i;
+      if (++waiting == IntersectionLanes::kSize)
+      {
+        finish();
+      }
+    }
+  }
+  finish();
 }
 
 /// A map makes triangles slenderer by at most its condition squared: edges grow by at most the

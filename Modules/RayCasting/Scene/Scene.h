@@ -75,6 +75,9 @@ public:
   Hit hitOf(const Ray& ray, const TriangleId& id) const;
   /// The distance at which a ray hits this triangle; infinite if it misses.
   double distanceTo(const Ray& ray, const TriangleId& id) const;
+  /// Sets the distances of hits to those at which their rays hit these triangles, many side by side.
+  /// Rays that hit nothing keep theirs.
+  void findDistances(const Ray* rays, std::size_t count, Hit* hits) const;
 
   /// No walk continues farther than this from where it hit, in world units (see SurfacePoint).
   double clearance() const;
