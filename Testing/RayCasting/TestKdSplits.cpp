@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
+#include <utility>
 
-// Every split is the cheapest by the heuristic, in spite of the search's shortcuts.
+// Every split is the cheapest by the heuristic, in spite of the search's shortcuts, or cuts off a
+// sheet where to cut off all sheets is cheaper.
 
 namespace irradiance
 {
@@ -81,6 +84,78 @@ double costOfBestSplit(const std::vector<Box>& boxes, const Box& cell, const KdT
   return best;
 }
 
+/// The boxes that lie flat in the faces of their hull, a list for each face, and last all others.
+std::array<std::vector<Box>, 7> sheetsOf(const std::vector<Box>& boxes)
+{
+  Box hull;
+  for (const Box& box : boxes)
+  {
+    hull.add(box);
+  }
+  std::array<std::vector<Box>, 7> sheets;
+  for (const Box& box : boxes)
+  {
+    std::size_t face = 0;
+    for (; face < 6; ++face)
+    {
+      const auto axis = static_cast<int>(face / 2);
+      const double place = (face % 2 == 0 ? hull.lower : hull.upper)[axis];
+      if (box.lower[axis] == place && box.upper[axis] == place)
+      {
+        break;
+      }
+    }
+    sheets[face].push_back(box);
+  }
+  return sheets;
+}
+
+/// The heuristic if a plane cuts off each sheet; infinite if there are none, or one is all.
+double costOfCuttingSheets(
+  const std::vector<Box>& boxes, const Box& cell, const KdTreeBuilder& builder)
+{
+  const std::array<std::vector<Box>, 7> sheets = sheetsOf(boxes);
+  double cost = sheets[6].empty() ? 0 : -builder.traversalCost;
+  int parts = 0;
+  for (const std::vector<Box>& part : sheets)
+  {
+    Box hull;
+    for (const Box& box : part)
+    {
+      hull.add(box);
+    }
+    if (!part.empty())
+    {
+      const int blocks =
+        (static_cast<int>(part.size()) + builder.blockSize - 1) / builder.blockSize;
+      cost +=
+        builder.traversalCost + builder.intersectionCost * areaOf(hull) / areaOf(cell) * blocks;
+      ++parts;
+    }
+  }
+  return parts < 2 ? kInfinity : cost;
+}
+
+/// The planes, each by axis and place, that cut off a sheet.
+std::set<std::pair<int, double>> planesOfSheets(const std::vector<Box>& boxes, const Box& cell)
+{
+  const std::array<std::vector<Box>, 7> sheets = sheetsOf(boxes);
+  std::set<std::pair<int, double>> planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const std::size_t side : { std::size_t{ 0 }, std::size_t{ 1 } })
+    {
+      const std::vector<Box>& sheet = sheets[2 * static_cast<std::size_t>(axis) + side];
+      if (!sheet.empty() && sheet[0].lower[axis] > cell.lower[axis] &&
+        sheet[0].lower[axis] < cell.upper[axis])
+      {
+        planes.insert({ axis, sheet[0].lower[axis] });
+      }
+    }
+  }
+  return planes;
+}
+
 /// Boxes in clusters, some of them flat. Their corners are floats, so that planes are exactly where
 /// they begin and end; on a coarse grid many lie in one plane.
 std::vector<KdPrimitive> randomBoxes(int count, double grid, RandomVectors& random)
@@ -120,8 +195,10 @@ std::set<std::uint32_t> primitivesBelow(const KdTree& tree, const KdNode& node)
   return all;
 }
 
-void expectBestSplits(const std::vector<KdPrimitive>& primitives, int blockSize)
+/// Returns how often a sheet was cut off.
+int expectBestSplits(const std::vector<KdPrimitive>& primitives, int blockSize)
 {
+  int sheetsCut = 0;
   const KdTreeBuilder builder = builderFor(blockSize);
   const KdTree tree = builder.build(primitives);
   walk(tree, [&](const KdNode& node, const Box& cell, int depth) {
@@ -139,24 +216,37 @@ void expectBestSplits(const std::vector<KdPrimitive>& primitives, int blockSize)
     const double found = node.isLeaf() ? builder.intersectionCost * blocks
                                        : costOfSplit(boxes, cell, node.axis(), node.plane, builder);
     const double best = costOfBestSplit(boxes, cell, builder);
+    const double leaf = builder.intersectionCost * blocks;
+    const std::set<std::pair<int, double>> planes = planesOfSheets(boxes, cell);
+    if (static_cast<int>(boxes.size()) > blockSize && !planes.empty() &&
+      costOfCuttingSheets(boxes, cell, builder) < std::min(best, leaf) * (1 - 1e-5))
+    {
+      EXPECT_TRUE(!node.isLeaf() && planes.count({ node.axis(), node.plane }) > 0)
+        << boxes.size() << " boxes";
+      ++sheetsCut;
+      return;
+    }
     EXPECT_LE(found, best * (1 + 1e-9)) << boxes.size() << " boxes, block size " << blockSize;
   });
+  return sheetsCut;
 }
 
 TEST(KdTreeBuilder, SplitsAtTheCheapestPlane)
 {
   constexpr unsigned kSeed = 2;
   RandomVectors random(kSeed);
+  int sheetsCut = 0;
   for (const int count : { 2, 9, 16, 17, 40, 200, 600 / test::kFewer })
   {
     for (const double grid : { 0.0, 0x1p-4 })
     {
       for (const int blockSize : kBlockSizes)
       {
-        expectBestSplits(randomBoxes(count, grid, random), blockSize);
+        sheetsCut += expectBestSplits(randomBoxes(count, grid, random), blockSize);
       }
     }
   }
+  EXPECT_GT(sheetsCut, 10);
 }
 
 /// Two heaps of `each` unit boxes, separated along x.
@@ -200,6 +290,43 @@ TEST(KdTreeBuilder, CutsOffEmptySpace)
     area += node.isLeaf() && node.count > 0 ? areaOf(cell) : 0;
   });
   EXPECT_LT(area, 20);
+}
+
+/// The walls of a room come off one by one, then what stands in it is alone.
+TEST(KdTreeBuilder, CutsTheWallsOffARoom)
+{
+  const Vector3 size(4, 4, 3);
+  const test::Triangles walls = test::boxOfCells(Vector3::Zero(), size, { 10, 10, 10 });
+  std::vector<KdPrimitive> primitives = test::primitivesOf(walls);
+  primitives.push_back({ Box{ { 1, 1, 1 }, { 1.5, 1.5, 1.5 } } });
+  KdTreeBuilder builder;
+  builder.roundsToNearest = true;
+  const KdTree tree = builder.build(primitives);
+  std::uint32_t node = 0;
+  for (int wall = 0; wall < 6; ++wall)
+  {
+    ASSERT_FALSE(tree.nodes[node].isLeaf());
+    const int axis = tree.nodes[node].axis();
+    const float plane = tree.nodes[node].plane;
+    EXPECT_TRUE(plane == 0 || plane == static_cast<float>(size[axis])) << wall;
+    node = tree.nodes[node].index() + (plane == 0 ? 1 : 0);
+  }
+  EXPECT_EQ(primitivesBelow(tree, tree.nodes[node]), (std::set<std::uint32_t>{ 1200 }));
+  EXPECT_EQ(tree.references.size(), primitives.size());
+}
+
+/// Triangles that meet at a place which is no float are parted by no plane there.
+TEST(KdTreeBuilder, PartsNoCellsOfAGrid)
+{
+  const test::Triangles cells =
+    test::grid(27, 21, [](int i, int j) { return Vector3(0.1 + i / 3.0, 0.2 + j / 7.0, 0.3); });
+  for (const bool isNearest : { true, false })
+  {
+    KdTreeBuilder builder;
+    builder.roundsToNearest = isNearest;
+    const std::size_t references = builder.build(test::primitivesOf(cells)).references.size();
+    EXPECT_EQ(references == cells.size(), isNearest) << references;
+  }
 }
 
 TEST(KdTreeBuilder, PutsFlatItemsWhereTheyCostLess)

@@ -217,6 +217,22 @@ inline Triangles randomSoup(int count, unsigned seed)
   return triangles;
 }
 
+/// Triangles of all sizes that cross each other in the walls of a room, which are not at floats.
+inline Triangles crossedWalls()
+{
+  Triangles all;
+  for (int wall = 0; wall < 6; ++wall)
+  {
+    const double place = (wall % 2 == 0 ? -1 : 1) / (1.2 + wall / 30.0);
+    for (Triangle triangle : scaled(randomSoup(200, 11 + static_cast<unsigned>(wall)), 0.4))
+    {
+      triangle.a[wall / 2] = triangle.b[wall / 2] = triangle.c[wall / 2] = place;
+      all.push_back(triangle);
+    }
+  }
+  return all;
+}
+
 /// A room of small cells with two boxes in it; all walls axis-aligned, the outer ones at the
 /// tree's boundary.
 inline Triangles room()
@@ -400,6 +416,7 @@ inline std::vector<NamedMesh> testMeshes()
     { "flat door", grid(4, 9, [](int i, int j) { return Vector3(0.225 * i, 0.1, 0.23 * j); }) });
   meshes.push_back({ "sheets", coincidentSheets(Matrix3::Identity()) });
   meshes.push_back({ "sheets, turned", coincidentSheets(turn) });
+  meshes.push_back({ "crossed walls", crossedWalls() });
   meshes.push_back({ "dust", dustInRoom() });
   return meshes;
 }

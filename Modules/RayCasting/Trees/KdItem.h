@@ -21,6 +21,18 @@ struct alignas(16) KdItem : KdBounds
     item.primitive = primitive;
     return item;
   }
+  /// The bounds rounded to the nearest floats.
+  static KdItem nearest(std::uint32_t primitive, const Box& bounds)
+  {
+    KdItem item;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      item.lower[axis] = static_cast<float>(bounds.lower[axis]);
+      item.upper[axis] = static_cast<float>(bounds.upper[axis]);
+    }
+    item.primitive = primitive;
+    return item;
+  }
 };
 
 /// The items of a node, contiguous in memory.
@@ -33,6 +45,17 @@ struct KdItems
   const KdItem* end() const { return last; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(last - first); }
 };
+
+/// The bounds of all items together.
+inline KdBounds hullOf(const KdItems& items)
+{
+  KdBounds hull;
+  for (const KdItem& item : items)
+  {
+    hull.add(item);
+  }
+  return hull;
+}
 
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/KdSplitSearch.h"
 
+#include "Trees/KdSheets.h"
+
 #include <algorithm>
 
 namespace irradiance
@@ -42,21 +44,6 @@ double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
   return least;
 }
 
-/// The bounds of all items together.
-KdItem hullOf(const KdItems& items)
-{
-  KdItem hull = *items.begin();
-  for (const KdItem& item : items)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      hull.lower[axis] = std::min(hull.lower[axis], item.lower[axis]);
-      hull.upper[axis] = std::max(hull.upper[axis], item.upper[axis]);
-    }
-  }
-  return hull;
-}
-
 }
 
 KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
@@ -90,7 +77,32 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
   {
     sweep(items, axis, costs[axis], kInfinity, best);
   }
+  cutOffSheets(items, cell, best);
   return best;
+}
+
+/// To cut off one wall of a room pays little, as the rest is as large as before, and so the cheapest
+/// plane halves the room. But without all its walls a room is empty. So if the items include sheets,
+/// items that lie flat in a face of their hull, one is cut off if to cut off all is cheaper.
+void KdSplitSearch::cutOffSheets(const KdItems& items, const Box& cell, KdSplit& best) const
+{
+  const KdSheets sheets(items);
+  if (!sheets.areAny())
+  {
+    return;
+  }
+  const double cost = sheets.costOfCuttingAll(cost_, cell);
+  for (int face = 0; face < KdSheets::kFaces; ++face)
+  {
+    const std::uint32_t count = sheets.count(face), others = items.size() - count;
+    const int axis = face / 2;
+    const float plane = sheets.place(face);
+    if (count > 0 && cost < best.cost && plane > cell.lower[axis] && plane < cell.upper[axis])
+    {
+      const bool isLower = face % 2 == 0;
+      best = { cost, axis, plane, isLower, isLower ? count : others, isLower ? others : count };
+    }
+  }
 }
 
 /// A single block of primitives can gain from nothing else.
@@ -102,7 +114,7 @@ void KdSplitSearch::cutOffEmptySpace(
   {
     return;
   }
-  const KdItem hull = hullOf(items);
+  const KdBounds hull = hullOf(items);
   for (int axis = 0; axis < 3; ++axis)
   {
     const KdAxisCost& cost = costs[axis];

@@ -42,7 +42,8 @@ public:
     for (std::uint32_t i = 0; i < primitives_.size(); ++i)
     {
       pace_.step();
-      const KdItem item = KdItem::of(i, primitives_[i].bounds);
+      const KdItem item = config_.roundsToNearest ? KdItem::nearest(i, primitives_[i].bounds)
+                                                  : KdItem::of(i, primitives_[i].bounds);
       if (!item.isEmpty())
       {
         items_.push_back(item);
@@ -50,8 +51,9 @@ public:
       }
     }
     const Range all{ 0, items_.size() };
-    // Clipping rounds by a few ulps of the coordinates; this is 2^8 ulps.
-    clipError_ = 0x1p-44 * tree_.bounds.magnitude();
+    // Clipping rounds by a few ulps of the coordinates; this is 2^8 ulps. A cell may begin or end
+    // half a float beside a triangle whose bounds were rounded to it.
+    clipError_ = (config_.roundsToNearest ? 0x1p-23 : 0x1p-44) * tree_.bounds.magnitude();
     // Leaves room behind the outermost walls, so that a plane can cut off the empty space inside.
     tree_.bounds.inflate(all.size() == 0 ? 0.0 : 0x1p-10 * tree_.bounds.extent().maxCoeff());
     maxDepth_ = depthFor(all.size());

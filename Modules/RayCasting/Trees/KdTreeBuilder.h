@@ -26,7 +26,11 @@ struct KdTreeBuilder
   double intersectionCost = 3.0; ///< of a block, in the unit of traversalCost
   int blockSize = 8;             ///< primitives tested at a time; 1: each costs the same
   double emptyFactor = 0.9;      ///< reward (<= 1) for cutting off empty space
-  Checkpoint checkpoint;         ///< may be empty
+  /// Rounds bounds to the nearest floats, not outwards. Then triangles that meet at a place across an
+  /// axis still do, and a plane there parts none of them. The boxes that they fill must be widened to
+  /// hold them, by at most one float.
+  bool roundsToNearest = false;
+  Checkpoint checkpoint; ///< may be empty
 
   KdTree build(const std::vector<KdPrimitive>& primitives) const;
 };

@@ -46,12 +46,15 @@ public:
     return tree_.nodes[node].isLeaf() ? packLeaf(tree_.nodes[node]) : packInner(node);
   }
 
-  /// Widens the box of a child, and all below it, where a plane would hide triangles in it.
-  void separate(std::uint32_t child, KdBounds& box)
+  /// Widens the box of a child, and all below it, by at most two floats: to hold its triangles, whose
+  /// bounds the builder rounded to the nearest floats, and where a plane would hide them.
+  void widen(std::uint32_t child, KdBounds& box)
   {
     if ((child & Treelet::kLeaf) != 0)
     {
-      return separateLeaf(target_.blocks_.data() + (child & ~Treelet::kLeaf), box);
+      const TriangleBlock* block = target_.blocks_.data() + (child & ~Treelet::kLeaf);
+      holdTriangles(block, box);
+      return separate(block, box);
     }
     pace_.step(Treelet::kSize);
     Treelet& treelet = target_.treelets_[child];
@@ -60,7 +63,7 @@ public:
       if (treelet.children[lane] != Treelet::kEmpty)
       {
         KdBounds below = boxOf(treelet, lane);
-        separate(treelet.children[lane], below);
+        widen(treelet.children[lane], below);
         setBox(treelet, lane, below);
         box.add(below);
       }
@@ -134,32 +137,58 @@ private:
     return treelet;
   }
 
-  void separateLeaf(const TriangleBlock* block, KdBounds& box) const
+  /// Calls `visit` with the exact bounds of each triangle of a leaf.
+  template <class Visit>
+  void visitBounds(const TriangleBlock* block, const Visit& visit) const
   {
-    KdBounds wider = box;
     for (bool hasMore = true; hasMore; ++block)
     {
       hasMore = !block->isLast();
       for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
       {
-        if (block->reference(lane) == TriangleBlock::kNone)
+        if (block->reference(lane) != TriangleBlock::kNone)
         {
-          continue;
-        }
-        const Box whole = triangles_[block->reference(lane)].bounds();
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          if (target_.planes_.hide(axis, -1, box.lower[axis], whole))
-          {
-            wider.lower[axis] = std::nextafter(box.lower[axis], -HUGE_VALF);
-          }
-          if (target_.planes_.hide(axis, 1, box.upper[axis], whole))
-          {
-            wider.upper[axis] = std::nextafter(box.upper[axis], HUGE_VALF);
-          }
+          visit(triangles_[block->reference(lane)].bounds());
         }
       }
     }
+  }
+
+  void holdTriangles(const TriangleBlock* block, KdBounds& box) const
+  {
+    const KdBounds rounded = box;
+    visitBounds(block, [&](const Box& whole) {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (static_cast<float>(whole.lower[axis]) == rounded.lower[axis])
+        {
+          box.lower[axis] = std::min(box.lower[axis], roundDown(whole.lower[axis]));
+        }
+        if (static_cast<float>(whole.upper[axis]) == rounded.upper[axis])
+        {
+          box.upper[axis] = std::max(box.upper[axis], roundUp(whole.upper[axis]));
+        }
+      }
+    });
+  }
+
+  /// Widens the box of a leaf where a plane would hide triangles in it.
+  void separate(const TriangleBlock* block, KdBounds& box) const
+  {
+    KdBounds wider = box;
+    visitBounds(block, [&](const Box& whole) {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (target_.planes_.hide(axis, -1, box.lower[axis], whole))
+        {
+          wider.lower[axis] = std::nextafter(box.lower[axis], -HUGE_VALF);
+        }
+        if (target_.planes_.hide(axis, 1, box.upper[axis], whole))
+        {
+          wider.upper[axis] = std::nextafter(box.upper[axis], HUGE_VALF);
+        }
+      }
+    });
     box = wider;
   }
 
@@ -277,6 +306,7 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, const std::ve
   }
   KdTreeBuilder builder;
   builder.checkpoint = checkpoint;
+  builder.roundsToNearest = blurs.empty();
   pack(primitives, unit, builder);
 }
 
@@ -317,10 +347,10 @@ void TriangleTree::pack(const std::vector<KdPrimitive>& primitives,
   {
     Packing packing(*this, tree, unit, builder.checkpoint);
     root_ = packing.pack(0);
-    if (!planes_.isEmpty())
+    if (builder.roundsToNearest)
     {
       KdBounds box;
-      packing.separate(root_, box);
+      packing.widen(root_, box);
     }
     treelets_.shrink_to_fit();
   }

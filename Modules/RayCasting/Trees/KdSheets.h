@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_KdSheets_h
+#define irradiance_KdSheets_h
+
+#include "Trees/KdCost.h"
+#include "Trees/KdItem.h"
+
+#include <array>
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// The items that lie flat in the faces of the hull of all items: the walls of a room, the sides of
+/// a box. Face 2 i is the lower one on axis i, face 2 i + 1 the upper one.
+class KdSheets
+{
+public:
+  static constexpr int kFaces = 6;
+
+  explicit KdSheets(const KdItems& items);
+
+  /// False if there are none, or if one of them is all.
+  bool areAny() const { return isAny_; }
+  std::uint32_t count(int face) const { return sheets_[static_cast<std::size_t>(face)].count; }
+  /// Of the face on its axis.
+  float place(int face) const
+  {
+    return face % 2 == 0 ? hull_.lower[face / 2] : hull_.upper[face / 2];
+  }
+  /// The expected cost of a ray that enters the cell if a plane cuts off each sheet.
+  double costOfCuttingAll(const KdCost& cost, const Box& cell) const;
+
+private:
+  struct Part
+  {
+    KdBounds bounds;
+    std::uint32_t count = 0;
+
+    void add(const KdItem& item)
+    {
+      bounds.add(item);
+      ++count;
+    }
+    /// For a ray that enters a cell of this half area.
+    double cost(const KdCost& cost, double cellArea) const
+    {
+      return count == 0 ? 0 : bounds.halfArea() / cellArea * cost.leaf(count);
+    }
+  };
+
+  /// The face in which an item lies, or kFaces.
+  int faceOf(const KdItem& item) const;
+
+  bool isAny_ = false;
+  KdBounds hull_;
+  std::array<Part, kFaces> sheets_;
+  Part rest_;
+};
+
+}
+
+#endif
