@@ -160,9 +160,17 @@ std::array<double, Power::kMaxBands> EmitterTable::largestStart() const
 
 std::size_t EmitterTable::choose(double sample) const
 {
-  const auto found =
-    std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, sample * cumulative_.back());
-  return static_cast<std::size_t>(found - cumulative_.begin());
+  const double flux = sample * cumulative_.back();
+  // By bisection without branches, as which half it is cannot be predicted. The last one is chosen
+  // if no other is.
+  std::size_t first = 0;
+  for (std::size_t count = cumulative_.size(); count > 1;)
+  {
+    const std::size_t half = count / 2;
+    first += static_cast<std::size_t>(cumulative_[first + half - 1] <= flux) * half;
+    count -= half;
+  }
+  return first;
 }
 
 Ray EmitterTable::pointRay(std::size_t emitter, const std::array<double, 2>& u) const

@@ -48,6 +48,14 @@ struct Power
     }
     return *this;
   }
+  friend Power operator*(std::int64_t times, Power power)
+  {
+    for (std::int64_t& quanta : power.quanta)
+    {
+      quanta *= times;
+    }
+    return power;
+  }
   friend Power operator-(Power a, const Power& b) { return a -= b; }
   friend bool operator==(const Power& a, const Power& b) { return a.quanta == b.quanta; }
 };

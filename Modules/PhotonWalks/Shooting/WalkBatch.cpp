@@ -26,15 +26,28 @@ WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn)
 void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
 {
   const WalkRules& rules = shooter_.rules();
+  const std::size_t first = walks_.size(), all = first + walks.size();
   reserve(walks.size());
   for (const std::uint32_t walk : walks)
   {
-    const Power power = rules.bands() == 1 ? rules.photon() : rules.powerOf(walk);
-    emitted_ += power;
-    add(walk, 0, power);
+    tailOf_.push_back(static_cast<std::uint32_t>(tails_.size()));
+    tails_.push_back({ walk, 0, 0 });
   }
-  const std::size_t first = rays_.size();
-  rays_.resize(walks_.size());
+  walks_.insert(walks_.end(), walks.begin(), walks.end());
+  bounces_.resize(all, 0);
+  if (rules.bands() == 1)
+  {
+    emitted_ += static_cast<std::int64_t>(walks.size()) * rules.photon();
+  }
+  else
+  {
+    for (const std::uint32_t walk : walks)
+    {
+      powers_.push_back(rules.powerOf(walk));
+      emitted_ += powers_.back();
+    }
+  }
+  rays_.resize(all);
   rules.start(walks.data(), walks.size(), rays_.data() + first);
 }
 
@@ -56,21 +69,16 @@ void WalkBatch::resume(
   std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& incoming)
 {
   areHitsKnown_ = true;
-  add(walk, bounce, incoming);
-  rays_.push_back(ray);
-  hits_.push_back(hit);
-}
-
-void WalkBatch::add(std::uint32_t walk, std::uint32_t bounce, const Power& power)
-{
   tailOf_.push_back(static_cast<std::uint32_t>(tails_.size()));
+  tails_.push_back({ walk, bounce, 0 });
   walks_.push_back(walk);
   bounces_.push_back(bounce);
   if (shooter_.rules().bands() > 1)
   {
-    powers_.push_back(power);
+    powers_.push_back(incoming);
   }
-  tails_.push_back({ walk, bounce, 0 });
+  rays_.push_back(ray);
+  hits_.push_back(hit);
 }
 
 bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
@@ -148,15 +156,29 @@ void WalkBatch::findSides(std::size_t first)
 
 void WalkBatch::receive(std::size_t first, WalkTally& tally)
 {
-  for (std::size_t i = first; i < hits_.size(); ++i)
+  const std::size_t count = hits_.size() - first;
+  if (powers_.empty())
   {
-    if (hits_[i])
+    std::size_t received = 0;
+    for (std::size_t i = 0; i < count; ++i)
     {
-      tally.receive(slots_[i - first], isFront(i - first), powerOf(i));
+      slots_[received] = isFront(i) ? slots_[i] : tally.backOf(slots_[i]);
+      received += hits_[first + i] ? 1 : 0;
+    }
+    slots_.resize(received);
+    tally.receive(slots_, shooter_.rules().photon());
+    tally.escape(static_cast<std::int64_t>(count - received), shooter_.rules().photon());
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (hits_[first + i])
+    {
+      tally.receive(slots_[i], isFront(i), powers_[first + i]);
     }
     else
     {
-      tally.escape(powerOf(i));
+      tally.escape(1, powers_[first + i]);
     }
   }
 }
@@ -170,21 +192,23 @@ void WalkBatch::record(std::size_t first)
   {
     isSurvivor_[survivor - first] = 1;
   }
-  const std::size_t firstEnd = ends_.size();
-  ends_.resize(firstEnd + count);
-  std::size_t ends = firstEnd;
-  for (std::size_t i = first; i < hits_.size(); ++i)
+  const std::size_t firstPiece = pieces_.size();
+  pieces_.resize(firstPiece + count);
+  std::size_t ends = ends_.size();
+  ends_.resize(ends + count);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const Ray& ray = rays_[i];
-    const Hit& hit = hits_[i];
-    ++tails_[tailOf_[i]].size;
-    pieces_.push_back({ tailOf_[i],
-      { storedPoint(*frame_, ray.origin), hit.id, hit.weights, isFront(i - first),
-        shooter_.isContact(ray.start, hit.id) } });
+    const Ray& ray = rays_[first + i];
+    const Hit& hit = hits_[first + i];
+    const std::uint32_t tail = tailOf_[first + i];
+    ++tails_[tail].size;
+    pieces_[firstPiece + i] = { tail,
+      { storedPoint(*frame_, ray.origin), hit.id, hit.weights, isFront(i),
+        shooter_.isContact(ray.start, hit.id) } };
     // Written for all, counted for those that end: which do is unpredictable.
     const double length = hit ? hit.distance : WalkBlock::kFar / frame_->scale;
-    ends_[ends] = { tailOf_[i], storedPoint(*frame_, ray.origin + length * ray.direction) };
-    ends += isSurvivor_[i - first] != 0 ? 0 : 1;
+    ends_[ends] = { tail, storedPoint(*frame_, ray.origin + length * ray.direction) };
+    ends += isSurvivor_[i] != 0 ? 0 : 1;
   }
   ends_.resize(ends);
   if (!powers_.empty())
@@ -234,9 +258,13 @@ void WalkBatch::leave(std::size_t first, WalkTally& tally)
     {
       powers_[kept] = survivingPower(powers_[i], shooter_.rules().materialOf(hit.id.object),
         hit.id.triangle, probabilities_[i - first]);
+      tally.release(1, powers_[kept]);
     }
-    tally.release(powerOf(kept));
     ++kept;
+  }
+  if (powers_.empty())
+  {
+    tally.release(static_cast<std::int64_t>(kept - first), shooter_.rules().photon());
   }
   departures.flush();
   tailOf_.resize(kept);
@@ -274,8 +302,14 @@ void WalkBatch::store(const WalkPlan& plan, std::vector<WalkBlock>& history) con
   };
   std::vector<Cursor> cursors;
   cursors.reserve(tails_.size());
-  for (const Tail& tail : tails_)
+  for (std::size_t i = 0; i < tails_.size(); ++i)
   {
+    if (i + kAhead < tails_.size())
+    {
+      const WalkPlan::Place later = plan.placeOf(tails_[i + kAhead].walk);
+      history[later.block].prefetchPlace(later.walkInBlock);
+    }
+    const Tail& tail = tails_[i];
     const WalkPlan::Place place = plan.placeOf(tail.walk);
     WalkBlock& block = history[place.block];
     block.replaceTail(place.walkInBlock, tail.bounce, tail.size);

@@ -70,11 +70,6 @@ private:
   };
 
   void reserve(std::size_t walks);
-  void add(std::uint32_t walk, std::uint32_t bounce, const Power& power);
-  Power powerOf(std::size_t place) const
-  {
-    return powers_.empty() ? shooter_.rules().photon() : powers_[place];
-  }
   /// Whether the front was hit; true if sides are not kept apart.
   bool isFront(std::size_t placeOfBounce) const
   {

@@ -47,6 +47,8 @@ public:
   {
     return slot(groupOf(walk), object, cell, 0);
   }
+  /// Where the photons on the back of a cell with this slot are added.
+  std::size_t backOf(std::size_t slot) const { return slot + (sides_ == 2 ? sideSize() : 0); }
   /// Prefetches the sum that add() will change.
   void prefetch(std::size_t slot) const { prefetchLine(sums_.data() + slot); }
   std::uint32_t cellOf(const TriangleId& id) const
@@ -57,7 +59,7 @@ public:
   void collect(std::size_t slot, bool isFront, const Power& power, int sign,
     std::vector<Deposit>& deposits) const
   {
-    const std::size_t first = slot + (sides_ == 2 && !isFront ? sideSize() : 0);
+    const std::size_t first = isFront ? slot : backOf(slot);
     for (int band = 0; band < bands_; ++band)
     {
       deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });

@@ -29,23 +29,33 @@ public:
   {
     return sums_.slotOf(walk, object, cell);
   }
+  std::size_t backOf(std::size_t slot) const { return sums_.backOf(slot); }
   /// Prefetches the sum that a photon will change.
   void prefetch(std::size_t slot) const { sums_.prefetch(slot); }
   /// A photon arrives.
   void receive(std::size_t slot, bool isFront, const Power& power)
   {
-    ++balance_.segments;
-    balance_.received += power.total();
-    balance_.absorbed += power;
     sums_.collect(slot, isFront, power, 1, deposits_);
+    countReceived(1, power);
   }
-  void escape(const Power& power)
+  /// Photons of one power in one band arrive.
+  void receive(const std::vector<std::size_t>& slots, const Power& power)
   {
-    ++balance_.segments;
-    balance_.escaped += power;
+    const std::size_t before = deposits_.size();
+    deposits_.resize(before + slots.size());
+    for (std::size_t i = 0; i < slots.size(); ++i)
+    {
+      deposits_[before + i] = { slots[i], power[0] };
+    }
+    countReceived(static_cast<std::int64_t>(slots.size()), power);
   }
-  /// What arrived leaves again.
-  void release(const Power& power) { balance_.absorbed -= power; }
+  void escape(std::int64_t photons, const Power& power)
+  {
+    balance_.segments += photons;
+    balance_.escaped += photons * power;
+  }
+  /// Of what arrived, photons leave again.
+  void release(std::int64_t photons, const Power& power) { balance_.absorbed -= photons * power; }
   /// Drops what was tallied for the cells; the caller drops the balance.
   void discard() { deposits_.clear(); }
   void check() const { checkReceived(balance_); }
@@ -54,6 +64,14 @@ public:
     std::uint32_t firstBounce);
 
 private:
+  void countReceived(std::int64_t photons, const Power& power)
+  {
+    const Power all = photons * power;
+    balance_.segments += photons;
+    balance_.received += all.total();
+    balance_.absorbed += all;
+  }
+
   CellSums& sums_;
   PowerBalance& balance_;
   std::vector<Deposit> deposits_;
