@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
+#include "Kernels/BallLanes.h"
 #include "Kernels/IntersectionLanes.h"
 #include "Kernels/QueryCounts.h"
 #include "Kernels/TreeQuery.h"
@@ -27,6 +28,11 @@ void runQueriesAvx2(QuerySource& source)
 void intersectAllAvx2(IntersectionLanes& lanes)
 {
   lanes.intersect();
+}
+
+unsigned passingOfAvx2(const BallLanes& lanes, const Ball& ball)
+{
+  return lanes.passing(ball);
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
+#include "Kernels/BallLanes.h"
 #include "Kernels/IntersectionLanes.h"
 #include "Kernels/QueryCounts.h"
 #include "Kernels/TreeQuery.h"
@@ -56,6 +57,11 @@ void runQueriesAvx512(QuerySource& source)
 void intersectAllAvx512(IntersectionLanes& lanes)
 {
   lanes.intersect();
+}
+
+unsigned passingOfAvx512(const BallLanes& lanes, const Ball& ball)
+{
+  return lanes.passing(ball);
 }
 
 }

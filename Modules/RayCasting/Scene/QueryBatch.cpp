@@ -37,13 +37,17 @@ void Scene::QueryBatch::add(std::uint32_t ray, std::uint32_t object)
   jobs_.push_back({ ray, object, nullptr, nullptr, best_[ray].distance });
 }
 
+void Scene::QueryBatch::add(std::uint32_t ray, const MixedTree& mixed)
+{
+  jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
+}
+
 void Scene::QueryBatch::add(
   const MixedTree& mixed, std::uint32_t first, std::uint32_t end, const Order& order)
 {
   for (std::uint32_t place = first; place < end; ++place)
   {
-    const std::uint32_t ray = rayAt(order, place);
-    jobs_.push_back({ ray, 0, &mixed, nullptr, best_[ray].distance });
+    add(rayAt(order, place), mixed);
   }
 }
 
@@ -69,7 +73,7 @@ void Scene::QueryBatch::addGroup(
   passing_.resize(bodies);
   for (std::size_t body = 0; body < bodies; ++body)
   {
-    passing_[body] = lanes.passing(scene_.placed_[group.instanced[body]].ball);
+    passing_[body] = passingOf(lanes, scene_.placed_[group.instanced[body]].ball);
   }
   for (unsigned lane = 0; lane < end - first; ++lane)
   {
@@ -77,7 +81,7 @@ void Scene::QueryBatch::addGroup(
     const std::size_t before = jobs_.size();
     if (group.flattened)
     {
-      jobs_.push_back({ ray, 0, group.flattened.get(), nullptr, best_[ray].distance });
+      add(ray, *group.flattened);
     }
     for (std::size_t body = 0; body < bodies; ++body)
     {
@@ -140,19 +144,19 @@ std::size_t Scene::QueryBatch::next(QueryRequest* requests, std::size_t most)
   const std::size_t count = std::min<std::size_t>(most, end_ - next_);
   for (std::size_t i = 0; i < count; ++i, ++next_)
   {
-    Job job = jobOf(next_);
     bool isShared = false;
-    if (!isForAll_)
+    if (isForAll_)
     {
-      isShared = (next_ > 0 && jobs_[next_ - 1].ray == job.ray) ||
-        (next_ + 1 < end_ && jobs_[next_ + 1].ray == job.ray);
+      const std::uint32_t ray = rayAt(*order_, next_);
+      request({ ray, 0, nullptr, nullptr, best_[ray].distance }, requests[i]);
     }
     else
     {
-      job.ray = rayAt(*order_, next_);
-      job.bound = best_[job.ray].distance;
+      const Job& job = jobs_[next_];
+      isShared = (next_ > 0 && jobs_[next_ - 1].ray == job.ray) ||
+        (next_ + 1 < end_ && jobs_[next_ + 1].ray == job.ray);
+      request(job, requests[i]);
     }
-    request(job, requests[i]);
     requests[i].job = next_;
     requests[i].isShared = isShared;
   }

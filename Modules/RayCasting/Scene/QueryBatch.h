@@ -73,6 +73,7 @@ private:
   std::uint32_t rayAt(const Order& order, std::size_t place) const;
   /// Adds a search of the ray in the tree of an object.
   void add(std::uint32_t ray, std::uint32_t object);
+  void add(std::uint32_t ray, const MixedTree& mixed);
   void request(const Job& job, QueryRequest& request) const;
   void runAll(std::uint32_t first, std::uint32_t end, const Order& order);
   /// Adds the search in the tree of a placed body, unless the ray misses its ellipsoid.

@@ -323,35 +323,33 @@ void Scene::findDistances(const Ray* rays, std::size_t count, Hit* hits) const
 {
   constexpr std::size_t kAhead = 16;
   IntersectionLanes lanes;
-  std::array<Hit*, IntersectionLanes::kSize> found;
-  unsigned waiting = 0;
-  const auto finish = [&] {
-    intersectAll(lanes);
-    for (unsigned lane = 0; lane < waiting; ++lane)
-    {
-      found[lane]->distance = lanes.distance[lane] > 0 ? lanes.distance[lane] : kInfinity;
-    }
-    waiting = 0;
-  };
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t first = 0; first < count; first += IntersectionLanes::kSize)
   {
-    if (i + kAhead < count && hits[i + kAhead])
+    const std::size_t end = std::min(first + IntersectionLanes::kSize, count);
+    for (std::size_t i = first; i < end; ++i)
     {
-      const TriangleId& soon = hits[i + kAhead].id;
-      bodyOf(soon.object).mesh().prefetch(soon.triangle);
-    }
-    if (hits[i])
-    {
-      const LocalRay local = localRay(rays[i], hits[i].id.object);
-      lanes.set(waiting, local.origin, local.direction, localTriangle(hits[i].id));
-      found[waiting] = hits + i;
-      if (++waiting == IntersectionLanes::kSize)
+      if (i + kAhead < count && hits[i + kAhead])
       {
-        finish();
+        const TriangleId& soon = hits[i + kAhead].id;
+        bodyOf(soon.object).mesh().prefetch(soon.triangle);
+      }
+      if (hits[i])
+      {
+        const LocalRay local = localRay(rays[i], hits[i].id.object);
+        lanes.set(static_cast<unsigned>(i - first), local.origin, local.direction,
+          localTriangle(hits[i].id));
+      }
+    }
+    intersectAll(lanes);
+    for (std::size_t i = first; i < end; ++i)
+    {
+      if (hits[i])
+      {
+        const double distance = lanes.distance[i - first];
+        hits[i].distance = distance > 0 ? distance : kInfinity;
       }
     }
   }
-  finish();
 }
 
 /// A map makes triangles slenderer by at most its condition squared: edges grow by at most the

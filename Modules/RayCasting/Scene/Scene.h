@@ -5,8 +5,8 @@
 #include "Ellipsoids/EllipsoidBound.h"
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
+#include "Kernels/BallLanes.h"
 #include "Meshes/SurfacePoint.h"
-#include "Scene/BallLanes.h"
 #include "Scene/PlacedBody.h"
 
 #include <memory>

@@ -23,12 +23,12 @@ void limitSimd(SimdLevel limit);
 
 /// Calls the best of `name`Avx512, `name`Avx2 and `name`Plain that the machine can run.
 #ifdef __x86_64__
-#define IRRADIANCE_CALL_BEST(name, argument)                                                       \
+#define IRRADIANCE_CALL_BEST(name, ...)                                                            \
   (simdLevel() == SimdLevel::Avx512    ? name##Avx512                                              \
       : simdLevel() == SimdLevel::Avx2 ? name##Avx2                                                \
-                                       : name##Plain)(argument)
+                                       : name##Plain)(__VA_ARGS__)
 #else
-#define IRRADIANCE_CALL_BEST(name, argument) name##Plain(argument)
+#define IRRADIANCE_CALL_BEST(name, ...) name##Plain(__VA_ARGS__)
 #endif
 
 #endif
