@@ -113,6 +113,9 @@ public:
   {
     std::uint32_t walk, bounce;
   };
+  /// Prefetches where a walk lies; what follows reads that.
+  void prefetchPlace(std::uint32_t walk) const { prefetchLine(places_.data() + walk); }
+  void prefetchPlaceAt(std::size_t point) const { prefetchPlace(tags_[point] & kWalkMask); }
   /// Prefetches the hit of a segment.
   void prefetch(const Place& place) const
   {

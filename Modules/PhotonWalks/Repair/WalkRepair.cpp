@@ -205,6 +205,11 @@ void WalkRepair::fill(Batch& batch) const
   findSegments(batch);
   for (const Item* item = batch.begin; item != batch.end; ++item)
   {
+    if (batch.end - item > 2 * kAhead)
+    {
+      const Item& later = item[2 * kAhead];
+      state_.history[later.block].prefetchPlace(later.segment->walkInBlock);
+    }
     if (batch.end - item > kAhead)
     {
       prefetch(item[kAhead]);

@@ -91,7 +91,12 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
   const StaleMarks* known, Suspects& suspects) const
 {
   const WalkBlock& block = history_[number];
-  // None of the requests waits for another, so the memory delivers many at a time.
+  // None of the requests waits for another, so the memory delivers many at a time: first the places
+  // of the walks, which lead to the hits.
+  for (const std::uint32_t point : points)
+  {
+    block.prefetchPlaceAt(point);
+  }
   for (const std::uint32_t point : points)
   {
     WalkBlock::Place place;
@@ -174,6 +179,12 @@ void WalkVerifier::castLost(Candidates& candidates) const
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < count; ++i)
   {
+    constexpr std::size_t kAhead = 16;
+    if (i + kAhead < count)
+    {
+      const WalkShooter::Stored& later = candidates.segments[i + kAhead];
+      later.block->prefetchPoint({ later.walkInBlock, later.bounce });
+    }
     candidates.stale.push_back(i);
     const WalkShooter::Stored& segment = candidates.segments[i];
     const double clear = std::max(
