@@ -31,6 +31,7 @@ inline KdTreeBuilder builderFor(int blockSize)
   builder.traversalCost = 1;
   builder.intersectionCost = 2;
   builder.emptyFactor = 0.8;
+  builder.partingCost = 0.25;
   builder.blockSize = blockSize;
   return builder;
 }

@@ -60,7 +60,8 @@ double costOfSplit(const std::vector<Box>& boxes, const Box& cell, int axis, dou
     const double sum = builder.traversalCost +
       builder.intersectionCost * (areaOf(left) * blocks(l) + areaOf(right) * blocks(r)) /
         areaOf(cell);
-    return l == 0 || r == 0 ? builder.emptyFactor * sum : sum;
+    const double parted = static_cast<double>(l + r) / static_cast<double>(boxes.size()) - 1;
+    return l == 0 || r == 0 ? builder.emptyFactor * sum : sum * (1 + builder.partingCost * parted);
   };
   return std::min(cost(inLeft + flat, inRight), cost(inLeft, inRight + flat));
 }

@@ -4,6 +4,7 @@
 
 #include "Geometry/Vector.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace irradiance
@@ -15,6 +16,7 @@ struct KdCost
   double traversal;   ///< of an inner node
   double block;       ///< of testing up to blockSize primitives
   double emptyFactor; ///< of a split that cuts off empty space
+  double parting;     ///< see KdTreeBuilder
   std::uint32_t blockSize;
 
   double leaf(std::uint32_t primitives) const
@@ -24,12 +26,13 @@ struct KdCost
   }
 };
 
-/// The surface-area heuristic for planes across one axis of a cell.
+/// The surface-area heuristic for planes across one axis of a cell with `primitives`.
 class KdAxisCost
 {
 public:
-  KdAxisCost(const KdCost& cost, const Box& cell, int axis)
+  KdAxisCost(const KdCost& cost, const Box& cell, int axis, std::uint32_t primitives)
     : cost_(cost)
+    , primitives_(primitives)
     , lower_(cell.lower[axis])
     , upper_(cell.upper[axis])
   {
@@ -54,11 +57,17 @@ public:
   {
     const double cost = cost_.traversal + (cap_ + rim_ * (leftUpTo - lower_)) * cost_.leaf(left) +
       (cap_ + rim_ * (upper_ - rightFrom)) * cost_.leaf(right);
-    return left == 0 || right == 0 ? cost_.emptyFactor * cost : cost;
+    if (left == 0 || right == 0)
+    {
+      return cost_.emptyFactor * cost;
+    }
+    const double parted = std::max(0.0, static_cast<double>(left) + right - primitives_);
+    return cost * (1 + cost_.parting * parted / primitives_);
   }
 
 private:
   KdCost cost_;
+  double primitives_;
   double lower_, upper_;
   bool isUseful_;
   // areas over the cell's: of one end, and of the sides for each unit of length.

@@ -49,8 +49,8 @@ double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
 KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
 {
   KdSplit best{ cost_.leaf(items.size()) };
-  const AxisCosts costs = { KdAxisCost(cost_, cell, 0), KdAxisCost(cost_, cell, 1),
-    KdAxisCost(cost_, cell, 2) };
+  const AxisCosts costs = { KdAxisCost(cost_, cell, 0, items.size()),
+    KdAxisCost(cost_, cell, 1, items.size()), KdAxisCost(cost_, cell, 2, items.size()) };
   if (items.size() <= cost_.blockSize)
   {
     cutOffEmptySpace(items, costs, best);

@@ -29,7 +29,7 @@ public:
     : config_(config)
     , primitives_(primitives)
     , search_({ config.traversalCost, config.intersectionCost, config.emptyFactor,
-                static_cast<std::uint32_t>(config.blockSize) },
+                config.partingCost, static_cast<std::uint32_t>(config.blockSize) },
         config.checkpoint)
     , pace_(config.checkpoint)
   {
