@@ -47,6 +47,9 @@ void IrradianceEngine::update(
   }
   const bool repair = sameLights && canRepair(objects, settings);
   const std::vector<bool> moved = repair ? findMoved(objects, objects_) : std::vector<bool>();
+  const bool isStill = repair && !stale_ && settings.cacheStaticHits &&
+    std::none_of(moved.begin(), moved.end(), [](bool isMoved) { return isMoved; });
+  const std::size_t bytes = statistics_.historyBytes, blocks = history_.size();
   isValid_ = false; // until the end is reached
   objects_ = objects;
   settings_ = settings;
@@ -81,12 +84,15 @@ void IrradianceEngine::update(
   {
     stale_.reset();
   }
-  for (const WalkBlock& block : history_)
-  {
-    statistics_.historyBytes += block.bytes();
-  }
-  statistics_.historyBytes += stale_ ? stale_->bytes() : 0;
+  // To count them takes longer than all else where nothing has moved.
+  statistics_.historyBytes = isStill && history_.size() == blocks ? bytes : historyBytes();
   isValid_ = true;
+}
+
+std::size_t IrradianceEngine::historyBytes() const
+{
+  return std::accumulate(history_.begin(), history_.end(), stale_ ? stale_->bytes() : 0,
+    [](std::size_t bytes, const WalkBlock& block) { return bytes + block.bytes(); });
 }
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const

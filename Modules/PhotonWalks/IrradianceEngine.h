@@ -118,6 +118,7 @@ private:
   std::vector<std::vector<StaleSegment>> verify(
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
+  std::size_t historyBytes() const;
   /// Walks stay inside, except where they escape.
   Box walkBounds() const;
   double reachInFrame() const;

@@ -72,6 +72,28 @@ TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
   EXPECT_EQ(engine.statistics().historyBytes, 0u);
 }
 
+// The bytes are not counted again where nothing has moved, but they are known.
+TEST(PayForWhatIsUsed, AStillFrameKnowsTheBytesOfItsHistory)
+{
+  const MovingScene scene(1, true, 61);
+  EngineSettings settings;
+  settings.numberOfWalks = 5000;
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(scene.objects(), settings, execution);
+  const std::size_t first = engine.statistics().historyBytes;
+  SceneObjects moved = scene.objects();
+  moved.dynamicObjects[0].worldFromObject.translation += Vector3(0.3, 0, 0);
+  engine.update(moved, settings, execution);
+  const std::size_t second = engine.statistics().historyBytes;
+  EXPECT_NE(second, first);
+  engine.update(moved, settings, execution);
+  EXPECT_EQ(engine.statistics().historyBytes, second);
+  settings.cacheStaticHits = false; // drops them
+  engine.update(moved, settings, execution);
+  EXPECT_LT(engine.statistics().historyBytes, second);
+}
+
 // A segment holds its point (12 bytes) with a tag (2), the triangle (8), the place on it (8) and 8 for
 // each of several bands. Each walk has a point more, for its end, and 16 bytes for its own place.
 TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
