@@ -4,11 +4,12 @@
 namespace irradiance
 {
 
-KdSheets::KdSheets(const KdItems& items)
+KdSheets::KdSheets(const KdItems& items, CheckpointPace& pace)
   : hull_(hullOf(items))
 {
   for (const KdItem& item : items)
   {
+    pace.step();
     const int face = faceOf(item);
     (face < kFaces ? sheets_[static_cast<std::size_t>(face)] : rest_).add(item);
   }

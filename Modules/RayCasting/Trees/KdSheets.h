@@ -2,6 +2,7 @@
 #ifndef irradiance_KdSheets_h
 #define irradiance_KdSheets_h
 
+#include "Progress/Checkpoint.h"
 #include "Trees/KdCost.h"
 #include "Trees/KdItem.h"
 
@@ -18,7 +19,7 @@ class KdSheets
 public:
   static constexpr int kFaces = 6;
 
-  explicit KdSheets(const KdItems& items);
+  KdSheets(const KdItems& items, CheckpointPace& pace);
 
   /// False if there are none, or if one of them is all.
   bool areAny() const { return isAny_; }

@@ -84,9 +84,9 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
 /// To cut off one wall of a room pays little, as the rest is as large as before, and so the cheapest
 /// plane halves the room. But without all its walls a room is empty. So if the items include sheets,
 /// items that lie flat in a face of their hull, one is cut off if to cut off all is cheaper.
-void KdSplitSearch::cutOffSheets(const KdItems& items, const Box& cell, KdSplit& best) const
+void KdSplitSearch::cutOffSheets(const KdItems& items, const Box& cell, KdSplit& best)
 {
-  const KdSheets sheets(items);
+  const KdSheets sheets(items, pace_);
   if (!sheets.areAny())
   {
     return;
