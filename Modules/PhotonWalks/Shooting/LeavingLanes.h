@@ -3,6 +3,7 @@
 #define irradiance_LeavingLanes_h
 
 #include "Geometry/Triangle.h"
+#include "Geometry/VectorLanes.h"
 #include "Meshes/SurfaceFormula.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SampleLanes.h"
@@ -15,17 +16,8 @@ struct LeavingLanes
 {
   static constexpr unsigned kSize = SampleLanes::kSize;
 
-  struct alignas(64) Vectors
+  struct Vectors : VectorLanes<kSize>
   {
-    double x[kSize] = {}, y[kSize] = {}, z[kSize] = {};
-
-    void set(unsigned lane, const Vector3& vector)
-    {
-      x[lane] = vector[0];
-      y[lane] = vector[1];
-      z[lane] = vector[2];
-    }
-    Vector3 get(unsigned lane) const { return { x[lane], y[lane], z[lane] }; }
     __attribute__((always_inline)) SurfaceFormula::Point operator[](unsigned lane) const
     {
       return { x[lane], y[lane], z[lane] };

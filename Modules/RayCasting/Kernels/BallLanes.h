@@ -3,6 +3,7 @@
 #define irradiance_BallLanes_h
 
 #include "Geometry/Ray.h"
+#include "Geometry/VectorLanes.h"
 
 namespace irradiance
 {
@@ -19,19 +20,7 @@ struct BallLanes
 {
   static constexpr unsigned kSize = 8;
 
-  struct alignas(64) Vectors
-  {
-    double x[kSize] = {}, y[kSize] = {}, z[kSize] = {};
-
-    void set(unsigned lane, const Vector3& vector)
-    {
-      x[lane] = vector[0];
-      y[lane] = vector[1];
-      z[lane] = vector[2];
-    }
-  };
-
-  Vectors origin, direction;
+  VectorLanes<kSize> origin, direction;
 
   void set(unsigned lane, const Ray& ray)
   {

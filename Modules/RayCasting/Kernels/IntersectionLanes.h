@@ -3,6 +3,7 @@
 #define irradiance_IntersectionLanes_h
 
 #include "Geometry/TriangleIntersection.h"
+#include "Geometry/VectorLanes.h"
 
 #include <cmath>
 #include <limits>
@@ -15,16 +16,8 @@ struct IntersectionLanes
 {
   static constexpr unsigned kSize = 8;
 
-  struct alignas(64) Points
+  struct Points : VectorLanes<kSize>
   {
-    double x[kSize] = {}, y[kSize] = {}, z[kSize] = {};
-
-    void set(unsigned lane, const Vector3& point)
-    {
-      x[lane] = point[0];
-      y[lane] = point[1];
-      z[lane] = point[2];
-    }
     /// In the order of RayAxes.
     __attribute__((always_inline)) Intersection::Point ordered(
       unsigned lane, int axis, bool isFlipped) const
