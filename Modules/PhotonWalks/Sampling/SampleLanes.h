@@ -36,6 +36,14 @@ struct SampleLanes
       y[lane] = SobolPoint::toUnit(point.y);
     }
   }
+  /// Only the first coordinates.
+  __attribute__((always_inline)) void drawFirst()
+  {
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      x[lane] = SobolPoint::toUnit(SobolPoint(index[lane], shuffle[lane], scrambleX[lane], 0).x);
+    }
+  }
 };
 
 }

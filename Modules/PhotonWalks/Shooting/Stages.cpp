@@ -11,6 +11,11 @@ void drawAllPlain(SampleLanes& samples)
   samples.draw();
 }
 
+void drawAllFirstPlain(SampleLanes& samples)
+{
+  samples.drawFirst();
+}
+
 void leaveAllPlain(LeavingLanes& lanes)
 {
   lanes.leave();
@@ -19,6 +24,11 @@ void leaveAllPlain(LeavingLanes& lanes)
 void drawAll(SampleLanes& samples)
 {
   IRRADIANCE_CALL_BEST(drawAll, samples);
+}
+
+void drawAllFirst(SampleLanes& samples)
+{
+  IRRADIANCE_CALL_BEST(drawAllFirst, samples);
 }
 
 void leaveAll(LeavingLanes& lanes)

@@ -14,6 +14,11 @@ void drawAllAvx2(SampleLanes& samples)
   samples.draw();
 }
 
+void drawAllFirstAvx2(SampleLanes& samples)
+{
+  samples.drawFirst();
+}
+
 void leaveAllAvx2(LeavingLanes& lanes)
 {
   lanes.leave();

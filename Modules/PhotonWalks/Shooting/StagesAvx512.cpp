@@ -14,6 +14,11 @@ void drawAllAvx512(SampleLanes& samples)
   samples.draw();
 }
 
+void drawAllFirstAvx512(SampleLanes& samples)
+{
+  samples.drawFirst();
+}
+
 void leaveAllAvx512(LeavingLanes& lanes)
 {
   lanes.leave();

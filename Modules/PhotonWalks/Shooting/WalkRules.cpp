@@ -42,7 +42,7 @@ void WalkRules::start(const std::uint32_t* walks, std::size_t count, Ray* rays) 
       chosen.set(lane, samples_, walks[first + lane], 0, SampleUse::Emitter);
       positions.set(lane, samples_, walks[first + lane], 0, SampleUse::Position);
     }
-    drawAll(chosen);
+    drawAllFirst(chosen);
     drawAll(positions);
     for (unsigned lane = 0; lane < lanes; ++lane)
     {
@@ -79,7 +79,7 @@ void WalkRules::survive(const std::uint32_t* walks, const std::uint32_t* bounces
       samples.set(
         lane, samples_, walks[begin + lane], bounces[begin + lane] + 1, SampleUse::Survival);
     }
-    drawAll(samples);
+    drawAllFirst(samples);
     for (unsigned lane = 0; lane < lanes; ++lane)
     {
       survivors[kept] = first + static_cast<std::uint32_t>(begin) + lane;
