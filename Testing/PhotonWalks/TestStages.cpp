@@ -76,6 +76,24 @@ TEST(Stages, SamplesAreThoseOfTheSequence)
   }
 }
 
+TEST(Stages, FirstCoordinatesAreThoseOfSamplesOnEachInstructionSet)
+{
+  const SobolSequence samples(7, Replicates(16));
+  SampleLanes expected;
+  setSamples(expected, samples, 123456u);
+  drawAllPlain(expected);
+  for (const auto& draw : onEachLevel(&drawAllFirstPlain, &drawAllFirstAvx2, &drawAllFirstAvx512))
+  {
+    SampleLanes lanes;
+    setSamples(lanes, samples, 123456u);
+    draw(lanes);
+    for (unsigned lane = 0; lane < SampleLanes::kSize; ++lane)
+    {
+      ASSERT_EQ(lanes.x[lane], expected.x[lane]);
+    }
+  }
+}
+
 TEST(Stages, RaysLeaveFromSurfacePointsOnEachInstructionSet)
 {
   test::RandomVectors random(3);
