@@ -214,10 +214,10 @@ int expectBestSplits(const std::vector<KdPrimitive>& primitives, int blockSize)
       boxes.push_back(primitives[i].bounds.intersection(cell));
     }
     const int blocks = (static_cast<int>(boxes.size()) + blockSize - 1) / blockSize;
-    const double found = node.isLeaf() ? builder.intersectionCost * blocks
-                                       : costOfSplit(boxes, cell, node.axis(), node.plane, builder);
-    const double best = costOfBestSplit(boxes, cell, builder);
     const double leaf = builder.intersectionCost * blocks;
+    const double found =
+      node.isLeaf() ? leaf : costOfSplit(boxes, cell, node.axis(), node.plane, builder);
+    const double best = costOfBestSplit(boxes, cell, builder);
     const std::set<std::pair<int, double>> planes = planesOfSheets(boxes, cell);
     if (static_cast<int>(boxes.size()) > blockSize && !planes.empty() &&
       costOfCuttingSheets(boxes, cell, builder) < std::min(best, leaf) * (1 - 1e-5))

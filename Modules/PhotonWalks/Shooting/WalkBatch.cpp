@@ -30,8 +30,7 @@ void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
   reserve(walks.size());
   for (const std::uint32_t walk : walks)
   {
-    tailOf_.push_back(static_cast<std::uint32_t>(tails_.size()));
-    tails_.push_back({ walk, 0, 0 });
+    addTail(walk, 0);
   }
   walks_.insert(walks_.end(), walks.begin(), walks.end());
   bounces_.resize(all, 0);
@@ -69,8 +68,7 @@ void WalkBatch::resume(
   std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& incoming)
 {
   areHitsKnown_ = true;
-  tailOf_.push_back(static_cast<std::uint32_t>(tails_.size()));
-  tails_.push_back({ walk, bounce, 0 });
+  addTail(walk, bounce);
   walks_.push_back(walk);
   bounces_.push_back(bounce);
   if (shooter_.rules().bands() > 1)
@@ -79,6 +77,12 @@ void WalkBatch::resume(
   }
   rays_.push_back(ray);
   hits_.push_back(hit);
+}
+
+void WalkBatch::addTail(std::uint32_t walk, std::uint32_t bounce)
+{
+  tailOf_.push_back(static_cast<std::uint32_t>(tails_.size()));
+  tails_.push_back({ walk, bounce, 0 });
 }
 
 bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)

@@ -70,6 +70,7 @@ private:
   };
 
   void reserve(std::size_t walks);
+  void addTail(std::uint32_t walk, std::uint32_t bounce);
   /// Whether the front was hit; true if sides are not kept apart.
   bool isFront(std::size_t placeOfBounce) const
   {

@@ -34,8 +34,7 @@ struct BallLanes
   {
     // Some ten roundings, each of 2^-53.
     constexpr double kCancelled = 0x1p-48;
-    const double centerX = ball.center.data()[0], centerY = ball.center.data()[1],
-                 centerZ = ball.center.data()[2];
+    const double centerX = ball.center[0], centerY = ball.center[1], centerZ = ball.center[2];
     alignas(64) double gap[kSize];
     for (unsigned lane = 0; lane < kSize; ++lane)
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/KdSheets.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -10,17 +12,17 @@ KdSheets::KdSheets(const KdItems& items, CheckpointPace& pace)
   for (const KdItem& item : items)
   {
     pace.step();
-    const int face = faceOf(item);
-    (face < kFaces ? sheets_[static_cast<std::size_t>(face)] : rest_).add(item);
-  }
-  isAny_ = rest_.count < items.size();
-  for (const Part& sheet : sheets_)
-  {
-    isAny_ = isAny_ && sheet.count < items.size();
+    parts_[faceOf(item)].add(item);
   }
 }
 
-int KdSheets::faceOf(const KdItem& item) const
+bool KdSheets::areAny() const
+{
+  return std::count_if(
+           parts_.begin(), parts_.end(), [](const Part& part) { return part.count > 0; }) > 1;
+}
+
+std::size_t KdSheets::faceOf(const KdItem& item) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -30,7 +32,7 @@ int KdSheets::faceOf(const KdItem& item) const
       {
         if (item.lower[axis] == place(face))
         {
-          return face;
+          return static_cast<std::size_t>(face);
         }
       }
     }
@@ -42,10 +44,10 @@ double KdSheets::costOfCuttingAll(const KdCost& cost, const Box& cell) const
 {
   const Vector3 extent = cell.extent();
   const double area = extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0];
-  double sum = rest_.cost(cost, area);
-  for (const Part& sheet : sheets_)
+  double sum = parts_[kFaces].cost(cost, area);
+  for (std::size_t face = 0; face < kFaces; ++face)
   {
-    sum += sheet.count > 0 ? cost.traversal + sheet.cost(cost, area) : 0;
+    sum += parts_[face].count > 0 ? cost.traversal + parts_[face].cost(cost, area) : 0;
   }
   return sum;
 }

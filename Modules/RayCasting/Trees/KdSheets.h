@@ -22,8 +22,8 @@ public:
   KdSheets(const KdItems& items, CheckpointPace& pace);
 
   /// False if there are none, or if one of them is all.
-  bool areAny() const { return isAny_; }
-  std::uint32_t count(int face) const { return sheets_[static_cast<std::size_t>(face)].count; }
+  bool areAny() const;
+  std::uint32_t count(int face) const { return parts_[static_cast<std::size_t>(face)].count; }
   /// Of the face on its axis.
   float place(int face) const
   {
@@ -51,12 +51,10 @@ private:
   };
 
   /// The face in which an item lies, or kFaces.
-  int faceOf(const KdItem& item) const;
+  std::size_t faceOf(const KdItem& item) const;
 
-  bool isAny_ = false;
   KdBounds hull_;
-  std::array<Part, kFaces> sheets_;
-  Part rest_;
+  std::array<Part, kFaces + 1> parts_; ///< the sheets, and last what is in none
 };
 
 }

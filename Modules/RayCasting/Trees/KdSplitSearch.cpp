@@ -77,14 +77,15 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
   {
     sweep(items, axis, costs[axis], kInfinity, best);
   }
-  cutOffSheets(items, cell, best);
+  cutOffSheets(items, cell, costs, best);
   return best;
 }
 
 /// To cut off one wall of a room pays little, as the rest is as large as before, and so the cheapest
 /// plane halves the room. But without all its walls a room is empty. So if the items include sheets,
 /// items that lie flat in a face of their hull, one is cut off if to cut off all is cheaper.
-void KdSplitSearch::cutOffSheets(const KdItems& items, const Box& cell, KdSplit& best)
+void KdSplitSearch::cutOffSheets(
+  const KdItems& items, const Box& cell, const AxisCosts& costs, KdSplit& best)
 {
   const KdSheets sheets(items, pace_);
   if (!sheets.areAny())
@@ -97,10 +98,11 @@ void KdSplitSearch::cutOffSheets(const KdItems& items, const Box& cell, KdSplit&
     const std::uint32_t count = sheets.count(face), others = items.size() - count;
     const int axis = face / 2;
     const float plane = sheets.place(face);
-    if (count > 0 && cost < best.cost && plane > cell.lower[axis] && plane < cell.upper[axis])
+    if (count > 0 && costs[axis].isInside(plane))
     {
       const bool isLower = face % 2 == 0;
-      best = { cost, axis, plane, isLower, isLower ? count : others, isLower ? others : count };
+      consider(
+        { cost, axis, plane, isLower, isLower ? count : others, isLower ? others : count }, best);
     }
   }
 }

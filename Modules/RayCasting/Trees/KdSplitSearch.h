@@ -53,7 +53,7 @@ private:
   using AxisCosts = std::array<KdAxisCost, 3>;
 
   void cutOffEmptySpace(const KdItems& items, const AxisCosts& costs, KdSplit& best) const;
-  void cutOffSheets(const KdItems& items, const Box& cell, KdSplit& best);
+  void cutOffSheets(const KdItems& items, const Box& cell, const AxisCosts& costs, KdSplit& best);
   void fillBins(const KdItems& items, const Box& cell);
   void sweep(const KdItems& items, int axis, const KdAxisCost& cost, double limit, KdSplit& best);
   bool chooseBins(const KdBins& bins, const KdAxisCost& cost, double limit);
