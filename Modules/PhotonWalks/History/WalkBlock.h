@@ -66,6 +66,12 @@ public:
     return (tags_[pointOf(walk, bounce)] & kBack) == 0;
   }
   Power power(std::uint32_t walk, std::uint32_t bounce) const;
+  /// From where a segment begins to where it ends, in the frame of the points.
+  Vector3 vector(std::uint32_t walk, std::uint32_t bounce) const
+  {
+    const std::size_t begin = pointOf(walk, bounce);
+    return point(begin + 1) - point(begin);
+  }
   /// Lower bound of a segment's length in the world, too short by some 2^-20 of its coordinates.
   double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
 
