@@ -158,7 +158,7 @@ private:
   Contacts contacts_; ///< of this frame
   CellSums sums_;
   PowerBalance balance_;
-  std::vector<WalkBlock> history_;    ///< empty unless something may move
+  std::vector<WalkBlock> history_;                   ///< empty unless something may move
   std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for
   std::uint64_t state_ = 0;
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget

@@ -139,8 +139,8 @@ OutgoingRadiance::Bands OutgoingRadiance::specular(
     const Vector3 point =
       weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
     const Vector3 incoming = history_.incoming(photon).normalized();
-    const double value = lobe.value(
-      normalAgainst(triangle, incoming), -incoming, eye.directionFrom(point));
+    const double value =
+      lobe.value(normalAgainst(triangle, incoming), -incoming, eye.directionFrom(point));
     const Power power = value > 0 ? history_.power(photon) : Power{};
     for (int band = 0; band < bands_; ++band)
     {
@@ -170,8 +170,8 @@ Ray OutgoingRadiance::mirrorRay(
     rest -= area;
     ++i;
   }
-  SurfacePoint point = surfacePoint(
-    triangleAt(i), sampleTriangle(samples_.sample(sample, 0, SampleUse::Position)));
+  SurfacePoint point =
+    surfacePoint(triangleAt(i), sampleTriangle(samples_.sample(sample, 0, SampleUse::Position)));
   const Vector3 toEye = eye.directionFrom(point.position);
   point.turn(toEye.dot(point.normal) >= 0);
   return { point.clearPosition(), mirrorDirection(point.normal, -toEye),
@@ -217,9 +217,8 @@ OutgoingRadiance::Bands OutgoingRadiance::alongRay(Ray ray) const
     for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
     {
       sum[band] += seen[band] * radiance[band];
-      seen[band] *= isMirror
-        ? material.specularReflectance[cell * static_cast<std::size_t>(bands_) + band]
-        : 0;
+      seen[band] *=
+        isMirror ? material.specularReflectance[cell * static_cast<std::size_t>(bands_) + band] : 0;
     }
     if (!isMirror)
     {

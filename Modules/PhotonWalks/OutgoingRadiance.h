@@ -63,8 +63,7 @@ private:
   /// Towards the origin of a ray.
   Bands alongRay(Ray ray) const;
   /// The ray that shows what is mirrored at a point of a cell.
-  Ray mirrorRay(
-    std::uint32_t object, std::size_t cell, std::uint32_t sample, const Eye& eye) const;
+  Ray mirrorRay(std::uint32_t object, std::size_t cell, std::uint32_t sample, const Eye& eye) const;
   bool isSpecular(std::uint32_t object, std::size_t cell) const
   {
     return materialOf(object).isSpecular(cell);

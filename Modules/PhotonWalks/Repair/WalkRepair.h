@@ -40,7 +40,8 @@ public:
     const std::vector<std::vector<StaleSegment>>& found;
     StaleWalks* stale;  ///< the walks to repair; null: those that were found
     TimeBudget* budget; ///< null: time for all; else `stale` is given
-    PhotonChanges* changes = nullptr; ///< receives the photons that go and come; null: not asked for
+    PhotonChanges* changes =
+      nullptr; ///< receives the photons that go and come; null: not asked for
   };
 
   explicit WalkRepair(const State& state)
