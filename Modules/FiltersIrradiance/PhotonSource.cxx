@@ -96,8 +96,8 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what)
   if (!engine_->keepsPhotons())
   {
     throw InputError(std::string(what) +
-      " was computed without keeping the photons: connect the vtkIrradianceFilter itself, "
-      "which then keeps them, or let something move");
+      " was computed without keeping the photons, as nothing can move: connect the "
+      "vtkIrradianceFilter itself, which then keeps them");
   }
 }
 

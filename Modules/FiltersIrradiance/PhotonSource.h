@@ -28,7 +28,7 @@ public:
   /// engine has gone on since, or if it did not keep the photons.
   PhotonSource(vtkDataObject* data, const char* what);
 
-  IrradianceEngine& engine() const { return *engine_; }
+  const std::shared_ptr<IrradianceEngine>& engine() const { return engine_; }
 
   /// Calls visit(polydata, object, number of its first cell) for all polydata of an output, in the
   /// order in which the engine numbers them. Throws InputError if that is not what the engine has.

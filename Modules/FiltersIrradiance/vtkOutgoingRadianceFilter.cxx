@@ -20,9 +20,38 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkOutgoingRadianceFilter);
+
+/// What does not depend on the eye is kept while the camera moves.
+class vtkOutgoingRadianceFilter::vtkInternals
+{
+public:
+  const irradiance::OutgoingRadiance& RadianceOf(
+    const irradiance::PhotonSource& source, int mirrorSamples, irradiance::Execution& execution)
+  {
+    const std::shared_ptr<irradiance::IrradianceEngine>& engine = source.engine();
+    if (!this->Radiance || this->Engine != engine || this->State != engine->state() ||
+      this->MirrorSamples != mirrorSamples)
+    {
+      this->Radiance.reset();
+      this->Radiance = std::make_unique<irradiance::OutgoingRadiance>(
+        *engine, static_cast<std::uint32_t>(mirrorSamples), execution);
+      this->Engine = engine;
+      this->State = engine->state();
+      this->MirrorSamples = mirrorSamples;
+    }
+    return *this->Radiance;
+  }
+
+private:
+  std::unique_ptr<irradiance::OutgoingRadiance> Radiance;
+  std::shared_ptr<irradiance::IrradianceEngine> Engine;
+  std::uint64_t State = 0;
+  int MirrorSamples = 0;
+};
 
 namespace
 {
@@ -41,7 +70,8 @@ irradiance::Eye EyeOf(vtkOutgoingRadianceFilter* filter)
   if (!eye.position.allFinite())
   {
     std::ostringstream message;
-    message << "the eye is at (" << eye.position.transpose() << "), which is not finite";
+    message << "the eye is at (" << eye.position[0] << ", " << eye.position[1] << ", "
+            << eye.position[2] << "), which is not finite";
     throw irradiance::InputError(message.str());
   }
   return eye;
@@ -94,7 +124,11 @@ std::vector<Unit> MakeUnits(
 
 }
 
-vtkOutgoingRadianceFilter::vtkOutgoingRadianceFilter() = default;
+vtkOutgoingRadianceFilter::vtkOutgoingRadianceFilter()
+  : Internals(new vtkInternals)
+{
+}
+
 vtkOutgoingRadianceFilter::~vtkOutgoingRadianceFilter() = default;
 
 void vtkOutgoingRadianceFilter::SetCamera(vtkCamera* camera)
@@ -146,11 +180,11 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
   const irradiance::PhotonSource source(input, "the input");
   irradiance::SmpExecution execution(
     [this](double progress) { return this->ReportProgress(progress); });
-  const irradiance::OutgoingRadiance radiance(
-    source.engine(), static_cast<std::uint32_t>(this->NumberOfMirrorSamples), execution);
+  const irradiance::OutgoingRadiance& radiance =
+    this->Internals->RadianceOf(source, this->NumberOfMirrorSamples, execution);
   output->ShallowCopy(input);
   CloneLeaves(output);
-  const int bands = source.engine().objects().staticObject.material->bands;
+  const int bands = source.engine()->objects().staticObject.material->bands;
   const std::vector<Unit> units = MakeUnits(source, bands, output);
   irradiance::SlicedPass pass{ units.size(), {} };
   pass.work = [&](std::size_t i, const irradiance::Deadline&) {

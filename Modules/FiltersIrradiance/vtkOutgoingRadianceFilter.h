@@ -45,6 +45,8 @@
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkSmartPointer.h" // For the camera
 
+#include <memory> // For the internals
+
 class vtkCamera;
 
 class VTKFILTERSIRRADIANCE_EXPORT vtkOutgoingRadianceFilter : public vtkMultiBlockDataSetAlgorithm
@@ -104,6 +106,9 @@ private:
 
   bool ReportProgress(double progress);
   void Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

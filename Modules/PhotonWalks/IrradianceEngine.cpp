@@ -127,6 +127,7 @@ void IrradianceEngine::startAnew(Execution& execution)
   }
   stale_.reset();
   forgetPhotonStores();
+  hasSides_ = settings_.keepPhotons || settings_.separateSides;
   pointFrame_ = pointFrame(objects_, walkBounds());
   clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
@@ -136,7 +137,7 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
   const Clock::time_point start = Clock::now();
   const WalkRound& walks = plan_.rounds()[round];
-  const bool keep = keepsPhotons();
+  const bool keep = settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
   forgetPhotonStores(); // they are collected again, with this round
   sums_.setRounds(round + 1, checkpointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
@@ -151,8 +152,8 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 void IrradianceEngine::shootBlocks(
   const WalkRound& walks, const UnitFrame* storedIn, Execution& execution)
 {
-  const SobolSequence samples(settings_.seed, plan_.replicates());
-  const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
+  const SobolSequence samples = this->samples();
+  const WalkShooter shooter = this->shooter(samples);
   SharedBalance total(balance_);
   std::vector<std::unique_ptr<WalkBatch>> open(walks.endBlock - walks.firstBlock);
   SlicedPass pass{ emitters_.isEmpty() ? 0 : open.size(), {} };
@@ -162,7 +163,7 @@ void IrradianceEngine::shootBlocks(
     {
       std::vector<std::uint32_t> numbers(plan_.walksIn(block));
       std::iota(numbers.begin(), numbers.end(), plan_.firstWalkOf(block));
-      open[i] = std::make_unique<WalkBatch>(shooter, storedIn);
+      open[i] = std::make_unique<WalkBatch>(shooter, storedIn, hasSides_);
       open[i]->shoot(numbers);
     }
     PowerBalance balance;

@@ -102,8 +102,17 @@ public:
   const SceneObjects& objects() const { return objects_; }
   const Scene& scene() const { return scene_; }
   const EngineSettings& settings() const { return settings_; }
-  /// Whether all walks are stored, so that the following can be asked for.
-  bool keepsPhotons() const { return keepsPhotons(objects_, settings_); }
+  /// Whether the following can be asked for.
+  bool keepsPhotons() const
+  {
+    return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
+  }
+  SobolSequence samples() const { return SobolSequence(settings_.seed, plan_.replicates()); }
+  /// `samples` must outlive it.
+  WalkShooter shooter(const SobolSequence& samples) const
+  {
+    return { scene_, objects_, emitters_, samples, &contacts_ };
+  }
   WalkHistory photons() const { return { plan_, history_ }; }
   /// The photons on specular cells. They are collected when first asked for, then updates keep them
   /// up to date. Throws Interrupted.
@@ -116,10 +125,6 @@ private:
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  static bool keepsPhotons(const SceneObjects& objects, const EngineSettings& settings)
-  {
-    return settings.keepPhotons || (settings.verify && !objects.dynamicObjects.empty());
-  }
   /// Whether the stored walks can be repaired, given that the lights are the same.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
   void commitScene(const std::vector<bool>& moved, Execution& execution);
@@ -140,6 +145,8 @@ private:
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
   std::vector<std::vector<StaleSegment>> verify(
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
+  /// Of all stored hits.
+  void findSides(Execution& execution);
   bool hasPhotonStores() const { return specularPhotons_ != nullptr; }
   void forgetPhotonStores() { specularPhotons_.reset(); }
   void updatePhotonStores(const PhotonChanges& changes, Execution& execution);
@@ -161,6 +168,7 @@ private:
   std::vector<WalkBlock> history_;                   ///< empty unless something may move
   std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for
   std::uint64_t state_ = 0;
+  bool hasSides_ = false;             ///< all sides of stored hits are known, see WalkBatch
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
   UnitFrame pointFrame_;              ///< of the stored points
   double pointReach_ = 0;             ///< their largest coordinate, except the ends of escapes

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutgoingRadiance.h"
 
+#include "Execution/SlicedPass.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace irradiance
 {
@@ -29,41 +31,80 @@ Vector3 mirrorDirection(const Vector3& normal, const Vector3& direction)
   return direction - 2 * direction.dot(normal) * normal;
 }
 
-/// The unit normal of a world triangle, turned to the side from which `direction` comes.
-Vector3 normalAgainst(const Triangle& triangle, const Vector3& direction)
-{
-  const Vector3 normal = triangle.areaVector().normalized();
-  return direction.dot(normal) <= 0 ? normal : Vector3(-normal);
-}
-
 }
 
 OutgoingRadiance::OutgoingRadiance(
   IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution)
   : engine_(engine)
-  , photons_(engine.specularPhotons(execution))
-  , history_(engine.photons())
-  , samples_(0)
+  , mirrorPoints_(0)
   , mirrorSamples_(mirrorSamples)
   , bands_(engine.objects().staticObject.material->bands)
 {
-  const SceneObjects& objects = engine.objects();
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  for (std::uint32_t object = 0; object < engine.objects().size(); ++object)
   {
-    const std::vector<std::uint32_t>& cellOf = objects[object].material->cellOfTriangle;
-    Cells cells;
-    cells.triangles.resize(cellOf.size());
-    std::iota(cells.triangles.begin(), cells.triangles.end(), 0u);
-    std::stable_sort(cells.triangles.begin(), cells.triangles.end(),
-      [&](std::uint32_t a, std::uint32_t b) { return cellOf[a] < cellOf[b]; });
-    cells.first.assign(objects[object].material->numberOfCells + 1, 0);
-    for (const std::uint32_t cell : cellOf)
-    {
-      ++cells.first[cell + 1];
-    }
-    std::partial_sum(cells.first.begin(), cells.first.end(), cells.first.begin());
-    cells.areas = cellAreas(objects[object], checkpointOf(execution, 0));
-    objects_.push_back(std::move(cells));
+    addCells(object, execution);
+  }
+  collectArrivals(execution);
+}
+
+void OutgoingRadiance::addCells(std::uint32_t object, Execution& execution)
+{
+  const std::vector<std::uint32_t>& cellOf = materialOf(object).cellOfTriangle;
+  Cells cells;
+  cells.triangles.resize(cellOf.size());
+  std::iota(cells.triangles.begin(), cells.triangles.end(), 0u);
+  std::stable_sort(cells.triangles.begin(), cells.triangles.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return cellOf[a] < cellOf[b]; });
+  cells.first.assign(materialOf(object).numberOfCells + 1, 0);
+  for (const std::uint32_t cell : cellOf)
+  {
+    ++cells.first[cell + 1];
+  }
+  std::partial_sum(cells.first.begin(), cells.first.end(), cells.first.begin());
+  cells.areas = cellAreas(engine_.objects()[object], checkpointOf(execution, 0));
+  cells.firstCell = objects_.empty() ? 0 : objects_.back().firstCell + objects_.back().areas.size();
+  objects_.push_back(std::move(cells));
+}
+
+void OutgoingRadiance::collectArrivals(Execution& execution)
+{
+  const SpecularPhotons& photons = engine_.specularPhotons(execution);
+  if (photons.isEmpty())
+  {
+    return;
+  }
+  arrivals_.resize(objects_.back().firstCell + objects_.back().areas.size());
+  const SobolSequence samples = engine_.samples();
+  const WalkShooter shooter = engine_.shooter(samples);
+  const WalkHistory history = engine_.photons();
+  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  {
+    const Material& material = materialOf(object);
+    SlicedPass pass{ material.isSpecular() ? material.numberOfCells : 0, {} };
+    pass.work = [&](std::size_t cell, const Deadline&) {
+      if (!material.isSpecular(cell) || material.lobeOf(cell).isMirror())
+      {
+        return true;
+      }
+      std::vector<WalkShooter::Stored> segments;
+      for (const PhotonReference& photon : photons.sorted(object, cell))
+      {
+        std::uint32_t walkInBlock = 0;
+        const WalkBlock& block = history.blockOf(photon, walkInBlock);
+        segments.push_back({ &block, walkInBlock, photon.walk, photon.bounce });
+      }
+      std::vector<SurfacePoint> points(segments.size());
+      std::vector<Vector3> directions(segments.size());
+      shooter.arrivalsOf(segments.data(), segments.size(), points.data(), directions.data());
+      std::vector<Arrival>& arrivals = arrivals_[objects_[object].firstCell + cell];
+      for (std::size_t i = 0; i < segments.size(); ++i)
+      {
+        arrivals.push_back({ points[i].position, -directions[i], points[i].normal,
+          segments[i].block->power(segments[i].walkInBlock, segments[i].bounce) });
+      }
+      return true;
+    };
+    pass.run(execution);
   }
 }
 
@@ -131,20 +172,12 @@ OutgoingRadiance::Bands OutgoingRadiance::specular(
   const Material& material = materialOf(object);
   const PhongLobe& lobe = material.lobeOf(cell);
   Bands sum{}; // W/sr
-  for (const PhotonReference& photon : photons_.sorted(object, cell))
+  for (const Arrival& photon : arrivals_[objects_[object].firstCell + cell])
   {
-    const Hit hit = history_.hit(photon);
-    const Triangle triangle = engine_.scene().worldTriangle(hit.id);
-    const Vector3 weights = weightsOf(hit);
-    const Vector3 point =
-      weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
-    const Vector3 incoming = history_.incoming(photon).normalized();
-    const double value =
-      lobe.value(normalAgainst(triangle, incoming), -incoming, eye.directionFrom(point));
-    const Power power = value > 0 ? history_.power(photon) : Power{};
+    const double value = lobe.value(photon.normal, photon.toLight, eye.directionFrom(photon.point));
     for (int band = 0; band < bands_; ++band)
     {
-      sum[static_cast<std::size_t>(band)] += value * engine_.watts(power[band]);
+      sum[static_cast<std::size_t>(band)] += value * engine_.watts(photon.power[band]);
     }
   }
   const std::size_t first = cell * static_cast<std::size_t>(bands_);
@@ -170,8 +203,8 @@ Ray OutgoingRadiance::mirrorRay(
     rest -= area;
     ++i;
   }
-  SurfacePoint point =
-    surfacePoint(triangleAt(i), sampleTriangle(samples_.sample(sample, 0, SampleUse::Position)));
+  SurfacePoint point = surfacePoint(
+    triangleAt(i), sampleTriangle(mirrorPoints_.sample(sample, 0, SampleUse::Position)));
   const Vector3 toEye = eye.directionFrom(point.position);
   point.turn(toEye.dot(point.normal) >= 0);
   return { point.clearPosition(), mirrorDirection(point.normal, -toEye),

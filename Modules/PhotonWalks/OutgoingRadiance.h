@@ -36,8 +36,8 @@ class OutgoingRadiance
 public:
   using Bands = std::array<double, Power::kMaxBands>;
 
-  /// In the present state of the engine, which must keep the photons and must not change meanwhile.
-  /// Throws Interrupted.
+  /// Collects what does not depend on the eye, in the present state of the engine. That must keep
+  /// the photons, and must not change as long as this is used. Throws Interrupted.
   OutgoingRadiance(IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution);
 
   /// May be called by several threads. 0 for a cell without area.
@@ -53,8 +53,17 @@ private:
     std::vector<std::uint32_t> triangles;
     std::vector<std::size_t> first; ///< of each cell, and the end
     std::vector<double> areas;      ///< of each cell, world, m2
+    std::size_t firstCell;          ///< among the cells of all objects
+  };
+  /// A photon on a specular cell that is no mirror.
+  struct Arrival
+  {
+    Vector3 point, toLight, normal; ///< unit vectors; the normal on the side where it arrived
+    Power power;
   };
 
+  void addCells(std::uint32_t object, Execution& execution);
+  void collectArrivals(Execution& execution);
   Bands diffuse(std::uint32_t object, std::size_t cell, const Eye& eye) const;
   /// Emitted, and reflected diffusely, by one side.
   Bands diffuseOf(std::uint32_t object, std::size_t cell, bool isFront) const;
@@ -73,13 +82,12 @@ private:
     return *engine_.objects()[object].material;
   }
 
-  const IrradianceEngine& engine_;
-  const SpecularPhotons& photons_;
-  WalkHistory history_;
-  SobolSequence samples_;
+  IrradianceEngine& engine_;
+  SobolSequence mirrorPoints_;
   std::uint32_t mirrorSamples_;
   int bands_;
   std::vector<Cells> objects_;
+  std::vector<std::vector<Arrival>> arrivals_; ///< of each cell; in order of the walks
 };
 
 }

@@ -32,6 +32,7 @@ struct Photon
   PhotonReference reference;
   TriangleId id;
   std::array<float, 2> weights; ///< see Hit
+  bool isFront;                 ///< see WalkHistory::isFront
 };
 
 /// Photons that left the history or came to it, in any order.
@@ -70,12 +71,19 @@ public:
     const WalkPlan::Place place = plan_.placeOf(photon.walk);
     return blocks_[place.block].hit(place.walkInBlock, photon.bounce);
   }
-  /// From where the photon flew to where it arrived, in the frame of the stored points: a world
-  /// vector but for its length. Rounded to floats.
-  Vector3 incoming(const PhotonReference& photon) const
+  /// Whether it arrived on the front. Known of all photons only if they are kept for others, see
+  /// WalkBatch.
+  bool isFront(const PhotonReference& photon) const
   {
     const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    return blocks_[place.block].vector(place.walkInBlock, photon.bounce);
+    return blocks_[place.block].isFront(place.walkInBlock, photon.bounce);
+  }
+  /// Where the photon is stored.
+  const WalkBlock& blockOf(const PhotonReference& photon, std::uint32_t& walkInBlock) const
+  {
+    const WalkPlan::Place place = plan_.placeOf(photon.walk);
+    walkInBlock = place.walkInBlock;
+    return blocks_[place.block];
   }
 
   /// Calls visit(Photon) for each photon that segments of a walk from `first` on brought, in order.
@@ -88,7 +96,8 @@ public:
     {
       if (const Hit hit = walks.hit(walkInBlock, bounce))
       {
-        visit(Photon{ { firstWalkOf(block) + walkInBlock, bounce }, hit.id, hit.weights });
+        visit(Photon{ { firstWalkOf(block) + walkInBlock, bounce }, hit.id, hit.weights,
+          walks.isFront(walkInBlock, bounce) });
       }
     }
   }

@@ -43,7 +43,7 @@ struct WalkRepair::Batch
     : begin(first)
     , end(first + count)
     , tally(state.sums, balance)
-    , walks(state.shooter, &state.frame)
+    , walks(state.shooter, &state.frame, state.storesSides)
   {
   }
 

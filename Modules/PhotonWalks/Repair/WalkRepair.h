@@ -36,6 +36,7 @@ public:
     CellSums& sums;
     PowerBalance& balance;
     bool cacheStaticHits;
+    bool storesSides; ///< see WalkBatch
     /// By block, what the verification of this frame found. May be empty if nothing moved.
     const std::vector<std::vector<StaleSegment>>& found;
     StaleWalks* stale;  ///< the walks to repair; null: those that were found
