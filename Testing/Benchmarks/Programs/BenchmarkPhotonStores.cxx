@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What it costs to keep photons, and to find them again. One thread, CPU time.
+ * What it costs to keep photons. One thread, CPU time.
  *
  * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash table and
  * a vector that is searched from end to end. SpecularPhotons: those of a room with specular cells, made
- * from its walks, and updated with what changes in a frame. NearestPhotons: the 50 nearest to places on
- * the surfaces, by locators that are built anew in each frame. Before any time counts, all have to hold,
- * or to find, the same photons.
+ * from its walks, and updated with what changes in a frame. In every round all have to hold the right
+ * photons.
  *
  * Arguments: [walks = 1000000] [rounds = 5]
  */
@@ -16,20 +15,17 @@
 #include "Measuring/Results.h"
 #include "Photons/SpecularPhotons.h"
 #include "Rivals/PhotonBags.h"
-#include "Rivals/PhotonLocator.h"
 #include "Scenes/PhotonTraffic.h"
 #include "Scenes/PlainRoom.h"
 
-#include <cmath>
-#include <random>
+#include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 
 using namespace irradiance;
 
 namespace
 {
-
-using Random = std::mt19937_64;
 
 void require(bool isRight, const std::string& what)
 {
@@ -38,17 +34,6 @@ void require(bool isRight, const std::string& what)
     throw std::runtime_error(what);
   }
 }
-
-/// Seconds of this thread's CPU time.
-template <class Work>
-double secondsOf(const Work& work)
-{
-  const double start = threadCpuSeconds();
-  work();
-  return threadCpuSeconds() - start;
-}
-
-// ---- Photon sets
 
 /// Prefetches what the later steps will need, as SpecularPhotons does.
 template <class Bag, class Work>
@@ -93,8 +78,9 @@ void timeSets(std::size_t photons, std::size_t size, int rounds)
   {
     traffic.nextRound(photons / kRoundsToAge);
     const double perStep = 1e9 / static_cast<double>(traffic.gone().size());
-    const double gone = secondsOf([&] { forEachStep(bags, traffic.gone(), remove); });
-    const double arrived = secondsOf([&] { forEachStep(bags, traffic.arrived(), insert); });
+    const double gone = threadCpuSecondsOf([&] { forEachStep(bags, traffic.gone(), remove); });
+    const double arrived =
+      threadCpuSecondsOf([&] { forEachStep(bags, traffic.arrived(), insert); });
     requireContents(bags, traffic.photons());
     if (round >= 0)
     {
@@ -145,33 +131,6 @@ void timeAllSets(std::size_t photons, int rounds)
   measureBytes();
 }
 
-// ---- Photons on specular cells
-
-/// A share of the cells reflects half of what it absorbed before in a lobe.
-std::shared_ptr<const Material> glossy(Material material, double share, Random& random)
-{
-  std::vector<double> specular;
-  for (const double diffuse : material.reflectance)
-  {
-    specular.push_back(
-      std::uniform_real_distribution<double>()(random) < share ? 0.5 * (1 - diffuse) : 0.0);
-  }
-  material.setSpecular(specular, std::vector<double>(material.numberOfCells, 50.0));
-  return std::make_shared<const Material>(std::move(material));
-}
-
-MovingScene makeGlossyRoom(double share)
-{
-  Random random(1);
-  MovingScene room = makePlainRoom();
-  room.objects.staticObject.material = glossy(*room.objects.staticObject.material, share, random);
-  for (SceneObject& object : room.objects.dynamicObjects)
-  {
-    object.material = glossy(*object.material, share, random);
-  }
-  return room;
-}
-
 /// What is on each cell.
 std::vector<PhotonTraffic::Photons> contentsOf(
   const SpecularPhotons& sets, const SceneObjects& objects)
@@ -206,7 +165,7 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
   std::vector<Photon> photons = test::photonsOf(engine);
   for (int round = 0; round < rounds; ++round)
   {
-    const double building = secondsOf([&] { specularPhotonsOf(scene.at(0), engine); });
+    const double building = threadCpuSecondsOf([&] { specularPhotonsOf(scene.at(0), engine); });
     report(table, row, "built, ms", 1e3 * building);
     report(table, row, "built / first shooting", building / shooting);
   }
@@ -217,7 +176,7 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     const std::vector<Photon> now = test::photonsOf(engine);
     const PhotonChanges changes = test::changesBetween(photons, now);
     photons = now;
-    const double applying = secondsOf([&] { sets.apply(changes, serial); });
+    const double applying = threadCpuSecondsOf([&] { sets.apply(changes, serial); });
     require(contentsOf(sets, objects) == contentsOf(specularPhotonsOf(objects, engine), objects),
       "Updated photons differ from new ones");
     report(table, row, "updated, ms", 1e3 * applying);
@@ -235,152 +194,6 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     table, row, "bytes a photon", static_cast<double>(sets.bytes()) / static_cast<double>(count));
 }
 
-// ---- Nearest photons
-
-constexpr std::size_t kNearest = 50;
-constexpr double kPixels = 640 * 480; ///< searches of a frame
-
-/// Corners in the world.
-Triangle triangleOf(const SceneObjects& objects, const TriangleId& id)
-{
-  const SceneObject& object = objects[id.object];
-  return transformed(object.worldFromObject, object.body->mesh().triangles()[id.triangle]);
-}
-
-/// To the front, as long as twice the area.
-Vector3 normalOf(const Triangle& triangle)
-{
-  return (triangle.b - triangle.a).cross(triangle.c - triangle.a);
-}
-
-Vector3 pointOn(const Triangle& triangle, double b, double c)
-{
-  return (1 - b - c) * triangle.a + b * triangle.b + c * triangle.c;
-}
-
-std::vector<Vector3> photonPoints(const IrradianceEngine& engine, const SceneObjects& objects)
-{
-  std::vector<Vector3> points;
-  for (const Photon& photon : test::photonsOf(engine))
-  {
-    points.push_back(pointOn(triangleOf(objects, photon.id), photon.weights[0], photon.weights[1]));
-  }
-  return points;
-}
-
-/// Uniform over the area, on the front.
-std::vector<Sensor> makeSensors(const SceneObjects& objects, std::size_t count)
-{
-  std::vector<Triangle> triangles;
-  std::vector<double> areas;
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    for (std::uint32_t i = 0; i < objects[object].body->mesh().triangles().size(); ++i)
-    {
-      triangles.push_back(triangleOf(objects, { object, i }));
-      areas.push_back(normalOf(triangles.back()).norm());
-    }
-  }
-  Random random(3);
-  std::discrete_distribution<std::size_t> choose(areas.begin(), areas.end());
-  std::uniform_real_distribution<double> unit;
-  std::vector<Sensor> sensors;
-  while (sensors.size() < count)
-  {
-    const Triangle& triangle = triangles[choose(random)];
-    const double s = std::sqrt(unit(random)), t = s * unit(random);
-    sensors.push_back({ pointOn(triangle, s - t, t), normalOf(triangle).normalized() });
-  }
-  return sensors;
-}
-
-/// Beside a search of all photons, one by one.
-void requireNearest(
-  PhotonLocator& locator, const Sensor& sensor, const std::vector<Vector3>& photons)
-{
-  std::vector<double> all;
-  for (const Vector3& photon : photons)
-  {
-    all.push_back((photon - sensor.point).squaredNorm());
-  }
-  std::partial_sort(all.begin(), all.begin() + kNearest, all.end());
-  locator.find(sensor, kNearest);
-  std::vector<double> found = locator.squaredDistances();
-  std::sort(found.begin(), found.end());
-  // The locators compute in floats.
-  require(found.size() == kNearest &&
-      std::equal(found.begin(), found.end(), all.begin(),
-        [](double a, double b) { return std::abs(std::sqrt(a) - std::sqrt(b)) < 1e-5; }),
-    "A locator finds other photons");
-}
-
-struct Contestant
-{
-  std::string name;
-  std::unique_ptr<PhotonLocator> locator;
-};
-
-/// The photons are those of an engine. (What finds them in the leaf cells of the engine's own trees
-/// joins here; it keeps its photons up to date instead of building anything.)
-std::vector<Contestant> makeContestants(const std::vector<Vector3>& photons)
-{
-  std::vector<Contestant> contestants;
-  contestants.push_back({ "photon map", makePhotonMapLocator(photons, 1) });
-  contestants.push_back({ "vtkStaticPointLocator", makeVtkLocator(photons) });
-  return contestants;
-}
-
-/// A frame: walks are shot, and not stored; the locator is built; each pixel asks it.
-void reportFrame(const std::string& row, double shooting, double building, double search)
-{
-  const double searches = kPixels * search, frame = shooting + building + searches;
-  report("NearestPhotons", row, "built, s", building);
-  report("NearestPhotons", row, "us a search", 1e6 * search);
-  report(
-    "NearestPhotons", row, "searches a second, building counted", kPixels / (building + searches));
-  report("NearestPhotons", row, "share of a frame: searches, %", 100 * searches / frame);
-  report("NearestPhotons", row, "share of a frame: building, %", 100 * building / frame);
-}
-
-void timeNearestPhotons(EngineSettings settings, int rounds)
-{
-  const SceneObjects objects = makePlainRoom().at(0);
-  IrradianceEngine engine;
-  timeUpdate(engine, objects, settings);
-  const std::vector<Vector3> photons = photonPoints(engine, objects);
-  const std::vector<Sensor> sensors = makeSensors(objects, 30000);
-  const std::vector<Contestant> contestants = makeContestants(photons);
-  for (const Contestant& contestant : contestants)
-  {
-    contestant.locator->build();
-    for (std::size_t i = 0; i < 30; ++i)
-    {
-      requireNearest(*contestant.locator, sensors[i], photons);
-    }
-  }
-  settings.verify = false;
-  for (int round = 0; round < rounds; ++round)
-  {
-    IrradianceEngine plain;
-    const double shooting = timeUpdate(plain, objects, settings).whole;
-    for (const Contestant& contestant : contestants)
-    {
-      PhotonLocator& locator = *contestant.locator;
-      const double building = secondsOf([&] { locator.build(); });
-      const double searches = secondsOf([&] {
-        for (const Sensor& sensor : sensors)
-        {
-          locator.find(sensor, kNearest);
-        }
-      });
-      reportFrame(
-        contestant.name, shooting, building, searches / static_cast<double>(sensors.size()));
-    }
-  }
-  report("NearestPhotons", contestants.front().name, "photons, millions",
-    1e-6 * static_cast<double>(photons.size()));
-}
-
 }
 
 void run(const Arguments& arguments)
@@ -390,5 +203,4 @@ void run(const Arguments& arguments)
   const int rounds = arguments.number(1, 5);
   timeAllSets(settings.numberOfWalks, rounds);
   timeSpecularPhotons(settings, rounds);
-  timeNearestPhotons(settings, rounds);
 }
