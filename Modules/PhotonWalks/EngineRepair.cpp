@@ -53,9 +53,12 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   {
     budget.emplace(execution, settings_.repairTimeBudget);
   }
-  WalkRepair repair({ shooter, plan_, history_, pointFrame_, sums_, balance_,
-    settings_.cacheStaticHits, found, stale_.get(), budget ? &*budget : nullptr });
+  PhotonChanges changes;
+  WalkRepair repair(
+    { shooter, plan_, history_, pointFrame_, sums_, balance_, settings_.cacheStaticHits, found,
+      stale_.get(), budget ? &*budget : nullptr, hasPhotonStores() ? &changes : nullptr });
   statistics_.repairedSegments = repair.run(rest);
+  updatePhotonStores(changes, execution);
   statistics_.repairSeconds = budget ? budget->elapsed() : secondsSince(start);
 }
 

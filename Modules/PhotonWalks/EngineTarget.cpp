@@ -50,6 +50,10 @@ double IrradianceEngine::expectedWalks(std::size_t rounds) const
 void IrradianceEngine::dropRounds(std::size_t kept, const Checkpoint& checkpoint)
 {
   const std::size_t blocks = plan_.rounds()[kept - 1].endBlock;
+  if (history_.size() > blocks)
+  {
+    forgetPhotonStores();
+  }
   while (history_.size() > blocks)
   {
     WalkTally tally(sums_, balance_);

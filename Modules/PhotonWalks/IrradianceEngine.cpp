@@ -51,6 +51,7 @@ void IrradianceEngine::update(
     std::none_of(moved.begin(), moved.end(), [](bool isMoved) { return isMoved; });
   const std::size_t bytes = statistics_.historyBytes, blocks = history_.size();
   isValid_ = false; // until the end is reached
+  ++state_;
   objects_ = objects;
   settings_ = settings;
   plan_ = plan;
@@ -125,6 +126,7 @@ void IrradianceEngine::startAnew(Execution& execution)
     checkpoint();
   }
   stale_.reset();
+  forgetPhotonStores();
   pointFrame_ = pointFrame(objects_, walkBounds());
   clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
@@ -134,7 +136,8 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
   const Clock::time_point start = Clock::now();
   const WalkRound& walks = plan_.rounds()[round];
-  const bool keep = settings_.verify && !objects_.dynamicObjects.empty();
+  const bool keep = keepsPhotons();
+  forgetPhotonStores(); // they are collected again, with this round
   sums_.setRounds(round + 1, checkpointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
   {

@@ -5,6 +5,7 @@
 #include "Execution/Execution.h"
 #include "Light/Contacts.h"
 #include "Light/SceneObjects.h"
+#include "Photons/SpecularPhotons.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
 #include "Tally/ErrorEstimate.h"
@@ -24,6 +25,8 @@ struct EngineSettings
   bool verify = true; ///< false: every frame is shot anew
   bool cacheStaticHits = true;
   bool separateSides = false;
+  /// Whether walks are stored even if nothing can move, for those who ask for photons.
+  bool keepPhotons = false;
   std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known
   /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. The
   /// number of walks is doubled until then.
@@ -92,6 +95,20 @@ public:
   const std::vector<WalkBlock>& history() const { return history_; }
   const WalkPlan& plan() const { return plan_; }
 
+  /// Differs after each update: what was derived from another state is out of date.
+  std::uint64_t state() const { return state_; }
+  /// Whether the last update was completed.
+  bool isValid() const { return isValid_; }
+  const SceneObjects& objects() const { return objects_; }
+  const Scene& scene() const { return scene_; }
+  const EngineSettings& settings() const { return settings_; }
+  /// Whether all walks are stored, so that the following can be asked for.
+  bool keepsPhotons() const { return keepsPhotons(objects_, settings_); }
+  WalkHistory photons() const { return { plan_, history_ }; }
+  /// The photons on specular cells. They are collected when first asked for, then updates keep them
+  /// up to date. Throws Interrupted.
+  const SpecularPhotons& specularPhotons(Execution& execution);
+
 private:
   using Clock = std::chrono::steady_clock;
   static double secondsSince(Clock::time_point start)
@@ -99,6 +116,10 @@ private:
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
+  static bool keepsPhotons(const SceneObjects& objects, const EngineSettings& settings)
+  {
+    return settings.keepPhotons || (settings.verify && !objects.dynamicObjects.empty());
+  }
   /// Whether the stored walks can be repaired, given that the lights are the same.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
   void commitScene(const std::vector<bool>& moved, Execution& execution);
@@ -119,6 +140,9 @@ private:
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
   std::vector<std::vector<StaleSegment>> verify(
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
+  bool hasPhotonStores() const { return specularPhotons_ != nullptr; }
+  void forgetPhotonStores() { specularPhotons_.reset(); }
+  void updatePhotonStores(const PhotonChanges& changes, Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   std::size_t historyBytes() const;
   /// Walks stay inside, except where they escape.
@@ -134,7 +158,9 @@ private:
   Contacts contacts_; ///< of this frame
   CellSums sums_;
   PowerBalance balance_;
-  std::vector<WalkBlock> history_;    ///< empty unless something may move
+  std::vector<WalkBlock> history_;                   ///< empty unless something may move
+  std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for
+  std::uint64_t state_ = 0;
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
   UnitFrame pointFrame_;              ///< of the stored points
   double pointReach_ = 0;             ///< their largest coordinate, except the ends of escapes

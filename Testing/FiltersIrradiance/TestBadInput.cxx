@@ -165,6 +165,16 @@ Spoil ReplaceArray(const char* name, int components, vtkIdType tuples)
   };
 }
 
+/// A part of the room's cells reflects specularly.
+Spoil SetGloss(const char* name, vtkIdType cell, double value)
+{
+  return [=](vtkIrradianceFilter*, Scene& scene) {
+    SetCellValues(scene.Fixed[0], "SpecularReflectance", { 0.25 });
+    SetCellValues(scene.Fixed[0], "PhongExponent", { 20 });
+    scene.Fixed[0]->GetCellData()->GetArray(name)->SetComponent(cell, 0, value);
+  };
+}
+
 const std::string Room = "input port 0, connection 0";
 const std::string Lamp = "input port 0, connection 1";
 const std::string Bulb = "input port 0, connection 2";
@@ -196,6 +206,16 @@ const std::vector<BadInput> BadInputs{
     { Room, "cell 53", "reflectance -0.25" } },
   { "ReflectanceIsNaN", SetValue(0, "DiffuseReflectance", 7, NaN),
     { Room, "cell 7", "reflectance nan" } },
+  { "SpecularBelow0", SetGloss("SpecularReflectance", 7, -0.1),
+    { Room, "cell 7", "specular reflectance -0.1" } },
+  { "SpecularIsNaN", SetGloss("SpecularReflectance", 7, NaN),
+    { Room, "cell 7", "specular reflectance nan" } },
+  { "DiffuseAndSpecularAbove1", SetGloss("SpecularReflectance", 7, 0.51),
+    { Room, "cell 7", "0.5", "0.51", "more than 1" } },
+  { "ExponentBelow0", SetGloss("PhongExponent", 7, -1), { Room, "cell 7", "exponent -1" } },
+  { "ExponentIsNaN", SetGloss("PhongExponent", 7, NaN), { Room, "cell 7", "exponent nan" } },
+  { "ExponentHasThreeBands", ReplaceArray<vtkDoubleArray>("PhongExponent", 3, 1),
+    { Lamp, "PhongExponent", "3 components; 1 is" } },
   { "ExitanceIsNegative", SetValue(1, "RadiantExitance", 0, -3e-9),
     { Lamp, "cell 0", "exitance -3e-09" } },
   { "ExitanceIsNaN", SetValue(1, "RadiantExitance", 0, NaN), { Lamp, "cell 0", "exitance nan" } },

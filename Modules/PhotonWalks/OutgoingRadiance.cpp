@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutgoingRadiance.h"
+
+#include "Meshes/SurfacePoint.h"
+#include "Sampling/DirectionSampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr double kPi = 3.14159265358979323846;
+
+void add(OutgoingRadiance::Bands& sum, const OutgoingRadiance::Bands& part, double factor = 1)
+{
+  for (std::size_t band = 0; band < sum.size(); ++band)
+  {
+    sum[band] += factor * part[band];
+  }
+}
+
+Vector3 mirrorDirection(const Vector3& normal, const Vector3& direction)
+{
+  return direction - 2 * direction.dot(normal) * normal;
+}
+
+/// The unit normal of a world triangle, turned to the side from which `direction` comes.
+Vector3 normalAgainst(const Triangle& triangle, const Vector3& direction)
+{
+  const Vector3 normal = triangle.areaVector().normalized();
+  return direction.dot(normal) <= 0 ? normal : Vector3(-normal);
+}
+
+}
+
+OutgoingRadiance::OutgoingRadiance(
+  IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution)
+  : engine_(engine)
+  , photons_(engine.specularPhotons(execution))
+  , history_(engine.photons())
+  , samples_(0)
+  , mirrorSamples_(mirrorSamples)
+  , bands_(engine.objects().staticObject.material->bands)
+{
+  const SceneObjects& objects = engine.objects();
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const std::vector<std::uint32_t>& cellOf = objects[object].material->cellOfTriangle;
+    Cells cells;
+    cells.triangles.resize(cellOf.size());
+    std::iota(cells.triangles.begin(), cells.triangles.end(), 0u);
+    std::stable_sort(cells.triangles.begin(), cells.triangles.end(),
+      [&](std::uint32_t a, std::uint32_t b) { return cellOf[a] < cellOf[b]; });
+    cells.first.assign(objects[object].material->numberOfCells + 1, 0);
+    for (const std::uint32_t cell : cellOf)
+    {
+      ++cells.first[cell + 1];
+    }
+    std::partial_sum(cells.first.begin(), cells.first.end(), cells.first.begin());
+    cells.areas = cellAreas(objects[object], checkpointOf(execution, 0));
+    objects_.push_back(std::move(cells));
+  }
+}
+
+OutgoingRadiance::Bands OutgoingRadiance::operator()(
+  std::uint32_t object, std::size_t cell, const Eye& eye) const
+{
+  Bands radiance{};
+  if (objects_[object].areas[cell] > 0)
+  {
+    add(radiance, diffuse(object, cell, eye));
+    if (isSpecular(object, cell))
+    {
+      const bool isMirror = materialOf(object).lobeOf(cell).isMirror();
+      add(radiance, isMirror ? mirrored(object, cell, eye) : specular(object, cell, eye));
+    }
+  }
+  return radiance;
+}
+
+/// Each triangle of the cell shows the eye one of its sides.
+OutgoingRadiance::Bands OutgoingRadiance::diffuse(
+  std::uint32_t object, std::size_t cell, const Eye& eye) const
+{
+  const Cells& cells = objects_[object];
+  double front = 0, back = 0; // parts of the area
+  for (std::size_t i = cells.first[cell]; i < cells.first[cell + 1]; ++i)
+  {
+    const Triangle triangle = engine_.scene().worldTriangle({ object, cells.triangles[i] });
+    const Vector3 toEye = eye.directionFrom((triangle.a + triangle.b + triangle.c) / 3);
+    (toEye.dot(triangle.areaVector()) >= 0 ? front : back) += triangle.area();
+  }
+  Bands radiance{};
+  for (const bool isFront : { true, false })
+  {
+    if ((isFront ? front : back) > 0)
+    {
+      add(radiance, diffuseOf(object, cell, isFront), (isFront ? front : back) / (front + back));
+    }
+  }
+  return radiance;
+}
+
+OutgoingRadiance::Bands OutgoingRadiance::diffuseOf(
+  std::uint32_t object, std::size_t cell, bool isFront) const
+{
+  const Material& material = materialOf(object);
+  const int side = isFront || !engine_.settings().separateSides ? 0 : 1;
+  Bands radiance{};
+  for (int band = 0; band < bands_; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    const std::size_t slot = cell * static_cast<std::size_t>(bands_) + i;
+    const double emitted = isFront && !material.exitance.empty() ? material.exitance[slot] : 0;
+    radiance[i] = (emitted +
+                    material.reflectance[slot] *
+                      engine_.irradiance(object, cell, side, band, objects_[object].areas[cell])) /
+      kPi;
+  }
+  return radiance;
+}
+
+OutgoingRadiance::Bands OutgoingRadiance::specular(
+  std::uint32_t object, std::size_t cell, const Eye& eye) const
+{
+  const Material& material = materialOf(object);
+  const PhongLobe& lobe = material.lobeOf(cell);
+  Bands sum{}; // W/sr
+  for (const PhotonReference& photon : photons_.sorted(object, cell))
+  {
+    const Hit hit = history_.hit(photon);
+    const Triangle triangle = engine_.scene().worldTriangle(hit.id);
+    const Vector3 weights = weightsOf(hit);
+    const Vector3 point =
+      weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
+    const Vector3 incoming = history_.incoming(photon).normalized();
+    const double value =
+      lobe.value(normalAgainst(triangle, incoming), -incoming, eye.directionFrom(point));
+    const Power power = value > 0 ? history_.power(photon) : Power{};
+    for (int band = 0; band < bands_; ++band)
+    {
+      sum[static_cast<std::size_t>(band)] += value * engine_.watts(power[band]);
+    }
+  }
+  const std::size_t first = cell * static_cast<std::size_t>(bands_);
+  for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
+  {
+    sum[band] *= material.specularReflectance[first + band] / objects_[object].areas[cell];
+  }
+  return sum;
+}
+
+Ray OutgoingRadiance::mirrorRay(
+  std::uint32_t object, std::size_t cell, std::uint32_t sample, const Eye& eye) const
+{
+  const Cells& cells = objects_[object];
+  double rest = (sample + 0.5) / mirrorSamples_ * cells.areas[cell];
+  std::size_t i = cells.first[cell];
+  const auto triangleAt = [&](std::size_t place) {
+    return engine_.scene().worldTriangle({ object, cells.triangles[place] });
+  };
+  for (double area = triangleAt(i).area(); rest > area && i + 1 < cells.first[cell + 1];
+       area = triangleAt(i).area())
+  {
+    rest -= area;
+    ++i;
+  }
+  SurfacePoint point =
+    surfacePoint(triangleAt(i), sampleTriangle(samples_.sample(sample, 0, SampleUse::Position)));
+  const Vector3 toEye = eye.directionFrom(point.position);
+  point.turn(toEye.dot(point.normal) >= 0);
+  return { point.clearPosition(), mirrorDirection(point.normal, -toEye),
+    { object, cells.triangles[i] } };
+}
+
+OutgoingRadiance::Bands OutgoingRadiance::mirrored(
+  std::uint32_t object, std::size_t cell, const Eye& eye) const
+{
+  Bands sum{};
+  for (std::uint32_t sample = 0; sample < mirrorSamples_; ++sample)
+  {
+    add(sum, alongRay(mirrorRay(object, cell, sample, eye)), 1.0 / mirrorSamples_);
+  }
+  const std::size_t first = cell * static_cast<std::size_t>(bands_);
+  for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
+  {
+    sum[band] *= materialOf(object).specularReflectance[first + band];
+  }
+  return sum;
+}
+
+OutgoingRadiance::Bands OutgoingRadiance::alongRay(Ray ray) const
+{
+  Bands sum{}, seen{ 1, 1, 1 }; // the part of what leaves a hit that gets through the mirrors
+  for (int mirrors = 0; mirrors <= kMostMirrors; ++mirrors)
+  {
+    const Hit hit = engine_.scene().cast(ray);
+    if (!hit)
+    {
+      break;
+    }
+    const std::uint32_t object = hit.id.object;
+    const Material& material = materialOf(object);
+    const std::size_t cell = material.cellOfTriangle[hit.id.triangle];
+    const SurfacePoint point = engine_.scene().surfaceAt(ray.direction, hit);
+    Bands radiance = diffuseOf(object, cell, point.isFront);
+    const bool isMirror = isSpecular(object, cell) && material.lobeOf(cell).isMirror();
+    if (isSpecular(object, cell) && !isMirror)
+    {
+      add(radiance, specular(object, cell, { -ray.direction, true }));
+    }
+    for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
+    {
+      sum[band] += seen[band] * radiance[band];
+      seen[band] *=
+        isMirror ? material.specularReflectance[cell * static_cast<std::size_t>(bands_) + band] : 0;
+    }
+    if (!isMirror)
+    {
+      break;
+    }
+    ray = { point.clearPosition(), mirrorDirection(point.normal, ray.direction), hit.id };
+  }
+  return sum;
+}
+
+}
