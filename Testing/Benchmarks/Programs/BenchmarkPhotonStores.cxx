@@ -3,13 +3,11 @@
  * What it costs to keep photons. One thread, CPU time.
  *
  * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash table and
- * a vector that is searched from end to end. SpecularPhotons: those of a room with specular cells, made
- * from its walks, and updated with what changes in a frame. In every round all have to hold the right
- * photons.
+ * a vector that is searched from end to end. SpecularPhotons: a room with specular cells, whose photons
+ * the engine keeps, beside the same room without any. In every round all have to hold the right photons.
  *
  * Arguments: [walks = 1000000] [rounds = 5]
  */
-#include "../../PhotonWalks/HistoryChanges.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -146,52 +144,70 @@ std::vector<PhotonTraffic::Photons> contentsOf(
   return contents;
 }
 
-SpecularPhotons specularPhotonsOf(const SceneObjects& objects, const IrradianceEngine& engine)
+void reportMemory(const SpecularPhotons& sets, const SceneObjects& objects,
+  const std::string& table, const std::string& row)
 {
-  CpuTime serial;
-  SpecularPhotons sets(objects);
-  sets.add({ engine.plan(), engine.history() }, 0, engine.history().size(), serial);
-  return sets;
-}
-
-void timeSpecularPhotons(const EngineSettings& settings, int rounds)
-{
-  const std::string table = "SpecularPhotons", row = "20 % of the cells";
-  const MovingScene scene = makeGlossyRoom(0.2);
-  IrradianceEngine engine;
-  CpuTime serial;
-  const double shooting = timeUpdate(engine, scene.at(0), settings).whole;
-  SpecularPhotons sets = specularPhotonsOf(scene.at(0), engine);
-  std::vector<Photon> photons = test::photonsOf(engine);
-  for (int round = 0; round < rounds; ++round)
-  {
-    const double building = threadCpuSecondsOf([&] { specularPhotonsOf(scene.at(0), engine); });
-    report(table, row, "built, ms", 1e3 * building);
-    report(table, row, "built / first shooting", building / shooting);
-  }
-  for (int frame = 1; frame <= 2 * rounds; ++frame)
-  {
-    const SceneObjects objects = scene.inFrame(frame);
-    const double update = timeUpdate(engine, objects, settings).whole;
-    const std::vector<Photon> now = test::photonsOf(engine);
-    const PhotonChanges changes = test::changesBetween(photons, now);
-    photons = now;
-    const double applying = threadCpuSecondsOf([&] { sets.apply(changes, serial); });
-    require(contentsOf(sets, objects) == contentsOf(specularPhotonsOf(objects, engine), objects),
-      "Updated photons differ from new ones");
-    report(table, row, "updated, ms", 1e3 * applying);
-    report(table, row, "updated / frame", applying / update);
-    report(table, row, "changed walks, %",
-      100.0 * static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks);
-  }
   std::size_t count = 0;
-  for (const PhotonTraffic::Photons& cell : contentsOf(sets, scene.at(0)))
+  for (const PhotonTraffic::Photons& cell : contentsOf(sets, objects))
   {
     count += cell.size();
   }
   report(table, row, "photons, millions", 1e-6 * static_cast<double>(count));
   report(
     table, row, "bytes a photon", static_cast<double>(sets.bytes()) / static_cast<double>(count));
+}
+
+/// Throws unless the engine, which kept its photons up to date, has what is collected anew.
+void requireFresh(IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
+{
+  SpecularPhotons fresh(objects);
+  fresh.add(engine.photons(), 0, engine.history().size(), execution);
+  require(contentsOf(engine.specularPhotons(execution), objects) == contentsOf(fresh, objects),
+    "Updated photons differ from new ones");
+}
+
+/// Seconds of the engine's update, with the photons on specular cells.
+double timeWithPhotons(IrradianceEngine& engine, const SceneObjects& objects,
+  const EngineSettings& settings, CpuTime& execution)
+{
+  return threadCpuSecondsOf([&] {
+    engine.update(objects, settings, execution);
+    engine.specularPhotons(execution);
+  });
+}
+
+/// A room with specular cells beside the same room without any. Its walks are longer.
+void timeSpecularPhotons(const EngineSettings& settings, int rounds)
+{
+  const std::string table = "SpecularPhotons", row = "20 % of the cells";
+  const MovingScene matte = makePlainRoom(), glossy = makeGlossyRoom(0.2);
+  CpuTime execution;
+  for (int round = 0; round < rounds; ++round)
+  {
+    IrradianceEngine plain, engine;
+    const double plainFirst = timeWithPhotons(plain, matte.at(0), settings, execution);
+    const double first = timeUpdate(engine, glossy.at(0), settings).whole;
+    const double building = threadCpuSecondsOf([&] { engine.specularPhotons(execution); });
+    report(table, row, "first shooting / without", (first + building) / plainFirst, { 1.35, 1.15 });
+    report(table + "Parts", row, "built, ms", 1e3 * building);
+    report(table + "Parts", row, "built / first shooting", building / (first + building));
+    report(table + "Parts", row, "segments / without",
+      static_cast<double>(engine.balance().segments) /
+        static_cast<double>(plain.balance().segments));
+    constexpr int kFrames = 4;
+    double frames = 0, plainFrames = 0, changed = 0;
+    for (int frame = 1; frame <= kFrames; ++frame)
+    {
+      plainFrames += timeWithPhotons(plain, matte.inFrame(frame), settings, execution);
+      frames += timeWithPhotons(engine, glossy.inFrame(frame), settings, execution);
+      changed += static_cast<double>(engine.statistics().invalidWalks);
+    }
+    requireFresh(engine, glossy.inFrame(kFrames), execution);
+    report(table, row, "frame / without", frames / plainFrames, { 1.35, 1.15 });
+    report(
+      table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
+    reportMemory(engine.specularPhotons(execution), glossy.at(0), table + "Parts", row);
+  }
 }
 
 }
