@@ -99,7 +99,9 @@ std::size_t IrradianceEngine::historyBytes() const
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
 {
-  return isValid_ && settings.verify && settings_.verify && !objects.dynamicObjects.empty() &&
+  // Rounds of walks that were not stored cannot be taken back.
+  const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
+  return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     planOf(settings) == plan_ && settings.seed == settings_.seed &&
     settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
 }

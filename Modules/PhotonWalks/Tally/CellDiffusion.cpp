@@ -18,10 +18,11 @@ double diffusionTime(double area, double width)
   return std::max(0.0, std::min(2.2 * (width - area), width + M_PI / 2 * area)) / (8 * M_PI);
 }
 
-/// As many as the edges need, except a few between very small cells.
+/// As many as the edges need, except a few between very small cells; and enough to be like a flow
+/// without steps.
 int chooseSteps(std::vector<double> stepsNeeded)
 {
-  constexpr double kServed = 0.95, kMost = 256;
+  constexpr double kServed = 0.95, kFewest = 4, kMost = 256;
   if (stepsNeeded.empty())
   {
     return 0;
@@ -30,7 +31,7 @@ int chooseSteps(std::vector<double> stepsNeeded)
     static_cast<std::ptrdiff_t>(kServed * static_cast<double>(stepsNeeded.size() - 1));
   std::nth_element(stepsNeeded.begin(), stepsNeeded.begin() + served, stepsNeeded.end());
   return static_cast<int>(
-    std::clamp(std::ceil(stepsNeeded[static_cast<std::size_t>(served)]), 1.0, kMost));
+    std::clamp(std::ceil(stepsNeeded[static_cast<std::size_t>(served)]), kFewest, kMost));
 }
 
 }

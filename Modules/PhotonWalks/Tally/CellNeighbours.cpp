@@ -9,9 +9,6 @@ namespace irradiance
 namespace
 {
 
-/// A place and a normal, see cellNeighbours().
-using Point = Eigen::Matrix<double, 6, 1>;
-
 /// Two triangles that continue each other across an edge.
 struct SmoothEdge
 {
@@ -20,11 +17,21 @@ struct SmoothEdge
   bool isTurned;
 };
 
-double distanceToLine(const Point& point, const Point& from, const Point& to)
+/// The shape of a cell.
+struct CellShape
 {
-  const Point along = to - from, way = point - from;
-  return (way - way.dot(along) / along.squaredNorm() * along).norm();
-}
+  /// A way in the cell, and what the normal turns on it, times `normalLength`.
+  Eigen::Matrix<double, 6, 1> way(const Vector3& from, const Vector3& to, double normalLength) const
+  {
+    Eigen::Matrix<double, 6, 1> both;
+    both << to - from, normalLength * (turning * (to - from));
+    return both;
+  }
+
+  double area = 0;
+  Vector3 middle = Vector3::Zero();  ///< centre of mass
+  Matrix3 turning = Matrix3::Zero(); ///< the gradient of the normal: turn = turning * way
+};
 
 class SmoothSurface
 {
@@ -49,8 +56,7 @@ public:
 
   std::vector<CellNeighbours> neighbours(std::size_t numberOfCells, double normalLength)
   {
-    findPoints(normalLength);
-    findMiddles(numberOfCells);
+    findShapes(numberOfCells);
     std::vector<CellNeighbours> neighbours;
     for (const SmoothEdge& edge : edges_)
     {
@@ -58,14 +64,17 @@ public:
         cellOfTriangle_[edge.triangles[1]] };
       if (cells[0] != cells[1])
       {
-        double length = 0, distance = 0; // of both sides of the edge together
-        for (const std::size_t i : { 0u, 1u })
+        double length = 0, distance = 0; // of both cells together
+        for (const std::size_t side : { 0u, 1u })
         {
-          const std::array<Point, 3>& points = points_[edge.triangles[i]];
-          const auto k = static_cast<std::size_t>(edge.corners[i]);
-          const Point &from = points[k], &to = points[(k + 1) % 3];
-          length += (to - from).norm();
-          distance += distanceToLine(middles_[cells[i]], from, to);
+          const CellShape& shape = shapes_[cells[side]];
+          const Triangle& triangle = triangles_[edge.triangles[side]];
+          const Vector3 &from = cornerOf(triangle, edge.corners[side]),
+                        &to = cornerOf(triangle, edge.corners[side] + 1);
+          const auto along = shape.way(from, to, normalLength),
+                     way = shape.way(from, shape.middle, normalLength);
+          length += along.norm();
+          distance += (way - way.dot(along) / along.squaredNorm() * along).norm();
         }
         neighbours.push_back({ cells, edge.isTurned, 0.5 * length / distance });
       }
@@ -104,9 +113,9 @@ private:
     return (edge.isTurned ? -1.0 : 1.0) * normals_[edge.triangles[1 - side]];
   }
 
-  /// The corners of each triangle. If normals change evenly over a regular mesh, that of a corner is
-  /// the triangle's own plus what the two edges that meet there add to it.
-  void findPoints(double normalLength)
+  /// Half-way to the next triangle the normal has made half of the turn. With that, Green and Gauss
+  /// give the mean gradient over the cell.
+  void findShapes(std::size_t numberOfCells)
   {
     std::vector<std::array<Vector3, 3>> turns(
       triangles_.size(), { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() }); // at each edge
@@ -119,31 +128,25 @@ private:
           normalBeyond(edge, side) - normals_[triangle];
       }
     }
-    points_.resize(triangles_.size());
-    for (std::size_t i = 0; i < triangles_.size(); ++i)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const Vector3 normal = normals_[i] + (turns[i][k] + turns[i][(k + 2) % 3]);
-        points_[i][k] << cornerOf(triangles_[i], static_cast<int>(k)), normalLength * normal;
-      }
-    }
-  }
-
-  /// The centre of mass of each cell; of those without area nothing.
-  void findMiddles(std::size_t numberOfCells)
-  {
-    middles_.assign(numberOfCells, Point::Zero());
-    std::vector<double> areas(numberOfCells, 0.0);
+    shapes_.resize(numberOfCells);
     for (const std::uint32_t i : chosen_)
     {
-      const double area = triangles_[i].area();
-      areas[cellOfTriangle_[i]] += area;
-      middles_[cellOfTriangle_[i]] += area / 3 * (points_[i][0] + points_[i][1] + points_[i][2]);
+      const Triangle& t = triangles_[i];
+      CellShape& shape = shapes_[cellOfTriangle_[i]];
+      const double area = t.area();
+      shape.area += area;
+      shape.middle += area / 3 * (t.a + t.b + t.c);
+      for (int k = 0; k < 3; ++k)
+      {
+        const Vector3 outward = (cornerOf(t, k + 1) - cornerOf(t, k)).cross(normals_[i]);
+        shape.turning += 0.5 * turns[i][static_cast<std::size_t>(k)] * outward.transpose();
+      }
+      pace_.step();
     }
-    for (std::size_t cell = 0; cell < numberOfCells; ++cell)
+    for (CellShape& shape : shapes_)
     {
-      middles_[cell] /= areas[cell];
+      shape.middle /= shape.area;
+      shape.turning /= shape.area;
     }
   }
 
@@ -153,8 +156,7 @@ private:
   std::vector<Vector3> normals_;
   std::vector<std::uint32_t> chosen_; ///< triangles that have an area
   std::vector<SmoothEdge> edges_;
-  std::vector<std::array<Point, 3>> points_; ///< the corners of each triangle
-  std::vector<Point> middles_;               ///< of cells
+  std::vector<CellShape> shapes_; ///< of cells; of one without area nothing
 };
 
 }

@@ -35,7 +35,7 @@ constexpr double kCosineOfMostFold = 0.81915204428899178;
  * Lengths and distances are measured on points (x, normalLength * n), where x is the place and n the
  * normal, in six dimensions: a turn of the surface by an angle counts as a way of normalLength times
  * the angle. So what diffuses keeps to where the surface faces the same way, as light does. The area
- * that it fills is the same, as the product of the conductances along and across a curvature is.
+ * that it fills stays the same: as much as it is narrower, it is longer.
  */
 std::vector<CellNeighbours> cellNeighbours(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& cellOfTriangle, std::size_t numberOfCells, double normalLength,

@@ -223,30 +223,28 @@ void CellSpread::findPhotonShares(Execution& execution)
 {
   constexpr std::uint32_t kFields = 32;
   constexpr double kLargest = 0x1p28; // quanta; the squares of all fields fit into an integer
-  std::vector<std::vector<std::int64_t>> squares(objects_.size());
-  std::vector<double> largestArea(objects_.size());
+  std::vector<std::vector<std::int64_t>> sizes(objects_.size()), squares(objects_.size());
   std::vector<Field> fields;
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     const ObjectCells& cells = objects_[object];
     if (cells.diffusion.steps() > 0 && cells.photonShares.empty())
     {
-      squares[object].resize(cells.areas.size() * static_cast<std::size_t>(cells.sides));
-      largestArea[object] = *std::max_element(cells.areas.begin(), cells.areas.end());
+      const double largest = *std::max_element(cells.areas.begin(), cells.areas.end());
+      for (const double area : cells.areas)
+      {
+        sizes[object].insert(sizes[object].end(), static_cast<std::size_t>(cells.sides),
+          static_cast<std::int64_t>(kLargest * std::sqrt(area / largest)));
+      }
+      squares[object].resize(sizes[object].size());
       fields.resize(fields.size() + kFields, { object, {} });
     }
   }
   const auto begin = [&](std::size_t i, Field& field) {
-    const ObjectCells& cells = objects_[field.object];
     std::mt19937_64 random(i % kFields);
-    for (const double area : cells.areas)
+    for (const std::int64_t size : sizes[field.object])
     {
-      const auto quanta =
-        static_cast<std::int64_t>(kLargest * std::sqrt(area / largestArea[field.object]));
-      for (int side = 0; side < cells.sides; ++side)
-      {
-        field.quanta.push_back(random() % 2 == 0 ? quanta : -quanta);
-      }
+      field.quanta.push_back(random() % 2 == 0 ? size : -size);
     }
   };
   std::mutex mutex;
@@ -260,15 +258,12 @@ void CellSpread::findPhotonShares(Execution& execution)
   diffuse(fields, begin, end, execution);
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
-    ObjectCells& cells = objects_[object];
-    for (std::size_t node = 0; node < squares[object].size(); ++node)
-    {
-      const double area = cells.areas[node / static_cast<std::size_t>(cells.sides)];
-      const double variance = static_cast<double>(squares[object][node]) / kFields /
-        (kLargest * kLargest) * largestArea[object];
-      cells.photonShares.push_back(
-        area > 0 ? static_cast<float>(std::min(1.0, variance / area)) : 1.0F);
-    }
+    std::transform(sizes[object].begin(), sizes[object].end(), squares[object].begin(),
+      std::back_inserter(objects_[object].photonShares), [](std::int64_t size, std::int64_t sum) {
+        const auto variance = static_cast<double>(size * size) * kFields;
+        return size > 0 ? static_cast<float>(std::min(1.0, static_cast<double>(sum) / variance))
+                        : 1.0F;
+      });
   }
 }
 
