@@ -20,9 +20,9 @@ struct CellNeighbours
   double conductance; ///< length of the edge / distance of the cells' middles across it
 };
 
-/// Cosine of the largest fold between neighbours, 35 degrees. VTK shades folds of up to 30 degrees as
-/// smooth (vtkPolyDataNormals). A regular prism of 12 sides folds by just that, so the limit lies
-/// above, where rounding decides nothing.
+/// Cosine of the largest fold between neighbours, 35 degrees. Folds of up to 30 degrees are commonly
+/// shaded as smooth. A regular prism of 12 sides folds by just that, so the limit lies above, where
+/// rounding decides nothing.
 constexpr double kCosineOfMostFold = 0.81915204428899178;
 
 /**
