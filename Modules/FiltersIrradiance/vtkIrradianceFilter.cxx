@@ -95,6 +95,7 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
 
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
+  constexpr vtkIdType mostSpreadPhotons = 1000000;
   const double budget = filter->GetRepairTimeBudget();
   if (!(budget >= 0))
   {
@@ -116,6 +117,11 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
   settings.repairTimeBudget = budget;
+  settings.cellEstimate = filter->GetCellEstimate() == vtkIrradianceFilter::Spread
+    ? irradiance::CellEstimate::Spread
+    : irradiance::CellEstimate::Sums;
+  settings.spreadPhotons =
+    Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   return settings;
 }
 
@@ -420,6 +426,8 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UpdateMode: " << this->UpdateMode << "\n"
      << indent << "CacheStaticHits: " << this->CacheStaticHits << "\n"
      << indent << "SeparateSides: " << this->SeparateSides << "\n"
+     << indent << "CellEstimate: " << this->CellEstimate << "\n"
+     << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"

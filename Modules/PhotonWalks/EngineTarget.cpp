@@ -26,6 +26,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     ++rounds;
     checkReceived(balance_);
     ProgressSpan still(execution, progress, progress);
+    spreadSums(rounds, still);
     reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan_.rounds().size());
   dropRounds(rounds, checkpointOf(execution, progress));

@@ -56,7 +56,6 @@ void IrradianceEngine::update(
   settings_ = settings;
   plan_ = plan;
   statistics_ = {};
-  reached_ = 0;
   const bool hasTarget = settings.targetRelativeError > 0;
   const double begun = repair ? (hasTarget ? 0.5 : 1) : 0; // what comes after a repair is not known
   ProgressSpan first(execution, 0, begun), rest(execution, begun, 1);
@@ -68,17 +67,20 @@ void IrradianceEngine::update(
   {
     startAnew(execution);
   }
-  if (stale_ && !stale_->isEmpty())
-  {
-    reached_ = std::numeric_limits<double>::quiet_NaN();
-  }
-  else if (hasTarget)
+  const bool isStale = stale_ && !stale_->isEmpty();
+  if (hasTarget && !isStale)
   {
     reachTarget(rest);
   }
-  else if (!repair)
+  else
   {
-    shootRound(0, execution);
+    reached_ = isStale ? std::numeric_limits<double>::quiet_NaN() : 0;
+    if (!repair)
+    {
+      shootRound(0, execution);
+    }
+    ProgressSpan atItsEnd(execution, 1, 1);
+    spreadSums(sums_.rounds(), atItsEnd);
   }
   // Rounds may have been added or dropped.
   if (stale_ && stale_->isEmpty() && (!hasBudget() || stale_->numberOfBlocks() != history_.size()))
@@ -98,7 +100,9 @@ std::size_t IrradianceEngine::historyBytes() const
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
 {
-  return isValid_ && settings.verify && settings_.verify && !objects.dynamicObjects.empty() &&
+  // Rounds of walks that were not stored cannot be taken back.
+  const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
+  return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     planOf(settings) == plan_ && settings.seed == settings_.seed &&
     settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
 }
@@ -200,16 +204,47 @@ double IrradianceEngine::reachInFrame() const
     clearance_ * pointFrame_.scale;
 }
 
+void IrradianceEngine::spreadSums(std::size_t rounds, Execution& execution)
+{
+  if (!isSpread())
+  {
+    spread_ = {};
+    spreadSums_ = {};
+    spreadStaleSums_ = {};
+    return;
+  }
+  spread_.update(objects_, sums_, rounds, settings_.spreadPhotons,
+    static_cast<double>(emitters_.photon()), execution);
+  spreadSums_ = spread_.spread(objects_, sums_, rounds, execution);
+  if (stale_)
+  {
+    spreadStaleSums_ = spread_.spread(objects_, stale_->sums(), 1, execution);
+  }
+}
+
+ErrorEstimate IrradianceEngine::errorEstimate(std::size_t rounds) const
+{
+  const auto photon = emitters_.largestStart();
+  return isSpread() ? ErrorEstimate(spreadSums_, spreadSums_.plan(), 1, photon, &spread_)
+                    : ErrorEstimate(sums_, plan_, rounds, photon);
+}
+
 double IrradianceEngine::irradiance(
   std::uint32_t object, std::size_t cell, int side, int band, double area) const
 {
-  return area > 0 ? watts(sums_.sum(object, cell, side, band)) / area : 0.0;
+  const CellSums& sums = isSpread() ? spreadSums_ : sums_;
+  return area > 0 ? watts(sums.sum(object, cell, side, band)) / area : 0.0;
 }
 
 double IrradianceEngine::staleIrradiance(
   std::uint32_t object, std::size_t cell, int side, int band, double area) const
 {
-  return stale_ && area > 0 ? watts(stale_->sums().sum(object, cell, side, band)) / area : 0.0;
+  if (!stale_ || !(area > 0))
+  {
+    return 0;
+  }
+  const CellSums& sums = isSpread() ? spreadStaleSums_ : stale_->sums();
+  return watts(sums.sum(object, cell, side, band)) / area;
 }
 
 }

@@ -8,6 +8,8 @@
 #include "Photons/SpecularPhotons.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
+#include "Tally/CellEstimate.h"
+#include "Tally/CellSpread.h"
 #include "Tally/ErrorEstimate.h"
 #include "Tally/WalkTally.h"
 
@@ -35,6 +37,9 @@ struct EngineSettings
   /// Seconds for the repair of a frame; what is not repaired in time stays stale for the next call.
   /// 0: no limit.
   double repairTimeBudget = 0;
+  CellEstimate cellEstimate = CellEstimate::Sums;
+  /// On how many photons a small cell draws if the estimate is spread, on average; > 0.
+  double spreadPhotons = 250;
 };
 
 /// What a frame cost.
@@ -66,9 +71,11 @@ public:
   /// All objects need a body and a material, with the same number of bands.
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
-  /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0.
+  /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0. By
+  /// the cell estimate of the settings.
   double irradiance(std::uint32_t object, std::size_t cell, int side, int band, double area) const;
-  /// The errors of the sums, from the spread of the replicates; valid until the next update.
+  /// The errors of irradiance(), from the variance between replicates; valid until the next update.
+  /// What the estimate blurs is not in them.
   ErrorEstimate errorEstimate() const { return errorEstimate(sums_.rounds()); }
   /// Watts of a number of quanta.
   double watts(double quanta) const
@@ -91,6 +98,7 @@ public:
   bool hasEmitters() const { return !emitters_.isEmpty(); }
   const PowerBalance& balance() const { return balance_; }
   const EngineStatistics& statistics() const { return statistics_; }
+  /// What arrived in the cells themselves.
   const CellSums& sums() const { return sums_; }
   const std::vector<WalkBlock>& history() const { return history_; }
   const WalkPlan& plan() const { return plan_; }
@@ -138,10 +146,11 @@ private:
   /// `storedIn`: the frame of the history; null if the walks are not stored.
   void shootBlocks(const WalkRound& walks, const UnitFrame* storedIn, Execution& execution);
   void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
-  ErrorEstimate errorEstimate(std::size_t rounds) const
-  {
-    return { sums_, plan_, rounds, emitters_.largestStart() };
-  }
+  bool isSpread() const { return settings_.cellEstimate == CellEstimate::Spread; }
+  /// Spreads the sums of the first rounds, if the settings say so.
+  void spreadSums(std::size_t rounds, Execution& execution);
+  /// Of the rounds for which spreadSums() was called.
+  ErrorEstimate errorEstimate(std::size_t rounds) const;
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
   std::vector<std::vector<StaleSegment>> verify(
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
@@ -164,6 +173,8 @@ private:
   EmitterTable emitters_;
   Contacts contacts_; ///< of this frame
   CellSums sums_;
+  CellSpread spread_;
+  CellSums spreadSums_, spreadStaleSums_; ///< empty unless sums are spread
   PowerBalance balance_;
   std::vector<WalkBlock> history_;                   ///< empty unless something may move
   std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for

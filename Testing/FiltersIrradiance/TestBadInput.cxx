@@ -121,6 +121,11 @@ Spoil SetReplicates(int replicates)
   return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfReplicates(replicates); };
 }
 
+Spoil SetSpreadPhotons(int photons)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfSpreadPhotons(photons); };
+}
+
 Spoil SetTarget(double target, vtkIdType mostWalks = 10000)
 {
   return [=](vtkIrradianceFilter* filter, Scene&) {
@@ -242,6 +247,8 @@ const std::vector<BadInput> BadInputs{
   { "TooManyWalks", SetWalks(1LL << 32), { "NumberOfWalks is 4294967296" } },
   { "NoReplicates", SetReplicates(0), { "NumberOfReplicates is 0" } },
   { "OneReplicate", SetReplicates(1), { "NumberOfReplicates is 1;" } },
+  { "NoSpreadPhotons", SetSpreadPhotons(0), { "NumberOfSpreadPhotons is 0;" } },
+  { "TooManySpreadPhotons", SetSpreadPhotons(1000001), { "NumberOfSpreadPhotons is 1000001;" } },
   { "TooManyReplicates", SetReplicates(257), { "NumberOfReplicates is 257" } },
   { "FewerWalksThanReplicates", SetErrorsOfWalks(15), { "NumberOfWalks", "is 15; 16 to" } },
   { "NegativeTarget", SetTarget(-0.1), { "TargetRelativeError is -0.1" } },
@@ -282,6 +289,7 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   Connect(filter, MakeGoodScene());
   filter->SetNumberOfWalks(NumberOfWalks);
   filter->SetNumberOfReplicates(16);
+  filter->SetNumberOfSpreadPhotons(250);
   filter->SetTargetRelativeError(0);
   filter->ComputeStandardErrorOff();
   filter->SetRepairTimeBudget(0);
