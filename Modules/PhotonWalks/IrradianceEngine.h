@@ -89,6 +89,8 @@ public:
   const PowerBalance& balance() const { return balance_; }
   const EngineStatistics& statistics() const { return statistics_; }
   const CellSums& sums() const { return sums_; }
+  const std::vector<WalkBlock>& history() const { return history_; }
+  const WalkPlan& plan() const { return plan_; }
 
 private:
   using Clock = std::chrono::steady_clock;
