@@ -64,12 +64,11 @@ public:
       }
       else if (unit < arrived_.size())
       {
-        arrived_[unit] = sorted(photonsOf(changes.arrived, unit - blocks, true));
+        arrived_[unit] = sorted(photonsOf(changes.arrived, unit - blocks));
       }
       else
       {
-        gone_[unit - arrived_.size()] =
-          sorted(photonsOf(changes.gone, unit - arrived_.size(), false));
+        gone_[unit - arrived_.size()] = sorted(photonsOf(changes.gone, unit - arrived_.size()));
       }
       return true;
     };
@@ -127,8 +126,8 @@ private:
     return list;
   }
 
-  /// Of some changes, those on objects that are not. Only what is in the history has a known side.
-  List photonsOf(const std::vector<Photon>& changes, std::size_t unit, bool areInHistory) const
+  /// Of some changes, those on objects that are not.
+  List photonsOf(const std::vector<Photon>& changes, std::size_t unit) const
   {
     List list;
     const std::size_t end = std::min((unit + 1) * kChangesPerUnit, changes.size());
