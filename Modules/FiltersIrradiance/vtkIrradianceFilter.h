@@ -40,7 +40,15 @@
  * |-------|----------------------|------------------------------------------------|
  * | 0     | RadiantExitance      | W/m2 emitted from the front, diffuse; >= 0     |
  * | 1     | DiffuseReflectance   | 0..1, both sides; absent: DefaultDiffuseReflectance |
+ * | 2     | SpecularReflectance  | 0..1, both sides; absent: 0                    |
+ * | 3     | PhongExponent        | >= 0, one component; infinite or absent: mirror |
  * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
+ *
+ * Diffuse and specular reflectance add up to at most 1 in each band. The specular part reflects
+ * around the mirror direction: a Phong lobe of cos^n, made reciprocal and to reflect all of the
+ * SpecularReflectance at every angle (Documentation/Theory.md, section 1.1). The larger the exponent
+ * n, the narrower the lobe, down to a perfect mirror. PhongExponent matters only where
+ * SpecularReflectance is not 0.
  *
  * Exitance on vertices and lines, and flux on lines and faces, are not read: a warning, or an error
  * if the input has no cell of the right kind. Arrays of these names on points: a warning.

@@ -28,8 +28,8 @@ TEST(Absorption, OneBandSurvivesWithItsReflectanceAndKeepsItsPower)
   for (const double reflectance : { 0.0, 0.3, 0.999, 1.0 })
   {
     const Material material = oneTriangle({ reflectance, 0, 0 }, 1);
-    EXPECT_EQ(survivalProbability(photon, material, 0), reflectance);
-    EXPECT_EQ(survivingPower(photon, material, 0, reflectance), photon);
+    EXPECT_EQ(survivalProbabilities(photon, material, 0).total(), reflectance);
+    EXPECT_EQ(survivingPower(photon, material, 0, Reflection::Diffuse, reflectance), photon);
   }
 }
 
@@ -46,9 +46,9 @@ TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
     const Material material = oneTriangle(reflectance, 3);
     for (const Power& power : powers)
     {
-      const double probability = survivalProbability(power, material, 0);
+      const double probability = survivalProbabilities(power, material, 0).total();
       ASSERT_LE(probability, *std::max_element(reflectance.begin(), reflectance.end()));
-      const Power after = survivingPower(power, material, 0, probability);
+      const Power after = survivingPower(power, material, 0, Reflection::Diffuse, probability);
       ASSERT_EQ(after.largest(), power.largest());
       for (int band = 0; band < 3; ++band)
       {
@@ -62,8 +62,8 @@ TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
 
 TEST(Absorption, WhatReflectsNothingLetsNothingSurvive)
 {
-  EXPECT_EQ(survivalProbability({ { 9, 9, 9 } }, oneTriangle({ 0, 0, 0 }, 3), 0), 0);
-  EXPECT_EQ(survivalProbability({ { 0, 9, 0 } }, oneTriangle({ 1, 0, 1 }, 3), 0), 0);
+  EXPECT_EQ(survivalProbabilities({ { 9, 9, 9 } }, oneTriangle({ 0, 0, 0 }, 3), 0).total(), 0);
+  EXPECT_EQ(survivalProbabilities({ { 0, 9, 0 } }, oneTriangle({ 1, 0, 1 }, 3), 0).total(), 0);
 }
 
 }

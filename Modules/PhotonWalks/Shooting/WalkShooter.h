@@ -67,6 +67,10 @@ public:
   }
 
 private:
+  /// Where the rays of stored segments begin.
+  void originsOf(const std::vector<Stored>& segments, std::vector<Vector3>& origins) const;
+  Departure departureOf(const Stored& segment) const;
+
   const Scene& scene_;
   WalkRules rules_;
   const Contacts* contacts_;
