@@ -86,6 +86,8 @@ PathVertex CellSensor::sensorAt(const PathVertex& vertex, const Cell& cell) cons
   PathVertex sensor = vertex;
   sensor.diffuse = Spectrum::Constant(M_PI / area);
   sensor.diffuseChance = 1;
+  sensor.specularChance = 0;
+  sensor.lobe = nullptr;
   sensor.density = 1 / (2 * area);
   sensor.throughput = Spectrum::Constant(2 * area);
   return sensor;

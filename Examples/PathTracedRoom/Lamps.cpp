@@ -81,6 +81,8 @@ PathVertex Lamps::lampAt(const PathVertex& vertex) const
   PathVertex lamp = vertex;
   lamp.diffuse = vertex.exitance;
   lamp.diffuseChance = 1;
+  lamp.specularChance = 0;
+  lamp.lobe = nullptr;
   lamp.density = vertex.exitance.sum() / flux();
   lamp.throughput = Spectrum::Constant(1 / lamp.density);
   return lamp;

@@ -31,7 +31,7 @@ struct EndHit
     , value(whole.vertices[whole.count - 1].throughput * end.diffuse / M_PI)
   {
     part.reverseLast = end.density;
-    part.reverseBeforeLast = areaDensity(end, Vector3::Zero(), whole.vertices[whole.count - 2]);
+    part.reverseBeforeLast = densityBack(end, Vector3::Zero(), whole.vertices[whole.count - 2]);
   }
 };
 
@@ -175,11 +175,11 @@ void PathBatch::connect(std::size_t bin, PathPart light, PathPart eye)
   {
     return;
   }
-  light.reverseLast = areaDensity(z, z.toPrevious, y);
-  eye.reverseLast = areaDensity(y, y.toPrevious, z);
+  light.reverseLast = areaDensity(z.directionDensity(z.toPrevious, toLight), z, y);
+  eye.reverseLast = areaDensity(y.directionDensity(y.toPrevious, toEye), y, z);
   light.reverseBeforeLast =
-    light.count > 1 ? areaDensity(y, toEye, light.vertices[light.count - 2]) : 0;
-  eye.reverseBeforeLast = eye.count > 1 ? areaDensity(z, toLight, eye.vertices[eye.count - 2]) : 0;
+    light.count > 1 ? densityBack(y, toEye, light.vertices[light.count - 2]) : 0;
+  eye.reverseBeforeLast = eye.count > 1 ? densityBack(z, toLight, eye.vertices[eye.count - 2]) : 0;
   // A ray can be aimed at a triangle alone, and starts anywhere.
   const PathVertex& from = z.isPoint() ? z : y;
   const PathVertex& to = z.isPoint() ? y : z;

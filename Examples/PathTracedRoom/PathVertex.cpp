@@ -21,14 +21,20 @@ double PathVertex::spread(const Vector3& to) const
   }
 }
 
-Spectrum PathVertex::passedOn(const Vector3& /*from*/, const Vector3& to) const
+double PathVertex::gloss(const Vector3& from, const Vector3& to) const
 {
-  return diffuse * spread(to);
+  return lobe && !lobe->isMirror() ? lobe->value(normal, from, to) * std::max(normal.dot(to), 0.0)
+                                   : 0;
 }
 
-double PathVertex::directionDensity(const Vector3& /*from*/, const Vector3& to) const
+Spectrum PathVertex::passedOn(const Vector3& from, const Vector3& to) const
 {
-  return diffuseChance * spread(to);
+  return diffuse * spread(to) + specular * gloss(from, to);
+}
+
+double PathVertex::directionDensity(const Vector3& from, const Vector3& to) const
+{
+  return diffuseChance * spread(to) + specularChance * gloss(from, to);
 }
 
 PathVertex surfaceVertex(const TriangleId& id, const irradiance::SurfacePoint& point)
@@ -41,16 +47,15 @@ PathVertex surfaceVertex(const TriangleId& id, const irradiance::SurfacePoint& p
   return vertex;
 }
 
-double areaDensity(const PathVertex& vertex, const Vector3& from, const PathVertex& next)
+double areaDensity(double directionDensity, const PathVertex& vertex, const PathVertex& next)
 {
   if (next.isPoint())
   {
     return 0;
   }
   const Vector3 edge = next.position - vertex.position;
-  const double length = edge.norm();
-  const Vector3 to = edge / length;
-  return vertex.directionDensity(from, to) * std::abs(next.normal.dot(to)) / (length * length);
+  const double square = edge.squaredNorm();
+  return directionDensity * std::abs(next.normal.dot(edge)) / (square * std::sqrt(square));
 }
 
 }

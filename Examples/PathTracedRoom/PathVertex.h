@@ -4,6 +4,7 @@
 
 #include "Geometry/Ray.h"
 #include "Geometry/Vector.h"
+#include "Light/PhongLobe.h"
 #include "Meshes/SurfacePoint.h"
 
 #include <Eigen/Core>
@@ -45,6 +46,10 @@ struct PathVertex
   /// The probability that a subpath continues this way. Of a pinhole it is a density: 1 over the
   /// area of a pixel at the distance 1.
   double diffuseChance = 0;
+  // The same for specular reflection. Ends have none.
+  Spectrum specular = Spectrum::Zero();
+  double specularChance = 0;
+  const irradiance::PhongLobe* lobe = nullptr; ///< null: no specular reflection
 
   // What a subpath has found out up to here.
   Vector3 toPrevious = Vector3::Zero();   ///< unit vector to the vertex before
@@ -54,25 +59,38 @@ struct PathVertex
   double density = 1;
   /// With which a subpath from the other end would have come here through the two vertices behind.
   double reverseDensity = 0;
+  /// The subpath was mirrored here. Then no connection finds its path: the next vertex follows from
+  /// the one before.
+  bool isMirrored = false;
 
   bool isPoint() const { return id == TriangleId{}; }
 
   /// The part of what arrives from the direction `from` that leaves in the direction `to`, per
-  /// steradian, times the cosine of `to`. Both are unit vectors away from the surface.
+  /// steradian, times the cosine of `to`; without what a mirror reflects. Both are unit vectors away
+  /// from the surface.
   Spectrum passedOn(const Vector3& from, const Vector3& to) const;
-  /// The density per steradian with which a subpath that came from `from` continues to `to`.
+  /// The density per steradian with which a subpath that came from `from` continues to `to`, unless
+  /// it is mirrored.
   double directionDensity(const Vector3& from, const Vector3& to) const;
 
 private:
   double spread(const Vector3& to) const;
+  /// The specular BRDF times the cosine of `to`, for a reflectance of 1.
+  double gloss(const Vector3& from, const Vector3& to) const;
 };
 
 /// A vertex on a surface that passes nothing on yet.
 PathVertex surfaceVertex(const TriangleId& id, const irradiance::SurfacePoint& point);
 
-/// The density, m^-2, with which a subpath that came to `vertex` from `from` would choose the point
-/// `next`. 0 if that lies off all surfaces, where no ray meets it.
-double areaDensity(const PathVertex& vertex, const Vector3& from, const PathVertex& next);
+/// The density, m^-2, with which a subpath that leaves `vertex` chooses the point `next`, if it has
+/// `directionDensity` in that direction. 0 if the point lies off all surfaces, where no ray ends.
+double areaDensity(double directionDensity, const PathVertex& vertex, const PathVertex& next);
+
+/// The same for a subpath that comes to `vertex` from `from` and continues to the vertex before it.
+inline double densityBack(const PathVertex& vertex, const Vector3& from, const PathVertex& before)
+{
+  return areaDensity(vertex.directionDensity(from, vertex.toPrevious), vertex, before);
+}
 
 }
 

@@ -10,7 +10,8 @@ namespace
 /**
  * The densities of the strategies in which `part` is shorter, relative to that of the path's own. Each
  * vertex that goes over to the other subpath changes one factor: the density with which the one
- * chooses it for that with which the other does. `samples(i)` is for a part of i vertices.
+ * chooses it for that with which the other does. `samples(i)` is for a part of i vertices. Beside a
+ * mirror nothing can be joined.
  */
 template <class Samples>
 double sumOfShorter(const PathPart& part, const Samples& samples)
@@ -23,7 +24,9 @@ double sumOfShorter(const PathPart& part, const Samples& samples)
       : i == part.count - 2                    ? part.reverseBeforeLast
                                                : vertex.reverseDensity;
     ratio *= reverse / vertex.density;
-    sum += ratio * samples(i);
+    const bool isAtMirror =
+      (i > 0 && part.vertices[i - 1].isMirrored) || (i < part.count - 1 && vertex.isMirrored);
+    sum += isAtMirror ? 0 : ratio * samples(i);
   }
   return sum;
 }

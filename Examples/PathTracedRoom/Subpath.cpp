@@ -3,7 +3,6 @@
 
 #include "Directions.h"
 
-#include <cmath>
 #include <utility>
 
 namespace pathtracedroom
@@ -18,31 +17,50 @@ void Subpath::begin(const Departure& departure, const Random& random)
 
 bool Subpath::leave(irradiance::Ray& ray)
 {
-  const PathVertex& last = vertices_.back();
-  if (vertices_.size() > 1 && !(random_.next() < last.diffuseChance))
+  PathVertex& last = vertices_.back();
+  const std::optional<Vector3> direction = vertices_.size() == 1 ? firstDirection_ : reflect(last);
+  if (!direction)
   {
     return false;
   }
-  const Vector3 direction =
-    vertices_.size() == 1 ? firstDirection_ : cosineDirection(last.normal, random_.nextPair());
-  directionDensity_ = last.directionDensity(last.toPrevious, direction);
+  directionDensity_ =
+    last.isMirrored ? last.specularChance : last.directionDensity(last.toPrevious, *direction);
   if (!(directionDensity_ > 0)) // a grazing direction, by rounding
   {
     return false;
   }
-  throughput_ = last.throughput * last.passedOn(last.toPrevious, direction) / directionDensity_;
-  ray = { last.clearPosition, direction, last.id };
+  throughput_ = last.throughput / directionDensity_ *
+    (last.isMirrored ? last.specular : last.passedOn(last.toPrevious, *direction));
+  ray = { last.clearPosition, *direction, last.id };
   return true;
 }
 
+std::optional<Vector3> Subpath::reflect(PathVertex& vertex)
+{
+  const double chosen = random_.next();
+  if (chosen < vertex.diffuseChance)
+  {
+    return cosineDirection(vertex.normal, random_.nextPair());
+  }
+  if (chosen < vertex.diffuseChance + vertex.specularChance)
+  {
+    irradiance::LobeSample sample;
+    sample.lobe = random_.nextPair();
+    sample.acceptance = random_.next();
+    sample.compensation = random_.nextPair();
+    vertex.isMirrored = vertex.lobe->isMirror();
+    return vertex.lobe->sample(vertex.normal, -vertex.toPrevious, sample);
+  }
+  return {};
+}
+
+/// Where light is mirrored all densities are those of directions around it, which a mirror keeps. The
+/// same factor stands for both subpaths, and is left out.
 bool Subpath::arrive(PathVertex vertex)
 {
   const PathVertex& last = vertices_.back();
-  const Vector3 edge = last.position - vertex.position;
-  const double length = edge.norm();
-  vertex.toPrevious = edge / length;
-  vertex.density =
-    directionDensity_ * std::abs(vertex.normal.dot(vertex.toPrevious)) / (length * length);
+  vertex.toPrevious = (last.position - vertex.position).normalized();
+  vertex.density = areaDensity(directionDensity_, last, vertex);
   if (!(vertex.density > 0)) // a grazing ray
   {
     return false;
@@ -50,8 +68,9 @@ bool Subpath::arrive(PathVertex vertex)
   vertex.throughput = throughput_;
   if (vertices_.size() > 1)
   {
-    PathVertex& beforeLast = vertices_[vertices_.size() - 2];
-    beforeLast.reverseDensity = areaDensity(last, -vertex.toPrevious, beforeLast);
+    PathVertex& before = vertices_[vertices_.size() - 2];
+    before.reverseDensity = last.isMirrored ? areaDensity(last.specularChance, last, before)
+                                            : densityBack(last, -vertex.toPrevious, before);
   }
   vertices_.push_back(std::move(vertex));
   return true;

@@ -4,6 +4,7 @@
 
 #include "Departure.h"
 
+#include <optional>
 #include <vector>
 
 namespace pathtracedroom
@@ -23,6 +24,9 @@ public:
   const std::vector<PathVertex>& vertices() const { return vertices_; }
 
 private:
+  /// The direction in which the subpath continues from a surface, if it is not absorbed.
+  std::optional<Vector3> reflect(PathVertex& vertex);
+
   std::vector<PathVertex> vertices_;
   Random random_;
   Vector3 firstDirection_;

@@ -16,8 +16,27 @@ Spectrum spectrumOf(const Material& material, const std::vector<double>& values,
   return spectrum;
 }
 
-/// A subpath continues with the largest reflectance of all bands as its probability. So it never
-/// carries more than what arrived, in any band.
+namespace
+{
+
+/**
+ * A subpath continues with the largest reflectance of all bands as its probability, so that it carries
+ * no more than what arrived, in any band. But where one band is reflected diffusely, another one
+ * specularly, the two may make up more than 1; and between white walls it would never end.
+ */
+void limitChances(PathVertex& vertex)
+{
+  constexpr double kMost = 0.99;
+  const double sum = vertex.diffuseChance + vertex.specularChance;
+  if (sum > kMost)
+  {
+    vertex.diffuseChance *= kMost / sum;
+    vertex.specularChance *= kMost / sum;
+  }
+}
+
+}
+
 PathVertex vertexOn(const SceneObjects& objects, const TriangleId& id, const SurfacePoint& point)
 {
   const Material& material = *objects[id.object].material;
@@ -29,6 +48,13 @@ PathVertex vertexOn(const SceneObjects& objects, const TriangleId& id, const Sur
   }
   vertex.diffuse = spectrumOf(material, material.reflectance, cell);
   vertex.diffuseChance = vertex.diffuse.maxCoeff();
+  if (material.isSpecular(cell))
+  {
+    vertex.specular = spectrumOf(material, material.specularReflectance, cell);
+    vertex.specularChance = vertex.specular.maxCoeff();
+    vertex.lobe = &material.lobeOf(cell);
+  }
+  limitChances(vertex);
   return vertex;
 }
 
