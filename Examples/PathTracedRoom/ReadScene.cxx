@@ -5,6 +5,7 @@
 #include "SceneReader.h"
 
 #include <vtkIrradianceFilter.h>
+#include <vtkPolyData.h>
 
 namespace pathtracedroom
 {
