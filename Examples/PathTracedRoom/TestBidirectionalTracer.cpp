@@ -410,7 +410,7 @@ std::vector<Spectrum> traced(
 {
   BidirectionalTracer::Config config;
   config.traversal = mode;
-  return BidirectionalTracer(objects, sensor, config).trace(0, 300, execution);
+  return BidirectionalTracer(objects, sensor, config).trace(0, 150, execution);
 }
 
 void expectSameBits(const SceneObjects& objects, const Sensor& sensor)

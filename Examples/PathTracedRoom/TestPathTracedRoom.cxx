@@ -204,3 +204,125 @@ TEST(LightOnCells, OfTheGlossyRoomIsTheFilters)
   scene.Light->SetNumberOfWalks(20000);
   ExpectAgreement(scene.Light, 2);
 }
+
+TEST(ReadScene, SaysWhatIsWrong)
+{
+  Mesh bad = MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1);
+  SetCellValues(bad, "DiffuseReflectance", { 1.5 });
+  vtkNew<vtkIrradianceFilter> filter;
+  filter->AddInputDataObject(0, bad);
+  EXPECT_THROW(ReadScene(filter), std::runtime_error);
+}
+
+TEST(CellSensor, RefusesACellWithoutArea)
+{
+  vtkNew<vtkIrradianceFilter> filter;
+  filter->AddInputDataObject(0, MakePointLight({ 0, 0, 1 }, { 1 })); // a vertex is cell 0
+  const SceneObjects objects = ReadScene(filter);
+  EXPECT_THROW(CellSensor(objects, { { 0, 0 } }), std::invalid_argument);
+}
+
+namespace
+{
+
+/// A lamp of exitance pi, that is of radiance 1, which fills the upper right quarter of the picture.
+Estimates PictureOfALamp(int width, int height)
+{
+  vtkNew<vtkIrradianceFilter> filter;
+  Mesh lamp = MakeRectangle({ 0, 1, 0 }, { 9, 0, 0 }, { 0, 0, 9 }, 1); // it shines to -y
+  SetCellValues(lamp, "RadiantExitance", { M_PI, 0.5 * M_PI, 0 });
+  SetCellValues(lamp, "DiffuseReflectance", { 0 });
+  filter->AddInputDataObject(0, lamp);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 0);
+  camera->SetFocalPoint(0, 1, 0);
+  camera->SetViewUp(0, 0, 1);
+  const CameraRays rays = MakeCameraRays(camera, width, height);
+  BidirectionalTracer::Config config;
+  config.isUsed = [](int s, int) { return s == 0; }; // what is seen directly has no noise
+  const SceneObjects objects = ReadScene(filter);
+  const BidirectionalTracer tracer(objects, rays, config);
+  Execution serial;
+  Estimates pixels(rays.numberOfBins());
+  pixels.add(tracer.trace(1, 1, serial));
+  pixels.add(tracer.trace(2, 1, serial));
+  return pixels;
+}
+
+}
+
+TEST(Film, ShowsWhatIsAboveAndToTheRightThere)
+{
+  const auto image = MakeImage(PictureOfALamp(6, 4), 6, 4, 3);
+  const std::string file = testing::TempDir() + "PathTracedRoom.png";
+  WritePicture(image, 2, file);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  for (int y = 0; y < 4; ++y)
+  {
+    for (int x = 0; x < 6; ++x)
+    {
+      const bool isLamp = x >= 3 && y >= 2;
+      const double seen[3] = { isLamp ? 1.0 : 0.0, isLamp ? 0.5 : 0.0, 0 };
+      const vtkIdType pixel = x + 6 * y;
+      for (int band = 0; band < 3; ++band)
+      {
+        const auto of = [&](const char* array) {
+          return image->GetPointData()->GetArray(array)->GetComponent(pixel, band);
+        };
+        EXPECT_NEAR(of("Radiance"), seen[band], 1e-12);
+        EXPECT_NEAR(of("RadianceStandardError"), 0, 1e-12);
+        const double tone = 1 - std::exp(-2 * seen[band]);
+        const double expected = tone > 0 ? 255 * (1.055 * std::pow(tone, 1 / 2.4) - 0.055) : 0;
+        EXPECT_NEAR(reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, band), expected, 0.5);
+      }
+    }
+  }
+}
+
+TEST(Film, RefusesWhatItCannotDo)
+{
+  vtkNew<vtkCamera> camera;
+  camera->ParallelProjectionOn();
+  EXPECT_THROW(MakeCameraRays(camera, 4, 3), std::invalid_argument);
+  const auto image = MakeImage(PictureOfALamp(1, 1), 1, 1, 1);
+  EXPECT_THROW(WritePicture(image, 1, "/nowhere/picture.png"), std::runtime_error);
+}
+
+namespace
+{
+
+std::string ErrorOf(std::vector<const char*> words)
+{
+  words.insert(words.begin(), "PathTracedRoom");
+  try
+  {
+    ReadOptions(int(words.size()), words.data());
+  }
+  catch (const std::runtime_error& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+}
+
+TEST(Options, TakesValuesAndSaysWhatIsWrong)
+{
+  const char* words[] = { "PathTracedRoom", "--size", "320x200", "--samples", "7", "--traversal",
+    "onetree", "--traversals" };
+  const Options options = ReadOptions(8, words);
+  EXPECT_EQ(options.Width, 320);
+  EXPECT_EQ(options.Height, 200);
+  EXPECT_EQ(options.Samples, 7);
+  EXPECT_EQ(options.Traversal, TraversalMode::OneTree);
+  EXPECT_TRUE(options.CompareTraversals);
+  EXPECT_EQ(ErrorOf({}), "");
+  EXPECT_EQ(ErrorOf({ "--wrong", "3" }), "--wrong: there is no such option");
+  EXPECT_EQ(ErrorOf({ "--size", "320" }).substr(0, 7), "--size:");
+  EXPECT_EQ(ErrorOf({ "--samples", "none" }).substr(0, 10), "--samples:");
+  EXPECT_EQ(ErrorOf({ "--traversal", "both" }).substr(0, 12), "--traversal:");
+  EXPECT_NE(ErrorOf({ "--samples" }), "");
+}
