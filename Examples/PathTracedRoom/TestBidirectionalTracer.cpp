@@ -149,6 +149,20 @@ TEST(Furnace, EveryCellReceivesOneWatt)
   expectAll(estimate(objects, CellSensor(objects, cellsOf(objects)), 64), 1, 0.01, 3);
 }
 
+// A white box stands on the floor. No light gets in, and nothing absorbs what looks for it there.
+TEST(Roulette, EndsBetweenWhiteWalls)
+{
+  ObjectBuilder floor, white;
+  floor.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
+  floor.addPointLight({ 0, 0, 2 }, 1);
+  white.addBox(test::box({ -0.5, -0.5, 0.1 }, { 0.5, 0.5, 1 }), 1, grey(1));
+  const SceneObjects objects{ floor.build(), { white.build() } };
+  const Estimates estimates = estimate(objects, CellSensor(objects, { { 1, 5 } }), 16);
+  const double truth = test::meanOverRectangle({ -0.5, -0.5, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 40,
+    [](const Vector3& p) { return 1 / (4 * M_PI * std::pow(1 + p[0] * p[0] + p[1] * p[1], 1.5)); });
+  expectNear(estimates, 0, 0, truth); // of its upper side, which sees the lamp alone
+}
+
 namespace
 {
 
