@@ -17,9 +17,10 @@ constexpr std::size_t kAhead = 8; // hits between a request to memory and its us
 
 }
 
-WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn)
+WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn, bool storesSides)
   : shooter_(shooter)
   , frame_(storedIn)
+  , storesSides_(storesSides)
 {
 }
 
@@ -105,7 +106,7 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
     areHitsKnown_ = false;
     segments_ += static_cast<std::int64_t>(count);
     findCells(first, tally);
-    if (tally.sides() == 2)
+    if (tally.sides() == 2 || storesSides_)
     {
       findSides(first);
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkRules.h"
 
-#include "Meshes/SurfacePoint.h"
-
 #include "Shooting/Stages.h"
 #include "Simd/Prefetch.h"
 
@@ -139,11 +137,7 @@ bool Departures::leaveSpecularly(const Departure& departure, Ray& ray) const
   const TriangleId id = departure.id;
   SurfacePoint point = surfacePoint(rules_.triangleOf(id), departure.weights);
   point.turn(departure.side == 0 ? departure.incoming.dot(point.normal) <= 0 : departure.side > 0);
-  Vector3 incoming = (point.position - departure.from).normalized();
-  if (!(incoming.dot(point.normal) < 0)) // the points are too close to tell
-  {
-    incoming = -point.normal;
-  }
+  const Vector3 incoming = incomingDirection(point, departure.from);
   const auto sample = [&](SampleUse use) {
     return rules_.samples_.sample(departure.walk, departure.bounce, use);
   };

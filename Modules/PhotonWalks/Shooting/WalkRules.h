@@ -4,6 +4,7 @@
 
 #include "Light/Absorption.h"
 #include "Light/Emitter.h"
+#include "Meshes/SurfacePoint.h"
 #include "Sampling/SobolSequence.h"
 #include "Shooting/LeavingLanes.h"
 
@@ -11,6 +12,14 @@
 
 namespace irradiance
 {
+
+/// The unit direction in which light that comes `from` a point hits a surface, against its normal.
+inline Vector3 incomingDirection(const SurfacePoint& point, const Vector3& from)
+{
+  const Vector3 incoming = (point.position - from).normalized();
+  // Points that touch are too close to tell.
+  return incoming.dot(point.normal) < 0 ? incoming : Vector3(-point.normal);
+}
 
 /// A walk that leaves a triangle.
 struct Departure

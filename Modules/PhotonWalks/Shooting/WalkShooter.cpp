@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkShooter.h"
 
-#include "Meshes/SurfacePoint.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -32,13 +30,11 @@ Departure WalkShooter::departureOf(const Stored& segment) const
   return departure;
 }
 
-void WalkShooter::originsOf(
-  const std::vector<Stored>& segments, std::vector<Vector3>& origins) const
+void WalkShooter::originsOf(const Stored* segments, std::size_t count, Vector3* origins) const
 {
   std::vector<std::uint32_t> starting;
   std::vector<std::size_t> which;
-  origins.resize(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     if (segments[i].bounce == 0)
     {
@@ -56,6 +52,20 @@ void WalkShooter::originsOf(
   for (std::size_t i = 0; i < which.size(); ++i)
   {
     origins[which[i]] = first[i].origin;
+  }
+}
+
+void WalkShooter::arrivalsOf(
+  const Stored* segments, std::size_t count, SurfacePoint* points, Vector3* directions) const
+{
+  originsOf(segments, count, directions);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const WalkBlock& block = *segments[i].block;
+    const Hit hit = block.hit(segments[i].walkInBlock, segments[i].bounce);
+    points[i] = surfacePoint(rules_.triangleOf(hit.id), weightsOf(hit));
+    points[i].turn(block.isFront(segments[i].walkInBlock, segments[i].bounce));
+    directions[i] = incomingDirection(points[i], directions[i]);
   }
 }
 
@@ -92,8 +102,8 @@ void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) c
     specularRays.push_back(rays + i);
     before.push_back({ segment.block, segment.walkInBlock, segment.walk, segment.bounce - 1 });
   }
-  std::vector<Vector3> origins;
-  originsOf(before, origins);
+  std::vector<Vector3> origins(before.size());
+  originsOf(before.data(), before.size(), origins.data());
   for (std::size_t i = 0; i < specular.size(); ++i)
   {
     specular[i].from = origins[i];
