@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BidirectionalTracer.h"
 
+#include "CellIrradiance.h"
+
 #include <algorithm>
 
 namespace pathtracedroom
@@ -64,18 +66,24 @@ std::vector<Spectrum> BidirectionalTracer::trace(
   return bins;
 }
 
-Estimates irradianceAt(const SceneObjects& objects, const std::vector<CellId>& cells,
+Estimates measure(const SceneObjects& objects, const Sensor& sensor,
   const BidirectionalTracer::Config& config, int passes, std::uint32_t samples,
   Execution& execution)
 {
-  const CellSensor sensor(objects, cells);
   const BidirectionalTracer tracer(objects, sensor, config);
-  Estimates estimates(cells.size());
+  Estimates estimates(sensor.numberOfBins());
   for (int pass = 0; pass < passes; ++pass)
   {
     estimates.add(tracer.trace(static_cast<std::uint64_t>(pass), samples, execution));
   }
   return estimates;
+}
+
+Estimates irradianceAt(const SceneObjects& objects, const std::vector<CellId>& cells,
+  const BidirectionalTracer::Config& config, int passes, std::uint32_t samples,
+  Execution& execution)
+{
+  return measure(objects, CellIrradiance(objects, cells), config, passes, samples, execution);
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef BidirectionalTracer_h
 #define BidirectionalTracer_h
 
-#include "CellSensor.h"
+#include "CellPoints.h"
 #include "Estimates.h"
 #include "Execution/Execution.h"
 #include "PathBatch.h"
@@ -47,7 +47,12 @@ private:
   irradiance::Scene scene_;
 };
 
-/// The irradiance of cells, W/m2, both sides summed, and its error, from `passes` independent passes.
+/// What the bins of a sensor measure, and its error, from `passes` independent passes.
+Estimates measure(const irradiance::SceneObjects& objects, const Sensor& sensor,
+  const BidirectionalTracer::Config& config, int passes, std::uint32_t samples,
+  irradiance::Execution& execution);
+
+/// The irradiance of cells, W/m2, both sides summed, see CellIrradiance.
 Estimates irradianceAt(const irradiance::SceneObjects& objects, const std::vector<CellId>& cells,
   const BidirectionalTracer::Config& config, int passes, std::uint32_t samples,
   irradiance::Execution& execution);

@@ -5,14 +5,17 @@
 #include "PathVertex.h"
 #include "Random.h"
 
+#include <optional>
+
 namespace pathtracedroom
 {
 
-/// The first vertex of a subpath and the unit direction in which the subpath leaves it.
+/// The first vertex of a subpath and the unit direction in which the subpath leaves it. Without a
+/// direction it is reflected as everywhere on its way.
 struct Departure
 {
   PathVertex vertex;
-  Vector3 direction;
+  std::optional<Vector3> direction;
 };
 
 }

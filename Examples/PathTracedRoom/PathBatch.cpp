@@ -20,7 +20,7 @@ PathPart partOf(const Subpath& subpath, std::size_t count)
 }
 
 /// The light subpath ends on a sensor, or the eye subpath on a lamp: nothing has to be connected.
-/// `end` is the last vertex of `part` as a subpath from there would begin.
+/// `end` is the last vertex of `whole` as a subpath from there would begin.
 struct EndHit
 {
   PathPart part;
@@ -28,10 +28,15 @@ struct EndHit
 
   EndHit(const PathPart& whole, const PathVertex& end)
     : part(whole)
-    , value(whole.vertices[whole.count - 1].throughput * end.diffuse / M_PI)
   {
+    const PathVertex& last = whole.vertices[whole.count - 1];
+    const PathVertex& before = whole.vertices[whole.count - 2];
+    const Spectrum passedOn = end.passedOn(end.toPrevious, last.toPrevious);
+    value =
+      last.throughput * passedOn / end.normal.dot(last.toPrevious) * end.throughput * end.density;
     part.reverseLast = end.density;
-    part.reverseBeforeLast = densityBack(end, Vector3::Zero(), whole.vertices[whole.count - 2]);
+    part.reverseBeforeLast =
+      areaDensity(end.directionDensity(end.toPrevious, last.toPrevious), end, before);
   }
 };
 

@@ -18,7 +18,8 @@ void Subpath::begin(const Departure& departure, const Random& random)
 bool Subpath::leave(irradiance::Ray& ray)
 {
   PathVertex& last = vertices_.back();
-  const std::optional<Vector3> direction = vertices_.size() == 1 ? firstDirection_ : reflect(last);
+  const bool isFirst = vertices_.size() == 1 && firstDirection_;
+  const std::optional<Vector3> direction = isFirst ? firstDirection_ : reflect(last);
   if (!direction)
   {
     return false;

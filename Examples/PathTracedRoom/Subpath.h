@@ -29,7 +29,7 @@ private:
 
   std::vector<PathVertex> vertices_;
   Random random_;
-  Vector3 firstDirection_;
+  std::optional<Vector3> firstDirection_;
   Spectrum throughput_;     ///< with which the last ray arrives
   double directionDensity_; ///< of the last ray, per steradian
 };

@@ -9,6 +9,8 @@
 #include "../../Testing/PhotonWalks/ThreadExecution.h"
 #include "BidirectionalTracer.h"
 #include "CameraRays.h"
+#include "CellIrradiance.h"
+#include "CellRadiance.h"
 
 #include <gtest/gtest.h>
 
@@ -110,19 +112,20 @@ Look furnaceLook(
   return look;
 }
 
+const std::array<Look, 6> kFurnaceWalls = { furnaceLook({ 0.1, 0.5, 0.9 }, {}, 0),
+  furnaceLook({ 0.3, 0.1, 0.2 }, { 0.4, 0.5, 0.1 }, 20),
+  furnaceLook({}, { 0.7, 0.6, 0.5 }, kInfinity),
+  furnaceLook({ 0.4, 0.1, 0.2 }, { 0.3, 0.4, 0.1 }, kInfinity),
+  furnaceLook({}, { 0.8, 0.3, 0.5 }, 200), furnaceLook({ 0.6, 0.2, 0 }, {}, 0) };
+
 /// A closed room with a ball: matt, glossy, mirror-like, and mixed; all colours differ.
 SceneObjects furnace()
 {
   ObjectBuilder room(3), ball(3);
-  const Look looks[6] = { furnaceLook({ 0.1, 0.5, 0.9 }, {}, 0),
-    furnaceLook({ 0.3, 0.1, 0.2 }, { 0.4, 0.5, 0.1 }, 20),
-    furnaceLook({}, { 0.7, 0.6, 0.5 }, kInfinity),
-    furnaceLook({ 0.4, 0.1, 0.2 }, { 0.3, 0.4, 0.1 }, kInfinity),
-    furnaceLook({}, { 0.8, 0.3, 0.5 }, 200), furnaceLook({ 0.6, 0.2, 0 }, {}, 0) };
   for (int side = 0; side < 6; ++side)
   {
-    room.addSide(
-      test::box({ 0, 0, 0 }, { 2, 2, 2 }), side, 1, looks[static_cast<std::size_t>(side)], true);
+    room.addSide(test::box({ 0, 0, 0 }, { 2, 2, 2 }), side, 1,
+      kFurnaceWalls[static_cast<std::size_t>(side)], true);
   }
   ball.addSphere({ 0, 0, 0 }, 0.5, 3, furnaceLook({ 0.5, 0.2, 0.3 }, { 0.2, 0.3, 0.4 }, 5));
   return { room.build(), { ball.build(test::shift({ 1, 1, 1 })) } };
@@ -146,7 +149,25 @@ TEST(Furnace, EveryPixelHasTheRadianceOneOverPi)
 TEST(Furnace, EveryCellReceivesOneWatt)
 {
   const SceneObjects objects = furnace();
-  expectAll(estimate(objects, CellSensor(objects, cellsOf(objects)), 64), 1, 0.01, 3);
+  expectAll(estimate(objects, CellIrradiance(objects, cellsOf(objects)), 64), 1, 0.01, 3);
+}
+
+// What the walls do not emit. 3 bands of 6 values: 0.04 %.
+TEST(Furnace, EveryWallReflectsItsPart)
+{
+  const SceneObjects objects = furnace();
+  std::vector<CellId> walls = cellsOf(objects);
+  walls.resize(6);
+  const Estimates estimates =
+    estimate(objects, CellRadiance(objects, walls, { 0.2, 0.3, 0.4 }), 256);
+  for (std::size_t wall = 0; wall < 6; ++wall)
+  {
+    for (std::size_t band = 0; band < 3; ++band)
+    {
+      expectNear(
+        estimates, wall, static_cast<int>(band), (1 - kFurnaceWalls[wall].exitance[band]) / M_PI);
+    }
+  }
 }
 
 // A white box stands on the floor. No light gets in, and nothing absorbs what looks for it there.
@@ -157,7 +178,7 @@ TEST(Roulette, EndsBetweenWhiteWalls)
   floor.addPointLight({ 0, 0, 2 }, 1);
   white.addBox(test::box({ -0.5, -0.5, 0.1 }, { 0.5, 0.5, 1 }), 1, grey(1));
   const SceneObjects objects{ floor.build(), { white.build() } };
-  const Estimates estimates = estimate(objects, CellSensor(objects, { { 1, 5 } }), 16);
+  const Estimates estimates = estimate(objects, CellIrradiance(objects, { { 1, 5 } }), 16);
   const double truth = test::meanOverRectangle({ -0.5, -0.5, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 40,
     [](const Vector3& p) { return 1 / (4 * M_PI * std::pow(1 + p[0] * p[0] + p[1] * p[1], 1.5)); });
   expectNear(estimates, 0, 0, truth); // of its upper side, which sees the lamp alone
@@ -174,7 +195,7 @@ void expectViewFactor(const Vector3& u, const Vector3& v, const Vector3& corner,
   builder.addQuad({ 0, 0, 0 }, lampU, lampV, 1, 1, grey(0, 1));
   builder.addQuad(corner, u, v, 1, 1, grey(0));
   const SceneObjects objects{ builder.build(), {} };
-  expectAll(estimate(objects, CellSensor(objects, { { 0, 1 } }), samples), truth, 0.005, 1);
+  expectAll(estimate(objects, CellIrradiance(objects, { { 0, 1 } }), samples), truth, 0.005, 1);
 }
 
 }
@@ -229,7 +250,7 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
   const SceneObjects objects{ room.build(), { obstruction.build() } };
   std::vector<CellId> cells = cellsOf(objects);
   cells.resize(6);
-  const Estimates estimates = estimate(objects, CellSensor(objects, cells), 2048);
+  const Estimates estimates = estimate(objects, CellIrradiance(objects, cells), 2048);
   for (std::size_t i = 0; i < 6; ++i)
   {
     expectNear(estimates, i, 0, truth[i]);
@@ -262,12 +283,12 @@ TEST(Cie171, InternalReflectedComponent58)
     const SceneObjects objects{ builder.build(), {} };
     const std::size_t middle = 1 + kCells * kCells / 2, fine = kCells * kCells;
     const Estimates estimates = estimate(objects,
-      CellSensor(
+      CellIrradiance(
         objects, { { 0, 0 }, { 0, fine + 1 }, { 0, fine + 2 }, { 0, fine + 3 }, { 0, fine + 4 } }),
       128);
     expectNear(estimates, 5, 0, 10000 / (96 * (1 - reflectance)));
     EXPECT_LE(estimates.standardError(5)[0], 0.01 * estimates.mean(5)[0]);
-    const Estimates atCenter = estimate(objects, CellSensor(objects, { { 0, middle } }), 1000);
+    const Estimates atCenter = estimate(objects, CellIrradiance(objects, { { 0, middle } }), 1000);
     expectNear(atCenter, 0, 0, direct + center);
     EXPECT_LE(atCenter.standardError(0)[0], 0.01 * atCenter.mean(0)[0]);
   }
@@ -330,7 +351,7 @@ TEST(Strategies, EachAloneShowsTheSamePixels)
 TEST(Strategies, EachAloneLightsTheSameCells)
 {
   const SceneObjects objects = plates(grey(0.6), grey(0.8));
-  expectStrategiesAgree(objects, CellSensor(objects, cellsOf(objects)), 512);
+  expectStrategiesAgree(objects, CellIrradiance(objects, cellsOf(objects)), 512);
 }
 
 namespace
@@ -359,7 +380,7 @@ TEST(Strategies, PathTracingAndLightTracingAgree)
   light.addPointLight({ 0, 0, 0 }, 20);
   objects.dynamicObjects.push_back(light.build(test::shift({ 1.2, 0.3, 1.5 })));
   expectTracersAgree(objects, smallCamera({ 0, -3, 1.5 }, { 0, 0, 0.5 }, 0.4), 256);
-  expectTracersAgree(objects, CellSensor(objects, cellsOf(objects)), 512);
+  expectTracersAgree(objects, CellIrradiance(objects, cellsOf(objects)), 512);
 }
 
 namespace
@@ -403,8 +424,8 @@ TEST(Mirror, DoublesTheLightOfTheRoom)
 {
   const auto [half, whole] = mirrored(true);
   const std::vector<CellId> walls = { { 0, 0 }, { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 4 } };
-  expectSame(estimate(half, CellSensor(half, walls), 256),
-    estimate(whole, CellSensor(whole, walls), 256, only({})), "walls");
+  expectSame(estimate(half, CellIrradiance(half, walls), 256),
+    estimate(whole, CellIrradiance(whole, walls), 256, only({})), "walls");
 }
 
 // Without the point light: of what it sends by way of the mirror to a wall, and from there by way of the
@@ -448,5 +469,5 @@ TEST(SameBits, ForAllThreadsAndTraversals)
 {
   const SceneObjects objects = furnace();
   expectSameBits(objects, smallCamera({ 0.2, 0.3, 0.4 }, { 1, 1, 1 }));
-  expectSameBits(objects, CellSensor(objects, cellsOf(objects)));
+  expectSameBits(objects, CellIrradiance(objects, cellsOf(objects)));
 }
