@@ -15,8 +15,9 @@ namespace pathtracedroom
  * engine. It shares the ray casting with vtkIrradianceFilter, and nothing that decides what light
  * does: so each can be checked against the other.
  *
- * Without bias: roulette ends subpaths, no depth does. Coinciding surfaces are not told apart (the
- * filter's Contacts are): a scene should have none.
+ * Without bias: roulette ends subpaths, no depth does. Not found is what a mirror throws from a point
+ * light onto a surface that a pinhole sees in a mirror. Surfaces that coincide are not told apart, as
+ * they are in the filter (Contacts): a scene should have none.
  */
 class BidirectionalTracer
 {

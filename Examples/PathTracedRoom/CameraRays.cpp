@@ -33,9 +33,10 @@ irradiance::Box CameraRays::pointBounds() const
 Departure CameraRays::start(std::size_t bin, Random& random) const
 {
   const auto width = static_cast<std::size_t>(width_);
+  const std::size_t column = bin % width, row = bin / width;
   const auto [u, v] = random.nextPair();
-  const double x = static_cast<double>(bin % width) + u - 0.5 * width_;
-  const double y = static_cast<double>(bin / width) + v - 0.5 * height_;
+  const double x = static_cast<double>(column) + u - 0.5 * width_;
+  const double y = static_cast<double>(row) + v - 0.5 * height_;
   const Vector3 through = pinhole_.normal + pixel_ * (x * rightward_ + y * upward_);
   return { pinhole_, through.normalized() };
 }

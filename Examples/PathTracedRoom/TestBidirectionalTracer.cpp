@@ -262,7 +262,7 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
 // of an independent program (indirect) plus the mean of the inverse square law (direct). 8 values.
 TEST(Cie171, InternalReflectedComponent58)
 {
-  constexpr int kCells = 15;
+  constexpr std::size_t kCells = 15;
   const struct
   {
     double reflectance, center;
@@ -276,7 +276,7 @@ TEST(Cie171, InternalReflectedComponent58)
     ObjectBuilder builder;
     for (int side = 0; side < 6; ++side)
     {
-      builder.addSide(test::box({ -2, -2, -2 }, { 2, 2, 2 }), side, side == 1 ? kCells : 1,
+      builder.addSide(test::box({ -2, -2, -2 }, { 2, 2, 2 }), side, side == 1 ? int{ kCells } : 1,
         grey(reflectance), true);
     }
     builder.addPointLight({ 0, 0, 0 }, 10000);
