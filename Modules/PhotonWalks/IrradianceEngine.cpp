@@ -103,8 +103,9 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   // Rounds of walks that were not stored cannot be taken back.
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
-    planOf(settings) == plan_ && settings.seed == settings_.seed &&
-    settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
+    (!settings.keepPhotons || keepsPhotons()) && planOf(settings) == plan_ &&
+    settings.seed == settings_.seed && settings.separateSides == settings_.separateSides &&
+    differsOnlyByMotion(objects, objects_);
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)

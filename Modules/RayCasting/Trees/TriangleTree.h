@@ -69,6 +69,7 @@ public:
   std::uint32_t root() const { return root_; }
   const Treelet* treelets() const { return treelets_.data(); }
   const TriangleBlock* blocks() const { return blocks_.data(); }
+  std::size_t numberOfBlocks() const { return blocks_.size(); }
   std::size_t bytes() const;
 
 private:

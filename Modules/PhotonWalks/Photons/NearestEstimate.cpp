@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Photons/NearestEstimate.h"
+
+#include "Meshes/TriangleInSphere.h"
+#include "Trees/BoxQuery.h"
+
+namespace irradiance
+{
+
+double facingArea(const NearestPhotons& photons, const Sensor& sensor, double radius)
+{
+  double area = 0;
+  for (std::uint32_t i = 0; i < photons.objects().size(); ++i)
+  {
+    const SceneObject& object = photons.objects()[i];
+    const PlacedTree& tree = photons.tree(i);
+    if (tree.distanceAtLeast(sensor.position) > radius)
+    {
+      continue;
+    }
+    const Facing facing = tree.facing(sensor);
+    AffineMap sensorFromObject = object.worldFromObject;
+    sensorFromObject.translation -= sensor.position;
+    for (const std::uint32_t triangle :
+      trianglesNear(object.body->tree(), tree.modelBounds(sensor, radius)))
+    {
+      const Triangle& model = object.body->mesh()[triangle];
+      if (facing.side(model) != 0)
+      {
+        area += areaInSphere(transformed(sensorFromObject, model), radius);
+      }
+    }
+  }
+  return area;
+}
+
+NearestEstimate nearestEstimate(
+  const NearestPhotons& photons, const Sensor& sensor, std::uint32_t count, double maximumRadius)
+{
+  const NearPhotons near = photons.find(sensor, count, maximumRadius);
+  const std::size_t counted = near.photons.size() - (near.areAll ? 0 : 1);
+  NearestEstimate estimate{ {}, facingArea(photons, sensor, near.radius), near.radius,
+    static_cast<std::uint32_t>(near.photons.size()) };
+  for (std::size_t i = 0; i < counted; ++i)
+  {
+    estimate.power += photons.history().power(near.photons[i]);
+  }
+  return estimate;
+}
+
+}

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Photons/NearestPhotons.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+/// Pays for the rounding of squares and roots of floats.
+constexpr float kWider = 1 + 0x1p-18F;
+
+double searchScale(const SceneObjects& objects)
+{
+  Box all;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    all.add(objects[i].worldBounds());
+  }
+  return UnitFrame(all).scale;
+}
+
+}
+
+/// One search. Distances are in search units (see PlacedTree) unless they say otherwise.
+class NearestPhotons::Search
+{
+public:
+  Search(const NearestPhotons& owner, const Sensor& sensor, std::size_t count, double maximumRadius)
+    : owner_(owner)
+    , sensor_(sensor)
+    , count_(count)
+    , maximumRadius_(maximumRadius)
+    , limit_(static_cast<float>(maximumRadius * owner.searchUnitsPerWorldUnit_) * kWider)
+    , enough_(count)
+  {
+    for (const std::uint32_t object : owner.lit_)
+    {
+      const double distance = owner.trees_[object].distanceAtLeast(sensor.position);
+      const auto atLeast = static_cast<float>(distance * owner.searchUnitsPerWorldUnit_) / kWider;
+      if (atLeast <= limit_)
+      {
+        nodes_.push({ atLeast, object, kObject });
+      }
+    }
+  }
+
+  NearPhotons run()
+  {
+    while (!nodes_.empty() && nodes_.top().distance <= limit_)
+    {
+      const Node node = nodes_.top();
+      nodes_.pop();
+      if (node.link == kObject)
+      {
+        nodes_.push({ node.distance, see(node.view), owner_.leaves_.tree(node.view).root() });
+      }
+      else
+      {
+        (node.link & Treelet::kLeaf) != 0 ? searchLeaf(node) : open(node);
+      }
+    }
+    return nearest();
+  }
+
+private:
+  struct View
+  {
+    std::uint32_t object;
+    LocalSensor sensor;
+    Facing facing;
+    float least;
+
+    /// Of what lies this far away in the unit frame; less by the blur.
+    float lowerBound(float squaredUnitDistance) const
+    {
+      return least * std::sqrt(squaredUnitDistance) - sensor.blur;
+    }
+    float squaredUnitLimit(float limit) const
+    {
+      const float unit = (limit + sensor.blur) / least;
+      return unit * unit * kWider;
+    }
+  };
+
+  static constexpr std::uint32_t kObject = Treelet::kEmpty;
+
+  struct Node
+  {
+    float distance;     ///< a lower bound
+    std::uint32_t view; ///< or the object itself, as long as it has not been looked at
+    std::uint32_t link; ///< a treelet, a leaf, or kObject
+
+    /// The nearest comes first in a queue; what is equally near in a fixed order.
+    friend bool operator<(const Node& a, const Node& b)
+    {
+      return std::tie(a.distance, a.view, a.link) > std::tie(b.distance, b.view, b.link);
+    }
+  };
+
+  /// A photon whose distance is between two bounds.
+  struct Candidate
+  {
+    float lower, upper;
+    PhotonReference photon;
+  };
+
+  /// Returns the object's view.
+  std::uint32_t see(std::uint32_t object)
+  {
+    const PlacedTree& tree = owner_.trees_[object];
+    views_.push_back({ object, tree.see(sensor_), tree.facing(sensor_), tree.least() });
+    return static_cast<std::uint32_t>(views_.size() - 1);
+  }
+
+  void open(const Node& node)
+  {
+    const View& view = views_[node.view];
+    const Treelet& treelet = owner_.leaves_.tree(view.object).treelets()[node.link];
+    const auto squared = irradiance::squaredDistances(treelet, view.sensor.position);
+    const float squaredLimit = view.squaredUnitLimit(limit_);
+    for (unsigned child = 0; child < Treelet::kSize; ++child)
+    {
+      if (squared[child] <= squaredLimit && treelet.children[child] != Treelet::kEmpty)
+      {
+        nodes_.push({ view.lowerBound(squared[child]), node.view, treelet.children[child] });
+      }
+    }
+  }
+
+  void searchLeaf(const Node& node)
+  {
+    const View& view = views_[node.view];
+    float limit = limit_, squaredUnitLimit = view.squaredUnitLimit(limit);
+    owner_.leaves_.leaf(view.object, node.link & ~Treelet::kLeaf)
+      .visitNear(
+        view.sensor.position,
+        [&] {
+          if (limit_ < limit)
+          {
+            limit = limit_;
+            squaredUnitLimit = view.squaredUnitLimit(limit);
+          }
+          return squaredUnitLimit;
+        },
+        [&](const PhotonPack& pack) { test(view, pack); });
+  }
+
+  void test(const View& view, const PhotonPack& pack)
+  {
+    const std::array<float, PhotonPack::kSize> squared = squaredDistances(view, pack);
+    const float reach = limit_ + view.sensor.blur, squaredReach = reach * reach * kWider;
+    for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
+    {
+      if (squared[lane] <= squaredReach && counts(view, pack.triangle(lane), pack.isFront(lane)))
+      {
+        const float distance = std::sqrt(squared[lane]);
+        candidates_.push_back(
+          { distance - view.sensor.blur, distance + view.sensor.blur, pack.reference(lane) });
+      }
+    }
+    if (candidates_.size() >= enough_)
+    {
+      tighten();
+      enough_ = candidates_.size() + std::max<std::size_t>(count_ / 2, PhotonPack::kSize);
+    }
+  }
+
+  std::array<float, PhotonPack::kSize> squaredDistances(
+    const View& view, const PhotonPack& pack) const
+  {
+    const Eigen::Matrix3f& stretch = owner_.trees_[view.object].stretch();
+    const UnitPoint& at = view.sensor.position;
+    std::array<float, PhotonPack::kSize> squared;
+    for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
+    {
+      const float x = pack.coordinates(0)[lane] - at[0], y = pack.coordinates(1)[lane] - at[1],
+                  z = pack.coordinates(2)[lane] - at[2];
+      const float u = stretch(0, 0) * x + stretch(0, 1) * y + stretch(0, 2) * z,
+                  v = stretch(1, 0) * x + stretch(1, 1) * y + stretch(1, 2) * z,
+                  w = stretch(2, 0) * x + stretch(2, 1) * y + stretch(2, 2) * z;
+      squared[lane] = u * u + v * v + w * w;
+    }
+    return squared;
+  }
+
+  bool counts(const View& view, std::uint32_t triangle, bool isFront)
+  {
+    // Neighbours often lie on the same triangle.
+    if (view.object != last_.object || triangle != last_.triangle)
+    {
+      last_ = { view.object, triangle };
+      lastSide_ = view.facing.side(owner_.objects_[view.object].body->mesh()[triangle]);
+    }
+    return lastSide_ == (isFront ? 1 : -1);
+  }
+
+  /// Drops candidates that are certainly not among the nearest.
+  void tighten()
+  {
+    if (candidates_.size() >= count_)
+    {
+      const auto last = candidates_.begin() + static_cast<std::ptrdiff_t>(count_ - 1);
+      std::nth_element(candidates_.begin(), last, candidates_.end(),
+        [](const Candidate& a, const Candidate& b) { return a.upper < b.upper; });
+      limit_ = std::min(limit_, last->upper);
+    }
+    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
+                        [this](const Candidate& c) { return c.lower > limit_; }),
+      candidates_.end());
+  }
+
+  NearPhotons nearest()
+  {
+    tighten();
+    NearPhotons found{ {}, maximumRadius_, true };
+    // As many true distances as lower bounds are below this: what is below for certain is found.
+    const auto certain = std::partition(candidates_.begin(), candidates_.end(),
+      [limit = certainLimit()](const Candidate& c) { return c.upper < limit; });
+    for (auto c = candidates_.begin(); c != certain; ++c)
+    {
+      found.photons.push_back(c->photon);
+    }
+    struct Known
+    {
+      double squaredDistance;
+      PhotonReference photon;
+    };
+    std::vector<Known> known;
+    for (auto c = certain; c != candidates_.end(); ++c)
+    {
+      const double squared = owner_.squaredDistance(sensor_, owner_.history_.photon(c->photon));
+      if (squared <= maximumRadius_ * maximumRadius_)
+      {
+        known.push_back({ squared, c->photon });
+      }
+    }
+    std::sort(known.begin(), known.end(), [](const Known& a, const Known& b) {
+      return std::tie(a.squaredDistance, a.photon) < std::tie(b.squaredDistance, b.photon);
+    });
+    for (std::size_t i = 0; i < known.size() && found.photons.size() < count_; ++i)
+    {
+      found.photons.push_back(known[i].photon);
+      if (found.photons.size() == count_)
+      {
+        found.radius = std::sqrt(known[i].squaredDistance);
+        found.areAll = false;
+      }
+    }
+    return found;
+  }
+
+  float certainLimit()
+  {
+    const float within =
+      static_cast<float>(maximumRadius_ * owner_.searchUnitsPerWorldUnit_) / kWider;
+    if (candidates_.size() < count_)
+    {
+      return within;
+    }
+    const auto last = candidates_.begin() + static_cast<std::ptrdiff_t>(count_ - 1);
+    std::nth_element(candidates_.begin(), last, candidates_.end(),
+      [](const Candidate& a, const Candidate& b) { return a.lower < b.lower; });
+    return std::min(within, last->lower);
+  }
+
+  const NearestPhotons& owner_;
+  const Sensor& sensor_;
+  std::size_t count_;
+  double maximumRadius_; ///< world
+  float limit_;          ///< the nearest are no farther
+  std::size_t enough_;   ///< candidates, to look which can be dropped
+  std::vector<View> views_;
+  std::priority_queue<Node> nodes_;
+  std::vector<Candidate> candidates_;
+  TriangleId last_;
+  int lastSide_ = 0;
+};
+
+NearestPhotons::NearestPhotons(
+  const LeafPhotons& leaves, const SceneObjects& objects, const WalkHistory& history)
+  : leaves_(leaves)
+  , objects_(objects)
+  , history_(history)
+  , searchUnitsPerWorldUnit_(searchScale(objects))
+{
+  trees_.reserve(objects.size());
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    trees_.emplace_back(objects[i], searchUnitsPerWorldUnit_);
+    if (!leaves.isEmpty(i))
+    {
+      lit_.push_back(i);
+    }
+  }
+}
+
+NearPhotons NearestPhotons::find(
+  const Sensor& sensor, std::size_t count, double maximumRadius) const
+{
+  return Search(*this, sensor, count, maximumRadius).run();
+}
+
+}

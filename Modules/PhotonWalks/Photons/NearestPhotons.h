@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_NearestPhotons_h
+#define irradiance_NearestPhotons_h
+
+#include "Photons/LeafPhotons.h"
+#include "Photons/PlacedTree.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// The photons nearest to a sensor.
+struct NearPhotons
+{
+  std::vector<PhotonReference> photons; ///< the farthest comes last, the others in any order
+  /// World distance of the farthest; the largest that was allowed if there are not so many.
+  double radius;
+  bool areAll; ///< there are fewer than asked for
+};
+
+/**
+ * Exact search of the nearest photons that arrived on sides facing as the sensor does (section 4.1 of
+ * the paper). It begins at the leaf nearest to the sensor and goes outward through the trees of all
+ * objects. Floats find the candidates, as in ray casting; where two are as far as rounding can tell,
+ * the stored walks decide. So it finds what a search of all photons would find, ordered by distance
+ * squared in double, walk and bounce, whatever the trees look like.
+ *
+ * Any number of threads may search at a time.
+ */
+class NearestPhotons
+{
+public:
+  /// For one frame; all of them must outlive it.
+  NearestPhotons(
+    const LeafPhotons& leaves, const SceneObjects& objects, const WalkHistory& history);
+
+  /// The `count` >= 1 nearest within a world distance, which may be infinite.
+  NearPhotons find(const Sensor& sensor, std::size_t count, double maximumRadius = kInfinity) const;
+
+  /// By which distances are compared: in double, from the point given by the stored weights.
+  double squaredDistance(const Sensor& sensor, const Photon& photon) const
+  {
+    const SceneObject& object = objects_[photon.id.object];
+    return (object.worldFromObject(modelPoint(object.body->mesh(), photon)) - sensor.position)
+      .squaredNorm();
+  }
+
+  const SceneObjects& objects() const { return objects_; }
+  const WalkHistory& history() const { return history_; }
+  const PlacedTree& tree(std::uint32_t object) const { return trees_[object]; }
+
+private:
+  class Search;
+
+  const LeafPhotons& leaves_;
+  const SceneObjects& objects_;
+  const WalkHistory& history_;
+  double searchUnitsPerWorldUnit_;
+  std::vector<PlacedTree> trees_;
+  std::vector<std::uint32_t> lit_; ///< objects with photons
+};
+
+}
+
+#endif

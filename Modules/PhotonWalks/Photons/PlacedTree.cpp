@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Photons/PlacedTree.h"
+
+#include <Eigen/SVD>
+
+#include <cmath>
+
+namespace irradiance
+{
+
+PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit)
+  : frame_(object.body->tree().frame())
+  , worldFromObject_(object.worldFromObject)
+  , inverse_(worldFromObject_.linear.inverse())
+  , bounds_(object.worldBounds())
+  , searchUnitsPerWorldUnit_(searchUnitsPerWorldUnit)
+{
+  bounds_.inflate(
+    0x1p-40 * (bounds_.magnitude() + worldFromObject_.translation.cwiseAbs().maxCoeff()));
+  int exponent;
+  std::frexp(worldFromObject_.linear.cwiseAbs().maxCoeff(), &exponent);
+  linear_ = worldFromObject_.linear * std::ldexp(1.0, -exponent);
+  const Matrix3 stretch = worldFromObject_.linear / frame_.scale * searchUnitsPerWorldUnit;
+  stretch_ = stretch.cast<float>();
+  longest_ = stretch.norm();
+  condition_ = worldFromObject_.linear.norm() * inverse_.norm();
+  constexpr double kRounding = 1 - 0x1p-20;
+  least_ = static_cast<float>(Eigen::JacobiSVD<Matrix3>(stretch).singularValues()[2] * kRounding);
+}
+
+Box PlacedTree::modelBounds(const Sensor& sensor, double radius) const
+{
+  const Vector3 center = inverse_ * (sensor.position - worldFromObject_.translation);
+  const Vector3 reach = radius * inverse_.rowwise().norm();
+  return { center - reach, center + reach };
+}
+
+/// Floats: three coordinates of the photon and of the sensor, their difference, the stretch and a
+/// norm are each off by a few 2^-24 of vectors that are no longer than the sensor's distance and
+/// sqrt(3); a leaf's box by kStray. Doubles: the sensor's way to model space, and the photon's way to
+/// the world.
+LocalSensor PlacedTree::see(const Sensor& sensor) const
+{
+  const Vector3 unit = frame_(inverse_ * (sensor.position - worldFromObject_.translation));
+  const double distance = unit.norm();
+  const double floats = longest_ * (0x1p-18 + 0x1p-19 * distance);
+  const double reach = longest_ * (2 + distance + frame_.scale * frame_.center.norm()) +
+    searchUnitsPerWorldUnit_ * (sensor.position.norm() + worldFromObject_.translation.norm());
+  const double blur = floats + 0x1p-48 * condition_ * reach;
+  return { { static_cast<float>(unit[0]), static_cast<float>(unit[1]),
+             static_cast<float>(unit[2]) },
+    static_cast<float>(blur) };
+}
+
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Sensor_h
+#define irradiance_Sensor_h
+
+#include "Geometry/Triangle.h"
+
+namespace irradiance
+{
+
+/// Where irradiance is asked for.
+struct Sensor
+{
+  Vector3 position; ///< world
+  Vector3 normal;   ///< world, unit vector to the side from which light comes
+};
+
+/**
+ * Which sides of the triangles of an object face the same way as a sensor: those whose world normals
+ * are within 45.6 degrees of its own. Photons on such sides count, and so does their area.
+ *
+ * This is as wide as can be without what a user would not expect. A point normal of a mesh, averaged
+ * over the two walls of a right-angled edge (cosine .707), faces as both do. The walls of a
+ * hexagonal room (.5) do not count for each other, nor do those that meet at right angles, nor the
+ * two sides of a sheet. Few photons of a small round thing are then lost to its sensors, so that
+ * they need not look for others far away.
+ */
+class Facing
+{
+public:
+  static constexpr double kLeastCosine = 0.7;
+
+  /// `worldFromObject`: the linear part, in any unit. `scale`: a power of two that makes the object
+  /// about as large as 1.
+  Facing(const Matrix3& worldFromObject, double scale, const Vector3& normal)
+    : scale_(scale)
+  {
+    // Area vectors are carried over by the cofactors, whatever the map does to lengths and angles.
+    for (int i = 0; i < 3; ++i)
+    {
+      cofactors_.col(i) = worldFromObject.col((i + 1) % 3).cross(worldFromObject.col((i + 2) % 3));
+    }
+    toward_ = cofactors_.transpose() * normal;
+  }
+
+  /// 1: the front faces that way; -1: the back; 0: neither. `triangle`: in the object's space.
+  int side(const Triangle& triangle) const
+  {
+    const Vector3 area =
+      (scale_ * (triangle.b - triangle.a)).cross(scale_ * (triangle.c - triangle.a));
+    const double with = toward_.dot(area);
+    const bool isNear = std::abs(with) >= kLeastCosine * (cofactors_ * area).norm();
+    return !isNear || with == 0 ? 0 : with > 0 ? 1 : -1;
+  }
+
+private:
+  double scale_;
+  Matrix3 cofactors_;
+  Vector3 toward_;
+};
+
+}
+
+#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_TriangleInSphere_h
+#define irradiance_TriangleInSphere_h
+
+#include "Geometry/Triangle.h"
+
+namespace irradiance
+{
+
+/// The area of the part of a triangle that lies within a sphere around the origin; the radius may be
+/// infinite. A sphere cuts a disc out of the triangle's plane.
+double areaInSphere(const Triangle& triangle, double radius);
+
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_test_EngineHistory_h
+#define irradiance_test_EngineHistory_h
+
+#include "History/WalkHistory.h"
+#include "IrradianceEngine.h"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace irradiance::test
+{
+
+/// All photons, by reference.
+inline std::vector<Photon> photonsOf(const WalkHistory& history)
+{
+  std::vector<Photon> photons;
+  for (std::size_t block = 0; block < history.blocks().size(); ++block)
+  {
+    history.forEachPhoton(block, [&](const Photon& photon) { photons.push_back(photon); });
+  }
+  return photons;
+}
+
+inline WalkHistory historyOf(const IrradianceEngine& engine)
+{
+  return { engine.plan(), engine.history() };
+}
+
+/// What differs between two frames.
+inline PhotonChanges changesBetween(
+  const std::vector<Photon>& before, const std::vector<Photon>& after)
+{
+  const auto key = [](const Photon& p) {
+    return std::make_tuple(
+      p.reference.walk, p.reference.bounce, p.id.object, p.id.triangle, p.weights);
+  };
+  const auto comesFirst = [&](const Photon& a, const Photon& b) { return key(a) < key(b); };
+  PhotonChanges changes;
+  std::set_difference(before.begin(), before.end(), after.begin(), after.end(),
+    std::back_inserter(changes.gone), comesFirst);
+  std::set_difference(after.begin(), after.end(), before.begin(), before.end(),
+    std::back_inserter(changes.arrived), comesFirst);
+  return changes;
+}
+
+}
+
+#endif
