@@ -72,6 +72,18 @@ public:
     return blocks_[place.block].vector(place.walkInBlock, photon.bounce);
   }
 
+  /// Prefetches where the walk lies, then what incoming() reads.
+  void prefetchPlace(const PhotonReference& photon) const
+  {
+    const WalkPlan::Place place = plan_.placeOf(photon.walk);
+    blocks_[place.block].prefetchPlace(place.walkInBlock);
+  }
+  void prefetchPoint(const PhotonReference& photon) const
+  {
+    const WalkPlan::Place place = plan_.placeOf(photon.walk);
+    blocks_[place.block].prefetchPoint({ place.walkInBlock, photon.bounce });
+  }
+
   /// Calls visit(Photon) for each photon of the stored walks of a block, in order.
   template <class Visit>
   void forEachPhoton(std::size_t block, const Visit& visit) const

@@ -18,6 +18,7 @@ namespace
 
 constexpr std::size_t kBlocksPerUnit = 4;     ///< of walks
 constexpr std::size_t kChangesPerUnit = 4096; ///< photons
+constexpr std::size_t kAhead = 8;             ///< photons between a request to memory and its use
 
 std::size_t unitsOf(std::size_t count, std::size_t perUnit)
 {
@@ -104,10 +105,11 @@ private:
 
   Bound bound(const Photon& photon, bool isFront) const
   {
-    const RigidObject& body = *trees_[photon.id.object].body;
+    const Tree& tree = trees_[photon.id.object];
+    const RigidObject& body = *tree.body;
     const UnitPoint at = unitPoint(body.tree().frame(), modelPoint(body.mesh(), photon));
     return { { at, photon.reference, isFront, photon.id.triangle }, photon.id.object,
-      leafAt(body.tree(), at) };
+      tree.table.leafOf(body.tree(), photon.id.triangle, at) };
   }
 
   /// By the stored walk alone.
@@ -143,6 +145,11 @@ private:
     const std::size_t end = std::min((unit + 1) * kChangesPerUnit, changes.size());
     for (std::size_t i = unit * kChangesPerUnit; i < end; ++i)
     {
+      if (areInHistory && i + 2 * kAhead < end)
+      {
+        history_.prefetchPlace(changes[i + 2 * kAhead].reference);
+        history_.prefetchPoint(changes[i + kAhead].reference);
+      }
       if (!isAnew_[changes[i].id.object])
       {
         list.push_back(bound(changes[i], !areInHistory || isFront(changes[i])));
@@ -175,24 +182,23 @@ private:
 
   void change(std::size_t part)
   {
-    for (const Sorted& unit : gone_)
+    const List gone = photonsOf(part, gone_);
+    for (std::size_t i = 0; i < gone.size(); ++i)
     {
-      for (std::uint32_t i = unit.begin[part]; i < unit.begin[part + 1]; ++i)
+      prefetchAhead(gone, i);
+      if (!leafOf(gone[i]).remove(gone[i].photon))
       {
-        if (!leafOf(unit.photons[i]).remove(unit.photons[i].photon))
-        {
-          throw std::logic_error("A photon that left was in no leaf");
-        }
+        throw std::logic_error("A photon that left was in no leaf");
       }
     }
-    insert(arrivedIn(part));
+    insert(photonsOf(part, arrived_));
   }
 
   /// Those of a part, by leaves.
-  List arrivedIn(std::size_t part) const
+  List photonsOf(std::size_t part, const std::vector<Sorted>& units) const
   {
     List all;
-    for (const Sorted& unit : arrived_)
+    for (const Sorted& unit : units)
     {
       all.insert(all.end(), unit.photons.begin() + unit.begin[part],
         unit.photons.begin() + unit.begin[part + 1]);
@@ -201,6 +207,14 @@ private:
       return std::tie(a.object, a.leaf) < std::tie(b.object, b.leaf);
     });
     return all;
+  }
+
+  void prefetchAhead(const List& list, std::size_t i)
+  {
+    if (i + kAhead < list.size())
+    {
+      leafOf(list[i + kAhead]).prefetch(list[i + kAhead].photon);
+    }
   }
 
   void insert(const List& list)
@@ -243,8 +257,9 @@ void LeafPhotons::update(const SceneObjects& objects, const WalkHistory& history
     isAnew.push_back(trees_[i].body != objects[i].body);
     if (isAnew.back())
     {
-      trees_[i] = { objects[i].body,
-        std::vector<PhotonLeaf>(objects[i].body->tree().numberOfBlocks()) };
+      const TriangleTree& tree = objects[i].body->tree();
+      trees_[i] = { objects[i].body, LeafTable(tree),
+        std::vector<PhotonLeaf>(tree.numberOfBlocks()) };
     }
   }
   Binding(trees_, objects, history, isAnew).run(changes, execution);
@@ -262,7 +277,7 @@ std::size_t LeafPhotons::bytes() const
   std::size_t bytes = 0;
   for (const Tree& tree : trees_)
   {
-    bytes += tree.leaves.capacity() * sizeof(PhotonLeaf);
+    bytes += tree.table.bytes() + tree.leaves.capacity() * sizeof(PhotonLeaf);
     for (const PhotonLeaf& leaf : tree.leaves)
     {
       bytes += leaf.bytes();

@@ -44,6 +44,7 @@ private:
   struct Tree
   {
     std::shared_ptr<const RigidObject> body;
+    LeafTable table;
     std::vector<PhotonLeaf> leaves; ///< one for each block, of which some are not the first
   };
   class Binding;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/PhotonLeaf.h"
 
+#include "Simd/Prefetch.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +13,7 @@ namespace
 {
 
 /// Photons of a pack when it is built: there is room for some that come later.
-constexpr std::size_t kUsual = 6;
+constexpr std::size_t kUsual = 12;
 
 /// The axis along which photons spread most.
 struct Extent
@@ -106,7 +108,30 @@ void PhotonLeaf::insert(const LeafPhoton* begin, const LeafPhoton* end)
     build(std::move(all));
     return;
   }
-  std::for_each(begin, end, [this](const LeafPhoton& photon) { insert(photon); });
+  constexpr std::ptrdiff_t kAhead = 8; // photons between a request to memory and its use
+  std::for_each(
+    begin, std::min(begin + kAhead, end), [this](const LeafPhoton& photon) { prefetch(photon); });
+  for (const LeafPhoton* photon = begin; photon != end; ++photon)
+  {
+    if (end - photon > kAhead)
+    {
+      prefetch(photon[kAhead]);
+    }
+    insert(*photon);
+  }
+}
+
+void PhotonLeaf::prefetch(const LeafPhoton& photon) const
+{
+  if (size_ > 0)
+  {
+    int depth;
+    const PhotonPack& pack = packs_[nodes_[endOf(photon, depth)].firstPack()];
+    for (std::size_t offset = 0; offset < sizeof(PhotonPack); offset += alignof(PhotonPack))
+    {
+      prefetchLine(reinterpret_cast<const char*>(&pack) + offset);
+    }
+  }
 }
 
 void PhotonLeaf::insert(const LeafPhoton& photon)

@@ -32,6 +32,9 @@ public:
   /// False if it is not here. `photon`: placed as it was when inserted.
   bool remove(const LeafPhoton& photon);
 
+  /// Prefetches where the photon is, or will be.
+  void prefetch(const LeafPhoton& photon) const;
+
   /// Calls visit(pack) for all packs that may hold photons within some distance of a point, those
   /// nearby first. squaredLimit() is that distance, squared, in the unit frame; it may shrink from
   /// one pack to the next. Rounding errors are up to the caller: 2^-22 of the squares.
