@@ -2,7 +2,7 @@
 
 set(vtkirradiance_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore)
+  FiltersCore RenderingCore)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtkirradiance_vtk_components})
 
 set(vtkirradiance_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/vtkIrradiance")

@@ -13,6 +13,8 @@ enum MaterialArray : std::size_t
 {
   Exitance,
   Reflectance,
+  Specular,
+  Exponent,
   Flux,
   kMaterialArrays
 };
@@ -27,6 +29,8 @@ struct MaterialArrayRole
 constexpr std::array<MaterialArrayRole, kMaterialArrays> kArrayRoles{ {
   { 0, "RadiantExitance", "radiant exitance" },
   { 1, "DiffuseReflectance", "diffuse reflectance" },
+  { 2, "SpecularReflectance", "specular reflectance" },
+  { 3, "PhongExponent", "Phong exponent" },
   { 4, "RadiantFlux", "radiant flux" },
 } };
 

@@ -78,6 +78,10 @@ std::vector<std::string> PolyDataConverter::convert()
   readPolygons(input_->GetPolys());
   readStrips(input_->GetStrips());
   checkMisplaced();
+  if (!specular_.empty())
+  {
+    target_.material.setSpecular(std::move(specular_), std::move(exponents_));
+  }
   return oddities();
 }
 
@@ -90,6 +94,13 @@ void PolyDataConverter::makeRoom()
   if (arrays_[Exitance] || !material.exitance.empty())
   {
     material.exitance.resize(material.numberOfCells * bands, 0.0);
+  }
+  if (arrays_[Specular] || material.isSpecular())
+  {
+    specular_ = material.specularReflectance;
+    specular_.resize(material.numberOfCells * bands, 0.0);
+    exponents_ = material.phongExponent;
+    exponents_.resize(material.numberOfCells, kInfinity);
   }
   // A polygon of n corners becomes n - 2 triangles. Growth by doubling would copy all at once,
   // which takes long.
@@ -147,6 +158,11 @@ std::vector<std::string> PolyDataConverter::oddities() const
   add(crossed_, "are polygons that cross themselves", "what lies inside is not clear");
   add(fluxElsewhere_, "have a radiant flux but are no vertices", "it is not read there");
   add(exitanceElsewhere_, "have a radiant exitance but no surface", "it is not read there");
+  if (arrays_[Exponent] && !arrays_[Specular])
+  {
+    oddities.push_back(
+      where_ + ": has Phong exponents but no specular reflectance; they are not read");
+  }
   return oddities;
 }
 
@@ -166,9 +182,11 @@ void PolyDataConverter::checkArray(std::size_t number) const
             << " cells";
     throw InputError(message.str());
   }
-  if (array->GetNumberOfComponents() != 1 && array->GetNumberOfComponents() != 3)
+  const bool mayHaveThree = number != Exponent;
+  if (array->GetNumberOfComponents() != 1 && !(mayHaveThree && array->GetNumberOfComponents() == 3))
   {
-    message << array->GetNumberOfComponents() << " components; 1 or 3 are possible";
+    message << array->GetNumberOfComponents() << " components; "
+            << (mayHaveThree ? "1 or 3 are possible" : "1 is possible");
     throw InputError(message.str());
   }
 }
@@ -325,25 +343,57 @@ void PolyDataConverter::readSurfaceCell()
   {
     fluxElsewhere_.add(cell_);
   }
+  readReflectance(cell);
+  for (int band = 0; arrays_[Exitance] && band < bands_; ++band)
+  {
+    const double exitance = value(arrays_[Exitance], band);
+    if (!(exitance >= 0 && exitance <= kBrightest))
+    {
+      fail("radiant exitance " + text(exitance) + " W/m2 is not within 0.." + text(kBrightest));
+    }
+    material.exitance[cell * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] =
+      exitance;
+  }
+}
+
+void PolyDataConverter::readReflectance(std::size_t cell)
+{
   for (int band = 0; band < bands_; ++band)
   {
     const std::size_t slot =
       cell * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band);
-    const double reflectance =
+    const double diffuse =
       arrays_[Reflectance] ? value(arrays_[Reflectance], band) : defaultReflectance_;
-    if (!(reflectance >= 0 && reflectance <= 1))
+    if (!(diffuse >= 0 && diffuse <= 1))
     {
-      fail("diffuse reflectance " + text(reflectance) + " is not within 0..1");
+      fail("diffuse reflectance " + text(diffuse) + " is not within 0..1");
     }
-    material.reflectance[slot] = reflectance;
-    if (arrays_[Exitance])
+    target_.material.reflectance[slot] = diffuse;
+    if (arrays_[Specular])
     {
-      const double exitance = value(arrays_[Exitance], band);
-      if (!(exitance >= 0 && exitance <= kBrightest))
+      const double specular = value(arrays_[Specular], band);
+      if (!(specular >= 0 && specular <= 1))
       {
-        fail("radiant exitance " + text(exitance) + " W/m2 is not within 0.." + text(kBrightest));
+        fail("specular reflectance " + text(specular) + " is not within 0..1");
       }
-      material.exitance[slot] = exitance;
+      if (!(diffuse + specular <= 1 + kRounding))
+      {
+        fail("diffuse reflectance " + text(diffuse) + " and specular reflectance " +
+          text(specular) + " add up to more than 1");
+      }
+      specular_[slot] = std::min(specular, 1 - diffuse);
+    }
+  }
+  if (arrays_[Exponent])
+  {
+    const double exponent = value(arrays_[Exponent], 0);
+    if (!(exponent >= 0))
+    {
+      fail("Phong exponent " + text(exponent) + " is not 0 or more");
+    }
+    if (!specular_.empty())
+    {
+      exponents_[cell] = exponent;
     }
   }
 }

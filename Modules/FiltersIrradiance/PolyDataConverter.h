@@ -43,6 +43,8 @@ public:
   /// Limits beyond which products of lengths, areas and powers might not be finite.
   static constexpr double kMostDistant = 1e30; ///< m
   static constexpr double kBrightest = 1e30;   ///< W/m2, W
+  /// Rounding may bring reflectances that add up to 1 this far above it.
+  static constexpr double kRounding = 1e-6;
   /// As such products might vanish, a triangle has no area unless twice its area exceeds this, m2.
   static constexpr double kSmallestArea = 1e-60;
 
@@ -61,6 +63,7 @@ private:
   void readPolygons(vtkCellArray* cells);
   void readStrips(vtkCellArray* cells);
   void readSurfaceCell();
+  void readReflectance(std::size_t cell);
   void readPoints(vtkIdType count, const vtkIdType* ids);
   double value(vtkDataArray* array, int band) const;
   bool isGhost() const;
@@ -86,6 +89,8 @@ private:
   OddCells crossed_;              ///< polygons that cross themselves
   OddCells fluxElsewhere_;        ///< cells with a flux that are not vertices
   OddCells exitanceElsewhere_;    ///< vertices and lines with an exitance
+  std::vector<double> specular_;  ///< of the target's cells, if any has an array
+  std::vector<double> exponents_;
 };
 
 }

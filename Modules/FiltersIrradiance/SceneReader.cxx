@@ -99,9 +99,10 @@ int SceneReader::countBands(const Parts& parts)
   int bands = 1;
   for (const InputPart* part : parts)
   {
-    for (vtkAbstractArray* array : part->arrays)
+    for (std::size_t i = 0; i < part->arrays.size(); ++i)
     {
-      bands = array && array->GetNumberOfComponents() == 3 ? 3 : bands;
+      vtkAbstractArray* array = part->arrays[i];
+      bands = i != Exponent && array && array->GetNumberOfComponents() == 3 ? 3 : bands;
     }
   }
   return bands;

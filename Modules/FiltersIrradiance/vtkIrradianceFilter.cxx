@@ -3,6 +3,8 @@
 
 #include "InputError.h"
 #include "OutputWriter.h"
+#include "PhotonRequest.h"
+#include "PhotonSource.h"
 #include "SmpExecution.h"
 
 #include "vtkDataObject.h"
@@ -37,11 +39,14 @@ public:
   };
 
   Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
-  void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkMultiBlockDataSet* output);
+  void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, bool keepsPhotons,
+    vtkMultiBlockDataSet* output);
 
   std::map<int, vtkSmartPointer<vtkLinearTransform>> Transforms;
   irradiance::SceneReader Scene;
-  irradiance::IrradianceEngine Engine;
+  /// Shared with the outputs, see PhotonSource.
+  std::shared_ptr<irradiance::IrradianceEngine> Engine =
+    std::make_shared<irradiance::IrradianceEngine>();
   vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
   vtkTimeStamp Newest;
 };
@@ -90,6 +95,7 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
 
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
+  constexpr vtkIdType mostSpreadPhotons = 1000000;
   const double budget = filter->GetRepairTimeBudget();
   if (!(budget >= 0))
   {
@@ -111,6 +117,11 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
   settings.repairTimeBudget = budget;
+  settings.cellEstimate = filter->GetCellEstimate() == vtkIrradianceFilter::Spread
+    ? irradiance::CellEstimate::Spread
+    : irradiance::CellEstimate::Sums;
+  settings.spreadPhotons =
+    Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   return settings;
 }
 
@@ -335,10 +346,11 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   return read;
 }
 
-void vtkIrradianceFilter::vtkInternals::Compute(
-  vtkIrradianceFilter* filter, const Inputs& inputs, vtkMultiBlockDataSet* output)
+void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, const Inputs& inputs,
+  bool keepsPhotons, vtkMultiBlockDataSet* output)
 {
-  const irradiance::EngineSettings settings = CheckedSettings(filter);
+  irradiance::EngineSettings settings = CheckedSettings(filter);
+  settings.keepPhotons = keepsPhotons;
   irradiance::SmpExecution execution(
     [filter](double progress) { return filter->ReportProgress(progress); });
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
@@ -351,20 +363,21 @@ void vtkIrradianceFilter::vtkInternals::Compute(
   {
     vtkWarningWithObjectMacro(filter, << warning);
   }
-  this->Engine.update(this->Scene.objects(), settings, execution);
-  if (!this->Engine.hasEmitters())
+  this->Engine->update(this->Scene.objects(), settings, execution);
+  if (!this->Engine->hasEmitters())
   {
     vtkWarningWithObjectMacro(filter, << "the scene has no light: no cell with a RadiantExitance "
                                          "and an area, and no vertex with a RadiantFlux");
   }
-  if (this->Engine.reachedRelativeError() > settings.targetRelativeError)
+  if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
   {
-    vtkWarningWithObjectMacro(filter, << TargetMissed(this->Engine, settings));
+    vtkWarningWithObjectMacro(filter, << TargetMissed(*this->Engine, settings));
   }
   const irradiance::Checkpoint writing = irradiance::checkpointOf(execution, 1);
   irradiance::OutputWriter(
-    this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0, writing)
+    *this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0, writing)
     .write(inputs.Static, inputs.Dynamic, output);
+  irradiance::PhotonSource::attach(output, this->Engine);
 }
 
 int vtkIrradianceFilter::RequestData(
@@ -381,8 +394,9 @@ int vtkIrradianceFilter::RequestData(
   this->Internals->Begun = this->InputTime();
   try
   {
-    this->Internals->Compute(this, this->Internals->GetInputs(this, inputs), output);
     vtkInformation* info = outputs->GetInformationObject(0);
+    this->Internals->Compute(this, this->Internals->GetInputs(this, inputs),
+      irradiance::arePhotonsRequested(info), output);
     if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
     {
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
@@ -412,6 +426,8 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UpdateMode: " << this->UpdateMode << "\n"
      << indent << "CacheStaticHits: " << this->CacheStaticHits << "\n"
      << indent << "SeparateSides: " << this->SeparateSides << "\n"
+     << indent << "CellEstimate: " << this->CellEstimate << "\n"
+     << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"

@@ -40,7 +40,15 @@
  * |-------|----------------------|------------------------------------------------|
  * | 0     | RadiantExitance      | W/m2 emitted from the front, diffuse; >= 0     |
  * | 1     | DiffuseReflectance   | 0..1, both sides; absent: DefaultDiffuseReflectance |
+ * | 2     | SpecularReflectance  | 0..1, both sides; absent: 0                    |
+ * | 3     | PhongExponent        | >= 0, one component; infinite or absent: mirror |
  * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
+ *
+ * Diffuse and specular reflectance add up to at most 1 in each band. The specular part reflects
+ * around the mirror direction: a Phong lobe of cos^n, made reciprocal and to reflect all of the
+ * SpecularReflectance at every angle (Documentation/Theory.md, section 1.1). The larger the exponent
+ * n, the narrower the lobe, down to a perfect mirror. PhongExponent matters only where
+ * SpecularReflectance is not 0.
  *
  * Exitance on vertices and lines, and flux on lines and faces, are not read: a warning, or an error
  * if the input has no cell of the right kind. Arrays of these names on points: a warning.
@@ -54,6 +62,8 @@
  * input's `ObjectToWorld` is applied and not passed on. A composite connection has a block of its
  * structure instead: a vtkMultiPieceDataSet for a vtkPartitionedDataSet (which a
  * vtkMultiBlockDataSet may not hold), else a vtkMultiBlockDataSet.
+ *
+ * By CellEstimate, the irradiance of a small cell may draw on the cells around it, see below.
  *
  * ComputeStandardError adds `IrradianceStandardError`, or `IrradianceFrontStandardError` and
  * `IrradianceBackStandardError`, W/m2. The 95 % interval is the irradiance +- this times
@@ -97,6 +107,20 @@
  * SetRepairTimeBudget(0) and Update(), the result is that of a new filter, bit for bit. A target
  * waits while walks are stale; standard errors do not cover what rests on them.
  *
+ * @section Estimate How small cells are estimated
+ * Photons arrive by area, so finely meshed parts are noisy. With CellEstimate Spread the power that a
+ * small cell received is spread over its neighbours, and the estimate of each cell draws on about
+ * NumberOfSpreadPhotons photons, on the average of its connection. A cell that receives as many by
+ * itself, as walls mostly do, keeps its value, to the bit. The power on each connection is conserved
+ * (on port 0: on all connections together). Light is not spread over creases of more than 35 degrees,
+ * gaps, edges of three cells or more, from a dynamic connection to another, nor from one side of a cell
+ * to the other with SeparateSides; cells are neighbours if they share both ends of an edge exactly.
+ *
+ * It trades noise for blur: shadows and highlights smaller than the neighbourhood fade, and shadow edges
+ * are smeared over some cells. Standard errors are those of the spread values and do not include the
+ * blur. With a RepairTimeBudget, StaleIrradiance is spread alike. It is then close to what the full
+ * update can take from a cell, but not a strict bound: the widths follow the number of photons.
+ *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
  * of range, singular or non-finite transforms, transforms of connections that do not exist, leaves
@@ -133,6 +157,13 @@ public:
     Sequential = 1, ///< the dynamic trees, then the static one up to the hit found
     Parallel = 2    ///< static and dynamic trees by turns, each hit shortening the other searches;
                     ///< with four objects or more the static tree, then the objects before its hit
+  };
+
+  /// From which photons the irradiance of a cell is estimated.
+  enum CellEstimates
+  {
+    Sums = 0,  ///< those that arrived in it
+    Spread = 1 ///< small cells: also those in the cells around it
   };
 
   /// What happens when dynamic objects have moved; the result is the same.
@@ -230,6 +261,26 @@ public:
 
   ///@{
   /**
+   * See CellEstimates and "How small cells are estimated" above. Changing it shoots nothing anew, except
+   * if UpdateMode is Rebuild, or with a target where nothing is dynamic. Default Sums.
+   */
+  vtkSetClampMacro(CellEstimate, int, Sums, Spread);
+  vtkGetMacro(CellEstimate, int);
+  void SetCellEstimateToSums() { this->SetCellEstimate(Sums); }
+  void SetCellEstimateToSpread() { this->SetCellEstimate(Spread); }
+  ///@}
+
+  ///@{
+  /**
+   * With CellEstimate Spread, on how many photons a small cell draws, 1 to 1,000,000. The noise is about
+   * 1 / its root; the blur grows with its root. Changing it is like changing CellEstimate. Default 250.
+   */
+  vtkSetMacro(NumberOfSpreadPhotons, int);
+  vtkGetMacro(NumberOfSpreadPhotons, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether the standard error of the irradiance is estimated, see "Output" above. Walks are
    * assigned to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
    * cell, band, side and replicate, with a target times the rounds of walks. Default off.
@@ -296,6 +347,8 @@ protected:
   int UpdateMode = Verify;
   vtkTypeBool CacheStaticHits = 1;
   vtkTypeBool SeparateSides = 0;
+  int CellEstimate = Sums;
+  int NumberOfSpreadPhotons = 250;
   vtkTypeBool ComputeStandardError = 0;
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;

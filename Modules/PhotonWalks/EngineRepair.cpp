@@ -27,8 +27,8 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   Clock::time_point start = Clock::now();
   const double verified = hasMotion ? 0.5 : 0; // progress between verification and repair
   ProgressSpan verification(execution, 0, verified), rest(execution, verified, 1);
-  const SobolSequence samples(settings_.seed, plan_.replicates());
-  const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
+  const SobolSequence samples = this->samples();
+  const WalkShooter shooter = this->shooter(samples);
   std::vector<std::vector<StaleSegment>> found;
   if (hasMotion)
   {
@@ -53,9 +53,12 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   {
     budget.emplace(execution, settings_.repairTimeBudget);
   }
-  WalkRepair repair({ shooter, plan_, history_, pointFrame_, sums_, balance_,
-    settings_.cacheStaticHits, found, stale_.get(), budget ? &*budget : nullptr });
+  PhotonChanges changes;
+  WalkRepair repair(
+    { shooter, plan_, history_, pointFrame_, sums_, balance_, settings_.cacheStaticHits, hasSides_,
+      found, stale_.get(), budget ? &*budget : nullptr, hasPhotonStores() ? &changes : nullptr });
   statistics_.repairedSegments = repair.run(rest);
+  updatePhotonStores(changes, execution);
   statistics_.repairSeconds = budget ? budget->elapsed() : secondsSince(start);
 }
 

@@ -26,6 +26,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     ++rounds;
     checkReceived(balance_);
     ProgressSpan still(execution, progress, progress);
+    spreadSums(rounds, still);
     reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan_.rounds().size());
   dropRounds(rounds, checkpointOf(execution, progress));
@@ -50,6 +51,10 @@ double IrradianceEngine::expectedWalks(std::size_t rounds) const
 void IrradianceEngine::dropRounds(std::size_t kept, const Checkpoint& checkpoint)
 {
   const std::size_t blocks = plan_.rounds()[kept - 1].endBlock;
+  if (history_.size() > blocks)
+  {
+    forgetPhotonStores();
+  }
   while (history_.size() > blocks)
   {
     WalkTally tally(sums_, balance_);

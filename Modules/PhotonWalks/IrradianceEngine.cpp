@@ -51,11 +51,11 @@ void IrradianceEngine::update(
     std::none_of(moved.begin(), moved.end(), [](bool isMoved) { return isMoved; });
   const std::size_t bytes = statistics_.historyBytes, blocks = history_.size();
   isValid_ = false; // until the end is reached
+  ++state_;
   objects_ = objects;
   settings_ = settings;
   plan_ = plan;
   statistics_ = {};
-  reached_ = 0;
   const bool hasTarget = settings.targetRelativeError > 0;
   const double begun = repair ? (hasTarget ? 0.5 : 1) : 0; // what comes after a repair is not known
   ProgressSpan first(execution, 0, begun), rest(execution, begun, 1);
@@ -67,17 +67,20 @@ void IrradianceEngine::update(
   {
     startAnew(execution);
   }
-  if (stale_ && !stale_->isEmpty())
-  {
-    reached_ = std::numeric_limits<double>::quiet_NaN();
-  }
-  else if (hasTarget)
+  const bool isStale = stale_ && !stale_->isEmpty();
+  if (hasTarget && !isStale)
   {
     reachTarget(rest);
   }
-  else if (!repair)
+  else
   {
-    shootRound(0, execution);
+    reached_ = isStale ? std::numeric_limits<double>::quiet_NaN() : 0;
+    if (!repair)
+    {
+      shootRound(0, execution);
+    }
+    ProgressSpan atItsEnd(execution, 1, 1);
+    spreadSums(sums_.rounds(), atItsEnd);
   }
   // Rounds may have been added or dropped.
   if (stale_ && stale_->isEmpty() && (!hasBudget() || stale_->numberOfBlocks() != history_.size()))
@@ -97,9 +100,12 @@ std::size_t IrradianceEngine::historyBytes() const
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
 {
-  return isValid_ && settings.verify && settings_.verify && !objects.dynamicObjects.empty() &&
-    planOf(settings) == plan_ && settings.seed == settings_.seed &&
-    settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
+  // Rounds of walks that were not stored cannot be taken back.
+  const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
+  return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
+    (!settings.keepPhotons || keepsPhotons()) && planOf(settings) == plan_ &&
+    settings.seed == settings_.seed && settings.separateSides == settings_.separateSides &&
+    differsOnlyByMotion(objects, objects_);
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)
@@ -125,6 +131,8 @@ void IrradianceEngine::startAnew(Execution& execution)
     checkpoint();
   }
   stale_.reset();
+  forgetPhotonStores();
+  hasSides_ = settings_.keepPhotons || settings_.separateSides;
   pointFrame_ = pointFrame(objects_, walkBounds());
   clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
@@ -134,7 +142,8 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
   const Clock::time_point start = Clock::now();
   const WalkRound& walks = plan_.rounds()[round];
-  const bool keep = settings_.verify && !objects_.dynamicObjects.empty();
+  const bool keep = settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
+  forgetPhotonStores(); // they are collected again, with this round
   sums_.setRounds(round + 1, checkpointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
   {
@@ -148,8 +157,8 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 void IrradianceEngine::shootBlocks(
   const WalkRound& walks, const UnitFrame* storedIn, Execution& execution)
 {
-  const SobolSequence samples(settings_.seed, plan_.replicates());
-  const WalkShooter shooter(scene_, objects_, emitters_, samples, &contacts_);
+  const SobolSequence samples = this->samples();
+  const WalkShooter shooter = this->shooter(samples);
   SharedBalance total(balance_);
   std::vector<std::unique_ptr<WalkBatch>> open(walks.endBlock - walks.firstBlock);
   SlicedPass pass{ emitters_.isEmpty() ? 0 : open.size(), {} };
@@ -159,7 +168,7 @@ void IrradianceEngine::shootBlocks(
     {
       std::vector<std::uint32_t> numbers(plan_.walksIn(block));
       std::iota(numbers.begin(), numbers.end(), plan_.firstWalkOf(block));
-      open[i] = std::make_unique<WalkBatch>(shooter, storedIn);
+      open[i] = std::make_unique<WalkBatch>(shooter, storedIn, hasSides_);
       open[i]->shoot(numbers);
     }
     PowerBalance balance;
@@ -196,16 +205,47 @@ double IrradianceEngine::reachInFrame() const
     clearance_ * pointFrame_.scale;
 }
 
+void IrradianceEngine::spreadSums(std::size_t rounds, Execution& execution)
+{
+  if (!isSpread())
+  {
+    spread_ = {};
+    spreadSums_ = {};
+    spreadStaleSums_ = {};
+    return;
+  }
+  spread_.update(objects_, sums_, rounds, settings_.spreadPhotons,
+    static_cast<double>(emitters_.photon()), execution);
+  spreadSums_ = spread_.spread(objects_, sums_, rounds, execution);
+  if (stale_)
+  {
+    spreadStaleSums_ = spread_.spread(objects_, stale_->sums(), 1, execution);
+  }
+}
+
+ErrorEstimate IrradianceEngine::errorEstimate(std::size_t rounds) const
+{
+  const auto photon = emitters_.largestStart();
+  return isSpread() ? ErrorEstimate(spreadSums_, spreadSums_.plan(), 1, photon, &spread_)
+                    : ErrorEstimate(sums_, plan_, rounds, photon);
+}
+
 double IrradianceEngine::irradiance(
   std::uint32_t object, std::size_t cell, int side, int band, double area) const
 {
-  return area > 0 ? watts(sums_.sum(object, cell, side, band)) / area : 0.0;
+  const CellSums& sums = isSpread() ? spreadSums_ : sums_;
+  return area > 0 ? watts(sums.sum(object, cell, side, band)) / area : 0.0;
 }
 
 double IrradianceEngine::staleIrradiance(
   std::uint32_t object, std::size_t cell, int side, int band, double area) const
 {
-  return stale_ && area > 0 ? watts(stale_->sums().sum(object, cell, side, band)) / area : 0.0;
+  if (!stale_ || !(area > 0))
+  {
+    return 0;
+  }
+  const CellSums& sums = isSpread() ? spreadStaleSums_ : stale_->sums();
+  return watts(sums.sum(object, cell, side, band)) / area;
 }
 
 }

@@ -5,8 +5,11 @@
 #include "Execution/Execution.h"
 #include "Light/Contacts.h"
 #include "Light/SceneObjects.h"
+#include "Photons/SpecularPhotons.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
+#include "Tally/CellEstimate.h"
+#include "Tally/CellSpread.h"
 #include "Tally/ErrorEstimate.h"
 #include "Tally/WalkTally.h"
 
@@ -24,6 +27,8 @@ struct EngineSettings
   bool verify = true; ///< false: every frame is shot anew
   bool cacheStaticHits = true;
   bool separateSides = false;
+  /// Whether walks are stored even if nothing can move, for those who ask for photons.
+  bool keepPhotons = false;
   std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known
   /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. The
   /// number of walks is doubled until then.
@@ -32,6 +37,9 @@ struct EngineSettings
   /// Seconds for the repair of a frame; what is not repaired in time stays stale for the next call.
   /// 0: no limit.
   double repairTimeBudget = 0;
+  CellEstimate cellEstimate = CellEstimate::Sums;
+  /// On how many photons a small cell draws if the estimate is spread, on average; > 0.
+  double spreadPhotons = 250;
 };
 
 /// What a frame cost.
@@ -63,9 +71,11 @@ public:
   /// All objects need a body and a material, with the same number of bands.
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
-  /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0.
+  /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0. By
+  /// the cell estimate of the settings.
   double irradiance(std::uint32_t object, std::size_t cell, int side, int band, double area) const;
-  /// The errors of the sums, from the spread of the replicates; valid until the next update.
+  /// The errors of irradiance(), from the variance between replicates; valid until the next update.
+  /// What the estimate blurs is not in them.
   ErrorEstimate errorEstimate() const { return errorEstimate(sums_.rounds()); }
   /// Watts of a number of quanta.
   double watts(double quanta) const
@@ -88,9 +98,33 @@ public:
   bool hasEmitters() const { return !emitters_.isEmpty(); }
   const PowerBalance& balance() const { return balance_; }
   const EngineStatistics& statistics() const { return statistics_; }
+  /// What arrived in the cells themselves.
   const CellSums& sums() const { return sums_; }
   const std::vector<WalkBlock>& history() const { return history_; }
   const WalkPlan& plan() const { return plan_; }
+
+  /// Differs after each update: what was derived from another state is out of date.
+  std::uint64_t state() const { return state_; }
+  /// Whether the last update was completed.
+  bool isValid() const { return isValid_; }
+  const SceneObjects& objects() const { return objects_; }
+  const Scene& scene() const { return scene_; }
+  const EngineSettings& settings() const { return settings_; }
+  /// Whether the following can be asked for.
+  bool keepsPhotons() const
+  {
+    return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
+  }
+  SobolSequence samples() const { return SobolSequence(settings_.seed, plan_.replicates()); }
+  /// `samples` must outlive it.
+  WalkShooter shooter(const SobolSequence& samples) const
+  {
+    return { scene_, objects_, emitters_, samples, &contacts_ };
+  }
+  WalkHistory photons() const { return { plan_, history_ }; }
+  /// The photons on specular cells. They are collected when first asked for, then updates keep them
+  /// up to date. Throws Interrupted.
+  const SpecularPhotons& specularPhotons(Execution& execution);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -112,13 +146,19 @@ private:
   /// `storedIn`: the frame of the history; null if the walks are not stored.
   void shootBlocks(const WalkRound& walks, const UnitFrame* storedIn, Execution& execution);
   void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
-  ErrorEstimate errorEstimate(std::size_t rounds) const
-  {
-    return { sums_, plan_, rounds, emitters_.largestStart() };
-  }
+  bool isSpread() const { return settings_.cellEstimate == CellEstimate::Spread; }
+  /// Spreads the sums of the first rounds, if the settings say so.
+  void spreadSums(std::size_t rounds, Execution& execution);
+  /// Of the rounds for which spreadSums() was called.
+  ErrorEstimate errorEstimate(std::size_t rounds) const;
   void verifyAndRepair(const std::vector<bool>& moved, Execution& execution);
   std::vector<std::vector<StaleSegment>> verify(
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
+  /// Of all stored hits.
+  void findSides(Execution& execution);
+  bool hasPhotonStores() const { return specularPhotons_ != nullptr; }
+  void forgetPhotonStores() { specularPhotons_.reset(); }
+  void updatePhotonStores(const PhotonChanges& changes, Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   std::size_t historyBytes() const;
   /// Walks stay inside, except where they escape.
@@ -133,8 +173,13 @@ private:
   EmitterTable emitters_;
   Contacts contacts_; ///< of this frame
   CellSums sums_;
+  CellSpread spread_;
+  CellSums spreadSums_, spreadStaleSums_; ///< empty unless sums are spread
   PowerBalance balance_;
-  std::vector<WalkBlock> history_;    ///< empty unless something may move
+  std::vector<WalkBlock> history_;                   ///< empty unless something may move
+  std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for
+  std::uint64_t state_ = 0;
+  bool hasSides_ = false;             ///< all sides of stored hits are known, see WalkBatch
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
   UnitFrame pointFrame_;              ///< of the stored points
   double pointReach_ = 0;             ///< their largest coordinate, except the ends of escapes

@@ -78,7 +78,9 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkFrameProfile "" "20000 2"
   measure BenchmarkRepairBudget "" "20000 2"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget}.csv
+  measure BenchmarkPhotonStores "" "20000 2"
+  measure BenchmarkNearestPhotons "" "20000 2 1000"
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,NearestPhotons}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"

@@ -22,6 +22,7 @@ struct Settings
   vtkIdType NumberOfWalks = 1000, MaximumNumberOfWalks = 6000;
   int Seed = 1, NumberOfReplicates = 16;
   int TraversalMode = vtkIrradianceFilter::Parallel, UpdateMode = vtkIrradianceFilter::Verify;
+  int CellEstimate = vtkIrradianceFilter::Sums, NumberOfSpreadPhotons = 250;
   bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
   double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
   std::string ReflectanceArray = "DiffuseReflectance";
@@ -53,6 +54,8 @@ inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
   filter->SetNumberOfReplicates(settings.NumberOfReplicates);
   filter->SetTraversalMode(settings.TraversalMode);
   filter->SetUpdateMode(settings.UpdateMode);
+  filter->SetCellEstimate(settings.CellEstimate);
+  filter->SetNumberOfSpreadPhotons(settings.NumberOfSpreadPhotons);
   filter->SetCacheStaticHits(settings.CacheStaticHits);
   filter->SetSeparateSides(settings.SeparateSides);
   filter->SetComputeStandardError(settings.ComputeStandardError);

@@ -38,6 +38,13 @@ inline void ChangeOutput(Trial& t)
   t.Apply();
 }
 
+inline void ChangeEstimate(Trial& t)
+{
+  t.Set().CellEstimate = t.Random.Below(2);
+  t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
+  t.Apply();
+}
+
 inline void ChangeTarget(Trial& t)
 {
   static const int replicates[] = { 2, 5, 16, 40 };
@@ -167,13 +174,16 @@ inline void SpoilALeaf(Trial& t)
 
 inline void SpoilASetting(Trial& t)
 {
-  switch (t.Random.Below(3))
+  switch (t.Random.Below(4))
   {
     case 0:
       t.Filter->SetNumberOfWalks(0);
       break;
     case 1:
       t.Filter->SetRepairTimeBudget(-1);
+      break;
+    case 2:
+      t.Filter->SetNumberOfSpreadPhotons(0);
       break;
     default:
       ChooseReflectance(t.Filter, "NoSuchArray");
@@ -198,8 +208,9 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ChangeBlocks", ChangeBlocks, 3 }, { "AddConnection", AddConnection, 4 },
   { "RemoveConnection", RemoveConnection, 3 }, { "ChangeSamples", ChangeSamples, 1 },
   { "ChangeModes", ChangeModes, 3 }, { "ChangeOutput", ChangeOutput, 2 },
-  { "ChangeTarget", ChangeTarget, 2 }, { "ChangeReflectances", ChangeReflectances, 1 },
-  { "ChangeBudget", ChangeBudget, 6 }, { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
+  { "ChangeEstimate", ChangeEstimate, 2 }, { "ChangeTarget", ChangeTarget, 2 },
+  { "ChangeReflectances", ChangeReflectances, 1 }, { "ChangeBudget", ChangeBudget, 6 },
+  { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
   { "MeddleWhileItRuns", MeddleWhileItRuns, 4 }, { "SpoilAPoint", SpoilAPoint, 1 },
   { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilAPose", SpoilAPose, 1 },
   { "SpoilALeaf", SpoilALeaf, 1 }, { "SpoilASetting", SpoilASetting, 1 } };

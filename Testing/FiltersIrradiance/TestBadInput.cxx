@@ -121,6 +121,11 @@ Spoil SetReplicates(int replicates)
   return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfReplicates(replicates); };
 }
 
+Spoil SetSpreadPhotons(int photons)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) { filter->SetNumberOfSpreadPhotons(photons); };
+}
+
 Spoil SetTarget(double target, vtkIdType mostWalks = 10000)
 {
   return [=](vtkIrradianceFilter* filter, Scene&) {
@@ -165,6 +170,16 @@ Spoil ReplaceArray(const char* name, int components, vtkIdType tuples)
   };
 }
 
+/// A part of the room's cells reflects specularly.
+Spoil SetGloss(const char* name, vtkIdType cell, double value)
+{
+  return [=](vtkIrradianceFilter*, Scene& scene) {
+    SetCellValues(scene.Fixed[0], "SpecularReflectance", { 0.25 });
+    SetCellValues(scene.Fixed[0], "PhongExponent", { 20 });
+    scene.Fixed[0]->GetCellData()->GetArray(name)->SetComponent(cell, 0, value);
+  };
+}
+
 const std::string Room = "input port 0, connection 0";
 const std::string Lamp = "input port 0, connection 1";
 const std::string Bulb = "input port 0, connection 2";
@@ -196,6 +211,16 @@ const std::vector<BadInput> BadInputs{
     { Room, "cell 53", "reflectance -0.25" } },
   { "ReflectanceIsNaN", SetValue(0, "DiffuseReflectance", 7, NaN),
     { Room, "cell 7", "reflectance nan" } },
+  { "SpecularBelow0", SetGloss("SpecularReflectance", 7, -0.1),
+    { Room, "cell 7", "specular reflectance -0.1" } },
+  { "SpecularIsNaN", SetGloss("SpecularReflectance", 7, NaN),
+    { Room, "cell 7", "specular reflectance nan" } },
+  { "DiffuseAndSpecularAbove1", SetGloss("SpecularReflectance", 7, 0.51),
+    { Room, "cell 7", "0.5", "0.51", "more than 1" } },
+  { "ExponentBelow0", SetGloss("PhongExponent", 7, -1), { Room, "cell 7", "exponent -1" } },
+  { "ExponentIsNaN", SetGloss("PhongExponent", 7, NaN), { Room, "cell 7", "exponent nan" } },
+  { "ExponentHasThreeBands", ReplaceArray<vtkDoubleArray>("PhongExponent", 3, 1),
+    { Lamp, "PhongExponent", "3 components; 1 is" } },
   { "ExitanceIsNegative", SetValue(1, "RadiantExitance", 0, -3e-9),
     { Lamp, "cell 0", "exitance -3e-09" } },
   { "ExitanceIsNaN", SetValue(1, "RadiantExitance", 0, NaN), { Lamp, "cell 0", "exitance nan" } },
@@ -222,6 +247,8 @@ const std::vector<BadInput> BadInputs{
   { "TooManyWalks", SetWalks(1LL << 32), { "NumberOfWalks is 4294967296" } },
   { "NoReplicates", SetReplicates(0), { "NumberOfReplicates is 0" } },
   { "OneReplicate", SetReplicates(1), { "NumberOfReplicates is 1;" } },
+  { "NoSpreadPhotons", SetSpreadPhotons(0), { "NumberOfSpreadPhotons is 0;" } },
+  { "TooManySpreadPhotons", SetSpreadPhotons(1000001), { "NumberOfSpreadPhotons is 1000001;" } },
   { "TooManyReplicates", SetReplicates(257), { "NumberOfReplicates is 257" } },
   { "FewerWalksThanReplicates", SetErrorsOfWalks(15), { "NumberOfWalks", "is 15; 16 to" } },
   { "NegativeTarget", SetTarget(-0.1), { "TargetRelativeError is -0.1" } },
@@ -262,6 +289,7 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   Connect(filter, MakeGoodScene());
   filter->SetNumberOfWalks(NumberOfWalks);
   filter->SetNumberOfReplicates(16);
+  filter->SetNumberOfSpreadPhotons(250);
   filter->SetTargetRelativeError(0);
   filter->ComputeStandardErrorOff();
   filter->SetRepairTimeBudget(0);

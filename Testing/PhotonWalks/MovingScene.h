@@ -12,17 +12,24 @@ namespace irradiance::test
 /**
  * A room of 4 x 4 x 4 m with a lamp and a point light, and six dynamic objects: a rigid box, a
  * sheared sphere, a mirrored box that sticks through a wall, a sphere that leaves the room and
- * comes back, one that deforms, and one with isFlattened set. In each frame some of them rest.
+ * comes back, one that deforms, and one with isFlattened set. In each frame some of them rest. If
+ * `isGlossy`, the walls have a wide lobe, and the objects are mirrors in part.
  */
 class MovingScene
 {
 public:
   static constexpr int kObjects = 6;
 
-  MovingScene(int bands, bool isClosed, unsigned seed)
+  MovingScene(int bands, bool isClosed, unsigned seed, bool isGlossy = false)
     : bands_(bands)
     , random_(seed)
   {
+    if (isGlossy)
+    {
+      wallLook_.specular = { 0.3, 0.2, 0.4 };
+      wallLook_.exponent = 12;
+      objectLook_.specular = { 0.15, 0.7, 0.2 };
+    }
     ObjectBuilder room(bands);
     const Box walls = box({ 0, 0, 0 }, { 4, 4, 4 });
     for (int side = 0; side < (isClosed ? 6 : 5); ++side)

@@ -28,8 +28,8 @@ TEST(Absorption, OneBandSurvivesWithItsReflectanceAndKeepsItsPower)
   for (const double reflectance : { 0.0, 0.3, 0.999, 1.0 })
   {
     const Material material = oneTriangle({ reflectance, 0, 0 }, 1);
-    EXPECT_EQ(survivalProbability(photon, material, 0), reflectance);
-    EXPECT_EQ(survivingPower(photon, material, 0, reflectance), photon);
+    EXPECT_EQ(survivalProbabilities(photon, material, 0).total(), reflectance);
+    EXPECT_EQ(survivingPower(photon, material, 0, Reflection::Diffuse, reflectance), photon);
   }
 }
 
@@ -46,9 +46,9 @@ TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
     const Material material = oneTriangle(reflectance, 3);
     for (const Power& power : powers)
     {
-      const double probability = survivalProbability(power, material, 0);
+      const double probability = survivalProbabilities(power, material, 0).total();
       ASSERT_LE(probability, *std::max_element(reflectance.begin(), reflectance.end()));
-      const Power after = survivingPower(power, material, 0, probability);
+      const Power after = survivingPower(power, material, 0, Reflection::Diffuse, probability);
       ASSERT_EQ(after.largest(), power.largest());
       for (int band = 0; band < 3; ++band)
       {
@@ -62,8 +62,59 @@ TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
 
 TEST(Absorption, WhatReflectsNothingLetsNothingSurvive)
 {
-  EXPECT_EQ(survivalProbability({ { 9, 9, 9 } }, oneTriangle({ 0, 0, 0 }, 3), 0), 0);
-  EXPECT_EQ(survivalProbability({ { 0, 9, 0 } }, oneTriangle({ 1, 0, 1 }, 3), 0), 0);
+  EXPECT_EQ(survivalProbabilities({ { 9, 9, 9 } }, oneTriangle({ 0, 0, 0 }, 3), 0).total(), 0);
+  EXPECT_EQ(survivalProbabilities({ { 0, 9, 0 } }, oneTriangle({ 1, 0, 1 }, 3), 0).total(), 0);
+}
+
+// One sample decides among diffuse, specular and none. Over all samples each band leaves with what
+// the material reflects of it; the strongest keeps its power if the parts add up to no more than 1.
+TEST(Absorption, SpecularAndDiffuseReflectionKeepTheMeanOfEachBand)
+{
+  struct Case
+  {
+    std::array<double, 3> diffuse, specular;
+    bool isScaled;
+  };
+  const Case cases[] = { { { 0.5, 0.2, 0.1 }, { 0.3, 0.4, 0.2 }, false },
+    { { 0.5, 0.2, 0.1 }, { 0, 0, 0 }, false }, { { 1, 0, 0 }, { 0, 1, 0 }, true },
+    { { 0.9, 0.1, 0 }, { 0.05, 0.8, 0.3 }, true } };
+  for (const Case& one : cases)
+  {
+    Material material = oneTriangle(one.diffuse, 3);
+    material.setSpecular({ one.specular.begin(), one.specular.end() }, { 10 });
+    const Power power{ { kPhoton, kPhoton, kPhoton } };
+    const SurvivalProbabilities survival = survivalProbabilities(power, material, 0);
+    ASSERT_LE(survival.total(), 1 + 1e-15);
+    EXPECT_EQ(survival.chosenBy(0.99 * survival.diffuse), Reflection::Diffuse);
+    EXPECT_EQ(survival.chosenBy(survival.diffuse), Reflection::Specular);
+    for (const Reflection reflection : { Reflection::Diffuse, Reflection::Specular })
+    {
+      const auto& reflectance = reflection == Reflection::Diffuse ? one.diffuse : one.specular;
+      const double probability = survival.of(reflection);
+      if (probability == 0)
+      {
+        continue;
+      }
+      const Power after = survivingPower(power, material, 0, reflection, probability);
+      EXPECT_EQ(after.largest() > kPhoton, one.isScaled);
+      for (int band = 0; band < 3; ++band)
+      {
+        EXPECT_NEAR(static_cast<double>(after[band]) * probability,
+          reflectance[static_cast<std::size_t>(band)] * kPhoton, 0.51 * probability);
+      }
+    }
+  }
+}
+
+TEST(Absorption, OneBandSurvivesWithTheSumOfItsReflectances)
+{
+  Material material = oneTriangle({ 0.3, 0, 0 }, 1);
+  material.setSpecular({ 0.6 }, { kInfinity });
+  const Power photon{ { kPhoton, 0, 0 } };
+  const SurvivalProbabilities survival = survivalProbabilities(photon, material, 0);
+  EXPECT_EQ(survival.diffuse, 0.3);
+  EXPECT_NEAR(survival.total(), 0.9, 1e-15);
+  EXPECT_EQ(survivingPower(photon, material, 0, Reflection::Specular, 0.6), photon);
 }
 
 }

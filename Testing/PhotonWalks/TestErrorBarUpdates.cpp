@@ -93,7 +93,7 @@ TEST(ErrorBarUpdates, UpdateEqualsRebuild)
 {
   for (const int bands : { 1, 3 })
   {
-    MovingScene scene(bands, bands == 3, 71);
+    MovingScene scene(bands, bands == 3, 71, bands == 1);
     EngineSettings settings = withErrors(10007);
     settings.separateSides = bands == 3;
     IrradianceEngine engine;

@@ -32,6 +32,24 @@ SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
   return builder.build();
 }
 
+/// The same with a part of the reflectance that is specular, with lobes from wide to mirrors.
+SceneObject glossyFurnace(ObjectBuilder builder, test::RandomVectors& random)
+{
+  SceneObject object = furnace(std::move(builder), random);
+  Material material = *object.material;
+  const std::array<double, 5> exponents{ 0, 1, 15, 1000, kInfinity };
+  std::vector<double> specular, chosen;
+  for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
+  {
+    specular.push_back(random.uniform(0, 1) * material.reflectance[cell]);
+    material.reflectance[cell] -= specular.back();
+    chosen.push_back(exponents[random.engine() % exponents.size()]);
+  }
+  material.setSpecular(specular, chosen);
+  object.material = std::make_shared<Material>(material);
+  return object;
+}
+
 /// An object that reflects all light emits none, so it moves without a change of the lights.
 SceneObject white(ObjectBuilder builder)
 {
@@ -149,6 +167,32 @@ TEST(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
   {
     setPoses(objects, frame);
     settings.seed = static_cast<std::uint64_t>(frame + 1);
+    engine.update(objects, settings, execution);
+    EXPECT_TRUE(engine.balance().escaped.isZero());
+    estimates.add(engine, objects);
+  }
+  estimates.expectOne(3.5);
+}
+
+// The radiance in a furnace is the same in all directions. A lobe that loses light at some angle,
+// or whose light leaves with a distribution that is not reciprocal, changes it. Area means as above.
+TEST(Furnace, EveryCellReceivesOneWattWhereCellsReflectSpecularly)
+{
+  test::RandomVectors random(83);
+  SceneObjects objects{ glossyFurnace(room(), random), {} };
+  for (const ObjectBuilder& thing : movingThings())
+  {
+    objects.dynamicObjects.push_back(glossyFurnace(thing, random));
+  }
+  IrradianceEngine engine;
+  Execution execution;
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(8192) * (test::kIsSanitized ? 4 : 1);
+  FurnaceEstimates estimates;
+  for (int frame = 0; frame < kFrames; ++frame)
+  {
+    setPoses(objects, frame);
+    settings.seed = static_cast<std::uint64_t>(frame + 1001);
     engine.update(objects, settings, execution);
     EXPECT_TRUE(engine.balance().escaped.isZero());
     estimates.add(engine, objects);

@@ -88,7 +88,7 @@ TEST(InvalidWalks, AreThoseThatChangedByDefinition)
 {
   for (const bool isClosed : { true, false })
   {
-    test::MovingScene scene(1, isClosed, 71);
+    test::MovingScene scene(1, isClosed, 71, isClosed);
     EngineSettings settings;
     settings.numberOfWalks = test::scaled(3000);
     IrradianceEngine engine;

@@ -124,10 +124,11 @@ struct Share
   double left = 0; ///< part of the walks left stale, mean over the frames
 };
 
-void checkBounds(const EngineSettings& common, int bands, bool isClosed, unsigned seed)
+void checkBounds(
+  const EngineSettings& common, int bands, bool isClosed, unsigned seed, bool isGlossy = false)
 {
   const int frames = test::kIsSanitized ? 15 : 200;
-  MovingScene scene(bands, isClosed, seed);
+  MovingScene scene(bands, isClosed, seed, isGlossy);
   IrradianceEngine full, timed;
   std::vector<Share> shares(3);
   const double parts[] = { 0, 0.1, 0.5 };
@@ -196,6 +197,13 @@ TEST(RepairBudget, BoundsHoldInColourWithSides)
   settings.separateSides = true;
   settings.seed = 5;
   checkBounds(settings, 3, true, 32);
+}
+
+TEST(RepairBudget, BoundsHoldWithGlossyCells)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = scaled(1000);
+  checkBounds(settings, 1, true, 33, true);
 }
 
 // Where nothing escapes and all cells reflect alike, walks do what the bound assumes and attain it

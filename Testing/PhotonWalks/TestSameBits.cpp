@@ -28,7 +28,7 @@ struct Case
 /// The answer for the last of the same three frames, computed in the given way.
 Answer lastOfThreeFrames(const Case& way, bool separateSides)
 {
-  MovingScene scene(3, false, 41);
+  MovingScene scene(3, false, 41, true);
   EngineSettings settings;
   settings.numberOfWalks = test::scaled(8000);
   settings.traversalMode = way.mode;

@@ -68,7 +68,7 @@ private:
 /// A few frames in both units: the sums are the same integers, the irradiance is the same double.
 void compareAtScale(int exponent, bool scalesModels)
 {
-  MovingScene scene(1, false, 51);
+  MovingScene scene(1, false, 51, true);
   ScaledScene other(scene.objects(), std::ldexp(1.0, exponent), scalesModels);
   SceneObjects frame = scene.objects();
   EngineSettings settings;

@@ -11,11 +11,13 @@
 namespace irradiance::test
 {
 
-/// Diffuse reflectance and exitance (W/m2) of a cell; a grey object uses the first band.
+/// How a cell reflects and emits (W/m2); a grey object uses the first band.
 struct Look
 {
   std::array<double, 3> reflectance{};
   std::array<double, 3> exitance{};
+  std::array<double, 3> specular{};
+  double exponent = kInfinity; ///< of the Phong lobe
 };
 
 inline Look grey(double reflectance, double exitance = 0)
@@ -41,7 +43,10 @@ public:
     {
       material_.reflectance.push_back(look.reflectance[band]);
       material_.exitance.push_back(look.exitance[band]);
+      specular_.push_back(look.specular[band]);
+      isSpecular_ = isSpecular_ || look.specular[band] > 0;
     }
+    exponents_.push_back(look.exponent);
   }
 
   /// nu x nv cells; `corner(i, j)` for i in 0..nu, j in 0..nv; the front faces du x dv.
@@ -131,14 +136,21 @@ public:
 
   SceneObject build(const AffineMap& worldFromObject = {}, bool isFlattened = false) const
   {
+    const auto material = std::make_shared<Material>(material_);
+    if (isSpecular_)
+    {
+      material->setSpecular(specular_, exponents_);
+    }
     return { { std::make_shared<RigidObject>(TriangleMesh(triangles_)), worldFromObject,
                isFlattened },
-      std::make_shared<Material>(material_) };
+      material };
   }
 
 private:
   std::vector<Triangle> triangles_;
   Material material_;
+  std::vector<double> specular_, exponents_;
+  bool isSpecular_ = false;
 };
 
 inline Box box(const Vector3& lower, const Vector3& upper)

@@ -53,9 +53,10 @@ std::ostream& operator<<(std::ostream& out, const Variant& variant)
              << variant.settings.cacheStaticHits << ", threads " << variant.threads;
 }
 
-void compareOverFrames(const EngineSettings& settings, int bands, bool isClosed, unsigned seed)
+void compareOverFrames(
+  const EngineSettings& settings, int bands, bool isClosed, unsigned seed, bool isGlossy = false)
 {
-  MovingScene scene(bands, isClosed, seed);
+  MovingScene scene(bands, isClosed, seed, isGlossy);
   const auto variants = allVariants(settings);
   std::int64_t invalid = 0, repaired = 0;
   const int frames = test::kIsSanitized ? 12 : 40;
@@ -95,6 +96,21 @@ TEST(UpdateEqualsRebuild, OverRandomFramesInColourWithSides)
   settings.separateSides = true;
   settings.seed = 99;
   compareOverFrames(settings, 3, true, 22);
+}
+
+TEST(UpdateEqualsRebuild, OverRandomFramesWithGlossyWallsAndMirrors)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = scaled(2000);
+  compareOverFrames(settings, 1, true, 24, true);
+}
+
+TEST(UpdateEqualsRebuild, OverRandomFramesWithGlossyWallsInColourWithSides)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = scaled(1000);
+  settings.separateSides = true;
+  compareOverFrames(settings, 3, false, 25, true);
 }
 
 // 10,000 frames out and the same 10,000 back: nothing drifts, nothing is left behind.

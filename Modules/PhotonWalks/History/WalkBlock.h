@@ -32,8 +32,8 @@ struct StoredSegment
   StoredPoint begin;
   TriangleId id;
   std::array<float, 2> weights; ///< see Hit
-  bool isFront;                 ///< the side from which the walk leaves the hit
-  bool isContact;               ///< the hit may depend on dynamic objects that touch, see Contacts
+  bool isFront;   ///< the side that was hit; known if a walk leaves it, else see WalkBatch
+  bool isContact; ///< the hit may depend on dynamic objects that touch, see Contacts
 };
 
 /**
@@ -66,12 +66,6 @@ public:
     return (tags_[pointOf(walk, bounce)] & kBack) == 0;
   }
   Power power(std::uint32_t walk, std::uint32_t bounce) const;
-  /// From where a segment begins to where it ends, in the frame of the points.
-  Vector3 vector(std::uint32_t walk, std::uint32_t bounce) const
-  {
-    const std::size_t begin = pointOf(walk, bounce);
-    return point(begin + 1) - point(begin);
-  }
   /// Lower bound of a segment's length in the world, too short by some 2^-20 of its coordinates.
   double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
 
@@ -82,6 +76,11 @@ public:
   void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
   void setSegment(std::uint32_t walk, std::uint32_t bounce, const StoredSegment& segment);
   void setEnd(std::uint32_t walk, const StoredPoint& end);
+  void setSide(std::uint32_t walk, std::uint32_t bounce, bool isFront)
+  {
+    std::uint16_t& tag = tags_[pointOf(walk, bounce)];
+    tag = static_cast<std::uint16_t>(isFront ? tag & ~kBack : tag | kBack);
+  }
   /// Only if there are several bands.
   void setPower(std::uint32_t walk, std::uint32_t bounce, const Power& power);
 

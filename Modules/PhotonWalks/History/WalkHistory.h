@@ -32,12 +32,19 @@ struct Photon
   PhotonReference reference;
   TriangleId id;
   std::array<float, 2> weights; ///< see Hit
+  bool isFront;                 ///< see WalkHistory::isFront
 };
 
 /// Photons that left the history or came to it, in any order.
 struct PhotonChanges
 {
   std::vector<Photon> gone, arrived;
+
+  void add(const PhotonChanges& others)
+  {
+    gone.insert(gone.end(), others.gone.begin(), others.gone.end());
+    arrived.insert(arrived.end(), others.arrived.begin(), others.arrived.end());
+  }
 };
 
 /// All stored walks. A view: plan and blocks must outlive it.
@@ -53,51 +60,54 @@ public:
   const std::vector<WalkBlock>& blocks() const { return blocks_; }
   std::uint32_t firstWalkOf(std::size_t block) const { return plan_.firstWalkOf(block); }
 
-  Photon photon(const PhotonReference& reference) const
-  {
-    const WalkPlan::Place place = plan_.placeOf(reference.walk);
-    const Hit hit = blocks_[place.block].hit(place.walkInBlock, reference.bounce);
-    return { reference, hit.id, hit.weights };
-  }
   Power power(const PhotonReference& photon) const
   {
     const WalkPlan::Place place = plan_.placeOf(photon.walk);
     return blocks_[place.block].power(place.walkInBlock, photon.bounce);
   }
-  /// From where the photon flew to where it arrived, in the frame of the stored points: a world
-  /// vector but for its length. Rounded to floats.
-  Vector3 incoming(const PhotonReference& photon) const
+  /// The hit without its distance.
+  Hit hit(const PhotonReference& photon) const
   {
     const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    return blocks_[place.block].vector(place.walkInBlock, photon.bounce);
+    return blocks_[place.block].hit(place.walkInBlock, photon.bounce);
+  }
+  /// Whether it arrived on the front. Known of all photons only if they are kept for others, see
+  /// WalkBatch.
+  bool isFront(const PhotonReference& photon) const
+  {
+    const WalkPlan::Place place = plan_.placeOf(photon.walk);
+    return blocks_[place.block].isFront(place.walkInBlock, photon.bounce);
+  }
+  /// Where the photon is stored.
+  const WalkBlock& blockOf(const PhotonReference& photon, std::uint32_t& walkInBlock) const
+  {
+    const WalkPlan::Place place = plan_.placeOf(photon.walk);
+    walkInBlock = place.walkInBlock;
+    return blocks_[place.block];
   }
 
-  /// Prefetches where the walk lies, then what incoming() reads.
-  void prefetchPlace(const PhotonReference& photon) const
+  /// Calls visit(Photon) for each photon that segments of a walk from `first` on brought, in order.
+  template <class Visit>
+  void forEachPhotonOf(
+    std::size_t block, std::uint32_t walkInBlock, std::uint32_t first, const Visit& visit) const
   {
-    const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    blocks_[place.block].prefetchPlace(place.walkInBlock);
+    const WalkBlock& walks = blocks_[block];
+    for (std::uint32_t bounce = first; bounce < walks.size(walkInBlock); ++bounce)
+    {
+      if (const Hit hit = walks.hit(walkInBlock, bounce))
+      {
+        visit(Photon{ { firstWalkOf(block) + walkInBlock, bounce }, hit.id, hit.weights,
+          walks.isFront(walkInBlock, bounce) });
+      }
+    }
   }
-  void prefetchPoint(const PhotonReference& photon) const
-  {
-    const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    blocks_[place.block].prefetchPoint({ place.walkInBlock, photon.bounce });
-  }
-
-  /// Calls visit(Photon) for each photon of the stored walks of a block, in order.
+  /// The same for all walks of a block.
   template <class Visit>
   void forEachPhoton(std::size_t block, const Visit& visit) const
   {
-    const WalkBlock& walks = blocks_[block];
-    for (std::uint32_t walk = 0; walk < walks.numberOfWalks(); ++walk)
+    for (std::uint32_t walk = 0; walk < blocks_[block].numberOfWalks(); ++walk)
     {
-      for (std::uint32_t bounce = 0; bounce < walks.size(walk); ++bounce)
-      {
-        if (const Hit hit = walks.hit(walk, bounce))
-        {
-          visit(Photon{ { firstWalkOf(block) + walk, bounce }, hit.id, hit.weights });
-        }
-      }
+      forEachPhotonOf(block, walk, 0, visit);
     }
   }
 

@@ -15,8 +15,14 @@ TailBound::TailBound(const SceneObjects& objects, const SobolSequence& samples)
     const auto bands = static_cast<std::ptrdiff_t>(material.bands);
     for (const std::uint32_t cell : material.cellOfTriangle)
     {
-      const auto first = material.reflectance.begin() + static_cast<std::ptrdiff_t>(cell) * bands;
-      reflectance_ = std::max(reflectance_, *std::max_element(first, first + bands));
+      const auto largest = [&](const std::vector<double>& reflectances) {
+        const auto first = reflectances.begin() + static_cast<std::ptrdiff_t>(cell) * bands;
+        return *std::max_element(first, first + bands);
+      };
+      // More than 1 in all if they are of different bands: then powers may grow.
+      reflectance_ = std::max(reflectance_,
+        largest(material.reflectance) +
+          (material.isSpecular() ? largest(material.specularReflectance) : 0));
     }
   }
 }

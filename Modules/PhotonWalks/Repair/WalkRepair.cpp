@@ -43,7 +43,7 @@ struct WalkRepair::Batch
     : begin(first)
     , end(first + count)
     , tally(state.sums, balance)
-    , walks(state.shooter, &state.frame)
+    , walks(state.shooter, &state.frame, state.storesSides)
   {
   }
 
@@ -285,9 +285,30 @@ void WalkRepair::finish(Batch& batch)
   {
     state_.stale->take(stale);
   }
+  PhotonChanges changes;
+  if (state_.changes)
+  {
+    collectTails(batch, changes.gone);
+  }
   batch.walks.store(state_.plan, state_.history);
+  if (state_.changes)
+  {
+    collectTails(batch, changes.arrived);
+    const std::lock_guard<std::mutex> lock(changesMutex_);
+    state_.changes->add(changes);
+  }
   balance_.add(batch.balance);
   segments_ += batch.walks.numberOfSegments();
+}
+
+void WalkRepair::collectTails(const Batch& batch, std::vector<Photon>& photons) const
+{
+  const WalkHistory history(state_.plan, state_.history);
+  for (const Item* item = batch.begin; item != batch.end; ++item)
+  {
+    history.forEachPhotonOf(item->block, item->segment->walkInBlock, item->segment->bounce,
+      [&](const Photon& photon) { photons.push_back(photon); });
+  }
 }
 
 }

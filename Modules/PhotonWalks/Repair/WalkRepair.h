@@ -4,11 +4,13 @@
 
 #include "Execution/SlicedPass.h"
 #include "Execution/TimeBudget.h"
+#include "History/WalkHistory.h"
 #include "Repair/StaleWalks.h"
 #include "Tally/PowerBalance.h"
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace irradiance
@@ -34,10 +36,13 @@ public:
     CellSums& sums;
     PowerBalance& balance;
     bool cacheStaticHits;
+    bool storesSides; ///< see WalkBatch
     /// By block, what the verification of this frame found. May be empty if nothing moved.
     const std::vector<std::vector<StaleSegment>>& found;
     StaleWalks* stale;  ///< the walks to repair; null: those that were found
     TimeBudget* budget; ///< null: time for all; else `stale` is given
+    PhotonChanges* changes =
+      nullptr; ///< receives the photons that go and come; null: not asked for
   };
 
   explicit WalkRepair(const State& state)
@@ -66,6 +71,8 @@ private:
   /// Null if the walk was marked in an earlier frame.
   const StaleSegment* foundNow(const Item& item) const;
   void finish(Batch& batch);
+  /// Appends the photons of the tails that the batch replaces.
+  void collectTails(const Batch& batch, std::vector<Photon>& photons) const;
 
   // Without a budget no clock is read.
   double now() const { return state_.budget ? state_.budget->now() : 0; }
@@ -75,6 +82,7 @@ private:
   SharedBalance balance_;
   std::atomic<bool> hasBegun_{ false };
   std::atomic<std::int64_t> segments_{ 0 };
+  std::mutex changesMutex_;
 };
 
 }

@@ -11,29 +11,46 @@ namespace irradiance
 {
 
 /**
- * Unit vector on the hemisphere around the unit vector `normal`, density cos(theta) / pi per
- * steradian. Without branches, so that a loop over many becomes SIMD. The frame around the normal is
- * that of Duff et al., "Building an Orthonormal Basis, Revisited" (JCGT 2017).
+ * Unit vector at a given height over the plane across the unit vector `axis`, `turns` around it.
+ * `radius` is the distance from the axis: height^2 + radius^2 = 1. Without branches, so that a loop
+ * over many becomes SIMD. The frame around the axis is that of Duff et al., "Building an Orthonormal
+ * Basis, Revisited" (JCGT 2017).
  */
-struct CosineDirection
+struct DirectionAround
 {
   double x, y, z;
 
+  __attribute__((always_inline)) DirectionAround(
+    double axisX, double axisY, double axisZ, double height, double radius, double turns)
+  {
+    const double sign = __builtin_copysign(1.0, axisZ);
+    const double a = -1.0 / (sign + axisZ);
+    const double b = axisX * axisY * a;
+    const Turn turn(turns);
+    const double p = radius * turn.cosine, q = radius * turn.sine;
+    x = p * (1.0 + sign * axisX * axisX * a) + q * b + height * axisX;
+    y = p * (sign * b) + q * (sign + axisY * axisY * a) + height * axisY;
+    z = height * axisZ - (p * (sign * axisX) + q * axisY);
+  }
+};
+
+/// Unit vector on the hemisphere around the unit vector `normal`, density cos(theta) / pi per
+/// steradian.
+struct CosineDirection : DirectionAround
+{
   /// `u`, `v`: a point of the unit square.
   __attribute__((always_inline))
   CosineDirection(double normalX, double normalY, double normalZ, double u, double v)
+    : DirectionAround(normalX, normalY, normalZ, __builtin_sqrt(1 - u), __builtin_sqrt(u), v)
   {
-    const double sign = __builtin_copysign(1.0, normalZ);
-    const double a = -1.0 / (sign + normalZ);
-    const double b = normalX * normalY * a;
-    const Turn turn(v);
-    const double radius = __builtin_sqrt(u), height = __builtin_sqrt(1 - u);
-    const double p = radius * turn.cosine, q = radius * turn.sine;
-    x = p * (1.0 + sign * normalX * normalX * a) + q * b + height * normalX;
-    y = p * (sign * b) + q * (sign + normalY * normalY * a) + height * normalY;
-    z = height * normalZ - (p * (sign * normalX) + q * normalY);
   }
 };
+
+inline Vector3 directionAround(const Vector3& axis, double height, double radius, double turns)
+{
+  const DirectionAround direction(axis[0], axis[1], axis[2], height, radius, turns);
+  return { direction.x, direction.y, direction.z };
+}
 
 inline Vector3 sampleCosineHemisphere(const Vector3& normal, const std::array<double, 2>& u)
 {

@@ -13,10 +13,12 @@ namespace irradiance
 /// What a sample of a bounce is used for; each use has a two-dimensional pattern of its own.
 enum class SampleUse : std::uint32_t
 {
-  Emitter,   ///< which light (first coordinate)
-  Position,  ///< where on it
-  Direction, ///< in which direction the walk leaves
-  Survival   ///< whether the walk leaves the hit before this bounce (first coordinate)
+  Emitter,     ///< which light (first coordinate)
+  Position,    ///< where on it
+  Direction,   ///< in which direction the walk leaves
+  Survival,    ///< whether and how the walk leaves the hit before this bounce (first coordinate)
+  Acceptance,  ///< specular: whether the direction stays (first coordinate), see PhongLobe
+  Compensation ///< specular: the direction if it does not
 };
 
 /**
@@ -64,7 +66,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t kUses = 4;
+  static constexpr std::uint32_t kUses = 6;
   static constexpr std::uint32_t kKnownBounces = 32; ///< more are rare
 
   static SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, std::uint32_t use)

@@ -17,9 +17,10 @@ constexpr std::size_t kAhead = 8; // hits between a request to memory and its us
 
 }
 
-WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn)
+WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn, bool storesSides)
   : shooter_(shooter)
   , frame_(storedIn)
+  , storesSides_(storesSides)
 {
 }
 
@@ -105,7 +106,7 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
     areHitsKnown_ = false;
     segments_ += static_cast<std::int64_t>(count);
     findCells(first, tally);
-    if (tally.sides() == 2)
+    if (tally.sides() == 2 || storesSides_)
     {
       findSides(first);
     }
@@ -233,7 +234,8 @@ void WalkBatch::absorb(std::size_t first)
     probabilities_[i] = !hit ? 0
       : powers_.empty()
       ? rules.reflectanceOf(hit.id.object, cells_[i])
-      : survivalProbability(powers_[first + i], rules.materialOf(hit.id.object), hit.id.triangle);
+      : survivalProbabilities(powers_[first + i], rules.materialOf(hit.id.object), cells_[i])
+          .total();
   }
   survivors_.clear();
   rules.survive(walks_.data() + first, bounces_.data() + first, probabilities_.data(), count,
@@ -244,7 +246,8 @@ void WalkBatch::absorb(std::size_t first)
 /// place is written only after it was read, as no survivor moves up.
 void WalkBatch::leave(std::size_t first, WalkTally& tally)
 {
-  Departures departures(shooter_.rules());
+  const WalkRules& rules = shooter_.rules();
+  Departures departures(rules);
   std::size_t kept = first;
   Piece* const pieces = frame_ ? &pieces_[pieces_.size() - (hits_.size() - first)] : nullptr;
   for (const std::uint32_t i : survivors_)
@@ -255,20 +258,24 @@ void WalkBatch::leave(std::size_t first, WalkTally& tally)
     tailOf_[kept] = tailOf_[i];
     walks_[kept] = walks_[i];
     bounces_[kept] = bounces_[i] + 1;
-    departures.add(
-      { walks_[kept], bounces_[kept], hit.id, weightsOf(hit), side, rays_[i].direction },
+    const Reflection reflection = rules.reflectionAt(
+      hit.id, walks_[kept], bounces_[kept], powers_.empty() ? Power{} : powers_[i]);
+    departures.add({ walks_[kept], bounces_[kept], hit.id, weightsOf(hit), side, rays_[i].direction,
+                     reflection, rays_[i].origin },
       &rays_[kept], pieces ? &pieces[i - first].segment.isFront : nullptr);
     if (!powers_.empty())
     {
-      powers_[kept] = survivingPower(powers_[i], shooter_.rules().materialOf(hit.id.object),
-        hit.id.triangle, probabilities_[i - first]);
+      const Material& material = rules.materialOf(hit.id.object);
+      const std::size_t cell = cells_[i - first];
+      powers_[kept] = survivingPower(powers_[i], material, cell, reflection,
+        survivalProbabilities(powers_[i], material, cell).of(reflection));
       tally.release(1, powers_[kept]);
     }
     ++kept;
   }
   if (powers_.empty())
   {
-    tally.release(static_cast<std::int64_t>(kept - first), shooter_.rules().photon());
+    tally.release(static_cast<std::int64_t>(kept - first), rules.photon());
   }
   departures.flush();
   tailOf_.resize(kept);

@@ -17,7 +17,9 @@ class WalkBatch
 {
 public:
   /// `storedIn`: the frame of the blocks to which store() will write; null if nothing is stored.
-  WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn);
+  /// `storesSides`: the sides of all hits are stored; else, if the tally does not need them, only of
+  /// those that walks leave.
+  WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn, bool storesSides = false);
 
   /// Adds whole walks.
   void shoot(const std::vector<std::uint32_t>& walks);
@@ -87,6 +89,7 @@ private:
 
   const WalkShooter& shooter_;
   const UnitFrame* frame_;
+  bool storesSides_;
   // Of the walks that go on, by place.
   std::vector<std::uint32_t> tailOf_, walks_, bounces_;
   std::vector<Power> powers_; ///< empty if there is one band

@@ -18,9 +18,9 @@ WalkRules::WalkRules(
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     const SceneObject& object = objects[i];
-    surfaces_.push_back(
-      { object.body->mesh().triangles().data(), &object.worldFromObject, object.material.get(),
-        object.material->cellOfTriangle.data(), object.material->reflectance.data() });
+    surfaces_.push_back({ object.body->mesh().triangles().data(), &object.worldFromObject,
+      object.material.get(), object.material->cellOfTriangle.data(),
+      object.material->totalReflectance().data(), object.material->isSpecular() });
   }
 }
 
@@ -105,12 +105,50 @@ void WalkRules::prefetchCell(const Hit& hit) const
 {
   if (hit)
   {
-    prefetchLine(surfaces_[hit.id.object].reflectance +
+    const Surface& surface = surfaces_[hit.id.object];
+    prefetchLine((bands_ == 1 ? surface.totalReflectance : surface.material->reflectance.data()) +
       std::size_t{ cellOf(hit.id) } * static_cast<std::size_t>(bands_));
   }
 }
 
+Reflection WalkRules::chosenReflection(
+  const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
+{
+  return survivalProbabilities(incoming, materialOf(hit.object), cellOf(hit))
+    .chosenBy(samples_.sample(walk, bounce, SampleUse::Survival)[0]);
+}
+
 void Departures::add(const Departure& departure, Ray* ray, bool* isFront)
+{
+  if (departure.reflection == Reflection::Diffuse)
+  {
+    addDiffuse(departure, ray, isFront);
+    return;
+  }
+  const bool leavesFront = leaveSpecularly(departure, *ray);
+  if (isFront)
+  {
+    *isFront = leavesFront;
+  }
+}
+
+bool Departures::leaveSpecularly(const Departure& departure, Ray& ray) const
+{
+  const TriangleId id = departure.id;
+  SurfacePoint point = surfacePoint(rules_.triangleOf(id), departure.weights);
+  point.turn(departure.side == 0 ? departure.incoming.dot(point.normal) <= 0 : departure.side > 0);
+  const Vector3 incoming = incomingDirection(point, departure.from);
+  const auto sample = [&](SampleUse use) {
+    return rules_.samples_.sample(departure.walk, departure.bounce, use);
+  };
+  const LobeSample samples{ sample(SampleUse::Direction), sample(SampleUse::Acceptance)[0],
+    sample(SampleUse::Compensation) };
+  const PhongLobe& lobe = rules_.materialOf(id.object).lobeOf(rules_.cellOf(id));
+  ray = { point.clearPosition(), lobe.sample(point.normal, incoming, samples), id };
+  return point.isFront;
+}
+
+void Departures::addDiffuse(const Departure& departure, Ray* ray, bool* isFront)
 {
   lanes_.setTriangle(count_, rules_.triangleOf(departure.id));
   lanes_.weights.set(count_, departure.weights);

@@ -2,7 +2,9 @@
 #ifndef irradiance_WalkRules_h
 #define irradiance_WalkRules_h
 
+#include "Light/Absorption.h"
 #include "Light/Emitter.h"
+#include "Meshes/SurfacePoint.h"
 #include "Sampling/SobolSequence.h"
 #include "Shooting/LeavingLanes.h"
 
@@ -10,6 +12,14 @@
 
 namespace irradiance
 {
+
+/// The unit direction in which light that comes `from` a point hits a surface, against its normal.
+inline Vector3 incomingDirection(const SurfacePoint& point, const Vector3& from)
+{
+  const Vector3 incoming = (point.position - from).normalized();
+  // Points that touch are too close to tell.
+  return incoming.dot(point.normal) < 0 ? incoming : Vector3(-point.normal);
+}
 
 /// A walk that leaves a triangle.
 struct Departure
@@ -19,6 +29,10 @@ struct Departure
   Vector3 weights;  ///< barycentric
   double side;      ///< 1 front, -1 back, 0: that from which `incoming` comes
   Vector3 incoming; ///< matters only if `side` is 0
+  Reflection reflection = Reflection::Diffuse;
+  /// Where the segment before began; matters only for specular reflection. Its direction follows
+  /// from this and the hit, as both follow from what is stored.
+  Vector3 from = Vector3::Zero();
 };
 
 /**
@@ -47,16 +61,25 @@ public:
   {
     return surfaces_[id.object].cellOfTriangle[id.triangle];
   }
-  /// In one band.
+  /// What is reflected in all, in one band.
   double reflectanceOf(std::uint32_t object, std::uint32_t cell) const
   {
-    return surfaces_[object].reflectance[cell];
+    return surfaces_[object].totalReflectance[cell];
   }
   /// Whether walks leave the hits of their segments `bounces`, to survive with `probabilities`.
   /// Appends the places of those that do to `survivors`, each plus `first`.
   void survive(const std::uint32_t* walks, const std::uint32_t* bounces,
     const double* probabilities, std::size_t count, std::uint32_t first,
     std::vector<std::uint32_t>& survivors) const;
+  /// How a walk leaves the hit of its segment before `bounce`, given that it survives. `incoming`:
+  /// the power of that segment; matters only if there are several bands.
+  Reflection reflectionAt(
+    const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
+  {
+    return surfaces_[hit.object].isSpecular ? chosenReflection(hit, walk, bounce, incoming)
+                                            : Reflection::Diffuse;
+  }
+  bool isSpecular(std::uint32_t object) const { return surfaces_[object].isSpecular; }
   const Material& materialOf(std::uint32_t object) const { return *surfaces_[object].material; }
   /// In world space.
   Triangle triangleOf(const TriangleId& id) const
@@ -80,8 +103,12 @@ private:
     const AffineMap* worldFromObject;
     const Material* material;
     const std::uint32_t* cellOfTriangle;
-    const double* reflectance;
+    const double* totalReflectance; ///< one band
+    bool isSpecular;
   };
+
+  Reflection chosenReflection(
+    const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
 
   std::size_t emitterOf(std::uint32_t walk) const;
 
@@ -106,6 +133,10 @@ public:
   void flush();
 
 private:
+  void addDiffuse(const Departure& departure, Ray* ray, bool* isFront);
+  /// Specular ones are few, and each has a lobe of its own: they are computed one by one.
+  bool leaveSpecularly(const Departure& departure, Ray& ray) const;
+
   const WalkRules& rules_;
   unsigned count_ = 0;
   LeavingLanes lanes_;

@@ -15,21 +15,76 @@ void WalkShooter::cast(const Ray* rays, std::size_t count, Hit* hits) const
   }
 }
 
+Departure WalkShooter::departureOf(const Stored& segment) const
+{
+  const WalkBlock& block = *segment.block;
+  const std::uint32_t before = segment.bounce - 1;
+  const Hit hit = block.hit(segment.walkInBlock, before);
+  Departure departure{ segment.walk, segment.bounce, hit.id, weightsOf(hit),
+    block.isFront(segment.walkInBlock, before) ? 1.0 : -1.0, {} };
+  if (rules_.isSpecular(hit.id.object))
+  {
+    departure.reflection = rules_.reflectionAt(
+      hit.id, segment.walk, segment.bounce, block.power(segment.walkInBlock, before));
+  }
+  return departure;
+}
+
+void WalkShooter::originsOf(const Stored* segments, std::size_t count, Vector3* origins) const
+{
+  std::vector<std::uint32_t> starting;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (segments[i].bounce == 0)
+    {
+      starting.push_back(segments[i].walk);
+      which.push_back(i);
+      continue;
+    }
+    const Departure departure = departureOf(segments[i]);
+    SurfacePoint point = surfacePoint(rules_.triangleOf(departure.id), departure.weights);
+    point.turn(departure.side > 0);
+    origins[i] = point.clearPosition();
+  }
+  std::vector<Ray> first(starting.size());
+  rules_.start(starting.data(), starting.size(), first.data());
+  for (std::size_t i = 0; i < which.size(); ++i)
+  {
+    origins[which[i]] = first[i].origin;
+  }
+}
+
+void WalkShooter::arrivalsOf(
+  const Stored* segments, std::size_t count, SurfacePoint* points, Vector3* directions) const
+{
+  originsOf(segments, count, directions);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const WalkBlock& block = *segments[i].block;
+    const Hit hit = block.hit(segments[i].walkInBlock, segments[i].bounce);
+    points[i] = surfacePoint(rules_.triangleOf(hit.id), weightsOf(hit));
+    points[i].turn(block.isFront(segments[i].walkInBlock, segments[i].bounce));
+    directions[i] = incomingDirection(points[i], directions[i]);
+  }
+}
+
 void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) const
 {
   constexpr std::size_t kAhead = 16;
-  const auto left = [&](std::size_t i) {
-    return segments[i].block->hit(segments[i].walkInBlock, segments[i].bounce - 1);
-  };
   Departures departures(rules_);
   std::vector<std::uint32_t> starting;
   std::vector<std::size_t> which;
+  std::vector<Departure> specular;
+  std::vector<Ray*> specularRays;
+  std::vector<Stored> before; // the segments that end where those leave
   for (std::size_t i = 0; i < count; ++i)
   {
     const Stored& segment = segments[i];
     if (i + kAhead < count && segments[i + kAhead].bounce > 0)
     {
-      rules_.prefetchTriangle(left(i + kAhead));
+      const Stored& later = segments[i + kAhead];
+      rules_.prefetchTriangle(later.block->hit(later.walkInBlock, later.bounce - 1));
     }
     if (segment.bounce == 0)
     {
@@ -37,10 +92,22 @@ void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) c
       which.push_back(i);
       continue;
     }
-    const Hit hit = left(i);
-    const bool isFront = segment.block->isFront(segment.walkInBlock, segment.bounce - 1);
-    departures.add(
-      { segment.walk, segment.bounce, hit.id, weightsOf(hit), isFront ? 1.0 : -1.0, {} }, rays + i);
+    const Departure departure = departureOf(segment);
+    if (departure.reflection == Reflection::Diffuse)
+    {
+      departures.add(departure, rays + i);
+      continue;
+    }
+    specular.push_back(departure);
+    specularRays.push_back(rays + i);
+    before.push_back({ segment.block, segment.walkInBlock, segment.walk, segment.bounce - 1 });
+  }
+  std::vector<Vector3> origins(before.size());
+  originsOf(before.data(), before.size(), origins.data());
+  for (std::size_t i = 0; i < specular.size(); ++i)
+  {
+    specular[i].from = origins[i];
+    departures.add(specular[i], specularRays[i]);
   }
   departures.flush();
   std::vector<Ray> first(starting.size());

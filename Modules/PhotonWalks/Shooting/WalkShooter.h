@@ -4,6 +4,7 @@
 
 #include "History/WalkBlock.h"
 #include "Light/Contacts.h"
+#include "Meshes/SurfacePoint.h"
 #include "Scene/Scene.h"
 #include "Shooting/WalkRules.h"
 
@@ -53,6 +54,10 @@ public:
   /// The rays of stored segments, the same as when they were shot unless they start on what has
   /// moved.
   void raysOf(const Stored* segments, std::size_t count, Ray* rays) const;
+  /// The points where stored segments hit, and the unit directions in which they flew there. They
+  /// follow from stored points as the directions of specular reflection do. Not for escapes.
+  void arrivalsOf(
+    const Stored* segments, std::size_t count, SurfacePoint* points, Vector3* directions) const;
   /// The triangle on which a stored segment begins.
   TriangleId startOf(const Stored& segment) const
   {
@@ -67,6 +72,10 @@ public:
   }
 
 private:
+  /// Where the rays of stored segments begin.
+  void originsOf(const Stored* segments, std::size_t count, Vector3* origins) const;
+  Departure departureOf(const Stored& segment) const;
+
   const Scene& scene_;
   WalkRules rules_;
   const Contacts* contacts_;

@@ -73,7 +73,15 @@ public:
   std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band,
     std::uint32_t replicate, std::size_t rounds) const;
 
+  /// Replaces what the walks of a replicate brought in the first round.
+  void set(std::uint32_t object, std::size_t cell, int side, int band, std::uint32_t replicate,
+    std::int64_t quanta)
+  {
+    sums_[slot({ 0, replicate }, object, cell, side) + static_cast<std::size_t>(band)] = quanta;
+  }
+
   int sides() const { return sides_; }
+  const WalkPlan& plan() const { return plan_; }
 
 private:
   /// Walks whose deposits go to the same sums.

@@ -32,8 +32,9 @@ double quantileOfArea(std::vector<std::pair<double, double>> errorsWithAreas, do
 }
 
 ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-  const std::array<double, Power::kMaxBands>& photon)
+  const std::array<double, Power::kMaxBands>& photon, const CellSpread* spread)
   : sums_(sums)
+  , spread_(spread)
   , rounds_(rounds)
   , walks_(plan.rounds()[rounds - 1].endWalk)
   , photon_(photon)
@@ -65,10 +66,11 @@ ErrorEstimate::Received ErrorEstimate::received(
     total += ofReplicate(i);
   }
   const auto quanta = static_cast<double>(total);
-  const double photon = photon_[static_cast<std::size_t>(band)];
+  const double photon = photon_[static_cast<std::size_t>(band)] *
+    (spread_ ? spread_->photonShare(object, cell, side) : 1.0);
   if (replicates < 2 || walks_ < kFewestPhotons || total == 0 || quanta < kFewestPhotons * photon)
   {
-    return { quanta, std::nan("") };
+    return { quanta, std::nan(""), photon };
   }
   double squares = 0;
   for (std::uint32_t i = 0; i < replicates; ++i)
@@ -78,20 +80,20 @@ ErrorEstimate::Received ErrorEstimate::received(
   }
   // Sums come in steps of a photon, so replicates may agree by chance. The variance within a step
   // is the least that can be claimed.
-  return { quanta, std::sqrt(std::max(unbiased_ * squares, replicates * photon * photon / 12)) };
+  return { quanta, std::sqrt(std::max(unbiased_ * squares, replicates * photon * photon / 12)),
+    photon };
 }
 
-double ErrorEstimate::relativeError(
-  const Received& received, int band, double average, double factor) const
+double ErrorEstimate::relativeError(const Received& received, double average, double factor)
 {
-  const double photon = photon_[static_cast<std::size_t>(band)];
-  if (photon == 0)
+  if (received.photon == 0)
   {
     return 0; // no light has this band
   }
   if (received.quanta == 0)
   {
-    return 3 * photon / average; // where 3 photons are expected, none arrives in 5 % of cases
+    return 3 * received.photon /
+      average; // where 3 photons are expected, none arrives in 5 % of cases
   }
   return std::isnan(received.error) ? kInfinity : factor * received.error / received.quanta;
 }
@@ -152,8 +154,7 @@ double ErrorEstimate::relativeErrorOfMostArea(
     for (int band = 0; band < objects.staticObject.material->bands; ++band)
     {
       const auto i = static_cast<std::size_t>(band);
-      worst =
-        std::max(worst, relativeError(part.received[i], band, sums[i] / area * part.area, factor));
+      worst = std::max(worst, relativeError(part.received[i], sums[i] / area * part.area, factor));
     }
     errors.emplace_back(worst, part.area);
   }

@@ -3,7 +3,7 @@
 #define irradiance_ErrorEstimate_h
 
 #include "Execution/Execution.h"
-#include "Tally/CellSums.h"
+#include "Tally/CellSpread.h"
 
 #include <array>
 
@@ -26,10 +26,11 @@ public:
   /// reach a target.
   static constexpr double kConfidence = 0.95;
 
-  /// `photon`: quanta with which the most powerful walk starts, in each band. `sums` must outlive
-  /// the estimate.
+  /// `photon`: quanta with which the most powerful walk starts, in each band. `spread`: what has
+  /// spread the sums, if they are; the errors are those of the spread sums, which are not the truth
+  /// where they blur it. `sums` and `spread` must outlive the estimate.
   ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-    const std::array<double, Power::kMaxBands>& photon);
+    const std::array<double, Power::kMaxBands>& photon, const CellSpread* spread = nullptr);
 
   /// Half the width of the interval of kConfidence, in standard errors: Student's t.
   static double confidenceFactor(std::uint32_t replicates);
@@ -47,10 +48,11 @@ public:
   double relativeErrorOfMostArea(const SceneObjects& objects, Execution& execution) const;
 
 private:
-  /// What a cell, or one of its sides, has received in a band, and its standard error; quanta.
+  /// What a cell, or one of its sides, has received in a band, its standard error, and what one
+  /// photon of full power effectively brings to it; quanta.
   struct Received
   {
-    double quanta, error;
+    double quanta, error, photon;
   };
   struct CellSide
   {
@@ -64,9 +66,10 @@ private:
   /// All cells, or sides of cells, that have an area.
   std::vector<CellSide> cellSides(const SceneObjects& objects, Execution& execution) const;
   /// `average`: quanta that a cell of this area receives on average. `factor`: confidenceFactor().
-  double relativeError(const Received& received, int band, double average, double factor) const;
+  static double relativeError(const Received& received, double average, double factor);
 
   const CellSums& sums_;
+  const CellSpread* spread_;
   std::size_t rounds_;
   std::uint32_t walks_;
   std::array<double, Power::kMaxBands> photon_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes/SolidSides.h"
 
+#include "Meshes/MeshEdges.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
@@ -106,38 +107,7 @@ public:
 private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  struct Edge
-  {
-    std::uint64_t corners;
-    std::uint32_t triangle; ///< index among the chosen ones
-    int corner;             ///< where the edge begins
-    bool isForward;
-  };
-  using Edges = std::vector<Edge>;
-
-  struct Corner
-  {
-    std::array<double, 3> position;
-    std::uint32_t part;
-    bool operator==(const Corner& other) const
-    {
-      return position == other.position && part == other.part;
-    }
-  };
-
-  struct HashOfCorner
-  {
-    std::size_t operator()(const Corner& corner) const
-    {
-      std::size_t hash = corner.part;
-      for (const double x : corner.position)
-      {
-        hash = (hash ^ std::hash<double>()(x)) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 29;
-      }
-      return hash;
-    }
-  };
+  using Edges = std::vector<MeshEdge>;
 
   /// The triangles that are in no closed shell yet.
   std::vector<std::uint32_t> open(bool withoutLamps) const
@@ -153,40 +123,11 @@ private:
     return open;
   }
 
-  Edges edgesOf(const std::vector<std::uint32_t>& chosen, bool byParts)
-  {
-    std::unordered_map<Corner, std::uint32_t, HashOfCorner> numbers;
-    Edges edges;
-    edges.reserve(3 * chosen.size());
-    for (std::uint32_t i = 0; i < chosen.size(); ++i)
-    {
-      pace_.step(16);
-      const Triangle& triangle = triangles_[chosen[i]];
-      std::array<std::uint64_t, 3> corners;
-      const Vector3* const positions[3] = { &triangle.a, &triangle.b, &triangle.c };
-      for (int k = 0; k < 3; ++k)
-      {
-        const Vector3& p = *positions[k];
-        const Corner corner{ { p[0] + 0.0, p[1] + 0.0, p[2] + 0.0 }, // turns -0 into 0
-          byParts ? partOf_[chosen[i]] : 0u };
-        corners[k] =
-          numbers.emplace(corner, static_cast<std::uint32_t>(numbers.size())).first->second;
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        const std::uint64_t from = corners[k], to = corners[(k + 1) % 3];
-        edges.push_back({ std::min(from, to) << 32 | std::max(from, to), i, k, from < to });
-      }
-    }
-    std::sort(edges.begin(), edges.end(),
-      [](const Edge& a, const Edge& b) { return a.corners < b.corners; });
-    return edges;
-  }
-
   /// Finds the shells of the chosen triangles and keeps the closed ones, or all.
   void find(const std::vector<std::uint32_t>& chosen, bool byParts, bool keepsOpen)
   {
-    Edges edges = edgesOf(chosen, byParts);
+    Edges edges =
+      meshEdges(triangles_, chosen, byParts ? partOf_ : std::vector<std::uint32_t>(), pace_);
     OrientedSets sets(chosen.size());
     std::vector<std::uint32_t> flawed; // at least one triangle of each shell that does not close
     for (std::size_t i = 0; i < edges.size();)
@@ -202,7 +143,7 @@ private:
           edges.begin() + static_cast<std::ptrdiff_t>(end));
       for (std::size_t k = i; k < end; ++k)
       {
-        const Edge& other = edges[isPaired ? i + ((k - i) ^ 1) : i];
+        const MeshEdge& other = edges[isPaired ? i + ((k - i) ^ 1) : i];
         const bool isJoined =
           sets.join(other.triangle, edges[k].triangle, other.isForward == edges[k].isForward);
         if (!isPaired || !isJoined)
@@ -221,24 +162,22 @@ private:
   bool pairAround(
     const std::vector<std::uint32_t>& chosen, Edges::iterator begin, Edges::iterator end) const
   {
-    const auto forward = std::count_if(begin, end, [](const Edge& e) { return e.isForward; });
+    const auto forward = std::count_if(begin, end, [](const MeshEdge& e) { return e.isForward; });
     if (2 * forward != end - begin)
     {
       return false;
     }
-    const auto cornerOf = [&](const Edge& edge, int k) -> const Vector3& {
-      const Triangle& t = triangles_[chosen[edge.triangle]];
-      const int corner = (edge.corner + k) % 3;
-      return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
+    const auto corner = [&](const MeshEdge& edge, int k) -> const Vector3& {
+      return cornerOf(triangles_[chosen[edge.triangle]], edge.corner + k);
     };
     const Vector3 axis =
-      (begin->isForward ? 1.0 : -1.0) * (cornerOf(*begin, 1) - cornerOf(*begin, 0)).normalized();
-    const auto across = [&](const Edge& edge) -> Vector3 {
-      const Vector3 d = cornerOf(edge, 2) - cornerOf(edge, 0);
+      (begin->isForward ? 1.0 : -1.0) * (corner(*begin, 1) - corner(*begin, 0)).normalized();
+    const auto across = [&](const MeshEdge& edge) -> Vector3 {
+      const Vector3 d = corner(edge, 2) - corner(edge, 0);
       return d - axis.dot(d) * axis;
     };
     const Vector3 zero = across(*begin), quarter = axis.cross(zero);
-    std::vector<std::pair<double, Edge>> around;
+    std::vector<std::pair<double, MeshEdge>> around;
     for (auto edge = begin; edge != end; ++edge)
     {
       const Vector3 d = across(*edge);

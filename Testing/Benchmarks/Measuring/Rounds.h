@@ -16,6 +16,15 @@ inline double threadCpuSeconds()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// What a job takes.
+template <class Job>
+double threadCpuSecondsOf(const Job& job)
+{
+  const double start = threadCpuSeconds();
+  job();
+  return threadCpuSeconds() - start;
+}
+
 /// Runs the jobs in turns, once to warm up and then `rounds` times, so that whatever disturbs the
 /// machine disturbs all of them. Returns seconds of this thread's CPU time: [job][round].
 inline std::vector<std::vector<double>> timeInTurns(
@@ -26,12 +35,10 @@ inline std::vector<std::vector<double>> timeInTurns(
   {
     for (std::size_t i = 0; i < jobs.size(); ++i)
     {
-      const double start = threadCpuSeconds();
-      jobs[i]();
-      const double end = threadCpuSeconds();
+      const double cost = threadCpuSecondsOf(jobs[i]);
       if (round >= 0)
       {
-        seconds[i].push_back(end - start);
+        seconds[i].push_back(cost);
       }
     }
   }

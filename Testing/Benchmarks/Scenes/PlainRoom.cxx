@@ -5,6 +5,8 @@
 #include "../../RayCasting/RandomVectors.h"
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 using namespace irradiance;
 
@@ -85,6 +87,18 @@ SceneObject painted(const SceneObject& object, test::RandomVectors& random)
   return own;
 }
 
+/// With a lobe on that share of the cells.
+std::shared_ptr<const Material> glossy(Material material, double share, test::RandomVectors& random)
+{
+  std::vector<double> specular;
+  for (const double diffuse : material.reflectance)
+  {
+    specular.push_back(random.uniform(0, 1) < share ? 0.5 * (1 - diffuse) : 0.0);
+  }
+  material.setSpecular(specular, std::vector<double>(material.numberOfCells, 50.0));
+  return std::make_shared<const Material>(std::move(material));
+}
+
 }
 
 MovingScene makePlainRoom(double size)
@@ -101,4 +115,17 @@ MovingScene makePlainRoom(double size)
             };
             placed.dynamicObjects[1].worldFromObject = test::shift({ 3.2, 1, 0.6 });
           } };
+}
+
+MovingScene makeGlossyRoom(double share, double size)
+{
+  test::RandomVectors random(6);
+  MovingScene room = makePlainRoom(size);
+  SceneObjects& objects = room.objects;
+  objects.staticObject.material = glossy(*objects.staticObject.material, share, random);
+  for (SceneObject& object : objects.dynamicObjects)
+  {
+    object.material = glossy(*object.material, share, random);
+  }
+  return room;
 }

@@ -10,4 +10,8 @@
 /// the ball is .8 m.
 MovingScene makePlainRoom(double size = 0.8);
 
+/// The same room, in which that share of the cells, chosen at random, also reflects half of what it would
+/// absorb, in lobes with an exponent of 50.
+MovingScene makeGlossyRoom(double share, double size = 0.8);
+
 #endif

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOutgoingRadianceFilter.h"
+
+#include "Execution/SlicedPass.h"
+#include "InputError.h"
+#include "OutgoingRadiance.h"
+#include "PhotonRequest.h"
+#include "PhotonSource.h"
+#include "SmpExecution.h"
+
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkOutgoingRadianceFilter);
+
+/// What does not depend on the eye is kept while the camera moves.
+class vtkOutgoingRadianceFilter::vtkInternals
+{
+public:
+  const irradiance::OutgoingRadiance& RadianceOf(
+    const irradiance::PhotonSource& source, int mirrorSamples, irradiance::Execution& execution)
+  {
+    const std::shared_ptr<irradiance::IrradianceEngine>& engine = source.engine();
+    if (!this->Radiance || this->Engine != engine || this->State != engine->state() ||
+      this->MirrorSamples != mirrorSamples)
+    {
+      this->Radiance.reset();
+      this->Radiance = std::make_unique<irradiance::OutgoingRadiance>(
+        *engine, static_cast<std::uint32_t>(mirrorSamples), execution);
+      this->Engine = engine;
+      this->State = engine->state();
+      this->MirrorSamples = mirrorSamples;
+    }
+    return *this->Radiance;
+  }
+
+private:
+  std::unique_ptr<irradiance::OutgoingRadiance> Radiance;
+  std::shared_ptr<irradiance::IrradianceEngine> Engine;
+  std::uint64_t State = 0;
+  int MirrorSamples = 0;
+};
+
+namespace
+{
+
+irradiance::Eye EyeOf(vtkOutgoingRadianceFilter* filter)
+{
+  irradiance::Eye eye;
+  filter->GetEyePosition(eye.position.data());
+  if (vtkCamera* camera = filter->GetCamera())
+  {
+    eye.isFar = camera->GetParallelProjection() != 0;
+    eye.isFar ? camera->GetDirectionOfProjection(eye.position.data())
+              : camera->GetPosition(eye.position.data());
+    eye.position = eye.isFar ? irradiance::Vector3(-eye.position) : eye.position;
+  }
+  if (!eye.position.allFinite())
+  {
+    std::ostringstream message;
+    message << "the eye is at (" << eye.position[0] << ", " << eye.position[1] << ", "
+            << eye.position[2] << "), which is not finite";
+    throw irradiance::InputError(message.str());
+  }
+  return eye;
+}
+
+/// Clones the polydata of a tree: their cells and arrays stay shared.
+void CloneLeaves(vtkMultiBlockDataSet* output)
+{
+  const auto leaves = vtk::TakeSmartPointer(output->NewTreeIterator());
+  leaves->VisitOnlyLeavesOn();
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    vtkDataObject* leaf = leaves->GetCurrentDataObject();
+    const auto clone = vtk::TakeSmartPointer(leaf->NewInstance());
+    clone->ShallowCopy(leaf);
+    output->SetDataSet(leaves, clone);
+  }
+}
+
+/// Some cells of a part.
+struct Unit
+{
+  vtkDoubleArray* radiance;
+  std::uint32_t object;
+  std::size_t firstCell;
+  vtkIdType begin, end; ///< of the part
+};
+
+std::vector<Unit> MakeUnits(
+  const irradiance::PhotonSource& source, int bands, vtkMultiBlockDataSet* output)
+{
+  constexpr vtkIdType size = 64;
+  std::vector<Unit> units;
+  source.forEachPart(
+    output, [&](vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) {
+      vtkNew<vtkDoubleArray> radiance;
+      radiance->SetName("Radiance");
+      radiance->SetNumberOfComponents(bands);
+      radiance->SetNumberOfTuples(polyData->GetNumberOfCells());
+      polyData->GetCellData()->AddArray(radiance);
+      polyData->GetCellData()->SetActiveScalars("Radiance");
+      for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
+      {
+        units.push_back({ radiance, object, firstCell, begin,
+          std::min(begin + size, polyData->GetNumberOfCells()) });
+      }
+    });
+  return units;
+}
+
+}
+
+vtkOutgoingRadianceFilter::vtkOutgoingRadianceFilter()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkOutgoingRadianceFilter::~vtkOutgoingRadianceFilter() = default;
+
+void vtkOutgoingRadianceFilter::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+vtkCamera* vtkOutgoingRadianceFilter::GetCamera()
+{
+  return this->Camera;
+}
+
+vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Camera ? std::max(own, this->Camera->GetMTime()) : own;
+}
+
+int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  return 1;
+}
+
+int vtkOutgoingRadianceFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  irradiance::requestPhotons(inputs[0]->GetInformationObject(0));
+  return 1;
+}
+
+bool vtkOutgoingRadianceFilter::ReportProgress(double progress)
+{
+  this->UpdateProgress(progress);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
+  return !this->CheckAbort();
+#else
+  return !this->GetAbortExecute();
+#endif
+}
+
+void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
+{
+  const irradiance::Eye eye = EyeOf(this);
+  const irradiance::PhotonSource source(input, "the input");
+  irradiance::SmpExecution execution(
+    [this](double progress) { return this->ReportProgress(progress); });
+  const irradiance::OutgoingRadiance& radiance =
+    this->Internals->RadianceOf(source, this->NumberOfMirrorSamples, execution);
+  output->ShallowCopy(input);
+  CloneLeaves(output);
+  const int bands = source.engine()->objects().staticObject.material->bands;
+  const std::vector<Unit> units = MakeUnits(source, bands, output);
+  irradiance::SlicedPass pass{ units.size(), {} };
+  pass.work = [&](std::size_t i, const irradiance::Deadline&) {
+    const Unit& unit = units[i];
+    for (vtkIdType cell = unit.begin; cell < unit.end; ++cell)
+    {
+      const auto towardsEye =
+        radiance(unit.object, unit.firstCell + static_cast<std::size_t>(cell), eye);
+      for (int band = 0; band < bands; ++band)
+      {
+        unit.radiance->SetTypedComponent(cell, band, towardsEye[static_cast<std::size_t>(band)]);
+      }
+    }
+    return true;
+  };
+  pass.run(execution);
+}
+
+int vtkOutgoingRadianceFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
+  output->Initialize();
+  try
+  {
+    this->Compute(vtkMultiBlockDataSet::GetData(inputs[0]), output);
+  }
+  catch (const irradiance::Interrupted&)
+  {
+    output->Initialize();
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkOutgoingRadianceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "EyePosition: " << this->EyePosition[0] << " " << this->EyePosition[1] << " "
+     << this->EyePosition[2] << "\n"
+     << indent << "NumberOfMirrorSamples: " << this->NumberOfMirrorSamples << "\n"
+     << indent << "Camera: " << this->Camera.Get() << "\n";
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Execution/SlicedPass.h"
+#include "IrradianceEngine.h"
+
+#include <cassert>
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// How the engine hands out photons, and keeps their stores up to date.
+namespace irradiance
+{
+
+/// Those that walks leave are stored anyway.
+void IrradianceEngine::findSides(Execution& execution)
+{
+  if (hasSides_)
+  {
+    return;
+  }
+  const SobolSequence samples = this->samples();
+  const WalkShooter shooter = this->shooter(samples);
+  SlicedPass pass{ history_.size(), {} };
+  pass.work = [&](std::size_t i, const Deadline&) {
+    WalkBlock& block = history_[i];
+    std::vector<WalkShooter::Stored> ends;
+    for (std::uint32_t walk = 0; walk < block.numberOfWalks(); ++walk)
+    {
+      if (block.size(walk) > 0 && block.hit(walk, block.size(walk) - 1))
+      {
+        ends.push_back({ &block, walk, plan_.firstWalkOf(i) + walk, block.size(walk) - 1 });
+      }
+    }
+    std::vector<Ray> rays(ends.size());
+    shooter.raysOf(ends.data(), ends.size(), rays.data());
+    for (std::size_t k = 0; k < ends.size(); ++k)
+    {
+      const Hit hit = block.hit(ends[k].walkInBlock, ends[k].bounce);
+      block.setSide(ends[k].walkInBlock, ends[k].bounce,
+        rays[k].direction.dot(shooter.rules().triangleOf(hit.id).areaVector()) <= 0);
+    }
+    return true;
+  };
+  pass.run(execution);
+  hasSides_ = true;
+}
+
+const SpecularPhotons& IrradianceEngine::specularPhotons(Execution& execution)
+{
+  assert(isValid_ && keepsPhotons());
+  if (!specularPhotons_)
+  {
+    findSides(execution);
+    auto photons = std::make_unique<SpecularPhotons>(objects_);
+    photons->add(this->photons(), 0, history_.size(), execution);
+    specularPhotons_ = std::move(photons);
+  }
+  return *specularPhotons_;
+}
+
+void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Execution& execution)
+{
+  if (specularPhotons_)
+  {
+    specularPhotons_->apply(changes, execution);
+  }
+}
+
+}

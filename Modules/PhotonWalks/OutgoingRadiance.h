@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_OutgoingRadiance_h
+#define irradiance_OutgoingRadiance_h
+
+#include "IrradianceEngine.h"
+
+#include <array>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Who looks: from a point, or from infinitely far away (parallel projection).
+struct Eye
+{
+  Vector3 position; ///< or the unit direction to the eye
+  bool isFar = false;
+
+  Vector3 directionFrom(const Vector3& point) const
+  {
+    return isFar ? position : Vector3((position - point).normalized());
+  }
+};
+
+/**
+ * The radiance, W/m2/sr, that leaves cells towards an eye: emitted, reflected diffusely (from the
+ * sums) and specularly (from the photons on the cell). Means over the area of a cell, both of the
+ * light and of the direction to the eye. What stands between is not looked at.
+ *
+ * The specular part is the sum over photons of power times BRDF, over the area, so it is as noisy as
+ * the photons in a lobe are few. Mirrors have no such sum: at some points of a mirror a ray shows
+ * what is seen there. Where SeparateSides is off, diffuse light is that of both sides.
+ */
+class OutgoingRadiance
+{
+public:
+  using Bands = std::array<double, Power::kMaxBands>;
+
+  /// Collects what does not depend on the eye, in the present state of the engine. That must keep
+  /// the photons, and must not change as long as this is used. Throws Interrupted.
+  OutgoingRadiance(IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution);
+
+  /// May be called by several threads. 0 for a cell without area.
+  Bands operator()(std::uint32_t object, std::size_t cell, const Eye& eye) const;
+
+private:
+  /// A mirror is followed by at most this many others.
+  static constexpr int kMostMirrors = 64;
+
+  /// The triangles of an object, cell by cell.
+  struct Cells
+  {
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::size_t> first; ///< of each cell, and the end
+    std::vector<double> areas;      ///< of each cell, world, m2
+    std::size_t firstCell;          ///< among the cells of all objects
+  };
+  /// A photon on a specular cell that is no mirror.
+  struct Arrival
+  {
+    Vector3 point, toLight, normal; ///< unit vectors; the normal on the side where it arrived
+    Power power;
+  };
+
+  void addCells(std::uint32_t object, Execution& execution);
+  void collectArrivals(Execution& execution);
+  Bands diffuse(std::uint32_t object, std::size_t cell, const Eye& eye) const;
+  /// Emitted, and reflected diffusely, by one side.
+  Bands diffuseOf(std::uint32_t object, std::size_t cell, bool isFront) const;
+  Bands specular(std::uint32_t object, std::size_t cell, const Eye& eye) const;
+  Bands mirrored(std::uint32_t object, std::size_t cell, const Eye& eye) const;
+  /// Towards the origin of a ray.
+  Bands alongRay(Ray ray) const;
+  /// The ray that shows what is mirrored at a point of a cell.
+  Ray mirrorRay(std::uint32_t object, std::size_t cell, std::uint32_t sample, const Eye& eye) const;
+  bool isSpecular(std::uint32_t object, std::size_t cell) const
+  {
+    return materialOf(object).isSpecular(cell);
+  }
+  const Material& materialOf(std::uint32_t object) const
+  {
+    return *engine_.objects()[object].material;
+  }
+
+  IrradianceEngine& engine_;
+  SobolSequence mirrorPoints_;
+  std::uint32_t mirrorSamples_;
+  int bands_;
+  std::vector<Cells> objects_;
+  std::vector<std::vector<Arrival>> arrivals_; ///< of each cell; in order of the walks
+};
+
+}
+
+#endif

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Photons/SpecularPhotons.h"
+
+#include "Execution/ProgressSpan.h"
+#include "Execution/SlicedPass.h"
+#include "Simd/Prefetch.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace irradiance
+{
+
+SpecularPhotons::SpecularPhotons(const SceneObjects& objects)
+  : objects_(objects.size())
+{
+  std::size_t sets = 0;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const std::shared_ptr<const Material>& material = objects[object].material;
+    Cells cells{ material, sets, std::vector<std::uint32_t>(material->numberOfCells, kNone) };
+    std::uint32_t count = 0;
+    for (std::size_t cell = 0; cell < material->numberOfCells; ++cell)
+    {
+      if (material->isSpecular(cell))
+      {
+        cells.sets[cell] = count++;
+      }
+    }
+    if (count > 0)
+    {
+      objects_[object] = std::move(cells);
+      sets += count;
+    }
+  }
+  sets_.resize(sets);
+  while (sets >> partShift_ >= kParts)
+  {
+    ++partShift_;
+  }
+}
+
+const PhotonSet* SpecularPhotons::setOf(std::uint32_t object, std::size_t cell) const
+{
+  const Cells& cells = objects_[object];
+  return cells.material && cells.sets[cell] != kNone ? &sets_[cells.firstSet + cells.sets[cell]]
+                                                     : nullptr;
+}
+
+std::size_t SpecularPhotons::size(std::uint32_t object, std::size_t cell) const
+{
+  const PhotonSet* const set = setOf(object, cell);
+  return set ? set->size() : 0;
+}
+
+std::vector<PhotonReference> SpecularPhotons::sorted(std::uint32_t object, std::size_t cell) const
+{
+  std::vector<PhotonReference> photons;
+  if (const PhotonSet* const set = setOf(object, cell))
+  {
+    photons.reserve(set->size());
+    set->forEach([&](const PhotonReference& photon) { photons.push_back(photon); });
+    std::sort(photons.begin(), photons.end());
+  }
+  return photons;
+}
+
+std::size_t SpecularPhotons::bytes() const
+{
+  std::size_t bytes =
+    sizeof(*this) + objects_.capacity() * sizeof(Cells) + sets_.capacity() * sizeof(PhotonSet);
+  for (const Cells& cells : objects_)
+  {
+    bytes += cells.sets.capacity() * sizeof(std::uint32_t);
+  }
+  return std::accumulate(sets_.begin(), sets_.end(), bytes,
+    [](std::size_t sum, const PhotonSet& set) { return sum + set.bytes(); });
+}
+
+void SpecularPhotons::collect(const Photon& photon, Parts& parts)
+{
+  const Cells& cells = objects_[photon.id.object];
+  if (!cells.material)
+  {
+    return;
+  }
+  const std::uint32_t set = cells.sets[cells.material->cellOfTriangle[photon.id.triangle]];
+  if (set != kNone)
+  {
+    const std::size_t i = cells.firstSet + set;
+    parts[i >> partShift_].push_back({ &sets_[i], photon.reference });
+  }
+}
+
+std::vector<SpecularPhotons::Parts> SpecularPhotons::collect(const std::vector<Photon>& photons)
+{
+  std::vector<Parts> changes(1);
+  for (const Photon& photon : photons)
+  {
+    collect(photon, changes.front());
+  }
+  return changes;
+}
+
+std::vector<SpecularPhotons::Parts> SpecularPhotons::collect(
+  const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
+{
+  constexpr std::size_t kBlocksPerUnit = 16;
+  std::vector<Parts> changes((end - first + kBlocksPerUnit - 1) / kBlocksPerUnit);
+  SlicedPass pass{ changes.size(), {} };
+  pass.work = [&](std::size_t unit, const Deadline&) {
+    const std::size_t begin = first + unit * kBlocksPerUnit;
+    for (std::size_t block = begin; block < std::min(begin + kBlocksPerUnit, end); ++block)
+    {
+      history.forEachPhoton(block, [&](const Photon& photon) { collect(photon, changes[unit]); });
+    }
+    return true;
+  };
+  pass.run(execution);
+  return changes;
+}
+
+/// Calls work(Change) for each change of a part, and prefetches what the later ones read.
+template <class Work>
+void SpecularPhotons::forEach(const std::vector<Parts>& changes, std::size_t part, const Work& work)
+{
+  constexpr std::size_t kAhead = 16;
+  for (const Parts& parts : changes)
+  {
+    const std::vector<Change>& own = parts[part];
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      prefetchLine(own[std::min(i + 2 * kAhead, own.size() - 1)].set);
+      const Change& later = own[std::min(i + kAhead, own.size() - 1)];
+      later.set->prefetch(later.photon);
+      work(own[i]);
+    }
+  }
+}
+
+/// Makes room at once for all photons that a part is about to receive.
+void SpecularPhotons::reserve(const std::vector<Parts>& changes, std::size_t part)
+{
+  const std::size_t first = part << partShift_;
+  std::vector<std::size_t> sizes(std::size_t{ 1 } << partShift_, 0);
+  for (const Parts& parts : changes)
+  {
+    for (const Change& change : parts[part])
+    {
+      ++sizes[static_cast<std::size_t>(change.set - sets_.data()) - first];
+    }
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    if (sizes[i] > 0)
+    {
+      sets_[first + i].reserve(sets_[first + i].size() + sizes[i]);
+    }
+  }
+}
+
+void SpecularPhotons::insert(const std::vector<Parts>& changes, Execution& execution)
+{
+  SlicedPass pass{ kParts, {} };
+  pass.work = [&](std::size_t part, const Deadline&) {
+    reserve(changes, part);
+    forEach(changes, part, [](const Change& change) { change.set->insert(change.photon); });
+    return true;
+  };
+  pass.run(execution);
+}
+
+void SpecularPhotons::remove(const std::vector<Parts>& changes, Execution& execution)
+{
+  SlicedPass pass{ kParts, {} };
+  pass.work = [&](std::size_t part, const Deadline&) {
+    forEach(changes, part, [](const Change& change) { change.set->remove(change.photon); });
+    return true;
+  };
+  pass.run(execution);
+}
+
+void SpecularPhotons::add(
+  const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
+{
+  if (!isEmpty())
+  {
+    ProgressSpan reading(execution, 0, 0.5), inserting(execution, 0.5, 1);
+    insert(collect(history, first, end, reading), inserting);
+  }
+}
+
+void SpecularPhotons::remove(
+  const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
+{
+  if (!isEmpty())
+  {
+    ProgressSpan reading(execution, 0, 0.5), removing(execution, 0.5, 1);
+    remove(collect(history, first, end, reading), removing);
+  }
+}
+
+void SpecularPhotons::apply(const PhotonChanges& changes, Execution& execution)
+{
+  if (!isEmpty())
+  {
+    ProgressSpan removing(execution, 0, 0.5), inserting(execution, 0.5, 1);
+    remove(collect(changes.gone), removing);
+    insert(collect(changes.arrived), inserting);
+  }
+}
+
+}

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Tally/CellSpread.h"
+
+#include "Execution/SlicedPass.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <random>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A map that stretches as `linear` does. Poses that differ by a rigid motion, and by rounding, have
+/// the same one, so that areas and edges need not be measured again.
+Matrix3 shapeOf(const Matrix3& linear)
+{
+  constexpr int kBits = 40;
+  Matrix3 squares = linear.transpose() * linear;
+  // 0.7 keeps the steps of rounding from changing at the length that is most frequent, 1.
+  const auto exponent = [&](int i) { return std::ilogb(squares(i, i) / 0.7); };
+  const Eigen::Array3i exponents(exponent(0), exponent(1), exponent(2));
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const double step = std::ldexp(1.0, (exponents[i] + exponents[j]) / 2 - kBits);
+      squares(i, j) = step * std::nearbyint(squares(i, j) / step);
+    }
+  }
+  const Eigen::LLT<Matrix3> roots(squares);
+  return roots.info() == Eigen::Success ? Matrix3(roots.matrixU()) : linear;
+}
+
+/// To three bits behind the leading one, downwards.
+double rounded(double x)
+{
+  constexpr int kBits = 4;
+  int exponent;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::ldexp(std::floor(std::ldexp(mantissa, kBits)), exponent - kBits);
+}
+
+}
+
+void CellSpread::measure(
+  const SceneObject& object, ObjectCells& cells, const Checkpoint& checkpoint)
+{
+  const Matrix3 shape = shapeOf(object.worldFromObject.linear);
+  if (cells.body != object.body || cells.material != object.material || cells.shape != shape)
+  {
+    SceneObject unturned = object;
+    unturned.worldFromObject = { shape, Vector3::Zero() };
+    cells = {};
+    cells.areas = cellAreas(unturned, checkpoint);
+    cells.area = std::accumulate(cells.areas.begin(), cells.areas.end(), 0.0);
+    cells.body = object.body;
+    cells.material = object.material;
+    cells.shape = shape;
+  }
+}
+
+double CellSpread::photonsOn(
+  std::uint32_t object, const CellSums& sums, std::size_t rounds, double photon) const
+{
+  const Material& material = *objects_[object].material;
+  std::int64_t quanta = 0;
+  for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
+  {
+    for (int side = 0; side < sums.sides(); ++side)
+    {
+      for (int band = 0; band < material.bands; ++band)
+      {
+        for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
+        {
+          quanta += sums.sum(object, cell, side, band, i, rounds);
+        }
+      }
+    }
+  }
+  return static_cast<double>(quanta) / photon;
+}
+
+void CellSpread::connect(ObjectCells& cells, const Checkpoint& checkpoint)
+{
+  cells.diffusion = {};
+  cells.photonShares.clear();
+  if (std::none_of(
+        cells.areas.begin(), cells.areas.end(), [&](double area) { return area < cells.width; }))
+  {
+    return;
+  }
+  // On a cylinder of radius r a photon fills a shape sqrt(1 + 30 width / r^2) times as long as wide.
+  // Of 10 to 100, no factor is better than the others by much.
+  const double normalLength = std::sqrt(30 * cells.width);
+  const std::vector<Triangle>& model = cells.body->mesh().triangles();
+  std::vector<Triangle> triangles;
+  triangles.reserve(model.size());
+  CheckpointPace pace(checkpoint);
+  for (const Triangle& triangle : model)
+  {
+    triangles.push_back(transformed({ cells.shape, Vector3::Zero() }, triangle));
+    pace.step();
+  }
+  cells.diffusion = CellDiffusion(cells.areas,
+    cellNeighbours(triangles, cells.material->cellOfTriangle, cells.material->numberOfCells,
+      normalLength, checkpoint),
+    cells.sides, cells.width);
+}
+
+void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
+  double photons, double photon, Execution& execution)
+{
+  const Checkpoint checkpoint = checkpointOf(execution, 0);
+  objects_.resize(objects.size());
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    ObjectCells& cells = objects_[object];
+    measure(objects[object], cells, checkpoint);
+    const double received = photonsOn(object, sums, rounds, photon);
+    const double width = received > 0 ? rounded(photons * cells.area / received) : 0.0;
+    if (cells.width != width || cells.sides != sums.sides())
+    {
+      cells.width = width;
+      cells.sides = sums.sides();
+      connect(cells, checkpoint);
+    }
+  }
+  if (sums.plan().replicates().count() > 1)
+  {
+    findPhotonShares(execution);
+  }
+}
+
+template <class Begin, class End>
+void CellSpread::diffuse(
+  std::vector<Field>& fields, const Begin& begin, const End& end, Execution& execution) const
+{
+  SlicedPass pass{ fields.size(), {} };
+  pass.work = [&](std::size_t i, const Deadline& deadline) {
+    Field& field = fields[i];
+    const CellDiffusion& diffusion = objects_[field.object].diffusion;
+    if (field.quanta.empty())
+    {
+      begin(i, field);
+    }
+    while (field.stepsDone < diffusion.steps())
+    {
+      diffusion.step(field.quanta);
+      ++field.stepsDone;
+      if (deadline.hasPassed())
+      {
+        return false;
+      }
+    }
+    end(i, field);
+    return true;
+  };
+  pass.run(execution);
+}
+
+CellSums CellSpread::spread(
+  const SceneObjects& objects, const CellSums& sums, std::size_t rounds, Execution& execution) const
+{
+  const std::uint32_t walks = sums.plan().rounds()[rounds - 1].endWalk;
+  const std::uint32_t replicates = sums.plan().replicates().count();
+  CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates));
+  struct Part
+  {
+    std::uint32_t replicate;
+    int band;
+  };
+  std::vector<Part> parts;
+  std::vector<Field> fields;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (std::uint32_t replicate = 0; replicate < replicates; ++replicate)
+    {
+      for (int band = 0; band < objects[object].material->bands; ++band)
+      {
+        parts.push_back({ replicate, band });
+        fields.push_back({ object, {} });
+      }
+    }
+  }
+  const auto forEachNode = [&](const Field& field, const auto& visit) {
+    std::size_t node = 0;
+    for (std::size_t cell = 0; cell < objects[field.object].material->numberOfCells; ++cell)
+    {
+      for (int side = 0; side < sums.sides(); ++side)
+      {
+        visit(cell, side, node++);
+      }
+    }
+  };
+  const auto begin = [&](std::size_t i, Field& field) {
+    forEachNode(field, [&](std::size_t cell, int side, std::size_t) {
+      field.quanta.push_back(
+        sums.sum(field.object, cell, side, parts[i].band, parts[i].replicate, rounds));
+    });
+  };
+  const auto end = [&](std::size_t i, Field& field) {
+    forEachNode(field, [&](std::size_t cell, int side, std::size_t node) {
+      result.set(field.object, cell, side, parts[i].band, parts[i].replicate, field.quanta[node]);
+    });
+    field.quanta = {};
+  };
+  diffuse(fields, begin, end, execution);
+  return result;
+}
+
+/**
+ * Of independent sums S_k with the variances A_k, cell i receives the sum of W_ik S_k. The variance of
+ * that, in units of A_i, is the photon's share. It is measured with some fields of random signs.
+ */
+void CellSpread::findPhotonShares(Execution& execution)
+{
+  constexpr std::uint32_t kFields = 32;
+  constexpr double kLargest = 0x1p28; // quanta; the squares of all fields fit into an integer
+  std::vector<std::vector<std::int64_t>> sizes(objects_.size()), squares(objects_.size());
+  std::vector<Field> fields;
+  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  {
+    const ObjectCells& cells = objects_[object];
+    if (cells.diffusion.steps() > 0 && cells.photonShares.empty())
+    {
+      const double largest = *std::max_element(cells.areas.begin(), cells.areas.end());
+      for (const double area : cells.areas)
+      {
+        sizes[object].insert(sizes[object].end(), static_cast<std::size_t>(cells.sides),
+          static_cast<std::int64_t>(kLargest * std::sqrt(area / largest)));
+      }
+      squares[object].resize(sizes[object].size());
+      fields.resize(fields.size() + kFields, { object, {} });
+    }
+  }
+  const auto begin = [&](std::size_t i, Field& field) {
+    std::mt19937_64 random(i % kFields);
+    for (const std::int64_t size : sizes[field.object])
+    {
+      field.quanta.push_back(random() % 2 == 0 ? size : -size);
+    }
+  };
+  std::mutex mutex;
+  const auto end = [&](std::size_t, Field& field) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    std::transform(field.quanta.begin(), field.quanta.end(), squares[field.object].begin(),
+      squares[field.object].begin(),
+      [](std::int64_t quanta, std::int64_t sum) { return sum + quanta * quanta; });
+    field.quanta = {};
+  };
+  diffuse(fields, begin, end, execution);
+  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  {
+    std::transform(sizes[object].begin(), sizes[object].end(), squares[object].begin(),
+      std::back_inserter(objects_[object].photonShares), [](std::int64_t size, std::int64_t sum) {
+        const auto variance = static_cast<double>(size * size) * kFields;
+        return size > 0 ? static_cast<float>(std::min(1.0, static_cast<double>(sum) / variance))
+                        : 1.0F;
+      });
+  }
+}
+
+double CellSpread::photonShare(std::uint32_t object, std::size_t cell, int side) const
+{
+  const ObjectCells& cells = objects_[object];
+  return cells.photonShares.empty()
+    ? 1.0
+    : cells.photonShares[cell * static_cast<std::size_t>(cells.sides) +
+        static_cast<std::size_t>(side)];
+}
+
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_CellSpread_h
+#define irradiance_CellSpread_h
+
+#include "Execution/Execution.h"
+#include "Tally/CellDiffusion.h"
+#include "Tally/CellSums.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * Distributes the power that small cells received over neighbouring ones (sections 4.1 and 6 of the
+ * paper). What a photon gives to which cell depends on the cells alone, so it is done to the sums,
+ * and nothing is stored for a photon. Power is conserved to the quantum.
+ *
+ * Light does not flow across creases, to other objects, or from one side of a cell to the other if
+ * sides are kept apart. See CellNeighbours, CellDiffusion and Documentation/Theory.md, 5.3.
+ */
+class CellSpread
+{
+public:
+  /// Finds the weights for a scene and its sums. They are a function of these alone; where nothing
+  /// but rigid motion has happened since the last call, most are kept.
+  ///
+  /// `photons`: on how many photons the estimate of a small cell is to draw, on the average of its
+  /// object. `photon`: quanta of one, in all bands together.
+  void update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds, double photons,
+    double photon, Execution& execution);
+
+  /// What the first `rounds` rounds brought, spread over the cells of the scene of the last update;
+  /// replicate by replicate, in one round.
+  CellSums spread(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
+    Execution& execution) const;
+
+  /// A photon's effective part in a sum that was spread: if the cells around expect equally many
+  /// photons for their area, the estimate draws on 1 / this for each of the cell's own. Known
+  /// to within a quarter or so, and only if the sums of the update had replicates.
+  double photonShare(std::uint32_t object, std::size_t cell, int side) const;
+
+private:
+  /// The cells of an object, and how power flows between them.
+  struct ObjectCells
+  {
+    std::shared_ptr<const RigidObject> body;
+    std::shared_ptr<const Material> material;
+    Matrix3 shape;             ///< see shapeOf() in the .cpp
+    std::vector<double> areas; ///< m2
+    double area = 0;           ///< of all cells
+    int sides = 0;
+    double width = 0;
+    CellDiffusion diffusion;
+    std::vector<float> photonShares; ///< of the nodes; empty: not known, or all are 1
+  };
+  /// The sums of an object on their way through the diffusion.
+  struct Field
+  {
+    std::uint32_t object;
+    std::vector<std::int64_t> quanta; ///< of the nodes
+    int stepsDone = 0;
+  };
+
+  static void measure(const SceneObject& object, ObjectCells& cells, const Checkpoint& checkpoint);
+  /// Photons that an object received.
+  double photonsOn(
+    std::uint32_t object, const CellSums& sums, std::size_t rounds, double photon) const;
+  static void connect(ObjectCells& cells, const Checkpoint& checkpoint);
+  void findPhotonShares(Execution& execution);
+  /// Takes the fields through all steps. `begin` fills one, `end` reads it.
+  template <class Begin, class End>
+  void diffuse(
+    std::vector<Field>& fields, const Begin& begin, const End& end, Execution& execution) const;
+
+  std::vector<ObjectCells> objects_;
+};
+
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes/MeshEdges.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+namespace irradiance
+{
+
+namespace
+{
+
+struct Corner
+{
+  std::array<double, 3> position;
+  std::uint32_t part;
+  bool operator==(const Corner& other) const
+  {
+    return position == other.position && part == other.part;
+  }
+};
+
+struct HashOfCorner
+{
+  std::size_t operator()(const Corner& corner) const
+  {
+    std::size_t hash = corner.part;
+    for (const double x : corner.position)
+    {
+      hash = (hash ^ std::hash<double>()(x)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
+};
+
+}
+
+std::vector<MeshEdge> meshEdges(const std::vector<Triangle>& triangles,
+  const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& partOf,
+  CheckpointPace& pace)
+{
+  std::unordered_map<Corner, std::uint32_t, HashOfCorner> numbers;
+  std::vector<MeshEdge> edges;
+  edges.reserve(3 * chosen.size());
+  for (std::uint32_t i = 0; i < chosen.size(); ++i)
+  {
+    pace.step(16);
+    std::array<std::uint64_t, 3> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3& p = cornerOf(triangles[chosen[i]], k);
+      const Corner corner{ { p[0] + 0.0, p[1] + 0.0, p[2] + 0.0 }, // turns -0 into 0
+        partOf.empty() ? 0u : partOf[chosen[i]] };
+      corners[static_cast<std::size_t>(k)] =
+        numbers.emplace(corner, static_cast<std::uint32_t>(numbers.size())).first->second;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::uint64_t from = corners[static_cast<std::size_t>(k)],
+                          to = corners[static_cast<std::size_t>((k + 1) % 3)];
+      edges.push_back({ std::min(from, to) << 32 | std::max(from, to), i, k, from < to });
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const MeshEdge& a, const MeshEdge& b) { return a.corners < b.corners; });
+  return edges;
+}
+
+}

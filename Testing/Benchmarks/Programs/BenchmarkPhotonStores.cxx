@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What it costs to keep photons. One thread, CPU time.
+ *
+ * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash table and
+ * a vector that is searched from end to end. SpecularPhotons: a room with specular cells, whose photons
+ * the engine keeps, beside the same room without any. In every round all have to hold the right photons.
+ *
+ * Arguments: [walks = 1000000] [rounds = 5]
+ */
+#include "Measuring/EngineTiming.h"
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "Photons/SpecularPhotons.h"
+#include "Rivals/PhotonBags.h"
+#include "Scenes/PhotonTraffic.h"
+#include "Scenes/PlainRoom.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+
+using namespace irradiance;
+
+namespace
+{
+
+void require(bool isRight, const std::string& what)
+{
+  if (!isRight)
+  {
+    throw std::runtime_error(what);
+  }
+}
+
+/// Prefetches what the later steps will need, as SpecularPhotons does.
+template <class Bag, class Work>
+void forEachStep(
+  std::vector<Bag>& bags, const std::vector<PhotonTraffic::Step>& steps, const Work& work)
+{
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    prefetchLine(&bags[steps[std::min(i + 2 * kAhead, steps.size() - 1)].set]);
+    const PhotonTraffic::Step& later = steps[std::min(i + kAhead, steps.size() - 1)];
+    bags[later.set].prefetch(later.photon);
+    work(bags[steps[i].set], steps[i].photon);
+  }
+}
+
+template <class Bag>
+void requireContents(const std::vector<Bag>& bags, const std::vector<PhotonTraffic::Photons>& model)
+{
+  for (std::size_t i = 0; i < bags.size(); ++i)
+  {
+    PhotonTraffic::Photons expected = model[i], found;
+    bags[i].forEach([&](const PhotonReference& photon) { found.push_back(photon); });
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    require(found == expected, std::string(Bag::kName) + " holds other photons");
+  }
+}
+
+/// After as many changes as there are photons, so that nothing is as new. `size`: photons in a set.
+template <class Bag>
+void timeSets(std::size_t photons, std::size_t size, int rounds)
+{
+  const auto insert = [](Bag& bag, const PhotonReference& photon) { bag.insert(photon); };
+  const auto remove = [](Bag& bag, const PhotonReference& photon) { bag.remove(photon); };
+  constexpr int kRoundsToAge = 10;
+  PhotonTraffic traffic(photons / size, size);
+  std::vector<Bag> bags(traffic.photons().size());
+  forEachStep(bags, traffic.arrived(), insert);
+  std::vector<double> removal, insertion;
+  for (int round = -kRoundsToAge; round < rounds; ++round)
+  {
+    traffic.nextRound(photons / kRoundsToAge);
+    const double perStep = 1e9 / static_cast<double>(traffic.gone().size());
+    const double gone = threadCpuSecondsOf([&] { forEachStep(bags, traffic.gone(), remove); });
+    const double arrived =
+      threadCpuSecondsOf([&] { forEachStep(bags, traffic.arrived(), insert); });
+    requireContents(bags, traffic.photons());
+    if (round >= 0)
+    {
+      removal.push_back(perStep * gone);
+      insertion.push_back(perStep * arrived);
+    }
+  }
+  double bytes = 0;
+  for (const Bag& bag : bags)
+  {
+    bytes += static_cast<double>(bag.memory());
+  }
+  const std::string row = std::string(Bag::kName) + ", " + std::to_string(size) + " photons each";
+  const bool isMain = std::is_same_v<Bag, OurBag> && size == 500;
+  if (isMain)
+  {
+    report("PhotonSets", row, "insertion, ns", insertion, { 60, 25 });
+    report("PhotonSets", row, "removal, ns", removal, { 60, 25 });
+  }
+  report("PhotonSetSizes", row, "insertion, ns", insertion);
+  report("PhotonSetSizes", row, "removal, ns", removal);
+  report("PhotonSetSizes", row, "bytes a photon", bytes / static_cast<double>(photons));
+}
+
+/// The mean over all sizes up to the largest, of a set that grows.
+void measureBytes()
+{
+  constexpr std::uint32_t kMost = 10000;
+  OurBag set;
+  double sum = 0;
+  while (set.size() < kMost)
+  {
+    set.insert({ static_cast<std::uint32_t>(set.size()), 0 });
+    sum += static_cast<double>(set.memory()) / static_cast<double>(set.size());
+  }
+  report("PhotonSets", "PhotonSet, mean over sizes of 1 to " + std::to_string(kMost),
+    "bytes a photon", sum / kMost, { 24, 12 });
+}
+
+void timeAllSets(std::size_t photons, int rounds)
+{
+  for (const std::size_t size : { 5, 50, 500, 5000 })
+  {
+    timeSets<OurBag>(photons, size, rounds);
+    timeSets<StandardBag>(photons, size, rounds);
+    timeSets<PlainBag>(photons, size, rounds);
+  }
+  measureBytes();
+}
+
+/// What is on each cell.
+std::vector<PhotonTraffic::Photons> contentsOf(
+  const SpecularPhotons& sets, const SceneObjects& objects)
+{
+  std::vector<PhotonTraffic::Photons> contents;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
+    {
+      contents.push_back(sets.sorted(object, cell));
+    }
+  }
+  return contents;
+}
+
+void reportMemory(const SpecularPhotons& sets, const SceneObjects& objects,
+  const std::string& table, const std::string& row)
+{
+  std::size_t count = 0;
+  for (const PhotonTraffic::Photons& cell : contentsOf(sets, objects))
+  {
+    count += cell.size();
+  }
+  report(table, row, "photons, millions", 1e-6 * static_cast<double>(count));
+  report(
+    table, row, "bytes a photon", static_cast<double>(sets.bytes()) / static_cast<double>(count));
+}
+
+/// Throws unless the engine, which kept its photons up to date, has what is collected anew.
+void requireFresh(IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
+{
+  SpecularPhotons fresh(objects);
+  fresh.add(engine.photons(), 0, engine.history().size(), execution);
+  require(contentsOf(engine.specularPhotons(execution), objects) == contentsOf(fresh, objects),
+    "Updated photons differ from new ones");
+}
+
+/// Seconds of the engine's update, with the photons on specular cells.
+double timeWithPhotons(IrradianceEngine& engine, const SceneObjects& objects,
+  const EngineSettings& settings, CpuTime& execution)
+{
+  return threadCpuSecondsOf([&] {
+    engine.update(objects, settings, execution);
+    engine.specularPhotons(execution);
+  });
+}
+
+/// A room with specular cells beside the same room without any. Its walks are longer.
+void timeSpecularPhotons(const EngineSettings& settings, int rounds)
+{
+  const std::string table = "SpecularPhotons", row = "20 % of the cells";
+  const MovingScene matte = makePlainRoom(), glossy = makeGlossyRoom(0.2);
+  CpuTime execution;
+  for (int round = 0; round < rounds; ++round)
+  {
+    IrradianceEngine plain, engine;
+    const double plainFirst = timeWithPhotons(plain, matte.at(0), settings, execution);
+    const double first = timeUpdate(engine, glossy.at(0), settings).whole;
+    const double building = threadCpuSecondsOf([&] { engine.specularPhotons(execution); });
+    report(table, row, "first shooting / without", (first + building) / plainFirst, { 1.35, 1.15 });
+    report(table + "Parts", row, "built, ms", 1e3 * building);
+    report(table + "Parts", row, "built / first shooting", building / (first + building));
+    report(table + "Parts", row, "segments / without",
+      static_cast<double>(engine.balance().segments) /
+        static_cast<double>(plain.balance().segments));
+    constexpr int kFrames = 4;
+    double frames = 0, plainFrames = 0, changed = 0;
+    for (int frame = 1; frame <= kFrames; ++frame)
+    {
+      plainFrames += timeWithPhotons(plain, matte.inFrame(frame), settings, execution);
+      frames += timeWithPhotons(engine, glossy.inFrame(frame), settings, execution);
+      changed += static_cast<double>(engine.statistics().invalidWalks);
+    }
+    requireFresh(engine, glossy.inFrame(kFrames), execution);
+    report(table, row, "frame / without", frames / plainFrames, { 1.35, 1.15 });
+    report(
+      table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
+    reportMemory(engine.specularPhotons(execution), glossy.at(0), table + "Parts", row);
+  }
+}
+
+}
+
+void run(const Arguments& arguments)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = arguments.number(0, 1000000u);
+  const int rounds = arguments.number(1, 5);
+  timeAllSets(settings.numberOfWalks, rounds);
+  timeSpecularPhotons(settings, rounds);
+}

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestScenes.h"
+
+#include "Tally/CellDiffusion.h"
+
+#include "../RayCasting/RandomVectors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using Quanta = std::vector<std::int64_t>;
+using test::grey;
+using test::ObjectBuilder;
+
+constexpr std::int64_t kMany = std::int64_t{ 1 } << 50;
+
+/// A surface, and its diffusion for a width.
+struct Surface
+{
+  explicit Surface(const SceneObject& object)
+    : areas(cellAreas(object))
+    , neighbours(cellNeighbours(object.body->mesh().triangles(), object.material->cellOfTriangle,
+        object.material->numberOfCells, 0))
+  {
+  }
+
+  Quanta spread(Quanta quanta, double width, int sides = 1) const
+  {
+    const CellDiffusion diffusion(areas, neighbours, sides, width);
+    for (int step = 0; step < diffusion.steps(); ++step)
+    {
+      diffusion.step(quanta);
+    }
+    return quanta;
+  }
+
+  std::vector<double> areas;
+  std::vector<CellNeighbours> neighbours;
+};
+
+Surface grid(int n)
+{
+  ObjectBuilder builder;
+  builder.addQuad({ 0, 0, 0 }, { double(n), 0, 0 }, { 0, double(n), 0 }, n, n, grey(0));
+  return Surface(builder.build());
+}
+
+/// Rectangles of 1 to 1/500 m2, each with an edge in common with the next; some turned over.
+SceneObject unevenGrid()
+{
+  test::RandomVectors random(3);
+  ObjectBuilder builder;
+  std::vector<double> x{ 0 }, y{ 0 };
+  for (int i = 0; i < 30; ++i)
+  {
+    x.push_back(x.back() + random.powerOfTwo(-4.5, 0));
+    y.push_back(y.back() + random.powerOfTwo(-4.5, 0));
+  }
+  for (std::size_t i = 0; i < 30; ++i)
+  {
+    for (std::size_t j = 0; j < 30; ++j)
+    {
+      const Vector3 a(x[i], y[j], 0), b(x[i + 1], y[j], 0), c(x[i + 1], y[j + 1], 0),
+        d(x[i], y[j + 1], 0);
+      random.engine() % 4 == 0 ? builder.addCell({ { a, c, b }, { a, d, c } }, grey(0))
+                               : builder.addCell({ { a, b, c }, { a, c, d } }, grey(0));
+    }
+  }
+  return builder.build();
+}
+
+std::int64_t total(const Quanta& quanta)
+{
+  return std::accumulate(quanta.begin(), quanta.end(), std::int64_t{ 0 });
+}
+
+}
+
+// Each step adds 2 w to the variance along each axis, all steps (width + pi / 2) / (4 pi) for squares of
+// 1 m2. The effective area of what a point became is the width, to within a fifth where steps are few.
+TEST(CellDiffusion, FillsTheWidth)
+{
+  constexpr int kCells = 81;
+  const Surface surface = grid(kCells);
+  for (const double width : { 1.2, 2.0, 3.0, 4.0, 10.0, 50.0 })
+  {
+    Quanta quanta(kCells * kCells, 0);
+    quanta[quanta.size() / 2] = kMany;
+    quanta = surface.spread(quanta, width);
+    double variance = 0, squares = 0;
+    for (std::size_t i = 0; i < quanta.size(); ++i)
+    {
+      const double x = double(i % kCells) - kCells / 2, part = double(quanta[i]) / double(kMany);
+      variance += part * x * x;
+      squares += part * part;
+    }
+    if (width > 3.5)
+    {
+      EXPECT_NEAR(variance / ((width + M_PI / 2) / (4 * M_PI)), 1, 1e-6) << width;
+    }
+    EXPECT_NEAR(1 / squares / width, 1, 0.2) << width;
+  }
+}
+
+TEST(CellDiffusion, ConservesEachQuantumAndStaysPositive)
+{
+  const Surface surface(unevenGrid());
+  test::RandomVectors random(7);
+  for (const int sides : { 1, 2 })
+  {
+    for (const double width : { 0.01, 0.3, 100.0 })
+    {
+      Quanta quanta(surface.areas.size() * static_cast<std::size_t>(sides), 0);
+      for (std::int64_t& q : quanta)
+      {
+        q =
+          random.engine() % 3 == 0 ? static_cast<std::int64_t>(random.engine() % (kMany >> 10)) : 0;
+      }
+      const Quanta after = surface.spread(quanta, width, sides);
+      EXPECT_EQ(total(after), total(quanta));
+      EXPECT_GE(*std::min_element(after.begin(), after.end()), 0);
+      EXPECT_NE(after, quanta);
+    }
+  }
+}
+
+// Rounding makes the irradiance of cells differ by a quantum. All that can flow are such differences.
+TEST(CellDiffusion, LeavesAUniformIrradianceAsItIs)
+{
+  const Surface surface(unevenGrid());
+  for (const double width : { 0.01, 0.3, 100.0 })
+  {
+    Quanta quanta;
+    for (const double area : surface.areas)
+    {
+      quanta.push_back(static_cast<std::int64_t>(area * double(kMany >> 4)));
+    }
+    const Quanta after = surface.spread(quanta, width);
+    const int steps = CellDiffusion(surface.areas, surface.neighbours, 1, width).steps();
+    for (std::size_t i = 0; i < quanta.size(); ++i)
+    {
+      EXPECT_LE(std::abs(after[i] - quanta[i]), 4 * steps) << i;
+    }
+  }
+}
+
+// Half a plane in light: in between, the irradiance falls from one to the other and never rises.
+TEST(CellDiffusion, MakesNoNewExtremes)
+{
+  constexpr std::size_t kCells = 41;
+  Quanta quanta(kCells * kCells, 0);
+  for (std::size_t i = 0; i < quanta.size(); ++i)
+  {
+    quanta[i] = i % kCells < kCells / 2 ? kMany : 0;
+  }
+  const Quanta after = grid(kCells).spread(quanta, 30);
+  for (std::size_t i = 0; i < kCells; ++i)
+  {
+    for (std::size_t j = 1; j < kCells; ++j)
+    {
+      EXPECT_LE(after[i * kCells + j], after[i * kCells + j - 1]);
+    }
+  }
+}
+
+TEST(CellDiffusion, LeavesCellsOfTheWidthAlone)
+{
+  const Surface surface = grid(9);
+  Quanta quanta(81, 0);
+  quanta[40] = kMany;
+  EXPECT_EQ(surface.spread(quanta, 1), quanta);
+  EXPECT_EQ(CellDiffusion(surface.areas, surface.neighbours, 1, 1).steps(), 0);
+  EXPECT_NE(surface.spread(quanta, 1.01), quanta);
+}
+
+// What is lit from above stays above, whichever way the cells are turned.
+TEST(CellDiffusion, KeepsToItsSideOfTheSurface)
+{
+  const SceneObject object = unevenGrid();
+  const Surface surface(object);
+  std::vector<std::size_t> above; // the nodes
+  for (std::uint32_t cell = 0; cell < surface.areas.size(); ++cell)
+  {
+    const auto first = std::find(
+      object.material->cellOfTriangle.begin(), object.material->cellOfTriangle.end(), cell);
+    const auto triangle = static_cast<std::size_t>(first - object.material->cellOfTriangle.begin());
+    above.push_back(2 * cell + (object.body->mesh()[triangle].areaVector()[2] > 0 ? 0 : 1));
+  }
+  Quanta quanta(2 * surface.areas.size(), 0);
+  for (std::size_t i = 0; i < above.size(); i += 5)
+  {
+    quanta[above[i]] = kMany;
+  }
+  const Quanta after = surface.spread(quanta, 1, 2);
+  std::int64_t sum = 0;
+  for (const std::size_t node : above)
+  {
+    sum += after[node];
+    EXPECT_GT(after[node], 0);
+    EXPECT_EQ(after[node ^ 1], 0) << "below";
+  }
+  EXPECT_EQ(sum, total(quanta));
+}
+
+// Slivers, points and lines among the cells.
+TEST(CellDiffusion, PassesCellsWithoutArea)
+{
+  ObjectBuilder builder;
+  const Vector3 a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
+  const double thin = std::ldexp(1.0, -400);
+  builder.addCell({ { a, b, c } }, grey(0));
+  builder.addCell({}, grey(0));
+  builder.addCell({ { a, c, c } }, grey(0));
+  builder.addCell({ { c, Vector3(2, 1 + thin, thin), b } }, grey(0));
+  builder.addCell({ { a, Vector3(0, thin, 0), d } }, grey(0)); // no area at all
+  builder.addCell({ { a, c, d } }, grey(0));
+  builder.addCell({ { d, c, Vector3(0.5, 1 + 1e-12, 0) } }, grey(0)); // a sliver
+  const Quanta quanta{ kMany, 17, 18, 0, 19, 0, 5 };
+  const Quanta after = Surface(builder.build()).spread(quanta, 10);
+  EXPECT_EQ(total(after), total(quanta));
+  EXPECT_EQ(after[1], 17);
+  EXPECT_EQ(after[2], 18);
+  EXPECT_EQ(after[4], 19);
+  EXPECT_GT(after[3], 0);
+  EXPECT_GT(after[5], 0);
+  EXPECT_GE(after[6], 0);
+}
+
+}

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EngineRun.h"
+#include "Photons/PhotonSet.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace irradiance
+{
+
+namespace
+{
+
+std::vector<PhotonReference> sorted(const PhotonSet& set)
+{
+  std::vector<PhotonReference> photons;
+  set.forEach([&](const PhotonReference& photon) { photons.push_back(photon); });
+  std::sort(photons.begin(), photons.end());
+  return photons;
+}
+
+/// A PhotonSet and what it should be.
+struct Pair
+{
+  PhotonSet set;
+  std::set<PhotonReference> model;
+
+  void insert(const PhotonReference& photon)
+  {
+    if (model.insert(photon).second)
+    {
+      set.insert(photon);
+    }
+  }
+  void remove(const PhotonReference& photon)
+  {
+    if (model.erase(photon) != 0)
+    {
+      set.remove(photon);
+    }
+  }
+  void expectEqual() const
+  {
+    ASSERT_EQ(set.size(), model.size());
+    ASSERT_EQ(sorted(set), std::vector<PhotonReference>(model.begin(), model.end()));
+  }
+};
+
+using Random = std::mt19937_64;
+
+/// Operations on photons of few walks, so that they meet again and again. The set grows and shrinks
+/// by turns.
+void compareWithModel(std::uint64_t seed)
+{
+  Random random(seed);
+  const auto walks = static_cast<std::uint32_t>(1 + random() % 1000);
+  const auto bounces = static_cast<std::uint32_t>(1 + random() % 6);
+  Pair pair;
+  for (std::uint32_t step = 0; step < test::scaled(24000); ++step)
+  {
+    const PhotonReference photon{ static_cast<std::uint32_t>(random() % walks),
+      static_cast<std::uint32_t>(random() % bounces) };
+    const unsigned insertions = step / 3000 % 2 == 0 ? 3 : 1; // of 4 operations
+    if (random() % 4 < insertions)
+    {
+      pair.insert(photon);
+    }
+    else
+    {
+      pair.remove(photon);
+    }
+    ASSERT_EQ(pair.set.contains(photon), pair.model.count(photon) != 0);
+    if (step % 500 == 0)
+    {
+      ASSERT_NO_FATAL_FAILURE(pair.expectEqual()) << "step " << step;
+    }
+  }
+  ASSERT_NO_FATAL_FAILURE(pair.expectEqual());
+}
+
+/// Inserts all, looks for each, and removes them in another order.
+void insertAndRemove(const std::vector<PhotonReference>& photons)
+{
+  Pair pair;
+  for (const PhotonReference& photon : photons)
+  {
+    pair.insert(photon);
+  }
+  ASSERT_NO_FATAL_FAILURE(pair.expectEqual());
+  for (std::size_t i = 0; i < photons.size(); ++i)
+  {
+    const PhotonReference& photon = photons[i * 7919 % photons.size()];
+    ASSERT_TRUE(pair.set.contains(photon));
+    pair.remove(photon);
+    ASSERT_FALSE(pair.set.contains(photon));
+    if (i % 64 == 0)
+    {
+      ASSERT_NO_FATAL_FAILURE(pair.expectEqual());
+    }
+  }
+  ASSERT_NO_FATAL_FAILURE(pair.expectEqual());
+}
+
+/// The number that gives 1 when multiplied by an odd one, by Newton's method.
+std::uint64_t inverseOf(std::uint64_t odd)
+{
+  std::uint64_t inverse = odd; // right in three bits, then in 6, 12, ...
+  for (int i = 0; i < 5; ++i)
+  {
+    inverse *= 2 - odd * inverse;
+  }
+  return inverse;
+}
+
+/// The photon that PhotonSet.cpp gives this hash. (Should that function change, any photon.)
+PhotonReference photonOf(std::uint64_t hash)
+{
+  std::uint64_t key = hash * inverseOf(0xbf58476d1ce4e5b9u);
+  key ^= key >> 32;
+  key *= inverseOf(0x9e3779b97f4a7c15u);
+  return { static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key) };
+}
+
+double bytesAPhoton(const PhotonSet& set)
+{
+  return double(sizeof(set) + set.bytes()) / double(set.size());
+}
+
+}
+
+TEST(PhotonSet, AgreesWithAStandardSetUnderRandomOperations)
+{
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+  {
+    ASSERT_NO_FATAL_FAILURE(compareWithModel(seed)) << "seed " << seed;
+  }
+}
+
+TEST(PhotonSet, HoldsRegularSequencesOfPhotons)
+{
+  constexpr std::uint32_t kLast = 0xfffffffeu; // the largest number of a walk
+  std::vector<std::vector<PhotonReference>> sequences(6);
+  for (std::uint32_t i = 0; i < 3000; ++i)
+  {
+    sequences[0].push_back({ i, 0 });
+    sequences[1].push_back({ 7, i });
+    sequences[2].push_back({ kLast - i, (1u << 20) - 1 });
+    sequences[3].push_back({ i << 20, 0 });
+    sequences[4].push_back({ i, i });
+    sequences[5].push_back({ kLast, kLast + 1 - i });
+  }
+  for (const std::vector<PhotonReference>& photons : sequences)
+  {
+    ASSERT_NO_FATAL_FAILURE(insertAndRemove(photons)) << "walk " << photons[1].walk;
+  }
+}
+
+// All begin at the same bucket. The first ones also go on with the same step, the others with any.
+TEST(PhotonSet, HoldsPhotonsWithTheSameHash)
+{
+  for (const std::uint64_t step : { 1u, 0x100001u })
+  {
+    std::vector<PhotonReference> photons;
+    for (std::uint64_t i = 0; i < 1000; ++i)
+    {
+      photons.push_back(photonOf(i * step));
+    }
+    ASSERT_NO_FATAL_FAILURE(insertAndRemove(photons));
+  }
+}
+
+TEST(PhotonSet, MemoryFollowsTheNumberOfPhotons)
+{
+  constexpr std::uint32_t kMost = 10000;
+  PhotonSet set;
+  EXPECT_EQ(set.bytes(), 0u);
+  EXPECT_LE(sizeof(set), 24u);
+  double sum = 0;
+  int resized = 0;
+  for (std::uint32_t i = 0; i < kMost; ++i)
+  {
+    const std::size_t before = set.bytes();
+    set.insert({ i, i % 5 });
+    resized += set.bytes() == before ? 0 : 1;
+    sum += bytesAPhoton(set);
+    ASSERT_TRUE(i < 10 || bytesAPhoton(set) <= 24) << i;
+  }
+  std::printf("%.2f bytes a photon, the mean over sizes of 1 to %u\n", sum / kMost, kMost);
+  EXPECT_LE(sum / kMost, 12);
+  // A table of several buckets grows by 1.2 at least: 40 times from 8 photons to 10,000.
+  EXPECT_LE(resized, 4 + 40);
+  // At least half of the slots are in use, a bucket aside.
+  while (set.size() > 0)
+  {
+    const std::size_t size = set.size();
+    ASSERT_LE(set.bytes(), sizeof(PhotonReference) * (2 * size + 8)) << size;
+    const auto last = static_cast<std::uint32_t>(size - 1);
+    set.remove({ last, last % 5 });
+  }
+  EXPECT_EQ(set.bytes(), 0u);
+}
+
+TEST(PhotonSet, ReservedRoomSuffices)
+{
+  for (const std::uint32_t size : { 1u, 2u, 8u, 9u, 100u, 5000u })
+  {
+    PhotonSet set;
+    set.reserve(size);
+    const std::size_t bytes = set.bytes();
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      set.insert({ i, 3 });
+    }
+    EXPECT_EQ(set.bytes(), bytes);
+    set.reserve(size / 2);
+    EXPECT_EQ(set.bytes(), bytes);
+  }
+}
+
+// Removed photons leave nothing behind that would fill the table.
+TEST(PhotonSet, MemoryStaysTheSameWhilePhotonsAreReplaced)
+{
+  constexpr std::uint32_t kSize = 700, kTimes = 100;
+  PhotonSet set;
+  for (std::uint32_t i = 0; i < kSize; ++i)
+  {
+    set.insert({ i, 1 });
+  }
+  const std::size_t bytes = set.bytes();
+  for (std::uint32_t i = 0; i < kTimes * kSize; ++i)
+  {
+    set.remove({ i, 1 });
+    set.insert({ i + kSize, 1 });
+    ASSERT_EQ(set.bytes(), bytes) << i;
+  }
+}
+
+}
