@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineHistory.h"
 #include "EngineRun.h"
+#include "HistoryPhotons.h"
 #include "MovingScene.h"
 #include "Photons/NearestPhotons.h"
 
@@ -33,9 +33,9 @@ std::vector<PlacedPhoton> placed(const SceneObjects& objects, const WalkHistory&
     const TriangleMesh& mesh = object.body->mesh();
     const Vector3 front =
       transformed(object.worldFromObject, mesh[photon.id.triangle]).areaVector().normalized();
-    const bool isFront = history.incoming(photon.reference).dot(front) <= 0;
-    all.push_back({ photon.reference, object.worldFromObject(modelPoint(mesh, photon)),
-      isFront ? front : Vector3(-front) });
+    all.push_back({ photon.reference,
+      object.worldFromObject(modelPoint(mesh, photon.id.triangle, photon.weights)),
+      photon.isFront ? front : Vector3(-front) });
   }
   return all;
 }
@@ -156,13 +156,14 @@ TEST(NearestPhotons, EqualASearchOfAllWhileThingsMove)
   IrradianceEngine engine;
   EngineSettings settings;
   settings.numberOfWalks = 1500;
+  settings.keepPhotons = true;
   Execution execution;
-  LeafPhotons leaves;
   for (int frame = 0; frame <= kFrames; ++frame)
   {
     engine.update(scene.objects(), settings, execution);
-    const WalkHistory history = test::historyOf(engine);
-    leaves.build(scene.objects(), history, execution);
+    const WalkHistory history = engine.photons();
+    LeafPhotons leaves(scene.objects());
+    leaves.add(history, 0, history.blocks().size(), execution);
     const NearestPhotons photons(leaves, scene.objects(), history);
     RandomSensors sensors(scene.objects(), 100 + static_cast<unsigned>(frame));
     ASSERT_NO_FATAL_FAILURE(expectNearest(photons, placed(scene.objects(), history), sensors,

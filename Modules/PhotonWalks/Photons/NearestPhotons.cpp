@@ -267,7 +267,7 @@ private:
     std::vector<Exact> exact;
     for (auto c = certain; c != candidates_.end(); ++c)
     {
-      const double squared = owner_.squaredDistance(sensor_, owner_.history_.photon(c->photon));
+      const double squared = owner_.squaredDistance(sensor_, c->photon);
       if (squared <= maximumRadius_ * maximumRadius_)
       {
         exact.push_back({ squared, c->photon });

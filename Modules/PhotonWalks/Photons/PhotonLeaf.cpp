@@ -98,26 +98,24 @@ std::size_t PhotonLeaf::endOf(const LeafPhoton& photon, int& depth) const
   return node;
 }
 
-void PhotonLeaf::insert(const LeafPhoton* begin, const LeafPhoton* end)
+void PhotonLeaf::insert(const std::vector<LeafPhoton>& photons)
 {
   // To cut packs one after the other takes longer and leaves them emptier.
-  if (2 * static_cast<std::size_t>(end - begin) > size_)
+  if (2 * photons.size() > size_)
   {
-    Photons all = photons();
-    all.insert(all.end(), begin, end);
+    Photons all = this->photons();
+    all.insert(all.end(), photons.begin(), photons.end());
     build(std::move(all));
     return;
   }
-  constexpr std::ptrdiff_t kAhead = 8; // photons between a request to memory and its use
-  std::for_each(
-    begin, std::min(begin + kAhead, end), [this](const LeafPhoton& photon) { prefetch(photon); });
-  for (const LeafPhoton* photon = begin; photon != end; ++photon)
+  constexpr std::size_t kAhead = 8; // photons between a request to memory and its use
+  for (std::size_t i = 0; i < photons.size(); ++i)
   {
-    if (end - photon > kAhead)
+    if (i + kAhead < photons.size())
     {
-      prefetch(photon[kAhead]);
+      prefetch(photons[i + kAhead]);
     }
-    insert(*photon);
+    insert(photons[i]);
   }
 }
 

@@ -28,7 +28,7 @@ public:
     return nodes_.capacity() * sizeof(Node) + packs_.capacity() * sizeof(PhotonPack);
   }
 
-  void insert(const LeafPhoton* begin, const LeafPhoton* end);
+  void insert(const std::vector<LeafPhoton>& photons);
   /// False if it is not here. `photon`: placed as it was when inserted.
   bool remove(const LeafPhoton& photon);
 
