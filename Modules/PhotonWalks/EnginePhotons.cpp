@@ -58,11 +58,28 @@ const SpecularPhotons& IrradianceEngine::specularPhotons(Execution& execution)
   return *specularPhotons_;
 }
 
+const LeafPhotons& IrradianceEngine::leafPhotons(Execution& execution)
+{
+  assert(isValid_ && keepsPhotons());
+  if (!leafPhotons_)
+  {
+    findSides(execution);
+    auto photons = std::make_unique<LeafPhotons>(objects_);
+    photons->add(this->photons(), 0, history_.size(), execution);
+    leafPhotons_ = std::move(photons);
+  }
+  return *leafPhotons_;
+}
+
 void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Execution& execution)
 {
   if (specularPhotons_)
   {
     specularPhotons_->apply(changes, execution);
+  }
+  if (leafPhotons_)
+  {
+    leafPhotons_->apply(objects_, photons(), changes, execution);
   }
 }
 

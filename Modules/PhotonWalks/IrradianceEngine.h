@@ -5,6 +5,7 @@
 #include "Execution/Execution.h"
 #include "Light/Contacts.h"
 #include "Light/SceneObjects.h"
+#include "Photons/LeafPhotons.h"
 #include "Photons/SpecularPhotons.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
@@ -125,6 +126,8 @@ public:
   /// The photons on specular cells. They are collected when first asked for, then updates keep them
   /// up to date. Throws Interrupted.
   const SpecularPhotons& specularPhotons(Execution& execution);
+  /// All photons, in the leaf cells of the ray-casting trees; likewise.
+  const LeafPhotons& leafPhotons(Execution& execution);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -156,8 +159,12 @@ private:
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
   /// Of all stored hits.
   void findSides(Execution& execution);
-  bool hasPhotonStores() const { return specularPhotons_ != nullptr; }
-  void forgetPhotonStores() { specularPhotons_.reset(); }
+  bool hasPhotonStores() const { return specularPhotons_ || leafPhotons_; }
+  void forgetPhotonStores()
+  {
+    specularPhotons_.reset();
+    leafPhotons_.reset();
+  }
   void updatePhotonStores(const PhotonChanges& changes, Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   std::size_t historyBytes() const;
@@ -178,6 +185,7 @@ private:
   PowerBalance balance_;
   std::vector<WalkBlock> history_;                   ///< empty unless something may move
   std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for
+  std::unique_ptr<LeafPhotons> leafPhotons_;         ///< null until asked for
   std::uint64_t state_ = 0;
   bool hasSides_ = false;             ///< all sides of stored hits are known, see WalkBatch
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
