@@ -115,7 +115,7 @@ void PhotonLeaf::insert(const std::vector<LeafPhoton>& photons)
     {
       prefetch(photons[i + kAhead]);
     }
-    insert(photons[i]);
+    insertOne(photons[i]);
   }
 }
 
@@ -132,7 +132,7 @@ void PhotonLeaf::prefetch(const LeafPhoton& photon) const
   }
 }
 
-void PhotonLeaf::insert(const LeafPhoton& photon)
+void PhotonLeaf::insertOne(const LeafPhoton& photon)
 {
   int depth;
   const std::size_t node = endOf(photon, depth);

@@ -83,7 +83,7 @@ private:
 
   /// The end where a photon belongs, and the number of planes above it.
   std::size_t endOf(const LeafPhoton& photon, int& depth) const;
-  void insert(const LeafPhoton& photon);
+  void insertOne(const LeafPhoton& photon);
   void addTo(Photons& photons, const Node& end) const;
   /// From nothing.
   void build(Photons photons);
