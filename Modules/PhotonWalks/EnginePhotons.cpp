@@ -65,8 +65,8 @@ const LeafPhotons& IrradianceEngine::leafPhotons(Execution& execution)
   if (!leafPhotons_)
   {
     findSides(execution);
-    auto photons = std::make_unique<LeafPhotons>();
-    photons->build(objects_, this->photons(), execution);
+    auto photons = std::make_unique<LeafPhotons>(objects_);
+    photons->add(this->photons(), 0, history_.size(), execution);
     leafPhotons_ = std::move(photons);
   }
   return *leafPhotons_;
@@ -98,7 +98,7 @@ void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Executio
   }
   if (leafPhotons_)
   {
-    leafPhotons_->update(objects_, photons(), changes, execution);
+    leafPhotons_->apply(objects_, photons(), changes, execution);
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineHistory.h"
 #include "EngineRun.h"
+#include "HistoryPhotons.h"
 #include "MovingScene.h"
 #include "Photons/NearestPhotons.h"
+#include "ShotWalk.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,8 @@ std::vector<PlacedPhoton> placed(const SceneObjects& objects, const WalkHistory&
     const TriangleMesh& mesh = object.body->mesh();
     const Vector3 front =
       transformed(object.worldFromObject, mesh[photon.id.triangle]).areaVector().normalized();
-    all.push_back({ photon.reference, object.worldFromObject(modelPoint(mesh, photon)),
+    all.push_back({ photon.reference,
+      object.worldFromObject(modelPoint(mesh, photon.id.triangle, photon.weights)),
       photon.isFront ? front : Vector3(-front) });
   }
   return all;
@@ -147,28 +149,224 @@ void expectNearest(const NearestPhotons& photons, const std::vector<PlacedPhoton
 
 }
 
+namespace
+{
+
+LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history)
+{
+  LeafPhotons leaves(objects);
+  Execution execution;
+  leaves.add(history, 0, history.blocks().size(), execution);
+  return leaves;
+}
+
+EngineSettings settingsFor(std::uint32_t walks)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = walks;
+  settings.keepPhotons = true;
+  return settings;
+}
+
+/// In the first frame of a scene.
+void expectNearest(const SceneObjects& objects, std::uint32_t walks, std::uint32_t queries,
+  const std::vector<Query>& kinds)
+{
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settingsFor(walks), execution);
+  const WalkHistory history = engine.photons();
+  const LeafPhotons leaves = filled(objects, history);
+  const NearestPhotons photons(leaves, objects, history);
+  RandomSensors sensors(objects, 7);
+  ASSERT_NO_FATAL_FAILURE(
+    expectNearest(photons, placed(objects, history), sensors, test::scaled(queries), kinds));
+}
+
+}
+
 TEST(NearestPhotons, EqualASearchOfAllWhileThingsMove)
 {
   constexpr int kFrames = 20;
-  const std::uint32_t queries = test::scaled(1500);
   MovingScene scene(1, false, 31);
   IrradianceEngine engine;
-  EngineSettings settings;
-  settings.keepPhotons = true;
-  settings.numberOfWalks = 1500;
   Execution execution;
   LeafPhotons leaves;
+  std::vector<Photon> before;
   for (int frame = 0; frame <= kFrames; ++frame)
   {
-    engine.update(scene.objects(), settings, execution);
-    const WalkHistory history = test::historyOf(engine);
-    leaves.build(scene.objects(), history, execution);
+    engine.update(scene.objects(), settingsFor(1500), execution);
+    const WalkHistory history = engine.photons();
+    std::vector<Photon> after = test::photonsOf(history);
+    if (frame == 0)
+    {
+      leaves = filled(scene.objects(), history);
+    }
+    else
+    {
+      leaves.apply(scene.objects(), history, test::changesBetween(before, after), execution);
+    }
+    before = std::move(after);
     const NearestPhotons photons(leaves, scene.objects(), history);
     RandomSensors sensors(scene.objects(), 100 + static_cast<unsigned>(frame));
     ASSERT_NO_FATAL_FAILURE(expectNearest(photons, placed(scene.objects(), history), sensors,
-      queries, { { 1 }, { 5 }, { 50 }, { 20, 0.3 }, { 5000 } }))
+      test::scaled(1500), { { 1 }, { 5 }, { 50 }, { 20, 0.3 }, { 5000 } }))
       << "frame " << frame;
     scene.nextFrame();
+  }
+}
+
+// Few large triangles: a leaf holds many photons.
+TEST(NearestPhotons, EqualASearchOfAllInABareRoom)
+{
+  test::ObjectBuilder room;
+  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 3 }), 1, test::grey(0.6), true);
+  room.addQuad({ 1, 1, 2.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0, 1));
+  expectNearest({ room.build(), {} }, 1500, 30000, { { 2 }, { 30 }, { 10, 0.2 } });
+  expectNearest({ room.build(), {} }, 60000, 500, { { 50 }, { 500 } });
+}
+
+// Many small triangles around a lamp: a leaf holds few.
+TEST(NearestPhotons, EqualASearchOfAllOnAFineMesh)
+{
+  test::ObjectBuilder lamp, dome, ball;
+  lamp.addSphere({ 0, 0, 0 }, 0.2, 3, test::grey(0, 1));
+  dome.addSphere({ 2, 2, 2 }, 2.5, 32, test::grey(0.7), true);
+  ball.addSphere({ 0, 0, 0 }, 0.7, 24, test::grey(0.7));
+  const SceneObjects objects{ dome.build(),
+    { lamp.build(test::shift({ 1, 2, 2 })), ball.build(test::shift({ 2.8, 2, 2 }), true) } };
+  expectNearest(objects, 1000, 40000, { { 3 }, { 50 }, { 25, 0.5 } });
+}
+
+// Poses that stretch a hundredfold, things far apart and far from the origin.
+TEST(NearestPhotons, EqualASearchOfAllWherePosesAreExtreme)
+{
+  test::ObjectBuilder floor, thing;
+  floor.addQuad({ -9, -9, 0 }, { 22, 0, 0 }, { 0, 22, 0 }, 3, 3, test::grey(0.5, 1));
+  thing.addBox(test::box({ -1, -1, -1 }, { 1, 1, 1 }), 4, test::grey(0.5));
+  RandomVectors random(12);
+  SceneObjects objects{ floor.build(), {} };
+  for (int i = 0; i < 12; ++i)
+  {
+    Matrix3 linear = random.rotation() * Vector3(0.01, 0.3, 1).asDiagonal() * random.rotation();
+    linear.col(0) *= random.powerOfTwo(-3, 2);
+    objects.dynamicObjects.push_back(
+      thing.build({ linear, Vector3(2, 2, 2) + 4 * random.inCube() }, i % 3 == 0));
+  }
+  const std::vector<Query> kinds{ { 4 }, { 50 }, { 10, 0.5 } };
+  ASSERT_NO_FATAL_FAILURE(expectNearest(objects, 1500, 8000, kinds));
+  // The thirteenth lies a million times as far away as it is large.
+  objects.dynamicObjects.push_back(thing.build(test::shift({ 2e6, 0, 1 })));
+  ASSERT_NO_FATAL_FAILURE(expectNearest(objects, 1500, 4000, kinds));
+  // All are far from the origin.
+  for (SceneObject& object : objects.dynamicObjects)
+  {
+    object.worldFromObject.translation += Vector3(1e7, -1e7, 1e7);
+  }
+  objects.staticObject = test::nothing();
+  thing = test::ObjectBuilder();
+  thing.addQuad({ -9, -9, 0 }, { 22, 0, 0 }, { 0, 22, 0 }, 3, 3, test::grey(0.5, 1));
+  objects.dynamicObjects.push_back(thing.build(test::shift({ 1e7, -1e7, 1e7 })));
+  ASSERT_NO_FATAL_FAILURE(expectNearest(objects, 1500, 2000, kinds));
+}
+
+// Photons in one place, and photons equally far: their numbers decide.
+TEST(NearestPhotons, TiesAreBrokenByWalkAndBounce)
+{
+  test::ObjectBuilder floor;
+  floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 1, 1, test::grey(0.5));
+  const SceneObjects objects{ floor.build(), {} };
+  constexpr std::uint32_t kWalks = 400;
+  const UnitFrame frame;
+  const WalkPlan plan(kWalks, kWalks, 1);
+  std::vector<WalkBlock> blocks(1, WalkBlock(kWalks, 1, frame, Power{ { 1 << 20 } }));
+  std::mt19937 random(3);
+  for (std::uint32_t walk = 0; walk < kWalks; ++walk)
+  {
+    std::vector<test::WalkSegment> segments(2);
+    for (test::WalkSegment& segment : segments)
+    {
+      // In the middle between some places, or in one of those.
+      const auto place = [&] { return 0.25F * static_cast<float>(1 + random() % 2); };
+      segment.ray = { Vector3::Zero(), Vector3::UnitZ(), {} };
+      segment.hit = { 1, { 0, static_cast<std::uint32_t>(random() % 2) }, { place(), place() } };
+    }
+    test::replaceTail(blocks[0], walk, 0, segments, frame);
+  }
+  const WalkHistory history(plan, blocks);
+  const LeafPhotons leaves = filled(objects, history);
+  const NearestPhotons photons(leaves, objects, history);
+  const std::vector<PlacedPhoton> all = placed(objects, history);
+  for (const double x : { 0.5, 1.0, 1.5, 2.0, 2.5, 3.0 })
+  {
+    for (const double y : { 0.5, 1.0, 1.5, 2.0, 2.5, 3.0 })
+    {
+      for (const std::size_t count : { 1, 7, 50, 333, 799, 800, 801 })
+      {
+        const Sensor sensor{ { x, y, 0.25 }, Vector3::UnitZ() };
+        NearPhotons found = photons.find(sensor, count);
+        Expected expected = searchAll(all, sensor, count, kInfinity);
+        ASSERT_EQ(found.photons.back() == expected.photons.back() || found.areAll, true);
+        std::sort(found.photons.begin(), found.photons.end());
+        std::sort(expected.photons.begin(), expected.photons.end());
+        ASSERT_TRUE(found.photons == expected.photons) << x << ' ' << y << ' ' << count;
+      }
+    }
+  }
+}
+
+TEST(NearestPhotons, OfNothing)
+{
+  const SceneObjects objects{ test::nothing(), { test::nothing() } };
+  const WalkPlan plan(10, 10, 1);
+  const std::vector<WalkBlock> blocks;
+  const WalkHistory history(plan, blocks);
+  const LeafPhotons leaves = filled(objects, history);
+  const NearPhotons found =
+    NearestPhotons(leaves, objects, history).find({ Vector3::Zero(), Vector3::UnitZ() }, 5, 2);
+  EXPECT_TRUE(found.photons.empty());
+  EXPECT_TRUE(found.areAll);
+  EXPECT_EQ(found.radius, 2);
+}
+
+// Law 6: a scene scaled by a power of two has the same nearest photons.
+TEST(NearestPhotons, ScaleChangesNothing)
+{
+  const auto nearestIn = [](double scale) {
+    test::ObjectBuilder room, thing;
+    room.addBox(test::box({ 0, 0, 0 }, scale * Vector3(4, 4, 3)), 3, test::grey(0.6), true);
+    room.addQuad(scale * Vector3(1, 1, 2.9), scale * Vector3::UnitY(), scale * Vector3::UnitX(), 1,
+      1, test::grey(0, 1));
+    thing.addSphere({ 0, 0, 0 }, 0.5, 6, test::grey(0.5));
+    SceneObjects objects{ room.build(), { thing.build() } };
+    objects.dynamicObjects[0].worldFromObject = { scale * Matrix3::Identity(),
+      scale * Vector3(2, 2, 1) };
+    IrradianceEngine engine;
+    Execution execution;
+    engine.update(objects, settingsFor(5000), execution);
+    const WalkHistory history = engine.photons();
+    const LeafPhotons leaves = filled(objects, history);
+    const NearestPhotons photons(leaves, objects, history);
+    std::vector<NearPhotons> found;
+    RandomVectors random(5);
+    for (int i = 0; i < 500; ++i)
+    {
+      const Vector3 position = Vector3(2, 2, 1.5) + 2 * random.inCube();
+      found.push_back(photons.find(
+        { scale * position, random.direction() }, 20, i % 2 == 0 ? kInfinity : 0.5 * scale));
+      found.back().radius /= scale;
+    }
+    return found;
+  };
+  const std::vector<NearPhotons> plain = nearestIn(1);
+  for (const double scale : { 0x1p-60, 0x1p60 })
+  {
+    const std::vector<NearPhotons> scaled = nearestIn(scale);
+    for (std::size_t i = 0; i < plain.size(); ++i)
+    {
+      ASSERT_TRUE(scaled[i].photons == plain[i].photons) << i;
+      ASSERT_EQ(scaled[i].radius, plain[i].radius) << i;
+    }
   }
 }
 

@@ -60,12 +60,6 @@ public:
   const std::vector<WalkBlock>& blocks() const { return blocks_; }
   std::uint32_t firstWalkOf(std::size_t block) const { return plan_.firstWalkOf(block); }
 
-  Photon photon(const PhotonReference& reference) const
-  {
-    const WalkPlan::Place place = plan_.placeOf(reference.walk);
-    const Hit hit = blocks_[place.block].hit(place.walkInBlock, reference.bounce);
-    return { reference, hit.id, hit.weights };
-  }
   Power power(const PhotonReference& photon) const
   {
     const WalkPlan::Place place = plan_.placeOf(photon.walk);

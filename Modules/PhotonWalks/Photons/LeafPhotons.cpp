@@ -6,24 +6,20 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace irradiance
 {
 
-namespace
+LeafPhotons::Tree::Tree(std::shared_ptr<const RigidObject> itsBody)
+  : body(std::move(itsBody))
+  , table(body->tree())
+  , leaves(body->tree().numberOfBlocks())
 {
-
-constexpr std::size_t kBlocksPerUnit = 4;     ///< of walks
-constexpr std::size_t kChangesPerUnit = 4096; ///< photons
-
-std::size_t unitsOf(std::size_t count, std::size_t perUnit)
-{
-  return (count + perUnit - 1) / perUnit;
-}
-
 }
 
 /**
@@ -34,12 +30,16 @@ std::size_t unitsOf(std::size_t count, std::size_t perUnit)
 class LeafPhotons::Binding
 {
 public:
-  Binding(std::vector<Tree>& trees, const SceneObjects& objects, const WalkHistory& history,
-    const std::vector<bool>& isAnew)
+  /// Whether the photons of an object are looked at.
+  using Chosen = std::function<bool(std::uint32_t object)>;
+  enum class What
+  {
+    Arrive,
+    Leave
+  };
+
+  explicit Binding(std::vector<Tree>& trees)
     : trees_(trees)
-    , objects_(objects)
-    , history_(history)
-    , isAnew_(isAnew)
   {
     for (const Tree& tree : trees)
     {
@@ -48,53 +48,83 @@ public:
     }
   }
 
-  void run(const PhotonChanges& changes, Execution& execution)
+  void addBlocks(
+    What what, const WalkHistory& history, std::size_t first, std::size_t end, const Chosen& chosen)
   {
-    const bool isAnyAnew = std::find(isAnew_.begin(), isAnew_.end(), true) != isAnew_.end();
-    const std::size_t blocks = isAnyAnew ? unitsOf(history_.blocks().size(), kBlocksPerUnit) : 0;
-    const std::size_t arrived = unitsOf(changes.arrived.size(), kChangesPerUnit);
-    arrived_.resize(blocks + arrived);
-    gone_.resize(unitsOf(changes.gone.size(), kChangesPerUnit));
-    ProgressSpan first(execution, 0, 0.5), second(execution, 0.5, 1);
-    SlicedPass find{ arrived_.size() + gone_.size(), {} };
+    constexpr std::size_t kPerUnit = 4;
+    for (std::size_t begin = first; begin < end; begin += kPerUnit)
+    {
+      addUnit(what, [=, &history](const Visit& visit) {
+        for (std::size_t block = begin; block < std::min(begin + kPerUnit, end); ++block)
+        {
+          history.forEachPhoton(block, [&](const Photon& photon) {
+            if (chosen(photon.id.object))
+            {
+              visit(photon);
+            }
+          });
+        }
+      });
+    }
+  }
+
+  void addPhotons(What what, const std::vector<Photon>& photons, const Chosen& chosen)
+  {
+    constexpr std::size_t kPerUnit = 4096;
+    for (std::size_t begin = 0; begin < photons.size(); begin += kPerUnit)
+    {
+      addUnit(what, [=, &photons](const Visit& visit) {
+        for (std::size_t i = begin; i < std::min(begin + kPerUnit, photons.size()); ++i)
+        {
+          if (chosen(photons[i].id.object))
+          {
+            visit(photons[i]);
+          }
+        }
+      });
+    }
+  }
+
+  void run(Execution& execution)
+  {
+    ProgressSpan finding(execution, 0, 0.5), changing(execution, 0.5, 1);
+    SlicedPass find{ units_.size(), {} };
     find.work = [&](std::size_t unit, const Deadline&) {
-      if (unit < blocks)
-      {
-        arrived_[unit] = sorted(photonsOf(unit));
-      }
-      else if (unit < arrived_.size())
-      {
-        arrived_[unit] = sorted(photonsOf(changes.arrived, unit - blocks));
-      }
-      else
-      {
-        gone_[unit - arrived_.size()] = sorted(photonsOf(changes.gone, unit - arrived_.size()));
-      }
+      sort(units_[unit]);
       return true;
     };
-    find.run(first);
-    SlicedPass bind{ kParts, {} };
-    bind.work = [&](std::size_t part, const Deadline&) {
-      change(part);
+    find.run(finding);
+    SlicedPass change{ kParts, {} };
+    change.work = [&](std::size_t part, const Deadline&) {
+      remove(photonsOf(part, What::Leave));
+      insert(photonsOf(part, What::Arrive));
       return true;
     };
-    bind.run(second);
+    change.run(changing);
   }
 
 private:
   static constexpr std::size_t kParts = 256; ///< of all leaves, numbered through
+  static constexpr std::size_t kAhead = 8;   ///< photons between a request to memory and its use
 
   struct Bound
   {
     LeafPhoton photon;
     std::uint32_t object, leaf;
   };
-  using List = std::vector<Bound>;
-  struct Sorted
+  using Visit = std::function<void(const Photon&)>;
+  struct Unit
   {
-    List photons;
+    What what;
+    std::function<void(const Visit&)> forEachPhoton;
+    std::vector<Bound> photons;                    ///< by parts
     std::array<std::uint32_t, kParts + 1> begin{}; ///< of each part
   };
+
+  void addUnit(What what, std::function<void(const Visit&)> forEachPhoton)
+  {
+    units_.push_back({ what, std::move(forEachPhoton), {} });
+  }
 
   std::size_t partOf(const Bound& bound) const
   {
@@ -103,89 +133,42 @@ private:
 
   Bound bound(const Photon& photon) const
   {
-    const RigidObject& body = *trees_[photon.id.object].body;
-    const UnitPoint at = unitPoint(body.tree().frame(), modelPoint(body.mesh(), photon));
+    const Tree& tree = trees_[photon.id.object];
+    const UnitPoint at = unitPoint(
+      tree.body->tree().frame(), modelPoint(tree.body->mesh(), photon.id.triangle, photon.weights));
     return { { at, photon.reference, photon.isFront, photon.id.triangle }, photon.id.object,
-      leafAt(body.tree(), at) };
+      tree.table.leafOf(tree.body->tree(), photon.id.triangle, at) };
   }
 
-  /// Of some blocks, those on objects that are bound anew.
-  List photonsOf(std::size_t unit) const
+  void sort(Unit& unit) const
   {
-    List list;
-    const std::size_t end = std::min((unit + 1) * kBlocksPerUnit, history_.blocks().size());
-    for (std::size_t block = unit * kBlocksPerUnit; block < end; ++block)
-    {
-      history_.forEachPhoton(block, [&](const Photon& photon) {
-        if (isAnew_[photon.id.object])
-        {
-          list.push_back(bound(photon));
-        }
-      });
-    }
-    return list;
-  }
-
-  /// Of some changes, those on objects that are not.
-  List photonsOf(const std::vector<Photon>& changes, std::size_t unit) const
-  {
-    List list;
-    const std::size_t end = std::min((unit + 1) * kChangesPerUnit, changes.size());
-    for (std::size_t i = unit * kChangesPerUnit; i < end; ++i)
-    {
-      if (!isAnew_[changes[i].id.object])
-      {
-        list.push_back(bound(changes[i]));
-      }
-    }
-    return list;
-  }
-
-  Sorted sorted(const List& list) const
-  {
-    Sorted sorted;
+    std::vector<Bound> list;
     std::vector<std::uint16_t> parts;
-    parts.reserve(list.size());
-    for (const Bound& bound : list)
-    {
-      parts.push_back(static_cast<std::uint16_t>(partOf(bound)));
-      ++sorted.begin[parts.back() + 1u];
-    }
-    std::partial_sum(sorted.begin.begin(), sorted.begin.end(), sorted.begin.begin());
-    std::array<std::uint32_t, kParts + 1> next = sorted.begin;
-    sorted.photons.resize(list.size());
+    unit.forEachPhoton([&](const Photon& photon) {
+      list.push_back(bound(photon));
+      parts.push_back(static_cast<std::uint16_t>(partOf(list.back())));
+      ++unit.begin[parts.back() + std::size_t{ 1 }];
+    });
+    std::partial_sum(unit.begin.begin(), unit.begin.end(), unit.begin.begin());
+    std::array<std::uint32_t, kParts + 1> next = unit.begin;
+    unit.photons.resize(list.size());
     for (std::size_t i = 0; i < list.size(); ++i)
     {
-      sorted.photons[next[parts[i]]++] = list[i];
+      unit.photons[next[parts[i]]++] = list[i];
     }
-    return sorted;
   }
 
-  PhotonLeaf& leafOf(const Bound& bound) { return trees_[bound.object].leaves[bound.leaf]; }
-
-  void change(std::size_t part)
+  /// By leaves.
+  std::vector<Bound> photonsOf(std::size_t part, What what) const
   {
-    for (const Sorted& unit : gone_)
+    std::vector<Bound> all;
+    for (const Unit& unit : units_)
     {
-      for (std::uint32_t i = unit.begin[part]; i < unit.begin[part + 1]; ++i)
+      if (unit.what == what)
       {
-        if (!leafOf(unit.photons[i]).remove(unit.photons[i].photon))
-        {
-          throw std::logic_error("A photon that left was in no leaf");
-        }
+        all.insert(all.end(), unit.photons.begin() + unit.begin[part],
+          unit.photons.begin() + unit.begin[part + 1]);
       }
-    }
-    insert(arrivedIn(part));
-  }
-
-  /// Those of a part, by leaves.
-  List arrivedIn(std::size_t part) const
-  {
-    List all;
-    for (const Sorted& unit : arrived_)
-    {
-      all.insert(all.end(), unit.photons.begin() + unit.begin[part],
-        unit.photons.begin() + unit.begin[part + 1]);
     }
     std::sort(all.begin(), all.end(), [](const Bound& a, const Bound& b) {
       return std::tie(a.object, a.leaf) < std::tie(b.object, b.leaf);
@@ -193,38 +176,68 @@ private:
     return all;
   }
 
-  void insert(const List& list)
+  PhotonLeaf& leafOf(const Bound& bound) { return trees_[bound.object].leaves[bound.leaf]; }
+
+  void remove(const std::vector<Bound>& list)
+  {
+    for (std::size_t i = 0; i < list.size(); ++i)
+    {
+      if (i + kAhead < list.size())
+      {
+        leafOf(list[i + kAhead]).prefetch(list[i + kAhead].photon);
+      }
+      if (!leafOf(list[i]).remove(list[i].photon))
+      {
+        throw std::logic_error("A photon that leaves is in no leaf");
+      }
+    }
+  }
+
+  void insert(const std::vector<Bound>& list)
   {
     std::vector<LeafPhoton> together;
     for (std::size_t i = 0; i < list.size(); ++i)
     {
       together.push_back(list[i].photon);
-      const bool isLast = i + 1 == list.size() || &leafOf(list[i]) != &leafOf(list[i + 1]);
-      if (isLast)
+      if (i + 1 == list.size() || &leafOf(list[i]) != &leafOf(list[i + 1]))
       {
-        leafOf(list[i]).insert(together.data(), together.data() + together.size());
+        leafOf(list[i]).insert(together);
         together.clear();
       }
     }
   }
 
   std::vector<Tree>& trees_;
-  const SceneObjects& objects_;
-  const WalkHistory& history_;
-  const std::vector<bool>& isAnew_;
   std::vector<std::size_t> firstLeaf_; ///< of each object
   std::size_t leaves_ = 0;
-  std::vector<Sorted> arrived_, gone_;
+  std::vector<Unit> units_;
 };
 
-void LeafPhotons::build(
-  const SceneObjects& objects, const WalkHistory& history, Execution& execution)
+LeafPhotons::LeafPhotons(const SceneObjects& objects)
 {
-  trees_.assign(objects.size(), {});
-  update(objects, history, {}, execution);
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    trees_.emplace_back(objects[i].body);
+  }
 }
 
-void LeafPhotons::update(const SceneObjects& objects, const WalkHistory& history,
+void LeafPhotons::add(
+  const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
+{
+  Binding binding(trees_);
+  binding.addBlocks(Binding::What::Arrive, history, first, end, [](std::uint32_t) { return true; });
+  binding.run(execution);
+}
+
+void LeafPhotons::remove(
+  const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
+{
+  Binding binding(trees_);
+  binding.addBlocks(Binding::What::Leave, history, first, end, [](std::uint32_t) { return true; });
+  binding.run(execution);
+}
+
+void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
   const PhotonChanges& changes, Execution& execution)
 {
   std::vector<bool> isAnew;
@@ -233,11 +246,19 @@ void LeafPhotons::update(const SceneObjects& objects, const WalkHistory& history
     isAnew.push_back(trees_[i].body != objects[i].body);
     if (isAnew.back())
     {
-      trees_[i] = { objects[i].body,
-        std::vector<PhotonLeaf>(objects[i].body->tree().numberOfBlocks()) };
+      trees_[i] = Tree(objects[i].body);
     }
   }
-  Binding(trees_, objects, history, isAnew).run(changes, execution);
+  const auto isNew = [&](std::uint32_t object) { return isAnew[object]; };
+  const auto isOld = [&](std::uint32_t object) { return !isAnew[object]; };
+  Binding binding(trees_);
+  if (std::find(isAnew.begin(), isAnew.end(), true) != isAnew.end())
+  {
+    binding.addBlocks(Binding::What::Arrive, history, 0, history.blocks().size(), isNew);
+  }
+  binding.addPhotons(Binding::What::Leave, changes.gone, isOld);
+  binding.addPhotons(Binding::What::Arrive, changes.arrived, isOld);
+  binding.run(execution);
 }
 
 bool LeafPhotons::isEmpty(std::uint32_t object) const
@@ -252,7 +273,7 @@ std::size_t LeafPhotons::bytes() const
   std::size_t bytes = 0;
   for (const Tree& tree : trees_)
   {
-    bytes += tree.leaves.capacity() * sizeof(PhotonLeaf);
+    bytes += tree.table.bytes() + tree.leaves.capacity() * sizeof(PhotonLeaf);
     for (const PhotonLeaf& leaf : tree.leaves)
     {
       bytes += leaf.bytes();

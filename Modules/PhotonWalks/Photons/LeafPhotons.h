@@ -3,7 +3,6 @@
 #define irradiance_LeafPhotons_h
 
 #include "Execution/Execution.h"
-#include "History/WalkHistory.h"
 #include "Light/SceneObjects.h"
 #include "Photons/PhotonLeaf.h"
 
@@ -14,51 +13,64 @@ namespace irradiance
 {
 
 /**
- * All photons, bound to the leaf cells of the ray-casting trees (section 4.1 of the paper), each to
- * that of its object's own tree in model space. So a rigid motion changes nothing here but for the
- * walks that it changes, and only the leaves that they touch. A photon lies where its triangle and
- * its stored weights say.
+ * The photons, bound to the leaf cells of the ray-casting trees (section 4.1 of the paper), each to
+ * a leaf of its object's own tree in model space. So a rigid motion changes nothing here except the
+ * photons of walks that it changes, and only the leaves that they touch. A photon lies where its
+ * triangle and its stored weights say.
+ *
+ * What changes the leaves works in parallel, each thread on leaves of its own. It throws
+ * Interrupted; then some of the photons are missing.
  */
 class LeafPhotons
 {
 public:
-  /// Binds all photons of the history. If interrupted, or if update() is, this must be done anew.
-  void build(const SceneObjects& objects, const WalkHistory& history, Execution& execution);
-  /// `objects` and `history` are those after the change. The photons of objects with another body
-  /// than before are bound anew, whatever `changes` says of them; all others must be told. An object
-  /// may not be added or dropped. Throws std::logic_error if a photon that is gone never was here.
-  void update(const SceneObjects& objects, const WalkHistory& history, const PhotonChanges& changes,
+  LeafPhotons() = default;
+  /// The leaves of these objects, without photons.
+  explicit LeafPhotons(const SceneObjects& objects);
+
+  /// Adds the photons of blocks [`first`, `end`) of the history.
+  void add(const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution);
+  /// Removes them, as long as the history still has them.
+  void remove(const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution);
+  /// `objects` and `history` are those after the changes. An object with another body than before has
+  /// a new tree, to which its photons are bound anew; it does not matter what `changes` says of them.
+  void apply(const SceneObjects& objects, const WalkHistory& history, const PhotonChanges& changes,
     Execution& execution);
 
-  std::uint32_t numberOfObjects() const { return static_cast<std::uint32_t>(trees_.size()); }
   const TriangleTree& tree(std::uint32_t object) const { return trees_[object].body->tree(); }
   /// `leaf`: the number of its first block.
   const PhotonLeaf& leaf(std::uint32_t object, std::uint32_t leaf) const
   {
     return trees_[object].leaves[leaf];
   }
+  /// Whether no photon is on the object.
   bool isEmpty(std::uint32_t object) const;
+  /// Memory held.
   std::size_t bytes() const;
 
 private:
   struct Tree
   {
+    Tree() = default;
+    explicit Tree(std::shared_ptr<const RigidObject> itsBody);
+
     std::shared_ptr<const RigidObject> body;
-    std::vector<PhotonLeaf> leaves; ///< one for each block, of which some are not the first
+    LeafTable table;
+    std::vector<PhotonLeaf> leaves; ///< one for each block; only those of first blocks are used
   };
   class Binding;
 
-  std::vector<Tree> trees_;
+  std::vector<Tree> trees_; ///< of objects
 };
 
-/// A photon's place in model space.
-inline Vector3 modelPoint(const TriangleMesh& mesh, const Photon& photon)
+/// A point of a triangle in model space, given by the weights of a photon or a hit.
+inline Vector3 modelPoint(
+  const TriangleMesh& mesh, std::uint32_t triangle, const std::array<float, 2>& weights)
 {
   Hit hit;
-  hit.weights = photon.weights;
-  const Vector3 weights = weightsOf(hit);
-  const Triangle& triangle = mesh[photon.id.triangle];
-  return weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
+  hit.weights = weights;
+  const Vector3 w = weightsOf(hit);
+  return w[0] * mesh[triangle].a + w[1] * mesh[triangle].b + w[2] * mesh[triangle].c;
 }
 
 }

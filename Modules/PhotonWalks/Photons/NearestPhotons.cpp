@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <queue>
 #include <tuple>
 
 namespace irradiance
@@ -15,6 +14,8 @@ namespace
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 /// Pays for the rounding of squares and roots of floats.
 constexpr float kWider = 1 + 0x1p-18F;
+/// Searches for more photons than this take memory as they go.
+constexpr std::size_t kUsualCount = 1024;
 
 double searchScale(const SceneObjects& objects)
 {
@@ -40,26 +41,30 @@ public:
     , limit_(static_cast<float>(maximumRadius * owner.searchUnitsPerWorldUnit_) * kWider)
     , enough_(count)
   {
+    // Of usual searches.
+    nodes_.reserve(owner.lit_.size() + 8 * Treelet::kSize);
+    candidates_.reserve(3 * std::min(count, kUsualCount));
     for (const std::uint32_t object : owner.lit_)
     {
       const double distance = owner.trees_[object].distanceAtLeast(sensor.position);
       const auto atLeast = static_cast<float>(distance * owner.searchUnitsPerWorldUnit_) / kWider;
       if (atLeast <= limit_)
       {
-        nodes_.push({ atLeast, object, kObject });
+        push({ atLeast, object, kObject });
       }
     }
   }
 
   NearPhotons run()
   {
-    while (!nodes_.empty() && nodes_.top().distance <= limit_)
+    while (!nodes_.empty() && nodes_.front().distance <= limit_)
     {
-      const Node node = nodes_.top();
-      nodes_.pop();
+      const Node node = nodes_.front();
+      std::pop_heap(nodes_.begin(), nodes_.end());
+      nodes_.pop_back();
       if (node.link == kObject)
       {
-        nodes_.push({ node.distance, see(node.view), owner_.leaves_.tree(node.view).root() });
+        push({ node.distance, see(node.view), owner_.leaves_.tree(node.view).root() });
       }
       else
       {
@@ -104,12 +109,32 @@ private:
     }
   };
 
+  /// Which side of a triangle faces as the sensor does.
+  struct Known
+  {
+    TriangleId id;
+    int side = 0;
+  };
+
   /// A photon whose distance is between two bounds.
   struct Candidate
   {
     float lower, upper;
     PhotonReference photon;
+
+    Candidate(float distance, float blur, const PhotonReference& reference)
+      : lower(distance - blur)
+      , upper(distance + blur)
+      , photon(reference)
+    {
+    }
   };
+
+  void push(const Node& node)
+  {
+    nodes_.push_back(node);
+    std::push_heap(nodes_.begin(), nodes_.end());
+  }
 
   /// Returns the object's view.
   std::uint32_t see(std::uint32_t object)
@@ -129,7 +154,7 @@ private:
     {
       if (squared[child] <= squaredLimit && treelet.children[child] != Treelet::kEmpty)
       {
-        nodes_.push({ view.lowerBound(squared[child]), node.view, treelet.children[child] });
+        push({ view.lowerBound(squared[child]), node.view, treelet.children[child] });
       }
     }
   }
@@ -154,30 +179,35 @@ private:
 
   void test(const View& view, const PhotonPack& pack)
   {
-    const std::array<float, PhotonPack::kSize> squared = squaredDistances(view, pack);
-    const float reach = limit_ + view.sensor.blur, squaredReach = reach * reach * kWider;
+    const std::array<float, PhotonPack::kSize> distances = distancesTo(view, pack);
+    // Which lanes are near is unpredictable, so there are no branches here.
+    std::array<unsigned, PhotonPack::kSize> near;
+    unsigned count = 0;
     for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
     {
-      if (squared[lane] <= squaredReach && counts(view, pack.triangle(lane), pack.isFront(lane)))
+      near[count] = lane;
+      count += distances[lane] <= limit_ + view.sensor.blur ? 1 : 0;
+    }
+    for (unsigned i = 0; i < count; ++i)
+    {
+      const unsigned lane = near[i];
+      if (counts(view, pack.triangle(lane), pack.isFront(lane)))
       {
-        const float distance = std::sqrt(squared[lane]);
-        candidates_.push_back(
-          { distance - view.sensor.blur, distance + view.sensor.blur, pack.reference(lane) });
+        candidates_.emplace_back(distances[lane], view.sensor.blur, pack.reference(lane));
       }
     }
     if (candidates_.size() >= enough_)
     {
       tighten();
-      enough_ = candidates_.size() + std::max<std::size_t>(count_ / 2, PhotonPack::kSize);
+      enough_ = candidates_.size() + std::max<std::size_t>(count_, PhotonPack::kSize);
     }
   }
 
-  std::array<float, PhotonPack::kSize> squaredDistances(
-    const View& view, const PhotonPack& pack) const
+  std::array<float, PhotonPack::kSize> distancesTo(const View& view, const PhotonPack& pack) const
   {
     const Eigen::Matrix3f& stretch = owner_.trees_[view.object].stretch();
     const UnitPoint& at = view.sensor.position;
-    std::array<float, PhotonPack::kSize> squared;
+    std::array<float, PhotonPack::kSize> distances;
     for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
     {
       const float x = pack.coordinates(0)[lane] - at[0], y = pack.coordinates(1)[lane] - at[1],
@@ -185,20 +215,21 @@ private:
       const float u = stretch(0, 0) * x + stretch(0, 1) * y + stretch(0, 2) * z,
                   v = stretch(1, 0) * x + stretch(1, 1) * y + stretch(1, 2) * z,
                   w = stretch(2, 0) * x + stretch(2, 1) * y + stretch(2, 2) * z;
-      squared[lane] = u * u + v * v + w * w;
+      distances[lane] = std::sqrt(u * u + v * v + w * w);
     }
-    return squared;
+    return distances;
   }
 
   bool counts(const View& view, std::uint32_t triangle, bool isFront)
   {
-    // Neighbours often lie on the same triangle.
-    if (view.object != last_.object || triangle != last_.triangle)
+    // Photons of few triangles are near.
+    Known& known = sides_[triangle % sides_.size()];
+    const TriangleId id{ view.object, triangle };
+    if (known.id != id)
     {
-      last_ = { view.object, triangle };
-      lastSide_ = view.facing.side(owner_.objects_[view.object].body->mesh()[triangle]);
+      known = { id, view.facing.side(owner_.objects_[view.object].body->mesh()[triangle]) };
     }
-    return lastSide_ == (isFront ? 1 : -1);
+    return known.side == (isFront ? 1 : -1);
   }
 
   /// Drops candidates that are certainly not among the nearest.
@@ -220,6 +251,7 @@ private:
   {
     tighten();
     NearPhotons found{ {}, maximumRadius_, true };
+    found.photons.reserve(candidates_.size());
     // As many true distances as lower bounds are below this: what is below for certain is found.
     const auto certain = std::partition(candidates_.begin(), candidates_.end(),
       [limit = certainLimit()](const Candidate& c) { return c.upper < limit; });
@@ -227,29 +259,29 @@ private:
     {
       found.photons.push_back(c->photon);
     }
-    struct Known
+    struct Exact
     {
       double squaredDistance;
       PhotonReference photon;
     };
-    std::vector<Known> known;
+    std::vector<Exact> exact;
     for (auto c = certain; c != candidates_.end(); ++c)
     {
-      const double squared = owner_.squaredDistance(sensor_, owner_.history_.photon(c->photon));
+      const double squared = owner_.squaredDistance(sensor_, c->photon);
       if (squared <= maximumRadius_ * maximumRadius_)
       {
-        known.push_back({ squared, c->photon });
+        exact.push_back({ squared, c->photon });
       }
     }
-    std::sort(known.begin(), known.end(), [](const Known& a, const Known& b) {
+    std::sort(exact.begin(), exact.end(), [](const Exact& a, const Exact& b) {
       return std::tie(a.squaredDistance, a.photon) < std::tie(b.squaredDistance, b.photon);
     });
-    for (std::size_t i = 0; i < known.size() && found.photons.size() < count_; ++i)
+    for (std::size_t i = 0; i < exact.size() && found.photons.size() < count_; ++i)
     {
-      found.photons.push_back(known[i].photon);
+      found.photons.push_back(exact[i].photon);
       if (found.photons.size() == count_)
       {
-        found.radius = std::sqrt(known[i].squaredDistance);
+        found.radius = std::sqrt(exact[i].squaredDistance);
         found.areAll = false;
       }
     }
@@ -277,10 +309,9 @@ private:
   float limit_;          ///< the nearest are no farther
   std::size_t enough_;   ///< candidates, to look which can be dropped
   std::vector<View> views_;
-  std::priority_queue<Node> nodes_;
+  std::vector<Node> nodes_; ///< a heap
   std::vector<Candidate> candidates_;
-  TriangleId last_;
-  int lastSide_ = 0;
+  std::array<Known, 16> sides_; ///< those asked for last
 };
 
 NearestPhotons::NearestPhotons(

@@ -39,11 +39,12 @@ public:
   NearPhotons find(const Sensor& sensor, std::size_t count, double maximumRadius = kInfinity) const;
 
   /// By which distances are compared: in double, from the point given by the stored weights.
-  double squaredDistance(const Sensor& sensor, const Photon& photon) const
+  double squaredDistance(const Sensor& sensor, const PhotonReference& photon) const
   {
-    const SceneObject& object = objects_[photon.id.object];
-    return (object.worldFromObject(modelPoint(object.body->mesh(), photon)) - sensor.position)
-      .squaredNorm();
+    const Hit hit = history_.hit(photon);
+    const SceneObject& object = objects_[hit.id.object];
+    const Vector3 model = modelPoint(object.body->mesh(), hit.id.triangle, hit.weights);
+    return (object.worldFromObject(model) - sensor.position).squaredNorm();
   }
 
   const SceneObjects& objects() const { return objects_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/PhotonLeaf.h"
 
+#include "Simd/Prefetch.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +13,7 @@ namespace
 {
 
 /// Photons of a pack when it is built: there is room for some that come later.
-constexpr std::size_t kUsual = 6;
+constexpr std::size_t kUsual = 12;
 
 /// The axis along which photons spread most.
 struct Extent
@@ -96,20 +98,41 @@ std::size_t PhotonLeaf::endOf(const LeafPhoton& photon, int& depth) const
   return node;
 }
 
-void PhotonLeaf::insert(const LeafPhoton* begin, const LeafPhoton* end)
+void PhotonLeaf::insert(const std::vector<LeafPhoton>& photons)
 {
   // To cut packs one after the other takes longer and leaves them emptier.
-  if (2 * static_cast<std::size_t>(end - begin) > size_)
+  if (2 * photons.size() > size_)
   {
-    Photons all = photons();
-    all.insert(all.end(), begin, end);
+    Photons all = this->photons();
+    all.insert(all.end(), photons.begin(), photons.end());
     build(std::move(all));
     return;
   }
-  std::for_each(begin, end, [this](const LeafPhoton& photon) { insert(photon); });
+  constexpr std::size_t kAhead = 8; // photons between a request to memory and its use
+  for (std::size_t i = 0; i < photons.size(); ++i)
+  {
+    if (i + kAhead < photons.size())
+    {
+      prefetch(photons[i + kAhead]);
+    }
+    insertOne(photons[i]);
+  }
 }
 
-void PhotonLeaf::insert(const LeafPhoton& photon)
+void PhotonLeaf::prefetch(const LeafPhoton& photon) const
+{
+  if (size_ > 0)
+  {
+    int depth;
+    const PhotonPack& pack = packs_[nodes_[endOf(photon, depth)].firstPack()];
+    for (std::size_t offset = 0; offset < sizeof(PhotonPack); offset += alignof(PhotonPack))
+    {
+      prefetchLine(reinterpret_cast<const char*>(&pack) + offset);
+    }
+  }
+}
+
+void PhotonLeaf::insertOne(const LeafPhoton& photon)
 {
   int depth;
   const std::size_t node = endOf(photon, depth);

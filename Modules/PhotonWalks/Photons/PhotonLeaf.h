@@ -28,9 +28,12 @@ public:
     return nodes_.capacity() * sizeof(Node) + packs_.capacity() * sizeof(PhotonPack);
   }
 
-  void insert(const LeafPhoton* begin, const LeafPhoton* end);
+  void insert(const std::vector<LeafPhoton>& photons);
   /// False if it is not here. `photon`: placed as it was when inserted.
   bool remove(const LeafPhoton& photon);
+
+  /// Prefetches where the photon is, or will be.
+  void prefetch(const LeafPhoton& photon) const;
 
   /// Calls visit(pack) for all packs that may hold photons within some distance of a point, those
   /// nearby first. squaredLimit() is that distance, squared, in the unit frame; it may shrink from
@@ -80,7 +83,7 @@ private:
 
   /// The end where a photon belongs, and the number of planes above it.
   std::size_t endOf(const LeafPhoton& photon, int& depth) const;
-  void insert(const LeafPhoton& photon);
+  void insertOne(const LeafPhoton& photon);
   void addTo(Photons& photons, const Node& end) const;
   /// From nothing.
   void build(Photons photons);

@@ -32,11 +32,11 @@ struct LeafPhoton
   bool isFront() const { return (bounceAndSide & 1) == 0; }
 };
 
-/// Up to eight photons near each other, as columns that a search reads side by side.
+/// Up to 16 photons near each other, as columns that a search reads side by side.
 class alignas(64) PhotonPack
 {
 public:
-  static constexpr unsigned kSize = 8;
+  static constexpr unsigned kSize = 16;
 
   PhotonPack() { std::fill_n(&position_[0][0], 3 * kSize, kNone); }
 
@@ -73,7 +73,7 @@ public:
   {
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      if (isUsed(lane) && reference(lane) == photon)
+      if (walk_[lane] == photon.walk && bounceAndSide_[lane] >> 1 == photon.bounce && isUsed(lane))
       {
         position_[0][lane] = kNone;
         return true;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace irradiance
 {
@@ -38,25 +39,35 @@ struct Nearest
 void visit(const TriangleTree& tree, std::uint32_t node, const UnitPoint& point, Nearest& nearest)
 {
   const Treelet& treelet = tree.treelets()[node];
-  std::array<float, Treelet::kSize> distances = squaredDistances(treelet, point);
-  for (;;)
+  std::array<float, Treelet::kSize> squared = squaredDistances(treelet, point);
+  const auto look = [&](unsigned child) {
+    const std::uint32_t link = treelet.children[child];
+    if ((link & Treelet::kLeaf) == 0)
+    {
+      visit(tree, link, point, nearest);
+    }
+    else if (link != Treelet::kEmpty)
+    {
+      nearest = { link & ~Treelet::kLeaf, squared[child] };
+    }
+    squared[child] = std::numeric_limits<float>::infinity();
+  };
+  // Nearly always the point is in a box.
+  for (unsigned child = 0; child < Treelet::kSize; ++child)
   {
-    const auto next = std::min_element(distances.begin(), distances.end());
-    const std::uint32_t child =
-      treelet.children[static_cast<std::size_t>(next - distances.begin())];
-    if (!(*next < nearest.squaredDistance) || child == Treelet::kEmpty)
+    if (squared[child] == 0 && nearest.squaredDistance > 0)
     {
-      return;
+      look(child);
     }
-    if ((child & Treelet::kLeaf) != 0)
-    {
-      nearest = { child & ~Treelet::kLeaf, *next };
-    }
-    else
-    {
-      visit(tree, child, point, nearest);
-    }
-    *next = std::numeric_limits<float>::infinity();
+  }
+  if (nearest.squaredDistance == 0)
+  {
+    return;
+  }
+  const auto next = [&] { return std::min_element(squared.begin(), squared.end()); };
+  for (auto child = next(); *child < nearest.squaredDistance; child = next())
+  {
+    look(static_cast<unsigned>(child - squared.begin()));
   }
 }
 
@@ -71,6 +82,109 @@ std::uint32_t leafAt(const TriangleTree& tree, const UnitPoint& point)
   Nearest nearest;
   visit(tree, tree.root(), point, nearest);
   return nearest.leaf;
+}
+
+namespace
+{
+
+/// Calls visit(leaf, triangle) for all that leaves list.
+template <class Visit>
+void forEachListed(const TriangleTree& tree, const Visit& visit)
+{
+  std::uint32_t leaf = 0;
+  for (std::uint32_t i = 0; i < tree.numberOfBlocks(); ++i)
+  {
+    const TriangleBlock& block = tree.blocks()[i];
+    for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
+    {
+      if (block.reference(lane) != TriangleBlock::kNone)
+      {
+        visit(leaf, block.reference(lane));
+      }
+    }
+    leaf = block.isLast() ? i + 1 : leaf;
+  }
+}
+
+float squaredDistance(const KdBounds& box, const UnitPoint& point)
+{
+  float squared = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const float outside =
+      std::max({ box.lower[axis] - point[axis], point[axis] - box.upper[axis], 0.0F });
+    squared += outside * outside;
+  }
+  return squared;
+}
+
+}
+
+LeafTable::LeafTable(const TriangleTree& tree)
+  : boxes_(tree.numberOfBlocks())
+{
+  addBoxes(tree, tree.root());
+  forEachListed(tree, [&](std::uint32_t, std::uint32_t triangle) {
+    begin_.resize(std::max<std::size_t>(begin_.size(), triangle + std::size_t{ 2 }));
+    ++begin_[triangle + std::size_t{ 1 }];
+  });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<std::uint32_t> next = begin_;
+  leaves_.resize(begin_.empty() ? 0 : begin_.back());
+  forEachListed(
+    tree, [&](std::uint32_t leaf, std::uint32_t triangle) { leaves_[next[triangle]++] = leaf; });
+}
+
+void LeafTable::addBoxes(const TriangleTree& tree, std::uint32_t node)
+{
+  if ((node & Treelet::kLeaf) != 0) // the tree is one leaf, or empty
+  {
+    return;
+  }
+  const Treelet& treelet = tree.treelets()[node];
+  for (unsigned child = 0; child < Treelet::kSize; ++child)
+  {
+    const std::uint32_t link = treelet.children[child];
+    if ((link & Treelet::kLeaf) == 0)
+    {
+      addBoxes(tree, link);
+    }
+    else if (link != Treelet::kEmpty)
+    {
+      KdBounds& box = boxes_[link & ~Treelet::kLeaf];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        box.lower[axis] = treelet.bounds[0][axis][child];
+        box.upper[axis] = treelet.bounds[1][axis][child];
+      }
+    }
+  }
+}
+
+std::uint32_t LeafTable::leafOf(
+  const TriangleTree& tree, std::uint32_t triangle, const UnitPoint& point) const
+{
+  const std::uint32_t begin = begin_[triangle], end = begin_[triangle + std::size_t{ 1 }];
+  if (end - begin > kMany)
+  {
+    return leafAt(tree, point);
+  }
+  Nearest nearest{ leaves_[begin] };
+  for (std::uint32_t i = begin; i < end && end - begin > 1; ++i)
+  {
+    const float squared = squaredDistance(boxes_[leaves_[i]], point);
+    if (squared < nearest.squaredDistance)
+    {
+      nearest = { leaves_[i], squared };
+    }
+  }
+  return nearest.leaf;
+}
+
+std::size_t LeafTable::bytes() const
+{
+  return boxes_.capacity() * sizeof(KdBounds) +
+    (begin_.capacity() + leaves_.capacity()) * sizeof(std::uint32_t);
 }
 
 }

@@ -2,10 +2,12 @@
 #ifndef irradiance_LeafQuery_h
 #define irradiance_LeafQuery_h
 
+#include "Trees/KdBounds.h"
 #include "Trees/TriangleTree.h"
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace irradiance
 {
@@ -34,6 +36,30 @@ constexpr float kStray = 0x1p-20F;
  * always the same one. The tree must not be empty.
  */
 std::uint32_t leafAt(const TriangleTree& tree, const UnitPoint& point);
+
+/// Finds the leaves of points on triangles without a search of the tree: a triangle is listed in one
+/// leaf or in few. (One that is in many is searched for.)
+class LeafTable
+{
+public:
+  LeafTable() = default;
+  explicit LeafTable(const TriangleTree& tree);
+
+  /// Of the leaves that list the triangle, that whose box is nearest to a point on it. `tree`: that
+  /// of the table.
+  std::uint32_t leafOf(
+    const TriangleTree& tree, std::uint32_t triangle, const UnitPoint& point) const;
+  std::size_t bytes() const;
+
+private:
+  static constexpr std::uint32_t kMany = 8; ///< leaves
+
+  void addBoxes(const TriangleTree& tree, std::uint32_t node);
+
+  std::vector<KdBounds> boxes_;      ///< of leaves, by the number of the first block
+  std::vector<std::uint32_t> begin_; ///< of the leaves of each triangle
+  std::vector<std::uint32_t> leaves_;
+};
 
 }
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_EngineHistory_h
-#define irradiance_test_EngineHistory_h
+#ifndef irradiance_test_HistoryPhotons_h
+#define irradiance_test_HistoryPhotons_h
 
 #include "History/WalkHistory.h"
-#include "IrradianceEngine.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <vector>
 
 namespace irradiance::test
 {
 
-/// All photons, by reference.
+/// All photons, in the order of their references.
 inline std::vector<Photon> photonsOf(const WalkHistory& history)
 {
   std::vector<Photon> photons;
@@ -23,18 +23,13 @@ inline std::vector<Photon> photonsOf(const WalkHistory& history)
   return photons;
 }
 
-inline WalkHistory historyOf(const IrradianceEngine& engine)
-{
-  return { engine.plan(), engine.history() };
-}
-
 /// What differs between two frames.
 inline PhotonChanges changesBetween(
   const std::vector<Photon>& before, const std::vector<Photon>& after)
 {
   const auto key = [](const Photon& p) {
     return std::make_tuple(
-      p.reference.walk, p.reference.bounce, p.id.object, p.id.triangle, p.weights);
+      p.reference.walk, p.reference.bounce, p.id.object, p.id.triangle, p.weights, p.isFront);
   };
   const auto comesFirst = [&](const Photon& a, const Photon& b) { return key(a) < key(b); };
   PhotonChanges changes;

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EngineRun.h"
+#include "HistoryPhotons.h"
+#include "MovingScene.h"
+#include "Photons/LeafPhotons.h"
+#include "ThreadExecution.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+// Photons in leaves that are kept up to date are those of leaves that are filled anew.
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::MovingScene;
+
+EngineSettings settingsFor(std::uint32_t walks)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = walks;
+  settings.keepPhotons = true;
+  return settings;
+}
+
+LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history, Execution& execution)
+{
+  LeafPhotons leaves(objects);
+  leaves.add(history, 0, history.blocks().size(), execution);
+  return leaves;
+}
+
+/// What a leaf holds, in order.
+using Content = std::vector<std::tuple<UnitPoint, std::uint32_t, std::uint32_t, std::uint32_t>>;
+
+Content contentOf(const PhotonLeaf& leaf)
+{
+  Content content;
+  for (const LeafPhoton& photon : leaf.photons())
+  {
+    content.emplace_back(photon.position, photon.walk, photon.bounceAndSide, photon.triangle);
+  }
+  std::sort(content.begin(), content.end());
+  return content;
+}
+
+/// Of all leaves of all objects.
+std::vector<std::vector<Content>> contentsOf(const LeafPhotons& leaves, std::uint32_t objects)
+{
+  std::vector<std::vector<Content>> contents(objects);
+  for (std::uint32_t object = 0; object < objects; ++object)
+  {
+    for (std::uint32_t leaf = 0; leaf < leaves.tree(object).numberOfBlocks(); ++leaf)
+    {
+      contents[object].push_back(contentOf(leaves.leaf(object, leaf)));
+    }
+  }
+  return contents;
+}
+
+void updateWhileThingsMove(int bands, bool isClosed, unsigned seed, Execution& execution)
+{
+  constexpr int kFrames = 20;
+  MovingScene scene(bands, isClosed, seed, true);
+  IrradianceEngine engine;
+  const EngineSettings settings = settingsFor(test::scaled(4000));
+  engine.update(scene.objects(), settings, execution);
+  const std::uint32_t objects = scene.objects().size();
+  LeafPhotons leaves = filled(scene.objects(), engine.photons(), execution);
+  std::vector<Photon> before = test::photonsOf(engine.photons());
+  for (int frame = 0; frame < kFrames; ++frame)
+  {
+    scene.nextFrame();
+    engine.update(scene.objects(), settings, execution);
+    std::vector<Photon> after = test::photonsOf(engine.photons());
+    PhotonChanges changes = test::changesBetween(before, after);
+    // In any order.
+    std::reverse(changes.gone.begin(), changes.gone.end());
+    leaves.apply(scene.objects(), engine.photons(), changes, execution);
+    const LeafPhotons anew = filled(scene.objects(), engine.photons(), execution);
+    ASSERT_EQ(contentsOf(leaves, objects), contentsOf(anew, objects)) << "frame " << frame;
+    before = std::move(after);
+  }
+}
+
+}
+
+TEST(LeafPhotons, UpdateEqualsRebuild)
+{
+  Execution serial;
+  ASSERT_NO_FATAL_FAILURE(updateWhileThingsMove(1, true, 41, serial));
+  test::ThreadExecution threads(3);
+  ASSERT_NO_FATAL_FAILURE(updateWhileThingsMove(3, false, 42, threads));
+}
+
+TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
+{
+  const MovingScene scene(1, true, 43);
+  const SceneObjects& objects = scene.objects();
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settingsFor(4000), execution);
+  const LeafPhotons leaves = filled(objects, engine.photons(), execution);
+  std::set<PhotonReference> found;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const TriangleTree& tree = leaves.tree(object);
+    bool isEmpty = true;
+    for (std::uint32_t leaf = 0; leaf < tree.numberOfBlocks(); ++leaf)
+    {
+      for (const LeafPhoton& photon : leaves.leaf(object, leaf).photons())
+      {
+        isEmpty = false;
+        const Hit stored = engine.photons().hit(photon.reference());
+        EXPECT_TRUE(found.insert(photon.reference()).second);
+        EXPECT_EQ(stored.id, (TriangleId{ object, photon.triangle }));
+        EXPECT_EQ(engine.photons().isFront(photon.reference()), photon.isFront());
+        const TriangleMesh& mesh = objects[object].body->mesh();
+        EXPECT_EQ(photon.position,
+          unitPoint(tree.frame(), modelPoint(mesh, stored.id.triangle, stored.weights)));
+        bool isListed = false;
+        for (const TriangleBlock* block = tree.blocks() + leaf;; ++block)
+        {
+          for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
+          {
+            isListed = isListed || block->reference(lane) == photon.triangle;
+          }
+          if (block->isLast())
+          {
+            break;
+          }
+        }
+        EXPECT_TRUE(isListed);
+      }
+    }
+    EXPECT_EQ(leaves.isEmpty(object), isEmpty);
+  }
+  EXPECT_EQ(found.size(), test::photonsOf(engine.photons()).size());
+  EXPECT_GT(found.size(), 4000u);
+}
+
+// The rest keep even their order.
+TEST(LeafPhotons, OnlyTouchedLeavesChange)
+{
+  test::ObjectBuilder room, thing;
+  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 12, test::grey(0.5), true);
+  room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0.5, 1));
+  thing.addBox(test::box({ -0.2, -0.2, -0.2 }, { 0.2, 0.2, 0.2 }), 1, test::grey(0.5));
+  SceneObjects objects{ room.build(), { thing.build(test::shift({ 0.5, 2, 2 })) } };
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settingsFor(3000), execution);
+  LeafPhotons leaves = filled(objects, engine.photons(), execution);
+  const auto before = test::photonsOf(engine.photons());
+  const auto ordersOf = [&] {
+    std::vector<std::vector<PhotonReference>> orders;
+    for (std::uint32_t object = 0; object < 2; ++object)
+    {
+      for (std::uint32_t leaf = 0; leaf < leaves.tree(object).numberOfBlocks(); ++leaf)
+      {
+        orders.emplace_back();
+        for (const LeafPhoton& photon : leaves.leaf(object, leaf).photons())
+        {
+          orders.back().push_back(photon.reference());
+        }
+      }
+    }
+    return orders;
+  };
+  const auto old = ordersOf();
+  objects.dynamicObjects[0].worldFromObject.translation[0] += 0.01;
+  engine.update(objects, settingsFor(3000), execution);
+  const PhotonChanges changes = test::changesBetween(before, test::photonsOf(engine.photons()));
+  leaves.apply(objects, engine.photons(), changes, execution);
+  std::set<PhotonReference> changed;
+  for (const std::vector<Photon>* photons : { &changes.gone, &changes.arrived })
+  {
+    for (const Photon& photon : *photons)
+    {
+      changed.insert(photon.reference);
+    }
+  }
+  const auto now = ordersOf();
+  int touched = 0, untouched = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+  {
+    const auto isChanged = [&](const PhotonReference& p) { return changed.count(p) > 0; };
+    const bool isTouched = std::any_of(old[i].begin(), old[i].end(), isChanged) ||
+      std::any_of(now[i].begin(), now[i].end(), isChanged);
+    EXPECT_TRUE(isTouched || now[i] == old[i]) << "leaf " << i;
+    isTouched ? ++touched : ++untouched;
+  }
+  EXPECT_GT(touched, 0);
+  EXPECT_GT(untouched, 10);
+}
+
+TEST(LeafPhotons, BlocksComeAndGo)
+{
+  const MovingScene scene(1, true, 44);
+  const SceneObjects& objects = scene.objects();
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settingsFor(4000), execution);
+  const WalkHistory history = engine.photons();
+  ASSERT_EQ(history.blocks().size(), 4u);
+  LeafPhotons leaves(objects), half(objects);
+  half.add(history, 0, 2, execution);
+  leaves.add(history, 0, 2, execution);
+  leaves.add(history, 2, 4, execution);
+  EXPECT_EQ(contentsOf(leaves, objects.size()),
+    contentsOf(filled(objects, history, execution), objects.size()));
+  leaves.remove(history, 2, 4, execution);
+  EXPECT_EQ(contentsOf(leaves, objects.size()), contentsOf(half, objects.size()));
+  leaves.remove(history, 0, 2, execution);
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    EXPECT_TRUE(leaves.isEmpty(object));
+  }
+  EXPECT_THROW(leaves.remove(history, 0, 1, execution), std::logic_error);
+}
+
+TEST(LeafPhotons, CanBeInterrupted)
+{
+  const MovingScene scene(1, true, 45);
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(scene.objects(), settingsFor(2000), execution);
+  test::StoppingExecution stopping(0);
+  LeafPhotons leaves(scene.objects());
+  EXPECT_THROW(leaves.add(engine.photons(), 0, engine.history().size(), stopping), Interrupted);
+}
+
+}
