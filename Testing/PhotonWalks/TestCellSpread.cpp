@@ -374,6 +374,14 @@ TEST(CellSpread, UpdateEqualsRebuildWithATarget)
     ASSERT_TRUE(
       shownAnswer(engine, scene.objects(), settings) == freshShown(scene.objects(), settings))
       << "frame " << frame << ", " << engine.numberOfWalks() << " walks";
+    EXPECT_GT(engine.sums().rounds(), 1u);
+    const std::vector<double> areas = cellAreas(scene.objects().staticObject);
+    double watts = 0;
+    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+    {
+      watts += engine.irradiance(0, cell, 0, 0, areas[cell]) * areas[cell];
+    }
+    EXPECT_NEAR(watts / test::wattsOn(engine, 0, 0, areas.size()), 1, 1e-12) << "of all rounds";
   }
 }
 
