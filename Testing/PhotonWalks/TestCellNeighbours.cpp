@@ -88,14 +88,15 @@ TEST(CellNeighbours, ShareExactlyTwoCorners)
 {
   const auto count = [](const Vector3& corner) {
     ObjectBuilder builder;
-    builder.addCell({ { { 0, 0, 0 }, { 0, -1, 0 }, { 1, 0, 0 } } }, grey(0));
-    builder.addCell({ { corner, { 1, 0, 0 }, { 0, 1, 0 } } }, grey(0));
+    builder.addCell({ { { 1, 0, 0 }, { 1, -1, 0 }, { 2, 0, 0 } } }, grey(0));
+    builder.addCell({ { corner, { 2, 0, 0 }, { 1, 1, 0 } } }, grey(0));
     return neighboursOf(builder.build()).size();
   };
-  EXPECT_EQ(count({ 0, 0, 0 }), 1u);
-  EXPECT_EQ(count({ -0.0, 0, -0.0 }), 1u);
-  EXPECT_EQ(count({ 0, 0, 1e-300 }), 0u) << "a gap";
-  EXPECT_EQ(count({ 0.5, 0, 0 }), 0u) << "a corner on the edge of another";
+  EXPECT_EQ(count({ 1, 0, 0 }), 1u);
+  EXPECT_EQ(count({ 1, -0.0, -0.0 }), 1u);
+  EXPECT_EQ(count({ 1, 0, 1e-300 }), 0u) << "a gap";
+  EXPECT_EQ(count({ std::nextafter(1, 2), 0, 0 }), 0u) << "a gap";
+  EXPECT_EQ(count({ 1.5, 0, 0 }), 0u) << "a corner on the edge of another";
 }
 
 TEST(CellNeighbours, AreTwoAtAnEdge)

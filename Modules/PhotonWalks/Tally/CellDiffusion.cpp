@@ -22,7 +22,7 @@ double diffusionTime(double area, double width)
 /// without steps.
 int chooseSteps(std::vector<double> stepsNeeded)
 {
-  constexpr double kServed = 0.95, kFewest = 4, kMost = 256;
+  constexpr double kServed = 0.9, kFewest = 4, kMost = 256;
   if (stepsNeeded.empty())
   {
     return 0;

@@ -127,6 +127,7 @@ private:
         turns[triangle][static_cast<std::size_t>(edge.corners[side])] =
           normalBeyond(edge, side) - normals_[triangle];
       }
+      pace_.step();
     }
     shapes_.resize(numberOfCells);
     for (const std::uint32_t i : chosen_)
@@ -147,6 +148,7 @@ private:
     {
       shape.middle /= shape.area;
       shape.turning /= shape.area;
+      pace_.step();
     }
   }
 

@@ -66,9 +66,10 @@ void CellSpread::measure(
   }
 }
 
-double CellSpread::photonsOn(
-  std::uint32_t object, const CellSums& sums, std::size_t rounds, double photon) const
+double CellSpread::photonsOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
+  double photon, const Checkpoint& checkpoint) const
 {
+  CheckpointPace pace(checkpoint);
   const Material& material = *objects_[object].material;
   std::int64_t quanta = 0;
   for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
@@ -80,6 +81,7 @@ double CellSpread::photonsOn(
         for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
         {
           quanta += sums.sum(object, cell, side, band, i, rounds);
+          pace.step(rounds);
         }
       }
     }
@@ -108,10 +110,13 @@ void CellSpread::connect(ObjectCells& cells, const Checkpoint& checkpoint)
     triangles.push_back(transformed({ cells.shape, Vector3::Zero() }, triangle));
     pace.step();
   }
-  cells.diffusion = CellDiffusion(cells.areas,
-    cellNeighbours(triangles, cells.material->cellOfTriangle, cells.material->numberOfCells,
-      normalLength, checkpoint),
-    cells.sides, cells.width);
+  const std::vector<CellNeighbours> neighbours = cellNeighbours(triangles,
+    cells.material->cellOfTriangle, cells.material->numberOfCells, normalLength, checkpoint);
+  if (checkpoint)
+  {
+    checkpoint(); // freeing the memory of the search takes a while
+  }
+  cells.diffusion = CellDiffusion(cells.areas, neighbours, cells.sides, cells.width);
 }
 
 void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
@@ -123,7 +128,7 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
   {
     ObjectCells& cells = objects_[object];
     measure(objects[object], cells, checkpoint);
-    const double received = photonsOn(object, sums, rounds, photon);
+    const double received = photonsOn(object, sums, rounds, photon, checkpoint);
     const double width = received > 0 ? rounded(photons * cells.area / received) : 0.0;
     if (cells.width != width || cells.sides != sums.sides())
     {
@@ -170,7 +175,8 @@ CellSums CellSpread::spread(
 {
   const std::uint32_t walks = sums.plan().rounds()[rounds - 1].endWalk;
   const std::uint32_t replicates = sums.plan().replicates().count();
-  CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates));
+  CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0);
+  result.setRounds(1, checkpointOf(execution, 0));
   struct Part
   {
     std::uint32_t replicate;
@@ -221,7 +227,7 @@ CellSums CellSpread::spread(
  */
 void CellSpread::findPhotonShares(Execution& execution)
 {
-  constexpr std::uint32_t kFields = 32;
+  constexpr std::uint32_t kFields = 16;
   constexpr double kLargest = 0x1p28; // quanta; the squares of all fields fit into an integer
   std::vector<std::vector<std::int64_t>> sizes(objects_.size()), squares(objects_.size());
   std::vector<Field> fields;

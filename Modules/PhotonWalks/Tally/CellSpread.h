@@ -38,7 +38,7 @@ public:
 
   /// A photon's effective part in a sum that was spread: if the cells around expect equally many
   /// photons for their area, the estimate draws on 1 / this for each of the cell's own. Known
-  /// to within a quarter or so, and only if the sums of the update had replicates.
+  /// to within a third or so, and only if the sums of the update had replicates.
   double photonShare(std::uint32_t object, std::size_t cell, int side) const;
 
 private:
@@ -65,8 +65,8 @@ private:
 
   static void measure(const SceneObject& object, ObjectCells& cells, const Checkpoint& checkpoint);
   /// Photons that an object received.
-  double photonsOn(
-    std::uint32_t object, const CellSums& sums, std::size_t rounds, double photon) const;
+  double photonsOn(std::uint32_t object, const CellSums& sums, std::size_t rounds, double photon,
+    const Checkpoint& checkpoint) const;
   static void connect(ObjectCells& cells, const Checkpoint& checkpoint);
   void findPhotonShares(Execution& execution);
   /// Takes the fields through all steps. `begin` fills one, `end` reads it.

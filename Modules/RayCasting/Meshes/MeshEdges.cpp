@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 namespace irradiance
@@ -35,6 +37,36 @@ struct HashOfCorner
   }
 };
 
+/// By the lower of their corners' numbers, then by the higher and by triangle. Each corner has few.
+std::vector<MeshEdge> sorted(
+  const std::vector<MeshEdge>& edges, std::size_t corners, CheckpointPace& pace)
+{
+  const auto lower = [](const MeshEdge& edge) { return edge.corners >> 32; };
+  std::vector<std::size_t> ends(corners + 1, 0); // once filled, of the edges of each corner
+  for (const MeshEdge& edge : edges)
+  {
+    ++ends[lower(edge) + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<MeshEdge> sorted(edges.size());
+  for (const MeshEdge& edge : edges)
+  {
+    sorted[ends[lower(edge)]++] = edge;
+    pace.step();
+  }
+  auto begin = sorted.begin();
+  for (std::size_t corner = 0; corner < corners; ++corner)
+  {
+    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(ends[corner]);
+    std::sort(begin, end, [](const MeshEdge& a, const MeshEdge& b) {
+      return std::tie(a.corners, a.triangle) < std::tie(b.corners, b.triangle);
+    });
+    pace.step(static_cast<std::size_t>(end - begin));
+    begin = end;
+  }
+  return sorted;
+}
+
 }
 
 std::vector<MeshEdge> meshEdges(const std::vector<Triangle>& triangles,
@@ -63,9 +95,7 @@ std::vector<MeshEdge> meshEdges(const std::vector<Triangle>& triangles,
       edges.push_back({ std::min(from, to) << 32 | std::max(from, to), i, k, from < to });
     }
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const MeshEdge& a, const MeshEdge& b) { return a.corners < b.corners; });
-  return edges;
+  return sorted(edges, numbers.size(), pace);
 }
 
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What each estimate of the irradiance of cells makes of the same walks: its error on walls and on finely
- * meshed things, and its time.
+ * meshed things, how much of it is blur, what becomes of a sharp edge of a shadow, and its time.
  *
- * Errors are RMS over the area of a part of the scene, in units of that part's mean irradiance, blur
- * included. The truth comes from two long runs r and s with seeds of their own: the mean of (x - r)(x - s) is
- * the squared error of x, whatever the noise of r and s. Times are CPU time of one thread, for spreading the
- * sums of a frame in which the objects have moved.
+ * Errors are RMS over the area of a part of a scene, in units of that part's mean irradiance. The truth
+ * comes from two long runs r and s: the mean of (x - r)(x - s) is the squared error of x, however noisy r and
+ * s are. Blur is measured likewise, by the estimate of the long runs' own photons, as wide as that of `walks`.
+ * Times are CPU time of one thread.
  *
- * Arguments: [walks = 1000000] [seeds = 5] [walks of the reference = 64000000] [head.off]
+ * Arguments: [walks = 1000000] [seeds = 5] [walks of the truth = 64000000] [head.off]
  */
+#include "../../PhotonWalks/TestScenes.h"
 #include "../../PhotonWalks/ThreadExecution.h"
 #include "Measuring/CellField.h"
 #include "Measuring/Program.h"
@@ -17,13 +18,15 @@
 #include "Measuring/Rounds.h"
 #include "Scenes/PlainRoom.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 using namespace irradiance;
 
 namespace
 {
+
+constexpr double kTime = 0.25;
 
 struct Estimate
 {
@@ -35,7 +38,7 @@ struct Estimate
 const std::vector<Estimate> kEstimates = { { "sums", CellEstimate::Sums, 1 },
   { "spread, 50 photons", CellEstimate::Spread, 50 },
   { "spread, 100 photons", CellEstimate::Spread, 100 },
-  { "spread, 200 photons", CellEstimate::Spread, 200 },
+  { "spread, 250 photons", CellEstimate::Spread, 250 },
   { "spread, 400 photons", CellEstimate::Spread, 400 } };
 
 EngineSettings settingsWith(std::uint32_t walks, std::uint64_t seed)
@@ -46,7 +49,13 @@ EngineSettings settingsWith(std::uint32_t walks, std::uint64_t seed)
   return settings;
 }
 
-/// By each estimate, the mean of several long runs. Photons are spread as far as those of `walks`.
+void choose(EngineSettings& settings, const Estimate& estimate, double photonsOfOne = 1)
+{
+  settings.cellEstimate = estimate.kind;
+  settings.spreadPhotons = estimate.photons * photonsOfOne;
+}
+
+/// By each estimate, the mean of several long runs, as wide as the estimates of `walks`.
 std::vector<CellField> longRun(
   const SceneObjects& objects, std::uint32_t walks, double allWalks, std::uint64_t firstSeed)
 {
@@ -61,8 +70,7 @@ std::vector<CellField> longRun(
     IrradianceEngine engine;
     for (std::size_t i = 0; i < kEstimates.size(); ++i)
     {
-      settings.cellEstimate = kEstimates[i].kind;
-      settings.spreadPhotons = kEstimates[i].photons * kWalksOfARun / walks;
+      choose(settings, kEstimates[i], double(kWalksOfARun) / walks);
       engine.update(objects, settings, threads);
       means[i] += irradianceOf(engine, objects) / runs;
     }
@@ -70,18 +78,18 @@ std::vector<CellField> longRun(
   return means;
 }
 
-/// A part of a scene: 1 for its cells, 0 for others.
+/// A part of a scene.
 struct Part
 {
   std::string name;
-  CellField isIn;
+  CellField weights; ///< the areas of its cells, 0 for others
 };
 
 std::vector<Part> partsOf(const SceneObjects& objects)
 {
   const auto part = [&](const std::string& name, const auto& isIn) {
-    return Part{ name, fieldOf(objects, [&](std::uint32_t object, std::size_t, double) {
-                  return isIn(object) ? 1.0 : 0.0;
+    return Part{ name, fieldOf(objects, [&](std::uint32_t object, std::size_t, double area) {
+                  return isIn(object) ? area : 0.0;
                 }) };
   };
   std::vector<Part> parts = { part("all", [](std::uint32_t) { return true; }),
@@ -95,57 +103,94 @@ std::vector<Part> partsOf(const SceneObjects& objects)
   return parts;
 }
 
-void measure(const MovingScene& scene, std::uint32_t walks, std::uint64_t seeds, double reference)
+/// CPU seconds of an update.
+double secondsOf(
+  IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
+{
+  Execution execution;
+  const double start = threadCpuSeconds();
+  engine.update(objects, settings, execution);
+  return threadCpuSeconds() - start;
+}
+
+/// Of the same walks, by each estimate. Nothing is shot, so the time is that of the estimate.
+std::vector<CellField> estimate(const MovingScene& scene, std::uint32_t walks, std::uint64_t seed)
+{
+  const SceneObjects objects = scene.at(kTime);
+  IrradianceEngine engine;
+  EngineSettings settings = settingsWith(walks, seed);
+  secondsOf(engine, scene.at(kTime - MovingScene::kFrame), settings);
+  report("CellEstimateTimes", scene.name + ", update of the sums", "ms",
+    1e3 * secondsOf(engine, objects, settings));
+  std::vector<CellField> fields;
+  for (const Estimate& each : kEstimates)
+  {
+    choose(settings, each);
+    const std::string row = scene.name + ", " + each.name;
+    report("CellEstimateTimes", row, "first, ms", 1e3 * secondsOf(engine, objects, settings));
+    report("CellEstimateTimes", row, "again, ms", 1e3 * secondsOf(engine, objects, settings));
+    fields.push_back(irradianceOf(engine, objects));
+  }
+  return fields;
+}
+
+void measureErrors(
+  const MovingScene& scene, std::uint32_t walks, std::uint64_t seeds, double walksOfTruth)
 {
   constexpr std::uint64_t kSeedsOfTruth = 1000;
-  const SceneObjects objects = scene.at(0.25), before = scene.at(0.25 - MovingScene::kFrame);
-  const std::vector<CellField> longOnes = longRun(objects, walks, 0.5 * reference, kSeedsOfTruth),
-                               others = longRun(objects, walks, 0.5 * reference, 2 * kSeedsOfTruth);
-  const CellField areas = areasOf(objects), &r = longOnes[0], &s = others[0];
-  const std::vector<Part> parts = partsOf(objects);
-  std::vector<std::vector<double>> squares(
-    kEstimates.size(), std::vector<double>(parts.size(), 0.0));
+  const SceneObjects objects = scene.at(kTime);
+  const std::vector<CellField> r = longRun(objects, walks, 0.5 * walksOfTruth, kSeedsOfTruth),
+                               s = longRun(objects, walks, 0.5 * walksOfTruth, 2 * kSeedsOfTruth);
+  std::vector<std::vector<CellField>> estimates;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
   {
-    IrradianceEngine engine;
-    Execution execution;
-    EngineSettings settings = settingsWith(walks, seed);
-    engine.update(before, settings, execution);
-    engine.update(objects, settings, execution);
+    estimates.push_back(estimate(scene, walks, seed));
+  }
+  for (const Part& part : partsOf(objects))
+  {
+    const double mean = meanOf(0.5 * (r[0] + s[0]), part.weights);
+    const auto root = [&](const CellField& squares) {
+      return 100 * std::sqrt(std::max(0.0, meanOf(squares, part.weights))) / mean;
+    };
     for (std::size_t i = 0; i < kEstimates.size(); ++i)
     {
-      settings.cellEstimate = kEstimates[i].kind;
-      settings.spreadPhotons = kEstimates[i].photons;
-      const auto update = [&](const SceneObjects& frame) { // without a motion: nothing is shot
-        const double start = threadCpuSeconds();
-        engine.update(frame, settings, execution);
-        return threadCpuSeconds() - start;
-      };
-      report("CellEstimateTimes", scene.name + ", " + kEstimates[i].name, "first time, ms",
-        1e3 * update(objects));
-      report("CellEstimateTimes", scene.name + ", " + kEstimates[i].name, "again, ms",
-        1e3 * update(objects));
-      const CellField x = irradianceOf(engine, objects);
-      for (std::size_t k = 0; k < parts.size(); ++k)
+      CellField squares = CellField::Zero(r[0].size());
+      for (const std::vector<CellField>& fields : estimates)
       {
-        const CellField weights = areas * parts[k].isIn;
-        const double mean = meanOf(0.5 * (r + s), weights);
-        squares[i][k] +=
-          meanOf((x - r) * (x - s), weights) / (mean * mean) / static_cast<double>(seeds);
+        squares += (fields[i] - r[0]) * (fields[i] - s[0]) / static_cast<double>(seeds);
       }
+      const std::string row = scene.name + ", " + part.name + ", " + kEstimates[i].name;
+      report("CellEstimates", row, "RMS error, %", root(squares));
+      report("CellEstimates", row, "of it blur, %", root((r[i] - r[0]) * (s[i] - s[0])));
     }
   }
-  for (std::size_t i = 0; i < kEstimates.size(); ++i)
+}
+
+/// A black floor of 2 x 2 m, across which stands a wall. The light falls up to it, and not beyond it.
+void measureShadow(std::uint32_t walks)
+{
+  constexpr int kCells = 100; // along each side
+  constexpr double kCell = 2.0 / kCells;
+  test::ObjectBuilder floor, wall;
+  floor.addQuad({ -1, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, kCells, kCells, test::grey(0));
+  floor.addPointLight({ -0.5, 1, 1 }, 1);
+  wall.addQuad({ 0, -9, 0 }, { 0, 20, 0 }, { 0, 0, 9 }, 1, 1, test::grey(0));
+  const SceneObjects objects{ floor.build(), { wall.build() } };
+  IrradianceEngine engine;
+  EngineSettings settings = settingsWith(walks, 1);
+  double height = 0; // W/m2, before the wall
+  for (const Estimate& each : kEstimates)
   {
-    for (std::size_t k = 0; k < parts.size(); ++k)
-    {
-      const CellField weights = areas * parts[k].isIn;
-      const double mean = meanOf(0.5 * (r + s), weights);
-      report("CellEstimates", scene.name + ", " + parts[k].name, "blur of " + kEstimates[i].name + ", %",
-        100 * std::sqrt(std::max(0.0,meanOf((longOnes[i] - r) * (others[i] - s), weights))) / mean);
-      report("CellEstimates", scene.name + ", " + parts[k].name, kEstimates[i].name + ", %",
-        100 * std::sqrt(std::max(0.0, squares[i][k])));
-    }
+    choose(settings, each);
+    secondsOf(engine, objects, settings);
+    const CellField cells = irradianceOf(engine, objects).head(kCells * kCells);
+    const CellField profile = cells.reshaped(kCells, kCells).rowwise().mean();
+    // Of a step, a Gaussian brings the height x its standard deviation / sqrt(2 pi) into the dark.
+    height = each.kind == CellEstimate::Sums ? profile.segment(kCells / 2 - 3, 3).mean() : height;
+    const double deviation = profile.tail(kCells / 2).sum() / height * std::sqrt(2 * M_PI);
+    report("CellEstimateShadows", each.name, "cells from 10 % to 90 %", 2.563 * deviation);
+    report(
+      "CellEstimateShadows", each.name, "photons a cell", cells.mean() * kCell * kCell * walks);
   }
 }
 
@@ -155,6 +200,9 @@ void run(const Arguments& arguments)
 {
   const auto walks = arguments.number(0, 1000000u);
   const auto seeds = arguments.number<std::uint64_t>(1, 5);
-  const auto reference = arguments.number(2, 64e6);
-  measure(makePlainRoom(), walks, seeds, reference);
+  const auto walksOfTruth = arguments.number(2, 64e6);
+  measureErrors(makePlainRoom(), walks, seeds, walksOfTruth);
+  measureErrors(
+    makeMovingTeapot(arguments.text(3, VTKIRRADIANCE_HEAD)), walks, seeds, walksOfTruth);
+  measureShadow(walks);
 }
