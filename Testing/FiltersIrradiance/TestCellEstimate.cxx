@@ -133,7 +133,7 @@ TEST(CellEstimate, UpdateEqualsRebuild)
     scene.Moving[0].Pose->RotateY(20);
     if (frame % 2 == 0)
     {
-      scene.Moving[1].Pose->Scale(1, 1.1, 0.8);
+      scene.Moving[0].Pose->Scale(1, 1.2, 0.7);
     }
   }
 }

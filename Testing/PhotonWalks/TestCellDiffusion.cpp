@@ -89,8 +89,8 @@ std::int64_t total(const Quanta& quanta)
 // 1 m2. The effective area of what a point became is the width, to within a fifth where steps are few.
 TEST(CellDiffusion, FillsTheWidth)
 {
-  constexpr int kCells = 81;
-  const Surface surface = grid(kCells);
+  constexpr std::size_t kCells = 81, kMiddle = 40;
+  const Surface surface = grid(static_cast<int>(kCells));
   for (const double width : { 1.2, 2.0, 3.0, 4.0, 10.0, 50.0 })
   {
     Quanta quanta(kCells * kCells, 0);
@@ -99,7 +99,8 @@ TEST(CellDiffusion, FillsTheWidth)
     double variance = 0, squares = 0;
     for (std::size_t i = 0; i < quanta.size(); ++i)
     {
-      const double x = double(i % kCells) - kCells / 2, part = double(quanta[i]) / double(kMany);
+      const double x = double(i % kCells) - double(kMiddle),
+                   part = double(quanta[i]) / double(kMany);
       variance += part * x * x;
       squares += part * part;
     }
@@ -209,6 +210,17 @@ TEST(CellDiffusion, KeepsToItsSideOfTheSurface)
     EXPECT_EQ(after[node ^ 1], 0) << "below";
   }
   EXPECT_EQ(sum, total(quanta));
+}
+
+// The conductance of a sliver may be infinite, or not known.
+TEST(CellDiffusion, TakesAnyConductance)
+{
+  const std::vector<CellNeighbours> neighbours{ { { 0, 1 }, false, HUGE_VAL },
+    { { 1, 2 }, false, std::nan("") }, { { 2, 3 }, false, 0 } };
+  const CellDiffusion diffusion({ 1, 1e-300, 1, 1 }, neighbours, 1, 100);
+  Quanta quanta{ kMany, 5, 7, 9 };
+  diffusion.step(quanta);
+  EXPECT_EQ(quanta, Quanta({ kMany + 3, 2, 7, 9 })) << "3/4 of what is in the sliver";
 }
 
 // Slivers, points and lines among the cells.

@@ -80,8 +80,12 @@ TEST(CellNeighbours, EndAtCreases)
 
 TEST(CellNeighbours, KnowWhereFrontAndBackSwap)
 {
-  EXPECT_FALSE(neighboursOf(foldedBy(10))[0].isTurned);
-  EXPECT_TRUE(neighboursOf(foldedBy(10, true))[0].isTurned);
+  for (const bool isTurned : { false, true })
+  {
+    const std::vector<CellNeighbours> pairs = neighboursOf(foldedBy(10, isTurned));
+    ASSERT_EQ(pairs.size(), 1u);
+    EXPECT_EQ(pairs[0].isTurned, isTurned);
+  }
 }
 
 TEST(CellNeighbours, ShareExactlyTwoCorners)

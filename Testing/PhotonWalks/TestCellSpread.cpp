@@ -515,6 +515,37 @@ TEST(CellSpread, LeavesLargeCellsAlone)
   EXPECT_LT(knownBySums, cells / 10);
 }
 
+// What was not finished does not pass for the weights of the scene.
+TEST(CellSpread, AnInterruptionLeavesNoTrace)
+{
+  ObjectBuilder builder;
+  builder.addSphere({ 0, 0, 0 }, 1, test::kIsSanitized ? 100 : 200, grey(0.5));
+  const SceneObjects objects{ test::nothing(), { builder.build() } };
+  const CellSums sums = randomSums(objects, 1, WalkPlan(1000, 1000, 2), 10);
+  const auto expected = valuesOf(spreadOf(objects, sums, 100), objects);
+  int stops = 0;
+  bool isDone = false;
+  for (int stopAt = 0; !isDone; ++stopAt)
+  {
+    CellSpread spread;
+    Execution execution;
+    test::StoppingExecution stopping(stopAt);
+    try
+    {
+      spread.update(objects, sums, 1, 100, kPhoton, stopping);
+      isDone = true;
+    }
+    catch (const Interrupted&)
+    {
+      ++stops;
+    }
+    spread.update(objects, sums, 1, 100, kPhoton, execution);
+    ASSERT_TRUE(valuesOf(spread.spread(objects, sums, 1, execution), objects) == expected)
+      << "stopped at call " << stopAt;
+  }
+  EXPECT_GE(stops, 1);
+}
+
 // The estimate can change without a new walk, with and without something that may move.
 TEST(CellSpread, ShootsNothingAnew)
 {

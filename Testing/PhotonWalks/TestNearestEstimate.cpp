@@ -156,7 +156,8 @@ TEST(NearestEstimate, NoBiasAtEdgesAndCorners)
 }
 
 // A plate of 0.5 m under a lamp of 4 m, and a wall on one of its edges. The light varies by 1 %
-// over the plate, so it is known to 2 % from a part of it.
+// over the plate. 3,000 photons of the 13,000 on it: a standard error of 1.8 %; 6.7 % is 3.65 of them,
+// which 9 sensors exceed in 0.2 % of all choices of seeds.
 TEST(NearestEstimate, UnderALamp)
 {
   constexpr std::uint32_t kCount = 3000;
@@ -174,7 +175,7 @@ TEST(NearestEstimate, UnderALamp)
         position, Vector3::UnitZ(), { { -2, -2, 1 }, { 2, -2, 1 }, { 2, 2, 1 }, { -2, 2, 1 } });
       const double found = lit.irradiance({ position, Vector3::UnitZ() }, kCount);
       std::printf("%g, %g: %+.2f %%\n", x, y, 100 * (found / expected - 1));
-      EXPECT_NEAR(found, expected, (test::kIsSanitized ? 0.1 : 0.02) * expected);
+      EXPECT_NEAR(found, expected, (test::kIsSanitized ? 0.24 : 0.067) * expected);
     }
   }
 }

@@ -50,15 +50,14 @@ CellDiffusion::CellDiffusion(const std::vector<double>& areas,
   {
     const double time = 0.5 *
       (diffusionTime(areas[pair.cells[0]], width) + diffusionTime(areas[pair.cells[1]], width));
-    if (time > 0)
+    if (time > 0 && pair.conductance > 0) // not NaN, as slivers may have
     {
       flows.push_back({ &pair, time * pair.conductance });
       ++degrees[pair.cells[0]];
       ++degrees[pair.cells[1]];
     }
   }
-  constexpr double kMostOfAll =
-    0.75; // of what is in a cell, in a step; each edge has the same part
+  constexpr double kMostOfAll = 0.75; // of what is in a cell; its edges share it evenly
   const auto most = [&](const CellNeighbours& pair) {
     return kMostOfAll *
       std::min(areas[pair.cells[0]] / degrees[pair.cells[0]],

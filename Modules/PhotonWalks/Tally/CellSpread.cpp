@@ -23,6 +23,10 @@ Matrix3 shapeOf(const Matrix3& linear)
 {
   constexpr int kBits = 40;
   Matrix3 squares = linear.transpose() * linear;
+  if (!(squares.diagonal().minCoeff() > 0))
+  {
+    return linear;
+  }
   // 0.7 keeps the steps of rounding from changing at the length that is most frequent, 1.
   const auto exponent = [&](int i) { return std::ilogb(squares(i, i) / 0.7); };
   const Eigen::Array3i exponents(exponent(0), exponent(1), exponent(2));
@@ -89,18 +93,31 @@ double CellSpread::photonsOn(std::uint32_t object, const CellSums& sums, std::si
   return static_cast<double>(quanta) / photon;
 }
 
-void CellSpread::connect(ObjectCells& cells, const Checkpoint& checkpoint)
+void CellSpread::connect(ObjectCells& cells, double width, int sides, const Checkpoint& checkpoint)
 {
-  cells.diffusion = {};
-  cells.photonShares.clear();
-  if (std::none_of(
-        cells.areas.begin(), cells.areas.end(), [&](double area) { return area < cells.width; }))
+  if (cells.width == width && cells.sides == sides)
   {
     return;
   }
+  cells.diffusion = {};
+  cells.photonShares.clear();
+  cells.sides = 0; // until all is known
+  if (std::any_of(
+        cells.areas.begin(), cells.areas.end(), [&](double area) { return area < width; }))
+  {
+    cells.diffusion =
+      CellDiffusion(cells.areas, neighboursOf(cells, width, checkpoint), sides, width);
+  }
+  cells.width = width;
+  cells.sides = sides;
+}
+
+std::vector<CellNeighbours> CellSpread::neighboursOf(
+  const ObjectCells& cells, double width, const Checkpoint& checkpoint)
+{
   // On a cylinder of radius r a photon fills a shape sqrt(1 + 30 width / r^2) times as long as wide.
   // Of 10 to 100, no factor is better than the others by much.
-  const double normalLength = std::sqrt(30 * cells.width);
+  const double normalLength = std::sqrt(30 * width);
   const std::vector<Triangle>& model = cells.body->mesh().triangles();
   std::vector<Triangle> triangles;
   triangles.reserve(model.size());
@@ -110,13 +127,8 @@ void CellSpread::connect(ObjectCells& cells, const Checkpoint& checkpoint)
     triangles.push_back(transformed({ cells.shape, Vector3::Zero() }, triangle));
     pace.step();
   }
-  const std::vector<CellNeighbours> neighbours = cellNeighbours(triangles,
-    cells.material->cellOfTriangle, cells.material->numberOfCells, normalLength, checkpoint);
-  if (checkpoint)
-  {
-    checkpoint(); // freeing the memory of the search takes a while
-  }
-  cells.diffusion = CellDiffusion(cells.areas, neighbours, cells.sides, cells.width);
+  return cellNeighbours(triangles, cells.material->cellOfTriangle, cells.material->numberOfCells,
+    normalLength, checkpoint);
 }
 
 void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
@@ -130,12 +142,7 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
     measure(objects[object], cells, checkpoint);
     const double received = photonsOn(object, sums, rounds, photon, checkpoint);
     const double width = received > 0 ? rounded(photons * cells.area / received) : 0.0;
-    if (cells.width != width || cells.sides != sums.sides())
-    {
-      cells.width = width;
-      cells.sides = sums.sides();
-      connect(cells, checkpoint);
-    }
+    connect(cells, width, sums.sides(), checkpoint);
   }
   if (sums.plan().replicates().count() > 1)
   {

@@ -50,8 +50,8 @@ private:
     Matrix3 shape;             ///< see shapeOf() in the .cpp
     std::vector<double> areas; ///< m2
     double area = 0;           ///< of all cells
-    int sides = 0;
-    double width = 0;
+    int sides = 0;             ///< 0: not connected yet
+    double width = 0;          ///< m2
     CellDiffusion diffusion;
     std::vector<float> photonShares; ///< of the nodes; empty: not known, or all are 1
   };
@@ -67,7 +67,9 @@ private:
   /// Photons that an object received.
   double photonsOn(std::uint32_t object, const CellSums& sums, std::size_t rounds, double photon,
     const Checkpoint& checkpoint) const;
-  static void connect(ObjectCells& cells, const Checkpoint& checkpoint);
+  static void connect(ObjectCells& cells, double width, int sides, const Checkpoint& checkpoint);
+  static std::vector<CellNeighbours> neighboursOf(
+    const ObjectCells& cells, double width, const Checkpoint& checkpoint);
   void findPhotonShares(Execution& execution);
   /// Takes the fields through all steps. `begin` fills one, `end` reads it.
   template <class Begin, class End>

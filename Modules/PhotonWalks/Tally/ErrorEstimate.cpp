@@ -92,8 +92,8 @@ double ErrorEstimate::relativeError(const Received& received, double average, do
   }
   if (received.quanta == 0)
   {
-    return 3 * received.photon /
-      average; // where 3 photons are expected, none arrives in 5 % of cases
+    // Where 3 photons are expected, none arrives in 5 % of cases.
+    return 3 * received.photon / average;
   }
   return std::isnan(received.error) ? kInfinity : factor * received.error / received.quanta;
 }
