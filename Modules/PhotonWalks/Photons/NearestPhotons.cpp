@@ -205,7 +205,7 @@ private:
 
   std::array<float, PhotonPack::kSize> distancesTo(const View& view, const PhotonPack& pack) const
   {
-    const Eigen::Matrix3f& stretch = owner_.trees_[view.object].stretch();
+    const Eigen::Matrix3f& stretch = view.sensor.stretch;
     const UnitPoint& at = view.sensor.position;
     std::array<float, PhotonPack::kSize> distances;
     for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
