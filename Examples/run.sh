@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# The main example from nothing: installs what is missing, builds in build/release, fetches the data and
-# runs the moving teapot. The results go to MovingTeapot-output in the folder it is called from. Arguments
-# are passed on to the program (--help shows them).
+# An example from nothing: installs what is missing, builds in build/release, fetches the data and runs it.
+#
+#   run.sh [EXAMPLE] [ARGUMENT...]
+#
+# EXAMPLE is a folder here, MovingTeapot if there is none. The results go to the folder that this is called
+# from. Arguments are passed on to the program (--help shows them).
 set -euo pipefail
 
 caller=$PWD
@@ -9,6 +12,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 home=$PWD
 # shellcheck source=Utilities/packages.sh
 source Utilities/packages.sh
+
+example=MovingTeapot
+if [[ ${1:-} && $1 != */* && -e Examples/$1/CMakeLists.txt ]]; then
+  example=$1
+  shift
+fi
 
 require_packages build display
 
@@ -20,10 +29,9 @@ if ! report=$("${configure[@]}" 2>&1); then
   echo "$report"
   exit 1
 fi
-cmake --build --preset release --parallel "$(nproc)" --target MovingTeapot
+cmake --build --preset release --parallel "$(nproc)" --target "$example"
 
-fetch_data || echo "The scene goes without it."
+[[ $example != MovingTeapot ]] || fetch_data || echo "The scene goes without it."
 
 cd "$caller" # file names among the arguments are the caller's
-exec "$home/Utilities/run-under-xvfb.sh" "$home/build/release/bin/MovingTeapot" \
-  --output "$caller/MovingTeapot-output" "$@"
+exec "$home/Utilities/run-under-xvfb.sh" "$home/build/release/bin/$example" "$@"

@@ -93,8 +93,23 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
   }
 }
 
+/// The nearest photons are others in each replicate and round.
+void CheckNearest(vtkIrradianceFilter* filter)
+{
+  const char* other = filter->GetComputeStandardError() ? "ComputeStandardError"
+    : filter->GetTargetRelativeError() > 0              ? "TargetRelativeError"
+    : filter->GetRepairTimeBudget() > 0                 ? "RepairTimeBudget"
+                                                        : nullptr;
+  if (other && filter->GetCellEstimate() == vtkIrradianceFilter::Nearest)
+  {
+    throw irradiance::InputError(std::string("CellEstimate Nearest and ") + other +
+      " exclude each other: what is known of the error is known of sums, also spread ones");
+  }
+}
+
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
+  CheckNearest(filter);
   constexpr vtkIdType mostSpreadPhotons = 1000000;
   const double budget = filter->GetRepairTimeBudget();
   if (!(budget >= 0))
@@ -117,9 +132,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
   settings.repairTimeBudget = budget;
-  settings.cellEstimate = filter->GetCellEstimate() == vtkIrradianceFilter::Spread
-    ? irradiance::CellEstimate::Spread
-    : irradiance::CellEstimate::Sums;
+  settings.cellEstimate = static_cast<irradiance::CellEstimate>(filter->GetCellEstimate());
   settings.spreadPhotons =
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   return settings;
@@ -350,7 +363,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   bool keepsPhotons, vtkMultiBlockDataSet* output)
 {
   irradiance::EngineSettings settings = CheckedSettings(filter);
-  settings.keepPhotons = keepsPhotons;
+  settings.keepPhotons = keepsPhotons || settings.cellEstimate == irradiance::CellEstimate::Nearest;
   irradiance::SmpExecution execution(
     [filter](double progress) { return filter->ReportProgress(progress); });
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again

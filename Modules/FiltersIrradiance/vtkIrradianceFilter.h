@@ -121,6 +121,12 @@
  * blur. With a RepairTimeBudget, StaleIrradiance is spread alike. It is then close to what the full
  * update can take from a cell, but not a strict bound: the widths follow the number of photons.
  *
+ * With CellEstimate Nearest a cell that received fewer than NumberOfSpreadPhotons is estimated from so
+ * many photons nearest to its middle, as vtkIrradianceProbeFilter does, but from no farther than twice
+ * the distance at which the scene has them on the average. It follows the light across creases of up to
+ * 45.6 degrees and from a connection to another, conserves no power, and takes far longer than Spread.
+ * It excludes ComputeStandardError, TargetRelativeError and RepairTimeBudget: an error says so.
+ *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
  * of range, singular or non-finite transforms, transforms of connections that do not exist, leaves
@@ -162,8 +168,9 @@ public:
   /// From which photons the irradiance of a cell is estimated.
   enum CellEstimates
   {
-    Sums = 0,  ///< those that arrived in it
-    Spread = 1 ///< small cells: also those in the cells around it
+    Sums = 0,   ///< those that arrived in it
+    Spread = 1, ///< small cells: also those in the cells around it
+    Nearest = 2 ///< small cells: those nearest to their middles
   };
 
   /// What happens when dynamic objects have moved; the result is the same.
@@ -264,15 +271,17 @@ public:
    * See CellEstimates and "How small cells are estimated" above. Changing it shoots nothing anew, except
    * if UpdateMode is Rebuild, or with a target where nothing is dynamic. Default Sums.
    */
-  vtkSetClampMacro(CellEstimate, int, Sums, Spread);
+  vtkSetClampMacro(CellEstimate, int, Sums, Nearest);
   vtkGetMacro(CellEstimate, int);
   void SetCellEstimateToSums() { this->SetCellEstimate(Sums); }
   void SetCellEstimateToSpread() { this->SetCellEstimate(Spread); }
+  void SetCellEstimateToNearest() { this->SetCellEstimate(Nearest); }
   ///@}
 
   ///@{
   /**
-   * With CellEstimate Spread, on how many photons a small cell draws, 1 to 1,000,000. The noise is about
+   * With CellEstimate Spread or Nearest, on how many photons a small cell draws, 1 to 1,000,000 (Nearest:
+   * 2 at least). The noise is about
    * 1 / its root; the blur grows with its root. Changing it is like changing CellEstimate. Default 250.
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);

@@ -2,6 +2,7 @@
 #include "Execution/SlicedPass.h"
 #include "IrradianceEngine.h"
 
+#include <algorithm>
 #include <cassert>
 #include <memory>
 #include <utility>
@@ -47,7 +48,7 @@ void IrradianceEngine::findSides(Execution& execution)
 
 const SpecularPhotons& IrradianceEngine::specularPhotons(Execution& execution)
 {
-  assert(isValid_ && keepsPhotons());
+  assert(keepsPhotons());
   if (!specularPhotons_)
   {
     findSides(execution);
@@ -60,7 +61,7 @@ const SpecularPhotons& IrradianceEngine::specularPhotons(Execution& execution)
 
 const LeafPhotons& IrradianceEngine::leafPhotons(Execution& execution)
 {
-  assert(isValid_ && keepsPhotons());
+  assert(keepsPhotons());
   if (!leafPhotons_)
   {
     findSides(execution);
@@ -69,6 +70,24 @@ const LeafPhotons& IrradianceEngine::leafPhotons(Execution& execution)
     leafPhotons_ = std::move(photons);
   }
   return *leafPhotons_;
+}
+
+void IrradianceEngine::estimateNearest(bool isSame, Execution& execution)
+{
+  const bool isAsked = settings_.cellEstimate == CellEstimate::Nearest;
+  const auto count = static_cast<std::uint32_t>(std::max(settings_.spreadPhotons, 2.0));
+  if (isAsked && isSame && nearestCells_.count() == count)
+  {
+    return;
+  }
+  nearestCells_ = {};
+  if (isAsked)
+  {
+    const WalkHistory history = photons();
+    const NearestPhotons nearest(leafPhotons(execution), objects_, history);
+    nearestCells_ =
+      NearestCells(nearest, sums_, count, static_cast<double>(emitters_.photon()), execution);
+  }
 }
 
 void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Execution& execution)

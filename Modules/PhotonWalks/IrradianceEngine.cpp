@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -87,8 +88,11 @@ void IrradianceEngine::update(
   {
     stale_.reset();
   }
+  const bool isSame = isStill && history_.size() == blocks;
+  ProgressSpan estimating(execution, 1, 1);
+  estimateNearest(isSame, estimating);
   // To count them takes longer than all else where nothing has moved.
-  statistics_.historyBytes = isStill && history_.size() == blocks ? bytes : historyBytes();
+  statistics_.historyBytes = isSame ? bytes : historyBytes();
   isValid_ = true;
 }
 
@@ -233,6 +237,14 @@ ErrorEstimate IrradianceEngine::errorEstimate(std::size_t rounds) const
 double IrradianceEngine::irradiance(
   std::uint32_t object, std::size_t cell, int side, int band, double area) const
 {
+  if (settings_.cellEstimate == CellEstimate::Nearest)
+  {
+    const double density = nearestCells_.density(object, cell, side, band);
+    if (!std::isnan(density))
+    {
+      return watts(density);
+    }
+  }
   const CellSums& sums = isSpread() ? spreadSums_ : sums_;
   return area > 0 ? watts(sums.sum(object, cell, side, band)) / area : 0.0;
 }

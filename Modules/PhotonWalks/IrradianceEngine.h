@@ -5,6 +5,7 @@
 #include "Execution/Execution.h"
 #include "Light/Contacts.h"
 #include "Light/SceneObjects.h"
+#include "NearestCells.h"
 #include "Photons/LeafPhotons.h"
 #include "Photons/SpecularPhotons.h"
 #include "Repair/StaleWalks.h"
@@ -159,6 +160,8 @@ private:
     const WalkShooter& shooter, const std::vector<bool>& moved, Execution& execution);
   /// Of all stored hits.
   void findSides(Execution& execution);
+  /// `isSame`: no photon has changed since the last call.
+  void estimateNearest(bool isSame, Execution& execution);
   bool hasPhotonStores() const { return specularPhotons_ || leafPhotons_; }
   void forgetPhotonStores()
   {
@@ -181,6 +184,7 @@ private:
   Contacts contacts_; ///< of this frame
   CellSums sums_;
   CellSpread spread_;
+  NearestCells nearestCells_;             ///< empty unless asked for
   CellSums spreadSums_, spreadStaleSums_; ///< empty unless sums are spread
   PowerBalance balance_;
   std::vector<WalkBlock> history_;                   ///< empty unless something may move

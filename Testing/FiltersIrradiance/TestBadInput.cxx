@@ -180,6 +180,14 @@ Spoil SetGloss(const char* name, vtkIdType cell, double value)
   };
 }
 
+Spoil SetNearestWith(void (vtkIrradianceFilter::*option)())
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    filter->SetCellEstimateToNearest();
+    (filter->*option)();
+  };
+}
+
 const std::string Room = "input port 0, connection 0";
 const std::string Lamp = "input port 0, connection 1";
 const std::string Bulb = "input port 0, connection 2";
@@ -259,6 +267,8 @@ const std::vector<BadInput> BadInputs{
   { "TargetWithTooManyWalks", SetTarget(0.1, 1LL << 32), { "MaximumNumberOfWalks", "4294967296" } },
   { "DefaultReflectanceAbove1", SetDefaultReflectance(2), { "DefaultDiffuseReflectance is 2;" } },
   { "DefaultReflectanceIsNaN", SetDefaultReflectance(NaN), { "DefaultDiffuseReflectance is nan" } },
+  { "NearestWithErrorBars", SetNearestWith(&vtkIrradianceFilter::ComputeStandardErrorOn),
+    { "CellEstimate Nearest and ComputeStandardError exclude each other" } },
   { "NegativeBudget", SetBudget(-0.5), { "RepairTimeBudget is -0.5" } },
   { "BudgetIsNaN", SetBudget(NaN), { "RepairTimeBudget is nan" } },
 };
@@ -293,6 +303,7 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   filter->SetTargetRelativeError(0);
   filter->ComputeStandardErrorOff();
   filter->SetRepairTimeBudget(0);
+  filter->SetCellEstimateToSums();
   filter->SetDefaultDiffuseReflectance(0.5);
   filter->Update();
   EXPECT_TRUE(observer->Errors.empty());

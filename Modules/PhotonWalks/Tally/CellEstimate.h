@@ -8,8 +8,9 @@ namespace irradiance
 /// From which photons the irradiance of a cell is estimated.
 enum class CellEstimate
 {
-  Sums,  ///< those that arrived in it
-  Spread ///< small cells: also those of the cells around it, see CellSpread
+  Sums,   ///< those that arrived in it
+  Spread, ///< small cells: also those of the cells around it, see CellSpread
+  Nearest ///< small cells: those nearest to their middles, see NearestCells
 };
 
 }

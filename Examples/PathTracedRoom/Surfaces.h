@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Surfaces_h
+#define Surfaces_h
+
+#include "Light/SceneObjects.h"
+#include "PathVertex.h"
+
+#include <vector>
+
+namespace pathtracedroom
+{
+
+/// The values of a cell in an array of its material.
+Spectrum spectrumOf(
+  const irradiance::Material& material, const std::vector<double>& values, std::size_t cell);
+
+/// The vertex at a point of a surface, with all that the cell there emits and reflects.
+PathVertex vertexOn(const irradiance::SceneObjects& objects, const TriangleId& id,
+  const irradiance::SurfacePoint& point);
+
+}
+
+#endif

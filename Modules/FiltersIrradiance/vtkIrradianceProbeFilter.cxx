@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIrradianceProbeFilter.h"
+
+#include "Execution/SlicedPass.h"
+#include "InputError.h"
+#include "PhotonRequest.h"
+#include "PhotonSource.h"
+#include "Photons/NearestEstimate.h"
+#include "SmpExecution.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkIrradianceProbeFilter);
+
+namespace
+{
+
+[[noreturn]] void Fail(vtkIdType point, const char* what, const irradiance::Vector3& value)
+{
+  std::ostringstream message;
+  message << "the sensors, point " << point << ": the " << what << " (" << value[0] << ", "
+          << value[1] << ", " << value[2] << ") is ";
+  message << (value.allFinite() ? "of length 0" : "not finite");
+  throw irradiance::InputError(message.str());
+}
+
+std::vector<irradiance::Sensor> ReadSensors(vtkPointSet* input)
+{
+  vtkDataArray* normals = input->GetPointData()->GetNormals();
+  normals = normals ? normals : input->GetPointData()->GetArray("Normals");
+  const vtkIdType count = input->GetNumberOfPoints();
+  if (count > 0 &&
+    (!normals || normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != count))
+  {
+    throw irradiance::InputError(
+      "the sensors have no point normals of three components: a sensor needs the direction from "
+      "which it receives light (vtkPolyDataNormals computes those of surfaces)");
+  }
+  std::vector<irradiance::Sensor> sensors(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    irradiance::Sensor& sensor = sensors[static_cast<std::size_t>(i)];
+    input->GetPoint(i, sensor.position.data());
+    normals->GetTuple(i, sensor.normal.data());
+    if (!sensor.position.allFinite())
+    {
+      Fail(i, "position", sensor.position);
+    }
+    const double length = sensor.normal.stableNorm();
+    if (!(length > 0) || !std::isfinite(length))
+    {
+      Fail(i, "normal", sensor.normal);
+    }
+    sensor.normal /= length;
+  }
+  return sensors;
+}
+
+template <class Array>
+vtkSmartPointer<Array> AddArray(vtkPointSet* output, const char* name, int components)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(output->GetNumberOfPoints());
+  output->GetPointData()->AddArray(array);
+  return array;
+}
+
+}
+
+vtkIrradianceProbeFilter::vtkIrradianceProbeFilter()
+  : MaximumRadius(std::numeric_limits<double>::infinity())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkIrradianceProbeFilter::SetSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+void vtkIrradianceProbeFilter::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputData(1, source);
+}
+
+vtkDataObject* vtkIrradianceProbeFilter::GetSource()
+{
+  return this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
+}
+
+int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkMultiBlockDataSet");
+  return 1;
+}
+
+vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
+  {
+    irradiance::requestPhotons(inputs[1]->GetInformationObject(0));
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+bool vtkIrradianceProbeFilter::ReportProgress(double progress)
+{
+  this->UpdateProgress(progress);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
+  return !this->CheckAbort();
+#else
+  return !this->GetAbortExecute();
+#endif
+}
+
+void vtkIrradianceProbeFilter::Compute(
+  vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
+{
+  if (!(this->MaximumRadius > 0))
+  {
+    throw irradiance::InputError(
+      "MaximumRadius is " + irradiance::text(this->MaximumRadius) + "; it has to be positive");
+  }
+  const std::vector<irradiance::Sensor> sensors = ReadSensors(input);
+  const irradiance::PhotonSource source(scene, "the source");
+  irradiance::IrradianceEngine& engine = *source.engine();
+  irradiance::SmpExecution execution(
+    [this](double progress) { return this->ReportProgress(progress); });
+  const irradiance::LeafPhotons& leaves = engine.leafPhotons(execution);
+  const irradiance::WalkHistory history = engine.photons();
+  const irradiance::NearestPhotons nearest(leaves, engine.objects(), history);
+  const int bands = engine.objects().staticObject.material->bands;
+  output->ShallowCopy(input);
+  const auto irradiances = AddArray<vtkDoubleArray>(output, "Irradiance", bands);
+  const auto counts = AddArray<vtkIdTypeArray>(output, "NumberOfPhotons", 1);
+  const auto radii = AddArray<vtkDoubleArray>(output, "SearchRadius", 1);
+  constexpr std::size_t unitSize = 64;
+  irradiance::SlicedPass pass{ (sensors.size() + unitSize - 1) / unitSize, {} };
+  pass.work = [&](std::size_t unit, const irradiance::Deadline&) {
+    for (std::size_t i = unit * unitSize; i < std::min((unit + 1) * unitSize, sensors.size()); ++i)
+    {
+      const irradiance::NearestEstimate estimate = irradiance::nearestEstimate(nearest, sensors[i],
+        static_cast<std::uint32_t>(this->NumberOfPhotons), this->MaximumRadius);
+      const auto point = static_cast<vtkIdType>(i);
+      for (int band = 0; band < bands; ++band)
+      {
+        irradiances->SetTypedComponent(point, band,
+          estimate.area > 0 ? engine.watts(estimate.power[band]) / estimate.area
+                            : std::numeric_limits<double>::quiet_NaN());
+      }
+      counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
+      radii->SetTypedComponent(point, 0, estimate.radius);
+    }
+    return true;
+  };
+  pass.run(execution);
+  output->GetPointData()->SetActiveScalars("Irradiance");
+}
+
+int vtkIrradianceProbeFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPointSet* output = vtkPointSet::GetData(outputs);
+  output->Initialize();
+  try
+  {
+    this->Compute(vtkPointSet::GetData(inputs[0]), vtkDataObject::GetData(inputs[1], 0), output);
+  }
+  catch (const irradiance::Interrupted&)
+  {
+    output->Initialize();
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkIrradianceProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfPhotons: " << this->NumberOfPhotons << "\n"
+     << indent << "MaximumRadius: " << this->MaximumRadius << "\n";
+}
