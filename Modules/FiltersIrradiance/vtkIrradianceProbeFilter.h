@@ -22,7 +22,8 @@
  * - `Irradiance` (double, W/m2, as many components as that of the source): NaN where there is no
  *   surface within the radius that faces as the sensor does;
  * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius);
- * - `SearchRadius` (double, m): the distance of the farthest of them.
+ * - `SearchRadius` (double, m): the distance of the farthest of them. Distances across the sensor's plane
+ *   count four times.
  *
  * With k photons the relative standard error is about 1 / sqrt(k). More photons come from farther
  * away: what is known is the mean over the surface within the SearchRadius, so shadow edges are

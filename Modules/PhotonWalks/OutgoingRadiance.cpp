@@ -197,11 +197,11 @@ Ray OutgoingRadiance::mirrorRay(
   const auto triangleAt = [&](std::size_t place) {
     return engine_.scene().worldTriangle({ object, cells.triangles[place] });
   };
-  for (double area = triangleAt(i).area(); rest > area && i + 1 < cells.first[cell + 1];
-       area = triangleAt(i).area())
+  double area = triangleAt(i).area();
+  while (rest > area && i + 1 < cells.first[cell + 1])
   {
     rest -= area;
-    ++i;
+    area = triangleAt(++i).area();
   }
   SurfacePoint point = surfacePoint(
     triangleAt(i), sampleTriangle(mirrorPoints_.sample(sample, 0, SampleUse::Position)));

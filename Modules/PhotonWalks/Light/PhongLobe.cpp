@@ -74,14 +74,14 @@ double PhongLobe::value(const Vector3& normal, const Vector3& toLight, const Vec
 Vector3 PhongLobe::sample(
   const Vector3& normal, const Vector3& incoming, const LobeSample& sample) const
 {
-  const Vector3 mirror = mirrored(normal, incoming);
   if (isMirror())
   {
-    return mirror;
+    return mirrored(normal, incoming);
   }
   const double along = unitPower(sample.lobe[0], 1 / (exponent_ + 1));
   const double aside = std::sqrt(std::max(0.0, 1 - along * along));
-  const Vector3 direction = directionAround(mirror, along, aside, sample.lobe[1]);
+  const Vector3 direction =
+    directionAround(mirrored(normal, incoming), along, aside, sample.lobe[1]);
   const double in = -incoming.dot(normal), out = direction.dot(normal);
   return out > sample.acceptance * std::max(in, out) ? direction
                                                      : compensate(normal, sample.compensation);

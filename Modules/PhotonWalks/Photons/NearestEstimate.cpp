@@ -19,15 +19,20 @@ double facingArea(const NearestPhotons& photons, const Sensor& sensor, double ra
       continue;
     }
     const Facing facing = tree.facing(sensor);
-    AffineMap sensorFromObject = object.worldFromObject;
-    sensorFromObject.translation -= sensor.position;
+    const Matrix3 flattening = sensor.flattening();
+    const AffineMap flattened{ flattening * object.worldFromObject.linear,
+      flattening * (object.worldFromObject.translation - sensor.position) };
     for (const std::uint32_t triangle :
       trianglesNear(object.body->tree(), tree.modelBounds(sensor, radius)))
     {
       const Triangle& model = object.body->mesh()[triangle];
       if (facing.side(model) != 0)
       {
-        area += areaInSphere(transformed(sensorFromObject, model), radius);
+        // A plane map keeps the ratios of areas.
+        const Triangle flat = transformed(flattened, model);
+        const double inside = areaInSphere(flat, radius);
+        area +=
+          inside > 0 ? inside / flat.area() * transformed(object.worldFromObject, model).area() : 0;
       }
     }
   }

@@ -9,7 +9,8 @@ namespace irradiance
 
 /**
  * Power over area is the irradiance at a sensor: that of the photons nearest to it, over the surface
- * that faces as the sensor does within the sphere through the farthest of them. As only surface that
+ * that faces as the sensor does within the sphere through the farthest of them, in the flattened world
+ * of the sensor. As only surface that
  * is there counts, nothing is lost at edges and in corners.
  *
  * The farthest photon sets the radius and is not counted itself: of k photons scattered evenly over
@@ -22,7 +23,7 @@ struct NearestEstimate
   /// that is allowed.
   Power power;
   double area;         ///< world; if it is 0 there is no surface, and nothing is known
-  double radius;       ///< world
+  double radius;       ///< in the flattened world
   std::uint32_t found; ///< photons, at most those asked for
 };
 
@@ -30,7 +31,8 @@ struct NearestEstimate
 NearestEstimate nearestEstimate(const NearestPhotons& photons, const Sensor& sensor,
   std::uint32_t count, double maximumRadius = kInfinity);
 
-/// The world area of all surface within a sphere around a sensor that faces as the sensor does.
+/// The world area of all surface that faces as the sensor does within a sphere around it in its
+/// flattened world.
 double facingArea(const NearestPhotons& photons, const Sensor& sensor, double radius);
 
 }

@@ -42,7 +42,7 @@ public:
     , enough_(count)
   {
     // Of usual searches.
-    nodes_.reserve(owner.lit_.size() + 8 * Treelet::kSize);
+    nodes_.reserve(owner.lit_.size() + std::size_t{ 8 } * Treelet::kSize);
     candidates_.reserve(3 * std::min(count, kUsualCount));
     for (const std::uint32_t object : owner.lit_)
     {
@@ -205,7 +205,7 @@ private:
 
   std::array<float, PhotonPack::kSize> distancesTo(const View& view, const PhotonPack& pack) const
   {
-    const Eigen::Matrix3f& stretch = owner_.trees_[view.object].stretch();
+    const Eigen::Matrix3f& stretch = view.sensor.stretch;
     const UnitPoint& at = view.sensor.position;
     std::array<float, PhotonPack::kSize> distances;
     for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)

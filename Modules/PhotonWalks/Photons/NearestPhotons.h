@@ -14,7 +14,8 @@ namespace irradiance
 struct NearPhotons
 {
   std::vector<PhotonReference> photons; ///< the farthest comes last, the others in any order
-  /// World distance of the farthest; the largest that was allowed if there are not so many.
+  /// Distance of the farthest, in the flattened world of the sensor; the largest that was allowed if
+  /// there are not so many.
   double radius;
   bool areAll; ///< there are fewer than asked for
 };
@@ -35,7 +36,7 @@ public:
   NearestPhotons(
     const LeafPhotons& leaves, const SceneObjects& objects, const WalkHistory& history);
 
-  /// The `count` >= 1 nearest within a world distance, which may be infinite.
+  /// The `count` >= 1 nearest within a distance in the flattened world, which may be infinite.
   NearPhotons find(const Sensor& sensor, std::size_t count, double maximumRadius = kInfinity) const;
 
   /// By which distances are compared: in double, from the point given by the stored weights.
@@ -44,7 +45,7 @@ public:
     const Hit hit = history_.hit(photon);
     const SceneObject& object = objects_[hit.id.object];
     const Vector3 model = modelPoint(object.body->mesh(), hit.id.triangle, hit.weights);
-    return (object.worldFromObject(model) - sensor.position).squaredNorm();
+    return sensor.squaredDistance(object.worldFromObject(model));
   }
 
   const SceneObjects& objects() const { return objects_; }

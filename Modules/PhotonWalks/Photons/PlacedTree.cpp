@@ -20,12 +20,11 @@ PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit
   int exponent;
   std::frexp(worldFromObject_.linear.cwiseAbs().maxCoeff(), &exponent);
   linear_ = worldFromObject_.linear * std::ldexp(1.0, -exponent);
-  const Matrix3 stretch = worldFromObject_.linear / frame_.scale * searchUnitsPerWorldUnit;
-  stretch_ = stretch.cast<float>();
-  longest_ = stretch.norm();
+  stretch_ = worldFromObject_.linear / frame_.scale * searchUnitsPerWorldUnit;
+  longest_ = Sensor::kFlattening * stretch_.norm();
   condition_ = worldFromObject_.linear.norm() * inverse_.norm();
   constexpr double kRounding = 1 - 0x1p-20;
-  least_ = static_cast<float>(Eigen::JacobiSVD<Matrix3>(stretch).singularValues()[2] * kRounding);
+  least_ = static_cast<float>(Eigen::JacobiSVD<Matrix3>(stretch_).singularValues()[2] * kRounding);
 }
 
 Box PlacedTree::modelBounds(const Sensor& sensor, double radius) const
@@ -45,11 +44,12 @@ LocalSensor PlacedTree::see(const Sensor& sensor) const
   const double distance = unit.norm();
   const double floats = longest_ * (0x1p-18 + 0x1p-19 * distance);
   const double reach = longest_ * (2 + distance + frame_.scale * frame_.center.norm()) +
-    searchUnitsPerWorldUnit_ * (sensor.position.norm() + worldFromObject_.translation.norm());
+    Sensor::kFlattening * searchUnitsPerWorldUnit_ *
+      (sensor.position.norm() + worldFromObject_.translation.norm());
   const double blur = floats + 0x1p-48 * condition_ * reach;
   return { { static_cast<float>(unit[0]), static_cast<float>(unit[1]),
              static_cast<float>(unit[2]) },
-    static_cast<float>(blur) };
+    (sensor.flattening() * stretch_).cast<float>(), static_cast<float>(blur) };
 }
 
 }

@@ -10,12 +10,13 @@
 namespace irradiance
 {
 
-/// A sensor as the tree of an object sees it.
+/// A sensor as the tree of an object sees it. Distances are in search units, see PlacedTree.
 struct LocalSensor
 {
-  UnitPoint position; ///< in the unit frame of the tree
+  UnitPoint position;      ///< in the unit frame of the tree
+  Eigen::Matrix3f stretch; ///< from a vector in the unit frame to the flattened world
   /// Distances to photons, computed in floats, are off by less than this, and so are those to the
-  /// boxes of their leaves. In search units, see PlacedTree.
+  /// boxes of their leaves.
   float blur;
 };
 
@@ -37,9 +38,7 @@ public:
   }
   Facing facing(const Sensor& sensor) const { return { linear_, frame_.scale, sensor.normal }; }
 
-  /// From a vector in the unit frame to search units.
-  const Eigen::Matrix3f& stretch() const { return stretch_; }
-  /// No vector of length 1 in the unit frame is shorter than this in search units.
+  /// No vector of length 1 in the unit frame is shorter than this in search units, flattened or not.
   float least() const { return least_; }
   /// Bounds, in the object's space, of the part that lies within a world distance of a sensor.
   Box modelBounds(const Sensor& sensor, double radius) const;
@@ -50,10 +49,10 @@ private:
   Matrix3 inverse_; ///< of the linear part
   Matrix3 linear_;  ///< the linear part times a power of two: its largest entry is about 1
   Box bounds_;      ///< world, rounded outwards
-  Eigen::Matrix3f stretch_;
+  Matrix3 stretch_; ///< from a vector in the unit frame to search units
   float least_;
   double searchUnitsPerWorldUnit_;
-  double longest_;   ///< of the vectors of length 1 in the unit frame, in search units, at most
+  double longest_;   ///< no vector of length 1 in the unit frame is longer in the flattened world
   double condition_; ///< of the linear part
 };
 

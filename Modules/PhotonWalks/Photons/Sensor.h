@@ -7,11 +7,34 @@
 namespace irradiance
 {
 
-/// Where irradiance is asked for.
+/**
+ * Where irradiance is asked for.
+ *
+ * What is near is measured in a flattened world: distances across the sensor's plane count four
+ * times (as Jensen 1996 flattens his spheres to discs). On a flat surface that changes nothing. But
+ * the other face of a board, the ceiling below, the back of a lamp, which face as the sensor does and
+ * are dark, are near only to a sensor that must look four times as far for its photons as they are
+ * away; and round things count for less where they turn away.
+ */
 struct Sensor
 {
+  static constexpr double kFlattening = 4;
+
   Vector3 position; ///< world
   Vector3 normal;   ///< world, unit vector to the side from which light comes
+
+  /// World units. No less than the plain one.
+  double squaredDistance(const Vector3& point) const
+  {
+    const Vector3 away = point - position;
+    const double across = normal.dot(away);
+    return away.squaredNorm() + (kFlattening * kFlattening - 1) * across * across;
+  }
+  /// From a vector in the world to the flattened world.
+  Matrix3 flattening() const
+  {
+    return Matrix3::Identity() + (kFlattening - 1) * normal * normal.transpose();
+  }
 };
 
 /**
