@@ -42,7 +42,7 @@ public:
     , enough_(count)
   {
     // Of usual searches.
-    nodes_.reserve(owner.lit_.size() + 8 * Treelet::kSize);
+    nodes_.reserve(owner.lit_.size() + std::size_t{ 8 } * Treelet::kSize);
     candidates_.reserve(3 * std::min(count, kUsualCount));
     for (const std::uint32_t object : owner.lit_)
     {
