@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <tuple>
@@ -138,15 +139,15 @@ void compareWithModel(Lie lie, unsigned seed)
       model.emplace(arrived.back().reference(), arrived.back());
     }
     leaf.insert(arrived);
+    std::vector<LeafPhoton> gone;
     for (std::uint32_t i = 0; !grows && i < count && !model.empty(); ++i)
     {
-      const auto gone = anyOf(model, random);
-      LeafPhoton photon = gone->second;
-      photon.bounceAndSide ^= 1; // the side need not be known
-      ASSERT_TRUE(leaf.remove(photon));
-      ASSERT_FALSE(leaf.remove(photon));
-      model.erase(gone);
+      const auto chosen = anyOf(model, random);
+      gone.push_back(chosen->second);
+      gone.back().bounceAndSide ^= 1; // the side need not be known
+      model.erase(chosen);
     }
+    ASSERT_TRUE(leaf.remove(gone));
     ASSERT_NO_FATAL_FAILURE(expectEqual(leaf, model)) << "step " << step;
     ASSERT_NO_FATAL_FAILURE(expectFound(leaf, model,
       { random.coordinate(), random.coordinate(), random.coordinate() }, random.coordinate()))
@@ -176,7 +177,7 @@ TEST(PhotonLeaf, LooksAtFew)
   for (std::uint32_t i = 0; i < kPhotons; ++i)
   {
     all.push_back(random.next());
-    single.insert(std::vector<LeafPhoton>{ all.back() });
+    single.insert({ { all.back() } });
   }
   together.insert(all);
   for (const PhotonLeaf* leaf : { &together, &single })
@@ -199,24 +200,21 @@ TEST(PhotonLeaf, GivesBackItsMemory)
 {
   RandomPhotons random(Lie::InSpace, 4);
   PhotonLeaf leaf;
-  std::vector<LeafPhoton> all;
-  for (int i = 0; i < 5000; ++i)
-  {
-    all.push_back(random.next());
-  }
+  std::vector<LeafPhoton> all(5000);
+  std::generate(all.begin(), all.end(), [&] { return random.next(); });
   leaf.insert(all);
   while (all.size() > 10)
   {
-    ASSERT_TRUE(leaf.remove(all.back()));
+    ASSERT_TRUE(leaf.remove({ { all.back() } }));
     all.pop_back();
   }
   EXPECT_LT(leaf.bytes(), 4000u);
   for (const LeafPhoton& photon : all)
   {
-    ASSERT_TRUE(leaf.remove(photon));
+    ASSERT_TRUE(leaf.remove({ { photon } }));
   }
   EXPECT_EQ(leaf.bytes(), 0u);
-  EXPECT_FALSE(leaf.remove(random.next()));
+  EXPECT_FALSE(leaf.remove({ { random.next() } }));
 }
 
 }

@@ -88,7 +88,7 @@ TEST_P(LeavesOfMesh, HoldThePointsOfTriangles)
   std::map<std::uint32_t, Leaf> leaves;
   if (!tree.isEmpty())
   {
-    const Box all = tree.bounds();
+    const Box& all = tree.bounds();
     addLeaves(tree, tree.root(), all, leaves);
   }
   test::RandomVectors random(7);

@@ -9,7 +9,6 @@
 #include <functional>
 #include <numeric>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 namespace irradiance
@@ -30,8 +29,6 @@ LeafPhotons::Tree::Tree(std::shared_ptr<const RigidObject> itsBody)
 class LeafPhotons::Binding
 {
 public:
-  /// Whether the photons of an object are looked at.
-  using Chosen = std::function<bool(std::uint32_t object)>;
   enum class What
   {
     Arrive,
@@ -48,19 +45,21 @@ public:
     }
   }
 
+  /// chosen(object): whether the photons of an object are looked at.
+  template <class Chosen>
   void addBlocks(
     What what, const WalkHistory& history, std::size_t first, std::size_t end, const Chosen& chosen)
   {
-    constexpr std::size_t kPerUnit = 4;
+    constexpr std::size_t kPerUnit = 4; // blocks
     for (std::size_t begin = first; begin < end; begin += kPerUnit)
     {
-      addUnit(what, [=, &history](const Visit& visit) {
+      addUnit(what, [=, &history](List& list) {
         for (std::size_t block = begin; block < std::min(begin + kPerUnit, end); ++block)
         {
           history.forEachPhoton(block, [&](const Photon& photon) {
             if (chosen(photon.id.object))
             {
-              visit(photon);
+              list.push_back(bound(photon));
             }
           });
         }
@@ -68,17 +67,19 @@ public:
     }
   }
 
+  template <class Chosen>
   void addPhotons(What what, const std::vector<Photon>& photons, const Chosen& chosen)
   {
-    constexpr std::size_t kPerUnit = 4096;
+    constexpr std::size_t kPerUnit = 4096; // photons
     for (std::size_t begin = 0; begin < photons.size(); begin += kPerUnit)
     {
-      addUnit(what, [=, &photons](const Visit& visit) {
+      addUnit(what, [=, &photons](List& list) {
+        list.reserve(kPerUnit);
         for (std::size_t i = begin; i < std::min(begin + kPerUnit, photons.size()); ++i)
         {
           if (chosen(photons[i].id.object))
           {
-            visit(photons[i]);
+            list.push_back(bound(photons[i]));
           }
         }
       });
@@ -96,34 +97,40 @@ public:
     find.run(finding);
     SlicedPass change{ kParts, {} };
     change.work = [&](std::size_t part, const Deadline&) {
-      remove(photonsOf(part, What::Leave));
-      insert(photonsOf(part, What::Arrive));
+      forEachLeaf(
+        photonsOf(part, What::Leave), [](PhotonLeaf& leaf, const std::vector<LeafPhoton>& photons) {
+          if (!leaf.remove(photons))
+          {
+            throw std::logic_error("A photon that leaves is in no leaf");
+          }
+        });
+      forEachLeaf(photonsOf(part, What::Arrive),
+        [](PhotonLeaf& leaf, const std::vector<LeafPhoton>& photons) { leaf.insert(photons); });
       return true;
     };
     change.run(changing);
   }
 
 private:
-  static constexpr std::size_t kParts = 256; ///< of all leaves, numbered through
-  static constexpr std::size_t kAhead = 8;   ///< photons between a request to memory and its use
+  static constexpr std::size_t kParts = 512; ///< of all leaves, numbered through
 
   struct Bound
   {
     LeafPhoton photon;
     std::uint32_t object, leaf;
   };
-  using Visit = std::function<void(const Photon&)>;
+  using List = std::vector<Bound>;
   struct Unit
   {
     What what;
-    std::function<void(const Visit&)> forEachPhoton;
-    std::vector<Bound> photons;                    ///< by parts
+    std::function<void(List&)> addPhotons;
+    List photons;                                  ///< by parts
     std::array<std::uint32_t, kParts + 1> begin{}; ///< of each part
   };
 
-  void addUnit(What what, std::function<void(const Visit&)> forEachPhoton)
+  void addUnit(What what, std::function<void(List&)> addPhotons)
   {
-    units_.push_back({ what, std::move(forEachPhoton), {} });
+    units_.push_back({ what, std::move(addPhotons), {} });
   }
 
   std::size_t partOf(const Bound& bound) const
@@ -142,13 +149,15 @@ private:
 
   void sort(Unit& unit) const
   {
-    std::vector<Bound> list;
+    List list;
+    unit.addPhotons(list);
     std::vector<std::uint16_t> parts;
-    unit.forEachPhoton([&](const Photon& photon) {
-      list.push_back(bound(photon));
-      parts.push_back(static_cast<std::uint16_t>(partOf(list.back())));
+    parts.reserve(list.size());
+    for (const Bound& bound : list)
+    {
+      parts.push_back(static_cast<std::uint16_t>(partOf(bound)));
       ++unit.begin[parts.back() + std::size_t{ 1 }];
-    });
+    }
     std::partial_sum(unit.begin.begin(), unit.begin.end(), unit.begin.begin());
     std::array<std::uint32_t, kParts + 1> next = unit.begin;
     unit.photons.resize(list.size());
@@ -159,9 +168,15 @@ private:
   }
 
   /// By leaves.
-  std::vector<Bound> photonsOf(std::size_t part, What what) const
+  List photonsOf(std::size_t part, What what) const
   {
-    std::vector<Bound> all;
+    std::size_t size = 0;
+    for (const Unit& unit : units_)
+    {
+      size += unit.what == what ? unit.begin[part + 1] - unit.begin[part] : 0;
+    }
+    List all;
+    all.reserve(size);
     for (const Unit& unit : units_)
     {
       if (unit.what == what)
@@ -171,29 +186,16 @@ private:
       }
     }
     std::sort(all.begin(), all.end(), [](const Bound& a, const Bound& b) {
-      return std::tie(a.object, a.leaf) < std::tie(b.object, b.leaf);
+      return a.object != b.object ? a.object < b.object : a.leaf < b.leaf;
     });
     return all;
   }
 
   PhotonLeaf& leafOf(const Bound& bound) { return trees_[bound.object].leaves[bound.leaf]; }
 
-  void remove(const std::vector<Bound>& list)
-  {
-    for (std::size_t i = 0; i < list.size(); ++i)
-    {
-      if (i + kAhead < list.size())
-      {
-        leafOf(list[i + kAhead]).prefetch(list[i + kAhead].photon);
-      }
-      if (!leafOf(list[i]).remove(list[i].photon))
-      {
-        throw std::logic_error("A photon that leaves is in no leaf");
-      }
-    }
-  }
-
-  void insert(const std::vector<Bound>& list)
+  /// Calls visit(leaf, photons) for each leaf of a list.
+  template <class Visit>
+  void forEachLeaf(const List& list, const Visit& visit)
   {
     std::vector<LeafPhoton> together;
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -201,7 +203,7 @@ private:
       together.push_back(list[i].photon);
       if (i + 1 == list.size() || &leafOf(list[i]) != &leafOf(list[i + 1]))
       {
-        leafOf(list[i]).insert(together);
+        visit(leafOf(list[i]), together);
         together.clear();
       }
     }

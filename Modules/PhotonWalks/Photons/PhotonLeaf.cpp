@@ -87,56 +87,60 @@ void PhotonLeaf::addTo(Photons& photons, const Node& end) const
   }
 }
 
-std::size_t PhotonLeaf::endOf(const LeafPhoton& photon, int& depth) const
+PhotonLeaf::Place PhotonLeaf::endOf(const LeafPhoton& photon, Place place) const
 {
-  std::size_t node = 0;
-  for (depth = 0; !nodes_[node].isEnd(); ++depth)
+  for (; !nodes_[place.node].isEnd(); ++place.depth)
   {
-    const bool isLeft = photon.position[nodes_[node].axis()] < nodes_[node].plane();
-    node = nodes_[node].left() + (isLeft ? 0 : 1);
+    const Node& node = nodes_[place.node];
+    place.node = node.left() + (photon.position[node.axis()] < node.plane() ? 0 : 1);
   }
-  return node;
+  return place;
 }
 
-void PhotonLeaf::insert(const std::vector<LeafPhoton>& photons)
+std::vector<PhotonLeaf::Place> PhotonLeaf::endsOf(const Photons& photons) const
 {
-  // To cut packs one after the other takes longer and leaves them emptier.
-  if (2 * photons.size() > size_)
+  std::vector<Place> ends;
+  ends.reserve(photons.size());
+  for (const LeafPhoton& photon : photons)
   {
-    Photons all = this->photons();
-    all.insert(all.end(), photons.begin(), photons.end());
-    build(std::move(all));
-    return;
-  }
-  constexpr std::size_t kAhead = 8; // photons between a request to memory and its use
-  for (std::size_t i = 0; i < photons.size(); ++i)
-  {
-    if (i + kAhead < photons.size())
-    {
-      prefetch(photons[i + kAhead]);
-    }
-    insertOne(photons[i]);
-  }
-}
-
-void PhotonLeaf::prefetch(const LeafPhoton& photon) const
-{
-  if (size_ > 0)
-  {
-    int depth;
-    const PhotonPack& pack = packs_[nodes_[endOf(photon, depth)].firstPack()];
+    ends.push_back(endOf(photon, {}));
+    const PhotonPack& pack = packs_[nodes_[ends.back().node].firstPack()];
     for (std::size_t offset = 0; offset < sizeof(PhotonPack); offset += alignof(PhotonPack))
     {
       prefetchLine(reinterpret_cast<const char*>(&pack) + offset);
     }
   }
+  return ends;
 }
 
-void PhotonLeaf::insertOne(const LeafPhoton& photon)
+void PhotonLeaf::insert(const Photons& photons)
 {
-  int depth;
-  const std::size_t node = endOf(photon, depth);
-  const Node end = nodes_[node];
+  if (2 * photons.size() > size_)
+  {
+    // To cut packs one after the other takes longer and leaves them emptier.
+    Photons all = this->photons();
+    all.insert(all.end(), photons.begin(), photons.end());
+    build(std::move(all));
+    return;
+  }
+  const std::vector<Place> ends = endsOf(photons);
+  int deepest = 0;
+  for (std::size_t i = 0; i < photons.size(); ++i)
+  {
+    // Others may have cut it since.
+    const Place end = endOf(photons[i], ends[i]);
+    insertAt(end, photons[i]);
+    deepest = std::max(deepest, end.depth + 1);
+  }
+  if (deepest >= kDeepest || isWasteful())
+  {
+    build(this->photons());
+  }
+}
+
+void PhotonLeaf::insertAt(const Place& place, const LeafPhoton& photon)
+{
+  const Node end = nodes_[place.node];
   ++size_;
   for (std::size_t i = 0; i < end.packs(); ++i)
   {
@@ -150,41 +154,63 @@ void PhotonLeaf::insertOne(const LeafPhoton& photon)
   addTo(crowd, end);
   crowd.push_back(photon);
   std::size_t spare = end.firstPack();
-  build(node, crowd.begin(), crowd.end(), spare);
-  if (depth + 1 >= kDeepest)
-  {
-    build(photons());
-  }
-  rebuildIfWasteful();
+  build(place.node, crowd.begin(), crowd.end(), spare);
 }
 
-bool PhotonLeaf::remove(const LeafPhoton& photon)
+bool PhotonLeaf::remove(const Photons& photons)
 {
-  if (size_ == 0)
+  const std::size_t kept = size_ - photons.size();
+  if (2 * photons.size() > size_)
   {
-    return false;
+    std::vector<PhotonReference> gone;
+    gone.reserve(photons.size());
+    for (const LeafPhoton& photon : photons)
+    {
+      gone.push_back(photon.reference());
+    }
+    std::sort(gone.begin(), gone.end());
+    Photons all = this->photons();
+    all.erase(std::remove_if(all.begin(), all.end(),
+                [&](const LeafPhoton& photon) {
+                  return std::binary_search(gone.begin(), gone.end(), photon.reference());
+                }),
+      all.end());
+    build(std::move(all));
+    return size_ == kept;
   }
-  int depth;
-  const Node& end = nodes_[endOf(photon, depth)];
+  const std::vector<Place> ends = endsOf(photons);
+  for (std::size_t i = 0; i < photons.size(); ++i)
+  {
+    if (!removeAt(ends[i], photons[i]))
+    {
+      return false;
+    }
+  }
+  if (isWasteful())
+  {
+    build(this->photons());
+  }
+  return true;
+}
+
+bool PhotonLeaf::removeAt(const Place& place, const LeafPhoton& photon)
+{
+  const Node& end = nodes_[place.node];
   for (std::size_t i = 0; i < end.packs(); ++i)
   {
     if (packs_[end.firstPack() + i].remove(photon.reference()))
     {
       --size_;
-      rebuildIfWasteful();
       return true;
     }
   }
   return false;
 }
 
-void PhotonLeaf::rebuildIfWasteful()
+bool PhotonLeaf::isWasteful() const
 {
   constexpr std::size_t kFew = 4;
-  if (packs_.size() > kFew + 2 * (size_ / kUsual) || size_ == 0)
-  {
-    build(photons());
-  }
+  return packs_.size() > kFew + 2 * (size_ / kUsual);
 }
 
 void PhotonLeaf::build(Photons photons)

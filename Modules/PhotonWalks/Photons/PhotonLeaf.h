@@ -29,11 +29,8 @@ public:
   }
 
   void insert(const std::vector<LeafPhoton>& photons);
-  /// False if it is not here. `photon`: placed as it was when inserted.
-  bool remove(const LeafPhoton& photon);
-
-  /// Prefetches where the photon is, or will be.
-  void prefetch(const LeafPhoton& photon) const;
+  /// False if one of them is not here. `photons`: placed as they were when inserted.
+  bool remove(const std::vector<LeafPhoton>& photons);
 
   /// Calls visit(pack) for all packs that may hold photons within some distance of a point, those
   /// nearby first. squaredLimit() is that distance, squared, in the unit frame; it may shrink from
@@ -81,17 +78,27 @@ private:
   };
   using Photons = std::vector<LeafPhoton>;
 
-  /// The end where a photon belongs, and the number of planes above it.
-  std::size_t endOf(const LeafPhoton& photon, int& depth) const;
-  void insertOne(const LeafPhoton& photon);
+  /// A node, and the number of planes above it.
+  struct Place
+  {
+    std::size_t node = 0;
+    int depth = 0;
+  };
+
+  /// The end where a photon belongs, below a node where it belongs.
+  Place endOf(const LeafPhoton& photon, Place place) const;
+  /// The ends where photons belong; prefetches their packs.
+  std::vector<Place> endsOf(const Photons& photons) const;
+  void insertAt(const Place& end, const LeafPhoton& photon);
+  bool removeAt(const Place& end, const LeafPhoton& photon);
   void addTo(Photons& photons, const Node& end) const;
+  bool isWasteful() const;
   /// From nothing.
   void build(Photons photons);
   /// `spare`: a pack that is free to be used, or kNoPack.
   void build(std::size_t node, Photons::iterator begin, Photons::iterator end, std::size_t& spare);
   void makeEnd(
     std::size_t node, Photons::const_iterator begin, std::size_t size, std::size_t& spare);
-  void rebuildIfWasteful();
 
   std::vector<Node> nodes_; ///< the root comes first
   std::vector<PhotonPack> packs_;
