@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceFilter.h"
 
+#include "FilterRun.h"
 #include "InputError.h"
 #include "OutputWriter.h"
 #include "PhotonRequest.h"
 #include "PhotonSource.h"
-#include "SmpExecution.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -322,16 +322,6 @@ int vtkIrradianceFilter::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkIrradianceFilter::ReportProgress(double progress)
-{
-  this->UpdateProgress(progress);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
-  return !this->CheckAbort();
-#else
-  return !this->GetAbortExecute();
-#endif
-}
-
 vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::GetInputs(
   vtkIrradianceFilter* filter, vtkInformationVector** inputs) const
 {
@@ -364,8 +354,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
 {
   irradiance::EngineSettings settings = CheckedSettings(filter);
   settings.keepPhotons = keepsPhotons || settings.cellEstimate == irradiance::CellEstimate::Nearest;
-  irradiance::SmpExecution execution(
-    [filter](double progress) { return filter->ReportProgress(progress); });
+  irradiance::SmpExecution execution = irradiance::executionOf(filter);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
   {
     throw irradiance::Interrupted();
@@ -397,16 +386,15 @@ int vtkIrradianceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
-  output->Initialize();
   if (inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects() ==
       0 &&
     this->Internals->Transforms.empty())
   {
+    output->Initialize();
     return 1;
   }
   this->Internals->Begun = this->InputTime();
-  try
-  {
+  return irradiance::runFilter(this, output, [&] {
     vtkInformation* info = outputs->GetInformationObject(0);
     this->Internals->Compute(this, this->Internals->GetInputs(this, inputs),
       irradiance::arePhotonsRequested(info), output);
@@ -415,18 +403,7 @@ int vtkIrradianceFilter::RequestData(
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
         info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
     }
-  }
-  catch (const irradiance::Interrupted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -368,7 +368,6 @@ private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;
   void operator=(const vtkIrradianceFilter&) = delete;
 
-  bool ReportProgress(double progress);
   vtkMTimeType OwnTime();
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();

@@ -2,11 +2,11 @@
 #include "vtkIrradianceProbeFilter.h"
 
 #include "Execution/SlicedPass.h"
+#include "FilterRun.h"
 #include "InputError.h"
 #include "PhotonRequest.h"
 #include "PhotonSource.h"
 #include "Photons/NearestEstimate.h"
-#include "SmpExecution.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <limits>
@@ -120,16 +119,6 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
-bool vtkIrradianceProbeFilter::ReportProgress(double progress)
-{
-  this->UpdateProgress(progress);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
-  return !this->CheckAbort();
-#else
-  return !this->GetAbortExecute();
-#endif
-}
-
 void vtkIrradianceProbeFilter::Compute(
   vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
 {
@@ -141,8 +130,7 @@ void vtkIrradianceProbeFilter::Compute(
   const std::vector<irradiance::Sensor> sensors = ReadSensors(input);
   const irradiance::PhotonSource source(scene, "the source");
   irradiance::IrradianceEngine& engine = *source.engine();
-  irradiance::SmpExecution execution(
-    [this](double progress) { return this->ReportProgress(progress); });
+  irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::LeafPhotons& leaves = engine.leafPhotons(execution);
   const irradiance::WalkHistory history = engine.photons();
   const irradiance::NearestPhotons nearest(leaves, engine.objects(), history);
@@ -178,22 +166,9 @@ int vtkIrradianceProbeFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPointSet* output = vtkPointSet::GetData(outputs);
-  output->Initialize();
-  try
-  {
+  return irradiance::runFilter(this, output, [&] {
     this->Compute(vtkPointSet::GetData(inputs[0]), vtkDataObject::GetData(inputs[1], 0), output);
-  }
-  catch (const irradiance::Interrupted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkIrradianceProbeFilter::PrintSelf(ostream& os, vtkIndent indent)

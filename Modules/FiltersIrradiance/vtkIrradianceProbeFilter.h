@@ -100,7 +100,6 @@ private:
   vtkIrradianceProbeFilter(const vtkIrradianceProbeFilter&) = delete;
   void operator=(const vtkIrradianceProbeFilter&) = delete;
 
-  bool ReportProgress(double progress);
   void Compute(vtkPointSet* sensors, vtkDataObject* source, vtkPointSet* output);
 };
 

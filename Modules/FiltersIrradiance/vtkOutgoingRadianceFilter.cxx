@@ -2,11 +2,11 @@
 #include "vtkOutgoingRadianceFilter.h"
 
 #include "Execution/SlicedPass.h"
+#include "FilterRun.h"
 #include "InputError.h"
 #include "OutgoingRadiance.h"
 #include "PhotonRequest.h"
 #include "PhotonSource.h"
-#include "SmpExecution.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
@@ -17,7 +17,6 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <sstream>
@@ -164,22 +163,11 @@ int vtkOutgoingRadianceFilter::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkOutgoingRadianceFilter::ReportProgress(double progress)
-{
-  this->UpdateProgress(progress);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
-  return !this->CheckAbort();
-#else
-  return !this->GetAbortExecute();
-#endif
-}
-
 void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   const irradiance::Eye eye = EyeOf(this);
   const irradiance::PhotonSource source(input, "the input");
-  irradiance::SmpExecution execution(
-    [this](double progress) { return this->ReportProgress(progress); });
+  irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::OutgoingRadiance& radiance =
     this->Internals->RadianceOf(source, this->NumberOfMirrorSamples, execution);
   output->ShallowCopy(input);
@@ -207,22 +195,8 @@ int vtkOutgoingRadianceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
-  output->Initialize();
-  try
-  {
-    this->Compute(vtkMultiBlockDataSet::GetData(inputs[0]), output);
-  }
-  catch (const irradiance::Interrupted&)
-  {
-    output->Initialize();
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  return irradiance::runFilter(
+    this, output, [&] { this->Compute(vtkMultiBlockDataSet::GetData(inputs[0]), output); });
 }
 
 void vtkOutgoingRadianceFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -104,7 +104,6 @@ private:
   vtkOutgoingRadianceFilter(const vtkOutgoingRadianceFilter&) = delete;
   void operator=(const vtkOutgoingRadianceFilter&) = delete;
 
-  bool ReportProgress(double progress);
   void Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output);
 
   class vtkInternals;

@@ -37,8 +37,8 @@ void IrradianceEngine::findSides(Execution& execution)
     for (std::size_t k = 0; k < ends.size(); ++k)
     {
       const Hit hit = block.hit(ends[k].walkInBlock, ends[k].bounce);
-      block.setSide(ends[k].walkInBlock, ends[k].bounce,
-        rays[k].direction.dot(shooter.rules().triangleOf(hit.id).areaVector()) <= 0);
+      block.setSide(
+        ends[k].walkInBlock, ends[k].bounce, shooter.rules().hitsFront(rays[k], hit.id));
     }
     return true;
   };

@@ -26,11 +26,6 @@ void add(OutgoingRadiance::Bands& sum, const OutgoingRadiance::Bands& part, doub
   }
 }
 
-Vector3 mirrorDirection(const Vector3& normal, const Vector3& direction)
-{
-  return direction - 2 * direction.dot(normal) * normal;
-}
-
 }
 
 OutgoingRadiance::OutgoingRadiance(
@@ -207,7 +202,7 @@ Ray OutgoingRadiance::mirrorRay(
     triangleAt(i), sampleTriangle(mirrorPoints_.sample(sample, 0, SampleUse::Position)));
   const Vector3 toEye = eye.directionFrom(point.position);
   point.turn(toEye.dot(point.normal) >= 0);
-  return { point.clearPosition(), mirrorDirection(point.normal, -toEye),
+  return { point.clearPosition(), irradiance::mirrored(point.normal, -toEye),
     { object, cells.triangles[i] } };
 }
 
@@ -257,7 +252,7 @@ OutgoingRadiance::Bands OutgoingRadiance::alongRay(Ray ray) const
     {
       break;
     }
-    ray = { point.clearPosition(), mirrorDirection(point.normal, ray.direction), hit.id };
+    ray = { point.clearPosition(), irradiance::mirrored(point.normal, ray.direction), hit.id };
   }
   return sum;
 }

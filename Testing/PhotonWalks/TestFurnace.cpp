@@ -146,6 +146,25 @@ private:
   std::vector<ReplicateMean> cells_, areas_;
 };
 
+/// Shoots every frame anew, with its own seed.
+void expectOneInEveryFrame(SceneObjects& objects, std::uint64_t firstSeed)
+{
+  IrradianceEngine engine;
+  Execution execution;
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(8192) * (test::kIsSanitized ? 4 : 1);
+  FurnaceEstimates estimates;
+  for (int frame = 0; frame < kFrames; ++frame)
+  {
+    setPoses(objects, frame);
+    settings.seed = firstSeed + static_cast<std::uint64_t>(frame);
+    engine.update(objects, settings, execution);
+    EXPECT_TRUE(engine.balance().escaped.isZero());
+    estimates.add(engine, objects);
+  }
+  estimates.expectOne(3.5);
+}
+
 }
 
 // All cells shine, those of moving things too, so every frame is shot anew, with its own seed. 8
@@ -158,20 +177,7 @@ TEST(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
   {
     objects.dynamicObjects.push_back(furnace(thing, random));
   }
-  IrradianceEngine engine;
-  Execution execution;
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(8192) * (test::kIsSanitized ? 4 : 1);
-  FurnaceEstimates estimates;
-  for (int frame = 0; frame < kFrames; ++frame)
-  {
-    setPoses(objects, frame);
-    settings.seed = static_cast<std::uint64_t>(frame + 1);
-    engine.update(objects, settings, execution);
-    EXPECT_TRUE(engine.balance().escaped.isZero());
-    estimates.add(engine, objects);
-  }
-  estimates.expectOne(3.5);
+  expectOneInEveryFrame(objects, 1);
 }
 
 // The radiance in a furnace is the same in all directions. A lobe that loses light at some angle,
@@ -184,20 +190,7 @@ TEST(Furnace, EveryCellReceivesOneWattWhereCellsReflectSpecularly)
   {
     objects.dynamicObjects.push_back(glossyFurnace(thing, random));
   }
-  IrradianceEngine engine;
-  Execution execution;
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(8192) * (test::kIsSanitized ? 4 : 1);
-  FurnaceEstimates estimates;
-  for (int frame = 0; frame < kFrames; ++frame)
-  {
-    setPoses(objects, frame);
-    settings.seed = static_cast<std::uint64_t>(frame + 1001);
-    engine.update(objects, settings, execution);
-    EXPECT_TRUE(engine.balance().escaped.isZero());
-    estimates.add(engine, objects);
-  }
-  estimates.expectOne(3.5);
+  expectOneInEveryFrame(objects, 1001);
 }
 
 // White things move in a shining room: walks are verified and repaired from frame to frame. The

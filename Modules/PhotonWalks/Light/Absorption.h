@@ -88,7 +88,8 @@ inline Power survivingPower(const Power& incoming, const Material& material, std
   const std::vector<double>& reflectances =
     reflection == Reflection::Diffuse ? material.reflectance : material.specularReflectance;
   const double* const first = &reflectances[cell * static_cast<std::size_t>(material.bands)];
-  const bool isScaled = probability < reflectedPart(incoming, first, material.bands);
+  const bool isScaled =
+    material.isSpecular() && probability < reflectedPart(incoming, first, material.bands);
   Power outgoing;
   for (int band = 0; band < material.bands; ++band)
   {

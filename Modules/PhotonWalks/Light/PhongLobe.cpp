@@ -16,12 +16,6 @@ namespace
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// The direction in which a mirror reflects.
-Vector3 mirrored(const Vector3& normal, const Vector3& incoming)
-{
-  return incoming - 2 * incoming.dot(normal) * normal;
-}
-
 }
 
 PhongLobe::PhongLobe(double exponent)

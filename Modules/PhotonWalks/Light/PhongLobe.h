@@ -10,6 +10,12 @@
 namespace irradiance
 {
 
+/// The direction in which a mirror reflects light that flies in the direction `incoming`.
+inline Vector3 mirrored(const Vector3& normal, const Vector3& incoming)
+{
+  return incoming - 2 * incoming.dot(normal) * normal;
+}
+
 /// What chooses a direction of a PhongLobe: five numbers in (0, 1).
 struct LobeSample
 {

@@ -154,8 +154,7 @@ void WalkBatch::findSides(std::size_t first)
   isFront_.resize(hits_.size() - first);
   for (std::size_t i = first; i < hits_.size(); ++i)
   {
-    isFront_[i - first] = !hits_[i] ||
-      rays_[i].direction.dot(shooter_.rules().triangleOf(hits_[i].id).areaVector()) <= 0;
+    isFront_[i - first] = !hits_[i] || shooter_.rules().hitsFront(rays_[i], hits_[i].id);
   }
 }
 
@@ -267,8 +266,10 @@ void WalkBatch::leave(std::size_t first, WalkTally& tally)
     {
       const Material& material = rules.materialOf(hit.id.object);
       const std::size_t cell = cells_[i - first];
-      powers_[kept] = survivingPower(powers_[i], material, cell, reflection,
-        survivalProbabilities(powers_[i], material, cell).of(reflection));
+      const double probability = material.isSpecular()
+        ? survivalProbabilities(powers_[i], material, cell).of(reflection)
+        : probabilities_[i - first];
+      powers_[kept] = survivingPower(powers_[i], material, cell, reflection, probability);
       tally.release(1, powers_[kept]);
     }
     ++kept;

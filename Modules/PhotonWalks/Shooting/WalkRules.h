@@ -87,6 +87,11 @@ public:
     const Triangle& triangle = surfaces_[id.object].triangles[id.triangle];
     return id.object == 0 ? triangle : transformed(*surfaces_[id.object].worldFromObject, triangle);
   }
+  /// Whether a ray that hits this triangle hits its front.
+  bool hitsFront(const Ray& ray, const TriangleId& id) const
+  {
+    return ray.direction.dot(triangleOf(id).areaVector()) <= 0;
+  }
 
   /// Prefetch what the rules will read at a hit. prefetchCell() is for later, as it reads what
   /// prefetchTriangle() requested.

@@ -30,16 +30,32 @@ Departure WalkShooter::departureOf(const Stored& segment) const
   return departure;
 }
 
+template <class Set>
+void WalkShooter::forEachStart(
+  const Stored* segments, const std::vector<std::size_t>& which, const Set& set) const
+{
+  std::vector<std::uint32_t> walks;
+  walks.reserve(which.size());
+  for (const std::size_t i : which)
+  {
+    walks.push_back(segments[i].walk);
+  }
+  std::vector<Ray> rays(which.size());
+  rules_.start(walks.data(), walks.size(), rays.data());
+  for (std::size_t k = 0; k < which.size(); ++k)
+  {
+    set(which[k], rays[k]);
+  }
+}
+
 void WalkShooter::originsOf(const Stored* segments, std::size_t count, Vector3* origins) const
 {
-  std::vector<std::uint32_t> starting;
-  std::vector<std::size_t> which;
+  std::vector<std::size_t> starting;
   for (std::size_t i = 0; i < count; ++i)
   {
     if (segments[i].bounce == 0)
     {
-      starting.push_back(segments[i].walk);
-      which.push_back(i);
+      starting.push_back(i);
       continue;
     }
     const Departure departure = departureOf(segments[i]);
@@ -47,12 +63,7 @@ void WalkShooter::originsOf(const Stored* segments, std::size_t count, Vector3* 
     point.turn(departure.side > 0);
     origins[i] = point.clearPosition();
   }
-  std::vector<Ray> first(starting.size());
-  rules_.start(starting.data(), starting.size(), first.data());
-  for (std::size_t i = 0; i < which.size(); ++i)
-  {
-    origins[which[i]] = first[i].origin;
-  }
+  forEachStart(segments, starting, [&](std::size_t i, const Ray& ray) { origins[i] = ray.origin; });
 }
 
 void WalkShooter::arrivalsOf(
@@ -73,8 +84,7 @@ void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) c
 {
   constexpr std::size_t kAhead = 16;
   Departures departures(rules_);
-  std::vector<std::uint32_t> starting;
-  std::vector<std::size_t> which;
+  std::vector<std::size_t> starting;
   std::vector<Departure> specular;
   std::vector<Ray*> specularRays;
   std::vector<Stored> before; // the segments that end where those leave
@@ -88,8 +98,7 @@ void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) c
     }
     if (segment.bounce == 0)
     {
-      starting.push_back(segment.walk);
-      which.push_back(i);
+      starting.push_back(i);
       continue;
     }
     const Departure departure = departureOf(segment);
@@ -110,12 +119,7 @@ void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) c
     departures.add(specular[i], specularRays[i]);
   }
   departures.flush();
-  std::vector<Ray> first(starting.size());
-  rules_.start(starting.data(), starting.size(), first.data());
-  for (std::size_t i = 0; i < which.size(); ++i)
-  {
-    rays[which[i]] = first[i];
-  }
+  forEachStart(segments, starting, [&](std::size_t i, const Ray& ray) { rays[i] = ray; });
 }
 
 }

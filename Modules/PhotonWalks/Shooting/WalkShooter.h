@@ -72,6 +72,10 @@ public:
   }
 
 private:
+  /// Calls set(i, ray) with the first ray of the walk of each segment i of `which`.
+  template <class Set>
+  void forEachStart(
+    const Stored* segments, const std::vector<std::size_t>& which, const Set& set) const;
   /// Where the rays of stored segments begin.
   void originsOf(const Stored* segments, std::size_t count, Vector3* origins) const;
   Departure departureOf(const Stored& segment) const;
