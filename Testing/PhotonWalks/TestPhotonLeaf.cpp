@@ -130,24 +130,24 @@ void compareWithModel(Lie lie, unsigned seed)
   for (int step = 0; step < 400; ++step)
   {
     // It grows to some thousands, and shrinks again.
-    const bool grows = random.below(10) < (step < 200 ? 7 : 3);
-    const std::uint32_t count = random.below(random.below(10) == 0 ? 500 : 60);
-    std::vector<LeafPhoton> arrived;
-    for (std::uint32_t i = 0; grows && i < count; ++i)
-    {
-      arrived.push_back(random.next());
-      model.emplace(arrived.back().reference(), arrived.back());
-    }
-    leaf.insert(arrived);
-    std::vector<LeafPhoton> gone;
-    for (std::uint32_t i = 0; !grows && i < count && !model.empty(); ++i)
+    const bool grows = step < 200;
+    const auto count = [&](bool isMore) {
+      return random.below(random.below(10) == 0 ? 500 : isMore ? 60 : 30);
+    };
+    std::vector<LeafPhoton> gone, arrived;
+    for (std::uint32_t i = count(!grows); i > 0 && !model.empty(); --i)
     {
       const auto chosen = anyOf(model, random);
       gone.push_back(chosen->second);
       gone.back().bounceAndSide ^= 1; // the side need not be known
       model.erase(chosen);
     }
-    ASSERT_TRUE(leaf.remove(gone));
+    for (std::uint32_t i = count(grows); i > 0; --i)
+    {
+      arrived.push_back(random.next());
+      model.emplace(arrived.back().reference(), arrived.back());
+    }
+    ASSERT_TRUE(leaf.change(gone, arrived));
     ASSERT_NO_FATAL_FAILURE(expectEqual(leaf, model)) << "step " << step;
     ASSERT_NO_FATAL_FAILURE(expectFound(leaf, model,
       { random.coordinate(), random.coordinate(), random.coordinate() }, random.coordinate()))
@@ -177,9 +177,9 @@ TEST(PhotonLeaf, LooksAtFew)
   for (std::uint32_t i = 0; i < kPhotons; ++i)
   {
     all.push_back(random.next());
-    single.insert({ { all.back() } });
+    ASSERT_TRUE(single.change({}, { { all.back() } }));
   }
-  together.insert(all);
+  ASSERT_TRUE(together.change({}, all));
   for (const PhotonLeaf* leaf : { &together, &single })
   {
     std::size_t packs = 0;
@@ -202,19 +202,19 @@ TEST(PhotonLeaf, GivesBackItsMemory)
   PhotonLeaf leaf;
   std::vector<LeafPhoton> all(5000);
   std::generate(all.begin(), all.end(), [&] { return random.next(); });
-  leaf.insert(all);
+  ASSERT_TRUE(leaf.change({}, all));
   while (all.size() > 10)
   {
-    ASSERT_TRUE(leaf.remove({ { all.back() } }));
+    ASSERT_TRUE(leaf.change({ { all.back() } }, {}));
     all.pop_back();
   }
   EXPECT_LT(leaf.bytes(), 4000u);
   for (const LeafPhoton& photon : all)
   {
-    ASSERT_TRUE(leaf.remove({ { photon } }));
+    ASSERT_TRUE(leaf.change({ { photon } }, {}));
   }
   EXPECT_EQ(leaf.bytes(), 0u);
-  EXPECT_FALSE(leaf.remove({ { random.next() } }));
+  EXPECT_FALSE(leaf.change({ { random.next() } }, {}));
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
-#include "HistoryChanges.h"
+#include "HistoryPhotons.h"
 #include "MovingScene.h"
 #include "Photons/SpecularPhotons.h"
 #include "ThreadExecution.h"
@@ -126,14 +126,14 @@ TEST(SpecularPhotons, AfterUpdatesTheyAreThoseOfTheHistory)
   engine.update(scene.objects(), settings, serial);
   SpecularPhotons updated(scene.objects());
   updated.add(historyOf(engine), 0, engine.history().size(), threads);
-  std::vector<Photon> photons = test::photonsOf(engine);
+  std::vector<Photon> photons = test::photonsOf(engine.photons());
   std::size_t changed = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
     scene.nextFrame();
     const SceneObjects objects = scene.objects();
     engine.update(objects, settings, serial);
-    const std::vector<Photon> now = test::photonsOf(engine);
+    const std::vector<Photon> now = test::photonsOf(engine.photons());
     const PhotonChanges changes = test::changesBetween(photons, now);
     changed += changes.gone.size() + changes.arrived.size();
     updated.apply(changes, threads);
@@ -157,7 +157,7 @@ TEST(SpecularPhotons, BlocksComeAndGo)
   engine.update(objects, settingsOf(40000), serial); // more blocks than one unit of work
   const std::size_t blocks = engine.history().size(), kept = 18;
   std::vector<Photon> first;
-  for (const Photon& photon : test::photonsOf(engine))
+  for (const Photon& photon : test::photonsOf(engine.photons()))
   {
     if (photon.reference.walk < engine.plan().firstWalkOf(kept))
     {
@@ -168,7 +168,8 @@ TEST(SpecularPhotons, BlocksComeAndGo)
   test::BackwardExecution backward;
   sets.add(historyOf(engine), kept, blocks, backward);
   sets.add(historyOf(engine), 0, kept, backward);
-  ASSERT_NO_FATAL_FAILURE(expectEqual(sets, listsOf(test::photonsOf(engine), objects), objects));
+  ASSERT_NO_FATAL_FAILURE(
+    expectEqual(sets, listsOf(test::photonsOf(engine.photons()), objects), objects));
   sets.remove(historyOf(engine), kept, blocks, backward);
   ASSERT_NO_FATAL_FAILURE(expectEqual(sets, listsOf(first, objects), objects));
 }

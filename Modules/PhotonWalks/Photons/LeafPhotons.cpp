@@ -21,6 +21,31 @@ LeafPhotons::Tree::Tree(std::shared_ptr<const RigidObject> itsBody)
 {
 }
 
+std::size_t LeafPhotons::Tree::size() const
+{
+  return std::accumulate(leaves.begin(), leaves.end(), std::size_t{},
+    [](std::size_t sum, const PhotonLeaf& leaf) { return sum + leaf.size(); });
+}
+
+void LeafPhotons::Tree::empty()
+{
+  for (PhotonLeaf& leaf : leaves)
+  {
+    leaf.empty();
+  }
+}
+
+void LeafPhotons::Tree::giveBackMemory()
+{
+  for (PhotonLeaf& leaf : leaves)
+  {
+    if (leaf.size() == 0)
+    {
+      leaf = PhotonLeaf();
+    }
+  }
+}
+
 /**
  * Binds photons in two passes. In the first, units of walks or of changes find the leaves of their
  * photons, and sort these by parts of the trees; in the second, parts take their photons from all
@@ -70,7 +95,7 @@ public:
   template <class Chosen>
   void addPhotons(What what, const std::vector<Photon>& photons, const Chosen& chosen)
   {
-    constexpr std::size_t kPerUnit = 4096; // photons
+    constexpr std::size_t kPerUnit = 8192; // photons
     for (std::size_t begin = 0; begin < photons.size(); begin += kPerUnit)
     {
       addUnit(what, [=, &photons](List& list) {
@@ -97,27 +122,19 @@ public:
     find.run(finding);
     SlicedPass change{ kParts, {} };
     change.work = [&](std::size_t part, const Deadline&) {
-      forEachLeaf(
-        photonsOf(part, What::Leave), [](PhotonLeaf& leaf, const std::vector<LeafPhoton>& photons) {
-          if (!leaf.remove(photons))
-          {
-            throw std::logic_error("A photon that leaves is in no leaf");
-          }
-        });
-      forEachLeaf(photonsOf(part, What::Arrive),
-        [](PhotonLeaf& leaf, const std::vector<LeafPhoton>& photons) { leaf.insert(photons); });
+      changePart(part);
       return true;
     };
     change.run(changing);
   }
 
 private:
-  static constexpr std::size_t kParts = 512; ///< of all leaves, numbered through
+  static constexpr std::size_t kParts = 2048; ///< of all leaves, numbered through
 
   struct Bound
   {
     LeafPhoton photon;
-    std::uint32_t object, leaf;
+    std::size_t leaf; ///< all leaves are numbered through
   };
   using List = std::vector<Bound>;
   struct Unit
@@ -133,18 +150,15 @@ private:
     units_.push_back({ what, std::move(addPhotons), {} });
   }
 
-  std::size_t partOf(const Bound& bound) const
-  {
-    return (firstLeaf_[bound.object] + bound.leaf) * kParts / leaves_;
-  }
+  std::size_t partOf(const Bound& bound) const { return bound.leaf * kParts / leaves_; }
 
   Bound bound(const Photon& photon) const
   {
     const Tree& tree = trees_[photon.id.object];
     const UnitPoint at = unitPoint(
       tree.body->tree().frame(), modelPoint(tree.body->mesh(), photon.id.triangle, photon.weights));
-    return { { at, photon.reference, photon.isFront, photon.id.triangle }, photon.id.object,
-      tree.table.leafOf(tree.body->tree(), photon.id.triangle, at) };
+    return { { at, photon.reference, photon.isFront, photon.id.triangle },
+      firstLeaf_[photon.id.object] + tree.table.leafOf(tree.body->tree(), photon.id.triangle, at) };
   }
 
   void sort(Unit& unit) const
@@ -167,46 +181,60 @@ private:
     }
   }
 
-  /// By leaves.
-  List photonsOf(std::size_t part, What what) const
+  /// What happens in one leaf.
+  struct Step
+  {
+    std::size_t leaf;
+    What what;
+    const LeafPhoton* photon;
+
+    bool operator<(const Step& other) const { return leaf < other.leaf; }
+  };
+
+  std::vector<Step> stepsOf(std::size_t part) const
   {
     std::size_t size = 0;
     for (const Unit& unit : units_)
     {
-      size += unit.what == what ? unit.begin[part + 1] - unit.begin[part] : 0;
+      size += unit.begin[part + 1] - unit.begin[part];
     }
-    List all;
-    all.reserve(size);
+    std::vector<Step> steps;
+    steps.reserve(size);
     for (const Unit& unit : units_)
     {
-      if (unit.what == what)
+      for (std::uint32_t i = unit.begin[part]; i < unit.begin[part + 1]; ++i)
       {
-        all.insert(all.end(), unit.photons.begin() + unit.begin[part],
-          unit.photons.begin() + unit.begin[part + 1]);
+        steps.push_back({ unit.photons[i].leaf, unit.what, &unit.photons[i].photon });
       }
     }
-    std::sort(all.begin(), all.end(), [](const Bound& a, const Bound& b) {
-      return a.object != b.object ? a.object < b.object : a.leaf < b.leaf;
-    });
-    return all;
+    std::sort(steps.begin(), steps.end());
+    return steps;
   }
 
-  PhotonLeaf& leafOf(const Bound& bound) { return trees_[bound.object].leaves[bound.leaf]; }
-
-  /// Calls visit(leaf, photons) for each leaf of a list.
-  template <class Visit>
-  void forEachLeaf(const List& list, const Visit& visit)
+  void changePart(std::size_t part)
   {
-    std::vector<LeafPhoton> together;
-    for (std::size_t i = 0; i < list.size(); ++i)
+    const std::vector<Step> steps = stepsOf(part);
+    std::vector<LeafPhoton> gone, arrived;
+    for (std::size_t i = 0; i < steps.size(); ++i)
     {
-      together.push_back(list[i].photon);
-      if (i + 1 == list.size() || &leafOf(list[i]) != &leafOf(list[i + 1]))
+      (steps[i].what == What::Leave ? gone : arrived).push_back(*steps[i].photon);
+      if (i + 1 == steps.size() || steps[i].leaf < steps[i + 1].leaf)
       {
-        visit(leafOf(list[i]), together);
-        together.clear();
+        if (!leafAt(steps[i].leaf).change(gone, arrived))
+        {
+          throw std::logic_error("A photon that leaves is in no leaf");
+        }
+        gone.clear();
+        arrived.clear();
       }
     }
+  }
+
+  PhotonLeaf& leafAt(std::size_t leaf)
+  {
+    const auto next = std::upper_bound(firstLeaf_.begin(), firstLeaf_.end(), leaf);
+    const auto object = static_cast<std::size_t>(next - firstLeaf_.begin()) - 1;
+    return trees_[object].leaves[leaf - firstLeaf_[object]];
   }
 
   std::vector<Tree>& trees_;
@@ -223,11 +251,32 @@ LeafPhotons::LeafPhotons(const SceneObjects& objects)
   }
 }
 
+namespace
+{
+
+bool isAny(std::uint32_t)
+{
+  return true;
+}
+
+/// By object.
+std::vector<std::size_t> countsOf(const std::vector<Photon>& photons, std::size_t objects)
+{
+  std::vector<std::size_t> counts(objects);
+  for (const Photon& photon : photons)
+  {
+    ++counts[photon.id.object];
+  }
+  return counts;
+}
+
+}
+
 void LeafPhotons::add(
   const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
 {
   Binding binding(trees_);
-  binding.addBlocks(Binding::What::Arrive, history, first, end, [](std::uint32_t) { return true; });
+  binding.addBlocks(Binding::What::Arrive, history, first, end, isAny);
   binding.run(execution);
 }
 
@@ -235,39 +284,47 @@ void LeafPhotons::remove(
   const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
 {
   Binding binding(trees_);
-  binding.addBlocks(Binding::What::Leave, history, first, end, [](std::uint32_t) { return true; });
+  binding.addBlocks(Binding::What::Leave, history, first, end, isAny);
   binding.run(execution);
 }
 
 void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
   const PhotonChanges& changes, Execution& execution)
 {
-  std::vector<bool> isAnew;
+  const std::vector<std::size_t> gone = countsOf(changes.gone, objects.size());
+  std::vector<bool> isAnew, isEmptied;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     isAnew.push_back(trees_[i].body != objects[i].body);
-    if (isAnew.back())
+    // All photons on a thing that moves leave.
+    isEmptied.push_back(isAnew[i] || (gone[i] > 0 && gone[i] == trees_[i].size()));
+    if (isAnew[i])
     {
       trees_[i] = Tree(objects[i].body);
+    }
+    else if (isEmptied[i])
+    {
+      trees_[i].empty();
     }
   }
   const auto isNew = [&](std::uint32_t object) { return isAnew[object]; };
   const auto isOld = [&](std::uint32_t object) { return !isAnew[object]; };
+  const auto isLeft = [&](std::uint32_t object) { return !isEmptied[object]; };
   Binding binding(trees_);
   if (std::find(isAnew.begin(), isAnew.end(), true) != isAnew.end())
   {
     binding.addBlocks(Binding::What::Arrive, history, 0, history.blocks().size(), isNew);
   }
-  binding.addPhotons(Binding::What::Leave, changes.gone, isOld);
+  binding.addPhotons(Binding::What::Leave, changes.gone, isLeft);
   binding.addPhotons(Binding::What::Arrive, changes.arrived, isOld);
   binding.run(execution);
-}
-
-bool LeafPhotons::isEmpty(std::uint32_t object) const
-{
-  const std::vector<PhotonLeaf>& leaves = trees_[object].leaves;
-  return std::all_of(
-    leaves.begin(), leaves.end(), [](const PhotonLeaf& leaf) { return leaf.size() == 0; });
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    if (isEmptied[i])
+    {
+      trees_[i].giveBackMemory();
+    }
+  }
 }
 
 std::size_t LeafPhotons::bytes() const

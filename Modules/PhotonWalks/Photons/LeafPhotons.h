@@ -44,7 +44,7 @@ public:
     return trees_[object].leaves[leaf];
   }
   /// Whether no photon is on the object.
-  bool isEmpty(std::uint32_t object) const;
+  bool isEmpty(std::uint32_t object) const { return trees_[object].size() == 0; }
   /// Memory held.
   std::size_t bytes() const;
 
@@ -53,6 +53,11 @@ private:
   {
     Tree() = default;
     explicit Tree(std::shared_ptr<const RigidObject> itsBody);
+    std::size_t size() const; ///< photons
+    /// Keeps the memory for those that arrive next.
+    void empty();
+    /// Of leaves without photons.
+    void giveBackMemory();
 
     std::shared_ptr<const RigidObject> body;
     LeafTable table;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/PhotonLeaf.h"
 
-#include "Simd/Prefetch.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -14,6 +12,8 @@ namespace
 
 /// Photons of a pack when it is built: there is room for some that come later.
 constexpr std::size_t kUsual = 12;
+/// So few are not cut, as they often all leave: a leaf of small triangles.
+constexpr std::size_t kFew = 3 * kUsual;
 
 /// The axis along which photons spread most.
 struct Extent
@@ -54,6 +54,18 @@ void append(std::vector<Entry>& entries, std::size_t count)
     entries.reserve(size + size / 8);
   }
   entries.resize(size);
+}
+
+/// Makes room for `count` entries, and keeps what memory there is unless most of it were idle.
+template <class Entry>
+void clear(std::vector<Entry>& entries, std::size_t count)
+{
+  entries.clear();
+  if (entries.capacity() > 2 * count)
+  {
+    entries = std::vector<Entry>(); // {} would keep the memory
+  }
+  entries.reserve(count);
 }
 
 }
@@ -97,33 +109,89 @@ PhotonLeaf::Place PhotonLeaf::endOf(const LeafPhoton& photon, Place place) const
   return place;
 }
 
-std::vector<PhotonLeaf::Place> PhotonLeaf::endsOf(const Photons& photons) const
+template <class Prefetch>
+std::vector<PhotonLeaf::Place> PhotonLeaf::endsOf(
+  const Photons& photons, const Prefetch& prefetch) const
 {
-  std::vector<Place> ends;
-  ends.reserve(photons.size());
-  for (const LeafPhoton& photon : photons)
+  // Several descents side by side: while one waits for its node, others go on.
+  constexpr std::size_t kAtOnce = 8;
+  std::vector<Place> ends(photons.size());
+  for (std::size_t begin = 0; begin < photons.size(); begin += kAtOnce)
   {
-    ends.push_back(endOf(photon, {}));
-    const PhotonPack& pack = packs_[nodes_[ends.back().node].firstPack()];
-    for (std::size_t offset = 0; offset < sizeof(PhotonPack); offset += alignof(PhotonPack))
+    const std::size_t end = std::min(begin + kAtOnce, photons.size());
+    for (std::size_t open = end - begin; open > 0;)
     {
-      prefetchLine(reinterpret_cast<const char*>(&pack) + offset);
+      open = 0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Node& node = nodes_[ends[i].node];
+        if (!node.isEnd())
+        {
+          const bool isRight = photons[i].position[node.axis()] >= node.plane();
+          ends[i] = { node.left() + (isRight ? 1 : 0), ends[i].depth + 1 };
+          ++open;
+        }
+      }
+    }
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      prefetch(packs_[nodes_[ends[i].node].firstPack()]);
     }
   }
   return ends;
 }
 
-void PhotonLeaf::insert(const Photons& photons)
+void PhotonLeaf::empty()
 {
-  if (2 * photons.size() > size_)
+  nodes_.clear();
+  packs_.clear();
+  size_ = 0;
+}
+
+bool PhotonLeaf::change(const Photons& gone, const Photons& arrived)
+{
+  if (2 * std::max(gone.size(), arrived.size()) > size_)
   {
     // To cut packs one after the other takes longer and leaves them emptier.
-    Photons all = this->photons();
-    all.insert(all.end(), photons.begin(), photons.end());
+    Photons all = photonsExcept(gone);
+    const bool areFound = all.size() + gone.size() == size_;
+    all.insert(all.end(), arrived.begin(), arrived.end());
     build(std::move(all));
-    return;
+    return areFound;
   }
-  const std::vector<Place> ends = endsOf(photons);
+  if (!remove(gone))
+  {
+    return false;
+  }
+  if (insert(arrived) > kDeepest || isWasteful())
+  {
+    build(photons());
+  }
+  return true;
+}
+
+PhotonLeaf::Photons PhotonLeaf::photonsExcept(const Photons& gone) const
+{
+  std::vector<PhotonReference> references;
+  references.reserve(gone.size());
+  for (const LeafPhoton& photon : gone)
+  {
+    references.push_back(photon.reference());
+  }
+  std::sort(references.begin(), references.end());
+  Photons others = photons();
+  others.erase(std::remove_if(others.begin(), others.end(),
+                 [&](const LeafPhoton& photon) {
+                   return std::binary_search(
+                     references.begin(), references.end(), photon.reference());
+                 }),
+    others.end());
+  return others;
+}
+
+int PhotonLeaf::insert(const Photons& photons)
+{
+  const std::vector<Place> ends = endsOf(photons, [](const PhotonPack& pack) { pack.prefetch(); });
   int deepest = 0;
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
@@ -132,10 +200,7 @@ void PhotonLeaf::insert(const Photons& photons)
     insertAt(end, photons[i]);
     deepest = std::max(deepest, end.depth + 1);
   }
-  if (deepest >= kDeepest || isWasteful())
-  {
-    build(this->photons());
-  }
+  return deepest;
 }
 
 void PhotonLeaf::insertAt(const Place& place, const LeafPhoton& photon)
@@ -159,36 +224,14 @@ void PhotonLeaf::insertAt(const Place& place, const LeafPhoton& photon)
 
 bool PhotonLeaf::remove(const Photons& photons)
 {
-  const std::size_t kept = size_ - photons.size();
-  if (2 * photons.size() > size_)
-  {
-    std::vector<PhotonReference> gone;
-    gone.reserve(photons.size());
-    for (const LeafPhoton& photon : photons)
-    {
-      gone.push_back(photon.reference());
-    }
-    std::sort(gone.begin(), gone.end());
-    Photons all = this->photons();
-    all.erase(std::remove_if(all.begin(), all.end(),
-                [&](const LeafPhoton& photon) {
-                  return std::binary_search(gone.begin(), gone.end(), photon.reference());
-                }),
-      all.end());
-    build(std::move(all));
-    return size_ == kept;
-  }
-  const std::vector<Place> ends = endsOf(photons);
+  const std::vector<Place> ends =
+    endsOf(photons, [](const PhotonPack& pack) { pack.prefetchForRemoval(); });
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
     if (!removeAt(ends[i], photons[i]))
     {
       return false;
     }
-  }
-  if (isWasteful())
-  {
-    build(this->photons());
   }
   return true;
 }
@@ -209,23 +252,26 @@ bool PhotonLeaf::removeAt(const Place& place, const LeafPhoton& photon)
 
 bool PhotonLeaf::isWasteful() const
 {
-  constexpr std::size_t kFew = 4;
-  return packs_.size() > kFew + 2 * (size_ / kUsual);
+  constexpr std::size_t kFewPacks = 4;
+  return packs_.size() > kFewPacks + 2 * (size_ / kUsual);
 }
 
 void PhotonLeaf::build(Photons photons)
 {
-  *this = {};
+  size_ = photons.size();
+  const std::size_t packs = (size_ + kUsual - 1) / kUsual;
+  clear(packs_, packs);
+  clear(nodes_, 2 * packs);
   if (photons.empty())
   {
     return;
   }
-  size_ = photons.size();
-  const std::size_t packs = (size_ + kUsual - 1) / kUsual;
-  packs_.reserve(packs);
-  nodes_.reserve(2 * packs - 1);
   append(nodes_, 1);
   std::size_t spare = kNoPack;
+  if (size_ <= kFew)
+  {
+    return makeEnd(0, photons.begin(), size_, spare);
+  }
   build(0, photons.begin(), photons.end(), spare);
 }
 

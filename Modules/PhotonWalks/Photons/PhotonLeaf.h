@@ -28,9 +28,11 @@ public:
     return nodes_.capacity() * sizeof(Node) + packs_.capacity() * sizeof(PhotonPack);
   }
 
-  void insert(const std::vector<LeafPhoton>& photons);
-  /// False if one of them is not here. `photons`: placed as they were when inserted.
-  bool remove(const std::vector<LeafPhoton>& photons);
+  /// All photons leave; the memory stays.
+  void empty();
+  /// Photons leave, placed as they were when they arrived, then others arrive. False if one that is to
+  /// leave is not here.
+  bool change(const std::vector<LeafPhoton>& gone, const std::vector<LeafPhoton>& arrived);
 
   /// Calls visit(pack) for all packs that may hold photons within some distance of a point, those
   /// nearby first. squaredLimit() is that distance, squared, in the unit frame; it may shrink from
@@ -43,7 +45,7 @@ private:
   static constexpr std::size_t kNoPack = ~std::size_t{};
 
   /// A plane with the two nodes beside it; or an end with its packs, which are several only if all
-  /// photons were in one place.
+  /// photons were in one place, or they are few.
   class Node
   {
   public:
@@ -87,10 +89,15 @@ private:
 
   /// The end where a photon belongs, below a node where it belongs.
   Place endOf(const LeafPhoton& photon, Place place) const;
-  /// The ends where photons belong; prefetches their packs.
-  std::vector<Place> endsOf(const Photons& photons) const;
+  /// The ends where photons belong. Calls prefetch(pack) for the first pack of each.
+  template <class Prefetch>
+  std::vector<Place> endsOf(const Photons& photons, const Prefetch& prefetch) const;
+  /// Returns the number of planes above the deepest.
+  int insert(const Photons& photons);
   void insertAt(const Place& end, const LeafPhoton& photon);
+  bool remove(const Photons& photons);
   bool removeAt(const Place& end, const LeafPhoton& photon);
+  Photons photonsExcept(const Photons& gone) const;
   void addTo(Photons& photons, const Node& end) const;
   bool isWasteful() const;
   /// From nothing.

@@ -3,6 +3,7 @@
 #define irradiance_PhotonPack_h
 
 #include "History/WalkHistory.h"
+#include "Simd/Prefetch.h"
 #include "Trees/LeafQuery.h"
 
 #include <algorithm>
@@ -80,6 +81,20 @@ public:
       }
     }
     return false;
+  }
+
+  void prefetch() const
+  {
+    prefetchForRemoval();
+    prefetchLine(position_[1]);
+    prefetchLine(position_[2]);
+    prefetchLine(triangle_);
+  }
+  void prefetchForRemoval() const
+  {
+    prefetchLine(position_[0]);
+    prefetchLine(walk_);
+    prefetchLine(bounceAndSide_);
   }
 
 private:

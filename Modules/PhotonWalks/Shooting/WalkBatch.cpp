@@ -106,7 +106,7 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
     areHitsKnown_ = false;
     segments_ += static_cast<std::int64_t>(count);
     findCells(first, tally);
-    if (tally.sides() == 2 || storesSides_)
+    if (tally.sides() == 2)
     {
       findSides(first);
     }
@@ -187,9 +187,10 @@ void WalkBatch::receive(std::size_t first, WalkTally& tally)
   }
 }
 
-/// Keeps what will be stored of the segments. Their sides follow when the walks leave.
+/// Keeps what will be stored of the segments. The sides of those that go on follow when they leave.
 void WalkBatch::record(std::size_t first)
 {
+  const WalkRules& rules = shooter_.rules();
   const std::size_t count = hits_.size() - first;
   isSurvivor_.assign(count, 0);
   for (const std::uint32_t survivor : survivors_)
@@ -205,9 +206,11 @@ void WalkBatch::record(std::size_t first)
     const Ray& ray = rays_[first + i];
     const Hit& hit = hits_[first + i];
     const std::uint32_t tail = tailOf_[first + i];
+    const bool isSideUnknown = storesSides_ && isFront_.empty() && isSurvivor_[i] == 0 && hit;
     ++tails_[tail].size;
     pieces_[firstPiece + i] = { tail,
-      { storedPoint(*frame_, ray.origin), hit.id, hit.weights, isFront(i),
+      { storedPoint(*frame_, ray.origin), hit.id, hit.weights,
+        isSideUnknown ? rules.hitsFront(ray, hit.id) : isFront(i),
         shooter_.isContact(ray.start, hit.id) } };
     // Written for all, counted for those that end: which do is unpredictable.
     const double length = hit ? hit.distance : WalkBlock::kFar / frame_->scale;

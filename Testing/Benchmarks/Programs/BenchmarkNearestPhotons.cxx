@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How fast the photons nearest to a place are found, by locators that are built anew in each frame: the 50
- * nearest to places at random on the surfaces of a room. Before any time counts, the locators have to find
- * what a search of all photons finds. One thread, CPU time.
+ * How fast the photons nearest to a place are found: the 50 nearest to places at random on the surfaces
+ * of a room, by locators that are built anew in each frame, and by our leaf photons, of which only those
+ * of changed walks are moved. Before any time counts, all have to find what a search of all photons finds.
+ * Ours takes only photons on sides that face as the sensor does, from a flattened world. One thread, CPU
+ * time.
  *
- * A frame is what a program with a photon map does: it shoots walks without storing them, builds the map,
- * and asks it once for each of 640 x 480 pixels.
+ * A frame asks once for each of 640 x 480 pixels. A program with a photon map shoots walks without storing
+ * them, and builds the map; ours verifies and repairs them, and moves photons.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [searches = 30000]
  */
-#include "../../PhotonWalks/HistoryChanges.h"
+#include "../../PhotonWalks/HistoryPhotons.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
+#include "Photons/LeafPhotons.h"
 #include "Rivals/PhotonLocator.h"
 #include "Scenes/PlainRoom.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -29,30 +33,14 @@ namespace
 constexpr std::size_t kNearest = 50;
 constexpr double kPixels = 640 * 480; ///< searches of a frame
 
-/// Corners in the world.
-Triangle triangleOf(const SceneObjects& objects, const TriangleId& id)
-{
-  const SceneObject& object = objects[id.object];
-  return transformed(object.worldFromObject, object.body->mesh().triangles()[id.triangle]);
-}
-
-/// To the front, as long as twice the area.
-Vector3 normalOf(const Triangle& triangle)
-{
-  return (triangle.b - triangle.a).cross(triangle.c - triangle.a);
-}
-
-Vector3 pointOn(const Triangle& triangle, double b, double c)
-{
-  return (1 - b - c) * triangle.a + b * triangle.b + c * triangle.c;
-}
-
-std::vector<Vector3> photonPoints(const IrradianceEngine& engine, const SceneObjects& objects)
+std::vector<Vector3> photonPoints(const IrradianceEngine& engine)
 {
   std::vector<Vector3> points;
-  for (const Photon& photon : test::photonsOf(engine))
+  for (const Photon& photon : test::photonsOf(engine.photons()))
   {
-    points.push_back(pointOn(triangleOf(objects, photon.id), photon.weights[0], photon.weights[1]));
+    const SceneObject& object = engine.objects()[photon.id.object];
+    points.push_back(
+      object.worldFromObject(modelPoint(object.body->mesh(), photon.id.triangle, photon.weights)));
   }
   return points;
 }
@@ -64,10 +52,10 @@ std::vector<Sensor> makeSensors(const SceneObjects& objects, std::size_t count)
   std::vector<double> areas;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    for (std::uint32_t i = 0; i < objects[object].body->mesh().triangles().size(); ++i)
+    for (const Triangle& triangle : objects[object].body->mesh().triangles())
     {
-      triangles.push_back(triangleOf(objects, { object, i }));
-      areas.push_back(normalOf(triangles.back()).norm());
+      triangles.push_back(transformed(objects[object].worldFromObject, triangle));
+      areas.push_back(triangles.back().area());
     }
   }
   std::mt19937_64 random(3);
@@ -78,33 +66,21 @@ std::vector<Sensor> makeSensors(const SceneObjects& objects, std::size_t count)
   {
     const Triangle& triangle = triangles[choose(random)];
     const double s = std::sqrt(unit(random)), t = s * unit(random);
-    sensors.push_back({ pointOn(triangle, s - t, t), normalOf(triangle).normalized() });
+    sensors.push_back({ (1 - s) * triangle.a + (s - t) * triangle.b + t * triangle.c,
+      triangle.areaVector().normalized() });
   }
   return sensors;
 }
 
-/// By a search of all photons, one by one: m2, in order.
-std::vector<double> nearestOf(const std::vector<Vector3>& photons, const Sensor& sensor)
-{
-  std::vector<double> squaredDistances;
-  for (const Vector3& photon : photons)
-  {
-    squaredDistances.push_back((photon - sensor.point).squaredNorm());
-  }
-  std::partial_sort(
-    squaredDistances.begin(), squaredDistances.begin() + kNearest, squaredDistances.end());
-  squaredDistances.resize(kNearest);
-  return squaredDistances;
-}
-
-bool findsNearest(
-  PhotonLocator& locator, const Sensor& sensor, const std::vector<double>& squaredDistances)
+/// Whether a locator finds what a search of all photons, one by one, finds.
+bool findsNearest(PhotonLocator& locator, const Sensor& sensor)
 {
   locator.find(sensor, kNearest);
-  std::vector<double> found = locator.squaredDistances();
+  std::vector<double> found = locator.squaredDistances(), all = locator.allSquaredDistances(sensor);
   std::sort(found.begin(), found.end());
-  // The locators compute in floats: 2e-7 m each for coordinates up to 4 m.
-  return std::equal(found.begin(), found.end(), squaredDistances.begin(), squaredDistances.end(),
+  std::partial_sort(all.begin(), all.begin() + kNearest, all.end());
+  // The rivals compute in floats: 2e-7 m each for coordinates up to 4 m.
+  return std::equal(found.begin(), found.end(), all.begin(), all.begin() + kNearest,
     [](double a, double b) { return std::abs(std::sqrt(a) - std::sqrt(b)) < 2e-6; });
 }
 
@@ -114,38 +90,62 @@ struct Contestant
   std::unique_ptr<PhotonLocator> locator;
 };
 
-/// The photons are those of an engine. (What finds them in the leaf cells of the engine's own trees
-/// joins here; it keeps its photons up to date instead of building anything.)
-std::vector<Contestant> makeContestants(const std::vector<Vector3>& photons)
+/// Two frames that follow each other.
+struct Frames
 {
+  explicit Frames(const EngineSettings& settings)
+  {
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      timeUpdate(engines[frame], scene.inFrame(frame), settings);
+    }
+  }
+
+  MovingScene scene = makePlainRoom();
+  std::array<IrradianceEngine, 2> engines;
+};
+
+const std::string kOurs = "leaf photons";
+
+/// The photons are those of the first frame.
+std::vector<Contestant> makeContestants(Frames& frames)
+{
+  const std::vector<Vector3> photons = photonPoints(frames.engines[0]);
+  report("NearestPhotonsCount", "photons", "millions", 1e-6 * static_cast<double>(photons.size()));
   std::vector<Contestant> contestants;
   contestants.push_back({ "photon map", makePhotonMapLocator(photons, 1) });
   contestants.push_back({ "vtkStaticPointLocator", makeVtkLocator(photons) });
+  contestants.push_back({ kOurs, makeLeafLocator(frames.engines[0], frames.engines[1]) });
   return contestants;
 }
 
-/// A frame: walks are shot, and not stored; the locator is built; each pixel asks it.
-void reportFrame(const std::string& row, double shooting, double building, double search)
+struct Cost
 {
-  const double searches = kPixels * search, frame = shooting + building + searches;
-  report("NearestPhotons", row, "built, s", building);
-  report("NearestPhotons", row, "us a search", 1e6 * search);
-  report(
-    "NearestPhotons", row, "searches a second, building counted", kPixels / (building + searches));
-  report("NearestPhotons", row, "share of a frame: searches, %", 100 * searches / frame);
-  report("NearestPhotons", row, "share of a frame: building, %", 100 * building / frame);
+  double walks, building, search; ///< seconds; of one search
+
+  double searches() const { return kPixels * search; }
+  double perSecond() const { return kPixels / (building + searches()); }
+};
+
+void reportFrame(const std::string& row, const Cost& cost)
+{
+  const double frame = cost.walks + cost.building + cost.searches();
+  report("NearestPhotons", row, "built or kept up to date, s", cost.building);
+  report("NearestPhotons", row, "us a search", 1e6 * cost.search);
+  report("NearestPhotons", row, "searches a second, building counted", cost.perSecond());
+  report("NearestPhotons", row, "frame, s", frame);
+  report("NearestPhotons", row, "share of a frame: searches, %", 100 * cost.searches() / frame);
+  report("NearestPhotons", row, "share of a frame: building, %", 100 * cost.building / frame);
 }
 
-void check(const std::vector<Contestant>& contestants, const std::vector<Sensor>& sensors,
-  const std::vector<Vector3>& photons)
+void check(const std::vector<Contestant>& contestants, const std::vector<Sensor>& sensors)
 {
   constexpr std::size_t kChecked = 100;
   for (std::size_t i = 0; i < std::min(kChecked, sensors.size()); ++i)
   {
-    const std::vector<double> nearest = nearestOf(photons, sensors[i]);
     for (const Contestant& contestant : contestants)
     {
-      if (!findsNearest(*contestant.locator, sensors[i], nearest))
+      if (!findsNearest(*contestant.locator, sensors[i]))
       {
         throw std::runtime_error("The " + contestant.name + " finds other photons");
       }
@@ -161,6 +161,26 @@ double shootingSeconds(const SceneObjects& objects, EngineSettings settings)
   return timeUpdate(engine, objects, settings).whole;
 }
 
+/// From the first frame to the second.
+double updateSeconds(const MovingScene& scene, const EngineSettings& settings)
+{
+  IrradianceEngine engine;
+  timeUpdate(engine, scene.inFrame(0), settings);
+  return timeUpdate(engine, scene.inFrame(1), settings).whole;
+}
+
+Cost costOf(PhotonLocator& locator, const std::vector<Sensor>& sensors, double walks)
+{
+  const double building = threadCpuSecondsOf([&] { locator.build(); });
+  const double searches = threadCpuSecondsOf([&] {
+    for (const Sensor& sensor : sensors)
+    {
+      locator.find(sensor, kNearest);
+    }
+  });
+  return { walks, building, searches / static_cast<double>(sensors.size()) };
+}
+
 }
 
 void run(const Arguments& arguments)
@@ -168,34 +188,32 @@ void run(const Arguments& arguments)
   EngineSettings settings;
   settings.numberOfWalks = arguments.number(0, 1000000u);
   const int rounds = arguments.number(1, 5);
-  const SceneObjects objects = makePlainRoom().at(0);
+  Frames frames(settings);
+  const SceneObjects objects = frames.scene.inFrame(0);
   const std::vector<Sensor> sensors =
     makeSensors(objects, arguments.number(2, std::size_t{ 30000 }));
-  IrradianceEngine engine;
-  timeUpdate(engine, objects, settings);
-  const std::vector<Vector3> photons = photonPoints(engine, objects);
-  report("NearestPhotonsCount", "photons", "millions", 1e-6 * static_cast<double>(photons.size()));
-  const std::vector<Contestant> contestants = makeContestants(photons);
+  const std::vector<Contestant> contestants = makeContestants(frames);
   for (const Contestant& contestant : contestants)
   {
     contestant.locator->build();
   }
-  check(contestants, sensors, photons);
+  check(contestants, sensors);
   for (int round = 0; round < rounds; ++round)
   {
     const double shooting = shootingSeconds(objects, settings);
+    const double updating = updateSeconds(frames.scene, settings);
+    std::vector<double> perSecond;
     for (const Contestant& contestant : contestants)
     {
-      PhotonLocator& locator = *contestant.locator;
-      const double building = threadCpuSecondsOf([&] { locator.build(); });
-      const double searches = threadCpuSecondsOf([&] {
-        for (const Sensor& sensor : sensors)
-        {
-          locator.find(sensor, kNearest);
-        }
-      });
-      reportFrame(
-        contestant.name, shooting, building, searches / static_cast<double>(sensors.size()));
+      const Cost cost =
+        costOf(*contestant.locator, sensors, contestant.name == kOurs ? updating : shooting);
+      reportFrame(contestant.name, cost);
+      perSecond.push_back(cost.perSecond());
+    }
+    for (std::size_t i = 0; i + 1 < contestants.size(); ++i)
+    {
+      report("NearestPhotonsRatios", kOurs + " / " + contestants[i].name,
+        "searches a second, building counted", perSecond.back() / perSecond[i], { 1, 3 });
     }
   }
 }

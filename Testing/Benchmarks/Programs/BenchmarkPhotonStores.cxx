@@ -4,7 +4,8 @@
  *
  * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash table and
  * a vector that is searched from end to end. SpecularPhotons: a room with specular cells, whose photons
- * the engine keeps, beside the same room without any. In every round all have to hold the right photons.
+ * the engine keeps, beside the same room without any. LeafPhotons: all photons of a room, in the leaf cells
+ * of its trees, beside the same frames without. In every round all have to hold the right photons.
  *
  * Arguments: [walks = 1000000] [rounds = 5]
  */
@@ -144,17 +145,38 @@ std::vector<PhotonTraffic::Photons> contentsOf(
   return contents;
 }
 
-void reportMemory(const SpecularPhotons& sets, const SceneObjects& objects,
-  const std::string& table, const std::string& row)
+/// What is in each leaf, in order.
+std::vector<PhotonTraffic::Photons> contentsOf(
+  const LeafPhotons& photons, const SceneObjects& objects)
+{
+  std::vector<PhotonTraffic::Photons> contents;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (std::uint32_t leaf = 0; leaf < photons.tree(object).numberOfBlocks(); ++leaf)
+    {
+      contents.emplace_back();
+      for (const LeafPhoton& photon : photons.leaf(object, leaf).photons())
+      {
+        contents.back().push_back(photon.reference());
+      }
+      std::sort(contents.back().begin(), contents.back().end());
+    }
+  }
+  return contents;
+}
+
+template <class Photons>
+void reportMemory(const Photons& photons, const SceneObjects& objects, const std::string& table,
+  const std::string& row)
 {
   std::size_t count = 0;
-  for (const PhotonTraffic::Photons& cell : contentsOf(sets, objects))
+  for (const PhotonTraffic::Photons& cell : contentsOf(photons, objects))
   {
     count += cell.size();
   }
   report(table, row, "photons, millions", 1e-6 * static_cast<double>(count));
-  report(
-    table, row, "bytes a photon", static_cast<double>(sets.bytes()) / static_cast<double>(count));
+  report(table, row, "bytes a photon",
+    static_cast<double>(photons.bytes()) / static_cast<double>(count));
 }
 
 /// Throws unless the engine, which kept its photons up to date, has what is collected anew.
@@ -176,17 +198,25 @@ double timeWithPhotons(IrradianceEngine& engine, const SceneObjects& objects,
   });
 }
 
+/// As the filter asks for them.
+EngineSettings keeping(EngineSettings settings)
+{
+  settings.keepPhotons = true;
+  return settings;
+}
+
 /// A room with specular cells beside the same room without any. Its walks are longer.
 void timeSpecularPhotons(const EngineSettings& settings, int rounds)
 {
   const std::string table = "SpecularPhotons", row = "20 % of the cells";
   const MovingScene matte = makePlainRoom(), glossy = makeGlossyRoom(0.2);
+  const EngineSettings kept = keeping(settings);
   CpuTime execution;
   for (int round = 0; round < rounds; ++round)
   {
     IrradianceEngine plain, engine;
-    const double plainFirst = timeWithPhotons(plain, matte.at(0), settings, execution);
-    const double first = timeUpdate(engine, glossy.at(0), settings).whole;
+    const double plainFirst = timeUpdate(plain, matte.at(0), settings).whole;
+    const double first = timeUpdate(engine, glossy.at(0), kept).whole;
     const double building = threadCpuSecondsOf([&] { engine.specularPhotons(execution); });
     report(table, row, "first shooting / without", (first + building) / plainFirst, { 1.35, 1.15 });
     report(table + "Parts", row, "built, ms", 1e3 * building);
@@ -198,8 +228,8 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     double frames = 0, plainFrames = 0, changed = 0;
     for (int frame = 1; frame <= kFrames; ++frame)
     {
-      plainFrames += timeWithPhotons(plain, matte.inFrame(frame), settings, execution);
-      frames += timeWithPhotons(engine, glossy.inFrame(frame), settings, execution);
+      plainFrames += timeUpdate(plain, matte.inFrame(frame), settings).whole;
+      frames += timeWithPhotons(engine, glossy.inFrame(frame), kept, execution);
       changed += static_cast<double>(engine.statistics().invalidWalks);
     }
     requireFresh(engine, glossy.inFrame(kFrames), execution);
@@ -207,6 +237,50 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     report(
       table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
     reportMemory(engine.specularPhotons(execution), glossy.at(0), table + "Parts", row);
+  }
+}
+
+/// Throws unless the engine, which kept its photons up to date, has what is collected anew.
+void requireFreshLeaves(IrradianceEngine& engine, Execution& execution)
+{
+  LeafPhotons fresh(engine.objects());
+  fresh.add(engine.photons(), 0, engine.history().size(), execution);
+  require(contentsOf(engine.leafPhotons(execution), engine.objects()) ==
+      contentsOf(fresh, engine.objects()),
+    "Updated leaves differ from new ones");
+}
+
+/// All photons in the leaf cells, kept up to date, beside the same frames without them.
+void timeLeafPhotons(const EngineSettings& settings, int rounds)
+{
+  constexpr int kFrames = 4;
+  constexpr double kSize = 1.05; // some 3 % of the walks change
+  const std::string table = "LeafPhotons", row = "plain room";
+  const MovingScene room = makePlainRoom(kSize);
+  const EngineSettings kept = keeping(settings);
+  CpuTime execution;
+  for (int round = 0; round < rounds; ++round)
+  {
+    IrradianceEngine plain, engine;
+    timeUpdate(plain, room.at(0), settings);
+    const double first = timeUpdate(engine, room.at(0), kept).whole;
+    const double building = threadCpuSecondsOf([&] { engine.leafPhotons(execution); });
+    double frames = 0, plainFrames = 0, changed = 0;
+    for (int frame = 1; frame <= kFrames; ++frame)
+    {
+      plainFrames += timeUpdate(plain, room.inFrame(frame), settings).whole;
+      frames += timeUpdate(engine, room.inFrame(frame), kept).whole;
+      changed += static_cast<double>(engine.statistics().invalidWalks);
+    }
+    requireFreshLeaves(engine, execution);
+    report(table, row, "share of a frame", 1 - plainFrames / frames, { 0.30, 0.10 });
+    report(table + "Parts", row, "frame / without", frames / plainFrames);
+    report(table + "Parts", row, "built, ms", 1e3 * building);
+    report(table + "Parts", row, "built / first shooting", building / first);
+    report(table + "Parts", row, "frame without, ms", 1e3 * plainFrames / kFrames);
+    report(
+      table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
+    reportMemory(engine.leafPhotons(execution), room.at(0), table + "Parts", row);
   }
 }
 
@@ -219,4 +293,5 @@ void run(const Arguments& arguments)
   const int rounds = arguments.number(1, 5);
   timeAllSets(settings.numberOfWalks, rounds);
   timeSpecularPhotons(settings, rounds);
+  timeLeafPhotons(settings, rounds);
 }

@@ -14,6 +14,7 @@
 #include <iterator>
 #include <optional>
 
+using irradiance::Sensor;
 using irradiance::Vector3;
 
 namespace
@@ -25,10 +26,32 @@ std::array<float, 3> inFloats(const Vector3& point)
     static_cast<float>(point[2]) };
 }
 
-class PhotonMapLocator : public PhotonLocator
+/// It finds photons of all surfaces, near in any direction.
+class PointLocator : public PhotonLocator
+{
+public:
+  explicit PointLocator(const std::vector<Vector3>& points)
+    : points_(points)
+  {
+  }
+
+  std::vector<double> allSquaredDistances(const Sensor& sensor) const override
+  {
+    std::vector<double> distances;
+    std::transform(points_.begin(), points_.end(), std::back_inserter(distances),
+      [&](const Vector3& point) { return (point - sensor.position).squaredNorm(); });
+    return distances;
+  }
+
+private:
+  std::vector<Vector3> points_;
+};
+
+class PhotonMapLocator : public PointLocator
 {
 public:
   PhotonMapLocator(const std::vector<Vector3>& points, double power)
+    : PointLocator(points)
   {
     std::transform(
       points.begin(), points.end(), std::back_inserter(photons_), [power](const Vector3& point) {
@@ -40,7 +63,7 @@ public:
 
   void find(const Sensor& sensor, std::size_t count) override
   {
-    map_->findNearest(inFloats(sensor.point), count, found_);
+    map_->findNearest(inFloats(sensor.position), count, found_);
   }
 
   std::vector<double> squaredDistances() const override
@@ -57,10 +80,11 @@ private:
   std::vector<PhotonMap::Neighbour> found_;
 };
 
-class VtkLocator : public PhotonLocator
+class VtkLocator : public PointLocator
 {
 public:
   explicit VtkLocator(const std::vector<Vector3>& points)
+    : PointLocator(points)
   {
     vtkNew<vtkPoints> own; // in floats
     for (const Vector3& point : points)
@@ -80,7 +104,7 @@ public:
 
   void find(const Sensor& sensor, std::size_t count) override
   {
-    point_ = sensor.point;
+    point_ = sensor.position;
     locator_->FindClosestNPoints(static_cast<int>(count), point_.data(), found_);
   }
 

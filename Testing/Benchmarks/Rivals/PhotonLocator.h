@@ -2,17 +2,12 @@
 #ifndef PhotonLocator_h
 #define PhotonLocator_h
 
-#include "Geometry/Vector.h"
+#include "IrradianceEngine.h"
+#include "Photons/Sensor.h"
 
 #include <cstddef>
 #include <memory>
 #include <vector>
-
-/// Where photons are looked for: a place on a surface.
-struct Sensor
-{
-  irradiance::Vector3 point, normal; ///< in the world, m
-};
 
 /// What finds the photons nearest to a sensor. It is given all of them when it is made.
 class PhotonLocator
@@ -20,11 +15,13 @@ class PhotonLocator
 public:
   virtual ~PhotonLocator() = default;
 
-  /// Builds the structure that is searched, as is done in each frame.
+  /// Makes ready what is searched, as is done in each frame.
   virtual void build() = 0;
-  virtual void find(const Sensor& sensor, std::size_t count) = 0;
+  virtual void find(const irradiance::Sensor& sensor, std::size_t count) = 0;
   /// From the sensor of the last search to what it found, in any order, m2.
   virtual std::vector<double> squaredDistances() const = 0;
+  /// From a sensor to all photons that it may find, by a look at each of them.
+  virtual std::vector<double> allSquaredDistances(const irradiance::Sensor& sensor) const = 0;
 };
 
 /// Jensen's photon map, see PhotonMap. `points`: of the photons, in the world.
@@ -33,5 +30,11 @@ std::unique_ptr<PhotonLocator> makePhotonMapLocator(
 
 /// vtkStaticPointLocator on one thread.
 std::unique_ptr<PhotonLocator> makeVtkLocator(const std::vector<irradiance::Vector3>& points);
+
+/// Photons in the leaf cells of the ray-casting trees. Nothing is built anew: a frame is a step from
+/// one engine's scene to the other's, or back, and only the photons that differ are moved. The engines
+/// have shot the same walks, and keep their sides known; they must outlive the locator.
+std::unique_ptr<PhotonLocator> makeLeafLocator(
+  irradiance::IrradianceEngine& engine, irradiance::IrradianceEngine& other);
 
 #endif
