@@ -254,10 +254,7 @@ LeafPhotons::LeafPhotons(const SceneObjects& objects)
 namespace
 {
 
-bool isAny(std::uint32_t)
-{
-  return true;
-}
+constexpr auto kAny = [](std::uint32_t) { return true; };
 
 /// By object.
 std::vector<std::size_t> countsOf(const std::vector<Photon>& photons, std::size_t objects)
@@ -276,7 +273,7 @@ void LeafPhotons::add(
   const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
 {
   Binding binding(trees_);
-  binding.addBlocks(Binding::What::Arrive, history, first, end, isAny);
+  binding.addBlocks(Binding::What::Arrive, history, first, end, kAny);
   binding.run(execution);
 }
 
@@ -284,7 +281,7 @@ void LeafPhotons::remove(
   const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
 {
   Binding binding(trees_);
-  binding.addBlocks(Binding::What::Leave, history, first, end, isAny);
+  binding.addBlocks(Binding::What::Leave, history, first, end, kAny);
   binding.run(execution);
 }
 
