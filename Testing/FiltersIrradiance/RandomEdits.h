@@ -148,6 +148,25 @@ inline void SetGloss(Trial& t)
   leaf.Modified();
 }
 
+/// And nothing else, on half of what is glossy.
+inline void ChangeExponents(Trial& t)
+{
+  for (auto& port : t.Given.Ports)
+  {
+    for (Connection& connection : port)
+    {
+      ForEachLeaf(connection.Data, [&](vtkPolyData* mesh) {
+        if (mesh->GetCellData()->HasArray(t.Set().SpecularArray.c_str()) && Chance(t.Random, 2))
+        {
+          SetRandomExponents(t.Random, mesh);
+          mesh->Modified();
+        }
+      });
+      connection.Data->Modified();
+    }
+  }
+}
+
 /// Or only the exponents: then all of it is a mirror.
 inline void RemoveGloss(Trial& t)
 {
