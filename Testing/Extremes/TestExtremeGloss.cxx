@@ -128,7 +128,7 @@ TEST(ExtremeGloss, Reflectance09999)
 TEST(ExtremeGloss, AHallOfMirrors)
 {
   const auto mirror = [](double z) {
-    const Mesh mesh = MakeRectangle({ 0, 0, z }, { 1, 0, 0 }, { 0, 1, 0 }, 2);
+    Mesh mesh = MakeRectangle({ 0, 0, z }, { 1, 0, 0 }, { 0, 1, 0 }, 2);
     SetCellValues(mesh, "DiffuseReflectance", { 0 });
     SetCellValues(mesh, "SpecularReflectance", { 1 });
     return mesh;
