@@ -20,7 +20,8 @@
  * @section Output
  * A shallow copy of the sensors with the point arrays
  * - `Irradiance` (double, W/m2, as many components as that of the source): NaN where there is no
- *   surface within the radius that faces as the sensor does;
+ *   surface within the radius that faces as the sensor does, and farther than a million sizes of the
+ *   scene away from it, where nothing can be told;
  * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius);
  * - `SearchRadius` (double, m): the distance of the farthest of them. Distances across the sensor's plane
  *   count four times.

@@ -256,8 +256,11 @@ double IrradianceEngine::staleIrradiance(
   {
     return 0;
   }
-  const CellSums& sums = isSpread() ? spreadStaleSums_ : stale_->sums();
-  return watts(sums.sum(object, cell, side, band)) / area;
+  const auto quanta = [&](const CellSums& sums) { return sums.sum(object, cell, side, band); };
+  // What is spread is rounded at each step, so the part may come out larger than the whole.
+  return watts(isSpread() ? std::min(quanta(spreadStaleSums_), quanta(spreadSums_))
+                          : quanta(stale_->sums())) /
+    area;
 }
 
 }

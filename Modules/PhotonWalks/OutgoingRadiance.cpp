@@ -212,7 +212,11 @@ OutgoingRadiance::Bands OutgoingRadiance::mirrored(
   Bands sum{};
   for (std::uint32_t sample = 0; sample < mirrorSamples_; ++sample)
   {
-    add(sum, alongRay(mirrorRay(object, cell, sample, eye)), 1.0 / mirrorSamples_);
+    const Ray ray = mirrorRay(object, cell, sample, eye);
+    if (!ray.direction.isZero(0)) // the eye is not at the very point
+    {
+      add(sum, alongRay(ray), 1.0 / mirrorSamples_);
+    }
   }
   const std::size_t first = cell * static_cast<std::size_t>(bands_);
   for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)

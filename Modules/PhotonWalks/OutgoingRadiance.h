@@ -5,6 +5,7 @@
 #include "IrradianceEngine.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace irradiance
@@ -16,9 +17,21 @@ struct Eye
   Vector3 position; ///< or the unit direction to the eye
   bool isFar = false;
 
+  /// A unit vector; zero at the eye's own place.
   Vector3 directionFrom(const Vector3& point) const
   {
-    return isFar ? position : Vector3((position - point).normalized());
+    if (isFar)
+    {
+      return position;
+    }
+    const Vector3 away = position - point;
+    const double squared = away.squaredNorm();
+    if (squared > 0x1p-900 && squared < 0x1p+1000)
+    {
+      return away / std::sqrt(squared);
+    }
+    const double longest = away.cwiseAbs().maxCoeff(); // its square is too large or small
+    return longest > 0 ? Vector3((away / longest).normalized()) : away;
   }
 };
 

@@ -59,6 +59,77 @@ inline Mesh White(const Mesh& mesh)
   return mesh;
 }
 
+/// The walls of a furnace of 1 m, and its floor of strips, every other one of which is 1e-6 wide.
+inline std::vector<Mesh> MakeFurnaceOfStrips()
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> strips;
+  constexpr int kStrips = 20;
+  for (int i = 0; i <= kStrips; ++i)
+  {
+    const double x = (i / 2) / (0.5 * kStrips) + (i % 2 != 0 ? 1e-6 : 0);
+    points->InsertNextPoint(x, 0, 0);
+    points->InsertNextPoint(x, 1, 0);
+  }
+  for (vtkIdType i = 0; i < kStrips; ++i)
+  {
+    const vtkIdType ids[4] = { 2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1 };
+    strips->InsertNextCell(4, ids);
+  }
+  auto floor = Mesh::New();
+  floor->SetPoints(points);
+  floor->SetPolys(strips);
+  Mesh room = Placed(MakeRoom(1, 2), 1, { 0, 0, 0 });
+  vtkNew<vtkCellArray> walls; // all but the floor, which comes first
+  for (vtkIdType cell = 4; cell < room->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    room->GetCellPoints(cell, ids);
+    walls->InsertNextCell(ids);
+  }
+  room->SetPolys(walls);
+  for (const Mesh& mesh : { room, floor })
+  {
+    SetCellValues(mesh, "DiffuseReflectance", { 0.5 });
+    SetCellValues(mesh, "RadiantExitance", { 0.5 });
+  }
+  return { room, floor };
+}
+
+/// In the middle of a unit room: flattened along an axis, which may reflect, and sheared.
+inline void SetSheared(vtkTransform* pose, double flat, double shear)
+{
+  const double small = shear > 0 ? 1 / shear : 1;
+  const double matrix[16] = { 0.8 * small, shear * small * flat, 0.1, 0, 0.2, flat, -0.1, 0, -0.1,
+    0.3 * flat, 1, 0, 0, 0, 0, 1 };
+  pose->Identity();
+  pose->Translate(0.5, 0.5, 0.5);
+  pose->Concatenate(matrix);
+}
+
+/// Cell by cell in turn: Phong exponents, infinite for mirrors.
+inline void SetExponents(vtkPolyData* mesh, const std::vector<double>& exponents)
+{
+  SetCellValues(mesh, "PhongExponent", { 0 });
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellData()
+      ->GetArray("PhongExponent")
+      ->SetComponent(cell, 0, exponents[static_cast<std::size_t>(cell) % exponents.size()]);
+  }
+}
+
+/// Lets a mesh of a furnace reflect `part` of what it reflects specularly.
+inline Mesh Glossy(const Mesh& mesh, double part, const std::vector<double>& exponents)
+{
+  const double all = mesh->GetCellData()->GetArray("DiffuseReflectance")->GetComponent(0, 0);
+  SetCellValues(mesh, "DiffuseReflectance", { (1 - part) * all });
+  SetCellValues(mesh, "SpecularReflectance", { part * all });
+  SetExponents(mesh, exponents);
+  return mesh;
+}
+
 /// A dynamic object at `position` of a furnace; model and position are in units of its size.
 inline MovingObject MakeMovingIn(
   const Mesh& unitModel, double size, const Vector& offset, const Vector& position)
@@ -141,6 +212,9 @@ inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isC
   if (!scene.Moving.empty())
   {
     const auto fresh = MakeFilter(scene, filter->GetNumberOfWalks());
+    fresh->SetCellEstimate(filter->GetCellEstimate());
+    fresh->SetNumberOfSpreadPhotons(filter->GetNumberOfSpreadPhotons());
+    fresh->SetSeparateSides(filter->GetSeparateSides());
     fresh->Update();
     EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
   }

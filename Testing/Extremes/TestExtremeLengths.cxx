@@ -85,43 +85,8 @@ TEST(ExtremeLengths, ABallRollsOverAnEdgeFarAway)
 
 TEST(ExtremeSliver, StripsOfAspect1e6)
 {
-  // A floor of strips, every other one 1e-6 wide; the other walls as usual.
-  std::vector<Mesh> parts{ MakeRoom(1, 2) };
-  Mesh floor = Copy(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1));
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  constexpr int kStrips = 20;
-  for (int i = 0; i <= kStrips; ++i)
-  {
-    const double x = (i / 2) / (0.5 * kStrips) + (i % 2 != 0 ? 1e-6 : 0);
-    points->InsertNextPoint(x, 0, 0);
-    points->InsertNextPoint(x, 1, 0);
-  }
-  for (vtkIdType i = 0; i < kStrips; ++i)
-  {
-    const vtkIdType ids[4] = { 2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1 };
-    cells->InsertNextCell(4, ids);
-  }
-  floor->SetPoints(points);
-  floor->SetPolys(cells);
-  floor->GetCellData()->Initialize();
-  Mesh room = Placed(MakeRoom(1, 2), 1, { 0, 0, 0 });
-  vtkNew<vtkCellArray> walls; // all but the floor, which comes first
-  for (vtkIdType cell = 4; cell < room->GetNumberOfCells(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    room->GetCellPoints(cell, ids);
-    walls->InsertNextCell(ids);
-  }
-  room->SetPolys(walls);
-  for (const Mesh& mesh : { room, floor })
-  {
-    SetCellValues(mesh, "DiffuseReflectance", { 0.5 });
-    SetCellValues(mesh, "RadiantExitance", { 0.5 });
-  }
   // A sheet 1e-6 thick and a needle 7e-7 wide.
-  Scene scene{ { room, floor },
+  Scene scene{ MakeFurnaceOfStrips(),
     { MakeMoving(White(Placed(MakeBox(0.5, 0.5, 1e-6), 1, { 0, 0, 0 })), { 0.4, 0.5, 0.6 }),
       MakeMoving(White(Placed(MakeBox(0.7, 7e-7, 7e-7), 1, { 0, 0, 0 })), { 0.5, 0.4, 0.3 }) } };
   const auto filter = MakeFilter(scene, NumberOfWalks);

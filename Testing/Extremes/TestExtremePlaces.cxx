@@ -97,12 +97,7 @@ TEST(ExtremePlaces, NearSingularAndReflectingMaps)
     for (const double shear : { 0.0, 1e3 })
     {
       SCOPED_TRACE(testing::Message() << "flattened by " << flat << ", sheared by " << shear);
-      const double small = shear > 0 ? 1 / shear : 1;
-      const double matrix[16] = { 0.8 * small, shear * small * flat, 0.1, 0, 0.2, flat, -0.1, 0,
-        -0.1, 0.3 * flat, 1, 0, 0, 0, 0, 1 };
-      scene.Moving[0].Pose->Identity();
-      scene.Moving[0].Pose->Translate(0.5, 0.5, 0.5);
-      scene.Moving[0].Pose->Concatenate(matrix);
+      SetSheared(scene.Moving[0].Pose, flat, shear);
       ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
       EXPECT_NEAR(MeanIrradiance(filter, 0, 0), 1, 0.03);
     }

@@ -38,6 +38,8 @@ public:
   {
   }
 
+  explicit OutputBits(vtkPolyData* polyData) { this->AddBlock("", polyData); }
+
   bool IsEmpty() const { return this->Arrays.empty(); }
 
   /// Tells which array differs first, and where.

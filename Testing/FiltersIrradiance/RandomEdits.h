@@ -140,6 +140,45 @@ inline void TakeANewShape(Trial& t)
   }
 }
 
+inline void SetGloss(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(true);
+  SetCellValues(leaf.Mesh, "SpecularReflectance", RandomTuple(t.Random, 0.95));
+  SetRandomExponents(t.Random, leaf.Mesh);
+  leaf.Modified();
+}
+
+/// And nothing else, on half of what is glossy.
+inline void ChangeExponents(Trial& t)
+{
+  for (auto& port : t.Given.Ports)
+  {
+    for (Connection& connection : port)
+    {
+      ForEachLeaf(connection.Data, [&](vtkPolyData* mesh) {
+        if (mesh->GetCellData()->HasArray(t.Set().SpecularArray.c_str()) && Chance(t.Random, 2))
+        {
+          SetRandomExponents(t.Random, mesh);
+          mesh->Modified();
+        }
+      });
+      connection.Data->Modified();
+    }
+  }
+}
+
+/// Or only the exponents: then all of it is a mirror.
+inline void RemoveGloss(Trial& t)
+{
+  const Leaf leaf = t.PickLeaf(true);
+  leaf.Mesh->GetCellData()->RemoveArray("PhongExponent");
+  if (!Chance(t.Random, 3))
+  {
+    leaf.Mesh->GetCellData()->RemoveArray("SpecularReflectance");
+  }
+  leaf.Modified();
+}
+
 inline void SetAnArray(Trial& t)
 {
   const Leaf leaf = t.PickLeaf(true);
@@ -152,7 +191,8 @@ inline void SetAnArray(Trial& t)
 inline void ChangeAValue(Trial& t)
 {
   const Leaf leaf = t.PickLeaf(false);
-  for (const char* name : { "RadiantExitance", "DiffuseReflectance", "RadiantFlux", "Albedo" })
+  for (const char* name : { "RadiantExitance", "DiffuseReflectance", "RadiantFlux", "Albedo",
+         "SpecularReflectance", "PhongExponent" })
   {
     if (vtkDataArray* array = leaf.Mesh->GetCellData()->GetArray(name))
     {

@@ -2,7 +2,8 @@
 #ifndef RandomModel_h
 #define RandomModel_h
 
-#include "TestScenes.h"
+#include "RandomGloss.h"
+#include "RandomView.h"
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -14,7 +15,6 @@
 namespace RandomModels
 {
 
-using namespace TestScenes;
 using Tuple = std::vector<double>;
 
 struct Settings
@@ -25,7 +25,7 @@ struct Settings
   int CellEstimate = vtkIrradianceFilter::Sums, NumberOfSpreadPhotons = 250;
   bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
   double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
-  std::string ReflectanceArray = "DiffuseReflectance";
+  std::string ReflectanceArray = "DiffuseReflectance", SpecularArray = "SpecularReflectance";
 };
 
 struct Connection
@@ -38,12 +38,18 @@ struct Model
 {
   std::vector<Connection> Ports[2];
   Settings Set;
+  View Look;
   int NumberOfThreads = 1;
 };
 
-inline void ChooseReflectance(vtkIrradianceFilter* filter, const std::string& name)
+/// `index`: 1 for the diffuse reflectance, 2 for the specular one.
+inline void ChooseArray(vtkIrradianceFilter* filter, int index, const std::string& name)
 {
-  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name.c_str());
+  if (name != filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME()))
+  {
+    filter->SetInputArrayToProcess(
+      index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name.c_str());
+  }
 }
 
 inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
@@ -62,11 +68,8 @@ inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
   filter->SetDefaultDiffuseReflectance(settings.DefaultDiffuseReflectance);
   filter->SetTargetRelativeError(settings.TargetRelativeError);
   filter->SetRepairTimeBudget(settings.RepairTimeBudget);
-  const char* chosen = filter->GetInputArrayInformation(1)->Get(vtkDataObject::FIELD_NAME());
-  if (settings.ReflectanceArray != chosen)
-  {
-    ChooseReflectance(filter, settings.ReflectanceArray);
-  }
+  ChooseArray(filter, 1, settings.ReflectanceArray);
+  ChooseArray(filter, 2, settings.SpecularArray);
 }
 
 inline void ApplyPoses(vtkIrradianceFilter* filter, const Model& model)
@@ -109,17 +112,6 @@ void ForEachLeaf(vtkDataObject* data, const Visit& visit)
   }
 }
 
-inline bool Chance(RandomNumbers& random, int oneIn)
-{
-  return random.Below(oneIn) == 0;
-}
-
-template <class T>
-T& Pick(RandomNumbers& random, std::vector<T>& from)
-{
-  return from[static_cast<std::size_t>(random.Below(static_cast<int>(from.size())))];
-}
-
 inline Tuple RandomTuple(RandomNumbers& random, double high)
 {
   Tuple tuple{ random.Between(0, high) };
@@ -128,11 +120,6 @@ inline Tuple RandomTuple(RandomNumbers& random, double high)
     tuple.insert(tuple.end(), { random.Between(0, high), Chance(random, 2) ? 0 : high });
   }
   return tuple;
-}
-
-inline Vector RandomPlace(RandomNumbers& random)
-{
-  return { random.Between(-0.2, 3.2), random.Between(-0.2, 3.2), random.Between(-0.2, 3.2) };
 }
 
 /// Around the origin. Lengths are multiples of 0.25 m, so flat faces can touch exactly.
@@ -157,11 +144,31 @@ inline Mesh RandomMesh(RandomNumbers& random)
   {
     SetCellValues(mesh, "DiffuseReflectance", RandomTuple(random, 0.95));
   }
+  if (Chance(random, 4))
+  {
+    SetCellValues(mesh, "SpecularReflectance", RandomTuple(random, 0.95));
+    SetRandomExponents(random, mesh);
+  }
   if (Chance(random, 16))
   {
     SetCellValues(mesh, "RadiantExitance", RandomTuple(random, 30));
   }
   return mesh;
+}
+
+/// Lets the specular reflectance of all meshes suit the diffuse one; whether it had to change.
+inline bool LimitGloss(vtkDataObject* data, const Settings& settings)
+{
+  bool isLimited = false;
+  ForEachLeaf(data, [&](vtkPolyData* mesh) {
+    if (LimitGloss(mesh, settings.ReflectanceArray.c_str(), settings.SpecularArray.c_str(),
+          settings.DefaultDiffuseReflectance))
+    {
+      mesh->Modified();
+      isLimited = true;
+    }
+  });
+  return isLimited;
 }
 
 /// Adds the field array that moves `data` as a transform does.
@@ -253,6 +260,7 @@ inline Model RandomModel(RandomNumbers& random)
   Mesh ground = Chance(random, 3) ? MakeRectangle({ -2, -2, 0 }, { 7, 0, 0 }, { 0, 7, 0 }, 3)
                                   : MakeRoom(3, 1 + random.Below(3));
   SetCellValues(ground, "Albedo", { 0.3 });
+  SetCellValues(ground, "Gloss", { 0.4 });
   model.Ports[0] = { { ground, nullptr },
     { MakeLamp({ 1.5, 1.5, 2.75 }, 0.75, RandomTuple(random, 100)), nullptr } };
   for (int i = 0; i < 4; ++i)
@@ -262,6 +270,7 @@ inline Model RandomModel(RandomNumbers& random)
     model.Ports[1].push_back({ RandomData(random), pose });
   }
   model.Set.NumberOfWalks = 500 + random.Below(1500);
+  model.Look = RandomView(random);
   return model;
 }
 

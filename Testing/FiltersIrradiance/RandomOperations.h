@@ -31,17 +31,39 @@ inline void ChangeModes(Trial& t)
   t.Apply();
 }
 
+/// What the nearest photons exclude.
+inline bool ExcludesNearest(const Settings& set)
+{
+  return set.ComputeStandardError || set.TargetRelativeError > 0 || set.RepairTimeBudget > 0;
+}
+
+/// Applies settings that may exclude the estimate.
+inline void ApplyBeforeEstimate(Trial& t)
+{
+  if (t.Set().CellEstimate == vtkIrradianceFilter::Nearest && ExcludesNearest(t.Set()))
+  {
+    t.Set().CellEstimate = t.Random.Below(2);
+  }
+  t.Apply();
+}
+
 inline void ChangeOutput(Trial& t)
 {
   t.Set().SeparateSides = Chance(t.Random, 2);
   t.Set().ComputeStandardError = Chance(t.Random, 2);
-  t.Apply();
+  ApplyBeforeEstimate(t);
 }
 
+/// An estimate from the nearest photons ends what it excludes.
 inline void ChangeEstimate(Trial& t)
 {
-  t.Set().CellEstimate = t.Random.Below(2);
+  t.Set().CellEstimate = t.Random.Below(3);
   t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
+  if (t.Set().CellEstimate == vtkIrradianceFilter::Nearest)
+  {
+    t.Set().ComputeStandardError = false;
+    t.Set().TargetRelativeError = t.Set().RepairTimeBudget = 0;
+  }
   t.Apply();
 }
 
@@ -51,13 +73,14 @@ inline void ChangeTarget(Trial& t)
   t.Set().NumberOfReplicates = replicates[t.Random.Below(4)];
   t.Set().TargetRelativeError = Chance(t.Random, 2) ? t.Random.Between(0.2, 1) : 0;
   t.Set().MaximumNumberOfWalks = 3000 + t.Random.Below(4000);
-  t.Apply();
+  ApplyBeforeEstimate(t);
 }
 
 inline void ChangeReflectances(Trial& t)
 {
   t.Set().DefaultDiffuseReflectance = t.Random.Between(0, 0.9);
   t.Set().ReflectanceArray = Chance(t.Random, 2) ? "Albedo" : "DiffuseReflectance";
+  t.Set().SpecularArray = Chance(t.Random, 4) ? "Gloss" : "SpecularReflectance";
   t.Apply();
 }
 
@@ -65,7 +88,40 @@ inline void ChangeBudget(Trial& t)
 {
   static const double budgets[] = { 0, 1e-9, 1e-9, 1e-4 }; // s
   t.Set().RepairTimeBudget = budgets[t.Random.Below(4)];
-  t.Apply();
+  ApplyBeforeEstimate(t);
+}
+
+// Views.
+
+inline void MoveTheEye(Trial& t)
+{
+  MoveEye(t.Random, t.Given.Look);
+}
+
+inline void ChangeTheSensors(Trial& t)
+{
+  ChangeSensors(t.Random, t.Given.Look);
+}
+
+/// With it, what it collects of the filter's photons.
+inline void AbortAView(Trial& t)
+{
+  MoveAPose(t);
+  MoveTheEye(t);
+  vtkAlgorithm* const views[] = { t.Views.Radiance, t.Views.Probe };
+  for (vtkAlgorithm* view : views)
+  {
+    const auto meddler = vtkSmartPointer<Meddler>::New();
+    meddler->EventsToWait = t.Random.Below(4);
+    meddler->Change = [view] { view->SetAbortExecute(1); };
+    const auto tag = view->AddObserver(vtkCommand::ProgressEvent, meddler);
+    t.LimitGloss();
+    t.Look();
+    view->RemoveObserver(tag);
+    view->Modified(); // else it keeps the empty output
+    t.Done.Aborts += !meddler->Change;
+  }
+  t.MustCompare = true;
 }
 
 // Executions.
@@ -137,14 +193,15 @@ inline void SpoilAReflectance(Trial& t)
   const vtkIdType cell = PickCell(t, leaf.Mesh);
   if (cell >= 0)
   {
-    const char* name = t.Set().ReflectanceArray.c_str();
+    const bool isDiffuse = Chance(t.Random, 2);
+    const std::string name = isDiffuse ? t.Set().ReflectanceArray : t.Set().SpecularArray;
     vtkCellData* cells = leaf.Mesh->GetCellData();
-    const vtkSmartPointer<vtkDataArray> old = cells->GetArray(name);
-    SetCellValues(leaf.Mesh, name, { 0.5 });
-    cells->GetArray(name)->SetComponent(cell, 0, 1.5);
+    const vtkSmartPointer<vtkDataArray> old = cells->GetArray(name.c_str());
+    SetCellValues(leaf.Mesh, name.c_str(), { isDiffuse ? 0.5 : 0.01 });
+    cells->GetArray(name.c_str())->SetComponent(cell, 0, 1.5);
     leaf.Modified();
     t.ExpectOneError();
-    old ? static_cast<void>(cells->AddArray(old)) : cells->RemoveArray(name);
+    old ? static_cast<void>(cells->AddArray(old)) : cells->RemoveArray(name.c_str());
     leaf.Modified();
   }
 }
@@ -174,7 +231,7 @@ inline void SpoilALeaf(Trial& t)
 
 inline void SpoilASetting(Trial& t)
 {
-  switch (t.Random.Below(4))
+  switch (t.Random.Below(5))
   {
     case 0:
       t.Filter->SetNumberOfWalks(0);
@@ -185,8 +242,12 @@ inline void SpoilASetting(Trial& t)
     case 2:
       t.Filter->SetNumberOfSpreadPhotons(0);
       break;
+    case 3:
+      t.Filter->SetCellEstimateToNearest();
+      t.Filter->SetRepairTimeBudget(1);
+      break;
     default:
-      ChooseReflectance(t.Filter, "NoSuchArray");
+      ChooseArray(t.Filter, 1 + t.Random.Below(2), "NoSuchArray");
   }
   t.ExpectOneError();
   t.Apply();
@@ -203,13 +264,16 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ReplaceOrRemoveAPose", ReplaceOrRemoveAPose, 3 }, { "ChangeAPoseField", ChangeAPoseField, 4 },
   { "TouchSomething", TouchSomething, 14 }, { "GoWhereAnotherIs", GoWhereAnotherIs, 3 },
   { "GoFarAway", GoFarAway, 3 }, { "Deform", Deform, 6 }, { "TakeANewShape", TakeANewShape, 2 },
-  { "SetAnArray", SetAnArray, 2 }, { "ChangeAValue", ChangeAValue, 2 },
-  { "RemoveAnArray", RemoveAnArray, 1 }, { "ChangeGhosts", ChangeGhosts, 2 },
-  { "ChangeBlocks", ChangeBlocks, 3 }, { "AddConnection", AddConnection, 4 },
-  { "RemoveConnection", RemoveConnection, 3 }, { "ChangeSamples", ChangeSamples, 1 },
-  { "ChangeModes", ChangeModes, 3 }, { "ChangeOutput", ChangeOutput, 2 },
-  { "ChangeEstimate", ChangeEstimate, 2 }, { "ChangeTarget", ChangeTarget, 2 },
-  { "ChangeReflectances", ChangeReflectances, 1 }, { "ChangeBudget", ChangeBudget, 6 },
+  { "SetAnArray", SetAnArray, 2 }, { "SetGloss", SetGloss, 3 },
+  { "ChangeExponents", ChangeExponents, 3 }, { "RemoveGloss", RemoveGloss, 2 },
+  { "ChangeAValue", ChangeAValue, 2 }, { "RemoveAnArray", RemoveAnArray, 1 },
+  { "ChangeGhosts", ChangeGhosts, 2 }, { "ChangeBlocks", ChangeBlocks, 3 },
+  { "AddConnection", AddConnection, 4 }, { "RemoveConnection", RemoveConnection, 3 },
+  { "ChangeSamples", ChangeSamples, 1 }, { "ChangeModes", ChangeModes, 3 },
+  { "ChangeOutput", ChangeOutput, 2 }, { "ChangeEstimate", ChangeEstimate, 4 },
+  { "ChangeTarget", ChangeTarget, 2 }, { "ChangeReflectances", ChangeReflectances, 1 },
+  { "ChangeBudget", ChangeBudget, 6 }, { "MoveTheEye", MoveTheEye, 3 },
+  { "ChangeTheSensors", ChangeTheSensors, 3 }, { "AbortAView", AbortAView, 2 },
   { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
   { "MeddleWhileItRuns", MeddleWhileItRuns, 4 }, { "SpoilAPoint", SpoilAPoint, 1 },
   { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilAPose", SpoilAPose, 1 },

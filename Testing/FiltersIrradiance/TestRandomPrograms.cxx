@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random programs of what users do to one long-lived filter, which keeps the bits of a fresh one
-// (compared after a third of the operations). VTKIRRADIANCE_TEST_EFFORT=9 runs nine times as many,
+// (compared after a third of the operations), and so do an eye and sensors that look at its photons. VTKIRRADIANCE_TEST_EFFORT=9 runs nine times as many,
 // VTKIRRADIANCE_TEST_PROGRAM=17 runs number 17 alone and prints each operation.
 
 #include "RandomOperations.h"
@@ -78,5 +78,5 @@ TEST(RandomPrograms, UpdatesEqualFreshFilters)
   std::cout << counts.Operations << " operations, " << counts.Repairs << " repairs, "
             << counts.Compared << " comparisons, " << counts.Stale << " of them stale, "
             << counts.Errors << " errors, " << counts.Aborts << " aborts, " << counts.Meddlings
-            << " changes while it ran\n";
+            << " changes while it ran, " << counts.Looks << " looks at its photons\n";
 }

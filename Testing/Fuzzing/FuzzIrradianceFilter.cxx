@@ -1,31 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Law: for any input the filter ends with one error, or with finite numbers, emitted = absorbed +
-// escaped, and a warning if all is dark; and an update equals a rebuild, bit for bit. Bytes become
-// inputs, transforms and settings, and then some frames in which something changes.
+// escaped, and a warning if all is dark; and an update equals a rebuild, bit for bit. The same holds for
+// an eye and sensors that look at its photons. Bytes become inputs, transforms, settings and views, and
+// then some frames in which something changes.
 
 #include "FuzzedPolyData.h"
-
-#include "../FiltersIrradiance/ErrorObserver.h"
-#include "../FiltersIrradiance/OutputBits.h"
+#include "FuzzedViews.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkMatrixToLinearTransform.h"
 #include "vtkOutputWindow.h"
 
-#include <cstdio>
-#include <cstdlib>
-
 namespace
 {
 
 using FuzzedPolyData::ByteReader;
+using FuzzedViews::Fail;
 using TestScenes::Mesh;
-
-[[noreturn]] void Fail(const std::string& what)
-{
-  std::fprintf(stderr, "%s\n", what.c_str());
-  std::abort();
-}
 
 struct Inputs
 {
@@ -37,6 +28,9 @@ struct Inputs
   bool CacheStaticHits = true;
   bool SeparateSides = false;
   double DefaultDiffuseReflectance = 0.5;
+  int CellEstimate = 0;
+  int NumberOfSpreadPhotons = 250;
+  FuzzedViews::View View;
 };
 
 void ReadPose(ByteReader& bytes, vtkMatrix4x4* matrix)
@@ -53,6 +47,9 @@ void ReadSettings(ByteReader& bytes, Inputs& inputs)
   const int kind = bytes.byte();
   // Few: where all light is reflected, the error comes only after about 2^16 bounces per walk.
   inputs.NumberOfWalks = bytes.oneIn(64) ? kind % 32 - 1 : 1 + kind % 8;
+  constexpr int estimates[] = { 0, 0, 0, 0, 1, 1, 2, 2 };
+  inputs.CellEstimate = estimates[kind >> 5];
+  inputs.NumberOfSpreadPhotons = (kind >> 5) % 2 == 0 ? 3 : 250;
   inputs.Seed = bytes.byte();
   inputs.TraversalMode = bytes.below(3);
   inputs.CacheStaticHits = bytes.below(2) == 0;
@@ -64,7 +61,10 @@ Inputs ReadInputs(ByteReader& bytes)
 {
   Inputs inputs;
   ReadSettings(bytes, inputs);
-  const int connections[2] = { bytes.below(3), bytes.below(4) };
+  const int counts[2] = { bytes.byte(), bytes.byte() };
+  const int connections[2] = { counts[0] % 3, counts[1] % 4 };
+  inputs.View.HasEye = counts[0] / 3 % 2 != 0;
+  inputs.View.HasSensors = counts[1] / 4 % 2 != 0;
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < connections[port]; ++i)
@@ -83,6 +83,10 @@ Inputs ReadInputs(ByteReader& bytes)
       inputs.Poses.back()->SetInput(matrix);
     }
   }
+  if (inputs.View.HasEye || inputs.View.HasSensors)
+  {
+    FuzzedViews::Read(bytes, inputs.View);
+  }
   return inputs;
 }
 
@@ -94,6 +98,8 @@ void Apply(vtkIrradianceFilter* filter, const Inputs& inputs)
   filter->SetCacheStaticHits(inputs.CacheStaticHits);
   filter->SetSeparateSides(inputs.SeparateSides);
   filter->SetDefaultDiffuseReflectance(inputs.DefaultDiffuseReflectance);
+  filter->SetCellEstimate(inputs.CellEstimate);
+  filter->SetNumberOfSpreadPhotons(inputs.NumberOfSpreadPhotons);
 }
 
 vtkSmartPointer<vtkIrradianceFilter> MakeFuzzedFilter(const Inputs& inputs)
@@ -133,6 +139,10 @@ void ChangeFrame(ByteReader& bytes, Inputs& inputs)
       mesh->GetPoints()->Modified();
       mesh->Modified();
     }
+  }
+  else if (kind == 2 && (inputs.View.HasEye || inputs.View.HasSensors))
+  {
+    FuzzedViews::Read(bytes, inputs.View);
   }
   else if (!inputs.Poses.empty())
   {
@@ -213,11 +223,29 @@ void CheckUpdate(vtkIrradianceFilter* filter, const ErrorObserver* observer, con
   }
 }
 
+/// What looks at the photons sees the same as what looks at those of a fresh filter.
+void CompareViews(const Inputs& inputs, FuzzedViews::Filters& views, vtkIrradianceFilter* fresh)
+{
+  if (fresh->GetOutput()->GetNumberOfBlocks() == 0)
+  {
+    return;
+  }
+  FuzzedViews::Filters freshViews(fresh);
+  views.Update(inputs.View);
+  freshViews.Update(inputs.View);
+  const auto isSame = IsSame(views, freshViews);
+  if (!isSame)
+  {
+    Fail(std::string("views differ: ") + isSame.message());
+  }
+}
+
 void Run(ByteReader bytes)
 {
   Inputs inputs = ReadInputs(bytes);
   const auto filter = MakeFuzzedFilter(inputs);
   const auto observer = ErrorObserver::Watch(filter);
+  FuzzedViews::Filters views(filter);
   for (int frame = 0; frame < 4; ++frame)
   {
     observer->Clear();
@@ -233,6 +261,7 @@ void Run(ByteReader bytes)
       Fail("update and rebuild differ in frame " + std::to_string(frame) + ": " +
         IsSame(OutputBits(filter), OutputBits(fresh)).message());
     }
+    CompareViews(inputs, views, fresh);
     if (bytes.isAtEnd())
     {
       return;

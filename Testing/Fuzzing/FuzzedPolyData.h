@@ -77,8 +77,10 @@ inline vtkSmartPointer<vtkCellArray> ReadCells(ByteReader& bytes, vtkIdType poin
   return cells;
 }
 
-inline vtkSmartPointer<vtkAbstractArray> ReadArray(
-  ByteReader& bytes, const char* name, vtkIdType cells, double high)
+/// `tame(i)`: values as they should be, for i from 0 to 8.
+template <class Tame>
+vtkSmartPointer<vtkAbstractArray> ReadArray(
+  ByteReader& bytes, const char* name, vtkIdType cells, const Tame& tame)
 {
   const auto make = [](int kind) -> vtkSmartPointer<vtkAbstractArray> {
     switch (kind)
@@ -105,7 +107,7 @@ inline vtkSmartPointer<vtkAbstractArray> ReadArray(
     {
       for (int k = 0; k < numbers->GetNumberOfComponents(); ++k)
       {
-        double value = isTame ? bytes.below(9) / 8.0 * high : bytes.number();
+        double value = isTame ? tame(bytes.below(9)) : bytes.number();
         if (numbers->GetDataType() == VTK_INT && !(std::abs(value) < 1e9))
         {
           value = 0; // no int can hold it
@@ -138,6 +140,41 @@ inline vtkSmartPointer<vtkDoubleArray> ReadMatrix(ByteReader& bytes)
   return array;
 }
 
+inline void ReadArrays(ByteReader& bytes, vtkPolyData* polyData)
+{
+  const int arrays = bytes.byte();
+  const auto add = [&](const char* name, const auto& tame) {
+    polyData->GetCellData()->AddArray(ReadArray(bytes, name, polyData->GetNumberOfCells(), tame));
+  };
+  const auto upTo = [](double high) { return [high](int i) { return i / 8.0 * high; }; };
+  const bool isGlossy = (arrays & 32) != 0;
+  if ((arrays & 1) == 0)
+  {
+    add("RadiantExitance", upTo(8));
+  }
+  if ((arrays & 2) != 0)
+  {
+    add("DiffuseReflectance", upTo(isGlossy ? 0.5 : 0.97));
+  }
+  if ((arrays & 4) != 0)
+  {
+    add("RadiantFlux", upTo(4));
+  }
+  if ((arrays & 24) == 24)
+  {
+    polyData->GetFieldData()->AddArray(ReadMatrix(bytes));
+  }
+  if (isGlossy)
+  {
+    add("SpecularReflectance", upTo(0.47));
+  }
+  if ((arrays & 64) != 0)
+  {
+    constexpr double exponents[] = { 0, 0.5, 1, 8, 100, 1e4, 1e30, 1e300, HUGE_VAL };
+    add("PhongExponent", [&](int i) { return exponents[i]; });
+  }
+}
+
 inline vtkSmartPointer<vtkPolyData> Read(ByteReader& bytes)
 {
   auto polyData = vtkSmartPointer<vtkPolyData>::New();
@@ -164,24 +201,7 @@ inline vtkSmartPointer<vtkPolyData> Read(ByteReader& bytes)
   {
     polyData->SetLines(ReadCells(bytes, points->GetNumberOfPoints()));
   }
-  const vtkIdType cells = polyData->GetNumberOfCells();
-  const int arrays = bytes.byte();
-  if ((arrays & 1) == 0)
-  {
-    polyData->GetCellData()->AddArray(ReadArray(bytes, "RadiantExitance", cells, 8));
-  }
-  if ((arrays & 2) != 0)
-  {
-    polyData->GetCellData()->AddArray(ReadArray(bytes, "DiffuseReflectance", cells, 0.97));
-  }
-  if ((arrays & 4) != 0)
-  {
-    polyData->GetCellData()->AddArray(ReadArray(bytes, "RadiantFlux", cells, 4));
-  }
-  if ((arrays & 24) == 24)
-  {
-    polyData->GetFieldData()->AddArray(ReadMatrix(bytes));
-  }
+  ReadArrays(bytes, polyData);
   return polyData;
 }
 

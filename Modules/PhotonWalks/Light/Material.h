@@ -34,9 +34,13 @@ struct Material
   bool isSpecular() const { return !specularReflectance.empty(); }
   bool isSpecular(std::size_t cell) const
   {
+    if (!isSpecular())
+    {
+      return false;
+    }
     const auto first = specularReflectance.begin() +
       static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(bands));
-    return isSpecular() && std::any_of(first, first + bands, [](double rho) { return rho > 0; });
+    return std::any_of(first, first + bands, [](double rho) { return rho > 0; });
   }
   /// Only if isSpecular().
   const PhongLobe& lobeOf(std::size_t cell) const { return lobes_[lobeOfCell_[cell]]; }

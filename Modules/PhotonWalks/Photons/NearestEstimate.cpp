@@ -42,6 +42,10 @@ double facingArea(const NearestPhotons& photons, const Sensor& sensor, double ra
 NearestEstimate nearestEstimate(
   const NearestPhotons& photons, const Sensor& sensor, std::uint32_t count, double maximumRadius)
 {
+  if (photons.isTooFar(sensor))
+  {
+    return { {}, 0, maximumRadius, 0 };
+  }
   const NearPhotons near = photons.find(sensor, count, maximumRadius);
   const std::size_t counted = near.photons.size() - (near.areAll ? 0 : 1);
   NearestEstimate estimate{ {}, facingArea(photons, sensor, near.radius), near.radius,

@@ -27,7 +27,7 @@ struct NearestEstimate
   std::uint32_t found; ///< photons, at most those asked for
 };
 
-/// `count`: >= 2.
+/// `count`: >= 2. Nothing is known where the sensor is too far away, see NearestPhotons.
 NearestEstimate nearestEstimate(const NearestPhotons& photons, const Sensor& sensor,
   std::uint32_t count, double maximumRadius = kInfinity);
 

@@ -17,14 +17,14 @@ constexpr float kWider = 1 + 0x1p-18F;
 /// Searches for more photons than this take memory as they go.
 constexpr std::size_t kUsualCount = 1024;
 
-double searchScale(const SceneObjects& objects)
+Box boundsOf(const SceneObjects& objects)
 {
   Box all;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     all.add(objects[i].worldBounds());
   }
-  return UnitFrame(all).scale;
+  return all;
 }
 
 }
@@ -319,7 +319,8 @@ NearestPhotons::NearestPhotons(
   : leaves_(leaves)
   , objects_(objects)
   , history_(history)
-  , searchUnitsPerWorldUnit_(searchScale(objects))
+  , bounds_(boundsOf(objects))
+  , searchUnitsPerWorldUnit_(UnitFrame(bounds_).scale)
 {
   trees_.reserve(objects.size());
   for (std::uint32_t i = 0; i < objects.size(); ++i)

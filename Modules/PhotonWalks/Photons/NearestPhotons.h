@@ -48,6 +48,14 @@ public:
     return sensor.squaredDistance(object.worldFromObject(model));
   }
 
+  /// Whether a sensor is so far from the scene that distances in double tell little of what is nearer.
+  bool isTooFar(const Sensor& sensor) const
+  {
+    const Vector3 away =
+      (bounds_.lower - sensor.position).cwiseMax(sensor.position - bounds_.upper);
+    return away.maxCoeff() * searchUnitsPerWorldUnit_ > kFarthest;
+  }
+
   const SceneObjects& objects() const { return objects_; }
   const WalkHistory& history() const { return history_; }
   const PlacedTree& tree(std::uint32_t object) const { return trees_[object]; }
@@ -55,9 +63,13 @@ public:
 private:
   class Search;
 
+  /// In sizes of the scene. From there a disc of a fiftieth of the scene is as far as its middle.
+  static constexpr double kFarthest = 0x1p20;
+
   const LeafPhotons& leaves_;
   const SceneObjects& objects_;
   const WalkHistory& history_;
+  Box bounds_; ///< of the scene
   double searchUnitsPerWorldUnit_;
   std::vector<PlacedTree> trees_;
   std::vector<std::uint32_t> lit_; ///< objects with photons

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RandomView_h
+#define RandomView_h
+
+#include "RandomChoices.h"
+
+#include <limits>
+
+/// What looks at the photons of a filter: an eye, and sensors.
+namespace RandomModels
+{
+
+struct View
+{
+  bool HasEye = false, HasSensors = false;
+  Vector Eye{ 1, 2, 3 };
+  bool IsFar = false; ///< the eye is infinitely far away in the direction of Eye
+  int NumberOfMirrorSamples = 4;
+  Mesh Sensors;
+  int NumberOfPhotons = 50;
+  double MaximumRadius = std::numeric_limits<double>::infinity();
+
+  bool IsUsed() const { return this->HasEye || this->HasSensors; }
+};
+
+/// Half of them on the floor or a wall of the room, the others anywhere.
+inline Mesh RandomSensors(RandomNumbers& random)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (int i = random.Below(30); i >= 0; --i)
+  {
+    Vector position = RandomPlace(random);
+    Vector normal{ random.Between(-1, 1), random.Between(-1, 1), random.Between(-1, 1) };
+    if (Chance(random, 2))
+    {
+      const auto axis = static_cast<std::size_t>(random.Below(3));
+      normal = { 0, 0, 0 };
+      normal[axis] = Chance(random, 2) ? 1 : -2;
+      position[axis] = normal[axis] > 0 ? 0 : 3;
+    }
+    points->InsertNextPoint(position.data());
+    normals->InsertNextTuple(normal.data());
+  }
+  auto sensors = Mesh::New();
+  sensors->SetPoints(points);
+  sensors->GetPointData()->SetNormals(normals);
+  return sensors;
+}
+
+inline void MoveEye(RandomNumbers& random, View& view)
+{
+  view.Eye = RandomPlace(random);
+  view.IsFar = Chance(random, 4);
+  view.NumberOfMirrorSamples = 1 + random.Below(8);
+}
+
+inline void ChangeSensors(RandomNumbers& random, View& view)
+{
+  view.Sensors = RandomSensors(random);
+  view.NumberOfPhotons = 2 << random.Below(10);
+  view.MaximumRadius =
+    Chance(random, 2) ? std::numeric_limits<double>::infinity() : random.Between(0.01, 2);
+}
+
+/// Half of all models have an eye, half have sensors.
+inline View RandomView(RandomNumbers& random)
+{
+  View view;
+  view.HasEye = Chance(random, 2);
+  view.HasSensors = Chance(random, 2);
+  MoveEye(random, view);
+  ChangeSensors(random, view);
+  return view;
+}
+
+}
+
+#endif

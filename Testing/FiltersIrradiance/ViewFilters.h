@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ViewFilters_h
+#define ViewFilters_h
+
+#include "ErrorObserver.h"
+#include "OutputBits.h"
+#include "OutputChecks.h"
+#include "RandomView.h"
+
+#include "vtkCamera.h"
+#include "vtkIrradianceProbeFilter.h"
+#include "vtkOutgoingRadianceFilter.h"
+
+/// The filters behind a vtkIrradianceFilter that look at its photons.
+class ViewFilters
+{
+public:
+  explicit ViewFilters(vtkIrradianceFilter* filter)
+  {
+    this->Radiance->SetInputConnection(filter->GetOutputPort());
+    this->Probe->SetSourceConnection(filter->GetOutputPort());
+  }
+
+  void Apply(const RandomModels::View& view)
+  {
+    this->Given = view;
+    this->Camera->SetPosition(view.Eye.data());
+    this->Camera->SetFocalPoint(0, 0, 0);
+    this->Camera->ParallelProjectionOn();
+    this->Radiance->SetCamera(view.IsFar ? this->Camera.Get() : nullptr);
+    this->Radiance->SetEyePosition(view.Eye.data());
+    this->Radiance->SetNumberOfMirrorSamples(view.NumberOfMirrorSamples);
+    this->Probe->SetInputData(view.Sensors);
+    this->Probe->SetNumberOfPhotons(view.NumberOfPhotons);
+    this->Probe->SetMaximumRadius(view.MaximumRadius);
+  }
+
+  /// Updates those that are used, and with them the vtkIrradianceFilter.
+  void Update()
+  {
+    this->EyeErrors->Clear();
+    this->SensorErrors->Clear();
+    if (this->Given.HasEye)
+    {
+      this->Radiance->Update();
+    }
+    if (this->Given.HasSensors)
+    {
+      this->Probe->Update();
+    }
+  }
+
+  /// After an update, stale or not.
+  void ExpectSound() const
+  {
+    for (const auto& reports : { this->EyeErrors, this->SensorErrors })
+    {
+      ASSERT_TRUE(reports->Errors.empty()) << reports->Errors.front();
+    }
+    if (this->Given.HasEye)
+    {
+      for (vtkPolyData* leaf : OutputChecks::LeavesOf(this->Radiance->GetOutput()))
+      {
+        ASSERT_TRUE(leaf->GetCellData()->HasArray("Radiance"));
+        OutputChecks::ExpectFinite(leaf->GetCellData());
+      }
+    }
+    for (vtkIdType i = 0; this->Given.HasSensors && i < this->Given.Sensors->GetNumberOfPoints();
+         ++i)
+    {
+      ASSERT_NO_FATAL_FAILURE(this->ExpectSoundSensor(i));
+    }
+  }
+
+  friend testing::AssertionResult IsSame(const ViewFilters& a, const ViewFilters& b)
+  {
+    const bool hasEye = a.Given.HasEye, hasSensors = a.Given.HasSensors;
+    const auto seen = hasEye ? IsSame(a.Seen(), b.Seen()) : testing::AssertionSuccess();
+    return seen && hasSensors ? IsSame(a.Measured(), b.Measured()) : seen;
+  }
+
+  vtkNew<vtkOutgoingRadianceFilter> Radiance;
+  vtkNew<vtkIrradianceProbeFilter> Probe;
+
+private:
+  OutputBits Seen() const { return OutputBits(this->Radiance->GetOutput()); }
+  OutputBits Measured() const
+  {
+    return OutputBits(vtkPolyData::SafeDownCast(this->Probe->GetOutput()));
+  }
+
+  /// NaN says that no surface faces as the sensor does. Less photons than asked for are all within
+  /// the largest radius.
+  void ExpectSoundSensor(vtkIdType i) const
+  {
+    const auto value = [&](const char* name, int band = 0) {
+      return this->Probe->GetOutput()->GetPointData()->GetArray(name)->GetComponent(i, band);
+    };
+    const double photons = value("NumberOfPhotons"), radius = value("SearchRadius");
+    vtkDataArray* irradiance = this->Probe->GetOutput()->GetPointData()->GetArray("Irradiance");
+    for (int band = 0; band < irradiance->GetNumberOfComponents(); ++band)
+    {
+      const double light = value("Irradiance", band);
+      ASSERT_TRUE(std::isnan(light) ? photons == 0 : std::isfinite(light) && light >= 0)
+        << light << " W/m2 at sensor " << i << " from " << photons << " photons";
+    }
+    ASSERT_LE(photons, this->Given.NumberOfPhotons);
+    ASSERT_LE(radius, this->Given.MaximumRadius);
+    ASSERT_TRUE(radius >= 0 &&
+      (photons == this->Given.NumberOfPhotons || radius == this->Given.MaximumRadius))
+      << photons << " photons within " << radius;
+  }
+
+  RandomModels::View Given;
+  vtkNew<vtkCamera> Camera;
+  vtkSmartPointer<ErrorObserver> EyeErrors = ErrorObserver::Watch(this->Radiance);
+  vtkSmartPointer<ErrorObserver> SensorErrors = ErrorObserver::Watch(this->Probe);
+};
+
+#endif
