@@ -24,7 +24,7 @@
  *   scene away from it, where nothing can be told;
  * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius);
  * - `SearchRadius` (double, m): the distance of the farthest of them. Distances across the sensor's plane
- *   count four times.
+ *   count eight times.
  *
  * With k photons the relative standard error is about 1 / sqrt(k). More photons come from farther
  * away: what is known is the mean over the surface within the SearchRadius, so shadow edges are

@@ -72,14 +72,16 @@ TEST(NearestEstimate, AreaAtEdgesAndCorners)
     EXPECT_NEAR(area({ 0, 1, 0 }, up, r), disc / 2, 1e-12) << "the wall does not count";
     EXPECT_NEAR(area({ 2, 0, 0 }, up, r), disc / 4, 1e-12);
     EXPECT_NEAR(area({ 0, 1, 0 }, Vector3::UnitX(), r), disc / 2, 1e-12);
-    EXPECT_NEAR(area({ 1, 1, 0.15 * r }, up, r), 0.64 * disc, 1e-12) << "four times as far";
-    EXPECT_EQ(area({ 1, 1, 0.26 * r }, up, r), 0);
+    EXPECT_NEAR(area({ 1, 1, 0.6 / Sensor::kFlattening * r }, up, r), 0.64 * disc, 1e-12)
+      << "across";
+    EXPECT_EQ(area({ 1, 1, 1.01 / Sensor::kFlattening * r }, up, r), 0);
     // Aslant: counts up to 45.6 degrees; half-way between both walls. Where the plane of the sensor
     // leaves the surface, so does the flattened sphere: an ellipse is left of the disc.
     const double root = std::sqrt(0.5);
-    EXPECT_NEAR(area({ 1, 1, 0 }, { 0, 0.6, 0.8 }, r), disc / std::sqrt(1 + 15 * 0.36), 1e-12);
+    constexpr double more = Sensor::kFlattening * Sensor::kFlattening - 1;
+    EXPECT_NEAR(area({ 1, 1, 0 }, { 0, 0.6, 0.8 }, r), disc / std::sqrt(1 + more * 0.36), 1e-12);
     EXPECT_EQ(area({ 1, 1, 0 }, { 0, 0.8, 0.6 }, r), 0);
-    EXPECT_NEAR(area({ 0, 1, 0 }, { root, 0, root }, r), disc / std::sqrt(8.5), 1e-12);
+    EXPECT_NEAR(area({ 0, 1, 0 }, { root, 0, root }, r), disc / std::sqrt(1 + more * 0.5), 1e-12);
   }
   EXPECT_NEAR(area({ 1, 1, 0 }, up, kInfinity), 4, 1e-12);
   EXPECT_NEAR(area({ 1, 1, 0 }, up, 1e3), 4, 1e-12);

@@ -2,7 +2,6 @@
 #include "Photons/NearestEstimate.h"
 
 #include "Meshes/TriangleInSphere.h"
-#include "Trees/BoxQuery.h"
 
 namespace irradiance
 {
@@ -22,9 +21,7 @@ double facingArea(const NearestPhotons& photons, const Sensor& sensor, double ra
     const Matrix3 flattening = sensor.flattening();
     const AffineMap flattened{ flattening * object.worldFromObject.linear,
       flattening * (object.worldFromObject.translation - sensor.position) };
-    for (const std::uint32_t triangle :
-      trianglesNear(object.body->tree(), tree.modelBounds(sensor, radius)))
-    {
+    const auto add = [&](std::uint32_t triangle) {
       const Triangle& model = object.body->mesh()[triangle];
       if (facing.side(model) != 0)
       {
@@ -34,7 +31,9 @@ double facingArea(const NearestPhotons& photons, const Sensor& sensor, double ra
         area +=
           inside > 0 ? inside / flat.area() * transformed(object.worldFromObject, model).area() : 0;
       }
-    }
+    };
+    photons.leaves().table(i).forEachNear(
+      object.body->tree(), tree.modelBounds(sensor, radius), add);
   }
   return area;
 }

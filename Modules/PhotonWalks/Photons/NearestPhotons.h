@@ -58,6 +58,7 @@ public:
 
   const SceneObjects& objects() const { return objects_; }
   const WalkHistory& history() const { return history_; }
+  const LeafPhotons& leaves() const { return leaves_; }
   const PlacedTree& tree(std::uint32_t object) const { return trees_[object]; }
 
 private:

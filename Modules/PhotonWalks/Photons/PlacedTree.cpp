@@ -30,7 +30,8 @@ PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit
 Box PlacedTree::modelBounds(const Sensor& sensor, double radius) const
 {
   const Vector3 center = inverse_ * (sensor.position - worldFromObject_.translation);
-  const Vector3 reach = radius * inverse_.rowwise().norm();
+  const Matrix3 modelFromFlattened = inverse_ * sensor.flattening().inverse();
+  const Vector3 reach = radius * modelFromFlattened.rowwise().norm();
   return { center - reach, center + reach };
 }
 

@@ -40,7 +40,7 @@ public:
 
   /// No vector of length 1 in the unit frame is shorter than this in search units, flattened or not.
   float least() const { return least_; }
-  /// Bounds, in the object's space, of the part that lies within a world distance of a sensor.
+  /// Bounds, in the object's space, of what lies within a distance of a sensor in its flattened world.
   Box modelBounds(const Sensor& sensor, double radius) const;
 
 private:

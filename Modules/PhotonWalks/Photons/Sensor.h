@@ -10,15 +10,15 @@ namespace irradiance
 /**
  * Where irradiance is asked for.
  *
- * What is near is measured in a flattened world: distances across the sensor's plane count four
+ * What is near is measured in a flattened world: distances across the sensor's plane count eight
  * times (as Jensen 1996 flattens his spheres to discs). On a flat surface that changes nothing. But
  * the other face of a board, the ceiling below, the back of a lamp, which face as the sensor does and
- * are dark, are near only to a sensor that must look four times as far for its photons as they are
+ * are dark, are near only to a sensor that must look eight times as far for its photons as they are
  * away; and round things count for less where they turn away.
  */
 struct Sensor
 {
-  static constexpr double kFlattening = 4;
+  static constexpr double kFlattening = 8;
 
   Vector3 position; ///< world
   Vector3 normal;   ///< world, unit vector to the side from which light comes

@@ -52,6 +52,15 @@ double areaInSphere(const Triangle& triangle, double radius)
   const double squaredRadius = radius * radius;
   const double farthest =
     std::max({ triangle.a.squaredNorm(), triangle.b.squaredNorm(), triangle.c.squaredNorm() });
+  // Most triangles are outside: around their middles there is a ball that holds them.
+  const Vector3 middle = (triangle.a + triangle.b + triangle.c) / 3;
+  const double away = middle.norm() - radius;
+  if (away > 0 &&
+    away * away > std::max({ (triangle.a - middle).squaredNorm(),
+                    (triangle.b - middle).squaredNorm(), (triangle.c - middle).squaredNorm() }))
+  {
+    return 0;
+  }
   const Vector3 area = triangle.areaVector();
   const double twice = area.norm();
   if (farthest <= squaredRadius || !(twice > 0))

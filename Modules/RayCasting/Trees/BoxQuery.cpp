@@ -9,25 +9,8 @@ namespace irradiance
 namespace
 {
 
-void addLeaf(const TriangleTree& tree, std::uint32_t first, std::vector<std::uint32_t>& found)
-{
-  const TriangleBlock* block = tree.blocks() + first;
-  for (bool isLast = false; !isLast; ++block)
-  {
-    isLast = block->isLast();
-    for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
-    {
-      if (block->reference(lane) != TriangleBlock::kNone)
-      {
-        found.push_back(block->reference(lane));
-      }
-    }
-  }
-}
-
-/// `box` is in the unit frame.
 void addNear(
-  const TriangleTree& tree, std::uint32_t node, const Box& box, std::vector<std::uint32_t>& found)
+  const TriangleTree& tree, std::uint32_t node, const Box& unit, std::vector<std::uint32_t>& leaves)
 {
   if (node == Treelet::kEmpty)
   {
@@ -35,7 +18,7 @@ void addNear(
   }
   if ((node & Treelet::kLeaf) != 0)
   {
-    addLeaf(tree, node & ~Treelet::kLeaf, found);
+    leaves.push_back(node & ~Treelet::kLeaf);
     return;
   }
   const Treelet& treelet = tree.treelets()[node];
@@ -44,16 +27,33 @@ void addNear(
     bool isNear = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-      isNear = isNear && treelet.bounds[0][axis][child] <= box.upper[axis] &&
-        treelet.bounds[1][axis][child] >= box.lower[axis];
+      isNear = isNear && treelet.bounds[0][axis][child] <= unit.upper[axis] &&
+        treelet.bounds[1][axis][child] >= unit.lower[axis];
     }
     if (isNear)
     {
-      addNear(tree, treelet.children[child], box, found);
+      addNear(tree, treelet.children[child], unit, leaves);
     }
   }
 }
 
+}
+
+Box unitBounds(const TriangleTree& tree, const Box& box)
+{
+  Box unit{ tree.frame()(box.lower), tree.frame()(box.upper) };
+  unit.inflate(0x1p-20); // the boxes of the tree are floats
+  return unit;
+}
+
+std::vector<std::uint32_t> leavesNear(const TriangleTree& tree, const Box& unit)
+{
+  std::vector<std::uint32_t> leaves;
+  if (!tree.isEmpty())
+  {
+    addNear(tree, tree.root(), unit, leaves);
+  }
+  return leaves;
 }
 
 std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& box)
@@ -63,9 +63,10 @@ std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& bo
   {
     return found;
   }
-  Box unit{ tree.frame()(box.lower), tree.frame()(box.upper) };
-  unit.inflate(0x1p-20); // the boxes of the tree are floats
-  addNear(tree, tree.root(), unit, found);
+  for (const std::uint32_t leaf : leavesNear(tree, unitBounds(tree, box)))
+  {
+    forEachListed(tree, leaf, [&](std::uint32_t triangle) { found.push_back(triangle); });
+  }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

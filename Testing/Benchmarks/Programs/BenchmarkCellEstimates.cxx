@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What each estimate of the irradiance of cells makes of the same walks: its error on walls and on finely
- * meshed things, how much of it is blur, what becomes of a sharp edge of a shadow, and its time.
+ * What each estimate of the irradiance of cells makes of the same walks: its error on what stands and on
+ * what moves, how much of it is blur, what becomes of a sharp edge of a shadow, and the time of a frame.
+ * The rival is the classic photon map, built anew in each frame from walks that are not stored.
  *
  * Errors are RMS over the area of a part of a scene, in units of that part's mean irradiance. The truth
  * comes from two long runs r and s: the mean of (x - r)(x - s) is the squared error of x, however noisy r and
- * s are. Blur is measured likewise, by the estimate of the long runs' own photons, as wide as that of `walks`.
- * Times are CPU time of one thread.
+ * s are. Blur is measured likewise, by the estimate of the long runs' own photons, as wide as that of the
+ * largest number of walks. Times are CPU time of one thread.
  *
- * Arguments: [walks = 1000000] [seeds = 5] [walks of the truth = 64000000] [head.off]
+ * Arguments: [most walks = 1000000] [seeds = 3] [walks of the truth = 64000000] [head.off]
  */
 #include "../../PhotonWalks/TestScenes.h"
 #include "../../PhotonWalks/ThreadExecution.h"
 #include "Measuring/CellField.h"
+#include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Measuring/Rounds.h"
+#include "Rivals/PhotonMapField.h"
 #include "Scenes/PlainRoom.h"
+#include "Scenes/TradeScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,52 +30,67 @@ namespace
 {
 
 constexpr double kTime = 0.25;
+constexpr double kFrame = MovingScene::kFrame;
 
+/// What makes an irradiance of photons.
 struct Estimate
 {
   std::string name;
   CellEstimate kind;
   double photons;
+  bool isMap = false; ///< Rivals/PhotonMap, instead of `kind`
 };
 
 const std::vector<Estimate> kEstimates = { { "sums", CellEstimate::Sums, 1 },
-  { "spread, 50 photons", CellEstimate::Spread, 50 },
-  { "spread, 100 photons", CellEstimate::Spread, 100 },
-  { "spread, 250 photons", CellEstimate::Spread, 250 },
-  { "spread, 400 photons", CellEstimate::Spread, 400 } };
+  { "spread over 50", CellEstimate::Spread, 50 }, { "spread over 250", CellEstimate::Spread, 250 },
+  { "nearest 50", CellEstimate::Nearest, 50 }, { "nearest 250", CellEstimate::Nearest, 250 },
+  { "nearest 400", CellEstimate::Nearest, 400 }, { "photon map 50", CellEstimate::Sums, 50, true },
+  { "photon map 250", CellEstimate::Sums, 250, true } };
 
-EngineSettings settingsWith(std::uint32_t walks, std::uint64_t seed)
+/// `photonsOfOne`: in place of one.
+EngineSettings settingsFor(
+  const Estimate& estimate, std::uint32_t walks, std::uint64_t seed, double photonsOfOne = 1)
 {
   EngineSettings settings;
   settings.numberOfWalks = walks;
   settings.seed = seed;
+  settings.cellEstimate = estimate.kind;
+  settings.spreadPhotons = estimate.photons * photonsOfOne;
+  settings.keepPhotons = true;
   return settings;
 }
 
-void choose(EngineSettings& settings, const Estimate& estimate, double photonsOfOne = 1)
+CellField fieldBy(const Estimate& estimate, const IrradianceEngine& engine, double photonsOfOne = 1)
 {
-  settings.cellEstimate = estimate.kind;
-  settings.spreadPhotons = estimate.photons * photonsOfOne;
+  return estimate.isMap ? irradianceOf(PhotonMap(mapPhotonsOf(engine)), engine.objects(),
+                            static_cast<std::size_t>(estimate.photons * photonsOfOne))
+                        : irradianceOf(engine, engine.objects());
 }
 
-/// By each estimate, the mean of several long runs, as wide as the estimates of `walks`.
+/// By each estimate, the mean of several long runs, as wide as the estimates of `walks`. Few of them tell
+/// what is blurred.
 std::vector<CellField> longRun(
   const SceneObjects& objects, std::uint32_t walks, double allWalks, std::uint64_t firstSeed)
 {
   constexpr std::uint32_t kWalksOfARun = 2000000; // their history fits into the memory
-  const int runs = std::max(1, static_cast<int>(allWalks / kWalksOfARun));
+  constexpr int kRunsOfBlur = 2;
+  const int allRuns = std::max(1, static_cast<int>(allWalks / kWalksOfARun));
+  const double photonsOfOne = double(kWalksOfARun) / walks;
   test::ThreadExecution threads(2);
   std::vector<CellField> means(kEstimates.size(), CellField::Zero(areasOf(objects).size()));
-  for (int run = 0; run < runs; ++run)
+  for (int run = 0; run < allRuns; ++run)
   {
-    EngineSettings settings =
-      settingsWith(kWalksOfARun, firstSeed + static_cast<std::uint64_t>(run));
     IrradianceEngine engine;
     for (std::size_t i = 0; i < kEstimates.size(); ++i)
     {
-      choose(settings, kEstimates[i], double(kWalksOfARun) / walks);
-      engine.update(objects, settings, threads);
-      means[i] += irradianceOf(engine, objects) / runs;
+      const int runs = i == 0 ? allRuns : std::min(allRuns, kRunsOfBlur);
+      if (run < runs)
+      {
+        engine.update(objects,
+          settingsFor(kEstimates[i], kWalksOfARun, firstSeed + std::uint64_t(run), photonsOfOne),
+          threads);
+        means[i] += fieldBy(kEstimates[i], engine, photonsOfOne) / runs;
+      }
     }
   }
   return means;
@@ -87,81 +105,90 @@ struct Part
 
 std::vector<Part> partsOf(const SceneObjects& objects)
 {
-  const auto part = [&](const std::string& name, const auto& isIn) {
+  const auto part = [&](const std::string& name, bool isDynamic) {
     return Part{ name, fieldOf(objects, [&](std::uint32_t object, std::size_t, double area) {
-                  return isIn(object) ? area : 0.0;
+                  return (object > 0) == isDynamic ? area : 0.0;
                 }) };
   };
-  std::vector<Part> parts = { part("all", [](std::uint32_t) { return true; }),
-    part("static", [](std::uint32_t object) { return object == 0; }),
-    part("dynamic", [](std::uint32_t object) { return object > 0; }) };
-  for (std::uint32_t i = 1; i < objects.size() && objects.size() > 2; ++i)
-  {
-    parts.push_back(
-      part("dynamic " + std::to_string(i), [i](std::uint32_t object) { return object == i; }));
-  }
-  return parts;
+  return { part("walls", false), part("movers", true) };
 }
 
-/// CPU seconds of an update.
-double secondsOf(
-  IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
+/// An estimate in a frame that changed a little.
+struct Frame
 {
-  Execution execution;
-  const double start = threadCpuSeconds();
-  engine.update(objects, settings, execution);
-  return threadCpuSeconds() - start;
-}
+  double seconds;
+  CellField irradiance;
+};
 
-/// Of the same walks, by each estimate. Nothing is shot, so the time is that of the estimate.
-std::vector<CellField> estimate(const MovingScene& scene, std::uint32_t walks, std::uint64_t seed)
+Frame frameByEngine(const MovingScene& scene, const EngineSettings& settings)
 {
-  const SceneObjects objects = scene.at(kTime);
   IrradianceEngine engine;
-  EngineSettings settings = settingsWith(walks, seed);
-  secondsOf(engine, scene.at(kTime - MovingScene::kFrame), settings);
-  report("CellEstimateTimes", scene.name + ", update of the sums", "ms",
-    1e3 * secondsOf(engine, objects, settings));
-  std::vector<CellField> fields;
-  for (const Estimate& each : kEstimates)
-  {
-    choose(settings, each);
-    const std::string row = scene.name + ", " + each.name;
-    report("CellEstimateTimes", row, "first, ms", 1e3 * secondsOf(engine, objects, settings));
-    report("CellEstimateTimes", row, "again, ms", 1e3 * secondsOf(engine, objects, settings));
-    fields.push_back(irradianceOf(engine, objects));
-  }
-  return fields;
+  timeUpdate(engine, scene.at(kTime - kFrame), settings);
+  const double seconds = timeUpdate(engine, scene.at(kTime), settings).whole;
+  return { seconds, irradianceOf(engine, engine.objects()) };
 }
 
-void measureErrors(
-  const MovingScene& scene, std::uint32_t walks, std::uint64_t seeds, double walksOfTruth)
+/// Walks are shot, and not stored; the map is built; each cell asks it.
+Frame frameByMap(const SceneObjects& objects, EngineSettings settings, std::size_t count)
+{
+  IrradianceEngine keeping, plain;
+  timeUpdate(keeping, objects, settings);
+  std::vector<PhotonMap::Photon> photons = mapPhotonsOf(keeping);
+  settings.verify = settings.keepPhotons = false;
+  Frame frame{ timeUpdate(plain, objects, settings).whole, {} };
+  frame.seconds += threadCpuSecondsOf(
+    [&] { frame.irradiance = irradianceOf(PhotonMap(std::move(photons)), objects, count); });
+  return frame;
+}
+
+Frame frameBy(
+  const Estimate& estimate, const MovingScene& scene, std::uint32_t walks, std::uint64_t seed)
+{
+  const EngineSettings settings = settingsFor(estimate, walks, seed);
+  return estimate.isMap
+    ? frameByMap(scene.at(kTime), settings, static_cast<std::size_t>(estimate.photons))
+    : frameByEngine(scene, settings);
+}
+
+void measureErrors(const std::string& name, const MovingScene& scene, std::uint32_t mostWalks,
+  std::uint64_t seeds, double walksOfTruth)
 {
   constexpr std::uint64_t kSeedsOfTruth = 1000;
+  constexpr int kLevels = 3; // each with four times the walks
+  const std::string table = "CellEstimates" + name;
   const SceneObjects objects = scene.at(kTime);
-  const std::vector<CellField> r = longRun(objects, walks, 0.5 * walksOfTruth, kSeedsOfTruth),
-                               s = longRun(objects, walks, 0.5 * walksOfTruth, 2 * kSeedsOfTruth);
-  std::vector<std::vector<CellField>> estimates;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+  const std::vector<Part> parts = partsOf(objects);
+  const std::vector<CellField> r = longRun(objects, mostWalks, 0.5 * walksOfTruth, kSeedsOfTruth),
+                               s =
+                                 longRun(objects, mostWalks, 0.5 * walksOfTruth, 2 * kSeedsOfTruth);
+  const auto percent = [&](const CellField& squares, const Part& part) {
+    return 100 * std::sqrt(std::max(0.0, meanOf(squares, part.weights))) /
+      meanOf(0.5 * (r[0] + s[0]), part.weights);
+  };
+  for (std::size_t i = 0; i < kEstimates.size(); ++i)
   {
-    estimates.push_back(estimate(scene, walks, seed));
-  }
-  for (const Part& part : partsOf(objects))
-  {
-    const double mean = meanOf(0.5 * (r[0] + s[0]), part.weights);
-    const auto root = [&](const CellField& squares) {
-      return 100 * std::sqrt(std::max(0.0, meanOf(squares, part.weights))) / mean;
-    };
-    for (std::size_t i = 0; i < kEstimates.size(); ++i)
+    for (int level = 0; level < kLevels; ++level)
     {
+      const std::uint32_t walks = mostWalks >> 2 * (kLevels - 1 - level);
+      std::vector<double> seconds;
       CellField squares = CellField::Zero(r[0].size());
-      for (const std::vector<CellField>& fields : estimates)
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed)
       {
-        squares += (fields[i] - r[0]) * (fields[i] - s[0]) / static_cast<double>(seeds);
+        const Frame frame = frameBy(kEstimates[i], scene, walks, seed);
+        seconds.push_back(frame.seconds);
+        squares += (frame.irradiance - r[0]) * (frame.irradiance - s[0]) / double(seeds);
       }
-      const std::string row = scene.name + ", " + part.name + ", " + kEstimates[i].name;
-      report("CellEstimates", row, "RMS error, %", root(squares));
-      report("CellEstimates", row, "of it blur, %", root((r[i] - r[0]) * (s[i] - s[0])));
+      for (const Part& part : parts)
+      {
+        const std::string row =
+          kEstimates[i].name + ", " + part.name + ", " + std::to_string(walks);
+        report(table, row, "frame, s", seconds);
+        report(table, row, "RMS error, %", percent(squares, part));
+        if (level == kLevels - 1)
+        {
+          report(table, row, "of it blur, %", percent((r[i] - r[0]) * (s[i] - s[0]), part));
+        }
+      }
     }
   }
 }
@@ -177,16 +204,15 @@ void measureShadow(std::uint32_t walks)
   wall.addQuad({ 0, -9, 0 }, { 0, 20, 0 }, { 0, 0, 9 }, 1, 1, test::grey(0));
   const SceneObjects objects{ floor.build(), { wall.build() } };
   IrradianceEngine engine;
-  EngineSettings settings = settingsWith(walks, 1);
+  Execution execution;
   double height = 0; // W/m2, before the wall
   for (const Estimate& each : kEstimates)
   {
-    choose(settings, each);
-    secondsOf(engine, objects, settings);
-    const CellField cells = irradianceOf(engine, objects).head(kCells * kCells);
+    engine.update(objects, settingsFor(each, walks, 1), execution);
+    const CellField cells = fieldBy(each, engine).head(kCells * kCells);
     const CellField profile = cells.reshaped(kCells, kCells).rowwise().mean();
     // Of a step, a Gaussian brings the height x its standard deviation / sqrt(2 pi) into the dark.
-    height = each.kind == CellEstimate::Sums ? profile.segment(kCells / 2 - 3, 3).mean() : height;
+    height = each.name == "sums" ? profile.segment(kCells / 2 - 3, 3).mean() : height;
     const double deviation = profile.tail(kCells / 2).sum() / height * std::sqrt(2 * M_PI);
     report("CellEstimateShadows", each.name, "cells from 10 % to 90 %", 2.563 * deviation);
     report(
@@ -194,15 +220,25 @@ void measureShadow(std::uint32_t walks)
   }
 }
 
+/// The box room with smaller cells.
+MovingScene makeFineBox(const std::string& head)
+{
+  constexpr int kCuts = 2;
+  MovingScene scene = makeTradeScenes(head)[1];
+  scene.objects = subdivided(scene.objects, kCuts);
+  return scene;
+}
+
 }
 
 void run(const Arguments& arguments)
 {
   const auto walks = arguments.number(0, 1000000u);
-  const auto seeds = arguments.number<std::uint64_t>(1, 5);
+  const auto seeds = arguments.number<std::uint64_t>(1, 3);
   const auto walksOfTruth = arguments.number(2, 64e6);
-  measureErrors(makePlainRoom(), walks, seeds, walksOfTruth);
-  measureErrors(
-    makeMovingTeapot(arguments.text(3, VTKIRRADIANCE_HEAD)), walks, seeds, walksOfTruth);
+  const std::string head = arguments.text(3, VTKIRRADIANCE_HEAD);
+  measureErrors("Room", makePlainRoom(), walks, seeds, walksOfTruth);
+  measureErrors("Teapot", makeMovingTeapot(head), walks, seeds, walksOfTruth);
+  measureErrors("Box", makeFineBox(head), walks, seeds, walksOfTruth);
   measureShadow(walks);
 }

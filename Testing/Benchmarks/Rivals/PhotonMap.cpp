@@ -2,6 +2,7 @@
 #include "Rivals/PhotonMap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace
@@ -25,6 +26,37 @@ float squaredDistance(const std::array<float, 3>& a, const std::array<float, 3>&
 {
   const float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return x * x + y * y + z * z;
+}
+
+float dot(const std::array<float, 3>& a, const std::array<float, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Of the middles of the steps into which the angles are cut.
+struct AngleTables
+{
+  std::array<float, 256> cosPolar, sinPolar, cosAzimuth, sinAzimuth;
+
+  AngleTables()
+  {
+    for (std::size_t i = 0; i < 256; ++i)
+    {
+      const double half = (static_cast<double>(i) + 0.5) / 256 * kPi;
+      cosPolar[i] = static_cast<float>(std::cos(half));
+      sinPolar[i] = static_cast<float>(std::sin(half));
+      cosAzimuth[i] = static_cast<float>(std::cos(2 * half));
+      sinAzimuth[i] = static_cast<float>(std::sin(2 * half));
+    }
+  }
+};
+
+const AngleTables& angleTables()
+{
+  static const AngleTables tables;
+  return tables;
 }
 
 /// The nearest photons so far. When there are as many as wanted they form a heap, the farthest first.
@@ -87,6 +119,24 @@ private:
   float limit_ = std::numeric_limits<float>::infinity();
 };
 
+}
+
+std::array<std::uint8_t, 2> PhotonMap::packed(const std::array<float, 3>& direction)
+{
+  const auto step = [](double turn) {
+    return static_cast<std::uint8_t>(std::clamp(static_cast<int>(256 * turn), 0, 255));
+  };
+  const double polar = std::acos(std::clamp(static_cast<double>(direction[2]), -1.0, 1.0));
+  const double azimuth = std::atan2(direction[1], direction[0]) / (2 * kPi);
+  return { step(polar / kPi), step(azimuth < 0 ? azimuth + 1 : azimuth) };
+}
+
+std::array<float, 3> PhotonMap::unpacked(const std::array<std::uint8_t, 2>& direction)
+{
+  const AngleTables& tables = angleTables();
+  const auto [polar, azimuth] = direction;
+  return { tables.sinPolar[polar] * tables.cosAzimuth[azimuth],
+    tables.sinPolar[polar] * tables.sinAzimuth[azimuth], tables.cosPolar[polar] };
 }
 
 PhotonMap::PhotonMap(std::vector<Photon> photons)
@@ -172,4 +222,18 @@ void PhotonMap::findNearest(
     }
     node = ahead.farChild;
   }
+}
+
+float PhotonMap::irradiance(const std::array<float, 3>& point, const std::array<float, 3>& normal,
+  std::size_t count, std::vector<Neighbour>& found) const
+{
+  findNearest(point, count, found);
+  float power = 0, squaredRadius = 0;
+  for (const Neighbour& neighbour : found)
+  {
+    const Photon& photon = photons_[neighbour.photon];
+    squaredRadius = std::max(squaredRadius, neighbour.squaredDistance);
+    power += dot(unpacked(photon.direction), normal) < 0 ? photon.power : 0;
+  }
+  return squaredRadius > 0 ? power / (static_cast<float>(kPi) * squaredRadius) : 0;
 }

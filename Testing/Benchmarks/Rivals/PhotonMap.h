@@ -28,6 +28,10 @@ public:
     std::uint32_t photon;
   };
 
+  /// A direction in two bytes, and back; unit vectors.
+  static std::array<std::uint8_t, 2> packed(const std::array<float, 3>& direction);
+  static std::array<float, 3> unpacked(const std::array<std::uint8_t, 2>& direction);
+
   explicit PhotonMap(std::vector<Photon> photons);
 
   const Photon& photon(std::uint32_t i) const { return photons_[i]; }
@@ -36,6 +40,10 @@ public:
   /// are in no order.
   void findNearest(
     const std::array<float, 3>& point, std::size_t count, std::vector<Neighbour>& found) const;
+  /// W/m2 at a point of a surface: the power of those of the nearest `count` photons that flew against
+  /// the normal, over the disc through the farthest one.
+  float irradiance(const std::array<float, 3>& point, const std::array<float, 3>& normal,
+    std::size_t count, std::vector<Neighbour>& found) const;
 
 private:
   struct Box

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rivals/PhotonMapField.h"
+
+using namespace irradiance;
+
+namespace
+{
+
+std::array<float, 3> inFloats(const Vector3& vector)
+{
+  return { static_cast<float>(vector[0]), static_cast<float>(vector[1]),
+    static_cast<float>(vector[2]) };
+}
+
+/// Where the map is asked.
+struct Middle
+{
+  Vector3 position = Vector3::Zero(); ///< times the area
+  Vector3 normal = Vector3::Zero();   ///< area vector
+  double area = 0;
+};
+
+std::vector<Middle> middlesOf(const SceneObject& object)
+{
+  std::vector<Middle> middles(object.material->numberOfCells);
+  for (std::size_t i = 0; i < object.body->mesh().size(); ++i)
+  {
+    const Triangle triangle = transformed(object.worldFromObject, object.body->mesh()[i]);
+    Middle& middle = middles[object.material->cellOfTriangle[i]];
+    middle.position += triangle.area() * (triangle.a + triangle.b + triangle.c) / 3;
+    middle.normal += triangle.areaVector();
+    middle.area += triangle.area();
+  }
+  return middles;
+}
+
+}
+
+std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
+{
+  const SobolSequence samples = engine.samples();
+  const WalkShooter shooter = engine.shooter(samples);
+  const WalkHistory history = engine.photons();
+  std::vector<PhotonMap::Photon> photons;
+  for (std::size_t i = 0; i < history.blocks().size(); ++i)
+  {
+    std::vector<WalkShooter::Stored> segments;
+    history.forEachPhoton(i, [&](const Photon& photon) {
+      const auto [walk, bounce] = photon.reference;
+      segments.push_back({ &history.blocks()[i], walk - history.firstWalkOf(i), walk, bounce });
+    });
+    std::vector<SurfacePoint> points(segments.size());
+    std::vector<Vector3> directions(segments.size());
+    shooter.arrivalsOf(segments.data(), segments.size(), points.data(), directions.data());
+    for (std::size_t k = 0; k < segments.size(); ++k)
+    {
+      const Power power = history.power({ segments[k].walk, segments[k].bounce });
+      photons.push_back({ inFloats(points[k].position), static_cast<float>(engine.watts(power[0])),
+        PhotonMap::packed(inFloats(directions[k])) });
+    }
+  }
+  return photons;
+}
+
+CellField irradianceOf(const PhotonMap& map, const SceneObjects& objects, std::size_t count)
+{
+  std::vector<double> field;
+  std::vector<PhotonMap::Neighbour> found;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (const Middle& middle : middlesOf(objects[object]))
+    {
+      field.push_back(map.irradiance(inFloats(middle.position / middle.area),
+        inFloats(middle.normal.normalized()), count, found));
+    }
+  }
+  return Eigen::Map<CellField>(field.data(), static_cast<Eigen::Index>(field.size()));
+}
