@@ -5,8 +5,8 @@
 #
 #   run.sh [--quick] [performance | accuracy]
 #
-#   performance   Performance.md alone; a quarter of an hour
-#   accuracy      SpeedAndAccuracy.md alone; six minutes
+#   performance   Performance.md alone; twenty minutes
+#   accuracy      SpeedAndAccuracy.md alone; a quarter of an hour
 #   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
 set -euo pipefail
 
@@ -86,5 +86,6 @@ if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"
   measure BenchmarkPilotPhotons "" "8192 2"
   measure BenchmarkStaleError "" "8192 2"
-  write_page SpeedAndAccuracy Benchmark{Accuracy,PilotPhotons,StaleError}.csv
+  measure BenchmarkCellEstimates "" "100000 1 400000"
+  write_page SpeedAndAccuracy Benchmark{Accuracy,PilotPhotons,StaleError,CellEstimates}.csv
 fi

@@ -9,7 +9,7 @@
  * s are. Blur is measured likewise, by the estimate of the long runs' own photons, as wide as that of the
  * largest number of walks. Times are CPU time of one thread.
  *
- * Arguments: [most walks = 1000000] [seeds = 3] [walks of the truth = 64000000] [head.off]
+ * Arguments: [most walks = 1000000] [seeds = 3] [walks of the truth = 32000000] [head.off]
  */
 #include "../../PhotonWalks/TestScenes.h"
 #include "../../PhotonWalks/ThreadExecution.h"
@@ -72,10 +72,10 @@ CellField fieldBy(const Estimate& estimate, const IrradianceEngine& engine, doub
 std::vector<CellField> longRun(
   const SceneObjects& objects, std::uint32_t walks, double allWalks, std::uint64_t firstSeed)
 {
-  constexpr std::uint32_t kWalksOfARun = 2000000; // their history fits into the memory
+  constexpr double kPhotonsOfOne = 2; // more walks, as long as their history fits into the memory
   constexpr int kRunsOfBlur = 2;
-  const int allRuns = std::max(1, static_cast<int>(allWalks / kWalksOfARun));
-  const double photonsOfOne = double(kWalksOfARun) / walks;
+  const auto walksOfARun = static_cast<std::uint32_t>(kPhotonsOfOne * walks);
+  const int allRuns = std::max(1, static_cast<int>(allWalks / walksOfARun));
   test::ThreadExecution threads(2);
   std::vector<CellField> means(kEstimates.size(), CellField::Zero(areasOf(objects).size()));
   for (int run = 0; run < allRuns; ++run)
@@ -87,9 +87,9 @@ std::vector<CellField> longRun(
       if (run < runs)
       {
         engine.update(objects,
-          settingsFor(kEstimates[i], kWalksOfARun, firstSeed + std::uint64_t(run), photonsOfOne),
+          settingsFor(kEstimates[i], walksOfARun, firstSeed + std::uint64_t(run), kPhotonsOfOne),
           threads);
-        means[i] += fieldBy(kEstimates[i], engine, photonsOfOne) / runs;
+        means[i] += fieldBy(kEstimates[i], engine, kPhotonsOfOne) / runs;
       }
     }
   }
@@ -220,25 +220,19 @@ void measureShadow(std::uint32_t walks)
   }
 }
 
-/// The box room with smaller cells.
-MovingScene makeFineBox(const std::string& head)
-{
-  constexpr int kCuts = 2;
-  MovingScene scene = makeTradeScenes(head)[1];
-  scene.objects = subdivided(scene.objects, kCuts);
-  return scene;
-}
-
 }
 
 void run(const Arguments& arguments)
 {
   const auto walks = arguments.number(0, 1000000u);
   const auto seeds = arguments.number<std::uint64_t>(1, 3);
-  const auto walksOfTruth = arguments.number(2, 64e6);
-  const std::string head = arguments.text(3, VTKIRRADIANCE_HEAD);
+  const auto walksOfTruth = arguments.number(2, 32e6);
+  constexpr int kCuts = 2; // of the box's cells, which are large
+  const std::vector<TradeScene> scenes = makeTradeScenes(arguments.text(3, VTKIRRADIANCE_HEAD));
+  MovingScene box = scenes[1];
+  box.objects = subdivided(box.objects, kCuts);
   measureErrors("Room", makePlainRoom(), walks, seeds, walksOfTruth);
-  measureErrors("Teapot", makeMovingTeapot(head), walks, seeds, walksOfTruth);
-  measureErrors("Box", makeFineBox(head), walks, seeds, walksOfTruth);
+  measureErrors("Teapot", scenes[0], walks, seeds, walksOfTruth);
+  measureErrors("Box", box, walks, seeds, walksOfTruth);
   measureShadow(walks);
 }

@@ -35,7 +35,8 @@ def bars(results, title, path):
 def lines(results, bottom, left, path):
     """The medians of two quantities against each other; "log" before one asks for a logarithmic axis.
     Rows with the same text before their last comma are points of one line, or a mark if there is only
-    one; those with the same text before their first comma have the same colour."""
+    one; those with the same text before their first comma have the same colour, those with the same
+    text between the two the same dashes or mark."""
     figure, axes = pyplot.subplots(figsize=(12, 5.2), layout="constrained")
     x, y = bottom.removeprefix("log "), left.removeprefix("log ")
     rows_of = {}
@@ -45,7 +46,9 @@ def lines(results, bottom, left, path):
     for name, rows in rows_of.items():
         group, _, kind = name.partition(",")
         mark = "DsPX"[kinds.index(kind) % 4]
-        style = {"marker": "o"} if len(rows) > 1 else {"marker": mark, "linestyle": "", "markersize": 12}
+        dashes = ["-", "--", ":", "-."][kinds.index(kind) % 4]
+        style = ({"marker": "o", "linestyle": dashes} if len(rows) > 1
+                 else {"marker": mark, "linestyle": "", "markersize": 12})
         axes.plot([results[row, x].median for row in rows], [results[row, y].median for row in rows],
                   color=pyplot.get_cmap("Dark2")(groups.index(group)), label=name, clip_on=False, **style)
     axes.set(xlabel=x, ylabel=y, xscale="log" if x != bottom else "linear",
