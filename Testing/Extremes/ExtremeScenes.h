@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 /// Scenes at the limits, and what must hold in all of them.
@@ -217,6 +218,31 @@ inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isC
     fresh->SetSeparateSides(filter->GetSeparateSides());
     fresh->Update();
     EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+  }
+}
+
+/// A furnace of the size, at the offset. `meshes`: its room, and a box and a ball that move in it. The
+/// mean irradiance of the room is 1 within `allowed`, that of the box within 0.1, in repaired frames too.
+inline void ExpectFurnace(const std::vector<Mesh>& meshes, double size, const Vector& offset,
+  vtkIdType walks, double allowed)
+{
+  Scene scene{ { meshes[0] },
+    { MakeMovingIn(meshes[1], size, offset, { 0.4, 0.5, 0.6 }),
+      MakeMovingIn(meshes[2], size, offset, { 0.7, 0.7, 0.4 }) } };
+  const auto filter = MakeFilter(scene, walks);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
+    const double inRoom = MeanIrradiance(filter, 0, 0), onBox = MeanIrradiance(filter, 1, 0);
+    EXPECT_NEAR(inRoom, 1, allowed);
+    EXPECT_NEAR(onBox, 1, 0.1);
+    std::printf("size %g, offset %g, frame %d: mean irradiance %.5f in the room, %.4f on the box\n",
+      size, offset[0], frame, inRoom, onBox);
+    EXPECT_EQ(Field(filter, "ShootSeconds") > 0, frame == 0);
+    scene.Moving[0].Pose->RotateWXYZ(25, 1, 2, 3);
+    scene.Moving[0].Pose->Translate(0.05 * size, 0.1 * size, -0.1 * size);
+    scene.Moving[1].Pose->Translate(-0.01 * size, 0.02 * size, 0.05 * size);
   }
 }
 

@@ -19,26 +19,10 @@ const std::vector<double> Exponents{ 0, 1e4, 1e30, std::numeric_limits<double>::
 /// standard deviation of 0.003, that of the box 0.018: 5.5 of them, a false alarm in 20 million.
 void ExpectGlossyFurnace(double size, const Vector& offset)
 {
-  const Mesh box = Glossy(White(MakeBox(0.3, 0.2, 0.25)), 0.7, Exponents),
-             ball = Glossy(White(MakeBall(0.15, 24)), 1, Exponents);
-  Scene scene{ { Glossy(MakeFurnace(size, offset), 0.4, Exponents) },
-    { MakeMovingIn(box, size, offset, { 0.4, 0.5, 0.6 }),
-      MakeMovingIn(ball, size, offset, { 0.7, 0.7, 0.4 }) } };
-  const auto filter = MakeFilter(scene, NumberOfWalks);
-  for (int frame = 0; frame < 3; ++frame)
-  {
-    SCOPED_TRACE("frame " + std::to_string(frame));
-    ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
-    const double inRoom = MeanIrradiance(filter, 0, 0), onBox = MeanIrradiance(filter, 1, 0);
-    EXPECT_NEAR(inRoom, 1, 0.0165);
-    EXPECT_NEAR(onBox, 1, 0.1);
-    std::printf("size %g, offset %g, frame %d: mean irradiance %.5f in the room, %.4f on the box\n",
-      size, offset[0], frame, inRoom, onBox);
-    EXPECT_EQ(Field(filter, "ShootSeconds") > 0, frame == 0);
-    scene.Moving[0].Pose->RotateWXYZ(25, 1, 2, 3);
-    scene.Moving[0].Pose->Translate(0.05 * size, 0.1 * size, -0.1 * size);
-    scene.Moving[1].Pose->Translate(-0.01 * size, 0.02 * size, 0.05 * size);
-  }
+  ExpectFurnace({ Glossy(MakeFurnace(size, offset), 0.4, Exponents),
+                  Glossy(White(MakeBox(0.3, 0.2, 0.25)), 0.7, Exponents),
+                  Glossy(White(MakeBall(0.15, 24)), 1, Exponents) },
+    size, offset, NumberOfWalks, 0.0165);
 }
 
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
 #include "MovingScene.h"
+#include "ShownAnswer.h"
 #include "ThreadExecution.h"
 #include "TickingExecution.h"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 namespace irradiance
 {
@@ -15,44 +13,6 @@ namespace
 {
 
 using test::MovingScene;
-
-/// The engine's answer with the bits of the standard errors and of the relative error reached.
-test::Answer fullAnswer(
-  const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
-{
-  test::Answer answer = test::answerOf(engine, objects, settings.separateSides);
-  const auto add = [&](double value) {
-    std::int64_t bits;
-    std::memcpy(&bits, &value, sizeof(bits));
-    answer.push_back(bits);
-  };
-  const ErrorEstimate errors = engine.errorEstimate();
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
-    {
-      for (int side = 0; side < (settings.separateSides ? 2 : 1); ++side)
-      {
-        for (int band = 0; band < objects.staticObject.material->bands; ++band)
-        {
-          add(errors.standardError(object, cell, side, band));
-        }
-      }
-    }
-  }
-  add(engine.reachedRelativeError());
-  add(engine.watts(engine.balance().emitted[0]));
-  answer.push_back(engine.numberOfWalks());
-  return answer;
-}
-
-test::Answer freshFullAnswer(const SceneObjects& objects, const EngineSettings& settings)
-{
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  return fullAnswer(engine, objects, settings);
-}
 
 EngineSettings withErrors(std::uint32_t walks)
 {
@@ -103,8 +63,8 @@ TEST(ErrorBarUpdates, UpdateEqualsRebuild)
     for (int frame = 0; frame < frames; ++frame, scene.nextFrame())
     {
       engine.update(scene.objects(), settings, threads);
-      ASSERT_TRUE(
-        fullAnswer(engine, scene.objects(), settings) == freshFullAnswer(scene.objects(), settings))
+      ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
+        test::freshShownAnswer(scene.objects(), settings))
         << bands << " bands, frame " << frame;
       EXPECT_EQ(engine.statistics().shootSeconds > 0, frame == 0);
       invalid += engine.statistics().invalidWalks;
@@ -129,7 +89,7 @@ TEST(ErrorBarUpdates, SameBitsWhateverTheWay)
     EngineSettings settings = withErrors(6000);
     settings.targetRelativeError = target;
     settings.maximumNumberOfWalks = 8 * settings.numberOfWalks;
-    const test::Answer expected = freshFullAnswer(frames.back(), settings);
+    const test::Answer expected = test::freshShownAnswer(frames.back(), settings);
     for (const TraversalMode mode :
       { TraversalMode::OneTree, TraversalMode::Sequential, TraversalMode::Parallel })
     {
@@ -145,7 +105,7 @@ TEST(ErrorBarUpdates, SameBitsWhateverTheWay)
           {
             engine.update(objects, settings, *execution);
           }
-          EXPECT_TRUE(fullAnswer(engine, frames.back(), settings) == expected)
+          EXPECT_TRUE(test::shownAnswer(engine, frames.back(), settings) == expected)
             << "traversal " << int(mode) << ", verify " << verify << ", target " << target;
         }
       }
@@ -168,7 +128,8 @@ TEST(ErrorBarUpdates, UpdateEqualsRebuildWithATarget)
   {
     const SceneObjects& objects = room.at(height);
     engine.update(objects, settings, threads);
-    ASSERT_TRUE(fullAnswer(engine, objects, settings) == freshFullAnswer(objects, settings))
+    ASSERT_TRUE(
+      test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings))
       << "height " << height;
     const std::uint32_t walks = engine.numberOfWalks();
     std::printf("height %.2f: %u walks reach %.3f\n", height, walks, engine.reachedRelativeError());
@@ -206,7 +167,8 @@ TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
     }
     changes += before != 0 && engine.numberOfWalks() != before ? 1 : 0;
     before = engine.numberOfWalks();
-    ASSERT_TRUE(fullAnswer(engine, objects, settings) == freshFullAnswer(objects, settings))
+    ASSERT_TRUE(
+      test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings))
       << "height " << height;
   }
   EXPECT_GT(waits, 10);
@@ -227,7 +189,8 @@ TEST(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
   {
     settings.targetRelativeError = target;
     engine.update(objects, settings, execution);
-    EXPECT_TRUE(fullAnswer(engine, objects, settings) == freshFullAnswer(objects, settings))
+    EXPECT_TRUE(
+      test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings))
       << "target " << target;
     walks.push_back(engine.numberOfWalks());
   }
@@ -238,7 +201,8 @@ TEST(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
   EXPECT_EQ(walks[5], walks[0]);
   settings.targetRelativeError = 0;
   engine.update(objects, settings, execution);
-  EXPECT_TRUE(fullAnswer(engine, objects, settings) == freshFullAnswer(objects, settings));
+  EXPECT_TRUE(
+    test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
 }
 
 // With any number of rounds, the power is that of the lights and balances to the last quantum.
@@ -330,8 +294,8 @@ TEST(ErrorBarUpdates, AnInterruptionLeavesNoTrace)
       ++stops;
     }
     engine.update(room.at(0.2), settings, execution);
-    ASSERT_TRUE(
-      fullAnswer(engine, room.at(0.2), settings) == freshFullAnswer(room.at(0.2), settings))
+    ASSERT_TRUE(test::shownAnswer(engine, room.at(0.2), settings) ==
+      test::freshShownAnswer(room.at(0.2), settings))
       << "stopped at call " << stopAt;
   }
   EXPECT_GE(stops, 3);
