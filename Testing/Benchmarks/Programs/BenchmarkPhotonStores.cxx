@@ -254,7 +254,7 @@ void requireFreshLeaves(IrradianceEngine& engine, Execution& execution)
 void timeLeafPhotons(const EngineSettings& settings, int rounds)
 {
   constexpr int kFrames = 4;
-  constexpr double kSize = 1.05; // some 3 % of the walks change
+  constexpr double kSize = 1.05; // some 4 % of the walks change
   const std::string table = "LeafPhotons", row = "plain room";
   const MovingScene room = makePlainRoom(kSize);
   const EngineSettings kept = keeping(settings);
