@@ -78,7 +78,7 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkFrameProfile "" "20000 2"
   measure BenchmarkRepairBudget "" "20000 2"
-  measure BenchmarkPhotonStores "" "20000 2"
+  measure BenchmarkPhotonStores "1000000 11" "20000 2"
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,NearestPhotons}.csv
 fi

@@ -91,27 +91,34 @@ public:
   void forEachPhotonOf(
     std::size_t block, std::uint32_t walkInBlock, std::uint32_t first, const Visit& visit) const
   {
-    const WalkBlock& walks = blocks_[block];
-    for (std::uint32_t bounce = first; bounce < walks.size(walkInBlock); ++bounce)
-    {
-      if (const Hit hit = walks.hit(walkInBlock, bounce))
-      {
-        visit(Photon{ { firstWalkOf(block) + walkInBlock, bounce }, hit.id, hit.weights,
-          walks.isFront(walkInBlock, bounce) });
-      }
-    }
+    visitPhotons(blocks_[block], firstWalkOf(block), walkInBlock, first, visit);
   }
   /// The same for all walks of a block.
   template <class Visit>
   void forEachPhoton(std::size_t block, const Visit& visit) const
   {
+    const std::uint32_t firstWalk = firstWalkOf(block);
     for (std::uint32_t walk = 0; walk < blocks_[block].numberOfWalks(); ++walk)
     {
-      forEachPhotonOf(block, walk, 0, visit);
+      visitPhotons(blocks_[block], firstWalk, walk, 0, visit);
     }
   }
 
 private:
+  template <class Visit>
+  static void visitPhotons(const WalkBlock& walks, std::uint32_t firstWalk,
+    std::uint32_t walkInBlock, std::uint32_t first, const Visit& visit)
+  {
+    for (std::uint32_t bounce = first; bounce < walks.size(walkInBlock); ++bounce)
+    {
+      if (const Hit hit = walks.hit(walkInBlock, bounce))
+      {
+        visit(Photon{ { firstWalk + walkInBlock, bounce }, hit.id, hit.weights,
+          walks.isFront(walkInBlock, bounce) });
+      }
+    }
+  }
+
   const WalkPlan& plan_;
   const std::vector<WalkBlock>& blocks_;
 };

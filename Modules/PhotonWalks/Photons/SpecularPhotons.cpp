@@ -78,28 +78,64 @@ std::size_t SpecularPhotons::bytes() const
     [](std::size_t sum, const PhotonSet& set) { return sum + set.bytes(); });
 }
 
-void SpecularPhotons::collect(const Photon& photon, Parts& parts)
+/// Picks the photons on specular cells. Which they are is unpredictable, so they are picked without
+/// branches, a few at a time, before they go to their parts.
+class SpecularPhotons::Collector
 {
-  const Cells& cells = objects_[photon.id.object];
-  if (!cells.material)
+public:
+  Collector(SpecularPhotons& photons, Parts& parts)
+    : photons_(photons)
+    , parts_(parts)
   {
-    return;
   }
-  const std::uint32_t set = cells.sets[cells.material->cellOfTriangle[photon.id.triangle]];
-  if (set != kNone)
+
+  void add(const Photon& photon)
   {
-    const std::size_t i = cells.firstSet + set;
-    parts[i >> partShift_].push_back({ &sets_[i], photon.reference });
+    const Cells& cells = photons_.objects_[photon.id.object];
+    if (!cells.material)
+    {
+      return;
+    }
+    const std::uint32_t set = cells.sets[cells.material->cellOfTriangle[photon.id.triangle]];
+    sets_[count_] = cells.firstSet + set;
+    references_[count_] = photon.reference;
+    count_ += set != kNone ? 1 : 0;
+    if (count_ == kMost)
+    {
+      flush();
+    }
   }
-}
+
+  /// Has to be called at the end.
+  void flush()
+  {
+    for (std::size_t i = 0; i < count_; ++i)
+    {
+      parts_[sets_[i] >> photons_.partShift_].push_back(
+        { &photons_.sets_[sets_[i]], references_[i] });
+    }
+    count_ = 0;
+  }
+
+private:
+  static constexpr std::size_t kMost = 512;
+
+  SpecularPhotons& photons_;
+  Parts& parts_;
+  std::array<std::size_t, kMost> sets_{};
+  std::array<PhotonReference, kMost> references_{};
+  std::size_t count_ = 0;
+};
 
 std::vector<SpecularPhotons::Parts> SpecularPhotons::collect(const std::vector<Photon>& photons)
 {
   std::vector<Parts> changes(1);
+  Collector collector(*this, changes.front());
   for (const Photon& photon : photons)
   {
-    collect(photon, changes.front());
+    collector.add(photon);
   }
+  collector.flush();
   return changes;
 }
 
@@ -111,10 +147,12 @@ std::vector<SpecularPhotons::Parts> SpecularPhotons::collect(
   SlicedPass pass{ changes.size(), {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
     const std::size_t begin = first + unit * kBlocksPerUnit;
+    Collector collector(*this, changes[unit]);
     for (std::size_t block = begin; block < std::min(begin + kBlocksPerUnit, end); ++block)
     {
-      history.forEachPhoton(block, [&](const Photon& photon) { collect(photon, changes[unit]); });
+      history.forEachPhoton(block, [&](const Photon& photon) { collector.add(photon); });
     }
+    collector.flush();
     return true;
   };
   pass.run(execution);

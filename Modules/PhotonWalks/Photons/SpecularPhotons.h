@@ -65,7 +65,7 @@ private:
 
   /// Null if the cell is not specular.
   const PhotonSet* setOf(std::uint32_t object, std::size_t cell) const;
-  void collect(const Photon& photon, Parts& parts);
+  class Collector;
   std::vector<Parts> collect(const std::vector<Photon>& photons);
   std::vector<Parts> collect(
     const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution);

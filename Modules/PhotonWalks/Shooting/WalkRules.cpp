@@ -114,8 +114,12 @@ void WalkRules::prefetchCell(const Hit& hit) const
 Reflection WalkRules::chosenReflection(
   const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
 {
-  return survivalProbabilities(incoming, materialOf(hit.object), cellOf(hit))
-    .chosenBy(samples_.sample(walk, bounce, SampleUse::Survival)[0]);
+  const SurvivalProbabilities probabilities =
+    survivalProbabilities(incoming, materialOf(hit.object), cellOf(hit));
+  // Most cells of a shiny thing may be matte: what survives there needs no sample.
+  return probabilities.specular == 0
+    ? Reflection::Diffuse
+    : probabilities.chosenBy(samples_.sample(walk, bounce, SampleUse::Survival)[0]);
 }
 
 void Departures::add(const Departure& departure, Ray* ray, bool* isFront)

@@ -111,7 +111,6 @@ const std::string kOurs = "leaf photons";
 std::vector<Contestant> makeContestants(Frames& frames)
 {
   const std::vector<Vector3> photons = photonPoints(frames.engines[0]);
-  report("NearestPhotonsCount", "photons", "millions", 1e-6 * static_cast<double>(photons.size()));
   std::vector<Contestant> contestants;
   contestants.push_back({ "photon map", makePhotonMapLocator(photons, 1) });
   contestants.push_back({ "vtkStaticPointLocator", makeVtkLocator(photons) });
