@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 #include <tuple>
@@ -31,7 +32,8 @@ enum class Lie
   InSpace,
   InFewPlaces,
   InOnePlace,
-  InALine ///< they arrive in order
+  InALine,      ///< they arrive in order
+  TowardsAPoint ///< each nearer to it than all before: one plane below the other
 };
 
 class RandomPhotons
@@ -64,8 +66,10 @@ private:
         return { 0.5F * static_cast<float>(below(3)), 0.25F * static_cast<float>(below(2)), -1 };
       case Lie::InOnePlace:
         return { 0.5F, -0.5F, 1 };
-      default:
+      case Lie::InALine:
         return { 1e-5F * static_cast<float>(count_), 0, 0 };
+      default:
+        return { std::pow(0.99F, static_cast<float>(count_)), 0, 0 };
     }
   }
 
@@ -159,8 +163,8 @@ void compareWithModel(Lie lie, unsigned seed)
 
 TEST(PhotonLeaf, AgreesWithAPlainModelUnderRandomOperations)
 {
-  for (const Lie lie :
-    { Lie::OnAPlane, Lie::InSpace, Lie::InFewPlaces, Lie::InOnePlace, Lie::InALine })
+  for (const Lie lie : { Lie::OnAPlane, Lie::InSpace, Lie::InFewPlaces, Lie::InOnePlace,
+         Lie::InALine, Lie::TowardsAPoint })
   {
     ASSERT_NO_FATAL_FAILURE(compareWithModel(lie, 1)) << static_cast<int>(lie);
     ASSERT_NO_FATAL_FAILURE(compareWithModel(lie, 2)) << static_cast<int>(lie);
