@@ -5,6 +5,14 @@ set(vtkirradiance_vtk_components
   FiltersCore RenderingCore)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtkirradiance_vtk_components})
 
+if (VTKIRRADIANCE_WRAP_PYTHON)
+  # Debian's VTK is for Debian's Python, even where another one comes first in the PATH.
+  if (VTK_DIR MATCHES "^/usr/lib/" AND EXISTS "/usr/bin/python3")
+    set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The Python that has VTK")
+  endif ()
+  find_package(VTK 9.1 REQUIRED COMPONENTS Python WrappingPythonCore)
+endif ()
+
 set(vtkirradiance_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/vtkIrradiance")
 
 vtk_module_scan(
@@ -21,6 +29,7 @@ vtk_module_build(
   INSTALL_HEADERS ON
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/vtkIrradiance"
   CMAKE_DESTINATION "${vtkirradiance_cmake_dir}"
+  ENABLE_WRAPPING "${VTKIRRADIANCE_WRAP_PYTHON}"
   VERSION "${PROJECT_VERSION}"
   SOVERSION 1) # 0 would be taken for "none"
 

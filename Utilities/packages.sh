@@ -17,7 +17,7 @@ packages_of()
   case $1 in
     build) echo g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev ;;
     display) echo xvfb ;;
-    test) echo libgtest-dev clang-format clang-tidy python3-matplotlib ;;
+    test) echo libgtest-dev clang-format clang-tidy python3-matplotlib python3-numpy ;;
     fuzz) echo clang libclang-rt-dev ;;
     benchmark) echo libembree-dev python3-matplotlib ;;
     meshes) echo npm ;;
@@ -43,6 +43,7 @@ description_of()
     libclang-rt-dev) echo "clang's libFuzzer" ;;
     libembree-dev) echo "Embree 3" ;;
     python3-matplotlib) echo "Python 3 with Matplotlib" ;;
+    python3-numpy) echo "Python 3 with NumPy" ;;
     *) echo "$1" ;;
   esac
 }
@@ -77,12 +78,12 @@ can_fuzz()
     clang++ -fsanitize=fuzzer -x c++ -o /dev/null - 2>/dev/null
 }
 
-# The Python that has it: Debian's own, where another one comes first.
-python_with_matplotlib()
+# python_with MODULE: the Python that has it: Debian's own, where another one comes first
+python_with()
 {
   local python
   for python in python3 /usr/bin/python3; do
-    if has_command "$python" && "$python" -c 'import matplotlib' 2>/dev/null; then
+    if has_command "$python" && "$python" -c "import $1" 2>/dev/null; then
       echo "$python"
       return 0
     fi
@@ -102,7 +103,8 @@ is_present_without_dpkg()
     libgtest-dev) [[ -n ${GTest_DIR:-} ]] || has_config GTestConfig.cmake ;;
     libclang-rt-dev) can_fuzz ;;
     libembree-dev) [[ -n ${embree_DIR:-} ]] || has_config 'embree-config.cmake' ;;
-    python3-matplotlib) python_with_matplotlib >/dev/null ;;
+    python3-matplotlib) python_with matplotlib >/dev/null ;;
+    python3-numpy) python_with numpy >/dev/null ;;
     *) has_command "$1" "$1-14" ;;
   esac
 }

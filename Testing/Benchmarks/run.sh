@@ -14,6 +14,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=Utilities/packages.sh
 source Utilities/packages.sh
 
+home=$PWD
 build=$PWD/build/benchmark
 report=$PWD/Testing/Benchmarks/Report
 documentation=$PWD/Documentation
@@ -36,24 +37,25 @@ if [[ $part != accuracy ]]; then
   has_command npm || (require_packages meshes) || true
   Data/fetch-benchmark-meshes.sh || echo "The scenes of these meshes are left out."
 fi
-python=$(python_with_matplotlib)
+python=$(python_with matplotlib)
 
 echo "Building in $build ..."
 if ! log=$(cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
-  -DVTKIRRADIANCE_BUILD_EXAMPLES=ON -DVTKIRRADIANCE_BUILD_BENCHMARKS=ON 2>&1); then
+  -DVTKIRRADIANCE_BUILD_EXAMPLES=ON -DVTKIRRADIANCE_BUILD_BENCHMARKS=ON -DVTKIRRADIANCE_WRAP_PYTHON=ON 2>&1); then
   echo "$log"
   exit 1
 fi
 cmake --build "$build" --parallel "$(nproc)"
 
-# measure PROGRAM ARGUMENTS QUICK_ARGUMENTS: its results go to PROGRAM.csv, as tables to the screen and a file
+# measure PROGRAM ARGUMENTS QUICK_ARGUMENTS: runs a program, or a script of Debian's Python; its results go to PROGRAM.csv, as tables to the screen and a file
 measure()
 {
-  local arguments=$2
+  local arguments=$2 program=("$build/bin/$1")
   [[ $quick == no ]] || arguments=$3
   echo "== $1"
+  [[ -e ${program[0]} ]] || program=(/usr/bin/python3 -B "$home/Testing/Benchmarks/Programs/$1.py")
   # shellcheck disable=SC2086 # several words
-  "$build/bin/$1" $arguments >"$1.csv"
+  PYTHONPATH=$(echo "$build"/lib/python3*/*-packages) "${program[@]}" $arguments >"$1.csv"
   "$python" "$report/results.py" "$1.csv" | tee "$1.txt"
 }
 
@@ -80,7 +82,8 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkRepairBudget "" "20000 2"
   measure BenchmarkPhotonStores "1000000 11" "20000 2"
   measure BenchmarkNearestPhotons "" "20000 2 1000"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,NearestPhotons}.csv
+  measure BenchmarkPython "" "2 20"
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,NearestPhotons,Python}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"

@@ -1,5 +1,6 @@
 # Installs a build tree, looks at what was installed, and builds and runs Examples/LitRoom against it.
 #
+#   python   imports the installed package vtkIrradiance, below `python_dir`; "none" for none
 #   build    the build tree; without it a static one is made from `source`
 #   scratch  a folder for all that is made here
 
@@ -53,6 +54,23 @@ foreach (file IN LISTS package headers)
     endif ()
   endforeach ()
 endforeach ()
+
+# Python finds its module, and that finds the library, from where they are installed.
+if (python AND NOT python STREQUAL "none")
+  run("${CMAKE_COMMAND}" -E env --unset=LD_LIBRARY_PATH "PYTHONPATH=${prefix}/${python_dir}"
+    "${python}" -c "print(__import__('vtkIrradiance').__file__)"
+    WORKING_DIRECTORY "${scratch}")
+  string(FIND "${output}" "${prefix}/" found)
+  if (NOT found EQUAL 0)
+    message(FATAL_ERROR "Python imports not what was installed, but ${output}")
+  endif ()
+  execute_process(COMMAND readelf -d "${prefix}/${python_dir}/vtkIrradiance/vtkFiltersIrradiance.so"
+    OUTPUT_VARIABLE dynamic)
+  string(FIND "${dynamic}" "${build}" found)
+  if (NOT found EQUAL -1)
+    message(FATAL_ERROR "the installed module points back to ${build}:\n${dynamic}")
+  endif ()
+endif ()
 
 set(installed ${toolchain} "-DCMAKE_PREFIX_PATH=${prefix}")
 run("${CMAKE_COMMAND}" -S "${source}/Testing/Consumer/Package" -B "${scratch}/package" ${installed})

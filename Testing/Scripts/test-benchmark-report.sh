@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 report=$root/Testing/Benchmarks/Report
 # shellcheck source=Utilities/packages.sh
 source "$root/Utilities/packages.sh"
-python=$(python_with_matplotlib) || {
+python=$(python_with matplotlib) || {
   echo "no Python with Matplotlib (Debian's python3-matplotlib)"
   exit 1
 }

@@ -7,6 +7,7 @@
 #   the rooms of RayCasting and PhotonWalks            each may use only itself and those before it
 #   RayCasting and PhotonWalks know nothing of VTK
 #   CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp of RayCasting alone
+#   the Python package (Modules/Python) needs VTK and Python's own library alone
 #   Embree is for Testing/Benchmarks alone
 #   a public header (vtk*.h) shows nothing of Eigen, CGAL, the engine or private headers
 set -euo pipefail
@@ -132,6 +133,11 @@ mapfile -t files < <(source_files Modules; source_files Examples; for module in 
 for file in "${files[@]}"; do
   reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]embree' \
     "Embree is for Testing/Benchmarks alone" "$file"
+done
+
+for file in Modules/Python/*.py Modules/Python/*.py.in; do
+  reject_matches '^[[:space:]]*(from|import)[[:space:]]+(numpy|matplotlib|paraview|vtk)([[:space:].]|$)' \
+    "the Python package needs vtkmodules and Python's own library alone" "$file"
 done
 
 for file in Modules/FiltersIrradiance/vtk*.h; do

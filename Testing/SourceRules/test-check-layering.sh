@@ -11,7 +11,7 @@ failures=0
 clean_tree()
 {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/Modules/{RayCasting/{Geometry,Meshes,Ellipsoids},PhotonWalks/{Light,Tally},FiltersIrradiance} \
+  mkdir -p "$tree"/Modules/{RayCasting/{Geometry,Meshes,Ellipsoids},PhotonWalks/{Light,Tally},FiltersIrradiance,Python} \
     "$tree"/Testing/{RayCasting,PhotonWalks}
   cd "$tree"
   printf '#include <Eigen/Core>\n' >Modules/RayCasting/Geometry/Vector.h
@@ -25,6 +25,7 @@ clean_tree()
   printf '#include "PhotonWalks/Light/Emitter.h"\n' >Modules/FiltersIrradiance/Converter.h
   printf '#include "vtkObject.h"\n#include <memory>\nclass vtkX;\n' >Modules/FiltersIrradiance/vtkX.h
   printf '#include "vtkX.h"\n#include "Converter.h"\n' >Modules/FiltersIrradiance/vtkX.cxx
+  printf 'import re\nfrom vtkmodules.vtkCommonCore import vtkObject\n' >Modules/Python/pipeline.py
   printf '#include "RayCasting/Geometry/Vector.h"\n#include <CGAL/Gmpq.h>\n' >Testing/RayCasting/TestVector.cpp
 }
 
@@ -77,6 +78,9 @@ expect_violation Modules/FiltersIrradiance/vtkX.h '#include <CGAL/Cartesian.h>' 
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include "RayCasting/Geometry/Vector.h"' "a public header may not show the engine"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include "Emitter.h"' "a public header may not show the engine"
 expect_violation Modules/FiltersIrradiance/vtkX.h '#include "Converter.h"' "a public header may not show a private one"
+expect_violation Modules/Python/pipeline.py 'import numpy as np' "vtkmodules and Python's own library alone"
+expect_violation Modules/Python/pipeline.py '    from paraview.simple import *' "vtkmodules and Python's own library alone"
+expect_violation Modules/Python/__init__.py.in 'import vtk' "vtkmodules and Python's own library alone"
 
 rm -rf "${tree:?}"/*
 if bash "$here/check-layering.sh" "$tree" >/dev/null; then
