@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ExposureSums_h
+#define irradiance_ExposureSums_h
+
+#include "EnergySums.h"
+#include "LeafData.h"
+
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+namespace irradiance
+{
+
+/// The radiant exposure of all cells: a weighted sum of their irradiance at several times, added up in
+/// the order in which they come.
+class ExposureSums
+{
+public:
+  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to that of
+  /// other times; then the sums are of no use any more.
+  void add(vtkDataObject* data, double time, double weight);
+  /// `last`: the data of the last time; `output`: empty, of the same type. Throws InputError if there
+  /// never was a cell.
+  void write(vtkDataObject* last, vtkDataObject* output) const;
+
+private:
+  /// One of the arrays that are summed up.
+  struct Side
+  {
+    std::string suffix; ///< of its name: Front, Back, or none
+    int bands;
+    std::vector<double> exposure; ///< J/m2
+  };
+  struct Leaf
+  {
+    std::string name;
+    unsigned int flatIndex = 0;
+    vtkSmartPointer<vtkDataSet> geometry; ///< of the last time with cells; null: never any
+    double time = 0;                      ///< of the geometry
+    std::vector<Side> sides;
+  };
+
+  void checkStructure(const std::vector<LeafData>& leaves, double time);
+  static void begin(Leaf& leaf, vtkDataSet* data, double time);
+  static void checkCells(const Leaf& leaf, vtkDataSet* data, double time);
+  static void addSide(
+    const std::string& name, Side& side, vtkDataSet* data, double time, double weight);
+  static vtkSmartPointer<vtkDataSet> written(const Leaf& leaf, vtkDataSet* last);
+
+  std::vector<Leaf> leaves_;
+  double firstTime_ = 0;
+  EnergySums energies_;
+};
+
+}
+
+#endif

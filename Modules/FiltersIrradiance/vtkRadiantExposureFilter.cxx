@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRadiantExposureFilter.h"
+
+#include "ExposureIntegral.h"
+#include "ExposureTimes.h"
+#include "FilterRun.h"
+#include "InputError.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+vtkStandardNewMacro(vtkRadiantExposureFilter);
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// What the result depends on, except what happens upstream.
+struct Settings
+{
+  int Mode, NumberOfTimeSteps;
+  irradiance::TimeSpan Span;
+  std::array<int, 3> Piece; ///< number, of how many, ghost levels
+
+  auto All() const { return std::tie(Mode, NumberOfTimeSteps, Span.start, Span.end, Piece); }
+  bool operator==(const Settings& other) const { return All() == other.All(); }
+};
+
+Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input)
+{
+  Settings settings{ filter->GetIntegrationMode(), filter->GetNumberOfTimeSteps(),
+    irradiance::timeSpan(input, filter->GetStartTime(), filter->GetEndTime()),
+    { input->Get(Pipeline::UPDATE_PIECE_NUMBER()), input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
+      input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
+  constexpr int mostSteps = 1000000;
+  if (settings.NumberOfTimeSteps < 1 || settings.NumberOfTimeSteps > mostSteps)
+  {
+    throw irradiance::InputError("NumberOfTimeSteps is " +
+      std::to_string(settings.NumberOfTimeSteps) + "; 1 to " + std::to_string(mostSteps) +
+      " are possible");
+  }
+  return settings;
+}
+
+std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
+  const Settings& settings, vtkInformation* input)
+{
+  return std::make_unique<irradiance::GivenTimesIntegral>(
+    settings.Mode == vtkRadiantExposureFilter::TimeSteps
+      ? irradiance::stepTimes(input, settings.Span)
+      : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
+}
+
+/// Files have some times alone, and take the nearest.
+void CheckTime(vtkDataObject* data, double time, const irradiance::TimeSpan& span)
+{
+  vtkInformation* info = data->GetInformation();
+  const double given =
+    info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : time;
+  constexpr double rounding = 1e-9;
+  if (!(std::abs(given - time) <= rounding * (span.end - span.start)))
+  {
+    throw irradiance::InputError("the input was asked for time " + irradiance::text(time) +
+      ", but came with that of " + irradiance::text(given) +
+      ": choose IntegrationMode TimeSteps with StartTime and EndTime among the TIME_STEPS, or put "
+      "a "
+      "vtkTemporalInterpolator before this filter");
+  }
+}
+
+void AddTimes(const std::vector<double>& times, vtkFieldData* fields)
+{
+  const auto addArray = [fields](const char* name, vtkDataArray* array) {
+    array->SetName(name);
+    fields->AddArray(array);
+  };
+  vtkNew<vtkDoubleArray> start, end, all;
+  vtkNew<vtkIdTypeArray> steps;
+  start->InsertNextValue(times.front());
+  end->InsertNextValue(times.back());
+  steps->InsertNextValue(static_cast<vtkIdType>(times.size()) - 1);
+  for (const double time : times)
+  {
+    all->InsertNextValue(time);
+  }
+  addArray("StartTime", start);
+  addArray("EndTime", end);
+  addArray("NumberOfTimeSteps", steps);
+  addArray("IntegrationTimes", all);
+}
+
+}
+
+/**
+ * VTK has a way to execute a filter once for each time, CONTINUE_EXECUTING, which vtkTemporalStatistics
+ * takes. If upstream fails at a later time, the executive of VTK 9.1 and its like then asks for ever.
+ * So a run asks for the first time as that does, in RequestUpdateExtent, and updates the producer
+ * for the others, in RequestData.
+ */
+class vtkRadiantExposureFilter::vtkInternals
+{
+public:
+  /// Continues what an abort left, if that is still what is asked for, and asks for the next time.
+  void Prepare(vtkRadiantExposureFilter* filter);
+  void Run(vtkRadiantExposureFilter* filter, vtkDataObject* output);
+  void Forget() { this->Integral = nullptr; }
+
+  std::string Error; ///< found before the data were asked for
+
+private:
+  void Begin(vtkRadiantExposureFilter* filter);
+  bool IsUpToDate(vtkRadiantExposureFilter* filter) const;
+  void UpdateProducer(vtkRadiantExposureFilter* filter) const;
+  void Take(vtkRadiantExposureFilter* filter);
+
+  /// Null, except in a run and after an abort.
+  std::unique_ptr<irradiance::ExposureIntegral> Integral;
+  Settings Of{};                         ///< the integral's
+  vtkWeakPointer<vtkExecutive> Producer; ///< of what the integral took
+  vtkMTimeType Upstream = 0;             ///< UpstreamTime() of that
+};
+
+namespace
+{
+
+/// The latest change of anything upstream. Other than the times of its data it does not change with
+/// the time that is asked for.
+vtkMTimeType UpstreamTime(vtkAlgorithm* filter)
+{
+  vtkExecutive* producer = filter->GetInputExecutive(0, 0);
+  vtkMTimeType time = 0;
+  producer->ComputePipelineMTime(nullptr, producer->GetInputInformation(),
+    producer->GetOutputInformation(), filter->GetInputConnection(0, 0)->GetIndex(), &time);
+  return time;
+}
+
+}
+
+bool vtkRadiantExposureFilter::vtkInternals::IsUpToDate(vtkRadiantExposureFilter* filter) const
+{
+  return this->Integral && !this->Integral->isDone() &&
+    this->Producer == filter->GetInputExecutive(0, 0) && this->Upstream == UpstreamTime(filter) &&
+    this->Of == CheckedSettings(filter, filter->GetInputInformation(0, 0));
+}
+
+void vtkRadiantExposureFilter::vtkInternals::Begin(vtkRadiantExposureFilter* filter)
+{
+  vtkInformation* input = filter->GetInputInformation(0, 0);
+  this->Forget();
+  this->Of = CheckedSettings(filter, input);
+  this->Integral = MakeIntegral(this->Of, input);
+  this->Producer = filter->GetInputExecutive(0, 0);
+  this->Upstream = UpstreamTime(filter);
+}
+
+void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* filter)
+{
+  if (!this->IsUpToDate(filter))
+  {
+    this->Begin(filter);
+  }
+  filter->GetInputInformation(0, 0)->Set(Pipeline::UPDATE_TIME_STEP(), this->Integral->nextTime());
+}
+
+void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(vtkRadiantExposureFilter* filter) const
+{
+  const double time = this->Integral->nextTime();
+  filter->GetInputInformation(0, 0)->Set(Pipeline::UPDATE_TIME_STEP(), time);
+  if (!this->Producer->Update(filter->GetInputConnection(0, 0)->GetIndex()))
+  {
+    throw irradiance::InputError(
+      "the input could not be computed at time " + irradiance::text(time) + ", see its own error");
+  }
+}
+
+void vtkRadiantExposureFilter::vtkInternals::Take(vtkRadiantExposureFilter* filter)
+{
+  const double time = this->Integral->nextTime();
+  if (UpstreamTime(filter) != this->Upstream)
+  {
+    vtkWarningWithObjectMacro(filter, << "something upstream was modified while it computed time "
+                                      << time << ": the exposure may belong to two scenes. "
+                                      << "Modified() and Update() compute it anew");
+    this->Upstream = UpstreamTime(filter);
+  }
+  vtkDataObject* data = filter->GetInputDataObject(0, 0);
+  CheckTime(data, time, this->Of.Span);
+  this->Integral->take(data);
+}
+
+void vtkRadiantExposureFilter::vtkInternals::Run(
+  vtkRadiantExposureFilter* filter, vtkDataObject* output)
+{
+  irradiance::SmpExecution execution = irradiance::executionOf(filter);
+  this->Take(filter);
+  while (!this->Integral->isDone())
+  {
+    if (!execution.reportProgress(this->Integral->progress()))
+    {
+      throw irradiance::Interrupted();
+    }
+    if (!this->IsUpToDate(filter)) // an observer has changed something
+    {
+      this->Producer->UpdateInformation();
+      this->Begin(filter);
+    }
+    this->UpdateProducer(filter);
+    this->Take(filter);
+  }
+  this->Integral->sums().write(filter->GetInputDataObject(0, 0), output);
+  AddTimes(this->Integral->times(), output->GetFieldData());
+}
+
+vtkRadiantExposureFilter::vtkRadiantExposureFilter()
+  : StartTime(std::numeric_limits<double>::quiet_NaN())
+  , EndTime(std::numeric_limits<double>::quiet_NaN())
+  , Internals(new vtkInternals)
+{
+}
+
+vtkRadiantExposureFilter::~vtkRadiantExposureFilter() = default;
+
+int vtkRadiantExposureFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Composite types first: else the executive would call the filter for each block separately.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int vtkRadiantExposureFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  info->Remove(Pipeline::TIME_STEPS());
+  info->Remove(Pipeline::TIME_RANGE());
+  return 1;
+}
+
+int vtkRadiantExposureFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  this->Internals->Error.clear();
+  try
+  {
+    this->Internals->Prepare(this);
+  }
+  catch (const std::exception& error)
+  {
+    this->Internals->Forget();
+    this->Internals->Error = error.what();
+  }
+  return 1;
+}
+
+int vtkRadiantExposureFilter::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  bool isAborted = true;
+  const int result = irradiance::runFilter(this, output, [&] {
+    if (!this->Internals->Error.empty())
+    {
+      throw irradiance::InputError(this->Internals->Error);
+    }
+    this->Internals->Run(this, output);
+    isAborted = false;
+  });
+  if (result == 0 || !isAborted)
+  {
+    this->Internals->Forget();
+  }
+  return result;
+}
+
+void vtkRadiantExposureFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "StartTime: " << this->StartTime << "\n"
+     << indent << "EndTime: " << this->EndTime << "\n"
+     << indent << "IntegrationMode: " << this->IntegrationMode << "\n"
+     << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n";
+}

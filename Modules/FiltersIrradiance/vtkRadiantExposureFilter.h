@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRadiantExposureFilter
+ * @brief   radiant exposure (dose) of every cell: irradiance, integrated over time
+ *
+ * Visits its input, the output of a vtkIrradianceFilter or of what follows it, at a number of times
+ * and sums up
+ *
+ *   H = sum of w_i E(t_i), in the order of time,  w_i = (t_i+1 - t_i-1) / 2,
+ *
+ * which is the trapezoidal rule; at the ends, the end itself takes the place of the missing
+ * neighbour. One execution visits all times: each is an update of what is upstream.
+ *
+ * @section Input
+ * Any vtkDataSet, or composite data of them, with the cell arrays of vtkIrradianceFilter:
+ * `Irradiance` (W/m2, one or three components), or `IrradianceFront` and `IrradianceBack`. It may
+ * come from files. Its cells stay the same over time, in number and order; their points may move.
+ *
+ * Blocks without cells, and empty ones, receive nothing at that time: a part that appears or leaves
+ * is one without cells while it is away. Between the last time without a part and the first with it,
+ * the trapezoidal rule counts half a step of its first irradiance.
+ *
+ * Without TIME_RANGE and TIME_STEPS upstream nothing changes over time; then give StartTime and EndTime.
+ *
+ * @section Output
+ * Data of the type and structure of the input. Each block is that of the last visited time at which
+ * it had cells, with its arrays, except those that were integrated. In their place are the cell arrays
+ * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2).
+ *
+ * Field data of the root: those of the last time, and `StartTime`, `EndTime` (s), `NumberOfTimeSteps`
+ * (intervals between visited times), `IntegrationTimes` (s, one tuple for each visited time). If the
+ * input has the powers of vtkIrradianceFilter at all times, also `EmittedEnergy`, `AbsorbedEnergy`,
+ * `EscapedEnergy` (J, per band), and `PowerBalanceError`: the largest |emitted - absorbed - escaped|
+ * of any time and band, relative to the emitted power.
+ *
+ * The output belongs to no time: it does not pass TIME_STEPS on.
+ *
+ * @section Abort Progress, abort, and continuing
+ * Progress is reported after each time. After an abort the output is empty and, as with all VTK filters,
+ * up to date until Modified(). The next execution then continues behind the last time that was
+ * finished, if neither the properties nor anything upstream was modified since; else it starts again.
+ * The result is the same, to the bit.
+ *
+ * @section Errors
+ * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among them
+ * with TimeSteps; no irradiance; irradiance that is not finite; blocks whose number of cells or whose arrays
+ * differ between times; StalePower (a RepairTimeBudget upstream left walks that are no longer valid, and
+ * what rests on them is not what the scene receives); an input that has other times than those asked
+ * for, as files between their steps: one error that names block, cell, times and values, and an empty
+ * output.
+ */
+
+#ifndef vtkRadiantExposureFilter_h
+#define vtkRadiantExposureFilter_h
+
+#include "vtkFiltersIrradianceModule.h" // For export macro
+#include "vtkPassInputTypeAlgorithm.h"
+
+#include <memory> // For the internals
+
+class VTKFILTERSIRRADIANCE_EXPORT vtkRadiantExposureFilter : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkRadiantExposureFilter* New();
+  vtkTypeMacro(vtkRadiantExposureFilter, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Which times are visited.
+  enum IntegrationModes
+  {
+    TimeSteps = 0, ///< StartTime, the input's TIME_STEPS after it, EndTime
+    Uniform = 1    ///< NumberOfTimeSteps equal intervals from StartTime to EndTime
+  };
+
+  ///@{
+  /**
+   * The span of time over which is integrated, s, within the input's TIME_RANGE (or TIME_STEPS, if it
+   * has no range). NaN: where that begins or ends. Default NaN.
+   */
+  vtkSetMacro(StartTime, double);
+  vtkGetMacro(StartTime, double);
+  vtkSetMacro(EndTime, double);
+  vtkGetMacro(EndTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * See IntegrationModes. Default TimeSteps.
+   */
+  vtkSetClampMacro(IntegrationMode, int, TimeSteps, Uniform);
+  vtkGetMacro(IntegrationMode, int);
+  void SetIntegrationModeToTimeSteps() { this->SetIntegrationMode(TimeSteps); }
+  void SetIntegrationModeToUniform() { this->SetIntegrationMode(Uniform); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of intervals with Uniform, 1 to 1,000,000. Default 20.
+   */
+  vtkSetMacro(NumberOfTimeSteps, int);
+  vtkGetMacro(NumberOfTimeSteps, int);
+  ///@}
+
+protected:
+  vtkRadiantExposureFilter();
+  ~vtkRadiantExposureFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+
+  double StartTime;
+  double EndTime;
+  int IntegrationMode = TimeSteps;
+  int NumberOfTimeSteps = 20;
+
+private:
+  vtkRadiantExposureFilter(const vtkRadiantExposureFilter&) = delete;
+  void operator=(const vtkRadiantExposureFilter&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
