@@ -84,7 +84,12 @@ AffineMap mapOf(const std::string& where, const Matrix4& matrix)
 AffineMap poseOf(const std::string& where, vtkLinearTransform* transform)
 {
   transform->Update();
-  return mapOf(where, Eigen::Map<const Matrix4>(transform->GetMatrix()->GetData()));
+  return poseOf(where, transform->GetMatrix()->GetData());
+}
+
+AffineMap poseOf(const std::string& where, const double* rowByRow)
+{
+  return mapOf(where, Eigen::Map<const Matrix4>(rowByRow));
 }
 
 AffineMap poseOf(const std::string& where, vtkFieldData* fields)

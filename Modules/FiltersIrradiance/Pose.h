@@ -18,6 +18,9 @@ constexpr const char* kFieldPoseName = "ObjectToWorld";
 /// A transform's pose. Throws InputError, naming `where`, if it is not an invertible affine map.
 AffineMap poseOf(const std::string& where, vtkLinearTransform* transform);
 
+/// The pose of 16 values, row by row. Throws InputError likewise.
+AffineMap poseOf(const std::string& where, const double* rowByRow);
+
 /// The pose in the field data; the identity if there is none. Also throws InputError for an array
 /// that does not hold 16 numbers.
 AffineMap poseOf(const std::string& where, vtkFieldData* fields);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceFilter.h"
 
+#include "DynamicPoses.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "OutputWriter.h"
@@ -17,11 +18,12 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
+#include "vtkTransformInterpolator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -42,7 +44,7 @@ public:
   void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, bool keepsPhotons,
     vtkMultiBlockDataSet* output);
 
-  std::map<int, vtkSmartPointer<vtkLinearTransform>> Transforms;
+  irradiance::DynamicPoses Poses;
   irradiance::SceneReader Scene;
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
@@ -172,32 +174,35 @@ vtkIrradianceFilter::~vtkIrradianceFilter() = default;
 
 void vtkIrradianceFilter::SetDynamicTransform(int i, vtkLinearTransform* worldFromObject)
 {
-  if (this->GetDynamicTransform(i) == worldFromObject)
+  if (this->Internals->Poses.set(i, worldFromObject))
   {
-    return;
+    this->Modified();
   }
-  if (worldFromObject)
-  {
-    this->Internals->Transforms[i] = worldFromObject;
-  }
-  else
-  {
-    this->Internals->Transforms.erase(i);
-  }
-  this->Modified();
 }
 
 vtkLinearTransform* vtkIrradianceFilter::GetDynamicTransform(int i)
 {
-  const auto found = this->Internals->Transforms.find(i);
-  return found == this->Internals->Transforms.end() ? nullptr : found->second.Get();
+  return this->Internals->Poses.transform(i);
+}
+
+void vtkIrradianceFilter::SetDynamicTransformInterpolator(
+  int i, vtkTransformInterpolator* worldFromObject)
+{
+  if (this->Internals->Poses.set(i, worldFromObject))
+  {
+    this->Modified();
+  }
+}
+
+vtkTransformInterpolator* vtkIrradianceFilter::GetDynamicTransformInterpolator(int i)
+{
+  return this->Internals->Poses.interpolator(i);
 }
 
 void vtkIrradianceFilter::RemoveAllDynamicTransforms()
 {
-  if (!this->Internals->Transforms.empty())
+  if (this->Internals->Poses.removeAll())
   {
-    this->Internals->Transforms.clear();
     this->Modified();
   }
 }
@@ -217,12 +222,7 @@ vtkMTimeType vtkIrradianceFilter::GetMTime()
 /// The latest change of the filter and its transforms.
 vtkMTimeType vtkIrradianceFilter::OwnTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (const auto& transform : this->Internals->Transforms)
-  {
-    time = std::max(time, transform.second->GetMTime());
-  }
-  return time;
+  return std::max(this->Superclass::GetMTime(), this->Internals->Poses.changeTime());
 }
 
 /// The latest change of these and the inputs.
@@ -291,13 +291,16 @@ int vtkIrradianceFilter::RequestInformation(
       }
     }
   }
+  this->Internals->Poses.addTimes(range);
   vtkInformation* info = output->GetInformationObject(0);
+  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   if (!steps.empty())
   {
     const std::vector<double> all(steps.begin(), steps.end());
     info->Set(
       vtkStreamingDemandDrivenPipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
   }
+  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
   if (range[0] <= range[1])
   {
     info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
@@ -326,13 +329,14 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   vtkIrradianceFilter* filter, vtkInformationVector** inputs) const
 {
   const int dynamics = inputs[1]->GetNumberOfInformationObjects();
-  const int last = this->Transforms.empty() ? -1 : this->Transforms.rbegin()->first;
-  const int first = this->Transforms.empty() ? 0 : this->Transforms.begin()->first;
+  const int last = this->Poses.isEmpty() ? -1 : this->Poses.lastConnection();
+  const int first = this->Poses.isEmpty() ? 0 : this->Poses.firstConnection();
   if (first < 0 || last >= dynamics)
   {
-    throw irradiance::InputError("there is a transform for dynamic connection " +
-      std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
-      std::to_string(dynamics) + " connections");
+    throw irradiance::InputError(std::string("there is a transform ") +
+      (this->Poses.interpolator(first < 0 ? first : last) ? "interpolator " : "") +
+      "for dynamic connection " + std::to_string(first < 0 ? first : last) +
+      ", but input port 1 has " + std::to_string(dynamics) + " connections");
   }
   Inputs read;
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
@@ -343,7 +347,7 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   for (int i = 0; i < dynamics; ++i)
   {
     read.Dynamic.push_back(irradiance::dynamicConnection(
-      filter, i, vtkDataObject::GetData(inputs[1], i), filter->GetDynamicTransform(i)));
+      filter, i, vtkDataObject::GetData(inputs[1], i), this->Poses.pose(i)));
   }
   irradiance::checkChosenArrays(filter, read.Static, read.Dynamic);
   return read;
@@ -388,20 +392,23 @@ int vtkIrradianceFilter::RequestData(
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   if (inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects() ==
       0 &&
-    this->Internals->Transforms.empty())
+    this->Internals->Poses.isEmpty())
   {
     output->Initialize();
     return 1;
   }
+  vtkInformation* info = outputs->GetInformationObject(0);
+  auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  const auto time = info->Has(timeKey) ? std::optional<double>(info->Get(timeKey)) : std::nullopt;
   this->Internals->Begun = this->InputTime();
   return irradiance::runFilter(this, output, [&] {
-    vtkInformation* info = outputs->GetInformationObject(0);
+    this->Internals->Poses.evaluate(time);
+    this->Internals->Begun = this->InputTime(); // evaluation counts as a change
     this->Internals->Compute(this, this->Internals->GetInputs(this, inputs),
       irradiance::arePhotonsRequested(info), output);
-    if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+    if (time)
     {
-      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
-        info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
+      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
     }
   });
 }
@@ -423,10 +430,15 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
      << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
-     << indent << "Dynamic transforms: " << this->Internals->Transforms.size() << "\n";
-  for (const auto& transform : this->Internals->Transforms)
+     << indent << "Dynamic transforms: " << this->Internals->Poses.size() << "\n";
+  for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
-    os << indent << "Dynamic transform " << transform.first << ":\n";
-    transform.second->PrintSelf(os, indent.GetNextIndent());
+    vtkObject* transform = this->GetDynamicTransform(i);
+    vtkObject* interpolator = this->GetDynamicTransformInterpolator(i);
+    if (vtkObject* pose = transform ? transform : interpolator)
+    {
+      os << indent << "Dynamic transform " << (transform ? "" : "interpolator ") << i << ":\n";
+      pose->PrintSelf(os, indent.GetNextIndent());
+    }
   }
 }

@@ -14,8 +14,8 @@
  * @section Inputs
  * - Port 0, static: vtkPolyData, repeatable, optional.
  * - Port 1, dynamic: vtkPolyData in model coordinates, repeatable, optional. The pose is that of
- *   SetDynamicTransform; without one, the field-data array `ObjectToWorld` (16 values, row by row)
- *   of the input; else the identity. Any invertible affine map will do. On port 0 such an array
+ *   SetDynamicTransform or SetDynamicTransformInterpolator; without one, the field-data array
+ *   `ObjectToWorld` (16 values, row by row) of the input; else the identity. Any invertible affine map will do. On port 0 such an array
  *   moves nothing, and a warning says so.
  *
  * Both ports also take composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet,
@@ -148,6 +148,7 @@
 #include <memory> // For the internals
 
 class vtkLinearTransform;
+class vtkTransformInterpolator;
 
 class VTKFILTERSIRRADIANCE_EXPORT vtkIrradianceFilter : public vtkMultiBlockDataSetAlgorithm
 {
@@ -188,8 +189,29 @@ public:
    */
   void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
   vtkLinearTransform* GetDynamicTransform(int i);
-  void RemoveAllDynamicTransforms();
   ///@}
+
+  ///@{
+  /**
+   * Pose (model to world) of the i-th connection of port 1 over time, null for none: the
+   * interpolator is evaluated at the requested time (UPDATE_TIME_STEP), or at its first key if none
+   * is requested. It takes two keys at least, and a time outside of them is an error. The range of
+   * its keys is part of the TIME_RANGE of the output; VTK gives no access to their times, so
+   * TIME_STEPS has none of them.
+   *
+   * A connection has a transform or an interpolator: setting one removes the other.
+   *
+   * In VTK 9.1 an interpolator takes no notice of another pose for its first or its last key. After
+   * such a change call Modified() of the interpolator; keys that change in number or range are
+   * noticed. In the same version splines of rotations over three keys or more, its default, are
+   * wrong, which is an error here: use SetInterpolationTypeToLinear(), or vtkKeyFramedPose.
+   */
+  void SetDynamicTransformInterpolator(int i, vtkTransformInterpolator* worldFromObject);
+  vtkTransformInterpolator* GetDynamicTransformInterpolator(int i);
+  ///@}
+
+  /// Removes all dynamic transforms and transform interpolators.
+  void RemoveAllDynamicTransforms();
 
   ///@{
   /**
@@ -334,7 +356,7 @@ public:
   vtkGetMacro(MaximumNumberOfWalks, vtkIdType);
   ///@}
 
-  /// Includes the transforms.
+  /// Includes the transforms and the interpolators.
   vtkMTimeType GetMTime() override;
 
 protected:

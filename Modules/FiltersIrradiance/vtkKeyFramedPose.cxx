@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKeyFramedPose.h"
+
+#include "FilterRun.h"
+#include "InputError.h"
+#include "KeyFrameFile.h"
+#include "Pose.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTransform.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+vtkStandardNewMacro(vtkKeyFramedPose);
+
+class vtkKeyFramedPose::vtkInternals
+{
+public:
+  /// As it was added.
+  struct Pose
+  {
+    double Time;
+    std::array<double, 16> Matrix;
+  };
+
+  std::vector<Pose> Added;
+  irradiance::KeyFrames Keys;
+  std::string Error; ///< why there are no keys
+  vtkMTimeType KeysTime = 0;
+
+  void Update(vtkKeyFramedPose* filter);
+  irradiance::KeyFrames ReadKeys(vtkKeyFramedPose* filter) const;
+  std::vector<irradiance::KeyFrame> AddedKeys() const;
+  /// None if the part is not there.
+  std::optional<irradiance::AffineMap> PoseAt(vtkKeyFramedPose* filter, double time) const;
+};
+
+namespace
+{
+
+bool HasFile(vtkKeyFramedPose* filter)
+{
+  return filter->GetFileName() && *filter->GetFileName();
+}
+
+void SetPose(vtkPolyData* polyData, const irradiance::AffineMap& worldFromObject)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(irradiance::kFieldPoseName);
+  array->SetNumberOfComponents(16);
+  array->SetNumberOfTuples(1);
+  for (int i = 0; i < 16; ++i)
+  {
+    const int row = i / 4, column = i % 4;
+    array->SetTypedComponent(0, i,
+      row == 3        ? (column == 3 ? 1.0 : 0.0)
+        : column == 3 ? worldFromObject.translation[row]
+                      : worldFromObject.linear(row, column));
+  }
+  polyData->GetFieldData()->AddArray(array);
+}
+
+/// Arrays without values: what reads them by name, or counts bands, finds the same as before.
+void CopyArraysOnly(vtkPolyData* input, vtkPolyData* output)
+{
+  output->GetPointData()->CopyAllOn();
+  output->GetCellData()->CopyAllOn();
+  output->GetPointData()->CopyAllocate(input->GetPointData(), 0);
+  output->GetCellData()->CopyAllocate(input->GetCellData(), 0);
+  output->GetFieldData()->ShallowCopy(input->GetFieldData());
+  output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
+}
+
+}
+
+vtkKeyFramedPose::vtkKeyFramedPose()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkKeyFramedPose::~vtkKeyFramedPose()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkKeyFramedPose::AddPose(
+  double time, double x, double y, double z, double rx, double ry, double rz)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(x, y, z);
+  transform->RotateZ(rz);
+  transform->RotateX(rx);
+  transform->RotateY(ry);
+  this->AddPoseMatrix(time, transform->GetMatrix());
+}
+
+void vtkKeyFramedPose::AddPose(double time, const double position[3], const double orientation[3])
+{
+  this->AddPose(
+    time, position[0], position[1], position[2], orientation[0], orientation[1], orientation[2]);
+}
+
+void vtkKeyFramedPose::AddPoseMatrix(double time, double m00, double m01, double m02, double m03,
+  double m10, double m11, double m12, double m13, double m20, double m21, double m22, double m23,
+  double m30, double m31, double m32, double m33)
+{
+  this->Internals->Added.push_back(
+    { time, { m00, m01, m02, m03, m10, m11, m12, m13, m20, m21, m22, m23, m30, m31, m32, m33 } });
+  this->Modified();
+}
+
+void vtkKeyFramedPose::AddPoseMatrix(double time, const double matrix[16])
+{
+  vtkInternals::Pose pose{ time, {} };
+  std::copy_n(matrix, 16, pose.Matrix.begin());
+  this->Internals->Added.push_back(pose);
+  this->Modified();
+}
+
+void vtkKeyFramedPose::AddPoseMatrix(double time, vtkMatrix4x4* matrix)
+{
+  if (!matrix)
+  {
+    vtkErrorMacro("AddPoseMatrix at time " << time << ": the matrix is null");
+    return;
+  }
+  this->AddPoseMatrix(time, matrix->GetData());
+}
+
+void vtkKeyFramedPose::RemoveAllPoses()
+{
+  if (!this->Internals->Added.empty())
+  {
+    this->Internals->Added.clear();
+    this->Modified();
+  }
+}
+
+int vtkKeyFramedPose::GetNumberOfPoses()
+{
+  return static_cast<int>(this->Internals->Added.size());
+}
+
+std::vector<irradiance::KeyFrame> vtkKeyFramedPose::vtkInternals::AddedKeys() const
+{
+  std::vector<irradiance::KeyFrame> keys;
+  for (const Pose& pose : this->Added)
+  {
+    const std::string name = "pose " + std::to_string(keys.size());
+    keys.push_back({ name, pose.Time, irradiance::poseOf(name, pose.Matrix.data()) });
+  }
+  std::stable_sort(keys.begin(), keys.end(),
+    [](const irradiance::KeyFrame& a, const irradiance::KeyFrame& b) { return a.time < b.time; });
+  return keys;
+}
+
+irradiance::KeyFrames vtkKeyFramedPose::vtkInternals::ReadKeys(vtkKeyFramedPose* filter) const
+{
+  const bool hasFile = HasFile(filter);
+  if (hasFile && !this->Added.empty())
+  {
+    throw irradiance::InputError(std::string("FileName is ") + filter->GetFileName() + ", and " +
+      std::to_string(this->Added.size()) +
+      " poses were added; only one of the two is possible (RemoveAllPoses)");
+  }
+  std::vector<irradiance::KeyFrame> keys =
+    hasFile ? irradiance::readKeyFrames(filter->GetFileName()) : this->AddedKeys();
+  if (keys.size() < 2)
+  {
+    throw irradiance::InputError(
+      (hasFile ? "the file " + std::string(filter->GetFileName()) + " has " : "there is ") +
+      (keys.empty() ? "no pose" : "one pose alone") + "; two at least are needed");
+  }
+  return { std::move(keys),
+    static_cast<irradiance::KeyInterpolation>(filter->GetInterpolationType()) };
+}
+
+void vtkKeyFramedPose::vtkInternals::Update(vtkKeyFramedPose* filter)
+{
+  if (this->KeysTime == filter->GetMTime())
+  {
+    return;
+  }
+  this->KeysTime = filter->GetMTime();
+  this->Keys = {};
+  this->Error.clear();
+  try
+  {
+    this->Keys = this->ReadKeys(filter);
+  }
+  catch (const irradiance::InputError& error)
+  {
+    this->Error = error.what();
+  }
+}
+
+std::optional<irradiance::AffineMap> vtkKeyFramedPose::vtkInternals::PoseAt(
+  vtkKeyFramedPose* filter, double time) const
+{
+  if (time >= this->Keys.begin() && time <= this->Keys.end())
+  {
+    return this->Keys.at(time);
+  }
+  if (filter->GetOutsideOfKeys() == Leave)
+  {
+    return std::nullopt;
+  }
+  if (filter->GetOutsideOfKeys() == Hold && !std::isnan(time))
+  {
+    return this->Keys.at(std::clamp(time, this->Keys.begin(), this->Keys.end()));
+  }
+  throw irradiance::InputError("the keys are from " + irradiance::text(this->Keys.begin()) +
+    " to " + irradiance::text(this->Keys.end()) + ", and the time " + irradiance::text(time) +
+    " is asked for (OutsideOfKeys says what to do then)");
+}
+
+int vtkKeyFramedPose::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
+{
+  this->Internals->Update(this); // what is wrong is said once, when the data are asked for
+  const irradiance::KeyFrames& keys = this->Internals->Keys;
+  if (keys.isEmpty())
+  {
+    return 1;
+  }
+  auto* stepsKey = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  auto* rangeKey = vtkStreamingDemandDrivenPipeline::TIME_RANGE();
+  std::set<double> steps;
+  double range[2] = { keys.begin(), keys.end() };
+  for (const irradiance::KeyFrame& key : keys.keys())
+  {
+    steps.insert(key.time);
+  }
+  vtkInformation* before = inputs[0]->GetInformationObject(0);
+  if (before && before->Has(stepsKey))
+  {
+    steps.insert(before->Get(stepsKey), before->Get(stepsKey) + before->Length(stepsKey));
+  }
+  if (before && before->Has(rangeKey))
+  {
+    range[0] = std::min(range[0], before->Get(rangeKey)[0]);
+    range[1] = std::max(range[1], before->Get(rangeKey)[1]);
+  }
+  const std::vector<double> all(steps.begin(), steps.end());
+  output->GetInformationObject(0)->Set(stepsKey, all.data(), static_cast<int>(all.size()));
+  output->GetInformationObject(0)->Set(rangeKey, range, 2);
+  return 1;
+}
+
+int vtkKeyFramedPose::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkInformation* info = outputs->GetInformationObject(0);
+  return irradiance::runFilter(this, output, [&] {
+    this->Internals->Update(this);
+    if (!this->Internals->Error.empty())
+    {
+      throw irradiance::InputError(this->Internals->Error);
+    }
+    auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+    const double time = info->Has(timeKey) ? info->Get(timeKey) : this->Internals->Keys.begin();
+    if (const auto pose = this->Internals->PoseAt(this, time))
+    {
+      output->ShallowCopy(input);
+      SetPose(output,
+        irradiance::composed(*pose, irradiance::poseOf("the input", input->GetFieldData())));
+    }
+    else
+    {
+      CopyArraysOnly(input, output);
+    }
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  });
+}
+
+void vtkKeyFramedPose::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "InterpolationType: " << this->InterpolationType << "\n"
+     << indent << "OutsideOfKeys: " << this->OutsideOfKeys << "\n"
+     << indent << "Poses: " << this->Internals->Added.size() << "\n";
+}

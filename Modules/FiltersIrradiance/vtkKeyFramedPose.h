@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkKeyFramedPose
+ * @brief   a pose over time for polydata, from key frames
+ *
+ * Passes its input on, with the pose at the requested time (UPDATE_TIME_STEP; without one: that of
+ * the first key) as the field-data array `ObjectToWorld`: one tuple of 16 doubles, row by row. This
+ * is what port 1 of vtkIrradianceFilter reads. Points, cells and arrays are the input's own objects,
+ * so only the pose changes with time, and vtkIrradianceFilter builds no tree anew. Nothing is moved
+ * here: to see the motion without that filter, apply the array (vtkTransformPolyDataFilter).
+ *
+ * The keys come from AddPose() and AddPoseMatrix(), in any order, or from a file. There are two at
+ * least. At the time of a key the pose is that of the key, bit for bit.
+ *
+ * If the input has an `ObjectToWorld` of its own, that is applied first: world = pose * input's.
+ * Composite inputs work block by block, with the same pose.
+ *
+ * TIME_STEPS of the output: the times of the keys and the steps of the input. TIME_RANGE: from the
+ * first to the last of them, and the input's.
+ *
+ * @section File
+ * Comma-separated values. The first line names the columns, in any order; other columns are passed
+ * over, as are empty lines and those that begin with #. The times have to increase.
+ * - `time`, in the unit of the pipeline's time, and
+ * - `x`, `y`, `z` (m) with or without a rotation: `rx`, `ry`, `rz` (degrees, as AddPose()), or the
+ *   quaternion `qw`, `qx`, `qy`, `qz`; or
+ * - `m00`, `m01`, ... `m33`: the matrix, row by row; the last row may be left out.
+ *
+ * @section Errors
+ * A file that cannot be read, columns that are missing or of two kinds, a value that is not a finite
+ * number, times of a file that do not increase, two keys of one time, fewer than two keys, poses that
+ * are singular, and poses that cannot be interpolated: one error that names the file and the line, or
+ * the number of the pose, and the value; the output is empty. A time outside of the keys: see
+ * OutsideOfKeys.
+ */
+
+#ifndef vtkKeyFramedPose_h
+#define vtkKeyFramedPose_h
+
+#include "vtkFiltersIrradianceModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For the internals
+
+class vtkMatrix4x4;
+
+class VTKFILTERSIRRADIANCE_EXPORT vtkKeyFramedPose : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkKeyFramedPose* New();
+  vtkTypeMacro(vtkKeyFramedPose, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How the pose between two keys follows from the keys.
+  enum InterpolationTypes
+  {
+    Linear = 0, ///< at constant speed; rotations about one axis, by the shorter way
+    Spline = 1, ///< through the keys without jumps of speed: cubic pieces (Catmull and Rom)
+    Step = 2    ///< that of the last key
+  };
+
+  /// What happens at a time before the first key or after the last.
+  enum OutsideModes
+  {
+    Error = 0, ///< an error
+    Hold = 1,  ///< the pose is that of the nearest key
+    Leave = 2  ///< the part is not there: the output has its arrays, but no points and no cells
+  };
+
+  ///@{
+  /**
+   * Adds a key: at this time the object's origin is at (x, y, z), m, and it is turned by (rx, ry,
+   * rz), degrees, in the manner of vtkProp3D: about its y axis first, then x, then z (RotateZ,
+   * RotateX, RotateY of vtkTransform). Rotations go the shorter way from key to key, so the keys of
+   * something that spins have to be less than 180 degrees apart.
+   */
+  void AddPose(double time, double x, double y, double z, double rx, double ry, double rz);
+  void AddPose(double time, const double position[3], const double orientation[3]);
+  ///@}
+
+  ///@{
+  /**
+   * Adds a key by its matrix, model to world, row by row: an invertible affine map. Linear and Spline
+   * interpolate position, rotation and scale; they take no matrix that shears, nor some that mirror
+   * beside others that do not. Step takes all.
+   */
+  void AddPoseMatrix(double time, double m00, double m01, double m02, double m03, double m10,
+    double m11, double m12, double m13, double m20, double m21, double m22, double m23, double m30,
+    double m31, double m32, double m33);
+  void AddPoseMatrix(double time, const double matrix[16]);
+  void AddPoseMatrix(double time, vtkMatrix4x4* matrix);
+  ///@}
+
+  /// Removes all poses that were added; a file is not concerned.
+  void RemoveAllPoses();
+  /// The number of poses that were added.
+  int GetNumberOfPoses();
+
+  ///@{
+  /**
+   * A file of times and poses (.csv), see above; null or empty: none. It excludes poses that are
+   * added. It is read again after Modified(). Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * See InterpolationTypes. Default Linear.
+   */
+  vtkSetClampMacro(InterpolationType, int, Linear, Step);
+  vtkGetMacro(InterpolationType, int);
+  void SetInterpolationTypeToLinear() { this->SetInterpolationType(Linear); }
+  void SetInterpolationTypeToSpline() { this->SetInterpolationType(Spline); }
+  void SetInterpolationTypeToStep() { this->SetInterpolationType(Step); }
+  ///@}
+
+  ///@{
+  /**
+   * See OutsideModes. Default Error.
+   */
+  vtkSetClampMacro(OutsideOfKeys, int, Error, Leave);
+  vtkGetMacro(OutsideOfKeys, int);
+  void SetOutsideOfKeysToError() { this->SetOutsideOfKeys(Error); }
+  void SetOutsideOfKeysToHold() { this->SetOutsideOfKeys(Hold); }
+  void SetOutsideOfKeysToLeave() { this->SetOutsideOfKeys(Leave); }
+  ///@}
+
+protected:
+  vtkKeyFramedPose();
+  ~vtkKeyFramedPose() override;
+
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+
+  char* FileName = nullptr;
+  int InterpolationType = Linear;
+  int OutsideOfKeys = Error;
+
+private:
+  vtkKeyFramedPose(const vtkKeyFramedPose&) = delete;
+  void operator=(const vtkKeyFramedPose&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
