@@ -236,7 +236,8 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
     if (arrays_[Flux] && count > 0 && !isAbsent)
     {
       readPoints(count, ids);
-      PointLight light{ Vector3::Zero(), {} };
+      PointLight light{ Vector3::Zero(), {},
+        static_cast<std::uint32_t>(firstCell_ + static_cast<std::size_t>(cell_)) };
       double total = 0;
       for (int band = 0; band < bands_; ++band)
       {

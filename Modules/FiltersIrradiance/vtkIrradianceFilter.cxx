@@ -2,13 +2,16 @@
 #include "vtkIrradianceFilter.h"
 
 #include "DynamicPoses.h"
+#include "Execution/ProgressSpan.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "OutputWriter.h"
 #include "PhotonRequest.h"
 #include "PhotonSource.h"
+#include "WalksWriter.h"
 
 #include "vtkDataObject.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLinearTransform.h"
@@ -42,7 +45,7 @@ public:
 
   Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
   void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, bool keepsPhotons,
-    vtkMultiBlockDataSet* output);
+    vtkMultiBlockDataSet* output, vtkPolyData* walks);
 
   irradiance::DynamicPoses Poses;
   irradiance::SceneReader Scene;
@@ -140,6 +143,27 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   return settings;
 }
 
+/// That of the output for which somebody asks.
+std::optional<double> RequestedTime(vtkInformation* request, vtkInformationVector* outputs)
+{
+  auto* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  vtkInformation* info = outputs->GetInformationObject(port);
+  return info->Has(key) ? std::optional<double>(info->Get(key)) : std::nullopt;
+}
+
+/// All outputs are of one time. Who asks for another output later must not take it for that of the
+/// time that was asked for before.
+void SetDataTime(const std::optional<double>& time, vtkInformationVector* outputs)
+{
+  for (int i = 0; time && i < outputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = outputs->GetInformationObject(i);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time);
+    vtkDataObject::GetData(info)->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+  }
+}
+
 std::string TargetMissed(
   const irradiance::IrradianceEngine& engine, const irradiance::EngineSettings& settings)
 {
@@ -163,6 +187,7 @@ vtkIrradianceFilter::vtkIrradianceFilter()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
   for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
   {
     this->SetInputArrayToProcess(
@@ -263,6 +288,22 @@ int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkIrradianceFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  return 1;
+}
+
+vtkPolyData* vtkIrradianceFilter::GetWalksOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkAlgorithmOutput* vtkIrradianceFilter::GetWalksOutputPort()
+{
+  return this->GetOutputPort(1);
+}
+
 // The executive copies only the times of the first connection; a scene has those of all.
 int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
@@ -292,18 +333,21 @@ int vtkIrradianceFilter::RequestInformation(
     }
   }
   this->Internals->Poses.addTimes(range);
-  vtkInformation* info = output->GetInformationObject(0);
-  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-  if (!steps.empty())
+  const std::vector<double> all(steps.begin(), steps.end());
+  for (int port = 0; port < output->GetNumberOfInformationObjects(); ++port)
   {
-    const std::vector<double> all(steps.begin(), steps.end());
-    info->Set(
-      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
-  }
-  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  if (range[0] <= range[1])
-  {
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    vtkInformation* info = output->GetInformationObject(port);
+    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    if (!all.empty())
+    {
+      info->Set(
+        vtkStreamingDemandDrivenPipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+    }
+    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+    if (range[0] <= range[1])
+    {
+      info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    }
   }
   return 1;
 }
@@ -354,10 +398,16 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
 }
 
 void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, const Inputs& inputs,
-  bool keepsPhotons, vtkMultiBlockDataSet* output)
+  bool keepsPhotons, vtkMultiBlockDataSet* output, vtkPolyData* walks)
 {
   irradiance::EngineSettings settings = CheckedSettings(filter);
-  settings.keepPhotons = keepsPhotons || settings.cellEstimate == irradiance::CellEstimate::Nearest;
+  const irradiance::WalksWriter walksWriter(
+    { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
+      filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
+    inputs.Static, inputs.Dynamic);
+  settings.keepPhotons = keepsPhotons || walksWriter.isAsked() ||
+    settings.cellEstimate == irradiance::CellEstimate::Nearest;
+  settings.listRepaired = walksWriter.isAsked();
   irradiance::SmpExecution execution = irradiance::executionOf(filter);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
   {
@@ -384,12 +434,19 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     *this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0, writing)
     .write(inputs.Static, inputs.Dynamic, output);
   irradiance::PhotonSource::attach(output, this->Engine);
+  if (walksWriter.isAsked())
+  {
+    irradiance::ProgressSpan atItsEnd(execution, 1, 1);
+    walksWriter.write(*this->Engine, this->Scene, settings.repairTimeBudget > 0, atItsEnd, walks);
+  }
 }
 
 int vtkIrradianceFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
+  vtkPolyData* walks = vtkPolyData::GetData(outputs, 1);
+  walks->Initialize();
   if (inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects() ==
       0 &&
     this->Internals->Poses.isEmpty())
@@ -397,19 +454,14 @@ int vtkIrradianceFilter::RequestData(
     output->Initialize();
     return 1;
   }
-  vtkInformation* info = outputs->GetInformationObject(0);
-  auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-  const auto time = info->Has(timeKey) ? std::optional<double>(info->Get(timeKey)) : std::nullopt;
+  const std::optional<double> time = RequestedTime(request, outputs);
   this->Internals->Begun = this->InputTime();
   return irradiance::runFilter(this, output, [&] {
     this->Internals->Poses.evaluate(time);
     this->Internals->Begun = this->InputTime(); // evaluation counts as a change
     this->Internals->Compute(this, this->Internals->GetInputs(this, inputs),
-      irradiance::arePhotonsRequested(info), output);
-    if (time)
-    {
-      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
-    }
+      irradiance::arePhotonsRequested(outputs->GetInformationObject(0)), output, walks);
+    SetDataTime(time, outputs);
   });
 }
 
@@ -430,6 +482,10 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
      << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
+     << indent << "NumberOfOutputWalks: " << this->NumberOfOutputWalks << "\n"
+     << indent << "OutputWalksPort: " << this->OutputWalksPort << "\n"
+     << indent << "OutputWalksConnection: " << this->OutputWalksConnection << "\n"
+     << indent << "OutputWalksCell: " << this->OutputWalksCell << "\n"
      << indent << "Dynamic transforms: " << this->Internals->Poses.size() << "\n";
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {

@@ -54,7 +54,7 @@
  * if the input has no cell of the right kind. Arrays of these names on points: a warning.
  *
  * @section Output
- * vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each a vtkMultiBlockDataSet with one
+ * Port 0: vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each a vtkMultiBlockDataSet with one
  * vtkPolyData per connection, in order: the input's points (dynamic ones in world coordinates, as
  * are the active normals; integers become double), its cells and arrays, and the cell array
  * `Irradiance` (double, W/m2, one or three components, both sides summed), or `IrradianceFront` and
@@ -77,6 +77,38 @@
  * which 95 % of the area is known, infinite if more than 5 % is not, NaN while walks are stale; and
  * what this update cost: `NumberOfInvalidWalks`, `NumberOfRepairedSegments`, `ShootSeconds`,
  * `VerifySeconds`, `RepairSeconds`, `HistoryBytes`.
+ *
+ * @section Walks Walks to look at
+ * Output port 1, vtkPolyData: NumberOfOutputWalks of the walks as polylines in world coordinates
+ * (double), from the light over all hits to where the photon is absorbed. A walk that escapes ends
+ * with a segment to 1/8 of the diagonal of the scene beyond the box around it. It is empty if
+ * NumberOfOutputWalks is 0, as it is at first, and costs nothing then. Else walks are stored also
+ * where nothing can move.
+ *
+ * With OutputWalksCell -1 these are the first walks: samples are quasi-random, so any number of
+ * first walks is spread evenly over lights, places and directions. Else they are the first of those
+ * that touch a cell: that start on it or hit it. All, if there are not as many. Which ones depends
+ * on nothing else.
+ *
+ * Cell arrays:
+ * - `WalkId` (vtkIdType): the number of the walk, from 0. No two walks share one, whatever the
+ *   replicates and rounds.
+ * - `Power` (W, one or three components): with which it starts. Those of all walks add up to the
+ *   emitted power. In one band a walk keeps it until it ends; in three bands, reflections change it.
+ * - `Repaired` (0 or 1): whether the last update that shot walks again shot a part of this one
+ *   again. These are the walks that touch what moved, in its pose before or after; where faces
+ *   coincide also others, and with a RepairTimeBudget not all. 0 after everything was shot anew.
+ *   Updates in which nothing moves or is repaired leave it as it was, so the number of walks and
+ *   the cell can be changed to look at a motion from all sides. Known if NumberOfOutputWalks was
+ *   not 0 when the walks were shot again.
+ * - `Escaped` (0 or 1): whether the walk leaves the scene.
+ * - `Stale` (0 or 1), with a RepairTimeBudget: whether a part of the walk is no longer valid and
+ *   waits to be shot again. It is shown as it was, its hits moved with the things that were hit.
+ *
+ * Point arrays: `Bounce` (int): 0 on the light, 1 at the first hit, and so on; `Repaired` (0 or 1):
+ * whether the segment that ends in this point was shot again, see above.
+ *
+ * All but `Repaired` and `Stale` are those of a new filter, bit for bit.
  *
  * @section Budget A time budget
  * With a RepairTimeBudget the repair of an update ends when the time is up. Walks whose stale
@@ -148,6 +180,7 @@
 #include <memory> // For the internals
 
 class vtkLinearTransform;
+class vtkPolyData;
 class vtkTransformInterpolator;
 
 class VTKFILTERSIRRADIANCE_EXPORT vtkIrradianceFilter : public vtkMultiBlockDataSetAlgorithm
@@ -356,6 +389,40 @@ public:
   vtkGetMacro(MaximumNumberOfWalks, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * How many walks output port 1 shows, 0 to 4,294,967,295; see "Walks to look at" above. The first
+   * time that it is not 0, what has kept no walks (nothing can move) is shot anew; then changing it
+   * shoots nothing, except if UpdateMode is Rebuild. Default 0.
+   */
+  vtkSetMacro(NumberOfOutputWalks, vtkIdType);
+  vtkGetMacro(NumberOfOutputWalks, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The cell that the walks of output port 1 touch: its number in connection OutputWalksConnection
+   * of input port OutputWalksPort (0 static, 1 dynamic). In a composite connection the cells are
+   * numbered from leaf to leaf. -1: all walks are meant, and port and connection do not matter. What
+   * does not exist is an error, except that no walk touches the cells of a connection that has none.
+   * They only matter if NumberOfOutputWalks is not 0. Defaults -1, 0, 0.
+   */
+  vtkSetMacro(OutputWalksCell, vtkIdType);
+  vtkGetMacro(OutputWalksCell, vtkIdType);
+  vtkSetMacro(OutputWalksPort, int);
+  vtkGetMacro(OutputWalksPort, int);
+  vtkSetMacro(OutputWalksConnection, int);
+  vtkGetMacro(OutputWalksConnection, int);
+  ///@}
+
+  ///@{
+  /**
+   * Output port 1. GetOutput(1) is null, as it is no vtkMultiBlockDataSet.
+   */
+  vtkPolyData* GetWalksOutput();
+  vtkAlgorithmOutput* GetWalksOutputPort();
+  ///@}
+
   /// Includes the transforms and the interpolators.
   vtkMTimeType GetMTime() override;
 
@@ -364,6 +431,7 @@ protected:
   ~vtkIrradianceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
   int RequestUpdateExtent(
@@ -385,6 +453,10 @@ protected:
   double TargetRelativeError = 0;
   vtkIdType MaximumNumberOfWalks = 10000000;
   double RepairTimeBudget = 0;
+  vtkIdType NumberOfOutputWalks = 0;
+  vtkIdType OutputWalksCell = -1;
+  int OutputWalksPort = 0;
+  int OutputWalksConnection = 0;
 
 private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;

@@ -54,9 +54,10 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
     budget.emplace(execution, settings_.repairTimeBudget);
   }
   PhotonChanges changes;
-  WalkRepair repair(
-    { shooter, plan_, history_, pointFrame_, sums_, balance_, settings_.cacheStaticHits, hasSides_,
-      found, stale_.get(), budget ? &*budget : nullptr, hasPhotonStores() ? &changes : nullptr });
+  repaired_ = {};
+  WalkRepair repair({ shooter, plan_, history_, pointFrame_, sums_, balance_,
+    settings_.cacheStaticHits, hasSides_, found, stale_.get(), budget ? &*budget : nullptr,
+    hasPhotonStores() ? &changes : nullptr, settings_.listRepaired ? &repaired_ : nullptr });
   statistics_.repairedSegments = repair.run(rest);
   updatePhotonStores(changes, execution);
   statistics_.repairSeconds = budget ? budget->elapsed() : secondsSince(start);

@@ -98,7 +98,9 @@ void IrradianceEngine::update(
 
 std::size_t IrradianceEngine::historyBytes() const
 {
-  return std::accumulate(history_.begin(), history_.end(), stale_ ? stale_->bytes() : 0,
+  const std::size_t others =
+    (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(RepairedTail);
+  return std::accumulate(history_.begin(), history_.end(), others,
     [](std::size_t bytes, const WalkBlock& block) { return bytes + block.bytes(); });
 }
 
@@ -135,6 +137,7 @@ void IrradianceEngine::startAnew(Execution& execution)
     checkpoint();
   }
   stale_.reset();
+  repaired_ = {};
   forgetPhotonStores();
   hasSides_ = settings_.keepPhotons || settings_.separateSides;
   pointFrame_ = pointFrame(objects_, walkBounds());

@@ -8,6 +8,7 @@
 #include "NearestCells.h"
 #include "Photons/LeafPhotons.h"
 #include "Photons/SpecularPhotons.h"
+#include "Repair/RepairedTail.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
 #include "Tally/CellEstimate.h"
@@ -31,6 +32,7 @@ struct EngineSettings
   bool separateSides = false;
   /// Whether walks are stored even if nothing can move, for those who ask for photons.
   bool keepPhotons = false;
+  bool listRepaired = false;    ///< whether it is noted which walks a repair shoots again
   std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known
   /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. The
   /// number of walks is doubled until then.
@@ -92,6 +94,9 @@ public:
   double reachedRelativeError() const { return reached_; }
   /// What the budget left unrepaired; null without a budget, or before anything moved.
   const StaleWalks* stale() const { return stale_.get(); }
+  /// What the last update that repaired something shot again, ordered by walk; empty after a fresh
+  /// start. Only if that update was to list it.
+  const std::vector<RepairedTail>& repaired() const { return repaired_; }
   /// The part of irradiance() that rests on stale walks.
   double staleIrradiance(
     std::uint32_t object, std::size_t cell, int side, int band, double area) const;
@@ -111,6 +116,8 @@ public:
   bool isValid() const { return isValid_; }
   const SceneObjects& objects() const { return objects_; }
   const Scene& scene() const { return scene_; }
+  /// Walks stay inside, except where they escape.
+  Box walkBounds() const;
   const EngineSettings& settings() const { return settings_; }
   /// Whether the following can be asked for.
   bool keepsPhotons() const
@@ -171,8 +178,6 @@ private:
   void updatePhotonStores(const PhotonChanges& changes, Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   std::size_t historyBytes() const;
-  /// Walks stay inside, except where they escape.
-  Box walkBounds() const;
   double reachInFrame() const;
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
@@ -193,9 +198,10 @@ private:
   std::uint64_t state_ = 0;
   bool hasSides_ = false;             ///< all sides of stored hits are known, see WalkBatch
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
-  UnitFrame pointFrame_;              ///< of the stored points
-  double pointReach_ = 0;             ///< their largest coordinate, except the ends of escapes
-  double clearance_ = 0;              ///< of all frames since the walks were shot, see Scene
+  std::vector<RepairedTail> repaired_;
+  UnitFrame pointFrame_;  ///< of the stored points
+  double pointReach_ = 0; ///< their largest coordinate, except the ends of escapes
+  double clearance_ = 0;  ///< of all frames since the walks were shot, see Scene
   double reached_ = 0;
   EngineStatistics statistics_;
 };

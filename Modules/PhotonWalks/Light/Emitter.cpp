@@ -86,6 +86,7 @@ void EmitterTable::addTriangles(const SceneObjects& objects, std::uint32_t objec
   for (std::uint32_t i = 0; i < mesh.size() && !material.exitance.empty(); ++i)
   {
     Emitter emitter{ { object, i }, transformed(objects[object].worldFromObject, mesh[i]) };
+    emitter.cell = { object, material.cellOfTriangle[i] };
     const double area = emitter.triangle.area();
     for (int band = 0; band < material.bands; ++band)
     {
@@ -116,6 +117,7 @@ void EmitterTable::addPoints(const SceneObjects& objects, std::uint32_t number, 
     }
     Emitter emitter{ {}, { position, position, position } };
     std::copy(light.flux.begin(), light.flux.end(), emitter.flux.begin());
+    emitter.cell = { number, light.cell };
     if (emitter.totalFlux() > 0 && !openSides.empty())
     {
       openSides_[emitters_.size()] = openSides;

@@ -20,6 +20,7 @@ struct Emitter
   TriangleId id;                               ///< none for a point light
   Triangle triangle;                           ///< a point light lies in all three corners
   std::array<double, Power::kMaxBands> flux{}; ///< W
+  SceneCell cell;                              ///< to which it belongs
 
   bool isPoint() const { return id == TriangleId{}; }
   double totalFlux() const { return flux[0] + flux[1] + flux[2]; }

@@ -13,6 +13,17 @@
 namespace irradiance
 {
 
+/// A cell of the scene.
+struct SceneCell
+{
+  std::uint32_t object = 0, cell = 0;
+
+  friend bool operator==(const SceneCell& a, const SceneCell& b)
+  {
+    return a.object == b.object && a.cell == b.cell;
+  }
+};
+
 /// How cells of an object reflect and emit. Arrays hold one value per cell and band, cell-major.
 struct Material
 {

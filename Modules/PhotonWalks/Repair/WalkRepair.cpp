@@ -82,6 +82,10 @@ std::int64_t WalkRepair::run(Execution& execution)
   {
     state_.stale->forgetRepaired(block);
   }
+  if (state_.tails)
+  {
+    std::sort(state_.tails->begin(), state_.tails->end());
+  }
   return segments_;
 }
 
@@ -297,8 +301,22 @@ void WalkRepair::finish(Batch& batch)
     const std::lock_guard<std::mutex> lock(changesMutex_);
     state_.changes->add(changes);
   }
+  if (state_.tails)
+  {
+    listTails(batch);
+  }
   balance_.add(batch.balance);
   segments_ += batch.walks.numberOfSegments();
+}
+
+void WalkRepair::listTails(const Batch& batch)
+{
+  const std::lock_guard<std::mutex> lock(changesMutex_);
+  for (const Item* item = batch.begin; item != batch.end; ++item)
+  {
+    state_.tails->push_back(
+      { state_.plan.firstWalkOf(item->block) + item->segment->walkInBlock, item->segment->bounce });
+  }
 }
 
 void WalkRepair::collectTails(const Batch& batch, std::vector<Photon>& photons) const

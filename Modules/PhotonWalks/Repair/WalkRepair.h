@@ -5,6 +5,7 @@
 #include "Execution/SlicedPass.h"
 #include "Execution/TimeBudget.h"
 #include "History/WalkHistory.h"
+#include "Repair/RepairedTail.h"
 #include "Repair/StaleWalks.h"
 #include "Tally/PowerBalance.h"
 
@@ -43,6 +44,7 @@ public:
     TimeBudget* budget; ///< null: time for all; else `stale` is given
     PhotonChanges* changes =
       nullptr; ///< receives the photons that go and come; null: not asked for
+    std::vector<RepairedTail>* tails = nullptr; ///< receives those shot, by walk; null: likewise
   };
 
   explicit WalkRepair(const State& state)
@@ -71,6 +73,7 @@ private:
   /// Null if the walk was marked in an earlier frame.
   const StaleSegment* foundNow(const Item& item) const;
   void finish(Batch& batch);
+  void listTails(const Batch& batch);
   /// Appends the photons of the tails that the batch replaces.
   void collectTails(const Batch& batch, std::vector<Photon>& photons) const;
 

@@ -54,6 +54,11 @@ public:
   Power powerOf(std::uint32_t walk) const { return emitters_.power(emitterOf(walk)); }
   /// The triangle on which a walk starts; none for a point light.
   TriangleId lightOf(std::uint32_t walk) const { return emitters_.emitters()[emitterOf(walk)].id; }
+  /// The cell on which a walk starts; that of its vertex for a point light.
+  SceneCell lightCellOf(std::uint32_t walk) const
+  {
+    return emitters_.emitters()[emitterOf(walk)].cell;
+  }
   /// The power of all walks of one band.
   Power photon() const { return { { emitters_.photon() } }; }
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkPaths_h
+#define irradiance_WalkPaths_h
+
+#include "IrradianceEngine.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// A stored walk, to look at.
+struct WalkPath
+{
+  std::uint32_t walk;
+  Power power; ///< with which it starts
+  /// World space: the start on its light, then its hits. A walk that escapes has one more, where it
+  /// is cut off.
+  std::vector<Vector3> points;
+  bool escapes;
+  bool isStale; ///< part of it is no longer valid, see StaleWalks
+  std::size_t
+    firstRepaired; ///< the first point that was shot again, see repaired(); else their number
+};
+
+/**
+ * Chooses among the stored walks of an engine, and hands them out as polylines. Points follow from
+ * the triangles and weights of the hits, never from the floats that are kept for scans. So a
+ * repaired walk has the same bits as a fresh one.
+ *
+ * The engine must keep the photons, and must not change meanwhile.
+ */
+class WalkPaths
+{
+public:
+  explicit WalkPaths(const IrradianceEngine& engine);
+
+  /// The first `most` walks, or all. As samples are a quasi-random sequence, any number of first
+  /// walks is spread evenly over lights, places and directions; every tenth walk would not be.
+  std::vector<std::uint32_t> first(std::size_t most) const;
+  /// The first `most` walks that start on a cell or hit it, or all of these. Throws Interrupted.
+  std::vector<std::uint32_t> touching(
+    const SceneCell& cell, std::size_t most, Execution& execution) const;
+  /// In the order of `walks`. Throws Interrupted.
+  std::vector<WalkPath> paths(const std::vector<std::uint32_t>& walks, Execution& execution) const;
+
+private:
+  bool emits(const SceneCell& cell) const;
+  bool isHit(const WalkBlock& block, std::uint32_t walkInBlock, const SceneCell& cell) const;
+  void find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const;
+  void addHits(const WalkShooter::Stored& walk, WalkPath& path) const;
+  void addMarks(const WalkPlan::Place& place, WalkPath& path) const;
+  /// Where the ray of an escape is cut off: 1/8 of the diagonal of the scene beyond its box.
+  Vector3 endOf(const Ray& ray) const;
+
+  const IrradianceEngine& engine_;
+  SobolSequence samples_;
+  WalkShooter shooter_;
+  Box bounds_; ///< beyond which escapes are cut off
+};
+
+}
+
+#endif

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ShownWalks_h
+#define ShownWalks_h
+
+#include "OutputBits.h"
+
+#include <map>
+#include <set>
+
+/// What output port 1 of a filter shows.
+namespace ShownWalks
+{
+
+using namespace TestScenes;
+
+constexpr vtkIdType All = 1000000; ///< more than any test shoots
+
+struct Walk
+{
+  std::vector<Vector> Points;
+  std::vector<bool> IsNew; ///< of each point: whether the segment before it was shot again
+  std::vector<double> Power;
+  bool Repaired, Escaped, Stale;
+};
+
+/// By WalkId.
+using Walks = std::map<vtkIdType, Walk>;
+using Ids = std::set<vtkIdType>;
+
+inline Walks WalksOf(vtkPolyData* shown)
+{
+  Walks walks;
+  vtkCellData* cells = shown->GetCellData();
+  vtkPointData* points = shown->GetPointData();
+  vtkDataArray* power = cells->GetArray("Power");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < shown->GetNumberOfCells(); ++i)
+  {
+    const auto flag = [&](const char* name) {
+      return cells->HasArray(name) && cells->GetArray(name)->GetComponent(i, 0) != 0;
+    };
+    Walk walk{ {}, {}, {}, flag("Repaired"), flag("Escaped"), flag("Stale") };
+    shown->GetCellPoints(i, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      Vector point;
+      shown->GetPoint(ids->GetId(k), point.data());
+      walk.Points.push_back(point);
+      walk.IsNew.push_back(points->GetArray("Repaired")->GetComponent(ids->GetId(k), 0) != 0);
+      EXPECT_EQ(points->GetArray("Bounce")->GetComponent(ids->GetId(k), 0), k);
+    }
+    for (int band = 0; band < power->GetNumberOfComponents(); ++band)
+    {
+      walk.Power.push_back(power->GetComponent(i, band));
+    }
+    const auto id = static_cast<vtkIdType>(cells->GetArray("WalkId")->GetComponent(i, 0));
+    EXPECT_TRUE(walks.emplace(id, walk).second) << "walk " << id << " is there twice";
+  }
+  return walks;
+}
+
+inline Walks UpdatedWalks(vtkIrradianceFilter* filter)
+{
+  filter->Update();
+  return WalksOf(filter->GetWalksOutput());
+}
+
+inline Ids IdsOf(const Walks& walks)
+{
+  Ids ids;
+  for (const auto& [id, walk] : walks)
+  {
+    ids.insert(id);
+  }
+  return ids;
+}
+
+inline Ids RepairedOf(const Walks& walks)
+{
+  Ids ids;
+  for (const auto& [id, walk] : walks)
+  {
+    if (walk.Repaired)
+    {
+      ids.insert(id);
+    }
+  }
+  return ids;
+}
+
+/// Asks for all walks that touch a cell, then for what was asked before.
+inline Ids Touching(vtkIrradianceFilter* filter, int port, int connection, vtkIdType cell)
+{
+  const vtkIdType count = filter->GetNumberOfOutputWalks();
+  filter->SetNumberOfOutputWalks(All);
+  filter->SetOutputWalksPort(port);
+  filter->SetOutputWalksConnection(connection);
+  filter->SetOutputWalksCell(cell);
+  const Ids ids = IdsOf(UpdatedWalks(filter));
+  filter->SetNumberOfOutputWalks(count);
+  filter->SetOutputWalksCell(-1);
+  filter->Update();
+  return ids;
+}
+
+/// Those that touch any cell of a connection.
+inline Ids Touching(vtkIrradianceFilter* filter, int port, int connection)
+{
+  Ids all;
+  vtkPolyData* part = OutputOf(
+    filter->GetOutput(), static_cast<unsigned int>(port), static_cast<unsigned int>(connection));
+  const vtkIdType cells = part->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    const Ids some = Touching(filter, port, connection, cell);
+    all.insert(some.begin(), some.end());
+  }
+  return all;
+}
+
+/// All but what tells how the walks came about.
+inline OutputBits LastingBits(vtkIrradianceFilter* filter)
+{
+  vtkNew<vtkPolyData> shown;
+  shown->ShallowCopy(filter->GetWalksOutput());
+  shown->GetCellData()->RemoveArray("Repaired");
+  shown->GetPointData()->RemoveArray("Repaired");
+  return OutputBits(shown);
+}
+
+}
+
+#endif

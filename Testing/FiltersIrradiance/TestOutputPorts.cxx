@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two outputs come from one execution, whoever asks for which, when, and for which time.
+
+#include "ErrorObserver.h"
+#include "ShownWalks.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutgoingRadianceFilter.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTubeFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+
+using namespace ShownWalks;
+
+namespace
+{
+
+constexpr vtkIdType NumberOfWalks = 1000;
+
+vtkSmartPointer<vtkIrradianceFilter> MakeShowing(const Scene& scene)
+{
+  auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->SetNumberOfOutputWalks(50);
+  return filter;
+}
+
+/// Counts events, and does something at the first.
+class Observer : public vtkCommand
+{
+public:
+  static Observer* New() { return new Observer; }
+  void Execute(vtkObject*, unsigned long, void*) override
+  {
+    ++this->Count;
+    if (this->Change)
+    {
+      std::exchange(this->Change, nullptr)();
+    }
+  }
+  int Count = 0;
+  std::function<void()> Change;
+};
+
+vtkSmartPointer<Observer> Watch(vtkAlgorithm* filter, vtkCommand::EventIds event)
+{
+  auto observer = vtkSmartPointer<Observer>::New();
+  filter->AddObserver(event, observer);
+  return observer;
+}
+
+/// A ball that at time t stands at x = 0.5 + t.
+class Walker : public vtkPolyDataAlgorithm
+{
+public:
+  static Walker* New();
+  vtkTypeMacro(Walker, vtkPolyDataAlgorithm);
+
+  const Mesh Model = MakeBall(0.3, 6);
+
+protected:
+  Walker() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    const double times[] = { 0, 1, 2 }, range[] = { 0, 2 };
+    vtkInformation* info = output->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 3);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    vtkInformation* info = output->GetInformationObject(0);
+    auto* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+    const double time = info->Has(key) ? info->Get(key) : 0;
+    vtkNew<vtkDoubleArray> pose;
+    pose->SetName("ObjectToWorld");
+    const double matrix[16] = { 1, 0, 0, 0.5 + time, 0, 1, 0, 1.5, 0, 0, 1, 1, 0, 0, 0, 1 };
+    pose->SetNumberOfComponents(16);
+    pose->InsertNextTuple(matrix);
+    vtkPolyData* polyData = vtkPolyData::GetData(output);
+    polyData->ShallowCopy(this->Model);
+    polyData->GetFieldData()->AddArray(pose);
+    return 1;
+  }
+};
+
+vtkStandardNewMacro(Walker);
+
+}
+
+TEST(OutputPorts, HaveTheirTypes)
+{
+  const auto filter = MakeShowing(MakeSmallScene());
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
+  EXPECT_TRUE(filter->GetOutputDataObject(0)->IsA("vtkMultiBlockDataSet"));
+  EXPECT_EQ(filter->GetOutput(), filter->GetOutputDataObject(0));
+  EXPECT_EQ(filter->GetOutput(0), filter->GetOutputDataObject(0));
+  EXPECT_STREQ(filter->GetOutputDataObject(1)->GetClassName(), "vtkPolyData");
+  EXPECT_EQ(filter->GetWalksOutput(), filter->GetOutputDataObject(1));
+  EXPECT_EQ(filter->GetWalksOutputPort(), filter->GetOutputPort(1));
+  EXPECT_EQ(filter->GetOutput(1), nullptr);
+}
+
+TEST(OutputPorts, ComeFromOneExecution)
+{
+  const Scene scene = MakeSmallScene();
+  for (const int first : { 0, 1 })
+  {
+    SCOPED_TRACE(first);
+    const auto filter = MakeShowing(scene);
+    const auto executions = Watch(filter, vtkCommand::StartEvent);
+    filter->Update(first);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
+    EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 50);
+    filter->Update(1 - first);
+    filter->Update(first);
+    EXPECT_EQ(executions->Count, 1);
+    scene.Moving[0].Pose->Translate(0.1, 0, 0);
+    filter->Update(first);
+    const auto fresh = MakeShowing(scene);
+    fresh->Update();
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+    EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
+    filter->Update(1 - first);
+    EXPECT_EQ(executions->Count, 2);
+  }
+}
+
+// Photons are asked of port 0 alone; port 1 must neither forget them nor ask for the light again.
+TEST(OutputPorts, ServeThoseWhoNeedPhotonsAndThoseWhoDrawWalks)
+{
+  Scene scene = MakeSmallScene();
+  scene.Moving.clear(); // no walk is stored unless somebody asks
+  for (const vtkIdType shown : { 0, 50 })
+  {
+    SCOPED_TRACE(shown);
+    const auto filter = MakeFilter(scene, NumberOfWalks);
+    filter->SetNumberOfOutputWalks(shown);
+    const auto executions = Watch(filter, vtkCommand::StartEvent);
+    vtkNew<vtkOutgoingRadianceFilter> radiance;
+    radiance->SetInputConnection(filter->GetOutputPort());
+    vtkNew<vtkTubeFilter> tubes;
+    tubes->SetInputConnection(filter->GetWalksOutputPort());
+    const auto reports = ErrorObserver::Watch(radiance);
+    tubes->Update();
+    radiance->Update();
+    const int count = executions->Count;
+    EXPECT_EQ(Field(filter, "ShootSeconds") > 0, shown == 0) << "walks to look at are stored";
+    for (int i = 0; i < 3; ++i)
+    {
+      tubes->Update();
+      radiance->Update();
+    }
+    EXPECT_EQ(executions->Count, count);
+    EXPECT_TRUE(reports->Errors.empty());
+    EXPECT_EQ(tubes->GetOutput()->GetNumberOfCells() > 0, shown > 0);
+  }
+}
+
+TEST(OutputPorts, AreOfTheSameTime)
+{
+  Scene scene = MakeSmallScene();
+  scene.Moving.clear();
+  vtkNew<Walker> walker;
+  const auto filter = MakeShowing(scene);
+  filter->AddInputConnection(1, walker->GetOutputPort());
+  filter->UpdateInformation();
+  for (const int port : { 0, 1 })
+  {
+    vtkInformation* info = filter->GetOutputInformation(port);
+    EXPECT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 3);
+    EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE())[1], 2);
+  }
+  RandomNumbers random(5);
+  for (int i = 0; i < 20; ++i)
+  {
+    const int port = random.Below(2);
+    const double time = random.Below(3);
+    SCOPED_TRACE(
+      std::to_string(i) + ": port " + std::to_string(port) + ", " + std::to_string(time));
+    vtkNew<vtkInformation> request;
+    request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time);
+    vtkNew<vtkInformationVector> requests;
+    requests->SetInformationObject(port, request);
+    filter->Update(port, requests);
+    EXPECT_NEAR(OutputOf(filter->GetOutput(), 1, 0)->GetCenter()[0], 0.5 + time, 1e-6);
+    for (const int each : { 0, 1 })
+    {
+      EXPECT_EQ(
+        filter->GetOutputDataObject(each)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
+        time);
+    }
+    Scene then = scene;
+    then.Moving.push_back(MakeMoving(walker->Model, { 0.5 + time, 1.5, 1 }));
+    const auto fresh = MakeShowing(then);
+    fresh->Update();
+    EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
+  }
+}
+
+TEST(OutputPorts, AreEmptyAfterAnAbort)
+{
+  for (const int port : { 0, 1 })
+  {
+    const Scene scene = MakeSmallScene();
+    const auto filter = MakeShowing(scene);
+    filter->Update();
+    const auto progress = Watch(filter, vtkCommand::ProgressEvent);
+    progress->Change = [&] { filter->SetAbortExecute(1); };
+    scene.Moving[0].Pose->Translate(0.1, 0, 0);
+    filter->Update(port);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+    EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 0);
+    EXPECT_EQ(filter->GetWalksOutput()->GetCellData()->GetNumberOfArrays(), 0);
+    filter->Modified();
+    filter->Update(port);
+    const auto fresh = MakeShowing(scene);
+    fresh->Update();
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+    EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
+  }
+}
+
+TEST(OutputPorts, SeeWhatChangedWhileTheyWereMade)
+{
+  for (const int port : { 0, 1 })
+  {
+    const Scene scene = MakeSmallScene();
+    const auto filter = MakeShowing(scene);
+    const auto meddler = Watch(filter, vtkCommand::ProgressEvent);
+    meddler->Change = [&] { scene.Moving[0].Pose->Translate(0.1, 0, 0); };
+    filter->Update(port);
+    filter->Update(1 - port); // sees it
+    const auto fresh = MakeShowing(scene);
+    fresh->Update();
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+    EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
+    const auto executions = Watch(filter, vtkCommand::StartEvent);
+    filter->Update(port);
+    EXPECT_EQ(executions->Count, 0);
+  }
+}
+
+TEST(OutputPorts, AreEmptyWithoutInputs)
+{
+  vtkNew<vtkIrradianceFilter> filter;
+  filter->SetNumberOfOutputWalks(10);
+  const auto reports = ErrorObserver::Watch(filter);
+  filter->Update();
+  filter->Update(1);
+  EXPECT_TRUE(reports->Errors.empty());
+  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 0);
+}
