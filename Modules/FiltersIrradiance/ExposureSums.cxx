@@ -2,6 +2,7 @@
 #include "ExposureSums.h"
 
 #include "InputError.h"
+#include "ReplicateArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -25,14 +26,28 @@ bool hasCells(vtkDataSet* data)
   return data && data->GetNumberOfCells() > 0;
 }
 
-vtkDataArray* irradianceOf(vtkDataSet* data, const std::string& suffix)
+std::string errorName(const std::string& suffix)
 {
-  return data->GetCellData()->GetArray(("Irradiance" + suffix).c_str());
+  return "Irradiance" + suffix + "StandardError";
 }
 
-/// The values, as double.
-vtkSmartPointer<vtkDoubleArray> asDouble(vtkDataArray* array)
+vtkDataArray* arrayOf(vtkDataSet* data, const std::string& name)
 {
+  return data->GetCellData()->GetArray(name.c_str());
+}
+
+/// The values of an array that an earlier time had, with so many components.
+vtkSmartPointer<vtkDoubleArray> valuesOf(const std::string& leaf, vtkDataSet* data,
+  const std::string& name, std::size_t components, double time)
+{
+  vtkDataArray* array = arrayOf(data, name);
+  if (!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components)
+  {
+    throw InputError(leaf + ": the cell array " + name + " has " +
+      (array ? std::to_string(array->GetNumberOfComponents()) + " components" : "gone") +
+      " at time " + text(time) + ", but " + std::to_string(components) +
+      " components at an earlier visited time");
+  }
   vtkSmartPointer<vtkDoubleArray> values = vtkDoubleArray::SafeDownCast(array);
   if (!values)
   {
@@ -79,15 +94,36 @@ void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double ti
   }
 }
 
+ExposureSums::Side ExposureSums::newSide(
+  const std::string& leaf, const std::string& suffix, vtkDataSet* data)
+{
+  const int bands = arrayOf(data, "Irradiance" + suffix)->GetNumberOfComponents();
+  const auto values = static_cast<std::size_t>(bands * data->GetNumberOfCells());
+  Side side{ suffix, bands, std::vector<double>(values), {}, {} };
+  if (vtkDataArray* replicates = arrayOf(data, replicatesName(suffix)))
+  {
+    if (replicates->GetNumberOfComponents() % bands != 0)
+    {
+      throw InputError(leaf + ": the cell array " + replicatesName(suffix) + " has " +
+        std::to_string(replicates->GetNumberOfComponents()) + " components, but Irradiance" +
+        suffix + " has " + std::to_string(bands) + ": each replicate needs as many");
+    }
+    side.replicates.emplace(values, bands, replicates->GetNumberOfComponents() / bands);
+  }
+  else if (arrayOf(data, errorName(suffix)))
+  {
+    side.errorBound.resize(values);
+  }
+  return side;
+}
+
 void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
 {
   for (const char* suffix : kSuffixes)
   {
-    if (vtkDataArray* array = irradianceOf(data, suffix))
+    if (arrayOf(data, std::string("Irradiance") + suffix))
     {
-      const int bands = array->GetNumberOfComponents();
-      const auto values = static_cast<std::size_t>(bands * data->GetNumberOfCells());
-      leaf.sides.push_back({ suffix, bands, std::vector<double>(values) });
+      leaf.sides.push_back(newSide(leaf.name, suffix, data));
     }
   }
   if (leaf.sides.empty())
@@ -109,17 +145,13 @@ void ExposureSums::checkCells(const Leaf& leaf, vtkDataSet* data, double time)
 }
 
 void ExposureSums::addSide(
-  const std::string& name, Side& side, vtkDataSet* data, double time, double weight)
+  const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight)
 {
-  vtkDataArray* array = irradianceOf(data, side.suffix);
-  if (!array || array->GetNumberOfComponents() != side.bands)
-  {
-    throw InputError(name + ": the cell array Irradiance" + side.suffix + " has " +
-      (array ? std::to_string(array->GetNumberOfComponents()) + " components" : "gone") +
-      " at time " + text(time) + ", but " + std::to_string(side.bands) +
-      " components at an earlier visited time");
-  }
-  const auto values = asDouble(array);
+  const auto bands = static_cast<std::size_t>(side.bands);
+  const auto array = [&](const std::string& name, std::size_t components) {
+    return valuesOf(leaf, data, name, components, time);
+  };
+  const auto values = array("Irradiance" + side.suffix, bands);
   const double* irradiance = values->GetPointer(0);
   double check = 0;
   for (std::size_t i = 0; i < side.exposure.size(); ++i)
@@ -131,8 +163,22 @@ void ExposureSums::addSide(
   {
     const auto* bad = std::find_if_not(irradiance, irradiance + side.exposure.size(),
       [](double value) { return std::isfinite(value); });
-    throw InputError(name + ", cell " + std::to_string((bad - irradiance) / side.bands) +
+    throw InputError(leaf + ", cell " + std::to_string((bad - irradiance) / side.bands) +
       ": Irradiance" + side.suffix + " is " + text(*bad) + " at time " + text(time));
+  }
+  if (side.replicates)
+  {
+    side.replicates->add(irradiance,
+      array(replicatesName(side.suffix), bands * side.replicates->count()),
+      array(photonName(side.suffix), bands), weight);
+  }
+  if (!side.errorBound.empty())
+  {
+    const auto errors = array(errorName(side.suffix), bands);
+    for (std::size_t i = 0; i < side.errorBound.size(); ++i)
+    {
+      side.errorBound[i] += weight * errors->GetPointer(0)[i];
+    }
   }
 }
 
@@ -165,6 +211,38 @@ void ExposureSums::add(vtkDataObject* data, double time, double weight)
   energies_.add(data->GetFieldData(), weight);
 }
 
+void ExposureSums::writeSide(const Side& side, vtkDataSet* data)
+{
+  vtkCellData* cells = data->GetCellData();
+  const auto add = [&](const std::string& name, const auto& value) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(side.bands);
+    array->SetNumberOfTuples(data->GetNumberOfCells());
+    for (std::size_t i = 0; i < side.exposure.size(); ++i)
+    {
+      array->SetValue(static_cast<vtkIdType>(i), value(i));
+    }
+    cells->AddArray(array);
+  };
+  for (const std::string& name : { "Irradiance" + side.suffix, errorName(side.suffix),
+         replicatesName(side.suffix), photonName(side.suffix), "StaleIrradiance" + side.suffix })
+  {
+    cells->RemoveArray(name.c_str());
+  }
+  const std::string name = "RadiantExposure" + side.suffix;
+  add(name, [&](std::size_t i) { return side.exposure[i]; });
+  if (side.replicates)
+  {
+    add(name + "StandardError",
+      [&](std::size_t i) { return side.replicates->standardError(i, side.exposure[i]); });
+  }
+  if (!side.errorBound.empty())
+  {
+    add(name + "StandardError", [&](std::size_t i) { return side.errorBound[i]; });
+  }
+}
+
 vtkSmartPointer<vtkDataSet> ExposureSums::written(const Leaf& leaf, vtkDataSet* last)
 {
   vtkDataSet* source = leaf.geometry ? leaf.geometry.Get() : last;
@@ -175,25 +253,11 @@ vtkSmartPointer<vtkDataSet> ExposureSums::written(const Leaf& leaf, vtkDataSet* 
   auto data = vtk::TakeSmartPointer(source->NewInstance());
   data->ShallowCopy(source);
   data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
-  vtkCellData* cells = data->GetCellData();
   for (const Side& side : leaf.sides)
   {
-    for (const std::string& name : { "Irradiance" + side.suffix,
-           "Irradiance" + side.suffix + "StandardError", "StaleIrradiance" + side.suffix })
-    {
-      cells->RemoveArray(name.c_str());
-    }
-    vtkNew<vtkDoubleArray> exposure;
-    exposure->SetName(("RadiantExposure" + side.suffix).c_str());
-    exposure->SetNumberOfComponents(side.bands);
-    exposure->SetNumberOfTuples(data->GetNumberOfCells());
-    std::copy(side.exposure.begin(), side.exposure.end(), exposure->GetPointer(0));
-    cells->AddArray(exposure);
-    if (side.suffix.empty())
-    {
-      cells->SetActiveScalars("RadiantExposure");
-    }
+    writeSide(side, data);
   }
+  data->GetCellData()->SetActiveScalars("RadiantExposure");
   return data;
 }
 

@@ -4,9 +4,11 @@
 
 #include "EnergySums.h"
 #include "LeafData.h"
+#include "ReplicateSums.h"
 
 #include "vtkType.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,8 @@ private:
     std::string suffix; ///< of its name: Front, Back, or none
     int bands;
     std::vector<double> exposure; ///< J/m2
+    std::optional<ReplicateSums> replicates;
+    std::vector<double> errorBound; ///< J/m2, if there are errors, but no replicates
   };
   struct Leaf
   {
@@ -45,8 +49,10 @@ private:
   void checkStructure(const std::vector<LeafData>& leaves, double time);
   static void begin(Leaf& leaf, vtkDataSet* data, double time);
   static void checkCells(const Leaf& leaf, vtkDataSet* data, double time);
+  static Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* data);
   static void addSide(
-    const std::string& name, Side& side, vtkDataSet* data, double time, double weight);
+    const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight);
+  static void writeSide(const Side& side, vtkDataSet* data);
   static vtkSmartPointer<vtkDataSet> written(const Leaf& leaf, vtkDataSet* last);
 
   std::vector<Leaf> leaves_;

@@ -2,6 +2,7 @@
 #include "OutputWriter.h"
 
 #include "Pose.h"
+#include "ReplicateArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -209,11 +210,51 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
       return standardError(object, cell, side, band, area);
     });
   }
+  if (withReplicates_)
+  {
+    addReplicates(polyData, suffix, object, firstCell, side);
+  }
   if (settings_.repairTimeBudget > 0)
   {
     add("StaleIrradiance" + suffix, [&](std::size_t cell, int band, double area) {
       return engine_.staleIrradiance(object, cell, side, band, area);
     });
+  }
+}
+
+void OutputWriter::addReplicates(vtkPolyData* polyData, const std::string& suffix,
+  std::uint32_t object, std::size_t firstCell, int side) const
+{
+  const int bands = scene_.bands();
+  const auto replicates = static_cast<int>(errors_.replicates());
+  const auto newArray = [&](const std::string& name, int components) {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(polyData->GetNumberOfCells());
+    polyData->GetCellData()->AddArray(array);
+    return array;
+  };
+  const auto parts = newArray(replicatesName(suffix), replicates * bands);
+  const auto photons = newArray(photonName(suffix), bands);
+  const std::vector<double>& areas = scene_.areas(object);
+  CheckpointPace pace(checkpoint_);
+  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
+  {
+    const std::size_t cell = firstCell + static_cast<std::size_t>(i);
+    const auto irradiance = [&](double quanta) {
+      return areas[cell] > 0 ? engine_.watts(quanta) / areas[cell] : 0.0;
+    };
+    for (int band = 0; band < bands; ++band)
+    {
+      pace.step(static_cast<std::size_t>(replicates));
+      photons->SetTypedComponent(i, band, irradiance(errors_.photon(object, cell, side, band)));
+      for (int r = 0; r < replicates; ++r)
+      {
+        parts->SetTypedComponent(i, r * bands + band,
+          irradiance(errors_.ofReplicate(object, cell, side, band, static_cast<std::uint32_t>(r))));
+      }
+    }
   }
 }
 

@@ -21,13 +21,15 @@ class OutputWriter
 {
 public:
   /// The arguments must outlive the writer.
-  /// `withErrors`: also writes standard errors.
+  /// `withErrors`: also writes standard errors; then `withReplicates`: and what they come from.
   OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
-    const EngineSettings& settings, bool withErrors, const Checkpoint& checkpoint)
+    const EngineSettings& settings, bool withErrors, bool withReplicates,
+    const Checkpoint& checkpoint)
     : engine_(engine)
     , scene_(scene)
     , settings_(settings)
     , withErrors_(withErrors)
+    , withReplicates_(withErrors && withReplicates)
     , checkpoint_(checkpoint)
     , errors_(engine.errorEstimate())
   {
@@ -46,6 +48,9 @@ private:
   /// `suffix`: part of the arrays' names, such as Front.
   void addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
     std::size_t firstCell, int side) const;
+  /// See ReplicateArrays.h.
+  void addReplicates(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
+    std::size_t firstCell, int side) const;
   void addFieldData(vtkMultiBlockDataSet* output) const;
   /// W/m2; NaN where it is not known.
   double standardError(
@@ -54,7 +59,7 @@ private:
   const IrradianceEngine& engine_;
   const SceneReader& scene_;
   const EngineSettings& settings_;
-  bool withErrors_;
+  bool withErrors_, withReplicates_;
   const Checkpoint& checkpoint_;
   ErrorEstimate errors_;
 };

@@ -8,6 +8,7 @@
 #include "OutputWriter.h"
 #include "PhotonRequest.h"
 #include "PhotonSource.h"
+#include "ReplicateArrays.h"
 #include "WalksWriter.h"
 
 #include "vtkDataObject.h"
@@ -44,7 +45,7 @@ public:
   };
 
   Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
-  void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, bool keepsPhotons,
+  void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
     vtkMultiBlockDataSet* output, vtkPolyData* walks);
 
   irradiance::DynamicPoses Poses;
@@ -398,14 +399,14 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
 }
 
 void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, const Inputs& inputs,
-  bool keepsPhotons, vtkMultiBlockDataSet* output, vtkPolyData* walks)
+  vtkInformation* request, vtkMultiBlockDataSet* output, vtkPolyData* walks)
 {
   irradiance::EngineSettings settings = CheckedSettings(filter);
   const irradiance::WalksWriter walksWriter(
     { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
       filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
     inputs.Static, inputs.Dynamic);
-  settings.keepPhotons = keepsPhotons || walksWriter.isAsked() ||
+  settings.keepPhotons = irradiance::arePhotonsRequested(request) || walksWriter.isAsked() ||
     settings.cellEstimate == irradiance::CellEstimate::Nearest;
   settings.listRepaired = walksWriter.isAsked();
   irradiance::SmpExecution execution = irradiance::executionOf(filter);
@@ -430,8 +431,8 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     vtkWarningWithObjectMacro(filter, << TargetMissed(*this->Engine, settings));
   }
   const irradiance::Checkpoint writing = irradiance::checkpointOf(execution, 1);
-  irradiance::OutputWriter(
-    *this->Engine, this->Scene, settings, filter->GetComputeStandardError() != 0, writing)
+  irradiance::OutputWriter(*this->Engine, this->Scene, settings,
+    filter->GetComputeStandardError() != 0, irradiance::areReplicatesRequested(request), writing)
     .write(inputs.Static, inputs.Dynamic, output);
   irradiance::PhotonSource::attach(output, this->Engine);
   if (walksWriter.isAsked())
@@ -460,7 +461,7 @@ int vtkIrradianceFilter::RequestData(
     this->Internals->Poses.evaluate(time);
     this->Internals->Begun = this->InputTime(); // evaluation counts as a change
     this->Internals->Compute(this, this->Internals->GetInputs(this, inputs),
-      irradiance::arePhotonsRequested(outputs->GetInformationObject(0)), output, walks);
+      outputs->GetInformationObject(0), output, walks);
     SetDataTime(time, outputs);
   });
 }

@@ -5,6 +5,7 @@
 #include "ExposureTimes.h"
 #include "FilterRun.h"
 #include "InputError.h"
+#include "ReplicateArrays.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
@@ -66,12 +67,14 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
       : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
 }
 
-/// Files have some times alone, and take the nearest.
-void CheckTime(vtkDataObject* data, double time, const irradiance::TimeSpan& span)
+/// Files have some times alone, and take the nearest. Data that do not change over time (no TIME_RANGE)
+/// are of any time.
+void CheckTime(vtkInformation* input, double time, const irradiance::TimeSpan& span)
 {
-  vtkInformation* info = data->GetInformation();
+  vtkInformation* info = vtkDataObject::GetData(input)->GetInformation();
+  auto* key = vtkDataObject::DATA_TIME_STEP();
   const double given =
-    info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : time;
+    input->Has(Pipeline::TIME_RANGE()) && info->Has(key) ? info->Get(key) : time;
   constexpr double rounding = 1e-9;
   if (!(std::abs(given - time) <= rounding * (span.end - span.start)))
   {
@@ -174,7 +177,9 @@ void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* f
   {
     this->Begin(filter);
   }
-  filter->GetInputInformation(0, 0)->Set(Pipeline::UPDATE_TIME_STEP(), this->Integral->nextTime());
+  vtkInformation* input = filter->GetInputInformation(0, 0);
+  input->Set(Pipeline::UPDATE_TIME_STEP(), this->Integral->nextTime());
+  irradiance::requestReplicates(input, true);
 }
 
 void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(vtkRadiantExposureFilter* filter) const
@@ -198,9 +203,8 @@ void vtkRadiantExposureFilter::vtkInternals::Take(vtkRadiantExposureFilter* filt
                                       << "Modified() and Update() compute it anew");
     this->Upstream = UpstreamTime(filter);
   }
-  vtkDataObject* data = filter->GetInputDataObject(0, 0);
-  CheckTime(data, time, this->Of.Span);
-  this->Integral->take(data);
+  CheckTime(filter->GetInputInformation(0, 0), time, this->Of.Span);
+  this->Integral->take(filter->GetInputDataObject(0, 0));
 }
 
 void vtkRadiantExposureFilter::vtkInternals::Run(
@@ -286,6 +290,7 @@ int vtkRadiantExposureFilter::RequestData(
   {
     this->Internals->Forget();
   }
+  irradiance::requestReplicates(this->GetInputInformation(0, 0), false); // others need not pay
   return result;
 }
 

@@ -25,7 +25,9 @@
  * @section Output
  * Data of the type and structure of the input. Each block is that of the last visited time at which
  * it had cells, with its arrays, except those that were integrated. In their place are the cell arrays
- * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2).
+ * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2);
+ * - `RadiantExposureStandardError`, or `RadiantExposureFrontStandardError` and
+ *   `RadiantExposureBackStandardError` (J/m2), if the input has standard errors, see below.
  *
  * Field data of the root: those of the last time, and `StartTime`, `EndTime` (s), `NumberOfTimeSteps`
  * (intervals between visited times), `IntegrationTimes` (s, one tuple for each visited time). If the
@@ -34,6 +36,22 @@
  * of any time and band, relative to the emitted power.
  *
  * The output belongs to no time: it does not pass TIME_STEPS on.
+ *
+ * @section Error The standard error
+ * Irradiances of different times come from the same walks, so their errors do not average out as those
+ * of independent measurements do: their squares may not be added. With a vtkIrradianceFilter upstream
+ * whose ComputeStandardError is on, this filter asks it for the irradiance of each replicate (8 bytes for
+ * each cell, band, side and replicate, as long as it runs). The exposures of the replicates are
+ * independent, and the standard error comes from their scatter. The 95 % interval is the exposure +-
+ * this times `ConfidenceFactor` (field data, that of the irradiance filter).
+ *
+ * It is NaN where it is not known: without an area, and where too few photons arrived over the whole
+ * span; it may be known where that of the irradiance never is. It tells the noise of the photons, not the
+ * error of the integration over time. Documentation/Theory.md, section 5.5.
+ *
+ * Input with standard errors but without replicates, such as files: the sum of w_i times the standard
+ * error at t_i, an upper bound, which holds however errors depend on each other; NaN if the error is not
+ * known at one of the times.
  *
  * @section Abort Progress, abort, and continuing
  * Progress is reported after each time. After an abort the output is empty and, as with all VTK filters,

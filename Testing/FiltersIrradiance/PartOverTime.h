@@ -18,7 +18,7 @@
 class PartOverTime : public vtkPolyDataAlgorithm
 {
 public:
-  static PartOverTime* New();
+  static PartOverTime* New() { VTK_STANDARD_NEW_BODY(PartOverTime); }
   vtkTypeMacro(PartOverTime, vtkPolyDataAlgorithm);
 
   /// Times: TIME_STEPS, whose ends are the TIME_RANGE.
@@ -72,8 +72,6 @@ protected:
     return 1;
   }
 };
-
-vtkStandardNewMacro(PartOverTime);
 
 /// Sets the pose of a part: a translation.
 inline void MoveTo(vtkPolyData* part, const TestScenes::Vector& position)

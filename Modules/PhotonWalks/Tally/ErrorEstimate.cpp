@@ -66,8 +66,7 @@ ErrorEstimate::Received ErrorEstimate::received(
     total += ofReplicate(i);
   }
   const auto quanta = static_cast<double>(total);
-  const double photon = photon_[static_cast<std::size_t>(band)] *
-    (spread_ ? spread_->photonShare(object, cell, side) : 1.0);
+  const double photon = this->photon(object, cell, side, band);
   if (replicates < 2 || walks_ < kFewestPhotons || total == 0 || quanta < kFewestPhotons * photon)
   {
     return { quanta, std::nan(""), photon };

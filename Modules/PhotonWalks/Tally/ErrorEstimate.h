@@ -41,6 +41,21 @@ public:
     return received(object, cell, side, band).error;
   }
 
+  std::uint32_t replicates() const { return static_cast<std::uint32_t>(share_.size()); }
+  /// What one replicate by itself says of a cell's sum, in quanta: its own, over its share of the walks.
+  double ofReplicate(
+    std::uint32_t object, std::size_t cell, int side, int band, std::uint32_t replicate) const
+  {
+    return static_cast<double>(sums_.sum(object, cell, side, band, replicate, rounds_)) /
+      share_[replicate];
+  }
+  /// What one photon of full power effectively brings to a cell, in quanta.
+  double photon(std::uint32_t object, std::size_t cell, int side, int band) const
+  {
+    return photon_[static_cast<std::size_t>(band)] *
+      (spread_ ? spread_->photonShare(object, cell, side) : 1.0);
+  }
+
   /// The least e for which kConfidence of the area is known to within e times its own irradiance,
   /// with probability kConfidence; infinite if there is none. A cell that received nothing is known
   /// to within 3 photons; its e is 3 photons over what its area receives on average. The worst band

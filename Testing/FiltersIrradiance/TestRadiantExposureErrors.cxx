@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The standard error of the exposure: irradiances of different times come from the same walks.
+
+#include "PartOverTime.h"
+#include "TestScenes.h"
+
+#include "vtkRadiantExposureFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace TestScenes;
+
+namespace
+{
+
+using Exposure = vtkSmartPointer<vtkRadiantExposureFilter>;
+
+Exposure MakeExposure(vtkAlgorithm* input)
+{
+  auto exposure = Exposure::New();
+  exposure->SetInputConnection(input->GetOutputPort());
+  return exposure;
+}
+
+vtkCellData* CellsOf(vtkAlgorithm* filter, unsigned int port, unsigned int i)
+{
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  return OutputOf(output, port, i)->GetCellData();
+}
+
+std::vector<double> ValuesOf(vtkDataArray* array)
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  {
+    values.push_back(array->GetVariantValue(i).ToDouble());
+  }
+  return values;
+}
+
+/// A small room, lit from above, with a ball in it.
+Scene MakeRoomWithBall()
+{
+  return { { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) },
+    { MakeMoving(MakeBall(0.3, 6), { 1, 1, 1 }) } };
+}
+
+}
+
+// If nothing changes, the exposure and its error are those of the irradiance, times the time; known and
+// unknown are the same cells.
+TEST(RadiantExposureError, OfAStillSceneIsThatOfTheIrradiance)
+{
+  Scene scene = MakeRoomWithBall();
+  scene.Fixed[1] = MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100, 50, 0 });
+  const auto irradiance = MakeFilter(scene, 3200);
+  irradiance->ComputeStandardErrorOn();
+  const auto exposure = MakeExposure(irradiance);
+  exposure->SetIntegrationModeToUniform();
+  exposure->SetNumberOfTimeSteps(3);
+  exposure->SetStartTime(2);
+  exposure->SetEndTime(6);
+  for (const int estimate : { vtkIrradianceFilter::Sums, vtkIrradianceFilter::Spread })
+  {
+    irradiance->SetCellEstimate(estimate);
+    for (const bool areSides : { false, true })
+    {
+      irradiance->SetSeparateSides(areSides);
+      exposure->Update();
+      int known = 0, unknown = 0;
+      for (const std::string side : { "", "Front", "Back" })
+      {
+        for (const unsigned int port : { 0u, 1u })
+        {
+          const auto errors =
+            ValuesOf(CellsOf(irradiance, port, 0)
+                       ->GetArray(("Irradiance" + side + "StandardError").c_str()));
+          const auto exposed =
+            ValuesOf(CellsOf(exposure, port, 0)
+                       ->GetArray(("RadiantExposure" + side + "StandardError").c_str()));
+          EXPECT_EQ(errors.empty(), side.empty() == areSides);
+          ASSERT_EQ(errors.size(), exposed.size());
+          for (std::size_t i = 0; i < errors.size(); ++i)
+          {
+            ASSERT_EQ(std::isnan(errors[i]), std::isnan(exposed[i])) << side << i;
+            ++(std::isnan(errors[i]) ? unknown : known);
+            EXPECT_TRUE(std::isnan(errors[i]) || std::abs(exposed[i] / (4 * errors[i]) - 1) < 1e-9)
+              << exposed[i] << " is not 4 times " << errors[i];
+          }
+        }
+      }
+      EXPECT_GT(known, 20);
+      EXPECT_GT(unknown, 20);
+    }
+  }
+  EXPECT_NEAR(exposure->GetOutputDataObject(0)
+                ->GetFieldData()
+                ->GetArray("ConfidenceFactor")
+                ->GetComponent(0, 0),
+    2.1314, 1e-4);
+}
+
+// Over the seeds, exposures scatter as their standard errors say: the ratio of the two variances,
+// averaged over the cells, is off by 5 of its standard errors once in 10^6. Errors whose squares are
+// added are too small.
+TEST(RadiantExposureError, IsTheScatterOverSeeds)
+{
+  const std::vector<double> times{ 0, 0.25, 0.5, 0.75, 1, 1.25 };
+  const auto ball = PartOverTime::Make(MakeBall(0.4, 6), times, [](vtkPolyData* part, double time) {
+    MoveTo(part, { 0.6 + time, 1.5, 1.5 });
+  });
+  const auto irradiance = MakeFilter({ MakeRoomWithBall().Fixed, {} }, 16000);
+  irradiance->AddInputConnection(1, ball->GetOutputPort());
+  irradiance->ComputeStandardErrorOn();
+  const auto exposure = MakeExposure(irradiance);
+  constexpr int seeds = 40;
+  for (const unsigned int port : { 0u, 1u })
+  {
+    std::vector<double> sum, squares, variances;
+    for (int seed = 1; seed <= seeds; ++seed)
+    {
+      irradiance->SetSeed(seed);
+      exposure->Update();
+      const auto values = ValuesOf(CellsOf(exposure, port, 0)->GetArray("RadiantExposure"));
+      const auto errors =
+        ValuesOf(CellsOf(exposure, port, 0)->GetArray("RadiantExposureStandardError"));
+      ASSERT_EQ(values.size(), errors.size());
+      sum.resize(values.size());
+      squares.resize(values.size());
+      variances.resize(values.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        sum[i] += values[i];
+        squares[i] += values[i] * values[i];
+        variances[i] += errors[i] * errors[i] / seeds;
+      }
+    }
+    double ratio = 0, known = 0; // cells whose errors are known with all seeds
+    for (std::size_t i = 0; i < sum.size(); ++i)
+    {
+      const double scatter = (squares[i] - sum[i] * sum[i] / seeds) / (seeds - 1);
+      ratio += std::isnan(variances[i]) ? 0 : variances[i] / scatter;
+      known += std::isnan(variances[i]) ? 0 : 1;
+    }
+    ASSERT_GE(known, 16);
+    ratio /= known;
+    const double expected = (seeds - 1.0) / (seeds - 3.0);
+    const double spread = std::sqrt((2.0 / seeds + 2.0 / seeds / 15) / known);
+    std::cout << "ratio " << ratio << ", expected " << expected << " +- " << spread << "\n";
+    EXPECT_NEAR(ratio, expected, 5 * spread);
+  }
+}
+
+// Standard deviations obey the triangle inequality: added, they are an upper bound. Their squares, added,
+// are far too small where the photons stay the same.
+TEST(RadiantExposureError, IsBetweenSquaresAddedAndErrorsAdded)
+{
+  const std::vector<double> times{ 0, 0.25, 0.5, 0.75, 1, 1.25 };
+  const auto ball = PartOverTime::Make(MakeBall(0.4, 6), times, [](vtkPolyData* part, double time) {
+    MoveTo(part, { 0.6 + time, 1.5, 1.5 });
+  });
+  const auto irradiance = MakeFilter({ MakeRoomWithBall().Fixed, {} }, 16000);
+  irradiance->AddInputConnection(1, ball->GetOutputPort());
+  irradiance->ComputeStandardErrorOn();
+  const auto exposure = MakeExposure(irradiance);
+  exposure->Update();
+  const auto errors = ValuesOf(CellsOf(exposure, 0, 0)->GetArray("RadiantExposureStandardError"));
+  std::vector<double> sum(errors.size()), squares(errors.size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const double weight = i == 0 || i + 1 == times.size() ? 0.125 : 0.25;
+    irradiance->UpdateTimeStep(times[i]);
+    EXPECT_FALSE(CellsOf(irradiance, 0, 0)->HasArray("IrradianceReplicates"))
+      << "nobody asks for them any more";
+    const auto then = ValuesOf(CellsOf(irradiance, 0, 0)->GetArray("IrradianceStandardError"));
+    for (std::size_t cell = 0; cell < errors.size(); ++cell)
+    {
+      sum[cell] += weight * then[cell];
+      squares[cell] += std::pow(weight * then[cell], 2);
+    }
+  }
+  double excess = 0;
+  for (std::size_t cell = 0; cell < errors.size(); ++cell)
+  {
+    EXPECT_LE(errors[cell], sum[cell] * (1 + 1e-9));
+    excess += errors[cell] * errors[cell] / squares[cell] / static_cast<double>(errors.size());
+  }
+  std::cout << "variance over added squares: " << excess << "\n";
+  EXPECT_GT(excess, 2);
+}
+
+TEST(RadiantExposureError, WithoutReplicatesIsTheSumOfErrors)
+{
+  const auto square = PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, 1),
+    { 0, 1, 3 }, [](vtkPolyData* part, double time) {
+      SetCellValues(part, "Irradiance", { 5, 6, 7 });
+      SetCellValues(
+        part, "IrradianceStandardError", { 0.5, 1 + time, time == 3 ? std::nan("") : 1.0 });
+    });
+  const auto exposure = MakeExposure(square);
+  exposure->Update();
+  auto* cells = vtkPolyData::SafeDownCast(exposure->GetOutputDataObject(0))->GetCellData();
+  vtkDataArray* errors = cells->GetArray("RadiantExposureStandardError");
+  ASSERT_TRUE(errors);
+  EXPECT_EQ(errors->GetNumberOfComponents(), 3);
+  EXPECT_DOUBLE_EQ(errors->GetComponent(0, 0), 1.5);
+  EXPECT_DOUBLE_EQ(errors->GetComponent(0, 1), 0.5 * 1 + 1.5 * 2 + 1 * 4);
+  EXPECT_TRUE(std::isnan(errors->GetComponent(0, 2)));
+}
+
+TEST(RadiantExposureError, IsThereOnlyIfTheInputHasErrors)
+{
+  const auto irradiance = MakeFilter(MakeRoomWithBall(), 500);
+  const auto exposure = MakeExposure(irradiance);
+  exposure->SetIntegrationModeToUniform();
+  exposure->SetStartTime(0);
+  exposure->SetEndTime(1);
+  exposure->Update();
+  EXPECT_FALSE(CellsOf(exposure, 0, 0)->HasArray("RadiantExposureStandardError"));
+  irradiance->ComputeStandardErrorOn();
+  exposure->Update();
+  EXPECT_TRUE(CellsOf(exposure, 0, 0)->HasArray("RadiantExposureStandardError"));
+  EXPECT_FALSE(CellsOf(exposure, 0, 0)->HasArray("IrradianceReplicates"));
+}
+
+namespace
+{
+
+/// A plate of rows of cells rides with its rows along the way under a strip lamp that lies across it.
+/// All is black.
+struct StripLamp
+{
+  static constexpr double Length = 1, Width = 0.125, Height = 0.25, Exitance = 1000; // m, W/m2
+  static constexpr double Speed = 0.5, Way = 6;                                      // m/s, m
+  static constexpr double PlateLength = 1, PlateWidth = 0.75; // m, along and across the way
+  static constexpr int Rows = 3;
+
+  /**
+   * A lamp element dA sends E = M / pi * h^2 / r^4 dA to a point h below it. On a straight way at the
+   * distance a = sqrt(y^2 + h^2) from it, the integral of 1 / r^4 is pi / (2 a^3) / v. So the exposure at y is
+   *
+   *   M W / (2 v) * [u / sqrt(u^2 + h^2)], u from y - L/2 to y + L/2,
+   *
+   * and its mean over a row follows from the integral of that, sqrt(u^2 + h^2). What the way leaves out
+   * is less than (2 / 3 pi) (h / x)^3 of it for a way from -x to x: 2e-4 at the ends of the plate.
+   */
+  static double ExposureOfRow(int row)
+  {
+    const auto integral = [](double y) {
+      return std::hypot(y + Length / 2, Height) - std::hypot(y - Length / 2, Height);
+    };
+    const double step = PlateWidth / Rows, y = -PlateWidth / 2 + row * step;
+    return Exitance * Width / (2 * Speed) * (integral(y + step) - integral(y)) / step;
+  }
+
+  explicit StripLamp(vtkIdType walks)
+  {
+    Mesh lamp =
+      MakeRectangle({ -Width / 2, -Length / 2, Height }, { 0, Length, 0 }, { Width, 0, 0 }, 1);
+    SetCellValues(lamp, "RadiantExitance", { Exitance });
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-PlateLength / 2, -PlateWidth / 2, 0);
+    plane->SetPoint1(PlateLength / 2, -PlateWidth / 2, 0);
+    plane->SetPoint2(-PlateLength / 2, PlateWidth / 2, 0);
+    plane->SetResolution(1, Rows);
+    plane->Update();
+    this->Plate = PartOverTime::Make(
+      Copy(plane->GetOutput()), { 0, Way / Speed }, [](vtkPolyData* part, double time) {
+        MoveTo(part, { Speed * time - Way / 2, 0, 0 });
+      });
+    this->Irradiance = MakeFilter({ { lamp }, {} }, walks);
+    this->Irradiance->SetDefaultDiffuseReflectance(0);
+    this->Irradiance->AddInputConnection(1, this->Plate->GetOutputPort());
+    this->Irradiance->ComputeStandardErrorOn();
+    this->Exposed = MakeExposure(this->Irradiance);
+    this->Exposed->SetIntegrationModeToUniform();
+    this->Exposed->SetNumberOfTimeSteps(32); // less than Height each; smooth and 0 at the ends
+  }
+
+  std::vector<double> Values()
+  {
+    return ValuesOf(CellsOf(Exposed, 1, 0)->GetArray("RadiantExposure"));
+  }
+  std::vector<double> Errors()
+  {
+    return ValuesOf(CellsOf(Exposed, 1, 0)->GetArray("RadiantExposureStandardError"));
+  }
+
+  vtkSmartPointer<PartOverTime> Plate;
+  vtkSmartPointer<vtkIrradianceFilter> Irradiance;
+  Exposure Exposed;
+};
+
+}
+
+// Student's t with 15 degrees of freedom exceeds 6.5 once in 10^5, so with 3 rows the error bars fail by
+// chance for one seed in 30,000. 1 % are 4 standard errors: 3 rows fail for one seed in 300.
+TEST(RadiantExposureError, OfAPlateUnderAStripLampCoversTheClosedForm)
+{
+  StripLamp scene(640000);
+  scene.Exposed->Update();
+  const auto values = scene.Values(), errors = scene.Errors();
+  for (int row = 0; row < StripLamp::Rows; ++row)
+  {
+    const auto i = static_cast<std::size_t>(row);
+    const double exact = StripLamp::ExposureOfRow(row);
+    std::cout << "row " << row << ": " << values[i] << " +- " << errors[i] << " J/m2, exact "
+              << exact << "\n";
+    EXPECT_NEAR(values[i], exact, 0.01 * exact);
+    EXPECT_NEAR(values[i], exact, 6.5 * errors[i]);
+    EXPECT_LT(errors[i], 0.004 * exact);
+  }
+}
+
+// 40 seeds with 3 rows each: 95 % of 120 intervals, +- 2 % (a standard deviation). Below 85 % or with all
+// of them once in 500 runs at most.
+TEST(RadiantExposureError, CoversTheClosedFormAsOftenAsItSays)
+{
+  StripLamp scene(1600);
+  int inside = 0, intervals = 0;
+  for (int seed = 1; seed <= 40; ++seed)
+  {
+    scene.Irradiance->SetSeed(seed);
+    scene.Exposed->Update();
+    const auto values = scene.Values(), errors = scene.Errors();
+    for (int row = 0; row < StripLamp::Rows; ++row)
+    {
+      const auto i = static_cast<std::size_t>(row);
+      ++intervals;
+      inside += std::abs(values[i] - StripLamp::ExposureOfRow(row)) <= 2.1314 * errors[i] ? 1 : 0;
+    }
+  }
+  std::cout << inside << " of " << intervals << " intervals\n";
+  EXPECT_EQ(intervals, 120);
+  EXPECT_GE(inside, 0.85 * intervals);
+  EXPECT_LT(inside, intervals);
+}
