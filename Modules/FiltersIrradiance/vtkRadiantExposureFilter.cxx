@@ -196,15 +196,11 @@ void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(vtkRadiantExposureFi
 void vtkRadiantExposureFilter::vtkInternals::Take(vtkRadiantExposureFilter* filter)
 {
   const double time = this->Integral->nextTime();
-  if (UpstreamTime(filter) != this->Upstream)
-  {
-    vtkWarningWithObjectMacro(filter, << "something upstream was modified while it computed time "
-                                      << time << ": the exposure may belong to two scenes. "
-                                      << "Modified() and Update() compute it anew");
-    this->Upstream = UpstreamTime(filter);
-  }
   CheckTime(filter->GetInputInformation(0, 0), time, this->Of.Span);
   this->Integral->take(filter->GetInputDataObject(0, 0));
+  // Upstream may modify itself as it executes, such as interpolators that set themselves up. If
+  // something changed a vtkIrradianceFilter meanwhile, its time rises until it executes again.
+  this->Upstream = UpstreamTime(filter);
 }
 
 void vtkRadiantExposureFilter::vtkInternals::Run(

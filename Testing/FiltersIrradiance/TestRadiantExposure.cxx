@@ -6,9 +6,11 @@
 #include "PartOverTime.h"
 #include "TestScenes.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkRadiantExposureFilter.h"
 #include "vtkSMPTools.h"
+#include "vtkTransformInterpolator.h"
 
 #include <gtest/gtest.h>
 
@@ -412,6 +414,49 @@ TEST(RadiantExposure, ContinuesAfterAnAbort)
   scene.Irradiance->SetSeed(3);
   scene.Irradiance->SetSeed(1);
   expectAnew(kTimes);
+}
+
+// An interpolator sets itself up when it is first asked; that is no change of the scene.
+TEST(RadiantExposure, OfAnInterpolatorContinuesToo)
+{
+  const auto make = [] {
+    auto irradiance = MakeFilter(WalkThrough::Room(), 1000);
+    vtkNew<vtkTransformInterpolator> way;
+    for (int key = 0; key < 3; ++key)
+    {
+      vtkNew<vtkTransform> pose;
+      pose->Translate(0.6 + 0.5 * key, 1.2 + 0.1 * key * key, 1);
+      way->AddTransform(key, pose);
+    }
+    irradiance->AddInputDataObject(1, MakeBall(0.3, 6));
+    irradiance->SetDynamicTransformInterpolator(0, way);
+    return irradiance;
+  };
+  const auto irradiance = make(), other = make();
+  const auto exposure = MakeExposure(irradiance), whole = MakeExposure(other);
+  const auto observer = ErrorObserver::Watch(exposure);
+  vtkNew<Aborter> aborter;
+  exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
+  int updates = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&updates);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  irradiance->AddObserver(vtkCommand::EndEvent, counter);
+  for (vtkRadiantExposureFilter* filter : { exposure.Get(), whole.Get() })
+  {
+    filter->SetIntegrationModeToUniform();
+    filter->SetNumberOfTimeSteps(5);
+  }
+  aborter->Events = 4;
+  exposure->Update();
+  EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), 0u);
+  exposure->Modified();
+  exposure->Update();
+  EXPECT_EQ(updates, 6) << "every time once";
+  whole->Update();
+  EXPECT_TRUE(IsSame(OutputBits(BlocksOf(exposure)), OutputBits(BlocksOf(whole))));
+  EXPECT_TRUE(observer->Warnings.empty() && observer->Errors.empty());
 }
 
 TEST(RadiantExposure, ReportsProgress)
