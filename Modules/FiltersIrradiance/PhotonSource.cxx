@@ -132,7 +132,7 @@ void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) c
     ++object;
     if (!polyData || object >= objects.size() ||
       static_cast<std::size_t>(polyData->GetNumberOfCells()) !=
-        objects[object].material->numberOfCells)
+        (objects[object].isPresent ? objects[object].material->numberOfCells : 0))
     {
       failUnlike();
     }

@@ -129,8 +129,11 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
   {
     readDynamic(*dynamicParts[i], i, checkpoint);
     SceneObject& object = objects_.dynamicObjects[i];
-    checkReach(dynamicParts[i]->name, dynamicParts[i]->worldFromPart, object.body->mesh().bounds());
     object.worldFromObject = dynamicParts[i]->worldFromPart;
+    if (object.isPresent)
+    {
+      checkReach(dynamicParts[i]->name, object.worldFromObject, object.body->mesh().bounds());
+    }
     areas_[i + 1] = cellAreas(object, checkpoint);
   }
   checkDigits(objects_);
@@ -182,6 +185,12 @@ void SceneReader::readStatic(const Parts& staticParts, const Checkpoint& checkpo
 void SceneReader::readDynamic(
   const InputPart& part, std::size_t index, const Checkpoint& checkpoint)
 {
+  SceneObject& object = objects_.dynamicObjects[index];
+  object.isPresent = part.polyData->GetNumberOfCells() > 0;
+  if (!object.isPresent && object.material && object.material->bands == settings_.bands)
+  {
+    return; // what it was may come back
+  }
   const Stamp stamp = stampOf(part);
   if (!(dynamicStamps_[index] == stamp))
   {
@@ -189,7 +198,7 @@ void SceneReader::readDynamic(
     ConvertedPolyData data;
     data.material.bands = settings_.bands;
     convert(part, data, checkpoint);
-    adopt(std::move(data), objects_.dynamicObjects[index], true, checkpoint);
+    adopt(std::move(data), object, true, checkpoint);
     dynamicStamps_[index] = stamp;
   }
 }

@@ -17,7 +17,8 @@ namespace irradiance
 /**
  * Keeps the engine's scene in step with the inputs of the filter. What did not change keeps its
  * address, by which the engine recognizes it. An input is read when VTK says that it was modified,
- * and replaced only if its values differ.
+ * and replaced only if its values differ. A dynamic input without cells is an object that is not
+ * there; it keeps its body, which may come back.
  */
 class SceneReader
 {

@@ -18,6 +18,12 @@
  *   `ObjectToWorld` (16 values, row by row) of the input; else the identity. Any invertible affine map will do. On port 0 such an array
  *   moves nothing, and a warning says so.
  *
+ * A dynamic part, a connection of port 1 or a leaf of it, that has no cells is not there. When it
+ * comes or goes, that is an update like a motion: only walks that it touches are shot again, and no
+ * tree is built for what was there before. Unless it emits light: then all is shot anew, as when the
+ * number of its cells changes in any other way, or when something with other cells comes while a
+ * RepairTimeBudget has left walks stale.
+ *
  * Both ports also take composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet,
  * vtkPartitionedDataSetCollection). All leaves belong to the scene and have to be vtkPolyData;
  * empty blocks are skipped. The pose of the connection moves all leaves; a leaf with an
@@ -158,6 +164,12 @@
  * the distance at which the scene has them on the average. It follows the light across creases of up to
  * 45.6 degrees and from a connection to another, conserves no power, and takes far longer than Spread.
  * It excludes ComputeStandardError, TargetRelativeError and RepairTimeBudget: an error says so.
+ *
+ * @section Time Time
+ * TIME_STEPS of the output are those of all inputs, and TIME_RANGE holds all of theirs and the keys
+ * of the transform interpolators. The requested time (UPDATE_TIME_STEP) goes to all inputs, and each
+ * decides what it is outside of its own times, as in VTK; interpolators refuse. Times may be asked for
+ * in any order: a time has the same bits whenever it is asked for.
  *
  * @section Errors
  * Points that are not finite, indices past the points, arrays of the wrong size or type, values out

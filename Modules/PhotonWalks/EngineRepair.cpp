@@ -72,10 +72,14 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   SegmentScan scan(pointFrame_, pointReach_);
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
-    if (moved[i] && !objects_.dynamicObjects[i].body->mesh().isEmpty())
+    const SceneObject& object = objects_.dynamicObjects[i];
+    if (moved[i] && !object.body->mesh().isEmpty())
     {
-      scan.addBody(scene_.shadowBound(i, clearance_));
       scan.addMoved(i + 1);
+      if (object.isPresent)
+      {
+        scan.addBody(scene_.shadowBound(i, clearance_));
+      }
     }
   }
   const WalkVerifier verifier(shooter, plan_, history_, moved, scan, clearance_);

@@ -48,7 +48,8 @@ void IrradianceEngine::update(
   }
   const bool repair = sameLights && canRepair(objects, settings);
   const std::vector<bool> moved = repair ? findMoved(objects, objects_) : std::vector<bool>();
-  const bool isStill = repair && !stale_ && settings.cacheStaticHits &&
+  const bool replaces = repair && hasReplaced(objects, objects_);
+  const bool isStill = repair && !replaces && !stale_ && settings.cacheStaticHits &&
     std::none_of(moved.begin(), moved.end(), [](bool isMoved) { return isMoved; });
   const std::size_t bytes = statistics_.historyBytes, blocks = history_.size();
   isValid_ = false; // until the end is reached
@@ -60,6 +61,12 @@ void IrradianceEngine::update(
   const bool hasTarget = settings.targetRelativeError > 0;
   const double begun = repair ? (hasTarget ? 0.5 : 1) : 0; // what comes after a repair is not known
   ProgressSpan first(execution, 0, begun), rest(execution, begun, 1);
+  if (replaces)
+  {
+    sums_.replace(objects_, checkpointOf(execution, 0));
+    stale_.reset(); // nothing is stale, see canRepair()
+    forgetPhotonStores();
+  }
   if (repair)
   {
     verifyAndRepair(moved, first);
@@ -111,7 +118,8 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || keepsPhotons()) && planOf(settings) == plan_ &&
     settings.seed == settings_.seed && settings.separateSides == settings_.separateSides &&
-    differsOnlyByMotion(objects, objects_);
+    differsOnlyByMotion(objects, objects_) &&
+    (!stale_ || stale_->isEmpty() || !hasReplaced(objects, objects_));
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)

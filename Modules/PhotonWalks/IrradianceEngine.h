@@ -62,9 +62,9 @@ struct EngineStatistics
  * The front door of the engine: a scene in, the power received by every cell out.
  *
  * The first frame is shot. A later one is verified and repaired if only dynamic objects changed
- * pose or points; its sums then equal those of a new engine, bit for bit. It is shot anew if
- * lights, materials, static geometry, seed or sides changed, or the number of objects, triangles,
- * walks or replicates.
+ * pose or points, came or went; its sums then equal those of a new engine, bit for bit. An object that
+ * comes may look different from before, if no walks are stale. All is shot anew if lights, materials,
+ * static geometry, seed or sides changed, or the number of objects, triangles, walks or replicates.
  *
  * With a time budget the repair may end early. Then stale() tells what is left, and further calls,
  * with or without motion, continue with it.

@@ -16,7 +16,7 @@ NearestCells::Middles NearestCells::middlesOf(
   Middles middles{ std::vector<Vector3>(cells, Vector3::Zero()),
     std::vector<Vector3>(cells, Vector3::Zero()), std::vector<double>(cells, 0.0) };
   CheckpointPace pace(checkpoint);
-  for (std::size_t i = 0; i < object.body->mesh().size(); ++i)
+  for (std::size_t i = 0; object.isPresent && i < object.body->mesh().size(); ++i)
   {
     const Triangle triangle = transformed(object.worldFromObject, object.body->mesh()[i]);
     const std::size_t cell = object.material->cellOfTriangle[i];

@@ -134,6 +134,10 @@ bool holds(const Box& outer, const Box& inner)
 /// Triangles of an object that may touch a box in the world.
 std::vector<std::uint32_t> trianglesNear(const SceneObject& object, const Box& world)
 {
+  if (!object.isPresent)
+  {
+    return {};
+  }
   const Matrix3 inverse = object.worldFromObject.linear.inverse();
   const Vector3 center = inverse * (world.center() - object.worldFromObject.translation);
   // The second term is for rounding, here and in the poses.
@@ -151,7 +155,7 @@ void Contacts::update(const SceneObjects& objects, const Checkpoint& checkpoint)
   known_.resize(objects.size());
   for (std::uint32_t lamp = 0; lamp < objects.size(); ++lamp)
   {
-    if (objects[lamp].material->exitance.empty() || objects[lamp].body->mesh().isEmpty())
+    if (objects[lamp].material->exitance.empty() || objects[lamp].isEmpty())
     {
       continue;
     }

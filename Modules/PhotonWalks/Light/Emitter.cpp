@@ -66,8 +66,11 @@ EmitterTable::EmitterTable(const SceneObjects& objects, std::uint64_t numberOfWa
   }
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    addTriangles(objects, object);
-    addPoints(objects, object, contacts, checkpoint);
+    if (objects[object].isPresent)
+    {
+      addTriangles(objects, object);
+      addPoints(objects, object, contacts, checkpoint);
+    }
   }
   if (flux() < std::numeric_limits<double>::min())
   {

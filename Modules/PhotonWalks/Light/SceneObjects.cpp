@@ -26,7 +26,7 @@ std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& check
   std::vector<double> areas(object.material->numberOfCells, 0.0);
   const TriangleMesh& mesh = object.body->mesh();
   CheckpointPace pace(checkpoint);
-  for (std::size_t i = 0; i < mesh.size(); ++i)
+  for (std::size_t i = 0; object.isPresent && i < mesh.size(); ++i)
   {
     areas[object.material->cellOfTriangle[i]] +=
       transformed(object.worldFromObject, mesh[i]).area();

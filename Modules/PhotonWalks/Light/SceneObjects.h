@@ -43,7 +43,7 @@ struct SceneObjects
  */
 void flattenManySmall(SceneObjects& objects);
 
-/// World area of every cell, m2.
+/// World area of every cell, m2; 0 if the object is not there.
 std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& checkpoint = {});
 
 }

@@ -326,7 +326,7 @@ NearestPhotons::NearestPhotons(
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     trees_.emplace_back(objects[i], searchUnitsPerWorldUnit_);
-    if (!leaves.isEmpty(i))
+    if (objects[i].isPresent && !leaves.isEmpty(i))
     {
       lit_.push_back(i);
     }

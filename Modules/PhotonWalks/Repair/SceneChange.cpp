@@ -9,13 +9,13 @@ namespace
 
 bool isSameLook(const SceneObject& now, const SceneObject& before)
 {
-  return now.material == before.material && now.isFlattened == before.isFlattened &&
-    now.body->mesh().size() == before.body->mesh().size();
+  return now.material == before.material && now.body->mesh().size() == before.body->mesh().size();
 }
 
 bool hasMoved(const SceneObject& now, const SceneObject& before)
 {
-  return now.body != before.body || now.worldFromObject != before.worldFromObject;
+  return now.isPresent != before.isPresent ||
+    (now.isPresent && (now.body != before.body || now.worldFromObject != before.worldFromObject));
 }
 
 /// Whether both frames have the same number of objects, and `isSame` holds for each pair.
@@ -35,13 +35,22 @@ bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Fun
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
 {
   return isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
-    return a.material == b.material && !(a.material->emits() && hasMoved(a, b));
+    const bool canEmit = a.material->emits() || b.material->emits();
+    return !canEmit || (a.material == b.material && !hasMoved(a, b));
   });
 }
 
 bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before)
 {
-  return now.staticObject.body == before.staticObject.body && isSameForAll(now, before, isSameLook);
+  return now.staticObject.body == before.staticObject.body &&
+    isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
+      return !b.isPresent || isSameLook(a, b); // no stored walk knows what was not there
+    });
+}
+
+bool hasReplaced(const SceneObjects& now, const SceneObjects& before)
+{
+  return !isSameForAll(now, before, isSameLook);
 }
 
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before)

@@ -11,10 +11,16 @@ namespace irradiance
 /// not prove that they changed.
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
 
-/// Whether two frames differ at most in the pose and the points of dynamic objects.
+/// Whether two frames differ at most in which dynamic objects are there, in their poses and in their
+/// points, and in the look of objects that were not there before.
 bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before);
 
-/// Which dynamic objects have another pose or other points. Both frames have as many of them.
+/// Whether an object has another material or another number of triangles. Both frames have as many
+/// objects.
+bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
+
+/// Which dynamic objects have come or gone, or have another pose or other points. Both frames have as
+/// many of them.
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before);
 
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace irradiance
 {
@@ -22,6 +23,31 @@ CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan,
   roundSize_ = cells * static_cast<std::size_t>(sides_) * plan.replicates().count() *
     static_cast<std::size_t>(bands_);
   setRounds(rounds);
+}
+
+void CellSums::replace(const SceneObjects& objects, const Checkpoint& checkpoint)
+{
+  CellSums now(objects, sides_, plan_, 0);
+  now.setRounds(rounds_, checkpoint);
+  for (std::size_t round = 0; round < rounds_; ++round)
+  {
+    for (std::uint32_t object = 0; object < objects.size(); ++object)
+    {
+      if (now.materials_[object] == materials_[object])
+      {
+        const auto size = static_cast<std::ptrdiff_t>(
+          materials_[object]->numberOfCells * static_cast<std::size_t>(sides_) * sideSize());
+        std::copy_n(sums_.begin() + static_cast<std::ptrdiff_t>(slot({ round, 0 }, object, 0, 0)),
+          size,
+          now.sums_.begin() + static_cast<std::ptrdiff_t>(now.slot({ round, 0 }, object, 0, 0)));
+      }
+      if (checkpoint)
+      {
+        checkpoint();
+      }
+    }
+  }
+  *this = std::move(now);
 }
 
 void CellSums::setRounds(std::size_t rounds, const Checkpoint& checkpoint)

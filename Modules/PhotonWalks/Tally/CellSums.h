@@ -37,6 +37,9 @@ public:
   CellSums(
     const SceneObjects& objects, int sides, const WalkPlan& plan = {}, std::size_t rounds = 1);
 
+  /// Changes to objects of which some have other cells than before. These start with nothing; all
+  /// others keep their sums.
+  void replace(const SceneObjects& objects, const Checkpoint& checkpoint = {});
   /// Makes room for further rounds, or drops the last ones.
   void setRounds(std::size_t rounds, const Checkpoint& checkpoint = {});
   std::size_t rounds() const { return rounds_; }

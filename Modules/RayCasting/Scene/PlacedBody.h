@@ -18,8 +18,14 @@ struct PlacedBody
   /// If true, its triangles stand one by one in a tree that every Scene::commit() rebuilds.
   /// Otherwise the body is searched in its own tree, behind its ellipsoid.
   bool isFlattened = false;
+  /// Whether it is there in this frame. If not, it is as if it had no triangles.
+  bool isPresent = true;
 
-  Box worldBounds() const { return movedBox(worldFromObject, body->mesh().bounds()); }
+  bool isEmpty() const { return !isPresent || body->mesh().isEmpty(); }
+  Box worldBounds() const
+  {
+    return isEmpty() ? Box() : movedBox(worldFromObject, body->mesh().bounds());
+  }
 };
 
 }

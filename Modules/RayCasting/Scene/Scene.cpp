@@ -79,7 +79,7 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
   treeBytes_ = static_->tree().bytes();
   for (const PlacedBody& object : objects_)
   {
-    treeBytes_ += object.body->tree().bytes();
+    treeBytes_ += object.isPresent ? object.body->tree().bytes() : 0;
     bounds_.add(object.worldBounds());
   }
   place(std::max(bounds_.magnitude(), pointSources_.magnitude()));
@@ -125,7 +125,8 @@ Scene::MixedTree Scene::mix(
   {
     mixed.first[object] = static_cast<std::uint32_t>(world.size());
     conditionNumber = std::max(conditionNumber, object == 0 ? 1.0 : placed_[object - 1].condition);
-    for (std::uint32_t i = 0; i < bodyOf(object).mesh().size(); ++i)
+    const bool isPresent = object == 0 || placed_[object - 1].object.isPresent;
+    for (std::uint32_t i = 0; isPresent && i < bodyOf(object).mesh().size(); ++i)
     {
       mixed.ids.push_back({ object, i });
       world.push_back(worldTriangle(mixed.ids.back()));
@@ -144,7 +145,7 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
   double slack = 0;
   for (std::uint32_t i = 0; i < chosen.size(); ++i)
   {
-    if (!chosen[i] || placed_[i].object.body->mesh().isEmpty())
+    if (!chosen[i] || placed_[i].object.isEmpty())
     {
       continue;
     }
@@ -359,6 +360,10 @@ double Scene::clearance() const
   double farthest = static_->mesh().clearance();
   for (const Placed& placed : placed_)
   {
+    if (placed.object.isEmpty())
+    {
+      continue;
+    }
     const TriangleMesh& mesh = placed.object.body->mesh();
     const Matrix3& linear = placed.object.worldFromObject.linear;
     const Matrix3 square = linear.transpose() * linear;

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Dynamic parts that appear and leave: an update, bit for bit what a new filter gives.
+
+#include "ErrorObserver.h"
+#include "OutputBits.h"
+#include "TestScenes.h"
+
+#include "vtkIrradianceProbeFilter.h"
+#include "vtkKeyFramedPose.h"
+#include "vtkOutgoingRadianceFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace TestScenes;
+
+namespace
+{
+
+constexpr vtkIdType Walks = 4000;
+
+using Settings = std::function<void(vtkIrradianceFilter*)>;
+
+const Settings Defaults = [](vtkIrradianceFilter*) {};
+
+/// A part on port 1, of which the model may be away.
+struct Part
+{
+  Mesh Model;
+  Mesh Now = Mesh::New(); ///< what the filter sees
+  vtkSmartPointer<vtkTransform> Pose = vtkSmartPointer<vtkTransform>::New();
+
+  explicit Part(const Mesh& model)
+    : Model(model)
+  {
+    this->Appear();
+  }
+  void Appear() { this->Now->ShallowCopy(this->Model); }
+  void Leave() { this->Now->ShallowCopy(Mesh::New()); }
+  bool IsThere() const { return this->Now->GetNumberOfCells() > 0; }
+  void MoveTo(double x, double y, double z)
+  {
+    this->Pose->Identity();
+    this->Pose->Translate(x, y, z);
+  }
+};
+
+std::vector<Mesh> MakeHall()
+{
+  const Mesh room = MakeRoom(3, 4);
+  SetCellValues(room, "DiffuseReflectance", { 0.6 });
+  return { room, MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) };
+}
+
+/// A hall and some parts, as a filter sees them.
+class Hall
+{
+public:
+  Hall(std::vector<Part> parts, const Settings& settings = Defaults)
+    : Parts(std::move(parts))
+    , Apply(settings)
+    , Filter(this->MakeNew())
+  {
+  }
+
+  vtkSmartPointer<vtkIrradianceFilter> MakeNew() const
+  {
+    Scene scene{ this->Fixed, {} };
+    for (const Part& part : this->Parts)
+    {
+      scene.Moving.push_back({ part.Now, part.Pose });
+    }
+    auto filter = MakeFilter(scene, Walks);
+    this->Apply(filter);
+    return filter;
+  }
+
+  /// An update that equals a new filter; nothing is shot except at first.
+  void ExpectUpdate(const std::string& what)
+  {
+    this->Filter->Update();
+    const auto fresh = this->MakeNew();
+    fresh->Update();
+    ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfBlocks(), 2u) << what;
+    EXPECT_TRUE(IsSame(OutputBits(this->Filter), OutputBits(fresh))) << what;
+    EXPECT_EQ(Field(this->Filter, "ShootSeconds") > 0, !this->HasBegun) << what;
+    EXPECT_EQ(Field(this->Filter, "EmittedPower"),
+      Field(this->Filter, "AbsorbedPower") + Field(this->Filter, "EscapedPower"));
+    this->HasBegun = true;
+  }
+
+  std::vector<Mesh> Fixed = MakeHall();
+  std::vector<Part> Parts;
+  Settings Apply;
+  vtkSmartPointer<vtkIrradianceFilter> Filter;
+  bool HasBegun = false;
+};
+
+/// What is there at first, and then random comings, motions and goings of all parts.
+void ExpectUpdates(Hall& hall, int steps, std::uint64_t seed)
+{
+  RandomNumbers random(seed);
+  ASSERT_NO_FATAL_FAILURE(hall.ExpectUpdate("at first"));
+  for (int step = 0; step < steps; ++step)
+  {
+    std::string what = "step " + std::to_string(step);
+    for (Part& part : hall.Parts)
+    {
+      const int choice = random.Below(4);
+      if (choice < 2)
+      {
+        part.MoveTo(random.Between(0.6, 2.4), random.Between(0.6, 2.4), random.Between(0.6, 2));
+      }
+      if (choice > 0)
+      {
+        part.IsThere() ? part.Leave() : part.Appear();
+      }
+      what += part.IsThere() ? " there" : " away";
+    }
+    ASSERT_NO_FATAL_FAILURE(hall.ExpectUpdate(what));
+  }
+}
+
+Part Away(Part part)
+{
+  part.Leave();
+  return part;
+}
+
+}
+
+TEST(PartsComeAndGo, TheOnlyOne)
+{
+  Hall hall({ Part(MakeBall(0.4, 8)) });
+  hall.Parts[0].MoveTo(1, 1.5, 1);
+  hall.ExpectUpdate("there");
+  const OutputBits there(hall.Filter);
+  hall.Parts[0].Leave();
+  hall.ExpectUpdate("gone");
+  EXPECT_GT(Field(hall.Filter, "NumberOfRepairedSegments"), 0);
+  EXPECT_LT(Field(hall.Filter, "NumberOfInvalidWalks"), Walks / 2);
+  EXPECT_EQ(OutputOf(hall.Filter->GetOutput(), 1, 0)->GetNumberOfCells(), 0);
+  hall.Parts[0].MoveTo(2, 1.5, 1); // out of sight
+  hall.ExpectUpdate("still gone");
+  EXPECT_EQ(Field(hall.Filter, "NumberOfInvalidWalks"), 0);
+  EXPECT_EQ(Field(hall.Filter, "VerifySeconds"), 0);
+  hall.Parts[0].MoveTo(1, 1.5, 1);
+  hall.Parts[0].Appear();
+  hall.ExpectUpdate("back");
+  EXPECT_TRUE(IsSame(OutputBits(hall.Filter), there));
+}
+
+TEST(PartsComeAndGo, OneThatWasNeverThereBefore)
+{
+  Hall hall({ Away(Part(MakeBall(0.4, 8))), Part(MakeBox(0.5, 0.6, 0.7)) });
+  hall.Parts[1].MoveTo(2, 2, 1);
+  hall.ExpectUpdate("without the first");
+  hall.Parts[0].MoveTo(1, 1, 1);
+  hall.Parts[0].Appear();
+  hall.ExpectUpdate("with it");
+  hall.Parts[0].MoveTo(1.25, 1, 1);
+  hall.ExpectUpdate("moved");
+  hall.Parts[0].Leave();
+  hall.Parts[1].Leave();
+  hall.ExpectUpdate("none");
+  // Another comes in its place.
+  hall.Parts[0].Model = MakeCone(0.8, 0.4, 9);
+  SetCellValues(hall.Parts[0].Model, "DiffuseReflectance", { 0.9 });
+  hall.Parts[0].Appear();
+  hall.Parts[1].Appear();
+  hall.ExpectUpdate("another");
+}
+
+TEST(PartsComeAndGo, InAnyOrder)
+{
+  const Mesh shiny = MakeBox(0.4, 0.5, 0.6);
+  SetCellValues(shiny, "DiffuseReflectance", { 0.2 });
+  SetCellValues(shiny, "SpecularReflectance", { 0.6 });
+  SetCellValues(shiny, "PhongExponent", { 40 });
+  Hall hall({ Part(MakeBall(0.4, 8)), Away(Part(MakeCone(0.5, 0.3, 7))), Away(Part(shiny)) });
+  ExpectUpdates(hall, 16, 1);
+}
+
+// Whatever is estimated, however rays are cast.
+TEST(PartsComeAndGo, WithAllSettings)
+{
+  const Settings all[] = {
+    [](vtkIrradianceFilter* f) { f->SetTraversalModeToOneTree(); },
+    [](vtkIrradianceFilter* f) {
+      f->SetTraversalModeToSequential();
+      f->CacheStaticHitsOff();
+      f->SeparateSidesOn();
+    },
+    [](vtkIrradianceFilter* f) {
+      f->ComputeStandardErrorOn();
+      f->SetCellEstimateToSpread();
+      f->SetNumberOfSpreadPhotons(40);
+    },
+    [](vtkIrradianceFilter* f) {
+      f->SetCellEstimateToNearest();
+      f->SetNumberOfSpreadPhotons(20);
+    },
+  };
+  std::uint64_t seed = 2;
+  for (const Settings& settings : all)
+  {
+    Hall hall({ Away(Part(MakeBall(0.4, 8))), Part(MakeBox(0.4, 0.5, 0.6)) }, settings);
+    hall.Parts[1].MoveTo(2, 2, 1);
+    ExpectUpdates(hall, 6, ++seed);
+  }
+}
+
+// With a target rounds of walks come and go, too; so more may be shot.
+TEST(PartsComeAndGo, WithATarget)
+{
+  Hall hall({ Away(Part(MakeBall(0.4, 8))) }, [](vtkIrradianceFilter* f) {
+    f->SetTargetRelativeError(0.2);
+    f->SetMaximumNumberOfWalks(64000);
+  });
+  hall.Parts[0].MoveTo(1.5, 1.5, 2.25); // shades much
+  for (const bool isThere : { false, true, false, true })
+  {
+    isThere ? hall.Parts[0].Appear() : hall.Parts[0].Leave();
+    hall.Filter->Update();
+    const auto fresh = hall.MakeNew();
+    fresh->Update();
+    EXPECT_TRUE(IsSame(OutputBits(hall.Filter), OutputBits(fresh))) << isThere;
+  }
+}
+
+// What a budget leaves stale on a part that has gone is repaired later.
+TEST(PartsComeAndGo, WithATimeBudget)
+{
+  Hall hall({ Part(MakeBall(0.5, 8)), Away(Part(MakeBox(0.4, 0.5, 0.6))) });
+  hall.Parts[0].MoveTo(1, 1.5, 1.5);
+  hall.Parts[1].MoveTo(2, 1.5, 1.5);
+  hall.ExpectUpdate("at first");
+  const auto expectRepaired = [&](const char* what) {
+    hall.Filter->SetRepairTimeBudget(0);
+    hall.ExpectUpdate(what);
+    hall.Filter->SetRepairTimeBudget(1e-9);
+  };
+  hall.Filter->SetRepairTimeBudget(1e-9);
+  hall.Parts[0].Leave();
+  hall.Filter->Update();
+  EXPECT_GT(Field(hall.Filter, "StalePower"), 0);
+  hall.Filter->Modified();
+  hall.Filter->Update(); // absent, and still with stale walks on it
+  EXPECT_GT(Field(hall.Filter, "StalePower"), 0);
+  EXPECT_EQ(Field(hall.Filter, "ShootSeconds"), 0);
+  hall.Parts[0].MoveTo(1.25, 1.5, 1.5);
+  hall.Parts[0].Appear();
+  hall.Filter->Update(); // back before all was repaired
+  EXPECT_GT(Field(hall.Filter, "StalePower"), 0);
+  EXPECT_EQ(Field(hall.Filter, "ShootSeconds"), 0);
+  expectRepaired("back");
+  hall.Parts[0].Leave();
+  hall.Filter->Update();
+  expectRepaired("gone");
+  hall.Parts[1].Appear(); // for the first time, and nothing is stale: an update
+  hall.Filter->Update();
+  EXPECT_GT(Field(hall.Filter, "StalePower"), 0);
+  EXPECT_EQ(Field(hall.Filter, "ShootSeconds"), 0);
+  // Another thing comes in the first one's place while walks are stale: a fresh start.
+  hall.Parts[0].Model = MakeCone(0.8, 0.4, 9);
+  hall.Parts[0].Appear();
+  hall.Filter->Update();
+  EXPECT_GT(Field(hall.Filter, "ShootSeconds"), 0);
+  EXPECT_EQ(Field(hall.Filter, "StalePower"), 0);
+  expectRepaired("another");
+}
+
+// A lamp that comes or goes changes all light: all is shot anew, and right.
+TEST(PartsComeAndGo, LampsStartAnew)
+{
+  Hall hall({ Part(MakeBall(0.4, 8)), Away(Part(MakeLamp({ 0, 0, 0 }, 0.5, { 50 }))) });
+  hall.Parts[0].MoveTo(1, 1, 1);
+  hall.Parts[1].MoveTo(2, 2, 2);
+  for (const bool isThere : { false, true, false })
+  {
+    isThere ? hall.Parts[1].Appear() : hall.Parts[1].Leave();
+    hall.HasBegun = false;
+    hall.ExpectUpdate(isThere ? "lamp" : "no lamp");
+  }
+}
+
+// One that lay exactly on the lamp, and a point light on a wall.
+TEST(PartsComeAndGo, WhereTheyTouchALamp)
+{
+  Hall hall({ Part(MakeBox(0.5, 0.5, 0.5)) });
+  hall.Parts[0].MoveTo(1.5, 1.5, 2.875 - 0.25);
+  ASSERT_NO_FATAL_FAILURE(hall.ExpectUpdate("on the lamp"));
+  for (int i = 0; i < 2; ++i)
+  {
+    hall.Parts[0].Leave();
+    ASSERT_NO_FATAL_FAILURE(hall.ExpectUpdate("gone"));
+    hall.Parts[0].Appear();
+    ASSERT_NO_FATAL_FAILURE(hall.ExpectUpdate("on the lamp again"));
+  }
+}
+
+// What looks at photons sees those of the walks as they are now.
+TEST(PartsComeAndGo, EyesAndSensorsFollow)
+{
+  const Mesh shiny = MakeBox(0.6, 0.6, 0.6);
+  SetCellValues(shiny, "SpecularReflectance", { 0.4 });
+  SetCellValues(shiny, "PhongExponent", { 5 });
+  Hall hall({ Part(shiny), Away(Part(MakeBall(0.4, 8))) });
+  hall.Parts[0].MoveTo(1.5, 1.5, 0.8);
+  hall.Parts[1].MoveTo(0.9, 0.9, 1.75);
+  const Mesh sensors = MakeBall(0.45, 5);
+  struct Views
+  {
+    vtkNew<vtkOutgoingRadianceFilter> Eye;
+    vtkNew<vtkIrradianceProbeFilter> Probe;
+    Views(vtkIrradianceFilter* filter, vtkPolyData* points)
+    {
+      this->Eye->SetInputConnection(filter->GetOutputPort());
+      this->Eye->SetEyePosition(0.2, 0.3, 2.5);
+      this->Probe->SetSourceConnection(filter->GetOutputPort());
+      this->Probe->SetInputData(points);
+      this->Probe->SetNumberOfPhotons(30);
+      this->Eye->Update();
+      this->Probe->Update();
+    }
+  };
+  vtkNew<vtkTransform> there;
+  Mesh points = Copy(sensors);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double* p = sensors->GetPoint(i);
+    points->GetPoints()->SetPoint(i, p[0] + 0.9, p[1] + 0.9, p[2] + 1.75);
+  }
+  const std::function<void()> changes[] = { [] {}, [&] { hall.Parts[1].Appear(); },
+    [&] { hall.Parts[0].Leave(); }, [&] { hall.Parts[1].Leave(); }, [&] { hall.Parts[0].Appear(); },
+    [&] { hall.Parts[1].Appear(); } };
+  int step = 0;
+  for (const auto& change : changes)
+  {
+    change();
+    const Views now(hall.Filter, points);
+    const auto fresh = hall.MakeNew();
+    const Views expected(fresh, points);
+    EXPECT_TRUE(IsSame(OutputBits(now.Eye->GetOutput()), OutputBits(expected.Eye->GetOutput())))
+      << "step " << step;
+    EXPECT_TRUE(IsSame(OutputBits(vtkPolyData::SafeDownCast(now.Probe->GetOutput())),
+      OutputBits(vtkPolyData::SafeDownCast(expected.Probe->GetOutput()))))
+      << "step " << step;
+    EXPECT_EQ(Field(hall.Filter, "ShootSeconds") > 0, step == 0);
+    ++step;
+  }
+}
+
+// A conveyor: parts come in, ride along and leave, each in its time; also back in time.
+TEST(PartsComeAndGo, OnAConveyor)
+{
+  Scene scene{ MakeHall(), {} };
+  auto filter = MakeFilter(scene, Walks);
+  std::vector<vtkSmartPointer<vtkKeyFramedPose>> parts;
+  const Mesh models[] = { MakeBall(0.3, 8), MakeBox(0.4, 0.4, 0.4), MakeCone(0.5, 0.3, 8) };
+  for (int i = 0; i < 3; ++i)
+  {
+    auto part = vtkSmartPointer<vtkKeyFramedPose>::New();
+    part->SetInputData(models[i]);
+    part->AddPose(i, 0.5, 1.5, 1, 0, 0, 0);
+    part->AddPose(i + 2, 2.5, 1.5, 1, 0, 0, 90);
+    part->SetOutsideOfKeysToLeave();
+    filter->AddInputConnection(1, part->GetOutputPort());
+    parts.push_back(part);
+  }
+  std::map<double, OutputBits> first;
+  for (const double time : { 0.25, 1., 1.5, 2.25, 3.5, 4., 9., 1.5, 0.25, 9., 2.25, -1., 3.5 })
+  {
+    filter->UpdateTimeStep(time);
+    EXPECT_EQ(Field(filter, "ShootSeconds") > 0, first.empty()) << "time " << time;
+    const auto known = first.emplace(time, OutputBits(filter)).first;
+    EXPECT_TRUE(IsSame(OutputBits(filter), known->second)) << "time " << time;
+    auto fresh = MakeFilter(scene, Walks);
+    for (const auto& part : parts)
+    {
+      fresh->AddInputConnection(1, part->GetOutputPort());
+    }
+    fresh->UpdateTimeStep(time);
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh))) << "time " << time;
+  }
+}
