@@ -2,7 +2,7 @@
 
 set(vtkirradiance_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore RenderingCore)
+  FiltersCore FiltersVerdict RenderingCore)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtkirradiance_vtk_components})
 
 if (VTKIRRADIANCE_WRAP_PYTHON)

@@ -12,6 +12,7 @@ void GivenTimesIntegral::take(vtkDataObject* data)
   const double before = next_ == 0 ? time : times_[next_ - 1];
   const double after = next_ + 1 == times_.size() ? time : times_[next_ + 1];
   sums_.add(data, time, trapezoidWeight(before, after));
+  last_ = data;
   ++next_;
 }
 

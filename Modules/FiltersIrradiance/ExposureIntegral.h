@@ -4,6 +4,11 @@
 
 #include "ExposureSums.h"
 
+#include "vtkDataObject.h"
+
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -27,10 +32,17 @@ public:
   const ExposureSums& sums() const { return sums_; }
   /// All times, in order.
   const std::vector<double>& times() const { return times_; }
+  /// The data of the last of them.
+  vtkDataObject* last() const { return last_; }
+  /// The estimated error of the integration over time, relative; NaN if there is no estimate.
+  virtual double relativeError() const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// A warning if not all is reached that was asked for, else empty.
+  virtual std::string shortfall() const { return ""; }
 
 protected:
   ExposureSums sums_;
   std::vector<double> times_;
+  vtkSmartPointer<vtkDataObject> last_;
 };
 
 /// The trapezoidal rule over given times, which are visited in order.

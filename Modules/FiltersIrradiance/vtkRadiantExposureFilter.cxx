@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiantExposureFilter.h"
 
-#include "ExposureIntegral.h"
+#include "ErrorControlledIntegral.h"
 #include "ExposureTimes.h"
 #include "FilterRun.h"
 #include "InputError.h"
@@ -34,17 +34,23 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 /// What the result depends on, except what happens upstream.
 struct Settings
 {
-  int Mode, NumberOfTimeSteps;
+  int Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps;
+  double RelativeTolerance;
   irradiance::TimeSpan Span;
   std::array<int, 3> Piece; ///< number, of how many, ghost levels
 
-  auto All() const { return std::tie(Mode, NumberOfTimeSteps, Span.start, Span.end, Piece); }
+  auto All() const
+  {
+    return std::tie(Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps, RelativeTolerance,
+      Span.start, Span.end, Piece);
+  }
   bool operator==(const Settings& other) const { return All() == other.All(); }
 };
 
 Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input)
 {
   Settings settings{ filter->GetIntegrationMode(), filter->GetNumberOfTimeSteps(),
+    filter->GetMaximumNumberOfTimeSteps(), filter->GetRelativeTolerance(),
     irradiance::timeSpan(input, filter->GetStartTime(), filter->GetEndTime()),
     { input->Get(Pipeline::UPDATE_PIECE_NUMBER()), input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
       input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
@@ -55,12 +61,33 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
       std::to_string(settings.NumberOfTimeSteps) + "; 1 to " + std::to_string(mostSteps) +
       " are possible");
   }
+  if (settings.Mode != vtkRadiantExposureFilter::ErrorControlled)
+  {
+    return settings;
+  }
+  if (!(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)))
+  {
+    throw irradiance::InputError("RelativeTolerance is " +
+      irradiance::text(settings.RelativeTolerance) + "; it has to be positive");
+  }
+  if (settings.MaximumNumberOfTimeSteps < 2 * settings.NumberOfTimeSteps)
+  {
+    throw irradiance::InputError("MaximumNumberOfTimeSteps is " +
+      std::to_string(settings.MaximumNumberOfTimeSteps) + ", but twice NumberOfTimeSteps, " +
+      std::to_string(2 * settings.NumberOfTimeSteps) + ", is the least for ErrorControlled");
+  }
   return settings;
 }
 
 std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
   const Settings& settings, vtkInformation* input)
 {
+  if (settings.Mode == vtkRadiantExposureFilter::ErrorControlled)
+  {
+    return std::make_unique<irradiance::ErrorControlledIntegral>(
+      irradiance::ErrorControlledIntegral::Config{ settings.Span, settings.NumberOfTimeSteps,
+        settings.RelativeTolerance, settings.MaximumNumberOfTimeSteps });
+  }
   return std::make_unique<irradiance::GivenTimesIntegral>(
     settings.Mode == vtkRadiantExposureFilter::TimeSteps
       ? irradiance::stepTimes(input, settings.Span)
@@ -73,8 +100,7 @@ void CheckTime(vtkInformation* input, double time, const irradiance::TimeSpan& s
 {
   vtkInformation* info = vtkDataObject::GetData(input)->GetInformation();
   auto* key = vtkDataObject::DATA_TIME_STEP();
-  const double given =
-    input->Has(Pipeline::TIME_RANGE()) && info->Has(key) ? info->Get(key) : time;
+  const double given = input->Has(Pipeline::TIME_RANGE()) && info->Has(key) ? info->Get(key) : time;
   constexpr double rounding = 1e-9;
   if (!(std::abs(given - time) <= rounding * (span.end - span.start)))
   {
@@ -86,8 +112,9 @@ void CheckTime(vtkInformation* input, double time, const irradiance::TimeSpan& s
   }
 }
 
-void AddTimes(const std::vector<double>& times, vtkFieldData* fields)
+void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields)
 {
+  const std::vector<double>& times = integral.times();
   const auto addArray = [fields](const char* name, vtkDataArray* array) {
     array->SetName(name);
     fields->AddArray(array);
@@ -105,6 +132,12 @@ void AddTimes(const std::vector<double>& times, vtkFieldData* fields)
   addArray("EndTime", end);
   addArray("NumberOfTimeSteps", steps);
   addArray("IntegrationTimes", all);
+  if (!std::isnan(integral.relativeError()))
+  {
+    vtkNew<vtkDoubleArray> error;
+    error->InsertNextValue(integral.relativeError());
+    addArray("TimeIntegrationError", error);
+  }
 }
 
 }
@@ -222,8 +255,12 @@ void vtkRadiantExposureFilter::vtkInternals::Run(
     this->UpdateProducer(filter);
     this->Take(filter);
   }
-  this->Integral->sums().write(filter->GetInputDataObject(0, 0), output);
-  AddTimes(this->Integral->times(), output->GetFieldData());
+  this->Integral->sums().write(this->Integral->last(), output);
+  AddTimes(*this->Integral, output->GetFieldData());
+  if (!this->Integral->shortfall().empty())
+  {
+    vtkWarningWithObjectMacro(filter, << this->Integral->shortfall());
+  }
 }
 
 vtkRadiantExposureFilter::vtkRadiantExposureFilter()
@@ -296,5 +333,7 @@ void vtkRadiantExposureFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StartTime: " << this->StartTime << "\n"
      << indent << "EndTime: " << this->EndTime << "\n"
      << indent << "IntegrationMode: " << this->IntegrationMode << "\n"
-     << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n";
+     << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n"
+     << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n"
+     << indent << "MaximumNumberOfTimeSteps: " << this->MaximumNumberOfTimeSteps << "\n";
 }

@@ -53,6 +53,20 @@
  * error at t_i, an upper bound, which holds however errors depend on each other; NaN if the error is not
  * known at one of the times.
  *
+ * @section Control Error control
+ * ErrorControlled halves each interval of the NumberOfTimeSteps first ones until, on every block, the
+ * difference that a further halving makes, |two halves - the whole|, summed up with the areas of cells
+ * over all intervals, is at most RelativeTolerance of the exposure. Where irradiance is smooth over time this
+ * is about 3 times the error; at a jump, such as a part that appears, it bounds the error. It is an
+ * estimate nevertheless: what happens between the times that were visited, and is over at the next, is
+ * not seen. So an interval of the first ones should be no longer than a lamp takes to pass.
+ *
+ * What is integrated is the irradiance as the filter upstream estimates it, with the same walks at all times.
+ * As things move, single photons come and go, and these steps count as any others. A tolerance far below
+ * the relative standard error of the irradiance makes the filter follow single photons, and gains nothing.
+ * The field data `TimeIntegrationError` is the estimate that was reached, of the worst block. The same
+ * input leads to the same times.
+ *
  * @section Abort Progress, abort, and continuing
  * Progress is reported after each time. After an abort the output is empty and, as with all VTK filters,
  * up to date until Modified(). The next execution then continues behind the last time that was
@@ -86,8 +100,9 @@ public:
   /// Which times are visited.
   enum IntegrationModes
   {
-    TimeSteps = 0, ///< StartTime, the input's TIME_STEPS after it, EndTime
-    Uniform = 1    ///< NumberOfTimeSteps equal intervals from StartTime to EndTime
+    TimeSteps = 0,      ///< StartTime, the input's TIME_STEPS after it, EndTime
+    Uniform = 1,        ///< NumberOfTimeSteps equal intervals from StartTime to EndTime
+    ErrorControlled = 2 ///< as Uniform, then intervals are halved as RelativeTolerance needs it
   };
 
   ///@{
@@ -105,18 +120,40 @@ public:
   /**
    * See IntegrationModes. Default TimeSteps.
    */
-  vtkSetClampMacro(IntegrationMode, int, TimeSteps, Uniform);
+  vtkSetClampMacro(IntegrationMode, int, TimeSteps, ErrorControlled);
   vtkGetMacro(IntegrationMode, int);
   void SetIntegrationModeToTimeSteps() { this->SetIntegrationMode(TimeSteps); }
   void SetIntegrationModeToUniform() { this->SetIntegrationMode(Uniform); }
+  void SetIntegrationModeToErrorControlled() { this->SetIntegrationMode(ErrorControlled); }
   ///@}
 
   ///@{
   /**
-   * Number of intervals with Uniform, 1 to 1,000,000. Default 20.
+   * Number of intervals with Uniform, 1 to 1,000,000; with ErrorControlled, of those that it begins with.
+   * Default 20.
    */
   vtkSetMacro(NumberOfTimeSteps, int);
   vtkGetMacro(NumberOfTimeSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * With ErrorControlled, the error of the integration over time that is tolerated on each block: the sum
+   * over its cells of area * error, relative to that of area * exposure; > 0. See "Error control" above.
+   * Default 0.01.
+   */
+  vtkSetMacro(RelativeTolerance, double);
+  vtkGetMacro(RelativeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * With ErrorControlled, the largest number of intervals, at least twice NumberOfTimeSteps. If it is
+   * reached before the tolerance is, a warning names the blocks and their errors; what comes last in time
+   * is then divided least. Default 1000.
+   */
+  vtkSetMacro(MaximumNumberOfTimeSteps, int);
+  vtkGetMacro(MaximumNumberOfTimeSteps, int);
   ///@}
 
 protected:
@@ -135,6 +172,8 @@ protected:
   double EndTime;
   int IntegrationMode = TimeSteps;
   int NumberOfTimeSteps = 20;
+  double RelativeTolerance = 0.01;
+  int MaximumNumberOfTimeSteps = 1000;
 
 private:
   vtkRadiantExposureFilter(const vtkRadiantExposureFilter&) = delete;

@@ -498,3 +498,134 @@ TEST(RadiantExposure, StartsAgainIfSomethingChangesMeanwhile)
   EXPECT_TRUE(changer->IsDone);
   EXPECT_EQ(SquareExposure(exposure), 30);
 }
+
+namespace
+{
+
+std::vector<double> IntegrationTimesOf(vtkRadiantExposureFilter* exposure)
+{
+  vtkDataArray* times =
+    exposure->GetOutputDataObject(0)->GetFieldData()->GetArray("IntegrationTimes");
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < times->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(times->GetComponent(i, 0));
+  }
+  return values;
+}
+
+}
+
+TEST(ErrorControlledExposure, IsTheSumOverFreshFiltersAndContinues)
+{
+  const WalkThrough scene(1000);
+  const auto exposure = MakeExposure(scene.Irradiance);
+  exposure->SetIntegrationModeToErrorControlled();
+  exposure->SetNumberOfTimeSteps(2);
+  exposure->SetRelativeTolerance(0.1);
+  exposure->Update();
+  const std::vector<double> times = IntegrationTimesOf(exposure), visits = scene.Ball->Visits;
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  EXPECT_GT(times.size(), 5u);
+  EXPECT_EQ(
+    std::set<double>(visits.begin(), visits.end()), std::set<double>(times.begin(), times.end()));
+  EXPECT_EQ(visits.size(), times.size()) << "every time once";
+  EXPECT_EQ(FieldOf(exposure, "NumberOfTimeSteps"), static_cast<double>(times.size() - 1));
+  EXPECT_LE(FieldOf(exposure, "TimeIntegrationError"), 0.1);
+  ExpectSumOverFresh(exposure, scene, times);
+
+  const OutputBits bits(BlocksOf(exposure));
+  scene.Ball->Visits.clear();
+  vtkNew<Aborter> aborter;
+  exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
+  for (const int events : { 3, 4, 0 }) // first among the first intervals, then while halving
+  {
+    aborter->Events = events;
+    exposure->Modified();
+    exposure->Update();
+  }
+  EXPECT_EQ(scene.Ball->Visits, visits);
+  EXPECT_TRUE(IsSame(bits, OutputBits(BlocksOf(exposure))));
+}
+
+// A lamp that passes: the error is within the tolerance, with the more times the smaller that is, and
+// most of them where the irradiance changes.
+TEST(ErrorControlledExposure, ReachesItsTolerance)
+{
+  const auto square =
+    MakeLitSquare({ 0, 10 }, [](double time) { return 1 / (1 + std::pow((time - 3) / 0.3, 2)); });
+  const double exact = 0.3 * (std::atan(7 / 0.3) + std::atan(3 / 0.3));
+  const auto exposure = MakeExposure(square);
+  exposure->SetIntegrationModeToErrorControlled();
+  std::size_t fewer = 0;
+  for (const double tolerance : { 0.1, 0.01, 0.001 })
+  {
+    exposure->SetRelativeTolerance(tolerance);
+    exposure->SetNumberOfTimeSteps(10);
+    exposure->Update();
+    EXPECT_NEAR(SquareExposure(exposure), exact, tolerance * exact);
+    EXPECT_LE(FieldOf(exposure, "TimeIntegrationError"), tolerance);
+    EXPECT_GE(FieldOf(exposure, "TimeIntegrationError") * exact,
+      std::abs(SquareExposure(exposure) - exact));
+    const auto times = IntegrationTimesOf(exposure);
+    EXPECT_GT(times.size(), fewer);
+    fewer = times.size();
+    if (tolerance == 0.001)
+    {
+      const auto inPeak =
+        std::count_if(times.begin(), times.end(), [](double time) { return time > 2 && time < 4; });
+      std::cout << times.size() << " times, of which " << inPeak << " in a fifth of the span\n";
+      EXPECT_GT(2 * static_cast<std::size_t>(inPeak), times.size());
+    }
+  }
+}
+
+// A part that appears. Each halving halves the error, so it is within any tolerance after some.
+TEST(ErrorControlledExposure, EndsAtAJump)
+{
+  const auto square = PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),
+    { 0, 1 }, [](vtkPolyData* part, double time) {
+      if (time < 1.0 / 3)
+      {
+        part->Initialize();
+        return;
+      }
+      SetCellValues(part, "Irradiance", { 3 });
+    });
+  const auto exposure = MakeExposure(square);
+  const auto observer = ErrorObserver::Watch(exposure);
+  exposure->SetIntegrationModeToErrorControlled();
+  exposure->SetNumberOfTimeSteps(2);
+  exposure->SetRelativeTolerance(1e-4);
+  exposure->Update();
+  EXPECT_NEAR(SquareExposure(exposure), 2, 1e-4 * 2);
+  EXPECT_LT(FieldOf(exposure, "NumberOfTimeSteps"), 40);
+  EXPECT_TRUE(observer->Warnings.empty());
+
+  exposure->SetMaximumNumberOfTimeSteps(10);
+  exposure->Update();
+  EXPECT_LE(FieldOf(exposure, "NumberOfTimeSteps"), 10);
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  ExpectWords(observer->Warnings[0],
+    { "RelativeTolerance 0.0001", "MaximumNumberOfTimeSteps 10", "the input: 0.0" });
+  EXPECT_GT(FieldOf(exposure, "TimeIntegrationError"), 1e-4);
+  EXPECT_NEAR(SquareExposure(exposure), 2, 2 * FieldOf(exposure, "TimeIntegrationError"));
+}
+
+TEST(ErrorControlledExposure, RejectsBadSettings)
+{
+  const auto square = MakeLitSquare({ 0, 1 }, [](double) { return 5; });
+  const auto exposure = MakeExposure(square);
+  exposure->SetIntegrationModeToErrorControlled();
+  exposure->SetRelativeTolerance(0);
+  ExpectWords(ErrorOf(exposure), { "RelativeTolerance is 0" });
+  exposure->SetRelativeTolerance(std::nan(""));
+  ExpectWords(ErrorOf(exposure), { "RelativeTolerance is nan" });
+  exposure->SetRelativeTolerance(0.1);
+  exposure->SetMaximumNumberOfTimeSteps(39);
+  ExpectWords(ErrorOf(exposure), { "MaximumNumberOfTimeSteps is 39", "40" });
+  exposure->SetMaximumNumberOfTimeSteps(40);
+  exposure->Update();
+  EXPECT_DOUBLE_EQ(SquareExposure(exposure), 5);
+  EXPECT_EQ(FieldOf(exposure, "NumberOfTimeSteps"), 40);
+}
