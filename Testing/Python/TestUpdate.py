@@ -19,6 +19,7 @@ import signal, sys
 import vtkIrradiance
 from scenes import make_filter, output_bits
 
+signal.alarm(20)  # the whole run would take half an hour
 irradiance = make_filter(walks=4294967295)
 irradiance.RemoveAllInputConnections(1)
 irradiance.RemoveAllDynamicTransforms()
@@ -130,11 +131,7 @@ class Interrupt(unittest.TestCase):
         with subprocess.Popen([sys.executable, "-c", LONG_RUN], stdout=subprocess.PIPE, text=True) as run:
             self.assertEqual(run.stdout.readline(), "runs\n")
             run.send_signal(signal.SIGINT)
-            try:
-                rest, _ = run.communicate(timeout=60)  # the whole run would take half an hour
-            except subprocess.TimeoutExpired:
-                run.kill()
-                raise
+            rest, _ = run.communicate()
         self.assertEqual((run.returncode, rest), (0, "goes on\n"))
 
     def test_ctrl_c_during_an_update_leaves_the_filter_whole(self):
