@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # For bash to source. The only list of what must be installed, by role, and the way to get it:
 #
-#   require_packages ROLE...      build, display, test, fuzz, benchmark, meshes (to fetch the benchmark's)
+#   require_packages ROLE...      build, display, test, fuzz, package, benchmark, meshes (to fetch the benchmark's)
 #   fetch_data                    what Data/fetch.sh fetches
 #
 # On Debian and its derivatives, missing packages are installed, as root or through sudo; nothing is printed if
@@ -17,7 +17,8 @@ packages_of()
   case $1 in
     build) echo g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev ;;
     display) echo xvfb ;;
-    test) echo libgtest-dev clang-format clang-tidy python3-matplotlib python3-numpy ;;
+    test) echo libgtest-dev clang-format clang-tidy python3-matplotlib python3-numpy doxygen ;;
+    package) echo dpkg-dev file ;;
     fuzz) echo clang libclang-rt-dev ;;
     benchmark) echo libembree-dev python3-matplotlib ;;
     meshes) echo npm ;;
@@ -43,6 +44,7 @@ description_of()
     libclang-rt-dev) echo "clang's libFuzzer" ;;
     libembree-dev) echo "Embree 3" ;;
     python3-matplotlib) echo "Python 3 with Matplotlib" ;;
+    dpkg-dev) echo "dpkg-shlibdeps" ;;
     python3-numpy) echo "Python 3 with NumPy" ;;
     *) echo "$1" ;;
   esac
@@ -104,6 +106,7 @@ is_present_without_dpkg()
     libclang-rt-dev) can_fuzz ;;
     libembree-dev) [[ -n ${embree_DIR:-} ]] || has_config 'embree-config.cmake' ;;
     python3-matplotlib) python_with matplotlib >/dev/null ;;
+    dpkg-dev) has_command dpkg-shlibdeps ;;
     python3-numpy) python_with numpy >/dev/null ;;
     *) has_command "$1" "$1-14" ;;
   esac

@@ -10,14 +10,14 @@
  * Section 4.1 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of
  * Shooting Walks" (SCCG 2003).
  *
- * @section Inputs
+ * @section ProbeInputs Inputs
  * - Port 0: sensors, a vtkPointSet with point normals (the active ones, or else the array
  *   `Normals`). A normal is the direction from which the sensor receives light; its length does not
  *   matter. Sensors lie on surfaces of the scene, or near them.
  * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. A filter that did
  *   not keep its photons, as nothing can move, executes again.
  *
- * @section Output
+ * @section ProbeOutput Output
  * A shallow copy of the sensors with the point arrays
  * - `Irradiance` (double, W/m2, as many components as that of the source): NaN where there is no
  *   surface within the radius that faces as the sensor does, and farther than a million sizes of the
@@ -36,7 +36,7 @@
  *
  * While walks are stale (RepairTimeBudget), the irradiance rests on them.
  *
- * @section Errors
+ * @section ProbeErrors Errors
  * A source that is no such output, that is out of date, or a part of one; sensors without normals; a
  * point or normal that is not finite, or a normal of length 0: one error that names the point, and an
  * empty output. Progress and AbortExecute as in vtkIrradianceFilter.

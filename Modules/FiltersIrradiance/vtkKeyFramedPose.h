@@ -26,7 +26,7 @@
  *   quaternion `qw`, `qx`, `qy`, `qz`; or
  * - `m00`, `m01`, ... `m33`: the matrix, row by row; the last row may be left out.
  *
- * @section Errors
+ * @section PoseErrors Errors
  * A file that cannot be read, columns that are missing or of two kinds, a value that is not a finite
  * number, times of a file that do not increase, two keys of one time, fewer than two keys, poses that
  * are singular, and poses that cannot be interpolated: one error that names the file and the line, or

@@ -10,11 +10,11 @@
  * Section 4.2 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of
  * Shooting Walks" (SCCG 2003).
  *
- * @section Input
+ * @section RadianceInput Input
  * The whole output of a vtkIrradianceFilter, or a shallow copy. The photons come with it. A filter
  * that did not keep them, as nothing can move, executes again.
  *
- * @section Output
+ * @section RadianceOutput Output
  * A shallow copy of the input with the cell array `Radiance` (double, W/m2/sr, as many components as
  * `Irradiance`): the mean over the area of the cell of the radiance towards the eye. It is active.
  * - Emitted: RadiantExitance / pi, if the eye is in front.
@@ -33,7 +33,7 @@
  *
  * While walks are stale (RepairTimeBudget), the radiance rests on them like the irradiance does.
  *
- * @section Errors
+ * @section RadianceErrors Errors
  * Input that is no such output, that is out of date, or a part of one; an eye position that is not
  * finite: one error, and an empty output. Progress and AbortExecute as in vtkIrradianceFilter.
  */

@@ -11,7 +11,7 @@
  * which is the trapezoidal rule; at the ends, the end itself takes the place of the missing
  * neighbour. One execution visits all times: each is an update of what is upstream.
  *
- * @section Input
+ * @section ExposureInput Input
  * Any vtkDataSet, or composite data of them, with the cell arrays of vtkIrradianceFilter:
  * `Irradiance` (W/m2, one or three components), or `IrradianceFront` and `IrradianceBack`. It may
  * come from files. Its cells stay the same over time, in number and order; their points may move.
@@ -22,7 +22,7 @@
  *
  * Without TIME_RANGE and TIME_STEPS upstream nothing changes over time; then give StartTime and EndTime.
  *
- * @section Output
+ * @section ExposureOutput Output
  * Data of the type and structure of the input. Each block is that of the last visited time at which
  * it had cells, with its arrays, except those that were integrated. In their place are the cell arrays
  * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2);
@@ -73,7 +73,7 @@
  * finished, if neither the properties nor anything upstream was modified since; else it starts again.
  * The result is the same, to the bit.
  *
- * @section Errors
+ * @section ExposureErrors Errors
  * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among them
  * with TimeSteps; no irradiance; irradiance that is not finite; blocks whose number of cells or whose arrays
  * differ between times; StalePower (a RepairTimeBudget upstream left walks that are no longer valid, and

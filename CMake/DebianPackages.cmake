@@ -1,0 +1,66 @@
+# What CPack makes Debian packages of; Packaging/make-packages.sh runs it. The plugin for ParaView comes from a
+# build tree of its own, so it is the only package of that tree.
+
+if (NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+  message(FATAL_ERROR "Debian packages are installed to /usr, not to ${CMAKE_INSTALL_PREFIX}")
+endif ()
+
+set(vtkirradiance_library_package libvtkfiltersirradiance1)
+
+# vtkirradiance_package(COMPONENT NAME SECTION CONTENTS DEPENDS): one component is one package.
+macro (vtkirradiance_package component name section contents depends)
+  list(APPEND CPACK_COMPONENTS_ALL ${component})
+  string(TOUPPER ${component} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME "${name}")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION "${section}")
+  set(CPACK_DEBIAN_${upper}_DESCRIPTION
+    "vtkIrradiance computes the irradiance (W/m2) of every cell of polygonal geometry
+by photon walks, and keeps it up to date as things move: only walks that a
+motion changed are shot again.
+.
+This package holds ${contents}.")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}")
+  install(FILES "${PROJECT_SOURCE_DIR}/Packaging/copyright" "${PROJECT_BINARY_DIR}/changelog.gz"
+    DESTINATION "share/doc/${name}" COMPONENT ${component})
+endmacro ()
+
+find_program(GZIP_PROGRAM gzip REQUIRED)
+execute_process(COMMAND "${GZIP_PROGRAM}" -9nc "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
+  OUTPUT_FILE "${PROJECT_BINARY_DIR}/changelog.gz" COMMAND_ERROR_IS_FATAL ANY)
+
+set(CPACK_COMPONENTS_ALL)
+if (VTKIRRADIANCE_BUILD_PARAVIEW_PLUGIN)
+  vtkirradiance_package(Unspecified paraview-vtkirradiance science
+    "the plugin IrradiancePlugin for ParaView"
+    "paraview (>= ${ParaView_VERSION}), paraview (<< 5.12)")
+else ()
+  vtkirradiance_package(runtime ${vtkirradiance_library_package} libs "the shared library" "")
+  vtkirradiance_package(development libvtkirradiance-dev libdevel
+    "the headers and the CMake package vtkIrradiance"
+    "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), libvtk9-dev")
+  if (VTKIRRADIANCE_WRAP_PYTHON)
+    set(python "${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")
+    math(EXPR next "${Python3_VERSION_MINOR} + 1")
+    vtkirradiance_package(python python3-vtkirradiance python
+      "the module vtkIrradiance for VTK's Python"
+      "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), python3-vtk9 (>= 9.1), python3-vtk9 (<< 9.2), \
+python3 (>= ${python}), python3 (<< ${Python3_VERSION_MAJOR}.${next})")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-numpy)
+  endif ()
+endif ()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME vtkirradiance)
+set(CPACK_PACKAGE_CONTACT "vtkIrradiance contributors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Irradiance of every cell of a moving scene, for VTK")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Where the library that the other packages of this build need lies while they are made.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
+  "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}" ${VTKIRRADIANCE_PARAVIEW_LIBRARIES})
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+include(CPack)
