@@ -46,6 +46,9 @@ else ()
       "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), python3-vtk9 (>= 9.1), python3-vtk9 (<< 9.2), \
 python3 (>= ${python}), python3 (<< ${Python3_VERSION_MAJOR}.${next})")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-numpy)
+    # What Python has compiled goes with the package.
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+      "${PROJECT_SOURCE_DIR}/Packaging/python/postinst;${PROJECT_SOURCE_DIR}/Packaging/python/prerm")
   endif ()
 endif ()
 

@@ -65,7 +65,7 @@ run_tests()
   failed=$((failed + unsuccessful))
 }
 
-require_packages build display test fuzz
+require_packages build display test fuzz package
 
 if ! fetch_data; then
   echo "The examples' data could not be fetched"

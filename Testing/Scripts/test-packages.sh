@@ -9,7 +9,7 @@ has_dpkg=no
 failures=0
 
 # This test runs in a build, so all that a build needs is installed.
-if ! report=$(require_packages build test fuzz) || [[ -n $report ]]; then
+if ! report=$(require_packages build test fuzz package) || [[ -n $report ]]; then
   printf '%s\n' "all is there, and it says:" "$report"
   failures=$((failures + 1))
 fi
@@ -20,12 +20,12 @@ has_command() { return 1; }
 has_config() { return 1; }
 unset VTK_DIR CGAL_DIR Eigen3_DIR GTest_DIR
 status=0
-report=$(require_packages build display test fuzz) || status=$?
+report=$(require_packages build display test fuzz package) || status=$?
 if ((status != 2)); then
   echo "nothing is there, and the status is $status"
   failures=$((failures + 1))
 fi
-for role in build display test fuzz; do
+for role in build display test fuzz package; do
   for package in $(packages_of "$role"); do
     if ! grep -qF "(Debian's $package)" <<<"$report"; then
       echo "$package is not there and is not named"
