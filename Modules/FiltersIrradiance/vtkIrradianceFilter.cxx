@@ -153,15 +153,12 @@ std::optional<double> RequestedTime(vtkInformation* request, vtkInformationVecto
   return info->Has(key) ? std::optional<double>(info->Get(key)) : std::nullopt;
 }
 
-/// All outputs are of one time. Who asks for another output later must not take it for that of the
-/// time that was asked for before.
 void SetDataTime(const std::optional<double>& time, vtkInformationVector* outputs)
 {
   for (int i = 0; time && i < outputs->GetNumberOfInformationObjects(); ++i)
   {
-    vtkInformation* info = outputs->GetInformationObject(i);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time);
-    vtkDataObject::GetData(info)->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+    vtkDataObject* output = vtkDataObject::GetData(outputs, i);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
   }
 }
 
@@ -447,7 +444,6 @@ int vtkIrradianceFilter::RequestData(
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkPolyData* walks = vtkPolyData::GetData(outputs, 1);
-  walks->Initialize();
   if (inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects() ==
       0 &&
     this->Internals->Poses.isEmpty())

@@ -26,6 +26,8 @@ struct Settings
   bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
   double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
   std::string ReflectanceArray = "DiffuseReflectance", SpecularArray = "SpecularReflectance";
+  vtkIdType NumberOfOutputWalks = 0, OutputWalksCell = -1;
+  int OutputWalksPort = 0, OutputWalksConnection = 0;
 };
 
 struct Connection
@@ -70,6 +72,10 @@ inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
   filter->SetRepairTimeBudget(settings.RepairTimeBudget);
   ChooseArray(filter, 1, settings.ReflectanceArray);
   ChooseArray(filter, 2, settings.SpecularArray);
+  filter->SetNumberOfOutputWalks(settings.NumberOfOutputWalks);
+  filter->SetOutputWalksPort(settings.OutputWalksPort);
+  filter->SetOutputWalksConnection(settings.OutputWalksConnection);
+  filter->SetOutputWalksCell(settings.OutputWalksCell);
 }
 
 inline void ApplyPoses(vtkIrradianceFilter* filter, const Model& model)

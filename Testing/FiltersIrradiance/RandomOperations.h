@@ -91,6 +91,17 @@ inline void ChangeBudget(Trial& t)
   ApplyBeforeEstimate(t);
 }
 
+/// All walks, or those that touch a cell; it may be gone later, see Trial::KeepCellOfWalks.
+inline void ChangeWalks(Trial& t)
+{
+  t.Set().NumberOfOutputWalks = Chance(t.Random, 3) ? 0 : 1 << t.Random.Below(13);
+  t.Set().OutputWalksPort = t.Random.Below(2);
+  const auto& connections = t.Given.Ports[t.Set().OutputWalksPort];
+  t.Set().OutputWalksConnection = t.Random.Below(static_cast<int>(connections.size()));
+  t.Set().OutputWalksCell = Chance(t.Random, 2) ? -1 : t.Random.Below(8);
+  t.Apply();
+}
+
 // Views.
 
 inline void MoveTheEye(Trial& t)
@@ -231,7 +242,7 @@ inline void SpoilALeaf(Trial& t)
 
 inline void SpoilASetting(Trial& t)
 {
-  switch (t.Random.Below(5))
+  switch (t.Random.Below(6))
   {
     case 0:
       t.Filter->SetNumberOfWalks(0);
@@ -245,6 +256,12 @@ inline void SpoilASetting(Trial& t)
     case 3:
       t.Filter->SetCellEstimateToNearest();
       t.Filter->SetRepairTimeBudget(1);
+      break;
+    case 4:
+      t.Filter->SetNumberOfOutputWalks(1);
+      t.Filter->SetOutputWalksCell(1000000);
+      t.Filter->SetOutputWalksConnection(t.Random.Below(2));
+      t.Filter->SetOutputWalksPort(2);
       break;
     default:
       ChooseArray(t.Filter, 1 + t.Random.Below(2), "NoSuchArray");
@@ -272,9 +289,9 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ChangeSamples", ChangeSamples, 1 }, { "ChangeModes", ChangeModes, 3 },
   { "ChangeOutput", ChangeOutput, 2 }, { "ChangeEstimate", ChangeEstimate, 4 },
   { "ChangeTarget", ChangeTarget, 2 }, { "ChangeReflectances", ChangeReflectances, 1 },
-  { "ChangeBudget", ChangeBudget, 6 }, { "MoveTheEye", MoveTheEye, 3 },
-  { "ChangeTheSensors", ChangeTheSensors, 3 }, { "AbortAView", AbortAView, 2 },
-  { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
+  { "ChangeBudget", ChangeBudget, 6 }, { "ChangeWalks", ChangeWalks, 4 },
+  { "MoveTheEye", MoveTheEye, 3 }, { "ChangeTheSensors", ChangeTheSensors, 3 },
+  { "AbortAView", AbortAView, 2 }, { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
   { "MeddleWhileItRuns", MeddleWhileItRuns, 4 }, { "SpoilAPoint", SpoilAPoint, 1 },
   { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilAPose", SpoilAPose, 1 },
   { "SpoilALeaf", SpoilALeaf, 1 }, { "SpoilASetting", SpoilASetting, 1 } };

@@ -6,6 +6,7 @@
 #include "OutputBits.h"
 #include "OutputChecks.h"
 #include "RandomModel.h"
+#include "ShownWalks.h"
 #include "ViewFilters.h"
 
 #include "vtkSMPTools.h"
@@ -64,7 +65,7 @@ struct Leaf
 struct Counts
 {
   int Operations = 0, Compared = 0, Repairs = 0, Stale = 0, Errors = 0, Aborts = 0, Meddlings = 0,
-      Looks = 0;
+      Looks = 0, Shown = 0;
 };
 
 /// A long-lived filter and what it is to compute.
@@ -118,6 +119,7 @@ struct Trial
     EXPECT_EQ(this->Reports->Errors.size(), 1u);
     EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfBlocks(), 0u);
     EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+    EXPECT_EQ(this->Filter->GetWalksOutput()->GetNumberOfPoints(), 0);
     this->MustCompare = true;
     ++this->Done.Errors;
   }
@@ -134,6 +136,7 @@ struct Trial
   }
 
   void LimitGloss();
+  void KeepCellOfWalks();
   void UpdateAndCheck();
   void Compare();
   void Look();
@@ -164,9 +167,28 @@ inline void Trial::LimitGloss()
   }
 }
 
+/// Connections come and go, and so do their cells.
+inline void Trial::KeepCellOfWalks()
+{
+  const auto& connections = this->Given.Ports[this->Set().OutputWalksPort];
+  const auto number = static_cast<std::size_t>(this->Set().OutputWalksConnection);
+  vtkIdType cells = 0;
+  if (number < connections.size())
+  {
+    ForEachLeaf(
+      connections[number].Data, [&](vtkPolyData* leaf) { cells += leaf->GetNumberOfCells(); });
+  }
+  if (this->Set().OutputWalksCell >= cells)
+  {
+    this->Set().OutputWalksCell = -1;
+    this->Apply();
+  }
+}
+
 inline void Trial::UpdateAndCheck()
 {
   this->LimitGloss();
+  this->KeepCellOfWalks();
   this->Reports->Clear();
   if (this->Given.Look.IsUsed() && Chance(this->Random, 4))
   {
@@ -245,6 +267,8 @@ inline void Trial::Compare()
     left = MostStale(this->Filter);
   }
   EXPECT_TRUE(IsSame(OutputBits(this->Filter), OutputBits(fresh)));
+  EXPECT_TRUE(IsSame(ShownWalks::LastingBits(this->Filter), ShownWalks::LastingBits(fresh)));
+  this->Done.Shown += fresh->GetWalksOutput()->GetNumberOfCells() > 0;
   this->CompareViews(fresh);
 }
 

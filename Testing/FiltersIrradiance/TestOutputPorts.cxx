@@ -8,8 +8,9 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutgoingRadianceFilter.h"
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTransformInterpolator.h"
+#include "vtkTrivialProducer.h"
 #include "vtkTubeFilter.h"
 
 #include <gtest/gtest.h>
@@ -55,46 +56,28 @@ vtkSmartPointer<Observer> Watch(vtkAlgorithm* filter, vtkCommand::EventIds event
   return observer;
 }
 
-/// A ball that at time t stands at x = 0.5 + t.
-class Walker : public vtkPolyDataAlgorithm
+/// At time t, 0 to 2, it is at x = 0.5 + t.
+vtkSmartPointer<vtkTransformInterpolator> MakeRide()
 {
-public:
-  static Walker* New();
-  vtkTypeMacro(Walker, vtkPolyDataAlgorithm);
-
-  const Mesh Model = MakeBall(0.3, 6);
-
-protected:
-  Walker() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  auto ride = vtkSmartPointer<vtkTransformInterpolator>::New();
+  ride->SetInterpolationTypeToLinear();
+  for (const double time : { 0, 2 })
   {
-    const double times[] = { 0, 1, 2 }, range[] = { 0, 2 };
-    vtkInformation* info = output->GetInformationObject(0);
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 3);
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
-    return 1;
+    vtkNew<vtkTransform> pose;
+    pose->Translate(0.5 + time, 1.5, 1);
+    ride->AddTransform(time, pose);
   }
+  return ride;
+}
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    vtkInformation* info = output->GetInformationObject(0);
-    auto* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-    const double time = info->Has(key) ? info->Get(key) : 0;
-    vtkNew<vtkDoubleArray> pose;
-    pose->SetName("ObjectToWorld");
-    const double matrix[16] = { 1, 0, 0, 0.5 + time, 0, 1, 0, 1.5, 0, 0, 1, 1, 0, 0, 0, 1 };
-    pose->SetNumberOfComponents(16);
-    pose->InsertNextTuple(matrix);
-    vtkPolyData* polyData = vtkPolyData::GetData(output);
-    polyData->ShallowCopy(this->Model);
-    polyData->GetFieldData()->AddArray(pose);
-    return 1;
-  }
-};
-
-vtkStandardNewMacro(Walker);
+void UpdateTimeStep(vtkAlgorithm* filter, int port, double time)
+{
+  vtkNew<vtkInformation> request;
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time);
+  vtkNew<vtkInformationVector> requests;
+  requests->SetInformationObject(port, request);
+  filter->Update(port, requests);
+}
 
 }
 
@@ -165,21 +148,28 @@ TEST(OutputPorts, ServeThoseWhoNeedPhotonsAndThoseWhoDrawWalks)
     EXPECT_EQ(executions->Count, count);
     EXPECT_TRUE(reports->Errors.empty());
     EXPECT_EQ(tubes->GetOutput()->GetNumberOfCells() > 0, shown > 0);
+    filter->Modified();
+    tubes->Update();
+    EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
+    radiance->Update();
+    EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
+    EXPECT_TRUE(reports->Errors.empty());
   }
 }
 
+// No input has times, so nothing but the two outputs themselves tells VTK which time they are of.
 TEST(OutputPorts, AreOfTheSameTime)
 {
   Scene scene = MakeSmallScene();
-  scene.Moving.clear();
-  vtkNew<Walker> walker;
+  scene.Moving = { MakeMoving(MakeBall(0.3, 6), { 0, 0, 0 }) };
   const auto filter = MakeShowing(scene);
-  filter->AddInputConnection(1, walker->GetOutputPort());
+  filter->SetDynamicTransform(0, nullptr);
+  filter->SetDynamicTransformInterpolator(0, MakeRide());
   filter->UpdateInformation();
   for (const int port : { 0, 1 })
   {
     vtkInformation* info = filter->GetOutputInformation(port);
-    EXPECT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 3);
+    ASSERT_TRUE(info->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()));
     EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE())[1], 2);
   }
   RandomNumbers random(5);
@@ -189,11 +179,7 @@ TEST(OutputPorts, AreOfTheSameTime)
     const double time = random.Below(3);
     SCOPED_TRACE(
       std::to_string(i) + ": port " + std::to_string(port) + ", " + std::to_string(time));
-    vtkNew<vtkInformation> request;
-    request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time);
-    vtkNew<vtkInformationVector> requests;
-    requests->SetInformationObject(port, request);
-    filter->Update(port, requests);
+    UpdateTimeStep(filter, port, time);
     EXPECT_NEAR(OutputOf(filter->GetOutput(), 1, 0)->GetCenter()[0], 0.5 + time, 1e-6);
     for (const int each : { 0, 1 })
     {
@@ -201,11 +187,39 @@ TEST(OutputPorts, AreOfTheSameTime)
         filter->GetOutputDataObject(each)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
         time);
     }
-    Scene then = scene;
-    then.Moving.push_back(MakeMoving(walker->Model, { 0.5 + time, 1.5, 1 }));
-    const auto fresh = MakeShowing(then);
-    fresh->Update();
+    const auto fresh = MakeShowing(scene);
+    fresh->SetDynamicTransform(0, nullptr);
+    fresh->SetDynamicTransformInterpolator(0, MakeRide());
+    UpdateTimeStep(fresh, 0, time);
     EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
+  }
+}
+
+TEST(OutputPorts, HaveTheTimesOfTheInputs)
+{
+  class Walker : public vtkTrivialProducer
+  {
+  public:
+    static Walker* New() { VTK_STANDARD_NEW_BODY(Walker); }
+    vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+      vtkInformationVector* outputs) override
+    {
+      const vtkTypeBool result = this->vtkTrivialProducer::ProcessRequest(request, inputs, outputs);
+      const double times[] = { 0, 1, 2 };
+      outputs->GetInformationObject(0)->Set(
+        vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 3);
+      return result;
+    }
+  };
+  vtkNew<Walker> walker;
+  walker->SetOutput(MakeBall(0.3, 6));
+  const auto filter = MakeShowing({ { MakeRoom(3, 1) }, {} });
+  filter->AddInputConnection(1, walker->GetOutputPort());
+  filter->UpdateInformation();
+  for (const int port : { 0, 1 })
+  {
+    vtkInformation* info = filter->GetOutputInformation(port);
+    EXPECT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 3);
   }
 }
 

@@ -209,6 +209,7 @@ TEST(OutputWalks, RunFromTheLampFromHitToHit)
 {
   const Scene scene = MakeOpenScene();
   const auto filter = MakeShowing(scene, 400);
+  filter->ComputeStandardErrorOn(); // each replicate has samples of its own
   filter->Update();
   scene.Moving[0].Pose->Translate(0.4, 0.3, 0.2);
   const Walks walks = UpdatedWalks(filter);
@@ -481,11 +482,17 @@ TEST(OutputWalks, NumberTheCellsOfACompositeConnectionFromLeafToLeaf)
   flat->AddInputDataObject(0, parts.Fixed[1]);
   flat->AddInputDataObject(0, parts.Fixed[0]);
   composite->AddInputDataObject(0, blocks);
+  for (const auto& filter : { flat, composite })
+  {
+    filter->AddInputDataObject(0, MakeRectangle({ 1, 1, 2 }, { 0.5, 0, 0 }, { 0, 0.5, 0 }, 1));
+  }
   flat->Update();
   composite->Update();
   EXPECT_EQ(Touching(composite, 0, 1, 0), Touching(flat, 0, 1, 0));
   EXPECT_EQ(Touching(composite, 0, 1, 5), Touching(flat, 0, 2, 4));
   EXPECT_GT(Touching(composite, 0, 1, 5).size(), 20u);
+  EXPECT_EQ(Touching(composite, 0, 2, 0), Touching(flat, 0, 3, 0));
+  EXPECT_GT(Touching(composite, 0, 2, 0).size(), 20u);
 }
 
 TEST(OutputWalks, OfAThingThatIsNotThereAreNone)

@@ -78,5 +78,6 @@ TEST(RandomPrograms, UpdatesEqualFreshFilters)
   std::cout << counts.Operations << " operations, " << counts.Repairs << " repairs, "
             << counts.Compared << " comparisons, " << counts.Stale << " of them stale, "
             << counts.Errors << " errors, " << counts.Aborts << " aborts, " << counts.Meddlings
-            << " changes while it ran, " << counts.Looks << " looks at its photons\n";
+            << " changes while it ran, " << counts.Looks << " looks at its photons, "
+            << counts.Shown << " comparisons of walks\n";
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Law: for any input the filter ends with one error, or with finite numbers, emitted = absorbed +
 // escaped, and a warning if all is dark; and an update equals a rebuild, bit for bit. The same holds for
-// an eye and sensors that look at its photons. Bytes become inputs, transforms, settings and views, and
+// the walks to look at, and for an eye and sensors that look at its photons. Bytes become inputs, transforms, settings and views, and
 // then some frames in which something changes.
 
 #include "FuzzedPolyData.h"
 #include "FuzzedViews.h"
+
+#include "../FiltersIrradiance/ShownWalks.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkMatrixToLinearTransform.h"
@@ -30,6 +32,8 @@ struct Inputs
   double DefaultDiffuseReflectance = 0.5;
   int CellEstimate = 0;
   int NumberOfSpreadPhotons = 250;
+  vtkIdType NumberOfOutputWalks = 0;
+  vtkIdType OutputWalksCell = -1;
   FuzzedViews::View View;
 };
 
@@ -51,6 +55,8 @@ void ReadSettings(ByteReader& bytes, Inputs& inputs)
   inputs.CellEstimate = estimates[kind >> 5];
   inputs.NumberOfSpreadPhotons = (kind >> 5) % 2 == 0 ? 3 : 250;
   inputs.Seed = bytes.byte();
+  inputs.NumberOfOutputWalks = inputs.Seed % 3 == 0 ? 0 : inputs.Seed;
+  inputs.OutputWalksCell = inputs.Seed % 16 == 1 ? 0 : -1; // no such cell is an error
   inputs.TraversalMode = bytes.below(3);
   inputs.CacheStaticHits = bytes.below(2) == 0;
   inputs.SeparateSides = bytes.oneIn(4);
@@ -100,6 +106,9 @@ void Apply(vtkIrradianceFilter* filter, const Inputs& inputs)
   filter->SetDefaultDiffuseReflectance(inputs.DefaultDiffuseReflectance);
   filter->SetCellEstimate(inputs.CellEstimate);
   filter->SetNumberOfSpreadPhotons(inputs.NumberOfSpreadPhotons);
+  filter->SetNumberOfOutputWalks(inputs.NumberOfOutputWalks);
+  filter->SetOutputWalksPort(inputs.Seed % 2);
+  filter->SetOutputWalksCell(inputs.OutputWalksCell);
 }
 
 vtkSmartPointer<vtkIrradianceFilter> MakeFuzzedFilter(const Inputs& inputs)
@@ -204,6 +213,20 @@ void CheckNumbers(vtkIrradianceFilter* filter, const ErrorObserver* observer)
   }
 }
 
+/// They run from finite points to finite points, however far away those are.
+void CheckWalks(vtkIrradianceFilter* filter)
+{
+  vtkPolyData* walks = filter->GetWalksOutput();
+  for (vtkIdType i = 0; i < walks->GetNumberOfPoints(); ++i)
+  {
+    const double* point = walks->GetPoint(i);
+    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+    {
+      Fail("point " + std::to_string(i) + " of the walks is not finite");
+    }
+  }
+}
+
 /// One error and no output, or no error and a valid output.
 void CheckUpdate(vtkIrradianceFilter* filter, const ErrorObserver* observer, const Inputs& inputs)
 {
@@ -220,6 +243,11 @@ void CheckUpdate(vtkIrradianceFilter* filter, const ErrorObserver* observer, con
   if (hasOutput)
   {
     CheckNumbers(filter, observer);
+  }
+  CheckWalks(filter);
+  if (!hasOutput && filter->GetWalksOutput()->GetNumberOfPoints() > 0)
+  {
+    Fail("walks, but no other output");
   }
 }
 
@@ -260,6 +288,12 @@ void Run(ByteReader bytes)
     {
       Fail("update and rebuild differ in frame " + std::to_string(frame) + ": " +
         IsSame(OutputBits(filter), OutputBits(fresh)).message());
+    }
+    const auto sameWalks = IsSame(ShownWalks::LastingBits(filter), ShownWalks::LastingBits(fresh));
+    if (!sameWalks)
+    {
+      Fail("walks of update and rebuild differ in frame " + std::to_string(frame) + ": " +
+        sameWalks.message());
     }
     CompareViews(inputs, views, fresh);
     if (bytes.isAtEnd())
