@@ -344,6 +344,24 @@ TEST(OutputWalks, SayWhichWereRepaired)
   }
 }
 
+TEST(OutputWalks, SayWhichAThingTouchedThatCameOrLeft)
+{
+  const Scene scene = MakeSmallScene();
+  const Mesh ball = Copy(scene.Moving[0].Model);
+  const auto filter = MakeShowing(scene);
+  filter->Update();
+  const Ids touching = Touching(filter, 1, 0);
+  EXPECT_GT(touching.size(), 50u);
+  for (const bool leaves : { true, false, true })
+  {
+    scene.Moving[0].Model->ShallowCopy(leaves ? Mesh::New() : ball);
+    const Walks after = UpdatedWalks(filter);
+    EXPECT_FALSE(HasShot(filter));
+    EXPECT_EQ(RepairedOf(after), touching);
+    EXPECT_EQ(Touching(filter, 1, 0), leaves ? Ids() : touching);
+  }
+}
+
 TEST(OutputWalks, KeepTheMarksWhileNothingMoves)
 {
   const Scene scene = MakeSmallScene();
