@@ -187,6 +187,34 @@ vtkMTimeType UpstreamTime(vtkAlgorithm* filter)
 
 }
 
+namespace
+{
+
+/// Whether a filter upstream was aborted. Its output, and what came of it, is empty but counts as up to
+/// date; then it counts as that of no time, so that the next update computes it.
+bool ForgetAborted(vtkExecutive* executive)
+{
+  bool isAborted = executive->GetAlgorithm()->GetAbortExecute() != 0;
+  for (int port = 0; port < executive->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < executive->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkExecutive* input = executive->GetInputExecutive(port, i);
+      isAborted = (input && ForgetAborted(input)) || isAborted;
+    }
+  }
+  for (int port = 0; isAborted && port < executive->GetNumberOfOutputPorts(); ++port)
+  {
+    if (vtkDataObject* data = executive->GetOutputData(port))
+    {
+      data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+    }
+  }
+  return isAborted;
+}
+
+}
+
 bool vtkRadiantExposureFilter::vtkInternals::IsUpToDate(vtkRadiantExposureFilter* filter) const
 {
   return this->Integral && !this->Integral->isDone() &&
@@ -229,8 +257,14 @@ void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(vtkRadiantExposureFi
 void vtkRadiantExposureFilter::vtkInternals::Take(vtkRadiantExposureFilter* filter)
 {
   const double time = this->Integral->nextTime();
+  vtkDataObject* data = filter->GetInputDataObject(0, 0);
+  if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 && ForgetAborted(this->Producer))
+  {
+    this->Upstream = UpstreamTime(filter); // SetAbortExecute() is a modification for VTK
+    throw irradiance::Interrupted();
+  }
   CheckTime(filter->GetInputInformation(0, 0), time, this->Of.Span);
-  this->Integral->take(filter->GetInputDataObject(0, 0));
+  this->Integral->take(data);
   // Upstream may modify itself as it executes, such as interpolators that set themselves up. If
   // something changed a vtkIrradianceFilter meanwhile, its time rises until it executes again.
   this->Upstream = UpstreamTime(filter);

@@ -68,10 +68,12 @@
  * input leads to the same times.
  *
  * @section Abort Progress, abort, and continuing
- * Progress is reported after each time. After an abort the output is empty and, as with all VTK filters,
- * up to date until Modified(). The next execution then continues behind the last time that was
- * finished, if neither the properties nor anything upstream was modified since; else it starts again.
- * The result is the same, to the bit.
+ * Progress is reported after each time; that of the updates themselves is upstream's own. Aborting this
+ * filter ends the run after the update that is going on; aborting a filter upstream, such as the
+ * vtkIrradianceFilter, ends both at once. The output is empty then and, as with all VTK filters, up to date
+ * until Modified(). The next execution continues behind the last time that was finished, if neither the
+ * properties nor anything upstream was modified since; else it starts again. The result is the same, to
+ * the bit.
  *
  * @section ExposureErrors Errors
  * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among them

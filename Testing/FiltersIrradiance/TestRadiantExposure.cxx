@@ -416,6 +416,53 @@ TEST(RadiantExposure, ContinuesAfterAnAbort)
   expectAnew(kTimes);
 }
 
+namespace
+{
+
+/// Aborts the n-th execution from when it is told so.
+class ExecutionAborter : public vtkCommand
+{
+public:
+  static ExecutionAborter* New() { return new ExecutionAborter; }
+  void Execute(vtkObject* caller, unsigned long event, void*) override
+  {
+    if (event == vtkCommand::StartEvent)
+    {
+      ++this->Starts;
+      --this->Executions;
+    }
+    else if (this->Executions == 0)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  }
+  int Executions = 0;
+  int Starts = 0;
+};
+
+}
+
+// The user aborts the long first shooting, or an update, where its progress is seen.
+TEST(RadiantExposure, ContinuesAfterAnAbortUpstream)
+{
+  const WalkThrough scene(1000);
+  const auto exposure = MakeExposure(scene.Irradiance);
+  const auto observer = ErrorObserver::Watch(exposure);
+  vtkNew<ExecutionAborter> aborter;
+  scene.Irradiance->AddObserver(vtkCommand::StartEvent, aborter);
+  scene.Irradiance->AddObserver(vtkCommand::ProgressEvent, aborter);
+  for (const int execution : { 1, 3, 0 })
+  {
+    aborter->Executions = execution;
+    exposure->Modified();
+    exposure->Update();
+    EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), execution == 0 ? 2u : 0u);
+  }
+  EXPECT_TRUE(observer->Errors.empty() && observer->Warnings.empty());
+  ExpectSumOverFresh(exposure, scene, kTimes);
+  EXPECT_EQ(aborter->Starts, static_cast<int>(kTimes.size()) + 2) << "two were aborted";
+}
+
 // An interpolator sets itself up when it is first asked; that is no change of the scene.
 TEST(RadiantExposure, OfAnInterpolatorContinuesToo)
 {
