@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Runs every test: installs what is missing; builds build/release and runs all tests and examples there under a
-# private X server; builds build/sanitize and runs the engine's tests there with the address and
-# undefined-behaviour sanitizers; builds build/fuzz and fuzzes for a minute. The last line sums it up; the
-# status is 0 only if nothing failed.
+# private X server; fetches Debian's ParaView into build/paraview-sdk, builds build/paraview and tests the plugin
+# there; builds build/sanitize and runs the engine's tests there with the address and undefined-behaviour
+# sanitizers; builds build/fuzz and fuzzes for a minute. The last line sums it up; the status is 0 only if nothing
+# failed.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -74,6 +75,14 @@ fi
 
 if build release -DBUILD_TESTING=ON -DVTKIRRADIANCE_BUILD_EXAMPLES=ON; then
   run_tests release Utilities/run-under-xvfb.sh
+fi
+# The plugin takes the engine from build/release. ParaView comes unpacked: it cannot be installed beside VTK.
+sdk=$PWD/build/paraview-sdk
+if ! Testing/ParaView/fetch-paraview.sh "$sdk"; then
+  failed=$((failed + 1))
+elif build paraview -DBUILD_TESTING=ON -DVTKIRRADIANCE_ENGINE_DIR="$PWD/build/release" \
+  -DParaView_DIR="$(echo "$sdk"/usr/lib/*/cmake/paraview-*)"; then
+  run_tests paraview Utilities/run-under-xvfb.sh
 fi
 # The leak check looks itself up in /proc, which is missing or another system's in some chroots.
 if ! [[ /proc/self/status -ef /proc/$BASHPID/status ]]; then

@@ -2,6 +2,7 @@
 # For bash to source. The only list of what must be installed, by role, and the way to get it:
 #
 #   require_packages ROLE...      build, display, test, fuzz, package, benchmark, meshes (to fetch the benchmark's)
+#   packages_of paraview          what Testing/ParaView/fetch-paraview.sh unpacks; it cannot be installed beside VTK
 #   fetch_data                    what Data/fetch.sh fetches
 #
 # On Debian and its derivatives, missing packages are installed, as root or through sudo; nothing is printed if
@@ -22,6 +23,7 @@ packages_of()
     fuzz) echo clang libclang-rt-dev ;;
     benchmark) echo libembree-dev python3-matplotlib ;;
     meshes) echo npm ;;
+    paraview) echo paraview paraview-dev python3-paraview libqt5opengl5 libqt5help5 libqt5sql5 ;; # unpacked only
     *)
       echo "packages.sh: unknown role $1" >&2
       exit 2

@@ -28,6 +28,13 @@ const char* chosenName(vtkAlgorithm* filter, const MaterialArrayRole& role)
   return filter->GetInputArrayInformation(role.index)->Get(vtkDataObject::FIELD_NAME());
 }
 
+/// An empty name: the quantity is not read from any array.
+bool isNone(vtkAlgorithm* filter, const MaterialArrayRole& role)
+{
+  const char* name = chosenName(filter, role);
+  return name && *name == 0;
+}
+
 bool isDefault(vtkAlgorithm* filter, const MaterialArrayRole& role)
 {
   const char* name = chosenName(filter, role);
@@ -38,6 +45,10 @@ vtkAbstractArray* findArray(
   vtkAlgorithm* filter, const MaterialArrayRole& role, vtkDataSetAttributes* attributes)
 {
   vtkInformation* choice = filter->GetInputArrayInformation(role.index);
+  if (isNone(filter, role))
+  {
+    return nullptr;
+  }
   if (const char* name = chosenName(filter, role))
   {
     return attributes->GetAbstractArray(name);
@@ -177,7 +188,7 @@ void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>&
         }
       }
     }
-    if (hasParts && !isFound && !isDefault(filter, role))
+    if (hasParts && !isFound && !isDefault(filter, role) && !isNone(filter, role))
     {
       throw InputError(choice + " is not among the cell arrays of any input");
     }

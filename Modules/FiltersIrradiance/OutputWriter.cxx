@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputWriter.h"
 
+#include "EmptyPiece.h"
 #include "Pose.h"
 #include "ReplicateArrays.h"
 
@@ -100,6 +101,37 @@ vtkSmartPointer<vtkDataObjectTree> emptyBlock(vtkDataObjectTree* input)
   return vtkSmartPointer<vtkMultiBlockDataSet>::New();
 }
 
+/// Of the names of arrays, for both sides together or for each.
+using Suffixes = std::vector<const char*>;
+const Suffixes& suffixesOf(const EngineSettings& settings)
+{
+  static const Suffixes sides{ "Front", "Back" }, together{ "" };
+  return settings.separateSides ? sides : together;
+}
+
+std::string irradianceName(const std::string& suffix)
+{
+  return "Irradiance" + suffix;
+}
+
+std::string standardErrorName(const std::string& suffix)
+{
+  return "Irradiance" + suffix + "StandardError";
+}
+
+std::string staleName(const std::string& suffix)
+{
+  return "StaleIrradiance" + suffix;
+}
+
+void activateIrradiance(vtkPolyData* polyData, const EngineSettings& settings)
+{
+  if (!settings.separateSides)
+  {
+    polyData->GetCellData()->SetActiveScalars(irradianceName("").c_str());
+  }
+}
+
 void setBlock(
   vtkMultiBlockDataSet* parent, unsigned int index, vtkDataObject* block, const std::string& name)
 {
@@ -130,12 +162,28 @@ vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
   return block;
 }
 
-void OutputWriter::write(const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const
+void OutputWriter::writeBlocks(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, const MakePart& makeStatic,
+  const MakePart& makeDynamic, vtkMultiBlockDataSet* output)
 {
   vtkNew<vtkMultiBlockDataSet> staticBlocks, dynamicBlocks;
   setBlock(output, 0, staticBlocks, "Static");
   setBlock(output, 1, dynamicBlocks, "Dynamic");
+  for (unsigned int i = 0; i < statics.size(); ++i)
+  {
+    setBlock(staticBlocks, i, blockOf(statics[i], makeStatic), "Static " + std::to_string(i));
+  }
+  for (unsigned int i = 0; i < dynamics.size(); ++i)
+  {
+    const auto block = blockOf(dynamics[i], makeDynamic);
+    block->GetFieldData()->RemoveArray(kFieldPoseName);
+    setBlock(dynamicBlocks, i, block, "Dynamic " + std::to_string(i));
+  }
+}
+
+void OutputWriter::write(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const
+{
   std::size_t staticPart = 0;
   const auto makeStatic = [&](const InputPart& part) {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
@@ -143,10 +191,6 @@ void OutputWriter::write(const std::vector<InputConnection>& statics,
     addIrradiance(polyData, 0, scene_.firstCellOfStatic(staticPart++));
     return polyData;
   };
-  for (unsigned int i = 0; i < statics.size(); ++i)
-  {
-    setBlock(staticBlocks, i, blockOf(statics[i], makeStatic), "Static " + std::to_string(i));
-  }
   std::uint32_t object = 0;
   const auto makeDynamic = [&](const InputPart& part) {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
@@ -156,28 +200,47 @@ void OutputWriter::write(const std::vector<InputConnection>& statics,
     addIrradiance(polyData, ++object, 0);
     return polyData;
   };
-  for (unsigned int i = 0; i < dynamics.size(); ++i)
-  {
-    const auto block = blockOf(dynamics[i], makeDynamic);
-    block->GetFieldData()->RemoveArray(kFieldPoseName);
-    setBlock(dynamicBlocks, i, block, "Dynamic " + std::to_string(i));
-  }
+  writeBlocks(statics, dynamics, makeStatic, makeDynamic, output);
   addFieldData(output);
+}
+
+void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, const EngineSettings& settings, bool withErrors,
+  vtkMultiBlockDataSet* output)
+{
+  const int bands = SceneReader::countBands(statics, dynamics);
+  const auto makePart = [&](const InputPart& part) {
+    auto polyData = withoutCells(part.polyData);
+    const auto add = [&](const std::string& name) {
+      addEmptyArray(polyData->GetCellData(), name.c_str(), bands);
+    };
+    for (const char* suffix : suffixesOf(settings))
+    {
+      add(irradianceName(suffix));
+      if (withErrors)
+      {
+        add(standardErrorName(suffix));
+      }
+      if (settings.repairTimeBudget > 0)
+      {
+        add(staleName(suffix));
+      }
+    }
+    activateIrradiance(polyData, settings);
+    return polyData;
+  };
+  writeBlocks(statics, dynamics, makePart, makePart, output);
 }
 
 void OutputWriter::addIrradiance(
   vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const
 {
-  if (settings_.separateSides)
+  int side = 0;
+  for (const char* suffix : suffixesOf(settings_))
   {
-    addSide(polyData, "Front", object, firstCell, 0);
-    addSide(polyData, "Back", object, firstCell, 1);
+    addSide(polyData, suffix, object, firstCell, side++);
   }
-  else
-  {
-    addSide(polyData, "", object, firstCell, 0);
-    polyData->GetCellData()->SetActiveScalars("Irradiance");
-  }
+  activateIrradiance(polyData, settings_);
 }
 
 void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
@@ -201,12 +264,12 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
     }
     polyData->GetCellData()->AddArray(array);
   };
-  add("Irradiance" + suffix, [&](std::size_t cell, int band, double area) {
+  add(irradianceName(suffix), [&](std::size_t cell, int band, double area) {
     return engine_.irradiance(object, cell, side, band, area);
   });
   if (withErrors_)
   {
-    add("Irradiance" + suffix + "StandardError", [&](std::size_t cell, int band, double area) {
+    add(standardErrorName(suffix), [&](std::size_t cell, int band, double area) {
       return standardError(object, cell, side, band, area);
     });
   }
@@ -216,7 +279,7 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
   }
   if (settings_.repairTimeBudget > 0)
   {
-    add("StaleIrradiance" + suffix, [&](std::size_t cell, int band, double area) {
+    add(staleName(suffix), [&](std::size_t cell, int band, double area) {
       return engine_.staleIrradiance(object, cell, side, band, area);
     });
   }

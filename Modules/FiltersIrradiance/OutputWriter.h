@@ -38,12 +38,20 @@ public:
   void write(const std::vector<InputConnection>& statics,
     const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const;
 
+  /// The same blocks and arrays without cells and field data, see EmptyPiece.
+  static void writeEmpty(const std::vector<InputConnection>& statics,
+    const std::vector<InputConnection>& dynamics, const EngineSettings& settings, bool withErrors,
+    vtkMultiBlockDataSet* output);
+
 private:
   using MakePart = std::function<vtkSmartPointer<vtkPolyData>(const InputPart&)>;
 
   /// The output of a connection, in the structure of its input.
   static vtkSmartPointer<vtkDataObject> blockOf(
     const InputConnection& connection, const MakePart& makePart);
+  static void writeBlocks(const std::vector<InputConnection>& statics,
+    const std::vector<InputConnection>& dynamics, const MakePart& makeStatic,
+    const MakePart& makeDynamic, vtkMultiBlockDataSet* output);
   void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
   /// `suffix`: part of the arrays' names, such as Front.
   void addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,

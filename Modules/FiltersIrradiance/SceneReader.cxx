@@ -94,15 +94,19 @@ SceneReader::Stamp SceneReader::stampOf(const InputPart& part)
   return { part.polyData, part.arrays, part.polyData->GetMTime() };
 }
 
-int SceneReader::countBands(const Parts& parts)
+int SceneReader::countBands(const std::vector<InputConnection>& staticConnections,
+  const std::vector<InputConnection>& dynamicConnections)
 {
   int bands = 1;
-  for (const InputPart* part : parts)
+  for (const auto* connections : { &staticConnections, &dynamicConnections })
   {
-    for (std::size_t i = 0; i < part->arrays.size(); ++i)
+    for (const InputPart* part : partsOf(*connections))
     {
-      vtkAbstractArray* array = part->arrays[i];
-      bands = i != Exponent && array && array->GetNumberOfComponents() == 3 ? 3 : bands;
+      for (std::size_t i = 0; i < part->arrays.size(); ++i)
+      {
+        vtkAbstractArray* array = part->arrays[i];
+        bands = i != Exponent && array && array->GetNumberOfComponents() == 3 ? 3 : bands;
+      }
     }
   }
   return bands;
@@ -113,8 +117,7 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
   const Checkpoint& checkpoint)
 {
   const Parts staticParts = partsOf(staticConnections), dynamicParts = partsOf(dynamicConnections);
-  const Settings settings{ std::max(countBands(staticParts), countBands(dynamicParts)),
-    defaultReflectance };
+  const Settings settings{ countBands(staticConnections, dynamicConnections), defaultReflectance };
   if (settings != settings_)
   {
     staticStamps_.reset();

@@ -32,6 +32,9 @@ public:
 
   const SceneObjects& objects() const { return objects_; }
   int bands() const { return settings_.bands; }
+  /// What bands() is after reading these: 3 if an array has three components, else 1.
+  static int countBands(const std::vector<InputConnection>& staticConnections,
+    const std::vector<InputConnection>& dynamicConnections);
   /// Number of the first cell of a static part among the cells of object 0.
   std::size_t firstCellOfStatic(std::size_t part) const { return firstCell_[part]; }
   /// World area of the cells of an object, m2.
@@ -66,7 +69,6 @@ private:
 
   static Parts partsOf(const std::vector<InputConnection>& connections);
   static Stamp stampOf(const InputPart& part);
-  static int countBands(const Parts& parts);
   void convert(const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint);
   void readStatic(const Parts& parts, const Checkpoint& checkpoint);
   void readDynamic(const InputPart& part, std::size_t index, const Checkpoint& checkpoint);

@@ -2,6 +2,7 @@
 #include "vtkIrradianceFilter.h"
 
 #include "DynamicPoses.h"
+#include "EmptyPiece.h"
 #include "Execution/ProgressSpan.h"
 #include "FilterRun.h"
 #include "InputError.h"
@@ -11,11 +12,15 @@
 #include "ReplicateArrays.h"
 #include "WalksWriter.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLinearTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMatrixToLinearTransform.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -144,12 +149,17 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   return settings;
 }
 
+vtkInformation* RequestingOutput(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  return outputs->GetInformationObject(port);
+}
+
 /// That of the output for which somebody asks.
 std::optional<double> RequestedTime(vtkInformation* request, vtkInformationVector* outputs)
 {
   auto* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  vtkInformation* info = outputs->GetInformationObject(port);
+  vtkInformation* info = RequestingOutput(request, outputs);
   return info->Has(key) ? std::optional<double>(info->Get(key)) : std::nullopt;
 }
 
@@ -159,6 +169,19 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, i);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+  }
+}
+
+/// Nor must it take it for another piece.
+void SetDataPiece(vtkInformation* requesting, vtkInformationVector* outputs)
+{
+  for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
+  {
+    for (auto* key : { vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
+           vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES() })
+    {
+      outputs->GetInformationObject(i)->CopyEntry(requesting, key);
+    }
   }
 }
 
@@ -228,6 +251,134 @@ void vtkIrradianceFilter::RemoveAllDynamicTransforms()
   {
     this->Modified();
   }
+}
+
+void vtkIrradianceFilter::SetDynamicMatrix(int i, const double elements[16])
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(elements);
+  vtkNew<vtkMatrixToLinearTransform> transform;
+  transform->SetInput(matrix);
+  this->SetDynamicTransform(i, transform);
+}
+
+// ParaView hands over numbers one by one.
+void vtkIrradianceFilter::SetDynamicMatrix(int i, double m00, double m01, double m02, double m03,
+  double m10, double m11, double m12, double m13, double m20, double m21, double m22, double m23,
+  double m30, double m31, double m32, double m33)
+{
+  const double elements[16] = { m00, m01, m02, m03, m10, m11, m12, m13, m20, m21, m22, m23, m30,
+    m31, m32, m33 };
+  this->SetDynamicMatrix(i, elements);
+}
+
+void vtkIrradianceFilter::RemoveAllDynamicInputs()
+{
+  this->RemoveAllInputConnections(1);
+}
+
+void vtkIrradianceFilter::SetCellArray(const char* quantity, const char* name)
+{
+  const std::string wanted = quantity ? quantity : "";
+  for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
+  {
+    if (wanted == role.defaultName)
+    {
+      const bool isNone = !name || std::string(name) == "None";
+      this->SetInputArrayToProcess(
+        role.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, isNone ? "" : name);
+      return;
+    }
+  }
+  vtkErrorMacro(<< "SetCellArray: there is no quantity " << wanted);
+}
+
+/// NaN if the last output has no such field.
+double vtkIrradianceFilter::Figure(const char* name)
+{
+  vtkDataObject* output = this->GetOutputDataObject(0);
+  vtkDataArray* array = output ? output->GetFieldData()->GetArray(name) : nullptr;
+  if (!array || array->GetNumberOfTuples() != 1)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  double sum = 0;
+  for (int band = 0; band < array->GetNumberOfComponents(); ++band)
+  {
+    sum += array->GetComponent(0, band);
+  }
+  return sum;
+}
+
+vtkIdType vtkIrradianceFilter::Count(const char* name)
+{
+  const double figure = this->Figure(name);
+  return std::isnan(figure) ? -1 : static_cast<vtkIdType>(figure);
+}
+
+double vtkIrradianceFilter::GetEmittedPower()
+{
+  return this->Figure("EmittedPower");
+}
+
+double vtkIrradianceFilter::GetAbsorbedPower()
+{
+  return this->Figure("AbsorbedPower");
+}
+
+double vtkIrradianceFilter::GetEscapedPower()
+{
+  return this->Figure("EscapedPower");
+}
+
+double vtkIrradianceFilter::GetStalePower()
+{
+  return this->Figure("StalePower");
+}
+
+double vtkIrradianceFilter::GetReachedRelativeError()
+{
+  return this->Figure("ReachedRelativeError");
+}
+
+double vtkIrradianceFilter::GetShootSeconds()
+{
+  return this->Figure("ShootSeconds");
+}
+
+double vtkIrradianceFilter::GetVerifySeconds()
+{
+  return this->Figure("VerifySeconds");
+}
+
+double vtkIrradianceFilter::GetRepairSeconds()
+{
+  return this->Figure("RepairSeconds");
+}
+
+vtkIdType vtkIrradianceFilter::GetNumberOfShotWalks()
+{
+  return this->Count("NumberOfWalks");
+}
+
+vtkIdType vtkIrradianceFilter::GetNumberOfSegments()
+{
+  return this->Count("NumberOfSegments");
+}
+
+vtkIdType vtkIrradianceFilter::GetNumberOfInvalidWalks()
+{
+  return this->Count("NumberOfInvalidWalks");
+}
+
+vtkIdType vtkIrradianceFilter::GetNumberOfRepairedSegments()
+{
+  return this->Count("NumberOfRepairedSegments");
+}
+
+vtkIdType vtkIrradianceFilter::GetHistoryBytes()
+{
+  return this->Count("HistoryBytes");
 }
 
 vtkMTimeType vtkIrradianceFilter::GetMTime()
@@ -358,10 +509,7 @@ int vtkIrradianceFilter::RequestUpdateExtent(
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
-      vtkInformation* info = inputs[port]->GetInformationObject(i);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      irradiance::requestWhole(inputs[port]->GetInformationObject(i));
     }
   }
   return 1;
@@ -456,9 +604,19 @@ int vtkIrradianceFilter::RequestData(
   return irradiance::runFilter(this, output, [&] {
     this->Internals->Poses.evaluate(time);
     this->Internals->Begun = this->InputTime(); // evaluation counts as a change
-    this->Internals->Compute(this, this->Internals->GetInputs(this, inputs),
-      outputs->GetInformationObject(0), output, walks);
+    const vtkInternals::Inputs read = this->Internals->GetInputs(this, inputs);
+    vtkInformation* info = RequestingOutput(request, outputs);
+    if (irradiance::isEmptyPieceRequested(info))
+    {
+      irradiance::OutputWriter::writeEmpty(
+        read.Static, read.Dynamic, CheckedSettings(this), this->ComputeStandardError != 0, output);
+    }
+    else
+    {
+      this->Internals->Compute(this, read, outputs->GetInformationObject(0), output, walks);
+    }
     SetDataTime(time, outputs);
+    SetDataPiece(info, outputs);
   });
 }
 

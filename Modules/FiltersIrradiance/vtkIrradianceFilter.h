@@ -50,6 +50,8 @@
  * | 3     | PhongExponent        | >= 0, one component; infinite or absent: mirror |
  * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
  *
+ * SetCellArray("RadiantExitance", name) does the same for cell arrays, by the quantity's default name.
+ *
  * Diffuse and specular reflectance add up to at most 1 in each band. The specular part reflects
  * around the mirror direction: a Phong lobe of cos^n, made reciprocal and to reflect all of the
  * SpecularReflectance at every angle (Documentation/Theory.md, section 1.1). The larger the exponent
@@ -181,6 +183,11 @@
  * abort the output is empty and, as with all VTK filters, up to date until Modified().
  *
  * Runs on VTK's threads (vtkSMPTools).
+ *
+ * @section Pieces Several processes
+ * Light comes from everywhere, so all of every input is asked for, and all of the result is piece 0.
+ * Other pieces have the same blocks and arrays without cells, points and field data, and shoot
+ * nothing: a reader that asks for n pieces gets each cell once.
  */
 
 #ifndef vtkIrradianceFilter_h
@@ -257,6 +264,27 @@ public:
 
   /// Removes all dynamic transforms and transform interpolators.
   void RemoveAllDynamicTransforms();
+
+  ///@{
+  /**
+   * The pose of connection i as 16 values, row by row, with (0, 0, 0, 1) in the last row. Like
+   * SetDynamicTransform with a new transform; it is for callers that have numbers.
+   */
+  void SetDynamicMatrix(int i, double m00, double m01, double m02, double m03, double m10,
+    double m11, double m12, double m13, double m20, double m21, double m22, double m23, double m30,
+    double m31, double m32, double m33);
+  void SetDynamicMatrix(int i, const double elements[16]);
+  ///@}
+
+  /// Removes the inputs of port 1; the poses stay.
+  void RemoveAllDynamicInputs();
+
+  /**
+   * From which cell array a quantity is read. `quantity`: the default name of an array in the table
+   * above, such as "DiffuseReflectance"; another is an error. `name`: any other array with that
+   * meaning. Empty, null or "None": the quantity is read from none, even if there is such an array.
+   */
+  void SetCellArray(const char* quantity, const char* name);
 
   ///@{
   /**
@@ -435,6 +463,26 @@ public:
   vtkAlgorithmOutput* GetWalksOutputPort();
   ///@}
 
+  ///@{
+  /**
+   * Figures of the last update, as in the field data of the output: W, those of three bands added up;
+   * seconds; bytes. NaN, or -1 for counts, where the output has no such figure.
+   */
+  double GetEmittedPower();
+  double GetAbsorbedPower();
+  double GetEscapedPower();
+  double GetStalePower();
+  double GetReachedRelativeError();
+  double GetShootSeconds();
+  double GetVerifySeconds();
+  double GetRepairSeconds();
+  vtkIdType GetNumberOfShotWalks(); ///< the field `NumberOfWalks`
+  vtkIdType GetNumberOfSegments();
+  vtkIdType GetNumberOfInvalidWalks();
+  vtkIdType GetNumberOfRepairedSegments();
+  vtkIdType GetHistoryBytes();
+  ///@}
+
   /// Includes the transforms and the interpolators.
   vtkMTimeType GetMTime() override;
 
@@ -477,6 +525,8 @@ private:
   vtkMTimeType OwnTime();
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();
+  double Figure(const char* name);
+  vtkIdType Count(const char* name);
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
+#include "EmptyPiece.h"
 #include "Execution/SlicedPass.h"
 #include "FilterRun.h"
 #include "InputError.h"
@@ -8,6 +9,7 @@
 #include "PhotonSource.h"
 #include "Photons/NearestEstimate.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -79,6 +81,19 @@ vtkSmartPointer<Array> AddArray(vtkPointSet* output, const char* name, int compo
   return array;
 }
 
+/// Without points, see EmptyPiece.
+void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
+{
+  output->GetPointData()->CopyAllOn();
+  output->GetPointData()->CopyAllocate(input->GetPointData(), 0);
+  output->GetCellData()->CopyAllOn();
+  output->GetCellData()->CopyAllocate(input->GetCellData(), 0);
+  AddArray<vtkDoubleArray>(output, "Irradiance", irradiance::bandsOf(scene));
+  AddArray<vtkIdTypeArray>(output, "NumberOfPhotons", 1);
+  AddArray<vtkDoubleArray>(output, "SearchRadius", 1);
+  output->GetPointData()->SetActiveScalars("Irradiance");
+}
+
 }
 
 vtkIrradianceProbeFilter::vtkIrradianceProbeFilter()
@@ -112,11 +127,14 @@ int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation*
 vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputs, outputs);
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
   {
     irradiance::requestPhotons(inputs[1]->GetInformationObject(0));
+    // All sensors belong to piece 0, as the whole scene does.
+    irradiance::requestWhole(inputs[0]->GetInformationObject(0));
   }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return result;
 }
 
 void vtkIrradianceProbeFilter::Compute(
@@ -166,8 +184,15 @@ int vtkIrradianceProbeFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPointSet* output = vtkPointSet::GetData(outputs);
+  vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
+  vtkDataObject* scene = vtkDataObject::GetData(inputs[1], 0);
   return irradiance::runFilter(this, output, [&] {
-    this->Compute(vtkPointSet::GetData(inputs[0]), vtkDataObject::GetData(inputs[1], 0), output);
+    if (irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
+    {
+      WriteEmpty(input, scene, output);
+      return;
+    }
+    this->Compute(input, scene, output);
   });
 }
 

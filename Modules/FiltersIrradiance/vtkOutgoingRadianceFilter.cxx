@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOutgoingRadianceFilter.h"
 
+#include "EmptyPiece.h"
 #include "Execution/SlicedPass.h"
 #include "FilterRun.h"
 #include "InputError.h"
@@ -87,6 +88,24 @@ void CloneLeaves(vtkMultiBlockDataSet* output)
     const auto clone = vtk::TakeSmartPointer(leaf->NewInstance());
     clone->ShallowCopy(leaf);
     output->SetDataSet(leaves, clone);
+  }
+}
+
+/// Without cells, see EmptyPiece.
+void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
+{
+  output->ShallowCopy(input);
+  const auto leaves = vtk::TakeSmartPointer(output->NewTreeIterator());
+  leaves->VisitOnlyLeavesOn();
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject()))
+    {
+      const auto empty = irradiance::withoutCells(polyData);
+      irradiance::addEmptyArray(empty->GetCellData(), "Radiance", irradiance::bandsOf(empty));
+      empty->GetCellData()->SetActiveScalars("Radiance");
+      output->SetDataSet(leaves, empty);
+    }
   }
 }
 
@@ -195,8 +214,15 @@ int vtkOutgoingRadianceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
-  return irradiance::runFilter(
-    this, output, [&] { this->Compute(vtkMultiBlockDataSet::GetData(inputs[0]), output); });
+  vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
+  return irradiance::runFilter(this, output, [&] {
+    if (irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
+    {
+      WriteEmpty(input, output);
+      return;
+    }
+    this->Compute(input, output);
+  });
 }
 
 void vtkOutgoingRadianceFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a panel sets by numbers and names is what programs set by objects.
+
+#include "ErrorObserver.h"
+#include "OutputBits.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace TestScenes;
+
+TEST(PanelMethods, AMatrixIsATransform)
+{
+  const Scene scene = MakeSmallScene();
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.1, 0.2, 0.05);
+  transform->RotateZ(30);
+  const auto byTransform = MakeFilter(scene, 2000), byMatrix = MakeFilter(scene, 2000),
+             byNumbers = MakeFilter(scene, 2000);
+  byTransform->SetDynamicTransform(0, transform);
+  byTransform->Update();
+  double m[16];
+  vtkMatrix4x4::DeepCopy(m, transform->GetMatrix());
+  byMatrix->SetDynamicMatrix(0, m);
+  byMatrix->Update();
+  byNumbers->SetDynamicMatrix(0, m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10],
+    m[11], m[12], m[13], m[14], m[15]);
+  byNumbers->Update();
+  EXPECT_TRUE(IsSame(OutputBits(byMatrix), OutputBits(byTransform)));
+  EXPECT_TRUE(IsSame(OutputBits(byNumbers), OutputBits(byTransform)));
+  byNumbers->RemoveAllDynamicTransforms();
+  byNumbers->Update();
+  EXPECT_FALSE(IsSame(OutputBits(byNumbers), OutputBits(byTransform)));
+}
+
+TEST(PanelMethods, AMatrixThatIsNoPoseIsAnError)
+{
+  const auto filter = MakeFilter(MakeSmallScene(), 2000);
+  filter->SetDynamicMatrix(0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, std::nan(""), 0, 0, 0, 0, 1);
+  EXPECT_NE(OnlyErrorOf(filter).find("input port 1, connection 0"), std::string::npos);
+  filter->SetDynamicMatrix(0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0.5, 1); // a perspective
+  EXPECT_NE(OnlyErrorOf(filter).find("input port 1, connection 0"), std::string::npos);
+}
+
+TEST(PanelMethods, DynamicInputsAreRemoved)
+{
+  const auto filter = MakeFilter(MakeSmallScene(), 2000);
+  ASSERT_GT(filter->GetNumberOfInputConnections(1), 0);
+  const int fixed = filter->GetNumberOfInputConnections(0);
+  filter->RemoveAllDynamicInputs();
+  EXPECT_EQ(filter->GetNumberOfInputConnections(1), 0);
+  EXPECT_EQ(filter->GetNumberOfInputConnections(0), fixed);
+}
+
+TEST(PanelMethods, AQuantityIsReadFromTheNamedArrayOrFromNone)
+{
+  Scene scene = MakeSmallScene();
+  const auto asIs = MakeFilter(scene, 2000);
+  asIs->Update();
+  SetCellValues(scene.Fixed[0], "White", { 0.9 });
+  SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0.1 });
+  const auto filter = MakeFilter(scene, 2000);
+  const auto absorbed = [&] {
+    filter->Update();
+    return filter->GetOutput()->GetFieldData()->GetArray("NumberOfSegments")->GetTuple1(0);
+  };
+  const double dark = absorbed();
+  filter->SetCellArray("DiffuseReflectance", "White");
+  const double white = absorbed();
+  filter->SetCellArray("DiffuseReflectance", "None");
+  const double none = absorbed();
+  EXPECT_LT(dark, none); // of DefaultDiffuseReflectance, 0.5
+  EXPECT_LT(none, white);
+  filter->SetCellArray("DiffuseReflectance", "");
+  EXPECT_EQ(absorbed(), none);
+  filter->SetCellArray("DiffuseReflectance", "Absent");
+  EXPECT_NE(OnlyErrorOf(filter).find("Absent"), std::string::npos);
+  filter->SetCellArray("DiffuseReflectance", "DiffuseReflectance");
+  EXPECT_EQ(absorbed(), dark);
+}
+
+TEST(PanelMethods, AnUnknownQuantityIsAnError)
+{
+  const auto filter = MakeFilter(MakeSmallScene(), 2000);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->SetCellArray("Colour", "RadiantExitance");
+  ASSERT_EQ(observer->Errors.size(), 1u);
+  EXPECT_NE(observer->Errors[0].find("Colour"), std::string::npos);
+}
+
+TEST(PanelMethods, FiguresAreThoseOfTheFieldData)
+{
+  Scene scene = MakeSmallScene();
+  scene.Fixed.push_back(MakeLamp({ 1, 1, 1.5 }, 0.2, { 1, 2, 3 }));
+  const auto filter = MakeFilter(scene, 2000);
+  EXPECT_TRUE(std::isnan(filter->GetEmittedPower()));
+  EXPECT_EQ(filter->GetHistoryBytes(), -1);
+  filter->Update();
+  vtkFieldData* fields = filter->GetOutput()->GetFieldData();
+  const double* emitted = fields->GetArray("EmittedPower")->GetTuple3(0);
+  EXPECT_EQ(filter->GetEmittedPower(), emitted[0] + emitted[1] + emitted[2]);
+  EXPECT_DOUBLE_EQ(
+    filter->GetAbsorbedPower() + filter->GetEscapedPower(), filter->GetEmittedPower());
+  EXPECT_EQ(filter->GetStalePower(), 0);
+  EXPECT_EQ(filter->GetNumberOfShotWalks(), 2000);
+  EXPECT_EQ(filter->GetNumberOfSegments(), fields->GetArray("NumberOfSegments")->GetTuple1(0));
+  EXPECT_GT(filter->GetHistoryBytes(), 0);
+  EXPECT_GT(filter->GetShootSeconds(), 0);
+  EXPECT_TRUE(std::isnan(filter->GetReachedRelativeError())); // no target
+}

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in this process, and what the tests share. FOLDER holds the files of ReferenceScene."""
+import os
+
+from paraview import servermanager
+from paraview.simple import LoadDistributedPlugin, XMLPolyDataReader
+import paraview.simple
+from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+FOLDER = os.environ["REFERENCE_SCENE"]
+TIMES = ["0", "0.375", "1", "1.7", "2"]
+
+# Found by PV_PLUGIN_PATH.
+LoadDistributedPlugin("IrradiancePlugin", remote=False, ns=vars(paraview.simple))
+
+
+def make_pose(**properties):
+    """The moving part, with its key frames from the file."""
+    part = XMLPolyDataReader(FileName=[f"{FOLDER}/part.vtp"])
+    return paraview.simple.KeyFramedPose(Input=part, **{"FileName": f"{FOLDER}/poses.csv", **properties})
+
+
+def make_scene(**properties):
+    """The Irradiance filter of ReferenceScene."""
+    room = XMLPolyDataReader(FileName=[f"{FOLDER}/room.vtp"])
+    values = {"Static": [room], "Dynamic": [make_pose()], "NumberOfWalks": 100000, "ComputeStandardError": 1}
+    return paraview.simple.Irradiance(**{**values, **properties})
+
+
+def figure(source, name):
+    """An information property, as of the last update."""
+    source.SMProxy.UpdatePropertyInformation()
+    return source.GetPropertyValue(name)
+
+
+def leaves(data):
+    """The polydata of a composite data set, in order."""
+    iterator = data.NewIterator()
+    while not iterator.IsDoneWithTraversal():
+        yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
+
+
+def bits(data):
+    """Points, cell arrays and field data of a composite data set as bytes, by name, without times (TimeValue:
+    that of files)."""
+    found = {}
+    for i in range(data.GetFieldData().GetNumberOfArrays()):
+        array = data.GetFieldData().GetArray(i)
+        if not array.GetName().endswith(("Seconds", "TimeValue")):
+            found[array.GetName()] = bytes(memoryview(array))
+    for number, leaf in enumerate(leaves(data)):
+        found[f"{number} points"] = bytes(memoryview(leaf.GetPoints().GetData()))
+        for i in range(leaf.GetCellData().GetNumberOfArrays()):
+            array = leaf.GetCellData().GetArray(i)
+            found[f"{number} {array.GetName()}"] = bytes(memoryview(array))
+    return found
+
+
+def fetch(source, time=0.0):
+    """The output of a source at a time."""
+    source.SMProxy.UpdatePipeline(time)  # paraview.simple's own takes 0 for no time at all
+    return servermanager.Fetch(source)
+
+
+def messages_of(action):
+    """What the user reads in the log of errors and warnings while something is done."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        action()
+    finally:
+        vtkOutputWindow.SetInstance(before)
+    return window.GetOutput()
