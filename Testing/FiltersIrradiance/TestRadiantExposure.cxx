@@ -265,6 +265,52 @@ TEST(RadiantExposure, OfAPartThatComesAndGoes)
   ExpectWords(ErrorOf(exposure), { "no cells at any" });
 }
 
+// The same in a scene: the ball comes and goes, and the room is lit all the time.
+TEST(RadiantExposure, OfASceneWhosePartComesAndGoes)
+{
+  const auto isThere = [](double time) { return time > 0.1 && time < 1.4; };
+  WalkThrough scene(1000);
+  scene.Ball->Change = [isThere](vtkPolyData* ball, double time) {
+    if (isThere(time))
+    {
+      MoveTo(ball, WalkThrough::PositionAt(time));
+    }
+    else
+    {
+      ball->Initialize();
+    }
+  };
+  const auto exposure = MakeExposure(scene.Irradiance);
+  exposure->Update();
+  std::vector<double> room(24),
+    ball(static_cast<std::size_t>(scene.Ball->Model->GetNumberOfCells()));
+  const std::vector<double> weights{ 0.125, 0.25, 0.375, 0.5, 0.25 };
+  const auto bare = MakeFilter(WalkThrough::Room(), scene.Walks);
+  bare->Update();
+  for (std::size_t i = 0; i < kTimes.size(); ++i)
+  {
+    const auto fresh = isThere(kTimes[i]) ? scene.FreshAt(kTimes[i]) : bare;
+    const auto add = [&](std::vector<double>& sum, unsigned int port) {
+      for (std::size_t cell = 0; cell < sum.size(); ++cell)
+      {
+        sum[cell] +=
+          weights[i] * IrradianceOf(fresh, port, 0)->GetComponent(static_cast<vtkIdType>(cell), 0);
+      }
+    };
+    add(room, 0);
+    if (isThere(kTimes[i]))
+    {
+      add(ball, 1);
+    }
+  }
+  EXPECT_EQ(
+    std::memcmp(room.data(), ExposureOf(exposure, 0, 0)->GetVoidPointer(0), room.size() * 8), 0);
+  ASSERT_EQ(
+    OutputOf(BlocksOf(exposure), 1, 0)->GetNumberOfCells(), static_cast<vtkIdType>(ball.size()));
+  EXPECT_EQ(
+    std::memcmp(ball.data(), ExposureOf(exposure, 1, 0)->GetVoidPointer(0), ball.size() * 8), 0);
+}
+
 TEST(RadiantExposure, RejectsBadLimits)
 {
   const auto square = MakeLitSquare({ 0.5, 1, 4 }, [](double) { return 5; });

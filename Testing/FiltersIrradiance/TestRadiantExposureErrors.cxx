@@ -211,6 +211,54 @@ TEST(RadiantExposureError, WithoutReplicatesIsTheSumOfErrors)
   EXPECT_TRUE(std::isnan(errors->GetComponent(0, 2)));
 }
 
+namespace
+{
+
+/// The standard error of the exposure of a square with these replicates at the times 0, 1 and 2, whose
+/// weights are 1/2, 1 and 1/2. The irradiance is their mean, that of a photon is 1.
+double ErrorOf(const std::vector<std::vector<double>>& replicates)
+{
+  const auto square = PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),
+    { 0, 1, 2 }, [&](vtkPolyData* part, double time) {
+      const std::vector<double>& now = replicates[static_cast<std::size_t>(time)];
+      double mean = 0;
+      for (const double replicate : now)
+      {
+        mean += replicate / static_cast<double>(now.size());
+      }
+      SetCellValues(part, "Irradiance", { mean });
+      SetCellValues(part, "IrradianceReplicates", now);
+      SetCellValues(part, "IrradianceOfPhoton", { 1 });
+    });
+  const auto exposure = MakeExposure(square);
+  exposure->Update();
+  auto* cells = vtkPolyData::SafeDownCast(exposure->GetOutputDataObject(0))->GetCellData();
+  return cells->GetArray("RadiantExposureStandardError")->GetComponent(0, 0);
+}
+
+}
+
+TEST(RadiantExposureError, FollowsFromTheReplicates)
+{
+  // Exposures of 60 + 90 + 30 and 40 + 110 + 50.
+  EXPECT_DOUBLE_EQ(ErrorOf({ { 120, 80 }, { 90, 110 }, { 60, 100 } }), 10);
+  // Replicates that agree by chance: a photon's step, of all the time as nothing changes ...
+  EXPECT_DOUBLE_EQ(ErrorOf({ { 30, 30 }, { 30, 30 }, { 30, 30 } }), std::sqrt(2.0 / 12) * 2);
+  // ... and of half a second and 3 halves of one.
+  EXPECT_DOUBLE_EQ(
+    ErrorOf({ { 30, 30 }, { 31, 31 }, { 31, 31 } }), std::sqrt(2.0 / 12 * (0.25 + 2.25)));
+  // 24 photons are too few; 25 that stay are enough.
+  EXPECT_TRUE(std::isnan(ErrorOf({ { 24, 24 }, { 24, 24 }, { 24, 24 } })));
+  EXPECT_GT(ErrorOf({ { 25, 25 }, { 25, 25 }, { 25, 25 } }), 0);
+  // 10 photons at a time, 30 in all: known if the replicates say that the error is a fifth at most.
+  EXPECT_DOUBLE_EQ(ErrorOf({ { 8, 12 }, { 12, 8 }, { 8, 12 } }), std::sqrt(2.0 / 12 * 1.5));
+  EXPECT_DOUBLE_EQ(ErrorOf({ { 12, 8 }, { 11, 9 }, { 13, 7 } }), (23.5 - 16.5) / 2);
+  EXPECT_TRUE(std::isnan(ErrorOf({ { 15, 5 }, { 16, 4 }, { 15, 5 } })));
+  EXPECT_TRUE(std::isnan(ErrorOf({ { 0, 0 }, { 0, 0 }, { 0, 0 } })));
+  // 26 at one time and none at the others: those of the lit time are enough.
+  EXPECT_DOUBLE_EQ(ErrorOf({ { 0, 0 }, { 40, 12 }, { 0, 0 } }), 14);
+}
+
 TEST(RadiantExposureError, IsThereOnlyIfTheInputHasErrors)
 {
   const auto irradiance = MakeFilter(MakeRoomWithBall(), 500);
