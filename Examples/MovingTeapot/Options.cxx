@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "CommandLine.h"
+
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <iomanip>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -15,42 +11,6 @@ namespace movingteapot
 {
 namespace
 {
-
-// Throws std::invalid_argument that says what was expected instead of an option's text.
-using Setter = std::function<void(const std::string&)>;
-
-template <typename T>
-Setter Number(T& value, double least, double most, const std::string& expected)
-{
-  return [&value, least, most, expected](const std::string& text) {
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    const bool inRange = !text.empty() && *end == '\0' && number >= least && number <= most;
-    if (!inRange || T(number) != number)
-    {
-      throw std::invalid_argument(expected);
-    }
-    value = T(number);
-  };
-}
-
-Setter Count(int& value, int least)
-{
-  return Number(value, least, std::numeric_limits<int>::max(),
-    "a whole number, at least " + std::to_string(least) + ",");
-}
-
-Setter Size(int& width, int& height)
-{
-  return [&](const std::string& text) {
-    int end = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
-      end != int(text.size()) || width < 160 || height < 120 || std::max(width, height) > 8192)
-    {
-      throw std::invalid_argument("160x120 to 8192x8192 pixels, such as 1280x720,");
-    }
-  };
-}
 
 Setter TraversalMode(int& mode)
 {
@@ -63,25 +23,6 @@ Setter TraversalMode(int& mode)
     }
   };
 }
-
-Setter Text(std::string& value)
-{
-  return [&value](const std::string& text) { value = text; };
-}
-
-Setter Switch(bool& value, bool to)
-{
-  return [&value, to](const std::string&) { value = to; };
-}
-
-struct Option
-{
-  std::string Name;
-  std::string Value; // what it takes; empty for a switch
-  std::string Default;
-  std::string Help;
-  Setter Set;
-};
 
 std::vector<Option> OptionsOf(Options& o)
 {
@@ -114,56 +55,16 @@ std::vector<Option> OptionsOf(Options& o)
 Options ReadOptions(const std::vector<std::string>& words)
 {
   Options result;
-  const std::vector<Option> options = OptionsOf(result);
-  for (const Option& option : options)
-  {
-    if (!option.Default.empty())
-    {
-      option.Set(option.Default);
-    }
-  }
-  for (auto word = words.begin(); word != words.end(); ++word)
-  {
-    const std::size_t equal = word->find('=');
-    const std::string name = word->substr(0, equal);
-    const auto option =
-      std::find_if(options.begin(), options.end(), [&](const Option& o) { return o.Name == name; });
-    if (option == options.end() || (option->Value.empty() && equal != std::string::npos))
-    {
-      throw std::runtime_error(*word + ": there is no such option");
-    }
-    const bool isNext = !option->Value.empty() && equal == std::string::npos;
-    if (isNext && ++word == words.end())
-    {
-      throw std::runtime_error("the last option lacks its value");
-    }
-    const std::string value = isNext ? *word : word->substr(equal + 1);
-    try
-    {
-      option->Set(value);
-    }
-    catch (const std::invalid_argument& mismatch)
-    {
-      throw std::runtime_error(
-        name + ": " + mismatch.what() + " is expected, not \"" + value + "\"");
-    }
-  }
+  ReadCommandLine(OptionsOf(result), words);
   return result;
 }
 
 std::string HelpText()
 {
   Options ignored;
-  std::ostringstream help;
-  help << "MovingTeapot: the light in a room through which a teapot moves.\n\nOptions:\n"
-       << std::left;
-  for (const Option& option : OptionsOf(ignored))
-  {
-    help << "  " << std::setw(18) << option.Name << std::setw(7) << option.Value << option.Help
-         << (option.Default.empty() ? "" : " (" + option.Default + ")") << '\n';
-  }
-  help << "\n(*) .obj .ply .stl .vtp .vtk or .off, z up; it is scaled to fit.\n";
-  return help.str();
+  return "MovingTeapot: the light in a room through which a teapot moves.\n\nOptions:\n" +
+    ListOptions(OptionsOf(ignored)) +
+    "\n(*) .obj .ply .stl .vtp .vtk or .off, z up; it is scaled to fit.\n";
 }
 
 }

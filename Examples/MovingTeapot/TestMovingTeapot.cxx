@@ -352,7 +352,7 @@ TEST(Options, SaysWhatIsWrong)
   EXPECT_EQ(read({ "--wlaks", "3" }), "--wlaks: there is no such option");
   EXPECT_EQ(read({ "stray" }), "stray: there is no such option");
   EXPECT_EQ(read({ "--walksfoo", "3" }), "--walksfoo: there is no such option");
-  EXPECT_EQ(read({ "--frames" }), "the last option lacks its value");
+  EXPECT_EQ(read({ "--frames" }), "--frames: its value is missing");
   EXPECT_EQ(
     read({ "--walks", "many" }), "--walks: a whole number, at least 1, is expected, not \"many\"");
   EXPECT_PRED2(Has, read({ "--walks", "1.5" }), "--walks: a whole number");
