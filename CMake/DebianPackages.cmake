@@ -29,8 +29,12 @@ execute_process(COMMAND "${GZIP_PROGRAM}" -9nc "${PROJECT_SOURCE_DIR}/CHANGELOG.
   OUTPUT_FILE "${PROJECT_BINARY_DIR}/changelog.gz" COMMAND_ERROR_IS_FATAL ANY)
 
 set(CPACK_COMPONENTS_ALL)
+# Where libraries lie, while packages are made, that no installed package has.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 if (VTKIRRADIANCE_BUILD_PARAVIEW_PLUGIN)
-  vtkirradiance_package(Unspecified paraview-vtkirradiance science
+  get_filename_component(libraries "${ParaView_DIR}/../.." ABSOLUTE)
+  list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${libraries}")
+  vtkirradiance_package(runtime paraview-vtkirradiance science
     "the plugin IrradiancePlugin for ParaView"
     "paraview (>= ${ParaView_VERSION}), paraview (<< 5.12)")
 else ()
@@ -59,9 +63,6 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Irradiance of every cell of a moving scen
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Where the library that the other packages of this build need lies while they are made.
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
-  "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}" ${VTKIRRADIANCE_PARAVIEW_LIBRARIES})
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_STRIP_FILES ON)

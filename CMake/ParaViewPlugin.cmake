@@ -6,6 +6,8 @@
 find_package(ParaView 5.11 REQUIRED COMPONENTS
   ProcessXML RemotingClientServerStream RemotingCore RemotingServerManager VTKExtensionsCore WrapClientServer)
 
+# The plugin is installed with its library; ParaView names no component for it.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 paraview_plugin_scan(
   PLUGIN_FILES "${PROJECT_SOURCE_DIR}/Modules/ParaViewPlugin/paraview.plugin"
   PROVIDES_PLUGINS vtkirradiance_plugins

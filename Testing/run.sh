@@ -81,6 +81,7 @@ sdk=$PWD/build/paraview-sdk
 if ! Testing/ParaView/fetch-paraview.sh "$sdk"; then
   failed=$((failed + 1))
 elif build paraview -DBUILD_TESTING=ON -DVTKIRRADIANCE_ENGINE_DIR="$PWD/build/release" \
+  -DVTKIRRADIANCE_DEBIAN_PACKAGES=ON -DCMAKE_INSTALL_PREFIX=/usr \
   -DParaView_DIR="$(echo "$sdk"/usr/lib/*/cmake/paraview-*)"; then
   run_tests paraview Utilities/run-under-xvfb.sh
 fi

@@ -91,5 +91,6 @@ inside paraview <<'END'
 cd /smoke
 apt-get -q update >log
 apt-get -q install -y --no-install-recommends ./*.deb python3-paraview xvfb >>log 2>&1 || { tail -n 30 log; exit 1; }
-bash run-under-xvfb.sh pvpython plugin_smoke.py
+bash run-under-xvfb.sh pvpython plugin_smoke.py \
+  /usr/lib/*/paraview-5.11/plugins/IrradiancePlugin/IrradiancePlugin.so
 END

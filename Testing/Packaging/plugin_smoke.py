@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView knows the installed plugin by its name; a lamp shines on a ball, and no power is lost.
+"""ParaView loads the plugin; a lamp shines on a ball, and no power is lost.
 
-    pvpython plugin_smoke.py
+    pvpython plugin_smoke.py IrradiancePlugin.so
 """
 import sys
 
 from paraview import servermanager
-from paraview.simple import Calculator, LoadDistributedPlugin, Plane, Sphere
-
+from paraview.simple import Calculator, LoadPlugin, Plane, Sphere
 import paraview.simple
 
-LoadDistributedPlugin("IrradiancePlugin", remote=False, ns=vars(paraview.simple))
+LoadPlugin(sys.argv[1], remote=False, ns=vars(paraview.simple))
 lamp = Calculator(Input=Plane(), AttributeType="Cell Data", Function="100", ResultArrayName="RadiantExitance")
-irradiance = paraview.simple.Irradiance(Input=lamp, DynamicInput=Sphere(Center=[0, 0, 1]))
+irradiance = paraview.simple.Irradiance(Static=[lamp], Dynamic=[Sphere(Center=[0, 0, 1])])
 irradiance.UpdatePipeline()
 output = servermanager.Fetch(irradiance)
 emitted, absorbed, escaped = (output.GetFieldData().GetArray(name + "Power").GetValue(0)

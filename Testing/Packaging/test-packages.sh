@@ -9,67 +9,16 @@ set -euo pipefail
 build=$(realpath -e "${1:?usage: test-packages.sh BUILD_FOLDER SCRATCH_FOLDER}")
 scratch=$(realpath -m "${2:?usage: test-packages.sh BUILD_FOLDER SCRATCH_FOLDER}")
 home=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-version=$(sed -nE 's/^project\(vtkIrradiance VERSION ([0-9.]+).*/\1/p' "$home/CMakeLists.txt")
-failures=0
-
-fail()
-{
-  echo "$1"
-  failures=$((failures + 1))
-}
-
-# expect_field PACKAGE_FILE FIELD PATTERN
-expect_field()
-{
-  local value
-  value=$(dpkg-deb -f "$1" "$2")
-  grep -qE -- "$3" <<<"$value" || fail "$(basename "$1"): $2 is \"$value\", not /$3/"
-}
-
-# check_package NAME DEPENDENCY...: its own words, and files as Debian wants them
-check_package()
-{
-  local name=$1 file dependency
-  shift
-  file=$(echo "$scratch/packages/${name}"_*.deb)
-  if [[ ! -e $file ]]; then
-    fail "there is no package $name"
-    return
-  fi
-  expect_field "$file" Package "^$name$"
-  expect_field "$file" Version "^$version$"
-  expect_field "$file" Architecture "^$(dpkg --print-architecture)$"
-  expect_field "$file" Maintainer '^vtkIrradiance contributors'
-  expect_field "$file" Description 'W/m2'
-  for dependency in "$@"; do
-    expect_field "$file" Depends "(^|, )$dependency"
-  done
-  if dpkg-deb -c "$file" | grep -vE '^(-rw-r--r--|drwxr-xr-x|lrwxrwxrwx) root/root '; then
-    fail "$name: these files are not root's, or others may write them"
-  fi
-  local unpacked=$scratch/unpacked/$name
-  dpkg-deb -x "$file" "$unpacked"
-  (cd "$unpacked" && dpkg-deb --ctrl-tarfile "$file" | tar -xO ./md5sums | md5sum --quiet -c) || fail "$name: wrong md5sums"
-  for document in copyright changelog.gz; do
-    [[ -s $unpacked/usr/share/doc/$name/$document ]] || fail "$name has no $document"
-  done
-  grep -q 'GPL-3' "$unpacked/usr/share/doc/$name/copyright" || fail "$name: its licence is not said"
-  if grep -rlF -e "$home/" "$unpacked"; then
-    fail "$name: these files point back to the sources"
-  fi
-  find "$unpacked" -name '*.so*' -type f | while read -r library; do
-    ! readelf -d "$library" | grep -E 'R(UN)?PATH' || exit 1
-    ! readelf -S "$library" | grep -F .symtab || exit 1
-  done || fail "$name: a library has a search path or is not stripped"
-}
+# shellcheck source=check-package.sh
+source "$home/Testing/Packaging/check-package.sh"
 
 rm -rf "$scratch"
 mkdir -p "$scratch/unpacked"
 bash "$home/Packaging/make-packages.sh" --engine "$build" "$scratch/packages"
 
-check_package libvtkfiltersirradiance1 'libvtk9\.1 ' 'libc6 ' 'libstdc\+\+6 '
-check_package libvtkirradiance-dev "libvtkfiltersirradiance1 \(= $version\)" 'libvtk9-dev(,|$)'
-check_package python3-vtkirradiance "libvtkfiltersirradiance1 \(= $version\)" 'python3-vtk9 ' 'python3 \(<< '
+check_package "" libvtkfiltersirradiance1 'libvtk9\.1 ' 'libc6 ' 'libstdc\+\+6 '
+check_package "" libvtkirradiance-dev "libvtkfiltersirradiance1 \(= $version\)" 'libvtk9-dev(,|$)'
+check_package "" python3-vtkirradiance "libvtkfiltersirradiance1 \(= $version\)" 'python3-vtk9 ' 'python3 \(<< '
 expect_field "$scratch"/packages/python3-vtkirradiance_*.deb Recommends '^python3-numpy$'
 dpkg-deb --ctrl-tarfile "$scratch"/packages/python3-vtkirradiance_*.deb | tar -xO ./prerm | grep -q py3clean ||
   fail "what Python compiles would outlive its package"
