@@ -120,6 +120,28 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
   return connection;
 }
 
+/// Moves each part by this array of its own first.
+void addInnerPoses(InputConnection& connection, const char* arrayName)
+{
+  const InputPart* with = nullptr;
+  const InputPart* without = nullptr;
+  for (InputPart& part : connection.parts)
+  {
+    vtkFieldData* fields = part.polyData->GetFieldData();
+    const bool hasPose = fields->GetAbstractArray(arrayName) != nullptr;
+    part.innerPose = arrayName;
+    with = hasPose ? &part : with;
+    without = hasPose || part.polyData->GetNumberOfCells() == 0 ? without : &part;
+    part.worldFromPart = checkedPose(
+      part.name, composed(part.worldFromPart, poseOf(part.name, fields, arrayName)));
+  }
+  if (with && without)
+  {
+    throw InputError(without->name + " has no field array " + arrayName + ", but " + with->name +
+      " has one (vtkGLTFReader writes it only for the first primitive of a mesh)");
+  }
+}
+
 }
 
 InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data)
@@ -140,8 +162,8 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
   return connection;
 }
 
-InputConnection dynamicConnection(
-  vtkAlgorithm* filter, int index, vtkDataObject* data, vtkLinearTransform* transform)
+InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
+  vtkLinearTransform* transform, const char* innerPose)
 {
   InputConnection connection = connectionOf(filter, 1, index, data);
   const AffineMap worldFromConnection =
@@ -155,6 +177,10 @@ InputConnection dynamicConnection(
       part.worldFromPart =
         checkedPose(part.name, composed(worldFromConnection, connectionFromPart));
     }
+  }
+  if (innerPose && *innerPose)
+  {
+    addInnerPoses(connection, innerPose);
   }
   return connection;
 }

@@ -24,6 +24,7 @@ struct InputPart
   vtkPolyData* polyData = nullptr;
   MaterialArrays<vtkAbstractArray> arrays{};
   AffineMap worldFromPart;           ///< the identity for static parts
+  const char* innerPose = nullptr;   ///< a field-data array that is part of that; or null
   std::vector<std::string> oddities; ///< warnings about what can be computed all the same
 };
 
@@ -41,11 +42,12 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
 /**
  * A dynamic connection. Its pose is that of `transform`; if null, the field-data array
  * ObjectToWorld of `data`; else the identity. In composite data, a leaf with such an array of its
- * own is moved by that first, then by the pose of the connection. Also throws InputError for a pose
- * that is not an invertible affine map.
+ * own is moved by that first, then by the pose of the connection. Before all that a part is moved by
+ * its field-data array `innerPose` (null: none). Also throws InputError for a pose that is not an
+ * invertible affine map, and if some parts with cells have an `innerPose` and others do not.
  */
-InputConnection dynamicConnection(
-  vtkAlgorithm* filter, int index, vtkDataObject* data, vtkLinearTransform* transform);
+InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
+  vtkLinearTransform* transform, const char* innerPose);
 
 /// Throws InputError if the filter was told to read an array of the points or of the field data, or
 /// one that no input has.

@@ -197,6 +197,10 @@ void OutputWriter::write(const std::vector<InputConnection>& statics,
     polyData->ShallowCopy(part.polyData);
     movePoints(part.worldFromPart, polyData);
     polyData->GetFieldData()->RemoveArray(kFieldPoseName); // applied
+    if (part.innerPose)
+    {
+      polyData->GetFieldData()->RemoveArray(part.innerPose);
+    }
     addIrradiance(polyData, ++object, 0);
     return polyData;
   };

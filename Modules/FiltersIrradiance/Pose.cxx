@@ -25,13 +25,13 @@ Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
   vtkDataArray* array = vtkDataArray::SafeDownCast(anyArray);
   if (!array)
   {
-    throw InputError(where + ": the field array " + kFieldPoseName + " is a " +
+    throw InputError(where + ": the field array " + anyArray->GetName() + " is a " +
       anyArray->GetClassName() + ", not numbers");
   }
   const vtkIdType values = array->GetNumberOfValues();
   if (values != 16)
   {
-    throw InputError(where + ": the field array " + kFieldPoseName + " has " +
+    throw InputError(where + ": the field array " + anyArray->GetName() + " has " +
       std::to_string(values) + " values, not 16");
   }
   Matrix4 matrix;
@@ -92,9 +92,9 @@ AffineMap poseOf(const std::string& where, const double* rowByRow)
   return mapOf(where, Eigen::Map<const Matrix4>(rowByRow));
 }
 
-AffineMap poseOf(const std::string& where, vtkFieldData* fields)
+AffineMap poseOf(const std::string& where, vtkFieldData* fields, const char* arrayName)
 {
-  vtkAbstractArray* array = fields ? fields->GetAbstractArray(kFieldPoseName) : nullptr;
+  vtkAbstractArray* array = fields ? fields->GetAbstractArray(arrayName) : nullptr;
   return array ? mapOf(where, matrixOf(where, array)) : AffineMap();
 }
 

@@ -21,9 +21,10 @@ AffineMap poseOf(const std::string& where, vtkLinearTransform* transform);
 /// The pose of 16 values, row by row. Throws InputError likewise.
 AffineMap poseOf(const std::string& where, const double* rowByRow);
 
-/// The pose in the field data; the identity if there is none. Also throws InputError for an array
-/// that does not hold 16 numbers.
-AffineMap poseOf(const std::string& where, vtkFieldData* fields);
+/// The pose in an array of the field data; the identity if there is none. Also throws InputError for
+/// an array that does not hold 16 numbers.
+AffineMap poseOf(
+  const std::string& where, vtkFieldData* fields, const char* arrayName = kFieldPoseName);
 
 /// Whether the field data hold anything but the identity as a pose.
 bool hasFieldPose(vtkFieldData* fields);

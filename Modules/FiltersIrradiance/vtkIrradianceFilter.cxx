@@ -216,7 +216,10 @@ vtkIrradianceFilter::vtkIrradianceFilter()
   }
 }
 
-vtkIrradianceFilter::~vtkIrradianceFilter() = default;
+vtkIrradianceFilter::~vtkIrradianceFilter()
+{
+  this->SetPoseArrayName(nullptr);
+}
 
 void vtkIrradianceFilter::SetDynamicTransform(int i, vtkLinearTransform* worldFromObject)
 {
@@ -537,7 +540,8 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   for (int i = 0; i < dynamics; ++i)
   {
     read.Dynamic.push_back(irradiance::dynamicConnection(
-      filter, i, vtkDataObject::GetData(inputs[1], i), this->Poses.pose(i)));
+      filter, i, vtkDataObject::GetData(inputs[1], i), this->Poses.pose(i),
+      filter->GetPoseArrayName()));
   }
   irradiance::checkChosenArrays(filter, read.Static, read.Dynamic);
   return read;
@@ -641,6 +645,8 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "OutputWalksPort: " << this->OutputWalksPort << "\n"
      << indent << "OutputWalksConnection: " << this->OutputWalksConnection << "\n"
      << indent << "OutputWalksCell: " << this->OutputWalksCell << "\n"
+     << indent << "PoseArrayName: " << (this->PoseArrayName ? this->PoseArrayName : "(none)")
+     << "\n"
      << indent << "Dynamic transforms: " << this->Internals->Poses.size() << "\n";
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {

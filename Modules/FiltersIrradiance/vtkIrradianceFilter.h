@@ -288,6 +288,18 @@ public:
 
   ///@{
   /**
+   * The name of a further field-data array with a pose (16 values, row by row), by which each part of
+   * port 1 that has one is moved first: world = transform or `ObjectToWorld` * this. If a part of a
+   * connection has it, all with cells need it. `globalTransform` is for vtkGLTFReader with
+   * ApplyDeformationsToGeometry off; with that on, the array is there as well, but its points have
+   * been moved already. Null or empty: none. Default none.
+   */
+  vtkSetStringMacro(PoseArrayName);
+  vtkGetStringMacro(PoseArrayName);
+  ///@}
+
+  ///@{
+  /**
    * Number of photon walks, 1 to 4,294,967,295; at least NumberOfReplicates if those are used. The
    * error of a cell falls with about its square root. Default 1,000,000.
    */
@@ -499,6 +511,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 
+  char* PoseArrayName = nullptr;
   vtkIdType NumberOfWalks = 1000000;
   int Seed = 1;
   double DefaultDiffuseReflectance = 0.5;
