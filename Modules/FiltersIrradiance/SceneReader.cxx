@@ -3,6 +3,7 @@
 
 #include "Geometry/MovedBox.h"
 #include "InputError.h"
+#include "PassedGeometry.h"
 
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
@@ -91,7 +92,8 @@ SceneReader::Parts SceneReader::partsOf(const std::vector<InputConnection>& conn
 
 SceneReader::Stamp SceneReader::stampOf(const InputPart& part)
 {
-  return { part.polyData, part.arrays, part.polyData->GetMTime() };
+  vtkPolyData* origin = originOfGeometry(part.polyData);
+  return { origin, part.arrays, origin->GetMTime() };
 }
 
 int SceneReader::countBands(const std::vector<InputConnection>& staticConnections,

@@ -4,6 +4,7 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "KeyFrameFile.h"
+#include "PassedGeometry.h"
 #include "Pose.h"
 
 #include "vtkCellData.h"
@@ -278,6 +279,7 @@ int vtkKeyFramedPose::RequestData(
     if (const auto pose = this->Internals->PoseAt(this, time))
     {
       output->ShallowCopy(input);
+      irradiance::notePassedGeometry(output, input);
       SetPose(output,
         irradiance::composed(*pose, irradiance::poseOf("the input", input->GetFieldData())));
     }

@@ -20,8 +20,13 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
       history_.begin(), history_.end(), [](WalkBlock& block) { block.forgetAllStaticHits(); });
   }
   const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
-  if ((!hasMotion && (!stale_ || stale_->isEmpty())) || emitters_.isEmpty())
+  if (!hasMotion && (!stale_ || stale_->isEmpty()))
   {
+    return;
+  }
+  if (emitters_.isEmpty()) // there are no walks, but others look at the scene
+  {
+    commitScene(moved, execution);
     return;
   }
   Clock::time_point start = Clock::now();

@@ -137,6 +137,32 @@ inline void AbortAView(Trial& t)
 
 // Executions.
 
+/// A moving leaf goes, its arrays stay without values, and after some updates it comes back, or
+/// something else does.
+inline void GoAndComeBack(Trial& t)
+{
+  Connection& moving = Pick(t.Random, t.Moving());
+  auto leaves = LeavesOf(moving.Data);
+  if (leaves.empty())
+  {
+    return;
+  }
+  vtkPolyData* leaf = Pick(t.Random, leaves);
+  const Mesh model = Copy(leaf);
+  const auto nothing = Mesh::New();
+  nothing->GetCellData()->CopyAllOn();
+  nothing->GetCellData()->CopyAllocate(model->GetCellData(), 0);
+  leaf->DeepCopy(nothing);
+  for (int updates = 1 + t.Random.Below(2); updates > 0 && !testing::Test::HasFailure(); --updates)
+  {
+    moving.Data->Modified();
+    t.UpdateAndCheck();
+    MoveAPose(t);
+  }
+  leaf->DeepCopy(Chance(t.Random, 4) ? RandomMesh(t.Random) : model);
+  moving.Data->Modified();
+}
+
 inline void SayModified(Trial& t)
 {
   t.Filter->Modified();
@@ -280,18 +306,19 @@ struct Operation
 inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ReplaceOrRemoveAPose", ReplaceOrRemoveAPose, 3 }, { "ChangeAPoseField", ChangeAPoseField, 4 },
   { "TouchSomething", TouchSomething, 14 }, { "GoWhereAnotherIs", GoWhereAnotherIs, 3 },
-  { "GoFarAway", GoFarAway, 3 }, { "Deform", Deform, 6 }, { "TakeANewShape", TakeANewShape, 2 },
-  { "SetAnArray", SetAnArray, 2 }, { "SetGloss", SetGloss, 3 },
-  { "ChangeExponents", ChangeExponents, 3 }, { "RemoveGloss", RemoveGloss, 2 },
-  { "ChangeAValue", ChangeAValue, 2 }, { "RemoveAnArray", RemoveAnArray, 1 },
-  { "ChangeGhosts", ChangeGhosts, 2 }, { "ChangeBlocks", ChangeBlocks, 3 },
-  { "AddConnection", AddConnection, 4 }, { "RemoveConnection", RemoveConnection, 3 },
-  { "ChangeSamples", ChangeSamples, 1 }, { "ChangeModes", ChangeModes, 3 },
-  { "ChangeOutput", ChangeOutput, 2 }, { "ChangeEstimate", ChangeEstimate, 4 },
-  { "ChangeTarget", ChangeTarget, 2 }, { "ChangeReflectances", ChangeReflectances, 1 },
-  { "ChangeBudget", ChangeBudget, 6 }, { "ChangeWalks", ChangeWalks, 4 },
-  { "MoveTheEye", MoveTheEye, 3 }, { "ChangeTheSensors", ChangeTheSensors, 3 },
-  { "AbortAView", AbortAView, 2 }, { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
+  { "GoFarAway", GoFarAway, 3 }, { "GoAndComeBack", GoAndComeBack, 6 }, { "Deform", Deform, 6 },
+  { "TakeANewShape", TakeANewShape, 2 }, { "SetAnArray", SetAnArray, 2 },
+  { "SetGloss", SetGloss, 3 }, { "ChangeExponents", ChangeExponents, 3 },
+  { "RemoveGloss", RemoveGloss, 2 }, { "ChangeAValue", ChangeAValue, 2 },
+  { "RemoveAnArray", RemoveAnArray, 1 }, { "ChangeGhosts", ChangeGhosts, 2 },
+  { "ChangeBlocks", ChangeBlocks, 3 }, { "AddConnection", AddConnection, 4 },
+  { "RemoveConnection", RemoveConnection, 3 }, { "ChangeSamples", ChangeSamples, 1 },
+  { "ChangeModes", ChangeModes, 3 }, { "ChangeOutput", ChangeOutput, 2 },
+  { "ChangeEstimate", ChangeEstimate, 4 }, { "ChangeTarget", ChangeTarget, 2 },
+  { "ChangeReflectances", ChangeReflectances, 1 }, { "ChangeBudget", ChangeBudget, 6 },
+  { "ChangeWalks", ChangeWalks, 4 }, { "MoveTheEye", MoveTheEye, 3 },
+  { "ChangeTheSensors", ChangeTheSensors, 3 }, { "AbortAView", AbortAView, 2 },
+  { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
   { "MeddleWhileItRuns", MeddleWhileItRuns, 4 }, { "SpoilAPoint", SpoilAPoint, 1 },
   { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilAPose", SpoilAPose, 1 },
   { "SpoilALeaf", SpoilALeaf, 1 }, { "SpoilASetting", SpoilASetting, 1 } };

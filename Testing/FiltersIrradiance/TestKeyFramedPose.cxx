@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <limits>
 
 using namespace TestScenes;
@@ -383,6 +384,46 @@ TEST(KeyFramedPose, MovesPartsOfTheIrradianceFilter)
     EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh))) << "time " << time;
   }
   EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
+}
+
+// The geometry is read once, and again whenever the input has changed, however that was done.
+TEST(KeyFramedPose, PassesChangesOfItsInputOn)
+{
+  Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
+  auto pose = MakePose(MakeBall(0.3, 6));
+  pose->AddPose(0, 0.5, 1.5, 1, 0, 0, 0);
+  pose->AddPose(4, 2.5, 1.5, 1, 0, 0, 0);
+  vtkNew<vtkKeyFramedPose> outer;
+  outer->SetInputConnection(pose->GetOutputPort());
+  outer->AddPose(0, 0, 0, 0.25, 0, 0, 0);
+  outer->AddPose(4, 0, 0, 0.25, 0, 0, 0);
+  auto filter = MakeFilter(scene, 1000);
+  filter->AddInputConnection(1, outer->GetOutputPort());
+  const auto polyData = [&] { return vtkPolyData::SafeDownCast(pose->GetInput()); };
+  const std::function<void()> changes[] = { [] {},
+    [&] { // in place, without a word to the points
+      auto* z = static_cast<float*>(polyData()->GetPoints()->GetVoidPointer(0)) + 2;
+      *z += 0.25F;
+      polyData()->Modified();
+    },
+    [&] { SetCellValues(polyData(), "DiffuseReflectance", { 0.9 }); },
+    [&] { pose->SetInputData(MakeBall(0.25, 6)); },
+    [&] { polyData()->ShallowCopy(MakeBox(0.4, 0.5, 0.6)); } };
+  int change = 0;
+  for (const auto& apply : changes)
+  {
+    apply();
+    for (const double time : { 1., 3. })
+    {
+      filter->UpdateTimeStep(time);
+      Scene then = scene;
+      then.Moving.push_back(MakeMoving(Copy(polyData()), { 0.5 + 0.5 * time, 1.5, 1.25 }));
+      const auto fresh = MakeFilter(then, 1000);
+      fresh->Update();
+      EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh))) << change << ", time " << time;
+    }
+    ++change;
+  }
 }
 
 // Block by block, as a composite pipeline does.

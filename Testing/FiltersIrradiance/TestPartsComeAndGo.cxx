@@ -313,7 +313,7 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
   struct Views
   {
     vtkNew<vtkOutgoingRadianceFilter> Eye;
-    vtkNew<vtkIrradianceProbeFilter> Probe;
+    vtkNew<vtkIrradianceProbeFilter> Probe, Far;
     Views(vtkIrradianceFilter* filter, vtkPolyData* points)
     {
       this->Eye->SetInputConnection(filter->GetOutputPort());
@@ -321,6 +321,11 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
       this->Probe->SetSourceConnection(filter->GetOutputPort());
       this->Probe->SetInputData(points);
       this->Probe->SetNumberOfPhotons(30);
+      this->Far->SetSourceConnection(filter->GetOutputPort());
+      this->Far->SetInputData(points);
+      this->Far->SetNumberOfPhotons(1000000); // all within the radius, be there light or not
+      this->Far->SetMaximumRadius(2);
+      this->Far->Update();
       this->Eye->Update();
       this->Probe->Update();
     }
@@ -347,8 +352,31 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
     EXPECT_TRUE(IsSame(OutputBits(vtkPolyData::SafeDownCast(now.Probe->GetOutput())),
       OutputBits(vtkPolyData::SafeDownCast(expected.Probe->GetOutput()))))
       << "step " << step;
+    EXPECT_TRUE(IsSame(OutputBits(vtkPolyData::SafeDownCast(now.Far->GetOutput())),
+      OutputBits(vtkPolyData::SafeDownCast(expected.Far->GetOutput()))))
+      << "step " << step;
     EXPECT_EQ(Field(hall.Filter, "ShootSeconds") > 0, step == 0);
     ++step;
+  }
+}
+
+// Without light there are no walks, but what looks at cells finds those of the present parts.
+TEST(PartsComeAndGo, InTheDark)
+{
+  const Mesh room = MakeRoom(3, 2), ball = MakeBall(0.4, 12), now = Mesh::New();
+  auto filter = MakeFilter({ { room }, { { now, vtkSmartPointer<vtkTransform>::New() } } }, Walks);
+  const auto observer = ErrorObserver::Watch(filter); // takes the warnings
+  vtkNew<vtkOutgoingRadianceFilter> eye;
+  eye->SetInputConnection(filter->GetOutputPort());
+  eye->SetEyePosition(0.2, 0.3, 2.5);
+  eye->Update();
+  now->ShallowCopy(ball);
+  eye->Update();
+  vtkDataArray* radiance = OutputOf(eye->GetOutput(), 1, 0)->GetCellData()->GetArray("Radiance");
+  ASSERT_EQ(radiance->GetNumberOfTuples(), ball->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < radiance->GetNumberOfTuples(); ++cell)
+  {
+    EXPECT_EQ(radiance->GetComponent(cell, 0), 0);
   }
 }
 

@@ -13,7 +13,7 @@ double facingArea(const NearestPhotons& photons, const Sensor& sensor, double ra
   {
     const SceneObject& object = photons.objects()[i];
     const PlacedTree& tree = photons.tree(i);
-    if (tree.distanceAtLeast(sensor.position) > radius)
+    if (!object.isPresent || tree.distanceAtLeast(sensor.position) > radius)
     {
       continue;
     }
