@@ -132,8 +132,8 @@ void addInnerPoses(InputConnection& connection, const char* arrayName)
     part.innerPose = arrayName;
     with = hasPose ? &part : with;
     without = hasPose || part.polyData->GetNumberOfCells() == 0 ? without : &part;
-    part.worldFromPart = checkedPose(
-      part.name, composed(part.worldFromPart, poseOf(part.name, fields, arrayName)));
+    part.worldFromPart =
+      checkedPose(part.name, composed(part.worldFromPart, poseOf(part.name, fields, arrayName)));
   }
   if (with && without)
   {

@@ -539,9 +539,8 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   }
   for (int i = 0; i < dynamics; ++i)
   {
-    read.Dynamic.push_back(irradiance::dynamicConnection(
-      filter, i, vtkDataObject::GetData(inputs[1], i), this->Poses.pose(i),
-      filter->GetPoseArrayName()));
+    read.Dynamic.push_back(irradiance::dynamicConnection(filter, i,
+      vtkDataObject::GetData(inputs[1], i), this->Poses.pose(i), filter->GetPoseArrayName()));
   }
   irradiance::checkChosenArrays(filter, read.Static, read.Dynamic);
   return read;
