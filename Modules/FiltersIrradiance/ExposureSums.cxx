@@ -117,15 +117,22 @@ ExposureSums::Side ExposureSums::newSide(
   return side;
 }
 
-void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
+std::vector<ExposureSums::Side> ExposureSums::sidesOf(const std::string& leaf, vtkDataSet* data)
 {
+  std::vector<Side> sides;
   for (const char* suffix : kSuffixes)
   {
     if (arrayOf(data, std::string("Irradiance") + suffix))
     {
-      leaf.sides.push_back(newSide(leaf.name, suffix, data));
+      sides.push_back(newSide(leaf, suffix, data));
     }
   }
+  return sides;
+}
+
+void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
+{
+  leaf.sides = sidesOf(leaf.name, data);
   if (leaf.sides.empty())
   {
     throw InputError(leaf.name + " has no cell array Irradiance, or IrradianceFront and " +
@@ -253,7 +260,8 @@ vtkSmartPointer<vtkDataSet> ExposureSums::written(const Leaf& leaf, vtkDataSet* 
   auto data = vtk::TakeSmartPointer(source->NewInstance());
   data->ShallowCopy(source);
   data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
-  for (const Side& side : leaf.sides)
+  // A leaf that never had cells has arrays as the others, of no length.
+  for (const Side& side : leaf.geometry ? leaf.sides : sidesOf(leaf.name, source))
   {
     writeSide(side, data);
   }
@@ -261,13 +269,14 @@ vtkSmartPointer<vtkDataSet> ExposureSums::written(const Leaf& leaf, vtkDataSet* 
   return data;
 }
 
+bool ExposureSums::haveCells() const
+{
+  return std::any_of(
+    leaves_.begin(), leaves_.end(), [](const Leaf& leaf) { return leaf.geometry != nullptr; });
+}
+
 void ExposureSums::write(vtkDataObject* last, vtkDataObject* output) const
 {
-  if (std::none_of(
-        leaves_.begin(), leaves_.end(), [](const Leaf& leaf) { return leaf.geometry != nullptr; }))
-  {
-    throw InputError("the input has no cells at any of the times that were visited");
-  }
   const std::vector<LeafData> leaves = leavesOf(last);
   fillLeaves(last, output, [&](std::size_t i) { return written(leaves_[i], leaves[i].data); });
   output->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());

@@ -23,8 +23,9 @@ public:
   /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to that of
   /// other times; then the sums are of no use any more.
   void add(vtkDataObject* data, double time, double weight);
-  /// `last`: the data of the last time; `output`: empty, of the same type. Throws InputError if there
-  /// never was a cell.
+  /// Whether there was a cell at any time.
+  bool haveCells() const;
+  /// `last`: the data of the last time; `output`: empty, of the same type.
   void write(vtkDataObject* last, vtkDataObject* output) const;
 
 private:
@@ -50,6 +51,7 @@ private:
   static void begin(Leaf& leaf, vtkDataSet* data, double time);
   static void checkCells(const Leaf& leaf, vtkDataSet* data, double time);
   static Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* data);
+  static std::vector<Side> sidesOf(const std::string& leaf, vtkDataSet* data);
   static void addSide(
     const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight);
   static void writeSide(const Side& side, vtkDataSet* data);

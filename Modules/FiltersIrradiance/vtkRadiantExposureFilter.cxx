@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiantExposureFilter.h"
 
+#include "EmptyPiece.h"
 #include "ErrorControlledIntegral.h"
 #include "ExposureTimes.h"
 #include "FilterRun.h"
@@ -288,6 +289,11 @@ void vtkRadiantExposureFilter::vtkInternals::Run(
     }
     this->UpdateProducer(filter);
     this->Take(filter);
+  }
+  if (!this->Integral->sums().haveCells() &&
+    !irradiance::isEmptyPieceRequested(filter->GetInputInformation(0, 0)))
+  {
+    throw irradiance::InputError("the input has no cells at any of the times that were visited");
   }
   this->Integral->sums().write(this->Integral->last(), output);
   AddTimes(*this->Integral, output->GetFieldData());

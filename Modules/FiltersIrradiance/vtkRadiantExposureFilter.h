@@ -35,7 +35,8 @@
  * `EscapedEnergy` (J, per band), and `PowerBalanceError`: the largest |emitted - absorbed - escaped|
  * of any time and band, relative to the emitted power.
  *
- * The output belongs to no time: it does not pass TIME_STEPS on.
+ * The output belongs to no time: it does not pass TIME_STEPS on. It is that of the piece that is asked
+ * for; of a vtkIrradianceFilter, piece 0 has all cells, and others have none.
  *
  * @section Error The standard error
  * Irradiances of different times come from the same walks, so their errors do not average out as those

@@ -200,6 +200,20 @@ TEST(RadiantExposure, BelongsToNoTime)
   EXPECT_EQ(scene.Ball->Visits.size(), 2 * visits.size()) << "not computed again";
 }
 
+// Of several processes, one has all cells of a vtkIrradianceFilter; the others have none.
+TEST(RadiantExposure, OfOtherPiecesHasNoCells)
+{
+  const WalkThrough scene(1000);
+  const auto exposure = MakeExposure(scene.Irradiance);
+  const auto observer = ErrorObserver::Watch(exposure);
+  exposure->UpdatePiece(1, 2, 0);
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_EQ(BlocksOf(exposure)->GetNumberOfCells(), 0);
+  ASSERT_TRUE(ExposureOf(exposure, 0, 0));
+  exposure->UpdatePiece(0, 2, 0);
+  ExpectSumOverFresh(exposure, scene, kTimes);
+}
+
 // The trapezoidal rule is exact for a function that is linear between the steps.
 TEST(RadiantExposure, OfALinearIrradianceIsExact)
 {
