@@ -306,7 +306,10 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
   const Mesh shiny = MakeBox(0.6, 0.6, 0.6);
   SetCellValues(shiny, "SpecularReflectance", { 0.4 });
   SetCellValues(shiny, "PhongExponent", { 5 });
-  Hall hall({ Part(shiny), Away(Part(MakeBall(0.4, 8))) });
+  const Mesh shinyBall = MakeBall(0.4, 8);
+  SetCellValues(shinyBall, "SpecularReflectance", { 0.3 });
+  SetCellValues(shinyBall, "PhongExponent", { 3 });
+  Hall hall({ Part(shiny), Away(Part(shinyBall)) });
   hall.Parts[0].MoveTo(1.5, 1.5, 0.8);
   hall.Parts[1].MoveTo(0.9, 0.9, 1.75);
   const Mesh sensors = MakeBall(0.45, 5);
@@ -323,15 +326,13 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
       this->Probe->SetNumberOfPhotons(30);
       this->Far->SetSourceConnection(filter->GetOutputPort());
       this->Far->SetInputData(points);
-      this->Far->SetNumberOfPhotons(1000000); // all within the radius, be there light or not
-      this->Far->SetMaximumRadius(2);
+      this->Far->SetNumberOfPhotons(1000000); // all there are, on the area of all there is
       this->Far->Update();
       this->Eye->Update();
       this->Probe->Update();
     }
   };
-  vtkNew<vtkTransform> there;
-  Mesh points = Copy(sensors);
+  const Mesh points = Copy(sensors);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     double* p = sensors->GetPoint(i);
