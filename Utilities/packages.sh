@@ -23,7 +23,7 @@ packages_of()
     fuzz) echo clang libclang-rt-dev ;;
     benchmark) echo libembree-dev python3-matplotlib ;;
     meshes) echo npm ;;
-    paraview) echo paraview paraview-dev python3-paraview libqt5opengl5 libqt5help5 libqt5sql5 ;; # unpacked only
+    paraview) echo paraview paraview-dev python3-paraview libqt5opengl5 libqt5help5 libqt5sql5 libqt5svg5 ;; # unpacked only
     *)
       echo "packages.sh: unknown role $1" >&2
       exit 2

@@ -8,7 +8,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIrradianceProbeFilter.h"
+#include "vtkKeyFramedPose.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkRadiantExposureFilter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
@@ -166,4 +168,20 @@ TEST(Pieces, WalksAreOfPieceZero)
   filter->UpdatePiece(1, 2, 0);
   EXPECT_EQ(LeavesOf(filter->GetOutput()).front()->GetNumberOfCells(), 0);
   EXPECT_EQ(walksOf(1), 0);
+}
+
+TEST(Pieces, ExposureIsOfPieceZero)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeFilter(scene, 2000);
+  filter->RemoveAllInputConnections(1);
+  filter->RemoveAllDynamicTransforms();
+  vtkNew<vtkKeyFramedPose> pose;
+  pose->SetInputData(scene.Moving[0].Model);
+  pose->AddPose(0, 1, 1, 1, 0, 0, 0);
+  pose->AddPose(2, 1.5, 1, 1, 0, 0, 0);
+  filter->AddInputConnection(1, pose->GetOutputPort());
+  vtkNew<vtkRadiantExposureFilter> exposure;
+  exposure->SetInputConnection(filter->GetOutputPort());
+  ExpectEachCellOnce(exposure);
 }

@@ -3,12 +3,13 @@
 import os
 
 from paraview import servermanager
-from paraview.simple import LoadDistributedPlugin, XMLPolyDataReader
+from paraview.simple import LoadDistributedPlugin, XMLMultiBlockDataReader, XMLPolyDataReader
 import paraview.simple
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 FOLDER = os.environ["REFERENCE_SCENE"]
+OUTPUT = os.environ["OUTPUT"]
 TIMES = ["0", "0.375", "1", "1.7", "2"]
 
 # Found by PV_PLUGIN_PATH.

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties of the panels: what they are set to, and what they show."""
+import unittest
+
+from paraview.simple import Calculator, IntegrateVariables, Plane, Sphere
+
+import plugin
+
+
+class Panel(unittest.TestCase):
+    def test_defaults_are_those_of_the_filter(self):
+        source = plugin.paraview.simple.Irradiance(Static=[Plane()])
+        filter = source.SMProxy.GetClientSideObject()
+        text = str(filter)
+        for name in ("NumberOfWalks", "Seed", "TraversalMode", "UpdateMode", "CacheStaticHits", "SeparateSides",
+                     "CellEstimate", "NumberOfSpreadPhotons", "ComputeStandardError", "NumberOfReplicates",
+                     "MaximumNumberOfWalks", "DefaultDiffuseReflectance"):
+            value = source.SMProxy.GetProperty(name).GetElement(0)
+            self.assertIn(f"  {name}: {value}\n", text)
+
+    def test_a_calculator_makes_a_lamp(self):
+        """1 m2 of 100 W/m2 1 m above the ground: all that does not escape is absorbed."""
+        ground = Plane(Origin=[-5, -5, 0], Point1=[5, -5, 0], Point2=[-5, 5, 0], XResolution=20, YResolution=20)
+        panel = Plane(Origin=[-0.5, -0.5, 1], Point1=[-0.5, 0.5, 1], Point2=[0.5, -0.5, 1])
+        lamp = Calculator(Input=panel, AttributeType="Cell Data", ResultArrayName="RadiantExitance", Function="100")
+        source = plugin.paraview.simple.Irradiance(
+            Static=[ground, lamp], NumberOfWalks=20000, DefaultDiffuseReflectance=0)
+        source.UpdatePipeline()
+        self.assertAlmostEqual(plugin.figure(source, "EmittedPower"), 100, delta=1e-6)
+        absorbed = plugin.figure(source, "AbsorbedPower")
+        self.assertAlmostEqual(absorbed + plugin.figure(source, "EscapedPower"), 100, delta=1e-6)
+        total = IntegrateVariables(Input=source)
+        total.UpdatePipeline()
+        self.assertAlmostEqual(total.CellData["Irradiance"].GetRange()[0], absorbed, delta=1e-6)
+        self.assertEqual(plugin.figure(source, "NumberOfShotWalks"), 20000)
+        source.RadiantExitanceArray = "None"
+        self.assertIn("no light", plugin.messages_of(source.UpdatePipeline))
+
+    def test_parts_come_and_go(self):
+        source = plugin.make_scene(NumberOfWalks=1000)
+        self.assertEqual(plugin.fetch(source).GetBlock(1).GetNumberOfBlocks(), 1)
+        source.Dynamic = [plugin.make_pose(), plugin.make_pose(OutsideOfKeys="Hold")]
+        self.assertEqual(plugin.fetch(source).GetBlock(1).GetNumberOfBlocks(), 2)
+        source.Dynamic = []
+        self.assertEqual(plugin.fetch(source).GetBlock(1).GetNumberOfBlocks(), 0)
+
+    def test_what_looks_at_the_light(self):
+        source = plugin.make_scene(NumberOfWalks=20000, NumberOfOutputWalks=7)
+        radiance = plugin.paraview.simple.OutgoingRadiance(Input=source, EyePosition=[0, 0, 1.5])
+        self.assertGreater(radiance.SMProxy.UpdatePipeline(0.0) or radiance.CellData["Radiance"].GetRange()[1], 0)
+        probe = plugin.paraview.simple.IrradianceProbe(Sensors=Sphere(Center=[0, 0, 0], Radius=0.01), Source=source)
+        probe.SMProxy.UpdatePipeline(0.0)
+        self.assertEqual(probe.PointData["NumberOfPhotons"].GetRange()[1], 50)
+        walks = plugin.servermanager.OutputPort(source, 1)
+        self.assertEqual(walks.GetDataInformation().GetNumberOfCells(), 7)
+        dose = plugin.paraview.simple.RadiantExposure(Input=source)
+        dose.UpdatePipeline()
+        whole = dose.CellData["RadiantExposure"].GetRange()[1]
+        dose.StartTime, dose.EndTime = "0.5", "1"
+        dose.UpdatePipeline()
+        part = dose.CellData["RadiantExposure"].GetRange()[1]
+        self.assertTrue(0 < part < 0.5 * whole, f"{part} of {whole}")
+
+    def test_an_abort_leaves_nothing_behind(self):
+        source = plugin.make_scene()
+        filter = source.SMProxy.GetClientSideObject()
+        seen = []
+
+        def stop(caller, event):
+            seen.append(caller.GetProgress())
+            caller.SetAbortExecute(1)
+
+        observer = filter.AddObserver("ProgressEvent", stop)
+        self.assertEqual(plugin.fetch(source).GetNumberOfPoints(), 0)
+        self.assertTrue(seen)
+        filter.RemoveObserver(observer)
+        filter.SetAbortExecute(0)
+        filter.Modified()
+        expected = plugin.bits(plugin.fetch(plugin.make_scene()))
+        source.SMProxy.MarkModified(source.SMProxy)
+        ours = plugin.bits(plugin.fetch(source))
+        self.assertEqual(ours["1 Irradiance"], expected["1 Irradiance"])
+
+
+if __name__ == "__main__":
+    unittest.main()
