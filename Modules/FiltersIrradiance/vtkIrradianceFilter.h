@@ -443,9 +443,10 @@ public:
 
   ///@{
   /**
-   * How many walks output port 1 shows, 0 to 4,294,967,295; see "Walks to look at" above. The first
-   * time that it is not 0, what has kept no walks (nothing can move) is shot anew; then changing it
-   * shoots nothing, except if UpdateMode is Rebuild. Default 0.
+   * How many walks output port 1 shows, 0 to 4,294,967,295; see "Walks to look at" above. Where
+   * nothing can move, no walks are stored, and all is shot anew when it is not 0 for the first time; they
+   * then stay. Otherwise changing it shoots nothing, except if UpdateMode is Rebuild, or with a target
+   * where nothing is dynamic. Default 0.
    */
   vtkSetMacro(NumberOfOutputWalks, vtkIdType);
   vtkGetMacro(NumberOfOutputWalks, vtkIdType);

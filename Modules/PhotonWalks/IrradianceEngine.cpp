@@ -55,7 +55,10 @@ void IrradianceEngine::update(
   isValid_ = false; // until the end is reached
   ++state_;
   objects_ = objects;
+  // What is stored stays, for those who ask again.
+  const bool keepsPhotons = settings.keepPhotons || (repair && settings_.keepPhotons);
   settings_ = settings;
+  settings_.keepPhotons = keepsPhotons;
   plan_ = plan;
   statistics_ = {};
   const bool hasTarget = settings.targetRelativeError > 0;

@@ -439,6 +439,8 @@ TEST(OutputWalks, OfAStaticSceneAreShotOnce)
   filter->SetNumberOfOutputWalks(200);
   filter->Update();
   EXPECT_FALSE(HasShot(filter));
+  filter->SetNumberOfOutputWalks(0);
+  filter->Update();
   filter->SetOutputWalksCell(4);
   filter->SetNumberOfOutputWalks(20);
   filter->Update();
