@@ -2,6 +2,7 @@
 #
 #   python   imports the installed package vtkIrradiance, below `python_dir`; "none" for none
 #   build    the build tree; without it a static one is made from `source`
+#   engine   the build tree whose engine that one takes
 #   scratch  a folder for all that is made here
 
 function(run)
@@ -26,7 +27,8 @@ if (NOT build)
   # Kept from run to run: what did not change is not built again.
   set(build "${scratch}/build")
   run("${CMAKE_COMMAND}" -S "${source}" -B "${build}" ${toolchain}
-    -DBUILD_TESTING=OFF -DBUILD_SHARED_LIBS=OFF "-DCMAKE_INSTALL_PREFIX=${prefix}")
+    -DBUILD_TESTING=OFF -DBUILD_SHARED_LIBS=OFF "-DCMAKE_INSTALL_PREFIX=${prefix}"
+    "-DVTKIRRADIANCE_ENGINE_DIR=${engine}")
   run("${CMAKE_COMMAND}" --build "${build}" --parallel)
 endif ()
 run("${CMAKE_COMMAND}" --install "${build}" --prefix "${prefix}")

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Properties of the panels: what they are set to, and what they show."""
+import pathlib
+import re
 import unittest
 
 from paraview.simple import Calculator, IntegrateVariables, Plane, Sphere
@@ -7,7 +9,21 @@ from paraview.simple import Calculator, IntegrateVariables, Plane, Sphere
 import plugin
 
 
+MODULES = pathlib.Path(__file__).parents[2] / "Modules"
+SETTER = re.compile(r"^  vtkSet\w*Macro\((\w+)", re.MULTILINE)
+
+
 class Panel(unittest.TestCase):
+    def test_every_property_of_the_filters_is_there(self):
+        headers = [header for header in sorted((MODULES / "FiltersIrradiance").glob("vtk*.h"))
+                   if SETTER.search(header.read_text())]
+        panels = {panel.stem: panel.read_text() for panel in (MODULES / "ParaViewPlugin").glob("*.xml")}
+        self.assertGreaterEqual(len(headers), 5)
+        for header in headers:
+            panel = next(text for text in panels.values() if f'class="{header.stem}"' in text)
+            absent = [name for name in SETTER.findall(header.read_text()) if f'command="Set{name}"' not in panel]
+            self.assertEqual(absent, [], header.stem)
+
     def test_defaults_are_those_of_the_filter(self):
         source = plugin.paraview.simple.Irradiance(Static=[Plane()])
         filter = source.SMProxy.GetClientSideObject()
