@@ -2,7 +2,7 @@
 // Writes the files of a small scene that moves, and what the C++ filter makes of them. The Python package and
 // the ParaView plugin read the same files and must find the same bits.
 //
-//   ReferenceScene FOLDER     writes room.vtp, part.vtp, poses.csv, and irradiance-<time>.vtm
+//   ReferenceScene FOLDER     writes room.vtp, part.vtp, poses.csv, irradiance-<time>.vtm, and defaults.txt
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
@@ -109,6 +109,9 @@ int main(int argc, char* argv[])
   pose->SetInputConnection(part->GetOutputPort());
   pose->SetFileName((folder + "poses.csv").c_str());
   vtkNew<vtkIrradianceFilter> irradiance;
+  std::ofstream defaults(folder + "defaults.txt");
+  irradiance->Print(defaults);
+  defaults.close();
   irradiance->AddInputConnection(0, room->GetOutputPort());
   irradiance->AddInputConnection(1, pose->GetOutputPort());
   irradiance->SetNumberOfWalks(100000);
