@@ -21,7 +21,8 @@ irradiance::SceneObjects ReadScene(vtkIrradianceFilter* filter)
       vtkDataObject* data = filter->GetInputDataObject(port, i);
       connections[port].push_back(port == 0
           ? irradiance::staticConnection(filter, i, data)
-          : irradiance::dynamicConnection(filter, i, data, filter->GetDynamicTransform(i)));
+          : irradiance::dynamicConnection(
+              filter, i, data, filter->GetDynamicTransform(i), filter->GetPoseArrayName()));
     }
   }
   irradiance::SceneReader reader;

@@ -172,19 +172,6 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
   }
 }
 
-/// Nor must it take it for another piece.
-void SetDataPiece(vtkInformation* requesting, vtkInformationVector* outputs)
-{
-  for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
-  {
-    for (auto* key : { vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
-           vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES() })
-    {
-      outputs->GetInformationObject(i)->CopyEntry(requesting, key);
-    }
-  }
-}
-
 std::string TargetMissed(
   const irradiance::IrradianceEngine& engine, const irradiance::EngineSettings& settings)
 {
@@ -619,7 +606,6 @@ int vtkIrradianceFilter::RequestData(
       this->Internals->Compute(this, read, outputs->GetInformationObject(0), output, walks);
     }
     SetDataTime(time, outputs);
-    SetDataPiece(info, outputs);
   });
 }
 

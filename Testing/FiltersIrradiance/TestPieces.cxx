@@ -10,6 +10,7 @@
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkKeyFramedPose.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkPassThrough.h"
 #include "vtkRadiantExposureFilter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -118,6 +119,19 @@ TEST(Pieces, UpdatesBetweenThemAreNoticed)
   fresh->SetDynamicTransform(0, pose);
   fresh->Update();
   EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
+}
+
+// One execution fills both outputs, for the piece that either is asked for.
+TEST(Pieces, OfOnePortAreNotTakenForThoseOfTheOther)
+{
+  const auto filter = MakeColouredFilter();
+  vtkNew<vtkPassThrough> walks;
+  walks->SetInputConnection(filter->GetWalksOutputPort());
+  filter->Update();
+  const OutputBits whole(filter);
+  walks->UpdatePiece(1, 2, 0);
+  filter->Update();
+  EXPECT_TRUE(IsSame(OutputBits(filter), whole));
 }
 
 TEST(Pieces, RadianceIsOfPieceZero)
