@@ -30,7 +30,7 @@ if (($# > 1)) || [[ $part != all && $part != performance && $part != accuracy ]]
   exit 2
 fi
 
-require_packages build benchmark
+require_packages build benchmark display
 fetch_data
 if [[ $part != accuracy ]]; then
   # npm may have come by another way than Debian's package.
@@ -47,13 +47,31 @@ if ! log=$(cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TE
 fi
 cmake --build "$build" --parallel "$(nproc)"
 
-# measure PROGRAM ARGUMENTS QUICK_ARGUMENTS: runs a program, or a script of Debian's Python; its results go to PROGRAM.csv, as tables to the screen and a file
+# The plugin takes the engine from this build.
+sdk=$build/paraview-sdk
+if [[ $part != accuracy ]]; then
+  Testing/ParaView/fetch-paraview.sh "$sdk"
+  if ! log=$(cmake -S . -B "$build/paraview" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
+    -DVTKIRRADIANCE_BUILD_PARAVIEW_PLUGIN=ON -DVTKIRRADIANCE_ENGINE_DIR="$build" \
+    -DParaView_DIR="$(echo "$sdk"/usr/lib/*/cmake/paraview-*)" 2>&1); then
+    echo "$log"
+    exit 1
+  fi
+  cmake --build "$build/paraview" --parallel "$(nproc)"
+fi
+
+# measure PROGRAM ARGUMENTS QUICK_ARGUMENTS: runs a program, or a script of Debian's Python or of ParaView's; its
+# results go to PROGRAM.csv, as tables to the screen and a file
 measure()
 {
   local arguments=$2 program=("$build/bin/$1")
   [[ $quick == no ]] || arguments=$3
   echo "== $1"
   [[ -e ${program[0]} ]] || program=(/usr/bin/python3 -B "$home/Testing/Benchmarks/Programs/$1.py")
+  # Debian's ParaView computes on one thread unless it is told otherwise.
+  [[ $1 != BenchmarkParaView ]] ||
+    program=(env VTK_SMP_BACKEND_IN_USE=STDThread "PV_PLUGIN_PATH=$(echo "$build"/paraview/lib/paraview-*/plugins)"
+      "$home/Utilities/run-under-xvfb.sh" "$sdk/usr/bin/pvpython" "${program[@]:2}")
   # shellcheck disable=SC2086 # several words
   PYTHONPATH=$(echo "$build"/lib/python3*/*-packages) "${program[@]}" $arguments >"$1.csv"
   "$python" "$report/results.py" "$1.csv" | tee "$1.txt"
@@ -83,7 +101,8 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkPhotonStores "1000000 11" "20000 2"
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,NearestPhotons,Python}.csv
+  measure BenchmarkParaView "" "20000 3"
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"
