@@ -494,9 +494,11 @@ TEST(CuringOvenProgram, ShootsMoreWalksUntilTheAccuracyIsReached)
 
 TEST(CuringOvenProgram, EndsWithOneErrorThatNamesTheOption)
 {
-  for (const auto& [arguments, message] : { std::pair{ "--speed 0", "CuringOven: --speed: " },
-         std::pair{ "--part /nowhere.stl", "CuringOven: --part: /nowhere.stl" },
-         std::pair{ "--no-pictures --output /dev/null/x", "CuringOven: --output: /dev/null/x" } })
+  const std::string output = "--no-pictures --output /dev/null/x --part '" + Ball() + "'";
+  for (const auto& [arguments, message] :
+    { std::pair{ std::string("--speed 0"), "CuringOven: --speed: " },
+      std::pair{ std::string("--part /nowhere.stl"), "CuringOven: --part: /nowhere.stl" },
+      std::pair{ output, "CuringOven: --output: /dev/null/x" } })
   {
     const Ran ran = RunProgram(arguments);
     EXPECT_NE(ran.Status, 0) << arguments;
