@@ -168,6 +168,7 @@ void WriteScene(const Outcome& outcome, const OvenOptions& options)
   vtkNew<vtkXMLMultiBlockDataWriter> writer; // for ParaView
   writer->SetInputData(outcome.Scene);
   writer->SetFileName(file.c_str());
+  writer->SetDataModeToBinary(); // Debian's ParaView cannot read the default, appended data
   writer->Write();
   errors.ThrowIfAny("--output: " + file + " cannot be written");
 }

@@ -84,6 +84,7 @@ int main()
   vtkNew<vtkXMLMultiBlockDataWriter> writer;
   writer->SetInputConnection(irradiance->GetOutputPort());
   writer->SetFileName("irradiance.vtm");
+  writer->SetDataModeToBinary(); // Debian's ParaView cannot read the default, appended data
   writer->Write();
 
   // A picture from inside the room, in the colours of the array; VTK's own lights are off.

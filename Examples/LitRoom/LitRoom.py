@@ -125,6 +125,7 @@ def main():
     writer = vtkXMLMultiBlockDataWriter()
     writer.SetInputConnection(irradiance.GetOutputPort())
     writer.SetFileName("irradiance.vtm")
+    writer.SetDataModeToBinary()  # Debian's ParaView cannot read the default, appended data
     writer.Write()
 
     write_picture(irradiance, "irradiance.png")

@@ -148,7 +148,7 @@ void Recording::AddToSeries(int frame, double time, vtkMultiBlockDataSet* scene)
   const VtkErrors errors;
   vtkNew<vtkXMLMultiBlockDataWriter> writer;
   writer->SetFileName((this->Folder + file).c_str());
-  writer->EncodeAppendedDataOff();
+  writer->SetDataModeToBinary(); // Debian's ParaView cannot read appended data
   writer->SetInputData(scene);
   writer->Write();
   errors.ThrowIfAny(this->Folder + file + " cannot be written");

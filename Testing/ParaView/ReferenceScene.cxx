@@ -63,6 +63,7 @@ void writeRoom(const std::string& file)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(room->GetOutputPort());
   writer->SetFileName(file.c_str());
+  writer->SetDataModeToBinary(); // ParaView 5.11 with Debian's libexpat cannot read appended data
   writer->Write();
 }
 
@@ -82,6 +83,7 @@ void writePart(const std::string& file)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(part->GetOutputPort());
   writer->SetFileName(file.c_str());
+  writer->SetDataModeToBinary(); // ParaView 5.11 with Debian's libexpat cannot read appended data
   writer->Write();
 }
 
@@ -122,6 +124,7 @@ int main(int argc, char* argv[])
     vtkNew<vtkXMLMultiBlockDataWriter> writer;
     writer->SetInputData(irradiance->GetOutput());
     writer->SetFileName((folder + "irradiance-" + time + ".vtm").c_str());
+    writer->SetDataModeToBinary();
     if (writer->Write() != 1)
     {
       return 1;
