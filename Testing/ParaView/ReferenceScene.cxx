@@ -46,6 +46,15 @@ vtkSmartPointer<vtkPolyData> withMaterial(
   return polyData;
 }
 
+void write(vtkAlgorithm* source, const std::string& file)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->SetDataModeToBinary(); // ParaView 5.11 with Debian's libexpat cannot read appended data
+  writer->Write();
+}
+
 /// 4 x 4 x 3 m, with a lamp of a square metre below the ceiling that shines down.
 void writeRoom(const std::string& file)
 {
@@ -60,11 +69,7 @@ void writeRoom(const std::string& file)
   vtkNew<vtkAppendPolyData> room;
   room->AddInputData(withMaterial(walls, 0, 0.6));
   room->AddInputData(withMaterial(lamp, 100, 0));
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputConnection(room->GetOutputPort());
-  writer->SetFileName(file.c_str());
-  writer->SetDataModeToBinary(); // ParaView 5.11 with Debian's libexpat cannot read appended data
-  writer->Write();
+  write(room, file);
 }
 
 /// A block with a ball on it, around the origin.
@@ -80,11 +85,7 @@ void writePart(const std::string& file)
   vtkNew<vtkAppendPolyData> part;
   part->AddInputData(withMaterial(block, 0, 0.3));
   part->AddInputData(withMaterial(ball, 0, 0.8));
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputConnection(part->GetOutputPort());
-  writer->SetFileName(file.c_str());
-  writer->SetDataModeToBinary(); // ParaView 5.11 with Debian's libexpat cannot read appended data
-  writer->Write();
+  write(part, file);
 }
 
 }

@@ -3,7 +3,7 @@
 import os
 import unittest
 
-from paraview.simple import ColorBy, Delete, GetActiveViewOrCreate, GetAnimationScene, SaveScreenshot, Show
+from paraview.simple import Delete, GetAnimationScene, SaveScreenshot
 
 import pictures
 import plugin
@@ -12,16 +12,8 @@ import plugin
 class Pictures(unittest.TestCase):
     def test_an_animation(self):
         source = plugin.make_scene()
-        view = GetActiveViewOrCreate("RenderView")
+        view = plugin.show(source, 300)
         self.addCleanup(Delete, view)  # it must not outlive the window system
-        view.ViewSize = [300, 300]
-        view.OrientationAxesVisibility = 0
-        display = Show(source, view)
-        ColorBy(display, ("CELLS", "Irradiance"))
-        display.SetScalarBarVisibility(view, False)
-        display.LookupTable.RescaleTransferFunction(0, 12)
-        display.BackfaceRepresentation = "Cull Frontface"
-        view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -1.95, 1.6], [0, 0, 1], [0, 0, 1]
         view.CameraViewAngle = 75
         scene = GetAnimationScene()
         scene.UpdateAnimationUsingDataTimeSteps()

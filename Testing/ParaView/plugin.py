@@ -3,9 +3,9 @@
 import os
 
 from paraview import servermanager
-from paraview.simple import LoadDistributedPlugin, XMLMultiBlockDataReader, XMLPolyDataReader
+from paraview.simple import (
+    ColorBy, GetActiveViewOrCreate, LoadDistributedPlugin, Show, XMLMultiBlockDataReader, XMLPolyDataReader)
 import paraview.simple
-from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 FOLDER = os.environ["REFERENCE_SCENE"]
@@ -27,6 +27,20 @@ def make_scene(**properties):
     room = XMLPolyDataReader(FileName=[f"{FOLDER}/room.vtp"])
     values = {"Static": [room], "Dynamic": [make_pose()], "NumberOfWalks": 100000, "ComputeStandardError": 1}
     return paraview.simple.Irradiance(**{**values, **properties})
+
+
+def show(source, size):
+    """A view of `size` x `size` pixels into the room of ReferenceScene, in the colours of the irradiance."""
+    view = GetActiveViewOrCreate("RenderView")
+    view.ViewSize = [size, size]
+    view.OrientationAxesVisibility = 0
+    display = Show(source, view)
+    ColorBy(display, ("CELLS", "Irradiance"))
+    display.SetScalarBarVisibility(view, False)
+    display.LookupTable.RescaleTransferFunction(0, 12)
+    display.BackfaceRepresentation = "Cull Frontface"
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -1.95, 1.6], [0, 0, 1], [0, 0, 1]
+    return view
 
 
 def figure(source, name):

@@ -5,8 +5,7 @@
 """
 import sys
 
-from paraview.simple import (ColorBy, GetActiveViewOrCreate, IntegrateVariables, SaveScreenshot, Show, Sphere,
-                             XMLPolyDataReader)
+from paraview.simple import IntegrateVariables, SaveScreenshot, Sphere, XMLPolyDataReader
 
 import plugin
 
@@ -27,14 +26,6 @@ for name, result, attributes, array in (("irradiance", source, "CellData", "Irra
 walks = plugin.servermanager.OutputPort(source, 1)
 print("RESULT walks", walks.GetDataInformation().GetNumberOfCells())
 
-view = GetActiveViewOrCreate("RenderView")
-view.ViewSize = [200, 200]
-view.OrientationAxesVisibility = 0
-display = Show(source, view)
-ColorBy(display, ("CELLS", "Irradiance"))
-display.SetScalarBarVisibility(view, False)
-display.LookupTable.RescaleTransferFunction(0, 12)
-display.BackfaceRepresentation = "Cull Frontface"
-view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -1.95, 1.6], [0, 0, 1], [0, 0, 1]
+view = plugin.show(source, 200)
 view.ViewTime = 1
 SaveScreenshot(sys.argv[1], view, ImageResolution=[200, 200])
