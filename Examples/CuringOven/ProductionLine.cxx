@@ -22,7 +22,7 @@ namespace
 {
 
 // As triangles, cut into smaller ones until there are enough of them: each cell gets one dose.
-vtkSmartPointer<vtkPolyData> Cut(vtkPolyData* mesh, int cells)
+vtkSmartPointer<vtkPolyData> Cut(vtkPolyData* mesh, const std::string& file, int cells)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(mesh);
@@ -33,6 +33,10 @@ vtkSmartPointer<vtkPolyData> Cut(vtkPolyData* mesh, int cells)
   merged->ConvertPolysToLinesOff();
   merged->Update();
   vtkSmartPointer<vtkPolyData> cut = merged->GetOutput();
+  if (cut->GetNumberOfCells() == 0)
+  {
+    throw std::runtime_error(file + ": no cell has an area");
+  }
   double edge = mesh->GetLength();
   while (cut->GetNumberOfCells() < cells)
   {
@@ -60,6 +64,10 @@ Part ReadPart(const std::string& word, const OvenOptions& options)
     double b[6];
     mesh->GetBounds(b);
     double longest = std::max({ b[1] - b[0], b[3] - b[2], b[5] - b[4] });
+    if (!(longest > 0))
+    {
+      throw std::runtime_error(file + ": all points are in one place");
+    }
     longest = options.Unit > 0 ? longest * options.Unit : options.PartSize;
     const auto fitted = movingteapot::FitMesh(
       mesh, { -longest / 2, longest / 2, -longest / 2, longest / 2, Lift, Lift + longest });
@@ -72,7 +80,7 @@ Part ReadPart(const std::string& word, const OvenOptions& options)
         b[1] - b[0], b[3] - b[2], b[5] - b[4], Spacing, 2 * TunnelSide, Opening - Lift);
       throw std::runtime_error(file + size);
     }
-    return { name, Cut(fitted, options.Cells) };
+    return { name, Cut(fitted, file, options.Cells) };
   }
   catch (const std::runtime_error& error)
   {

@@ -169,6 +169,12 @@ TEST(OvenParts, NamesTheFileThatIsWrong)
     Has, read({ "--part", "/nowhere/gear.stl" }), "--part: /nowhere/gear.stl: there is no such");
   EXPECT_PRED2(Has, read({ "--part", WriteFile("gear.step", "ISO") }), "unknown kind of file");
   EXPECT_PRED2(Has, read({ "--part", WriteFile("no.off", "OFF\n1 0 0\n0 0 0\n") }), "no polygon");
+  EXPECT_PRED2(Has,
+    read({ "--part", WriteFile("point.off", "OFF\n3 1 0\n1 2 3\n1 2 3\n1 2 3\n3 0 1 2\n") }),
+    "point.off: all points are in one place");
+  EXPECT_PRED2(Has,
+    read({ "--part", WriteFile("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 0 0\n3 0 1 2\n") }),
+    "line.off: no cell has an area");
   EXPECT_PRED2(Has, read({ "--part", WriteFile("torn.off", "OFF\n3 1 0\n0 0 0\n") }),
     "torn.off, line 3: the file ends too early");
   EXPECT_PRED2(Has, read({ "--part", WriteFile("torn.ply", "ply\nformat") }), "--part: ");
