@@ -48,6 +48,18 @@ Scene MakeRoomWithBall()
     { MakeMoving(MakeBall(0.3, 6), { 1, 1, 1 }) } };
 }
 
+/// A room through which a ball moves at 1 m/s, with error bars.
+vtkSmartPointer<vtkIrradianceFilter> MakeFilterWithError(const std::vector<double>& times)
+{
+  const auto ball = PartOverTime::Make(MakeBall(0.4, 6), times, [](vtkPolyData* part, double time) {
+    MoveTo(part, { 0.6 + time, 1.5, 1.5 });
+  });
+  const auto irradiance = MakeFilter({ MakeRoomWithBall().Fixed, {} }, 16000);
+  irradiance->AddInputConnection(1, ball->GetOutputPort());
+  irradiance->ComputeStandardErrorOn();
+  return irradiance;
+}
+
 }
 
 // If nothing changes, the exposure and its error are those of the irradiance, times the time; known and
@@ -108,13 +120,7 @@ TEST(RadiantExposureError, OfAStillSceneIsThatOfTheIrradiance)
 // added are too small.
 TEST(RadiantExposureError, IsTheScatterOverSeeds)
 {
-  const std::vector<double> times{ 0, 0.25, 0.5, 0.75, 1, 1.25 };
-  const auto ball = PartOverTime::Make(MakeBall(0.4, 6), times, [](vtkPolyData* part, double time) {
-    MoveTo(part, { 0.6 + time, 1.5, 1.5 });
-  });
-  const auto irradiance = MakeFilter({ MakeRoomWithBall().Fixed, {} }, 16000);
-  irradiance->AddInputConnection(1, ball->GetOutputPort());
-  irradiance->ComputeStandardErrorOn();
+  const auto irradiance = MakeFilterWithError({ 0, 0.25, 0.5, 0.75, 1, 1.25 });
   const auto exposure = MakeExposure(irradiance);
   constexpr int seeds = 40;
   for (const unsigned int port : { 0u, 1u })
@@ -159,12 +165,7 @@ TEST(RadiantExposureError, IsTheScatterOverSeeds)
 TEST(RadiantExposureError, IsBetweenSquaresAddedAndErrorsAdded)
 {
   const std::vector<double> times{ 0, 0.25, 0.5, 0.75, 1, 1.25 };
-  const auto ball = PartOverTime::Make(MakeBall(0.4, 6), times, [](vtkPolyData* part, double time) {
-    MoveTo(part, { 0.6 + time, 1.5, 1.5 });
-  });
-  const auto irradiance = MakeFilter({ MakeRoomWithBall().Fixed, {} }, 16000);
-  irradiance->AddInputConnection(1, ball->GetOutputPort());
-  irradiance->ComputeStandardErrorOn();
+  const auto irradiance = MakeFilterWithError(times);
   const auto exposure = MakeExposure(irradiance);
   exposure->Update();
   const auto errors = ValuesOf(CellsOf(exposure, 0, 0)->GetArray("RadiantExposureStandardError"));

@@ -2,12 +2,10 @@
 // Times come from all inputs, and a requested time is passed to all of them.
 
 #include "OutputBits.h"
+#include "PartOverTime.h"
 #include "TestScenes.h"
 
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
-#include "vtkObjectFactory.h"
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
@@ -18,61 +16,20 @@ namespace
 {
 
 /// A mesh that, at time t, stands t metres along x from where it was, by ObjectToWorld.
-class TimedSource : public vtkPolyDataAlgorithm
+vtkSmartPointer<PartOverTime> MakeWalker(const Mesh& model, const std::vector<double>& times)
 {
-public:
-  static TimedSource* New();
-  vtkTypeMacro(TimedSource, vtkPolyDataAlgorithm);
-
-  Mesh Model;
-  std::vector<double> Times;
-  double LastTime = -1;
-
-protected:
-  TimedSource() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    const double range[2] = { this->Times.front(), this->Times.back() };
-    vtkInformation* info = output->GetInformationObject(0);
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), this->Times.data(),
-      static_cast<int>(this->Times.size()));
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
-    return 1;
-  }
-
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    vtkInformation* info = output->GetInformationObject(0);
-    auto* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-    this->LastTime = info->Has(key) ? info->Get(key) : 0;
-    vtkPolyData* polyData = vtkPolyData::GetData(output);
-    polyData->ShallowCopy(this->Model);
-    vtkNew<vtkDoubleArray> array;
-    array->SetName("ObjectToWorld");
-    for (int i = 0; i < 16; ++i)
-    {
-      array->InsertNextValue(i == 3 ? this->LastTime : (i % 5 == 0 ? 1 : 0));
-    }
-    polyData->GetFieldData()->AddArray(array);
-    return 1;
-  }
-};
-
-vtkStandardNewMacro(TimedSource);
+  return PartOverTime::Make(model, times, [](vtkPolyData* part, double time) {
+    MoveTo(part, { time, 0, 0 });
+  });
+}
 
 }
 
 TEST(TimeSteps, AreTheUnionOverAllInputs)
 {
-  vtkNew<TimedSource> lampless, walker, runner;
-  lampless->Model = MakeRoom(3, 1);
-  lampless->Times = { 0, 1 };
-  walker->Model = MakeBall(0.3, 6);
-  walker->Times = { 0.5, 1, 2 };
-  runner->Model = MakeBox(0.3, 0.3, 0.3);
-  runner->Times = { 0.25, 2.5 };
+  const auto lampless = MakeWalker(MakeRoom(3, 1), { 0, 1 });
+  const auto walker = MakeWalker(MakeBall(0.3, 6), { 0.5, 1, 2 });
+  const auto runner = MakeWalker(MakeBox(0.3, 0.3, 0.3), { 0.25, 2.5 });
   auto filter = MakeFilter({ { MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} }, 1000);
   filter->AddInputConnection(0, lampless->GetOutputPort());
   filter->AddInputConnection(1, walker->GetOutputPort());
@@ -91,15 +48,13 @@ TEST(TimeSteps, AreTheUnionOverAllInputs)
 TEST(TimeSteps, ReachTheInputsAndTheOutput)
 {
   Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
-  vtkNew<TimedSource> walker;
-  walker->Model = MakeBall(0.3, 6);
-  walker->Times = { 0.5, 1, 2 };
+  const auto walker = MakeWalker(MakeBall(0.3, 6), { 0.5, 1, 2 });
   auto filter = MakeFilter(scene, 1000);
   filter->AddInputConnection(1, walker->GetOutputPort());
   for (const double time : { 0.5, 1.0, 1.7, 0.5 }) // also one between the steps, also back
   {
     filter->UpdateTimeStep(time);
-    EXPECT_EQ(walker->LastTime, time);
+    EXPECT_EQ(walker->Visits.back(), time);
     EXPECT_EQ(filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), time);
 
     Scene then = scene;
@@ -115,14 +70,13 @@ TEST(TimeSteps, ReachTheInputsAndTheOutput)
 TEST(TimeSteps, OutOfOrderHaveTheSameBits)
 {
   Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
-  vtkNew<TimedSource> walker, runner;
-  walker->Model = MakeBall(0.3, 6);
-  runner->Model = MakeBox(0.4, 0.3, 0.5);
+  std::vector<double> times;
   for (int i = 0; i < 12; ++i)
   {
-    walker->Times.push_back(0.25 * i);
-    runner->Times.push_back(0.25 * i);
+    times.push_back(0.25 * i);
   }
+  const auto walker = MakeWalker(MakeBall(0.3, 6), times);
+  const auto runner = MakeWalker(MakeBox(0.4, 0.3, 0.5), times);
   auto filter = MakeFilter(scene, 1000);
   filter->AddInputConnection(1, walker->GetOutputPort());
   filter->AddInputConnection(1, runner->GetOutputPort());
