@@ -316,6 +316,30 @@ TEST(KdTreeBuilder, CutsTheWallsOffARoom)
   EXPECT_EQ(tree.references.size(), primitives.size());
 }
 
+/// A line may lie in two sheets, and cutting off either takes it along.
+TEST(KdTreeBuilder, KeepsLinesInTheEdgesOfSheets)
+{
+  for (unsigned seed = 1; seed <= 200; ++seed)
+  {
+    RandomVectors random(seed);
+    std::vector<KdPrimitive> boxes;
+    for (int i = 0; i < 400; ++i)
+    {
+      constexpr double kGrid = 4;
+      Vector3 lower = (kGrid * random.inCube()).array().round();
+      Vector3 upper = (kGrid * random.inCube()).array().round();
+      upper[i % 3] = lower[i % 3];
+      upper[(i + i / 3 % 2) % 3] = lower[(i + i / 3 % 2) % 3];
+      boxes.push_back({ Box{ lower.cwiseMin(upper), lower.cwiseMax(upper) } });
+    }
+    for (const int blockSize : kBlockSizes)
+    {
+      const KdTree tree = builderFor(blockSize).build(boxes);
+      ASSERT_EQ(primitivesBelow(tree, tree.nodes[0]).size(), boxes.size()) << "seed " << seed;
+    }
+  }
+}
+
 /// Triangles that meet at a place which is no float are parted by no plane there.
 TEST(KdTreeBuilder, PartsNoCellsOfAGrid)
 {

@@ -12,7 +12,16 @@ KdSheets::KdSheets(const KdItems& items, CheckpointPace& pace)
   for (const KdItem& item : items)
   {
     pace.step();
-    parts_[faceOf(item)].add(item);
+    std::size_t first = kFaces;
+    for (std::size_t face = kFaces; face-- > 0;)
+    {
+      if (isIn(face, item))
+      {
+        ++counts_[face];
+        first = face;
+      }
+    }
+    parts_[first].add(item);
   }
 }
 
@@ -22,22 +31,10 @@ bool KdSheets::areAny() const
            parts_.begin(), parts_.end(), [](const Part& part) { return part.count > 0; }) > 1;
 }
 
-std::size_t KdSheets::faceOf(const KdItem& item) const
+bool KdSheets::isIn(std::size_t face, const KdItem& item) const
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (item.lower[axis] == item.upper[axis])
-    {
-      for (const int face : { 2 * axis, 2 * axis + 1 })
-      {
-        if (item.lower[axis] == place(face))
-        {
-          return static_cast<std::size_t>(face);
-        }
-      }
-    }
-  }
-  return kFaces;
+  const std::size_t axis = face / 2;
+  return item.lower[axis] == item.upper[axis] && item.lower[axis] == place(static_cast<int>(face));
 }
 
 double KdSheets::costOfCuttingAll(const KdCost& cost, const Box& cell) const

@@ -23,7 +23,13 @@ public:
 
   /// False if there are none, or if one of them is all.
   bool areAny() const;
-  std::uint32_t count(int face) const { return parts_[static_cast<std::size_t>(face)].count; }
+  /// The number of items in a face, 0 if each of them is in a face before this one. An item in an edge
+  /// of the hull is in two faces.
+  std::uint32_t count(int face) const
+  {
+    const auto i = static_cast<std::size_t>(face);
+    return parts_[i].count > 0 ? counts_[i] : 0;
+  }
   /// Of the face on its axis.
   float place(int face) const
   {
@@ -50,11 +56,11 @@ private:
     }
   };
 
-  /// The face in which an item lies, or kFaces.
-  std::size_t faceOf(const KdItem& item) const;
+  bool isIn(std::size_t face, const KdItem& item) const;
 
   KdBounds hull_;
-  std::array<Part, kFaces + 1> parts_; ///< the sheets, and last what is in none
+  std::array<std::uint32_t, kFaces> counts_ = {};
+  std::array<Part, kFaces + 1> parts_; ///< the sheets, each item in its first, and last what is in none
 };
 
 }

@@ -153,6 +153,7 @@ private:
       sides[0].end += isLeft ? 1 : 0;
       sides[1].end += isLeft ? 0 : 1;
     }
+    assert(sides[1 - kept].end < end);
   }
 
   void appendParts(const KdItem& item, int axis, const Box cells[2], Range sides[2])
