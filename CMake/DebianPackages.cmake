@@ -14,19 +14,27 @@ macro (vtkirradiance_package component name section contents depends)
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME "${name}")
   set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION "${section}")
   set(CPACK_DEBIAN_${upper}_DESCRIPTION
-    "vtkIrradiance computes the irradiance (W/m2) of every cell of polygonal geometry
-by photon walks, and keeps it up to date as things move: only walks that a
-motion changed are shot again.
+    "vtkIrradiance computes the irradiance (W/m2) of every cell of polygonal
+geometry by photon walks, and keeps it up to date as things move: only
+walks that a motion changed are shot again.
 .
 This package holds ${contents}.")
   set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}")
   install(FILES "${PROJECT_SOURCE_DIR}/Packaging/copyright" "${PROJECT_BINARY_DIR}/changelog.gz"
+      "${PROJECT_BINARY_DIR}/CHANGELOG.md.gz"
     DESTINATION "share/doc/${name}" COMPONENT ${component})
 endmacro ()
 
+# Debian wants an address with a name. home.arpa (RFC 8375) is nobody's.
+set(CPACK_PACKAGE_CONTACT "vtkIrradiance contributors <maintainers@vtkirradiance.home.arpa>")
+# changelog.gz has Debian's form; the project's own changelog stands beside it.
 find_program(GZIP_PROGRAM gzip REQUIRED)
-execute_process(COMMAND "${GZIP_PROGRAM}" -9nc "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
-  OUTPUT_FILE "${PROJECT_BINARY_DIR}/changelog.gz" COMMAND_ERROR_IS_FATAL ANY)
+configure_file("${PROJECT_SOURCE_DIR}/Packaging/changelog.in" "${PROJECT_BINARY_DIR}/changelog" @ONLY)
+configure_file("${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_BINARY_DIR}/CHANGELOG.md" COPYONLY)
+foreach (document IN ITEMS changelog CHANGELOG.md)
+  execute_process(COMMAND "${GZIP_PROGRAM}" -9nc "${PROJECT_BINARY_DIR}/${document}"
+    OUTPUT_FILE "${PROJECT_BINARY_DIR}/${document}.gz" COMMAND_ERROR_IS_FATAL ANY)
+endforeach ()
 
 set(CPACK_COMPONENTS_ALL)
 # Where libraries lie, while packages are made, that no installed package has.
@@ -39,6 +47,8 @@ if (VTKIRRADIANCE_BUILD_PARAVIEW_PLUGIN)
     "paraview (>= ${ParaView_VERSION}), paraview (<< 5.12)")
 else ()
   vtkirradiance_package(runtime ${vtkirradiance_library_package} libs "the shared library" "")
+  # The library is found from now on, and not any more once it is gone.
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/Packaging/triggers")
   vtkirradiance_package(development libvtkirradiance-dev libdevel
     "the headers and the CMake package vtkIrradiance"
     "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), libvtk9-dev")
@@ -48,8 +58,7 @@ else ()
     vtkirradiance_package(python python3-vtkirradiance python
       "the module vtkIrradiance for VTK's Python"
       "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), python3-vtk9 (>= 9.1), python3-vtk9 (<< 9.2), \
-python3 (>= ${python}), python3 (<< ${Python3_VERSION_MAJOR}.${next})")
-    set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-numpy)
+python3 (>= ${python}), python3 (<< ${Python3_VERSION_MAJOR}.${next}), python3-numpy")
     # What Python has compiled goes with the package.
     set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
       "${PROJECT_SOURCE_DIR}/Packaging/python/postinst;${PROJECT_SOURCE_DIR}/Packaging/python/prerm")
@@ -58,7 +67,6 @@ endif ()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME vtkirradiance)
-set(CPACK_PACKAGE_CONTACT "vtkIrradiance contributors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Irradiance of every cell of a moving scene, for VTK")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

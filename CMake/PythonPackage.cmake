@@ -28,11 +28,13 @@ set(vtkirradiance_python_sources "${PROJECT_SOURCE_DIR}/Modules/Python")
 set(vtkirradiance_python_build "${PROJECT_BINARY_DIR}/${vtkirradiance_python_package}")
 configure_file("${vtkirradiance_python_sources}/__init__.py.in"
   "${vtkirradiance_python_build}/__init__.py" @ONLY)
-configure_file("${vtkirradiance_python_sources}/pipeline.py"
-  "${vtkirradiance_python_build}/pipeline.py" COPYONLY)
+set(vtkirradiance_python_files "${vtkirradiance_python_build}/__init__.py")
+foreach (name IN ITEMS arrays pipeline)
+  configure_file("${vtkirradiance_python_sources}/${name}.py"
+    "${vtkirradiance_python_build}/${name}.py" COPYONLY)
+  list(APPEND vtkirradiance_python_files "${vtkirradiance_python_build}/${name}.py")
+endforeach ()
 install(
-  FILES
-    "${vtkirradiance_python_build}/__init__.py"
-    "${vtkirradiance_python_build}/pipeline.py"
+  FILES ${vtkirradiance_python_files}
   DESTINATION "${vtkirradiance_python_package}"
   COMPONENT python)

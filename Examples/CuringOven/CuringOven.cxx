@@ -7,6 +7,7 @@
  * vtkRadiantExposureFilter, which leads all of them through time. See README.md in this folder.
  */
 #include "CureTable.h"
+#include "OutputFolder.h"
 #include "OvenFilm.h"
 #include "OvenOptions.h"
 #include "ProductionLine.h"
@@ -15,14 +16,17 @@
 #include "VtkErrors.h"
 
 #include <vtkCompositeDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIrradianceFilter.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRadiantExposureFilter.h>
 #include <vtkSMPTools.h>
+#include <vtkTransform.h>
 #include <vtkXMLMultiBlockDataWriter.h>
-#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <chrono>
@@ -161,8 +165,29 @@ void PrintComparison(const Outcome& outcome)
     compared.size(), fresh, whole, whole / outcome.Seconds);
 }
 
-void WriteScene(const Outcome& outcome, const OvenOptions& options)
+// The doses end where all parts were taken off. Here they stand on the belt, at the distances at which they ride.
+void PlaceOnBelt(vtkMultiBlockDataSet* scene, const std::vector<Part>& parts)
 {
+  const std::vector<vtkPolyData*> shown = PartsOf(scene);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    vtkNew<vtkTransform> beltFromPart;
+    beltFromPart->Translate(Spacing * ((parts.size() - 1) / 2.0 - i), 0, 0);
+    vtkNew<vtkPoints> points;
+    beltFromPart->TransformPoints(parts[i].Mesh->GetPoints(), points);
+    shown[i]->SetPoints(points);
+  }
+}
+
+void WriteScene(const Outcome& outcome, const std::vector<Part>& parts, const OvenOptions& options)
+{
+  PlaceOnBelt(outcome.Scene, parts);
+  vtkNew<vtkDoubleArray> limits; // J/m2
+  limits->SetName("DoseLimits");
+  limits->InsertNextValue(options.LeastDose);
+  limits->InsertNextValue(options.MostDose);
+  outcome.Scene->GetFieldData()->AddArray(limits);
+  movingteapot::AddParaViewState(options.Output);
   const std::string file = options.Output + "/CuringOven.vtm";
   const VtkErrors errors;
   vtkNew<vtkXMLMultiBlockDataWriter> writer; // for ParaView
@@ -177,10 +202,9 @@ void Run(const OvenOptions& options)
 {
   vtkSMPTools::Initialize(options.Threads);
   const std::vector<Part> parts = ReadParts(options);
-  if (!vtksys::SystemTools::MakeDirectory(options.Output))
-  {
-    throw std::runtime_error("--output: " + options.Output + ": this folder cannot be made");
-  }
+  movingteapot::PrepareFolder(options.Output,
+    R"((Parts|Cells|Steps)\.csv|(CuringOven|Parts)\.png|CuringOven\.(vtm|ogv)|ParaViewState\.py)"
+    R"(|CuringOven(/CuringOven_\d+\.vtp)?)");
   for (const Part& part : parts)
   {
     std::cout << part.Name << " " << part.Mesh->GetNumberOfCells() << " cells, ";
@@ -201,8 +225,9 @@ void Run(const OvenOptions& options)
   PrintRide(outcome);
   PrintComparison(outcome);
   WriteTables(outcome.Cures, outcome.Scene, parts, options.Output);
-  WriteScene(outcome, options);
-  std::printf("Written to %s: Parts.csv, Cells.csv, Steps.csv, CuringOven.vtm%s\n",
+  WriteScene(outcome, parts, options);
+  std::printf(
+    "Written to %s: Parts.csv, Cells.csv, Steps.csv, CuringOven.vtm, ParaViewState.py%s\n",
     options.Output.c_str(), options.Pictures ? ", CuringOven.ogv, CuringOven.png, Parts.png" : "");
 }
 
@@ -212,13 +237,14 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const OvenOptions options = ReadOptions({ argv + 1, argv + argc });
+    OvenOptions options = ReadOptions({ argv + 1, argv + argc });
     if (options.Help)
     {
       std::cout << HelpText();
     }
     else
     {
+      options.Pictures = options.Pictures && movingteapot::CanDraw();
       Run(options);
     }
     return EXIT_SUCCESS;

@@ -24,12 +24,6 @@ namespace
 using Mesh = vtkSmartPointer<vtkPolyData>;
 constexpr std::optional<double> none;
 
-constexpr double LampHeight = 0.46; // of its axis above the belt
-constexpr double LampLength = 0.6;
-constexpr double LampRadius = 0.012; // a quartz tube of 24 mm
-constexpr double FocalLength = 0.025;
-constexpr double ReflectorHalfWidth = 0.06;
-
 vtkSmartPointer<vtkDoubleArray> AddArray(vtkPolyData* mesh, const char* name, double value)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -62,13 +56,13 @@ Mesh Append(std::initializer_list<Mesh> meshes)
 }
 
 // The same mesh under each place of a lamp.
-Mesh Repeat(vtkPolyData* mesh, int lamps)
+Mesh Repeat(vtkPolyData* mesh, const OvenOptions& options)
 {
   vtkNew<vtkAppendPolyData> append;
-  for (int i = 0; i < lamps; ++i)
+  for (const double x : options.LampPlaces)
   {
     vtkNew<vtkTransform> ovenFromLamp;
-    ovenFromLamp->Translate(LampPitch * (i - (lamps - 1) / 2.0), 0, LampHeight);
+    ovenFromLamp->Translate(x, 0, options.LampHeight);
     vtkNew<vtkTransformPolyDataFilter> place;
     place->SetInputData(mesh);
     place->SetTransform(ovenFromLamp);
@@ -79,11 +73,11 @@ Mesh Repeat(vtkPolyData* mesh, int lamps)
 }
 
 // A tube along y. Its ends, where the electrodes are, do not shine.
-Mesh MakeLamp(double power)
+Mesh MakeLamp(double length, double power)
 {
   vtkNew<vtkCylinderSource> tube;
   tube->SetRadius(LampRadius);
-  tube->SetHeight(LampLength);
+  tube->SetHeight(length);
   tube->SetResolution(24);
   vtkNew<vtkCellSizeFilter> sizes;
   sizes->SetInputConnection(tube->GetOutputPort());
@@ -106,9 +100,9 @@ Mesh MakeLamp(double power)
 }
 
 // A parabola across the lamp, which lies in its focus, so that most of its light goes straight down.
-Mesh MakeReflector()
+Mesh MakeReflector(double lampLength)
 {
-  const double w = ReflectorHalfWidth, l = LampLength / 2 + 0.02;
+  const double w = ReflectorHalfWidth, l = lampLength / 2 + 0.02;
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-w, -l, 0);
   plane->SetPoint1(w, -l, 0);
@@ -129,23 +123,33 @@ Mesh MakeReflector()
 
 }
 
-std::vector<Mesh> MakeOven(int lamps, double lampPower)
+std::vector<Mesh> MakeOven(const OvenOptions& options)
 {
   using movingteapot::Facing;
   using movingteapot::MakeGridBox;
   const double cell = 0.05;
   const double sheet = 0.3;
+  const double end = options.OvenLength / 2, side = options.OvenWidth / 2, top = options.OvenHeight;
   // Two sides and a ceiling, and a wall above each opening.
   Mesh tunnel = Append({
-    MakeGridBox({ -TunnelEnd, TunnelEnd, -TunnelSide, TunnelSide, 0, TunnelHeight }, cell,
-      Facing::Inward, { { none, none, sheet, sheet, none, sheet } }),
-    MakeGridBox({ -TunnelEnd, TunnelEnd, -TunnelSide, TunnelSide, Opening, TunnelHeight }, cell,
-      Facing::Inward, { { sheet, sheet, none, none, none, none } }),
+    MakeGridBox({ -end, end, -side, side, 0, top }, cell, Facing::Inward,
+      { { none, none, sheet, sheet, none, sheet } }),
+    MakeGridBox({ -end, end, -side, side, options.Opening, top }, cell, Facing::Inward,
+      { { sheet, sheet, none, none, none, none } }),
   });
   SetMaterial(tunnel, sheet, 0.45, 20); // aluminium sheet
-  Mesh belt = MakeGridBox({ -BeltEnd, BeltEnd, -TunnelSide, TunnelSide, -cell, 0 }, cell,
-    Facing::Outward, { { none, none, none, none, none, 0.15 } }); // dark steel
-  return { Repeat(MakeLamp(lampPower), lamps), Repeat(MakeReflector(), lamps), tunnel, belt };
+  const double beltEnd = BeltEnd(options);
+  Mesh belt = MakeGridBox({ -beltEnd, beltEnd, -side, side, -cell, 0 }, cell, Facing::Outward,
+    { { none, none, none, none, none, 0.15 } }); // dark steel
+  const double length = LampLength(options);
+  const std::vector<Mesh> oven = { Repeat(MakeLamp(length, options.LampPower), options),
+    Repeat(MakeReflector(length), options), tunnel, belt };
+  const char* const names[] = { "lamps", "reflectors", "tunnel", "belt" };
+  for (int i = 0; i < NumberOfOvenMeshes; ++i)
+  {
+    movingteapot::SetName(oven[i], names[i]);
+  }
+  return oven;
 }
 
 }

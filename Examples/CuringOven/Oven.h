@@ -7,6 +7,8 @@
 #ifndef Oven_h
 #define Oven_h
 
+#include "OvenOptions.h"
+
 #include <vtkSmartPointer.h>
 
 #include <vector>
@@ -16,13 +18,21 @@ class vtkPolyData;
 namespace curingoven
 {
 
-constexpr double TunnelEnd = 1.5; // the tunnel is from -TunnelEnd to TunnelEnd
-constexpr double TunnelSide = 0.4;
-constexpr double TunnelHeight = 0.5;
-constexpr double Opening = 0.28; // height of the openings at its ends
-constexpr double BeltEnd = 2.0;  // where parts are put on the belt, and taken off
-constexpr double LampPitch = 0.3;
-constexpr int MostLamps = 9;
+constexpr double LampRadius = 0.012; // a quartz tube of 24 mm
+constexpr double FocalLength = 0.025;
+constexpr double ReflectorHalfWidth = 0.06;
+
+/** Where parts are put on the belt (at minus that) and taken off. */
+inline double BeltEnd(const OvenOptions& options)
+{
+  return options.OvenLength / 2 + 0.5;
+}
+
+/** Lamps and their reflectors end 0.1 m from the sides of the tunnel. */
+inline double LampLength(const OvenOptions& options)
+{
+  return options.OvenWidth - 0.2;
+}
 
 /** The meshes of MakeOven, in their order. */
 enum OvenMesh
@@ -34,8 +44,7 @@ enum OvenMesh
   NumberOfOvenMeshes
 };
 
-/** `lampPower`: W of UV from each lamp. */
-std::vector<vtkSmartPointer<vtkPolyData>> MakeOven(int lamps, double lampPower);
+std::vector<vtkSmartPointer<vtkPolyData>> MakeOven(const OvenOptions& options);
 
 }
 

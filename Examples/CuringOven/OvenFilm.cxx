@@ -28,8 +28,8 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace curingoven
@@ -69,31 +69,48 @@ vtkNew<vtkTextProperty> TextStyle(int size)
   return style;
 }
 
-void AddLegend(vtkRenderer* renderer, vtkColorTransferFunction* colors, const char* title,
-  std::initializer_list<double> labels, double left, int fontSize)
+int FontSize(int width)
 {
-  vtkNew<vtkDoubleArray> values;
+  return std::max(9, width / 80);
+}
+
+void AddText(vtkRenderer* renderer, const std::string& text, double x, double y, int fontSize)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->SetTextProperty(TextStyle(fontSize));
+  actor->GetTextProperty()->SetJustificationToCentered();
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(x, y);
+  renderer->AddViewProp(actor);
+}
+
+// In three rows: the colours, numbers below them, and the title. VTK's own numbers stand on the colours, if there is
+// little space. Lengths are shares of the picture.
+void AddLegend(vtkRenderer* renderer, vtkColorTransferFunction* colors, const char* title,
+  std::initializer_list<double> labels, double left, int fontSize, double row)
+{
+  constexpr double width = 0.42;
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(colors);
+  bar->SetMaximumNumberOfColors(256);
+  bar->DrawTickLabelsOff();
+  bar->SetOrientationToHorizontal();
+  bar->SetBarRatio(1);
+  bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  bar->SetPosition(left, 2.3 * row);
+  bar->SetWidth(width);
+  bar->SetHeight(row);
+  renderer->AddViewProp(bar);
+  const double* range = colors->GetRange();
   for (const double label : labels)
   {
-    values->InsertNextValue(label);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", label);
+    AddText(renderer, text, left + width * (label - range[0]) / (range[1] - range[0]), 1.35 * row,
+      fontSize);
   }
-  vtkNew<vtkScalarBarActor> legend;
-  legend->SetLookupTable(colors);
-  legend->SetTitle(title);
-  legend->SetMaximumNumberOfColors(256);
-  legend->UseCustomLabelsOn();
-  legend->SetCustomLabels(values);
-  legend->SetLabelFormat("%-.3g");
-  legend->SetOrientationToHorizontal();
-  legend->SetTextPositionToPrecedeScalarBar();
-  legend->UnconstrainedFontSizeOn();
-  legend->SetTitleTextProperty(TextStyle(fontSize));
-  legend->SetLabelTextProperty(TextStyle(fontSize));
-  legend->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  legend->SetPosition(left, 0.02);
-  legend->SetWidth(0.42);
-  legend->SetHeight(0.12);
-  renderer->AddViewProp(legend);
+  AddText(renderer, title, left + width / 2, 0.35 * row, fontSize);
 }
 
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyDataMapper* mapper)
@@ -151,13 +168,6 @@ OvenFilm::OvenFilm(const OvenOptions& options)
   {
     return;
   }
-  // VTK itself ends the program where no window can be opened.
-  const char* display = std::getenv("DISPLAY");
-  if (this->Window->IsA("vtkXOpenGLRenderWindow") && !(display && *display))
-  {
-    throw std::runtime_error("pictures need an X display and DISPLAY is not set; start it through "
-                             "Examples/run.sh or xvfb-run, or add --no-pictures");
-  }
   SetDoseColors(this->DoseColors, options.LeastDose / 1e3, options.MostDose / 1e3);
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(0);
@@ -181,24 +191,30 @@ OvenFilm::~OvenFilm()
 void OvenFilm::SetUpRide()
 {
   // About what a lamp gives to the belt below it; the belt ends in white.
-  const double bright = this->Options.LampPower / (2 * LampPitch * TunnelSide) / 1e3;
+  const double pitch = 0.3;
+  const double bright = this->Options.LampPower / (pitch * this->Options.OvenWidth) / 1e3;
   SetIrradianceColors(this->IrradianceColors, bright);
-  const int fontSize = this->Options.Height / 40;
+  const int fontSize = FontSize(this->Options.Width);
+  const double row = 1.4 * fontSize / this->Options.Height;
   AddLegend(this->Ride, this->IrradianceColors, "Irradiance of the oven (kW/m2)",
-    { 0, bright / 2, bright }, 0.04, fontSize);
+    { 0, bright / 2, bright }, 0.04, fontSize, row);
   const double least = this->Options.LeastDose / 1e3, most = this->Options.MostDose / 1e3;
   AddLegend(this->Ride, this->DoseColors, "Dose of the parts so far (kJ/m2)",
-    { 0, least, most, 1.5 * most }, 0.54, fontSize);
+    { 0, least, most, 1.5 * most }, 0.54, fontSize, row);
   this->Caption->SetTextProperty(TextStyle(fontSize));
   this->Caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  this->Caption->SetPosition(0.02, 0.94);
+  this->Caption->SetPosition(0.02, 1 - 1.2 * row);
   this->Ride->AddViewProp(this->Caption);
   this->Ride->SetBackground(0.10, 0.10, 0.12);
+  // From the front and above, so far away that the tunnel fills the width.
+  const double size = BeltEnd(this->Options) / 2;
   vtkCamera* camera = this->Ride->GetActiveCamera();
-  camera->SetPosition(0.6, -3.0, 0.75);
-  camera->SetFocalPoint(0.02, 0, 0.14);
+  camera->SetPosition(0.5 * size, -4.4 * size, 1.6 * size);
+  camera->SetFocalPoint(0, 0, this->Options.OvenHeight / 2);
   camera->SetViewUp(0, 0, 1);
-  camera->SetViewAngle(30);
+  camera->UseHorizontalViewAngleOn();
+  camera->SetViewAngle(44);
+  camera->SetWindowCenter(0, -3 * row); // leaves a margin to the legends
 }
 
 // What a part has received until now, by the trapezoidal rule.
@@ -280,6 +296,10 @@ void OvenFilm::WriteParts(vtkMultiBlockDataSet* scene, const std::vector<Part>& 
   {
     return;
   }
+  // Two rows of parts take more height than the oven.
+  const int fontSize = FontSize(this->Options.Width);
+  const int size[2] = { this->Options.Width, this->Options.Width / 2 };
+  this->Window->SetSize(size[0], size[1]);
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.10, 0.10, 0.12);
   const std::vector<vtkPolyData*> meshes = PartsOf(scene);
@@ -300,7 +320,7 @@ void OvenFilm::WriteParts(vtkMultiBlockDataSet* scene, const std::vector<Part>& 
     vtkNew<vtkBillboardTextActor3D> name;
     name->SetInput(parts[i].Name.c_str());
     name->SetPosition(x, 0, -1.07 * width);
-    name->SetTextProperty(TextStyle(this->Options.Height / 36));
+    name->SetTextProperty(TextStyle(fontSize * 5 / 4));
     name->GetTextProperty()->SetJustificationToCentered();
     renderer->AddActor(name);
     for (const double row : { 0.5, -0.5 }) // from above; below that, from below
@@ -319,15 +339,14 @@ void OvenFilm::WriteParts(vtkMultiBlockDataSet* scene, const std::vector<Part>& 
   }
   const double least = this->Options.LeastDose / 1e3, most = this->Options.MostDose / 1e3;
   AddLegend(renderer, this->DoseColors, "Dose (kJ/m2): blue under-cured, red over-cured",
-    { 0, least, most, 1.5 * most }, 0.29, this->Options.Height / 40);
+    { 0, least, most, 1.5 * most }, 0.29, fontSize, 1.4 * fontSize / size[1]);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(0, -10, 0);
   camera->SetFocalPoint(0, 0, 0);
   camera->SetViewUp(0, 0, 1);
   camera->ParallelProjectionOn();
   renderer->ResetCameraClippingRange();
-  const int* size = this->Window->GetSize();
-  camera->SetParallelScale(width * std::max(1.35, 0.5 * parts.size() * size[1] / size[0]));
+  camera->SetParallelScale(width * std::max(1.25, 0.5 * parts.size() * size[1] / size[0]));
   camera->SetWindowCenter(0, -0.12); // leaves a margin to the legend
   this->Write(renderer, this->Options.Output + "/Parts.png");
 }

@@ -15,18 +15,21 @@ struct OvenOptions
   double Unit;                    // m, of the parts' files; 0: parts are scaled to PartSize
   double PartSize;                // m, the longest edge of a part's box
   int Cells;                      // into how many a part is cut at least
-  int Lamps;
-  double LampPower;           // W of UV from each lamp
-  double Speed;               // of the conveyor, m/s
-  double LeastDose, MostDose; // J/m2
-  int Walks, MostWalks;       // photon walks
-  int Spread;        // photons at each step on which a small cell draws; 0: on its own alone
-  double Accuracy;   // see OvenOptions.cxx; 0: none asked for
-  int Steps;         // times at which the light is computed
-  int Compare;       // of these, how many are compared with a fresh start
-  int Threads;       // 0: all the machine has
-  int Width, Height; // pixels
-  bool Pictures = true;
+  double OvenLength, OvenWidth, OvenHeight; // m: along the conveyor, across it, above it
+  double Opening;                           // m, height of the openings at its ends
+  std::vector<double> LampPlaces;           // m, along the conveyor from the middle of the tunnel
+  double LampHeight;                        // m, of the lamps' axes above the belt
+  double LampPower;                         // W of UV from each lamp
+  double Speed;                             // of the conveyor, m/s
+  double LeastDose, MostDose;               // J/m2
+  int Walks, MostWalks;                     // photon walks
+  int Spread;           // photons at each step on which a small cell draws; 0: on its own alone
+  double Accuracy;      // see OvenOptions.cxx; 0: none asked for
+  int Steps;            // times at which the light is computed
+  int Compare;          // of these, how many are compared with a fresh start
+  int Threads;          // 0: all the machine has
+  int Width, Height;    // pixels
+  bool Pictures = true; // false also where no window can be opened
   bool Help = false;
   std::string Output; // a folder
 };

@@ -72,12 +72,12 @@ Part ReadPart(const std::string& word, const OvenOptions& options)
     const auto fitted = movingteapot::FitMesh(
       mesh, { -longest / 2, longest / 2, -longest / 2, longest / 2, Lift, Lift + longest });
     fitted->GetBounds(b);
-    if (b[5] > Opening || b[3] > TunnelSide || b[1] > Spacing / 2)
+    if (b[5] > options.Opening || b[3] > options.OvenWidth / 2 || b[1] > Spacing / 2)
     {
       char size[160];
       std::snprintf(size, sizeof size,
         ": %g x %g x %g m is too large; %g x %g x %g m fit (see --unit and --part-size)",
-        b[1] - b[0], b[3] - b[2], b[5] - b[4], Spacing, 2 * TunnelSide, Opening - Lift);
+        b[1] - b[0], b[3] - b[2], b[5] - b[4], Spacing, options.OvenWidth, options.Opening - Lift);
       throw std::runtime_error(file + size);
     }
     return { name, Cut(fitted, file, options.Cells) };
@@ -116,6 +116,7 @@ std::vector<Part> ReadParts(const OvenOptions& options)
           "--part: two parts have the name \"" + part.Name + "\"; NAME=FILE gives another one");
       }
     }
+    movingteapot::SetName(part.Mesh, part.Name);
     parts.push_back(part);
   }
   return parts;
@@ -128,14 +129,14 @@ double EntryTime(const OvenOptions& options, int part)
 
 double ExitTime(const OvenOptions& options, int part)
 {
-  return EntryTime(options, part) + 2 * BeltEnd / options.Speed;
+  return EntryTime(options, part) + 2 * BeltEnd(options) / options.Speed;
 }
 
 vtkSmartPointer<vtkIrradianceFilter> MakeLight(
   const OvenOptions& options, const std::vector<Part>& parts, int walks)
 {
   auto light = vtkSmartPointer<vtkIrradianceFilter>::New();
-  for (vtkPolyData* mesh : MakeOven(options.Lamps, options.LampPower))
+  for (vtkPolyData* mesh : MakeOven(options))
   {
     light->AddInputDataObject(0, mesh);
   }
@@ -143,8 +144,8 @@ vtkSmartPointer<vtkIrradianceFilter> MakeLight(
   {
     vtkNew<vtkKeyFramedPose> ride; // at constant speed along x
     ride->SetInputData(parts[i].Mesh);
-    ride->AddPose(EntryTime(options, i), -BeltEnd, 0, 0, 0, 0, 0);
-    ride->AddPose(ExitTime(options, i), BeltEnd, 0, 0, 0, 0, 0);
+    ride->AddPose(EntryTime(options, i), -BeltEnd(options), 0, 0, 0, 0, 0);
+    ride->AddPose(ExitTime(options, i), BeltEnd(options), 0, 0, 0, 0, 0);
     ride->SetOutsideOfKeysToLeave();
     light->AddInputConnection(1, ride->GetOutputPort());
   }

@@ -14,6 +14,7 @@
 #include <vtkFeatureEdges.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkIrradianceFilter.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -29,7 +30,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -144,7 +147,17 @@ TEST(OvenOptions, NamesTheOptionThatIsWrong)
   };
   EXPECT_EQ(read({}), "nothing thrown");
   EXPECT_PRED2(Has, read({ "--lamps", "0" }), "--lamps: an oven without lamps");
-  EXPECT_PRED2(Has, read({ "--lamps", "99" }), "--lamps: 99 do not fit");
+  EXPECT_PRED2(Has, read({ "--lamps", "99" }), "--lamps: 99 do not fit into the tunnel");
+  EXPECT_PRED2(Has, read({ "--lamp-pitch", "0.1" }), "--lamps: 4 do not fit side by side");
+  EXPECT_PRED2(Has, read({ "--lamp-at", "1.49" }), "--lamp-at: they do not fit into the tunnel");
+  EXPECT_PRED2(Has, read({ "--lamp-at=0", "--lamp-at=0.1" }), "--lamp-at: they do not fit side by");
+  EXPECT_PRED2(Has, read({ "--lamp-at", "left" }), "--lamp-at: a place from -100 to 100 m");
+  EXPECT_PRED2(Has, read({ "--lamp-height", "0.48" }), "below the ceiling");
+  EXPECT_PRED2(Has, read({ "--lamp-height", "0.28" }), "where parts ride");
+  EXPECT_PRED2(Has, read({ "--opening", "0.6" }), "--opening is higher than the tunnel");
+  EXPECT_PRED2(Has, read({ "--oven", "3x0.8" }), "--oven: three lengths");
+  EXPECT_PRED2(Has, read({ "--oven", "3x0.8x0.5m" }), "--oven: three lengths");
+  EXPECT_PRED2(Has, read({ "--oven", "nanx0.8x0.5" }), "--oven: three lengths");
   EXPECT_PRED2(Has, read({ "--lamp-power", "0" }), "--lamp-power: a number above 0");
   EXPECT_PRED2(Has, read({ "--speed", "0" }), "--speed: a number above 0, in m/s");
   EXPECT_PRED2(Has, read({ "--speed", "-1" }), "--speed");
@@ -209,7 +222,8 @@ TEST(OvenParts, AreCutIntoCellsAndStayClosed)
 
 TEST(Oven, LampsEmitTheirPowerBelowReflectorsInTheTunnel)
 {
-  const auto oven = MakeOven(3, 700);
+  const OvenOptions options = ReadOptions({ "--lamps", "3", "--lamp-power", "700" });
+  const auto oven = MakeOven(options);
   ASSERT_EQ(int(oven.size()), NumberOfOvenMeshes);
   vtkNew<vtkIrradianceFilter> light;
   for (vtkPolyData* mesh : oven)
@@ -224,15 +238,41 @@ TEST(Oven, LampsEmitTheirPowerBelowReflectorsInTheTunnel)
   oven[Lamps]->GetBounds(lamps);
   oven[Reflectors]->GetBounds(reflectors);
   EXPECT_LT(lamps[5], reflectors[5]);
-  EXPECT_LT(reflectors[5], TunnelHeight);
-  EXPECT_GT(lamps[4], Opening);
+  EXPECT_LT(reflectors[5], options.OvenHeight);
+  EXPECT_GT(lamps[4], options.Opening);
   EXPECT_NEAR(lamps[0] + lamps[1], 0, 1e-6);
+}
+
+TEST(Oven, HasTheSizeAndTheLampsThatAreAskedFor)
+{
+  const auto oven = MakeOven(ReadOptions({ "--oven", "5x1.2x0.8", "--opening", "0.4", "--lamp-at",
+    "-1.5", "--lamp-at=2", "--lamp-height", "0.7", "--lamp-power", "50" }));
+  double b[6];
+  const auto expect = [&](const std::array<double, 6>& expected) {
+    for (int i = 0; i < 6; ++i)
+    {
+      EXPECT_NEAR(b[i], expected[i], 1e-6) << i;
+    }
+  };
+  oven[Tunnel]->GetBounds(b);
+  expect({ -2.5, 2.5, -0.6, 0.6, 0, 0.8 });
+  oven[Belt]->GetBounds(b);
+  expect({ -3, 3, -0.6, 0.6, 0, 0 });
+  oven[Lamps]->GetBounds(b);
+  expect({ -1.5 - LampRadius, 2 + LampRadius, -0.5, 0.5, 0.7 - LampRadius, 0.7 + LampRadius });
+  // An opening is where the wall above it ends: at x = -2.5 no point lies between belt and 0.4.
+  for (vtkIdType i = 0; i < oven[Tunnel]->GetNumberOfPoints(); ++i)
+  {
+    const double* x = oven[Tunnel]->GetPoint(i);
+    const bool isInOpening = x[0] < -2.5 + 1e-6 && std::abs(x[1]) < 0.6 - 1e-6 && x[2] < 0.4 - 1e-6;
+    EXPECT_FALSE(isInOpening) << x[1] << " " << x[2];
+  }
 }
 
 // Of a parabola: a ray from the focus goes straight down.
 TEST(Oven, ReflectorsAreParabolasAroundTheLamp)
 {
-  const auto oven = MakeOven(1, 700);
+  const auto oven = MakeOven(ReadOptions({ "--lamps", "1" }));
   double lamp[6];
   oven[Lamps]->GetBounds(lamp);
   const double focus = (lamp[4] + lamp[5]) / 2;
@@ -407,11 +447,11 @@ struct Ran
   std::string Out;
 };
 
-Ran RunProgram(const std::string& arguments)
+Ran RunProgram(const std::string& arguments, const std::string& within = "")
 {
   const std::string log = testing::TempDir() + "CuringOven.log";
-  const int status = std::system(
-    (std::string("'") + CURING_OVEN + "' " + arguments + " >'" + log + "' 2>&1").c_str());
+  const int status =
+    std::system((within + "'" + CURING_OVEN + "' " + arguments + " >'" + log + "' 2>&1").c_str());
   return { status, TextOf(log) };
 }
 
@@ -438,9 +478,18 @@ std::array<int, 3> CountPixels(const std::string& file)
 TEST(CuringOvenProgram, WritesPicturesTablesAndTheSceneWithTheSameNumbers)
 {
   const std::string folder = testing::TempDir() + "CuringOven-output";
+  // What an earlier run left goes, all else stays.
+  std::filesystem::create_directories(folder + "/CuringOven");
+  WriteFile("CuringOven-output/CuringOven/CuringOven_77.vtp", "old");
+  WriteFile("CuringOven-output/CuringOven/mine.vtp", "mine");
+  WriteFile("CuringOven-output/Notes.csv", "mine");
   const Ran ran = RunProgram("--part '" + Cube() + "' --part '" + Ball() +
-    "' --cells 200 --walks 20000 --steps 8 --compare 3 --size 320x200 --output '" + folder + "'");
+    "' --cells 200 --walks 20000 --steps 8 --compare 3 --size 640x320 --output '" + folder + "'");
   ASSERT_EQ(ran.Status, 0) << ran.Out;
+  EXPECT_FALSE(std::filesystem::exists(folder + "/CuringOven/CuringOven_77.vtp"));
+  EXPECT_EQ(TextOf(folder + "/CuringOven/mine.vtp"), "mine");
+  EXPECT_EQ(TextOf(folder + "/Notes.csv"), "mine");
+  EXPECT_PRED2(Has, TextOf(folder + "/ParaViewState.py"), "CuringOven.vtm");
   EXPECT_PRED2(Has, ran.Out, "3 steps were compared with fresh starts");
   EXPECT_PRED2(Has, ran.Out, "With 20000 walks ");
   // Some of the parts is under-cured, some well, some over-cured.
@@ -456,6 +505,18 @@ TEST(CuringOvenProgram, WritesPicturesTablesAndTheSceneWithTheSameNumbers)
   reader->Update();
   const auto parts = PartsOf(vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput()));
   ASSERT_EQ(parts.size(), 2u);
+  auto* scene = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
+  const auto nameOf = [&](unsigned int group, unsigned int block) {
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(scene->GetBlock(group));
+    return std::string(blocks->GetMetaData(block)->Get(vtkCompositeDataSet::NAME()));
+  };
+  EXPECT_EQ(nameOf(0, Lamps), "lamps");
+  EXPECT_EQ(nameOf(0, Tunnel), "tunnel");
+  EXPECT_EQ(nameOf(1, 0), "cube");
+  EXPECT_EQ(nameOf(1, 1), "ball");
+  // Side by side on the belt.
+  EXPECT_NEAR(parts[0]->GetCenter()[0], Spacing / 2, 1e-6);
+  EXPECT_NEAR(parts[1]->GetCenter()[0], -Spacing / 2, 1e-6);
   std::istringstream cells(TextOf(folder + "/Cells.csv"));
   std::string line;
   std::getline(cells, line);
@@ -482,6 +543,18 @@ TEST(CuringOvenProgram, WritesPicturesTablesAndTheSceneWithTheSameNumbers)
   EXPECT_EQ(std::count(steps.begin(), steps.end(), '\n'), 1 + 8);
   const std::string table = TextOf(folder + "/Parts.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3);
+}
+
+TEST(CuringOvenProgram, NeedsNoDisplay)
+{
+  const std::string folder = testing::TempDir() + "CuringOven-bare";
+  const Ran ran = RunProgram(
+    "--part '" + Ball() + "' --cells 20 --steps 2 --walks 2000 --output '" + folder + "'",
+    "env -u DISPLAY ");
+  EXPECT_EQ(ran.Status, 0) << ran.Out;
+  EXPECT_PRED2(Has, ran.Out, "No pictures: DISPLAY is not set");
+  EXPECT_TRUE(std::filesystem::exists(folder + "/CuringOven.vtm"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/CuringOven.png"));
 }
 
 TEST(CuringOvenProgram, ShootsMoreWalksUntilTheAccuracyIsReached)

@@ -2,7 +2,9 @@
 // Shiny things: a copper teapot flies through a room, before a mirror, and the camera moves as well.
 // Leaves the movie GlossyRoom.ogv and a picture of each frame, and compares the last frame with a fresh
 // start.
+#include "CommandLine.h"
 #include "Meshes.h"
+#include "OutputFolder.h"
 #include "ProgressBar.h"
 
 #include <vtkActor.h>
@@ -28,17 +30,16 @@
 #include <vtkTransform.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
-#include <vtksys/CommandLineArguments.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -46,14 +47,28 @@ namespace
 using Mesh = vtkSmartPointer<vtkPolyData>;
 using Colour = std::array<double, 3>; // a value for each band
 
+constexpr const char* Results = "GlossyRoom.ogv, pictures/";
+
 struct Options
 {
-  int Walks = 1000000;
-  int Frames = 60;
-  int Width = 960;
-  int Height = 720;
-  std::string Output = "GlossyRoom-output";
+  int Walks;
+  int Frames;
+  int Width, Height; // pixels
+  std::string Output;
+  bool Help = false;
 };
+
+std::vector<movingteapot::Option> OptionsOf(Options& o)
+{
+  using namespace movingteapot;
+  return {
+    { "--walks", "N", "1000000", "photon walks", Count(o.Walks, 1) },
+    { "--frames", "N", "60", "frames, the first one included", Count(o.Frames, 1) },
+    { "--size", "WxH", "960x720", "size of the pictures in pixels", Size(o.Width, o.Height) },
+    { "--output", "FOLDER", "./GlossyRoom-output", "where all results go", Text(o.Output) },
+    { "--help", "", "", "this text", Switch(o.Help, true) },
+  };
+}
 
 // The same for all cells.
 void SetCells(vtkPolyData* mesh, const char* name, const Colour& value)
@@ -184,6 +199,12 @@ public:
   explicit Pictures(const Options& options)
     : Folder(options.Output + "/")
   {
+    movingteapot::PrepareFolder(
+      options.Output, R"(GlossyRoom\.ogv|pictures(/GlossyRoom_\d{4,}\.png)?)");
+    if (!this->IsDrawn)
+    {
+      return;
+    }
     if (!vtksys::SystemTools::MakeDirectory(this->Folder + "pictures"))
     {
       throw std::runtime_error(this->Folder + "pictures: this folder cannot be made");
@@ -203,10 +224,16 @@ public:
     }
   }
 
+  bool AreDrawn() const { return this->IsDrawn; }
+
   vtkCamera* GetCamera() { return this->Renderer->GetActiveCamera(); }
 
   void Add(int frame, vtkMultiBlockDataSet* scene)
   {
+    if (!this->IsDrawn)
+    {
+      return;
+    }
     int number = 0;
     for (vtkPolyData* mesh : vtkCompositeDataSet::GetDataSets<vtkPolyData>(scene))
     {
@@ -261,6 +288,7 @@ private:
   }
 
   std::string Folder;
+  const bool IsDrawn = movingteapot::CanDraw();
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkOggTheoraWriter> Movie;
@@ -282,34 +310,8 @@ bool IsSame(vtkMultiBlockDataSet* a, vtkMultiBlockDataSet* b)
   return isSame;
 }
 
-Options ReadOptions(int argc, char* argv[])
-{
-  Options options;
-  vtksys::CommandLineArguments arguments;
-  using Arguments = vtksys::CommandLineArguments;
-  arguments.Initialize(argc, argv);
-  arguments.AddArgument("--walks", Arguments::SPACE_ARGUMENT, &options.Walks, "Photon walks");
-  arguments.AddArgument("--frames", Arguments::SPACE_ARGUMENT, &options.Frames, "Frames");
-  arguments.AddArgument("--width", Arguments::SPACE_ARGUMENT, &options.Width, "Pixels");
-  arguments.AddArgument("--height", Arguments::SPACE_ARGUMENT, &options.Height, "Pixels");
-  arguments.AddArgument("--output", Arguments::SPACE_ARGUMENT, &options.Output, "Folder");
-  const bool isRead = arguments.Parse() != 0;
-  if (!isRead || options.Walks < 1 || options.Frames < 1 || options.Width < 1 || options.Height < 1)
-  {
-    throw std::runtime_error(
-      std::string("Options, the numbers at least 1:\n") + arguments.GetHelp());
-  }
-  return options;
-}
-
 void Run(const Options& options)
 {
-  const char* display = std::getenv("DISPLAY");
-  if (!display || !*display)
-  {
-    throw std::runtime_error(
-      "pictures need an X display and DISPLAY is not set; start it through Examples/run.sh");
-  }
   Pictures pictures(options);
   vtkNew<vtkTransform> worldFromTeapot;
   vtkNew<vtkIrradianceFilter> light;
@@ -340,7 +342,8 @@ void Run(const Options& options)
     throw std::runtime_error("the radiance of the last frame is not that of a fresh start");
   }
   std::cout << "The radiance of the last frame is that of a fresh start, bit for bit.\n"
-            << options.Output << "/GlossyRoom.ogv, " << options.Output << "/pictures/\n";
+            << "Written to " << options.Output << ": "
+            << (pictures.AreDrawn() ? Results : "nothing") << "\n";
 }
 
 }
@@ -349,7 +352,18 @@ int main(int argc, char* argv[])
 {
   try
   {
-    Run(ReadOptions(argc, argv));
+    Options options;
+    movingteapot::ReadCommandLine(OptionsOf(options), { argv + 1, argv + argc });
+    if (options.Help)
+    {
+      std::cout << movingteapot::ComposeHelp(
+        "GlossyRoom: a copper teapot before a mirror, as an eye sees it.", OptionsOf(options), "",
+        Results);
+    }
+    else
+    {
+      Run(options);
+    }
     return 0;
   }
   catch (const std::exception& error)

@@ -1,22 +1,36 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The whole of vtkIrradiance in ten minutes: a room with a lamp, and a ball that moves through it.
 
-Prints the light on the room, and leaves irradiance.vtm for ParaView and the picture irradiance.png. It does
-what LitRoom.cxx does, with the same numbers to the last bit.
+Prints the light on the room, and leaves in the folder LitRoom-output irradiance.vtm, ParaViewState.py, which
+opens it in ParaView, and the picture irradiance.png. It does what LitRoom.cxx does, with the same numbers to the
+last bit.
 """
+import os
+import sys
+from pathlib import Path
+
 import numpy as np
 import vtkmodules.vtkRenderingFreeType  # for the text of the legend
 from vtkmodules.numpy_interface.dataset_adapter import WrapDataObject
-from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource, vtkTessellatedBoxSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
-from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer,
+                                         vtkRenderWindow, vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingOpenGL2
 
 import vtkIrradiance
+
+
+def set_name(mesh, name):
+    """What the block of a mesh is called in the output; without a name it is "Static 0" or the like."""
+    array = vtkStringArray()
+    array.SetName("Name")
+    array.InsertNextValue(name)
+    mesh.GetFieldData().AddArray(array)
 
 
 def make_room():
@@ -27,60 +41,87 @@ def make_room():
     """
     room = vtkTessellatedBoxSource()
     room.SetBounds(-2, 2, -2, 2, 0, 3)
-    room.SetLevel(20)
+    room.SetLevel(30)
     room.QuadsOn()
+    room.Update()
+    set_name(room.GetOutput(), "room")
     return room
 
 
 def make_lamp():
-    """A square metre below the ceiling.
+    """Two metres square, below the ceiling.
 
     Any cell with a "RadiantExitance" shines, from its front: the side from which its points run
     counter-clockwise. VTK keeps the NumPy array as it is, without a copy.
     """
     plane = vtkPlaneSource()
-    plane.SetOrigin(-0.5, -0.5, 2.9)
-    plane.SetPoint1(-0.5, 0.5, 2.9)
-    plane.SetPoint2(0.5, -0.5, 2.9)
+    plane.SetOrigin(-1, -1, 2.9)
+    plane.SetPoint1(-1, 1, 2.9)
+    plane.SetPoint2(1, -1, 2.9)
     plane.Update()
     exitance = np.array([100.0])  # W/m2, one value for each cell
     WrapDataObject(plane.GetOutput()).CellData.append(exitance, "RadiantExitance")
+    set_name(plane.GetOutput(), "lamp")
     return plane.GetOutput()
 
 
-def write_picture(irradiance, name):
-    """From inside the room, in the colours of the array; VTK's own lights are off."""
-    colours = vtkLookupTable()  # black, red, yellow, white
-    colours.SetHueRange(0, 0.17)
-    colours.SetSaturationRange(1, 0.4)
-    colours.SetValueRange(0, 1)
-    colours.SetRampToLinear()
-    colours.SetTableRange(0, 6)  # W/m2
-    mapper = vtkCompositePolyDataMapper2()
-    mapper.SetInputConnection(irradiance.GetOutputPort())
+def most_of(output):
+    """98 % of all cells receive at most this, W/m2. The few brightest shall not darken the picture."""
+    return np.percentile(np.concatenate(output.CellData["Irradiance"].Arrays), 98)
+
+
+def make_actor(mesh, colours, is_room, is_lamp):
+    """In the colours of the array; VTK's own lights are off."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("Irradiance")
     mapper.SetLookupTable(colours)
     mapper.UseLookupTableScalarRangeOn()
-    scene = vtkActor()
-    scene.SetMapper(mapper)
-    scene.GetProperty().LightingOff()
+    mapper.SetScalarVisibility(not is_lamp)  # the lamp is white
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetFrontfaceCulling(is_room)  # its outside
+    return actor
+
+
+def make_legend(colours):
     legend = vtkScalarBarActor()
     legend.SetLookupTable(colours)
-    legend.SetTitle("W/m2")
+    legend.SetTitle("Irradiance (W/m2)")
+    legend.SetLabelFormat("  %-.3g")
+    legend.SetMaximumNumberOfColors(256)
+    legend.UnconstrainedFontSizeOn()
+    legend.GetTitleTextProperty().SetFontSize(14)
+    legend.SetVerticalTitleSeparation(12)
+    legend.SetPosition(0.865, 0.1)
+    legend.SetWidth(0.12)
+    legend.SetHeight(0.8)
+    return legend
 
+
+def write_picture(output, name):
+    """Looks into the room through its front wall."""
+    colours = vtkColorTransferFunction()  # as glowing iron
+    iron = ((0, 0, 0.02), (0.34, 0.06, 0.43), (0.74, 0.22, 0.33), (0.98, 0.56, 0.04), (0.99, 1, 0.65))
+    for i, colour in enumerate(iron):
+        colours.AddRGBPoint(most_of(output) * i / 4, *colour)
     renderer = vtkRenderer()
-    renderer.AddActor(scene)
-    renderer.AddViewProp(legend)
+    renderer.SetBackground(0.15, 0.15, 0.17)
+    for i, mesh in enumerate(output):
+        renderer.AddActor(make_actor(mesh.VTKObject, colours, is_room=i == 0, is_lamp=i == 1))
+    renderer.AddViewProp(make_legend(colours))
     camera = renderer.GetActiveCamera()
     camera.SetViewUp(0, 0, 1)
-    camera.SetPosition(0, -1.95, 1.5)
-    camera.SetFocalPoint(0, 0, 1.4)
-    camera.SetViewAngle(75)
+    camera.SetPosition(0, -8.5, 1.5)
+    camera.SetFocalPoint(0, 0, 1.5)
+    camera.SetViewAngle(28)
+    camera.SetWindowCenter(0.16, 0)  # leaves a margin to the legend
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
-    window.SetSize(960, 720)
+    window.SetSize(1000, 680)
     window.AddRenderer(renderer)
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
@@ -91,20 +132,27 @@ def write_picture(irradiance, name):
 
 
 def main():
+    if len(sys.argv) > 1:
+        print("LitRoom.py: the light in a room through which a ball moves. It has no options.\n\n"
+              "Results: ./LitRoom-output: irradiance.vtm, ParaViewState.py, irradiance.png")
+        return
     room = make_room()
     lamp = make_lamp()
     # The ball stays the same in its own coordinates; a transform places it in the world.
     ball = vtkSphereSource()
     ball.SetThetaResolution(32)
     ball.SetPhiResolution(32)
+    ball.Update()
+    set_name(ball.GetOutput(), "ball")
     world_from_ball = vtkTransform()
-    world_from_ball.Translate(-1, 0, 0.8)
+    world_from_ball.Translate(-1, 0, 0.7)
 
     irradiance = vtkIrradiance.vtkIrradianceFilter()
     irradiance.AddInputConnection(0, room.GetOutputPort())  # what stays: walls, lamps
     irradiance.AddInputDataObject(0, lamp)
     irradiance.AddInputConnection(1, ball.GetOutputPort())  # what moves, in model coordinates
     irradiance.SetDynamicTransform(0, world_from_ball)
+    irradiance.SetCellEstimateToSpread()  # the ball's cells are small: less noise, some blur
 
     # The first update shoots a million photon walks. The others shoot again only what the ball has changed;
     # their result is the same, bit for bit, as if all were shot again.
@@ -121,14 +169,24 @@ def main():
               f"{report.GetArray('NumberOfRepairedSegments').GetTuple1(0):g} of "
               f"{report.GetArray('NumberOfSegments').GetTuple1(0):g} segments shot again")
 
-    # For ParaView: the last frame with all its arrays.
+    # For ParaView: the last frame with all its arrays, and how to look at it.
+    folder = Path("LitRoom-output")
+    folder.mkdir(exist_ok=True)
+    (folder / "irradiance.png").unlink(missing_ok=True)  # of an earlier run
     writer = vtkXMLMultiBlockDataWriter()
     writer.SetInputConnection(irradiance.GetOutputPort())
-    writer.SetFileName("irradiance.vtm")
+    writer.SetFileName(str(folder / "irradiance.vtm"))
     writer.SetDataModeToBinary()  # Debian's ParaView cannot read the default, appended data
     writer.Write()
 
-    write_picture(irradiance, "irradiance.png")
+    state = (Path(__file__).parent.parent / "ParaViewState.py").read_text(encoding="utf-8")
+    (folder / "ParaViewState.py").write_text(f'FOLDER = "{folder.absolute()}"\n{state}', encoding="utf-8")
+
+    # Where VTK draws by X it ends the program if there is no display.
+    if vtkRenderWindow().IsA("vtkXOpenGLRenderWindow") and not os.environ.get("DISPLAY"):
+        print("No picture: DISPLAY is not set, and VTK needs an X display (xvfb-run is one).", file=sys.stderr)
+        return
+    write_picture(output, str(folder / "irradiance.png"))
 
 
 if __name__ == "__main__":

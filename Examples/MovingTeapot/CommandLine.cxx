@@ -45,14 +45,15 @@ Setter Count(int& value, int least)
   };
 }
 
-Setter Size(int& width, int& height)
+Setter Size(int& width, int& height, int least)
 {
-  return [&](const std::string& text) {
+  return [&width, &height, least](const std::string& text) {
     int end = 0;
     if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
-      end != int(text.size()) || width < 160 || height < 120 || std::max(width, height) > 8192)
+      end != int(text.size()) || std::min(width, height) < least || std::max(width, height) > 8192)
     {
-      throw std::invalid_argument("160x120 to 8192x8192 pixels, such as 1280x720,");
+      const std::string limit = std::to_string(least);
+      throw std::invalid_argument(limit + "x" + limit + " to 8192x8192 pixels, such as 1280x720,");
     }
   };
 }
@@ -104,16 +105,22 @@ void ReadCommandLine(const std::vector<Option>& options, const std::vector<std::
   }
 }
 
-std::string ListOptions(const std::vector<Option>& options)
+std::string ComposeHelp(const std::string& purpose, const std::vector<Option>& options,
+  const std::string& notes, const std::string& results)
 {
-  std::ostringstream list;
-  list << std::left;
+  std::ostringstream help;
+  help << purpose << "\n\nOptions:\n" << std::left;
+  std::string folder;
   for (const Option& option : options)
   {
-    list << "  " << std::setw(18) << option.Name << std::setw(7) << option.Value << option.Help
-         << (option.Default.empty() ? "" : " (" + option.Default + ")") << '\n';
+    const std::string value = option.Value.empty() ? "off" : "none";
+    help << "  " << std::setw(18) << option.Name << std::setw(7) << option.Value << option.Help
+         << " (" << (option.Default.empty() ? value : option.Default) << ")\n";
+    folder = option.Name == "--output" ? option.Default : folder;
   }
-  return list.str();
+  help << (notes.empty() ? "" : "\n") << notes << "\nResults: " << folder << ": " << results
+       << '\n';
+  return help.str();
 }
 
 }

@@ -18,15 +18,15 @@ using Setter = std::function<void(const std::string&)>;
 Setter Number(double& value, double least, double most, const std::string& expected);
 /** A whole number, `least` at least. */
 Setter Count(int& value, int least);
-/** Such as 1280x720. */
-Setter Size(int& width, int& height);
+/** Such as 1280x720, in pixels: at least `least` wide and high. */
+Setter Size(int& width, int& height, int least = 120);
 Setter Text(std::string& value);
 Setter Switch(bool& value, bool to);
 
 struct Option
 {
   std::string Name;
-  std::string Value; // what it takes; empty for a switch
+  std::string Value; // what it takes: its unit, or N, FILE and the like; empty for a switch
   std::string Default;
   std::string Help;
   Setter Set;
@@ -38,8 +38,12 @@ struct Option
  */
 void ReadCommandLine(const std::vector<Option>& options, const std::vector<std::string>& words);
 
-/** A line for each option. */
-std::string ListOptions(const std::vector<Option>& options);
+/**
+ * What --help prints: `purpose`, a line for each option with its default, `notes` (may be empty), and, last,
+ * `results`: the files in the folder of the option --output.
+ */
+std::string ComposeHelp(const std::string& purpose, const std::vector<Option>& options,
+  const std::string& notes, const std::string& results);
 
 }
 

@@ -4,10 +4,12 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkMergePoints.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -177,6 +179,14 @@ std::vector<Patch> ReadTeapotPatches()
     throw std::runtime_error(MOVINGTEAPOT_DATA "/UtahTeapot.bpt cannot be read");
   }
   return patches;
+}
+
+void SetName(vtkPolyData* mesh, const std::string& name)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName("Name");
+  array->InsertNextValue(name);
+  mesh->GetFieldData()->AddArray(array);
 }
 
 vtkSmartPointer<vtkPolyData> MakeUtahTeapot(int segments)

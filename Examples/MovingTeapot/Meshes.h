@@ -34,6 +34,9 @@ using SideReflectances = std::array<std::optional<double>, 6>;
 vtkSmartPointer<vtkPolyData> MakeGridBox(
   const Box& box, double cellSize, Facing facing, const SideReflectances& reflectances);
 
+/** What its block is called in the output of vtkIrradianceFilter. */
+void SetName(vtkPolyData* mesh, const std::string& name);
+
 /** 4 x 4 control points of a Bezier patch, row after row. */
 using Patch = std::array<std::array<double, 3>, 16>;
 

@@ -8,6 +8,7 @@
  */
 #include "Animation.h"
 #include "Options.h"
+#include "OutputFolder.h"
 #include "ProgressBar.h"
 #include "Recording.h"
 #include "TimingTable.h"
@@ -132,7 +133,7 @@ int Run(const Options& options)
     LastOf(cached, "EmittedPower"), LastOf(cached, "AbsorbedPower"),
     LastOf(cached, "EscapedPower"));
   const bool good = !options.Comparison || PrintSameness(cached, uncached, afresh);
-  std::printf("Written to %s: MovingTeapot.pvd%s\n", options.Output.c_str(),
+  std::printf("Written to %s: MovingTeapot.pvd, ParaViewState.py%s\n", options.Output.c_str(),
     options.Pictures ? ", MovingTeapot.ogv, pictures/" : "");
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
@@ -143,12 +144,13 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const Options options = ReadOptions({ argv + 1, argv + argc });
+    Options options = ReadOptions({ argv + 1, argv + argc });
     if (options.Help)
     {
       std::cout << HelpText();
       return EXIT_SUCCESS;
     }
+    options.Pictures = options.Pictures && CanDraw();
     return Run(options);
   }
   catch (const std::exception& error)

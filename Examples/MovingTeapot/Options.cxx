@@ -27,17 +27,16 @@ Setter TraversalMode(int& mode)
 std::vector<Option> OptionsOf(Options& o)
 {
   return {
-    { "--walks", "N", "1000000", "shooting walks", Count(o.Walks, 1) },
-    { "--frames", "N", "60", "frames, the first included", Count(o.Frames, 2) },
+    { "--walks", "N", "1000000", "photon walks", Count(o.Walks, 1) },
+    { "--frames", "N", "60", "frames, the first one included", Count(o.Frames, 2) },
     { "--threads", "N", "0", "threads; 0: all there are", Count(o.Threads, 0) },
-    { "--output", "FOLDER", "./MovingTeapot-output", "where everything is written",
-      Text(o.Output) },
+    { "--output", "FOLDER", "./MovingTeapot-output", "where all results go", Text(o.Output) },
     { "--size", "WxH", "1280x720", "size of the pictures in pixels", Size(o.Width, o.Height) },
     { "--smooth", "N", "2", "times to smooth head and teapot in the pictures",
       Count(o.Smoothings, 0) },
     { "--traversal", "MODE", "parallel", "onetree, sequential or parallel",
       TraversalMode(o.TraversalMode) },
-    { "--cell-size", "M", "0.046", "edge of the cells of the walls in m",
+    { "--cell-size", "M", "0.046", "edge of the cells of the walls, m",
       Number(o.Scene.CellSize, 0.005, 1.0, "a number from 0.005 to 1") },
     { "--teapot-segments", "N", "10", "cuts along each edge of a teapot patch",
       Count(o.Scene.TeapotSegments, 2) },
@@ -62,9 +61,9 @@ Options ReadOptions(const std::vector<std::string>& words)
 std::string HelpText()
 {
   Options ignored;
-  return "MovingTeapot: the light in a room through which a teapot moves.\n\nOptions:\n" +
-    ListOptions(OptionsOf(ignored)) +
-    "\n(*) .obj .ply .stl .vtp .vtk or .off, z up; it is scaled to fit.\n";
+  return ComposeHelp("MovingTeapot: the light in a room through which a teapot moves.",
+    OptionsOf(ignored), "(*) .obj .ply .stl .vtp .vtk or .off, z up; it is scaled to fit.\n",
+    "MovingTeapot.pvd, ParaViewState.py, MovingTeapot.ogv, pictures/");
 }
 
 }

@@ -17,11 +17,11 @@ struct Options
   int Frames;
   int Threads; // 0: all the machine has
   std::string Output;
-  int Width, Height; // pixels
-  int Smoothings;    // of head and teapot in the pictures
-  int TraversalMode; // of vtkIrradianceFilter: one tree, sequential, parallel
-  SceneConfig Scene; // without a HeadFile it is the one that Data/fetch.sh gets, if it is there
-  bool Pictures = true;
+  int Width, Height;    // pixels
+  int Smoothings;       // of head and teapot in the pictures
+  int TraversalMode;    // of vtkIrradianceFilter: one tree, sequential, parallel
+  SceneConfig Scene;    // without a HeadFile it is the one that Data/fetch.sh gets, if it is there
+  bool Pictures = true; // false also where no window can be opened
   bool Comparison = true;
   bool Help = false;
 };

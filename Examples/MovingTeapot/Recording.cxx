@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Recording.h"
 
+#include "OutputFolder.h"
 #include "TeapotScene.h"
 #include "VtkErrors.h"
 
@@ -106,14 +107,10 @@ Recording::Recording(const Options& options)
   , Pictures(options.Pictures)
   , Smoothings(options.Smoothings)
 {
-  // VTK itself ends the program where no window can be opened.
-  const char* display = std::getenv("DISPLAY");
-  const bool needsDisplay = this->Pictures && this->Window->IsA("vtkXOpenGLRenderWindow");
-  if (needsDisplay && !(display && *display))
-  {
-    throw std::runtime_error("pictures need an X display and DISPLAY is not set; start it through "
-                             "Examples/run.sh or xvfb-run, or add --no-pictures");
-  }
+  PrepareFolder(options.Output,
+    R"((MovingTeapot\.(pvd|ogv)|ParaViewState\.py|pictures(/MovingTeapot_\d{4,}\.png)?)"
+    R"(|MovingTeapot(/MovingTeapot_\d{4,}(\.vtm|(/MovingTeapot_\d{4,}_\d+\.vtp)?))?))");
+  AddParaViewState(options.Output);
   MakeFolder(this->Folder + "MovingTeapot");
   if (this->Pictures)
   {

@@ -80,6 +80,14 @@ TeapotScene MakeTeapotScene(const SceneConfig& config)
   const auto teapot = config.TeapotFile.empty() ? MakeUtahTeapot(config.TeapotSegments)
                                                 : ReadMeshFile(config.TeapotFile);
   scene.Teapot = MakePlaster(FitMesh(teapot, TeapotBox));
+  SetName(scene.Room, "room");
+  SetName(scene.Lamp, "lamp");
+  SetName(scene.Plinth, "plinth");
+  if (scene.Head)
+  {
+    SetName(scene.Head, "head");
+  }
+  SetName(scene.Teapot, "teapot");
   return scene;
 }
 

@@ -2,6 +2,7 @@
 // The parts of the scene, against what is known of them beforehand.
 #include "Meshes.h"
 #include "Options.h"
+#include "OutputFolder.h"
 #include "TeapotScene.h"
 
 #include <vtkCell.h>
@@ -22,8 +23,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 using namespace movingteapot;
@@ -291,6 +294,30 @@ TEST(MeshFile, FitsAMeshIntoABox)
   {
     EXPECT_NEAR(b[i], expected[i], 1e-6);
   }
+}
+
+TEST(OutputFolder, LosesWhatAnEarlierRunLeftAndNothingElse)
+{
+  const std::string folder = testing::TempDir() + "earlier/run";
+  const auto write = [&](const char* name) {
+    const std::filesystem::path path = folder + "/" + name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path.string()) << "text";
+  };
+  for (const char* name :
+    { "A.png", "A.png.mine", "mine/A.png", "A/A_1.vtp", "B/A_1.vtp", "B/mine.vtp" })
+  {
+    write(name);
+  }
+  PrepareFolder(folder, R"(A\.png|[AB](/A_\d\.vtp)?)");
+  std::set<std::string> left;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+  {
+    left.insert(std::filesystem::relative(entry.path(), folder).generic_string());
+  }
+  const std::set<std::string> expected = { "A.png.mine", "B", "B/mine.vtp", "mine", "mine/A.png" };
+  EXPECT_EQ(left, expected);
+  EXPECT_PRED2(Has, MessageOf([] { PrepareFolder("/dev/null/x", "A"); }), "--output: /dev/null/x");
 }
 
 TEST(TeapotPath, StaysInTheRoomAndAboveTheHead)

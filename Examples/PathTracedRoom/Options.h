@@ -10,19 +10,19 @@
 namespace pathtracedroom
 {
 
-/** What the user may choose on the command line. */
+/** What the user may choose on the command line. The defaults stand in Options.cxx. */
 struct Options
 {
-  std::string Scene = "room";
-  int Segments = 30; // cuts along each edge of a teapot patch
-  int Width = 640, Height = 480;
-  int Samples = 64; // a pixel
-  int Threads = 0;  // 0: all the machine has
-  std::string Output = "PathTracedRoom";
-  irradiance::TraversalMode Traversal = irradiance::TraversalMode::Parallel;
+  std::string Scene;
+  int Segments;       // cuts along each edge of a teapot patch
+  int Width, Height;  // pixels
+  int Samples;        // a pixel
+  int Threads;        // 0: all the machine has
+  std::string Output; // a folder
+  irradiance::TraversalMode Traversal;
   bool CompareTraversals = false;
-  int Rounds = 5;   // of the comparison
-  std::string Help; // not empty if it was asked for
+  int Rounds; // of the comparison
+  bool Help = false;
 
   struct TraversalName
   {
@@ -33,7 +33,9 @@ struct Options
 };
 
 /** Throws std::runtime_error that says what is wrong. */
-Options ReadOptions(int argc, const char* const* argv);
+Options ReadOptions(const std::vector<std::string>& words);
+
+std::string HelpText();
 
 }
 

@@ -7,6 +7,7 @@
 #include "BidirectionalTracer.h"
 #include "Film.h"
 #include "Options.h"
+#include "OutputFolder.h"
 #include "ReadScene.h"
 #include "RoomScene.h"
 
@@ -58,10 +59,10 @@ double RelativeError(const Estimates& pixels)
 void Write(const Estimates& pixels, int bands, const RoomScene& scene, const Options& options)
 {
   const auto image = MakeImage(pixels, options.Width, options.Height, bands);
-  WritePicture(image, scene.Exposure, options.Output + ".png");
+  WritePicture(image, scene.Exposure, options.Output + "/PathTracedRoom.png");
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName((options.Output + ".vti").c_str());
+  writer->SetFileName((options.Output + "/PathTracedRoom.vti").c_str());
   writer->Write();
 }
 
@@ -165,8 +166,9 @@ int Run(const Options& options)
   {
     return CompareTraversals(objects, scene, options) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
+  movingteapot::PrepareFolder(options.Output, R"(PathTracedRoom\.(png|vti))");
   Render(objects, scene, options);
-  std::printf("Written: %s.png, %s.vti\n", options.Output.c_str(), options.Output.c_str());
+  std::printf("Written to %s: PathTracedRoom.png, PathTracedRoom.vti\n", options.Output.c_str());
   return EXIT_SUCCESS;
 }
 
@@ -176,10 +178,10 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const Options options = ReadOptions(argc, argv);
-    if (!options.Help.empty())
+    const Options options = ReadOptions({ argv + 1, argv + argc });
+    if (options.Help)
     {
-      std::cout << options.Help;
+      std::cout << HelpText();
       return EXIT_SUCCESS;
     }
     return Run(options);

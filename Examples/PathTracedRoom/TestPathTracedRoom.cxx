@@ -347,12 +347,11 @@ TEST(Film, RefusesWhatItCannotDo)
 namespace
 {
 
-std::string ErrorOf(std::vector<const char*> words)
+std::string ErrorOf(const std::vector<std::string>& words)
 {
-  words.insert(words.begin(), "PathTracedRoom");
   try
   {
-    ReadOptions(int(words.size()), words.data());
+    ReadOptions(words);
   }
   catch (const std::runtime_error& error)
   {
@@ -365,9 +364,8 @@ std::string ErrorOf(std::vector<const char*> words)
 
 TEST(Options, TakesValuesAndSaysWhatIsWrong)
 {
-  const char* words[] = { "PathTracedRoom", "--size", "320x200", "--samples", "7", "--traversal",
-    "onetree", "--traversals" };
-  const Options options = ReadOptions(8, words);
+  const Options options = ReadOptions(
+    { "--size", "320x200", "--samples", "7", "--traversal", "onetree", "--traversals" });
   EXPECT_EQ(options.Width, 320);
   EXPECT_EQ(options.Height, 200);
   EXPECT_EQ(options.Samples, 7);

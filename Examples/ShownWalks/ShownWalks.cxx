@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The method at work: photon walks in a room in which a teapot moves. What the motion made the filter shoot
-// again stands out. Leaves the picture ShownWalks.png.
+// again stands out. Leaves in the folder ShownWalks-output the picture ShownWalks.png.
+#include "CommandLine.h"
 #include "Meshes.h"
+#include "OutputFolder.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -32,11 +34,11 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -210,14 +212,27 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-void Run(vtkIdType shown)
+struct Options
 {
-  const char* display = std::getenv("DISPLAY");
-  if (!display || !*display)
-  {
-    throw std::runtime_error(
-      "the picture needs an X display and DISPLAY is not set; start it through Examples/run.sh");
-  }
+  int Walks, Shown;
+  std::string Output;
+  bool Help = false;
+};
+
+std::vector<movingteapot::Option> OptionsOf(Options& o)
+{
+  using namespace movingteapot;
+  return {
+    { "--walks", "N", "1000000", "photon walks", Count(o.Walks, 1) },
+    { "--shown", "N", "240", "of these, so many are shown", Count(o.Shown, 1) },
+    { "--output", "FOLDER", "./ShownWalks-output", "where all results go", Text(o.Output) },
+    { "--help", "", "", "this text", Switch(o.Help, true) },
+  };
+}
+
+void Run(const Options& options)
+{
+  movingteapot::PrepareFolder(options.Output, R"(ShownWalks\.png)");
   const Mesh room = movingteapot::MakeGridBox({ -2, 2, -1.5, 1.5, 0, 2.5 }, 0.1,
     movingteapot::Facing::Inward, { { 0.6, 0.6, 0.6, 0.6, 0.6, 0.6 } });
   const Mesh lamp = MakeLamp();
@@ -231,9 +246,10 @@ void Run(vtkIdType shown)
   light->AddInputDataObject(0, lamp);
   light->AddInputDataObject(1, teapot);
   light->SetDynamicTransform(0, worldFromTeapot);
-  light->SetCellEstimateToSpread();     // the teapot's cells are small
-  light->SetNumberOfOutputWalks(shown); // on output port 1
-  light->Update();                      // shoots all walks
+  light->SetCellEstimateToSpread(); // the teapot's cells are small
+  light->SetNumberOfWalks(options.Walks);
+  light->SetNumberOfOutputWalks(options.Shown); // on output port 1
+  light->Update();                              // shoots all walks
   vtkNew<vtkTransformPolyDataFilter> before;
   before->SetInputData(teapot);
   before->SetTransform(worldFromTeapot);
@@ -255,8 +271,12 @@ void Run(vtkIdType shown)
   std::cout << count << " of the " << walks->GetNumberOfCells()
             << " walks shown were shot again, and "
             << light->GetOutput()->GetFieldData()->GetArray("NumberOfInvalidWalks")->GetTuple1(0)
-            << " of all " << light->GetNumberOfWalks() << "\n";
+            << " of all " << light->GetNumberOfWalks() << std::endl;
 
+  if (!movingteapot::CanDraw())
+  {
+    return;
+  }
   const Segments segments(walks);
   Picture picture;
   picture.AddScene(light->GetOutput());
@@ -265,7 +285,8 @@ void Run(vtkIdType shown)
   picture.AddTubes(segments.Kept, Kept, 0.0032)->SetOpacity(0.2);
   picture.AddTubes(segments.ShotAgain, ShotAgain, 0.0075);
   picture.AddLegend("kept", "shot again");
-  picture.Write("ShownWalks.png");
+  picture.Write(options.Output + "/ShownWalks.png");
+  std::cout << "Written to " << options.Output << ": ShownWalks.png\n";
 }
 
 }
@@ -274,12 +295,17 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const long shown = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 240;
-    if (argc > 2 || shown < 1)
+    Options options;
+    movingteapot::ReadCommandLine(OptionsOf(options), { argv + 1, argv + argc });
+    if (options.Help)
     {
-      throw std::runtime_error("ShownWalks [NUMBER_OF_WALKS], which is at least 1");
+      std::cout << movingteapot::ComposeHelp("ShownWalks: which photon walks a motion touched.",
+        OptionsOf(options), "", "ShownWalks.png");
     }
-    Run(shown);
+    else
+    {
+      Run(options);
+    }
     return 0;
   }
   catch (const std::exception& error)

@@ -2,6 +2,7 @@
 #include "DynamicPoses.h"
 
 #include "InputError.h"
+#include "TimeKeys.h"
 
 #include "vtkNew.h"
 #include "vtkQuaternionInterpolator.h"
@@ -133,14 +134,13 @@ vtkMTimeType DynamicPoses::changeTime()
   return time;
 }
 
-void DynamicPoses::addTimes(double range[2]) const
+void DynamicPoses::addTimes(TimeKeys& times) const
 {
   for (const auto& [connection, pose] : poses_)
   {
     if (pose.interpolator && pose.interpolator->GetNumberOfTransforms() > 0)
     {
-      range[0] = std::min(range[0], pose.interpolator->GetMinimumT());
-      range[1] = std::max(range[1], pose.interpolator->GetMaximumT());
+      times.addRange(pose.interpolator->GetMinimumT(), pose.interpolator->GetMaximumT());
     }
   }
 }

@@ -17,6 +17,8 @@ class vtkTransformInterpolator;
 namespace irradiance
 {
 
+class TimeKeys;
+
 /// The transforms and transform interpolators that the user gave to dynamic connections, by the
 /// numbers of these. A connection has one of the two at most.
 class DynamicPoses
@@ -38,8 +40,8 @@ public:
   /// When one of them last changed, as far as can be told: VTK 9.1 does not say so where a first or
   /// last key comes or goes. Keys that change in number or range are noticed all the same.
   vtkMTimeType changeTime();
-  /// Widens `range` by the times of the interpolators' keys.
-  void addTimes(double range[2]) const;
+  /// Adds the range of the interpolators' keys.
+  void addTimes(TimeKeys& times) const;
   /// Evaluates the interpolators at `time`, or each at its first key. Not thread-safe, as they
   /// initialize themselves, which counts as a change. Throws InputError.
   void evaluate(std::optional<double> time);

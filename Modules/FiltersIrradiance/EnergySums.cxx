@@ -53,6 +53,20 @@ void EnergySums::add(vtkFieldData* fields, double weight)
   }
 }
 
+void EnergySums::append(const EnergySums& next)
+{
+  isKnown_ = isKnown_ && next.isKnown_;
+  worstBalance_ = std::max(worstBalance_, next.worstBalance_);
+  for (std::size_t i = 0; i < energies_.size(); ++i)
+  {
+    energies_[i].resize(std::max(energies_[i].size(), next.energies_[i].size()));
+    for (std::size_t band = 0; band < next.energies_[i].size(); ++band)
+    {
+      energies_[i][band] += next.energies_[i][band];
+    }
+  }
+}
+
 void EnergySums::write(vtkFieldData* fields) const
 {
   if (!isKnown_ || energies_[0].empty())

@@ -17,6 +17,8 @@ public:
   /// Adds the powers of a time. Field data without them, or without all of them, end the sums: then
   /// nothing is known of the whole.
   void add(vtkFieldData* fields, double weight);
+  /// Appends the sums over later times.
+  void append(const EnergySums& next);
   /// Adds `EmittedEnergy`, `AbsorbedEnergy`, `EscapedEnergy` (J) and `PowerBalanceError`, if known.
   void write(vtkFieldData* fields) const;
 

@@ -3,10 +3,13 @@
 #define irradiance_ErrorControlledIntegral_h
 
 #include "ExposureIntegral.h"
+#include "ExposureNode.h"
 #include "ExposureTimes.h"
+#include "TimeHalving.h"
 
-#include "vtkDoubleArray.h"
-
+#include <deque>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,81 +17,80 @@ namespace irradiance
 {
 
 /**
- * The trapezoidal rule over intervals that are halved until its error, as estimated, is small enough.
+ * The trapezoidal rule over pairs of intervals that are halved, the worst pair first, until their error, as
+ * estimated, is small enough. Documentation/Theory.md, 5.6.
  *
- * The first intervals are equal. From the first to the last, each is tried with the time in its
- * middle. On every leaf, the sum over cells of area * |two halves - the whole| is its error. It is
- * accepted, in two halves, if all leaves allow that; else its left half is tried, then its right half.
- * On a leaf whose exposure sums up to D, half of the tolerated tolerance * D belongs to the intervals by
- * their lengths. The other half is a reserve, and what intervals leave of their share joins it. An
- * interval may take its share, or a quarter of all that is left up to its end, so that a jump of
- * the irradiance ends after some halvings. Documentation/Theory.md, 5.6.
+ * The first times are visited in order. Then the two intervals of the worst pair are visited in their
+ * middles, which makes a pair of each. All decisions follow from the irradiance, so the times do too.
  *
- * All decisions follow from the irradiance, so the times do too. No more than the times of the first
- * intervals and those between which is halved are held.
+ * Only the times of pairs that may yet be halved are held. A settled pair is added up, and its sums wait for
+ * those of its neighbour: of the other half of what was halved, or, from a pair of the first times upwards,
+ * of the other half of a range of such pairs. So the order of additions does not depend on what was settled
+ * when.
  */
 class ErrorControlledIntegral : public ExposureIntegral
 {
 public:
-  struct Config
-  {
-    TimeSpan span;
-    int firstIntervals; ///< >= 1
-    double tolerance;   ///< relative, > 0
-    int mostIntervals;  ///< >= 2 * firstIntervals
-  };
-
-  explicit ErrorControlledIntegral(const Config& config);
+  /// `firstTimes`: in order, an odd number from 3 on.
+  ErrorControlledIntegral(std::vector<double> firstTimes, double tolerance, int mostIntervals);
 
   bool isDone() const override { return isDone_; }
   double nextTime() const override;
   void take(vtkDataObject* data) override;
-  double progress() const override;
+  double progress() const override { return progress_; }
   double relativeError() const override;
+  double relativeNoise() const override;
   std::string shortfall() const override;
 
 private:
-  /// The irradiance of a leaf at a time.
-  struct LeafNode
+  using Node = std::shared_ptr<const ExposureNode>;
+  struct Merge;
+  /// Where the sums over a span of time go: the first or the second half of a longer span; null: it is all.
+  struct Place
   {
-    std::vector<vtkSmartPointer<vtkDoubleArray>> irradiances; ///< of its sides; none without cells
-    double power = 0;                                         ///< W, of all cells, sides and bands
+    std::shared_ptr<Merge> whole;
+    bool isSecond = false;
   };
-  struct Node
+  /// Two halves become one.
+  struct Merge
   {
-    double time = 0;
-    vtkSmartPointer<vtkDataObject> data;
-    std::vector<LeafNode> leaves;
+    Place place;
+    std::unique_ptr<ExposureSums> other; ///< of the half that came first
   };
-  struct Leaf
+  /// An interval whose middle is to be visited, or three times.
+  struct Task
   {
-    std::string name;
-    std::vector<double> areas; ///< of its cells, m2; empty: there were none yet
-    double energy = 0;         ///< J, as known so far
-    double error = 0;          ///< J, of all that is accepted
+    Node start, end;
+    Place place;
+  };
+  struct Pair
+  {
+    Node start, middle, end;
+    Place place;
   };
 
-  LeafNode leafNodeOf(Leaf& leaf, vtkDataSet* data) const;
-  void begin();
-  void tryInterval(const Node& middle);
-  /// J, summed up over the cells of a leaf: |two halves - the whole|.
-  double difference(std::size_t leaf, const Node& middle) const;
-  bool isAllowed(const std::vector<double>& errors) const;
-  bool canHalve(const Node& middle) const;
-  void accept(const Node& middle, const std::vector<double>& errors);
-  /// The next time in order is known.
-  void settle(const Node& node);
+  void makePlaces(const Place& place, std::size_t count);
+  void addPair(const Pair& pair);
+  void settle(std::size_t id);
+  void deliver(Place place, std::unique_ptr<ExposureSums> sums);
+  /// Asks for the halves of the worst pair, or ends.
+  void halveWorst();
+  void finish();
 
-  Config config_;
-  ExposureSums checks_; ///< of all that is taken, with weights of 0: whether it fits together
-  std::vector<Leaf> leaves_;
   std::vector<double> firstTimes_;
-  std::vector<Node> first_; ///< at these times, until all are known
-  Node left_;               ///< where the interval that is tried begins
-  std::vector<Node> right_; ///< where it ends, at the back; before that, ends of later intervals
-  double before_ = 0;       ///< the time before settled_, or its own if that is the first
-  Node settled_;            ///< the last in order; it is added when the next one is known
-  bool isCapped_ = false, isDone_ = false;
+  double tolerance_;
+  int mostIntervals_;
+  TimeHalving halving_;
+  ExposureSums checks_; ///< of all that is taken, with weights of 0: whether it fits together
+  std::vector<ExposureBlock> blocks_;
+  std::vector<Place> firstPlaces_; ///< of pairs of first intervals
+  std::vector<Node> recent_;       ///< of the first times, those of the pair that is not complete
+  std::map<std::size_t, Pair> open_;
+  std::size_t nextId_ = 0;
+  std::deque<Task> tasks_;
+  double firstExcess_ = 0; ///< TimeHalving::excess() when all first times are known
+  double progress_ = 0;
+  bool isDone_ = false;
 };
 
 }

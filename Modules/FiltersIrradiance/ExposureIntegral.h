@@ -36,6 +36,8 @@ public:
   vtkDataObject* last() const { return last_; }
   /// The estimated error of the integration over time, relative; NaN if there is no estimate.
   virtual double relativeError() const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// What looks like such an error, but is the noise of single photons, relative.
+  virtual double relativeNoise() const { return std::numeric_limits<double>::quiet_NaN(); }
   /// A warning if not all is reached that was asked for, else empty.
   virtual std::string shortfall() const { return ""; }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace irradiance
 {
@@ -132,6 +133,7 @@ std::vector<ExposureSums::Side> ExposureSums::sidesOf(const std::string& leaf, v
 
 void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
 {
+  leaf.firstTime = time;
   leaf.sides = sidesOf(leaf.name, data);
   if (leaf.sides.empty())
   {
@@ -200,6 +202,7 @@ void ExposureSums::add(vtkDataObject* data, double time, double weight)
     vtkDataSet* cells = leaves[i].data;
     if (!hasCells(cells))
     {
+      endRuns(leaf);
       continue;
     }
     checkCells(leaf, cells, time);
@@ -213,9 +216,95 @@ void ExposureSums::add(vtkDataObject* data, double time, double weight)
     }
     leaf.geometry = vtk::TakeSmartPointer(cells->NewInstance());
     leaf.geometry->ShallowCopy(cells);
+    for (const Side& side : leaf.sides)
+    {
+      removeInput(side, leaf.geometry);
+    }
     leaf.time = time;
   }
   energies_.add(data->GetFieldData(), weight);
+}
+
+void ExposureSums::endRuns(Leaf& leaf)
+{
+  for (Side& side : leaf.sides)
+  {
+    if (side.replicates)
+    {
+      side.replicates->endRuns();
+    }
+  }
+}
+
+void ExposureSums::close()
+{
+  for (Leaf& leaf : leaves_)
+  {
+    endRuns(leaf);
+  }
+}
+
+bool ExposureSums::isAlike(const Side& a, const Side& b)
+{
+  return a.suffix == b.suffix && a.exposure.size() == b.exposure.size() &&
+    a.errorBound.size() == b.errorBound.size() &&
+    a.replicates.has_value() == b.replicates.has_value() &&
+    (!a.replicates || a.replicates->count() == b.replicates->count());
+}
+
+void ExposureSums::appendSide(Side& side, const Side& next, bool isShared)
+{
+  for (std::size_t i = 0; i < side.exposure.size(); ++i)
+  {
+    side.exposure[i] += next.exposure[i];
+  }
+  for (std::size_t i = 0; i < side.errorBound.size(); ++i)
+  {
+    side.errorBound[i] += next.errorBound[i];
+  }
+  if (side.replicates)
+  {
+    side.replicates->append(*next.replicates, isShared);
+  }
+}
+
+void ExposureSums::append(ExposureSums next)
+{
+  for (std::size_t i = 0; i < leaves_.size(); ++i)
+  {
+    Leaf &leaf = leaves_[i], &later = next.leaves_[i];
+    if (!leaf.geometry)
+    {
+      leaf = std::move(later);
+    }
+    else if (later.geometry)
+    {
+      if (!std::equal(leaf.sides.begin(), leaf.sides.end(), later.sides.begin(), later.sides.end(),
+            &ExposureSums::isAlike))
+      {
+        throw InputError(leaf.name +
+          " has other cell arrays of irradiance or of its errors at time " + text(later.firstTime) +
+          " than before");
+      }
+      for (std::size_t side = 0; side < leaf.sides.size(); ++side)
+      {
+        appendSide(leaf.sides[side], later.sides[side], leaf.time == later.firstTime);
+      }
+      leaf.geometry = later.geometry;
+      leaf.time = later.time;
+    }
+  }
+  energies_.append(next.energies_);
+}
+
+/// The arrays that the output does not have; they would fill memory.
+void ExposureSums::removeInput(const Side& side, vtkDataSet* data)
+{
+  for (const std::string& name : { "Irradiance" + side.suffix, errorName(side.suffix),
+         replicatesName(side.suffix), photonName(side.suffix), "StaleIrradiance" + side.suffix })
+  {
+    data->GetCellData()->RemoveArray(name.c_str());
+  }
 }
 
 void ExposureSums::writeSide(const Side& side, vtkDataSet* data)
@@ -232,11 +321,7 @@ void ExposureSums::writeSide(const Side& side, vtkDataSet* data)
     }
     cells->AddArray(array);
   };
-  for (const std::string& name : { "Irradiance" + side.suffix, errorName(side.suffix),
-         replicatesName(side.suffix), photonName(side.suffix), "StaleIrradiance" + side.suffix })
-  {
-    cells->RemoveArray(name.c_str());
-  }
+  removeInput(side, data);
   const std::string name = "RadiantExposure" + side.suffix;
   add(name, [&](std::size_t i) { return side.exposure[i]; });
   if (side.replicates)

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace irradiance
 {
@@ -77,6 +79,21 @@ TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
   return span;
 }
 
+namespace
+{
+
+/// The ends of the span and the steps between them.
+std::vector<double> timesWithin(const std::vector<double>& steps, const TimeSpan& span)
+{
+  std::vector<double> times{ span.start };
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(times),
+    [&](double step) { return step > span.start && step < span.end; });
+  times.push_back(span.end);
+  return times;
+}
+
+}
+
 std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
 {
   const std::vector<double> steps = timesOf(input);
@@ -86,23 +103,13 @@ std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
       std::to_string(steps.size()) +
       " TIME_STEPS, and 2 at least are needed: choose Uniform or ErrorControlled");
   }
-  std::vector<double> times{ span.start };
-  bool isAnyWithin = false;
-  for (const double step : steps)
+  if (std::none_of(steps.begin(), steps.end(),
+        [&](double step) { return step >= span.start && step <= span.end; }))
   {
-    isAnyWithin = isAnyWithin || (step >= span.start && step <= span.end);
-    if (step > span.start && step < span.end)
-    {
-      times.push_back(step);
-    }
+    throw InputError("none of the input's TIME_STEPS is within " + rangeText(span) +
+      " (StartTime to EndTime), so IntegrationMode TimeSteps is not possible");
   }
-  if (!isAnyWithin)
-  {
-    throw InputError("IntegrationMode is TimeSteps, but none of the input's TIME_STEPS is within " +
-      rangeText(span) + " (StartTime to EndTime)");
-  }
-  times.push_back(span.end);
-  return times;
+  return timesWithin(steps, span);
 }
 
 std::vector<double> uniformTimes(const TimeSpan& span, int intervals)
@@ -115,6 +122,44 @@ std::vector<double> uniformTimes(const TimeSpan& span, int intervals)
   }
   times.push_back(span.end);
   return times;
+}
+
+std::vector<double> firstTimes(vtkInformation* input, const TimeSpan& span, int intervals)
+{
+  const std::vector<double> known = timesWithin(timesOf(input), span);
+  std::vector<double> times{ span.start };
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < known.size(); ++i)
+  {
+    constexpr double rounding = 1e-9;
+    const double parts = (known[i] - known[i - 1]) / (span.end - span.start) * intervals;
+    const auto gap = uniformTimes(
+      { known[i - 1], known[i] }, std::max(1, static_cast<int>(std::ceil(parts - rounding))));
+    for (std::size_t part = 1; part < gap.size(); ++part)
+    {
+      times.push_back(gap[part]);
+      const std::size_t end = times.size() - 1;
+      longest = longest == 0 || times[end] - times[end - 1] > times[longest] - times[longest - 1]
+        ? end
+        : longest;
+    }
+  }
+  if (times.size() % 2 == 0)
+  {
+    times.insert(times.begin() + static_cast<std::ptrdiff_t>(longest),
+      middleOf(times[longest - 1], times[longest]));
+  }
+  return times;
+}
+
+std::optional<double> timeBetweenSteps(vtkInformation* input, const TimeSpan& span)
+{
+  const std::vector<double> steps = timesOf(input);
+  if (steps.empty())
+  {
+    return std::nullopt;
+  }
+  return middleOf(span.start, timesWithin(steps, span)[1]);
 }
 
 }

@@ -2,6 +2,7 @@
 #ifndef irradiance_ExposureTimes_h
 #define irradiance_ExposureTimes_h
 
+#include <optional>
 #include <vector>
 
 class vtkInformation;
@@ -24,6 +25,18 @@ std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span);
 
 /// The ends of `intervals` equal parts of the span.
 std::vector<double> uniformTimes(const TimeSpan& span, int intervals);
+
+/// The ends of the span, the TIME_STEPS of the input between them, and equal parts of what would be
+/// longer than the span over `intervals`. An even number of intervals: if it is odd, the longest is halved.
+std::vector<double> firstTimes(vtkInformation* input, const TimeSpan& span, int intervals);
+
+/// A time at which the input has no step, if it has TIME_STEPS.
+std::optional<double> timeBetweenSteps(vtkInformation* input, const TimeSpan& span);
+
+inline double middleOf(double start, double end)
+{
+  return start + (end - start) / 2;
+}
 
 /// The weight of a time in the trapezoidal rule, between the times before and after it; at an end, the
 /// time itself is its neighbour.

@@ -49,11 +49,6 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
 InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
   vtkLinearTransform* transform, const char* innerPose);
 
-/// Throws InputError if the filter was told to read an array of the points or of the field data, or
-/// one that no input has.
-void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics);
-
 }
 
 #endif

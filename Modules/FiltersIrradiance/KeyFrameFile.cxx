@@ -10,8 +10,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <map>
+#include <system_error>
 
 namespace irradiance
 {
@@ -61,6 +64,9 @@ public:
     {
       throw InputError("the file " + fileName + " cannot be read");
     }
+    std::error_code unknown; // such as the length of a pipe
+    length_ = std::filesystem::file_size(fileName, unknown);
+    length_ = unknown ? 0 : length_;
     if (!next())
     {
       throw InputError(
@@ -93,11 +99,18 @@ public:
         return false;
       }
       ++line_;
+      read_ += line.size() + 1;
     } while (isSkipped(line));
     cells_ = cellsOf(line);
     return true;
   }
 
+  /// What was read of the file, 0..1; 0 if its length is not known.
+  double progress() const
+  {
+    return read_ < length_ ? static_cast<double>(read_) / static_cast<double>(length_)
+                           : (length_ > 0 ? 1.0 : 0.0);
+  }
   std::string where() const { return "line " + std::to_string(line_) + " of " + fileName_; }
   bool has(const std::string& column) const { return columns_.count(column) > 0; }
   bool hasAny(const std::vector<std::string>& columns) const
@@ -152,6 +165,7 @@ public:
 private:
   std::string fileName_;
   std::ifstream stream_;
+  std::uintmax_t read_ = 0, length_ = 0; ///< bytes
   std::size_t line_ = 0;
   std::string header_;
   Cells cells_;
@@ -255,13 +269,17 @@ AffineMap poseOf(const Vector3& position, const Vector3& degrees)
   return poseOf("the pose", transform);
 }
 
-std::vector<KeyFrame> readKeyFrames(const std::string& fileName)
+std::vector<KeyFrame> readKeyFrames(
+  const std::string& fileName, const std::function<void(double)>& report)
 {
   Table table(fileName);
   const Form form = formOf(table);
+  const Checkpoint checkpoint = [&] { report(table.progress()); };
+  CheckpointPace pace(checkpoint);
   std::vector<KeyFrame> keys;
   while (table.next())
   {
+    pace.step();
     keys.push_back({ table.where(), table.value("time"), readPose(table, form) });
   }
   return keys;

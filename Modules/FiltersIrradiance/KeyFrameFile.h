@@ -4,6 +4,7 @@
 
 #include "KeyFrames.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,10 @@ namespace irradiance
  * - `m00`, `m01`, ... `m33`: a matrix, row by row; the last row may be left out.
  *
  * Empty lines and lines that begin with # are skipped. Throws InputError, naming file, line, column
- * and value.
+ * and value. `report` is called now and then with what was read of the file, 0..1; it may throw.
  */
-std::vector<KeyFrame> readKeyFrames(const std::string& fileName);
+std::vector<KeyFrame> readKeyFrames(
+  const std::string& fileName, const std::function<void(double)>& report);
 
 /// The pose at this place, turned by these degrees in the manner of vtkProp3D.
 AffineMap poseOf(const Vector3& position, const Vector3& degrees);

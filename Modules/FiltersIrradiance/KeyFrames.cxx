@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace irradiance
@@ -67,7 +68,8 @@ void checkTimes(const std::vector<KeyFrame>& keys)
 
 }
 
-KeyFrames::KeyFrames(std::vector<KeyFrame> keys, KeyInterpolation interpolation)
+KeyFrames::KeyFrames(
+  std::vector<KeyFrame> keys, KeyInterpolation interpolation, const Checkpoint& checkpoint)
   : interpolation_(interpolation)
   , keys_(std::move(keys))
 {
@@ -76,8 +78,11 @@ KeyFrames::KeyFrames(std::vector<KeyFrame> keys, KeyInterpolation interpolation)
   {
     return;
   }
+  CheckpointPace pace(checkpoint);
   for (const KeyFrame& key : keys_)
   {
+    pace.step();
+    onlyMove_ = onlyMove_ && key.worldFromObject.linear == keys_.front().worldFromObject.linear;
     parts_.push_back(partsOf(key));
     Parts& now = parts_.back();
     if (parts_.size() == 1)
@@ -126,6 +131,26 @@ AffineMap KeyFrames::composed(const Parts& parts)
   return { parts.rotation.toRotationMatrix() * parts.scale.asDiagonal(), parts.position };
 }
 
+std::vector<double> KeyFrames::steps(int parts) const
+{
+  const double longest =
+    parts > 0 ? (end() - begin()) / parts : std::numeric_limits<double>::infinity();
+  constexpr double kRounding = 1e-9; // or a quotient just above 4 would give five intervals
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < keys_.size(); ++i)
+  {
+    const double from = keys_[i].time, length = keys_[i + 1].time - from;
+    const double count = std::max(1.0, std::ceil(length / longest - kRounding));
+    steps.push_back(from);
+    for (double step = 1; step < count; ++step)
+    {
+      steps.push_back(from + length * (step / count));
+    }
+  }
+  steps.push_back(end());
+  return steps;
+}
+
 AffineMap KeyFrames::at(double time) const
 {
   const auto after = std::upper_bound(
@@ -141,10 +166,9 @@ AffineMap KeyFrames::at(double time) const
     interpolation_ == KeyInterpolation::Spline ? spline(i, fraction) : linear(i, fraction);
   const Matrix3& before = key.worldFromObject.linear;
   // What only moves keeps its rotation, bit for bit.
-  const bool onlyMoves = before == keys_[i + 1].worldFromObject.linear &&
-    (interpolation_ == KeyInterpolation::Linear ||
-      std::all_of(keys_.begin(), keys_.end(),
-        [&](const KeyFrame& k) { return k.worldFromObject.linear == before; }));
+  const bool onlyMoves = interpolation_ == KeyInterpolation::Linear
+    ? before == keys_[i + 1].worldFromObject.linear
+    : onlyMove_;
   return onlyMoves ? AffineMap{ before, parts.position } : composed(parts);
 }
 

@@ -3,6 +3,7 @@
 #define irradiance_KeyFrames_h
 
 #include "Geometry/Vector.h"
+#include "Progress/Checkpoint.h"
 
 #include <Eigen/Geometry>
 
@@ -37,12 +38,16 @@ public:
   /// At least two keys, in the order of time. Throws InputError, naming the key and the value: for
   /// times that are not finite or not increasing, and for poses that cannot be interpolated, as they
   /// shear, or as some mirror and others do not.
-  KeyFrames(std::vector<KeyFrame> keys, KeyInterpolation interpolation);
+  KeyFrames(
+    std::vector<KeyFrame> keys, KeyInterpolation interpolation, const Checkpoint& checkpoint);
 
   bool isEmpty() const { return keys_.empty(); }
   const std::vector<KeyFrame>& keys() const { return keys_; }
   double begin() const { return keys_.front().time; }
   double end() const { return keys_.back().time; }
+  /// The times of the keys, and between them others at equal distances, none longer than 1 / `parts` of
+  /// the time from begin() to end(). 0: the keys alone.
+  std::vector<double> steps(int parts) const;
   /// `time` is from begin() to end().
   AffineMap at(double time) const;
 
@@ -63,6 +68,7 @@ private:
   KeyInterpolation interpolation_ = KeyInterpolation::Linear;
   std::vector<KeyFrame> keys_;
   std::vector<Parts> parts_; ///< of each key; none if poses are not interpolated
+  bool onlyMove_ = true;     ///< all keys have the same linear map
 };
 
 }

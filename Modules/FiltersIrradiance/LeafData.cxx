@@ -24,16 +24,6 @@ vtkSmartPointer<vtkDataObjectTreeIterator> iteratorOf(vtkDataObjectTree* tree)
   return iterator;
 }
 
-std::string nameOf(vtkDataObjectTreeIterator* leaf)
-{
-  std::string name = "block " + std::to_string(leaf->GetCurrentFlatIndex());
-  if (leaf->HasCurrentMetaData() && leaf->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME()))
-  {
-    name += std::string(" (") + leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) + ")";
-  }
-  return name;
-}
-
 vtkDataSet* dataSetOf(const std::string& name, vtkDataObject* data)
 {
   vtkDataSet* dataSet = vtkDataSet::SafeDownCast(data);
@@ -54,6 +44,16 @@ vtkSmartPointer<vtkDataSet> shallowCopyOf(vtkDataSet* data)
 
 }
 
+std::string leafName(vtkDataObjectTreeIterator* leaf)
+{
+  std::string name = "block " + std::to_string(leaf->GetCurrentFlatIndex());
+  if (leaf->HasCurrentMetaData() && leaf->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME()))
+  {
+    name += std::string(" (") + leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) + ")";
+  }
+  return name;
+}
+
 std::vector<LeafData> leavesOf(vtkDataObject* data)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
@@ -65,7 +65,7 @@ std::vector<LeafData> leavesOf(vtkDataObject* data)
   const auto iterator = iteratorOf(tree);
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    const std::string name = nameOf(iterator);
+    const std::string name = leafName(iterator);
     leaves.push_back(
       { name, iterator->GetCurrentFlatIndex(), dataSetOf(name, iterator->GetCurrentDataObject()) });
   }

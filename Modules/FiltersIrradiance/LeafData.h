@@ -9,6 +9,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkDataObjectTreeIterator;
 class vtkDataSet;
 
 namespace irradiance
@@ -21,6 +22,9 @@ struct LeafData
   unsigned int flatIndex; ///< its place in the structure
   vtkDataSet* data;       ///< null: an empty block
 };
+
+/// As in "block 3 (Plate)".
+std::string leafName(vtkDataObjectTreeIterator* leaf);
 
 /// All leaves of data, in order, with the empty ones. Throws InputError if one is no vtkDataSet.
 std::vector<LeafData> leavesOf(vtkDataObject* data);

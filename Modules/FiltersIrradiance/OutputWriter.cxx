@@ -21,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <limits>
 
@@ -132,6 +133,15 @@ void activateIrradiance(vtkPolyData* polyData, const EngineSettings& settings)
   }
 }
 
+/// What the input says of itself by a field array; else its port and number.
+std::string nameOf(vtkDataObject* data, const char* port, unsigned int connection)
+{
+  auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("Name"));
+  const bool isNamed = names && names->GetNumberOfValues() > 0 && !names->GetValue(0).empty();
+  return isNamed ? std::string(names->GetValue(0))
+                 : std::string(port) + " " + std::to_string(connection);
+}
+
 void setBlock(
   vtkMultiBlockDataSet* parent, unsigned int index, vtkDataObject* block, const std::string& name)
 {
@@ -171,13 +181,14 @@ void OutputWriter::writeBlocks(const std::vector<InputConnection>& statics,
   setBlock(output, 1, dynamicBlocks, "Dynamic");
   for (unsigned int i = 0; i < statics.size(); ++i)
   {
-    setBlock(staticBlocks, i, blockOf(statics[i], makeStatic), "Static " + std::to_string(i));
+    setBlock(
+      staticBlocks, i, blockOf(statics[i], makeStatic), nameOf(statics[i].data, "Static", i));
   }
   for (unsigned int i = 0; i < dynamics.size(); ++i)
   {
     const auto block = blockOf(dynamics[i], makeDynamic);
     block->GetFieldData()->RemoveArray(kFieldPoseName);
-    setBlock(dynamicBlocks, i, block, "Dynamic " + std::to_string(i));
+    setBlock(dynamicBlocks, i, block, nameOf(dynamics[i].data, "Dynamic", i));
   }
 }
 
@@ -279,6 +290,12 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
   }
   if (withReplicates_)
   {
+    add(photonName(suffix), [&](std::size_t cell, int band, double area) {
+      return area > 0 ? engine_.watts(errors_.photon(object, cell, side, band)) / area : 0.0;
+    });
+  }
+  if (withReplicates_ && withErrors_)
+  {
     addReplicates(polyData, suffix, object, firstCell, side);
   }
   if (settings_.repairTimeBudget > 0)
@@ -294,35 +311,25 @@ void OutputWriter::addReplicates(vtkPolyData* polyData, const std::string& suffi
 {
   const int bands = scene_.bands();
   const auto replicates = static_cast<int>(errors_.replicates());
-  const auto newArray = [&](const std::string& name, int components) {
-    auto array = vtkSmartPointer<vtkDoubleArray>::New();
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(polyData->GetNumberOfCells());
-    polyData->GetCellData()->AddArray(array);
-    return array;
-  };
-  const auto parts = newArray(replicatesName(suffix), replicates * bands);
-  const auto photons = newArray(photonName(suffix), bands);
+  vtkNew<vtkDoubleArray> parts;
+  parts->SetName(replicatesName(suffix).c_str());
+  parts->SetNumberOfComponents(replicates * bands);
+  parts->SetNumberOfTuples(polyData->GetNumberOfCells());
   const std::vector<double>& areas = scene_.areas(object);
   CheckpointPace pace(checkpoint_);
   for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
   {
     const std::size_t cell = firstCell + static_cast<std::size_t>(i);
-    const auto irradiance = [&](double quanta) {
-      return areas[cell] > 0 ? engine_.watts(quanta) / areas[cell] : 0.0;
-    };
-    for (int band = 0; band < bands; ++band)
+    for (int part = 0; part < replicates * bands; ++part)
     {
-      pace.step(static_cast<std::size_t>(replicates));
-      photons->SetTypedComponent(i, band, irradiance(errors_.photon(object, cell, side, band)));
-      for (int r = 0; r < replicates; ++r)
-      {
-        parts->SetTypedComponent(i, r * bands + band,
-          irradiance(errors_.ofReplicate(object, cell, side, band, static_cast<std::uint32_t>(r))));
-      }
+      pace.step();
+      const double quanta = errors_.ofReplicate(
+        object, cell, side, part % bands, static_cast<std::uint32_t>(part / bands));
+      parts->SetTypedComponent(
+        i, part, areas[cell] > 0 ? engine_.watts(quanta) / areas[cell] : 0.0);
     }
   }
+  polyData->GetCellData()->AddArray(parts);
 }
 
 double OutputWriter::standardError(

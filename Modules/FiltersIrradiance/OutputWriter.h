@@ -21,7 +21,7 @@ class OutputWriter
 {
 public:
   /// The arguments must outlive the writer.
-  /// `withErrors`: also writes standard errors; then `withReplicates`: and what they come from.
+  /// `withErrors`: also writes standard errors. `withReplicates`: also writes what ReplicateArrays.h tells.
   OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
     const EngineSettings& settings, bool withErrors, bool withReplicates,
     const Checkpoint& checkpoint)
@@ -29,7 +29,7 @@ public:
     , scene_(scene)
     , settings_(settings)
     , withErrors_(withErrors)
-    , withReplicates_(withErrors && withReplicates)
+    , withReplicates_(withReplicates)
     , checkpoint_(checkpoint)
     , errors_(engine.errorEstimate())
   {

@@ -176,17 +176,24 @@ void PolyDataConverter::checkArray(std::size_t number) const
   std::ostringstream message;
   message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)") << " ("
           << kArrayRoles[number].meaning << ") has ";
-  if (array->GetNumberOfTuples() != input_->GetNumberOfCells())
+  const vtkIdType cells = input_->GetNumberOfCells();
+  const bool mayHaveThree = number != Exponent;
+  std::ostringstream shape;
+  shape << "; in NumPy its shape is (" << cells << ",)";
+  if (mayHaveThree)
   {
-    message << array->GetNumberOfTuples() << " tuples for " << input_->GetNumberOfCells()
-            << " cells";
+    shape << " or (" << cells << ", 3)";
+  }
+  if (array->GetNumberOfTuples() != cells)
+  {
+    message << array->GetNumberOfTuples() << " tuples for " << cells << " cells" << shape.str();
     throw InputError(message.str());
   }
-  const bool mayHaveThree = number != Exponent;
   if (array->GetNumberOfComponents() != 1 && !(mayHaveThree && array->GetNumberOfComponents() == 3))
   {
     message << array->GetNumberOfComponents() << " components; "
-            << (mayHaveThree ? "1 or 3 are possible" : "1 is possible");
+            << (mayHaveThree ? "1 or 3 are possible" : "1 is possible") << shape.str()
+            << ", and append() repeats an array of any other length in each cell";
     throw InputError(message.str());
   }
 }

@@ -46,30 +46,31 @@ Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
 /// Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
 constexpr double kSmallestScale = 1e-30;
 
-void checkInvertible(const std::string& where, const Matrix4& matrix)
+[[noreturn]] void fail(const std::string& where, const Matrix4& matrix, const std::string& what)
 {
   std::ostringstream message;
-  message << where << ": the transform [" << matrix << "] ";
+  message << where << ": the transform [" << matrix << "] " << what;
+  throw InputError(message.str());
+}
+
+void checkInvertible(const std::string& where, const Matrix4& matrix)
+{
   if (!matrix.allFinite())
   {
-    message << "is not finite";
-    throw InputError(message.str());
+    fail(where, matrix, "is not finite");
   }
   if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
   {
-    message << "is not affine: its last row is not 0 0 0 1";
-    throw InputError(message.str());
+    fail(where, matrix, "is not affine: its last row is not 0 0 0 1");
   }
   const Eigen::JacobiSVD<Matrix3> svd(Matrix3(matrix.topLeftCorner<3, 3>()));
   if (!(svd.singularValues()[2] > 1e-14 * svd.singularValues()[0]))
   {
-    message << "is singular";
-    throw InputError(message.str());
+    fail(where, matrix, "is singular");
   }
   if (!(svd.singularValues()[2] >= kSmallestScale))
   {
-    message << "shrinks to less than " << kSmallestScale;
-    throw InputError(message.str());
+    fail(where, matrix, "shrinks to less than " + text(kSmallestScale));
   }
 }
 

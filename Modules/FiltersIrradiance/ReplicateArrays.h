@@ -10,8 +10,8 @@ namespace irradiance
 {
 
 /**
- * Cell arrays that a vtkIrradianceFilter with ComputeStandardError writes for those who ask for them,
- * and for nobody else: what each replicate by itself says of the irradiance.
+ * Cell arrays that a vtkIrradianceFilter writes for those who ask for them, and for nobody else. With
+ * ComputeStandardError: what each replicate by itself says of the irradiance.
  *
  * One component for each replicate and band, the bands of the first replicate first, W/m2. `suffix`: Front,
  * Back, or none.
@@ -21,7 +21,7 @@ inline std::string replicatesName(const std::string& suffix)
   return "Irradiance" + suffix + "Replicates";
 }
 
-/// Beside them: the irradiance that one photon of full power is, in each band, W/m2.
+/// With or without standard errors: the irradiance that one photon of full power is, in each band, W/m2.
 inline std::string photonName(const std::string& suffix)
 {
   return "Irradiance" + suffix + "OfPhoton";

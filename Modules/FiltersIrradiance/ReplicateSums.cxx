@@ -10,6 +10,51 @@
 namespace irradiance
 {
 
+void ReplicateSums::Counts::beginRun()
+{
+  if (isOneRun)
+  {
+    firstRun = lastRun;
+    isOneRun = false;
+  }
+  else
+  {
+    photonSquares += lastRun * lastRun;
+  }
+  lastRun = 0;
+}
+
+void ReplicateSums::Counts::append(const Counts& next, bool isShared)
+{
+  if (!isShared)
+  {
+    beginRun();
+  }
+  lastRun += next.isOneRun ? next.lastRun : next.firstRun;
+  if (!next.isOneRun)
+  {
+    beginRun();
+    photonSquares += next.photonSquares;
+    lastRun = next.lastRun;
+  }
+  photons += isShared ? next.photons - next.firstPhotons : next.photons;
+  photonTime += next.photonTime;
+  litTime += next.litTime;
+}
+
+void ReplicateSums::append(const ReplicateSums& next, bool isShared)
+{
+  for (std::size_t i = 0; i < exposures_.size(); ++i)
+  {
+    exposures_[i] += next.exposures_[i];
+  }
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+  {
+    counts_[i].append(next.counts_[i], isShared);
+  }
+  before_ = next.before_;
+}
+
 void ReplicateSums::add(
   const double* irradiance, vtkDoubleArray* replicates, vtkDoubleArray* photons, double weight)
 {
@@ -29,17 +74,21 @@ void ReplicateSums::add(
     {
       isSame = now[firstOf(i) + r * bands_] == before[firstOf(i) + r * bands_];
     }
-    if (!isSame)
+    if (!isBegun_)
     {
-      counts.photonSquares += counts.runPhoton * counts.runPhoton;
-      counts.runPhoton = 0;
+      counts.firstPhotons = counts.photons = number;
+    }
+    else if (!isSame)
+    {
+      counts.beginRun();
       counts.photons += number;
     }
-    counts.runPhoton += weight * photon[i];
+    counts.lastRun += weight * photon[i];
     counts.photonTime += weight * number;
     counts.litTime += number > 0 ? weight : 0;
   }
   before_ = replicates;
+  isBegun_ = true;
 }
 
 double ReplicateSums::standardError(std::size_t i, double exposure) const
@@ -61,7 +110,9 @@ double ReplicateSums::standardError(std::size_t i, double exposure) const
   {
     squares += std::pow(exposures_[firstOf(i) + r * bands_] - mean, 2);
   }
-  const double photonSquares = counts.photonSquares + counts.runPhoton * counts.runPhoton;
+  const double firstRun = counts.isOneRun ? 0 : counts.firstRun;
+  const double photonSquares =
+    firstRun * firstRun + counts.photonSquares + counts.lastRun * counts.lastRun;
   const double variance = std::max(squares / (number * (number - 1)), number * photonSquares / 12);
   const bool hasMany = counts.photonTime >= fewest * counts.litTime;
   return hasMany || exposure * exposure >= ErrorEstimate::kFewestPhotons * variance

@@ -35,19 +35,30 @@ public:
   void add(
     const double* irradiance, vtkDoubleArray* replicates, vtkDoubleArray* photons, double weight);
 
+  /// What is added after this begins new runs.
+  void endRuns() { before_ = nullptr; }
+  /// Appends the sums over later times. `isShared`: their first time is the last one of these.
+  void append(const ReplicateSums& next, bool isShared);
+
   /// Of the i-th value, whose exposure is `exposure`; NaN where it is not known.
   double standardError(std::size_t i, double exposure) const;
 
 private:
   /// What is known of the photons that a cell received in a band. A run is a span of time in which
-  /// its replicates do not change, so that its photons are the same.
+  /// its replicates do not change, so that its photons are the same. One photon of a run, in all of
+  /// it, is some J/m2.
   struct Counts
   {
-    double runPhoton = 0;     ///< J/m2 that one photon of the run, in all of it, is
-    double photonSquares = 0; ///< sum of its squares over the runs before
-    double photons = 0;       ///< those that arrived, counted once in each run
-    double photonTime = 0;    ///< number of photons * s
-    double litTime = 0;       ///< s in which any arrived
+    double firstRun = 0, lastRun = 0; ///< J/m2 of a photon; of a single run, the last
+    double photonSquares = 0;         ///< sum of its squares over the runs between
+    double firstPhotons = 0;          ///< those of the first run
+    double photons = 0;               ///< those that arrived, counted once in each run
+    double photonTime = 0;            ///< number of photons * s
+    double litTime = 0;               ///< s in which any arrived
+    bool isOneRun = true;
+
+    void beginRun();
+    void append(const Counts& next, bool isShared);
   };
 
   std::size_t firstOf(std::size_t i) const
@@ -58,7 +69,9 @@ private:
   std::size_t bands_ = 0, replicates_ = 0;
   std::vector<double> exposures_; ///< J/m2, in the order of the arrays
   std::vector<Counts> counts_;
-  vtkSmartPointer<vtkDoubleArray> before_; ///< replicates of the last time
+  bool isBegun_ = false;
+  vtkSmartPointer<vtkDoubleArray>
+    before_; ///< replicates of the last time; null: its runs have ended
 };
 
 }

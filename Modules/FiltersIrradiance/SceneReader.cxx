@@ -126,6 +126,7 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
     dynamicStamps_.clear();
     settings_ = settings;
   }
+  hasNews_ = hasNews_ || dynamicStamps_.size() != dynamicParts.size();
   dynamicStamps_.resize(dynamicParts.size());
   objects_.dynamicObjects.resize(dynamicParts.size());
   areas_.resize(dynamicParts.size() + 1);
@@ -148,6 +149,7 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
 void SceneReader::convert(
   const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint)
 {
+  hasNews_ = true;
   MaterialArrays<vtkDataArray> arrays;
   std::transform(part.arrays.begin(), part.arrays.end(), arrays.begin(),
     [&](vtkAbstractArray* array) { return asNumbers(array, part.name); });
@@ -172,6 +174,7 @@ void SceneReader::readStatic(const Parts& staticParts, const Checkpoint& checkpo
   {
     return;
   }
+  hasNews_ = true;
   staticStamps_.reset(); // until all is read
   firstCell_.clear();
   ConvertedPolyData all;
@@ -191,7 +194,8 @@ void SceneReader::readDynamic(
   const InputPart& part, std::size_t index, const Checkpoint& checkpoint)
 {
   SceneObject& object = objects_.dynamicObjects[index];
-  object.isPresent = part.polyData->GetNumberOfCells() > 0;
+  const bool wasPresent = std::exchange(object.isPresent, part.polyData->GetNumberOfCells() > 0);
+  hasNews_ = hasNews_ || object.isPresent != wasPresent;
   if (!object.isPresent && object.material && object.material->bands == settings_.bands)
   {
     return; // what it was may come back

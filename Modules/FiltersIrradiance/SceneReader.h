@@ -6,6 +6,7 @@
 #include "Light/SceneObjects.h"
 #include "PolyDataConverter.h"
 
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -41,6 +42,9 @@ public:
   const std::vector<double>& areas(std::uint32_t object) const { return areas_[object]; }
   /// New warnings since the last call, about inputs that can be computed all the same.
   std::vector<std::string> takeWarnings();
+  /// Whether anything but poses has changed since forgetNews(): cells, materials, parts that are there.
+  bool hasNews() const { return hasNews_; }
+  void forgetNews() { hasNews_ = false; }
 
 private:
   struct Settings
@@ -83,6 +87,7 @@ private:
   std::vector<std::size_t> firstCell_;
   std::vector<std::vector<double>> areas_;
   std::vector<std::string> warnings_;
+  bool hasNews_ = false;
 };
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceFilter.h"
 
+#include "ChosenArrays.h"
 #include "DynamicPoses.h"
 #include "EmptyPiece.h"
 #include "Execution/ProgressSpan.h"
@@ -10,6 +11,8 @@
 #include "PhotonRequest.h"
 #include "PhotonSource.h"
 #include "ReplicateArrays.h"
+#include "SceneAdvice.h"
+#include "TimeKeys.h"
 #include "WalksWriter.h"
 
 #include "vtkDataArray.h"
@@ -33,8 +36,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <sstream>
+#include <utility>
 
 vtkStandardNewMacro(vtkIrradianceFilter);
 
@@ -52,12 +55,15 @@ public:
   Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
   void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
     vtkMultiBlockDataSet* output, vtkPolyData* walks);
+  void Advise(
+    vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::Checkpoint& checkpoint);
 
   irradiance::DynamicPoses Poses;
   irradiance::SceneReader Scene;
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
     std::make_shared<irradiance::IrradianceEngine>();
+  std::vector<std::string> Advice; ///< what was probably a mistake when the inputs last changed
   vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
   vtkTimeStamp Newest;
 };
@@ -85,10 +91,10 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
   const double target = filter->GetTargetRelativeError();
   const std::uint32_t replicates =
     Checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
-  if (!(target >= 0) || std::isinf(target))
+  if (!(target >= 0 && target <= 1))
   {
-    throw irradiance::InputError("TargetRelativeError is " + std::to_string(target) +
-      "; it has to be positive, or 0 for no target");
+    throw irradiance::InputError("TargetRelativeError is " + irradiance::text(target) +
+      "; it has to be positive and at most 1, or 0 for no target (5 % is 0.05)");
   }
   if (target > 0)
   {
@@ -389,7 +395,7 @@ vtkMTimeType vtkIrradianceFilter::OwnTime()
   return std::max(this->Superclass::GetMTime(), this->Internals->Poses.changeTime());
 }
 
-/// The latest change of these and the inputs.
+/// The latest change of these and of anything upstream.
 vtkMTimeType vtkIrradianceFilter::InputTime()
 {
   vtkMTimeType time = this->OwnTime();
@@ -397,8 +403,7 @@ vtkMTimeType vtkIrradianceFilter::InputTime()
   {
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      vtkDataObject* data = this->GetInputDataObject(port, i);
-      time = std::max(time, data ? data->GetMTime() : 0);
+      time = std::max(time, irradiance::upstreamTime(this, port, i));
     }
   }
   return time;
@@ -421,7 +426,8 @@ int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
   // Composite types first: else the executive would call the filter for each block separately.
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // It refuses what is no polydata itself, once and with a hint; the executive repeats itself.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
@@ -447,47 +453,9 @@ vtkAlgorithmOutput* vtkIrradianceFilter::GetWalksOutputPort()
 int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
-  std::set<double> steps;
-  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  for (int port = 0; port < 2; ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* info = inputs[port]->GetInformationObject(i);
-      auto* stepsKey = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-      auto* rangeKey = vtkStreamingDemandDrivenPipeline::TIME_RANGE();
-      if (info->Has(stepsKey) && info->Length(stepsKey) > 0)
-      {
-        const double* times = info->Get(stepsKey);
-        const int count = info->Length(stepsKey);
-        steps.insert(times, times + count);
-        range[0] = std::min(range[0], *std::min_element(times, times + count));
-        range[1] = std::max(range[1], *std::max_element(times, times + count));
-      }
-      if (info->Has(rangeKey))
-      {
-        range[0] = std::min(range[0], info->Get(rangeKey)[0]);
-        range[1] = std::max(range[1], info->Get(rangeKey)[1]);
-      }
-    }
-  }
-  this->Internals->Poses.addTimes(range);
-  const std::vector<double> all(steps.begin(), steps.end());
-  for (int port = 0; port < output->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkInformation* info = output->GetInformationObject(port);
-    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-    if (!all.empty())
-    {
-      info->Set(
-        vtkStreamingDemandDrivenPipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
-    }
-    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-    if (range[0] <= range[1])
-    {
-      info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
-    }
-  }
+  irradiance::TimeKeys times(inputs, 2);
+  this->Internals->Poses.addTimes(times);
+  times.write(output);
   return 1;
 }
 
@@ -533,6 +501,30 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   return read;
 }
 
+/// Says what is probably a mistake, unless it said so when the inputs last changed.
+void vtkIrradianceFilter::vtkInternals::Advise(
+  vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::Checkpoint& checkpoint)
+{
+  if (!this->Scene.hasNews())
+  {
+    return;
+  }
+  const std::vector<std::string> advice = this->Engine->hasEmitters()
+    ? irradiance::SceneAdvice(inputs.Static, inputs.Dynamic, this->Scene, *this->Engine, checkpoint)
+        .warnings()
+    : std::vector<std::string>(
+        1, irradiance::noLightWarning(filter, inputs.Static, inputs.Dynamic));
+  this->Scene.forgetNews();
+  const std::vector<std::string> before = std::exchange(this->Advice, advice);
+  for (const std::string& warning : advice)
+  {
+    if (std::find(before.begin(), before.end(), warning) == before.end())
+    {
+      vtkWarningWithObjectMacro(filter, << warning);
+    }
+  }
+}
+
 void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, const Inputs& inputs,
   vtkInformation* request, vtkMultiBlockDataSet* output, vtkPolyData* walks)
 {
@@ -556,16 +548,12 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     vtkWarningWithObjectMacro(filter, << warning);
   }
   this->Engine->update(this->Scene.objects(), settings, execution);
-  if (!this->Engine->hasEmitters())
-  {
-    vtkWarningWithObjectMacro(filter, << "the scene has no light: no cell with a RadiantExitance "
-                                         "and an area, and no vertex with a RadiantFlux");
-  }
   if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
   {
     vtkWarningWithObjectMacro(filter, << TargetMissed(*this->Engine, settings));
   }
   const irradiance::Checkpoint writing = irradiance::checkpointOf(execution, 1);
+  this->Advise(filter, inputs, writing);
   irradiance::OutputWriter(*this->Engine, this->Scene, settings,
     filter->GetComputeStandardError() != 0, irradiance::areReplicatesRequested(request), writing)
     .write(inputs.Static, inputs.Dynamic, output);
@@ -586,8 +574,7 @@ int vtkIrradianceFilter::RequestData(
       0 &&
     this->Internals->Poses.isEmpty())
   {
-    output->Initialize();
-    return 1;
+    return irradiance::runFilter(this, output, [] {});
   }
   const std::optional<double> time = RequestedTime(request, outputs);
   this->Internals->Begun = this->InputTime();

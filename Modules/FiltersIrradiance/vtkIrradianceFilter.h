@@ -59,7 +59,9 @@
  * SpecularReflectance is not 0.
  *
  * Exitance on vertices and lines, and flux on lines and faces, are not read: a warning, or an error
- * if the input has no cell of the right kind. Arrays of these names on points: a warning.
+ * if the input has no cell of the right kind. Arrays of these names on points: a warning. So is a cell
+ * array that is called nearly so ("radiant exitance (W/m2)", "Albedo"), if the input has no array for
+ * that quantity and none was chosen.
  *
  * @section Output
  * Port 0: vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each a vtkMultiBlockDataSet with one
@@ -69,7 +71,9 @@
  * `IrradianceBack` if SeparateSides is on. Cells without area, vertices and lines have 0. A dynamic
  * input's `ObjectToWorld` is applied and not passed on. A composite connection has a block of its
  * structure instead: a vtkMultiPieceDataSet for a vtkPartitionedDataSet (which a
- * vtkMultiBlockDataSet may not hold), else a vtkMultiBlockDataSet.
+ * vtkMultiBlockDataSet may not hold), else a vtkMultiBlockDataSet. The block of a connection is
+ * called as the first value of its input's field array `Name` (vtkStringArray), such as "lamp"; without
+ * one "Static 0", "Dynamic 1" and so on. Blocks within a composite connection keep their names.
  *
  * By CellEstimate, the irradiance of a small cell may draw on the cells around it, see below.
  *
@@ -162,9 +166,10 @@
  * update can take from a cell, but not a strict bound: the widths follow the number of photons.
  *
  * With CellEstimate Nearest a cell that received fewer than NumberOfSpreadPhotons is estimated from so
- * many photons nearest to its middle, as vtkIrradianceProbeFilter does, but from no farther than twice
- * the distance at which the scene has them on the average. It follows the light across creases of up to
- * 45.6 degrees and from a connection to another, conserves no power, and takes far longer than Spread.
+ * many photons nearest to its middle, as vtkIrradianceProbeFilter does, but from no farther than 2 to 2.4
+ * times the distance at which the scene has them on the average. It follows the light across creases of up to
+ * 45.6 degrees and from a connection to another, conserves no power, and takes far longer than Spread. After
+ * a motion only cells near photons that changed, and near what moved, are estimated anew.
  * It excludes ComputeStandardError, TargetRelativeError and RepairTimeBudget: an error says so.
  *
  * @section Time Time
@@ -178,8 +183,19 @@
  * of range, singular or non-finite transforms, transforms of connections that do not exist, leaves
  * that are no polydata, point lights between walls that leave them no side to shine into, scenes
  * more than 1.3e8 times their size away from the origin (Documentation/Extremes.md): one error that
- * names the input, the cell and the value concerned, and an empty output. A scene without lights
- * gives zeros and a warning. Progress is reported and AbortExecute honoured within 0.1 s; after an
+ * names the input, the cell and the value concerned, and an empty output. Inputs of other types, such as
+ * unstructured grids, are an error as well: vtkGeometryFilter makes polydata of them.
+ *
+ * What can be computed but is hardly meant is a warning, given when cells, arrays or parts have changed,
+ * not at each motion:
+ * - a scene without lights, with the cell arrays that are there and not read; the irradiance is 0;
+ * - lamps that shine away from all the rest of the scene and whose light is lost, and lamps whose light
+ *   falls on lamps alone: cells emit from their front, and vtkReverseSense turns them;
+ * - a dynamic part of more than 10 m and more than twice the size of the static scene in which it
+ *   stands, and a scene of more than 100 m with less than 0.001 W/m2 on the average of its surfaces: all
+ *   lengths are metres. Documentation/Extremes.md: what else these limits meet.
+ *
+ * Progress is reported and AbortExecute honoured within 0.1 s; after an
  * abort the output is empty and, as with all VTK filters, up to date until Modified().
  *
  * Runs on VTK's threads (vtkSMPTools).
@@ -347,7 +363,8 @@ public:
   ///@{
   /**
    * Whether a static hit that a dynamic object hides is kept for when the object has gone again.
-   * Changes the time, not the result. Default on.
+   * Changes the time, not the result. Default off: to keep the hits costs as much as they save, or more,
+   * also where a part goes to and fro (see the page Performance).
    */
   vtkSetMacro(CacheStaticHits, vtkTypeBool);
   vtkGetMacro(CacheStaticHits, vtkTypeBool);
@@ -419,8 +436,8 @@ public:
 
   ///@{
   /**
-   * If positive, NumberOfWalks are shot first, and their number is doubled until the half-width of
-   * the 95 % interval is at most this times the irradiance on 95 % of the area. If that takes more
+   * 0 to 1; 5 % is 0.05. If positive, NumberOfWalks are shot first, and their number is doubled until
+   * the half-width of the 95 % interval is at most this times the irradiance on 95 % of the area. If that takes more
    * than MaximumNumberOfWalks, a warning says what was reached. A cell that has received nothing
    * meets the target if 3 more photons would make it no brighter than this times the average; a
    * cell with too few photons does not. Updates shoot more or fewer, as the scene needs. 0: no
@@ -518,7 +535,7 @@ protected:
   double DefaultDiffuseReflectance = 0.5;
   int TraversalMode = Parallel;
   int UpdateMode = Verify;
-  vtkTypeBool CacheStaticHits = 1;
+  vtkTypeBool CacheStaticHits = 0;
   vtkTypeBool SeparateSides = 0;
   int CellEstimate = Sums;
   int NumberOfSpreadPhotons = 250;

@@ -8,6 +8,7 @@
 #include "PhotonRequest.h"
 #include "PhotonSource.h"
 #include "Photons/NearestEstimate.h"
+#include "TimeKeys.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -17,11 +18,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkIrradianceProbeFilter);
@@ -81,6 +85,34 @@ vtkSmartPointer<Array> AddArray(vtkPointSet* output, const char* name, int compo
   return array;
 }
 
+/// No property but 0, which stands for a default, may be other than positive.
+void CheckPositive(const char* name, double value)
+{
+  if (!(value >= 0))
+  {
+    throw irradiance::InputError(std::string(name) + " is " + irradiance::text(value) +
+      "; it has to be positive, or 0 for what suits the scene");
+  }
+}
+
+/// Says which sensors are off all surface.
+std::string TextOfLost(
+  const std::vector<irradiance::Sensor>& sensors, const std::vector<char>& areLost, double distance)
+{
+  const auto first = static_cast<std::size_t>(
+    std::find(areLost.begin(), areLost.end(), char{ 1 }) - areLost.begin());
+  const irradiance::Vector3& position = sensors[first].position;
+  std::ostringstream message;
+  message
+    << std::count(areLost.begin(), areLost.end(), char{ 1 }) << " of " << sensors.size()
+    << " sensors lie farther than " << distance
+    << " m from a surface that faces as they do: the first is point " << first << " at ("
+    << position[0] << ", " << position[1] << ", " << position[2]
+    << "). Their Irradiance is NaN, as sensors in the air cannot be measured. MaximumDistance "
+       "says how far from a surface sensors may lie";
+  return message.str();
+}
+
 /// Without points, see EmptyPiece.
 void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
 {
@@ -94,10 +126,20 @@ void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
   output->GetPointData()->SetActiveScalars("Irradiance");
 }
 
+/// The executive would take the time of the sensors, which may not change with time.
+void SetDataTime(vtkInformation* info, vtkPointSet* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (info->Has(Pipeline::TIME_RANGE()) && info->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    output->GetInformation()->Set(
+      vtkDataObject::DATA_TIME_STEP(), info->Get(Pipeline::UPDATE_TIME_STEP()));
+  }
+}
+
 }
 
 vtkIrradianceProbeFilter::vtkIrradianceProbeFilter()
-  : MaximumRadius(std::numeric_limits<double>::infinity())
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -119,8 +161,22 @@ vtkDataObject* vtkIrradianceProbeFilter::GetSource()
 
 int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkMultiBlockDataSet");
+  // What follows the first type is refused by this filter itself, in words that help.
+  auto* const key = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
+  info->Set(key, port == 0 ? "vtkPointSet" : "vtkMultiBlockDataSet");
+  info->Append(key, port == 0 ? "vtkDataSet" : "vtkDataObject");
+  return 1;
+}
+
+int vtkIrradianceProbeFilter::RequestDataObject(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (vtkPointSet::GetData(inputs[0]))
+  {
+    return this->Superclass::RequestDataObject(request, inputs, outputs);
+  }
+  vtkNew<vtkPolyData> output; // it stays empty, see RequestData()
+  outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
   return 1;
 }
 
@@ -128,6 +184,10 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputs, outputs);
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()) != 0)
+  {
+    irradiance::TimeKeys(inputs, 2).write(outputs);
+  }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
   {
     irradiance::requestPhotons(inputs[1]->GetInformationObject(0));
@@ -140,30 +200,43 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
 void vtkIrradianceProbeFilter::Compute(
   vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
 {
-  if (!(this->MaximumRadius > 0))
+  if (!input)
   {
-    throw irradiance::InputError(
-      "MaximumRadius is " + irradiance::text(this->MaximumRadius) + "; it has to be positive");
+    throw irradiance::InputError(std::string("the sensors are a ") +
+      this->GetInputDataObject(0, 0)->GetClassName() +
+      "; vtkPolyData or another vtkPointSet is needed, with point normals (vtkGeometryFilter, in "
+      "ParaView Extract Surface, and then vtkPolyDataNormals make them)");
   }
+  CheckPositive("MaximumRadius", this->MaximumRadius);
+  CheckPositive("MaximumDistance", this->MaximumDistance);
   const std::vector<irradiance::Sensor> sensors = ReadSensors(input);
   const irradiance::PhotonSource source(scene, "the source");
   irradiance::IrradianceEngine& engine = *source.engine();
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::LeafPhotons& leaves = engine.leafPhotons(execution);
-  const irradiance::WalkHistory history = engine.photons();
-  const irradiance::NearestPhotons nearest(leaves, engine.objects(), history);
+  const irradiance::NearestPhotons nearest(
+    leaves, engine.surfaces(execution), engine.objects(), engine.history());
+  const auto count = static_cast<std::uint32_t>(this->NumberOfPhotons);
+  const double maximumDistance =
+    this->MaximumDistance > 0 ? this->MaximumDistance : irradiance::usualDistance(nearest);
+  const double maximumRadius =
+    this->MaximumRadius > 0 ? this->MaximumRadius : irradiance::usualRadius(nearest, count);
   const int bands = engine.objects().staticObject.material->bands;
   output->ShallowCopy(input);
   const auto irradiances = AddArray<vtkDoubleArray>(output, "Irradiance", bands);
   const auto counts = AddArray<vtkIdTypeArray>(output, "NumberOfPhotons", 1);
   const auto radii = AddArray<vtkDoubleArray>(output, "SearchRadius", 1);
+  std::vector<char> areLost(sensors.size());
   constexpr std::size_t unitSize = 64;
   irradiance::SlicedPass pass{ (sensors.size() + unitSize - 1) / unitSize, {} };
   pass.work = [&](std::size_t unit, const irradiance::Deadline&) {
     for (std::size_t i = unit * unitSize; i < std::min((unit + 1) * unitSize, sensors.size()); ++i)
     {
-      const irradiance::NearestEstimate estimate = irradiance::nearestEstimate(nearest, sensors[i],
-        static_cast<std::uint32_t>(this->NumberOfPhotons), this->MaximumRadius);
+      const std::optional<irradiance::Foot> foot = nearest.footOf(sensors[i], maximumDistance);
+      const irradiance::NearestEstimate estimate = foot
+        ? irradiance::nearestEstimate(nearest, *foot, count, maximumRadius)
+        : irradiance::NearestEstimate{ {}, 0, std::numeric_limits<double>::quiet_NaN(), 0 };
+      areLost[i] = foot ? 0 : 1;
       const auto point = static_cast<vtkIdType>(i);
       for (int band = 0; band < bands; ++band)
       {
@@ -178,6 +251,10 @@ void vtkIrradianceProbeFilter::Compute(
   };
   pass.run(execution);
   output->GetPointData()->SetActiveScalars("Irradiance");
+  if (std::find(areLost.begin(), areLost.end(), char{ 1 }) != areLost.end())
+  {
+    vtkWarningMacro(<< TextOfLost(sensors, areLost, maximumDistance));
+  }
 }
 
 int vtkIrradianceProbeFilter::RequestData(
@@ -186,13 +263,17 @@ int vtkIrradianceProbeFilter::RequestData(
   vtkPointSet* output = vtkPointSet::GetData(outputs);
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkDataObject* scene = vtkDataObject::GetData(inputs[1], 0);
+  vtkInformation* info = outputs->GetInformationObject(0);
   return irradiance::runFilter(this, output, [&] {
-    if (irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
+    if (input && irradiance::isEmptyPieceRequested(info))
     {
       WriteEmpty(input, scene, output);
-      return;
     }
-    this->Compute(input, scene, output);
+    else
+    {
+      this->Compute(input, scene, output);
+    }
+    SetDataTime(info, output);
   });
 }
 
@@ -200,5 +281,6 @@ void vtkIrradianceProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPhotons: " << this->NumberOfPhotons << "\n"
-     << indent << "MaximumRadius: " << this->MaximumRadius << "\n";
+     << indent << "MaximumRadius: " << this->MaximumRadius << "\n"
+     << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
 }

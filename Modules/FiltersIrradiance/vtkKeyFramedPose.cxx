@@ -4,10 +4,14 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "KeyFrameFile.h"
+#include "LeafData.h"
 #include "PassedGeometry.h"
 #include "Pose.h"
+#include "TimeKeys.h"
 
 #include "vtkCellData.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -23,8 +27,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
-#include <set>
+#include <utility>
 
 vtkStandardNewMacro(vtkKeyFramedPose);
 
@@ -42,10 +47,12 @@ public:
   irradiance::KeyFrames Keys;
   std::string Error; ///< why there are no keys
   vtkMTimeType KeysTime = 0;
+  bool IsAborted = false; ///< in RequestInformation
 
+  /// Throws Interrupted.
   void Update(vtkKeyFramedPose* filter);
   irradiance::KeyFrames ReadKeys(vtkKeyFramedPose* filter) const;
-  std::vector<irradiance::KeyFrame> AddedKeys() const;
+  std::vector<irradiance::KeyFrame> AddedKeys(const std::function<void(double)>& report) const;
   /// None if the part is not there.
   std::optional<irradiance::AffineMap> PoseAt(vtkKeyFramedPose* filter, double time) const;
 };
@@ -84,6 +91,57 @@ void CopyArraysOnly(vtkPolyData* input, vtkPolyData* output)
   output->GetCellData()->CopyAllocate(input->GetCellData(), 0);
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
   output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
+}
+
+/// None: the part is not there.
+using OptionalPose = std::optional<irradiance::AffineMap>;
+
+void PassOnLeaf(const std::string& name, vtkDataObject* data, const OptionalPose& worldFromInput,
+  vtkPolyData* output)
+{
+  auto* input = vtkPolyData::SafeDownCast(data);
+  if (!input)
+  {
+    throw irradiance::InputError(name + " is " +
+      (data ? std::string("a ") + data->GetClassName() : "null") +
+      "; only vtkPolyData can have a pose (vtkGeometryFilter makes one of most data)");
+  }
+  if (!worldFromInput)
+  {
+    CopyArraysOnly(input, output);
+    return;
+  }
+  output->ShallowCopy(input);
+  irradiance::notePassedGeometry(output, input);
+  SetPose(
+    output, irradiance::composed(*worldFromInput, irradiance::poseOf(name, input->GetFieldData())));
+}
+
+void PassOn(vtkDataObject* input, OptionalPose worldFromInput, vtkDataObject* output)
+{
+  const std::string name = "the input";
+  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  if (!tree)
+  {
+    PassOnLeaf(name, input, worldFromInput, vtkPolyData::SafeDownCast(output));
+    return;
+  }
+  if (worldFromInput)
+  {
+    worldFromInput =
+      irradiance::composed(*worldFromInput, irradiance::poseOf(name, tree->GetFieldData()));
+  }
+  output->ShallowCopy(tree);
+  output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
+  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  leaves->VisitOnlyLeavesOn();
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    vtkNew<vtkPolyData> leaf;
+    PassOnLeaf(name + ", " + irradiance::leafName(leaves), leaves->GetCurrentDataObject(),
+      worldFromInput, leaf);
+    vtkDataObjectTree::SafeDownCast(output)->SetDataSet(leaves, leaf);
+  }
 }
 
 }
@@ -156,11 +214,17 @@ int vtkKeyFramedPose::GetNumberOfPoses()
   return static_cast<int>(this->Internals->Added.size());
 }
 
-std::vector<irradiance::KeyFrame> vtkKeyFramedPose::vtkInternals::AddedKeys() const
+std::vector<irradiance::KeyFrame> vtkKeyFramedPose::vtkInternals::AddedKeys(
+  const std::function<void(double)>& report) const
 {
   std::vector<irradiance::KeyFrame> keys;
+  const irradiance::Checkpoint checkpoint = [&] {
+    report(static_cast<double>(keys.size()) / static_cast<double>(this->Added.size()));
+  };
+  irradiance::CheckpointPace pace(checkpoint);
   for (const Pose& pose : this->Added)
   {
+    pace.step();
     const std::string name = "pose " + std::to_string(keys.size());
     keys.push_back({ name, pose.Time, irradiance::poseOf(name, pose.Matrix.data()) });
   }
@@ -178,8 +242,15 @@ irradiance::KeyFrames vtkKeyFramedPose::vtkInternals::ReadKeys(vtkKeyFramedPose*
       std::to_string(this->Added.size()) +
       " poses were added; only one of the two is possible (RemoveAllPoses)");
   }
+  irradiance::SmpExecution execution = irradiance::executionOf(filter);
+  const auto report = [&](double progress) {
+    if (!execution.reportProgress(progress))
+    {
+      throw irradiance::Interrupted();
+    }
+  };
   std::vector<irradiance::KeyFrame> keys =
-    hasFile ? irradiance::readKeyFrames(filter->GetFileName()) : this->AddedKeys();
+    hasFile ? irradiance::readKeyFrames(filter->GetFileName(), report) : this->AddedKeys(report);
   if (keys.size() < 2)
   {
     throw irradiance::InputError(
@@ -187,7 +258,7 @@ irradiance::KeyFrames vtkKeyFramedPose::vtkInternals::ReadKeys(vtkKeyFramedPose*
       (keys.empty() ? "no pose" : "one pose alone") + "; two at least are needed");
   }
   return { std::move(keys),
-    static_cast<irradiance::KeyInterpolation>(filter->GetInterpolationType()) };
+    static_cast<irradiance::KeyInterpolation>(filter->GetInterpolationType()), [&] { report(1); } };
 }
 
 void vtkKeyFramedPose::vtkInternals::Update(vtkKeyFramedPose* filter)
@@ -196,7 +267,7 @@ void vtkKeyFramedPose::vtkInternals::Update(vtkKeyFramedPose* filter)
   {
     return;
   }
-  this->KeysTime = filter->GetMTime();
+  this->KeysTime = 0; // after an abort they are to be read
   this->Keys = {};
   this->Error.clear();
   try
@@ -207,6 +278,7 @@ void vtkKeyFramedPose::vtkInternals::Update(vtkKeyFramedPose* filter)
   {
     this->Error = error.what();
   }
+  this->KeysTime = filter->GetMTime();
 }
 
 std::optional<irradiance::AffineMap> vtkKeyFramedPose::vtkInternals::PoseAt(
@@ -229,46 +301,51 @@ std::optional<irradiance::AffineMap> vtkKeyFramedPose::vtkInternals::PoseAt(
     " is asked for (OutsideOfKeys says what to do then)");
 }
 
+int vtkKeyFramedPose::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Composite types first: else the executive would call the filter for each block separately, without
+  // times. Other data is refused when it comes, by name.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+vtkPolyData* vtkKeyFramedPose::GetOutput()
+{
+  return this->GetPolyDataOutput();
+}
+
 int vtkKeyFramedPose::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
-  this->Internals->Update(this); // what is wrong is said once, when the data are asked for
-  const irradiance::KeyFrames& keys = this->Internals->Keys;
-  if (keys.isEmpty())
+  irradiance::TimeKeys times(inputs, 1);
+  this->Internals->IsAborted = false;
+  try
   {
-    return 1;
+    irradiance::forgetAbort(this);
+    this->Internals->Update(this); // what is wrong is said once, when the data are asked for
+    const irradiance::KeyFrames& keys = this->Internals->Keys;
+    times.addSteps(keys.isEmpty() ? std::vector<double>() : keys.steps(this->NumberOfTimeSteps));
   }
-  auto* stepsKey = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  auto* rangeKey = vtkStreamingDemandDrivenPipeline::TIME_RANGE();
-  std::set<double> steps;
-  double range[2] = { keys.begin(), keys.end() };
-  for (const irradiance::KeyFrame& key : keys.keys())
+  catch (const irradiance::Interrupted&)
   {
-    steps.insert(key.time);
+    this->Internals->IsAborted = true;
   }
-  vtkInformation* before = inputs[0]->GetInformationObject(0);
-  if (before && before->Has(stepsKey))
-  {
-    steps.insert(before->Get(stepsKey), before->Get(stepsKey) + before->Length(stepsKey));
-  }
-  if (before && before->Has(rangeKey))
-  {
-    range[0] = std::min(range[0], before->Get(rangeKey)[0]);
-    range[1] = std::max(range[1], before->Get(rangeKey)[1]);
-  }
-  const std::vector<double> all(steps.begin(), steps.end());
-  output->GetInformationObject(0)->Set(stepsKey, all.data(), static_cast<int>(all.size()));
-  output->GetInformationObject(0)->Set(rangeKey, range, 2);
+  times.write(output);
   return 1;
 }
 
 int vtkKeyFramedPose::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
   vtkInformation* info = outputs->GetInformationObject(0);
   return irradiance::runFilter(this, output, [&] {
+    if (std::exchange(this->Internals->IsAborted, false))
+    {
+      throw irradiance::Interrupted();
+    }
     this->Internals->Update(this);
     if (!this->Internals->Error.empty())
     {
@@ -276,17 +353,7 @@ int vtkKeyFramedPose::RequestData(
     }
     auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
     const double time = info->Has(timeKey) ? info->Get(timeKey) : this->Internals->Keys.begin();
-    if (const auto pose = this->Internals->PoseAt(this, time))
-    {
-      output->ShallowCopy(input);
-      irradiance::notePassedGeometry(output, input);
-      SetPose(output,
-        irradiance::composed(*pose, irradiance::poseOf("the input", input->GetFieldData())));
-    }
-    else
-    {
-      CopyArraysOnly(input, output);
-    }
+    PassOn(vtkDataObject::GetData(inputs[0]), this->Internals->PoseAt(this, time), output);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   });
 }
@@ -297,5 +364,6 @@ void vtkKeyFramedPose::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
      << indent << "InterpolationType: " << this->InterpolationType << "\n"
      << indent << "OutsideOfKeys: " << this->OutsideOfKeys << "\n"
+     << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n"
      << indent << "Poses: " << this->Internals->Added.size() << "\n";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkKeyFramedPose
- * @brief   a pose over time for polydata, from key frames
+ * @brief   a pose over time for polydata, or a tree of them, from key frames
  *
  * Passes its input on, with the pose at the requested time (UPDATE_TIME_STEP; without one: that of
  * the first key) as the field-data array `ObjectToWorld`: one tuple of 16 doubles, row by row. This
@@ -13,10 +13,17 @@
  * least. At the time of a key the pose is that of the key, bit for bit.
  *
  * If the input has an `ObjectToWorld` of its own, that is applied first: world = pose * input's.
- * Composite inputs work block by block, with the same pose.
  *
- * TIME_STEPS of the output: the times of the keys and the steps of the input. TIME_RANGE: from the
- * first to the last of them, and the input's.
+ * Composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection) keep their
+ * structure and the names of their blocks. All leaves have to be vtkPolyData; empty ones stay empty. The
+ * pose stands in the field data of each leaf, so that a block that is taken out or put into another tree
+ * keeps it: world = pose * the tree's own * the leaf's own. The tree's own is not passed on, as it is
+ * in the leaves now.
+ *
+ * TIME_STEPS of the output: the times of the keys, NumberOfTimeSteps between them, and the steps of the
+ * input. TIME_RANGE: from the first to the last of them, and the input's.
+ *
+ * Progress is reported while poses are read, and AbortExecute honoured; after an abort the output is empty.
  *
  * @section File
  * Comma-separated values. The first line names the columns, in any order; other columns are passed
@@ -30,25 +37,26 @@
  * A file that cannot be read, columns that are missing or of two kinds, a value that is not a finite
  * number, times of a file that do not increase, two keys of one time, fewer than two keys, poses that
  * are singular, and poses that cannot be interpolated: one error that names the file and the line, or
- * the number of the pose, and the value; the output is empty. A time outside of the keys: see
- * OutsideOfKeys.
+ * the number of the pose, and the value; the output is empty. So it is with input, or a leaf of it, that
+ * is no vtkPolyData. A time outside of the keys: see OutsideOfKeys.
  */
 
 #ifndef vtkKeyFramedPose_h
 #define vtkKeyFramedPose_h
 
 #include "vtkFiltersIrradianceModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkPassInputTypeAlgorithm.h"
 
 #include <memory> // For the internals
 
 class vtkMatrix4x4;
+class vtkPolyData;
 
-class VTKFILTERSIRRADIANCE_EXPORT vtkKeyFramedPose : public vtkPolyDataAlgorithm
+class VTKFILTERSIRRADIANCE_EXPORT vtkKeyFramedPose : public vtkPassInputTypeAlgorithm
 {
 public:
   static vtkKeyFramedPose* New();
-  vtkTypeMacro(vtkKeyFramedPose, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkKeyFramedPose, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// How the pose between two keys follows from the keys.
@@ -127,10 +135,26 @@ public:
   void SetOutsideOfKeysToLeave() { this->SetOutsideOfKeys(Leave); }
   ///@}
 
+  ///@{
+  /**
+   * How finely TIME_STEPS divide the time from the first key to the last: no step is longer than
+   * 1 / NumberOfTimeSteps of it. To that end each interval between two keys is cut into equal ones, so
+   * two keys give exactly so many steps. An animation, or a dose, that takes one step after the other then
+   * sees the motion. The steps of several poses in a scene are united: with many parts choose fewer each.
+   * 0: the keys alone. Poses do not depend on it. 0 to 1,000,000. Default 100.
+   */
+  vtkSetClampMacro(NumberOfTimeSteps, int, 0, 1000000);
+  vtkGetMacro(NumberOfTimeSteps, int);
+  ///@}
+
+  /// The output if the input is polydata, else null; GetOutputDataObject(0) is any of them.
+  vtkPolyData* GetOutput();
+
 protected:
   vtkKeyFramedPose();
   ~vtkKeyFramedPose() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
   int RequestData(
@@ -139,6 +163,7 @@ protected:
   char* FileName = nullptr;
   int InterpolationType = Linear;
   int OutsideOfKeys = Error;
+  int NumberOfTimeSteps = 100;
 
 private:
   vtkKeyFramedPose(const vtkKeyFramedPose&) = delete;

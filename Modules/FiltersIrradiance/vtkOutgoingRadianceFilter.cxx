@@ -121,7 +121,7 @@ struct Unit
 std::vector<Unit> MakeUnits(
   const irradiance::PhotonSource& source, int bands, vtkMultiBlockDataSet* output)
 {
-  constexpr vtkIdType size = 64;
+  constexpr vtkIdType size = 8; // cells with mirrors take long
   std::vector<Unit> units;
   source.forEachPart(
     output, [&](vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) {
@@ -172,6 +172,8 @@ vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
 int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  // Any other type is refused by PhotonSource, in words that help.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -216,7 +218,7 @@ int vtkOutgoingRadianceFilter::RequestData(
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
   return irradiance::runFilter(this, output, [&] {
-    if (irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
+    if (input && irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
     {
       WriteEmpty(input, output);
       return;

@@ -6,6 +6,7 @@
 #include "ExposureTimes.h"
 #include "FilterRun.h"
 #include "InputError.h"
+#include "InputTimes.h"
 #include "ReplicateArrays.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 vtkStandardNewMacro(vtkRadiantExposureFilter);
@@ -48,6 +50,12 @@ struct Settings
   bool operator==(const Settings& other) const { return All() == other.All(); }
 };
 
+bool IsErrorControlled(int mode)
+{
+  return mode == vtkRadiantExposureFilter::ErrorControlled ||
+    mode == vtkRadiantExposureFilter::Automatic;
+}
+
 Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input)
 {
   Settings settings{ filter->GetIntegrationMode(), filter->GetNumberOfTimeSteps(),
@@ -62,7 +70,7 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
       std::to_string(settings.NumberOfTimeSteps) + "; 1 to " + std::to_string(mostSteps) +
       " are possible");
   }
-  if (settings.Mode != vtkRadiantExposureFilter::ErrorControlled)
+  if (!IsErrorControlled(settings.Mode))
   {
     return settings;
   }
@@ -71,11 +79,11 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
     throw irradiance::InputError("RelativeTolerance is " +
       irradiance::text(settings.RelativeTolerance) + "; it has to be positive");
   }
-  if (settings.MaximumNumberOfTimeSteps < 2 * settings.NumberOfTimeSteps)
+  if (settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps)
   {
     throw irradiance::InputError("MaximumNumberOfTimeSteps is " +
-      std::to_string(settings.MaximumNumberOfTimeSteps) + ", but twice NumberOfTimeSteps, " +
-      std::to_string(2 * settings.NumberOfTimeSteps) + ", is the least for ErrorControlled");
+      std::to_string(settings.MaximumNumberOfTimeSteps) + ", but NumberOfTimeSteps, " +
+      std::to_string(settings.NumberOfTimeSteps) + ", is the least for error control");
   }
   return settings;
 }
@@ -83,34 +91,16 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
 std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
   const Settings& settings, vtkInformation* input)
 {
-  if (settings.Mode == vtkRadiantExposureFilter::ErrorControlled)
+  if (IsErrorControlled(settings.Mode))
   {
     return std::make_unique<irradiance::ErrorControlledIntegral>(
-      irradiance::ErrorControlledIntegral::Config{ settings.Span, settings.NumberOfTimeSteps,
-        settings.RelativeTolerance, settings.MaximumNumberOfTimeSteps });
+      irradiance::firstTimes(input, settings.Span, settings.NumberOfTimeSteps),
+      settings.RelativeTolerance, settings.MaximumNumberOfTimeSteps);
   }
   return std::make_unique<irradiance::GivenTimesIntegral>(
     settings.Mode == vtkRadiantExposureFilter::TimeSteps
       ? irradiance::stepTimes(input, settings.Span)
       : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
-}
-
-/// Files have some times alone, and take the nearest. Data that do not change over time (no TIME_RANGE)
-/// are of any time.
-void CheckTime(vtkInformation* input, double time, const irradiance::TimeSpan& span)
-{
-  vtkInformation* info = vtkDataObject::GetData(input)->GetInformation();
-  auto* key = vtkDataObject::DATA_TIME_STEP();
-  const double given = input->Has(Pipeline::TIME_RANGE()) && info->Has(key) ? info->Get(key) : time;
-  constexpr double rounding = 1e-9;
-  if (!(std::abs(given - time) <= rounding * (span.end - span.start)))
-  {
-    throw irradiance::InputError("the input was asked for time " + irradiance::text(time) +
-      ", but came with that of " + irradiance::text(given) +
-      ": choose IntegrationMode TimeSteps with StartTime and EndTime among the TIME_STEPS, or put "
-      "a "
-      "vtkTemporalInterpolator before this filter");
-  }
 }
 
 void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields)
@@ -135,9 +125,11 @@ void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields
   addArray("IntegrationTimes", all);
   if (!std::isnan(integral.relativeError()))
   {
-    vtkNew<vtkDoubleArray> error;
+    vtkNew<vtkDoubleArray> error, noise;
     error->InsertNextValue(integral.relativeError());
+    noise->InsertNextValue(integral.relativeNoise());
     addArray("TimeIntegrationError", error);
+    addArray("TimeIntegrationNoise", noise);
   }
 }
 
@@ -163,63 +155,24 @@ private:
   void Begin(vtkRadiantExposureFilter* filter);
   bool IsUpToDate(vtkRadiantExposureFilter* filter) const;
   void UpdateProducer(vtkRadiantExposureFilter* filter) const;
+  double NextTime() const { return this->Probe ? *this->Probe : this->Integral->nextTime(); }
   void Take(vtkRadiantExposureFilter* filter);
+  void IntegrateOverSteps(vtkRadiantExposureFilter* filter);
 
   /// Null, except in a run and after an abort.
   std::unique_ptr<irradiance::ExposureIntegral> Integral;
-  Settings Of{};                         ///< the integral's
+  Settings Of{};               ///< the integral's
+  bool MayBeAtSteps = false;   ///< Automatic, and no time yet that came as that of a step
+  std::optional<double> Probe; ///< Automatic: the first time asked for, which is between steps
   vtkWeakPointer<vtkExecutive> Producer; ///< of what the integral took
-  vtkMTimeType Upstream = 0;             ///< UpstreamTime() of that
+  vtkMTimeType Upstream = 0;             ///< upstreamTime() of that
 };
-
-namespace
-{
-
-/// The latest change of anything upstream. Other than the times of its data it does not change with
-/// the time that is asked for.
-vtkMTimeType UpstreamTime(vtkAlgorithm* filter)
-{
-  vtkExecutive* producer = filter->GetInputExecutive(0, 0);
-  vtkMTimeType time = 0;
-  producer->ComputePipelineMTime(nullptr, producer->GetInputInformation(),
-    producer->GetOutputInformation(), filter->GetInputConnection(0, 0)->GetIndex(), &time);
-  return time;
-}
-
-}
-
-namespace
-{
-
-/// Whether a filter upstream was aborted. Its output, and what came of it, is empty but counts as up to
-/// date; then it counts as that of no time, so that the next update computes it.
-bool ForgetAborted(vtkExecutive* executive)
-{
-  bool isAborted = executive->GetAlgorithm()->GetAbortExecute() != 0;
-  for (int port = 0; port < executive->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < executive->GetNumberOfInputConnections(port); ++i)
-    {
-      vtkExecutive* input = executive->GetInputExecutive(port, i);
-      isAborted = (input && ForgetAborted(input)) || isAborted;
-    }
-  }
-  for (int port = 0; isAborted && port < executive->GetNumberOfOutputPorts(); ++port)
-  {
-    if (vtkDataObject* data = executive->GetOutputData(port))
-    {
-      data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
-    }
-  }
-  return isAborted;
-}
-
-}
 
 bool vtkRadiantExposureFilter::vtkInternals::IsUpToDate(vtkRadiantExposureFilter* filter) const
 {
   return this->Integral && !this->Integral->isDone() &&
-    this->Producer == filter->GetInputExecutive(0, 0) && this->Upstream == UpstreamTime(filter) &&
+    this->Producer == filter->GetInputExecutive(0, 0) &&
+    this->Upstream == irradiance::upstreamTime(filter, 0, 0) &&
     this->Of == CheckedSettings(filter, filter->GetInputInformation(0, 0));
 }
 
@@ -229,8 +182,11 @@ void vtkRadiantExposureFilter::vtkInternals::Begin(vtkRadiantExposureFilter* fil
   this->Forget();
   this->Of = CheckedSettings(filter, input);
   this->Integral = MakeIntegral(this->Of, input);
+  this->MayBeAtSteps = this->Of.Mode == Automatic;
+  this->Probe =
+    this->MayBeAtSteps ? irradiance::timeBetweenSteps(input, this->Of.Span) : std::nullopt;
   this->Producer = filter->GetInputExecutive(0, 0);
-  this->Upstream = UpstreamTime(filter);
+  this->Upstream = irradiance::upstreamTime(filter, 0, 0);
 }
 
 void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* filter)
@@ -240,13 +196,13 @@ void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* f
     this->Begin(filter);
   }
   vtkInformation* input = filter->GetInputInformation(0, 0);
-  input->Set(Pipeline::UPDATE_TIME_STEP(), this->Integral->nextTime());
+  input->Set(Pipeline::UPDATE_TIME_STEP(), this->NextTime());
   irradiance::requestReplicates(input, true);
 }
 
 void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(vtkRadiantExposureFilter* filter) const
 {
-  const double time = this->Integral->nextTime();
+  const double time = this->NextTime();
   filter->GetInputInformation(0, 0)->Set(Pipeline::UPDATE_TIME_STEP(), time);
   if (!this->Producer->Update(filter->GetInputConnection(0, 0)->GetIndex()))
   {
@@ -257,18 +213,38 @@ void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(vtkRadiantExposureFi
 
 void vtkRadiantExposureFilter::vtkInternals::Take(vtkRadiantExposureFilter* filter)
 {
-  const double time = this->Integral->nextTime();
+  const double time = this->NextTime();
   vtkDataObject* data = filter->GetInputDataObject(0, 0);
-  if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 && ForgetAborted(this->Producer))
+  if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 &&
+    irradiance::forgetAborted(this->Producer))
   {
-    this->Upstream = UpstreamTime(filter); // SetAbortExecute() is a modification for VTK
+    this->Upstream =
+      irradiance::upstreamTime(filter, 0, 0); // SetAbortExecute() is a modification for VTK
     throw irradiance::Interrupted();
   }
-  CheckTime(filter->GetInputInformation(0, 0), time, this->Of.Span);
-  this->Integral->take(data);
+  const bool isProbe = this->Probe.has_value();
+  this->Probe.reset();
+  if (this->MayBeAtSteps &&
+    irradiance::comesAtStepsOnly(
+      this->Producer, filter->GetInputConnection(0, 0)->GetIndex(), this->Of.Span))
+  {
+    this->IntegrateOverSteps(filter);
+  }
+  else if (!isProbe)
+  {
+    irradiance::checkTime(filter->GetInputInformation(0, 0), time, this->Of.Span);
+    this->Integral->take(data);
+  }
   // Upstream may modify itself as it executes, such as interpolators that set themselves up. If
   // something changed a vtkIrradianceFilter meanwhile, its time rises until it executes again.
-  this->Upstream = UpstreamTime(filter);
+  this->Upstream = irradiance::upstreamTime(filter, 0, 0);
+}
+
+void vtkRadiantExposureFilter::vtkInternals::IntegrateOverSteps(vtkRadiantExposureFilter* filter)
+{
+  this->Integral = std::make_unique<irradiance::GivenTimesIntegral>(
+    irradiance::stepTimes(filter->GetInputInformation(0, 0), this->Of.Span));
+  this->MayBeAtSteps = false;
 }
 
 void vtkRadiantExposureFilter::vtkInternals::Run(

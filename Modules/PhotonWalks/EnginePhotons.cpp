@@ -23,22 +23,20 @@ void IrradianceEngine::findSides(Execution& execution)
   const WalkShooter shooter = this->shooter(samples);
   SlicedPass pass{ history_.size(), {} };
   pass.work = [&](std::size_t i, const Deadline&) {
-    WalkBlock& block = history_[i];
-    std::vector<WalkShooter::Stored> ends;
-    for (std::uint32_t walk = 0; walk < block.numberOfWalks(); ++walk)
+    WalkBlock& block = history_.block(i);
+    std::vector<SegmentRef> ends;
+    for (std::uint32_t walk = block.firstWalk(); walk < block.endWalk(); ++walk)
     {
-      if (block.size(walk) > 0 && block.hit(walk, block.size(walk) - 1))
+      if (block.size(walk) > 0 && block.hit({ walk, block.size(walk) - 1 }))
       {
-        ends.push_back({ &block, walk, plan_.firstWalkOf(i) + walk, block.size(walk) - 1 });
+        ends.push_back({ walk, block.size(walk) - 1 });
       }
     }
     std::vector<Ray> rays(ends.size());
-    shooter.raysOf(ends.data(), ends.size(), rays.data());
+    shooter.raysOf(history_, ends, rays.data());
     for (std::size_t k = 0; k < ends.size(); ++k)
     {
-      const Hit hit = block.hit(ends[k].walkInBlock, ends[k].bounce);
-      block.setSide(
-        ends[k].walkInBlock, ends[k].bounce, shooter.rules().hitsFront(rays[k], hit.id));
+      block.setSide(ends[k], shooter.rules().hitsFront(rays[k], block.hit(ends[k]).id));
     }
     return true;
   };
@@ -53,7 +51,7 @@ const SpecularPhotons& IrradianceEngine::specularPhotons(Execution& execution)
   {
     findSides(execution);
     auto photons = std::make_unique<SpecularPhotons>(objects_);
-    photons->add(this->photons(), 0, history_.size(), execution);
+    photons->add(history_, 0, history_.size(), execution);
     specularPhotons_ = std::move(photons);
   }
   return *specularPhotons_;
@@ -66,7 +64,7 @@ const LeafPhotons& IrradianceEngine::leafPhotons(Execution& execution)
   {
     findSides(execution);
     auto photons = std::make_unique<LeafPhotons>(objects_);
-    photons->add(this->photons(), 0, history_.size(), execution);
+    photons->add(history_, 0, history_.size(), execution);
     leafPhotons_ = std::move(photons);
   }
   return *leafPhotons_;
@@ -80,14 +78,20 @@ void IrradianceEngine::estimateNearest(bool isSame, Execution& execution)
   {
     return;
   }
-  nearestCells_ = {};
-  if (isAsked)
+  if (!isAsked)
   {
-    const WalkHistory history = photons();
-    const NearestPhotons nearest(leafPhotons(execution), objects_, history);
-    nearestCells_ =
-      NearestCells(nearest, sums_, count, static_cast<double>(emitters_.photon()), execution);
+    nearestCells_ = {};
+    return;
   }
+  const LeafPhotons& leaves = leafPhotons(execution);
+  const NearestPhotons nearest(leaves, surfaces(execution), objects_, history_);
+  nearestCells_.update(nearest, sums_, count, static_cast<double>(emitters_.photon()), execution);
+}
+
+const Surfaces& IrradianceEngine::surfaces(Execution& execution)
+{
+  surfaces_.update(objects_, checkpointOf(execution, 0));
+  return surfaces_;
 }
 
 void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Execution& execution)
@@ -98,7 +102,8 @@ void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Executio
   }
   if (leafPhotons_)
   {
-    leafPhotons_->apply(objects_, photons(), changes, execution);
+    leafPhotons_->apply(objects_, history_, changes, execution);
+    nearestCells_.note(changes);
   }
 }
 

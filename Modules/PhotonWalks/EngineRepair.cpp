@@ -14,11 +14,6 @@ namespace irradiance
 
 void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution& execution)
 {
-  if (!settings_.cacheStaticHits)
-  {
-    std::for_each(
-      history_.begin(), history_.end(), [](WalkBlock& block) { block.forgetAllStaticHits(); });
-  }
   const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
   if (!hasMotion && (!stale_ || stale_->isEmpty()))
   {
@@ -43,7 +38,7 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   if (hasBudget() && !stale_)
   {
     stale_ = std::make_unique<StaleWalks>(
-      objects_, settings_.separateSides ? 2 : 1, plan_, history_.size(), samples);
+      objects_, settings_.separateSides ? 2 : 1, history_.size(), samples);
   }
   if (stale_)
   {
@@ -60,9 +55,9 @@ void IrradianceEngine::verifyAndRepair(const std::vector<bool>& moved, Execution
   }
   PhotonChanges changes;
   repaired_ = {};
-  WalkRepair repair({ shooter, plan_, history_, pointFrame_, sums_, balance_,
-    settings_.cacheStaticHits, hasSides_, found, stale_.get(), budget ? &*budget : nullptr,
-    hasPhotonStores() ? &changes : nullptr, settings_.listRepaired ? &repaired_ : nullptr });
+  WalkRepair repair({ shooter, history_, sums_, balance_, settings_.cacheStaticHits, hasSides_,
+    found, stale_.get(), budget ? &*budget : nullptr, hasPhotonStores() ? &changes : nullptr,
+    settings_.listRepaired ? &repaired_ : nullptr });
   statistics_.repairedSegments = repair.run(rest);
   updatePhotonStores(changes, execution);
   statistics_.repairSeconds = budget ? budget->elapsed() : secondsSince(start);
@@ -74,7 +69,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
   // Stored points may lie where objects were in earlier frames.
   clearance_ = std::max(clearance_, scene_.clearance());
   pointReach_ = std::max(pointReach_, reachInFrame());
-  SegmentScan scan(pointFrame_, pointReach_);
+  SegmentScan scan(history_.frame(), pointReach_);
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     const SceneObject& object = objects_.dynamicObjects[i];
@@ -87,7 +82,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
       }
     }
   }
-  const WalkVerifier verifier(shooter, plan_, history_, moved, scan, clearance_);
+  const WalkVerifier verifier(shooter, history_, moved, scan, clearance_);
   std::vector<std::vector<StaleSegment>> stale(history_.size());
   std::vector<const StaleMarks*> known;
   for (std::size_t block = 0; stale_ && block < history_.size(); ++block)

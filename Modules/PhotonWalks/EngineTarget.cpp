@@ -58,13 +58,13 @@ void IrradianceEngine::dropRounds(std::size_t kept, const Checkpoint& checkpoint
   while (history_.size() > blocks)
   {
     WalkTally tally(sums_, balance_);
-    const std::size_t block = history_.size() - 1;
-    for (std::uint32_t i = 0; i < history_[block].numberOfWalks(); ++i)
+    const WalkBlock& last = history_.block(history_.size() - 1);
+    for (std::uint32_t walk = last.firstWalk(); walk < last.endWalk(); ++walk)
     {
-      balance_.emitted -= history_[block].power(i, 0);
-      tally.remove(history_[block], i, plan_.firstWalkOf(block) + i, 0);
+      balance_.emitted -= last.power({ walk, 0 });
+      tally.remove(last, { walk, 0 });
     }
-    history_.pop_back();
+    history_.removeLast();
     checkpoint();
   }
   sums_.setRounds(kept, checkpoint);

@@ -49,12 +49,14 @@ void IrradianceEngine::update(
   const bool repair = sameLights && canRepair(objects, settings);
   const std::vector<bool> moved = repair ? findMoved(objects, objects_) : std::vector<bool>();
   const bool replaces = repair && hasReplaced(objects, objects_);
-  const bool isStill = repair && !replaces && !stale_ && settings.cacheStaticHits &&
+  const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
+  const bool isStill = repair && !replaces && !stale_ && !forgetsHits &&
     std::none_of(moved.begin(), moved.end(), [](bool isMoved) { return isMoved; });
   const std::size_t bytes = statistics_.historyBytes, blocks = history_.size();
   isValid_ = false; // until the end is reached
   ++state_;
   objects_ = objects;
+  surfaces_.forgetOthers(objects_);
   // What is stored stays, for those who ask again.
   const bool keepsPhotons = settings.keepPhotons || (repair && settings_.keepPhotons);
   settings_ = settings;
@@ -72,6 +74,10 @@ void IrradianceEngine::update(
   }
   if (repair)
   {
+    if (forgetsHits)
+    {
+      history_.forgetAllStaticHits();
+    }
     verifyAndRepair(moved, first);
   }
   else
@@ -109,9 +115,8 @@ void IrradianceEngine::update(
 std::size_t IrradianceEngine::historyBytes() const
 {
   const std::size_t others =
-    (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(RepairedTail);
-  return std::accumulate(history_.begin(), history_.end(), others,
-    [](std::size_t bytes, const WalkBlock& block) { return bytes + block.bytes(); });
+    (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef);
+  return others + history_.bytes();
 }
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
@@ -142,16 +147,17 @@ void IrradianceEngine::startAnew(Execution& execution)
   sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1, plan_, 0);
   balance_ = {};
   const Checkpoint checkpoint = checkpointOf(execution, 0);
-  while (!history_.empty()) // freeing many walks takes a while
+  while (history_.size() > 0) // freeing many walks takes a while
   {
-    history_.pop_back();
+    history_.removeLast();
     checkpoint();
   }
+  history_ = WalkHistory(plan_, pointFrame(objects_, walkBounds()),
+    objects_.staticObject.material->bands, Power{ { emitters_.photon() } });
   stale_.reset();
   repaired_ = {};
   forgetPhotonStores();
   hasSides_ = settings_.keepPhotons || settings_.separateSides;
-  pointFrame_ = pointFrame(objects_, walkBounds());
   clearance_ = scene_.clearance();
   pointReach_ = reachInFrame();
 }
@@ -165,15 +171,13 @@ void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
   sums_.setRounds(round + 1, checkpointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
   {
-    history_.emplace_back(plan_.walksIn(block), objects_.staticObject.material->bands, pointFrame_,
-      Power{ { emitters_.photon() } });
+    history_.append();
   }
-  shootBlocks(walks, keep ? &pointFrame_ : nullptr, execution);
+  shootBlocks(walks, keep, execution);
   statistics_.shootSeconds += secondsSince(start);
 }
 
-void IrradianceEngine::shootBlocks(
-  const WalkRound& walks, const UnitFrame* storedIn, Execution& execution)
+void IrradianceEngine::shootBlocks(const WalkRound& walks, bool isStored, Execution& execution)
 {
   const SobolSequence samples = this->samples();
   const WalkShooter shooter = this->shooter(samples);
@@ -186,7 +190,8 @@ void IrradianceEngine::shootBlocks(
     {
       std::vector<std::uint32_t> numbers(plan_.walksIn(block));
       std::iota(numbers.begin(), numbers.end(), plan_.firstWalkOf(block));
-      open[i] = std::make_unique<WalkBatch>(shooter, storedIn, hasSides_);
+      open[i] =
+        std::make_unique<WalkBatch>(shooter, isStored ? &history_.frame() : nullptr, hasSides_);
       open[i]->shoot(numbers);
     }
     PowerBalance balance;
@@ -195,10 +200,10 @@ void IrradianceEngine::shootBlocks(
     if (isDone)
     {
       balance.emitted += open[i]->emitted();
-      if (storedIn)
+      if (isStored)
       {
-        history_[block].makeRoom(open[i]->sizes());
-        open[i]->store(plan_, history_);
+        history_.blockOf(plan_.firstWalkOf(block)).makeRoom(open[i]->sizes());
+        open[i]->store(history_);
       }
       open[i].reset();
     }
@@ -218,9 +223,10 @@ Box IrradianceEngine::walkBounds() const
 double IrradianceEngine::reachInFrame() const
 {
   const Box world = walkBounds();
-  return std::max(pointFrame_(world.lower).cwiseAbs().maxCoeff(),
-           pointFrame_(world.upper).cwiseAbs().maxCoeff()) +
-    clearance_ * pointFrame_.scale;
+  const UnitFrame& frame = history_.frame();
+  return std::max(
+           frame(world.lower).cwiseAbs().maxCoeff(), frame(world.upper).cwiseAbs().maxCoeff()) +
+    clearance_ * frame.scale;
 }
 
 void IrradianceEngine::spreadSums(std::size_t rounds, Execution& execution)

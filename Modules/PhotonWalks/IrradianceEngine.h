@@ -8,7 +8,6 @@
 #include "NearestCells.h"
 #include "Photons/LeafPhotons.h"
 #include "Photons/SpecularPhotons.h"
-#include "Repair/RepairedTail.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
 #include "Tally/CellEstimate.h"
@@ -94,9 +93,9 @@ public:
   double reachedRelativeError() const { return reached_; }
   /// What the budget left unrepaired; null without a budget, or before anything moved.
   const StaleWalks* stale() const { return stale_.get(); }
-  /// What the last update that repaired something shot again, ordered by walk; empty after a fresh
-  /// start. Only if that update was to list it.
-  const std::vector<RepairedTail>& repaired() const { return repaired_; }
+  /// The first segments of the tails that the last update which repaired something shot again, ordered
+  /// by walk; empty after a fresh start. Only if that update was to list them.
+  const std::vector<SegmentRef>& repaired() const { return repaired_; }
   /// The part of irradiance() that rests on stale walks.
   double staleIrradiance(
     std::uint32_t object, std::size_t cell, int side, int band, double area) const;
@@ -107,7 +106,8 @@ public:
   const EngineStatistics& statistics() const { return statistics_; }
   /// What arrived in the cells themselves.
   const CellSums& sums() const { return sums_; }
-  const std::vector<WalkBlock>& history() const { return history_; }
+  /// Empty unless something may move, or photons are kept.
+  const WalkHistory& history() const { return history_; }
   const WalkPlan& plan() const { return plan_; }
 
   /// Differs after each update: what was derived from another state is out of date.
@@ -130,12 +130,15 @@ public:
   {
     return { scene_, objects_, emitters_, samples, &contacts_ };
   }
-  WalkHistory photons() const { return { plan_, history_ }; }
   /// The photons on specular cells. They are collected when first asked for, then updates keep them
   /// up to date. Throws Interrupted.
   const SpecularPhotons& specularPhotons(Execution& execution);
   /// All photons, in the leaf cells of the ray-casting trees; likewise.
   const LeafPhotons& leafPhotons(Execution& execution);
+  /// The surfaces of all objects, on which sensors stand; likewise.
+  const Surfaces& surfaces(Execution& execution);
+  /// How many sides of cells the last update estimated from their nearest photons.
+  std::size_t numberOfNearestEstimates() const { return nearestCells_.numberOfEstimates(); }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -154,8 +157,8 @@ private:
   /// An estimate, after some rounds, of the number of walks that the target will take.
   double expectedWalks(std::size_t rounds) const;
   void shootRound(std::size_t round, Execution& execution);
-  /// `storedIn`: the frame of the history; null if the walks are not stored.
-  void shootBlocks(const WalkRound& walks, const UnitFrame* storedIn, Execution& execution);
+  /// `isStored`: the history has room for them.
+  void shootBlocks(const WalkRound& walks, bool isStored, Execution& execution);
   void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
   bool isSpread() const { return settings_.cellEstimate == CellEstimate::Spread; }
   /// Spreads the sums of the first rounds, if the settings say so.
@@ -174,6 +177,7 @@ private:
   {
     specularPhotons_.reset();
     leafPhotons_.reset();
+    nearestCells_ = {};
   }
   void updatePhotonStores(const PhotonChanges& changes, Execution& execution);
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
@@ -192,15 +196,15 @@ private:
   NearestCells nearestCells_;             ///< empty unless asked for
   CellSums spreadSums_, spreadStaleSums_; ///< empty unless sums are spread
   PowerBalance balance_;
-  std::vector<WalkBlock> history_;                   ///< empty unless something may move
+  WalkHistory history_;                              ///< empty unless something may move
   std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for
   std::unique_ptr<LeafPhotons> leafPhotons_;         ///< null until asked for
+  Surfaces surfaces_;                                ///< empty until asked for
   std::uint64_t state_ = 0;
   bool hasSides_ = false;             ///< all sides of stored hits are known, see WalkBatch
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
-  std::vector<RepairedTail> repaired_;
-  UnitFrame pointFrame_;  ///< of the stored points
-  double pointReach_ = 0; ///< their largest coordinate, except the ends of escapes
+  std::vector<SegmentRef> repaired_;
+  double pointReach_ = 0; ///< the largest coordinate of a stored point, except the ends of escapes
   double clearance_ = 0;  ///< of all frames since the walks were shot, see Scene
   double reached_ = 0;
   EngineStatistics statistics_;

@@ -2,108 +2,302 @@
 #include "NearestCells.h"
 
 #include "Execution/SlicedPass.h"
+#include "Photons/PhotonLeaf.h"
+#include "Repair/SceneChange.h"
+#include "Trees/BoxQuery.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace irradiance
 {
 
-NearestCells::Middles NearestCells::middlesOf(
-  const SceneObject& object, const Checkpoint& checkpoint)
+/// Where photons left or came, and where objects moved.
+class NearestCells::Changes
 {
-  const std::size_t cells = object.material->numberOfCells;
-  Middles middles{ std::vector<Vector3>(cells, Vector3::Zero()),
-    std::vector<Vector3>(cells, Vector3::Zero()), std::vector<double>(cells, 0.0) };
-  CheckpointPace pace(checkpoint);
-  for (std::size_t i = 0; object.isPresent && i < object.body->mesh().size(); ++i)
+public:
+  Changes(const Box& scene, std::vector<ChangedPhoton> photons, std::vector<Box> moved)
+    : frame_(scene)
+    , photons_(std::move(photons))
+    , moved_(std::move(moved))
+    , tree_(moved_, 0, {})
   {
-    const Triangle triangle = transformed(object.worldFromObject, object.body->mesh()[i]);
-    const std::size_t cell = object.material->cellOfTriangle[i];
+    std::vector<LeafPhoton> leaf;
+    leaf.reserve(photons_.size());
+    for (std::uint32_t i = 0; i < photons_.size(); ++i)
+    {
+      leaf.emplace_back(unitPoint(frame_, photons_[i].position), SegmentRef{}, true, i);
+    }
+    leaf_.change({}, leaf);
+  }
+
+  /// Whether there are some within a sphere around a foot.
+  bool touch(const Foot& foot, double radius) const
+  {
+    Box box{ foot.sensor.position, foot.sensor.position };
+    box.inflate(radius);
+    const std::vector<std::uint32_t> near = trianglesNear(tree_, box);
+    return hasPhotons(foot.sensor, radius) ||
+      std::any_of(near.begin(), near.end(),
+        [&](std::uint32_t i) { return !moved_[i].intersection(box).isEmpty(); });
+  }
+
+private:
+  bool hasPhotons(const Sensor& sensor, double radius) const
+  {
+    constexpr float kRounding = 0x1p-18F;
+    const auto unitRadius = static_cast<float>(radius * frame_.scale) + kRounding;
+    float limit = unitRadius * unitRadius;
+    leaf_.visitNear(
+      unitPoint(frame_, sensor.position), [&] { return limit; },
+      [&](const PhotonPack& pack) {
+        for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
+        {
+          if (pack.isUsed(lane) && isNear(photons_[pack.triangle(lane)], sensor, radius))
+          {
+            limit = -1;
+          }
+        }
+      });
+    return limit < 0;
+  }
+  static bool isNear(const ChangedPhoton& photon, const Sensor& sensor, double radius)
+  {
+    constexpr double kRounding = 0x1p-20;
+    return sensor.squaredDistance(photon.position) <= radius * radius * (1 + kRounding) &&
+      sensor.normal.dot(photon.normal) >= Facing::kLeastCosine - kRounding;
+  }
+
+  UnitFrame frame_;
+  std::vector<ChangedPhoton> photons_;
+  std::vector<Box> moved_;
+  TriangleTree tree_; ///< over those
+  PhotonLeaf leaf_;
+};
+
+void NearestCells::note(const PhotonChanges& changes)
+{
+  if (count_ > 0)
+  {
+    changes_.add(changes);
+  }
+}
+
+std::vector<NearestCells::Middle> NearestCells::middlesOf(
+  const NearestPhotons& photons, std::uint32_t number, const Checkpoint& checkpoint)
+{
+  const SceneObject& object = photons.objects()[number];
+  const Middle none{ Vector3::Zero(), Vector3::Zero(), 0, kNone, 0 };
+  std::vector<Middle> middles(object.material->numberOfCells, none);
+  const TriangleMesh& mesh = object.body->mesh();
+  CheckpointPace pace(checkpoint);
+  for (std::size_t i = 0; object.isPresent && i < mesh.size(); ++i)
+  {
+    const Triangle triangle = transformed(object.worldFromObject, mesh[i]);
+    Middle& middle = middles[object.material->cellOfTriangle[i]];
     const double area = triangle.area();
-    middles.positions[cell] += area * (triangle.a + triangle.b + triangle.c) / 3;
-    middles.normals[cell] += triangle.areaVector();
-    middles.areas[cell] += area;
+    middle.position += area * (triangle.a + triangle.b + triangle.c) / 3;
+    middle.normal += triangle.areaVector();
+    middle.area += area;
+    pace.step();
+  }
+  for (Middle& middle : middles)
+  {
+    // NaN where there is none; no triangle faces that way.
+    middle.position /= middle.area;
+    middle.normal /= middle.normal.norm();
+  }
+  std::vector<double> nearest(middles.size(), kInfinity);
+  for (std::uint32_t i = 0; object.isPresent && i < mesh.size(); ++i)
+  {
+    const std::uint32_t cell = object.material->cellOfTriangle[i];
+    Middle& middle = middles[cell];
+    const Sensor sensor{ middle.position, middle.normal };
+    const int side = photons.sideFacing(sensor, { number, i });
+    const double distance = side == 0 ? kInfinity : photons.distance(sensor, { number, i });
+    if (distance < nearest[cell])
+    {
+      nearest[cell] = distance;
+      middle.triangle = i;
+      middle.side = side;
+    }
     pace.step();
   }
   return middles;
 }
 
-NearestCells::NearestCells(const NearestPhotons& photons, const CellSums& sums, std::uint32_t count,
-  double photon, Execution& execution)
-  : count_(count)
-  , sides_(static_cast<std::size_t>(sums.sides()))
-  , bands_(static_cast<std::size_t>(photons.objects().staticObject.material->bands))
+/// Rounded up to one of four for each doubling, so that not each photon more or less changes what dark
+/// cells see. Scaling by a power of two scales it.
+double NearestCells::radiusFor(double squared)
+{
+  int exponent;
+  const double mantissa = std::frexp(std::sqrt(squared), &exponent);
+  for (const double step : { 0.59375, 0.703125, 0.84375 })
+  {
+    if (mantissa <= step)
+    {
+      return std::ldexp(step, exponent);
+    }
+  }
+  return std::ldexp(1.0, exponent);
+}
+
+/// Returns what has moved since the last update.
+std::vector<char> NearestCells::updateMiddles(
+  const NearestPhotons& photons, bool isFirst, const Checkpoint& checkpoint)
 {
   const SceneObjects& objects = photons.objects();
-  std::vector<Sensor> sensors;
-  std::vector<std::size_t> places; // of the densities of their sides
-  std::size_t cells = 0;
-  double received = 0, area = 0; // photons, m2
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  std::vector<char> isMoved;
+  middles_.resize(objects.size());
+  firstCell_.assign(1, 0);
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    firstCell_.push_back(cells);
-    const Middles middle = middlesOf(objects[object], checkpointOf(execution, 0));
-    for (std::size_t cell = 0; cell < middle.areas.size(); ++cell)
+    isMoved.push_back(isFirst || hasMoved(objects[i], objects_[i]) ? 1 : 0);
+    if (isMoved.back() != 0)
     {
-      area += middle.areas[cell];
-      for (std::size_t side = 0; side < sides_; ++side)
+      middles_[i] = middlesOf(photons, i, checkpoint);
+    }
+    firstCell_.push_back(firstCell_.back() + middles_[i].size());
+  }
+  return isMoved;
+}
+
+/// Returns the sides of cells that received few photons themselves, and sets the largest radius.
+std::vector<NearestCells::Place> NearestCells::findSmall(
+  const CellSums& sums, int bands, double photon)
+{
+  std::vector<Place> small;
+  double area = 0, received = 0; // m2, photons
+  for (std::uint32_t object = 0; object < middles_.size(); ++object)
+  {
+    for (std::uint32_t cell = 0; cell < middles_[object].size(); ++cell)
+    {
+      const Middle& middle = middles_[object][cell];
+      area += middle.area;
+      for (int side = 0; side < 2; ++side)
       {
         double power = 0;
-        for (int band = 0; band < static_cast<int>(bands_); ++band)
+        for (int band = 0; band < bands; ++band)
         {
-          power += static_cast<double>(sums.sum(object, cell, static_cast<int>(side), band));
+          power += static_cast<double>(sums.sum(object, cell, std::min(side, sides_ - 1), band));
         }
-        received += power / photon;
-        const double length = middle.normals[cell].norm();
-        if (power / photon < count && length > 0)
+        received += side < sides_ ? power / photon : 0;
+        if (power / photon < count_ && middle.triangle != kNone)
         {
-          const Vector3 normal = middle.normals[cell] / length;
-          sensors.push_back(
-            { middle.positions[cell] / middle.areas[cell], side == 0 ? normal : Vector3(-normal) });
-          places.push_back(((cells + cell) * sides_ + side) * bands_);
+          small.push_back({ object, cell, side });
         }
       }
     }
-    cells += middle.areas.size();
   }
-  densities_.assign(cells * sides_ * bands_, std::numeric_limits<double>::quiet_NaN());
-  maximumRadius_ = received > 0 ? 2 * std::sqrt(count * area / received / 3.141592653589793) : 0;
-  if (!(maximumRadius_ > 0))
+  maximumRadius_ = received > 0 ? radiusFor(4 * count_ * area / received / M_PI) : 0;
+  return small;
+}
+
+/// Photons on things that moved are within the bounds of these.
+std::vector<NearestCells::ChangedPhoton> NearestCells::changedPhotons(
+  const NearestPhotons& photons, const std::vector<char>& isMoved) const
+{
+  std::vector<ChangedPhoton> changed;
+  for (const std::vector<Photon>* list : { &changes_.gone, &changes_.arrived })
   {
-    return;
-  }
-  constexpr std::size_t kUnit = 32;
-  SlicedPass pass{ (sensors.size() + kUnit - 1) / kUnit, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
-    for (std::size_t i = unit * kUnit; i < std::min((unit + 1) * kUnit, sensors.size()); ++i)
+    for (const Photon& photon : *list)
     {
-      estimate(photons, sensors[i], &densities_[places[i]]);
+      if (isMoved[photon.id.object] == 0)
+      {
+        changed.push_back({ photons.position(photon.id, photon.weights),
+          (photon.isFront ? 1.0 : -1.0) * photons.front(photon.id) });
+      }
+    }
+  }
+  return changed;
+}
+
+/// Before and now.
+std::vector<Box> NearestCells::boundsOfMoved(
+  const SceneObjects& objects, const std::vector<char>& isMoved) const
+{
+  std::vector<Box> bounds;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    for (const SceneObject* object : { &objects[i], &objects_[i] })
+    {
+      if (isMoved[i] != 0 && !object->isEmpty())
+      {
+        bounds.push_back(object->worldBounds());
+      }
+    }
+  }
+  return bounds;
+}
+
+void NearestCells::update(const NearestPhotons& photons, const CellSums& sums, std::uint32_t count,
+  double photon, Execution& execution)
+{
+  const SceneObjects& objects = photons.objects();
+  const bool isFirst = count_ != count || sides_ != sums.sides();
+  count_ = count;
+  sides_ = sums.sides();
+  const std::vector<char> isMoved = updateMiddles(photons, isFirst, checkpointOf(execution, 0));
+  const double radius = maximumRadius_;
+  const std::vector<Place> small = findSmall(sums, objects.staticObject.material->bands, photon);
+  const Changes changes(photons.bounds(), changedPhotons(photons, isMoved),
+    isFirst ? std::vector<Box>() : boundsOfMoved(objects, isMoved));
+  const bool isAll = isFirst || radius != maximumRadius_;
+  estimates_.resize(2 * firstCell_.back());
+  std::vector<Estimate> before(estimates_.size());
+  before.swap(estimates_);
+  std::atomic<std::size_t> estimated{ 0 };
+  constexpr std::size_t kUnit = 32;
+  SlicedPass pass{ maximumRadius_ > 0 ? (small.size() + kUnit - 1) / kUnit : 0, {} };
+  pass.work = [&](std::size_t unit, const Deadline&) {
+    for (std::size_t i = unit * kUnit; i < std::min((unit + 1) * kUnit, small.size()); ++i)
+    {
+      const Foot foot = footOf(photons, small[i]);
+      const Estimate& old = before[slotOf(small[i])];
+      const bool isOld = !isAll && isMoved[small[i].object] == 0 && !std::isnan(old.reach) &&
+        !changes.touch(foot, old.reach);
+      estimates_[slotOf(small[i])] = isOld ? old : estimate(photons, foot);
+      estimated += isOld ? 0 : 1;
     }
     return true;
   };
   pass.run(execution);
+  numberOfEstimates_ = estimated;
+  objects_ = objects;
+  changes_ = {};
 }
 
-/// Where sides are not kept apart, what both receive.
-void NearestCells::estimate(
-  const NearestPhotons& photons, const Sensor& sensor, double* densities) const
+Foot NearestCells::footOf(const NearestPhotons& photons, const Place& place) const
 {
-  for (const double side : { 1.0, -1.0 })
+  const Middle& middle = middles_[place.object][place.cell];
+  const int sign = place.side == 0 ? 1 : -1;
+  return photons.footOn({ middle.position, sign * middle.normal },
+    { place.object, middle.triangle }, sign * middle.side);
+}
+
+NearestCells::Estimate NearestCells::estimate(const NearestPhotons& photons, const Foot& foot) const
+{
+  const NearestEstimate estimate = nearestEstimate(photons, foot, count_, maximumRadius_);
+  return { estimate.radius, estimate.power, estimate.area };
+}
+
+double NearestCells::density(std::uint32_t object, std::size_t cell, int side, int band) const
+{
+  const auto onSide = [&](int which) {
+    const Estimate& estimate =
+      estimates_[2 * (firstCell_[object] + cell) + static_cast<std::size_t>(which)];
+    return std::isnan(estimate.reach) || !(estimate.area > 0)
+      ? kUnknown
+      : static_cast<double>(estimate.power[band]) / estimate.area;
+  };
+  if (sides_ == 2)
   {
-    const NearestEstimate estimate =
-      nearestEstimate(photons, { sensor.position, side * sensor.normal }, count_, maximumRadius_);
-    for (std::size_t band = 0; band < bands_ && estimate.area > 0; ++band)
-    {
-      const double density =
-        static_cast<double>(estimate.power[static_cast<int>(band)]) / estimate.area;
-      densities[band] = density + (side > 0 ? 0 : densities[band]);
-    }
-    if (sides_ == 2 || !(estimate.area > 0))
-    {
-      return;
-    }
+    return onSide(side);
   }
+  const double back = onSide(1);
+  return onSide(0) + (std::isnan(back) ? 0 : back);
 }
 
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace irradiance
@@ -39,7 +40,7 @@ OutgoingRadiance::OutgoingRadiance(
   {
     addCells(object, execution);
   }
-  collectArrivals(execution);
+  collectPhotons(execution);
 }
 
 void OutgoingRadiance::addCells(std::uint32_t object, Execution& execution)
@@ -61,17 +62,17 @@ void OutgoingRadiance::addCells(std::uint32_t object, Execution& execution)
   objects_.push_back(std::move(cells));
 }
 
-void OutgoingRadiance::collectArrivals(Execution& execution)
+void OutgoingRadiance::collectPhotons(Execution& execution)
 {
   const SpecularPhotons& photons = engine_.specularPhotons(execution);
   if (photons.isEmpty())
   {
     return;
   }
-  arrivals_.resize(objects_.back().firstCell + objects_.back().areas.size());
+  photons_.resize(objects_.back().firstCell + objects_.back().areas.size());
   const SobolSequence samples = engine_.samples();
   const WalkShooter shooter = engine_.shooter(samples);
-  const WalkHistory history = engine_.photons();
+  const WalkHistory& history = engine_.history();
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     const Material& material = materialOf(object);
@@ -81,22 +82,19 @@ void OutgoingRadiance::collectArrivals(Execution& execution)
       {
         return true;
       }
-      std::vector<WalkShooter::Stored> segments;
-      for (const PhotonReference& photon : photons.sorted(object, cell))
-      {
-        std::uint32_t walkInBlock = 0;
-        const WalkBlock& block = history.blockOf(photon, walkInBlock);
-        segments.push_back({ &block, walkInBlock, photon.walk, photon.bounce });
-      }
+      const std::vector<SegmentRef> segments = photons.sorted(object, cell);
       std::vector<SurfacePoint> points(segments.size());
       std::vector<Vector3> directions(segments.size());
-      shooter.arrivalsOf(segments.data(), segments.size(), points.data(), directions.data());
-      std::vector<Arrival>& arrivals = arrivals_[objects_[object].firstCell + cell];
+      shooter.arrivalsOf(history, segments, points.data(), directions.data());
+      std::vector<GlossyPhotons::Arrival> arrivals;
       for (std::size_t i = 0; i < segments.size(); ++i)
       {
-        arrivals.push_back({ points[i].position, -directions[i], points[i].normal,
-          segments[i].block->power(segments[i].walkInBlock, segments[i].bounce) });
+        const Power power = history.power(segments[i]);
+        arrivals.push_back({ history.hit(segments[i]).id.triangle, points[i], -directions[i],
+          { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) } });
       }
+      photons_[objects_[object].firstCell + cell] =
+        GlossyPhotons(material.lobeOf(cell), std::move(arrivals), bands_);
       return true;
     };
     pass.run(execution);
@@ -165,16 +163,7 @@ OutgoingRadiance::Bands OutgoingRadiance::specular(
   std::uint32_t object, std::size_t cell, const Eye& eye) const
 {
   const Material& material = materialOf(object);
-  const PhongLobe& lobe = material.lobeOf(cell);
-  Bands sum{}; // W/sr
-  for (const Arrival& photon : arrivals_[objects_[object].firstCell + cell])
-  {
-    const double value = lobe.value(photon.normal, photon.toLight, eye.directionFrom(photon.point));
-    for (int band = 0; band < bands_; ++band)
-    {
-      sum[static_cast<std::size_t>(band)] += value * engine_.watts(photon.power[band]);
-    }
-  }
+  Bands sum = photons_[objects_[object].firstCell + cell].towards(eye, material.lobeOf(cell));
   const std::size_t first = cell * static_cast<std::size_t>(bands_);
   for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
   {
@@ -210,13 +199,20 @@ OutgoingRadiance::Bands OutgoingRadiance::mirrored(
   std::uint32_t object, std::size_t cell, const Eye& eye) const
 {
   Bands sum{};
+  Sights sights;
   for (std::uint32_t sample = 0; sample < mirrorSamples_; ++sample)
   {
     const Ray ray = mirrorRay(object, cell, sample, eye);
     if (!ray.direction.isZero(0)) // the eye is not at the very point
     {
-      add(sum, alongRay(ray), 1.0 / mirrorSamples_);
+      sights.rays.push_back(ray);
     }
+  }
+  const double share = 1.0 / mirrorSamples_;
+  sights.shares.assign(sights.rays.size(), { share, share, share });
+  for (int mirrors = 0; mirrors <= kMostMirrors && !sights.rays.empty(); ++mirrors)
+  {
+    look(sights, sum);
   }
   const std::size_t first = cell * static_cast<std::size_t>(bands_);
   for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
@@ -226,39 +222,47 @@ OutgoingRadiance::Bands OutgoingRadiance::mirrored(
   return sum;
 }
 
-OutgoingRadiance::Bands OutgoingRadiance::alongRay(Ray ray) const
+/// Cell by cell, as all rays to a cell read the same photons.
+void OutgoingRadiance::look(Sights& sights, Bands& sum) const
 {
-  Bands sum{}, seen{ 1, 1, 1 }; // the part of what leaves a hit that gets through the mirrors
-  for (int mirrors = 0; mirrors <= kMostMirrors; ++mirrors)
+  std::vector<Hit> hits(sights.rays.size());
+  engine_.scene().cast(sights.rays.data(), sights.rays.size(), hits.data());
+  std::vector<std::tuple<std::uint32_t, std::size_t, std::size_t>> order; // object, cell, ray
+  for (std::size_t i = 0; i < hits.size(); ++i)
   {
-    const Hit hit = engine_.scene().cast(ray);
-    if (!hit)
+    if (hits[i])
     {
-      break;
+      const TriangleId id = hits[i].id;
+      order.emplace_back(id.object, materialOf(id.object).cellOfTriangle[id.triangle], i);
     }
-    const std::uint32_t object = hit.id.object;
-    const Material& material = materialOf(object);
-    const std::size_t cell = material.cellOfTriangle[hit.id.triangle];
-    const SurfacePoint point = engine_.scene().surfaceAt(ray.direction, hit);
-    Bands radiance = diffuseOf(object, cell, point.isFront);
-    const bool isMirror = isSpecular(object, cell) && material.lobeOf(cell).isMirror();
+  }
+  std::sort(order.begin(), order.end());
+  Sights next;
+  for (const auto& [object, cell, i] : order)
+  {
+    const Ray& ray = sights.rays[i];
+    const SurfacePoint point = engine_.scene().surfaceAt(ray.direction, hits[i]);
+    Bands radiance = diffuseOf(object, cell, point.isFront), reflected = sights.shares[i];
+    const bool isMirror = isSpecular(object, cell) && materialOf(object).lobeOf(cell).isMirror();
     if (isSpecular(object, cell) && !isMirror)
     {
       add(radiance, specular(object, cell, { -ray.direction, true }));
     }
     for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
     {
-      sum[band] += seen[band] * radiance[band];
-      seen[band] *=
-        isMirror ? material.specularReflectance[cell * static_cast<std::size_t>(bands_) + band] : 0;
+      sum[band] += sights.shares[i][band] * radiance[band];
+      reflected[band] *= isMirror
+        ? materialOf(object).specularReflectance[cell * static_cast<std::size_t>(bands_) + band]
+        : 0;
     }
-    if (!isMirror)
+    if (isMirror)
     {
-      break;
+      next.rays.push_back(
+        { point.clearPosition(), irradiance::mirrored(point.normal, ray.direction), hits[i].id });
+      next.shares.push_back(reflected);
     }
-    ray = { point.clearPosition(), irradiance::mirrored(point.normal, ray.direction), hit.id };
   }
-  return sum;
+  sights = std::move(next);
 }
 
 }

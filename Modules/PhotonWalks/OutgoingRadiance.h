@@ -2,38 +2,13 @@
 #ifndef irradiance_OutgoingRadiance_h
 #define irradiance_OutgoingRadiance_h
 
+#include "GlossyPhotons.h"
 #include "IrradianceEngine.h"
 
-#include <array>
-#include <cmath>
 #include <vector>
 
 namespace irradiance
 {
-
-/// Who looks: from a point, or from infinitely far away (parallel projection).
-struct Eye
-{
-  Vector3 position; ///< or the unit direction to the eye
-  bool isFar = false;
-
-  /// A unit vector; zero at the eye's own place.
-  Vector3 directionFrom(const Vector3& point) const
-  {
-    if (isFar)
-    {
-      return position;
-    }
-    const Vector3 away = position - point;
-    const double squared = away.squaredNorm();
-    if (squared > 0x1p-900 && squared < 0x1p+1000)
-    {
-      return away / std::sqrt(squared);
-    }
-    const double longest = away.cwiseAbs().maxCoeff(); // its square is too large or small
-    return longest > 0 ? Vector3((away / longest).normalized()) : away;
-  }
-};
 
 /**
  * The radiance, W/m2/sr, that leaves cells towards an eye: emitted, reflected diffusely (from the
@@ -47,7 +22,7 @@ struct Eye
 class OutgoingRadiance
 {
 public:
-  using Bands = std::array<double, Power::kMaxBands>;
+  using Bands = GlossyPhotons::Bands;
 
   /// Collects what does not depend on the eye, in the present state of the engine. That must keep
   /// the photons, and must not change as long as this is used. Throws Interrupted.
@@ -68,22 +43,21 @@ private:
     std::vector<double> areas;      ///< of each cell, world, m2
     std::size_t firstCell;          ///< among the cells of all objects
   };
-  /// A photon on a specular cell that is no mirror.
-  struct Arrival
-  {
-    Vector3 point, toLight, normal; ///< unit vectors; the normal on the side where it arrived
-    Power power;
-  };
-
   void addCells(std::uint32_t object, Execution& execution);
-  void collectArrivals(Execution& execution);
+  void collectPhotons(Execution& execution);
   Bands diffuse(std::uint32_t object, std::size_t cell, const Eye& eye) const;
   /// Emitted, and reflected diffusely, by one side.
   Bands diffuseOf(std::uint32_t object, std::size_t cell, bool isFront) const;
   Bands specular(std::uint32_t object, std::size_t cell, const Eye& eye) const;
   Bands mirrored(std::uint32_t object, std::size_t cell, const Eye& eye) const;
-  /// Towards the origin of a ray.
-  Bands alongRay(Ray ray) const;
+  /// Rays on their way through mirrors, with the part of what they meet that gets to the eye.
+  struct Sights
+  {
+    std::vector<Ray> rays;
+    std::vector<Bands> shares;
+  };
+  /// Adds what the rays show, and replaces them by those that mirrors reflect.
+  void look(Sights& sights, Bands& sum) const;
   /// The ray that shows what is mirrored at a point of a cell.
   Ray mirrorRay(std::uint32_t object, std::size_t cell, std::uint32_t sample, const Eye& eye) const;
   bool isSpecular(std::uint32_t object, std::size_t cell) const
@@ -100,7 +74,7 @@ private:
   std::uint32_t mirrorSamples_;
   int bands_;
   std::vector<Cells> objects_;
-  std::vector<std::vector<Arrival>> arrivals_; ///< of each cell; in order of the walks
+  std::vector<GlossyPhotons> photons_; ///< of each cell
 };
 
 }

@@ -33,18 +33,18 @@ std::vector<std::uint32_t> WalkPaths::first(std::size_t most) const
 std::vector<std::uint32_t> WalkPaths::touching(
   const SceneCell& cell, std::size_t most, Execution& execution) const
 {
-  const std::vector<WalkBlock>& history = engine_.history();
+  const WalkHistory& history = engine_.history();
   const bool isLight = emits(cell);
   std::vector<std::vector<std::uint32_t>> found(engine_.hasEmitters() ? history.size() : 0);
   SlicedPass pass{ found.size(), {} };
   pass.work = [&](std::size_t number, const Deadline&) {
-    const WalkBlock& block = history[number];
-    const std::uint32_t firstWalk = engine_.plan().firstWalkOf(number);
-    for (std::uint32_t i = 0; i < block.numberOfWalks() && found[number].size() < most; ++i)
+    const WalkBlock& block = history.block(number);
+    for (std::uint32_t walk = block.firstWalk();
+         walk < block.endWalk() && found[number].size() < most; ++walk)
     {
-      if (isHit(block, i, cell) || (isLight && shooter_.rules().lightCellOf(firstWalk + i) == cell))
+      if (isHit(walk, cell) || (isLight && shooter_.rules().lightCellOf(walk) == cell))
       {
-        found[number].push_back(firstWalk + i);
+        found[number].push_back(walk);
       }
     }
     return true;
@@ -71,12 +71,12 @@ bool WalkPaths::emits(const SceneCell& cell) const
       [&](const PointLight& light) { return light.cell == cell.cell; });
 }
 
-bool WalkPaths::isHit(
-  const WalkBlock& block, std::uint32_t walkInBlock, const SceneCell& cell) const
+bool WalkPaths::isHit(std::uint32_t walk, const SceneCell& cell) const
 {
-  for (std::uint32_t bounce = 0; bounce < block.size(walkInBlock); ++bounce)
+  const WalkBlock& block = engine_.history().blockOf(walk);
+  for (std::uint32_t bounce = 0; bounce < block.size(walk); ++bounce)
   {
-    const TriangleId id = block.hit(walkInBlock, bounce).id;
+    const TriangleId id = block.hit({ walk, bounce }).id;
     if (id.object == cell.object && shooter_.rules().cellOf(id) == cell.cell)
     {
       return true;
@@ -102,18 +102,17 @@ std::vector<WalkPath> WalkPaths::paths(
 
 void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const
 {
-  std::vector<WalkShooter::Stored> rayless; // first segments, and those that escape
+  const WalkHistory& history = engine_.history();
+  std::vector<SegmentRef> rayless; // first segments, and those that escape
   std::vector<std::size_t> escaping;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const WalkPlan::Place place = engine_.plan().placeOf(walks[i]);
-    rayless.push_back({ &engine_.history()[place.block], place.walkInBlock, walks[i], 0 });
+    rayless.push_back({ walks[i], 0 });
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    WalkShooter::Stored last = rayless[i];
-    last.bounce = last.block->size(last.walkInBlock) - 1;
-    paths[i].escapes = !last.block->hit(last.walkInBlock, last.bounce);
+    const SegmentRef last{ walks[i], history.blockOf(walks[i]).size(walks[i]) - 1 };
+    paths[i].escapes = !history.hit(last);
     if (paths[i].escapes)
     {
       rayless.push_back(last);
@@ -121,13 +120,13 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
     }
   }
   std::vector<Ray> rays(rayless.size());
-  shooter_.raysOf(rayless.data(), rayless.size(), rays.data());
+  shooter_.raysOf(history, rayless, rays.data());
   for (std::size_t i = 0; i < count; ++i)
   {
     paths[i].walk = walks[i];
     paths[i].power = shooter_.rules().powerOf(walks[i]);
     paths[i].points.push_back(rays[i].origin);
-    addHits(rayless[i], paths[i]);
+    addHits(paths[i]);
   }
   for (std::size_t i = 0; i < escaping.size(); ++i)
   {
@@ -135,16 +134,16 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    addMarks(engine_.plan().placeOf(walks[i]), paths[i]);
+    addMarks(paths[i]);
   }
 }
 
-void WalkPaths::addHits(const WalkShooter::Stored& walk, WalkPath& path) const
+void WalkPaths::addHits(WalkPath& path) const
 {
-  const std::uint32_t size = walk.block->size(walk.walkInBlock);
-  for (std::uint32_t bounce = 0; bounce < size; ++bounce)
+  const WalkBlock& block = engine_.history().blockOf(path.walk);
+  for (std::uint32_t bounce = 0; bounce < block.size(path.walk); ++bounce)
   {
-    if (const Hit hit = walk.block->hit(walk.walkInBlock, bounce))
+    if (const Hit hit = block.hit({ path.walk, bounce }))
     {
       path.points.push_back(
         surfacePoint(shooter_.rules().triangleOf(hit.id), weightsOf(hit)).position);
@@ -152,16 +151,16 @@ void WalkPaths::addHits(const WalkShooter::Stored& walk, WalkPath& path) const
   }
 }
 
-void WalkPaths::addMarks(const WalkPlan::Place& place, WalkPath& path) const
+void WalkPaths::addMarks(WalkPath& path) const
 {
-  const std::vector<RepairedTail>& repaired = engine_.repaired();
-  const auto tail =
-    std::lower_bound(repaired.begin(), repaired.end(), RepairedTail{ path.walk, 0 });
+  const std::vector<SegmentRef>& repaired = engine_.repaired();
+  const auto tail = std::lower_bound(repaired.begin(), repaired.end(), SegmentRef{ path.walk, 0 });
   const bool isRepaired = tail != repaired.end() && tail->walk == path.walk;
   path.firstRepaired = isRepaired ? std::size_t{ tail->bounce } + 1 : path.points.size();
   constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
-  path.isStale = engine_.stale() && place.block < engine_.stale()->numberOfBlocks() &&
-    irradiance::isStale(engine_.stale()->marks(place.block), { place.walkInBlock, kLast });
+  const std::size_t block = engine_.history().indexOf(path.walk);
+  path.isStale = engine_.stale() && block < engine_.stale()->numberOfBlocks() &&
+    irradiance::isStale(engine_.stale()->marks(block), { path.walk, kLast });
 }
 
 Vector3 WalkPaths::endOf(const Ray& ray) const

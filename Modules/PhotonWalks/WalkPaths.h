@@ -46,10 +46,10 @@ public:
 
 private:
   bool emits(const SceneCell& cell) const;
-  bool isHit(const WalkBlock& block, std::uint32_t walkInBlock, const SceneCell& cell) const;
+  bool isHit(std::uint32_t walk, const SceneCell& cell) const;
   void find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const;
-  void addHits(const WalkShooter::Stored& walk, WalkPath& path) const;
-  void addMarks(const WalkPlan::Place& place, WalkPath& path) const;
+  void addHits(WalkPath& path) const;
+  void addMarks(WalkPath& path) const;
   /// Where the ray of an escape is cut off: 1/8 of the diagonal of the scene beyond its box.
   Vector3 endOf(const Ray& ray) const;
 

@@ -3,6 +3,11 @@
 import re
 import signal
 import threading
+import warnings
+
+
+class PipelineWarning(UserWarning):
+    """A warning of an algorithm of VTK."""
 
 
 def update(algorithm, progress=None, time=None):
@@ -11,6 +16,8 @@ def update(algorithm, progress=None, time=None):
     It does what algorithm.Update() does, with `time` what algorithm.UpdateTimeStep(time) does, and:
 
     - The first error of the pipeline becomes a RuntimeError with its text.
+    - Each warning goes to Python's warnings.warn() as a PipelineWarning, so that Python shows it once, and
+      `warnings` can make it an error or ignore it.
     - Ctrl-C stops the pipeline within about 0.1 s and raises KeyboardInterrupt. (Update() goes on to its
       end; if a Python function observes its progress, VTK ends the whole process.) The output is empty then,
       and the next update starts anew.
@@ -23,6 +30,8 @@ def update(algorithm, progress=None, time=None):
         run.observe(part, "ProgressEvent", run.on_progress)
         run.observe(part, "ErrorEvent", run.on_error)
         run.observe(part.GetExecutive(), "ErrorEvent", run.on_failure)
+        for subject in (part, part.GetExecutive()):
+            run.observe(subject, "WarningEvent", run.on_warning)
     restore = _catch_interrupts(run)
     try:
         if time is None:
@@ -32,7 +41,12 @@ def update(algorithm, progress=None, time=None):
     finally:
         restore()
         run.end()
-    run.raise_first(pipeline)
+    try:
+        # For the line that called update(). The same text, as of each time of a dose, is given once.
+        for message in dict.fromkeys(run.warnings):
+            warnings.warn(message, PipelineWarning, stacklevel=2)
+    finally:
+        run.raise_first(pipeline)
 
 
 class _Run:
@@ -44,6 +58,7 @@ class _Run:
         self.stop = None  # the exception that stops the pipeline
         self.errors = []
         self.failures = []
+        self.warnings = []
 
     def observe(self, subject, event, action):
         self.observed.append((subject, subject.AddObserver(event, action)))
@@ -69,9 +84,13 @@ class _Run:
     def on_failure(self, executive, event, text):
         self.failures.append(_message(text))
 
+    def on_warning(self, subject, event, text):
+        self.warnings.append(_message(text))
+
     # VTK reads these to know what to hand over.
     on_error.CallDataType = "string0"
     on_failure.CallDataType = "string0"
+    on_warning.CallDataType = "string0"
 
     def end(self):
         for subject, tag in self.observed:
@@ -110,5 +129,5 @@ def _catch_interrupts(run):
 
 
 def _message(text):
-    """The text of an error without the file, the line and the address."""
-    return re.sub(r"^ERROR: In [^\n]*\n(\w+) \(0x\w+\): ", r"\1: ", text).strip()
+    """The text of an error or a warning without the file, the line and the address."""
+    return re.sub(r"^(?:ERROR|Warning): In [^\n]*\n(\w+) \(0x\w+\): ", r"\1: ", text).strip()

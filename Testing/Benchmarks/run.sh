@@ -99,10 +99,11 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkFrameProfile "" "20000 2"
   measure BenchmarkRepairBudget "" "20000 2"
   measure BenchmarkPhotonStores "1000000 11" "20000 2"
+  measure BenchmarkRadiance "" "20000 1 4"
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"

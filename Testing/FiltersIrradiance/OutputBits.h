@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <set>
 
@@ -41,6 +43,19 @@ public:
   explicit OutputBits(vtkPolyData* polyData) { this->AddBlock("", polyData); }
 
   bool IsEmpty() const { return this->Arrays.empty(); }
+
+  /// Of all names and bytes (FNV-1a), to compare what two builds compute.
+  std::uint64_t Digest() const
+  {
+    std::uint64_t digest = 0xcbf29ce484222325u;
+    const auto add = [&](unsigned char byte) { digest = (digest ^ byte) * 0x100000001b3u; };
+    for (const auto& [name, bytes] : this->Arrays)
+    {
+      std::for_each(name.begin(), name.end(), add);
+      std::for_each(bytes.begin(), bytes.end(), add);
+    }
+    return digest;
+  }
 
   /// Tells which array differs first, and where.
   friend testing::AssertionResult IsSame(const OutputBits& a, const OutputBits& b)

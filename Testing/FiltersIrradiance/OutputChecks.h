@@ -85,10 +85,21 @@ inline void ExpectSoundOutput(vtkIrradianceFilter* filter, const RandomModels::M
   ExpectBalance(filter);
 }
 
+/// None for other cells. vtkPolyData::GetCellPoints() fails where a polygon has one point or two.
+inline void PointsOfPolygon(vtkPolyData* polyData, vtkIdType cell, vtkIdList* ids)
+{
+  ids->Reset();
+  const vtkIdType polygon = cell - polyData->GetNumberOfVerts() - polyData->GetNumberOfLines();
+  if (polygon >= 0 && polygon < polyData->GetNumberOfPolys())
+  {
+    polyData->GetPolys()->GetCellAtId(polygon, ids);
+  }
+}
+
 inline double AreaOf(vtkPolyData* polyData, vtkIdType cell)
 {
   vtkNew<vtkIdList> ids;
-  polyData->GetCellPoints(cell, ids);
+  PointsOfPolygon(polyData, cell, ids);
   double normal[3];
   return vtkPolygon::ComputeArea(
     polyData->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);

@@ -25,7 +25,12 @@ inline void MoveAPose(Trial& t)
 inline void ReplaceOrRemoveAPose(Trial& t)
 {
   const int i = t.Random.Below(static_cast<int>(t.Moving().size()));
-  auto& pose = t.Moving()[static_cast<std::size_t>(i)].Pose;
+  Connection& moving = t.Moving()[static_cast<std::size_t>(i)];
+  if (!moving.Keys.Keys.empty())
+  {
+    return;
+  }
+  auto& pose = moving.Pose;
   pose = Chance(t.Random, 3) ? nullptr : vtkSmartPointer<vtkTransform>::New();
   if (pose)
   {
@@ -90,6 +95,25 @@ inline void GoFarAway(Trial& t)
   {
     moving.Pose->Identity();
     moving.Pose->Translate(t.Random.Between(500, 1000), 1e3, -300);
+  }
+}
+
+/// Forwards, backwards, and beyond the keys of some rides.
+inline void GoToAnotherTime(Trial& t)
+{
+  t.Given.Time = RandomTime(t.Random);
+}
+
+inline void ChangeARide(Trial& t)
+{
+  for (std::size_t i = 0; i < t.Moving().size(); ++i)
+  {
+    if (!t.Moving()[i].Keys.Keys.empty())
+    {
+      t.Moving()[i].Keys = RandomRide(t.Random);
+      SetRide(vtkKeyFramedPose::SafeDownCast(t.Filter->GetInputAlgorithm(1, static_cast<int>(i))),
+        t.Moving()[i].Keys);
+    }
   }
 }
 
@@ -286,8 +310,9 @@ inline void AddConnection(Trial& t)
     {
       ForEachLeaf(data, [&](vtkPolyData* mesh) { PutIntoTheCorner(t, mesh); });
     }
-    connections.push_back({ data, port == 1 ? pose : nullptr });
-    t.Filter->AddInputDataObject(port, data);
+    const Ride ride = port == 1 && Chance(t.Random, 3) ? RandomRide(t.Random) : Ride{};
+    connections.push_back({ data, port == 1 && ride.Keys.empty() ? pose : nullptr, ride });
+    Connect(t.Filter, port, connections.back());
     ApplyPoses(t.Filter, t.Given);
   }
 }

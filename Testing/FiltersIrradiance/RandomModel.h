@@ -3,6 +3,7 @@
 #define RandomModel_h
 
 #include "RandomGloss.h"
+#include "RandomRide.h"
 #include "RandomView.h"
 
 #include "vtkDataObjectTree.h"
@@ -34,6 +35,7 @@ struct Connection
 {
   vtkSmartPointer<vtkDataObject> Data;
   vtkSmartPointer<vtkTransform> Pose; ///< null for none; port 1 only
+  Ride Keys;                          ///< port 1 only; excludes a pose
 };
 
 struct Model
@@ -42,6 +44,7 @@ struct Model
   Settings Set;
   View Look;
   int NumberOfThreads = 1;
+  double Time = 0; ///< at which the filters are updated
 };
 
 /// `index`: 1 for the diffuse reflectance, 2 for the specular one.
@@ -86,6 +89,19 @@ inline void ApplyPoses(vtkIrradianceFilter* filter, const Model& model)
   }
 }
 
+/// Adds a connection, behind a vtkKeyFramedPose of its own if it rides.
+inline void Connect(vtkIrradianceFilter* filter, int port, const Connection& connection)
+{
+  if (connection.Keys.Keys.empty())
+  {
+    filter->AddInputDataObject(port, connection.Data);
+  }
+  else
+  {
+    filter->AddInputConnection(port, MakeRide(connection.Data, connection.Keys)->GetOutputPort());
+  }
+}
+
 /// Sets up a filter that has no connections yet.
 inline void Configure(vtkIrradianceFilter* filter, const Model& model)
 {
@@ -94,7 +110,7 @@ inline void Configure(vtkIrradianceFilter* filter, const Model& model)
   {
     for (const Connection& connection : model.Ports[port])
     {
-      filter->AddInputDataObject(port, connection.Data);
+      Connect(filter, port, connection);
     }
   }
   ApplyPoses(filter, model);
@@ -128,7 +144,20 @@ inline Tuple RandomTuple(RandomNumbers& random, double high)
   return tuple;
 }
 
-/// Around the origin. Lengths are multiples of 0.25 m, so flat faces can touch exactly.
+/// Adds polygons that have no area: of one point, of two, and of three on a line.
+inline void AddTinyPolygons(vtkPolyData* mesh)
+{
+  const vtkIdType a = 0, b = mesh->GetNumberOfPoints() - 1;
+  const vtkIdType corners[] = { a, b, a };
+  for (const vtkIdType count : { 1, 2, 3 })
+  {
+    mesh->GetPolys()->InsertNextCell(count, corners);
+  }
+  mesh->Modified();
+}
+
+/// Around the origin. Lengths are multiples of 0.25 m, so flat faces can touch exactly; some boxes are
+/// thin boards.
 inline Mesh RandomMesh(RandomNumbers& random)
 {
   const auto length = [&] { return 0.25 * (1 + random.Below(4)); };
@@ -144,8 +173,12 @@ inline Mesh RandomMesh(RandomNumbers& random)
   const double x = length(), y = length(), z = length();
   Mesh mesh = kind < 7 ? MakeBall(0.5 * x, 4 + random.Below(4))
     : kind < 12
-    ? MakeBox(x, y, z)
+    ? MakeBox(x, y, kind == 11 ? 0x1p-9 : z)
     : MakeRectangle({ -x, -y, 0 }, { 2 * x, 0, 0 }, { 0, 2 * y, 0 }, 1 + random.Below(3));
+  if (Chance(random, 8))
+  {
+    AddTinyPolygons(mesh);
+  }
   if (Chance(random, 2))
   {
     SetCellValues(mesh, "DiffuseReflectance", RandomTuple(random, 0.95));
@@ -259,7 +292,7 @@ inline vtkSmartPointer<vtkDataObject> RandomData(RandomNumbers& random)
   return RandomMesh(random);
 }
 
-/// A room or an open floor, which stays, a lamp and four dynamic inputs.
+/// A room or an open floor, which stays, a lamp, four dynamic inputs and one that rides.
 inline Model RandomModel(RandomNumbers& random)
 {
   Model model;
@@ -267,14 +300,15 @@ inline Model RandomModel(RandomNumbers& random)
                                   : MakeRoom(3, 1 + random.Below(3));
   SetCellValues(ground, "Albedo", { 0.3 });
   SetCellValues(ground, "Gloss", { 0.4 });
-  model.Ports[0] = { { ground, nullptr },
-    { MakeLamp({ 1.5, 1.5, 2.75 }, 0.75, RandomTuple(random, 100)), nullptr } };
+  model.Ports[0] = { { ground, nullptr, {} },
+    { MakeLamp({ 1.5, 1.5, 2.75 }, 0.75, RandomTuple(random, 100)), nullptr, {} } };
   for (int i = 0; i < 4; ++i)
   {
     auto pose = vtkSmartPointer<vtkTransform>::New();
     pose->Translate(RandomPlace(random).data());
-    model.Ports[1].push_back({ RandomData(random), pose });
+    model.Ports[1].push_back({ RandomData(random), pose, {} });
   }
+  model.Ports[1].push_back({ RandomData(random), nullptr, RandomRide(random) });
   model.Set.NumberOfWalks = 500 + random.Below(1500);
   model.Look = RandomView(random);
   return model;

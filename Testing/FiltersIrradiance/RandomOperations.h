@@ -135,12 +135,25 @@ inline void AbortAView(Trial& t)
   t.MustCompare = true;
 }
 
+/// On the cells of what the filter put out last.
+inline void PutSensorsOnCells(Trial& t)
+{
+  auto leaves = LeavesOf(t.Filter->GetOutput());
+  if (!leaves.empty())
+  {
+    t.Given.Look.Sensors = SensorsOn(t.Random, Pick(t.Random, leaves));
+    t.Given.Look.HasSensors = true;
+  }
+}
+
 // Executions.
 
-/// A moving leaf goes, its arrays stay without values, and after some updates it comes back, or
-/// something else does.
+/// A moving leaf goes, its arrays stay without values, and after some updates, with other poses, estimates,
+/// outputs and views, it comes back, or something else does.
 inline void GoAndComeBack(Trial& t)
 {
+  static void (*const changes[])(Trial&) = { ChangeEstimate, ChangeOutput, ChangeTarget,
+    ChangeBudget, ChangeModes, MoveTheEye, ChangeTheSensors };
   Connection& moving = Pick(t.Random, t.Moving());
   auto leaves = LeavesOf(moving.Data);
   if (leaves.empty())
@@ -156,6 +169,10 @@ inline void GoAndComeBack(Trial& t)
   for (int updates = 1 + t.Random.Below(2); updates > 0 && !testing::Test::HasFailure(); --updates)
   {
     moving.Data->Modified();
+    if (Chance(t.Random, 2))
+    {
+      changes[t.Random.Below(7)](t);
+    }
     t.UpdateAndCheck();
     MoveAPose(t);
   }
@@ -206,11 +223,10 @@ inline vtkIdType PickCell(Trial& t, vtkPolyData* mesh)
 inline void SpoilAPoint(Trial& t)
 {
   const Leaf leaf = t.PickLeaf(true);
-  const vtkIdType cell = PickCell(t, leaf.Mesh);
-  if (cell >= 0)
+  vtkNew<vtkIdList> ids;
+  PointsOfPolygon(leaf.Mesh, PickCell(t, leaf.Mesh), ids);
+  if (ids->GetNumberOfIds() > 0)
   {
-    vtkNew<vtkIdList> ids;
-    leaf.Mesh->GetCellPoints(cell, ids);
     double old[3];
     leaf.Mesh->GetPoint(ids->GetId(0), old);
     const auto set = [&](double x) {
@@ -306,7 +322,8 @@ struct Operation
 inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ReplaceOrRemoveAPose", ReplaceOrRemoveAPose, 3 }, { "ChangeAPoseField", ChangeAPoseField, 4 },
   { "TouchSomething", TouchSomething, 14 }, { "GoWhereAnotherIs", GoWhereAnotherIs, 3 },
-  { "GoFarAway", GoFarAway, 3 }, { "GoAndComeBack", GoAndComeBack, 6 }, { "Deform", Deform, 6 },
+  { "GoFarAway", GoFarAway, 3 }, { "GoToAnotherTime", GoToAnotherTime, 8 },
+  { "ChangeARide", ChangeARide, 2 }, { "GoAndComeBack", GoAndComeBack, 6 }, { "Deform", Deform, 6 },
   { "TakeANewShape", TakeANewShape, 2 }, { "SetAnArray", SetAnArray, 2 },
   { "SetGloss", SetGloss, 3 }, { "ChangeExponents", ChangeExponents, 3 },
   { "RemoveGloss", RemoveGloss, 2 }, { "ChangeAValue", ChangeAValue, 2 },
@@ -317,8 +334,8 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ChangeEstimate", ChangeEstimate, 4 }, { "ChangeTarget", ChangeTarget, 2 },
   { "ChangeReflectances", ChangeReflectances, 1 }, { "ChangeBudget", ChangeBudget, 6 },
   { "ChangeWalks", ChangeWalks, 4 }, { "MoveTheEye", MoveTheEye, 3 },
-  { "ChangeTheSensors", ChangeTheSensors, 3 }, { "AbortAView", AbortAView, 2 },
-  { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
+  { "ChangeTheSensors", ChangeTheSensors, 3 }, { "PutSensorsOnCells", PutSensorsOnCells, 3 },
+  { "AbortAView", AbortAView, 2 }, { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
   { "MeddleWhileItRuns", MeddleWhileItRuns, 4 }, { "SpoilAPoint", SpoilAPoint, 1 },
   { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilAPose", SpoilAPose, 1 },
   { "SpoilALeaf", SpoilALeaf, 1 }, { "SpoilASetting", SpoilASetting, 1 } };

@@ -42,10 +42,10 @@ public:
 };
 
 template <class Updated>
-void Update(Updated& filter, int threads)
+void Update(Updated& filter, double time, int threads)
 {
   vtkSMPTools::LocalScope(
-    vtkSMPTools::Config{ threads, "STDThread", false }, [&] { filter.Update(); });
+    vtkSMPTools::Config{ threads, "STDThread", false }, [&] { filter.UpdateTimeStep(time); });
 }
 
 /// One leaf of a connection.
@@ -66,6 +66,9 @@ struct Counts
 {
   int Operations = 0, Compared = 0, Repairs = 0, Stale = 0, Errors = 0, Aborts = 0, Meddlings = 0,
       Looks = 0, Shown = 0;
+  std::uint64_t Digest = 0; ///< of all that fresh filters computed
+
+  void Digested(std::uint64_t digest) { this->Digest = 3 * this->Digest + digest; }
 };
 
 /// A long-lived filter and what it is to compute.
@@ -82,9 +85,21 @@ struct Trial
 
   std::vector<Connection>& Moving() { return this->Given.Ports[1]; }
   Settings& Set() { return this->Given.Set; }
-  void Update() { RandomPrograms::Update(*this->Filter, this->Given.NumberOfThreads); }
+  void Update()
+  {
+    RandomPrograms::Update(*this->Filter, this->Given.Time, this->Given.NumberOfThreads);
+  }
   void Apply() { ApplySettings(this->Filter, this->Given.Set); }
 
+  /// Whether a ride is over, and the part is gone: then nobody reads its data.
+  bool HasLeft(const Connection& connection) const
+  {
+    const Ride& ride = connection.Keys;
+    return !ride.Keys.empty() && ride.Outside == vtkKeyFramedPose::Leave &&
+      this->Given.Time > ride.Keys.back().Time;
+  }
+
+  /// `withSurface`: it is also there.
   Leaf PickLeaf(bool withSurface)
   {
     std::vector<Leaf> leaves;
@@ -93,7 +108,7 @@ struct Trial
       for (Connection& connection : port)
       {
         ForEachLeaf(connection.Data, [&](vtkPolyData* mesh) {
-          if (!withSurface || mesh->GetNumberOfPolys() > 0)
+          if (!withSurface || (mesh->GetNumberOfPolys() > 0 && !this->HasLeft(connection)))
           {
             leaves.push_back({ &connection, mesh, leaves.empty() });
           }
@@ -106,7 +121,8 @@ struct Trial
   /// Updates, with `change` at one of the first progress events; false if there were too few.
   bool UpdateAndMeddle(const std::function<void()>& change)
   {
-    this->Observer->EventsToWait = this->Random.Below(6);
+    // The first event comes from the executive, when rides have been computed already.
+    this->Observer->EventsToWait = 1 + this->Random.Below(5);
     this->Observer->Change = change;
     this->Update();
     return !std::exchange(this->Observer->Change, nullptr);
@@ -130,7 +146,7 @@ struct Trial
     auto fresh = vtkSmartPointer<vtkIrradianceFilter>::New();
     const auto reports = ErrorObserver::Watch(fresh);
     Configure(fresh, this->Given);
-    RandomPrograms::Update(*fresh, 3 - this->Given.NumberOfThreads);
+    RandomPrograms::Update(*fresh, this->Given.Time, 3 - this->Given.NumberOfThreads);
     EXPECT_EQ(reports->Errors.size(), errors);
     return fresh;
   }
@@ -226,7 +242,7 @@ inline void Trial::UpdateAndCheck()
 inline void Trial::Look()
 {
   this->Views.Apply(this->Given.Look);
-  RandomPrograms::Update(this->Views, this->Given.NumberOfThreads);
+  RandomPrograms::Update(this->Views, this->Given.Time, this->Given.NumberOfThreads);
   ++this->Done.Looks;
 }
 
@@ -237,14 +253,17 @@ inline void Trial::CompareViews(vtkIrradianceFilter* fresh)
   ASSERT_NO_FATAL_FAILURE(this->Views.ExpectSound());
   ViewFilters views(fresh);
   views.Apply(this->Given.Look);
-  RandomPrograms::Update(views, 3 - this->Given.NumberOfThreads);
+  RandomPrograms::Update(views, this->Given.Time, 3 - this->Given.NumberOfThreads);
   EXPECT_TRUE(IsSame(this->Views, views));
+  this->Done.Digested(views.Digest());
 }
 
 /// Stale light keeps its bounds, and is repaired at once or left to later operations.
 inline void Trial::Compare()
 {
   const auto fresh = this->MakeFresh();
+  // Drawn before it is known whether something is stale, which depends on time.
+  const bool waits = Chance(this->Random, 2);
   ++this->Done.Compared;
   if (MostStale(this->Filter) > 0)
   {
@@ -254,7 +273,7 @@ inline void Trial::Compare()
     {
       ExpectBounds(this->Filter, fresh);
     }
-    if (Chance(this->Random, 2))
+    if (waits)
     {
       return;
     }
@@ -268,6 +287,8 @@ inline void Trial::Compare()
   }
   EXPECT_TRUE(IsSame(OutputBits(this->Filter), OutputBits(fresh)));
   EXPECT_TRUE(IsSame(ShownWalks::LastingBits(this->Filter), ShownWalks::LastingBits(fresh)));
+  this->Done.Digested(OutputBits(fresh).Digest());
+  this->Done.Digested(ShownWalks::LastingBits(fresh).Digest());
   this->Done.Shown += fresh->GetWalksOutput()->GetNumberOfCells() > 0;
   this->CompareViews(fresh);
 }

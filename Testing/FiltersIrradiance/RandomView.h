@@ -4,6 +4,11 @@
 
 #include "RandomChoices.h"
 
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkPolygon.h"
+
+#include <algorithm>
 #include <limits>
 
 /// What looks at the photons of a filter: an eye, and sensors.
@@ -18,7 +23,8 @@ struct View
   int NumberOfMirrorSamples = 4;
   Mesh Sensors;
   int NumberOfPhotons = 50;
-  double MaximumRadius = std::numeric_limits<double>::infinity();
+  double MaximumRadius = 0;
+  double MaximumDistance = 0;
 
   bool IsUsed() const { return this->HasEye || this->HasSensors; }
 };
@@ -51,6 +57,44 @@ inline Mesh RandomSensors(RandomNumbers& random)
   return sensors;
 }
 
+/// At most 16 in the middles of cells, on their front or back.
+inline Mesh SensorsOn(RandomNumbers& random, vtkPolyData* surface)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkIdList> ids;
+  const int cells = static_cast<int>(surface->GetNumberOfPolys());
+  for (int i = 0; i < std::min(cells, 16); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(random.Below(cells), ids);
+    Vector middle{}, normal{};
+    vtkPolygon::ComputeNormal(surface->GetPoints(), static_cast<int>(ids->GetNumberOfIds()),
+      ids->GetPointer(0), normal.data());
+    for (vtkIdType corner = 0; corner < ids->GetNumberOfIds(); ++corner)
+    {
+      Vector point;
+      surface->GetPoint(ids->GetId(corner), point.data());
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        middle[axis] += point[axis] / static_cast<double>(ids->GetNumberOfIds());
+      }
+    }
+    const double side = Chance(random, 4) ? -1 : 1;
+    if (vtkMath::Norm(normal.data()) > 0)
+    {
+      points->InsertNextPoint(middle.data());
+      normals->InsertNextTuple3(side * normal[0], side * normal[1], side * normal[2]);
+    }
+  }
+  auto sensors = Mesh::New();
+  sensors->SetPoints(points);
+  sensors->GetPointData()->SetNormals(normals);
+  return sensors;
+}
+
 inline void MoveEye(RandomNumbers& random, View& view)
 {
   view.Eye = RandomPlace(random);
@@ -62,8 +106,13 @@ inline void ChangeSensors(RandomNumbers& random, View& view)
 {
   view.Sensors = RandomSensors(random);
   view.NumberOfPhotons = 2 << random.Below(10);
-  view.MaximumRadius =
-    Chance(random, 2) ? std::numeric_limits<double>::infinity() : random.Between(0.01, 2);
+  const auto limit = [&] {
+    return Chance(random, 3) ? 0
+      : Chance(random, 2)    ? std::numeric_limits<double>::infinity()
+                             : random.Between(0.01, 2);
+  };
+  view.MaximumRadius = limit();
+  view.MaximumDistance = limit();
 }
 
 /// Half of all models have an eye, half have sensors.

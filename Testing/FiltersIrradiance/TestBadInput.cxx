@@ -2,12 +2,17 @@
 // Input that cannot be computed: one error that says where, an empty output, a filter that still
 // works.
 
-#include "ErrorObserver.h"
 #include "OutputBits.h"
+#include "Reports.h"
 #include "TestScenes.h"
 
+#include "vtkImageData.h"
+#include "vtkIrradianceProbeFilter.h"
 #include "vtkMatrixToLinearTransform.h"
+#include "vtkOutgoingRadianceFilter.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -211,6 +216,10 @@ const std::vector<BadInput> BadInputs{
     { Lamp, "RadiantExitance", "vtkStringArray" } },
   { "TwoComponents", ReplaceArray<vtkDoubleArray>("RadiantExitance", 2, 1),
     { Lamp, "RadiantExitance", "2 components" } },
+  { "TuplesAndComponentsSwapped", ReplaceArray<vtkDoubleArray>("DiffuseReflectance", 1, 3),
+    { Lamp, "DiffuseReflectance", "3 tuples for 1 cells", "NumPy", "(1,) or (1, 3)" } },
+  { "OtherLengthSpreadOverAllCells", ReplaceArray<vtkDoubleArray>("DiffuseReflectance", 5, 1),
+    { Lamp, "5 components; 1 or 3", "(1,) or (1, 3)", "append() repeats" } },
   { "ReflectanceAbove1", SetValue(0, "DiffuseReflectance", 7, 1.5),
     { Room, "cell 7", "reflectance 1.5" } },
   { "ReflectanceBarelyAbove1", SetValue(0, "DiffuseReflectance", 7, 1 + 1e-9),
@@ -262,6 +271,7 @@ const std::vector<BadInput> BadInputs{
   { "NegativeTarget", SetTarget(-0.1), { "TargetRelativeError is -0.1" } },
   { "TargetNaN", SetTarget(NaN), { "TargetRelativeError is nan" } },
   { "InfiniteTarget", SetTarget(Infinity), { "TargetRelativeError is inf" } },
+  { "TargetInPercent", SetTarget(5), { "TargetRelativeError is 5", "5 % is 0.05" } },
   { "TargetWithFewerWalksThanTheFirst", SetTarget(0.1, 499),
     { "MaximumNumberOfWalks", "is 499; 500 to" } },
   { "TargetWithTooManyWalks", SetTarget(0.1, 1LL << 32), { "MaximumNumberOfWalks", "4294967296" } },
@@ -335,6 +345,61 @@ TEST_P(BadInputTest, IsNamedAndForgotten)
 
 INSTANTIATE_TEST_SUITE_P(Each, BadInputTest, testing::ValuesIn(BadInputs),
   [](const auto& info) { return info.param.Name; });
+
+// An input of another kind is one error, whichever port and however many outputs somebody asks for.
+TEST(BadInputKind, IsOneErrorThatSaysHowToMakePolyData)
+{
+  const std::vector<vtkSmartPointer<vtkDataObject>> others{
+    vtkSmartPointer<vtkUnstructuredGrid>::New(), vtkSmartPointer<vtkImageData>::New(),
+    vtkSmartPointer<vtkTable>::New()
+  };
+  for (const auto& other : others)
+  {
+    for (const int port : { 0, 1 })
+    {
+      SCOPED_TRACE(std::string(other->GetClassName()) + " on port " + std::to_string(port));
+      const auto filter = MakeFilter(MakeGoodScene(), NumberOfWalks);
+      filter->AddInputDataObject(port, other);
+      const std::string error = OnlyErrorOf(filter);
+      for (const std::string& word :
+        { "input port " + std::to_string(port), "connection " + std::to_string(port == 0 ? 3 : 2),
+          std::string(other->GetClassName()), std::string("vtkPolyData"),
+          std::string("vtkGeometryFilter"), std::string("Extract Surface") })
+      {
+        EXPECT_NE(error.find(word), std::string::npos) << "\"" << word << "\" is missing in\n"
+                                                       << error;
+      }
+    }
+  }
+}
+
+TEST(BadInputKind, IsOneErrorOfTheOtherFiltersToo)
+{
+  const auto errorOf = [](vtkAlgorithm* filter) {
+    const Reports reports = Update(filter);
+    EXPECT_EQ(reports.Errors.size(), 1u) << testing::PrintToString(reports.Errors);
+    return reports.Errors.empty() ? "" : reports.Errors[0];
+  };
+  const auto irradiance = MakeFilter(MakeGoodScene(), NumberOfWalks);
+  vtkNew<vtkPolyData> mesh;
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkIrradianceProbeFilter> probe;
+  probe->SetInputData(image);
+  probe->SetSourceConnection(irradiance->GetOutputPort());
+  EXPECT_NE(errorOf(probe).find("sensors are a vtkImageData; vtkPolyData"), std::string::npos);
+  EXPECT_EQ(probe->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkOutgoingRadianceFilter> radiance;
+  for (vtkDataObject* other : std::initializer_list<vtkDataObject*>{ mesh, image })
+  {
+    probe->SetInputData(mesh);
+    probe->SetSourceData(other);
+    EXPECT_NE(
+      errorOf(probe).find("the source is no output of vtkIrradianceFilter"), std::string::npos);
+    radiance->SetInputData(other);
+    EXPECT_NE(
+      errorOf(radiance).find("the input is no output of vtkIrradianceFilter"), std::string::npos);
+  }
+}
 
 // What was read before the error must not outlive its connection.
 TEST(BadInputGoes, AndTheStaticInputWithIt)

@@ -175,8 +175,9 @@ TEST(CoincidentFaces, UpdatesEqualRebuilds)
     filters.push_back(MakeFilter(scene, NumberOfWalks / 4));
     filters.back()->SetRepairTimeBudget(budget);
   }
-  filters[0]->CacheStaticHitsOff();
+  filters[1]->CacheStaticHitsOn();
   filters.push_back(MakeFilter(scene, NumberOfWalks / 4));
+  filters[2]->CacheStaticHitsOn();
   for (const auto& [x, y, z, angle] : places)
   {
     for (const int i : { 0, 1 })

@@ -7,6 +7,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIrradianceProbeFilter.h"
+#include "vtkKeyFramedPose.h"
 #include "vtkMath.h"
 
 #include <gtest/gtest.h>
@@ -227,7 +228,9 @@ TEST(IrradianceProbe, FollowsDeformingInputs)
   Scene scene = MakeSmallScene();
   const auto sensors = MakeSensors(
     { { 1, 1, 1.4 }, { 1, 1, 0.6 }, { 1.4, 1, 1 } }, { { 0, 0, 1 }, { 0, 0, -1 }, { 1, 0, 0 } });
+  const double anyDistance = std::numeric_limits<double>::infinity();
   Pipeline pipeline(scene, 5000, sensors);
+  pipeline.Probe->SetMaximumDistance(anyDistance);
   pipeline.Update();
   for (int frame = 1; frame < 5; ++frame)
   {
@@ -242,7 +245,47 @@ TEST(IrradianceProbe, FollowsDeformingInputs)
     scene.Moving[0].Model->Modified();
     const std::vector<double> updated = pipeline.Update();
     Pipeline fresh(scene, 5000, sensors);
+    fresh.Probe->SetMaximumDistance(anyDistance);
     ASSERT_EQ(updated, fresh.Update()) << "frame " << frame;
+  }
+}
+
+// A working plane, and what is outside of everything. A sensor near a surface has the photons of the closest
+// point of it. Sizes of any unit.
+TEST(IrradianceProbe, SensorsInTheAirAreUnknownAndSaidToBe)
+{
+  for (const double unit : { 1.0, 0x1p-40, 0x1p40 })
+  {
+    Scene scene;
+    scene.Fixed = { MakeRectangle(
+                      { -2 * unit, -2 * unit, 0 }, { 4 * unit, 0, 0 }, { 0, 4 * unit, 0 }, 4),
+      MakeLamp({ 0, 0, 2 * unit }, unit, { 10 }) };
+    const auto sensors = MakeSensors({ { 0, 0, 0 }, { 0, 0, 0.85 * unit }, { 0, 0, 0.03 * unit },
+                                       { 9 * unit, 0, 0 }, { 0, 0, -0.03 * unit } },
+      std::vector<Vector>(5, { 0, 0, 1 }));
+    Pipeline pipeline(scene, 20000, sensors);
+    pipeline.Update();
+    EXPECT_TRUE(pipeline.Errors->Errors.empty());
+    ASSERT_EQ(pipeline.Errors->Warnings.size(), 1u);
+    const std::string& warning = pipeline.Errors->Warnings[0];
+    EXPECT_NE(warning.find("2 of 5 sensors lie farther than"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("the first is point 1 at (0, 0, "), std::string::npos) << warning;
+    for (const vtkIdType lost : { 1, 3 })
+    {
+      EXPECT_TRUE(std::isnan(pipeline.Value("Irradiance", lost)));
+      EXPECT_TRUE(std::isnan(pipeline.Value("SearchRadius", lost)));
+      EXPECT_EQ(pipeline.Value("NumberOfPhotons", lost), 0);
+    }
+    EXPECT_GT(pipeline.Value("NumberOfPhotons", 0), 40);
+    for (const vtkIdType near : { 2, 4 })
+    {
+      EXPECT_EQ(pipeline.Value("Irradiance", near), pipeline.Value("Irradiance", 0));
+    }
+    pipeline.Errors->Clear();
+    pipeline.Probe->SetMaximumDistance(std::numeric_limits<double>::infinity());
+    pipeline.Update();
+    EXPECT_TRUE(pipeline.Errors->Warnings.empty());
+    EXPECT_EQ(pipeline.Value("Irradiance", 1), pipeline.Value("Irradiance", 0));
   }
 }
 
@@ -263,9 +306,12 @@ TEST(IrradianceProbe, BadInputIsNamed)
   pipeline.Probe->SetInputData(MakeSensors({ { nan, 0, 0 } }, { { 0, 0, 1 } }));
   pipeline.ExpectError("point 0: the position (nan, 0, 0) is not finite");
   pipeline.Probe->SetInputData(good);
-  pipeline.Probe->SetMaximumRadius(0);
-  pipeline.ExpectError("MaximumRadius is 0");
+  pipeline.Probe->SetMaximumRadius(-1);
+  pipeline.ExpectError("MaximumRadius is -1");
   pipeline.Probe->SetMaximumRadius(1);
+  pipeline.Probe->SetMaximumDistance(nan);
+  pipeline.ExpectError("MaximumDistance is nan");
+  pipeline.Probe->SetMaximumDistance(0);
   vtkNew<vtkMultiBlockDataSet> foreign;
   pipeline.Probe->SetSourceData(foreign);
   pipeline.ExpectError("the source is no output of vtkIrradianceFilter");
@@ -273,5 +319,31 @@ TEST(IrradianceProbe, BadInputIsNamed)
   pipeline.Errors->Clear();
   pipeline.Update();
   EXPECT_TRUE(pipeline.Errors->Errors.empty());
+  EXPECT_GT(pipeline.Value("Irradiance", 0), 0);
+}
+
+// It has been said once, upstream. VTK executes what is behind a filter that failed when that is updated again.
+TEST(IrradianceProbe, IsSilentAboutWhatUpstreamCouldNotCompute)
+{
+  const auto sensors = MakeSensors({ { 0.5, 0.5, 0 } }, { { 0, 0, 1 } });
+  vtkNew<vtkKeyFramedPose> pose;
+  pose->SetInputData(MakeBox(0.1, 0.1, 0.1));
+  pose->AddPose(0, 0.5, 0.5, 0.5, 0, 0, 0);
+  Pipeline pipeline(MakePlateAndLamp(), 1000, sensors);
+  pipeline.Irradiance->AddInputConnection(1, pose->GetOutputPort());
+  const auto poseErrors = ErrorObserver::Watch(pose),
+             irradianceErrors = ErrorObserver::Watch(pipeline.Irradiance);
+  pose->Update();
+  pipeline.Irradiance->Update();
+  pipeline.Update();
+  EXPECT_FALSE(poseErrors->Errors.empty()) << "it has one key alone";
+  EXPECT_TRUE(irradianceErrors->Errors.empty());
+  EXPECT_EQ(irradianceErrors->Failures, 0);
+  EXPECT_EQ(pipeline.Irradiance->GetOutput()->GetNumberOfBlocks(), 0u)
+    << "not the light without it";
+  EXPECT_TRUE(pipeline.Errors->Errors.empty());
+  EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 0);
+  pose->AddPose(1, 0.5, 0.5, 0.75, 0, 0, 0);
+  pipeline.Update();
   EXPECT_GT(pipeline.Value("Irradiance", 0), 0);
 }

@@ -2,8 +2,8 @@
 // Input that was once overlooked without a word: ghosts, light on cells of the wrong kind, arrays
 // and poses in the wrong place, points that are integers.
 
-#include "ErrorObserver.h"
 #include "OutputBits.h"
+#include "Reports.h"
 #include "TestScenes.h"
 
 #include "vtkDataSetAttributes.h"
@@ -18,44 +18,6 @@ namespace
 {
 
 constexpr vtkIdType NumberOfWalks = 2000;
-
-struct Reports
-{
-  std::vector<std::string> Errors, Warnings;
-};
-
-Reports Update(vtkIrradianceFilter* filter)
-{
-  const auto observer = ErrorObserver::Watch(filter);
-  filter->Update();
-  return { observer->Errors, observer->Warnings };
-}
-
-void ExpectOne(const std::vector<std::string>& reports, const std::vector<std::string>& words)
-{
-  ASSERT_EQ(reports.size(), 1u);
-  for (const std::string& word : words)
-  {
-    EXPECT_NE(reports[0].find(word), std::string::npos)
-      << "no \"" << word << "\" in " << reports[0];
-  }
-}
-
-void ExpectOnlyError(vtkIrradianceFilter* filter, const std::vector<std::string>& words)
-{
-  const Reports reports = Update(filter);
-  ExpectOne(reports.Errors, words);
-  EXPECT_TRUE(reports.Warnings.empty());
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
-}
-
-void ExpectOnlyWarning(vtkIrradianceFilter* filter, const std::vector<std::string>& words)
-{
-  const Reports reports = Update(filter);
-  EXPECT_TRUE(reports.Errors.empty());
-  ExpectOne(reports.Warnings, words);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
-}
 
 /// Cell i gets `kinds[i]`, and 0 beyond the end of `kinds`.
 void SetGhosts(vtkPolyData* mesh, const std::vector<unsigned char>& kinds)

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <functional>
 
 using namespace TestScenes;
@@ -120,6 +122,52 @@ void ExpectUpdates(Hall& hall, int steps, std::uint64_t seed)
     }
     ASSERT_NO_FATAL_FAILURE(hall.ExpectUpdate(what));
   }
+}
+
+/// What looks at the photons of a filter.
+struct Views
+{
+  vtkNew<vtkOutgoingRadianceFilter> Eye;
+  vtkNew<vtkIrradianceProbeFilter> Probe, Far;
+  Views(vtkIrradianceFilter* filter, vtkPolyData* points)
+  {
+    this->Eye->SetInputConnection(filter->GetOutputPort());
+    this->Eye->SetEyePosition(0.2, 0.3, 2.5);
+    this->Probe->SetSourceConnection(filter->GetOutputPort());
+    this->Probe->SetInputData(points);
+    this->Probe->SetNumberOfPhotons(30);
+    this->Far->SetSourceConnection(filter->GetOutputPort());
+    this->Far->SetInputData(points);
+    this->Far->SetNumberOfPhotons(1000000); // all there are, on the area of all there is
+    this->Far->SetMaximumRadius(std::numeric_limits<double>::infinity());
+    this->Far->SetMaximumDistance(std::numeric_limits<double>::infinity());
+    this->Far->Update();
+    this->Eye->Update();
+    this->Probe->Update();
+  }
+};
+
+void ExpectSameViews(const Views& now, const Views& expected, const std::string& what)
+{
+  const auto bitsOf = [](vtkIrradianceProbeFilter* probe) {
+    return OutputBits(vtkPolyData::SafeDownCast(probe->GetOutput()));
+  };
+  EXPECT_TRUE(IsSame(OutputBits(now.Eye->GetOutput()), OutputBits(expected.Eye->GetOutput())))
+    << what;
+  EXPECT_TRUE(IsSame(bitsOf(now.Probe), bitsOf(expected.Probe))) << what;
+  EXPECT_TRUE(IsSame(bitsOf(now.Far), bitsOf(expected.Far))) << what;
+}
+
+/// A ball of points around a place.
+Mesh MakeSensors(double x, double y, double z)
+{
+  const Mesh sensors = MakeBall(0.45, 5), points = Copy(sensors);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double* p = sensors->GetPoint(i);
+    points->GetPoints()->SetPoint(i, p[0] + x, p[1] + y, p[2] + z);
+  }
+  return points;
 }
 
 Part Away(Part part)
@@ -312,32 +360,7 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
   Hall hall({ Part(shiny), Away(Part(shinyBall)) });
   hall.Parts[0].MoveTo(1.5, 1.5, 0.8);
   hall.Parts[1].MoveTo(0.9, 0.9, 1.75);
-  const Mesh sensors = MakeBall(0.45, 5);
-  struct Views
-  {
-    vtkNew<vtkOutgoingRadianceFilter> Eye;
-    vtkNew<vtkIrradianceProbeFilter> Probe, Far;
-    Views(vtkIrradianceFilter* filter, vtkPolyData* points)
-    {
-      this->Eye->SetInputConnection(filter->GetOutputPort());
-      this->Eye->SetEyePosition(0.2, 0.3, 2.5);
-      this->Probe->SetSourceConnection(filter->GetOutputPort());
-      this->Probe->SetInputData(points);
-      this->Probe->SetNumberOfPhotons(30);
-      this->Far->SetSourceConnection(filter->GetOutputPort());
-      this->Far->SetInputData(points);
-      this->Far->SetNumberOfPhotons(1000000); // all there are, on the area of all there is
-      this->Far->Update();
-      this->Eye->Update();
-      this->Probe->Update();
-    }
-  };
-  const Mesh points = Copy(sensors);
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double* p = sensors->GetPoint(i);
-    points->GetPoints()->SetPoint(i, p[0] + 0.9, p[1] + 0.9, p[2] + 1.75);
-  }
+  const Mesh points = MakeSensors(0.9, 0.9, 1.75);
   const std::function<void()> changes[] = { [] {}, [&] { hall.Parts[1].Appear(); },
     [&] { hall.Parts[0].Leave(); }, [&] { hall.Parts[1].Leave(); }, [&] { hall.Parts[0].Appear(); },
     [&] { hall.Parts[1].Appear(); } };
@@ -348,16 +371,64 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
     const Views now(hall.Filter, points);
     const auto fresh = hall.MakeNew();
     const Views expected(fresh, points);
-    EXPECT_TRUE(IsSame(OutputBits(now.Eye->GetOutput()), OutputBits(expected.Eye->GetOutput())))
-      << "step " << step;
-    EXPECT_TRUE(IsSame(OutputBits(vtkPolyData::SafeDownCast(now.Probe->GetOutput())),
-      OutputBits(vtkPolyData::SafeDownCast(expected.Probe->GetOutput()))))
-      << "step " << step;
-    EXPECT_TRUE(IsSame(OutputBits(vtkPolyData::SafeDownCast(now.Far->GetOutput())),
-      OutputBits(vtkPolyData::SafeDownCast(expected.Far->GetOutput()))))
-      << "step " << step;
+    ExpectSameViews(now, expected, "step " + std::to_string(step));
     EXPECT_EQ(Field(hall.Filter, "ShootSeconds") > 0, step == 0);
     ++step;
+  }
+}
+
+// What is switched on while a part is away counts for the part when it comes back.
+TEST(PartsComeAndGo, WhateverIsSwitchedMeanwhile)
+{
+  const struct
+  {
+    const char* Name;
+    Settings Apply;
+    bool StartsAnew;
+    bool Looks; ///< an eye and sensors
+  } switches[] = {
+    { "spread", [](auto* f) { f->SetCellEstimateToSpread(); }, false, false },
+    { "nearest", [](auto* f) { f->SetCellEstimateToNearest(); }, false, false },
+    { "error bars", [](auto* f) { f->ComputeStandardErrorOn(); }, true, false },
+    { "spread with error bars",
+      [](auto* f) {
+        f->SetCellEstimateToSpread();
+        f->ComputeStandardErrorOn();
+      },
+      true, false },
+    { "sides", [](auto* f) { f->SeparateSidesOn(); }, true, false },
+    { "budget", [](auto* f) { f->SetRepairTimeBudget(100); }, false, false },
+    { "views", Defaults, false, true },
+  };
+  const Mesh ball = MakeBall(0.4, 12), points = MakeSensors(1.2, 1.5, 1);
+  SetCellValues(ball, "SpecularReflectance", { 0.4 });
+  SetCellValues(ball, "PhongExponent", { 5 });
+  for (const auto& change : switches)
+  {
+    Hall hall({ Part(ball) });
+    hall.Parts[0].MoveTo(1.2, 1.5, 1);
+    const std::string what = change.Name;
+    hall.ExpectUpdate(what + ": at first");
+    hall.Parts[0].Leave();
+    hall.Apply = [&](vtkIrradianceFilter* filter) {
+      change.Apply(filter);
+      filter->SetNumberOfSpreadPhotons(40);
+    };
+    hall.Apply(hall.Filter);
+    hall.HasBegun = !change.StartsAnew;
+    const auto expectUpdate = [&](const std::string& now) {
+      if (change.Looks)
+      {
+        const auto fresh = hall.MakeNew();
+        ExpectSameViews(Views(hall.Filter, points), Views(fresh, points), now);
+      }
+      hall.ExpectUpdate(now);
+    };
+    expectUpdate(what + ": away");
+    hall.Parts[0].Appear();
+    expectUpdate(what + ": back");
+    hall.Parts[0].MoveTo(1.5, 1.2, 1.5);
+    expectUpdate(what + ": moved");
   }
 }
 

@@ -2,6 +2,7 @@
 // The standard error of the exposure: irradiances of different times come from the same walks.
 
 #include "PartOverTime.h"
+#include "StripLamp.h"
 #include "TestScenes.h"
 
 #include "vtkRadiantExposureFilter.h"
@@ -22,6 +23,7 @@ Exposure MakeExposure(vtkAlgorithm* input)
 {
   auto exposure = Exposure::New();
   exposure->SetInputConnection(input->GetOutputPort());
+  exposure->SetIntegrationModeToTimeSteps();
   return exposure;
 }
 
@@ -278,49 +280,16 @@ TEST(RadiantExposureError, IsThereOnlyIfTheInputHasErrors)
 namespace
 {
 
-/// A plate of rows of cells rides with its rows along the way under a strip lamp that lies across it.
-/// All is black.
-struct StripLamp
+/// A plate rides under a strip lamp, with error bars.
+struct PlateUnderStripLamp : StripLamp
 {
-  static constexpr double Length = 1, Width = 0.125, Height = 0.25, Exitance = 1000; // m, W/m2
-  static constexpr double Speed = 0.5, Way = 6;                                      // m/s, m
-  static constexpr double PlateLength = 1, PlateWidth = 0.75; // m, along and across the way
-  static constexpr int Rows = 3;
-
-  /**
-   * A lamp element dA sends E = M / pi * h^2 / r^4 dA to a point h below it. On a straight way at the
-   * distance a = sqrt(y^2 + h^2) from it, the integral of 1 / r^4 is pi / (2 a^3) / v. So the exposure at y is
-   *
-   *   M W / (2 v) * [u / sqrt(u^2 + h^2)], u from y - L/2 to y + L/2,
-   *
-   * and its mean over a row follows from the integral of that, sqrt(u^2 + h^2). What the way leaves out
-   * is less than (2 / 3 pi) (h / x)^3 of it for a way from -x to x: 2e-4 at the ends of the plate.
-   */
-  static double ExposureOfRow(int row)
+  explicit PlateUnderStripLamp(vtkIdType walks)
   {
-    const auto integral = [](double y) {
-      return std::hypot(y + Length / 2, Height) - std::hypot(y - Length / 2, Height);
-    };
-    const double step = PlateWidth / Rows, y = -PlateWidth / 2 + row * step;
-    return Exitance * Width / (2 * Speed) * (integral(y + step) - integral(y)) / step;
-  }
-
-  explicit StripLamp(vtkIdType walks)
-  {
-    Mesh lamp =
-      MakeRectangle({ -Width / 2, -Length / 2, Height }, { 0, Length, 0 }, { Width, 0, 0 }, 1);
-    SetCellValues(lamp, "RadiantExitance", { Exitance });
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-PlateLength / 2, -PlateWidth / 2, 0);
-    plane->SetPoint1(PlateLength / 2, -PlateWidth / 2, 0);
-    plane->SetPoint2(-PlateLength / 2, PlateWidth / 2, 0);
-    plane->SetResolution(1, Rows);
-    plane->Update();
     this->Plate = PartOverTime::Make(
-      Copy(plane->GetOutput()), { 0, Way / Speed }, [](vtkPolyData* part, double time) {
+      StripLamp::Plate(), { 0, Way / Speed }, [](vtkPolyData* part, double time) {
         MoveTo(part, { Speed * time - Way / 2, 0, 0 });
       });
-    this->Irradiance = MakeFilter({ { lamp }, {} }, walks);
+    this->Irradiance = MakeFilter({ { Lamp() }, {} }, walks);
     this->Irradiance->SetDefaultDiffuseReflectance(0);
     this->Irradiance->AddInputConnection(1, this->Plate->GetOutputPort());
     this->Irradiance->ComputeStandardErrorOn();
@@ -349,7 +318,7 @@ struct StripLamp
 // chance for one seed in 30,000. 1 % are 4 standard errors: 3 rows fail for one seed in 300.
 TEST(RadiantExposureError, OfAPlateUnderAStripLampCoversTheClosedForm)
 {
-  StripLamp scene(640000);
+  PlateUnderStripLamp scene(640000);
   scene.Exposed->Update();
   const auto values = scene.Values(), errors = scene.Errors();
   for (int row = 0; row < StripLamp::Rows; ++row)
@@ -368,7 +337,7 @@ TEST(RadiantExposureError, OfAPlateUnderAStripLampCoversTheClosedForm)
 // of them once in 500 runs at most.
 TEST(RadiantExposureError, CoversTheClosedFormAsOftenAsItSays)
 {
-  StripLamp scene(1600);
+  PlateUnderStripLamp scene(1600);
   int inside = 0, intervals = 0;
   for (int seed = 1; seed <= 40; ++seed)
   {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random programs of what users do to one long-lived filter, which keeps the bits of a fresh one
 // (compared after a third of the operations), and so do an eye and sensors that look at its photons. VTKIRRADIANCE_TEST_EFFORT=9 runs nine times as many,
-// VTKIRRADIANCE_TEST_PROGRAM=17 runs number 17 alone and prints each operation.
+// VTKIRRADIANCE_TEST_PROGRAM=17 runs number 17 alone and prints each operation. Two builds that compute the same
+// bits print the same digest.
 
 #include "RandomOperations.h"
 
@@ -79,5 +80,6 @@ TEST(RandomPrograms, UpdatesEqualFreshFilters)
             << counts.Compared << " comparisons, " << counts.Stale << " of them stale, "
             << counts.Errors << " errors, " << counts.Aborts << " aborts, " << counts.Meddlings
             << " changes while it ran, " << counts.Looks << " looks at its photons, "
-            << counts.Shown << " comparisons of walks\n";
+            << counts.Shown << " comparisons of walks; digest of the answers " << std::hex
+            << counts.Digest << std::dec << '\n';
 }

@@ -33,7 +33,7 @@ struct View
   int NumberOfMirrorSamples = 1;
   TestScenes::Mesh Sensors = TestScenes::Mesh::New();
   int NumberOfPhotons = 4;
-  double MaximumRadius = 1;
+  double MaximumRadius = 1; ///< and MaximumDistance
 };
 
 /// Finite most of the time.
@@ -86,6 +86,7 @@ public:
     this->Probe->SetInputData(view.Sensors);
     this->Probe->SetNumberOfPhotons(view.NumberOfPhotons);
     this->Probe->SetMaximumRadius(view.MaximumRadius);
+    this->Probe->SetMaximumDistance(view.MaximumRadius);
     if (view.HasEye)
     {
       Execute(this->Radiance, this->RadianceErrors);

@@ -34,7 +34,7 @@ check_package()
   expect_field "$file" Package "^$name$"
   expect_field "$file" Version "^$version$"
   expect_field "$file" Architecture "^$(dpkg --print-architecture)$"
-  expect_field "$file" Maintainer '^vtkIrradiance contributors'
+  expect_field "$file" Maintainer '^vtkIrradiance contributors <[^@ ]+@[^@ ]+>$'
   expect_field "$file" Description 'W/m2'
   for dependency in "$@"; do
     expect_field "$file" Depends "(^|, )$dependency"
@@ -45,9 +45,12 @@ check_package()
   local unpacked=$scratch/unpacked/$name
   dpkg-deb -x "$file" "$unpacked"
   (cd "$unpacked" && dpkg-deb --ctrl-tarfile "$file" | tar -xO ./md5sums | md5sum --quiet -c) || fail "$name: wrong md5sums"
-  for document in copyright changelog.gz; do
+  for document in copyright changelog.gz CHANGELOG.md.gz; do
     [[ -s $unpacked/usr/share/doc/$name/$document ]] || fail "$name has no $document"
   done
+  # As dpkg-parsechangelog reads it.
+  [[ $(zcat "$unpacked/usr/share/doc/$name/changelog.gz" | dpkg-parsechangelog -l - -S Version) == "$version" ]] ||
+    fail "$name: changelog.gz is not Debian's, or of another version"
   grep -q 'GPL-3' "$unpacked/usr/share/doc/$name/copyright" || fail "$name: its licence is not said"
   # Not the folder alone: whatever it is called may well stand in a package, as vtkIrradiance does.
   if grep -rlF -e "$home/Modules" -e "$home/CMake" -e "$home/Packaging" -e "$home/build" "$unpacked"; then

@@ -46,7 +46,7 @@ enter()
   cp -a "$scratch/bare" "$scratch/$1"
   mkdir "$scratch/$1/smoke"
   cp "$home/Utilities/run-under-xvfb.sh" "$scratch/$1/smoke"
-  cp "${@:2}" "$scratch/$1/smoke"
+  cp -r "${@:2}" "$scratch/$1/smoke"
   mount -t proc proc "$scratch/$1/proc"
   mount -t tmpfs tmpfs "$scratch/$1/dev/shm"
 }
@@ -62,20 +62,22 @@ echo "== a bare Debian"
 make_bare_debian >"$scratch/debootstrap.log" || { tail "$scratch/debootstrap.log"; exit 1; }
 
 echo "== library, development files and Python"
-enter vtk "$packages"/libvtk*.deb "$packages"/python3-*.deb "$home"/Examples/LitRoom/{CMakeLists.txt,LitRoom.cxx}
+enter vtk "$packages"/libvtk*.deb "$packages"/python3-*.deb "$home"/Examples/LitRoom "$home/Examples/ParaViewState.py"
 awk '/^## / { section = $0 } /^```/ { inside = /^```python/; next } inside && section == "## In Python"' \
   "$home/README.md" >"$scratch/vtk/smoke/readme.py"
 inside vtk <<'END'
 cd /smoke
 apt-get -q update >log
-apt-get -q install -y --no-install-recommends ./*.deb python3-numpy g++ cmake ninja-build xvfb >>log 2>&1 ||
+apt-get -q install -y --no-install-recommends ./*.deb g++ cmake ninja-build xvfb lintian >>log 2>&1 ||
   { tail -n 30 log; exit 1; }
+lintian --allow-root --fail-on error ./*.deb
 ldconfig -p | grep libvtkFiltersIrradiance.so.1
 python3 readme.py
-cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release >>log
+cmake -G Ninja -S LitRoom -B build -DCMAKE_BUILD_TYPE=Release >>log
 cmake --build build >>log
 bash run-under-xvfb.sh build/LitRoom
-ls -l irradiance.vtm irradiance.png
+ls -l LitRoom-output/{irradiance.vtm,irradiance.png,ParaViewState.py}
+build/LitRoom 2>&1 | grep 'No picture: DISPLAY is not set'
 apt-get -q purge -y libvtkfiltersirradiance1 >>log 2>&1
 ! find /usr -iname '*vtkirradiance*' -o -iname '*FiltersIrradiance*' | grep .
 END
@@ -90,7 +92,9 @@ enter paraview "$plugin" "$home/Testing/Packaging/plugin_smoke.py"
 inside paraview <<'END'
 cd /smoke
 apt-get -q update >log
-apt-get -q install -y --no-install-recommends ./*.deb python3-paraview xvfb >>log 2>&1 || { tail -n 30 log; exit 1; }
+apt-get -q install -y --no-install-recommends ./*.deb python3-paraview xvfb lintian >>log 2>&1 ||
+  { tail -n 30 log; exit 1; }
+lintian --allow-root --fail-on error ./*.deb
 bash run-under-xvfb.sh pvpython plugin_smoke.py \
   /usr/lib/*/paraview-5.11/plugins/IrradiancePlugin/IrradiancePlugin.so
 END

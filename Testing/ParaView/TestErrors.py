@@ -56,6 +56,21 @@ class Errors(unittest.TestCase):
         part = plugin.XMLPolyDataReader(FileName=[f"{plugin.FOLDER}/part.vtp"])
         self.check(plugin.make_scene(Dynamic=[part], DynamicMatrices=[0] * 15 + [1]), ["connection 0"])
 
+    def test_two_blocks_of_text_tell_an_error(self):
+        """Ours, and VTK's own that the filter failed; no more if it is shown as well."""
+        source = plugin.make_scene(DiffuseReflectanceArray="Paint")
+        view = plugin.paraview.simple.GetActiveViewOrCreate("RenderView")
+        self.addCleanup(plugin.paraview.simple.Delete, view)
+
+        def look():
+            plugin.paraview.simple.Show(source, view)
+            plugin.paraview.simple.Render(view)
+
+        messages = plugin.messages_of(look)
+        self.assertEqual(messages.count("Paint"), 1)
+        self.assertEqual(messages.count("returned failure"), 1)
+        self.assertEqual(messages.count("ERROR: "), 2)
+
     def test_photons_do_not_come_from_files(self):
         room = plugin.XMLMultiBlockDataReader(FileName=[f"{plugin.FOLDER}/irradiance-0.vtm"])
         self.check(plugin.paraview.simple.OutgoingRadiance(Input=room), ["vtkIrradianceFilter", "photons"])

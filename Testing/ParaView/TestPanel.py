@@ -77,6 +77,28 @@ class Panel(unittest.TestCase):
         part = dose.CellData["RadiantExposure"].GetRange()[1]
         self.assertTrue(0 < part < 0.5 * whole, f"{part} of {whole}")
 
+    def test_a_probe_follows_the_time(self):
+        source = plugin.make_scene(NumberOfWalks=20000)
+        probe = plugin.paraview.simple.IrradianceProbe(
+            Sensors=Sphere(Center=[0, 0, 0], Radius=0.01), Source=source)
+        values = {}
+        for time in (0.0, 1.0, 2.0, 1.0, 0.0):
+            array = plugin.fetch(probe, time).GetPointData().GetArray("Irradiance")
+            self.assertEqual(values.setdefault(time, bytes(memoryview(array))), bytes(memoryview(array)))
+        self.assertEqual(len(set(values.values())), 3, "the part moves")
+
+    def test_poses_of_composite_data(self):
+        part = plugin.make_pose().Input
+        blocks = plugin.paraview.simple.GroupDatasets(Input=[part, Sphere(Center=[0, 0, 1], Radius=0.2)])
+        source = plugin.make_scene(NumberOfWalks=20000, Dynamic=[plugin.make_pose(Input=blocks)])
+        leaves = {}
+        for time in (0.0, 2.0, 0.0):
+            dynamic = list(plugin.leaves(plugin.fetch(source, time).GetBlock(1)))
+            self.assertEqual(len(dynamic), 2)
+            leaves.setdefault(time, [leaf.GetCenter() for leaf in dynamic])
+        self.assertNotEqual(leaves[0.0][0], leaves[2.0][0])
+        self.assertNotEqual(leaves[0.0][1], leaves[2.0][1])
+
     def test_an_abort_leaves_nothing_behind(self):
         source = plugin.make_scene()
         filter = source.SMProxy.GetClientSideObject()

@@ -17,7 +17,8 @@ class Pictures(unittest.TestCase):
         view.CameraViewAngle = 75
         scene = GetAnimationScene()
         scene.UpdateAnimationUsingDataTimeSteps()
-        self.assertEqual(list(scene.TimeKeeper.TimestepValues), [0, 1, 2])
+        self.assertEqual(list(scene.TimeKeeper.TimestepValues), plugin.STEPS)
+        self.assertEqual(scene.PlayMode, "Snap To TimeSteps")
         made = []
         for time in (2, 1):
             scene.AnimationTime = time

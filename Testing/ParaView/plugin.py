@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 FOLDER = os.environ["REFERENCE_SCENE"]
 OUTPUT = os.environ["OUTPUT"]
 TIMES = ["0", "0.375", "1", "1.7", "2"]
+STEPS = [i / 50 for i in range(50)] + [1 + i / 50 for i in range(51)]  # keys 0, 1, 2; a hundred intervals
 
 # Found by PV_PLUGIN_PATH.
 LoadDistributedPlugin("IrradiancePlugin", remote=False, ns=vars(paraview.simple))
@@ -18,8 +19,8 @@ LoadDistributedPlugin("IrradiancePlugin", remote=False, ns=vars(paraview.simple)
 
 def make_pose(**properties):
     """The moving part, with its key frames from the file."""
-    part = XMLPolyDataReader(FileName=[f"{FOLDER}/part.vtp"])
-    return paraview.simple.KeyFramedPose(Input=part, **{"FileName": f"{FOLDER}/poses.csv", **properties})
+    values = {"Input": XMLPolyDataReader(FileName=[f"{FOLDER}/part.vtp"]), "FileName": f"{FOLDER}/poses.csv"}
+    return paraview.simple.KeyFramedPose(**{**values, **properties})
 
 
 def make_scene(**properties):

@@ -11,7 +11,8 @@ import plugin
 
 source = plugin.make_scene(NumberOfOutputWalks=20)
 radiance = plugin.paraview.simple.OutgoingRadiance(Input=source, EyePosition=[0, -1.9, 1.5])
-probe = plugin.paraview.simple.IrradianceProbe(Sensors=Sphere(Radius=1, Center=[0, 0, 1]), Source=source)
+probe = plugin.paraview.simple.IrradianceProbe(Sensors=Sphere(Radius=1, Center=[0, 0, 1]), Source=source,
+                                               MaximumDistance=100)
 dose = plugin.paraview.simple.RadiantExposure(Input=source)
 for name, result, attributes, array in (("irradiance", source, "CellData", "Irradiance"),
                                         ("radiance", radiance, "CellData", "Radiance"),

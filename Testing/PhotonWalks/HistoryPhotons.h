@@ -16,7 +16,7 @@ namespace irradiance::test
 inline std::vector<Photon> photonsOf(const WalkHistory& history)
 {
   std::vector<Photon> photons;
-  for (std::size_t block = 0; block < history.blocks().size(); ++block)
+  for (std::size_t block = 0; block < history.size(); ++block)
   {
     history.forEachPhoton(block, [&](const Photon& photon) { photons.push_back(photon); });
   }

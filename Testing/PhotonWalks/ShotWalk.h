@@ -25,55 +25,50 @@ inline std::vector<WalkSegment> shotWalk(
   WalkTally tally(sums, balance);
   const UnitFrame frame(shooter.scene().bounds());
   const WalkPlan plan;
-  const WalkPlan::Place place = plan.placeOf(walk);
   WalkBatch batch(shooter, &frame);
   batch.shoot({ walk });
   batch.run(tally, [] { return false; });
-  std::vector<WalkBlock> history;
-  for (std::size_t block = 0; block <= place.block; ++block)
-  {
-    history.emplace_back(block < place.block ? 0 : WalkPlan::kWalksPerBlock,
-      shooter.rules().bands(), frame, shooter.rules().photon());
-  }
-  batch.store(plan, history);
-  const WalkBlock& block = history.back();
-  std::vector<WalkSegment> segments(block.size(place.walkInBlock));
+  WalkHistory history(
+    plan, frame, shooter.rules().bands(), shooter.rules().photon(), plan.blockOf(walk));
+  history.append();
+  batch.store(history);
+  std::vector<WalkSegment> segments(history.block(0).size(walk));
   for (std::uint32_t bounce = 0; bounce < segments.size(); ++bounce)
   {
     WalkSegment& segment = segments[bounce];
-    const WalkShooter::Stored stored{ &block, place.walkInBlock, walk, bounce };
-    shooter.raysOf(&stored, 1, &segment.ray);
-    segment.hit = block.hit(place.walkInBlock, bounce);
+    const SegmentRef stored{ walk, bounce };
+    shooter.raysOf(history, { stored }, &segment.ray);
+    segment.hit = history.hit(stored);
     if (segment.hit)
     {
       segment.hit.distance = shooter.scene().distanceTo(segment.ray, segment.hit.id);
     }
-    segment.power = block.power(place.walkInBlock, bounce);
-    segment.isFront = block.isFront(place.walkInBlock, bounce);
+    segment.power = history.power(stored);
+    segment.isFront = history.isFront(stored);
   }
   return segments;
 }
 
-/// Replaces the segments of a walk from `bounce` on by `tail`. `frame`: of the block, with `bands`.
-inline void replaceTail(WalkBlock& block, std::uint32_t walk, std::uint32_t bounce,
-  const std::vector<WalkSegment>& tail, const UnitFrame& frame, int bands = 1)
+/// Replaces the segments of a walk from `place` on by `tail`. `frame`: of the block, with `bands`.
+inline void replaceTail(WalkBlock& block, SegmentRef place, const std::vector<WalkSegment>& tail,
+  const UnitFrame& frame, int bands = 1)
 {
-  block.replaceTail(walk, bounce, static_cast<std::uint32_t>(tail.size()));
+  block.replaceTail(place, static_cast<std::uint32_t>(tail.size()));
   for (const WalkSegment& segment : tail)
   {
     const Ray& ray = segment.ray;
     const Hit& hit = segment.hit;
-    block.setSegment(walk, bounce,
-      { storedPoint(frame, ray.origin), hit.id, hit.weights, segment.isFront, false });
+    block.setSegment(
+      place, { storedPoint(frame, ray.origin), hit.id, hit.weights, segment.isFront, false });
     if (bands > 1)
     {
-      block.setPower(walk, bounce, segment.power);
+      block.setPower(place, segment.power);
     }
-    ++bounce;
+    ++place.bounce;
   }
   const WalkSegment& last = tail.back();
   const double length = last.hit ? last.hit.distance : WalkBlock::kFar / frame.scale;
-  block.setEnd(walk, storedPoint(frame, last.ray.origin + length * last.ray.direction));
+  block.setEnd(place.walk, storedPoint(frame, last.ray.origin + length * last.ray.direction));
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestScenes.h"
 
+#include "Simd/SimdLevel.h"
 #include "Tally/CellDiffusion.h"
 
 #include "../RayCasting/RandomVectors.h"
@@ -21,7 +22,30 @@ using Quanta = std::vector<std::int64_t>;
 using test::grey;
 using test::ObjectBuilder;
 
-constexpr std::int64_t kMany = std::int64_t{ 1 } << 50;
+constexpr std::int64_t kMany = std::int64_t{ 1 } << 42;
+
+/// What fields become by all steps.
+std::vector<Quanta> diffused(const CellDiffusion& diffusion, std::vector<Quanta> fields)
+{
+  const auto count = static_cast<unsigned>(fields.size());
+  const std::size_t nodes = fields[0].size();
+  std::vector<double> quanta(nodes * count), before;
+  for (std::size_t i = 0; i < quanta.size(); ++i)
+  {
+    quanta[diffusion.placeOf(i / count) * count + i % count] =
+      static_cast<double>(fields[i % count][i / count]);
+  }
+  for (int step = 0; step < diffusion.steps(); ++step)
+  {
+    diffusion.step(step, count, quanta, before);
+  }
+  for (std::size_t i = 0; i < quanta.size(); ++i)
+  {
+    fields[i % count][i / count] =
+      static_cast<std::int64_t>(quanta[diffusion.placeOf(i / count) * count + i % count]);
+  }
+  return fields;
+}
 
 /// A surface, and its diffusion for a width.
 struct Surface
@@ -33,14 +57,10 @@ struct Surface
   {
   }
 
-  Quanta spread(Quanta quanta, double width, int sides = 1) const
+  Quanta spread(const Quanta& quanta, double width, int sides = 1) const
   {
     const CellDiffusion diffusion(areas, neighbours, sides, width);
-    for (int step = 0; step < diffusion.steps(); ++step)
-    {
-      diffusion.step(quanta);
-    }
-    return quanta;
+    return diffused(diffusion, { quanta })[0];
   }
 
   std::vector<double> areas;
@@ -154,6 +174,36 @@ TEST(CellDiffusion, LeavesAUniformIrradianceAsItIs)
   }
 }
 
+// Side by side or one by one, on each instruction set.
+TEST(CellDiffusion, FieldsSideBySideAreThoseAlone)
+{
+  const Surface surface(unevenGrid());
+  test::RandomVectors random(11);
+  for (const double width : { 0.01, 0.3, 100.0 })
+  {
+    std::vector<Quanta> fields(CellDiffusion::kFields, Quanta(2 * surface.areas.size()));
+    for (Quanta& quanta : fields)
+    {
+      std::generate(quanta.begin(), quanta.end(),
+        [&] { return static_cast<std::int64_t>(random.engine() % 1000000) - 500000; });
+    }
+    const CellDiffusion diffusion(surface.areas, surface.neighbours, 2, width);
+    ASSERT_GT(diffusion.steps(), 0);
+    const std::vector<Quanta> together = diffused(diffusion, fields);
+    limitSimd(SimdLevel::Plain);
+    EXPECT_EQ(diffused(diffusion, fields), together);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+    {
+      EXPECT_EQ(diffused(diffusion, { fields[i] })[0], together[i]);
+    }
+    limitSimd(SimdLevel::Avx512);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+    {
+      EXPECT_EQ(diffused(diffusion, { fields[i] })[0], together[i]);
+    }
+  }
+}
+
 // Half a plane in light: in between, the irradiance falls from one to the other and never rises.
 TEST(CellDiffusion, MakesNoNewExtremes)
 {
@@ -218,9 +268,18 @@ TEST(CellDiffusion, TakesAnyConductance)
   const std::vector<CellNeighbours> neighbours{ { { 0, 1 }, false, HUGE_VAL },
     { { 1, 2 }, false, std::nan("") }, { { 2, 3 }, false, 0 } };
   const CellDiffusion diffusion({ 1, 1e-300, 1, 1 }, neighbours, 1, 100);
-  Quanta quanta{ kMany, 5, 7, 9 };
-  diffusion.step(quanta);
-  EXPECT_EQ(quanta, Quanta({ kMany + 3, 2, 7, 9 })) << "3/4 of what is in the sliver";
+  std::vector<double> quanta(4), before;
+  const Quanta first{ kMany, 5, 7, 9 }, then{ kMany + 3, 2, 7, 9 };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    quanta[diffusion.placeOf(i)] = static_cast<double>(first[i]);
+  }
+  diffusion.step(0, 1, quanta, before);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(quanta[diffusion.placeOf(i)], static_cast<double>(then[i]))
+      << "3/4 of what is in the sliver";
+  }
 }
 
 // Slivers, points and lines among the cells.

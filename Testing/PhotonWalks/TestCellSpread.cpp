@@ -29,8 +29,9 @@ EngineSettings spreading(std::uint32_t walks, double photons)
   return settings;
 }
 
-/// Sums with something at random in each part, and in no few cells nothing.
-CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan, unsigned seed)
+/// Sums with something at random in each part, `times` 2^30 or so, and in no few cells nothing.
+CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan, unsigned seed,
+  std::int64_t times = 1)
 {
   test::RandomVectors random(seed);
   CellSums sums(objects, sides, plan);
@@ -45,7 +46,8 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
           for (std::uint32_t i = 0; i < plan.replicates().count(); ++i)
           {
             sums.set(object, cell, side, band, i,
-              static_cast<std::int64_t>(random.engine() % 3 * (random.engine() % (1u << 30))));
+              times *
+                static_cast<std::int64_t>(random.engine() % 3 * (random.engine() % (1u << 30))));
           }
         }
       }
@@ -122,17 +124,23 @@ SceneObjects someObjects(int bands = 1)
 
 }
 
+// Also where there are more quanta than a double can count.
 TEST(CellSpread, ConservesThePowerOfEachObjectBandAndReplicate)
 {
   for (const int sides : { 1, 2 })
   {
-    const SceneObjects objects = someObjects(3);
-    const CellSums sums = randomSums(objects, sides, WalkPlan(1000, 1000, 4), 5);
-    const CellSums spread = spreadOf(objects, sums, 5000);
-    EXPECT_NE(valuesOf(sums, objects), valuesOf(spread, objects));
-    for (std::uint32_t object = 0; object < objects.size(); ++object)
+    for (const std::int64_t times : { 1, (1 << 18) - 1 })
     {
-      EXPECT_EQ(totals(sums, objects, object), totals(spread, objects, object));
+      const SceneObjects objects = someObjects(3);
+      const CellSums sums = randomSums(objects, sides, WalkPlan(1000, 1000, 4), 5, times);
+      const CellSums spread = spreadOf(objects, sums, 5000.0 * double(times));
+      EXPECT_NE(valuesOf(sums, objects), valuesOf(spread, objects));
+      const std::vector<std::int64_t> values = valuesOf(spread, objects);
+      EXPECT_GE(*std::min_element(values.begin(), values.end()), 0);
+      for (std::uint32_t object = 0; object < objects.size(); ++object)
+      {
+        EXPECT_EQ(totals(sums, objects, object), totals(spread, objects, object));
+      }
     }
   }
 }

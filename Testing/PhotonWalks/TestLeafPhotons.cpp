@@ -30,7 +30,7 @@ EngineSettings settingsFor(std::uint32_t walks)
 LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history, Execution& execution)
 {
   LeafPhotons leaves(objects);
-  leaves.add(history, 0, history.blocks().size(), execution);
+  leaves.add(history, 0, history.size(), execution);
   return leaves;
 }
 
@@ -70,18 +70,18 @@ void updateWhileThingsMove(int bands, bool isClosed, unsigned seed, Execution& e
   const EngineSettings settings = settingsFor(test::scaled(4000));
   engine.update(scene.objects(), settings, execution);
   const std::uint32_t objects = scene.objects().size();
-  LeafPhotons leaves = filled(scene.objects(), engine.photons(), execution);
-  std::vector<Photon> before = test::photonsOf(engine.photons());
+  LeafPhotons leaves = filled(scene.objects(), engine.history(), execution);
+  std::vector<Photon> before = test::photonsOf(engine.history());
   for (int frame = 0; frame < kFrames; ++frame)
   {
     scene.nextFrame();
     engine.update(scene.objects(), settings, execution);
-    std::vector<Photon> after = test::photonsOf(engine.photons());
+    std::vector<Photon> after = test::photonsOf(engine.history());
     PhotonChanges changes = test::changesBetween(before, after);
     // In any order.
     std::reverse(changes.gone.begin(), changes.gone.end());
-    leaves.apply(scene.objects(), engine.photons(), changes, execution);
-    const LeafPhotons anew = filled(scene.objects(), engine.photons(), execution);
+    leaves.apply(scene.objects(), engine.history(), changes, execution);
+    const LeafPhotons anew = filled(scene.objects(), engine.history(), execution);
     ASSERT_EQ(contentsOf(leaves, objects), contentsOf(anew, objects)) << "frame " << frame;
     before = std::move(after);
   }
@@ -104,8 +104,8 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(4000), execution);
-  const LeafPhotons leaves = filled(objects, engine.photons(), execution);
-  std::set<PhotonReference> found;
+  const LeafPhotons leaves = filled(objects, engine.history(), execution);
+  std::set<SegmentRef> found;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     const TriangleTree& tree = leaves.tree(object);
@@ -115,10 +115,10 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
       for (const LeafPhoton& photon : leaves.leaf(object, leaf).photons())
       {
         isEmpty = false;
-        const Hit stored = engine.photons().hit(photon.reference());
+        const Hit stored = engine.history().hit(photon.reference());
         EXPECT_TRUE(found.insert(photon.reference()).second);
         EXPECT_EQ(stored.id, (TriangleId{ object, photon.triangle }));
-        EXPECT_EQ(engine.photons().isFront(photon.reference()), photon.isFront());
+        EXPECT_EQ(engine.history().isFront(photon.reference()), photon.isFront());
         const TriangleMesh& mesh = objects[object].body->mesh();
         EXPECT_EQ(photon.position,
           unitPoint(tree.frame(), modelPoint(mesh, stored.id.triangle, stored.weights)));
@@ -139,7 +139,7 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
     }
     EXPECT_EQ(leaves.isEmpty(object), isEmpty);
   }
-  EXPECT_EQ(found.size(), test::photonsOf(engine.photons()).size());
+  EXPECT_EQ(found.size(), test::photonsOf(engine.history()).size());
   EXPECT_GT(found.size(), 4000u);
 }
 
@@ -154,10 +154,10 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(3000), execution);
-  LeafPhotons leaves = filled(objects, engine.photons(), execution);
-  const auto before = test::photonsOf(engine.photons());
+  LeafPhotons leaves = filled(objects, engine.history(), execution);
+  const auto before = test::photonsOf(engine.history());
   const auto ordersOf = [&] {
-    std::vector<std::vector<PhotonReference>> orders;
+    std::vector<std::vector<SegmentRef>> orders;
     for (std::uint32_t object = 0; object < 2; ++object)
     {
       for (std::uint32_t leaf = 0; leaf < leaves.tree(object).numberOfBlocks(); ++leaf)
@@ -174,9 +174,9 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   const auto old = ordersOf();
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.01;
   engine.update(objects, settingsFor(3000), execution);
-  const PhotonChanges changes = test::changesBetween(before, test::photonsOf(engine.photons()));
-  leaves.apply(objects, engine.photons(), changes, execution);
-  std::set<PhotonReference> changed;
+  const PhotonChanges changes = test::changesBetween(before, test::photonsOf(engine.history()));
+  leaves.apply(objects, engine.history(), changes, execution);
+  std::set<SegmentRef> changed;
   for (const std::vector<Photon>* photons : { &changes.gone, &changes.arrived })
   {
     for (const Photon& photon : *photons)
@@ -188,7 +188,7 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   int touched = 0, untouched = 0;
   for (std::size_t i = 0; i < now.size(); ++i)
   {
-    const auto isChanged = [&](const PhotonReference& p) { return changed.count(p) > 0; };
+    const auto isChanged = [&](const SegmentRef& p) { return changed.count(p) > 0; };
     const bool isTouched = std::any_of(old[i].begin(), old[i].end(), isChanged) ||
       std::any_of(now[i].begin(), now[i].end(), isChanged);
     EXPECT_TRUE(isTouched || now[i] == old[i]) << "leaf " << i;
@@ -205,8 +205,8 @@ TEST(LeafPhotons, BlocksComeAndGo)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(4000), execution);
-  const WalkHistory history = engine.photons();
-  ASSERT_EQ(history.blocks().size(), 4u);
+  const WalkHistory& history = engine.history();
+  ASSERT_EQ(history.size(), 4u);
   LeafPhotons leaves(objects), half(objects);
   half.add(history, 0, 2, execution);
   leaves.add(history, 0, 2, execution);
@@ -231,7 +231,7 @@ TEST(LeafPhotons, CanBeInterrupted)
   engine.update(scene.objects(), settingsFor(2000), execution);
   test::StoppingExecution stopping(0);
   LeafPhotons leaves(scene.objects());
-  EXPECT_THROW(leaves.add(engine.photons(), 0, engine.history().size(), stopping), Interrupted);
+  EXPECT_THROW(leaves.add(engine.history(), 0, engine.history().size(), stopping), Interrupted);
 }
 
 }

@@ -71,6 +71,31 @@ TEST(NearestCells, UpdateEqualsRebuild)
   }
 }
 
+// A board of 0.2 m moves over a black floor of 1,600 cells: what its shadow has not touched stays.
+TEST(NearestCells, OnlyWhatIsNearAChangeIsEstimatedAnew)
+{
+  ObjectBuilder floor, board;
+  floor.addQuad({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 40, 40, test::grey(0));
+  floor.addPointLight({ 0, 0, 3 }, 1);
+  board.addQuad({ -0.1, -0.1, 0 }, { 0.2, 0, 0 }, { 0, 0.2, 0 }, 1, 1, test::grey(0));
+  SceneObjects objects{ floor.build(), { board.build(test::shift({ 0.9, 0.9, 0.5 })) } };
+  const EngineSettings settings = nearestSettings(20000, 30);
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(objects, settings, execution);
+  EXPECT_GT(engine.numberOfNearestEstimates(), 1600u) << "fronts and backs";
+  for (int frame = 1; frame < 4; ++frame)
+  {
+    objects.dynamicObjects[0].worldFromObject.translation += Vector3(0.03, 0, 0);
+    engine.update(objects, settings, execution);
+    EXPECT_GT(engine.numberOfNearestEstimates(), 5u);
+    EXPECT_LT(engine.numberOfNearestEstimates(), 320u);
+    IrradianceEngine fresh;
+    fresh.update(objects, settings, execution);
+    ASSERT_EQ(allIrradiances(engine), allIrradiances(fresh)) << "frame " << frame;
+  }
+}
+
 // A furnace: 1 W/m2 everywhere. A ball of 512 cells of some 25 photons each; estimated from 400 nearest
 // ones the standard error is 5 %, and neighbouring cells share photons. 4.5 standard errors of 512 cells:
 // a false alarm in 0.4 %. Large cells keep their sums, to the bit.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CountedSurface.h"
 #include "EngineRun.h"
 #include "HistoryPhotons.h"
 #include "MovingScene.h"
@@ -21,8 +22,10 @@ using test::RandomVectors;
 /// A photon that a sensor may see.
 struct PlacedPhoton
 {
-  PhotonReference reference;
-  Vector3 position, normal; ///< world; the normal of the side on which it arrived
+  SegmentRef reference;
+  TriangleId id;
+  int side;         ///< on which it arrived: 1 front, -1 back
+  Vector3 position; ///< world
 };
 
 std::vector<PlacedPhoton> placed(const SceneObjects& objects, const WalkHistory& history)
@@ -32,12 +35,8 @@ std::vector<PlacedPhoton> placed(const SceneObjects& objects, const WalkHistory&
   {
     const SceneObject& object = objects[photon.id.object];
     const TriangleMesh& mesh = object.body->mesh();
-    // Corners far from the origin are rounded more than the normal.
-    const AffineMap turn{ object.worldFromObject.linear, Vector3::Zero() };
-    const Vector3 front = transformed(turn, mesh[photon.id.triangle]).areaVector().normalized();
-    all.push_back({ photon.reference,
-      object.worldFromObject(modelPoint(mesh, photon.id.triangle, photon.weights)),
-      photon.isFront ? front : Vector3(-front) });
+    all.push_back({ photon.reference, photon.id, photon.isFront ? 1 : -1,
+      object.worldFromObject(modelPoint(mesh, photon.id.triangle, photon.weights)) });
   }
   return all;
 }
@@ -45,17 +44,17 @@ std::vector<PlacedPhoton> placed(const SceneObjects& objects, const WalkHistory&
 /// The nearest, by a search of all.
 struct Expected
 {
-  std::vector<PhotonReference> photons; ///< by distance
+  std::vector<SegmentRef> photons; ///< by distance
   double radius;
 };
 
-Expected searchAll(const std::vector<PlacedPhoton>& photons, const Sensor& sensor,
-  std::size_t count, double maximumRadius)
+Expected searchAll(const std::vector<PlacedPhoton>& photons, const test::CountedSurface& surface,
+  const Foot& foot, std::size_t count, double maximumRadius)
 {
   struct Candidate
   {
     double squaredDistance;
-    PhotonReference photon;
+    SegmentRef photon;
     bool operator<(const Candidate& other) const
     {
       return std::tie(squaredDistance, photon) < std::tie(other.squaredDistance, other.photon);
@@ -65,8 +64,8 @@ Expected searchAll(const std::vector<PlacedPhoton>& photons, const Sensor& senso
   double limit = maximumRadius * maximumRadius;
   for (const PlacedPhoton& photon : photons)
   {
-    const double squared = sensor.squaredDistance(photon.position);
-    if (squared <= limit && photon.normal.dot(sensor.normal) >= Facing::kLeastCosine)
+    const double squared = foot.sensor.squaredDistance(photon.position);
+    if (squared <= limit && surface.counts(foot, photon.id, photon.side))
     {
       nearest.push_back({ squared, photon.reference });
       std::push_heap(nearest.begin(), nearest.end());
@@ -132,12 +131,17 @@ struct Query
 void expectNearest(const NearestPhotons& photons, const std::vector<PlacedPhoton>& all,
   RandomSensors& sensors, std::uint32_t queries, const std::vector<Query>& kinds)
 {
+  const test::CountedSurface surface(photons.objects());
   for (std::uint32_t i = 0; i < queries; ++i)
   {
-    const Sensor sensor = sensors.next();
+    const std::optional<Foot> foot = photons.footOf(sensors.next());
+    if (!foot)
+    {
+      continue;
+    }
     const Query& kind = kinds[i % kinds.size()];
-    NearPhotons found = photons.find(sensor, kind.count, kind.maximumRadius);
-    Expected expected = searchAll(all, sensor, kind.count, kind.maximumRadius);
+    NearPhotons found = photons.find(*foot, kind.count, kind.maximumRadius);
+    Expected expected = searchAll(all, surface, *foot, kind.count, kind.maximumRadius);
     ASSERT_EQ(found.photons.size(), expected.photons.size()) << "query " << i;
     ASSERT_EQ(found.radius, expected.radius) << "query " << i;
     ASSERT_EQ(found.areAll, expected.photons.size() < kind.count);
@@ -153,11 +157,18 @@ void expectNearest(const NearestPhotons& photons, const std::vector<PlacedPhoton
 namespace
 {
 
+Surfaces surfacesOf(const SceneObjects& objects)
+{
+  Surfaces surfaces;
+  surfaces.update(objects);
+  return surfaces;
+}
+
 LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history)
 {
   LeafPhotons leaves(objects);
   Execution execution;
-  leaves.add(history, 0, history.blocks().size(), execution);
+  leaves.add(history, 0, history.size(), execution);
   return leaves;
 }
 
@@ -176,9 +187,10 @@ void expectNearest(const SceneObjects& objects, std::uint32_t walks, std::uint32
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(walks), execution);
-  const WalkHistory history = engine.photons();
+  const WalkHistory& history = engine.history();
   const LeafPhotons leaves = filled(objects, history);
-  const NearestPhotons photons(leaves, objects, history);
+  const Surfaces surfaces = surfacesOf(objects);
+  const NearestPhotons photons(leaves, surfaces, objects, history);
   RandomSensors sensors(objects, 7);
   ASSERT_GT(placed(objects, history).size(), walks / 8);
   ASSERT_NO_FATAL_FAILURE(
@@ -198,7 +210,7 @@ TEST(NearestPhotons, EqualASearchOfAllWhileThingsMove)
   for (int frame = 0; frame <= kFrames; ++frame)
   {
     engine.update(scene.objects(), settingsFor(1500), execution);
-    const WalkHistory history = engine.photons();
+    const WalkHistory& history = engine.history();
     std::vector<Photon> after = test::photonsOf(history);
     if (frame == 0)
     {
@@ -209,7 +221,8 @@ TEST(NearestPhotons, EqualASearchOfAllWhileThingsMove)
       leaves.apply(scene.objects(), history, test::changesBetween(before, after), execution);
     }
     before = std::move(after);
-    const NearestPhotons photons(leaves, scene.objects(), history);
+    const Surfaces surfaces = surfacesOf(scene.objects());
+    const NearestPhotons photons(leaves, surfaces, scene.objects(), history);
     RandomSensors sensors(scene.objects(), 100 + static_cast<unsigned>(frame));
     ASSERT_NO_FATAL_FAILURE(expectNearest(photons, placed(scene.objects(), history), sensors,
       test::scaled(1500), { { 1 }, { 5 }, { 50 }, { 20, 0.3 }, { 5000 } }))
@@ -267,7 +280,7 @@ TEST(NearestPhotons, EqualASearchOfAllWherePosesAreExtreme)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(1500), execution);
-  const WalkHistory history = engine.photons();
+  const WalkHistory& history = engine.history();
   const LeafPhotons leaves = filled(objects, history);
   for (const double far : { 1e12, 1e14 })
   {
@@ -276,7 +289,8 @@ TEST(NearestPhotons, EqualASearchOfAllWherePosesAreExtreme)
     {
       object.worldFromObject.translation += far * Vector3(1, -1, 1);
     }
-    const NearestPhotons photons(leaves, moved, history);
+    const Surfaces surfaces = surfacesOf(moved);
+    const NearestPhotons photons(leaves, surfaces, moved, history);
     RandomSensors sensors(moved, 9);
     ASSERT_NO_FATAL_FAILURE(expectNearest(
       photons, placed(moved, history), sensors, test::scaled(3000), { { 4 }, { 50 }, { 10, 3 } }))
@@ -293,7 +307,8 @@ TEST(NearestPhotons, TiesAreBrokenByWalkAndBounce)
   constexpr std::uint32_t kWalks = 400;
   const UnitFrame frame;
   const WalkPlan plan(kWalks, kWalks, 1);
-  std::vector<WalkBlock> blocks(1, WalkBlock(kWalks, 1, frame, Power{ { 1 << 20 } }));
+  WalkHistory history(plan, frame, 1, Power{ { 1 << 20 } });
+  history.append();
   std::mt19937 random(3);
   for (std::uint32_t walk = 0; walk < kWalks; ++walk)
   {
@@ -305,21 +320,22 @@ TEST(NearestPhotons, TiesAreBrokenByWalkAndBounce)
       segment.ray = { Vector3::Zero(), Vector3::UnitZ(), {} };
       segment.hit = { 1, { 0, static_cast<std::uint32_t>(random() % 2) }, { place(), place() } };
     }
-    test::replaceTail(blocks[0], walk, 0, segments, frame);
+    test::replaceTail(history.block(0), { walk, 0 }, segments, frame);
   }
-  const WalkHistory history(plan, blocks);
   const LeafPhotons leaves = filled(objects, history);
-  const NearestPhotons photons(leaves, objects, history);
+  const Surfaces surfaces = surfacesOf(objects);
+  const NearestPhotons photons(leaves, surfaces, objects, history);
   const std::vector<PlacedPhoton> all = placed(objects, history);
+  const test::CountedSurface surface(objects);
   for (const double x : { 0.5, 1.0, 1.5, 2.0, 2.5, 3.0 })
   {
     for (const double y : { 0.5, 1.0, 1.5, 2.0, 2.5, 3.0 })
     {
       for (const std::size_t count : { 1, 7, 50, 333, 799, 800, 801 })
       {
-        const Sensor sensor{ { x, y, 0.25 }, Vector3::UnitZ() };
-        NearPhotons found = photons.find(sensor, count);
-        Expected expected = searchAll(all, sensor, count, kInfinity);
+        const Foot foot = photons.footOf({ { x, y, 0.25 }, Vector3::UnitZ() }).value();
+        NearPhotons found = photons.find(foot, count);
+        Expected expected = searchAll(all, surface, foot, count, kInfinity);
         ASSERT_EQ(found.photons.back() == expected.photons.back() || found.areAll, true);
         std::sort(found.photons.begin(), found.photons.end());
         std::sort(expected.photons.begin(), expected.photons.end());
@@ -332,12 +348,13 @@ TEST(NearestPhotons, TiesAreBrokenByWalkAndBounce)
 TEST(NearestPhotons, OfNothing)
 {
   const SceneObjects objects{ test::nothing(), { test::nothing() } };
-  const WalkPlan plan(10, 10, 1);
-  const std::vector<WalkBlock> blocks;
-  const WalkHistory history(plan, blocks);
+  const WalkHistory history;
   const LeafPhotons leaves = filled(objects, history);
-  const NearPhotons found =
-    NearestPhotons(leaves, objects, history).find({ Vector3::Zero(), Vector3::UnitZ() }, 5, 2);
+  const Surfaces surfaces = surfacesOf(objects);
+  const NearestPhotons photons(leaves, surfaces, objects, history);
+  const Sensor sensor{ Vector3::Zero(), Vector3::UnitZ() };
+  EXPECT_FALSE(photons.footOf(sensor));
+  const NearPhotons found = photons.find({ sensor, Vector3::UnitZ(), false, 0, 0 }, 5, 2);
   EXPECT_TRUE(found.photons.empty());
   EXPECT_TRUE(found.areAll);
   EXPECT_EQ(found.radius, 2);
@@ -358,16 +375,17 @@ TEST(NearestPhotons, ScaleChangesNothing)
     IrradianceEngine engine;
     Execution execution;
     engine.update(objects, settingsFor(5000), execution);
-    const WalkHistory history = engine.photons();
+    const WalkHistory& history = engine.history();
     const LeafPhotons leaves = filled(objects, history);
-    const NearestPhotons photons(leaves, objects, history);
+    const Surfaces surfaces = surfacesOf(objects);
+    const NearestPhotons photons(leaves, surfaces, objects, history);
     std::vector<NearPhotons> found;
     RandomVectors random(5);
     for (int i = 0; i < 500; ++i)
     {
       const Vector3 position = Vector3(2, 2, 1.5) + 2 * random.inCube();
-      found.push_back(photons.find(
-        { scale * position, random.direction() }, 20, i % 2 == 0 ? kInfinity : 0.5 * scale));
+      const Foot foot = photons.footOf({ scale * position, random.direction() }).value();
+      found.push_back(photons.find(foot, 20, i % 2 == 0 ? kInfinity : 0.5 * scale));
       found.back().radius /= scale;
     }
     return found;

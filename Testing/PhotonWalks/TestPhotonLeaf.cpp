@@ -23,7 +23,7 @@ bool operator==(const LeafPhoton& a, const LeafPhoton& b)
     std::tie(b.position, b.walk, b.bounceAndSide, b.triangle);
 }
 
-using Model = std::map<PhotonReference, LeafPhoton>;
+using Model = std::map<SegmentRef, LeafPhoton>;
 
 /// How photons lie.
 enum class Lie

@@ -15,10 +15,10 @@ namespace irradiance
 namespace
 {
 
-std::vector<PhotonReference> sorted(const PhotonSet& set)
+std::vector<SegmentRef> sorted(const PhotonSet& set)
 {
-  std::vector<PhotonReference> photons;
-  set.forEach([&](const PhotonReference& photon) { photons.push_back(photon); });
+  std::vector<SegmentRef> photons;
+  set.forEach([&](const SegmentRef& photon) { photons.push_back(photon); });
   std::sort(photons.begin(), photons.end());
   return photons;
 }
@@ -27,16 +27,16 @@ std::vector<PhotonReference> sorted(const PhotonSet& set)
 struct Pair
 {
   PhotonSet set;
-  std::set<PhotonReference> model;
+  std::set<SegmentRef> model;
 
-  void insert(const PhotonReference& photon)
+  void insert(const SegmentRef& photon)
   {
     if (model.insert(photon).second)
     {
       set.insert(photon);
     }
   }
-  void remove(const PhotonReference& photon)
+  void remove(const SegmentRef& photon)
   {
     if (model.erase(photon) != 0)
     {
@@ -46,7 +46,7 @@ struct Pair
   void expectEqual() const
   {
     ASSERT_EQ(set.size(), model.size());
-    ASSERT_EQ(sorted(set), std::vector<PhotonReference>(model.begin(), model.end()));
+    ASSERT_EQ(sorted(set), std::vector<SegmentRef>(model.begin(), model.end()));
   }
 };
 
@@ -62,7 +62,7 @@ void compareWithModel(std::uint64_t seed)
   Pair pair;
   for (std::uint32_t step = 0; step < test::scaled(24000); ++step)
   {
-    const PhotonReference photon{ static_cast<std::uint32_t>(random() % walks),
+    const SegmentRef photon{ static_cast<std::uint32_t>(random() % walks),
       static_cast<std::uint32_t>(random() % bounces) };
     const unsigned insertions = step / 3000 % 2 == 0 ? 3 : 1; // of 4 operations
     if (random() % 4 < insertions)
@@ -83,17 +83,17 @@ void compareWithModel(std::uint64_t seed)
 }
 
 /// Inserts all, looks for each, and removes them in another order.
-void insertAndRemove(const std::vector<PhotonReference>& photons)
+void insertAndRemove(const std::vector<SegmentRef>& photons)
 {
   Pair pair;
-  for (const PhotonReference& photon : photons)
+  for (const SegmentRef& photon : photons)
   {
     pair.insert(photon);
   }
   ASSERT_NO_FATAL_FAILURE(pair.expectEqual());
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
-    const PhotonReference& photon = photons[i * 7919 % photons.size()];
+    const SegmentRef& photon = photons[i * 7919 % photons.size()];
     ASSERT_TRUE(pair.set.contains(photon));
     pair.remove(photon);
     ASSERT_FALSE(pair.set.contains(photon));
@@ -117,7 +117,7 @@ std::uint64_t inverseOf(std::uint64_t odd)
 }
 
 /// The photon that PhotonSet.cpp gives this hash. (Should that function change, any photon.)
-PhotonReference photonOf(std::uint64_t hash)
+SegmentRef photonOf(std::uint64_t hash)
 {
   std::uint64_t key = hash * inverseOf(0xbf58476d1ce4e5b9u);
   key ^= key >> 32;
@@ -143,7 +143,7 @@ TEST(PhotonSet, AgreesWithAStandardSetUnderRandomOperations)
 TEST(PhotonSet, HoldsRegularSequencesOfPhotons)
 {
   constexpr std::uint32_t kLast = 0xfffffffeu; // the largest number of a walk
-  std::vector<std::vector<PhotonReference>> sequences(6);
+  std::vector<std::vector<SegmentRef>> sequences(6);
   for (std::uint32_t i = 0; i < 3000; ++i)
   {
     sequences[0].push_back({ i, 0 });
@@ -153,7 +153,7 @@ TEST(PhotonSet, HoldsRegularSequencesOfPhotons)
     sequences[4].push_back({ i, i });
     sequences[5].push_back({ kLast, kLast + 1 - i });
   }
-  for (const std::vector<PhotonReference>& photons : sequences)
+  for (const std::vector<SegmentRef>& photons : sequences)
   {
     ASSERT_NO_FATAL_FAILURE(insertAndRemove(photons)) << "walk " << photons[1].walk;
   }
@@ -164,7 +164,7 @@ TEST(PhotonSet, HoldsPhotonsWithTheSameHash)
 {
   for (const std::uint64_t step : { 1u, 0x100001u })
   {
-    std::vector<PhotonReference> photons;
+    std::vector<SegmentRef> photons;
     for (std::uint64_t i = 0; i < 1000; ++i)
     {
       photons.push_back(photonOf(i * step));
@@ -197,7 +197,7 @@ TEST(PhotonSet, MemoryFollowsTheNumberOfPhotons)
   while (set.size() > 0)
   {
     const std::size_t size = set.size();
-    ASSERT_LE(set.bytes(), sizeof(PhotonReference) * (2 * size + 8)) << size;
+    ASSERT_LE(set.bytes(), sizeof(SegmentRef) * (2 * size + 8)) << size;
     const auto last = static_cast<std::uint32_t>(size - 1);
     set.remove({ last, last % 5 });
   }

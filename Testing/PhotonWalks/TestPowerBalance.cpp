@@ -177,7 +177,6 @@ TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
   settings.numberOfWalks = 100000;
   IrradianceEngine engine;
   Execution execution;
-  const auto start = std::chrono::steady_clock::now();
   try
   {
     engine.update(uniformRoom(1, true), settings, execution);
@@ -188,9 +187,6 @@ TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
     EXPECT_NE(std::string(error.what()).find("reflectance"), std::string::npos) << error.what();
     std::printf("%s\n", error.what());
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(time.count(), 60);
-  std::printf("after %.2f s\n", time.count());
   settings.numberOfWalks = 1000;
   const SceneObjects open = uniformRoom(1, false);
   engine.update(open, settings, execution);

@@ -43,14 +43,14 @@ Exact distanceFrom(const EllipsoidBound::Ball& ball, const Segment& segment)
 
 WalkBlock store(const std::vector<Segment>& segments, const UnitFrame& frame)
 {
-  WalkBlock block(static_cast<std::uint32_t>(segments.size()), 1, frame, {});
+  WalkBlock block(0, static_cast<std::uint32_t>(segments.size()), 1, frame, {});
   for (std::uint32_t walk = 0; walk < segments.size(); ++walk)
   {
     WalkSegment stored;
     stored.ray = { segments[walk].from, segments[walk].direction, {} };
     stored.hit.distance = segments[walk].length;
     stored.hit.id = segments[walk].length < kInfinity ? TriangleId{ 0, 0 } : TriangleId{};
-    test::replaceTail(block, walk, 0, { stored }, frame);
+    test::replaceTail(block, { walk, 0 }, { stored }, frame);
   }
   return block;
 }
@@ -62,10 +62,9 @@ std::set<std::uint32_t> flaggedIn(const WalkBlock& block, const SegmentScan& sca
   std::set<std::uint32_t> walks;
   for (const std::uint32_t point : points)
   {
-    WalkBlock::Place place;
-    if (block.segmentAt(point, place))
+    if (const auto segment = block.segmentAt(point))
     {
-      walks.insert(place.walk);
+      walks.insert(segment->walk);
     }
   }
   return walks;

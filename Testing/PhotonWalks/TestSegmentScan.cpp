@@ -27,12 +27,12 @@ struct RandomWalks
 {
   RandomWalks(test::RandomVectors& random, const Vector3& center, double size)
     : frame(boxAround(center, size))
-    , block(kWalksOfOne, 1, frame, {})
+    , block(0, kWalksOfOne, 1, frame, {})
   {
     for (std::uint32_t walk = 0; walk < kWalksOfOne; ++walk)
     {
       walks.push_back(makeWalk(random, center, size));
-      test::replaceTail(block, walk, 0, walks[walk], frame);
+      test::replaceTail(block, { walk, 0 }, walks[walk], frame);
     }
   }
 
@@ -74,10 +74,9 @@ struct RandomWalks
     std::set<std::pair<std::uint32_t, std::uint32_t>> flagged;
     for (const std::uint32_t point : points)
     {
-      WalkBlock::Place place;
-      if (block.segmentAt(point, place))
+      if (const auto segment = block.segmentAt(point))
       {
-        flagged.insert({ place.walk, place.bounce });
+        flagged.insert({ segment->walk, segment->bounce });
       }
     }
     return flagged;

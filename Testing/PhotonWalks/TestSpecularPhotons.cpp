@@ -75,13 +75,8 @@ EngineSettings settingsOf(std::uint32_t walks)
   return settings;
 }
 
-WalkHistory historyOf(const IrradianceEngine& engine)
-{
-  return { engine.plan(), engine.history() };
-}
-
 /// The photons on each cell, looked for one by one.
-using Lists = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<PhotonReference>>;
+using Lists = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<SegmentRef>>;
 
 Lists listsOf(const std::vector<Photon>& photons, const SceneObjects& objects)
 {
@@ -104,8 +99,8 @@ void expectEqual(const SpecularPhotons& sets, const Lists& lists, const SceneObj
     {
       const auto found = lists.find({ object, cell });
       const bool hasPhotons = found != lists.end() && objects[object].material->isSpecular(cell);
-      const std::vector<PhotonReference> expected =
-        hasPhotons ? found->second : std::vector<PhotonReference>();
+      const std::vector<SegmentRef> expected =
+        hasPhotons ? found->second : std::vector<SegmentRef>();
       ASSERT_EQ(sets.sorted(object, cell), expected) << object << ", " << cell;
       ASSERT_EQ(sets.size(object, cell), expected.size());
       photons += expected.size();
@@ -125,15 +120,15 @@ TEST(SpecularPhotons, AfterUpdatesTheyAreThoseOfTheHistory)
   IrradianceEngine engine;
   engine.update(scene.objects(), settings, serial);
   SpecularPhotons updated(scene.objects());
-  updated.add(historyOf(engine), 0, engine.history().size(), threads);
-  std::vector<Photon> photons = test::photonsOf(engine.photons());
+  updated.add(engine.history(), 0, engine.history().size(), threads);
+  std::vector<Photon> photons = test::photonsOf(engine.history());
   std::size_t changed = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
     scene.nextFrame();
     const SceneObjects objects = scene.objects();
     engine.update(objects, settings, serial);
-    const std::vector<Photon> now = test::photonsOf(engine.photons());
+    const std::vector<Photon> now = test::photonsOf(engine.history());
     const PhotonChanges changes = test::changesBetween(photons, now);
     changed += changes.gone.size() + changes.arrived.size();
     updated.apply(changes, threads);
@@ -141,7 +136,7 @@ TEST(SpecularPhotons, AfterUpdatesTheyAreThoseOfTheHistory)
     const Lists lists = listsOf(photons, objects);
     ASSERT_NO_FATAL_FAILURE(expectEqual(updated, lists, objects)) << "frame " << frame;
     SpecularPhotons fresh(objects);
-    fresh.add(historyOf(engine), 0, engine.history().size(), serial);
+    fresh.add(engine.history(), 0, engine.history().size(), serial);
     ASSERT_NO_FATAL_FAILURE(expectEqual(fresh, lists, objects)) << "frame " << frame;
   }
   EXPECT_GT(changed, photons.size());
@@ -157,7 +152,7 @@ TEST(SpecularPhotons, BlocksComeAndGo)
   engine.update(objects, settingsOf(40000), serial); // more blocks than one unit of work
   const std::size_t blocks = engine.history().size(), kept = 18;
   std::vector<Photon> first;
-  for (const Photon& photon : test::photonsOf(engine.photons()))
+  for (const Photon& photon : test::photonsOf(engine.history()))
   {
     if (photon.reference.walk < engine.plan().firstWalkOf(kept))
     {
@@ -166,11 +161,11 @@ TEST(SpecularPhotons, BlocksComeAndGo)
   }
   SpecularPhotons sets(objects);
   test::BackwardExecution backward;
-  sets.add(historyOf(engine), kept, blocks, backward);
-  sets.add(historyOf(engine), 0, kept, backward);
+  sets.add(engine.history(), kept, blocks, backward);
+  sets.add(engine.history(), 0, kept, backward);
   ASSERT_NO_FATAL_FAILURE(
-    expectEqual(sets, listsOf(test::photonsOf(engine.photons()), objects), objects));
-  sets.remove(historyOf(engine), kept, blocks, backward);
+    expectEqual(sets, listsOf(test::photonsOf(engine.history()), objects), objects));
+  sets.remove(engine.history(), kept, blocks, backward);
   ASSERT_NO_FATAL_FAILURE(expectEqual(sets, listsOf(first, objects), objects));
 }
 
@@ -181,7 +176,7 @@ TEST(SpecularPhotons, OnlySpecularCellsArePaidFor)
   Execution serial;
   engine.update(matte.objects(), settingsOf(5000), serial);
   SpecularPhotons nothing(matte.objects());
-  nothing.add(historyOf(engine), 0, engine.history().size(), serial);
+  nothing.add(engine.history(), 0, engine.history().size(), serial);
   EXPECT_TRUE(nothing.isEmpty());
   // Even of the objects, nothing but that they have none.
   EXPECT_LE(nothing.bytes(), sizeof(nothing) + 64 * matte.objects().size());
@@ -189,7 +184,7 @@ TEST(SpecularPhotons, OnlySpecularCellsArePaidFor)
   const SceneObjects objects = PartlyGlossyScene(73).objects();
   engine.update(objects, settingsOf(40000), serial);
   SpecularPhotons sets(objects);
-  sets.add(historyOf(engine), 0, engine.history().size(), serial);
+  sets.add(engine.history(), 0, engine.history().size(), serial);
   std::size_t cells = 0, specular = 0, photons = 0;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
@@ -216,7 +211,7 @@ TEST(SpecularPhotons, WorkCanBeInterrupted)
   {
     SpecularPhotons sets(objects);
     test::StoppingExecution stopping(sign);
-    EXPECT_THROW(sets.add(historyOf(engine), 0, engine.history().size(), stopping), Interrupted);
+    EXPECT_THROW(sets.add(engine.history(), 0, engine.history().size(), stopping), Interrupted);
   }
 }
 

@@ -78,16 +78,17 @@ void expectPoints(const WalkBlock& block, const std::vector<std::vector<WalkSegm
   }
   for (std::size_t i = 0; i + 1 < block.numberOfPoints(); ++i)
   {
-    WalkBlock::Place place;
-    if (!block.segmentAt(i, place))
+    const auto place = block.segmentAt(i);
+    if (!place)
     {
       continue;
     }
     ++found;
-    const WalkSegment& segment = walks[place.walk][place.bounce];
+    const std::vector<WalkSegment>& walk = walks[place->walk - block.firstWalk()];
+    const WalkSegment& segment = walk[place->bounce];
     const Vector3 end = segment.ray.origin + segment.hit.distance * segment.ray.direction;
-    const bool isLast = place.bounce + 1 == walks[place.walk].size();
-    const Vector3 next = isLast ? end : walks[place.walk][place.bounce + 1].ray.origin;
+    const bool isLast = place->bounce + 1 == walk.size();
+    const Vector3 next = isLast ? end : walk[place->bounce + 1].ray.origin;
     ASSERT_EQ(block.x()[i], static_cast<float>(segment.ray.origin[0]));
     ASSERT_EQ(block.z()[i], static_cast<float>(segment.ray.origin[2]));
     ASSERT_EQ(block.y()[i + 1], static_cast<float>(next[1]));
@@ -101,16 +102,18 @@ void expectEqual(const WalkBlock& block, const Model& model)
   expectPoints(block, model.walks);
   for (std::uint32_t walk = 0; walk < block.numberOfWalks(); ++walk)
   {
-    ASSERT_EQ(block.size(walk), model.walks[walk].size()) << "walk " << walk;
-    for (std::uint32_t i = 0; i < block.size(walk); ++i)
+    const std::uint32_t number = block.firstWalk() + walk;
+    ASSERT_EQ(block.size(number), model.walks[walk].size()) << "walk " << walk;
+    for (std::uint32_t i = 0; i < block.size(number); ++i)
     {
       const WalkSegment& entry = model.walks[walk][i];
-      ASSERT_EQ(block.hit(walk, i).id, entry.hit.id);
-      ASSERT_EQ(block.hit(walk, i).weights, entry.hit.weights);
-      ASSERT_EQ(block.power(walk, i), entry.power);
-      ASSERT_EQ(block.isFront(walk, i), entry.isFront);
+      const SegmentRef segment{ number, i };
+      ASSERT_EQ(block.hit(segment).id, entry.hit.id);
+      ASSERT_EQ(block.hit(segment).weights, entry.hit.weights);
+      ASSERT_EQ(block.power(segment), entry.power);
+      ASSERT_EQ(block.isFront(segment), entry.isFront);
       const auto found = model.staticHits.find({ walk, i });
-      const Hit* hit = block.hiddenStaticHit(walk, i);
+      const Hit* hit = block.hiddenStaticHit(segment);
       ASSERT_EQ(hit != nullptr, found != model.staticHits.end()) << walk << ", " << i;
       ASSERT_TRUE(!hit || *hit == found->second);
     }
@@ -122,7 +125,8 @@ void expectEqual(const WalkBlock& block, const Model& model)
 void compareWithModel(unsigned seed, int bands)
 {
   RandomEntries random(seed);
-  WalkBlock block(50, bands, kFrame, kPhoton);
+  constexpr std::uint32_t kFirst = 70 * 1024; // not the first block
+  WalkBlock block(kFirst, 50, bands, kFrame, kPhoton);
   Model model{ std::vector<std::vector<WalkSegment>>(50), {} };
   std::size_t mostSegments = 0;
   for (int step = 0; step < 20000; ++step)
@@ -133,18 +137,18 @@ void compareWithModel(unsigned seed, int bands)
     if (what < 5 || size == 0)
     {
       const auto tail = random.tail(1 + random.below(random.below(10) == 0 ? 60 : 6), bands);
-      test::replaceTail(block, walk, bounce, tail, kFrame, bands);
+      test::replaceTail(block, { kFirst + walk, bounce }, tail, kFrame, bands);
       model.replaceTail(walk, bounce, tail);
     }
     else if (bounce < size && what < 8)
     {
       const Hit hit = random.hit();
-      block.rememberStaticHit(walk, bounce, hit);
+      block.rememberStaticHit({ kFirst + walk, bounce }, hit);
       model.staticHits[{ walk, bounce }] = hit;
     }
     else if (what < 9)
     {
-      block.forgetStaticHit(walk, bounce);
+      block.forgetStaticHit({ kFirst + walk, bounce });
       model.staticHits.erase({ walk, bounce });
     }
     else if (random.below(100) == 0)
@@ -181,7 +185,7 @@ TEST(WalkBlock, AgreesWithAPlainModelUnderRandomOperations)
 TEST(WalkBlock, TailsGrowAndShrink)
 {
   RandomEntries random(5);
-  WalkBlock block(3, 3, kFrame, kPhoton);
+  WalkBlock block(0, 3, 3, kFrame, kPhoton);
   Model model{ std::vector<std::vector<WalkSegment>>(3), {} };
   for (const std::uint32_t size : { 1u, 5u, 2u, 9u, 9u, 1u })
   {
@@ -189,7 +193,7 @@ TEST(WalkBlock, TailsGrowAndShrink)
     {
       const auto bounce = std::min<std::uint32_t>(walk, block.size(walk));
       const auto tail = random.tail(size, 3);
-      test::replaceTail(block, walk, bounce, tail, kFrame, 3);
+      test::replaceTail(block, { walk, bounce }, tail, kFrame, 3);
       model.replaceTail(walk, bounce, tail);
       ASSERT_NO_FATAL_FAILURE(expectEqual(block, model));
     }
@@ -199,37 +203,37 @@ TEST(WalkBlock, TailsGrowAndShrink)
 TEST(WalkBlock, StaticHitsBehindTheNewTailAreForgotten)
 {
   RandomEntries random(6);
-  WalkBlock block(2, 1, kFrame, kPhoton);
+  WalkBlock block(0, 2, 1, kFrame, kPhoton);
   for (std::uint32_t walk = 0; walk < 2; ++walk)
   {
-    test::replaceTail(block, walk, 0, random.tail(5, 1), kFrame);
+    test::replaceTail(block, { walk, 0 }, random.tail(5, 1), kFrame);
     for (std::uint32_t i = 0; i < 5; ++i)
     {
-      block.rememberStaticHit(walk, i, { 10.0 + i, { 0, i } });
+      block.rememberStaticHit({ walk, i }, { 10.0 + i, { 0, i } });
     }
   }
-  test::replaceTail(block, 0, 2, random.tail(4, 1), kFrame);
+  test::replaceTail(block, { 0, 2 }, random.tail(4, 1), kFrame);
   for (std::uint32_t i = 0; i < 5; ++i)
   {
-    EXPECT_EQ(block.hiddenStaticHit(0, i) != nullptr, i <= 2) << i;
-    EXPECT_NE(block.hiddenStaticHit(1, i), nullptr);
+    EXPECT_EQ(block.hiddenStaticHit({ 0, i }) != nullptr, i <= 2) << i;
+    EXPECT_NE(block.hiddenStaticHit({ 1, i }), nullptr);
   }
   // A static miss is remembered too.
-  block.rememberStaticHit(1, 0, {});
-  ASSERT_NE(block.hiddenStaticHit(1, 0), nullptr);
-  EXPECT_FALSE(*block.hiddenStaticHit(1, 0));
+  block.rememberStaticHit({ 1, 0 }, {});
+  ASSERT_NE(block.hiddenStaticHit({ 1, 0 }), nullptr);
+  EXPECT_FALSE(*block.hiddenStaticHit({ 1, 0 }));
 }
 
 TEST(WalkBlock, HolesAreClosed)
 {
   RandomEntries random(7);
-  WalkBlock block(100, 1, kFrame, kPhoton);
+  WalkBlock block(0, 100, 1, kFrame, kPhoton);
   for (int round = 0; round < 200; ++round)
   {
     for (std::uint32_t walk = 0; walk < 100; ++walk)
     {
-      test::replaceTail(block, walk, 0, random.tail(1, 1), kFrame);
-      test::replaceTail(block, walk, 0, random.tail(1 + (walk + round) % 20, 1), kFrame);
+      test::replaceTail(block, { walk, 0 }, random.tail(1, 1), kFrame);
+      test::replaceTail(block, { walk, 0 }, random.tail(1 + (walk + round) % 20, 1), kFrame);
     }
   }
   // At most 20 segments per walk, a third of holes, and the spare capacity of vectors.

@@ -47,9 +47,7 @@ TEST(WalkPlan, EveryWalkHasOnePlaceInABlockOfItsRound)
       ASSERT_LE(plan.walksIn(block), WalkPlan::kWalksPerBlock);
       for (std::uint32_t i = 0; i < plan.walksIn(block); ++i, ++next)
       {
-        const WalkPlan::Place place = plan.placeOf(next);
-        ASSERT_EQ(place.block, block);
-        ASSERT_EQ(place.walkInBlock, i);
+        ASSERT_EQ(plan.blockOf(next), block);
         const WalkRound& round = plan.rounds()[plan.roundOf(next)];
         ASSERT_TRUE(round.firstBlock <= block && block < round.endBlock);
         ASSERT_TRUE(round.firstWalk <= next && next < round.endWalk);

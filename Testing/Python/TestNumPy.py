@@ -6,7 +6,8 @@ import numpy as np
 from vtkmodules.numpy_interface.dataset_adapter import WrapDataObject
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 import vtkIrradiance
 from scenes import address, field, irradiances, make_filter, make_lamp, output_bits
@@ -96,6 +97,66 @@ class NumPyIn(unittest.TestCase):
             self.assertIn(words, str(caught.exception))
             self.assertIn("input port 0, connection 0", str(caught.exception))
             self.assertEqual(irradiance.GetOutput().GetNumberOfBlocks(), 0)
+
+
+    def test_arrays_of_another_length_are_told_apart(self):
+        plane = vtkPlaneSource()
+        plane.SetResolution(3, 3)
+        plane.Update()
+        for values, words in ((np.arange(5.0), r"5 components; 1 or 3 .* \(9,\) or \(9, 3\).*append\(\) repeats"),
+                              (np.ones((3, 9)), r"27 components; 1 or 3 .* \(9,\) or \(9, 3\)")):
+            WrapDataObject(plane.GetOutput()).CellData.append(values, "RadiantExitance")
+            irradiance = make_filter()
+            irradiance.AddInputDataObject(0, plane.GetOutput())
+            with self.assertRaisesRegex(RuntimeError, "input port 0, connection 1: .*RadiantExitance.*" + words):
+                vtkIrradiance.update(irradiance)
+
+    def test_a_mesh_that_is_no_polydata(self):
+        irradiance = make_filter()
+        irradiance.AddInputDataObject(1, vtkUnstructuredGrid())
+        with self.assertRaisesRegex(RuntimeError, "input port 1, connection 1 .*vtkUnstructuredGrid.*vtkGeometryFilter"):
+            vtkIrradiance.update(irradiance)
+
+
+class AddCellArray(unittest.TestCase):
+    def setUp(self):
+        plane = vtkPlaneSource()
+        plane.SetResolution(3, 3)
+        plane.Update()
+        self.plane = plane.GetOutput()
+
+    def added(self, values):
+        vtkIrradiance.add_cell_array(self.plane, "RadiantExitance", values)
+        return vtk_to_numpy(self.plane.GetCellData().GetArray("RadiantExitance"))
+
+    def test_one_value_one_for_each_cell_or_three(self):
+        np.testing.assert_array_equal(self.added(7), [7] * 9)
+        np.testing.assert_array_equal(self.added(range(9)), range(9))
+        np.testing.assert_array_equal(self.added([[1, 2, 3]] * 9), [[1, 2, 3]] * 9)
+        self.assertEqual(self.plane.GetCellData().GetNumberOfArrays(), 1)
+
+    def test_numpy_arrays_are_shared(self):
+        for values in (np.arange(9.0), np.arange(27.0).reshape(9, 3)):
+            self.assertEqual(numpy_address(self.added(values)), numpy_address(values))
+            np.testing.assert_array_equal(self.added(values), values)
+        np.testing.assert_array_equal(self.added(np.arange(18)[::2]), np.arange(0, 18, 2))
+
+    def test_any_other_shape_is_an_error(self):
+        for values, shape in ((np.arange(5), r"\(5,\)"), ([1, 2, 3], r"\(3,\)"), (np.ones((3, 9)), r"\(3, 9\)"),
+                              (np.ones((9, 2)), r"\(9, 2\)"), ([], r"\(0,\)")):
+            with self.assertRaisesRegex(ValueError, f"RadiantExitance: .*{shape} for 9 cells.*\\(9,\\).*\\(9, 3\\)"):
+                self.added(values)
+        with self.assertRaisesRegex(ValueError, "a row of 2 values"):
+            self.added([[1, 2, 3]] * 8 + [[1, 2]])
+        self.assertEqual(self.plane.GetCellData().GetNumberOfArrays(), 0)
+
+    def test_the_light_is_the_same(self):
+        vtkIrradiance.add_cell_array(self.plane, "RadiantExitance", [float(i) for i in range(9)])
+        irradiance = vtkIrradiance.vtkIrradianceFilter()
+        irradiance.SetNumberOfWalks(1000)
+        irradiance.AddInputDataObject(0, self.plane)
+        vtkIrradiance.update(irradiance)
+        self.assertAlmostEqual(field(irradiance, "EmittedPower"), 36 / 9)  # W: 1 m2 in all
 
 
 class NumPyOut(unittest.TestCase):

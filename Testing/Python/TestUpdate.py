@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkIrradiance.update(): errors are exceptions, progress is reported, Ctrl-C stops it without harm."""
+"""vtkIrradiance.update(): errors are exceptions, warnings are Python's, progress is reported, Ctrl-C stops it without harm."""
 import signal
 import subprocess
 import sys
 import threading
 import unittest
+import warnings
 
 import numpy as np
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -82,9 +85,49 @@ class Errors(unittest.TestCase):
     def test_observers_are_removed(self):
         irradiance = make_filter()
         vtkIrradiance.update(irradiance)
-        for event in ("ProgressEvent", "ErrorEvent"):
+        for event in ("ProgressEvent", "ErrorEvent", "WarningEvent"):
             self.assertFalse(irradiance.HasObserver(event))
             self.assertFalse(irradiance.GetExecutive().HasObserver(event))
+
+
+class Warnings(unittest.TestCase):
+    def warnings_of(self, algorithm):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            vtkIrradiance.update(algorithm)
+        return caught
+
+    def test_a_warning_is_python_s_and_names_the_line(self):
+        irradiance = make_filter(exitance=0.0)
+        caught = self.warnings_of(irradiance)
+        self.assertEqual(len(caught), 1)
+        self.assertIs(caught[0].category, vtkIrradiance.PipelineWarning)
+        self.assertTrue(issubclass(vtkIrradiance.PipelineWarning, UserWarning))
+        self.assertRegex(str(caught[0].message), "^vtkIrradianceFilter: the scene has no light")
+        self.assertEqual(caught[0].filename, __file__)
+        irradiance.GetDynamicTransform(0).Translate(0, 0, 1)
+        self.assertEqual(self.warnings_of(irradiance), [])  # a motion changes nothing about it
+
+    def test_a_warning_upstream_comes_once(self):
+        irradiance = make_filter(exitance=0.0)
+        surface = vtkCompositeDataGeometryFilter()
+        surface.SetInputConnection(irradiance.GetOutputPort())
+        twice = vtkAppendPolyData()
+        twice.AddInputConnection(surface.GetOutputPort())
+        twice.AddInputConnection(surface.GetOutputPort())
+        self.assertEqual(len(self.warnings_of(twice)), 1)
+
+    def test_a_warning_can_be_made_an_error(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", vtkIrradiance.PipelineWarning)
+            with self.assertRaisesRegex(vtkIrradiance.PipelineWarning, "no light"):
+                vtkIrradiance.update(make_filter(exitance=0.0))
+
+    def test_an_error_comes_after_the_warnings(self):
+        irradiance = make_filter(exitance=0.0)
+        irradiance.SetTargetRelativeError(5)
+        with self.assertRaisesRegex(RuntimeError, "5 % is 0.05"):
+            self.warnings_of(irradiance)
 
 
 class Progress(unittest.TestCase):

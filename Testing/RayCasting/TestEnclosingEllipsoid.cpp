@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -90,12 +89,9 @@ double smallestPossibleVolume(const Points& points, const EnclosingEllipsoid& gu
 
 EnclosingEllipsoid checked(const std::string& name, const Points& points)
 {
-  const auto start = std::chrono::steady_clock::now();
   const EnclosingEllipsoid e = encloseByEllipsoid(points);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_TRUE(e.center.allFinite() && e.shape.allFinite()) << name;
   EXPECT_LE(excess(e, points), 0.0) << name << " is not contained";
-  EXPECT_LT(seconds.count(), 1.0) << name;
   return e;
 }
 
@@ -280,13 +276,10 @@ TEST(EnclosingEllipsoid, KnowsTheBoxAndTheBall)
   {
     sphere.push_back(random.direction());
   }
-  const auto start = std::chrono::steady_clock::now();
   const EnclosingEllipsoid e = encloseByEllipsoid(sphere);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_LE(excess(e, sphere), 0.0);
   EXPECT_LE(volume(e), 1.02 * 4.0 / 3.0 * kPi);
-  std::printf("sphere of 200000 points: %.1f ms, volume / optimum %.4f\n", 1e3 * seconds.count(),
-    volume(e) / (4.0 / 3.0 * kPi));
+  std::printf("sphere of 200000 points: volume / optimum %.4f\n", volume(e) / (4.0 / 3.0 * kPi));
 }
 
 TEST(EnclosingEllipsoid, ScalesExactlyWithPowersOfTwo)

@@ -6,40 +6,41 @@
 namespace irradiance
 {
 
-WalkBlock::WalkBlock(
-  std::uint32_t numberOfWalks, int bands, const UnitFrame& frame, const Power& photon)
-  : frame_(frame)
+WalkBlock::WalkBlock(std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands,
+  const UnitFrame& frame, const Power& photon)
+  : firstWalk_(firstWalk)
+  , frame_(frame)
   , places_(numberOfWalks)
   , photon_(photon)
   , storedBands_(bands > 1 ? static_cast<std::size_t>(bands) : 0)
 {
 }
 
-Hit WalkBlock::hit(std::uint32_t walk, std::uint32_t bounce) const
+Hit WalkBlock::hit(const SegmentRef& segment) const
 {
-  const std::size_t place = hitOf(walk, bounce);
+  const std::size_t place = hitOf(segment);
   Hit hit;
   hit.id = ids_[place];
   hit.weights = weights_[place];
   return hit;
 }
 
-Power WalkBlock::power(std::uint32_t walk, std::uint32_t bounce) const
+Power WalkBlock::power(const SegmentRef& segment) const
 {
   if (storedBands_ == 0)
   {
     return photon_;
   }
   Power power;
-  const std::size_t first = hitOf(walk, bounce) * storedBands_;
+  const std::size_t first = hitOf(segment) * storedBands_;
   std::copy_n(
     powers_.begin() + static_cast<std::ptrdiff_t>(first), storedBands_, power.quanta.begin());
   return power;
 }
 
-double WalkBlock::shortestLength(std::uint32_t walk, std::uint32_t bounce) const
+double WalkBlock::shortestLength(const SegmentRef& segment) const
 {
-  const Vector3 from = point(pointOf(walk, bounce)), to = point(pointOf(walk, bounce) + 1);
+  const Vector3 from = point(pointOf(segment)), to = point(pointOf(segment) + 1);
   const double largest = std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
   return std::max(0.0, (to - from).norm() - 0x1p-20 * largest) / frame_.scale;
 }
@@ -51,9 +52,9 @@ void WalkBlock::setPoint(std::size_t i, const StoredPoint& point)
   z_[i] = point[2];
 }
 
-void WalkBlock::setPower(std::uint32_t walk, std::uint32_t bounce, const Power& power)
+void WalkBlock::setPower(const SegmentRef& segment, const Power& power)
 {
-  const std::size_t first = hitOf(walk, bounce) * storedBands_;
+  const std::size_t first = hitOf(segment) * storedBands_;
   std::copy_n(
     power.quanta.begin(), storedBands_, powers_.begin() + static_cast<std::ptrdiff_t>(first));
 }
@@ -61,51 +62,52 @@ void WalkBlock::setPower(std::uint32_t walk, std::uint32_t bounce, const Power& 
 void WalkBlock::makeRoom(const std::vector<std::uint32_t>& sizes)
 {
   std::uint32_t points = 0, hits = 0;
-  for (std::uint32_t walk = 0; walk < numberOfWalks(); ++walk)
+  for (std::size_t i = 0; i < places_.size(); ++i)
   {
-    places_[walk] = { points, hits, 0, sizes[walk] };
-    points += places_[walk].points();
-    hits += sizes[walk];
+    places_[i] = { points, hits, 0, sizes[i] };
+    points += places_[i].points();
+    hits += sizes[i];
   }
   resizePools(points, hits);
 }
 
-void WalkBlock::replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count)
+void WalkBlock::replaceTail(const SegmentRef& first, std::uint32_t count)
 {
-  for (std::uint32_t i = bounce + 1; i < places_[walk].size && !staticHits_.empty(); ++i)
+  for (std::uint32_t i = first.bounce + 1; i < size(first.walk) && !staticHits_.empty(); ++i)
   {
-    staticHits_.erase(key(walk, i));
+    staticHits_.erase(key({ first.walk, i }));
   }
-  const std::uint32_t size = bounce + count;
-  if (size > places_[walk].capacity)
+  const std::uint32_t needed = first.bounce + count;
+  if (needed > rangeOf(first.walk).capacity)
   {
-    moveToEnd(walk, bounce, size);
+    moveToEnd(first, needed);
   }
-  places_[walk].size = size;
+  rangeOf(first.walk).size = needed;
 }
 
-void WalkBlock::setSegment(std::uint32_t walk, std::uint32_t bounce, const StoredSegment& segment)
+void WalkBlock::setSegment(const SegmentRef& place, const StoredSegment& segment)
 {
-  const std::size_t point = pointOf(walk, bounce), hit = hitOf(walk, bounce);
+  const std::size_t point = pointOf(place), hit = hitOf(place);
   setPoint(point, segment.begin);
   const unsigned tag = segment.isContact ? kContactTag : tagOf(segment.id.object);
-  tags_[point] =
-    static_cast<std::uint16_t>(walk | (segment.isFront ? 0u : kBack) | tag << kTagShift);
+  tags_[point] = static_cast<std::uint16_t>(
+    (place.walk - firstWalk_) | (segment.isFront ? 0u : kBack) | tag << kTagShift);
   ids_[hit] = segment.id;
   weights_[hit] = segment.weights;
 }
 
 void WalkBlock::setEnd(std::uint32_t walk, const StoredPoint& end)
 {
-  const std::size_t point = pointOf(walk, places_[walk].size);
+  const std::size_t point = pointOf({ walk, size(walk) });
   setPoint(point, end);
-  tags_[point] = static_cast<std::uint16_t>(walk);
+  tags_[point] = static_cast<std::uint16_t>(walk - firstWalk_);
 }
 
-void WalkBlock::moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity)
+void WalkBlock::moveToEnd(const SegmentRef& end, std::uint32_t capacity)
 {
-  places_[walk].size = kept;
-  unused_ += places_[walk].points();
+  const std::uint32_t kept = end.bounce;
+  rangeOf(end.walk).size = kept;
+  unused_ += rangeOf(end.walk).points();
   if (3 * std::size_t{ unused_ } > x_.size() + capacity)
   {
     closeHoles();
@@ -113,23 +115,23 @@ void WalkBlock::moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t 
   const Range moved{ static_cast<std::uint32_t>(x_.size()), static_cast<std::uint32_t>(ids_.size()),
     kept, capacity };
   resizePools(x_.size() + moved.points(), ids_.size() + capacity);
-  copy(*this, places_[walk], moved, kept);
-  places_[walk] = moved;
+  copy(*this, rangeOf(end.walk), moved, kept);
+  rangeOf(end.walk) = moved;
 }
 
 void WalkBlock::closeHoles()
 {
-  WalkBlock dense(numberOfWalks(), static_cast<int>(storedBands_), frame_, photon_);
+  WalkBlock dense(firstWalk_, numberOfWalks(), static_cast<int>(storedBands_), frame_, photon_);
   std::vector<std::uint32_t> sizes;
   for (const Range& range : places_)
   {
     sizes.push_back(range.size);
   }
   dense.makeRoom(sizes);
-  for (std::uint32_t walk = 0; walk < numberOfWalks(); ++walk)
+  for (std::size_t i = 0; i < places_.size(); ++i)
   {
-    dense.copy(*this, places_[walk], dense.places_[walk], places_[walk].size);
-    dense.places_[walk].size = places_[walk].size;
+    dense.copy(*this, places_[i], dense.places_[i], places_[i].size);
+    dense.places_[i].size = places_[i].size;
   }
   dense.staticHits_.swap(staticHits_);
   *this = std::move(dense);
@@ -174,41 +176,41 @@ void WalkBlock::copy(
     count * storedBands_);
 }
 
-bool WalkBlock::segmentAt(std::size_t point, Place& place) const
+std::optional<SegmentRef> WalkBlock::segmentAt(std::size_t point) const
 {
-  place.walk = tags_[point] & kWalkMask;
-  const Range& range = places_[place.walk];
+  const std::uint32_t walk = firstWalk_ + (tags_[point] & kWalkMask);
+  const Range& range = rangeOf(walk);
   // Places that a walk left when it moved are not in its range.
-  place.bounce = static_cast<std::uint32_t>(point) - range.firstPoint;
-  return place.bounce < range.size;
+  const std::uint32_t bounce = static_cast<std::uint32_t>(point) - range.firstPoint;
+  return bounce < range.size ? std::optional<SegmentRef>({ walk, bounce }) : std::nullopt;
 }
 
-const Hit* WalkBlock::hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const
+const Hit* WalkBlock::hiddenStaticHit(const SegmentRef& segment) const
 {
-  const auto found = staticHits_.find(key(walk, bounce));
+  const auto found = staticHits_.find(key(segment));
   return found == staticHits_.end() ? nullptr : &found->second;
 }
 
-void WalkBlock::rememberStaticHit(std::uint32_t walk, std::uint32_t bounce, const Hit& hit)
+void WalkBlock::rememberStaticHit(const SegmentRef& segment, const Hit& hit)
 {
-  staticHits_[key(walk, bounce)] = hit;
+  staticHits_[key(segment)] = hit;
 }
 
-void WalkBlock::forgetStaticHit(std::uint32_t walk, std::uint32_t bounce)
+void WalkBlock::forgetStaticHit(const SegmentRef& segment)
 {
-  staticHits_.erase(key(walk, bounce));
+  staticHits_.erase(key(segment));
 }
 
 void WalkBlock::updateStaticHit(
-  std::uint32_t walk, std::uint32_t bounce, const Hit& old, const Hit& now, bool isCached)
+  const SegmentRef& segment, const Hit& old, const Hit& now, bool isCached)
 {
   if (!now.id.isDynamic())
   {
-    forgetStaticHit(walk, bounce);
+    forgetStaticHit(segment);
   }
   else if (isCached && !old.id.isDynamic())
   {
-    rememberStaticHit(walk, bounce, old);
+    rememberStaticHit(segment, old);
   }
 }
 

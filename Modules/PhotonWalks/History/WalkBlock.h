@@ -4,12 +4,14 @@
 
 #include "Geometry/Ray.h"
 #include "Geometry/UnitFrame.h"
+#include "History/SegmentRef.h"
 #include "Light/Power.h"
 #include "Sampling/WalkPlan.h"
 #include "Simd/Prefetch.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -55,43 +57,43 @@ public:
 
   /// `frame`: of the points. `photon`: the power of all segments, if there is one band; several have
   /// a power for each segment.
-  WalkBlock(std::uint32_t numberOfWalks, int bands, const UnitFrame& frame, const Power& photon);
+  WalkBlock(std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands, const UnitFrame& frame,
+    const Power& photon);
 
+  std::uint32_t firstWalk() const { return firstWalk_; }
+  std::uint32_t endWalk() const { return firstWalk_ + numberOfWalks(); }
   std::uint32_t numberOfWalks() const { return static_cast<std::uint32_t>(places_.size()); }
-  std::uint32_t size(std::uint32_t walk) const { return places_[walk].size; }
+  /// The number of segments of a walk.
+  std::uint32_t size(std::uint32_t walk) const { return rangeOf(walk).size; }
   /// The hit without its distance.
-  Hit hit(std::uint32_t walk, std::uint32_t bounce) const;
-  bool isFront(std::uint32_t walk, std::uint32_t bounce) const
-  {
-    return (tags_[pointOf(walk, bounce)] & kBack) == 0;
-  }
-  Power power(std::uint32_t walk, std::uint32_t bounce) const;
+  Hit hit(const SegmentRef& segment) const;
+  bool isFront(const SegmentRef& segment) const { return (tags_[pointOf(segment)] & kBack) == 0; }
+  Power power(const SegmentRef& segment) const;
   /// Lower bound of a segment's length in the world, too short by some 2^-20 of its coordinates.
-  double shortestLength(std::uint32_t walk, std::uint32_t bounce) const;
+  double shortestLength(const SegmentRef& segment) const;
 
   /// Gives each walk of an empty block room for that many segments.
   void makeRoom(const std::vector<std::uint32_t>& sizes);
-  /// Replaces the segments from `bounce` on by room for `count` new ones, each of which must then
-  /// be set. Drops the cached static hits of segments after `bounce`.
-  void replaceTail(std::uint32_t walk, std::uint32_t bounce, std::uint32_t count);
-  void setSegment(std::uint32_t walk, std::uint32_t bounce, const StoredSegment& segment);
+  /// Replaces the segments of a walk from `first` on by room for `count` new ones, each of which must
+  /// then be set. Drops the cached static hits of segments after `first`.
+  void replaceTail(const SegmentRef& first, std::uint32_t count);
+  void setSegment(const SegmentRef& place, const StoredSegment& segment);
   void setEnd(std::uint32_t walk, const StoredPoint& end);
-  void setSide(std::uint32_t walk, std::uint32_t bounce, bool isFront)
+  void setSide(const SegmentRef& segment, bool isFront)
   {
-    std::uint16_t& tag = tags_[pointOf(walk, bounce)];
+    std::uint16_t& tag = tags_[pointOf(segment)];
     tag = static_cast<std::uint16_t>(isFront ? tag & ~kBack : tag | kBack);
   }
   /// Only if there are several bands.
-  void setPower(std::uint32_t walk, std::uint32_t bounce, const Power& power);
+  void setPower(const SegmentRef& segment, const Power& power);
 
   /// The static hit that a dynamic object hides from the segment; null if not known.
-  const Hit* hiddenStaticHit(std::uint32_t walk, std::uint32_t bounce) const;
-  void rememberStaticHit(std::uint32_t walk, std::uint32_t bounce, const Hit& hit);
-  void forgetStaticHit(std::uint32_t walk, std::uint32_t bounce);
+  const Hit* hiddenStaticHit(const SegmentRef& segment) const;
+  void rememberStaticHit(const SegmentRef& segment, const Hit& hit);
+  void forgetStaticHit(const SegmentRef& segment);
   /// To be called when another hit ends the segment. With `isCached`, a static hit that becomes
   /// hidden is kept while a dynamic object hides it (section 3.3 of the paper).
-  void updateStaticHit(
-    std::uint32_t walk, std::uint32_t bounce, const Hit& old, const Hit& now, bool isCached);
+  void updateStaticHit(const SegmentRef& segment, const Hit& old, const Hit& now, bool isCached);
   void forgetAllStaticHits() { staticHits_.clear(); }
 
   /// The pools as a scan reads them, holes included. From point i to point i + 1 runs a segment or
@@ -109,36 +111,35 @@ public:
   }
   static constexpr unsigned kContactTag = 31; ///< replaces the number for contacts
   static constexpr unsigned kTagShift = 11;   ///< position of the number in a tag
-  bool isContact(std::uint32_t walk, std::uint32_t bounce) const
+  bool isContact(const SegmentRef& segment) const
   {
-    return tags_[pointOf(walk, bounce)] >> kTagShift == kContactTag;
+    return tags_[pointOf(segment)] >> kTagShift == kContactTag;
   }
 
-  struct Place
-  {
-    std::uint32_t walk, bounce;
-  };
   /// Prefetches where a walk lies; what follows reads that.
-  void prefetchPlace(std::uint32_t walk) const { prefetchLine(places_.data() + walk); }
-  void prefetchPlaceAt(std::size_t point) const { prefetchPlace(tags_[point] & kWalkMask); }
-  /// Prefetches the hit of a segment.
-  void prefetch(const Place& place) const
+  void prefetchPlace(std::uint32_t walk) const { prefetchLine(&rangeOf(walk)); }
+  void prefetchPlaceAt(std::size_t point) const
   {
-    const std::size_t hit = hitOf(place.walk, place.bounce);
+    prefetchLine(&places_[tags_[point] & kWalkMask]);
+  }
+  /// Prefetches the hit of a segment.
+  void prefetch(const SegmentRef& segment) const
+  {
+    const std::size_t hit = hitOf(segment);
     prefetchLine(ids_.data() + hit);
     prefetchLine(weights_.data() + hit);
   }
   /// Prefetches where a segment begins.
-  void prefetchPoint(const Place& place) const
+  void prefetchPoint(const SegmentRef& segment) const
   {
-    const std::size_t point = pointOf(place.walk, place.bounce);
+    const std::size_t point = pointOf(segment);
     prefetchLine(x_.data() + point);
     prefetchLine(y_.data() + point);
     prefetchLine(z_.data() + point);
     prefetchLine(tags_.data() + point);
   }
-  /// False if no segment begins at `point`.
-  bool segmentAt(std::size_t point, Place& place) const;
+  /// The segment that begins at `point`, if one does.
+  std::optional<SegmentRef> segmentAt(std::size_t point) const;
 
   /// Memory held, including the unused part of the pools.
   std::size_t bytes() const;
@@ -152,30 +153,34 @@ private:
     std::uint32_t points() const { return capacity == 0 ? 0 : capacity + 1; }
   };
 
-  // A tag holds the walk, the side of the hit, and tagOf() its object or kContactTag.
+  // A tag holds the walk, counted from the first, the side of the hit, and tagOf() its object or kContactTag.
   static constexpr std::uint16_t kWalkMask = 0x3ff;
   static constexpr std::uint16_t kBack = 0x400;
 
-  static std::uint64_t key(std::uint32_t walk, std::uint32_t bounce)
+  static std::uint64_t key(const SegmentRef& segment)
   {
-    return std::uint64_t{ walk } << 32 | bounce;
+    return std::uint64_t{ segment.walk } << 32 | segment.bounce;
   }
-  std::size_t pointOf(std::uint32_t walk, std::uint32_t bounce) const
+  const Range& rangeOf(std::uint32_t walk) const { return places_[walk - firstWalk_]; }
+  Range& rangeOf(std::uint32_t walk) { return places_[walk - firstWalk_]; }
+  std::size_t pointOf(const SegmentRef& segment) const
   {
-    return places_[walk].firstPoint + std::size_t{ bounce };
+    return rangeOf(segment.walk).firstPoint + std::size_t{ segment.bounce };
   }
-  std::size_t hitOf(std::uint32_t walk, std::uint32_t bounce) const
+  std::size_t hitOf(const SegmentRef& segment) const
   {
-    return places_[walk].firstHit + std::size_t{ bounce };
+    return rangeOf(segment.walk).firstHit + std::size_t{ segment.bounce };
   }
   Vector3 point(std::size_t i) const { return { x_[i], y_[i], z_[i] }; }
   void setPoint(std::size_t i, const StoredPoint& point);
-  void moveToEnd(std::uint32_t walk, std::uint32_t kept, std::uint32_t capacity);
+  /// Moves the segments of a walk before `end` to where there is room for `capacity`.
+  void moveToEnd(const SegmentRef& end, std::uint32_t capacity);
   void closeHoles();
   void resizePools(std::size_t points, std::size_t hits);
   /// `count` segments with the point after them, if that has a place.
   void copy(const WalkBlock& from, const Range& source, const Range& target, std::uint32_t count);
 
+  std::uint32_t firstWalk_;
   UnitFrame frame_;
   std::uint32_t unused_ = 0; ///< points that no walk owns
   std::vector<Range> places_;

@@ -2,34 +2,19 @@
 #ifndef irradiance_WalkHistory_h
 #define irradiance_WalkHistory_h
 
-#include "History/WalkBlock.h"
+#include "History/Contribution.h"
 #include "Sampling/WalkPlan.h"
 
-#include <tuple>
+#include <numeric>
 #include <vector>
 
 namespace irradiance
 {
 
-/// Which photon: that which segment `bounce` of a walk brings to what it hits.
-struct PhotonReference
-{
-  std::uint32_t walk, bounce;
-
-  friend bool operator==(const PhotonReference& a, const PhotonReference& b)
-  {
-    return a.walk == b.walk && a.bounce == b.bounce;
-  }
-  friend bool operator<(const PhotonReference& a, const PhotonReference& b)
-  {
-    return std::tie(a.walk, a.bounce) < std::tie(b.walk, b.bounce);
-  }
-};
-
 /// A photon and where it arrived.
 struct Photon
 {
-  PhotonReference reference;
+  SegmentRef reference;
   TriangleId id;
   std::array<float, 2> weights; ///< see Hit
   bool isFront;                 ///< see WalkHistory::isFront
@@ -47,80 +32,99 @@ struct PhotonChanges
   }
 };
 
-/// All stored walks. A view: plan and blocks must outlive it.
+/**
+ * The stored walks of a plan: consecutive blocks of it, from any one on. Blocks are counted here from
+ * the first that is stored.
+ */
 class WalkHistory
 {
 public:
-  WalkHistory(const WalkPlan& plan, const std::vector<WalkBlock>& blocks)
+  /// Stores nothing.
+  WalkHistory() = default;
+  /// `frame`, `bands`, `photon`: see WalkBlock. `firstBlock`: the number in the plan of the first block.
+  WalkHistory(const WalkPlan& plan, const UnitFrame& frame, int bands, const Power& photon,
+    std::size_t firstBlock = 0)
     : plan_(plan)
-    , blocks_(blocks)
+    , frame_(frame)
+    , bands_(bands)
+    , photon_(photon)
+    , firstBlock_(firstBlock)
   {
   }
+  WalkHistory(WalkHistory&&) = default;
+  WalkHistory& operator=(WalkHistory&&) = default;
 
-  const std::vector<WalkBlock>& blocks() const { return blocks_; }
-  std::uint32_t firstWalkOf(std::size_t block) const { return plan_.firstWalkOf(block); }
+  const WalkPlan& plan() const { return plan_; }
+  /// Of the stored points.
+  const UnitFrame& frame() const { return frame_; }
 
-  Power power(const PhotonReference& photon) const
+  std::size_t size() const { return blocks_.size(); }
+  const WalkBlock& block(std::size_t i) const { return blocks_[i]; }
+  WalkBlock& block(std::size_t i) { return blocks_[i]; }
+  /// Where the walk is stored.
+  std::size_t indexOf(std::uint32_t walk) const { return plan_.blockOf(walk) - firstBlock_; }
+  const WalkBlock& blockOf(std::uint32_t walk) const { return blocks_[indexOf(walk)]; }
+  WalkBlock& blockOf(std::uint32_t walk) { return blocks_[indexOf(walk)]; }
+
+  /// Adds the next block of the plan, whose walks have no segments yet.
+  void append()
   {
-    const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    return blocks_[place.block].power(place.walkInBlock, photon.bounce);
+    const std::size_t number = firstBlock_ + blocks_.size();
+    blocks_.emplace_back(plan_.firstWalkOf(number), plan_.walksIn(number), bands_, frame_, photon_);
   }
+  void removeLast() { blocks_.pop_back(); }
+  void forgetAllStaticHits()
+  {
+    for (WalkBlock& block : blocks_)
+    {
+      block.forgetAllStaticHits();
+    }
+  }
+  /// Memory held.
+  std::size_t bytes() const
+  {
+    return std::accumulate(blocks_.begin(), blocks_.end(), std::size_t{},
+      [](std::size_t sum, const WalkBlock& block) { return sum + block.bytes(); });
+  }
+
+  Power power(const SegmentRef& segment) const { return blockOf(segment.walk).power(segment); }
   /// The hit without its distance.
-  Hit hit(const PhotonReference& photon) const
-  {
-    const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    return blocks_[place.block].hit(place.walkInBlock, photon.bounce);
-  }
-  /// Whether it arrived on the front. Known of all photons only if they are kept for others, see
+  Hit hit(const SegmentRef& segment) const { return blockOf(segment.walk).hit(segment); }
+  /// Whether it hits the front. Known of all segments only if sides are kept for others, see
   /// WalkBatch.
-  bool isFront(const PhotonReference& photon) const
-  {
-    const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    return blocks_[place.block].isFront(place.walkInBlock, photon.bounce);
-  }
-  /// Where the photon is stored.
-  const WalkBlock& blockOf(const PhotonReference& photon, std::uint32_t& walkInBlock) const
-  {
-    const WalkPlan::Place place = plan_.placeOf(photon.walk);
-    walkInBlock = place.walkInBlock;
-    return blocks_[place.block];
-  }
+  bool isFront(const SegmentRef& segment) const { return blockOf(segment.walk).isFront(segment); }
 
-  /// Calls visit(Photon) for each photon that segments of a walk from `first` on brought, in order.
+  /// Calls visit(Photon) for each photon that segments of a walk brought, from `first` on, in order.
   template <class Visit>
-  void forEachPhotonOf(
-    std::size_t block, std::uint32_t walkInBlock, std::uint32_t first, const Visit& visit) const
+  void forEachPhotonFrom(const SegmentRef& first, const Visit& visit) const
   {
-    visitPhotons(blocks_[block], firstWalkOf(block), walkInBlock, first, visit);
+    visitPhotons(blockOf(first.walk), first, visit);
   }
   /// The same for all walks of a block.
   template <class Visit>
-  void forEachPhoton(std::size_t block, const Visit& visit) const
+  void forEachPhoton(std::size_t i, const Visit& visit) const
   {
-    const std::uint32_t firstWalk = firstWalkOf(block);
-    for (std::uint32_t walk = 0; walk < blocks_[block].numberOfWalks(); ++walk)
+    for (std::uint32_t walk = blocks_[i].firstWalk(); walk < blocks_[i].endWalk(); ++walk)
     {
-      visitPhotons(blocks_[block], firstWalk, walk, 0, visit);
+      visitPhotons(blocks_[i], { walk, 0 }, visit);
     }
   }
 
 private:
   template <class Visit>
-  static void visitPhotons(const WalkBlock& walks, std::uint32_t firstWalk,
-    std::uint32_t walkInBlock, std::uint32_t first, const Visit& visit)
+  static void visitPhotons(const WalkBlock& block, const SegmentRef& first, const Visit& visit)
   {
-    for (std::uint32_t bounce = first; bounce < walks.size(walkInBlock); ++bounce)
-    {
-      if (const Hit hit = walks.hit(walkInBlock, bounce))
-      {
-        visit(Photon{ { firstWalk + walkInBlock, bounce }, hit.id, hit.weights,
-          walks.isFront(walkInBlock, bounce) });
-      }
-    }
+    forEachContribution(block, first, block.size(first.walk), [&](const Contribution& brought) {
+      visit(Photon{ brought.segment, brought.hit.id, brought.hit.weights, brought.isFront });
+    });
   }
 
-  const WalkPlan& plan_;
-  const std::vector<WalkBlock>& blocks_;
+  WalkPlan plan_;
+  UnitFrame frame_;
+  int bands_ = 1;
+  Power photon_;
+  std::size_t firstBlock_ = 0;
+  std::vector<WalkBlock> blocks_;
 };
 
 }

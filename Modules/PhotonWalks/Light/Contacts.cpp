@@ -148,6 +148,19 @@ std::vector<std::uint32_t> trianglesNear(const SceneObject& object, const Box& w
 
 }
 
+SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const Checkpoint& checkpoint)
+{
+  const std::vector<Triangle>& triangles = object.body->mesh().triangles();
+  std::vector<bool> lamps;
+  std::vector<std::uint32_t> parts;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    lamps.push_back(isLamp(object, i));
+    parts.push_back(object.material->partOfCell(object.material->cellOfTriangle[i]));
+  }
+  return solidSides(triangles, parts, lamps, isStatic, checkpoint);
+}
+
 void Contacts::update(const SceneObjects& objects, const Checkpoint& checkpoint)
 {
   partners_.clear();
@@ -277,17 +290,9 @@ const SolidSides& Contacts::sidesOf(
 {
   const SceneObject& own = objects[object];
   Known& known = knownOf(objects, object);
-  const TriangleMesh& mesh = own.body->mesh();
   if (known.sides.of.empty())
   {
-    std::vector<bool> lamps;
-    std::vector<std::uint32_t> parts;
-    for (std::uint32_t i = 0; i < mesh.size(); ++i)
-    {
-      lamps.push_back(isLamp(own, i));
-      parts.push_back(own.material->partOfCell(own.material->cellOfTriangle[i]));
-    }
-    known.sides = solidSides(mesh.triangles(), parts, lamps, object == 0, checkpoint);
+    known.sides = solidSidesOf(own, object == 0, checkpoint);
   }
   return known.sides;
 }

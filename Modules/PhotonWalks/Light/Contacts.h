@@ -100,6 +100,9 @@ private:
   std::vector<Known> known_;
 };
 
+/// The solid sides of an object's triangles, in its own space. The static object may hold rooms.
+SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const Checkpoint& checkpoint);
+
 }
 
 #endif

@@ -310,7 +310,7 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
   Binding binding(trees_);
   if (std::find(isAnew.begin(), isAnew.end(), true) != isAnew.end())
   {
-    binding.addBlocks(Binding::What::Arrive, history, 0, history.blocks().size(), isNew);
+    binding.addBlocks(Binding::What::Arrive, history, 0, history.size(), isNew);
   }
   binding.addPhotons(Binding::What::Leave, changes.gone, isLeft);
   binding.addPhotons(Binding::What::Arrive, changes.arrived, isOld);
@@ -322,6 +322,12 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
       trees_[i].giveBackMemory();
     }
   }
+}
+
+std::size_t LeafPhotons::size() const
+{
+  return std::accumulate(trees_.begin(), trees_.end(), std::size_t{},
+    [](std::size_t sum, const Tree& tree) { return sum + tree.size(); });
 }
 
 std::size_t LeafPhotons::bytes() const

@@ -44,6 +44,8 @@ public:
   {
     return trees_[object].leaves[leaf];
   }
+  /// Photons on all objects.
+  std::size_t size() const;
   /// Whether no photon is on the object.
   bool isEmpty(std::uint32_t object) const { return trees_[object].size() == 0; }
   /// Memory held.

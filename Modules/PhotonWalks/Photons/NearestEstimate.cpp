@@ -1,59 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/NearestEstimate.h"
 
-#include "Meshes/TriangleInSphere.h"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace irradiance
 {
 
-double facingArea(const NearestPhotons& photons, const Sensor& sensor, double radius)
+double countedArea(const NearestPhotons& photons, const Foot& foot, double radius)
 {
   double area = 0;
   for (std::uint32_t i = 0; i < photons.objects().size(); ++i)
   {
-    const SceneObject& object = photons.objects()[i];
-    const PlacedTree& tree = photons.tree(i);
-    if (!object.isPresent || tree.distanceAtLeast(sensor.position) > radius)
-    {
-      continue;
-    }
-    const Facing facing = tree.facing(sensor);
-    const Matrix3 flattening = sensor.flattening();
-    const AffineMap flattened{ flattening * object.worldFromObject.linear,
-      flattening * (object.worldFromObject.translation - sensor.position) };
-    const auto add = [&](std::uint32_t triangle) {
-      const Triangle& model = object.body->mesh()[triangle];
-      if (facing.side(model) != 0)
-      {
-        // A plane map keeps the ratios of areas.
-        const Triangle flat = transformed(flattened, model);
-        const double inside = areaInSphere(flat, radius);
-        area +=
-          inside > 0 ? inside / flat.area() * transformed(object.worldFromObject, model).area() : 0;
-      }
-    };
-    photons.leaves().table(i).forEachNear(
-      object.body->tree(), tree.modelBounds(sensor, radius), add);
+    area += photons.areaWithin(i, foot, radius);
   }
   return area;
 }
 
 NearestEstimate nearestEstimate(
-  const NearestPhotons& photons, const Sensor& sensor, std::uint32_t count, double maximumRadius)
+  const NearestPhotons& photons, const Foot& foot, std::uint32_t count, double maximumRadius)
 {
-  if (photons.isTooFar(sensor))
-  {
-    return { {}, 0, maximumRadius, 0 };
-  }
-  const NearPhotons near = photons.find(sensor, count, maximumRadius);
+  const NearPhotons near = photons.find(foot, count, maximumRadius);
   const std::size_t counted = near.photons.size() - (near.areAll ? 0 : 1);
-  NearestEstimate estimate{ {}, facingArea(photons, sensor, near.radius), near.radius,
+  NearestEstimate estimate{ {}, kInfinity, near.radius,
     static_cast<std::uint32_t>(near.photons.size()) };
   for (std::size_t i = 0; i < counted; ++i)
   {
     estimate.power += photons.history().power(near.photons[i]);
   }
+  if (!estimate.power.isZero())
+  {
+    estimate.area = countedArea(photons, foot, near.radius);
+  }
   return estimate;
+}
+
+namespace
+{
+
+double sizeOf(const Box& box)
+{
+  return box.isEmpty() ? 0.0 : box.extent().maxCoeff();
+}
+
+}
+
+double usualRadius(const NearestPhotons& photons, std::uint32_t count)
+{
+  double area = 0;
+  for (std::uint32_t i = 0; i < photons.objects().size(); ++i)
+  {
+    const std::vector<double> areas = cellAreas(photons.objects()[i]);
+    area = std::accumulate(areas.begin(), areas.end(), area);
+  }
+  const auto all = static_cast<double>(photons.numberOfPhotons());
+  return std::min(4 * std::sqrt(count * area / all / M_PI), 0.25 * sizeOf(photons.bounds()));
+}
+
+/// Points of a ball stray from its triangles by a hundredth of its size if its circles have 16 sides, and it
+/// is smaller than the scene. A working plane in a hall of 100 m is farther away.
+double usualDistance(const NearestPhotons& photons)
+{
+  return sizeOf(photons.bounds()) / 128;
 }
 
 }

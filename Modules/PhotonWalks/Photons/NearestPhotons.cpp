@@ -33,9 +33,10 @@ Box boundsOf(const SceneObjects& objects)
 class NearestPhotons::Search
 {
 public:
-  Search(const NearestPhotons& owner, const Sensor& sensor, std::size_t count, double maximumRadius)
+  Search(const NearestPhotons& owner, const Foot& foot, std::size_t count, double maximumRadius)
     : owner_(owner)
-    , sensor_(sensor)
+    , foot_(foot)
+    , sensor_(foot.sensor)
     , count_(count)
     , maximumRadius_(maximumRadius)
     , limit_(static_cast<float>(maximumRadius * owner.searchUnitsPerWorldUnit_) * kWider)
@@ -46,7 +47,7 @@ public:
     candidates_.reserve(3 * std::min(count, kUsualCount));
     for (const std::uint32_t object : owner.lit_)
     {
-      const double distance = owner.trees_[object].distanceAtLeast(sensor.position);
+      const double distance = owner.trees_[object].distanceAtLeast(foot.sensor.position);
       const auto atLeast = static_cast<float>(distance * owner.searchUnitsPerWorldUnit_) / kWider;
       if (atLeast <= limit_)
       {
@@ -79,7 +80,7 @@ private:
   {
     std::uint32_t object;
     LocalSensor sensor;
-    Facing facing;
+    SeenSurface surface;
     float least;
 
     /// Of what lies this far away in the unit frame; less by the blur.
@@ -109,7 +110,7 @@ private:
     }
   };
 
-  /// Which side of a triangle faces as the sensor does.
+  /// Which side of a triangle counts.
   struct Known
   {
     TriangleId id;
@@ -120,9 +121,9 @@ private:
   struct Candidate
   {
     float lower, upper;
-    PhotonReference photon;
+    SegmentRef photon;
 
-    Candidate(float distance, float blur, const PhotonReference& reference)
+    Candidate(float distance, float blur, const SegmentRef& reference)
       : lower(distance - blur)
       , upper(distance + blur)
       , photon(reference)
@@ -140,7 +141,7 @@ private:
   std::uint32_t see(std::uint32_t object)
   {
     const PlacedTree& tree = owner_.trees_[object];
-    views_.push_back({ object, tree.see(sensor_), tree.facing(sensor_), tree.least() });
+    views_.push_back({ object, tree.see(sensor_), owner_.seen(object, foot_), tree.least() });
     return static_cast<std::uint32_t>(views_.size() - 1);
   }
 
@@ -227,7 +228,7 @@ private:
     const TriangleId id{ view.object, triangle };
     if (known.id != id)
     {
-      known = { id, view.facing.side(owner_.objects_[view.object].body->mesh()[triangle]) };
+      known = { id, view.surface.side(triangle) };
     }
     return known.side == (isFront ? 1 : -1);
   }
@@ -262,7 +263,7 @@ private:
     struct Exact
     {
       double squaredDistance;
-      PhotonReference photon;
+      SegmentRef photon;
     };
     std::vector<Exact> exact;
     for (auto c = certain; c != candidates_.end(); ++c)
@@ -303,6 +304,7 @@ private:
   }
 
   const NearestPhotons& owner_;
+  const Foot& foot_;
   const Sensor& sensor_;
   std::size_t count_;
   double maximumRadius_; ///< world
@@ -311,12 +313,13 @@ private:
   std::vector<View> views_;
   std::vector<Node> nodes_; ///< a heap
   std::vector<Candidate> candidates_;
-  std::array<Known, 16> sides_; ///< those asked for last
+  std::array<Known, 64> sides_; ///< those asked for last
 };
 
-NearestPhotons::NearestPhotons(
-  const LeafPhotons& leaves, const SceneObjects& objects, const WalkHistory& history)
+NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfaces,
+  const SceneObjects& objects, const WalkHistory& history)
   : leaves_(leaves)
+  , surfaces_(surfaces)
   , objects_(objects)
   , history_(history)
   , bounds_(boundsOf(objects))
@@ -333,10 +336,15 @@ NearestPhotons::NearestPhotons(
   }
 }
 
-NearPhotons NearestPhotons::find(
-  const Sensor& sensor, std::size_t count, double maximumRadius) const
+std::optional<Foot> NearestPhotons::footOf(const Sensor& sensor, double maximumDistance) const
 {
-  return Search(*this, sensor, count, maximumRadius).run();
+  return isTooFar(sensor) ? std::nullopt
+                          : FootSearch(objects_, surfaces_, trees_, sensor).find(maximumDistance);
+}
+
+NearPhotons NearestPhotons::find(const Foot& foot, std::size_t count, double maximumRadius) const
+{
+  return Search(*this, foot, count, maximumRadius).run();
 }
 
 }

@@ -2,9 +2,13 @@
 #ifndef irradiance_NearestPhotons_h
 #define irradiance_NearestPhotons_h
 
+#include "Photons/FootSearch.h"
 #include "Photons/LeafPhotons.h"
 #include "Photons/PlacedTree.h"
+#include "Photons/SeenSurface.h"
+#include "Photons/Surfaces.h"
 
+#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -13,7 +17,7 @@ namespace irradiance
 /// The photons nearest to a sensor.
 struct NearPhotons
 {
-  std::vector<PhotonReference> photons; ///< the farthest comes last, the others in any order
+  std::vector<SegmentRef> photons; ///< the farthest comes last, the others in any order
   /// Distance of the farthest, in the flattened world of the sensor; the largest that was allowed if
   /// there are not so many.
   double radius;
@@ -21,8 +25,8 @@ struct NearPhotons
 };
 
 /**
- * Exact search of the nearest photons that arrived on sides facing as the sensor does (section 4.1 of
- * the paper). It begins at the leaf nearest to the sensor and goes outward through the trees of all
+ * Exact search of the nearest photons that arrived on surface that counts for a sensor (section 4.1 of
+ * the paper; SeenSurface says what counts). It begins at the leaf nearest to the sensor and goes outward through the trees of all
  * objects. Floats find the candidates, as in ray casting; where two are as far as rounding can tell,
  * the stored walks decide. So it finds what a search of all photons would find, ordered by distance
  * squared in double, walk and bounce, whatever the trees look like.
@@ -33,22 +37,68 @@ class NearestPhotons
 {
 public:
   /// For one frame; all of them must outlive it.
-  NearestPhotons(
-    const LeafPhotons& leaves, const SceneObjects& objects, const WalkHistory& history);
+  NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfaces, const SceneObjects& objects,
+    const WalkHistory& history);
 
-  /// The `count` >= 1 nearest within a distance in the flattened world, which may be infinite.
-  NearPhotons find(const Sensor& sensor, std::size_t count, double maximumRadius = kInfinity) const;
-
-  /// By which distances are compared: in double, from the point given by the stored weights.
-  double squaredDistance(const Sensor& sensor, const PhotonReference& photon) const
+  /// Where a sensor stands; nothing if that is farther away than `maximumDistance`, or if the sensor
+  /// is so far from the scene that distances in double tell little of what is nearer.
+  std::optional<Foot> footOf(const Sensor& sensor, double maximumDistance = kInfinity) const;
+  /// Of a sensor that stands on a side (1: front, -1: back) of a triangle.
+  Foot footOn(const Sensor& sensor, const TriangleId& id, int side) const
   {
-    const Hit hit = history_.hit(photon);
-    const SceneObject& object = objects_[hit.id.object];
-    const Vector3 model = modelPoint(object.body->mesh(), hit.id.triangle, hit.weights);
-    return sensor.squaredDistance(object.worldFromObject(model));
+    return FootSearch(objects_, surfaces_, trees_, sensor).on(id, side);
+  }
+  /// From a sensor to a triangle, world.
+  double distance(const Sensor& sensor, const TriangleId& id) const
+  {
+    return FootSearch(objects_, surfaces_, trees_, sensor).closestOn(id).norm();
+  }
+  /// The `count` >= 1 nearest within a distance in the flattened world, which may be infinite.
+  NearPhotons find(const Foot& foot, std::size_t count, double maximumRadius = kInfinity) const;
+  /// The world area of what counts of an object's surface, see SeenSurface.
+  double areaWithin(std::uint32_t object, const Foot& foot, double radius) const
+  {
+    const bool isNear = trees_[object].distanceAtLeast(foot.sensor.position) <= radius;
+    return isNear ? seen(object, foot).areaWithin(radius) : 0.0;
   }
 
-  /// Whether a sensor is so far from the scene that distances in double tell little of what is nearer.
+  /// By which distances are compared: in double, from the point given by the stored weights.
+  double squaredDistance(const Sensor& sensor, const SegmentRef& photon) const
+  {
+    const Hit hit = history_.hit(photon);
+    return sensor.squaredDistance(position(hit.id, hit.weights));
+  }
+  /// Of a photon, in the world.
+  Vector3 position(const TriangleId& id, const std::array<float, 2>& weights) const
+  {
+    const SceneObject& object = objects_[id.object];
+    return object.worldFromObject(modelPoint(object.body->mesh(), id.triangle, weights));
+  }
+  /// Unit normal of the front, in the world.
+  Vector3 front(const TriangleId& id) const
+  {
+    const Facing facing = trees_[id.object].facing({ Vector3::Zero(), Vector3::Zero() });
+    return facing.areaVector(objects_[id.object].body->mesh()[id.triangle]).normalized();
+  }
+  /// Which side of a triangle faces as a sensor does, see Facing.
+  int sideFacing(const Sensor& sensor, const TriangleId& id) const
+  {
+    return trees_[id.object].facing(sensor).side(objects_[id.object].body->mesh()[id.triangle]);
+  }
+
+  const SceneObjects& objects() const { return objects_; }
+  const WalkHistory& history() const { return history_; }
+  std::size_t numberOfPhotons() const { return leaves_.size(); }
+  /// Of the scene.
+  const Box& bounds() const { return bounds_; }
+
+private:
+  class Search;
+
+  SeenSurface seen(std::uint32_t object, const Foot& foot) const
+  {
+    return { objects_[object], surfaces_.of(object), trees_[object], foot };
+  }
   bool isTooFar(const Sensor& sensor) const
   {
     const Vector3 away =
@@ -56,21 +106,14 @@ public:
     return away.maxCoeff() * searchUnitsPerWorldUnit_ > kFarthest;
   }
 
-  const SceneObjects& objects() const { return objects_; }
-  const WalkHistory& history() const { return history_; }
-  const LeafPhotons& leaves() const { return leaves_; }
-  const PlacedTree& tree(std::uint32_t object) const { return trees_[object]; }
-
-private:
-  class Search;
-
   /// In sizes of the scene. From there a disc of a fiftieth of the scene is as far as its middle.
   static constexpr double kFarthest = 0x1p20;
 
   const LeafPhotons& leaves_;
+  const Surfaces& surfaces_;
   const SceneObjects& objects_;
   const WalkHistory& history_;
-  Box bounds_; ///< of the scene
+  Box bounds_;
   double searchUnitsPerWorldUnit_;
   std::vector<PlacedTree> trees_;
   std::vector<std::uint32_t> lit_; ///< objects with photons

@@ -172,7 +172,7 @@ bool PhotonLeaf::change(const Photons& gone, const Photons& arrived)
 
 PhotonLeaf::Photons PhotonLeaf::photonsExcept(const Photons& gone) const
 {
-  std::vector<PhotonReference> references;
+  std::vector<SegmentRef> references;
   references.reserve(gone.size());
   for (const LeafPhoton& photon : gone)
   {

@@ -22,14 +22,14 @@ struct LeafPhoton
   std::uint32_t triangle;
 
   LeafPhoton() = default;
-  LeafPhoton(const UnitPoint& at, const PhotonReference& photon, bool isFront, std::uint32_t hit)
+  LeafPhoton(const UnitPoint& at, const SegmentRef& photon, bool isFront, std::uint32_t hit)
     : position(at)
     , walk(photon.walk)
     , bounceAndSide(2 * photon.bounce + (isFront ? 0 : 1))
     , triangle(hit)
   {
   }
-  PhotonReference reference() const { return { walk, bounceAndSide >> 1 }; }
+  SegmentRef reference() const { return { walk, bounceAndSide >> 1 }; }
   bool isFront() const { return (bounceAndSide & 1) == 0; }
 };
 
@@ -44,10 +44,7 @@ public:
   /// NaN in unused lanes, which so pass no test.
   const float* coordinates(unsigned axis) const { return position_[axis]; }
   bool isUsed(unsigned lane) const { return position_[0][lane] == position_[0][lane]; }
-  PhotonReference reference(unsigned lane) const
-  {
-    return { walk_[lane], bounceAndSide_[lane] >> 1 };
-  }
+  SegmentRef reference(unsigned lane) const { return { walk_[lane], bounceAndSide_[lane] >> 1 }; }
   bool isFront(unsigned lane) const { return (bounceAndSide_[lane] & 1) == 0; }
   std::uint32_t triangle(unsigned lane) const { return triangle_[lane]; }
   LeafPhoton operator[](unsigned lane) const
@@ -70,7 +67,7 @@ public:
     return false;
   }
   /// False if it is not here.
-  bool remove(const PhotonReference& photon)
+  bool remove(const SegmentRef& photon)
   {
     for (unsigned lane = 0; lane < kSize; ++lane)
     {

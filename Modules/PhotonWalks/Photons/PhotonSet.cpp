@@ -120,7 +120,7 @@ std::size_t PhotonSet::findSlot(Key key, Key sought) const
   return kNone;
 }
 
-void PhotonSet::insert(const PhotonReference& photon)
+void PhotonSet::insert(const SegmentRef& photon)
 {
   assert(!contains(photon));
   reserve(size_ + 1);
@@ -129,7 +129,7 @@ void PhotonSet::insert(const PhotonReference& photon)
   ++size_;
 }
 
-void PhotonSet::remove(const PhotonReference& photon)
+void PhotonSet::remove(const SegmentRef& photon)
 {
   const Key key = keyOf(photon);
   const std::size_t slot = findSlot(key, key);
@@ -142,7 +142,7 @@ void PhotonSet::remove(const PhotonReference& photon)
   }
 }
 
-bool PhotonSet::contains(const PhotonReference& photon) const
+bool PhotonSet::contains(const SegmentRef& photon) const
 {
   const Key key = keyOf(photon);
   return findSlot(key, key) != kNone;
@@ -156,7 +156,7 @@ void PhotonSet::reserve(std::size_t size)
   }
 }
 
-void PhotonSet::prefetch(const PhotonReference& photon) const
+void PhotonSet::prefetch(const SegmentRef& photon) const
 {
   const Key* const first =
     table_.get() + ProbeSequence(keyOf(photon), buckets()).bucket() * kBucket;

@@ -27,16 +27,16 @@ class PhotonSet
 public:
   std::size_t size() const { return size_; }
   /// `photon` must not be in the set.
-  void insert(const PhotonReference& photon);
+  void insert(const SegmentRef& photon);
   /// `photon` must be in the set.
-  void remove(const PhotonReference& photon);
-  bool contains(const PhotonReference& photon) const;
+  void remove(const SegmentRef& photon);
+  bool contains(const SegmentRef& photon) const;
   /// Makes room for `size` photons in all.
   void reserve(std::size_t size);
   /// Prefetches what insert() and remove() read first.
-  void prefetch(const PhotonReference& photon) const;
+  void prefetch(const SegmentRef& photon) const;
 
-  /// Calls visit(PhotonReference) for each photon. The order depends on what was inserted and
+  /// Calls visit(SegmentRef) for each photon. The order depends on what was inserted and
   /// removed before, so sums of rounded numbers must sort first.
   template <class Visit>
   void forEach(const Visit& visit) const
@@ -45,7 +45,7 @@ public:
     {
       if (table_[i] != kEmpty)
       {
-        visit(PhotonReference{
+        visit(SegmentRef{
           static_cast<std::uint32_t>(table_[i] >> 32), static_cast<std::uint32_t>(table_[i]) });
       }
     }
@@ -61,10 +61,7 @@ private:
   static constexpr std::size_t kBucket = 8;
   static constexpr std::size_t kNone = ~std::size_t{ 0 };
 
-  static Key keyOf(const PhotonReference& photon)
-  {
-    return Key{ photon.walk } << 32 | photon.bounce;
-  }
+  static Key keyOf(const SegmentRef& photon) { return Key{ photon.walk } << 32 | photon.bounce; }
   static std::size_t slotsFor(std::size_t size);
   std::size_t buckets() const { return (slots_ + kBucket - 1) / kBucket; }
   /// The first slot of the probe sequence of `key` that holds `sought`; kNone if no slot does.

@@ -8,13 +8,28 @@
 namespace irradiance
 {
 
+CosineRange::CosineRange(const SurfaceNode& node, const Vector3& direction)
+  : least(0)
+  , most(1)
+{
+  if (node.cosine > 0)
+  {
+    const double cosine = std::abs(direction.dot(node.axis));
+    const double sine = direction.cross(node.axis).norm();
+    least = cosine * node.cosine - sine * node.sine;
+    most = cosine >= node.cosine ? 1 : cosine * node.cosine + sine * node.sine;
+  }
+}
+
 PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit)
   : frame_(object.body->tree().frame())
+  , surfaceFrame_(object.body->mesh().bounds())
   , worldFromObject_(object.worldFromObject)
   , inverse_(worldFromObject_.linear.inverse())
   , bounds_(object.worldBounds())
   , searchUnitsPerWorldUnit_(searchUnitsPerWorldUnit)
 {
+  size_ = object.isEmpty() ? 0.0 : bounds_.extent().maxCoeff();
   bounds_.inflate(
     0x1p-40 * (bounds_.magnitude() + worldFromObject_.translation.cwiseAbs().maxCoeff()));
   int exponent;
@@ -24,15 +39,17 @@ PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit
   longest_ = Sensor::kFlattening * stretch_.norm();
   condition_ = worldFromObject_.linear.norm() * inverse_.norm();
   constexpr double kRounding = 1 - 0x1p-20;
-  least_ = static_cast<float>(Eigen::JacobiSVD<Matrix3>(stretch_).singularValues()[2] * kRounding);
-}
-
-Box PlacedTree::modelBounds(const Sensor& sensor, double radius) const
-{
-  const Vector3 center = inverse_ * (sensor.position - worldFromObject_.translation);
-  const Matrix3 modelFromFlattened = inverse_ * sensor.flattening().inverse();
-  const Vector3 reach = radius * modelFromFlattened.rowwise().norm();
-  return { center - reach, center + reach };
+  const double least = Eigen::JacobiSVD<Matrix3>(stretch_).singularValues()[2] * kRounding;
+  least_ = static_cast<float>(least);
+  leastWorldUnits_ = least / searchUnitsPerWorldUnit * frame_.scale / surfaceFrame_.scale;
+  const Matrix3 world = worldFromObject_.linear / surfaceFrame_.scale;
+  const double length = world.norm() / std::sqrt(3.0);
+  turn_ = world / length;
+  constexpr double kSameAngles = 0x1p-30;
+  if ((turn_.transpose() * turn_ - Matrix3::Identity()).cwiseAbs().maxCoeff() < kSameAngles)
+  {
+    worldUnitsPerUnit_ = length;
+  }
 }
 
 /// Floats: three coordinates of the photon and of the sensor, their difference, the stretch and a

@@ -6,6 +6,9 @@
 #include "Light/SceneObjects.h"
 #include "Photons/Sensor.h"
 #include "Trees/LeafQuery.h"
+#include "Trees/SurfaceTree.h"
+
+#include <algorithm>
 
 namespace irradiance
 {
@@ -18,6 +21,19 @@ struct LocalSensor
   /// Distances to photons, computed in floats, are off by less than this, and so are those to the
   /// boxes of their leaves.
   float blur;
+};
+
+/// Of the angles between a direction and the normals of a node's triangles, on whichever side.
+struct CosineRange
+{
+  double least, most;
+
+  /// `direction`: in the unit frame.
+  CosineRange(const SurfaceNode& node, const Vector3& direction);
+
+  // Next to the limit rounding decides, which a look at single triangles does better.
+  bool mayFace() const { return most >= Facing::kLeastCosine - 0x1p-20; }
+  bool doFace() const { return least >= Facing::kLeastCosine + 0x1p-20; }
 };
 
 /**
@@ -40,11 +56,41 @@ public:
 
   /// No vector of length 1 in the unit frame is shorter than this in search units, flattened or not.
   float least() const { return least_; }
-  /// Bounds, in the object's space, of what lies within a distance of a sensor in its flattened world.
-  Box modelBounds(const Sensor& sensor, double radius) const;
+
+  /// Of the object in the world.
+  double size() const { return size_; }
+  bool isMirrored() const { return linear_.determinant() < 0; }
+  /// Whether the pose keeps angles, as it turns, mirrors and scales alone. The following hold if it does;
+  /// their unit frame is that of the object's SurfaceTree.
+  bool keepsAngles() const { return worldUnitsPerUnit_ > 0; }
+  double worldUnitsPerUnit() const { return worldUnitsPerUnit_; }
+  double worldAreaOfUnit() const { return worldUnitsPerUnit_ * worldUnitsPerUnit_; }
+  Vector3 unitPoint(const Vector3& world) const
+  {
+    return surfaceFrame_(inverse_ * (world - worldFromObject_.translation));
+  }
+  Vector3 unitDirection(const Vector3& world) const { return turn_.transpose() * world; }
+  /// False if no triangle of the node faces a direction in the world.
+  bool mayFace(const SurfaceNode& node, const Vector3& world) const
+  {
+    return !keepsAngles() || CosineRange(node, unitDirection(world)).mayFace();
+  }
+  /// No point of the node is closer to a place, given in the unit frame, than this; world.
+  double distanceAtLeast(const SurfaceNode& node, const Vector3& unit) const
+  {
+    return leastWorldUnits_ *
+      std::max((node.center - unit).norm() * (1 - 0x1p-40) - node.radius - blurAt(unit), 0.0);
+  }
 
 private:
-  UnitFrame frame_;
+  /// Positions in the unit frame of the surface are off by less, as are world positions in that unit.
+  double blurAt(const Vector3& unit) const
+  {
+    return 0x1p-44 * condition_ *
+      (2 + unit.norm() + surfaceFrame_.scale * surfaceFrame_.center.norm());
+  }
+
+  UnitFrame frame_, surfaceFrame_;
   AffineMap worldFromObject_;
   Matrix3 inverse_; ///< of the linear part
   Matrix3 linear_;  ///< the linear part times a power of two: its largest entry is about 1
@@ -54,6 +100,10 @@ private:
   double searchUnitsPerWorldUnit_;
   double longest_;   ///< no vector of length 1 in the unit frame is longer in the flattened world
   double condition_; ///< of the linear part
+  double size_;
+  double leastWorldUnits_; ///< no vector of length 1 in the unit frame of the surface is shorter
+  double worldUnitsPerUnit_ = 0; ///< 0 if it depends on the direction
+  Matrix3 turn_;                 ///< from the unit frame to the world; only if angles stay
 };
 
 }

@@ -56,29 +56,34 @@ public:
   /// about as large as 1.
   Facing(const Matrix3& worldFromObject, double scale, const Vector3& normal)
     : scale_(scale)
+    , normal_(normal)
   {
     // Area vectors are carried over by the cofactors, whatever the map does to lengths and angles.
     for (int i = 0; i < 3; ++i)
     {
       cofactors_.col(i) = worldFromObject.col((i + 1) % 3).cross(worldFromObject.col((i + 2) % 3));
     }
-    toward_ = cofactors_.transpose() * normal;
   }
 
   /// 1: the front faces that way; -1: the back; 0: neither. `triangle`: in the object's space.
-  int side(const Triangle& triangle) const
+  int side(const Triangle& triangle) const { return side(areaVector(triangle)); }
+  int side(const Vector3& areaVector) const
   {
-    const Vector3 area =
-      (scale_ * (triangle.b - triangle.a)).cross(scale_ * (triangle.c - triangle.a));
-    const double with = toward_.dot(area);
-    const bool isNear = std::abs(with) >= kLeastCosine * (cofactors_ * area).norm();
+    const double with = normal_.dot(areaVector);
+    const bool isNear = std::abs(with) >= kLeastCosine * areaVector.norm();
     return !isNear || with == 0 ? 0 : with > 0 ? 1 : -1;
+  }
+  /// In the world, in some unit; to the front.
+  Vector3 areaVector(const Triangle& triangle) const
+  {
+    return cofactors_ *
+      (scale_ * (triangle.b - triangle.a)).cross(scale_ * (triangle.c - triangle.a));
   }
 
 private:
   double scale_;
   Matrix3 cofactors_;
-  Vector3 toward_;
+  Vector3 normal_;
 };
 
 }

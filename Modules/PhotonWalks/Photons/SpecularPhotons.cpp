@@ -54,13 +54,13 @@ std::size_t SpecularPhotons::size(std::uint32_t object, std::size_t cell) const
   return set ? set->size() : 0;
 }
 
-std::vector<PhotonReference> SpecularPhotons::sorted(std::uint32_t object, std::size_t cell) const
+std::vector<SegmentRef> SpecularPhotons::sorted(std::uint32_t object, std::size_t cell) const
 {
-  std::vector<PhotonReference> photons;
+  std::vector<SegmentRef> photons;
   if (const PhotonSet* const set = setOf(object, cell))
   {
     photons.reserve(set->size());
-    set->forEach([&](const PhotonReference& photon) { photons.push_back(photon); });
+    set->forEach([&](const SegmentRef& photon) { photons.push_back(photon); });
     std::sort(photons.begin(), photons.end());
   }
   return photons;
@@ -123,7 +123,7 @@ private:
   SpecularPhotons& photons_;
   Parts& parts_;
   std::array<std::size_t, kMost> sets_{};
-  std::array<PhotonReference, kMost> references_{};
+  std::array<SegmentRef, kMost> references_{};
   std::size_t count_ = 0;
 };
 

@@ -39,7 +39,7 @@ public:
   /// The number of photons on a cell; 0 if it is not specular.
   std::size_t size(std::uint32_t object, std::size_t cell) const;
   /// The photons on a cell, in order, so that a sum over them does not depend on how they came.
-  std::vector<PhotonReference> sorted(std::uint32_t object, std::size_t cell) const;
+  std::vector<SegmentRef> sorted(std::uint32_t object, std::size_t cell) const;
   /// Memory held.
   std::size_t bytes() const;
 
@@ -59,7 +59,7 @@ private:
   struct Change
   {
     PhotonSet* set;
-    PhotonReference photon;
+    SegmentRef photon;
   };
   using Parts = std::array<std::vector<Change>, kParts>;
 

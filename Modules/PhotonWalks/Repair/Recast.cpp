@@ -8,50 +8,50 @@ namespace
 {
 
 /// What is known of a segment before it is cast.
-StaleSegment known(const WalkShooter& shooter, const WalkShooter::Stored& stored, const Ray& ray)
+StaleSegment known(
+  const WalkShooter& shooter, const WalkBlock& block, const SegmentRef& segment, const Ray& ray)
 {
-  const Hit old = stored.block->hit(stored.walkInBlock, stored.bounce);
-  StaleSegment segment{ stored.walkInBlock, stored.bounce, ray, {}, old, false };
-  segment.wasTouching = shooter.isTouching(stored, old);
-  if (old && !old.id.isDynamic() && !segment.wasTouching)
+  const Hit old = block.hit(segment);
+  StaleSegment stale{ segment, ray, {}, old, shooter.isTouching(block, segment, old) };
+  if (old && !old.id.isDynamic() && !stale.wasTouching)
   {
-    segment.old.distance = shooter.scene().distanceTo(ray, old.id);
+    stale.old.distance = shooter.scene().distanceTo(ray, old.id);
   }
-  return segment;
+  return stale;
 }
 
 /// The closest static hit along the segment's ray, perhaps none; null if not known.
-const Hit* staticHit(const WalkShooter::Stored& stored, const StaleSegment& segment)
+const Hit* staticHit(const WalkBlock& block, const StaleSegment& stale)
 {
-  return segment.wasTouching     ? nullptr
-    : segment.old.id.isDynamic() ? stored.block->hiddenStaticHit(stored.walkInBlock, stored.bounce)
-                                 : &segment.old;
+  return stale.wasTouching     ? nullptr
+    : stale.old.id.isDynamic() ? block.hiddenStaticHit(stale.segment)
+                               : &stale.old;
 }
 
 }
 
 std::vector<StaleSegment> recast(
-  const WalkShooter& shooter, const std::vector<WalkShooter::Stored>& stored)
+  const WalkShooter& shooter, const WalkHistory& history, const std::vector<SegmentRef>& segments)
 {
-  std::vector<Ray> rays(stored.size());
-  shooter.raysOf(stored.data(), stored.size(), rays.data());
-  std::vector<StaleSegment> segments;
-  for (std::size_t i = 0; i < stored.size(); ++i)
+  std::vector<Ray> rays(segments.size());
+  shooter.raysOf(history, segments, rays.data());
+  std::vector<StaleSegment> stale;
+  for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    segments.push_back(known(shooter, stored[i], rays[i]));
+    stale.push_back(known(shooter, history.blockOf(segments[i].walk), segments[i], rays[i]));
   }
   for (const bool isStaticHitKnown : { false, true }) // then only dynamic objects can precede it
   {
     std::vector<std::size_t> which;
     std::vector<Hit> hits;
     rays.clear();
-    for (std::size_t i = 0; i < stored.size(); ++i)
+    for (std::size_t i = 0; i < segments.size(); ++i)
     {
-      const Hit* hit = staticHit(stored[i], segments[i]);
+      const Hit* hit = staticHit(history.blockOf(segments[i].walk), stale[i]);
       if ((hit != nullptr) == isStaticHitKnown)
       {
         which.push_back(i);
-        rays.push_back(segments[i].ray);
+        rays.push_back(stale[i].ray);
         hits.push_back(hit ? *hit : Hit{});
       }
     }
@@ -60,10 +60,10 @@ std::vector<StaleSegment> recast(
                      : scene.cast(rays.data(), rays.size(), hits.data());
     for (std::size_t k = 0; k < which.size(); ++k)
     {
-      segments[which[k]].hit = shooter.settled(rays[k], hits[k]);
+      stale[which[k]].hit = shooter.settled(rays[k], hits[k]);
     }
   }
-  return segments;
+  return stale;
 }
 
 }

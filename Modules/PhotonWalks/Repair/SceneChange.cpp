@@ -4,18 +4,18 @@
 namespace irradiance
 {
 
+bool hasMoved(const SceneObject& now, const SceneObject& before)
+{
+  return now.isPresent != before.isPresent ||
+    (now.isPresent && (now.body != before.body || now.worldFromObject != before.worldFromObject));
+}
+
 namespace
 {
 
 bool isSameLook(const SceneObject& now, const SceneObject& before)
 {
   return now.material == before.material && now.body->mesh().size() == before.body->mesh().size();
-}
-
-bool hasMoved(const SceneObject& now, const SceneObject& before)
-{
-  return now.isPresent != before.isPresent ||
-    (now.isPresent && (now.body != before.body || now.worldFromObject != before.worldFromObject));
 }
 
 /// Whether both frames have the same number of objects, and `isSame` holds for each pair.

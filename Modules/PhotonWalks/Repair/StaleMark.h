@@ -2,7 +2,7 @@
 #ifndef irradiance_StaleMark_h
 #define irradiance_StaleMark_h
 
-#include "History/WalkBlock.h"
+#include "History/SegmentRef.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,20 +15,22 @@ namespace irradiance
 /// ray of the segment and all before it are valid.
 struct StaleMark
 {
-  std::uint16_t walkInBlock;
-  std::uint16_t effect; ///< class of the power that it carries; larger is more, 0: repaired
-  std::uint32_t bounce;
-  std::int64_t gain; ///< see TailBound
+  std::uint32_t walk;
+  std::uint32_t bounce : 21; ///< a walk has at most 2^20 segments
+  std::uint32_t effect : 11; ///< class of the power that it carries; larger is more, 0: repaired
+  std::int64_t gain;         ///< see TailBound
+
+  SegmentRef first() const { return { walk, bounce }; }
 };
 
 /// The marks of a block, ordered by walk, at most one per walk.
 using StaleMarks = std::vector<StaleMark>;
 
-inline bool isStale(const StaleMarks& marks, const WalkBlock::Place& place)
+inline bool isStale(const StaleMarks& marks, const SegmentRef& segment)
 {
-  const auto found = std::lower_bound(marks.begin(), marks.end(), place.walk,
-    [](const StaleMark& mark, std::uint32_t walk) { return mark.walkInBlock < walk; });
-  return found != marks.end() && found->walkInBlock == place.walk && place.bounce >= found->bounce;
+  const auto found = std::lower_bound(marks.begin(), marks.end(), segment.walk,
+    [](const StaleMark& mark, std::uint32_t walk) { return mark.walk < walk; });
+  return found != marks.end() && found->walk == segment.walk && segment.bounce >= found->bounce;
 }
 
 }

@@ -15,22 +15,21 @@ namespace irradiance
 namespace
 {
 
-/// The class of a power, four classes to an octave.
-std::uint16_t effectOf(const Power& power)
+/// The class of a power, four classes to an octave: sign, exponent and two bits, 11 in all.
+std::uint32_t effectOf(const Power& power)
 {
   const auto all = static_cast<float>(power[0] + power[1] + power[2]);
   std::uint32_t bits = 0;
   static_assert(sizeof(bits) == sizeof(all), "exponent and mantissa are read from the bits");
   std::memcpy(&bits, &all, sizeof(bits));
-  return static_cast<std::uint16_t>(bits >> 21);
+  return bits >> 21;
 }
 
 }
 
-StaleWalks::StaleWalks(const SceneObjects& objects, int sides, const WalkPlan& plan,
-  std::size_t blocks, const SobolSequence& samples)
-  : plan_(plan)
-  , blocks_(blocks)
+StaleWalks::StaleWalks(
+  const SceneObjects& objects, int sides, std::size_t blocks, const SobolSequence& samples)
+  : blocks_(blocks)
   , sums_(objects, sides)
   , bound_(objects, samples)
 {
@@ -66,11 +65,11 @@ std::vector<EffectClass> StaleWalks::classes(std::size_t enough) const
 }
 
 void StaleWalks::add(const std::vector<std::vector<StaleSegment>>& found,
-  const std::vector<WalkBlock>& history, Execution& execution)
+  const WalkHistory& history, Execution& execution)
 {
   SlicedPass pass{ found.size(), {} };
   pass.work = [&](std::size_t block, const Deadline&) {
-    add(block, history[block], found[block]);
+    add(block, history.block(block), found[block]);
     return true;
   };
   pass.run(execution);
@@ -89,24 +88,27 @@ void StaleWalks::add(
   marks.reserve(before.size() + found.size());
   std::vector<Deposit> deposits;
   auto old = before.begin();
-  for (const StaleSegment& segment : found)
+  for (const StaleSegment& stale : found)
   {
-    for (; old != before.end() && old->walkInBlock < segment.walkInBlock; ++old)
+    const SegmentRef first = stale.segment;
+    for (; old != before.end() && old->walk < first.walk; ++old)
     {
       marks.push_back(*old);
     }
-    const std::uint32_t walk = segment.walkInBlock;
-    std::uint32_t end = walks.size(walk);
-    if (old != before.end() && old->walkInBlock == walk)
+    std::uint32_t end = walks.size(first.walk);
+    if (old != before.end() && old->walk == first.walk)
     {
       count(blocks_[block], walks, *old, -1);
       end = old->bounce; // the rest has been tallied
       ++old;
     }
-    const Power carried = walks.power(walk, segment.bounce);
-    const std::uint32_t number = plan_.firstWalkOf(block) + walk;
-    marks.push_back({ static_cast<std::uint16_t>(walk), effectOf(carried), segment.bounce,
-      bound_.isKnown() ? bound_(number, segment.bounce, carried) : 0 });
+    const Power carried = walks.power(first);
+    StaleMark mark{};
+    mark.walk = first.walk;
+    mark.bounce = first.bounce & 0x1fffffu;
+    mark.effect = effectOf(carried) & 0x7ffu;
+    mark.gain = bound_.isKnown() ? bound_(first.walk, first.bounce, carried) : 0;
+    marks.push_back(mark);
     count(blocks_[block], walks, marks.back(), 1);
     tally(walks, marks.back(), end, 1, deposits);
   }
@@ -117,7 +119,7 @@ void StaleWalks::add(
 void StaleWalks::repair(
   std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits)
 {
-  tally(walks, mark, walks.size(mark.walkInBlock), -1, deposits);
+  tally(walks, mark, walks.size(mark.walk), -1, deposits);
   count(blocks_[block], walks, mark, -1);
   mark.effect = 0;
 }
@@ -133,22 +135,13 @@ void StaleWalks::forgetRepaired(std::size_t block)
 void StaleWalks::tally(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
   std::vector<Deposit>& deposits) const
 {
-  const std::uint32_t walk = mark.walkInBlock;
-  for (std::uint32_t i = mark.bounce; i < end; ++i)
-  {
-    const Hit hit = walks.hit(walk, i);
-    if (hit)
-    {
-      constexpr std::uint32_t kAny = 0; // these sums do not depend on the walk
-      sums_.collect(sums_.slotOf(kAny, hit.id.object, sums_.cellOf(hit.id)), walks.isFront(walk, i),
-        walks.power(walk, i), sign, deposits);
-    }
-  }
+  forEachContribution(walks, mark.first(), end,
+    [&](const Contribution& brought) { sums_.collect(brought, sign, deposits); });
 }
 
 void StaleWalks::count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign)
 {
-  const Power carried = walks.power(mark.walkInBlock, mark.bounce);
+  const Power carried = walks.power(mark.first());
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     block.power[band] += sign * carried[band];

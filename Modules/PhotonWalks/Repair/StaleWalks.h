@@ -26,9 +26,9 @@ struct EffectClass
 class StaleWalks
 {
 public:
-  /// For the stored walks of the first `blocks` blocks of the plan. `sides` as in CellSums.
-  StaleWalks(const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t blocks,
-    const SobolSequence& samples);
+  /// For the stored walks of so many blocks. `sides` as in CellSums.
+  StaleWalks(
+    const SceneObjects& objects, int sides, std::size_t blocks, const SobolSequence& samples);
 
   bool isEmpty() const;
   std::size_t numberOfBlocks() const { return blocks_.size(); }
@@ -40,8 +40,8 @@ public:
 
   /// Marks what a verification found, by block. The verification must have skipped the tails that
   /// were marked before. Throws Interrupted.
-  void add(const std::vector<std::vector<StaleSegment>>& found,
-    const std::vector<WalkBlock>& history, Execution& execution);
+  void add(const std::vector<std::vector<StaleSegment>>& found, const WalkHistory& history,
+    Execution& execution);
   /// Takes out a walk whose tail is about to be replaced; its mark stays until forgetRepaired().
   void repair(
     std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits);
@@ -72,7 +72,6 @@ private:
     std::vector<Deposit>& deposits) const;
   static void count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign);
 
-  WalkPlan plan_;
   std::vector<Block> blocks_;
   CellSums sums_;
   TailBound bound_;

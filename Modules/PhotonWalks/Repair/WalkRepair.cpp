@@ -43,7 +43,7 @@ struct WalkRepair::Batch
     : begin(first)
     , end(first + count)
     , tally(state.sums, balance)
-    , walks(state.shooter, &state.frame, state.storesSides)
+    , walks(state.shooter, &state.history.frame(), state.storesSides)
   {
   }
 
@@ -212,46 +212,42 @@ void WalkRepair::fill(Batch& batch) const
     if (batch.end - item > 2 * kAhead)
     {
       const Item& later = item[2 * kAhead];
-      state_.history[later.block].prefetchPlace(later.segment->walkInBlock);
+      state_.history.block(later.block).prefetchPlace(later.segment->segment.walk);
     }
     if (batch.end - item > kAhead)
     {
       prefetch(item[kAhead]);
     }
-    const StaleSegment& segment = *item->segment;
-    const WalkBlock& block = state_.history[item->block];
-    const std::uint32_t walk = state_.plan.firstWalkOf(item->block) + segment.walkInBlock;
-    batch.walks.resume(walk, segment.bounce, segment.ray, segment.hit,
-      block.power(segment.walkInBlock, segment.bounce));
-    batch.tally.remove(block, segment.walkInBlock, walk, segment.bounce);
+    const StaleSegment& stale = *item->segment;
+    const WalkBlock& block = state_.history.block(item->block);
+    batch.walks.resume(stale.segment, stale.ray, stale.hit, block.power(stale.segment));
+    batch.tally.remove(block, stale.segment);
   }
 }
 
 /// Prefetches what the tally will read of the old tail and what the new one will overwrite.
 void WalkRepair::prefetch(const Item& item) const
 {
-  const WalkBlock& block = state_.history[item.block];
-  const WalkBlock::Place place{ item.segment->walkInBlock, item.segment->bounce };
-  block.prefetch(place);
-  block.prefetchPoint(place);
+  const WalkBlock& block = state_.history.block(item.block);
+  block.prefetch(item.segment->segment);
+  block.prefetchPoint(item.segment->segment);
 }
 
 /// Those that this frame's verification found have their new hits; the others are cast.
 void WalkRepair::findSegments(Batch& batch) const
 {
-  std::vector<WalkShooter::Stored> earlier;
+  std::vector<SegmentRef> earlier;
   std::vector<Item*> items;
   for (Item* item = batch.begin; item != batch.end; ++item)
   {
     item->segment = item->mark ? foundNow(*item) : item->segment;
     if (!item->segment)
     {
-      earlier.push_back({ &state_.history[item->block], item->mark->walkInBlock,
-        state_.plan.firstWalkOf(item->block) + item->mark->walkInBlock, item->mark->bounce });
+      earlier.push_back(item->mark->first());
       items.push_back(item);
     }
   }
-  batch.recast = recast(state_.shooter, earlier);
+  batch.recast = recast(state_.shooter, state_.history, earlier);
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     items[i]->segment = &batch.recast[i];
@@ -265,10 +261,10 @@ const StaleSegment* WalkRepair::foundNow(const Item& item) const
     return nullptr;
   }
   const std::vector<StaleSegment>& found = state_.found[item.block];
-  const std::uint32_t walk = item.mark->walkInBlock;
+  const std::uint32_t walk = item.mark->walk;
   const auto known = std::lower_bound(found.begin(), found.end(), walk,
-    [](const StaleSegment& segment, std::uint32_t w) { return segment.walkInBlock < w; });
-  return known != found.end() && known->walkInBlock == walk ? &*known : nullptr;
+    [](const StaleSegment& stale, std::uint32_t w) { return stale.segment.walk < w; });
+  return known != found.end() && known->segment.walk == walk ? &*known : nullptr;
 }
 
 void WalkRepair::finish(Batch& batch)
@@ -276,14 +272,14 @@ void WalkRepair::finish(Batch& batch)
   std::vector<Deposit> stale;
   for (const Item* item = batch.begin; item != batch.end; ++item)
   {
-    const StaleSegment& segment = *item->segment;
-    WalkBlock& block = state_.history[item->block];
+    const StaleSegment& now = *item->segment;
+    WalkBlock& block = state_.history.block(item->block);
     if (item->mark)
     {
       state_.stale->repair(item->block, block, *item->mark, stale);
     }
-    block.updateStaticHit(segment.walkInBlock, segment.bounce, segment.old, segment.hit,
-      state_.cacheStaticHits && !segment.wasTouching);
+    block.updateStaticHit(
+      now.segment, now.old, now.hit, state_.cacheStaticHits && !now.wasTouching);
   }
   if (state_.stale)
   {
@@ -294,7 +290,7 @@ void WalkRepair::finish(Batch& batch)
   {
     collectTails(batch, changes.gone);
   }
-  batch.walks.store(state_.plan, state_.history);
+  batch.walks.store(state_.history);
   if (state_.changes)
   {
     collectTails(batch, changes.arrived);
@@ -314,18 +310,16 @@ void WalkRepair::listTails(const Batch& batch)
   const std::lock_guard<std::mutex> lock(changesMutex_);
   for (const Item* item = batch.begin; item != batch.end; ++item)
   {
-    state_.tails->push_back(
-      { state_.plan.firstWalkOf(item->block) + item->segment->walkInBlock, item->segment->bounce });
+    state_.tails->push_back(item->segment->segment);
   }
 }
 
 void WalkRepair::collectTails(const Batch& batch, std::vector<Photon>& photons) const
 {
-  const WalkHistory history(state_.plan, state_.history);
   for (const Item* item = batch.begin; item != batch.end; ++item)
   {
-    history.forEachPhotonOf(item->block, item->segment->walkInBlock, item->segment->bounce,
-      [&](const Photon& photon) { photons.push_back(photon); });
+    state_.history.forEachPhotonFrom(
+      item->segment->segment, [&](const Photon& photon) { photons.push_back(photon); });
   }
 }
 

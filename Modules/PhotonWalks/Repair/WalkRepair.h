@@ -5,7 +5,6 @@
 #include "Execution/SlicedPass.h"
 #include "Execution/TimeBudget.h"
 #include "History/WalkHistory.h"
-#include "Repair/RepairedTail.h"
 #include "Repair/StaleWalks.h"
 #include "Tally/PowerBalance.h"
 
@@ -31,9 +30,7 @@ public:
   struct State
   {
     const WalkShooter& shooter;
-    const WalkPlan& plan;
-    std::vector<WalkBlock>& history;
-    const UnitFrame& frame; ///< of the history
+    WalkHistory& history;
     CellSums& sums;
     PowerBalance& balance;
     bool cacheStaticHits;
@@ -44,7 +41,8 @@ public:
     TimeBudget* budget; ///< null: time for all; else `stale` is given
     PhotonChanges* changes =
       nullptr; ///< receives the photons that go and come; null: not asked for
-    std::vector<RepairedTail>* tails = nullptr; ///< receives those shot, by walk; null: likewise
+    /// Receives the first segment of each tail that was shot, by walk; null: likewise.
+    std::vector<SegmentRef>* tails = nullptr;
   };
 
   explicit WalkRepair(const State& state)

@@ -2,7 +2,6 @@
 #include "Repair/WalkVerifier.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace irradiance
 {
@@ -10,13 +9,13 @@ namespace irradiance
 /// Segments for which rays are cast in the same way, entry by entry.
 struct WalkVerifier::Candidates
 {
-  std::vector<WalkShooter::Stored> segments;
+  std::vector<SegmentRef> segments;
   std::vector<std::size_t> blocks;
   std::vector<Ray> rays;
   std::vector<Hit> old, now;
   std::vector<std::size_t> stale; ///< entries
 
-  void add(const WalkShooter::Stored& segment, std::size_t block, const Hit& hit)
+  void add(const SegmentRef& segment, std::size_t block, const Hit& hit)
   {
     segments.push_back(segment);
     blocks.push_back(block);
@@ -49,14 +48,13 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
   }
   for (std::size_t block = first; block < end; ++block)
   {
-    scan_.find(history_[block], history_[std::min(block + 1, end - 1)], points);
+    scan_.find(history_.block(block), history_.block(std::min(block + 1, end - 1)), points);
     sort(block, points, known.empty() ? nullptr : known[block], suspects);
   }
   for (Candidates* candidates : all)
   {
     candidates->rays.resize(candidates->segments.size());
-    shooter_.raysOf(
-      candidates->segments.data(), candidates->segments.size(), candidates->rays.data());
+    shooter_.raysOf(history_, candidates->segments, candidates->rays.data());
     suspects_ += static_cast<std::int64_t>(candidates->rays.size());
   }
   castBlocked(suspects.blocked);
@@ -66,21 +64,18 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
   {
     for (const std::size_t i : candidates->stale)
     {
-      const WalkShooter::Stored& segment = candidates->segments[i];
-      stale[candidates->blocks[i]].push_back(
-        { segment.walkInBlock, segment.bounce, candidates->rays[i], candidates->now[i],
-          candidates->old[i], candidates == &suspects.touching });
+      stale[candidates->blocks[i]].push_back({ candidates->segments[i], candidates->rays[i],
+        candidates->now[i], candidates->old[i], candidates == &suspects.touching });
     }
   }
-  const auto order = [](const StaleSegment& s) { return std::tie(s.walkInBlock, s.bounce); };
   for (std::size_t block = first; block < end; ++block)
   {
     std::vector<StaleSegment>& found = stale[block];
     std::sort(found.begin(), found.end(),
-      [&](const StaleSegment& a, const StaleSegment& b) { return order(a) < order(b); });
+      [](const StaleSegment& a, const StaleSegment& b) { return a.segment < b.segment; });
     found.erase(std::unique(found.begin(), found.end(),
                   [](const StaleSegment& a, const StaleSegment& b) {
-                    return a.walkInBlock == b.walkInBlock;
+                    return a.segment.walk == b.segment.walk;
                   }),
       found.end());
   }
@@ -90,7 +85,7 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
 void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& points,
   const StaleMarks* known, Suspects& suspects) const
 {
-  const WalkBlock& block = history_[number];
+  const WalkBlock& block = history_.block(number);
   // None of the requests waits for another, so the memory delivers many at a time: first the places
   // of the walks, which lead to the hits.
   for (const std::uint32_t point : points)
@@ -99,32 +94,29 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
   }
   for (const std::uint32_t point : points)
   {
-    WalkBlock::Place place;
-    if (block.segmentAt(point, place))
+    if (const auto segment = block.segmentAt(point))
     {
-      block.prefetch(place);
+      block.prefetch(*segment);
     }
   }
-  const std::uint32_t firstWalk = plan_.firstWalkOf(number);
-  std::uint32_t stale = block.numberOfWalks(); // a walk with a segment that is stale for certain
+  std::uint32_t stale = block.endWalk(); // a walk with a segment that is stale for certain
   for (const std::uint32_t point : points)
   {
-    WalkBlock::Place place;
-    if (!block.segmentAt(point, place) || place.walk == stale ||
+    const auto segment = block.segmentAt(point);
+    if (!segment || segment->walk == stale ||
       // It begins on a moved object, so the segment before it is stale.
-      (place.bounce > 0 && hasMoved(block.hit(place.walk, place.bounce - 1).id)) ||
-      (known && isStale(*known, place)))
+      (segment->bounce > 0 && hasMoved(block.hit({ segment->walk, segment->bounce - 1 }).id)) ||
+      (known && isStale(*known, *segment)))
     {
       continue;
     }
-    const WalkShooter::Stored segment{ &block, place.walk, firstWalk + place.walk, place.bounce };
-    const Hit hit = block.hit(place.walk, place.bounce);
+    const Hit hit = block.hit(*segment);
     const bool isLost = hasMoved(hit.id);
-    stale = isLost ? place.walk : stale;
-    Candidates& candidates = shooter_.isTouching(segment, hit) ? suspects.touching
-      : isLost                                                 ? suspects.lost
-                                                               : suspects.blocked;
-    candidates.add(segment, number, hit);
+    stale = isLost ? segment->walk : stale;
+    Candidates& candidates = shooter_.isTouching(block, *segment, hit) ? suspects.touching
+      : isLost                                                         ? suspects.lost
+                                                                       : suspects.blocked;
+    candidates.add(*segment, number, hit);
   }
 }
 
@@ -155,10 +147,10 @@ void WalkVerifier::castTouching(Candidates& candidates) const
   for (std::size_t i = 0; i < count; ++i)
   {
     const Hit &now = candidates.now[i], &old = candidates.old[i];
-    const WalkShooter::Stored& segment = candidates.segments[i];
+    const SegmentRef& segment = candidates.segments[i];
     if (now.id != old.id || now.weights != old.weights || hasMoved(now.id) ||
       shooter_.isContact(candidates.rays[i].start, now.id) !=
-        segment.block->isContact(segment.walkInBlock, segment.bounce))
+        history_.blockOf(segment.walk).isContact(segment))
     {
       candidates.stale.push_back(i);
     }
@@ -182,19 +174,19 @@ void WalkVerifier::castLost(Candidates& candidates) const
     constexpr std::size_t kAhead = 16;
     if (i + kAhead < count)
     {
-      const WalkShooter::Stored& later = candidates.segments[i + kAhead];
-      later.block->prefetchPoint({ later.walkInBlock, later.bounce });
+      const SegmentRef& later = candidates.segments[i + kAhead];
+      history_.blockOf(later.walk).prefetchPoint(later);
     }
     candidates.stale.push_back(i);
-    const WalkShooter::Stored& segment = candidates.segments[i];
-    const double clear = std::max(
-      0.0, segment.block->shortestLength(segment.walkInBlock, segment.bounce) - clearance_);
+    const SegmentRef& segment = candidates.segments[i];
+    const WalkBlock& block = history_.blockOf(segment.walk);
+    const double clear = std::max(0.0, block.shortestLength(segment) - clearance_);
     Hit& now = candidates.now[i];
     if (now.distance < clear)
     {
       continue;
     }
-    if (const Hit* hidden = segment.block->hiddenStaticHit(segment.walkInBlock, segment.bounce))
+    if (const Hit* hidden = block.hiddenStaticHit(segment))
     {
       now = isCloser(*hidden, now) ? *hidden : now;
       continue;

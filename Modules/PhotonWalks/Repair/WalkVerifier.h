@@ -15,8 +15,7 @@ namespace irradiance
 /// The first segment of a walk that the motion changed.
 struct StaleSegment
 {
-  std::uint32_t walkInBlock;
-  std::uint32_t bounce;
+  SegmentRef segment;
   Ray ray;
   Hit hit; ///< in the new frame
   Hit old; ///< in the old frame; its distance is valid only if nothing there moved or touches
@@ -38,11 +37,9 @@ public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
   /// flags all segments that these objects may change. `clearance`: a stored segment may end this
   /// far from where it hit, as the next one begins there (see Scene).
-  WalkVerifier(const WalkShooter& shooter, const WalkPlan& plan,
-    const std::vector<WalkBlock>& history, const std::vector<bool>& moved, const SegmentScan& scan,
-    double clearance)
+  WalkVerifier(const WalkShooter& shooter, const WalkHistory& history,
+    const std::vector<bool>& moved, const SegmentScan& scan, double clearance)
     : shooter_(shooter)
-    , plan_(plan)
     , history_(history)
     , moved_(moved)
     , scan_(scan)
@@ -69,8 +66,7 @@ private:
   void castTouching(Candidates& candidates) const;
 
   const WalkShooter& shooter_;
-  const WalkPlan& plan_;
-  const std::vector<WalkBlock>& history_;
+  const WalkHistory& history_;
   const std::vector<bool>& moved_;
   const SegmentScan& scan_;
   double clearance_;

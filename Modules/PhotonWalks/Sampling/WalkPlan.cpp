@@ -23,11 +23,10 @@ WalkPlan::WalkPlan(std::uint32_t first, std::uint32_t most, std::uint32_t replic
   }
 }
 
-WalkPlan::Place WalkPlan::placeOf(std::uint32_t walk) const
+std::size_t WalkPlan::blockOf(std::uint32_t walk) const
 {
   const WalkRound& round = rounds_[roundOf(walk)];
-  const std::uint32_t inRound = walk - round.firstWalk;
-  return { round.firstBlock + inRound / kWalksPerBlock, inRound % kWalksPerBlock };
+  return round.firstBlock + (walk - round.firstWalk) / kWalksPerBlock;
 }
 
 const WalkRound& WalkPlan::roundOfBlock(std::size_t block) const

@@ -53,12 +53,8 @@ public:
     return round;
   }
 
-  struct Place
-  {
-    std::size_t block;
-    std::uint32_t walkInBlock;
-  };
-  Place placeOf(std::uint32_t walk) const;
+  /// The block that holds a walk.
+  std::size_t blockOf(std::uint32_t walk) const;
   std::uint32_t firstWalkOf(std::size_t block) const;
   std::uint32_t walksIn(std::size_t block) const;
 

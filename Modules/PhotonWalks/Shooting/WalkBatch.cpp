@@ -31,7 +31,7 @@ void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
   reserve(walks.size());
   for (const std::uint32_t walk : walks)
   {
-    addTail(walk, 0);
+    addTail({ walk, 0 });
   }
   walks_.insert(walks_.end(), walks.begin(), walks.end());
   bounces_.resize(all, 0);
@@ -66,12 +66,12 @@ void WalkBatch::reserve(std::size_t walks)
 }
 
 void WalkBatch::resume(
-  std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit, const Power& incoming)
+  const SegmentRef& first, const Ray& ray, const Hit& hit, const Power& incoming)
 {
   areHitsKnown_ = true;
-  addTail(walk, bounce);
-  walks_.push_back(walk);
-  bounces_.push_back(bounce);
+  addTail(first);
+  walks_.push_back(first.walk);
+  bounces_.push_back(first.bounce);
   if (shooter_.rules().bands() > 1)
   {
     powers_.push_back(incoming);
@@ -80,10 +80,10 @@ void WalkBatch::resume(
   hits_.push_back(hit);
 }
 
-void WalkBatch::addTail(std::uint32_t walk, std::uint32_t bounce)
+void WalkBatch::addTail(const SegmentRef& first)
 {
   tailOf_.push_back(static_cast<std::uint32_t>(tails_.size()));
-  tails_.push_back({ walk, bounce, 0 });
+  tails_.push_back({ first, 0 });
 }
 
 bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
@@ -308,12 +308,12 @@ std::vector<std::uint32_t> WalkBatch::sizes() const
   return sizes;
 }
 
-void WalkBatch::store(const WalkPlan& plan, std::vector<WalkBlock>& history) const
+void WalkBatch::store(WalkHistory& history) const
 {
   struct Cursor
   {
     WalkBlock* block;
-    std::uint32_t walk, next;
+    SegmentRef next;
   };
   std::vector<Cursor> cursors;
   cursors.reserve(tails_.size());
@@ -321,28 +321,27 @@ void WalkBatch::store(const WalkPlan& plan, std::vector<WalkBlock>& history) con
   {
     if (i + kAhead < tails_.size())
     {
-      const WalkPlan::Place later = plan.placeOf(tails_[i + kAhead].walk);
-      history[later.block].prefetchPlace(later.walkInBlock);
+      const std::uint32_t later = tails_[i + kAhead].first.walk;
+      history.blockOf(later).prefetchPlace(later);
     }
     const Tail& tail = tails_[i];
-    const WalkPlan::Place place = plan.placeOf(tail.walk);
-    WalkBlock& block = history[place.block];
-    block.replaceTail(place.walkInBlock, tail.bounce, tail.size);
-    cursors.push_back({ &block, place.walkInBlock, tail.bounce });
+    WalkBlock& block = history.blockOf(tail.first.walk);
+    block.replaceTail(tail.first, tail.size);
+    cursors.push_back({ &block, tail.first });
   }
   for (std::size_t i = 0; i < pieces_.size(); ++i)
   {
     Cursor& cursor = cursors[pieces_[i].tail];
-    cursor.block->setSegment(cursor.walk, cursor.next, pieces_[i].segment);
+    cursor.block->setSegment(cursor.next, pieces_[i].segment);
     if (!piecePowers_.empty())
     {
-      cursor.block->setPower(cursor.walk, cursor.next, piecePowers_[i]);
+      cursor.block->setPower(cursor.next, piecePowers_[i]);
     }
-    ++cursor.next;
+    ++cursor.next.bounce;
   }
   for (const End& end : ends_)
   {
-    cursors[end.tail].block->setEnd(cursors[end.tail].walk, end.point);
+    cursors[end.tail].block->setEnd(cursors[end.tail].next.walk, end.point);
   }
 }
 

@@ -23,10 +23,9 @@ public:
 
   /// Adds whole walks.
   void shoot(const std::vector<std::uint32_t>& walks);
-  /// Adds a walk from segment `bounce` on, whose ray and new hit are known. `incoming`: what the
+  /// Adds a walk from segment `first` on, whose ray and new hit are known. `incoming`: what the
   /// segment carries.
-  void resume(std::uint32_t walk, std::uint32_t bounce, const Ray& ray, const Hit& hit,
-    const Power& incoming);
+  void resume(const SegmentRef& first, const Ray& ray, const Hit& hit, const Power& incoming);
 
   /// Shoots until all walks have ended. If `hasToStop` returns true between two bounces, it returns
   /// false and may be called again.
@@ -39,16 +38,15 @@ public:
 
   struct Tail
   {
-    std::uint32_t walk;
-    std::uint32_t bounce; ///< of its first segment
-    std::uint32_t size;   ///< segments
+    SegmentRef first;
+    std::uint32_t size; ///< segments
   };
   /// In the order in which the walks were added.
   const std::vector<Tail>& tails() const { return tails_; }
   /// The numbers of segments of the tails.
   std::vector<std::uint32_t> sizes() const;
   /// Replaces the stored tails of the walks by what was shot.
-  void store(const WalkPlan& plan, std::vector<WalkBlock>& history) const;
+  void store(WalkHistory& history) const;
 
 private:
   /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
@@ -72,7 +70,7 @@ private:
   };
 
   void reserve(std::size_t walks);
-  void addTail(std::uint32_t walk, std::uint32_t bounce);
+  void addTail(const SegmentRef& first);
   /// Whether the front was hit; true if sides are not kept apart.
   bool isFront(std::size_t placeOfBounce) const
   {

@@ -15,24 +15,24 @@ void WalkShooter::cast(const Ray* rays, std::size_t count, Hit* hits) const
   }
 }
 
-Departure WalkShooter::departureOf(const Stored& segment) const
+Departure WalkShooter::departureOf(const WalkHistory& history, const SegmentRef& segment) const
 {
-  const WalkBlock& block = *segment.block;
-  const std::uint32_t before = segment.bounce - 1;
-  const Hit hit = block.hit(segment.walkInBlock, before);
+  const WalkBlock& block = history.blockOf(segment.walk);
+  const SegmentRef before{ segment.walk, segment.bounce - 1 };
+  const Hit hit = block.hit(before);
   Departure departure{ segment.walk, segment.bounce, hit.id, weightsOf(hit),
-    block.isFront(segment.walkInBlock, before) ? 1.0 : -1.0, {} };
+    block.isFront(before) ? 1.0 : -1.0, {} };
   if (rules_.isSpecular(hit.id.object))
   {
-    departure.reflection = rules_.reflectionAt(
-      hit.id, segment.walk, segment.bounce, block.power(segment.walkInBlock, before));
+    departure.reflection =
+      rules_.reflectionAt(hit.id, segment.walk, segment.bounce, block.power(before));
   }
   return departure;
 }
 
 template <class Set>
 void WalkShooter::forEachStart(
-  const Stored* segments, const std::vector<std::size_t>& which, const Set& set) const
+  const Segments& segments, const std::vector<std::size_t>& which, const Set& set) const
 {
   std::vector<std::uint32_t> walks;
   walks.reserve(which.size());
@@ -48,17 +48,18 @@ void WalkShooter::forEachStart(
   }
 }
 
-void WalkShooter::originsOf(const Stored* segments, std::size_t count, Vector3* origins) const
+void WalkShooter::originsOf(
+  const WalkHistory& history, const Segments& segments, Vector3* origins) const
 {
   std::vector<std::size_t> starting;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < segments.size(); ++i)
   {
     if (segments[i].bounce == 0)
     {
       starting.push_back(i);
       continue;
     }
-    const Departure departure = departureOf(segments[i]);
+    const Departure departure = departureOf(history, segments[i]);
     SurfacePoint point = surfacePoint(rules_.triangleOf(departure.id), departure.weights);
     point.turn(departure.side > 0);
     origins[i] = point.clearPosition();
@@ -66,42 +67,41 @@ void WalkShooter::originsOf(const Stored* segments, std::size_t count, Vector3* 
   forEachStart(segments, starting, [&](std::size_t i, const Ray& ray) { origins[i] = ray.origin; });
 }
 
-void WalkShooter::arrivalsOf(
-  const Stored* segments, std::size_t count, SurfacePoint* points, Vector3* directions) const
+void WalkShooter::arrivalsOf(const WalkHistory& history, const Segments& segments,
+  SurfacePoint* points, Vector3* directions) const
 {
-  originsOf(segments, count, directions);
-  for (std::size_t i = 0; i < count; ++i)
+  originsOf(history, segments, directions);
+  for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    const WalkBlock& block = *segments[i].block;
-    const Hit hit = block.hit(segments[i].walkInBlock, segments[i].bounce);
+    const Hit hit = history.hit(segments[i]);
     points[i] = surfacePoint(rules_.triangleOf(hit.id), weightsOf(hit));
-    points[i].turn(block.isFront(segments[i].walkInBlock, segments[i].bounce));
+    points[i].turn(history.isFront(segments[i]));
     directions[i] = incomingDirection(points[i], directions[i]);
   }
 }
 
-void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) const
+void WalkShooter::raysOf(const WalkHistory& history, const Segments& segments, Ray* rays) const
 {
   constexpr std::size_t kAhead = 16;
   Departures departures(rules_);
   std::vector<std::size_t> starting;
   std::vector<Departure> specular;
   std::vector<Ray*> specularRays;
-  std::vector<Stored> before; // the segments that end where those leave
-  for (std::size_t i = 0; i < count; ++i)
+  Segments before; // the segments that end where those leave
+  for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    const Stored& segment = segments[i];
-    if (i + kAhead < count && segments[i + kAhead].bounce > 0)
+    const SegmentRef& segment = segments[i];
+    if (i + kAhead < segments.size() && segments[i + kAhead].bounce > 0)
     {
-      const Stored& later = segments[i + kAhead];
-      rules_.prefetchTriangle(later.block->hit(later.walkInBlock, later.bounce - 1));
+      const SegmentRef& later = segments[i + kAhead];
+      rules_.prefetchTriangle(history.hit({ later.walk, later.bounce - 1 }));
     }
     if (segment.bounce == 0)
     {
       starting.push_back(i);
       continue;
     }
-    const Departure departure = departureOf(segment);
+    const Departure departure = departureOf(history, segment);
     if (departure.reflection == Reflection::Diffuse)
     {
       departures.add(departure, rays + i);
@@ -109,10 +109,10 @@ void WalkShooter::raysOf(const Stored* segments, std::size_t count, Ray* rays) c
     }
     specular.push_back(departure);
     specularRays.push_back(rays + i);
-    before.push_back({ segment.block, segment.walkInBlock, segment.walk, segment.bounce - 1 });
+    before.push_back({ segment.walk, segment.bounce - 1 });
   }
   std::vector<Vector3> origins(before.size());
-  originsOf(before.data(), before.size(), origins.data());
+  originsOf(history, before, origins.data());
   for (std::size_t i = 0; i < specular.size(); ++i)
   {
     specular[i].from = origins[i];

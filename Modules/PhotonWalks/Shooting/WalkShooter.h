@@ -2,7 +2,7 @@
 #ifndef irradiance_WalkShooter_h
 #define irradiance_WalkShooter_h
 
-#include "History/WalkBlock.h"
+#include "History/WalkHistory.h"
 #include "Light/Contacts.h"
 #include "Meshes/SurfacePoint.h"
 #include "Scene/Scene.h"
@@ -45,40 +45,35 @@ public:
   /// Whether other triangles coincide with this one.
   bool hasContact(const TriangleId& id) const { return contacts_ && contacts_->has(id); }
 
-  /// A segment in storage.
-  struct Stored
-  {
-    const WalkBlock* block;
-    std::uint32_t walkInBlock, walk, bounce;
-  };
+  using Segments = std::vector<SegmentRef>;
   /// The rays of stored segments, the same as when they were shot unless they start on what has
-  /// moved.
-  void raysOf(const Stored* segments, std::size_t count, Ray* rays) const;
+  /// moved. `rays`: one for each.
+  void raysOf(const WalkHistory& history, const Segments& segments, Ray* rays) const;
   /// The points where stored segments hit, and the unit directions in which they flew there. They
   /// follow from stored points as the directions of specular reflection do. Not for escapes.
-  void arrivalsOf(
-    const Stored* segments, std::size_t count, SurfacePoint* points, Vector3* directions) const;
+  void arrivalsOf(const WalkHistory& history, const Segments& segments, SurfacePoint* points,
+    Vector3* directions) const;
   /// The triangle on which a stored segment begins.
-  TriangleId startOf(const Stored& segment) const
+  TriangleId startOf(const WalkBlock& block, const SegmentRef& segment) const
   {
     return segment.bounce == 0 ? rules_.lightOf(segment.walk)
-                               : segment.block->hit(segment.walkInBlock, segment.bounce - 1).id;
+                               : block.hit({ segment.walk, segment.bounce - 1 }).id;
   }
   /// Whether contacts affect a stored segment that has this hit.
-  bool isTouching(const Stored& segment, const Hit& hit) const
+  bool isTouching(const WalkBlock& block, const SegmentRef& segment, const Hit& hit) const
   {
-    return segment.block->isContact(segment.walkInBlock, segment.bounce) ||
-      (hasContacts() && (isContact(startOf(segment), hit.id) || hasContact(hit.id)));
+    return block.isContact(segment) ||
+      (hasContacts() && (isContact(startOf(block, segment), hit.id) || hasContact(hit.id)));
   }
 
 private:
   /// Calls set(i, ray) with the first ray of the walk of each segment i of `which`.
   template <class Set>
   void forEachStart(
-    const Stored* segments, const std::vector<std::size_t>& which, const Set& set) const;
+    const Segments& segments, const std::vector<std::size_t>& which, const Set& set) const;
   /// Where the rays of stored segments begin.
-  void originsOf(const Stored* segments, std::size_t count, Vector3* origins) const;
-  Departure departureOf(const Stored& segment) const;
+  void originsOf(const WalkHistory& history, const Segments& segments, Vector3* origins) const;
+  Departure departureOf(const WalkHistory& history, const SegmentRef& segment) const;
 
   const Scene& scene_;
   WalkRules rules_;

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tally/CellDiffusion.h"
 
+#include "Simd/SimdLevel.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "Tally/CellDiffusion.inl"
 
 namespace irradiance
 {
@@ -18,11 +24,24 @@ double diffusionTime(double area, double width)
   return std::max(0.0, std::min(2.2 * (width - area), width + M_PI / 2 * area)) / (8 * M_PI);
 }
 
+constexpr int kFewest = 4, kMost = 256; // steps, powers of two
+
+/// The power of two that is not below, within limits.
+int powerNotBelow(double number, int most)
+{
+  int power = kFewest;
+  while (power < number && power < most)
+  {
+    power *= 2;
+  }
+  return power;
+}
+
 /// As many as the edges need, except a few between very small cells; and enough to be like a flow
 /// without steps.
 int chooseSteps(std::vector<double> stepsNeeded)
 {
-  constexpr double kServed = 0.9, kFewest = 4, kMost = 256;
+  constexpr double kServed = 0.9;
   if (stepsNeeded.empty())
   {
     return 0;
@@ -30,8 +49,7 @@ int chooseSteps(std::vector<double> stepsNeeded)
   const auto served =
     static_cast<std::ptrdiff_t>(kServed * static_cast<double>(stepsNeeded.size() - 1));
   std::nth_element(stepsNeeded.begin(), stepsNeeded.begin() + served, stepsNeeded.end());
-  return static_cast<int>(
-    std::clamp(std::ceil(stepsNeeded[static_cast<std::size_t>(served)]), kFewest, kMost));
+  return powerNotBelow(stepsNeeded[static_cast<std::size_t>(served)], kMost);
 }
 
 }
@@ -66,31 +84,102 @@ CellDiffusion::CellDiffusion(const std::vector<double>& areas,
   std::vector<double> stepsNeeded;
   std::transform(flows.begin(), flows.end(), std::back_inserter(stepsNeeded),
     [&](const Flow& flow) { return flow.whole / most(*flow.between); });
-  steps_ = chooseSteps(std::move(stepsNeeded));
-  for (const Flow& flow : flows)
+  steps_ = chooseSteps(stepsNeeded);
+  std::vector<Link> links;
+  std::vector<int> periods;
+  for (std::size_t i = 0; i < flows.size(); ++i)
   {
-    const auto [a, b] = flow.between->cells;
-    const double w = std::min(flow.whole / steps_, most(*flow.between));
+    const CellNeighbours& between = *flows[i].between;
+    const auto [a, b] = between.cells;
+    const int taken = powerNotBelow(stepsNeeded[i], steps_);
+    const double w = std::min(flows[i].whole / taken, most(between));
     for (int side = 0; side < sides; ++side)
     {
-      const int other = flow.between->isTurned ? sides - 1 - side : side;
-      links_.push_back({ a * static_cast<std::uint32_t>(sides) + static_cast<std::uint32_t>(side),
+      const int other = between.isTurned ? sides - 1 - side : side;
+      links.push_back({ a * static_cast<std::uint32_t>(sides) + static_cast<std::uint32_t>(side),
         b * static_cast<std::uint32_t>(sides) + static_cast<std::uint32_t>(other), w / areas[a],
         w / areas[b] });
+      periods.push_back(steps_ / taken);
     }
+  }
+  place(std::move(links), periods, areas.size() * static_cast<std::size_t>(sides));
+}
+
+/// Sorts links and nodes by period, so that what takes part in a step stands in a row.
+void CellDiffusion::place(
+  std::vector<Link> links, const std::vector<int>& periods, std::size_t nodes)
+{
+  if (links.empty())
+  {
+    return;
+  }
+  const int never = 2 * steps_;
+  std::vector<int> periodsOfNodes(nodes, never);
+  for (std::size_t i = 0; i < links.size(); ++i)
+  {
+    for (const std::uint32_t node : { links[i].a, links[i].b })
+    {
+      periodsOfNodes[node] = std::min(periodsOfNodes[node], periods[i]);
+    }
+  }
+  std::vector<std::uint32_t> order(nodes);
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::uint32_t i, std::uint32_t j) { return periodsOfNodes[i] < periodsOfNodes[j]; });
+  places_.resize(nodes);
+  for (std::uint32_t place = 0; place < nodes; ++place)
+  {
+    places_[order[place]] = place;
+  }
+  std::vector<std::tuple<int, std::uint32_t, std::uint32_t, std::size_t>> sorted;
+  for (std::size_t i = 0; i < links.size(); ++i)
+  {
+    Link& link = links[i];
+    link = { places_[link.a], places_[link.b], link.shareOfA, link.shareOfB };
+    sorted.emplace_back(periods[i], std::min(link.a, link.b), std::max(link.a, link.b), i);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::transform(sorted.begin(), sorted.end(), std::back_inserter(links_),
+    [&](const auto& key) { return links[std::get<3>(key)]; });
+  for (int period = 1; period <= steps_ / kFewest; period *= 2)
+  {
+    linkEnds_.push_back(static_cast<std::size_t>(
+      std::count_if(periods.begin(), periods.end(), [&](int other) { return other <= period; })));
+    placeEnds_.push_back(static_cast<std::size_t>(std::count_if(
+      periodsOfNodes.begin(), periodsOfNodes.end(), [&](int other) { return other <= period; })));
   }
 }
 
-void CellDiffusion::step(std::vector<std::int64_t>& quanta) const
+void CellDiffusion::step(
+  int number, unsigned fields, std::vector<double>& quanta, std::vector<double>& before) const
 {
-  const std::vector<double> before(quanta.begin(), quanta.end());
-  for (const Link& link : links_)
+  std::size_t level = 0; // the steps of the period 2^level
+  while (level + 1 < linkEnds_.size() && (number + 1) % (2 << level) == 0)
   {
-    const auto flow =
-      static_cast<std::int64_t>(link.shareOfA * before[link.a] - link.shareOfB * before[link.b]);
-    quanta[link.a] -= flow;
-    quanta[link.b] += flow;
+    ++level;
   }
+  before.resize(quanta.size());
+  std::copy_n(quanta.begin(), placeEnds_[level] * fields, before.begin());
+  flow(links_.data(), linkEnds_[level], fields, before.data(), quanta.data());
+}
+
+void flowPlain(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
+  const double* before, double* quanta)
+{
+  flowBy<PlainNumbers>(links, count, fields, before, quanta);
+}
+
+void flow(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
+  const double* before, double* quanta)
+{
+#ifdef __x86_64__
+  if (simdLevel() != SimdLevel::Plain)
+  {
+    flowAvx2(links, count, fields, before, quanta);
+    return;
+  }
+#endif
+  flowPlain(links, count, fields, before, quanta);
 }
 
 }

@@ -61,6 +61,7 @@ void CellSpread::measure(
   {
     SceneObject unturned = object;
     unturned.worldFromObject = { shape, Vector3::Zero() };
+    unturned.isPresent = true; // it has the same areas when it comes back
     cells = {};
     cells.areas = cellAreas(unturned, checkpoint);
     cells.area = std::accumulate(cells.areas.begin(), cells.areas.end(), 0.0);
@@ -70,8 +71,8 @@ void CellSpread::measure(
   }
 }
 
-double CellSpread::photonsOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
-  double photon, const Checkpoint& checkpoint) const
+std::int64_t CellSpread::quantaOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
+  const Checkpoint& checkpoint) const
 {
   CheckpointPace pace(checkpoint);
   const Material& material = *objects_[object].material;
@@ -90,7 +91,7 @@ double CellSpread::photonsOn(std::uint32_t object, const CellSums& sums, std::si
       }
     }
   }
-  return static_cast<double>(quanta) / photon;
+  return quanta;
 }
 
 void CellSpread::connect(ObjectCells& cells, double width, int sides, const Checkpoint& checkpoint)
@@ -140,7 +141,12 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
   {
     ObjectCells& cells = objects_[object];
     measure(objects[object], cells, checkpoint);
-    const double received = photonsOn(object, sums, rounds, photon, checkpoint);
+    const std::int64_t quanta = quantaOn(object, sums, rounds, checkpoint);
+    for (cells.shift = 0; quanta >> cells.shift >= std::int64_t{ 1 } << 53;)
+    {
+      ++cells.shift;
+    }
+    const double received = static_cast<double>(quanta) / photon;
     const double width = received > 0 ? rounded(photons * cells.area / received) : 0.0;
     connect(cells, width, sums.sides(), checkpoint);
   }
@@ -150,33 +156,44 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
   }
 }
 
+void CellSpread::addFields(
+  std::uint32_t object, std::uint32_t count, std::vector<Fields>& all) const
+{
+  for (std::uint32_t first = 0; first < count; first += CellDiffusion::kFields)
+  {
+    all.push_back({ object, first, std::min(count - first, CellDiffusion::kFields), {}, {} });
+  }
+}
+
 template <class Begin, class End>
 void CellSpread::diffuse(
-  std::vector<Field>& fields, const Begin& begin, const End& end, Execution& execution) const
+  std::vector<Fields>& all, const Begin& begin, const End& end, Execution& execution) const
 {
-  SlicedPass pass{ fields.size(), {} };
+  SlicedPass pass{ all.size(), {} };
   pass.work = [&](std::size_t i, const Deadline& deadline) {
-    Field& field = fields[i];
-    const CellDiffusion& diffusion = objects_[field.object].diffusion;
-    if (field.quanta.empty())
+    Fields& fields = all[i];
+    const CellDiffusion& diffusion = objects_[fields.object].diffusion;
+    if (fields.quanta.empty())
     {
-      begin(i, field);
+      begin(fields);
     }
-    while (field.stepsDone < diffusion.steps())
+    while (fields.stepsDone < diffusion.steps())
     {
-      diffusion.step(field.quanta);
-      ++field.stepsDone;
+      diffusion.step(fields.stepsDone, fields.width(), fields.quanta, fields.before);
+      ++fields.stepsDone;
       if (deadline.hasPassed())
       {
         return false;
       }
     }
-    end(i, field);
+    end(fields);
+    fields.quanta = fields.before = {};
     return true;
   };
   pass.run(execution);
 }
 
+/// Where more than 2^53 quanta arrived, the lowest bits of each sum stay where they are.
 CellSums CellSpread::spread(
   const SceneObjects& objects, const CellSums& sums, std::size_t rounds, Execution& execution) const
 {
@@ -184,47 +201,55 @@ CellSums CellSpread::spread(
   const std::uint32_t replicates = sums.plan().replicates().count();
   CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0);
   result.setRounds(1, checkpointOf(execution, 0));
-  struct Part
-  {
-    std::uint32_t replicate;
-    int band;
-  };
-  std::vector<Part> parts;
-  std::vector<Field> fields;
+  std::vector<Fields> all;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    for (std::uint32_t replicate = 0; replicate < replicates; ++replicate)
-    {
-      for (int band = 0; band < objects[object].material->bands; ++band)
-      {
-        parts.push_back({ replicate, band });
-        fields.push_back({ object, {} });
-      }
-    }
+    addFields(
+      object, replicates * static_cast<std::uint32_t>(objects[object].material->bands), all);
   }
-  const auto forEachNode = [&](const Field& field, const auto& visit) {
+  /// visit(cell, side, band, replicate, index into the quanta)
+  const auto forEachSum = [&](const Fields& fields, const auto& visit) {
+    const Material& material = *objects[fields.object].material;
+    const auto bands = static_cast<std::uint32_t>(material.bands);
     std::size_t node = 0;
-    for (std::size_t cell = 0; cell < objects[field.object].material->numberOfCells; ++cell)
+    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
     {
       for (int side = 0; side < sums.sides(); ++side)
       {
-        visit(cell, side, node++);
+        const std::size_t place =
+          objects_[fields.object].diffusion.placeOf(node++) * fields.width();
+        for (std::uint32_t k = 0; k < fields.count; ++k)
+        {
+          const std::uint32_t field = fields.first + k;
+          visit(cell, side, static_cast<int>(field % bands), field / bands, place + k);
+        }
       }
     }
   };
-  const auto begin = [&](std::size_t i, Field& field) {
-    forEachNode(field, [&](std::size_t cell, int side, std::size_t) {
-      field.quanta.push_back(
-        sums.sum(field.object, cell, side, parts[i].band, parts[i].replicate, rounds));
+  const auto begin = [&](Fields& fields) {
+    const unsigned shift = objects_[fields.object].shift;
+    fields.quanta.resize(objects[fields.object].material->numberOfCells *
+      static_cast<std::size_t>(sums.sides()) * fields.width());
+    bool isDark = true;
+    forEachSum(fields, [&](auto cell, int side, int band, auto replicate, std::size_t i) {
+      const std::int64_t sum = sums.sum(fields.object, cell, side, band, replicate, rounds);
+      fields.quanta[i] = static_cast<double>(sum >> shift);
+      isDark = isDark && sum == 0;
+    });
+    fields.stepsDone = isDark ? objects_[fields.object].diffusion.steps() : 0;
+  };
+  const auto end = [&](const Fields& fields) {
+    const unsigned shift = objects_[fields.object].shift;
+    forEachSum(fields, [&](auto cell, int side, int band, auto replicate, std::size_t i) {
+      const std::int64_t low = shift == 0
+        ? 0
+        : sums.sum(fields.object, cell, side, band, replicate, rounds) &
+          ((std::int64_t{ 1 } << shift) - 1);
+      const auto spread = static_cast<std::int64_t>(fields.quanta[i]);
+      result.set(fields.object, cell, side, band, replicate, (spread << shift) + low);
     });
   };
-  const auto end = [&](std::size_t i, Field& field) {
-    forEachNode(field, [&](std::size_t cell, int side, std::size_t node) {
-      result.set(field.object, cell, side, parts[i].band, parts[i].replicate, field.quanta[node]);
-    });
-    field.quanta = {};
-  };
-  diffuse(fields, begin, end, execution);
+  diffuse(all, begin, end, execution);
   return result;
 }
 
@@ -235,40 +260,56 @@ CellSums CellSpread::spread(
 void CellSpread::findPhotonShares(Execution& execution)
 {
   constexpr std::uint32_t kFields = 16;
-  constexpr double kLargest = 0x1p28; // quanta; the squares of all fields fit into an integer
   std::vector<std::vector<std::int64_t>> sizes(objects_.size()), squares(objects_.size());
-  std::vector<Field> fields;
+  std::vector<Fields> all;
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     const ObjectCells& cells = objects_[object];
     if (cells.diffusion.steps() > 0 && cells.photonShares.empty())
     {
+      const auto nodes = static_cast<double>(cells.areas.size()) * cells.sides;
+      // Quanta: their sum is exact, and the squares of all fields fit into an integer.
+      const double most = std::min(0x1p28, 0x1p52 / nodes);
       const double largest = *std::max_element(cells.areas.begin(), cells.areas.end());
       for (const double area : cells.areas)
       {
         sizes[object].insert(sizes[object].end(), static_cast<std::size_t>(cells.sides),
-          static_cast<std::int64_t>(kLargest * std::sqrt(area / largest)));
+          static_cast<std::int64_t>(most * std::sqrt(area / largest)));
       }
       squares[object].resize(sizes[object].size());
-      fields.resize(fields.size() + kFields, { object, {} });
+      addFields(object, kFields, all);
     }
   }
-  const auto begin = [&](std::size_t i, Field& field) {
-    std::mt19937_64 random(i % kFields);
-    for (const std::int64_t size : sizes[field.object])
+  const auto begin = [&](Fields& fields) {
+    const std::vector<std::int64_t>& size = sizes[fields.object];
+    const CellDiffusion& diffusion = objects_[fields.object].diffusion;
+    fields.quanta.resize(size.size() * fields.width());
+    for (std::uint32_t k = 0; k < fields.count; ++k)
     {
-      field.quanta.push_back(random() % 2 == 0 ? size : -size);
+      std::mt19937_64 random(fields.first + k);
+      for (std::size_t node = 0; node < size.size(); ++node)
+      {
+        fields.quanta[diffusion.placeOf(node) * fields.width() + k] =
+          static_cast<double>(random() % 2 == 0 ? size[node] : -size[node]);
+      }
     }
   };
   std::mutex mutex;
-  const auto end = [&](std::size_t, Field& field) {
+  const auto end = [&](const Fields& fields) {
+    const CellDiffusion& diffusion = objects_[fields.object].diffusion;
     const std::lock_guard<std::mutex> lock(mutex);
-    std::transform(field.quanta.begin(), field.quanta.end(), squares[field.object].begin(),
-      squares[field.object].begin(),
-      [](std::int64_t quanta, std::int64_t sum) { return sum + quanta * quanta; });
-    field.quanta = {};
+    std::vector<std::int64_t>& sums = squares[fields.object];
+    for (std::size_t node = 0; node < sums.size(); ++node)
+    {
+      for (std::uint32_t k = 0; k < fields.count; ++k)
+      {
+        const auto quanta =
+          static_cast<std::int64_t>(fields.quanta[diffusion.placeOf(node) * fields.width() + k]);
+        sums[node] += quanta * quanta;
+      }
+    }
   };
-  diffuse(fields, begin, end, execution);
+  diffuse(all, begin, end, execution);
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     std::transform(sizes[object].begin(), sizes[object].end(), squares[object].begin(),

@@ -50,31 +50,38 @@ private:
     Matrix3 shape;             ///< see shapeOf() in the .cpp
     std::vector<double> areas; ///< m2
     double area = 0;           ///< of all cells
+    unsigned shift = 0;        ///< halvings that take what it received below 2^53 quanta
     int sides = 0;             ///< 0: not connected yet
     double width = 0;          ///< m2
     CellDiffusion diffusion;
     std::vector<float> photonShares; ///< of the nodes; empty: not known, or all are 1
   };
-  /// The sums of an object on their way through the diffusion.
-  struct Field
+  /// Sums of an object on their way through the diffusion, some fields side by side. Each replicate has
+  /// a field for each band.
+  struct Fields
   {
     std::uint32_t object;
-    std::vector<std::int64_t> quanta; ///< of the nodes
+    std::uint32_t first;                ///< number of the first
+    unsigned count;                     ///< that are used
+    std::vector<double> quanta, before; ///< see CellDiffusion::step
     int stepsDone = 0;
+
+    unsigned width() const { return count == 1 ? 1 : CellDiffusion::kFields; }
   };
 
   static void measure(const SceneObject& object, ObjectCells& cells, const Checkpoint& checkpoint);
-  /// Photons that an object received.
-  double photonsOn(std::uint32_t object, const CellSums& sums, std::size_t rounds, double photon,
+  /// What an object received.
+  std::int64_t quantaOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
     const Checkpoint& checkpoint) const;
   static void connect(ObjectCells& cells, double width, int sides, const Checkpoint& checkpoint);
   static std::vector<CellNeighbours> neighboursOf(
     const ObjectCells& cells, double width, const Checkpoint& checkpoint);
   void findPhotonShares(Execution& execution);
-  /// Takes the fields through all steps. `begin` fills one, `end` reads it.
+  void addFields(std::uint32_t object, std::uint32_t count, std::vector<Fields>& all) const;
+  /// Takes the fields through all steps. `begin` fills some whose quanta are 0, `end` reads them.
   template <class Begin, class End>
   void diffuse(
-    std::vector<Field>& fields, const Begin& begin, const End& end, Execution& execution) const;
+    std::vector<Fields>& all, const Begin& begin, const End& end, Execution& execution) const;
 
   std::vector<ObjectCells> objects_;
 };

@@ -2,7 +2,7 @@
 #ifndef irradiance_CellSums_h
 #define irradiance_CellSums_h
 
-#include "Geometry/Ray.h"
+#include "History/Contribution.h"
 #include "Light/Power.h"
 #include "Light/SceneObjects.h"
 #include "Sampling/WalkPlan.h"
@@ -67,6 +67,13 @@ public:
     {
       deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
     }
+  }
+  /// Likewise of what a stored segment brought.
+  void collect(const Contribution& brought, int sign, std::vector<Deposit>& deposits) const
+  {
+    const TriangleId& id = brought.hit.id;
+    collect(slotOf(brought.segment.walk, id.object, cellOf(id)), brought.isFront, brought.power,
+      sign, deposits);
   }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);

@@ -4,25 +4,21 @@
 namespace irradiance
 {
 
-void WalkTally::remove(
-  const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk, std::uint32_t firstBounce)
+void WalkTally::remove(const WalkBlock& block, const SegmentRef& first)
 {
-  const std::uint32_t size = block.size(walkInBlock);
-  for (std::uint32_t i = firstBounce; i < size; ++i)
+  const std::uint32_t size = block.size(first.walk);
+  balance_.segments -= size - first.bounce;
+  forEachContribution(block, first, size, [&](const Contribution& brought) {
+    const SegmentRef next{ first.walk, brought.segment.bounce + 1 };
+    const Power outgoing = next.bounce < size ? block.power(next) : Power{};
+    balance_.absorbed -= brought.power - outgoing;
+    balance_.received -= brought.power.total();
+    sums_.collect(brought, -1, deposits_);
+  });
+  const SegmentRef last{ first.walk, size - 1 };
+  if (first.bounce < size && !block.hit(last))
   {
-    const Hit hit = block.hit(walkInBlock, i);
-    const Power incoming = block.power(walkInBlock, i);
-    --balance_.segments;
-    if (!hit)
-    {
-      balance_.escaped -= incoming;
-      continue;
-    }
-    const Power outgoing = i + 1 < size ? block.power(walkInBlock, i + 1) : Power{};
-    balance_.absorbed -= incoming - outgoing;
-    balance_.received -= incoming.total();
-    sums_.collect(sums_.slotOf(walk, hit.id.object, sums_.cellOf(hit.id)),
-      block.isFront(walkInBlock, i), incoming, -1, deposits_);
+    balance_.escaped -= block.power(last);
   }
 }
 

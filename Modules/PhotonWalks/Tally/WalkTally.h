@@ -59,9 +59,8 @@ public:
   /// Drops what was tallied for the cells; the caller drops the balance.
   void discard() { deposits_.clear(); }
   void check() const { checkReceived(balance_); }
-  /// Subtracts the segments of a stored walk from `firstBounce` on.
-  void remove(const WalkBlock& block, std::uint32_t walkInBlock, std::uint32_t walk,
-    std::uint32_t firstBounce);
+  /// Subtracts the segments of a stored walk from `first` on.
+  void remove(const WalkBlock& block, const SegmentRef& first);
 
 private:
   void countReceived(std::int64_t photons, const Power& power)

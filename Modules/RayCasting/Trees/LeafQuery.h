@@ -2,11 +2,9 @@
 #ifndef irradiance_LeafQuery_h
 #define irradiance_LeafQuery_h
 
-#include "Trees/BoxQuery.h"
 #include "Trees/KdBounds.h"
 #include "Trees/TriangleTree.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -51,33 +49,10 @@ public:
   /// of the table.
   std::uint32_t leafOf(
     const TriangleTree& tree, std::uint32_t triangle, const UnitPoint& point) const;
-  /// Calls visit(triangle) once for each triangle that trianglesNear() of BoxQuery.h gives, in the order
-  /// of the tree's leaves.
-  template <class Visit>
-  void forEachNear(const TriangleTree& tree, const Box& box, const Visit& visit) const;
   std::size_t bytes() const;
 
 private:
   static constexpr std::uint32_t kMany = 8; ///< leaves
-
-  /// Whether a leaf is the first, by its number, of those that touch a box and list the triangle.
-  bool isFirst(std::uint32_t leaf, std::uint32_t triangle, const Box& unit) const
-  {
-    const auto begin = leaves_.begin() + begin_[triangle];
-    const auto found = std::find_if(begin, leaves_.end(),
-      [&](std::uint32_t other) { return other == leaf || isTouching(boxes_[other], unit); });
-    return *found == leaf;
-  }
-  static bool isTouching(const KdBounds& leaf, const Box& unit)
-  {
-    bool isTouching = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      isTouching =
-        isTouching && leaf.lower[axis] <= unit.upper[axis] && leaf.upper[axis] >= unit.lower[axis];
-    }
-    return isTouching;
-  }
 
   void addBoxes(const TriangleTree& tree, std::uint32_t node);
 
@@ -85,25 +60,6 @@ private:
   std::vector<std::uint32_t> begin_; ///< of the leaves of each triangle
   std::vector<std::uint32_t> leaves_;
 };
-
-template <class Visit>
-void LeafTable::forEachNear(const TriangleTree& tree, const Box& box, const Visit& visit) const
-{
-  if (tree.isEmpty() || box.isEmpty())
-  {
-    return;
-  }
-  const Box unit = unitBounds(tree, box);
-  for (const std::uint32_t leaf : leavesNear(tree, unit))
-  {
-    forEachListed(tree, leaf, [&](std::uint32_t triangle) {
-      if (isFirst(leaf, triangle, unit))
-      {
-        visit(triangle);
-      }
-    });
-  }
-}
 
 }
 

@@ -7,6 +7,7 @@
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */
+#include "../../PhotonWalks/ShownAnswer.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -73,14 +74,37 @@ void timeRound(const MovingScene& scene, const EngineSettings& settings, int fra
   }
 }
 
+/// What an update is worth if small cells draw on their neighbours, with error bars.
+void timeSpread(const MovingScene& scene, EngineSettings settings, int frames)
+{
+  settings.cellEstimate = CellEstimate::Spread;
+  settings.replicates = 16;
+  const std::string which = ", spread with error bars";
+  IrradianceEngine engine;
+  timeUpdate(engine, scene.at(0), settings);
+  for (int frame = 1; frame <= frames; ++frame)
+  {
+    const SceneObjects objects = scene.inFrame(frame);
+    IrradianceEngine fresh;
+    const double shooting = timeUpdate(fresh, objects, settings).whole;
+    const double update = timeUpdate(engine, objects, settings).whole;
+    if (test::shownAnswer(engine, objects, settings) != test::shownAnswer(fresh, objects, settings))
+    {
+      throw std::runtime_error("Spread: the answers differ");
+    }
+    report(kTable, "re-shooting" + which, "fresh start / frame", shooting / update, { 4, 8 });
+  }
+}
+
 /// The teapot swings over the head and back with the same step in every frame, so that what it hides
 /// in one frame it sets free in another.
-void timeCache(const MovingScene& scene, const EngineSettings& settings, int frames)
+void timeCache(const MovingScene& scene, EngineSettings settings, int frames)
 {
   constexpr int kSwing = 5;         // frames in one direction
   constexpr int kFill = 2 * kSwing; // the cache begins empty
   const char* const overWithout = "time / without the cache of static hits";
   EngineSettings without = settings;
+  settings.cacheStaticHits = true;
   without.cacheStaticHits = false;
   IrradianceEngine engine, plain;
   for (int frame = 0; frame <= kFill + frames; ++frame)
@@ -108,6 +132,7 @@ void run(const Arguments& arguments)
   constexpr double kSmallTeapot = 0.5; // about a hundredth of the walks changes in a frame
   EngineSettings settings;
   settings.numberOfWalks = arguments.number(0, 1000000u);
+  settings.cacheStaticHits = false; // as in the filter
   const int rounds = arguments.number(1, 5);
   const int frames = arguments.number(2, 59);
   const std::string head = arguments.text(3, VTKIRRADIANCE_HEAD);
@@ -119,5 +144,6 @@ void run(const Arguments& arguments)
       timeRound(isSmall ? small : scene, settings, frames, isSmall);
     }
   }
+  timeSpread(scene, settings, std::min(frames, rounds));
   timeCache(scene, settings, frames);
 }

@@ -11,11 +11,13 @@
  *
  * Arguments: [walks = 1000000] [rounds = 5] [searches = 30000]
  */
+#include "../../PhotonWalks/CountedSurface.h"
 #include "../../PhotonWalks/HistoryPhotons.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Photons/LeafPhotons.h"
+#include "Photons/NearestEstimate.h"
 #include "Rivals/PhotonLocator.h"
 #include "Scenes/PlainRoom.h"
 
@@ -36,7 +38,7 @@ constexpr double kPixels = 640 * 480; ///< searches of a frame
 std::vector<Vector3> photonPoints(const IrradianceEngine& engine)
 {
   std::vector<Vector3> points;
-  for (const Photon& photon : test::photonsOf(engine.photons()))
+  for (const Photon& photon : test::photonsOf(engine.history()))
   {
     const SceneObject& object = engine.objects()[photon.id.object];
     points.push_back(
@@ -180,6 +182,46 @@ Cost costOf(PhotonLocator& locator, const std::vector<Sensor>& sensors, double w
   return { walks, building, searches / static_cast<double>(sensors.size()) };
 }
 
+/// What sensors cost that lie 10 m off all surface: with the distance that vtkIrradianceProbeFilter takes by
+/// itself, and with any. Before that counts, the surface found has to be that of a look at all triangles.
+void timeFarSensors(IrradianceEngine& engine, const std::vector<Sensor>& near)
+{
+  CpuTime execution;
+  const LeafPhotons& leaves = engine.leafPhotons(execution);
+  const WalkHistory& history = engine.history();
+  const NearestPhotons photons(leaves, engine.surfaces(execution), engine.objects(), history);
+  std::vector<Sensor> far(near.begin(), near.begin() + std::min<std::ptrdiff_t>(near.size(), 300));
+  for (Sensor& sensor : far)
+  {
+    sensor.position += 10 * sensor.normal;
+  }
+  const test::CountedSurface surface(engine.objects());
+  for (std::size_t i = 0; i < std::min<std::size_t>(far.size(), 50); ++i)
+  {
+    const std::optional<Foot> found = photons.footOf(far[i]), nearest = surface.footOf(far[i]);
+    if (found.has_value() != nearest.has_value() ||
+      (found && std::abs(found->distance - nearest->distance) > 1e-9))
+    {
+      throw std::runtime_error("A sensor has another foot");
+    }
+  }
+  for (const bool isAny : { false, true })
+  {
+    const double seconds = threadCpuSecondsOf([&] {
+      for (const Sensor& sensor : far)
+      {
+        const auto foot = photons.footOf(sensor, isAny ? kInfinity : usualDistance(photons));
+        if (foot)
+        {
+          nearestEstimate(photons, *foot, kNearest, usualRadius(photons, kNearest));
+        }
+      }
+    });
+    report("FarSensors", isAny ? "any distance" : "usual distance", "us a sensor",
+      1e6 * seconds / static_cast<double>(far.size()), { 500, 50 });
+  }
+}
+
 }
 
 void run(const Arguments& arguments)
@@ -197,6 +239,7 @@ void run(const Arguments& arguments)
     contestant.locator->build();
   }
   check(contestants, sensors);
+  timeFarSensors(frames.engines[0], sensors);
   for (int round = 0; round < rounds; ++round)
   {
     const double shooting = shootingSeconds(objects, settings);

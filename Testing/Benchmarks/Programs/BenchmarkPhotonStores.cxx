@@ -55,7 +55,7 @@ void requireContents(const std::vector<Bag>& bags, const std::vector<PhotonTraff
   for (std::size_t i = 0; i < bags.size(); ++i)
   {
     PhotonTraffic::Photons expected = model[i], found;
-    bags[i].forEach([&](const PhotonReference& photon) { found.push_back(photon); });
+    bags[i].forEach([&](const SegmentRef& photon) { found.push_back(photon); });
     std::sort(expected.begin(), expected.end());
     std::sort(found.begin(), found.end());
     require(found == expected, std::string(Bag::kName) + " holds other photons");
@@ -66,8 +66,8 @@ void requireContents(const std::vector<Bag>& bags, const std::vector<PhotonTraff
 template <class Bag>
 void timeSets(std::size_t photons, std::size_t size, int rounds)
 {
-  const auto insert = [](Bag& bag, const PhotonReference& photon) { bag.insert(photon); };
-  const auto remove = [](Bag& bag, const PhotonReference& photon) { bag.remove(photon); };
+  const auto insert = [](Bag& bag, const SegmentRef& photon) { bag.insert(photon); };
+  const auto remove = [](Bag& bag, const SegmentRef& photon) { bag.remove(photon); };
   constexpr int kRoundsToAge = 10;
   PhotonTraffic traffic(photons / size, size);
   std::vector<Bag> bags(traffic.photons().size());
@@ -183,7 +183,7 @@ void reportMemory(const Photons& photons, const SceneObjects& objects, const std
 void requireFresh(IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
 {
   SpecularPhotons fresh(objects);
-  fresh.add(engine.photons(), 0, engine.history().size(), execution);
+  fresh.add(engine.history(), 0, engine.history().size(), execution);
   require(contentsOf(engine.specularPhotons(execution), objects) == contentsOf(fresh, objects),
     "Updated photons differ from new ones");
 }
@@ -244,7 +244,7 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
 void requireFreshLeaves(IrradianceEngine& engine, Execution& execution)
 {
   LeafPhotons fresh(engine.objects());
-  fresh.add(engine.photons(), 0, engine.history().size(), execution);
+  fresh.add(engine.history(), 0, engine.history().size(), execution);
   require(contentsOf(engine.leafPhotons(execution), engine.objects()) ==
       contentsOf(fresh, engine.objects()),
     "Updated leaves differ from new ones");

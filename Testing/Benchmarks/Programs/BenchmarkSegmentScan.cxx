@@ -77,7 +77,7 @@ struct StoredSegments
         walks.push_back(makeWalk(random));
         segments += walks.back().size();
       }
-      WalkBlock& block = blocks.emplace_back(WalkPlan::kWalksPerBlock, 1, frame, Power{});
+      WalkBlock& block = blocks.emplace_back(0, WalkPlan::kWalksPerBlock, 1, frame, Power{});
       std::vector<std::uint32_t> sizes;
       for (const auto& walk : walks)
       {
@@ -86,7 +86,7 @@ struct StoredSegments
       block.makeRoom(sizes);
       for (std::uint32_t i = 0; i < walks.size(); ++i)
       {
-        test::replaceTail(block, i, 0, walks[i], frame);
+        test::replaceTail(block, { i, 0 }, walks[i], frame);
       }
       size += segments;
       bytes += block.bytes();
@@ -153,8 +153,7 @@ void checkBlock(const WalkBlock& block, const SegmentScan& scan, const StoredSeg
   };
   for (std::uint32_t i = 0; i + 1 < block.numberOfPoints(); ++i)
   {
-    WalkBlock::Place unused;
-    const bool mayTouch = block.segmentAt(i, unused) &&
+    const bool mayTouch = block.segmentAt(i) &&
       std::any_of(bodies.begin(), bodies.end(),
         [&](const EllipsoidBound& body) { return !body.rejects(place(i), place(i + 1)); });
     if (mayTouch && !std::binary_search(points.begin(), points.end(), i))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How long vtkIrradianceFilter works without a sign: the longest CPU time of the calling thread between
- * two progress events, at which an abort would be noticed, where inputs, results or changes are large.
- * An observer that does nothing, one round each.
+ * How long vtkIrradianceFilter and vtkKeyFramedPose work without a sign: the longest CPU time of the
+ * calling thread between two progress events, at which an abort would be noticed, where inputs, results
+ * or changes are large. An observer that does nothing, one round each.
  */
 #include "../../FiltersIrradiance/TestScenes.h"
 #include "Measuring/Program.h"
@@ -10,10 +10,15 @@
 #include "Measuring/Rounds.h"
 
 #include "vtkCommand.h"
+#include "vtkInformation.h"
+#include "vtkKeyFramedPose.h"
 #include "vtkRegularPolygonSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 using namespace TestScenes;
 
@@ -51,19 +56,17 @@ Mesh makePolygon(int corners)
   return polygon;
 }
 
-class Trial
+/// Updates a filter and reports how long it was silent.
+class Listener
 {
 public:
-  Trial()
+  explicit Listener(vtkAlgorithm* filter)
+    : filter_(filter)
   {
-    filter_->SetNumberOfWalks(10000);
-    filter_->AddObserver(vtkCommand::ProgressEvent, this, &Trial::onSign);
-    filter_->AddInputDataObject(0, MakeLamp({ 0, 0, 0.5 }, 0.4, { 100 }));
+    filter->AddObserver(vtkCommand::ProgressEvent, this, &Listener::onSign);
   }
 
-  vtkIrradianceFilter* operator->() { return filter_; }
-
-  void update(const std::string& what)
+  void update(const std::string& what, const Goal& goal = {})
   {
     longest_ = 0;
     const double start = last_ = threadCpuSeconds();
@@ -71,7 +74,7 @@ public:
     onSign();
     const Goal promise{ 0.1, 0.05 };
     report("Signs", what, "longest without a sign, s", longest_, promise);
-    report("Signs", what, "whole update, s", last_ - start);
+    report("Signs", what, "whole update, s", last_ - start, goal);
   }
 
 private:
@@ -81,9 +84,50 @@ private:
     last_ = threadCpuSeconds();
   }
 
-  vtkNew<vtkIrradianceFilter> filter_;
+  vtkAlgorithm* filter_;
   double longest_ = 0, last_ = 0; ///< s
 };
+
+class Trial
+{
+public:
+  Trial()
+  {
+    filter_->SetNumberOfWalks(10000);
+    filter_->AddInputDataObject(0, MakeLamp({ 0, 0, 0.5 }, 0.4, { 100 }));
+  }
+
+  vtkIrradianceFilter* operator->() { return filter_; }
+  void update(const std::string& what) { listener_.update(what); }
+
+private:
+  vtkNew<vtkIrradianceFilter> filter_;
+  Listener listener_{ filter_ };
+};
+
+/// A spline through keys on a helix.
+void measureKeys()
+{
+  constexpr int keys = 100000;
+  vtkNew<vtkKeyFramedPose> pose;
+  pose->SetInputData(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1));
+  pose->SetInterpolationTypeToSpline();
+  for (int key = 0; key < keys; ++key)
+  {
+    const double angle = 0.01 * key;
+    pose->AddPose(key, std::cos(angle), std::sin(angle), angle, 0, 0, 10 * angle);
+  }
+  Listener(pose).update("100,000 keys of a spline are read", Goal{ 1, 0.5 });
+  pose->UpdateTimeStep(5000);
+  const double height =
+    pose->GetOutput()->GetFieldData()->GetArray("ObjectToWorld")->GetComponent(0, 11);
+  if (pose->GetOutputInformation(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) !=
+      keys ||
+    height != 0.01 * 5000)
+  {
+    throw std::runtime_error("the pose at a key is not that of the key");
+  }
+}
 
 }
 
@@ -138,4 +182,5 @@ void run(const Arguments& arguments)
     trial->AddInputDataObject(0, makePolygon(10000));
     trial.update("a polygon of 10,000 corners");
   }
+  measureKeys();
 }

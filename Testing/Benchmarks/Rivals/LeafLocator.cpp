@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../../PhotonWalks/CountedSurface.h"
 #include "../../PhotonWalks/HistoryPhotons.h"
 #include "Photons/NearestPhotons.h"
 #include "Rivals/PhotonLocator.h"
@@ -20,33 +21,35 @@ public:
     for (IrradianceEngine* each : engines_)
     {
       each->leafPhotons(execution_); // finds the sides of all photons
-      histories_.push_back(each->photons());
-      photons_.push_back(test::photonsOf(histories_.back()));
+      photons_.push_back(test::photonsOf(each->history()));
     }
     changes_ = { test::changesBetween(photons_[1], photons_[0]),
       test::changesBetween(photons_[0], photons_[1]) };
     leaves_ = LeafPhotons(engine.objects());
-    leaves_.add(histories_[0], 0, histories_[0].blocks().size(), execution_);
-    search_.emplace(leaves_, engine.objects(), histories_[0]);
+    leaves_.add(history(), 0, history().size(), execution_);
+    surfaces_.update(engine.objects());
+    search_.emplace(leaves_, surfaces_, engine.objects(), history());
   }
 
   void build() override
   {
     frame_ = 1 - frame_;
-    leaves_.apply(objects(), histories_[frame_], changes_[frame_], execution_);
-    search_.emplace(leaves_, objects(), histories_[frame_]);
+    leaves_.apply(objects(), history(), changes_[frame_], execution_);
+    surfaces_.update(objects());
+    search_.emplace(leaves_, surfaces_, objects(), history());
   }
 
   void find(const Sensor& sensor, std::size_t count) override
   {
-    sensor_ = sensor;
-    found_ = search_->find(sensor, count);
+    const Foot foot = search_->footOf(sensor).value();
+    sensor_ = foot.sensor;
+    found_ = search_->find(foot, count);
   }
 
   std::vector<double> squaredDistances() const override
   {
     std::vector<double> distances;
-    for (const PhotonReference& photon : found_.photons)
+    for (const SegmentRef& photon : found_.photons)
     {
       distances.push_back(search_->squaredDistance(sensor_, photon));
     }
@@ -55,15 +58,14 @@ public:
 
   std::vector<double> allSquaredDistances(const Sensor& sensor) const override
   {
+    const test::CountedSurface surface(objects());
+    const Foot foot = surface.footOf(sensor).value();
     std::vector<double> distances;
     for (const Photon& photon : photons_[frame_])
     {
-      const SceneObject& object = objects()[photon.id.object];
-      const Vector3 area =
-        transformed(object.worldFromObject, object.body->mesh()[photon.id.triangle]).areaVector();
-      if ((photon.isFront ? 1 : -1) * area.dot(sensor.normal) >= Facing::kLeastCosine * area.norm())
+      if (surface.counts(foot, photon.id, photon.isFront ? 1 : -1))
       {
-        distances.push_back(search_->squaredDistance(sensor, photon.reference));
+        distances.push_back(search_->squaredDistance(foot.sensor, photon.reference));
       }
     }
     return distances;
@@ -71,16 +73,17 @@ public:
 
 private:
   const SceneObjects& objects() const { return engines_[frame_]->objects(); }
+  const WalkHistory& history() const { return engines_[frame_]->history(); }
 
   Execution execution_;
   std::array<IrradianceEngine*, 2> engines_;
-  std::vector<WalkHistory> histories_; ///< by frame, as those below
-  std::vector<std::vector<Photon>> photons_;
-  std::array<PhotonChanges, 2> changes_; ///< that lead to this frame
+  std::vector<std::vector<Photon>> photons_; ///< by frame
+  std::array<PhotonChanges, 2> changes_;     ///< that lead to this frame
   std::size_t frame_ = 0;
   LeafPhotons leaves_;
+  Surfaces surfaces_;
   std::optional<NearestPhotons> search_;
-  Sensor sensor_;
+  Sensor sensor_; ///< on its foot
   NearPhotons found_;
 };
 

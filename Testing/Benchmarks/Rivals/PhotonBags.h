@@ -10,7 +10,7 @@
 #include <vector>
 
 /// What may hold the photons of a cell, each with the same few functions.
-using irradiance::PhotonReference;
+using irradiance::SegmentRef;
 
 struct OurBag : irradiance::PhotonSet
 {
@@ -26,9 +26,9 @@ public:
   static constexpr const char* kName = "std::unordered_set";
 
   void reserve(std::size_t size) { photons_.reserve(size); }
-  void prefetch(const PhotonReference&) const {}
-  void insert(const PhotonReference& photon) { photons_.insert(photon); }
-  void remove(const PhotonReference& photon) { photons_.erase(photon); }
+  void prefetch(const SegmentRef&) const {}
+  void insert(const SegmentRef& photon) { photons_.insert(photon); }
+  void remove(const SegmentRef& photon) { photons_.erase(photon); }
   template <class Visit>
   void forEach(const Visit& visit) const
   {
@@ -43,13 +43,13 @@ public:
 private:
   struct Hash
   {
-    std::size_t operator()(const PhotonReference& photon) const
+    std::size_t operator()(const SegmentRef& photon) const
     {
       return (std::size_t{ photon.walk } << 20 ^ photon.bounce) * 0x9e3779b97f4a7c15u >> 20;
     }
   };
 
-  std::unordered_set<PhotonReference, Hash> photons_;
+  std::unordered_set<SegmentRef, Hash> photons_;
 };
 
 /// No table at all: what is to be removed is looked for from the first photon on.
@@ -59,13 +59,13 @@ public:
   static constexpr const char* kName = "std::vector";
 
   void reserve(std::size_t size) { photons_.reserve(size); }
-  void prefetch(const PhotonReference&) const
+  void prefetch(const SegmentRef&) const
   {
     irradiance::prefetchLine(photons_.data());
     irradiance::prefetchLine(photons_.data() + photons_.size());
   }
-  void insert(const PhotonReference& photon) { photons_.push_back(photon); }
-  void remove(const PhotonReference& photon)
+  void insert(const SegmentRef& photon) { photons_.push_back(photon); }
+  void remove(const SegmentRef& photon)
   {
     *std::find(photons_.begin(), photons_.end(), photon) = photons_.back();
     photons_.pop_back();
@@ -78,7 +78,7 @@ public:
   std::size_t memory() const { return sizeof(*this) + photons_.capacity() * sizeof(photons_[0]); }
 
 private:
-  std::vector<PhotonReference> photons_;
+  std::vector<SegmentRef> photons_;
 };
 
 #endif

@@ -40,21 +40,18 @@ std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
 {
   const SobolSequence samples = engine.samples();
   const WalkShooter shooter = engine.shooter(samples);
-  const WalkHistory history = engine.photons();
+  const WalkHistory& history = engine.history();
   std::vector<PhotonMap::Photon> photons;
-  for (std::size_t i = 0; i < history.blocks().size(); ++i)
+  for (std::size_t i = 0; i < history.size(); ++i)
   {
-    std::vector<WalkShooter::Stored> segments;
-    history.forEachPhoton(i, [&](const Photon& photon) {
-      const auto [walk, bounce] = photon.reference;
-      segments.push_back({ &history.blocks()[i], walk - history.firstWalkOf(i), walk, bounce });
-    });
+    std::vector<SegmentRef> segments;
+    history.forEachPhoton(i, [&](const Photon& photon) { segments.push_back(photon.reference); });
     std::vector<SurfacePoint> points(segments.size());
     std::vector<Vector3> directions(segments.size());
-    shooter.arrivalsOf(segments.data(), segments.size(), points.data(), directions.data());
+    shooter.arrivalsOf(history, segments, points.data(), directions.data());
     for (std::size_t k = 0; k < segments.size(); ++k)
     {
-      const Power power = history.power({ segments[k].walk, segments[k].bounce });
+      const Power power = history.power(segments[k]);
       photons.push_back({ inFloats(points[k].position), static_cast<float>(engine.watts(power[0])),
         PhotonMap::packed(inFloats(directions[k])) });
     }

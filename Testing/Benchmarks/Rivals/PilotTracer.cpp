@@ -50,12 +50,11 @@ void PilotTracer::shootAll(const SceneObjects& objects)
   scene_ = makeScene(objects);
   sums_ = CellSums(objects, 1);
   balance_ = {};
-  history_.clear();
-  pointFrame_ = UnitFrame(scene_->bounds());
+  history_ = WalkHistory(plan_, UnitFrame(scene_->bounds()), objects.staticObject.material->bands,
+    Power{ { emitters_.photon() } });
   for (std::size_t block = 0; block < plan_.rounds().back().endBlock; ++block)
   {
-    history_.emplace_back(plan_.walksIn(block), objects.staticObject.material->bands, pointFrame_,
-      Power{ { emitters_.photon() } });
+    history_.append();
   }
   shoot(allWalks());
 }
@@ -88,7 +87,7 @@ void PilotTracer::shoot(const Walks& walks)
   const WalkShooter shooter(*scene_, objects_, emitters_, samples_);
   for (std::size_t first = 0; first < walks.size(); first += kBatchSize)
   {
-    WalkBatch batch(shooter, &pointFrame_);
+    WalkBatch batch(shooter, &history_.frame());
     const auto begin = walks.begin() + static_cast<std::ptrdiff_t>(first);
     batch.shoot(
       { begin, begin + static_cast<std::ptrdiff_t>(std::min(kBatchSize, walks.size() - first)) });
@@ -96,13 +95,13 @@ void PilotTracer::shoot(const Walks& walks)
     batch.run(tally, [] { return false; });
     for (const WalkBatch::Tail& tail : batch.tails())
     {
-      const WalkPlan::Place place = plan_.placeOf(tail.walk);
-      if (history_[place.block].size(place.walkInBlock) > 0)
+      const WalkBlock& block = history_.blockOf(tail.first.walk);
+      if (block.size(tail.first.walk) > 0)
       {
-        tally.remove(history_[place.block], place.walkInBlock, tail.walk, 0);
+        tally.remove(block, tail.first);
       }
     }
-    batch.store(plan_, history_);
+    batch.store(history_);
   }
 }
 
@@ -175,19 +174,18 @@ std::vector<std::size_t> PilotTracer::flag(
 
 std::uint64_t PilotTracer::signatureOf(std::uint32_t walk) const
 {
-  const auto [number, own] = plan_.placeOf(walk);
-  const WalkBlock& block = history_[number];
+  const WalkBlock& block = history_.blockOf(walk);
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (std::uint32_t bounce = 0; bounce < block.size(own); ++bounce)
+  for (std::uint32_t bounce = 0; bounce < block.size(walk); ++bounce)
   {
-    const Hit hit = block.hit(own, bounce);
+    const Hit hit = block.hit({ walk, bounce });
     mixIn(hash, hit.id.object);
     mixIn(hash, hit.id.triangle);
     for (const auto weight : hit.weights)
     {
       mixIn(hash, weight);
     }
-    mixIn(hash, block.power(own, bounce)[0]);
+    mixIn(hash, block.power({ walk, bounce })[0]);
   }
   return hash;
 }

@@ -57,8 +57,7 @@ private:
   std::shared_ptr<const irradiance::Scene> scene_;
   irradiance::CellSums sums_;
   irradiance::PowerBalance balance_;
-  irradiance::UnitFrame pointFrame_; ///< of the history
-  std::vector<irradiance::WalkBlock> history_;
+  irradiance::WalkHistory history_;
   std::vector<Walks> groups_;
   std::vector<std::uint32_t> groupOfWalk_;
   std::size_t frame_ = 0;

@@ -11,11 +11,11 @@
 class PhotonTraffic
 {
 public:
-  using Photons = std::vector<irradiance::PhotonReference>;
+  using Photons = std::vector<irradiance::SegmentRef>;
   struct Step
   {
     std::size_t set;
-    irradiance::PhotonReference photon;
+    irradiance::SegmentRef photon;
   };
 
   /// `size`: of a set, on average.
@@ -36,7 +36,7 @@ public:
       Photons& photons = photons_[set];
       if (!photons.empty())
       {
-        irradiance::PhotonReference& photon = photons[random_() % photons.size()];
+        irradiance::SegmentRef& photon = photons[random_() % photons.size()];
         gone_.push_back({ set, photon });
         photon = photons.back();
         photons.pop_back();

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Foot_h
+#define irradiance_Foot_h
+
+#include "Meshes/SolidSides.h"
+#include "Photons/Sensor.h"
+
+namespace irradiance
+{
+
+/**
+ * Where a sensor stands: the point, closest to it, of all surface that faces as it does. Its photons are
+ * those nearest to that point. The surface there also tells which other surface counts, see SeenSurface.
+ */
+struct Foot
+{
+  Sensor sensor;   ///< moved to that point
+  Vector3 normal;  ///< world, unit vector, of the surface; to the side that receives
+  bool isInside;   ///< that side is inside of a body
+  double distance; ///< from there to the sensor, world
+  double size;     ///< of the object, world
+};
+
+/// Whether a side (1: front, -1: back, in the world) of a triangle is inside of a body. Where a pose
+/// mirrors, what is in front of the triangle in its own space is behind it in the world.
+inline bool isInside(SolidSide solid, int side, bool isMirrored)
+{
+  return solid == ((side > 0) != isMirrored ? SolidSide::InFront : SolidSide::Behind);
+}
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Surfaces_h
+#define irradiance_Surfaces_h
+
+#include "Light/SceneObjects.h"
+#include "Trees/SurfaceTree.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// The surfaces of all objects, each in its own space, so that a motion changes nothing here.
+class Surfaces
+{
+public:
+  /// Updates them to a frame. Those of objects with the same body and material stay.
+  void update(const SceneObjects& objects, const Checkpoint& checkpoint = {});
+
+  /// Forgets those of objects that have another body or material, or are no more.
+  void forgetOthers(const SceneObjects& objects);
+
+  const SurfaceTree& of(std::uint32_t object) const { return known_[object].tree; }
+
+private:
+  /// Holds for this body and material.
+  struct Known
+  {
+    std::shared_ptr<const RigidObject> body;
+    std::shared_ptr<const Material> material;
+    SurfaceTree tree;
+  };
+
+  std::vector<Known> known_;
+};
+
+}
+
+#endif

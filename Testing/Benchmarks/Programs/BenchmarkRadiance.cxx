@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What an eye costs where mirrors show glossy walls: a room of some 300 coarse cells, each of which has a lobe or is
+ * a mirror, and thousands of photons on each. One thread, CPU time. The first eye also collects the photons;
+ * the others only look. In a furnace the radiance is known: the mean over all cells is compared before any time
+ * counts.
+ *
+ * Arguments: [walks = 500000] [rounds = 3] [mirror samples = 64]
+ */
+#include "../../PhotonWalks/TestScenes.h"
+#include "Measuring/EngineTiming.h"
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "OutgoingRadiance.h"
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace irradiance;
+
+namespace
+{
+
+test::Look glossy(double diffuse, double specular, double exponent, double exitance)
+{
+  test::Look look = test::grey(diffuse, exitance);
+  look.specular = { specular, specular, specular };
+  look.exponent = exponent;
+  return look;
+}
+
+/// Emits on each cell what it absorbs, so that the radiance is 1 / pi everywhere. One wall of 49 cells is a
+/// mirror; a box of 54 stands in the room.
+SceneObjects makeFurnace(double exponent)
+{
+  test::ObjectBuilder room;
+  const Box walls = test::box({ 0, 0, 0 }, { 4, 4, 3 });
+  room.addSide(walls, 0, 7, glossy(0, 0.7, kInfinity, 0.3), true);
+  for (int side = 1; side < 6; ++side)
+  {
+    room.addSide(walls, side, side == 1 ? 3 : 7, glossy(0.3, 0.4, exponent, 0.3), true);
+  }
+  room.addBox(test::box({ 2, 2, 1 }, { 2.5, 2.5, 1.5 }), 3, glossy(0.3, 0.4, exponent, 0.3));
+  return { room.build(), {} };
+}
+
+/// Of all cells, towards an eye.
+double meanRadiance(const OutgoingRadiance& radiance, const SceneObjects& objects, const Eye& eye)
+{
+  const std::size_t cells = objects.staticObject.material->numberOfCells;
+  double sum = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    sum += radiance(0, cell, eye)[0];
+  }
+  return sum / static_cast<double>(cells);
+}
+
+}
+
+void run(const Arguments& arguments)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = arguments.number(0, 500000u);
+  settings.keepPhotons = true;
+  const int rounds = arguments.number(1, 3);
+  const auto samples = arguments.number(2, 64u);
+  for (const double exponent : { 5.0, 50.0, 1000.0 })
+  {
+    const SceneObjects objects = makeFurnace(exponent);
+    const std::string row = std::to_string(objects.staticObject.material->numberOfCells) +
+      " cells, lobes of exponent " + std::to_string(static_cast<int>(exponent));
+    IrradianceEngine engine;
+    CpuTime execution;
+    engine.update(objects, settings, execution);
+    for (int round = 0; round < rounds; ++round)
+    {
+      std::unique_ptr<OutgoingRadiance> radiance;
+      const double collected = threadCpuSecondsOf(
+        [&] { radiance = std::make_unique<OutgoingRadiance>(engine, samples, execution); });
+      double mean = 0;
+      const double looked = threadCpuSecondsOf([&] {
+        mean = meanRadiance(*radiance, objects, { { 3.2, 0.7 + 0.1 * round, 1.4 } });
+      });
+      if (!(std::abs(mean * M_PI - 1) < 0.1)) // some 10^4 photons are in narrow lobes
+      {
+        throw std::runtime_error("The radiance of the furnace is off");
+      }
+      report("Radiance", row, "an eye, s", looked, { 1, 0.5 });
+      report("Radiance", row, "photons collected, s", collected);
+    }
+  }
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run that is aborted continues with the same bits; one whose input changes starts again.
+
+#include "ExposureScenes.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkTransformInterpolator.h"
+
+using namespace ExposureScenes;
+
+TEST(RadiantExposure, ContinuesAfterAnAbort)
+{
+  const WalkThrough scene(1000);
+  const auto exposure = MakeExposure(scene.Irradiance);
+  vtkNew<Aborter> aborter;
+  exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
+  const auto abortedUpdate = [&] {
+    aborter->Events = 3; // the first event comes before anything is done
+    exposure->Modified();
+    exposure->Update();
+    EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), 0u);
+  };
+  abortedUpdate();
+  EXPECT_EQ(scene.Ball->Visits.size(), 2u);
+  abortedUpdate();
+  EXPECT_EQ(scene.Ball->Visits.size(), 4u);
+  exposure->Modified();
+  exposure->Update();
+  EXPECT_EQ(scene.Ball->Visits, kTimes) << "every time once";
+  ExpectSumOverFresh(exposure, scene, kTimes);
+
+  // What matters has changed, so all times are visited again.
+  const auto expectAnew = [&](const std::vector<double>& times) {
+    scene.Ball->Visits.clear();
+    exposure->Modified();
+    exposure->Update();
+    EXPECT_EQ(scene.Ball->Visits, times);
+    ExpectSumOverFresh(exposure, scene, times);
+  };
+  abortedUpdate();
+  exposure->SetEndTime(1);
+  expectAnew({ 0, 0.25, 0.5, 1 });
+  exposure->SetEndTime(1.5);
+  abortedUpdate();
+  scene.Irradiance->SetSeed(3);
+  scene.Irradiance->SetSeed(1);
+  expectAnew(kTimes);
+}
+
+namespace
+{
+
+/// Aborts the n-th execution from when it is told so.
+class ExecutionAborter : public vtkCommand
+{
+public:
+  static ExecutionAborter* New() { return new ExecutionAborter; }
+  void Execute(vtkObject* caller, unsigned long event, void*) override
+  {
+    if (event == vtkCommand::StartEvent)
+    {
+      ++this->Starts;
+      --this->Executions;
+    }
+    else if (this->Executions == 0)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  }
+  int Executions = 0;
+  int Starts = 0;
+};
+
+}
+
+// The user aborts the long first shooting, or an update, where its progress is seen.
+TEST(RadiantExposure, ContinuesAfterAnAbortUpstream)
+{
+  const WalkThrough scene(1000);
+  const auto exposure = MakeExposure(scene.Irradiance);
+  const auto observer = ErrorObserver::Watch(exposure);
+  vtkNew<ExecutionAborter> aborter;
+  scene.Irradiance->AddObserver(vtkCommand::StartEvent, aborter);
+  scene.Irradiance->AddObserver(vtkCommand::ProgressEvent, aborter);
+  for (const int execution : { 1, 3, 0 })
+  {
+    aborter->Executions = execution;
+    exposure->Modified();
+    exposure->Update();
+    EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), execution == 0 ? 2u : 0u);
+  }
+  EXPECT_TRUE(observer->Errors.empty() && observer->Warnings.empty());
+  ExpectSumOverFresh(exposure, scene, kTimes);
+  EXPECT_EQ(aborter->Starts, static_cast<int>(kTimes.size()) + 2) << "two were aborted";
+}
+
+// An interpolator sets itself up when it is first asked; that is no change of the scene.
+TEST(RadiantExposure, OfAnInterpolatorContinuesToo)
+{
+  const auto make = [] {
+    auto irradiance = MakeFilter(WalkThrough::Room(), 1000);
+    vtkNew<vtkTransformInterpolator> way;
+    for (int key = 0; key < 3; ++key)
+    {
+      vtkNew<vtkTransform> pose;
+      pose->Translate(0.6 + 0.5 * key, 1.2 + 0.1 * key * key, 1);
+      way->AddTransform(key, pose);
+    }
+    irradiance->AddInputDataObject(1, MakeBall(0.3, 6));
+    irradiance->SetDynamicTransformInterpolator(0, way);
+    return irradiance;
+  };
+  const auto irradiance = make(), other = make();
+  const auto exposure = MakeExposure(irradiance), whole = MakeExposure(other);
+  const auto observer = ErrorObserver::Watch(exposure);
+  vtkNew<Aborter> aborter;
+  exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
+  int updates = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&updates);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  irradiance->AddObserver(vtkCommand::EndEvent, counter);
+  for (vtkRadiantExposureFilter* filter : { exposure.Get(), whole.Get() })
+  {
+    filter->SetIntegrationModeToUniform();
+    filter->SetNumberOfTimeSteps(5);
+  }
+  aborter->Events = 4;
+  exposure->Update();
+  EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), 0u);
+  exposure->Modified();
+  exposure->Update();
+  EXPECT_EQ(updates, 6) << "every time once";
+  whole->Update();
+  EXPECT_TRUE(IsSame(OutputBits(BlocksOf(exposure)), OutputBits(BlocksOf(whole))));
+  EXPECT_TRUE(observer->Warnings.empty() && observer->Errors.empty());
+}
+
+TEST(RadiantExposure, ReportsProgress)
+{
+  const auto square = MakeLitSquare({ 0, 1, 2, 3 }, [](double time) { return time; });
+  const auto exposure = MakeExposure(square);
+  vtkNew<Aborter> observer;
+  exposure->AddObserver(vtkCommand::ProgressEvent, observer);
+  exposure->Update();
+  EXPECT_EQ(observer->Progress, (std::vector<double>{ 0, 0.25, 0.5, 0.75, 1 }));
+}
+
+// An observer changes the scene during the run: what was summed up is of no use.
+TEST(RadiantExposure, StartsAgainIfSomethingChangesMeanwhile)
+{
+  const auto square = MakeLitSquare({ 0, 1, 2, 3 }, [](double time) { return time; });
+  const auto exposure = MakeExposure(square);
+  struct Changer : vtkCommand
+  {
+    static Changer* New() { return new Changer; }
+    void Execute(vtkObject*, unsigned long, void* progress) override
+    {
+      if (*static_cast<double*>(progress) == 0.5 && !this->IsDone)
+      {
+        this->IsDone = true;
+        this->Square->Change = [](vtkPolyData* part, double) {
+          SetCellValues(part, "Irradiance", { 10 });
+        };
+        this->Square->Modified();
+      }
+    }
+    PartOverTime* Square = nullptr;
+    bool IsDone = false;
+  };
+  vtkNew<Changer> changer;
+  changer->Square = square;
+  exposure->AddObserver(vtkCommand::ProgressEvent, changer);
+  exposure->Update();
+  EXPECT_TRUE(changer->IsDone);
+  EXPECT_EQ(SquareExposure(exposure), 30);
+}
