@@ -76,7 +76,7 @@ std::vector<std::vector<StaleSegment>> IrradianceEngine::verify(
     if (moved[i] && !object.body->mesh().isEmpty())
     {
       scan.addMoved(i + 1);
-      if (object.isPresent)
+      if (!object.isEmpty())
       {
         scan.addBody(scene_.shadowBound(i, clearance_));
       }

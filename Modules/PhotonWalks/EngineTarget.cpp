@@ -27,7 +27,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     checkReceived(balance_);
     ProgressSpan still(execution, progress, progress);
     spreadSums(rounds, still);
-    reached_ = errorEstimate(rounds).relativeErrorOfMostArea(objects_, still);
+    reached_ = errorEstimate(rounds).relativeErrorOfMostArea(cells_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan_.rounds().size());
   dropRounds(rounds, checkpointOf(execution, progress));
   if (!execution.reportProgress(1))

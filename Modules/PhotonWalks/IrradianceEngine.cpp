@@ -56,6 +56,7 @@ void IrradianceEngine::update(
   isValid_ = false; // until the end is reached
   ++state_;
   objects_ = objects;
+  cells_.update(objects_, checkpointOf(execution, 0));
   surfaces_.forgetOthers(objects_);
   // What is stored stays, for those who ask again.
   const bool keepsPhotons = settings.keepPhotons || (repair && settings_.keepPhotons);
@@ -254,29 +255,29 @@ ErrorEstimate IrradianceEngine::errorEstimate(std::size_t rounds) const
                     : ErrorEstimate(sums_, plan_, rounds, photon);
 }
 
-double IrradianceEngine::irradiance(
-  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+double IrradianceEngine::irradiance(const CellSide& cell, int band) const
 {
   if (settings_.cellEstimate == CellEstimate::Nearest)
   {
-    const double density = nearestCells_.density(object, cell, side, band);
+    const double density = nearestCells_.density(cell, band);
     if (!std::isnan(density))
     {
       return watts(density);
     }
   }
   const CellSums& sums = isSpread() ? spreadSums_ : sums_;
-  return area > 0 ? watts(sums.sum(object, cell, side, band)) / area : 0.0;
+  const double area = cells_.area(cell);
+  return area > 0 ? watts(sums.sum(cell, band)) / area : 0.0;
 }
 
-double IrradianceEngine::staleIrradiance(
-  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+double IrradianceEngine::staleIrradiance(const CellSide& cell, int band) const
 {
+  const double area = cells_.area(cell);
   if (!stale_ || !(area > 0))
   {
     return 0;
   }
-  const auto quanta = [&](const CellSums& sums) { return sums.sum(object, cell, side, band); };
+  const auto quanta = [&](const CellSums& sums) { return sums.sum(cell, band); };
   // What is spread is rounded at each step, so the part may come out larger than the whole.
   return watts(isSpread() ? std::min(quanta(spreadStaleSums_), quanta(spreadSums_))
                           : quanta(stale_->sums())) /

@@ -74,9 +74,8 @@ public:
   /// All objects need a body and a material, with the same number of bands.
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
-  /// W/m2 received by `side` (0 front or both, 1 back) of a cell, given its area; 0 if that is 0. By
-  /// the cell estimate of the settings.
-  double irradiance(std::uint32_t object, std::size_t cell, int side, int band, double area) const;
+  /// W/m2, by the cell estimate of the settings; 0 for a cell without area.
+  double irradiance(const CellSide& cell, int band) const;
   /// The errors of irradiance(), from the variance between replicates; valid until the next update.
   /// What the estimate blurs is not in them.
   ErrorEstimate errorEstimate() const { return errorEstimate(sums_.rounds()); }
@@ -97,8 +96,7 @@ public:
   /// by walk; empty after a fresh start. Only if that update was to list them.
   const std::vector<SegmentRef>& repaired() const { return repaired_; }
   /// The part of irradiance() that rests on stale walks.
-  double staleIrradiance(
-    std::uint32_t object, std::size_t cell, int side, int band, double area) const;
+  double staleIrradiance(const CellSide& cell, int band) const;
   /// StaleWalks::gainBound() in watts.
   double staleGainBound(int band) const { return stale_ ? watts(stale_->gainBound(band)) : 0.0; }
   bool hasEmitters() const { return !emitters_.isEmpty(); }
@@ -115,6 +113,7 @@ public:
   /// Whether the last update was completed.
   bool isValid() const { return isValid_; }
   const SceneObjects& objects() const { return objects_; }
+  const SceneCells& cells() const { return cells_; }
   const Scene& scene() const { return scene_; }
   /// Walks stay inside, except where they escape.
   Box walkBounds() const;
@@ -186,6 +185,7 @@ private:
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
   SceneObjects objects_;
+  SceneCells cells_;
   EngineSettings settings_;
   WalkPlan plan_;
   Scene scene_;

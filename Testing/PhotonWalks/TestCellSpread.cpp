@@ -45,7 +45,7 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
         {
           for (std::uint32_t i = 0; i < plan.replicates().count(); ++i)
           {
-            sums.set(object, cell, side, band, i,
+            sums.set({ object, cell, side }, band, i,
               times *
                 static_cast<std::int64_t>(random.engine() % 3 * (random.engine() % (1u << 30))));
           }
@@ -70,7 +70,7 @@ std::vector<std::int64_t> totals(
       {
         for (int side = 0; side < sums.sides(); ++side)
         {
-          totals.back() += sums.sum(object, cell, side, band, i, 1);
+          totals.back() += sums.sum({ object, cell, side }, band, i, 1);
         }
       }
     }
@@ -92,7 +92,7 @@ std::vector<std::int64_t> valuesOf(const CellSums& sums, const SceneObjects& obj
         {
           for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
           {
-            values.push_back(sums.sum(object, cell, side, band, i, 1));
+            values.push_back(sums.sum({ object, cell, side }, band, i, 1));
           }
         }
       }
@@ -170,15 +170,15 @@ TEST(CellSpread, DoesNotLeak)
     CellSums sums(objects, 1, WalkPlan(1000, 1000, 1));
     for (std::size_t cell = 0; cell < 100; ++cell)
     {
-      sums.set(0, cell, 0, 0, 0, cell % 7 == 0 ? 1 << 30 : 0);
+      sums.set({ 0, cell }, 0, 0, cell % 7 == 0 ? 1 << 30 : 0);
     }
     const CellSums spread = spreadOf(objects, sums, 2000);
     std::int64_t onDark = 0;
     for (std::size_t cell = 0; cell < 100; ++cell)
     {
       onDark +=
-        border == Border::Object ? spread.sum(1, cell, 0, 0) : spread.sum(0, 100 + cell, 0, 0);
-      EXPECT_GT(spread.sum(0, cell, 0, 0), 0);
+        border == Border::Object ? spread.sum({ 1, cell }, 0) : spread.sum({ 0, 100 + cell }, 0);
+      EXPECT_GT(spread.sum({ 0, cell }, 0), 0);
     }
     EXPECT_EQ(onDark > 0, border == Border::None);
   }
@@ -217,13 +217,13 @@ TEST(CellSpread, DoesNotDependOnTheOrderOfCells)
   CellSums other(shuffled, 1, plan);
   for (std::size_t i = 0; i < cells; ++i)
   {
-    other.set(1, i, 0, 0, 0, sums.sum(1, order[i], 0, 0));
+    other.set({ 1, i }, 0, 0, sums.sum({ 1, order[i] }, 0));
   }
   const CellSums spread = spreadOf(objects, sums, 1000),
                  otherSpread = spreadOf(shuffled, other, 1000);
   for (std::size_t i = 0; i < cells; ++i)
   {
-    EXPECT_EQ(otherSpread.sum(1, i, 0, 0), spread.sum(1, order[i], 0, 0));
+    EXPECT_EQ(otherSpread.sum({ 1, i }, 0), spread.sum({ 1, order[i] }, 0));
   }
 }
 
@@ -273,16 +273,16 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   for (std::size_t k = 0; k < areas.size(); ++k)
   {
     CellSums sums(objects, 1, plan);
-    sums.set(0, k, 0, 0, 0, std::int64_t{ 1 } << 24); // a photon
+    sums.set({ 0, k }, 0, 0, std::int64_t{ 1 } << 24); // a photon
     const CellSums spread = spreadOf(objects, sums, photons);
     for (std::size_t i = 0; i < areas.size(); ++i)
     {
-      const double w = double(spread.sum(0, i, 0, 0)) / kPhoton;
+      const double w = double(spread.sum({ 0, i }, 0)) / kPhoton;
       shares[i] += w * w * areas[k] / areas[i];
     }
   }
   CellSums sums(objects, 1, plan);
-  sums.set(0, 0, 0, 0, 0, std::int64_t{ 1 } << 24);
+  sums.set({ 0, 0 }, 0, 0, std::int64_t{ 1 } << 24);
   CellSpread spread;
   Execution execution;
   spread.update(objects, sums, 1, photons, kPhoton, execution);
@@ -291,13 +291,13 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   for (std::size_t i = 0; i < small; ++i)
   {
     EXPECT_LT(shares[i], 0.5);
-    EXPECT_NEAR(spread.photonShare(0, i, 0) / shares[i], 1, 1.4) << "4 standard errors";
-    ratio += spread.photonShare(0, i, 0) / shares[i] / double(small);
+    EXPECT_NEAR(spread.photonShare({ 0, i }) / shares[i], 1, 1.4) << "4 standard errors";
+    ratio += spread.photonShare({ 0, i }) / shares[i] / double(small);
   }
   EXPECT_NEAR(ratio, 1, 0.25) << "some ten independent parts";
   for (std::size_t i = small; i < areas.size(); ++i)
   {
-    EXPECT_EQ(spread.photonShare(0, i, 0), 1);
+    EXPECT_EQ(spread.photonShare({ 0, i }), 1);
     EXPECT_NEAR(shares[i], 1, 1e-12);
   }
 }
@@ -346,7 +346,7 @@ TEST(CellSpread, UpdateEqualsRebuildWithATarget)
     double watts = 0;
     for (std::size_t cell = 0; cell < areas.size(); ++cell)
     {
-      watts += engine.irradiance(0, cell, 0, 0, areas[cell]) * areas[cell];
+      watts += engine.irradiance({ 0, cell }, 0) * areas[cell];
     }
     EXPECT_NEAR(watts / test::wattsOn(engine, 0, 0, areas.size()), 1, 1e-12) << "of all rounds";
   }
@@ -372,12 +372,12 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
       double watts = 0, stale = 0;
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        const double all = engine.irradiance(object, cell, 0, 0, areas[cell]),
-                     part = engine.staleIrradiance(object, cell, 0, 0, areas[cell]);
+        const double all = engine.irradiance({ object, cell }, 0),
+                     part = engine.staleIrradiance({ object, cell }, 0);
         EXPECT_GE(part, 0);
         EXPECT_LE(part, all);
         watts += part * areas[cell];
-        stale += engine.watts(engine.stale()->sums().sum(object, cell, 0, 0));
+        stale += engine.watts(engine.stale()->sums().sum({ object, cell }, 0));
       }
       EXPECT_NEAR(watts, stale, 1e-8 * stale);
     }
@@ -410,8 +410,8 @@ TEST(CellSpread, WhatIsStaleIsAtMostAll)
       const std::vector<double> areas = cellAreas(scene.objects()[object]);
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        EXPECT_LE(engine.staleIrradiance(object, cell, 0, 0, areas[cell]),
-          engine.irradiance(object, cell, 0, 0, areas[cell]));
+        EXPECT_LE(
+          engine.staleIrradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
       }
     }
   }
@@ -467,10 +467,9 @@ TEST(CellSpread, ScalesByPowersOfTwo)
       const std::vector<double> areas = cellAreas(unit[object]);
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        ASSERT_EQ(other.irradiance(object, cell, 0, 0, areas[cell] * scale * scale),
-          engine.irradiance(object, cell, 0, 0, areas[cell]));
-        const double error = engine.errorEstimate().standardError(object, cell, 0, 0),
-                     otherError = other.errorEstimate().standardError(object, cell, 0, 0);
+        ASSERT_EQ(other.irradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
+        const double error = engine.errorEstimate().standardError({ object, cell }, 0),
+                     otherError = other.errorEstimate().standardError({ object, cell }, 0);
         ASSERT_TRUE(error == otherError || (std::isnan(error) && std::isnan(otherError)));
       }
     }
@@ -494,17 +493,17 @@ TEST(CellSpread, LeavesLargeCellsAlone)
   sums.update(objects, settings, execution);
   for (std::size_t cell = 0; cell < objects.staticObject.material->numberOfCells; ++cell)
   {
-    EXPECT_EQ(spread.irradiance(0, cell, 0, 0, 1), sums.irradiance(0, cell, 0, 0, 1));
-    const double error = spread.errorEstimate().standardError(0, cell, 0, 0);
-    EXPECT_EQ(error, sums.errorEstimate().standardError(0, cell, 0, 0));
+    EXPECT_EQ(spread.irradiance({ 0, cell }, 0), sums.irradiance({ 0, cell }, 0));
+    const double error = spread.errorEstimate().standardError({ 0, cell }, 0);
+    EXPECT_EQ(error, sums.errorEstimate().standardError({ 0, cell }, 0));
   }
   std::size_t changed = 0, known = 0, knownBySums = 0;
   const std::size_t cells = objects.dynamicObjects[0].material->numberOfCells;
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    changed += spread.irradiance(1, cell, 0, 0, 1) != sums.irradiance(1, cell, 0, 0, 1) ? 1 : 0;
-    known += std::isnan(spread.errorEstimate().standardError(1, cell, 0, 0)) ? 0 : 1;
-    knownBySums += std::isnan(sums.errorEstimate().standardError(1, cell, 0, 0)) ? 0 : 1;
+    changed += spread.irradiance({ 1, cell }, 0) != sums.irradiance({ 1, cell }, 0) ? 1 : 0;
+    known += std::isnan(spread.errorEstimate().standardError({ 1, cell }, 0)) ? 0 : 1;
+    knownBySums += std::isnan(sums.errorEstimate().standardError({ 1, cell }, 0)) ? 0 : 1;
   }
   EXPECT_GT(changed, cells * 9 / 10);
   EXPECT_GT(known, cells * 9 / 10);
@@ -600,8 +599,8 @@ TEST(CellSpread, IntervalsHoldTheTruth)
     const ErrorEstimate errors = engine.errorEstimate();
     for (std::size_t cell = 0; cell < areas.size(); ++cell)
     {
-      const double off = engine.irradiance(1, cell, 0, 0, areas[cell]) - 1,
-                   error = engine.watts(errors.standardError(1, cell, 0, 0)) / areas[cell];
+      const double off = engine.irradiance({ 1, cell }, 0) - 1,
+                   error = engine.watts(errors.standardError({ 1, cell }, 0)) / areas[cell];
       cells += 1;
       squares += off * off;
       known += std::isnan(error) ? 0 : 1;

@@ -19,9 +19,6 @@ bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before);
 /// objects.
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
 
-/// Whether an object has come or gone, or has another pose or other points.
-bool hasMoved(const SceneObject& now, const SceneObject& before);
-
 /// Which dynamic objects have come or gone, or have another pose or other points. Both frames have as
 /// many of them.
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before);
