@@ -7,6 +7,15 @@
 namespace irradiance
 {
 
+/// What the stored walks need to follow to a frame.
+enum class FrameChange
+{
+  Still,   ///< nothing: no walk can have changed
+  Motion,  ///< verification and repair
+  Replace, ///< likewise, and sums for objects that look different; no walk has touched these
+  Fresh    ///< all are shot again
+};
+
 /// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does
 /// not prove that they changed.
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
