@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
-#include "EmptyPiece.h"
 #include "Execution/SlicedPass.h"
-#include "FilterRun.h"
-#include "InputError.h"
-#include "PhotonRequest.h"
-#include "PhotonSource.h"
+#include "Output/EmptyPiece.h"
 #include "Photons/NearestEstimate.h"
-#include "TimeKeys.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/PhotonRequest.h"
+#include "Pipeline/PhotonSource.h"
+#include "Progress/InputError.h"
+#include "Time/TimeKeys.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

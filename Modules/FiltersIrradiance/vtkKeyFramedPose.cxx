@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKeyFramedPose.h"
 
-#include "FilterRun.h"
-#include "InputError.h"
-#include "KeyFrameFile.h"
-#include "LeafData.h"
-#include "PassedGeometry.h"
-#include "Pose.h"
-#include "TimeKeys.h"
+#include "Data/LeafData.h"
+#include "Input/KeyFrameFile.h"
+#include "Input/PassedGeometry.h"
+#include "Input/Pose.h"
+#include "Pipeline/FilterRun.h"
+#include "Progress/InputError.h"
+#include "Time/TimeKeys.h"
 
 #include "vtkCellData.h"
 #include "vtkDataObjectTree.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOutgoingRadianceFilter.h"
 
-#include "EmptyPiece.h"
 #include "Execution/SlicedPass.h"
-#include "FilterRun.h"
-#include "InputError.h"
 #include "OutgoingRadiance.h"
-#include "PhotonRequest.h"
-#include "PhotonSource.h"
+#include "Output/EmptyPiece.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/PhotonRequest.h"
+#include "Pipeline/PhotonSource.h"
+#include "Progress/InputError.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiantExposureFilter.h"
 
-#include "EmptyPiece.h"
-#include "ErrorControlledIntegral.h"
-#include "ExposureTimes.h"
-#include "FilterRun.h"
-#include "InputError.h"
-#include "InputTimes.h"
-#include "ReplicateArrays.h"
+#include "Output/EmptyPiece.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/ReplicateArrays.h"
+#include "Progress/InputError.h"
+#include "Time/ErrorControlledIntegral.h"
+#include "Time/ExposureTimes.h"
+#include "Time/InputTimes.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Output/OutputWriter.h"
+
+#include "Input/Pose.h"
+#include "Output/EmptyPiece.h"
+#include "Pipeline/ReplicateArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMatrixToLinearTransform.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiPieceDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <limits>
+
+namespace irradiance
+{
+
+namespace
+{
+
+vtkSmartPointer<vtkLinearTransform> toVtk(const AffineMap& map)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix->SetElement(row, column, map.linear(row, column));
+    }
+    matrix->SetElement(row, 3, map.translation[row]);
+  }
+  auto transform = vtkSmartPointer<vtkMatrixToLinearTransform>::New();
+  transform->SetInput(matrix);
+  return transform;
+}
+
+void transformNormals(vtkLinearTransform* transform, vtkDataSetAttributes* attributes)
+{
+  if (vtkDataArray* normals = attributes->GetNormals())
+  {
+    auto moved = vtk::TakeSmartPointer(normals->NewInstance());
+    moved->SetNumberOfComponents(3);
+    moved->SetName(normals->GetName());
+    transform->TransformNormals(normals, moved);
+    attributes->SetNormals(moved);
+  }
+}
+
+/// Moves points and active normals to the world. Integer points become double, as integers cannot
+/// hold the result. The input's own arrays do not change.
+void movePoints(const AffineMap& worldFromObject, vtkPolyData* polyData)
+{
+  vtkPoints* model = polyData->GetPoints();
+  const bool isFloating =
+    model && (model->GetDataType() == VTK_FLOAT || model->GetDataType() == VTK_DOUBLE);
+  if (!model || (isFloating && worldFromObject == AffineMap()))
+  {
+    return;
+  }
+  const auto transform = toVtk(worldFromObject);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(isFloating ? model->GetDataType() : VTK_DOUBLE);
+  transform->TransformPoints(model, points);
+  polyData->SetPoints(points);
+  transformNormals(transform, polyData->GetPointData());
+  transformNormals(transform, polyData->GetCellData());
+}
+
+template <class Array, class Value>
+void addField(vtkMultiBlockDataSet* output, const char* name, std::initializer_list<Value> tuple)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(tuple.size()));
+  for (const Value value : tuple)
+  {
+    array->InsertNextValue(value);
+  }
+  output->GetFieldData()->AddArray(array);
+}
+
+/// An empty block of a type that a vtkMultiBlockDataSet may hold: it refuses partitioned ones.
+vtkSmartPointer<vtkDataObjectTree> emptyBlock(vtkDataObjectTree* input)
+{
+  if (input->IsA("vtkPartitionedDataSet"))
+  {
+    return vtkSmartPointer<vtkMultiPieceDataSet>::New();
+  }
+  return vtkSmartPointer<vtkMultiBlockDataSet>::New();
+}
+
+/// Of the names of arrays, for both sides together or for each.
+using Suffixes = std::vector<const char*>;
+const Suffixes& suffixesOf(const EngineSettings& settings)
+{
+  static const Suffixes sides{ "Front", "Back" }, together{ "" };
+  return settings.separateSides ? sides : together;
+}
+
+std::string irradianceName(const std::string& suffix)
+{
+  return "Irradiance" + suffix;
+}
+
+std::string standardErrorName(const std::string& suffix)
+{
+  return "Irradiance" + suffix + "StandardError";
+}
+
+std::string staleName(const std::string& suffix)
+{
+  return "StaleIrradiance" + suffix;
+}
+
+void activateIrradiance(vtkPolyData* polyData, const EngineSettings& settings)
+{
+  if (!settings.separateSides)
+  {
+    polyData->GetCellData()->SetActiveScalars(irradianceName("").c_str());
+  }
+}
+
+/// What the input says of itself by a field array; else its port and number.
+std::string nameOf(vtkDataObject* data, const char* port, unsigned int connection)
+{
+  auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("Name"));
+  const bool isNamed = names && names->GetNumberOfValues() > 0 && !names->GetValue(0).empty();
+  return isNamed ? std::string(names->GetValue(0))
+                 : std::string(port) + " " + std::to_string(connection);
+}
+
+void setBlock(
+  vtkMultiBlockDataSet* parent, unsigned int index, vtkDataObject* block, const std::string& name)
+{
+  parent->SetBlock(index, block);
+  parent->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+}
+
+}
+
+vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
+  const InputConnection& connection, const MakePart& makePart)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(connection.data);
+  if (!tree)
+  {
+    return makePart(connection.parts.front());
+  }
+  const auto block = emptyBlock(tree);
+  block->CopyStructure(tree);
+  block->GetFieldData()->PassData(tree->GetFieldData());
+  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  leaves->VisitOnlyLeavesOn();
+  auto part = connection.parts.begin();
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    block->SetDataSet(leaves, makePart(*part++));
+  }
+  return block;
+}
+
+void OutputWriter::writeBlocks(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, const MakePart& makeStatic,
+  const MakePart& makeDynamic, vtkMultiBlockDataSet* output)
+{
+  vtkNew<vtkMultiBlockDataSet> staticBlocks, dynamicBlocks;
+  setBlock(output, 0, staticBlocks, "Static");
+  setBlock(output, 1, dynamicBlocks, "Dynamic");
+  for (unsigned int i = 0; i < statics.size(); ++i)
+  {
+    setBlock(
+      staticBlocks, i, blockOf(statics[i], makeStatic), nameOf(statics[i].data, "Static", i));
+  }
+  for (unsigned int i = 0; i < dynamics.size(); ++i)
+  {
+    const auto block = blockOf(dynamics[i], makeDynamic);
+    block->GetFieldData()->RemoveArray(kFieldPoseName);
+    setBlock(dynamicBlocks, i, block, nameOf(dynamics[i].data, "Dynamic", i));
+  }
+}
+
+void OutputWriter::write(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const
+{
+  std::size_t staticPart = 0;
+  const auto makeStatic = [&](const InputPart& part) {
+    auto polyData = vtkSmartPointer<vtkPolyData>::New();
+    polyData->ShallowCopy(part.polyData);
+    addIrradiance(polyData, 0, scene_.firstCellOfStatic(staticPart++));
+    return polyData;
+  };
+  std::uint32_t object = 0;
+  const auto makeDynamic = [&](const InputPart& part) {
+    auto polyData = vtkSmartPointer<vtkPolyData>::New();
+    polyData->ShallowCopy(part.polyData);
+    movePoints(part.worldFromPart, polyData);
+    polyData->GetFieldData()->RemoveArray(kFieldPoseName); // applied
+    if (part.innerPose)
+    {
+      polyData->GetFieldData()->RemoveArray(part.innerPose);
+    }
+    addIrradiance(polyData, ++object, 0);
+    return polyData;
+  };
+  writeBlocks(statics, dynamics, makeStatic, makeDynamic, output);
+  addFieldData(output);
+}
+
+void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, const EngineSettings& settings, bool withErrors,
+  vtkMultiBlockDataSet* output)
+{
+  const int bands = SceneReader::countBands(statics, dynamics);
+  const auto makePart = [&](const InputPart& part) {
+    auto polyData = withoutCells(part.polyData);
+    const auto add = [&](const std::string& name) {
+      addEmptyArray(polyData->GetCellData(), name.c_str(), bands);
+    };
+    for (const char* suffix : suffixesOf(settings))
+    {
+      add(irradianceName(suffix));
+      if (withErrors)
+      {
+        add(standardErrorName(suffix));
+      }
+      if (settings.repairTimeBudget > 0)
+      {
+        add(staleName(suffix));
+      }
+    }
+    activateIrradiance(polyData, settings);
+    return polyData;
+  };
+  writeBlocks(statics, dynamics, makePart, makePart, output);
+}
+
+void OutputWriter::addIrradiance(
+  vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const
+{
+  int side = 0;
+  for (const char* suffix : suffixesOf(settings_))
+  {
+    addSide(polyData, suffix, object, firstCell, side++);
+  }
+  activateIrradiance(polyData, settings_);
+}
+
+void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
+  std::size_t firstCell, int side) const
+{
+  const std::vector<double>& areas = scene_.areas(object);
+  const auto add = [&](const std::string& name, const auto& value) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(scene_.bands());
+    array->SetNumberOfTuples(polyData->GetNumberOfCells());
+    CheckpointPace pace(checkpoint_);
+    for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
+    {
+      pace.step();
+      const std::size_t cell = firstCell + static_cast<std::size_t>(i);
+      for (int band = 0; band < scene_.bands(); ++band)
+      {
+        array->SetTypedComponent(i, band, value(cell, band, areas[cell]));
+      }
+    }
+    polyData->GetCellData()->AddArray(array);
+  };
+  add(irradianceName(suffix), [&](std::size_t cell, int band, double area) {
+    return engine_.irradiance(object, cell, side, band, area);
+  });
+  if (withErrors_)
+  {
+    add(standardErrorName(suffix), [&](std::size_t cell, int band, double area) {
+      return standardError(object, cell, side, band, area);
+    });
+  }
+  if (withReplicates_)
+  {
+    add(photonName(suffix), [&](std::size_t cell, int band, double area) {
+      return area > 0 ? engine_.watts(errors_.photon(object, cell, side, band)) / area : 0.0;
+    });
+  }
+  if (withReplicates_ && withErrors_)
+  {
+    addReplicates(polyData, suffix, object, firstCell, side);
+  }
+  if (settings_.repairTimeBudget > 0)
+  {
+    add(staleName(suffix), [&](std::size_t cell, int band, double area) {
+      return engine_.staleIrradiance(object, cell, side, band, area);
+    });
+  }
+}
+
+void OutputWriter::addReplicates(vtkPolyData* polyData, const std::string& suffix,
+  std::uint32_t object, std::size_t firstCell, int side) const
+{
+  const int bands = scene_.bands();
+  const auto replicates = static_cast<int>(errors_.replicates());
+  vtkNew<vtkDoubleArray> parts;
+  parts->SetName(replicatesName(suffix).c_str());
+  parts->SetNumberOfComponents(replicates * bands);
+  parts->SetNumberOfTuples(polyData->GetNumberOfCells());
+  const std::vector<double>& areas = scene_.areas(object);
+  CheckpointPace pace(checkpoint_);
+  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
+  {
+    const std::size_t cell = firstCell + static_cast<std::size_t>(i);
+    for (int part = 0; part < replicates * bands; ++part)
+    {
+      pace.step();
+      const double quanta = errors_.ofReplicate(
+        object, cell, side, part % bands, static_cast<std::uint32_t>(part / bands));
+      parts->SetTypedComponent(
+        i, part, areas[cell] > 0 ? engine_.watts(quanta) / areas[cell] : 0.0);
+    }
+  }
+  polyData->GetCellData()->AddArray(parts);
+}
+
+double OutputWriter::standardError(
+  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+{
+  return area > 0 ? engine_.watts(errors_.standardError(object, cell, side, band)) / area
+                  : std::numeric_limits<double>::quiet_NaN();
+}
+
+void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
+{
+  const auto addWatts = [&](const char* name, double first, double second, double third) {
+    if (scene_.bands() == 1)
+    {
+      addField<vtkDoubleArray>(output, name, { first });
+    }
+    else
+    {
+      addField<vtkDoubleArray>(output, name, { first, second, third });
+    }
+  };
+  const auto addPower = [&](const char* name, const Power& power) {
+    addWatts(name, engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]));
+  };
+  const auto addCount = [&](const char* name, std::int64_t count) {
+    addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
+  };
+  const auto addNumber = [&](const char* name, double number) {
+    addField<vtkDoubleArray>(output, name, { number });
+  };
+  const PowerBalance& balance = engine_.balance();
+  const EngineStatistics& statistics = engine_.statistics();
+  // The integers balance; so that the rounded watts do too, they are added.
+  const auto emitted = [&](int band) {
+    return engine_.watts(balance.absorbed[band]) + engine_.watts(balance.escaped[band]);
+  };
+  addWatts("EmittedPower", emitted(0), emitted(1), emitted(2));
+  addPower("AbsorbedPower", balance.absorbed);
+  addPower("EscapedPower", balance.escaped);
+  addPower("StalePower", engine_.stale() ? engine_.stale()->power() : Power{});
+  if (settings_.repairTimeBudget > 0)
+  {
+    addWatts("StaleGainBound", engine_.staleGainBound(0), engine_.staleGainBound(1),
+      engine_.staleGainBound(2));
+  }
+  addCount("NumberOfWalks", engine_.numberOfWalks());
+  addCount("NumberOfSegments", balance.segments);
+  if (withErrors_)
+  {
+    addNumber("ConfidenceFactor", ErrorEstimate::confidenceFactor(settings_.replicates));
+  }
+  if (settings_.targetRelativeError > 0)
+  {
+    addNumber("ReachedRelativeError", engine_.reachedRelativeError());
+  }
+  addCount("NumberOfInvalidWalks", statistics.invalidWalks);
+  addCount("NumberOfRepairedSegments", statistics.repairedSegments);
+  addNumber("ShootSeconds", statistics.shootSeconds);
+  addNumber("VerifySeconds", statistics.verifySeconds);
+  addNumber("RepairSeconds", statistics.repairSeconds);
+  addCount("HistoryBytes", static_cast<std::int64_t>(statistics.historyBytes));
+}
+
+}
