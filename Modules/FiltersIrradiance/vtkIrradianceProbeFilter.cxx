@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
+#include "Data/ArrayNames.h"
 #include "Execution/SlicedPass.h"
 #include "Output/EmptyPiece.h"
 #include "Photons/NearestEstimate.h"
@@ -75,10 +76,10 @@ std::vector<irradiance::Sensor> ReadSensors(vtkPointSet* input)
 }
 
 template <class Array>
-vtkSmartPointer<Array> AddArray(vtkPointSet* output, const char* name, int components)
+vtkSmartPointer<Array> AddArray(vtkPointSet* output, const std::string& name, int components)
 {
   auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
+  array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(output->GetNumberOfPoints());
   output->GetPointData()->AddArray(array);
@@ -120,10 +121,10 @@ void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
   output->GetPointData()->CopyAllocate(input->GetPointData(), 0);
   output->GetCellData()->CopyAllOn();
   output->GetCellData()->CopyAllocate(input->GetCellData(), 0);
-  AddArray<vtkDoubleArray>(output, "Irradiance", irradiance::bandsOf(scene));
-  AddArray<vtkIdTypeArray>(output, "NumberOfPhotons", 1);
-  AddArray<vtkDoubleArray>(output, "SearchRadius", 1);
-  output->GetPointData()->SetActiveScalars("Irradiance");
+  AddArray<vtkDoubleArray>(output, irradiance::irradianceName(), irradiance::bandsOf(scene));
+  AddArray<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1);
+  AddArray<vtkDoubleArray>(output, irradiance::kSearchRadius, 1);
+  output->GetPointData()->SetActiveScalars(irradiance::irradianceName().c_str());
 }
 
 /// The executive would take the time of the sensors, which may not change with time.
@@ -223,9 +224,9 @@ void vtkIrradianceProbeFilter::Compute(
     this->MaximumRadius > 0 ? this->MaximumRadius : irradiance::usualRadius(nearest, count);
   const int bands = engine.objects().staticObject.material->bands;
   output->ShallowCopy(input);
-  const auto irradiances = AddArray<vtkDoubleArray>(output, "Irradiance", bands);
-  const auto counts = AddArray<vtkIdTypeArray>(output, "NumberOfPhotons", 1);
-  const auto radii = AddArray<vtkDoubleArray>(output, "SearchRadius", 1);
+  const auto irradiances = AddArray<vtkDoubleArray>(output, irradiance::irradianceName(), bands);
+  const auto counts = AddArray<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1);
+  const auto radii = AddArray<vtkDoubleArray>(output, irradiance::kSearchRadius, 1);
   std::vector<char> areLost(sensors.size());
   constexpr std::size_t unitSize = 64;
   irradiance::SlicedPass pass{ (sensors.size() + unitSize - 1) / unitSize, {} };
@@ -250,7 +251,7 @@ void vtkIrradianceProbeFilter::Compute(
     return true;
   };
   pass.run(execution);
-  output->GetPointData()->SetActiveScalars("Irradiance");
+  output->GetPointData()->SetActiveScalars(irradiance::irradianceName().c_str());
   if (std::find(areLost.begin(), areLost.end(), char{ 1 }) != areLost.end())
   {
     vtkWarningMacro(<< TextOfLost(sensors, areLost, maximumDistance));

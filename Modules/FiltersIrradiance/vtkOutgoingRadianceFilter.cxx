@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOutgoingRadianceFilter.h"
 
+#include "Data/ArrayNames.h"
 #include "Execution/SlicedPass.h"
 #include "OutgoingRadiance.h"
 #include "Output/EmptyPiece.h"
@@ -102,8 +103,9 @@ void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
     if (auto* polyData = vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject()))
     {
       const auto empty = irradiance::withoutCells(polyData);
-      irradiance::addEmptyArray(empty->GetCellData(), "Radiance", irradiance::bandsOf(empty));
-      empty->GetCellData()->SetActiveScalars("Radiance");
+      irradiance::addEmptyArray(
+        empty->GetCellData(), irradiance::kRadiance, irradiance::bandsOf(empty));
+      empty->GetCellData()->SetActiveScalars(irradiance::kRadiance);
       output->SetDataSet(leaves, empty);
     }
   }
@@ -126,11 +128,11 @@ std::vector<Unit> MakeUnits(
   source.forEachPart(
     output, [&](vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) {
       vtkNew<vtkDoubleArray> radiance;
-      radiance->SetName("Radiance");
+      radiance->SetName(irradiance::kRadiance);
       radiance->SetNumberOfComponents(bands);
       radiance->SetNumberOfTuples(polyData->GetNumberOfCells());
       polyData->GetCellData()->AddArray(radiance);
-      polyData->GetCellData()->SetActiveScalars("Radiance");
+      polyData->GetCellData()->SetActiveScalars(irradiance::kRadiance);
       for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
       {
         units.push_back({ radiance, object, firstCell, begin,

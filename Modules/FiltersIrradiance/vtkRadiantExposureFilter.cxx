@@ -3,7 +3,7 @@
 
 #include "Output/EmptyPiece.h"
 #include "Pipeline/FilterRun.h"
-#include "Pipeline/ReplicateArrays.h"
+#include "Pipeline/ReplicateRequest.h"
 #include "Progress/InputError.h"
 #include "Time/ErrorControlledIntegral.h"
 #include "Time/ExposureTimes.h"
@@ -94,7 +94,7 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
   if (IsErrorControlled(settings.Mode))
   {
     return std::make_unique<irradiance::ErrorControlledIntegral>(
-      irradiance::firstTimes(input, settings.Span, settings.NumberOfTimeSteps),
+      irradiance::firstTimes(irradiance::stepsOf(input), settings.Span, settings.NumberOfTimeSteps),
       settings.RelativeTolerance, settings.MaximumNumberOfTimeSteps);
   }
   return std::make_unique<irradiance::GivenTimesIntegral>(

@@ -2,7 +2,7 @@
 #ifndef irradiance_KeyFrameFile_h
 #define irradiance_KeyFrameFile_h
 
-#include "Input/KeyFrames.h"
+#include "Geometry/KeyFrames.h"
 
 #include <functional>
 #include <string>

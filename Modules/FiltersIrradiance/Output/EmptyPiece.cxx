@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/EmptyPiece.h"
 
+#include "Data/ArrayNames.h"
+
 #include "vtkCellData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -47,9 +49,10 @@ int bandsOf(vtkDataObject* data)
     return leaves->IsDoneWithTraversal() ? 1 : bandsOf(leaves->GetCurrentDataObject());
   }
   vtkPolyData* polyData = vtkPolyData::SafeDownCast(data);
-  for (const char* name : { "Irradiance", "IrradianceFront" })
+  for (const char* suffix : kSideSuffixes)
   {
-    if (vtkDataArray* array = polyData ? polyData->GetCellData()->GetArray(name) : nullptr)
+    if (vtkDataArray* array =
+          polyData ? polyData->GetCellData()->GetArray(irradianceName(suffix).c_str()) : nullptr)
     {
       return array->GetNumberOfComponents();
     }

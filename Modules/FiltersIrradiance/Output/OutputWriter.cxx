@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/OutputWriter.h"
 
+#include "Data/ArrayNames.h"
 #include "Input/Pose.h"
 #include "Output/EmptyPiece.h"
-#include "Pipeline/ReplicateArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -110,26 +110,11 @@ const Suffixes& suffixesOf(const EngineSettings& settings)
   return settings.separateSides ? sides : together;
 }
 
-std::string irradianceName(const std::string& suffix)
-{
-  return "Irradiance" + suffix;
-}
-
-std::string standardErrorName(const std::string& suffix)
-{
-  return "Irradiance" + suffix + "StandardError";
-}
-
-std::string staleName(const std::string& suffix)
-{
-  return "StaleIrradiance" + suffix;
-}
-
 void activateIrradiance(vtkPolyData* polyData, const EngineSettings& settings)
 {
   if (!settings.separateSides)
   {
-    polyData->GetCellData()->SetActiveScalars(irradianceName("").c_str());
+    polyData->GetCellData()->SetActiveScalars(irradianceName().c_str());
   }
 }
 
@@ -234,7 +219,7 @@ void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
       add(irradianceName(suffix));
       if (withErrors)
       {
-        add(standardErrorName(suffix));
+        add(standardErrorName(irradianceName(suffix)));
       }
       if (settings.repairTimeBudget > 0)
       {
@@ -284,7 +269,7 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
   });
   if (withErrors_)
   {
-    add(standardErrorName(suffix), [&](std::size_t cell, int band, double area) {
+    add(standardErrorName(irradianceName(suffix)), [&](std::size_t cell, int band, double area) {
       return standardError(object, cell, side, band, area);
     });
   }
@@ -366,31 +351,31 @@ void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
   const auto emitted = [&](int band) {
     return engine_.watts(balance.absorbed[band]) + engine_.watts(balance.escaped[band]);
   };
-  addWatts("EmittedPower", emitted(0), emitted(1), emitted(2));
-  addPower("AbsorbedPower", balance.absorbed);
-  addPower("EscapedPower", balance.escaped);
-  addPower("StalePower", engine_.stale() ? engine_.stale()->power() : Power{});
+  addWatts(kEmittedPower, emitted(0), emitted(1), emitted(2));
+  addPower(kAbsorbedPower, balance.absorbed);
+  addPower(kEscapedPower, balance.escaped);
+  addPower(kStalePower, engine_.stale() ? engine_.stale()->power() : Power{});
   if (settings_.repairTimeBudget > 0)
   {
-    addWatts("StaleGainBound", engine_.staleGainBound(0), engine_.staleGainBound(1),
+    addWatts(kStaleGainBound, engine_.staleGainBound(0), engine_.staleGainBound(1),
       engine_.staleGainBound(2));
   }
-  addCount("NumberOfWalks", engine_.numberOfWalks());
-  addCount("NumberOfSegments", balance.segments);
+  addCount(kNumberOfWalks, engine_.numberOfWalks());
+  addCount(kNumberOfSegments, balance.segments);
   if (withErrors_)
   {
-    addNumber("ConfidenceFactor", ErrorEstimate::confidenceFactor(settings_.replicates));
+    addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));
   }
   if (settings_.targetRelativeError > 0)
   {
-    addNumber("ReachedRelativeError", engine_.reachedRelativeError());
+    addNumber(kReachedRelativeError, engine_.reachedRelativeError());
   }
-  addCount("NumberOfInvalidWalks", statistics.invalidWalks);
-  addCount("NumberOfRepairedSegments", statistics.repairedSegments);
-  addNumber("ShootSeconds", statistics.shootSeconds);
-  addNumber("VerifySeconds", statistics.verifySeconds);
-  addNumber("RepairSeconds", statistics.repairSeconds);
-  addCount("HistoryBytes", static_cast<std::int64_t>(statistics.historyBytes));
+  addCount(kNumberOfInvalidWalks, statistics.invalidWalks);
+  addCount(kNumberOfRepairedSegments, statistics.repairedSegments);
+  addNumber(kShootSeconds, statistics.shootSeconds);
+  addNumber(kVerifySeconds, statistics.verifySeconds);
+  addNumber(kRepairSeconds, statistics.repairSeconds);
+  addCount(kHistoryBytes, static_cast<std::int64_t>(statistics.historyBytes));
 }
 
 }

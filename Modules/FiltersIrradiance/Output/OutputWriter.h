@@ -21,7 +21,8 @@ class OutputWriter
 {
 public:
   /// The arguments must outlive the writer.
-  /// `withErrors`: also writes standard errors. `withReplicates`: also writes what ReplicateArrays.h tells.
+  /// `withErrors`: also writes standard errors. `withReplicates`: also writes replicatesName() and
+  /// photonName().
   OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
     const EngineSettings& settings, bool withErrors, bool withReplicates,
     const Checkpoint& checkpoint)
@@ -56,7 +57,6 @@ private:
   /// `suffix`: part of the arrays' names, such as Front.
   void addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
     std::size_t firstCell, int side) const;
-  /// See ReplicateArrays.h.
   void addReplicates(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
     std::size_t firstCell, int side) const;
   void addFieldData(vtkMultiBlockDataSet* output) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/PhotonSource.h"
 
+#include "Data/ArrayNames.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
@@ -43,7 +44,7 @@ vtkInformationObjectBaseKey* engineKey()
 }
 
 /// Copies of data share its arrays, but not its own information: so an array holds the reference.
-constexpr const char* kHolder = "NumberOfWalks";
+constexpr const char* kHolder = kNumberOfWalks;
 
 /// The polydata of a block, in order.
 template <class Visit>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Time/EnergySums.h"
 
+#include "Data/ArrayNames.h"
+
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -15,7 +17,7 @@ namespace irradiance
 namespace
 {
 
-constexpr std::array<const char*, 3> kPowers{ "EmittedPower", "AbsorbedPower", "EscapedPower" };
+constexpr std::array<const char*, 3> kPowers{ kEmittedPower, kAbsorbedPower, kEscapedPower };
 constexpr std::array<const char*, 3> kEnergies{ "EmittedEnergy", "AbsorbedEnergy",
   "EscapedEnergy" };
 

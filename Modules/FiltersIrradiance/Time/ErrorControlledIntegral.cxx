@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Time/ErrorControlledIntegral.h"
 
+#include "Data/ArrayNames.h"
+#include "Data/CellAreas.h"
+#include "Data/CellValues.h"
 #include "Data/LeafData.h"
 #include "Progress/InputError.h"
 
-#include <algorithm>
-#include <cmath>
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+
+#include <array>
+#include <utility>
 
 namespace irradiance
 {
@@ -13,171 +20,67 @@ namespace irradiance
 namespace
 {
 
-constexpr double kFirstShare = 0.5; ///< of the progress: that of the first times
+using Sides = std::vector<ExposureNode::Side>;
 
-/// The largest ratio of any block.
-template <typename Part>
-double worstRatio(const std::vector<IntervalMeasure>& blocks, Part part)
+Sides sidesOf(vtkCellData* cells)
 {
-  double worst = 0;
-  for (const IntervalMeasure& block : blocks)
+  Sides sides;
+  for (const std::string suffix : kSideSuffixes)
   {
-    worst = part(block) > 0 ? std::max(worst, part(block) / block.energy) : worst;
+    if (vtkDataArray* irradiance = cells->GetArray(irradianceName(suffix).c_str()))
+    {
+      sides.push_back({ static_cast<std::size_t>(irradiance->GetNumberOfComponents()),
+        valuesOf(irradiance), valuesOf(cells->GetArray(photonName(suffix).c_str())) });
+    }
   }
-  return worst;
+  return sides;
+}
+
+/// Measures the areas of blocks that have cells for the first time.
+ExposureNode nodeOf(const TimedData& input, std::vector<ExposureBlock>& blocks)
+{
+  const std::vector<LeafData> leaves = leavesOf(input.data);
+  std::vector<Sides> sides(leaves.size());
+  blocks.resize(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    blocks[i].name = leaves[i].name;
+    vtkDataSet* cells = leaves[i].data;
+    if (cells && cells->GetNumberOfCells() > 0)
+    {
+      blocks[i].areas = blocks[i].areas.empty() ? cellAreas(cells) : std::move(blocks[i].areas);
+      sides[i] = sidesOf(cells->GetCellData());
+    }
+  }
+  return { input.time, sides, blocks };
 }
 
 }
 
 ErrorControlledIntegral::ErrorControlledIntegral(
   std::vector<double> firstTimes, double tolerance, int mostIntervals)
-  : firstTimes_(std::move(firstTimes))
+  : lastTime_(firstTimes.back())
   , tolerance_(tolerance)
   , mostIntervals_(mostIntervals)
-  , halving_({ firstTimes_.back() - firstTimes_.front(), tolerance,
-      static_cast<std::size_t>(mostIntervals) })
+  , rule_(std::move(firstTimes), tolerance, static_cast<std::size_t>(mostIntervals))
 {
-  makePlaces({}, (firstTimes_.size() - 1) / 2);
-}
-
-void ErrorControlledIntegral::makePlaces(const Place& place, std::size_t count)
-{
-  if (count == 1)
-  {
-    firstPlaces_.push_back(place);
-    return;
-  }
-  const auto merge = std::make_shared<Merge>(Merge{ place, nullptr });
-  makePlaces({ merge, false }, count / 2);
-  makePlaces({ merge, true }, count - count / 2);
-}
-
-double ErrorControlledIntegral::nextTime() const
-{
-  return times_.size() < firstTimes_.size()
-    ? firstTimes_[times_.size()]
-    : middleOf(tasks_.front().start->time(), tasks_.front().end->time());
 }
 
 void ErrorControlledIntegral::take(vtkDataObject* data)
 {
-  const double time = nextTime();
-  const auto snapshot = snapshotOf(data);
-  checks_.add(snapshot, time, 0);
+  const TimedData input{ nextTime(), snapshotOf(data) };
+  checks_.add(input, 0);
   checks_.close();
-  const auto node = std::make_shared<const ExposureNode>(time, snapshot, blocks_);
-  const bool isFirst = times_.size() < firstTimes_.size();
-  times_.push_back(time);
-  const double known = static_cast<double>(times_.size()) / static_cast<double>(firstTimes_.size());
-  progress_ = std::max(progress_, kFirstShare * std::min(1.0, known));
-  if (!isFirst)
+  last_ = input.time == lastTime_ ? input.data : last_;
+  rule_.take({ input, nodeOf(input, blocks_) }, [&](const std::array<const Sample*, 3>& samples) {
+    return ExposureNode::measure(
+      { &samples[0]->node, &samples[1]->node, &samples[2]->node }, blocks_);
+  });
+  if (rule_.isDone())
   {
-    addPair({ tasks_.front().start, node, tasks_.front().end, tasks_.front().place });
-    tasks_.pop_front();
+    sums_ = rule_.takeSums();
+    times_ = rule_.times();
   }
-  else
-  {
-    recent_.push_back(node);
-    if (recent_.size() == 3)
-    {
-      addPair({ recent_[0], recent_[1], recent_[2], firstPlaces_[times_.size() / 2 - 1] });
-      recent_ = { node };
-    }
-  }
-  if (times_.size() == firstTimes_.size())
-  {
-    last_ = snapshot;
-    firstExcess_ = halving_.excess();
-    recent_.clear();
-  }
-  for (const std::size_t id : halving_.takeSettled())
-  {
-    settle(id);
-  }
-  if (times_.size() >= firstTimes_.size() && tasks_.empty())
-  {
-    halveWorst();
-  }
-}
-
-void ErrorControlledIntegral::addPair(const Pair& pair)
-{
-  const std::size_t id = nextId_++;
-  halving_.add({ id, pair.start->time(), pair.middle->time(), pair.end->time(),
-    ExposureNode::measure({ pair.start.get(), pair.middle.get(), pair.end.get() }, blocks_) });
-  open_.emplace(id, pair);
-}
-
-void ErrorControlledIntegral::halveWorst()
-{
-  // It falls about like a geometric sequence, until it is 1.
-  const double left = std::log(halving_.excess()) / std::log(firstExcess_);
-  const auto worst = halving_.takeWorst();
-  if (!worst)
-  {
-    finish();
-    return;
-  }
-  progress_ = std::max(progress_, 1 - (1 - kFirstShare) * std::clamp(left, 0.0, 1.0));
-  const Pair pair = open_.at(*worst);
-  open_.erase(*worst);
-  const auto merge = std::make_shared<Merge>(Merge{ pair.place, nullptr });
-  tasks_.push_back({ pair.start, pair.middle, { merge, false } });
-  tasks_.push_back({ pair.middle, pair.end, { merge, true } });
-}
-
-void ErrorControlledIntegral::settle(std::size_t id)
-{
-  const Pair pair = open_.at(id);
-  open_.erase(id);
-  const double start = pair.start->time(), middle = pair.middle->time(), end = pair.end->time();
-  auto sums = std::make_unique<ExposureSums>();
-  sums->add(pair.start->data(), start, trapezoidWeight(start, middle));
-  sums->add(pair.middle->data(), middle, trapezoidWeight(start, end));
-  sums->add(pair.end->data(), end, trapezoidWeight(middle, end));
-  sums->close();
-  deliver(pair.place, std::move(sums));
-}
-
-void ErrorControlledIntegral::deliver(Place place, std::unique_ptr<ExposureSums> sums)
-{
-  while (place.whole)
-  {
-    Merge& merge = *place.whole;
-    if (!merge.other)
-    {
-      merge.other = std::move(sums);
-      return;
-    }
-    if (place.isSecond)
-    {
-      std::swap(sums, merge.other);
-    }
-    sums->append(std::move(*merge.other));
-    place = Place(merge.place);
-  }
-  sums_ = std::move(*sums);
-}
-
-void ErrorControlledIntegral::finish()
-{
-  while (!open_.empty())
-  {
-    settle(open_.begin()->first);
-  }
-  std::sort(times_.begin(), times_.end());
-  progress_ = 1;
-  isDone_ = true;
-}
-
-double ErrorControlledIntegral::relativeError() const
-{
-  return worstRatio(halving_.totals(), [](const IntervalMeasure& block) { return block.error; });
-}
-
-double ErrorControlledIntegral::relativeNoise() const
-{
-  return worstRatio(halving_.totals(), [](const IntervalMeasure& block) { return block.noise; });
 }
 
 std::string ErrorControlledIntegral::shortfall() const
@@ -186,7 +89,7 @@ std::string ErrorControlledIntegral::shortfall() const
   {
     return "";
   }
-  const std::vector<IntervalMeasure> totals = halving_.totals();
+  const std::vector<IntervalMeasure> totals = rule_.halving().totals();
   std::string blocks;
   for (std::size_t i = 0; i < totals.size(); ++i)
   {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Time/ExposureSums.h"
 
-#include "Pipeline/ReplicateArrays.h"
+#include "Data/ArrayNames.h"
+#include "Data/CellValues.h"
 #include "Progress/InputError.h"
 
 #include "vtkCellData.h"
@@ -20,8 +21,6 @@ namespace irradiance
 namespace
 {
 
-constexpr const char* kSuffixes[] = { "", "Front", "Back" };
-
 bool hasCells(vtkDataSet* data)
 {
   return data && data->GetNumberOfCells() > 0;
@@ -29,7 +28,7 @@ bool hasCells(vtkDataSet* data)
 
 std::string errorName(const std::string& suffix)
 {
-  return "Irradiance" + suffix + "StandardError";
+  return standardErrorName(irradianceName(suffix));
 }
 
 vtkDataArray* arrayOf(vtkDataSet* data, const std::string& name)
@@ -38,8 +37,8 @@ vtkDataArray* arrayOf(vtkDataSet* data, const std::string& name)
 }
 
 /// The values of an array that an earlier time had, with so many components.
-vtkSmartPointer<vtkDoubleArray> valuesOf(const std::string& leaf, vtkDataSet* data,
-  const std::string& name, std::size_t components, double time)
+SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std::string& name,
+  std::size_t components, double time)
 {
   vtkDataArray* array = arrayOf(data, name);
   if (!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components)
@@ -49,18 +48,12 @@ vtkSmartPointer<vtkDoubleArray> valuesOf(const std::string& leaf, vtkDataSet* da
       " at time " + text(time) + ", but " + std::to_string(components) +
       " components at an earlier visited time");
   }
-  vtkSmartPointer<vtkDoubleArray> values = vtkDoubleArray::SafeDownCast(array);
-  if (!values)
-  {
-    values = vtkSmartPointer<vtkDoubleArray>::New();
-    values->DeepCopy(array);
-  }
-  return values;
+  return valuesOf(array);
 }
 
 void checkStale(vtkFieldData* fields, double time)
 {
-  vtkDataArray* stale = fields->GetArray("StalePower");
+  vtkDataArray* stale = fields->GetArray(kStalePower);
   if (stale && stale->GetNumberOfTuples() > 0 && stale->GetRange(-1)[1] > 0)
   {
     throw InputError("at time " + text(time) + " the input's StalePower is " +
@@ -98,7 +91,7 @@ void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double ti
 ExposureSums::Side ExposureSums::newSide(
   const std::string& leaf, const std::string& suffix, vtkDataSet* data)
 {
-  const int bands = arrayOf(data, "Irradiance" + suffix)->GetNumberOfComponents();
+  const int bands = arrayOf(data, irradianceName(suffix))->GetNumberOfComponents();
   const auto values = static_cast<std::size_t>(bands * data->GetNumberOfCells());
   Side side{ suffix, bands, std::vector<double>(values), {}, {} };
   if (vtkDataArray* replicates = arrayOf(data, replicatesName(suffix)))
@@ -106,8 +99,9 @@ ExposureSums::Side ExposureSums::newSide(
     if (replicates->GetNumberOfComponents() % bands != 0)
     {
       throw InputError(leaf + ": the cell array " + replicatesName(suffix) + " has " +
-        std::to_string(replicates->GetNumberOfComponents()) + " components, but Irradiance" +
-        suffix + " has " + std::to_string(bands) + ": each replicate needs as many");
+        std::to_string(replicates->GetNumberOfComponents()) + " components, but " +
+        irradianceName(suffix) + " has " + std::to_string(bands) +
+        ": each replicate needs as many");
     }
     side.replicates.emplace(values, bands, replicates->GetNumberOfComponents() / bands);
   }
@@ -121,9 +115,9 @@ ExposureSums::Side ExposureSums::newSide(
 std::vector<ExposureSums::Side> ExposureSums::sidesOf(const std::string& leaf, vtkDataSet* data)
 {
   std::vector<Side> sides;
-  for (const char* suffix : kSuffixes)
+  for (const char* suffix : kSideSuffixes)
   {
-    if (arrayOf(data, std::string("Irradiance") + suffix))
+    if (arrayOf(data, irradianceName(suffix)))
     {
       sides.push_back(newSide(leaf, suffix, data));
     }
@@ -137,8 +131,8 @@ void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
   leaf.sides = sidesOf(leaf.name, data);
   if (leaf.sides.empty())
   {
-    throw InputError(leaf.name + " has no cell array Irradiance, or IrradianceFront and " +
-      "IrradianceBack, at time " + text(time) +
+    throw InputError(leaf.name + " has no cell array " + irradianceName() + ", or " +
+      irradianceName("Front") + " and " + irradianceName("Back") + ", at time " + text(time) +
       ": connect the output of vtkIrradianceFilter, or data that have such arrays");
   }
 }
@@ -158,10 +152,10 @@ void ExposureSums::addSide(
 {
   const auto bands = static_cast<std::size_t>(side.bands);
   const auto array = [&](const std::string& name, std::size_t components) {
-    return valuesOf(leaf, data, name, components, time);
+    return checkedValues(leaf, data, name, components, time);
   };
-  const auto values = array("Irradiance" + side.suffix, bands);
-  const double* irradiance = values->GetPointer(0);
+  const auto values = array(irradianceName(side.suffix), bands);
+  const double* irradiance = values.get();
   double check = 0;
   for (std::size_t i = 0; i < side.exposure.size(); ++i)
   {
@@ -172,27 +166,28 @@ void ExposureSums::addSide(
   {
     const auto* bad = std::find_if_not(irradiance, irradiance + side.exposure.size(),
       [](double value) { return std::isfinite(value); });
-    throw InputError(leaf + ", cell " + std::to_string((bad - irradiance) / side.bands) +
-      ": Irradiance" + side.suffix + " is " + text(*bad) + " at time " + text(time));
+    throw InputError(leaf + ", cell " + std::to_string((bad - irradiance) / side.bands) + ": " +
+      irradianceName(side.suffix) + " is " + text(*bad) + " at time " + text(time));
   }
   if (side.replicates)
   {
     side.replicates->add(irradiance,
       array(replicatesName(side.suffix), bands * side.replicates->count()),
-      array(photonName(side.suffix), bands), weight);
+      array(photonName(side.suffix), bands).get(), weight);
   }
   if (!side.errorBound.empty())
   {
     const auto errors = array(errorName(side.suffix), bands);
     for (std::size_t i = 0; i < side.errorBound.size(); ++i)
     {
-      side.errorBound[i] += weight * errors->GetPointer(0)[i];
+      side.errorBound[i] += weight * errors.get()[i];
     }
   }
 }
 
-void ExposureSums::add(vtkDataObject* data, double time, double weight)
+void ExposureSums::add(const TimedData& input, double weight)
 {
+  const auto& [time, data] = input;
   const std::vector<LeafData> leaves = leavesOf(data);
   checkStructure(leaves, time);
   checkStale(data->GetFieldData(), time);
@@ -300,8 +295,8 @@ void ExposureSums::append(ExposureSums next)
 /// The arrays that the output does not have; they would fill memory.
 void ExposureSums::removeInput(const Side& side, vtkDataSet* data)
 {
-  for (const std::string& name : { "Irradiance" + side.suffix, errorName(side.suffix),
-         replicatesName(side.suffix), photonName(side.suffix), "StaleIrradiance" + side.suffix })
+  for (const std::string& name : { irradianceName(side.suffix), errorName(side.suffix),
+         replicatesName(side.suffix), photonName(side.suffix), staleName(side.suffix) })
   {
     data->GetCellData()->RemoveArray(name.c_str());
   }
@@ -322,16 +317,16 @@ void ExposureSums::writeSide(const Side& side, vtkDataSet* data)
     cells->AddArray(array);
   };
   removeInput(side, data);
-  const std::string name = "RadiantExposure" + side.suffix;
+  const std::string name = exposureName(side.suffix);
   add(name, [&](std::size_t i) { return side.exposure[i]; });
   if (side.replicates)
   {
-    add(name + "StandardError",
+    add(standardErrorName(name),
       [&](std::size_t i) { return side.replicates->standardError(i, side.exposure[i]); });
   }
   if (!side.errorBound.empty())
   {
-    add(name + "StandardError", [&](std::size_t i) { return side.errorBound[i]; });
+    add(standardErrorName(name), [&](std::size_t i) { return side.errorBound[i]; });
   }
 }
 
@@ -350,7 +345,7 @@ vtkSmartPointer<vtkDataSet> ExposureSums::written(const Leaf& leaf, vtkDataSet* 
   {
     writeSide(side, data);
   }
-  data->GetCellData()->SetActiveScalars("RadiantExposure");
+  data->GetCellData()->SetActiveScalars(exposureName().c_str());
   return data;
 }
 

@@ -3,8 +3,8 @@
 #define irradiance_ExposureSums_h
 
 #include "Data/LeafData.h"
+#include "Exposure/ReplicateSums.h"
 #include "Time/EnergySums.h"
-#include "Time/ReplicateSums.h"
 
 #include "vtkType.h"
 
@@ -15,6 +15,13 @@
 namespace irradiance
 {
 
+/// The input at a time.
+struct TimedData
+{
+  double time;
+  vtkSmartPointer<vtkDataObject> data;
+};
+
 /// The radiant exposure of all cells: a weighted sum of their irradiance at several times, added up in
 /// the order in which they come. Times come in order.
 class ExposureSums
@@ -22,7 +29,7 @@ class ExposureSums
 public:
   /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to that of
   /// other times; then the sums are of no use any more.
-  void add(vtkDataObject* data, double time, double weight);
+  void add(const TimedData& input, double weight);
   /// No more times are added; what only adding needs is released.
   void close();
   /// Appends the sums over later times of the same input, whose first time is the last one of these.

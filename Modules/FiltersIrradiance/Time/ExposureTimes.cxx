@@ -8,16 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <iterator>
 
 namespace irradiance
 {
 
-namespace
-{
-
-std::vector<double> timesOf(vtkInformation* input)
+std::vector<double> stepsOf(vtkInformation* input)
 {
   auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
   std::vector<double> times;
@@ -29,6 +24,9 @@ std::vector<double> timesOf(vtkInformation* input)
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
+
+namespace
+{
 
 std::string rangeText(const TimeSpan& span)
 {
@@ -50,7 +48,7 @@ double checkedTime(const char* name, double time, const TimeSpan& range)
 TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
 {
   auto* key = vtkStreamingDemandDrivenPipeline::TIME_RANGE();
-  const std::vector<double> times = timesOf(input);
+  const std::vector<double> times = stepsOf(input);
   TimeSpan range{ -HUGE_VAL, HUGE_VAL };
   if (input->Has(key) && input->Length(key) == 2)
   {
@@ -79,24 +77,9 @@ TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
   return span;
 }
 
-namespace
-{
-
-/// The ends of the span and the steps between them.
-std::vector<double> timesWithin(const std::vector<double>& steps, const TimeSpan& span)
-{
-  std::vector<double> times{ span.start };
-  std::copy_if(steps.begin(), steps.end(), std::back_inserter(times),
-    [&](double step) { return step > span.start && step < span.end; });
-  times.push_back(span.end);
-  return times;
-}
-
-}
-
 std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
 {
-  const std::vector<double> steps = timesOf(input);
+  const std::vector<double> steps = stepsOf(input);
   if (steps.size() < 2)
   {
     throw InputError("IntegrationMode is TimeSteps, but the input has " +
@@ -112,49 +95,9 @@ std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
   return timesWithin(steps, span);
 }
 
-std::vector<double> uniformTimes(const TimeSpan& span, int intervals)
-{
-  std::vector<double> times;
-  times.reserve(static_cast<std::size_t>(intervals) + 1);
-  for (int i = 0; i < intervals; ++i)
-  {
-    times.push_back(span.start + (span.end - span.start) * (static_cast<double>(i) / intervals));
-  }
-  times.push_back(span.end);
-  return times;
-}
-
-std::vector<double> firstTimes(vtkInformation* input, const TimeSpan& span, int intervals)
-{
-  const std::vector<double> known = timesWithin(timesOf(input), span);
-  std::vector<double> times{ span.start };
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i < known.size(); ++i)
-  {
-    constexpr double rounding = 1e-9;
-    const double parts = (known[i] - known[i - 1]) / (span.end - span.start) * intervals;
-    const auto gap = uniformTimes(
-      { known[i - 1], known[i] }, std::max(1, static_cast<int>(std::ceil(parts - rounding))));
-    for (std::size_t part = 1; part < gap.size(); ++part)
-    {
-      times.push_back(gap[part]);
-      const std::size_t end = times.size() - 1;
-      longest = longest == 0 || times[end] - times[end - 1] > times[longest] - times[longest - 1]
-        ? end
-        : longest;
-    }
-  }
-  if (times.size() % 2 == 0)
-  {
-    times.insert(times.begin() + static_cast<std::ptrdiff_t>(longest),
-      middleOf(times[longest - 1], times[longest]));
-  }
-  return times;
-}
-
 std::optional<double> timeBetweenSteps(vtkInformation* input, const TimeSpan& span)
 {
-  const std::vector<double> steps = timesOf(input);
+  const std::vector<double> steps = stepsOf(input);
   if (steps.empty())
   {
     return std::nullopt;

@@ -2,12 +2,9 @@
 #ifndef irradiance_ExposureNode_h
 #define irradiance_ExposureNode_h
 
-#include "Time/PhotonNoise.h"
-#include "Time/TimeHalving.h"
-
-#include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
-#include "vtkSmartPointer.h"
+#include "Exposure/PhotonNoise.h"
+#include "Exposure/SharedValues.h"
+#include "Exposure/TimeHalving.h"
 
 #include <array>
 #include <string>
@@ -23,15 +20,20 @@ struct ExposureBlock
   std::vector<double> areas; ///< of its cells, m2; empty: there were none yet
 };
 
-/// The input at one time.
+/// The irradiance of all cells at one time.
 class ExposureNode
 {
 public:
-  /// Measures the areas of blocks that have cells for the first time. `data` is kept; it must not change.
-  ExposureNode(double time, vtkDataObject* data, std::vector<ExposureBlock>& blocks);
+  /// A side of the cells of a block, or both together.
+  struct Side
+  {
+    std::size_t bands;
+    SharedValues irradiance, photon; ///< W/m2; `photon`: null if it is not known
+  };
 
-  double time() const { return time_; }
-  vtkDataObject* data() const { return data_; }
+  /// `sides`: of each block, none without cells.
+  ExposureNode(double time, const std::vector<std::vector<Side>>& sides,
+    const std::vector<ExposureBlock>& blocks);
 
   /// Of the trapezoids between three times, on each block. Its error: by how much it differs from one
   /// trapezoid over both intervals, summed up over cells, sides and bands, in so far as photons that arrive
@@ -41,14 +43,10 @@ public:
     const Three& nodes, const std::vector<ExposureBlock>& blocks);
 
 private:
-  struct Side
-  {
-    vtkSmartPointer<vtkDoubleArray> irradiance, photon; ///< W/m2; `photon`: null if it is not known
-  };
   struct Leaf
   {
-    std::vector<Side> sides; ///< none without cells
-    double power = 0;        ///< W, of all cells, sides and bands
+    std::vector<Side> sides;
+    double power = 0; ///< W, of all cells, sides and bands
   };
 
   static double powerOf(const Side& side, const std::vector<double>& areas);
@@ -57,7 +55,6 @@ private:
     std::size_t leaf, std::size_t side, const std::vector<double>& areas);
 
   double time_;
-  vtkSmartPointer<vtkDataObject> data_;
   std::vector<Leaf> leaves_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/ReplicateArrays.h"
+#include "Pipeline/ReplicateRequest.h"
 
 #include "Pipeline/UpstreamRequest.h"
 

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Time/ExposureNode.h"
-
-#include "Data/CellAreas.h"
-#include "Data/LeafData.h"
-#include "Pipeline/ReplicateArrays.h"
-
-#include "vtkCellData.h"
-#include "vtkDataSet.h"
+#include "Exposure/ExposureNode.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,18 +9,6 @@ namespace irradiance
 
 namespace
 {
-
-vtkSmartPointer<vtkDoubleArray> doublesOf(vtkDataSet* data, const std::string& name)
-{
-  vtkDataArray* array = data->GetCellData()->GetArray(name.c_str());
-  vtkSmartPointer<vtkDoubleArray> values = vtkDoubleArray::SafeDownCast(array);
-  if (array && !values)
-  {
-    values = vtkSmartPointer<vtkDoubleArray>::New();
-    values->DeepCopy(array);
-  }
-  return values;
-}
 
 /// How two trapezoids between three times differ from one: a weighted sum of the values at these times.
 std::array<double, 3> differenceWeights(double start, double middle, double end)
@@ -40,43 +21,26 @@ std::array<double, 3> differenceWeights(double start, double middle, double end)
 
 }
 
-ExposureNode::ExposureNode(double time, vtkDataObject* data, std::vector<ExposureBlock>& blocks)
+ExposureNode::ExposureNode(double time, const std::vector<std::vector<Side>>& sides,
+  const std::vector<ExposureBlock>& blocks)
   : time_(time)
-  , data_(data)
 {
-  const std::vector<LeafData> leaves = leavesOf(data);
-  blocks.resize(leaves.size());
-  leaves_.resize(leaves.size());
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    blocks[i].name = leaves[i].name;
-    vtkDataSet* cells = leaves[i].data;
-    if (!cells || cells->GetNumberOfCells() == 0)
+    leaves_.push_back({ sides[i] });
+    for (const Side& side : sides[i])
     {
-      continue;
-    }
-    if (blocks[i].areas.empty())
-    {
-      blocks[i].areas = cellAreas(cells);
-    }
-    for (const char* suffix : { "", "Front", "Back" })
-    {
-      if (const auto irradiance = doublesOf(cells, std::string("Irradiance") + suffix))
-      {
-        leaves_[i].sides.push_back({ irradiance, doublesOf(cells, photonName(suffix)) });
-        leaves_[i].power += powerOf(leaves_[i].sides.back(), blocks[i].areas);
-      }
+      leaves_[i].power += powerOf(side, blocks[i].areas);
     }
   }
 }
 
 double ExposureNode::powerOf(const Side& side, const std::vector<double>& areas)
 {
-  const auto bands = static_cast<std::size_t>(side.irradiance->GetNumberOfComponents());
   double power = 0;
-  for (std::size_t i = 0; i < areas.size() * bands; ++i)
+  for (std::size_t i = 0; i < areas.size() * side.bands; ++i)
   {
-    power += areas[i / bands] * side.irradiance->GetPointer(0)[i];
+    power += areas[i / side.bands] * side.irradiance.get()[i];
   }
   return power;
 }
@@ -118,9 +82,9 @@ NoisyDifference ExposureNode::differenceOf(const Three& nodes, const std::array<
       continue; // no cells, so no irradiance
     }
     const Side& values = nodes[node]->leaves_[leaf].sides[side];
-    const auto bands = static_cast<std::size_t>(values.irradiance->GetNumberOfComponents());
-    const double* irradiance = values.irradiance->GetPointer(0);
-    const double* photon = values.photon ? values.photon->GetPointer(0) : nullptr;
+    const std::size_t bands = values.bands;
+    const double* irradiance = values.irradiance.get();
+    const double* photon = values.photon.get();
     differences.resize(areas.size() * bands);
     variances.resize(areas.size() * bands);
     for (std::size_t i = 0; i < areas.size() * bands; ++i)

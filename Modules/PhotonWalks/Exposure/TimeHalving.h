@@ -58,7 +58,10 @@ public:
 
   /// Of all intervals.
   std::vector<IntervalMeasure> totals() const;
-  /// The largest error of a block over that which is tolerated.
+  /// The largest of a block, relative to its energy.
+  double relativeError() const;
+  double relativeNoise() const;
+  /// The largest error of a block over the tolerated error.
   double excess() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Time/ReplicateSums.h"
+#include "Exposure/ReplicateSums.h"
 
 #include "Tally/ErrorEstimate.h"
 
@@ -56,11 +56,10 @@ void ReplicateSums::append(const ReplicateSums& next, bool isShared)
 }
 
 void ReplicateSums::add(
-  const double* irradiance, vtkDoubleArray* replicates, vtkDoubleArray* photons, double weight)
+  const double* irradiance, const SharedValues& replicates, const double* photons, double weight)
 {
-  const double* now = replicates->GetPointer(0);
-  const double* before = before_ ? before_->GetPointer(0) : nullptr;
-  const double* photon = photons->GetPointer(0);
+  const double* now = replicates.get();
+  const double* before = before_.get();
   for (std::size_t i = 0; i < exposures_.size(); ++i)
   {
     exposures_[i] += weight * now[i];
@@ -68,7 +67,7 @@ void ReplicateSums::add(
   for (std::size_t i = 0; i < counts_.size(); ++i)
   {
     Counts& counts = counts_[i];
-    const double number = photon[i] > 0 ? irradiance[i] / photon[i] : 0;
+    const double number = photons[i] > 0 ? irradiance[i] / photons[i] : 0;
     bool isSame = before != nullptr;
     for (std::size_t r = 0; r < replicates_ && isSame; ++r)
     {
@@ -83,7 +82,7 @@ void ReplicateSums::add(
       counts.beginRun();
       counts.photons += number;
     }
-    counts.lastRun += weight * photon[i];
+    counts.lastRun += weight * photons[i];
     counts.photonTime += weight * number;
     counts.litTime += number > 0 ? weight : 0;
   }
@@ -113,7 +112,8 @@ double ReplicateSums::standardError(std::size_t i, double exposure) const
   const double firstRun = counts.isOneRun ? 0 : counts.firstRun;
   const double photonSquares =
     firstRun * firstRun + counts.photonSquares + counts.lastRun * counts.lastRun;
-  const double variance = std::max(squares / (number * (number - 1)), number * photonSquares / 12);
+  const double variance =
+    ErrorEstimate::variance(squares / (number * (number - 1)), number * photonSquares);
   const bool hasMany = counts.photonTime >= fewest * counts.litTime;
   return hasMany || exposure * exposure >= ErrorEstimate::kFewestPhotons * variance
     ? std::sqrt(variance)

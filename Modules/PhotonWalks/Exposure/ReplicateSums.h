@@ -2,8 +2,7 @@
 #ifndef irradiance_ReplicateSums_h
 #define irradiance_ReplicateSums_h
 
-#include "vtkDoubleArray.h"
-#include "vtkSmartPointer.h"
+#include "Exposure/SharedValues.h"
 
 #include <cstddef>
 #include <vector>
@@ -31,9 +30,10 @@ public:
 
   std::size_t count() const { return replicates_; }
 
-  /// Adds a time. `irradiance`: that of all walks. The arrays are those of ReplicateArrays.h.
+  /// Adds a time. `irradiance`: of all walks. `replicates`: what each replicate says of it; the replicates of
+  /// a cell come one after the other, each with all bands. `photons`: the irradiance that one photon is. W/m2.
   void add(
-    const double* irradiance, vtkDoubleArray* replicates, vtkDoubleArray* photons, double weight);
+    const double* irradiance, const SharedValues& replicates, const double* photons, double weight);
 
   /// What is added after this begins new runs.
   void endRuns() { before_ = nullptr; }
@@ -70,8 +70,7 @@ private:
   std::vector<double> exposures_; ///< J/m2, in the order of the arrays
   std::vector<Counts> counts_;
   bool isBegun_ = false;
-  vtkSmartPointer<vtkDoubleArray>
-    before_; ///< replicates of the last time; null: its runs have ended
+  SharedValues before_; ///< replicates of the last time; null: its runs have ended
 };
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Input/KeyFrames.h"
+#include "Geometry/KeyFrames.h"
 
 #include "Progress/InputError.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Time/TimeHalving.h"
+#include "Exposure/TimeHalving.h"
 
-#include "Time/ExposureTimes.h"
+#include "Exposure/IntegrationTimes.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,14 +23,14 @@ void addTo(std::vector<IntervalMeasure>& sums, const std::vector<IntervalMeasure
   }
 }
 
-/// The largest error of a block, relative to its energy.
-double worstError(
-  const std::vector<IntervalMeasure>& blocks, const std::vector<IntervalMeasure>& totals)
+/// The largest error of a block, or the largest noise, relative to the energy of the block.
+double worstShare(const std::vector<IntervalMeasure>& blocks,
+  const std::vector<IntervalMeasure>& totals, double IntervalMeasure::*part)
 {
   double worst = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    worst = blocks[i].error > 0 ? std::max(worst, blocks[i].error / totals[i].energy) : worst;
+    worst = blocks[i].*part > 0 ? std::max(worst, blocks[i].*part / totals[i].energy) : worst;
   }
   return worst;
 }
@@ -57,10 +57,21 @@ std::vector<IntervalMeasure> TimeHalving::totals() const
   return totals;
 }
 
-double TimeHalving::excess() const
+double TimeHalving::relativeError() const
 {
   const std::vector<IntervalMeasure> all = totals();
-  return worstError(all, all) / config_.tolerance;
+  return worstShare(all, all, &IntervalMeasure::error);
+}
+
+double TimeHalving::relativeNoise() const
+{
+  const std::vector<IntervalMeasure> all = totals();
+  return worstShare(all, all, &IntervalMeasure::noise);
+}
+
+double TimeHalving::excess() const
+{
+  return relativeError() / config_.tolerance;
 }
 
 bool TimeHalving::isSettled(
@@ -105,7 +116,7 @@ std::optional<std::size_t> TimeHalving::takeWorst()
 {
   const std::vector<IntervalMeasure> all = totals();
   const std::size_t intervals = settledIntervals_ + 2 * open_.size();
-  if (worstError(all, all) <= config_.tolerance || intervals + 2 > config_.mostIntervals)
+  if (relativeError() <= config_.tolerance || intervals + 2 > config_.mostIntervals)
   {
     return std::nullopt;
   }
@@ -113,7 +124,7 @@ std::optional<std::size_t> TimeHalving::takeWorst()
   double most = 0;
   for (auto interval = open_.begin(); interval != open_.end(); ++interval)
   {
-    const double error = worstError(interval->blocks, all);
+    const double error = worstShare(interval->blocks, all, &IntervalMeasure::error);
     if (error > most && canHalve(*interval))
     {
       most = error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Time/PhotonNoise.h"
+#include "Exposure/PhotonNoise.h"
 
 #include <algorithm>
 #include <cmath>
