@@ -2,16 +2,17 @@
 #include "vtkIrradianceProbeFilter.h"
 
 #include "Data/ArrayNames.h"
+#include "Data/NamedArray.h"
 #include "Execution/SlicedPass.h"
 #include "Output/EmptyPiece.h"
 #include "Photons/NearestEstimate.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
+#include "Pipeline/PieceRequest.h"
 #include "Progress/InputError.h"
 #include "Time/TimeKeys.h"
 
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -78,12 +79,8 @@ std::vector<irradiance::Sensor> ReadSensors(vtkPointSet* input)
 template <class Array>
 vtkSmartPointer<Array> AddArray(vtkPointSet* output, const std::string& name, int components)
 {
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(output->GetNumberOfPoints());
-  output->GetPointData()->AddArray(array);
-  return array;
+  return irradiance::addArray<Array>(
+    output->GetPointData(), name, components, output->GetNumberOfPoints());
 }
 
 /// No property but 0, which stands for a default, may be other than positive.
@@ -114,13 +111,10 @@ std::string TextOfLost(
   return message.str();
 }
 
-/// Without points, see EmptyPiece.
+/// Without points, see PieceRequest.h.
 void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
 {
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), 0);
-  output->GetCellData()->CopyAllOn();
-  output->GetCellData()->CopyAllocate(input->GetCellData(), 0);
+  irradiance::copyEmptyArrays(input, output);
   AddArray<vtkDoubleArray>(output, irradiance::irradianceName(), irradiance::bandsOf(scene));
   AddArray<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1);
   AddArray<vtkDoubleArray>(output, irradiance::kSearchRadius, 1);

@@ -4,8 +4,6 @@
 #include "Progress/InputError.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -16,12 +14,15 @@ namespace irradiance
 namespace
 {
 
-vtkSmartPointer<vtkDataObjectTreeIterator> iteratorOf(vtkDataObjectTree* tree)
+void forEachLeaf(vtkDataObjectTree* tree, bool withEmpty, const VisitLeaf& visit)
 {
-  auto iterator = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  iterator->VisitOnlyLeavesOn();
-  iterator->SkipEmptyNodesOff();
-  return iterator;
+  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  leaves->VisitOnlyLeavesOn();
+  leaves->SetSkipEmptyNodes(withEmpty ? 0 : 1);
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    visit(leaves);
+  }
 }
 
 vtkDataSet* dataSetOf(const std::string& name, vtkDataObject* data)
@@ -54,6 +55,11 @@ std::string leafName(vtkDataObjectTreeIterator* leaf)
   return name;
 }
 
+void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit)
+{
+  forEachLeaf(tree, false, visit);
+}
+
 std::vector<LeafData> leavesOf(vtkDataObject* data)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
@@ -62,13 +68,11 @@ std::vector<LeafData> leavesOf(vtkDataObject* data)
     return { { "the input", 0, dataSetOf("all", data) } };
   }
   std::vector<LeafData> leaves;
-  const auto iterator = iteratorOf(tree);
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    const std::string name = leafName(iterator);
+  forEachLeaf(tree, true, [&](vtkDataObjectTreeIterator* leaf) {
+    const std::string name = leafName(leaf);
     leaves.push_back(
-      { name, iterator->GetCurrentFlatIndex(), dataSetOf(name, iterator->GetCurrentDataObject()) });
-  }
+      { name, leaf->GetCurrentFlatIndex(), dataSetOf(name, leaf->GetCurrentDataObject()) });
+  });
   return leaves;
 }
 
@@ -95,15 +99,13 @@ void fillLeaves(vtkDataObject* input, vtkDataObject* output, const MakeLeaf& mak
   auto* filled = vtkDataObjectTree::SafeDownCast(output);
   filled->CopyStructure(tree);
   filled->GetFieldData()->PassData(tree->GetFieldData());
-  const auto iterator = iteratorOf(tree);
   std::size_t i = 0;
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
+  forEachLeaf(tree, true, [&](vtkDataObjectTreeIterator* place) {
     if (const auto leaf = make(i++))
     {
-      filled->SetDataSet(iterator, leaf);
+      filled->SetDataSet(place, leaf);
     }
-  }
+  });
 }
 
 }

@@ -2,14 +2,14 @@
 #ifndef irradiance_LeafData_h
 #define irradiance_LeafData_h
 
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
 #include <string>
 #include <vector>
 
-class vtkDataObject;
-class vtkDataObjectTreeIterator;
 class vtkDataSet;
 
 namespace irradiance
@@ -25,6 +25,10 @@ struct LeafData
 
 /// As in "block 3 (Plate)".
 std::string leafName(vtkDataObjectTreeIterator* leaf);
+
+/// Calls visit(iterator) for all leaves of a tree, in order, without the empty ones.
+using VisitLeaf = std::function<void(vtkDataObjectTreeIterator*)>;
+void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit);
 
 /// All leaves of data, in order, with the empty ones. Throws InputError if one is no vtkDataSet.
 std::vector<LeafData> leavesOf(vtkDataObject* data);

@@ -235,8 +235,8 @@ std::string noLightWarning(vtkAlgorithm* filter, const std::vector<InputConnecti
     " above 0, and no vertex with a " + lightName(filter, Flux) +
     (unread.empty() ? ". No cell array is there that is not read"
                     : ". Cell arrays that are not read: " + unread +
-          (parts > mostParts ? "; and in more inputs" : "") +
-          ". SetCellArray(\"RadiantExitance\", name) chooses one");
+          (parts > mostParts ? "; and in more inputs" : "") + ". SetCellArray(" +
+          quoted(kArrayRoles[Exitance].defaultName) + ", name) chooses one");
 }
 
 }

@@ -8,11 +8,9 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 namespace irradiance
 {
@@ -46,12 +44,9 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
   };
   if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(data))
   {
-    const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
-    leaves->VisitOnlyLeavesOn();
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-    {
-      addPart(connection.name + ", " + leafName(leaves), leaves->GetCurrentDataObject());
-    }
+    forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+      addPart(connection.name + ", " + leafName(leaf), leaf->GetCurrentDataObject());
+    });
   }
   else
   {

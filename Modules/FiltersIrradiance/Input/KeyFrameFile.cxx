@@ -4,9 +4,6 @@
 #include "Input/Pose.h"
 #include "Progress/InputError.h"
 
-#include "vtkNew.h"
-#include "vtkTransform.h"
-
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -250,23 +247,16 @@ AffineMap readPose(const Table& table, Form form)
     case Form::Quaternion:
       return readQuaternion(table);
     case Form::Degrees:
-      return poseOf(table.values({ "x", "y", "z" }), table.values({ "rx", "ry", "rz" }));
+      return poseOf(table.where(),
+        propMatrix(
+          table.values({ "x", "y", "z" }).data(), table.values({ "rx", "ry", "rz" }).data())
+          .data());
     case Form::Position:
       break;
   }
   return { Matrix3::Identity(), table.values({ "x", "y", "z" }) };
 }
 
-}
-
-AffineMap poseOf(const Vector3& position, const Vector3& degrees)
-{
-  vtkNew<vtkTransform> transform;
-  transform->Translate(position.data());
-  transform->RotateZ(degrees[2]);
-  transform->RotateX(degrees[0]);
-  transform->RotateY(degrees[1]);
-  return poseOf("the pose", transform);
 }
 
 std::vector<KeyFrame> readKeyFrames(

@@ -25,9 +25,6 @@ namespace irradiance
 std::vector<KeyFrame> readKeyFrames(
   const std::string& fileName, const std::function<void(double)>& report);
 
-/// The pose at this place, turned by these degrees in the manner of vtkProp3D.
-AffineMap poseOf(const Vector3& position, const Vector3& degrees);
-
 }
 
 #endif

@@ -7,9 +7,12 @@
 #include "vtkFieldData.h"
 #include "vtkLinearTransform.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkTransform.h"
 
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <sstream>
 
 namespace irradiance
@@ -91,6 +94,18 @@ AffineMap poseOf(const std::string& where, vtkLinearTransform* transform)
 AffineMap poseOf(const std::string& where, const double* rowByRow)
 {
   return mapOf(where, Eigen::Map<const Matrix4>(rowByRow));
+}
+
+std::array<double, 16> propMatrix(const double position[3], const double orientation[3])
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(position);
+  transform->RotateZ(orientation[2]);
+  transform->RotateX(orientation[0]);
+  transform->RotateY(orientation[1]);
+  std::array<double, 16> matrix;
+  std::copy_n(transform->GetMatrix()->GetData(), matrix.size(), matrix.begin());
+  return matrix;
 }
 
 AffineMap poseOf(const std::string& where, vtkFieldData* fields, const char* arrayName)

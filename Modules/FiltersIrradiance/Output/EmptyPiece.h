@@ -5,31 +5,22 @@
 #include "vtkSmartPointer.h"
 
 class vtkDataObject;
-class vtkDataSetAttributes;
-class vtkInformation;
+class vtkDataSet;
 class vtkPolyData;
 
+/// What outputs are where they have no cells, see PieceRequest.h. What reads their arrays by name, or counts
+/// bands, finds the same as elsewhere.
 namespace irradiance
 {
 
-/**
- * When n processes share a pipeline, each asks for its piece of n. Light needs the whole scene, so the
- * filters give all of the result as piece 0. Other pieces have the same blocks and arrays without cells:
- * together the pieces have every cell once.
- */
-bool isEmptyPieceRequested(vtkInformation* output);
-
-/// Asks for all of an input, whatever piece the output is of.
-void requestWhole(vtkInformation* input);
+/// Gives a data set without points the arrays of another, without values.
+void copyEmptyArrays(vtkDataSet* from, vtkDataSet* to);
 
 /// Polydata with the arrays of another, without points and cells.
 vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData);
 
 /// Number of components that the irradiance has in polydata, or in the first leaf of a tree of them; else 1.
 int bandsOf(vtkDataObject* data);
-
-/// Adds an array of doubles without tuples.
-void addEmptyArray(vtkDataSetAttributes* attributes, const char* name, int components);
 
 }
 

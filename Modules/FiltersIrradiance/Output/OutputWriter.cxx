@@ -2,13 +2,14 @@
 #include "Output/OutputWriter.h"
 
 #include "Data/ArrayNames.h"
+#include "Data/LeafData.h"
+#include "Data/NamedArray.h"
 #include "Input/Pose.h"
 #include "Output/EmptyPiece.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -79,19 +80,6 @@ void movePoints(const AffineMap& worldFromObject, vtkPolyData* polyData)
   transformNormals(transform, polyData->GetCellData());
 }
 
-template <class Array, class Value>
-void addField(vtkMultiBlockDataSet* output, const char* name, std::initializer_list<Value> tuple)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(tuple.size()));
-  for (const Value value : tuple)
-  {
-    array->InsertNextValue(value);
-  }
-  output->GetFieldData()->AddArray(array);
-}
-
 /// An empty block of a type that a vtkMultiBlockDataSet may hold: it refuses partitioned ones.
 vtkSmartPointer<vtkDataObjectTree> emptyBlock(vtkDataObjectTree* input)
 {
@@ -147,13 +135,9 @@ vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
   const auto block = emptyBlock(tree);
   block->CopyStructure(tree);
   block->GetFieldData()->PassData(tree->GetFieldData());
-  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  leaves->VisitOnlyLeavesOn();
   auto part = connection.parts.begin();
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-  {
-    block->SetDataSet(leaves, makePart(*part++));
-  }
+  forEachLeaf(
+    tree, [&](vtkDataObjectTreeIterator* leaf) { block->SetDataSet(leaf, makePart(*part++)); });
   return block;
 }
 
@@ -212,7 +196,7 @@ void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
   const auto makePart = [&](const InputPart& part) {
     auto polyData = withoutCells(part.polyData);
     const auto add = [&](const std::string& name) {
-      addEmptyArray(polyData->GetCellData(), name.c_str(), bands);
+      addArray<vtkDoubleArray>(polyData->GetCellData(), name, bands, 0);
     };
     for (const char* suffix : suffixesOf(settings))
     {
@@ -248,10 +232,8 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
 {
   const std::vector<double>& areas = scene_.areas(object);
   const auto add = [&](const std::string& name, const auto& value) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(scene_.bands());
-    array->SetNumberOfTuples(polyData->GetNumberOfCells());
+    const auto array = addArray<vtkDoubleArray>(
+      polyData->GetCellData(), name, scene_.bands(), polyData->GetNumberOfCells());
     CheckpointPace pace(checkpoint_);
     for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
     {
@@ -262,7 +244,6 @@ void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std
         array->SetTypedComponent(i, band, value(cell, band, areas[cell]));
       }
     }
-    polyData->GetCellData()->AddArray(array);
   };
   add(irradianceName(suffix), [&](std::size_t cell, int band, double area) {
     return engine_.irradiance(object, cell, side, band, area);
@@ -296,10 +277,8 @@ void OutputWriter::addReplicates(vtkPolyData* polyData, const std::string& suffi
 {
   const int bands = scene_.bands();
   const auto replicates = static_cast<int>(errors_.replicates());
-  vtkNew<vtkDoubleArray> parts;
-  parts->SetName(replicatesName(suffix).c_str());
-  parts->SetNumberOfComponents(replicates * bands);
-  parts->SetNumberOfTuples(polyData->GetNumberOfCells());
+  const auto parts = addArray<vtkDoubleArray>(polyData->GetCellData(), replicatesName(suffix),
+    replicates * bands, polyData->GetNumberOfCells());
   const std::vector<double>& areas = scene_.areas(object);
   CheckpointPace pace(checkpoint_);
   for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
@@ -314,7 +293,6 @@ void OutputWriter::addReplicates(vtkPolyData* polyData, const std::string& suffi
         i, part, areas[cell] > 0 ? engine_.watts(quanta) / areas[cell] : 0.0);
     }
   }
-  polyData->GetCellData()->AddArray(parts);
 }
 
 double OutputWriter::standardError(
@@ -326,24 +304,20 @@ double OutputWriter::standardError(
 
 void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
 {
+  vtkFieldData* fields = output->GetFieldData();
   const auto addWatts = [&](const char* name, double first, double second, double third) {
-    if (scene_.bands() == 1)
-    {
-      addField<vtkDoubleArray>(output, name, { first });
-    }
-    else
-    {
-      addField<vtkDoubleArray>(output, name, { first, second, third });
-    }
+    std::vector<double> watts{ first, second, third };
+    watts.resize(static_cast<std::size_t>(scene_.bands()));
+    addTuple<vtkDoubleArray>(fields, name, watts);
   };
   const auto addPower = [&](const char* name, const Power& power) {
     addWatts(name, engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]));
   };
   const auto addCount = [&](const char* name, std::int64_t count) {
-    addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
+    addTuple<vtkIdTypeArray>(fields, name, { static_cast<vtkIdType>(count) });
   };
   const auto addNumber = [&](const char* name, double number) {
-    addField<vtkDoubleArray>(output, name, { number });
+    addTuple<vtkDoubleArray>(fields, name, { number });
   };
   const PowerBalance& balance = engine_.balance();
   const EngineStatistics& statistics = engine_.statistics();

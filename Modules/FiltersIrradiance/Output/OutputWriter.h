@@ -39,7 +39,7 @@ public:
   void write(const std::vector<InputConnection>& statics,
     const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const;
 
-  /// The same blocks and arrays without cells and field data, see EmptyPiece.
+  /// The same blocks and arrays without cells and field data, see PieceRequest.h.
   static void writeEmpty(const std::vector<InputConnection>& statics,
     const std::vector<InputConnection>& dynamics, const EngineSettings& settings, bool withErrors,
     vtkMultiBlockDataSet* output);

@@ -2,11 +2,11 @@
 #include "Pipeline/PhotonSource.h"
 
 #include "Data/ArrayNames.h"
+#include "Data/LeafData.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -46,20 +46,15 @@ vtkInformationObjectBaseKey* engineKey()
 /// Copies of data share its arrays, but not its own information: so an array holds the reference.
 constexpr const char* kHolder = kNumberOfWalks;
 
-/// The polydata of a block, in order.
+/// Calls visit(polydata, or null for other data) for the leaves of a block, in order.
 template <class Visit>
-void forEachLeaf(vtkDataObject* block, const Visit& visit)
+void forEachPolyData(vtkDataObject* block, const Visit& visit)
 {
-  auto* tree = vtkDataObjectTree::SafeDownCast(block);
-  if (!tree)
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
   {
-    return;
-  }
-  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  leaves->VisitOnlyLeavesOn();
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-  {
-    visit(leaves->GetCurrentDataObject());
+    forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+      visit(vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()));
+    });
   }
 }
 
@@ -117,8 +112,7 @@ void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) c
     failUnlike();
   }
   std::size_t firstCell = 0;
-  forEachLeaf(data->GetBlock(0), [&](vtkDataObject* leaf) {
-    auto* polyData = vtkPolyData::SafeDownCast(leaf);
+  forEachPolyData(data->GetBlock(0), [&](vtkPolyData* polyData) {
     const auto cells = static_cast<std::size_t>(polyData ? polyData->GetNumberOfCells() : 0);
     if (!polyData || firstCell + cells > objects.staticObject.material->numberOfCells)
     {
@@ -128,8 +122,7 @@ void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) c
     firstCell += cells;
   });
   std::uint32_t object = 0;
-  forEachLeaf(data->GetBlock(1), [&](vtkDataObject* leaf) {
-    auto* polyData = vtkPolyData::SafeDownCast(leaf);
+  forEachPolyData(data->GetBlock(1), [&](vtkPolyData* polyData) {
     ++object;
     if (!polyData || object >= objects.size() ||
       static_cast<std::size_t>(polyData->GetNumberOfCells()) !=

@@ -2,11 +2,11 @@
 #include "Time/EnergySums.h"
 
 #include "Data/ArrayNames.h"
+#include "Data/NamedArray.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,18 +75,11 @@ void EnergySums::write(vtkFieldData* fields) const
   {
     return;
   }
-  const auto add = [fields](const char* name, const std::vector<double>& tuple) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(static_cast<int>(tuple.size()));
-    array->InsertNextTuple(tuple.data());
-    fields->AddArray(array);
-  };
   for (std::size_t i = 0; i < kEnergies.size(); ++i)
   {
-    add(kEnergies[i], energies_[i]);
+    addTuple<vtkDoubleArray>(fields, kEnergies[i], energies_[i]);
   }
-  add("PowerBalanceError", { worstBalance_ });
+  addTuple<vtkDoubleArray>(fields, "PowerBalanceError", { worstBalance_ });
 }
 
 }

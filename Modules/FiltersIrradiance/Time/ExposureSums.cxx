@@ -3,6 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/CellValues.h"
+#include "Data/NamedArray.h"
 #include "Progress/InputError.h"
 
 #include "vtkCellData.h"
@@ -304,17 +305,13 @@ void ExposureSums::removeInput(const Side& side, vtkDataSet* data)
 
 void ExposureSums::writeSide(const Side& side, vtkDataSet* data)
 {
-  vtkCellData* cells = data->GetCellData();
   const auto add = [&](const std::string& name, const auto& value) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(side.bands);
-    array->SetNumberOfTuples(data->GetNumberOfCells());
+    const auto array =
+      addArray<vtkDoubleArray>(data->GetCellData(), name, side.bands, data->GetNumberOfCells());
     for (std::size_t i = 0; i < side.exposure.size(); ++i)
     {
       array->SetValue(static_cast<vtkIdType>(i), value(i));
     }
-    cells->AddArray(array);
   };
   removeInput(side, data);
   const std::string name = exposureName(side.suffix);

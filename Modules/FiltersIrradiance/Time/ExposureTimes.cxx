@@ -2,6 +2,7 @@
 #include "Time/ExposureTimes.h"
 
 #include "Progress/InputError.h"
+#include "Time/TimeKeys.h"
 
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -11,19 +12,6 @@
 
 namespace irradiance
 {
-
-std::vector<double> stepsOf(vtkInformation* input)
-{
-  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  std::vector<double> times;
-  if (input->Has(key))
-  {
-    times.assign(input->Get(key), input->Get(key) + input->Length(key));
-  }
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
-}
 
 namespace
 {

@@ -12,9 +12,6 @@ class vtkInformation;
 namespace irradiance
 {
 
-/// The TIME_STEPS of an input, in order, each once.
-std::vector<double> stepsOf(vtkInformation* input);
-
 /// The span of an exposure, given the properties of the same names (NaN: the end of what the input
 /// has). Throws InputError.
 TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime);

@@ -13,6 +13,28 @@ namespace irradiance
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
+namespace
+{
+
+void sortOnce(std::vector<double>& times)
+{
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+}
+
+}
+
+std::vector<double> stepsOf(vtkInformation* input)
+{
+  std::vector<double> steps;
+  if (const double* given = input->Get(Pipeline::TIME_STEPS()))
+  {
+    steps.assign(given, given + input->Length(Pipeline::TIME_STEPS()));
+  }
+  sortOnce(steps);
+  return steps;
+}
+
 TimeKeys::TimeKeys(vtkInformationVector** inputs, int ports)
   : first_(std::numeric_limits<double>::infinity())
   , last_(-first_)
@@ -22,10 +44,7 @@ TimeKeys::TimeKeys(vtkInformationVector** inputs, int ports)
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* input = inputs[port]->GetInformationObject(i);
-      if (const double* steps = input->Get(Pipeline::TIME_STEPS()))
-      {
-        addSteps({ steps, steps + input->Length(Pipeline::TIME_STEPS()) });
-      }
+      addSteps(stepsOf(input));
       if (const double* range = input->Get(Pipeline::TIME_RANGE()))
       {
         addRange(range[0], range[1]);
@@ -51,8 +70,7 @@ void TimeKeys::addRange(double first, double last)
 
 void TimeKeys::write(vtkInformationVector* outputs)
 {
-  std::sort(steps_.begin(), steps_.end());
-  steps_.erase(std::unique(steps_.begin(), steps_.end()), steps_.end());
+  sortOnce(steps_);
   const double range[2] = { first_, last_ };
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {

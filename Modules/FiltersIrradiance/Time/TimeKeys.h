@@ -4,10 +4,14 @@
 
 #include <vector>
 
+class vtkInformation;
 class vtkInformationVector;
 
 namespace irradiance
 {
+
+/// The TIME_STEPS of an input, in order, each once.
+std::vector<double> stepsOf(vtkInformation* input);
 
 /// TIME_STEPS and TIME_RANGE of a filter with several inputs: the steps of all of them, and the range that
 /// holds all steps and ranges. VTK's executive passes on those of the first input alone, and a filter
