@@ -17,12 +17,24 @@ struct Sample
   double time, value;
 };
 
+/// They must come in the order of time.
 struct Sums
 {
-  double total = 0;
-  void add(const Sample& sample, double weight) { total += weight * sample.value; }
+  double total = 0, first = -HUGE_VAL, last = -HUGE_VAL;
+  void add(const Sample& sample, double weight)
+  {
+    EXPECT_LT(last, sample.time);
+    first = std::isfinite(first) ? first : sample.time;
+    last = sample.time;
+    total += weight * sample.value;
+  }
   void close() {}
-  void append(const Sums& later) { total += later.total; }
+  void append(const Sums& later)
+  {
+    EXPECT_EQ(last, later.first);
+    last = later.last;
+    total += later.total;
+  }
 };
 
 using Rule = AdaptiveTrapezoids<Sample, Sums>;

@@ -142,7 +142,7 @@ std::vector<double> KeyFrames::steps(int parts) const
     const double from = keys_[i].time, length = keys_[i + 1].time - from;
     const double count = std::max(1.0, std::ceil(length / longest - kRounding));
     steps.push_back(from);
-    for (double step = 1; step < count; ++step)
+    for (int step = 1; step < count; ++step)
     {
       steps.push_back(from + length * (step / count));
     }
