@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadScene.h"
 
-#include "InputConnection.h"
-#include "SceneReader.h"
+#include "Input/InputConnection.h"
+#include "Input/SceneReader.h"
 
 #include <vtkIrradianceFilter.h>
 #include <vtkPolyData.h>

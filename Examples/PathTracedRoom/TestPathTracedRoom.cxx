@@ -10,7 +10,7 @@
 #include "RoomScene.h"
 #include "TeapotScene.h"
 
-#include "SmpExecution.h"
+#include "Pipeline/SmpExecution.h"
 
 #include <vtkImageData.h>
 #include <vtkOutgoingRadianceFilter.h>

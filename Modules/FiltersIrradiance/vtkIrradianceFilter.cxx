@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceFilter.h"
 
-#include "ChosenArrays.h"
-#include "DynamicPoses.h"
-#include "EmptyPiece.h"
+#include "Data/ArrayNames.h"
 #include "Execution/ProgressSpan.h"
-#include "FilterRun.h"
-#include "InputError.h"
-#include "OutputWriter.h"
-#include "PhotonRequest.h"
-#include "PhotonSource.h"
-#include "ReplicateArrays.h"
-#include "SceneAdvice.h"
-#include "TimeKeys.h"
-#include "WalksWriter.h"
+#include "Input/ChosenArrays.h"
+#include "Input/SceneAdvice.h"
+#include "Output/OutputWriter.h"
+#include "Output/WalksWriter.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/PhotonRequest.h"
+#include "Pipeline/PhotonSource.h"
+#include "Pipeline/PieceRequest.h"
+#include "Pipeline/ReplicateRequest.h"
+#include "Progress/InputError.h"
+#include "Time/DynamicPoses.h"
+#include "Time/TimeKeys.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -314,67 +315,67 @@ vtkIdType vtkIrradianceFilter::Count(const char* name)
 
 double vtkIrradianceFilter::GetEmittedPower()
 {
-  return this->Figure("EmittedPower");
+  return this->Figure(irradiance::kEmittedPower);
 }
 
 double vtkIrradianceFilter::GetAbsorbedPower()
 {
-  return this->Figure("AbsorbedPower");
+  return this->Figure(irradiance::kAbsorbedPower);
 }
 
 double vtkIrradianceFilter::GetEscapedPower()
 {
-  return this->Figure("EscapedPower");
+  return this->Figure(irradiance::kEscapedPower);
 }
 
 double vtkIrradianceFilter::GetStalePower()
 {
-  return this->Figure("StalePower");
+  return this->Figure(irradiance::kStalePower);
 }
 
 double vtkIrradianceFilter::GetReachedRelativeError()
 {
-  return this->Figure("ReachedRelativeError");
+  return this->Figure(irradiance::kReachedRelativeError);
 }
 
 double vtkIrradianceFilter::GetShootSeconds()
 {
-  return this->Figure("ShootSeconds");
+  return this->Figure(irradiance::kShootSeconds);
 }
 
 double vtkIrradianceFilter::GetVerifySeconds()
 {
-  return this->Figure("VerifySeconds");
+  return this->Figure(irradiance::kVerifySeconds);
 }
 
 double vtkIrradianceFilter::GetRepairSeconds()
 {
-  return this->Figure("RepairSeconds");
+  return this->Figure(irradiance::kRepairSeconds);
 }
 
 vtkIdType vtkIrradianceFilter::GetNumberOfShotWalks()
 {
-  return this->Count("NumberOfWalks");
+  return this->Count(irradiance::kNumberOfWalks);
 }
 
 vtkIdType vtkIrradianceFilter::GetNumberOfSegments()
 {
-  return this->Count("NumberOfSegments");
+  return this->Count(irradiance::kNumberOfSegments);
 }
 
 vtkIdType vtkIrradianceFilter::GetNumberOfInvalidWalks()
 {
-  return this->Count("NumberOfInvalidWalks");
+  return this->Count(irradiance::kNumberOfInvalidWalks);
 }
 
 vtkIdType vtkIrradianceFilter::GetNumberOfRepairedSegments()
 {
-  return this->Count("NumberOfRepairedSegments");
+  return this->Count(irradiance::kNumberOfRepairedSegments);
 }
 
 vtkIdType vtkIrradianceFilter::GetHistoryBytes()
 {
-  return this->Count("HistoryBytes");
+  return this->Count(irradiance::kHistoryBytes);
 }
 
 vtkMTimeType vtkIrradianceFilter::GetMTime()

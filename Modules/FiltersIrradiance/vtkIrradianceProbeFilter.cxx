@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
-#include "EmptyPiece.h"
+#include "Data/ArrayNames.h"
+#include "Data/NamedArray.h"
 #include "Execution/SlicedPass.h"
-#include "FilterRun.h"
-#include "InputError.h"
-#include "PhotonRequest.h"
-#include "PhotonSource.h"
+#include "Output/EmptyPiece.h"
 #include "Photons/NearestEstimate.h"
-#include "TimeKeys.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/PhotonRequest.h"
+#include "Pipeline/PhotonSource.h"
+#include "Pipeline/PieceRequest.h"
+#include "Progress/InputError.h"
+#include "Time/TimeKeys.h"
 
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -75,14 +77,10 @@ std::vector<irradiance::Sensor> ReadSensors(vtkPointSet* input)
 }
 
 template <class Array>
-vtkSmartPointer<Array> AddArray(vtkPointSet* output, const char* name, int components)
+vtkSmartPointer<Array> AddArray(vtkPointSet* output, const std::string& name, int components)
 {
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(output->GetNumberOfPoints());
-  output->GetPointData()->AddArray(array);
-  return array;
+  return irradiance::addArray<Array>(
+    output->GetPointData(), name, components, output->GetNumberOfPoints());
 }
 
 /// No property but 0, which stands for a default, may be other than positive.
@@ -113,17 +111,14 @@ std::string TextOfLost(
   return message.str();
 }
 
-/// Without points, see EmptyPiece.
+/// Without points, see PieceRequest.h.
 void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
 {
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), 0);
-  output->GetCellData()->CopyAllOn();
-  output->GetCellData()->CopyAllocate(input->GetCellData(), 0);
-  AddArray<vtkDoubleArray>(output, "Irradiance", irradiance::bandsOf(scene));
-  AddArray<vtkIdTypeArray>(output, "NumberOfPhotons", 1);
-  AddArray<vtkDoubleArray>(output, "SearchRadius", 1);
-  output->GetPointData()->SetActiveScalars("Irradiance");
+  irradiance::copyEmptyArrays(input, output);
+  AddArray<vtkDoubleArray>(output, irradiance::irradianceName(), irradiance::bandsOf(scene));
+  AddArray<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1);
+  AddArray<vtkDoubleArray>(output, irradiance::kSearchRadius, 1);
+  output->GetPointData()->SetActiveScalars(irradiance::irradianceName().c_str());
 }
 
 /// The executive would take the time of the sensors, which may not change with time.
@@ -223,9 +218,9 @@ void vtkIrradianceProbeFilter::Compute(
     this->MaximumRadius > 0 ? this->MaximumRadius : irradiance::usualRadius(nearest, count);
   const int bands = engine.objects().staticObject.material->bands;
   output->ShallowCopy(input);
-  const auto irradiances = AddArray<vtkDoubleArray>(output, "Irradiance", bands);
-  const auto counts = AddArray<vtkIdTypeArray>(output, "NumberOfPhotons", 1);
-  const auto radii = AddArray<vtkDoubleArray>(output, "SearchRadius", 1);
+  const auto irradiances = AddArray<vtkDoubleArray>(output, irradiance::irradianceName(), bands);
+  const auto counts = AddArray<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1);
+  const auto radii = AddArray<vtkDoubleArray>(output, irradiance::kSearchRadius, 1);
   std::vector<char> areLost(sensors.size());
   constexpr std::size_t unitSize = 64;
   irradiance::SlicedPass pass{ (sensors.size() + unitSize - 1) / unitSize, {} };
@@ -250,7 +245,7 @@ void vtkIrradianceProbeFilter::Compute(
     return true;
   };
   pass.run(execution);
-  output->GetPointData()->SetActiveScalars("Irradiance");
+  output->GetPointData()->SetActiveScalars(irradiance::irradianceName().c_str());
   if (std::find(areLost.begin(), areLost.end(), char{ 1 }) != areLost.end())
   {
     vtkWarningMacro(<< TextOfLost(sensors, areLost, maximumDistance));

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKeyFramedPose.h"
 
-#include "FilterRun.h"
-#include "InputError.h"
-#include "KeyFrameFile.h"
-#include "LeafData.h"
-#include "PassedGeometry.h"
-#include "Pose.h"
-#include "TimeKeys.h"
+#include "Data/LeafData.h"
+#include "Data/NamedArray.h"
+#include "Input/KeyFrameFile.h"
+#include "Input/PassedGeometry.h"
+#include "Input/Pose.h"
+#include "Output/EmptyPiece.h"
+#include "Pipeline/FilterRun.h"
+#include "Progress/InputError.h"
+#include "Time/TimeKeys.h"
 
-#include "vtkCellData.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -19,10 +19,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTransform.h"
 
 #include <algorithm>
 #include <array>
@@ -67,10 +65,8 @@ bool HasFile(vtkKeyFramedPose* filter)
 
 void SetPose(vtkPolyData* polyData, const irradiance::AffineMap& worldFromObject)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(irradiance::kFieldPoseName);
-  array->SetNumberOfComponents(16);
-  array->SetNumberOfTuples(1);
+  const auto array = irradiance::addArray<vtkDoubleArray>(
+    polyData->GetFieldData(), irradiance::kFieldPoseName, 16, 1);
   for (int i = 0; i < 16; ++i)
   {
     const int row = i / 4, column = i % 4;
@@ -79,16 +75,11 @@ void SetPose(vtkPolyData* polyData, const irradiance::AffineMap& worldFromObject
         : column == 3 ? worldFromObject.translation[row]
                       : worldFromObject.linear(row, column));
   }
-  polyData->GetFieldData()->AddArray(array);
 }
 
-/// Arrays without values: what reads them by name, or counts bands, finds the same as before.
 void CopyArraysOnly(vtkPolyData* input, vtkPolyData* output)
 {
-  output->GetPointData()->CopyAllOn();
-  output->GetCellData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), 0);
-  output->GetCellData()->CopyAllocate(input->GetCellData(), 0);
+  irradiance::copyEmptyArrays(input, output);
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
   output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
 }
@@ -133,15 +124,12 @@ void PassOn(vtkDataObject* input, OptionalPose worldFromInput, vtkDataObject* ou
   }
   output->ShallowCopy(tree);
   output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
-  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  leaves->VisitOnlyLeavesOn();
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-  {
-    vtkNew<vtkPolyData> leaf;
-    PassOnLeaf(name + ", " + irradiance::leafName(leaves), leaves->GetCurrentDataObject(),
-      worldFromInput, leaf);
-    vtkDataObjectTree::SafeDownCast(output)->SetDataSet(leaves, leaf);
-  }
+  irradiance::forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+    vtkNew<vtkPolyData> passed;
+    PassOnLeaf(name + ", " + irradiance::leafName(leaf), leaf->GetCurrentDataObject(),
+      worldFromInput, passed);
+    vtkDataObjectTree::SafeDownCast(output)->SetDataSet(leaf, passed);
+  });
 }
 
 }
@@ -159,18 +147,13 @@ vtkKeyFramedPose::~vtkKeyFramedPose()
 void vtkKeyFramedPose::AddPose(
   double time, double x, double y, double z, double rx, double ry, double rz)
 {
-  vtkNew<vtkTransform> transform;
-  transform->Translate(x, y, z);
-  transform->RotateZ(rz);
-  transform->RotateX(rx);
-  transform->RotateY(ry);
-  this->AddPoseMatrix(time, transform->GetMatrix());
+  const double position[3] = { x, y, z }, orientation[3] = { rx, ry, rz };
+  this->AddPose(time, position, orientation);
 }
 
 void vtkKeyFramedPose::AddPose(double time, const double position[3], const double orientation[3])
 {
-  this->AddPose(
-    time, position[0], position[1], position[2], orientation[0], orientation[1], orientation[2]);
+  this->AddPoseMatrix(time, irradiance::propMatrix(position, orientation).data());
 }
 
 void vtkKeyFramedPose::AddPoseMatrix(double time, double m00, double m01, double m02, double m03,

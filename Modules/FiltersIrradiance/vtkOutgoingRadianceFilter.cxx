@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOutgoingRadianceFilter.h"
 
-#include "EmptyPiece.h"
+#include "Data/ArrayNames.h"
+#include "Data/LeafData.h"
+#include "Data/NamedArray.h"
 #include "Execution/SlicedPass.h"
-#include "FilterRun.h"
-#include "InputError.h"
 #include "OutgoingRadiance.h"
-#include "PhotonRequest.h"
-#include "PhotonSource.h"
+#include "Output/EmptyPiece.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/PhotonRequest.h"
+#include "Pipeline/PhotonSource.h"
+#include "Pipeline/PieceRequest.h"
+#include "Progress/InputError.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -77,36 +80,37 @@ irradiance::Eye EyeOf(vtkOutgoingRadianceFilter* filter)
   return eye;
 }
 
+vtkSmartPointer<vtkDoubleArray> AddRadiance(vtkPolyData* output, int bands)
+{
+  auto radiance = irradiance::addArray<vtkDoubleArray>(
+    output->GetCellData(), irradiance::kRadiance, bands, output->GetNumberOfCells());
+  output->GetCellData()->SetActiveScalars(irradiance::kRadiance);
+  return radiance;
+}
+
 /// Clones the polydata of a tree: their cells and arrays stay shared.
 void CloneLeaves(vtkMultiBlockDataSet* output)
 {
-  const auto leaves = vtk::TakeSmartPointer(output->NewTreeIterator());
-  leaves->VisitOnlyLeavesOn();
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-  {
-    vtkDataObject* leaf = leaves->GetCurrentDataObject();
-    const auto clone = vtk::TakeSmartPointer(leaf->NewInstance());
-    clone->ShallowCopy(leaf);
-    output->SetDataSet(leaves, clone);
-  }
+  irradiance::forEachLeaf(output, [output](vtkDataObjectTreeIterator* leaf) {
+    vtkDataObject* data = leaf->GetCurrentDataObject();
+    const auto clone = vtk::TakeSmartPointer(data->NewInstance());
+    clone->ShallowCopy(data);
+    output->SetDataSet(leaf, clone);
+  });
 }
 
-/// Without cells, see EmptyPiece.
+/// Without cells, see PieceRequest.h.
 void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   output->ShallowCopy(input);
-  const auto leaves = vtk::TakeSmartPointer(output->NewTreeIterator());
-  leaves->VisitOnlyLeavesOn();
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-  {
-    if (auto* polyData = vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject()))
+  irradiance::forEachLeaf(output, [output](vtkDataObjectTreeIterator* leaf) {
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
     {
       const auto empty = irradiance::withoutCells(polyData);
-      irradiance::addEmptyArray(empty->GetCellData(), "Radiance", irradiance::bandsOf(empty));
-      empty->GetCellData()->SetActiveScalars("Radiance");
-      output->SetDataSet(leaves, empty);
+      AddRadiance(empty, irradiance::bandsOf(empty));
+      output->SetDataSet(leaf, empty);
     }
-  }
+  });
 }
 
 /// Some cells of a part.
@@ -125,12 +129,7 @@ std::vector<Unit> MakeUnits(
   std::vector<Unit> units;
   source.forEachPart(
     output, [&](vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) {
-      vtkNew<vtkDoubleArray> radiance;
-      radiance->SetName("Radiance");
-      radiance->SetNumberOfComponents(bands);
-      radiance->SetNumberOfTuples(polyData->GetNumberOfCells());
-      polyData->GetCellData()->AddArray(radiance);
-      polyData->GetCellData()->SetActiveScalars("Radiance");
+      const auto radiance = AddRadiance(polyData, bands);
       for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
       {
         units.push_back({ radiance, object, firstCell, begin,

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiantExposureFilter.h"
 
-#include "EmptyPiece.h"
-#include "ErrorControlledIntegral.h"
-#include "ExposureTimes.h"
-#include "FilterRun.h"
-#include "InputError.h"
-#include "InputTimes.h"
-#include "ReplicateArrays.h"
+#include "Data/NamedArray.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/PieceRequest.h"
+#include "Pipeline/ReplicateRequest.h"
+#include "Progress/InputError.h"
+#include "Time/ErrorControlledIntegral.h"
+#include "Time/ExposureTimes.h"
+#include "Time/InputTimes.h"
+#include "Time/TimeKeys.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
@@ -21,6 +23,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -94,7 +97,7 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
   if (IsErrorControlled(settings.Mode))
   {
     return std::make_unique<irradiance::ErrorControlledIntegral>(
-      irradiance::firstTimes(input, settings.Span, settings.NumberOfTimeSteps),
+      irradiance::firstTimes(irradiance::stepsOf(input), settings.Span, settings.NumberOfTimeSteps),
       settings.RelativeTolerance, settings.MaximumNumberOfTimeSteps);
   }
   return std::make_unique<irradiance::GivenTimesIntegral>(
@@ -106,30 +109,19 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
 void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields)
 {
   const std::vector<double>& times = integral.times();
-  const auto addArray = [fields](const char* name, vtkDataArray* array) {
-    array->SetName(name);
-    fields->AddArray(array);
+  const auto count = static_cast<vtkIdType>(times.size());
+  const auto addNumber = [fields](const char* name, double number) {
+    irradiance::addTuple<vtkDoubleArray>(fields, name, { number });
   };
-  vtkNew<vtkDoubleArray> start, end, all;
-  vtkNew<vtkIdTypeArray> steps;
-  start->InsertNextValue(times.front());
-  end->InsertNextValue(times.back());
-  steps->InsertNextValue(static_cast<vtkIdType>(times.size()) - 1);
-  for (const double time : times)
-  {
-    all->InsertNextValue(time);
-  }
-  addArray("StartTime", start);
-  addArray("EndTime", end);
-  addArray("NumberOfTimeSteps", steps);
-  addArray("IntegrationTimes", all);
+  addNumber("StartTime", times.front());
+  addNumber("EndTime", times.back());
+  irradiance::addTuple<vtkIdTypeArray>(fields, "NumberOfTimeSteps", { count - 1 });
+  const auto all = irradiance::addArray<vtkDoubleArray>(fields, "IntegrationTimes", 1, count);
+  std::copy(times.begin(), times.end(), all->GetPointer(0));
   if (!std::isnan(integral.relativeError()))
   {
-    vtkNew<vtkDoubleArray> error, noise;
-    error->InsertNextValue(integral.relativeError());
-    noise->InsertNextValue(integral.relativeNoise());
-    addArray("TimeIntegrationError", error);
-    addArray("TimeIntegrationNoise", noise);
+    addNumber("TimeIntegrationError", integral.relativeError());
+    addNumber("TimeIntegrationNoise", integral.relativeNoise());
   }
 }
 

@@ -4,7 +4,7 @@
 #   check-layering.sh ROOT
 #
 #   RayCasting <- PhotonWalks <- FiltersIrradiance     each module may use only those left of it
-#   the rooms of RayCasting and PhotonWalks            each may use only itself and those before it
+#   the rooms of each module                           each may use only itself and those before it
 #   RayCasting and PhotonWalks know nothing of VTK
 #   CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp of RayCasting alone
 #   the Python package (Modules/Python) needs VTK and Python's own library alone
@@ -20,8 +20,8 @@ modules=(RayCasting PhotonWalks FiltersIrradiance)
 # From the bottom to the top. A module's own folder, without a room, comes after its rooms.
 rooms=(
   RayCasting/{Simd,Progress,Geometry,Meshes,Trees,Ellipsoids,Kernels,Scene} RayCasting
-  PhotonWalks/{Execution,Sampling,Light,History,Photons,Tally,Shooting,Repair,Walks} PhotonWalks
-  FiltersIrradiance)
+  PhotonWalks/{Execution,Sampling,Light,History,Photons,Tally,Shooting,Repair,Walks,Exposure} PhotonWalks
+  FiltersIrradiance/{Data,Input,Pipeline,Output,Time} FiltersIrradiance)
 failures=0
 
 # reject FILE LINE_NUMBER REASON

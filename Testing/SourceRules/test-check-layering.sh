@@ -11,7 +11,7 @@ failures=0
 clean_tree()
 {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/Modules/{RayCasting/{Geometry,Meshes,Ellipsoids},PhotonWalks/{Light,Tally},FiltersIrradiance,Python} \
+  mkdir -p "$tree"/Modules/{RayCasting/{Geometry,Meshes,Ellipsoids},PhotonWalks/{Light,Tally},FiltersIrradiance/{Input,Output},Python} \
     "$tree"/Testing/{RayCasting,PhotonWalks}
   cd "$tree"
   printf '#include <Eigen/Core>\n' >Modules/RayCasting/Geometry/Vector.h
@@ -22,9 +22,10 @@ clean_tree()
   printf '#include "Light/Emitter.h"\n' >Modules/PhotonWalks/Light/Emitter.cpp
   printf '#include "Light/Emitter.h"\n' >Modules/PhotonWalks/Tally/CellSums.h
   printf '#include "Tally/CellSums.h"\n' >Modules/PhotonWalks/Engine.h
-  printf '#include "PhotonWalks/Light/Emitter.h"\n' >Modules/FiltersIrradiance/Converter.h
+  printf '#include "PhotonWalks/Light/Emitter.h"\n' >Modules/FiltersIrradiance/Input/Converter.h
+  printf '#include "Input/Converter.h"\n' >Modules/FiltersIrradiance/Output/Writer.h
   printf '#include "vtkObject.h"\n#include <memory>\nclass vtkX;\n' >Modules/FiltersIrradiance/vtkX.h
-  printf '#include "vtkX.h"\n#include "Converter.h"\n' >Modules/FiltersIrradiance/vtkX.cxx
+  printf '#include "vtkX.h"\n#include "Input/Converter.h"\n' >Modules/FiltersIrradiance/vtkX.cxx
   printf 'import re\nfrom vtkmodules.vtkCommonCore import vtkObject\n' >Modules/Python/pipeline.py
   printf '#include "RayCasting/Geometry/Vector.h"\n#include <CGAL/Gmpq.h>\n' >Testing/RayCasting/TestVector.cpp
 }
@@ -54,13 +55,15 @@ fi
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include "PhotonWalks/Light/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Light"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include "../../PhotonWalks/Light/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Light"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include <Emitter.h>' "RayCasting/Geometry may not use PhotonWalks/Light"
-expect_violation Modules/RayCasting/Geometry/Vector.h '#  include "Converter.h"' "RayCasting/Geometry may not use FiltersIrradiance"
-expect_violation Modules/PhotonWalks/Light/Emitter.cpp '#include "FiltersIrradiance/Converter.h"' "PhotonWalks/Light may not use FiltersIrradiance"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#  include "Converter.h"' "RayCasting/Geometry may not use FiltersIrradiance/Input"
+expect_violation Modules/PhotonWalks/Light/Emitter.cpp '#include "FiltersIrradiance/Input/Converter.h"' "PhotonWalks/Light may not use FiltersIrradiance/Input"
 expect_violation Testing/RayCasting/TestVector.cpp '#include "PhotonWalks/Light/Emitter.h"' "RayCasting may not use PhotonWalks/Light"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include "Ellipsoids/EnclosingEllipsoid.h"' "RayCasting/Geometry may not use RayCasting/Ellipsoids"
 expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "Tally/CellSums.h"' "PhotonWalks/Light may not use PhotonWalks/Tally"
 expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "../Tally/CellSums.h"' "PhotonWalks/Light may not use PhotonWalks/Tally"
 expect_violation Modules/PhotonWalks/Tally/CellSums.h '#include "Engine.h"' "PhotonWalks/Tally may not use PhotonWalks"
+expect_violation Modules/FiltersIrradiance/Input/Converter.h '#include "Output/Writer.h"' "FiltersIrradiance/Input may not use FiltersIrradiance/Output"
+expect_violation Modules/FiltersIrradiance/Output/Writer.h '#include "vtkX.h"' "FiltersIrradiance/Output may not use FiltersIrradiance"
 expect_violation Modules/PhotonWalks/Attic/Old.h '#include "Light/Emitter.h"' "this folder is no room"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include <vtkPolyData.h>' "RayCasting may not know VTK"
 expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "sub/vtkPolyData.h"' "PhotonWalks may not know VTK"

@@ -74,10 +74,7 @@ ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) 
     const double off = static_cast<double>(ofReplicate(i)) - share_[i] * quanta;
     squares += off * off;
   }
-  // Sums come in steps of a photon, so replicates may agree by chance. The variance within a step
-  // is the least that can be claimed.
-  return { quanta, std::sqrt(std::max(unbiased_ * squares, replicates * photon * photon / 12)),
-    photon };
+  return { quanta, std::sqrt(variance(unbiased_ * squares, replicates * photon * photon)), photon };
 }
 
 double ErrorEstimate::relativeError(const Received& received, double average, double factor)

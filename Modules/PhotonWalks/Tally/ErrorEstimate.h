@@ -5,6 +5,7 @@
 #include "Execution/Execution.h"
 #include "Tally/CellSpread.h"
 
+#include <algorithm>
 #include <array>
 
 namespace irradiance
@@ -31,6 +32,14 @@ public:
   /// where they blur it. `sums` and `spread` must outlive the estimate.
   ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
     const std::array<double, Power::kMaxBands>& photon, const CellSpread* spread = nullptr);
+
+  /// The variance of what n replicates tell, from their spread. What they tell comes in steps, as photons do,
+  /// so replicates may agree by chance: the variance within a step is the least that can be claimed.
+  /// `squaredSteps`: n * a squared step, or the sum of several.
+  static double variance(double spread, double squaredSteps)
+  {
+    return std::max(spread, squaredSteps / 12);
+  }
 
   /// Half the width of the interval of kConfidence, in standard errors: Student's t.
   static double confidenceFactor(std::uint32_t replicates);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ArrayNames_h
+#define irradiance_ArrayNames_h
+
+#include <array>
+#include <string>
+
+/// The names of the arrays of outputs. Those of cells say by a suffix which side they are of.
+namespace irradiance
+{
+
+/// Of both sides together, and of each.
+constexpr std::array<const char*, 3> kSideSuffixes{ "", "Front", "Back" };
+
+inline std::string irradianceName(const std::string& suffix = "")
+{
+  return "Irradiance" + suffix;
+}
+
+inline std::string staleName(const std::string& suffix)
+{
+  return "Stale" + irradianceName(suffix);
+}
+
+inline std::string exposureName(const std::string& suffix = "")
+{
+  return "RadiantExposure" + suffix;
+}
+
+/// Of an array of irradiance or exposure.
+inline std::string standardErrorName(const std::string& name)
+{
+  return name + "StandardError";
+}
+
+/// What each replicate by itself says of the irradiance: one component for each replicate and band, the bands
+/// of the first replicate first, W/m2. It is there with ComputeStandardError, for those who ask for it.
+inline std::string replicatesName(const std::string& suffix)
+{
+  return irradianceName(suffix) + "Replicates";
+}
+
+/// The irradiance that one photon of full power is, in each band, W/m2. It is there for those who ask for it,
+/// with or without standard errors.
+inline std::string photonName(const std::string& suffix)
+{
+  return irradianceName(suffix) + "OfPhoton";
+}
+
+constexpr const char* kRadiance = "Radiance";
+constexpr const char* kNumberOfPhotons = "NumberOfPhotons";
+constexpr const char* kSearchRadius = "SearchRadius";
+
+/// Field data of vtkIrradianceFilter.
+constexpr const char* kEmittedPower = "EmittedPower";
+constexpr const char* kAbsorbedPower = "AbsorbedPower";
+constexpr const char* kEscapedPower = "EscapedPower";
+constexpr const char* kStalePower = "StalePower";
+constexpr const char* kStaleGainBound = "StaleGainBound";
+constexpr const char* kNumberOfWalks = "NumberOfWalks";
+constexpr const char* kNumberOfSegments = "NumberOfSegments";
+constexpr const char* kConfidenceFactor = "ConfidenceFactor";
+constexpr const char* kReachedRelativeError = "ReachedRelativeError";
+constexpr const char* kNumberOfInvalidWalks = "NumberOfInvalidWalks";
+constexpr const char* kNumberOfRepairedSegments = "NumberOfRepairedSegments";
+constexpr const char* kShootSeconds = "ShootSeconds";
+constexpr const char* kVerifySeconds = "VerifySeconds";
+constexpr const char* kRepairSeconds = "RepairSeconds";
+constexpr const char* kHistoryBytes = "HistoryBytes";
+
+}
+
+#endif

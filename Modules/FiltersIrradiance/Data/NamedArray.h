@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_NamedArray_h
+#define irradiance_NamedArray_h
+
+#include "vtkFieldData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Adds an array, whose values are to be set.
+template <class Array>
+vtkSmartPointer<Array> addArray(
+  vtkFieldData* attributes, const std::string& name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  attributes->AddArray(array);
+  return array;
+}
+
+/// Adds an array of one tuple.
+template <class Array>
+void addTuple(vtkFieldData* fields, const std::string& name,
+  const std::vector<typename Array::ValueType>& tuple)
+{
+  const auto array = addArray<Array>(fields, name, static_cast<int>(tuple.size()), 1);
+  array->SetTypedTuple(0, tuple.data());
+}
+
+}
+
+#endif

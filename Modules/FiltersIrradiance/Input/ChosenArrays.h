@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ChosenArrays_h
+#define irradiance_ChosenArrays_h
+
+#include "Input/InputConnection.h"
+
+#include <string>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Finds the arrays that the filter was told to read in a part, and notes among its oddities which
+/// ones it will overlook: on the points, or nearly called as the array of a quantity that the part
+/// has no array for.
+void findArrays(vtkAlgorithm* filter, InputPart& part);
+
+/// Throws InputError if the filter was told to read an array of the points or of the field data, or
+/// one that no input has.
+void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics);
+
+/// What to say of a scene without light: which arrays it could come from, and which ones are there but
+/// not read.
+std::string noLightWarning(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics);
+
+}
+
+#endif

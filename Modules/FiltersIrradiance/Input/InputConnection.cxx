@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/InputConnection.h"
+
+#include "Data/LeafData.h"
+#include "Input/ChosenArrays.h"
+#include "Input/Pose.h"
+#include "Progress/InputError.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObjectTree.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkPolyData.h"
+
+namespace irradiance
+{
+
+namespace
+{
+
+InputPart partOf(vtkAlgorithm* filter, const std::string& name, vtkPolyData* polyData)
+{
+  InputPart part;
+  part.name = name;
+  part.polyData = polyData;
+  findArrays(filter, part);
+  return part;
+}
+
+InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataObject* data)
+{
+  InputConnection connection;
+  connection.name = "input port " + std::to_string(port) + ", connection " + std::to_string(index);
+  connection.data = data;
+  const auto addPart = [&](const std::string& name, vtkDataObject* leaf) {
+    vtkPolyData* polyData = vtkPolyData::SafeDownCast(leaf);
+    if (!polyData)
+    {
+      throw InputError(name + " is " + (leaf ? std::string("a ") + leaf->GetClassName() : "null") +
+        "; only vtkPolyData can be computed (vtkGeometryFilter makes one of most data, in ParaView "
+        "the filter Extract Surface)");
+    }
+    connection.parts.push_back(partOf(filter, name, polyData));
+  };
+  if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+      addPart(connection.name + ", " + leafName(leaf), leaf->GetCurrentDataObject());
+    });
+  }
+  else
+  {
+    addPart(connection.name, data);
+  }
+  return connection;
+}
+
+/// Moves each part by this array of its own first.
+void addInnerPoses(InputConnection& connection, const char* arrayName)
+{
+  const InputPart* with = nullptr;
+  const InputPart* without = nullptr;
+  for (InputPart& part : connection.parts)
+  {
+    vtkFieldData* fields = part.polyData->GetFieldData();
+    const bool hasPose = fields->GetAbstractArray(arrayName) != nullptr;
+    part.innerPose = arrayName;
+    with = hasPose ? &part : with;
+    without = hasPose || part.polyData->GetNumberOfCells() == 0 ? without : &part;
+    part.worldFromPart =
+      checkedPose(part.name, composed(part.worldFromPart, poseOf(part.name, fields, arrayName)));
+  }
+  if (with && without)
+  {
+    throw InputError(without->name + " has no field array " + arrayName + ", but " + with->name +
+      " has one (vtkGLTFReader writes it only for the first primitive of a mesh)");
+  }
+}
+
+}
+
+InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data)
+{
+  InputConnection connection = connectionOf(filter, 0, index, data);
+  for (InputPart& part : connection.parts)
+  {
+    for (vtkFieldData* fields : { part.polyData->GetFieldData(), data->GetFieldData() })
+    {
+      if (hasFieldPose(fields))
+      {
+        part.oddities.push_back(part.name + " is static and stays where it is: its field array " +
+          kFieldPoseName + " is not read");
+        break;
+      }
+    }
+  }
+  return connection;
+}
+
+InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
+  vtkLinearTransform* transform, const char* innerPose)
+{
+  InputConnection connection = connectionOf(filter, 1, index, data);
+  const AffineMap worldFromConnection =
+    transform ? poseOf(connection.name, transform) : poseOf(connection.name, data->GetFieldData());
+  for (InputPart& part : connection.parts)
+  {
+    part.worldFromPart = worldFromConnection;
+    if (part.polyData != data)
+    {
+      const AffineMap connectionFromPart = poseOf(part.name, part.polyData->GetFieldData());
+      part.worldFromPart =
+        checkedPose(part.name, composed(worldFromConnection, connectionFromPart));
+    }
+  }
+  if (innerPose && *innerPose)
+  {
+    addInnerPoses(connection, innerPose);
+  }
+  return connection;
+}
+
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_InputConnection_h
+#define irradiance_InputConnection_h
+
+#include "Geometry/Vector.h"
+#include "Input/MaterialArrays.h"
+
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkLinearTransform;
+class vtkPolyData;
+
+namespace irradiance
+{
+
+/// One polydata of the scene: that of a connection, or a leaf of a composite one.
+struct InputPart
+{
+  std::string name; ///< as in "input port 1, connection 0" or "..., block 3 (Plate)"
+  vtkPolyData* polyData = nullptr;
+  MaterialArrays<vtkAbstractArray> arrays{};
+  AffineMap worldFromPart;           ///< the identity for static parts
+  const char* innerPose = nullptr;   ///< a field-data array that is part of that; or null
+  std::vector<std::string> oddities; ///< warnings about what can be computed all the same
+};
+
+/// A connection of the filter and the polydata in it, in the order of its leaves.
+struct InputConnection
+{
+  std::string name; ///< as in "input port 1, connection 0"
+  vtkDataObject* data = nullptr;
+  std::vector<InputPart> parts;
+};
+
+/// A static connection. Throws InputError for a leaf that is no polydata.
+InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data);
+
+/**
+ * A dynamic connection. Its pose is that of `transform`; if null, the field-data array
+ * ObjectToWorld of `data`; else the identity. In composite data, a leaf with such an array of its
+ * own is moved by that first, then by the pose of the connection. Before all that a part is moved by
+ * its field-data array `innerPose` (null: none). Also throws InputError for a pose that is not an
+ * invertible affine map, and if some parts with cells have an `innerPose` and others do not.
+ */
+InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
+  vtkLinearTransform* transform, const char* innerPose);
+
+}
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/Pose.h"
+
+#include "Progress/InputError.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkLinearTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkTransform.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <sstream>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+
+Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
+{
+  vtkDataArray* array = vtkDataArray::SafeDownCast(anyArray);
+  if (!array)
+  {
+    throw InputError(where + ": the field array " + anyArray->GetName() + " is a " +
+      anyArray->GetClassName() + ", not numbers");
+  }
+  const vtkIdType values = array->GetNumberOfValues();
+  if (values != 16)
+  {
+    throw InputError(where + ": the field array " + anyArray->GetName() + " has " +
+      std::to_string(values) + " values, not 16");
+  }
+  Matrix4 matrix;
+  const int components = array->GetNumberOfComponents();
+  for (int i = 0; i < 16; ++i)
+  {
+    matrix(i / 4, i % 4) = array->GetComponent(i / components, i % components);
+  }
+  return matrix;
+}
+
+/// Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
+constexpr double kSmallestScale = 1e-30;
+
+[[noreturn]] void fail(const std::string& where, const Matrix4& matrix, const std::string& what)
+{
+  std::ostringstream message;
+  message << where << ": the transform [" << matrix << "] " << what;
+  throw InputError(message.str());
+}
+
+void checkInvertible(const std::string& where, const Matrix4& matrix)
+{
+  if (!matrix.allFinite())
+  {
+    fail(where, matrix, "is not finite");
+  }
+  if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+  {
+    fail(where, matrix, "is not affine: its last row is not 0 0 0 1");
+  }
+  const Eigen::JacobiSVD<Matrix3> svd(Matrix3(matrix.topLeftCorner<3, 3>()));
+  if (!(svd.singularValues()[2] > 1e-14 * svd.singularValues()[0]))
+  {
+    fail(where, matrix, "is singular");
+  }
+  if (!(svd.singularValues()[2] >= kSmallestScale))
+  {
+    fail(where, matrix, "shrinks to less than " + text(kSmallestScale));
+  }
+}
+
+AffineMap mapOf(const std::string& where, const Matrix4& matrix)
+{
+  checkInvertible(where, matrix);
+  return { matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
+}
+
+}
+
+AffineMap poseOf(const std::string& where, vtkLinearTransform* transform)
+{
+  transform->Update();
+  return poseOf(where, transform->GetMatrix()->GetData());
+}
+
+AffineMap poseOf(const std::string& where, const double* rowByRow)
+{
+  return mapOf(where, Eigen::Map<const Matrix4>(rowByRow));
+}
+
+std::array<double, 16> propMatrix(const double position[3], const double orientation[3])
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(position);
+  transform->RotateZ(orientation[2]);
+  transform->RotateX(orientation[0]);
+  transform->RotateY(orientation[1]);
+  std::array<double, 16> matrix;
+  std::copy_n(transform->GetMatrix()->GetData(), matrix.size(), matrix.begin());
+  return matrix;
+}
+
+AffineMap poseOf(const std::string& where, vtkFieldData* fields, const char* arrayName)
+{
+  vtkAbstractArray* array = fields ? fields->GetAbstractArray(arrayName) : nullptr;
+  return array ? mapOf(where, matrixOf(where, array)) : AffineMap();
+}
+
+bool hasFieldPose(vtkFieldData* fields)
+{
+  vtkAbstractArray* array = fields ? fields->GetAbstractArray(kFieldPoseName) : nullptr;
+  if (!array)
+  {
+    return false;
+  }
+  const bool isMatrix = vtkDataArray::SafeDownCast(array) && array->GetNumberOfValues() == 16;
+  return !isMatrix || matrixOf("", array) != Matrix4::Identity();
+}
+
+AffineMap checkedPose(const std::string& where, const AffineMap& map)
+{
+  Matrix4 matrix = Matrix4::Identity();
+  matrix.topLeftCorner<3, 3>() = map.linear;
+  matrix.topRightCorner<3, 1>() = map.translation;
+  return mapOf(where, matrix);
+}
+
+AffineMap composed(const AffineMap& outer, const AffineMap& inner)
+{
+  if (outer == AffineMap() || inner == AffineMap())
+  {
+    return outer == AffineMap() ? inner : outer;
+  }
+  return { outer.linear * inner.linear, outer(inner.translation) };
+}
+
+}

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/SceneAdvice.h"
+
+#include "Progress/InputError.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+double sizeOf(const Box& box)
+{
+  return box.isEmpty() ? 0.0 : box.extent().maxCoeff();
+}
+
+/// Five digits are enough for a message.
+std::string rounded(double value)
+{
+  std::ostringstream stream;
+  stream.precision(5);
+  stream << value;
+  return stream.str();
+}
+
+bool isInside(const Box& box, const Box& outer)
+{
+  const Box common = box.intersection(outer);
+  return common.lower == box.lower && common.upper == box.upper;
+}
+
+double sum(const Power& power, int bands)
+{
+  double sum = 0;
+  for (int band = 0; band < bands; ++band)
+  {
+    sum += static_cast<double>(power[band]);
+  }
+  return sum;
+}
+
+}
+
+SceneAdvice::SceneAdvice(const std::vector<InputConnection>& statics,
+  const std::vector<InputConnection>& dynamics, const SceneReader& scene,
+  const IrradianceEngine& engine, const Checkpoint& checkpoint)
+  : scene_(scene)
+  , objects_(scene.objects())
+  , engine_(engine)
+  , checkpoint_(checkpoint)
+{
+  Box all;
+  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  {
+    all.add(objects_[object].worldBounds());
+  }
+  // Small closed rooms, as most are, pay no more than this.
+  if (escaped() > 0 || sizeOf(all) > kLargePart || isUnlit())
+  {
+    findParts(statics, dynamics);
+  }
+}
+
+double SceneAdvice::emitted() const
+{
+  return engine_.watts(sum(engine_.balance().emitted, scene_.bands()));
+}
+
+double SceneAdvice::escaped() const
+{
+  return engine_.watts(sum(engine_.balance().escaped, scene_.bands()));
+}
+
+std::vector<std::string> SceneAdvice::warnings() const
+{
+  std::vector<std::string> warnings{ sideWarning(), partLengthWarning() };
+  if (warnings.back().empty()) // else it has been said
+  {
+    warnings.push_back(sceneLengthWarning());
+  }
+  warnings.erase(std::remove(warnings.begin(), warnings.end(), ""), warnings.end());
+  return warnings;
+}
+
+/// Calls visit(part, cell, triangle in the world) for all that is there.
+template <class Visit>
+void SceneAdvice::forEachTriangle(const Visit& visit) const
+{
+  CheckpointPace pace(checkpoint_);
+  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  {
+    const SceneObject& placed = objects_[object];
+    for (std::size_t i = 0; !placed.isEmpty() && i < placed.body->mesh().triangles().size(); ++i)
+    {
+      pace.step();
+      const std::size_t cell = placed.material->cellOfTriangle[i];
+      const std::size_t part =
+        object == 0 ? placed.material->partOfCell(cell) - 1 : statics_ + object - 1;
+      visit(part, cell, transformed(placed.worldFromObject, placed.body->mesh().triangles()[i]));
+    }
+  }
+}
+
+void SceneAdvice::findParts(
+  const std::vector<InputConnection>& statics, const std::vector<InputConnection>& dynamics)
+{
+  for (const auto* connections : { &statics, &dynamics })
+  {
+    for (const InputConnection& connection : *connections)
+    {
+      for (const InputPart& part : connection.parts)
+      {
+        const bool isStatic = connections == &statics;
+        statics_ += isStatic ? 1 : 0;
+        parts_.push_back({ &part.name,
+          isStatic ? 0 : static_cast<std::uint32_t>(parts_.size() - statics_ + 1), 0, {}, {} });
+      }
+    }
+  }
+  forEachTriangle([&](std::size_t part, std::size_t cell, const Triangle& triangle) {
+    Part& at = parts_[part];
+    const bool isLamp = objects_[at.object].material->hasExitance(cell);
+    (isLamp ? at.emitting : at.dark).add(triangle.bounds());
+    const Material& material = *objects_[at.object].material;
+    for (int band = 0; isLamp && band < material.bands; ++band)
+    {
+      const auto bands = static_cast<std::size_t>(material.bands);
+      at.watts +=
+        triangle.area() * material.exitance[cell * bands + static_cast<std::size_t>(band)];
+    }
+  });
+}
+
+/// Whether there are surfaces that are no lamps, and not one of them has received a photon.
+bool SceneAdvice::isUnlit() const
+{
+  bool hasOthers = false;
+  CheckpointPace pace(checkpoint_);
+  const CellSums& sums = engine_.sums();
+  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  {
+    const Material& material = *objects_[object].material;
+    for (SceneCell cell{ object, 0 }; cell.cell < material.numberOfCells; ++cell.cell)
+    {
+      pace.step();
+      if (!(engine_.cells().area(cell) > 0) || material.hasExitance(cell.cell))
+      {
+        continue;
+      }
+      hasOthers = true;
+      for (int i = 0; i < sums.sides() * scene_.bands(); ++i)
+      {
+        if (sums.sum({ cell, i / scene_.bands() }, i % scene_.bands()) != 0)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return hasOthers && engine_.numberOfWalks() >= kFewWalks;
+}
+
+/// The surfaces that are no lamps of this part.
+Box SceneAdvice::allBut(std::size_t part) const
+{
+  Box box = parts_[part].dark;
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+  {
+    box.add(i == part ? Box() : parts_[i].bounds());
+  }
+  return box;
+}
+
+/// Parts of which every lamp has all the rest of the scene behind it, by the boxes around these.
+std::vector<bool> SceneAdvice::partsThatFaceAway() const
+{
+  std::vector<bool> faceAway(parts_.size()), haveBehind(parts_.size());
+  std::vector<Box> others(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+  {
+    faceAway[i] = parts_[i].watts > 0;
+    others[i] = faceAway[i] ? allBut(i) : Box();
+    faceAway[i] = faceAway[i] && !others[i].isEmpty();
+  }
+  forEachTriangle([&](std::size_t part, std::size_t cell, const Triangle& triangle) {
+    if (!faceAway[part] || !objects_[parts_[part].object].material->hasExitance(cell))
+    {
+      return;
+    }
+    constexpr double flat = 1e-6; // in sizes: in the plane is neither before nor behind
+    const Vector3 normal = triangle.areaVector().stableNormalized();
+    const double middle = normal.dot(others[part].center() - triangle.a);
+    const double reach = 0.5 * normal.cwiseAbs().dot(others[part].extent());
+    const double tolerance = flat * (reach + std::abs(middle));
+    faceAway[part] = middle + reach <= tolerance;
+    haveBehind[part] = haveBehind[part] || middle - reach < -tolerance;
+  });
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+  {
+    faceAway[i] = faceAway[i] && haveBehind[i];
+  }
+  return faceAway;
+}
+
+/// Open scenes lose much light, so a lamp has to lose all of its own; or lamps keep all of it.
+std::string SceneAdvice::sideWarning() const
+{
+  const double escaped = this->escaped();
+  const bool isKept = !(escaped > 0) && isUnlit();
+  const std::vector<bool> faceAway =
+    escaped > 0 ? partsThatFaceAway() : std::vector<bool>(parts_.size());
+  double watts = 0;
+  std::string names;
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+  {
+    // From its other side, a lamp that keeps its light could reach only what is outside of it.
+    if (parts_[i].watts > 0 &&
+      ((faceAway[i] && escaped >= 0.5 * parts_[i].watts) ||
+        (isKept && !isInside(allBut(i), parts_[i].emitting))))
+    {
+      watts += parts_[i].watts;
+      names += (names.empty() ? "" : "; ") + *parts_[i].name;
+    }
+  }
+  return names.empty()
+    ? ""
+    : "nothing else is lit by these lamps of " + rounded(watts) + " W: " + names +
+      ". A cell emits from its front, the side from which its points run counter-clockwise; if the "
+      "other side was meant, reverse the cells (vtkReverseSense)";
+}
+
+std::string SceneAdvice::partLengthWarning() const
+{
+  Box all;
+  bool hasSurfaces = false;
+  for (std::size_t i = 0; i < statics_; ++i)
+  {
+    all.add(parts_[i].bounds());
+    hasSurfaces = hasSurfaces || !parts_[i].dark.isEmpty();
+  }
+  for (std::size_t i = statics_; hasSurfaces && i < parts_.size(); ++i)
+  {
+    const Box part = parts_[i].bounds();
+    const double size = sizeOf(part);
+    if (size > kLargePart && size > kMuchLarger * sizeOf(all) && !part.intersection(all).isEmpty())
+    {
+      return *parts_[i].name + " is " + rounded(size) + " m large, in a static scene of " +
+        rounded(sizeOf(all)) +
+        " m: if its points are in millimetres, scale it by 0.001 in its transform";
+    }
+  }
+  return {};
+}
+
+/// Point lights, or lamps in metres, spread thinly over walls in millimetres. If all is in millimetres
+/// and lamps have an exitance, the irradiance is right.
+std::string SceneAdvice::sceneLengthWarning() const
+{
+  Box scene;
+  const Part* largest = nullptr;
+  for (const Part& part : parts_)
+  {
+    scene.add(part.bounds());
+    largest = largest && sizeOf(largest->bounds()) >= sizeOf(part.bounds()) ? largest : &part;
+  }
+  if (!(sizeOf(scene) > kLargeScene))
+  {
+    return {};
+  }
+  double area = 0;
+  engine_.cells().numbers().forEach(
+    [&](const SceneCell& cell) { area += engine_.cells().area(cell); });
+  const double emitted = this->emitted();
+  if (!(emitted > 0 && emitted < kThinLight * area))
+  {
+    return {};
+  }
+  return "the scene is " + rounded(sizeOf(scene)) + " m large, most of it " + *largest->name +
+    " with " + rounded(sizeOf(largest->bounds())) + " m, so that its " + rounded(emitted) +
+    " W are " + rounded(emitted / area) +
+    " W/m2 on the average of its surfaces: if points are in millimetres, scale them by 0.001 "
+    "(vtkTransformPolyDataFilter)";
+}
+
+}

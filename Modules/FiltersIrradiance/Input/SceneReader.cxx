@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/SceneReader.h"
+
+#include "Geometry/MovedBox.h"
+#include "Input/PassedGeometry.h"
+#include "Progress/InputError.h"
+
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
+{
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
+  if (array && !numbers)
+  {
+    throw InputError(where + ": the array " + array->GetName() + " is a " + array->GetClassName() +
+      ", not numbers");
+  }
+  return numbers;
+}
+
+bool isEqual(
+  const std::vector<Triangle>& a, const std::vector<Triangle>& b, const Checkpoint& checkpoint)
+{
+  CheckpointPace pace(checkpoint);
+  bool isEqual = a.size() == b.size();
+  for (std::size_t i = 0; isEqual && i < a.size(); ++i)
+  {
+    isEqual = a[i] == b[i];
+    pace.step();
+  }
+  return isEqual;
+}
+
+/// A finite map can take finite points to where squares and volumes are not finite.
+void checkReach(const std::string& where, const AffineMap& map, const Box& box)
+{
+  if (box.isEmpty())
+  {
+    return;
+  }
+  const double reach =
+    (map.linear.cwiseAbs() * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()) +
+      map.translation.cwiseAbs())
+      .maxCoeff();
+  if (!(reach <= PolyDataConverter::kMostDistant))
+  {
+    throw InputError(where + ": the transform takes points out of range, to " + text(reach) + " m");
+  }
+}
+
+/// Positions are doubles, and rays start 2^-33 of the largest coordinate off the surface.
+void checkDigits(const SceneObjects& objects)
+{
+  constexpr double kFarthest = 0x1p27; // in sizes of the scene
+  Box scene = objects.staticObject.body->mesh().bounds();
+  for (const SceneObject& object : objects.dynamicObjects)
+  {
+    scene.add(object.worldBounds());
+  }
+  const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
+  if (scene.magnitude() > kFarthest * size)
+  {
+    throw InputError("the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
+      " m away from the origin: too far for its size, as positions there have too few digits");
+  }
+}
+
+}
+
+SceneReader::Parts SceneReader::partsOf(const std::vector<InputConnection>& connections)
+{
+  Parts parts;
+  for (const InputConnection& connection : connections)
+  {
+    for (const InputPart& part : connection.parts)
+    {
+      parts.push_back(&part);
+    }
+  }
+  return parts;
+}
+
+SceneReader::Stamp SceneReader::stampOf(const InputPart& part)
+{
+  vtkPolyData* origin = originOfGeometry(part.polyData);
+  return { origin, part.arrays, origin->GetMTime() };
+}
+
+int SceneReader::countBands(const std::vector<InputConnection>& staticConnections,
+  const std::vector<InputConnection>& dynamicConnections)
+{
+  int bands = 1;
+  for (const auto* connections : { &staticConnections, &dynamicConnections })
+  {
+    for (const InputPart* part : partsOf(*connections))
+    {
+      for (std::size_t i = 0; i < part->arrays.size(); ++i)
+      {
+        vtkAbstractArray* array = part->arrays[i];
+        bands = i != Exponent && array && array->GetNumberOfComponents() == 3 ? 3 : bands;
+      }
+    }
+  }
+  return bands;
+}
+
+void SceneReader::read(const std::vector<InputConnection>& staticConnections,
+  const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
+  const Checkpoint& checkpoint)
+{
+  const Parts staticParts = partsOf(staticConnections), dynamicParts = partsOf(dynamicConnections);
+  const Settings settings{ countBands(staticConnections, dynamicConnections), defaultReflectance };
+  if (settings != settings_)
+  {
+    staticStamps_.reset();
+    dynamicStamps_.clear();
+    settings_ = settings;
+  }
+  hasNews_ = hasNews_ || dynamicStamps_.size() != dynamicParts.size();
+  dynamicStamps_.resize(dynamicParts.size());
+  objects_.dynamicObjects.resize(dynamicParts.size());
+  readStatic(staticParts, checkpoint);
+  for (std::size_t i = 0; i < dynamicParts.size(); ++i)
+  {
+    readDynamic(*dynamicParts[i], i, checkpoint);
+    SceneObject& object = objects_.dynamicObjects[i];
+    object.worldFromObject = dynamicParts[i]->worldFromPart;
+    if (object.isPresent)
+    {
+      checkReach(dynamicParts[i]->name, object.worldFromObject, object.body->mesh().bounds());
+    }
+  }
+  checkDigits(objects_);
+  flattenManySmall(objects_);
+}
+
+void SceneReader::convert(
+  const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint)
+{
+  hasNews_ = true;
+  MaterialArrays<vtkDataArray> arrays;
+  std::transform(part.arrays.begin(), part.arrays.end(), arrays.begin(),
+    [&](vtkAbstractArray* array) { return asNumbers(array, part.name); });
+  for (const auto& oddities : { part.oddities,
+         PolyDataConverter(
+           part.name, part.polyData, arrays, settings_.defaultReflectance, target, checkpoint)
+           .convert() })
+  {
+    for (const std::string& oddity : oddities)
+    {
+      warn(oddity);
+    }
+  }
+}
+
+void SceneReader::readStatic(const Parts& staticParts, const Checkpoint& checkpoint)
+{
+  std::vector<Stamp> stamps;
+  std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(stamps),
+    [](const InputPart* part) { return stampOf(*part); });
+  if (staticStamps_ == stamps)
+  {
+    return;
+  }
+  hasNews_ = true;
+  staticStamps_.reset(); // until all is read
+  firstCell_.clear();
+  ConvertedPolyData all;
+  all.material.bands = settings_.bands;
+  for (const InputPart* part : staticParts)
+  {
+    firstCell_.push_back(all.material.numberOfCells);
+    all.material.firstCellOfPart = firstCell_;
+    convert(*part, all, checkpoint);
+  }
+  adopt(std::move(all), objects_.staticObject, false, checkpoint);
+  staticStamps_ = std::move(stamps);
+}
+
+void SceneReader::readDynamic(
+  const InputPart& part, std::size_t index, const Checkpoint& checkpoint)
+{
+  SceneObject& object = objects_.dynamicObjects[index];
+  const bool wasPresent = std::exchange(object.isPresent, part.polyData->GetNumberOfCells() > 0);
+  hasNews_ = hasNews_ || object.isPresent != wasPresent;
+  if (!object.isPresent && object.material && object.material->bands == settings_.bands)
+  {
+    return; // what it was may come back
+  }
+  const Stamp stamp = stampOf(part);
+  if (!(dynamicStamps_[index] == stamp))
+  {
+    dynamicStamps_[index].reset(); // until all is read
+    ConvertedPolyData data;
+    data.material.bands = settings_.bands;
+    convert(part, data, checkpoint);
+    adopt(std::move(data), object, true, checkpoint);
+    dynamicStamps_[index] = stamp;
+  }
+}
+
+/// Equal values keep the old object, and with it its tree, its ellipsoid and the stored walks.
+void SceneReader::adopt(
+  ConvertedPolyData data, SceneObject& object, bool mayMove, const Checkpoint& checkpoint)
+{
+  if (!object.material || !(*object.material == data.material))
+  {
+    object.material = std::make_shared<Material>(std::move(data.material));
+  }
+  if (!object.body || !isEqual(object.body->mesh().triangles(), data.triangles, checkpoint))
+  {
+    object.body = std::make_shared<RigidObject>(
+      TriangleMesh(std::move(data.triangles), checkpoint), checkpoint, mayMove);
+    if (checkpoint)
+    {
+      checkpoint(); // freeing the memory of the build takes a while
+    }
+  }
+}
+
+/// Input read before an error is read again; its warnings must not be listed twice.
+void SceneReader::warn(const std::string& warning)
+{
+  if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
+  {
+    warnings_.push_back(warning);
+  }
+}
+
+std::vector<std::string> SceneReader::takeWarnings()
+{
+  return std::exchange(warnings_, {});
+}
+
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_EmptyPiece_h
+#define irradiance_EmptyPiece_h
+
+#include "vtkSmartPointer.h"
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkPolyData;
+
+/// What outputs are where they have no cells, see PieceRequest.h. What reads their arrays by name, or counts
+/// bands, finds the same as elsewhere.
+namespace irradiance
+{
+
+/// Gives a data set without points the arrays of another, without values.
+void copyEmptyArrays(vtkDataSet* from, vtkDataSet* to);
+
+/// Polydata with the arrays of another, without points and cells.
+vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData);
+
+/// Number of components that the irradiance has in polydata, or in the first leaf of a tree of them; else 1.
+int bandsOf(vtkDataObject* data);
+
+}
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/FilterRun.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataObject.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkVersionMacros.h"
+
+#include <exception>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// On data: an error left it empty.
+vtkInformationIntegerKey* failedKey()
+{
+  static auto* const key = new vtkInformationIntegerKey("FAILED", "vtkIrradianceFilter");
+  return key;
+}
+
+bool hasInputFailed(vtkAlgorithm* filter)
+{
+  bool hasFailed = false;
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* input = filter->GetInputDataObject(port, i);
+      hasFailed = hasFailed || (input && input->GetInformation()->Has(failedKey()));
+    }
+  }
+  return hasFailed;
+}
+
+void fail(vtkDataObject* output)
+{
+  output->Initialize();
+  output->GetInformation()->Set(failedKey(), 1);
+}
+
+}
+
+vtkMTimeType upstreamTime(vtkAlgorithm* filter, int port, int connection)
+{
+  vtkExecutive* producer = filter->GetInputExecutive(port, connection);
+  vtkMTimeType time = 0;
+  producer->ComputePipelineMTime(nullptr, producer->GetInputInformation(),
+    producer->GetOutputInformation(), filter->GetInputConnection(port, connection)->GetIndex(),
+    &time);
+  return time;
+}
+
+SmpExecution executionOf(vtkAlgorithm* filter)
+{
+  return SmpExecution([filter](double progress) {
+    filter->UpdateProgress(progress);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
+    return !filter->CheckAbort();
+#else
+    return !filter->GetAbortExecute();
+#endif
+  });
+}
+
+void forgetAbort(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
+  filter->SetAbortOutput(false);
+#else
+  filter->SetAbortExecute(0);
+#endif
+}
+
+int runFilter(vtkAlgorithm* filter, vtkDataObject* output, const std::function<void()>& compute)
+{
+  output->Initialize();
+  output->GetInformation()->Remove(failedKey());
+  if (hasInputFailed(filter))
+  {
+    fail(output);
+    return 1;
+  }
+  try
+  {
+    compute();
+  }
+  catch (const Interrupted&)
+  {
+    output->Initialize();
+  }
+  catch (const std::exception& error)
+  {
+    fail(output);
+    vtkErrorWithObjectMacro(filter, << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/PhotonRequest.h"
+
+#include "Pipeline/UpstreamRequest.h"
+
+#include "vtkInformation.h"
+
+namespace irradiance
+{
+
+vtkInformationIntegerKey* photonRequest()
+{
+  static auto* const key = new UpstreamRequest("PHOTONS_NEEDED", "PHOTONS_KEPT");
+  return key;
+}
+
+void requestPhotons(vtkInformation* input)
+{
+  input->Set(photonRequest(), 1);
+}
+
+bool arePhotonsRequested(vtkInformation* output)
+{
+  return output->Has(photonRequest()) != 0;
+}
+
+}

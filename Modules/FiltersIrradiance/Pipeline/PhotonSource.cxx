@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/PhotonSource.h"
+
+#include "Data/ArrayNames.h"
+#include "Data/LeafData.h"
+#include "Progress/InputError.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObject.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// What information can hold.
+class EngineReference : public vtkObject
+{
+public:
+  vtkTypeMacro(EngineReference, vtkObject);
+  static EngineReference* New();
+
+  std::shared_ptr<IrradianceEngine> engine;
+  std::uint64_t state = 0;
+};
+vtkStandardNewMacro(EngineReference);
+
+vtkInformationObjectBaseKey* engineKey()
+{
+  static auto* const key = new vtkInformationObjectBaseKey("PHOTONS", "vtkIrradianceFilter");
+  return key;
+}
+
+/// Copies of data share its arrays, but not its own information: so an array holds the reference.
+constexpr const char* kHolder = kNumberOfWalks;
+
+/// Calls visit(polydata, or null for other data) for the leaves of a block, in order.
+template <class Visit>
+void forEachPolyData(vtkDataObject* block, const Visit& visit)
+{
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
+  {
+    forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+      visit(vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()));
+    });
+  }
+}
+
+}
+
+void PhotonSource::attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine)
+{
+  vtkNew<EngineReference> reference;
+  reference->state = engine->state();
+  reference->engine = std::move(engine);
+  output->GetFieldData()->GetAbstractArray(kHolder)->GetInformation()->Set(engineKey(), reference);
+}
+
+PhotonSource::PhotonSource(vtkDataObject* data, const char* what)
+  : what_(what)
+{
+  vtkAbstractArray* holder =
+    data && data->GetFieldData() ? data->GetFieldData()->GetAbstractArray(kHolder) : nullptr;
+  auto* reference = holder && holder->HasInformation()
+    ? static_cast<EngineReference*>(
+        vtkObject::SafeDownCast(holder->GetInformation()->Get(engineKey())))
+    : nullptr;
+  if (!reference)
+  {
+    throw InputError(std::string(what) +
+      " is no output of vtkIrradianceFilter, or has lost its photons (files do not keep them): "
+      "connect the filter, or a shallow copy of its whole output");
+  }
+  engine_ = reference->engine;
+  if (!engine_->isValid() || engine_->state() != reference->state)
+  {
+    throw InputError(std::string(what) +
+      " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
+  }
+  if (!engine_->keepsPhotons())
+  {
+    throw InputError(std::string(what) +
+      " was computed without keeping the photons, as nothing can move: connect the "
+      "vtkIrradianceFilter itself, which then keeps them");
+  }
+}
+
+void PhotonSource::failUnlike() const
+{
+  throw InputError(std::string(what_) +
+    " is a part of an output of vtkIrradianceFilter, or has other cells: the whole output is "
+    "needed");
+}
+
+void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const
+{
+  const SceneObjects& objects = engine_->objects();
+  if (data->GetNumberOfBlocks() != 2)
+  {
+    failUnlike();
+  }
+  std::size_t firstCell = 0;
+  forEachPolyData(data->GetBlock(0), [&](vtkPolyData* polyData) {
+    const auto cells = static_cast<std::size_t>(polyData ? polyData->GetNumberOfCells() : 0);
+    if (!polyData || firstCell + cells > objects.staticObject.material->numberOfCells)
+    {
+      failUnlike();
+    }
+    visit(polyData, 0, firstCell);
+    firstCell += cells;
+  });
+  std::uint32_t object = 0;
+  forEachPolyData(data->GetBlock(1), [&](vtkPolyData* polyData) {
+    ++object;
+    if (!polyData || object >= objects.size() ||
+      static_cast<std::size_t>(polyData->GetNumberOfCells()) !=
+        (objects[object].isPresent ? objects[object].material->numberOfCells : 0))
+    {
+      failUnlike();
+    }
+    visit(polyData, object, 0);
+  });
+  if (firstCell != objects.staticObject.material->numberOfCells || object + 1 != objects.size())
+  {
+    failUnlike();
+  }
+}
+
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/PieceRequest.h"
+
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace irradiance
+{
+
+bool isEmptyPieceRequested(vtkInformation* output)
+{
+  auto* piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
+  return output->Has(piece) != 0 && output->Get(piece) > 0;
+}
+
+void requestWhole(vtkInformation* input)
+{
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+}

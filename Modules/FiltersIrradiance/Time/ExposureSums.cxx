@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Time/ExposureSums.h"
+
+#include "Data/ArrayNames.h"
+#include "Data/CellValues.h"
+#include "Data/NamedArray.h"
+#include "Progress/InputError.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+bool hasCells(vtkDataSet* data)
+{
+  return data && data->GetNumberOfCells() > 0;
+}
+
+std::string errorName(const std::string& suffix)
+{
+  return standardErrorName(irradianceName(suffix));
+}
+
+vtkDataArray* arrayOf(vtkDataSet* data, const std::string& name)
+{
+  return data->GetCellData()->GetArray(name.c_str());
+}
+
+/// The values of an array that an earlier time had, with so many components.
+SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std::string& name,
+  std::size_t components, double time)
+{
+  vtkDataArray* array = arrayOf(data, name);
+  if (!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components)
+  {
+    throw InputError(leaf + ": the cell array " + name + " has " +
+      (array ? std::to_string(array->GetNumberOfComponents()) + " components" : "gone") +
+      " at time " + text(time) + ", but " + std::to_string(components) +
+      " components at an earlier visited time");
+  }
+  return valuesOf(array);
+}
+
+void checkStale(vtkFieldData* fields, double time)
+{
+  vtkDataArray* stale = fields->GetArray(kStalePower);
+  if (stale && stale->GetNumberOfTuples() > 0 && stale->GetRange(-1)[1] > 0)
+  {
+    throw InputError("at time " + text(time) + " the input's StalePower is " +
+      text(stale->GetRange(-1)[1]) +
+      " W: its irradiance rests on walks that are no longer valid. Set the RepairTimeBudget of "
+      "vtkIrradianceFilter to 0");
+  }
+}
+
+}
+
+void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double time)
+{
+  if (leaves_.empty())
+  {
+    firstTime_ = time;
+    for (const LeafData& leaf : leaves)
+    {
+      leaves_.emplace_back();
+      leaves_.back().name = leaf.name;
+      leaves_.back().flatIndex = leaf.flatIndex;
+    }
+  }
+  const bool isSame = std::equal(leaves.begin(), leaves.end(), leaves_.begin(), leaves_.end(),
+    [](const LeafData& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
+  if (!isSame)
+  {
+    throw InputError("the structure of the input differs: it has " +
+      std::to_string(leaves_.size()) + " blocks at time " + text(firstTime_) + " and " +
+      std::to_string(leaves.size()) + " blocks, or others, at time " + text(time) +
+      ". A part that is not there is an empty block");
+  }
+}
+
+ExposureSums::Side ExposureSums::newSide(
+  const std::string& leaf, const std::string& suffix, vtkDataSet* data)
+{
+  const int bands = arrayOf(data, irradianceName(suffix))->GetNumberOfComponents();
+  const auto values = static_cast<std::size_t>(bands * data->GetNumberOfCells());
+  Side side{ suffix, bands, std::vector<double>(values), {}, {} };
+  if (vtkDataArray* replicates = arrayOf(data, replicatesName(suffix)))
+  {
+    if (replicates->GetNumberOfComponents() % bands != 0)
+    {
+      throw InputError(leaf + ": the cell array " + replicatesName(suffix) + " has " +
+        std::to_string(replicates->GetNumberOfComponents()) + " components, but " +
+        irradianceName(suffix) + " has " + std::to_string(bands) +
+        ": each replicate needs as many");
+    }
+    side.replicates.emplace(values, bands, replicates->GetNumberOfComponents() / bands);
+  }
+  else if (arrayOf(data, errorName(suffix)))
+  {
+    side.errorBound.resize(values);
+  }
+  return side;
+}
+
+std::vector<ExposureSums::Side> ExposureSums::sidesOf(const std::string& leaf, vtkDataSet* data)
+{
+  std::vector<Side> sides;
+  for (const char* suffix : kSideSuffixes)
+  {
+    if (arrayOf(data, irradianceName(suffix)))
+    {
+      sides.push_back(newSide(leaf, suffix, data));
+    }
+  }
+  return sides;
+}
+
+void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
+{
+  leaf.firstTime = time;
+  leaf.sides = sidesOf(leaf.name, data);
+  if (leaf.sides.empty())
+  {
+    throw InputError(leaf.name + " has no cell array " + irradianceName() + ", or " +
+      irradianceName("Front") + " and " + irradianceName("Back") + ", at time " + text(time) +
+      ": connect the output of vtkIrradianceFilter, or data that have such arrays");
+  }
+}
+
+void ExposureSums::checkCells(const Leaf& leaf, vtkDataSet* data, double time)
+{
+  if (leaf.geometry && leaf.geometry->GetNumberOfCells() != data->GetNumberOfCells())
+  {
+    throw InputError(leaf.name + " has " + std::to_string(leaf.geometry->GetNumberOfCells()) +
+      " cells at time " + text(leaf.time) + ", but " + std::to_string(data->GetNumberOfCells()) +
+      " at time " + text(time) + ": the exposure of a cell needs the same cells at all times");
+  }
+}
+
+void ExposureSums::addSide(
+  const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight)
+{
+  const auto bands = static_cast<std::size_t>(side.bands);
+  const auto array = [&](const std::string& name, std::size_t components) {
+    return checkedValues(leaf, data, name, components, time);
+  };
+  const auto values = array(irradianceName(side.suffix), bands);
+  const double* irradiance = values.get();
+  double check = 0;
+  for (std::size_t i = 0; i < side.exposure.size(); ++i)
+  {
+    side.exposure[i] += weight * irradiance[i];
+    check += 0 * irradiance[i]; // NaN unless all are finite
+  }
+  if (std::isnan(check))
+  {
+    const auto* bad = std::find_if_not(irradiance, irradiance + side.exposure.size(),
+      [](double value) { return std::isfinite(value); });
+    throw InputError(leaf + ", cell " + std::to_string((bad - irradiance) / side.bands) + ": " +
+      irradianceName(side.suffix) + " is " + text(*bad) + " at time " + text(time));
+  }
+  if (side.replicates)
+  {
+    side.replicates->add(irradiance,
+      array(replicatesName(side.suffix), bands * side.replicates->count()),
+      array(photonName(side.suffix), bands).get(), weight);
+  }
+  if (!side.errorBound.empty())
+  {
+    const auto errors = array(errorName(side.suffix), bands);
+    for (std::size_t i = 0; i < side.errorBound.size(); ++i)
+    {
+      side.errorBound[i] += weight * errors.get()[i];
+    }
+  }
+}
+
+void ExposureSums::add(const TimedData& input, double weight)
+{
+  const auto& [time, data] = input;
+  const std::vector<LeafData> leaves = leavesOf(data);
+  checkStructure(leaves, time);
+  checkStale(data->GetFieldData(), time);
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    Leaf& leaf = leaves_[i];
+    vtkDataSet* cells = leaves[i].data;
+    if (!hasCells(cells))
+    {
+      endRuns(leaf);
+      continue;
+    }
+    checkCells(leaf, cells, time);
+    if (!leaf.geometry)
+    {
+      begin(leaf, cells, time);
+    }
+    for (Side& side : leaf.sides)
+    {
+      addSide(leaf.name, side, cells, time, weight);
+    }
+    leaf.geometry = vtk::TakeSmartPointer(cells->NewInstance());
+    leaf.geometry->ShallowCopy(cells);
+    for (const Side& side : leaf.sides)
+    {
+      removeInput(side, leaf.geometry);
+    }
+    leaf.time = time;
+  }
+  energies_.add(data->GetFieldData(), weight);
+}
+
+void ExposureSums::endRuns(Leaf& leaf)
+{
+  for (Side& side : leaf.sides)
+  {
+    if (side.replicates)
+    {
+      side.replicates->endRuns();
+    }
+  }
+}
+
+void ExposureSums::close()
+{
+  for (Leaf& leaf : leaves_)
+  {
+    endRuns(leaf);
+  }
+}
+
+bool ExposureSums::isAlike(const Side& a, const Side& b)
+{
+  return a.suffix == b.suffix && a.exposure.size() == b.exposure.size() &&
+    a.errorBound.size() == b.errorBound.size() &&
+    a.replicates.has_value() == b.replicates.has_value() &&
+    (!a.replicates || a.replicates->count() == b.replicates->count());
+}
+
+void ExposureSums::appendSide(Side& side, const Side& next, bool isShared)
+{
+  for (std::size_t i = 0; i < side.exposure.size(); ++i)
+  {
+    side.exposure[i] += next.exposure[i];
+  }
+  for (std::size_t i = 0; i < side.errorBound.size(); ++i)
+  {
+    side.errorBound[i] += next.errorBound[i];
+  }
+  if (side.replicates)
+  {
+    side.replicates->append(*next.replicates, isShared);
+  }
+}
+
+void ExposureSums::append(ExposureSums next)
+{
+  for (std::size_t i = 0; i < leaves_.size(); ++i)
+  {
+    Leaf &leaf = leaves_[i], &later = next.leaves_[i];
+    if (!leaf.geometry)
+    {
+      leaf = std::move(later);
+    }
+    else if (later.geometry)
+    {
+      if (!std::equal(leaf.sides.begin(), leaf.sides.end(), later.sides.begin(), later.sides.end(),
+            &ExposureSums::isAlike))
+      {
+        throw InputError(leaf.name +
+          " has other cell arrays of irradiance or of its errors at time " + text(later.firstTime) +
+          " than before");
+      }
+      for (std::size_t side = 0; side < leaf.sides.size(); ++side)
+      {
+        appendSide(leaf.sides[side], later.sides[side], leaf.time == later.firstTime);
+      }
+      leaf.geometry = later.geometry;
+      leaf.time = later.time;
+    }
+  }
+  energies_.append(next.energies_);
+}
+
+/// The arrays that the output does not have; they would fill memory.
+void ExposureSums::removeInput(const Side& side, vtkDataSet* data)
+{
+  for (const std::string& name : { irradianceName(side.suffix), errorName(side.suffix),
+         replicatesName(side.suffix), photonName(side.suffix), staleName(side.suffix) })
+  {
+    data->GetCellData()->RemoveArray(name.c_str());
+  }
+}
+
+void ExposureSums::writeSide(const Side& side, vtkDataSet* data)
+{
+  const auto add = [&](const std::string& name, const auto& value) {
+    const auto array =
+      addArray<vtkDoubleArray>(data->GetCellData(), name, side.bands, data->GetNumberOfCells());
+    for (std::size_t i = 0; i < side.exposure.size(); ++i)
+    {
+      array->SetValue(static_cast<vtkIdType>(i), value(i));
+    }
+  };
+  removeInput(side, data);
+  const std::string name = exposureName(side.suffix);
+  add(name, [&](std::size_t i) { return side.exposure[i]; });
+  if (side.replicates)
+  {
+    add(standardErrorName(name),
+      [&](std::size_t i) { return side.replicates->standardError(i, side.exposure[i]); });
+  }
+  if (!side.errorBound.empty())
+  {
+    add(standardErrorName(name), [&](std::size_t i) { return side.errorBound[i]; });
+  }
+}
+
+vtkSmartPointer<vtkDataSet> ExposureSums::written(const Leaf& leaf, vtkDataSet* last)
+{
+  vtkDataSet* source = leaf.geometry ? leaf.geometry.Get() : last;
+  if (!source)
+  {
+    return nullptr;
+  }
+  auto data = vtk::TakeSmartPointer(source->NewInstance());
+  data->ShallowCopy(source);
+  data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+  // A leaf that never had cells has arrays as the others, of no length.
+  for (const Side& side : leaf.geometry ? leaf.sides : sidesOf(leaf.name, source))
+  {
+    writeSide(side, data);
+  }
+  data->GetCellData()->SetActiveScalars(exposureName().c_str());
+  return data;
+}
+
+bool ExposureSums::haveCells() const
+{
+  return std::any_of(
+    leaves_.begin(), leaves_.end(), [](const Leaf& leaf) { return leaf.geometry != nullptr; });
+}
+
+void ExposureSums::write(vtkDataObject* last, vtkDataObject* output) const
+{
+  const std::vector<LeafData> leaves = leavesOf(last);
+  fillLeaves(last, output, [&](std::size_t i) { return written(leaves_[i], leaves[i].data); });
+  output->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+  energies_.write(output->GetFieldData());
+}
+
+}

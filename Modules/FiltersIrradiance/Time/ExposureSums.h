@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ExposureSums_h
+#define irradiance_ExposureSums_h
+
+#include "Data/LeafData.h"
+#include "Exposure/ReplicateSums.h"
+#include "Time/EnergySums.h"
+
+#include "vtkType.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace irradiance
+{
+
+/// The input at a time.
+struct TimedData
+{
+  double time;
+  vtkSmartPointer<vtkDataObject> data;
+};
+
+/// The radiant exposure of all cells: a weighted sum of their irradiance at several times, added up in
+/// the order in which they come. Times come in order.
+class ExposureSums
+{
+public:
+  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to that of
+  /// other times; then the sums are of no use any more.
+  void add(const TimedData& input, double weight);
+  /// No more times are added; what only adding needs is released.
+  void close();
+  /// Appends the sums over later times of the same input, whose first time is the last one of these.
+  void append(ExposureSums next);
+  /// Whether there was a cell at any time.
+  bool haveCells() const;
+  /// `last`: the data of the last time; `output`: empty, of the same type.
+  void write(vtkDataObject* last, vtkDataObject* output) const;
+
+private:
+  /// One of the arrays that are summed up.
+  struct Side
+  {
+    std::string suffix; ///< of its name: Front, Back, or none
+    int bands;
+    std::vector<double> exposure; ///< J/m2
+    std::optional<ReplicateSums> replicates;
+    std::vector<double> errorBound; ///< J/m2, if there are errors, but no replicates
+  };
+  struct Leaf
+  {
+    std::string name;
+    unsigned int flatIndex = 0;
+    vtkSmartPointer<vtkDataSet> geometry; ///< of the last time with cells; null: never any
+    double firstTime = 0, time = 0;       ///< with cells; the geometry is that of the last
+    std::vector<Side> sides;
+  };
+
+  void checkStructure(const std::vector<LeafData>& leaves, double time);
+  static void begin(Leaf& leaf, vtkDataSet* data, double time);
+  static void checkCells(const Leaf& leaf, vtkDataSet* data, double time);
+  static Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* data);
+  static std::vector<Side> sidesOf(const std::string& leaf, vtkDataSet* data);
+  static void addSide(
+    const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight);
+  /// Whether two sides have the same arrays.
+  static bool isAlike(const Side& a, const Side& b);
+  static void endRuns(Leaf& leaf);
+  static void appendSide(Side& side, const Side& next, bool isShared);
+  static void removeInput(const Side& side, vtkDataSet* data);
+  static void writeSide(const Side& side, vtkDataSet* data);
+  static vtkSmartPointer<vtkDataSet> written(const Leaf& leaf, vtkDataSet* last);
+
+  std::vector<Leaf> leaves_;
+  double firstTime_ = 0;
+  EnergySums energies_;
+};
+
+}
+
+#endif

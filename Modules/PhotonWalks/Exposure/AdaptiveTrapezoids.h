@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_AdaptiveTrapezoids_h
+#define irradiance_AdaptiveTrapezoids_h
+
+#include "Exposure/IntegrationTimes.h"
+#include "Exposure/TimeHalving.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The trapezoidal rule over pairs of intervals that are halved, the worst pair first, until their error, as
+ * estimated, is small enough. Documentation/Theory.md, 5.6.
+ *
+ * The first times are visited in order. Then the two intervals of the worst pair are visited in their
+ * middles, which makes a pair of each. All decisions follow from the samples, so the times do too.
+ *
+ * Only the samples of pairs that may yet be halved are held. A settled pair is added up, and its sums wait for
+ * those of its neighbour: of the other half of what was halved, or, from a pair of the first times upwards,
+ * of the other half of a range of such pairs. So the order of additions does not depend on what was settled
+ * when.
+ *
+ * Sample: what is known at one time, with a member `time`. Sums: of samples, in the order of time, with
+ * `add(sample, weight)`, `close()` when all are added, and `append(sums over later times)`.
+ */
+template <class Sample, class Sums>
+class AdaptiveTrapezoids
+{
+public:
+  /// `firstTimes`: in order, an odd number from 3 on. `tolerance`: relative to the sums of a block.
+  AdaptiveTrapezoids(std::vector<double> firstTimes, double tolerance, std::size_t mostIntervals)
+    : firstTimes_(std::move(firstTimes))
+    , halving_({ firstTimes_.back() - firstTimes_.front(), tolerance, mostIntervals })
+  {
+    makePlaces({}, (firstTimes_.size() - 1) / 2);
+  }
+
+  bool isDone() const { return isDone_; }
+  /// The time that is needed next; not if done.
+  double nextTime() const
+  {
+    return times_.size() < firstTimes_.size()
+      ? firstTimes_[times_.size()]
+      : middleOf(tasks_.front().start->time, tasks_.front().end->time);
+  }
+  /// Takes the sample of nextTime(). `measure(three samples)`: what they bring to each block, see
+  /// IntervalMeasure.
+  template <class Measure>
+  void take(Sample sample, const Measure& measure);
+  /// From 0 to 1.
+  double progress() const { return progress_; }
+  const TimeHalving& halving() const { return halving_; }
+
+  /// When it is done: all times, in order, and the sums over them, which are given away.
+  const std::vector<double>& times() const { return times_; }
+  Sums takeSums() { return std::move(*sums_); }
+
+private:
+  /// Of the progress: that of the first times.
+  static constexpr double kFirstShare = 0.5;
+
+  using Node = std::shared_ptr<const Sample>;
+  struct Merge;
+  /// Where the sums over a span of time go: the first or the second half of a longer span; null: it is all.
+  struct Place
+  {
+    std::shared_ptr<Merge> whole;
+    bool isSecond = false;
+  };
+  /// Two halves become one.
+  struct Merge
+  {
+    Place place;
+    std::unique_ptr<Sums> other; ///< of the half that came first
+  };
+  /// An interval whose middle is to be visited.
+  struct Task
+  {
+    Node start, end;
+    Place place;
+  };
+  struct Pair
+  {
+    Node start, middle, end;
+    Place place;
+  };
+
+  void makePlaces(const Place& place, std::size_t count);
+  template <class Measure>
+  void addPair(const Pair& pair, const Measure& measure);
+  void settle(std::size_t id);
+  void deliver(Place place, std::unique_ptr<Sums> sums);
+  /// Asks for the halves of the worst pair, or ends.
+  void halveWorst();
+  void finish();
+
+  std::vector<double> firstTimes_;
+  TimeHalving halving_;
+  std::vector<double> times_;      ///< in the order of visits, until all is done
+  std::vector<Place> firstPlaces_; ///< of pairs of first intervals
+  std::vector<Node> recent_;       ///< of the first times, those of the pair that is not complete
+  std::map<std::size_t, Pair> open_;
+  std::size_t nextId_ = 0;
+  std::deque<Task> tasks_;
+  double firstExcess_ = 0; ///< TimeHalving::excess() when all first times are known
+  double progress_ = 0;
+  bool isDone_ = false;
+  std::unique_ptr<Sums> sums_;
+};
+
+template <class Sample, class Sums>
+void AdaptiveTrapezoids<Sample, Sums>::makePlaces(const Place& place, std::size_t count)
+{
+  if (count == 1)
+  {
+    firstPlaces_.push_back(place);
+    return;
+  }
+  const auto merge = std::make_shared<Merge>(Merge{ place, nullptr });
+  makePlaces({ merge, false }, count / 2);
+  makePlaces({ merge, true }, count - count / 2);
+}
+
+template <class Sample, class Sums>
+template <class Measure>
+void AdaptiveTrapezoids<Sample, Sums>::take(Sample sample, const Measure& measure)
+{
+  const auto node = std::make_shared<const Sample>(std::move(sample));
+  const bool isFirst = times_.size() < firstTimes_.size();
+  times_.push_back(node->time);
+  const double known = static_cast<double>(times_.size()) / static_cast<double>(firstTimes_.size());
+  progress_ = std::max(progress_, kFirstShare * std::min(1.0, known));
+  if (!isFirst)
+  {
+    addPair({ tasks_.front().start, node, tasks_.front().end, tasks_.front().place }, measure);
+    tasks_.pop_front();
+  }
+  else
+  {
+    recent_.push_back(node);
+    if (recent_.size() == 3)
+    {
+      addPair({ recent_[0], recent_[1], recent_[2], firstPlaces_[times_.size() / 2 - 1] }, measure);
+      recent_ = { node };
+    }
+  }
+  if (times_.size() == firstTimes_.size())
+  {
+    firstExcess_ = halving_.excess();
+    recent_.clear();
+  }
+  for (const std::size_t id : halving_.takeSettled())
+  {
+    settle(id);
+  }
+  if (times_.size() >= firstTimes_.size() && tasks_.empty())
+  {
+    halveWorst();
+  }
+}
+
+template <class Sample, class Sums>
+template <class Measure>
+void AdaptiveTrapezoids<Sample, Sums>::addPair(const Pair& pair, const Measure& measure)
+{
+  const std::size_t id = nextId_++;
+  halving_.add({ id, pair.start->time, pair.middle->time, pair.end->time,
+    measure(std::array<const Sample*, 3>{ pair.start.get(), pair.middle.get(), pair.end.get() }) });
+  open_.emplace(id, pair);
+}
+
+template <class Sample, class Sums>
+void AdaptiveTrapezoids<Sample, Sums>::halveWorst()
+{
+  // It falls about like a geometric sequence, until it is 1.
+  const double left = std::log(halving_.excess()) / std::log(firstExcess_);
+  const auto worst = halving_.takeWorst();
+  if (!worst)
+  {
+    finish();
+    return;
+  }
+  progress_ = std::max(progress_, 1 - (1 - kFirstShare) * std::clamp(left, 0.0, 1.0));
+  const Pair pair = open_.at(*worst);
+  open_.erase(*worst);
+  const auto merge = std::make_shared<Merge>(Merge{ pair.place, nullptr });
+  tasks_.push_back({ pair.start, pair.middle, { merge, false } });
+  tasks_.push_back({ pair.middle, pair.end, { merge, true } });
+}
+
+template <class Sample, class Sums>
+void AdaptiveTrapezoids<Sample, Sums>::settle(std::size_t id)
+{
+  const Pair pair = open_.at(id);
+  open_.erase(id);
+  const double start = pair.start->time, middle = pair.middle->time, end = pair.end->time;
+  auto sums = std::make_unique<Sums>();
+  sums->add(*pair.start, trapezoidWeight(start, middle));
+  sums->add(*pair.middle, trapezoidWeight(start, end));
+  sums->add(*pair.end, trapezoidWeight(middle, end));
+  sums->close();
+  deliver(pair.place, std::move(sums));
+}
+
+template <class Sample, class Sums>
+void AdaptiveTrapezoids<Sample, Sums>::deliver(Place place, std::unique_ptr<Sums> sums)
+{
+  while (place.whole)
+  {
+    Merge& merge = *place.whole;
+    if (!merge.other)
+    {
+      merge.other = std::move(sums);
+      return;
+    }
+    if (place.isSecond)
+    {
+      std::swap(sums, merge.other);
+    }
+    sums->append(std::move(*merge.other));
+    place = Place(merge.place);
+  }
+  sums_ = std::move(sums);
+}
+
+template <class Sample, class Sums>
+void AdaptiveTrapezoids<Sample, Sums>::finish()
+{
+  while (!open_.empty())
+  {
+    settle(open_.begin()->first);
+  }
+  std::sort(times_.begin(), times_.end());
+  progress_ = 1;
+  isDone_ = true;
+}
+
+}
+
+#endif

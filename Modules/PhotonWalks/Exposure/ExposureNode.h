@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ExposureNode_h
+#define irradiance_ExposureNode_h
+
+#include "Exposure/PhotonNoise.h"
+#include "Exposure/SharedValues.h"
+#include "Exposure/TimeHalving.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace irradiance
+{
+
+/// A block over all times.
+struct ExposureBlock
+{
+  std::string name;          ///< for messages
+  std::vector<double> areas; ///< of its cells, m2; empty: there were none yet
+};
+
+/// The irradiance of all cells at one time.
+class ExposureNode
+{
+public:
+  /// A side of the cells of a block, or both together.
+  struct Side
+  {
+    std::size_t bands;
+    SharedValues irradiance, photon; ///< W/m2; `photon`: null if it is not known
+  };
+
+  /// `sides`: of each block, none without cells.
+  ExposureNode(double time, const std::vector<std::vector<Side>>& sides,
+    const std::vector<ExposureBlock>& blocks);
+
+  /// Of the trapezoids between three times, on each block. Its error: by how much it differs from one
+  /// trapezoid over both intervals, summed up over cells, sides and bands, in so far as photons that arrive
+  /// by chance do not explain it.
+  using Three = std::array<const ExposureNode*, 3>;
+  static std::vector<IntervalMeasure> measure(
+    const Three& nodes, const std::vector<ExposureBlock>& blocks);
+
+private:
+  struct Leaf
+  {
+    std::vector<Side> sides;
+    double power = 0; ///< W, of all cells, sides and bands
+  };
+
+  static double powerOf(const Side& side, const std::vector<double>& areas);
+  /// J, of all cells; `weights`: those of the nodes.
+  static NoisyDifference differenceOf(const Three& nodes, const std::array<double, 3>& weights,
+    std::size_t leaf, std::size_t side, const std::vector<double>& areas);
+
+  double time_;
+  std::vector<Leaf> leaves_;
+};
+
+}
+
+#endif

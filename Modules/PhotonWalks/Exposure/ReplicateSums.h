@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ReplicateSums_h
+#define irradiance_ReplicateSums_h
+
+#include "Exposure/SharedValues.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The exposure that each replicate finds by itself, and what their scatter tells of the error. Photons at
+ * different times come from the same walks, so the errors of different times depend on each other;
+ * replicates do not. See Documentation/Theory.md, 5.5.
+ */
+class ReplicateSums
+{
+public:
+  ReplicateSums() = default;
+  /// `values`: bands * cells.
+  ReplicateSums(std::size_t values, int bands, int replicates)
+    : bands_(static_cast<std::size_t>(bands))
+    , replicates_(static_cast<std::size_t>(replicates))
+    , exposures_(values * replicates_)
+    , counts_(values)
+  {
+  }
+
+  std::size_t count() const { return replicates_; }
+
+  /// Adds a time. `irradiance`: of all walks. `replicates`: what each replicate says of it; the replicates of
+  /// a cell come one after the other, each with all bands. `photons`: the irradiance that one photon is. W/m2.
+  void add(
+    const double* irradiance, const SharedValues& replicates, const double* photons, double weight);
+
+  /// What is added after this begins new runs.
+  void endRuns() { before_ = nullptr; }
+  /// Appends the sums over later times. `isShared`: their first time is the last one of these.
+  void append(const ReplicateSums& next, bool isShared);
+
+  /// Of the i-th value, whose exposure is `exposure`; NaN where it is not known.
+  double standardError(std::size_t i, double exposure) const;
+
+private:
+  /// What is known of the photons that a cell received in a band. A run is a span of time in which
+  /// its replicates do not change, so that its photons are the same. One photon of a run, in all of
+  /// it, is some J/m2.
+  struct Counts
+  {
+    double firstRun = 0, lastRun = 0; ///< J/m2 of a photon; of a single run, the last
+    double photonSquares = 0;         ///< sum of its squares over the runs between
+    double firstPhotons = 0;          ///< those of the first run
+    double photons = 0;               ///< those that arrived, counted once in each run
+    double photonTime = 0;            ///< number of photons * s
+    double litTime = 0;               ///< s in which any arrived
+    bool isOneRun = true;
+
+    void beginRun();
+    void append(const Counts& next, bool isShared);
+  };
+
+  std::size_t firstOf(std::size_t i) const
+  {
+    return i / bands_ * replicates_ * bands_ + i % bands_;
+  }
+
+  std::size_t bands_ = 0, replicates_ = 0;
+  std::vector<double> exposures_; ///< J/m2, in the order of the arrays
+  std::vector<Counts> counts_;
+  bool isBegun_ = false;
+  SharedValues before_; ///< replicates of the last time; null: its runs have ended
+};
+
+}
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exposure/TimeHalving.h"
+
+#include "Exposure/IntegrationTimes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+void addTo(std::vector<IntervalMeasure>& sums, const std::vector<IntervalMeasure>& blocks)
+{
+  sums.resize(std::max(sums.size(), blocks.size()));
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    sums[i].energy += blocks[i].energy;
+    sums[i].error += blocks[i].error;
+    sums[i].noise += blocks[i].noise;
+  }
+}
+
+/// The largest error of a block, or the largest noise, relative to the energy of the block.
+double worstShare(const std::vector<IntervalMeasure>& blocks,
+  const std::vector<IntervalMeasure>& totals, double IntervalMeasure::*part)
+{
+  double worst = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    worst = blocks[i].*part > 0 ? std::max(worst, blocks[i].*part / totals[i].energy) : worst;
+  }
+  return worst;
+}
+
+bool isBetween(double start, double middle, double end)
+{
+  return start < middle && middle < end;
+}
+
+}
+
+void TimeHalving::add(HalvableInterval interval)
+{
+  open_.push_back(std::move(interval));
+}
+
+std::vector<IntervalMeasure> TimeHalving::totals() const
+{
+  std::vector<IntervalMeasure> totals = settled_;
+  for (const HalvableInterval& interval : open_)
+  {
+    addTo(totals, interval.blocks);
+  }
+  return totals;
+}
+
+double TimeHalving::relativeError() const
+{
+  const std::vector<IntervalMeasure> all = totals();
+  return worstShare(all, all, &IntervalMeasure::error);
+}
+
+double TimeHalving::relativeNoise() const
+{
+  const std::vector<IntervalMeasure> all = totals();
+  return worstShare(all, all, &IntervalMeasure::noise);
+}
+
+double TimeHalving::excess() const
+{
+  return relativeError() / config_.tolerance;
+}
+
+bool TimeHalving::isSettled(
+  const HalvableInterval& interval, const std::vector<IntervalMeasure>& totals) const
+{
+  const double share = 0.5 * config_.tolerance * (interval.end - interval.start) / config_.span;
+  for (std::size_t i = 0; i < totals.size(); ++i)
+  {
+    // What is certain already: more will come, and what is in doubt may turn out to be nothing.
+    const double certain = std::max(0.0, totals[i].energy - totals[i].error);
+    if (interval.blocks[i].error > share * certain)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<std::size_t> TimeHalving::takeSettled()
+{
+  const std::vector<IntervalMeasure> all = totals();
+  const auto firstSettled = std::stable_partition(open_.begin(), open_.end(),
+    [&](const HalvableInterval& interval) { return !isSettled(interval, all); });
+  std::vector<std::size_t> ids;
+  for (auto interval = firstSettled; interval != open_.end(); ++interval)
+  {
+    addTo(settled_, interval->blocks);
+    settledIntervals_ += 2;
+    ids.push_back(interval->id);
+  }
+  open_.erase(firstSettled, open_.end());
+  return ids;
+}
+
+bool TimeHalving::canHalve(const HalvableInterval& interval) const
+{
+  return isBetween(interval.start, middleOf(interval.start, interval.middle), interval.middle) &&
+    isBetween(interval.middle, middleOf(interval.middle, interval.end), interval.end);
+}
+
+std::optional<std::size_t> TimeHalving::takeWorst()
+{
+  const std::vector<IntervalMeasure> all = totals();
+  const std::size_t intervals = settledIntervals_ + 2 * open_.size();
+  if (relativeError() <= config_.tolerance || intervals + 2 > config_.mostIntervals)
+  {
+    return std::nullopt;
+  }
+  auto worst = open_.end();
+  double most = 0;
+  for (auto interval = open_.begin(); interval != open_.end(); ++interval)
+  {
+    const double error = worstShare(interval->blocks, all, &IntervalMeasure::error);
+    if (error > most && canHalve(*interval))
+    {
+      most = error;
+      worst = interval;
+    }
+  }
+  if (worst == open_.end())
+  {
+    return std::nullopt;
+  }
+  const std::size_t id = worst->id;
+  open_.erase(worst);
+  return id;
+}
+
+}

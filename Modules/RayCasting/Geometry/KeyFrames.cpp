@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/KeyFrames.h"
+
+#include "Progress/InputError.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using Eigen::Quaterniond;
+
+/// Columns of a pose may be this far from right angles (cosine), as files have few digits.
+constexpr double kLargestShear = 1e-5;
+
+/// The weights of two keys and their slopes in a cubic (Hermite) over an interval of length 1.
+struct HermiteWeights
+{
+  double from, to, fromSlope, toSlope;
+};
+
+HermiteWeights hermiteWeights(double u)
+{
+  const double v = 1 - u;
+  return { (1 + 2 * u) * v * v, (1 + 2 * v) * u * u, u * v * v, -u * u * v };
+}
+
+/// The rotation vector (axis times angle) of the shorter way.
+Vector3 logOf(Quaterniond rotation)
+{
+  if (rotation.w() < 0)
+  {
+    rotation.coeffs() *= -1;
+  }
+  const double sine = rotation.vec().norm();
+  return sine > 0 ? Vector3(2 * std::atan2(sine, rotation.w()) / sine * rotation.vec())
+                  : Vector3::Zero();
+}
+
+Quaterniond expOf(const Vector3& rotationVector)
+{
+  const double angle = rotationVector.norm();
+  return angle > 0 ? Quaterniond(Eigen::AngleAxisd(angle, rotationVector / angle))
+                   : Quaterniond::Identity();
+}
+
+void checkTimes(const std::vector<KeyFrame>& keys)
+{
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    if (!std::isfinite(keys[i].time))
+    {
+      throw InputError(keys[i].name + ": the time " + text(keys[i].time) + " is not finite");
+    }
+    if (i > 0 && !(keys[i].time > keys[i - 1].time))
+    {
+      throw InputError(keys[i].name + ": the time " + text(keys[i].time) +
+        " is not after that of " + keys[i - 1].name + ", which is " + text(keys[i - 1].time));
+    }
+  }
+}
+
+}
+
+KeyFrames::KeyFrames(
+  std::vector<KeyFrame> keys, KeyInterpolation interpolation, const Checkpoint& checkpoint)
+  : interpolation_(interpolation)
+  , keys_(std::move(keys))
+{
+  checkTimes(keys_);
+  if (interpolation == KeyInterpolation::Step)
+  {
+    return;
+  }
+  CheckpointPace pace(checkpoint);
+  for (const KeyFrame& key : keys_)
+  {
+    pace.step();
+    onlyMove_ = onlyMove_ && key.worldFromObject.linear == keys_.front().worldFromObject.linear;
+    parts_.push_back(partsOf(key));
+    Parts& now = parts_.back();
+    if (parts_.size() == 1)
+    {
+      continue;
+    }
+    const Parts& before = parts_[parts_.size() - 2];
+    if ((now.scale[0] < 0) != (before.scale[0] < 0))
+    {
+      throw InputError(key.name +
+        (now.scale[0] < 0 ? ": the pose mirrors" : ": the pose does not mirror") +
+        ", unlike the one before: between them it would be flat");
+    }
+    if (now.rotation.dot(before.rotation) < 0)
+    {
+      now.rotation.coeffs() *= -1; // the same rotation, by the shorter way
+    }
+  }
+}
+
+KeyFrames::Parts KeyFrames::partsOf(const KeyFrame& key)
+{
+  const Matrix3& linear = key.worldFromObject.linear;
+  Parts parts{ key.worldFromObject.translation, Quaterniond::Identity(),
+    linear.colwise().norm().transpose() };
+  Matrix3 axes = linear * parts.scale.cwiseInverse().asDiagonal();
+  const double shear = std::max({ std::abs(axes.col(0).dot(axes.col(1))),
+    std::abs(axes.col(1).dot(axes.col(2))), std::abs(axes.col(2).dot(axes.col(0))) });
+  if (!(shear <= kLargestShear))
+  {
+    throw InputError(key.name + ": the pose shears (two axes of the object meet at a cosine of " +
+      text(shear) +
+      "), so it is not clear what lies between keys; InterpolationType Step takes it");
+  }
+  if (axes.determinant() < 0)
+  {
+    parts.scale = -parts.scale;
+    axes = -axes;
+  }
+  parts.rotation = Quaterniond(axes).normalized();
+  return parts;
+}
+
+AffineMap KeyFrames::composed(const Parts& parts)
+{
+  return { parts.rotation.toRotationMatrix() * parts.scale.asDiagonal(), parts.position };
+}
+
+std::vector<double> KeyFrames::steps(int parts) const
+{
+  const double longest =
+    parts > 0 ? (end() - begin()) / parts : std::numeric_limits<double>::infinity();
+  constexpr double kRounding = 1e-9; // or a quotient just above 4 would give five intervals
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < keys_.size(); ++i)
+  {
+    const double from = keys_[i].time, length = keys_[i + 1].time - from;
+    const double count = std::max(1.0, std::ceil(length / longest - kRounding));
+    steps.push_back(from);
+    for (int step = 1; step < count; ++step)
+    {
+      steps.push_back(from + length * (step / count));
+    }
+  }
+  steps.push_back(end());
+  return steps;
+}
+
+AffineMap KeyFrames::at(double time) const
+{
+  const auto after = std::upper_bound(
+    keys_.begin(), keys_.end(), time, [](double t, const KeyFrame& key) { return t < key.time; });
+  const auto i = static_cast<std::size_t>(after - keys_.begin()) - 1; // the last key before
+  const KeyFrame& key = keys_[i];
+  if (time == key.time || interpolation_ == KeyInterpolation::Step)
+  {
+    return key.worldFromObject;
+  }
+  const double fraction = (time - key.time) / (keys_[i + 1].time - key.time);
+  const Parts parts =
+    interpolation_ == KeyInterpolation::Spline ? spline(i, fraction) : linear(i, fraction);
+  const Matrix3& before = key.worldFromObject.linear;
+  // What only moves keeps its rotation, bit for bit.
+  const bool onlyMoves = interpolation_ == KeyInterpolation::Linear
+    ? before == keys_[i + 1].worldFromObject.linear
+    : onlyMove_;
+  return onlyMoves ? AffineMap{ before, parts.position } : composed(parts);
+}
+
+KeyFrames::Parts KeyFrames::linear(std::size_t i, double fraction) const
+{
+  const Parts &a = parts_[i], &b = parts_[i + 1];
+  return { a.position + fraction * (b.position - a.position),
+    a.rotation.slerp(fraction, b.rotation), a.scale + fraction * (b.scale - a.scale) };
+}
+
+/// Cubic pieces with the slopes of Catmull and Rom: at a key that of the parabola through it and its
+/// neighbours, at the ends that of the straight line. Rotations: by rotation vectors relative to the
+/// first key of the piece, which agree at the keys.
+KeyFrames::Parts KeyFrames::spline(std::size_t i, double fraction) const
+{
+  const HermiteWeights weights = hermiteWeights(fraction);
+  const double length = keys_[i + 1].time - keys_[i].time;
+  const Quaterniond base = parts_[i].rotation;
+  // Slope at key k of what `step(a, b)` tells the difference of between two keys, times `length`.
+  const auto slope = [&](std::size_t k, const auto& step) -> Vector3 {
+    const auto speed = [&](std::size_t a) -> Vector3 {
+      return step(a, a + 1) / (keys_[a + 1].time - keys_[a].time);
+    };
+    if (k == 0 || k + 1 == keys_.size())
+    {
+      return speed(k == 0 ? 0 : k - 1) * length;
+    }
+    const double before = keys_[k].time - keys_[k - 1].time;
+    const double after = keys_[k + 1].time - keys_[k].time;
+    return (speed(k - 1) * after + speed(k) * before) * (length / (before + after));
+  };
+  const auto cubic = [&](const auto& step) -> Vector3 {
+    return weights.to * step(i, i + 1) + weights.fromSlope * slope(i, step) +
+      weights.toSlope * slope(i + 1, step);
+  };
+  const Vector3 moved = cubic([&](std::size_t a, std::size_t b) -> Vector3 {
+    return parts_[b].position - parts_[a].position;
+  });
+  const Vector3 grown = cubic(
+    [&](std::size_t a, std::size_t b) -> Vector3 { return parts_[b].scale - parts_[a].scale; });
+  const Vector3 turned = cubic([&](std::size_t a, std::size_t b) -> Vector3 {
+    return logOf(parts_[a].rotation.conjugate() * parts_[b].rotation);
+  });
+  return { parts_[i].position + moved, base * expOf(turned), parts_[i].scale + grown };
+}
+
+}
