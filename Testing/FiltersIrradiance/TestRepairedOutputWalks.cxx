@@ -11,7 +11,7 @@
 
 using namespace ShownWalks;
 
-// Every walk that touches the moved thing, before or after, and no other.
+// Every walk that touches the moved object, before or after, and no other.
 TEST(OutputWalks, SayWhichWereRepaired)
 {
   const Scene scene = MakeSmallScene();

@@ -65,7 +65,7 @@ void converge(EngineSettings settings, int bands, unsigned threads, unsigned see
       ASSERT_TRUE(answerOf(engine, scene.objects(), settings.separateSides) ==
         freshAnswer(scene.objects(), settings));
     }
-    EXPECT_EQ(engine.statistics().shootSeconds > 0, step == 0) << "shot anew";
+    EXPECT_EQ(engine.statistics().shootSeconds > 0, step == 0) << "shot again";
   }
   EXPECT_GT(partial, test::kIsSanitized ? 0 : steps / 4); // with few walks, most calls repair all
   EXPECT_GT(exact, steps / 20);

@@ -207,7 +207,7 @@ TEST(CellSpread, ScalesByPowersOfTwo)
   }
 }
 
-// Walls that receive enough keep their bits, error bars included; only the fine thing changes.
+// Walls that receive enough keep their bits, error bars included; only the fine object changes.
 TEST(CellSpread, LeavesLargeCellsAlone)
 {
   ObjectBuilder room, thing;
@@ -266,7 +266,7 @@ TEST(CellSpread, ShootsNothingAnew)
 }
 
 // In a furnace nothing is there to blur, so the intervals hold the truth, 1 W/m2. Cells next to each
-// other err alike: of each seed, the many cells of a thing are worth some 30. Over 20 seeds, the share
+// other err alike: of each seed, the many cells of an object are worth some 30. Over 20 seeds, the share
 // of intervals that hold the truth is off by 0.04 once in 10^5.
 TEST(CellSpread, IntervalsHoldTheTruth)
 {
