@@ -87,7 +87,7 @@ elif build paraview -DBUILD_TESTING=ON -DVTKIRRADIANCE_ENGINE_DIR="$PWD/build/re
 fi
 # The leak check looks itself up in /proc, which is missing or another system's in some chroots.
 if ! [[ /proc/self/status -ef /proc/$BASHPID/status ]]; then
-  echo "Without the search for leaks: /proc is not that of this process."
+  echo "Without the search for leaks: /proc belongs to another process."
   export ASAN_OPTIONS=detect_leaks=0
 fi
 if build sanitize; then

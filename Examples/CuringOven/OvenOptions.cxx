@@ -113,7 +113,7 @@ void CheckLamps(const OvenOptions& o, const std::string& they)
   std::sort(places.begin(), places.end());
   const double half = ReflectorHalfWidth;
   Require(o.OvenLength / 2 - half >= std::max(-places.front(), places.back()),
-    they + " not fit into the tunnel; its length is that of --oven");
+    they + " not fit into the tunnel; --oven gives its length");
   for (std::size_t i = 1; i < places.size(); ++i)
   {
     Require(places[i] - places[i - 1] >= 2 * half,
@@ -155,7 +155,7 @@ std::string HelpText()
   LampRow row;
   return ComposeHelp("CuringOven: the UV dose of machine parts that ride through an oven.",
     OptionsOf(ignored, row),
-    "(*) .stl .obj .ply .off .vtp or .vtk, z up. The name is that of the file without ending.\n"
+    "(*) .stl .obj .ply .off .vtp or .vtk, z up. The name is the file's without ending.\n"
     "    Without any: five machine parts that Data/fetch.sh gets.\n"
     "(**) or of the least dose, if that is more.\n",
     "Parts.csv, Cells.csv, Steps.csv, CuringOven.vtm, ParaViewState.py, CuringOven.ogv, "

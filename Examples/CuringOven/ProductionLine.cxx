@@ -100,7 +100,7 @@ std::vector<Part> ReadParts(const OvenOptions& options)
       words.push_back(std::string(MOVINGTEAPOT_DATA "/downloaded/") + name + ".off");
       if (!vtksys::SystemTools::FileExists(words.back(), true))
       {
-        throw std::runtime_error("--part: none is given, and those of Data/fetch.sh are not there");
+        throw std::runtime_error("--part: none is given, and Data/fetch.sh has fetched none");
       }
     }
   }

@@ -165,7 +165,7 @@ double RideLog::CompareWithFreshStart(double time)
   if (!HaveSameBits(this->Light->GetOutput(), fresh->GetOutput()))
   {
     throw std::runtime_error(
-      "--compare: the light at " + std::to_string(time) + " s is not that of a fresh start");
+      "--compare: the light at " + std::to_string(time) + " s differs from a fresh start's");
   }
   return seconds;
 }

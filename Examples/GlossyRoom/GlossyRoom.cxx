@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shiny things: a copper teapot flies through a room, before a mirror, and the camera moves as well.
+// Glossy objects: a copper teapot flies through a room, before a mirror, and the camera moves as well.
 // Leaves the movie GlossyRoom.ogv and a picture of each frame, and compares the last frame with a fresh
 // start.
 #include "CommandLine.h"
@@ -258,7 +258,7 @@ public:
   }
 
 private:
-  // Cells as they are, but those of the teapot are shaded smoothly.
+  // Cells as they are; only the teapot is shaded smoothly.
   void Show(vtkPolyData* mesh, int number)
   {
     Mesh shown = mesh;
@@ -339,9 +339,9 @@ void Run(const Options& options)
   progress.Finish();
   if (!IsSame(radiance->GetOutput(), freshRadiance->GetOutput()))
   {
-    throw std::runtime_error("the radiance of the last frame is not that of a fresh start");
+    throw std::runtime_error("the radiance of the last frame differs from a fresh start's");
   }
-  std::cout << "The radiance of the last frame is that of a fresh start, bit for bit.\n"
+  std::cout << "The radiance of the last frame equals a fresh start's, bit for bit.\n"
             << "Written to " << options.Output << ": "
             << (pictures.AreDrawn() ? Results : "nothing") << "\n";
 }

@@ -64,7 +64,7 @@ double ColorStops[][3] = { { 0.001, 0.000, 0.014 }, { 0.122, 0.047, 0.282 },
   { 0.891, 0.350, 0.197 }, { 0.978, 0.558, 0.035 }, { 0.976, 0.793, 0.240 },
   { 0.988, 0.998, 0.645 } };
 
-// Each point takes the mean of the cells around it, and each cell then that of its points: small cells,
+// Each point takes the mean of the cells around it, and each cell then the mean of its points: small cells,
 // which few photons hit, become less noisy.
 vtkSmartPointer<vtkPolyData> Smooth(vtkPolyData* mesh, int passes)
 {

@@ -5,43 +5,26 @@
  *
  * Shoots photon walks from the lights of the scene and stores them if something may move. Each
  * further update verifies the stored walks against the objects that moved, and repairs only those
- * that changed. The result equals that of a new filter on the same input, bit for bit, for any
- * number of threads, any traversal mode, with and without the cache (but see RepairTimeBudget).
- *
+ * that changed. The result equals a new filter's on the same input, bit for bit, for any number of
+ * threads, any traversal mode, with and without the cache (but see RepairTimeBudget).
  * After Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of Shooting
- * Walks" (SCCG 2003).
+ * Walks" (SCCG 2003). Documentation/Guide.md tells more of all that follows.
+ *
+ * @code
+ * vtkNew<vtkIrradianceFilter> irradiance;
+ * irradiance->AddInputConnection(0, room->GetOutputPort()); // what stays: walls, lamps
+ * irradiance->AddInputDataObject(0, lamp);                  // cell array "RadiantExitance", W/m2
+ * irradiance->AddInputConnection(1, ball->GetOutputPort()); // what moves, in model coordinates
+ * irradiance->SetDynamicTransform(0, worldFromBall);
+ * irradiance->Update(); // repairs what the motion touched
+ * auto* output = irradiance->GetOutput(); // "Static", "Dynamic": cell array "Irradiance"
+ * @endcode
  *
  * @section Inputs
- * - Port 0, static: vtkPolyData, repeatable, optional.
- * - Port 1, dynamic: vtkPolyData in model coordinates, repeatable, optional. The pose is that of
- *   SetDynamicTransform or SetDynamicTransformInterpolator; without one, the field-data array
- *   `ObjectToWorld` (16 values, row by row) of the input; else the identity. Any invertible affine map will do. On port 0 such an array
- *   moves nothing, and a warning says so.
- *
- * A dynamic part, a connection of port 1 or a leaf of it, that has no cells is not there. When it
- * comes or goes, that is an update like a motion: only walks that it touches are shot again, and no
- * tree is built for what was there before. Unless it emits light: then all is shot anew, as when the
- * number of its cells changes in any other way, or when something with other cells comes while a
- * RepairTimeBudget has left walks stale.
- *
- * Both ports also take composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet,
- * vtkPartitionedDataSetCollection). All leaves belong to the scene and have to be vtkPolyData;
- * empty blocks are skipped. The pose of the connection moves all leaves; a leaf with an
- * `ObjectToWorld` of its own is moved by that first: world = connection * leaf.
- *
- * Polygons and triangle strips are surfaces. Their front is the side from which the points of a
- * cell run counter-clockwise in world coordinates (so a reflecting transform flips it). Vertex
- * cells with a flux are isotropic point lights; several points share the flux of their cell. Lines
- * are passed through. Ghost cells (`vtkGhostType`) that are duplicates or hidden take no part: they
- * neither emit nor block light, and their irradiance is 0.
- *
- * Faces may coincide. A closed mesh is a body, which no light enters even where it stands exactly
- * on a lamp; a closed static mesh that encloses the rest is a room. A point light exactly in its
- * wall shines into the room with all of its power. Documentation/Theory.md, section 3: the rules.
- *
- * @section Arrays Cell arrays read
- * SetInputArrayToProcess(index, ...) chooses others; one that is on no input's cells is an error.
- * Arrays have one component, or three for three bands.
+ * Port 0 takes what stays, port 1 what moves, each any number of vtkPolyData, or composite data of
+ * them. Polygons and triangle strips are surfaces, opaque, whose front is the side from which points run
+ * counter-clockwise; vertex cells with a flux are point lights. All lengths are metres. Cell arrays have
+ * one component, or three for three bands. SetInputArrayToProcess(index, ...) chooses others:
  * | index | default name         | meaning                                        |
  * |-------|----------------------|------------------------------------------------|
  * | 0     | RadiantExitance      | W/m2 emitted from the front, diffuse; >= 0     |
@@ -50,160 +33,15 @@
  * | 3     | PhongExponent        | >= 0, one component; infinite or absent: mirror |
  * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
  *
- * SetCellArray("RadiantExitance", name) does the same for cell arrays, by the quantity's default name.
- *
- * Diffuse and specular reflectance add up to at most 1 in each band. The specular part reflects
- * around the mirror direction: a Phong lobe of cos^n, made reciprocal and to reflect all of the
- * SpecularReflectance at every angle (Documentation/Theory.md, section 1.1). The larger the exponent
- * n, the narrower the lobe, down to a perfect mirror. PhongExponent matters only where
- * SpecularReflectance is not 0.
- *
- * Exitance on vertices and lines, and flux on lines and faces, are not read: a warning, or an error
- * if the input has no cell of the right kind. Arrays of these names on points: a warning. So is a cell
- * array that is called nearly so ("radiant exitance (W/m2)", "Albedo"), if the input has no array for
- * that quantity and none was chosen.
- *
  * @section Output
- * Port 0: vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each a vtkMultiBlockDataSet with one
- * vtkPolyData per connection, in order: the input's points (dynamic ones in world coordinates, as
- * are the active normals; integers become double), its cells and arrays, and the cell array
- * `Irradiance` (double, W/m2, one or three components, both sides summed), or `IrradianceFront` and
- * `IrradianceBack` if SeparateSides is on. Cells without area, vertices and lines have 0. A dynamic
- * input's `ObjectToWorld` is applied and not passed on. A composite connection has a block of its
- * structure instead: a vtkMultiPieceDataSet for a vtkPartitionedDataSet (which a
- * vtkMultiBlockDataSet may not hold), else a vtkMultiBlockDataSet. The block of a connection is
- * called as the first value of its input's field array `Name` (vtkStringArray), such as "lamp"; without
- * one "Static 0", "Dynamic 1" and so on. Blocks within a composite connection keep their names.
+ * Port 0: vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each with one vtkPolyData per
+ * connection, in order, in world coordinates. Added are the cell array `Irradiance` (double, W/m2), arrays of
+ * the properties below, and field data with the figures of the update. Port 1: walks, see
+ * NumberOfOutputWalks. Input that cannot be computed is one error that names the input, the cell and the
+ * value, and an empty output. What is hardly meant is a warning.
  *
- * By CellEstimate, the irradiance of a small cell may draw on the cells around it, see below.
- *
- * ComputeStandardError adds `IrradianceStandardError`, or `IrradianceFrontStandardError` and
- * `IrradianceBackStandardError`, W/m2. The 95 % interval is the irradiance +- this times
- * `ConfidenceFactor` (field data: Student's t). It is NaN where it is not known: without an area,
- * and where less than 25 times the largest power with which a walk starts has arrived.
- *
- * Field data of the root, one tuple each: `EmittedPower`, `AbsorbedPower`, `EscapedPower`,
- * `StalePower` (W, per band; emitted = absorbed + escaped; nothing is stale after an update without
- * a RepairTimeBudget), `NumberOfWalks` (those shot), `NumberOfSegments`; `ConfidenceFactor` with
- * ComputeStandardError; `ReachedRelativeError` with TargetRelativeError: the relative error within
- * which 95 % of the area is known, infinite if more than 5 % is not, NaN while walks are stale; and
- * what this update cost: `NumberOfInvalidWalks`, `NumberOfRepairedSegments`, `ShootSeconds`,
- * `VerifySeconds`, `RepairSeconds`, `HistoryBytes`.
- *
- * @section Walks Walks to look at
- * Output port 1, vtkPolyData: NumberOfOutputWalks of the walks as polylines in world coordinates
- * (double), from the light over all hits to where the photon is absorbed. A walk that escapes ends
- * with a segment to 1/8 of the diagonal of the scene beyond the box around it. It is empty if
- * NumberOfOutputWalks is 0, as it is at first, and costs nothing then. Else walks are stored also
- * where nothing can move.
- *
- * With OutputWalksCell -1 these are the first walks: samples are quasi-random, so any number of
- * first walks is spread evenly over lights, places and directions. Else they are the first of those
- * that touch a cell: that start on it or hit it. All, if there are not as many. Which ones depends
- * on nothing else.
- *
- * Cell arrays:
- * - `WalkId` (vtkIdType): the number of the walk, from 0. No two walks share one, whatever the
- *   replicates and rounds.
- * - `Power` (W, one or three components): with which it starts. Those of all walks add up to the
- *   emitted power. In one band a walk keeps it until it ends; in three bands, reflections change it.
- * - `Repaired` (0 or 1): whether the last update that shot walks again shot a part of this one
- *   again. These are the walks that touch what moved, in its pose before or after; where faces
- *   coincide also others, and with a RepairTimeBudget not all. 0 after everything was shot anew.
- *   Updates in which nothing moves or is repaired leave it as it was, so the number of walks and
- *   the cell can be changed to look at a motion from all sides. Known if NumberOfOutputWalks was
- *   not 0 when the walks were shot again.
- * - `Escaped` (0 or 1): whether the walk leaves the scene.
- * - `Stale` (0 or 1), with a RepairTimeBudget: whether a part of the walk is no longer valid and
- *   waits to be shot again. It is shown as it was, its hits moved with the things that were hit.
- *
- * Point arrays: `Bounce` (int): 0 on the light, 1 at the first hit, and so on; `Repaired` (0 or 1):
- * whether the segment that ends in this point was shot again, see above.
- *
- * All but `Repaired` and `Stale` are those of a new filter, bit for bit.
- *
- * @section Budget A time budget
- * With a RepairTimeBudget the repair of an update ends when the time is up. Walks whose stale
- * segments carry most power are repaired first. All walks have been verified by then, so it is
- * known what rests on stale walks, which are no longer valid. The output then also has
- * - the cell array `StaleIrradiance` (`StaleIrradianceFront` and `StaleIrradianceBack` with
- *   SeparateSides; W/m2): the part of the irradiance that rests on stale walks. The full update
- *   takes no more than that from a cell.
- * - the field data `StalePower`: the power that is not yet shot again.
- * - the field data `StaleGainBound` (W, per band): the full update brings no more than that to all
- *   cells together, counted from their irradiance without its stale part; infinite if walks are
- *   stale and a cell reflects more than 0.99.
- *
- * The next execution continues with what is left, whether something has moved or not. VTK executes
- * a filter only if something was modified, so without motion call Modified():
- * @code
- * irradiance->SetRepairTimeBudget(0.02);
- * irradiance->Update(); // after a motion
- * auto* stale = irradiance->GetOutput()->GetFieldData()->GetArray("StalePower");
- * while (stale->GetRange(-1)[1] > 0) // all bands; or one step at a time when the program is idle
- * {
- *   irradiance->Modified();
- *   irradiance->Update();
- *   stale = irradiance->GetOutput()->GetFieldData()->GetArray("StalePower");
- * }
- * @endcode
- * Each execution repairs some walks, however small the budget, so the loop ends; then, or after
- * SetRepairTimeBudget(0) and Update(), the result is that of a new filter, bit for bit. A target
- * waits while walks are stale; standard errors do not cover what rests on them.
- *
- * @section Estimate How small cells are estimated
- * Photons arrive by area, so finely meshed parts are noisy. With CellEstimate Spread the power that a
- * small cell received is spread over its neighbours, and the estimate of each cell draws on about
- * NumberOfSpreadPhotons photons, on the average of its connection. A cell that receives as many by
- * itself, as walls mostly do, keeps its value, to the bit. The power on each connection is conserved
- * (on port 0: on all connections together). Light is not spread over creases of more than 35 degrees,
- * gaps, edges of three cells or more, from a dynamic connection to another, nor from one side of a cell
- * to the other with SeparateSides; cells are neighbours if they share both ends of an edge exactly.
- *
- * It trades noise for blur: shadows and highlights smaller than the neighbourhood fade, and shadow edges
- * are smeared over some cells. Standard errors are those of the spread values and do not include the
- * blur. With a RepairTimeBudget, StaleIrradiance is spread alike. It is then close to what the full
- * update can take from a cell, but not a strict bound: the widths follow the number of photons.
- *
- * With CellEstimate Nearest a cell that received fewer than NumberOfSpreadPhotons is estimated from so
- * many photons nearest to its middle, as vtkIrradianceProbeFilter does, but from no farther than 2 to 2.4
- * times the distance at which the scene has them on the average. It follows the light across creases of up to
- * 45.6 degrees and from a connection to another, conserves no power, and takes far longer than Spread. After
- * a motion only cells near photons that changed, and near what moved, are estimated anew.
- * It excludes ComputeStandardError, TargetRelativeError and RepairTimeBudget: an error says so.
- *
- * @section Time Time
- * TIME_STEPS of the output are those of all inputs, and TIME_RANGE holds all of theirs and the keys
- * of the transform interpolators. The requested time (UPDATE_TIME_STEP) goes to all inputs, and each
- * decides what it is outside of its own times, as in VTK; interpolators refuse. Times may be asked for
- * in any order: a time has the same bits whenever it is asked for.
- *
- * @section Errors
- * Points that are not finite, indices past the points, arrays of the wrong size or type, values out
- * of range, singular or non-finite transforms, transforms of connections that do not exist, leaves
- * that are no polydata, point lights between walls that leave them no side to shine into, scenes
- * more than 1.3e8 times their size away from the origin (Documentation/Extremes.md): one error that
- * names the input, the cell and the value concerned, and an empty output. Inputs of other types, such as
- * unstructured grids, are an error as well: vtkGeometryFilter makes polydata of them.
- *
- * What can be computed but is hardly meant is a warning, given when cells, arrays or parts have changed,
- * not at each motion:
- * - a scene without lights, with the cell arrays that are there and not read; the irradiance is 0;
- * - lamps that shine away from all the rest of the scene and whose light is lost, and lamps whose light
- *   falls on lamps alone: cells emit from their front, and vtkReverseSense turns them;
- * - a dynamic part of more than 10 m and more than twice the size of the static scene in which it
- *   stands, and a scene of more than 100 m with less than 0.001 W/m2 on the average of its surfaces: all
- *   lengths are metres. Documentation/Extremes.md: what else these limits meet.
- *
- * Progress is reported and AbortExecute honoured within 0.1 s; after an
- * abort the output is empty and, as with all VTK filters, up to date until Modified().
- *
- * Runs on VTK's threads (vtkSMPTools).
- *
- * @section Pieces Several processes
- * Light comes from everywhere, so all of every input is asked for, and all of the result is piece 0.
- * Other pieces have the same blocks and arrays without cells, points and field data, and shoot
- * nothing: a reader that asks for n pieces gets each cell once.
+ * Progress is reported and AbortExecute honoured within 0.1 s. Runs on VTK's threads (vtkSMPTools). Of
+ * several processes the first has the whole result.
  */
 
 #ifndef vtkIrradianceFilter_h
@@ -251,7 +89,9 @@ public:
 
   ///@{
   /**
-   * Pose (model to world) of the i-th connection of port 1, null for none. It is kept by reference:
+   * Pose (model to world) of the i-th connection of port 1, null for none: then the pose is the field-data
+   * array `ObjectToWorld` (16 values, row by row) of the input, or else the identity. Any invertible affine
+   * map will do. A leaf of composite data with an `ObjectToWorld` is moved by that first. It is kept by reference:
    * setting or changing it makes the filter execute, even if an observer of the progress changes it
    * during a run. Indices follow the connections: after removing one, set the transforms again.
    */
@@ -374,8 +214,12 @@ public:
   ///@{
   /**
    * Seconds that the repair of an update may take; 0: no limit. Verification does not count, nor
-   * does the first shooting. No effect if UpdateMode is Rebuild or everything has to be shot anew:
-   * then nothing is stale. See "A time budget" above. Default 0.
+   * does the first shooting. No effect if UpdateMode is Rebuild or everything has to be shot again:
+   * then nothing is stale. What is left is repaired by the next executions: without motion call
+   * Modified() and Update() until GetStalePower() is 0. Until then the cell array `StaleIrradiance`
+   * (`StaleIrradianceFront`, `StaleIrradianceBack`; W/m2) is the part of the irradiance that rests on
+   * walks that are no longer valid, and the field `StaleGainBound` (W) is the most that the full update
+   * can bring to all cells together. See "A time budget" in the Guide. Default 0.
    */
   vtkSetMacro(RepairTimeBudget, double);
   vtkGetMacro(RepairTimeBudget, double);
@@ -383,7 +227,8 @@ public:
 
   ///@{
   /**
-   * Whether the irradiance of the two sides of a cell is computed separately. Default off.
+   * Whether the irradiance of the two sides of a cell is computed separately: `IrradianceFront` and
+   * `IrradianceBack` in place of `Irradiance`, which adds up both. Default off.
    */
   vtkSetMacro(SeparateSides, vtkTypeBool);
   vtkGetMacro(SeparateSides, vtkTypeBool);
@@ -392,7 +237,9 @@ public:
 
   ///@{
   /**
-   * See CellEstimates and "How small cells are estimated" above. Changing it shoots nothing anew, except
+   * See CellEstimates, and "Small cells" in the Guide. Spread conserves the power on each connection and
+   * trades noise for blur. Nearest excludes ComputeStandardError, TargetRelativeError and
+   * RepairTimeBudget. Changing it shoots no walks, except
    * if UpdateMode is Rebuild, or with a target where nothing is dynamic. Default Sums.
    */
   vtkSetClampMacro(CellEstimate, int, Sums, Nearest);
@@ -414,8 +261,10 @@ public:
 
   ///@{
   /**
-   * Whether the standard error of the irradiance is estimated, see "Output" above. Walks are
-   * assigned to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
+   * Whether the standard error of the irradiance is estimated: the cell array
+   * `IrradianceStandardError` (`IrradianceFrontStandardError`, `IrradianceBackStandardError`; W/m2). The
+   * 95 % interval is the irradiance +- this times the field `ConfidenceFactor`. It is NaN where it is not
+   * known: without an area, and where too few photons arrived. Walks are assigned to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
    * cell, band, side and replicate, with a target times the rounds of walks. Default off.
    */
   vtkSetMacro(ComputeStandardError, vtkTypeBool);
@@ -460,9 +309,10 @@ public:
 
   ///@{
   /**
-   * How many walks output port 1 shows, 0 to 4,294,967,295; see "Walks to look at" above. Where
-   * nothing can move, no walks are stored, and all is shot anew when it is not 0 for the first time; they
-   * then stay. Otherwise changing it shoots nothing, except if UpdateMode is Rebuild, or with a target
+   * How many walks output port 1 shows, 0 to 4,294,967,295, as polylines from the light to where the
+   * photon is absorbed, with the cell arrays `WalkId`, `Power` (W), `Repaired`, `Escaped` and `Stale`; see
+   * "Walks to look at" in the Guide. Where nothing can move, no walks are stored, and all are shot again when
+   * it is not 0 for the first time; they then stay. Otherwise changing it shoots nothing, except if UpdateMode is Rebuild, or with a target
    * where nothing is dynamic. Default 0.
    */
   vtkSetMacro(NumberOfOutputWalks, vtkIdType);

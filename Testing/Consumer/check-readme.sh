@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The C++ lines in the README's section "In your program" are lines of Examples/LitRoom, but for blanks. So a
-# reader copies what is built and run as a test. Says which lines are not, and fails if there are any. The
-# lines of the section "In Python" are run.
+# The C++ lines in the README's section "In your program", and in the example of vtkIrradianceFilter's header, are
+# lines of Examples/LitRoom, but for blanks. So a reader copies what is built and run as a test. Says which lines
+# are not, and fails if there are any. The lines of the section "In Python" are run. (The lines of the Guide are
+# compiled into Testing/FiltersIrradiance/TestGuide.cxx.)
 #
 #   check-readme.sh [PYTHON]      PYTHON imports vtkIrradiance (default: Debian's, from build/release); "none"
 #                                 leaves its lines out
@@ -24,8 +25,9 @@ plain()
 }
 
 quoted=$(lines cpp "In your program")
-if missing=$(plain - <<<"$quoted" | grep . | grep -vxFf <(plain Examples/LitRoom/LitRoom.cxx)); then
-  printf 'README.md, but not LitRoom.cxx, says:\n%s\n' "$missing"
+example=$(sed -n '/^ \* @code/,/^ \* @endcode/s/^ \* //p' Modules/FiltersIrradiance/vtkIrradianceFilter.h | grep -v '^@')
+if missing=$(plain - <<<"$quoted"$'\n'"$example" | grep . | grep -vxFf <(plain Examples/LitRoom/LitRoom.cxx)); then
+  printf 'README.md or vtkIrradianceFilter.h, but not LitRoom.cxx, says:\n%s\n' "$missing"
   exit 1
 fi
 

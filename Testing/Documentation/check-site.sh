@@ -18,7 +18,7 @@ fail()
   failures=$((failures + 1))
 }
 
-# run_doxygen [LINE...]: with these lines after those of the file
+# run_doxygen [LINE...]: with these lines added to the file
 run_doxygen()
 {
   {

@@ -222,7 +222,7 @@ inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isC
 }
 
 /// A furnace of the size, at the offset. `meshes`: its room, and a box and a ball that move in it. The
-/// mean irradiance of the room is 1 within `allowed`, that of the box within 0.1, in repaired frames too.
+/// mean irradiance of the room is 1 within `allowed`, of the box within 0.1, in repaired frames too.
 inline void ExpectFurnace(const std::vector<Mesh>& meshes, double size, const Vector& offset,
   vtkIdType walks, double allowed)
 {

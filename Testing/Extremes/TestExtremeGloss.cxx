@@ -16,7 +16,7 @@ constexpr vtkIdType NumberOfWalks = 20000;
 const std::vector<double> Exponents{ 0, 1e4, 1e30, std::numeric_limits<double>::infinity(), 7 };
 
 /// A furnace of gloss with a glossy box and a glossy ball. Of 30 seeds the mean of the room has a
-/// standard deviation of 0.003, that of the box 0.018: 5.5 of them, a false alarm in 20 million.
+/// standard deviation of 0.003, on the box of 0.018: 5.5 of them, a false alarm in 20 million.
 void ExpectGlossyFurnace(double size, const Vector& offset)
 {
   ExpectFurnace({ Glossy(MakeFurnace(size, offset), 0.4, Exponents),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Very small and very large scenes, scenes far away, slivers, and small things in large halls.
+// Very small and very large scenes, scenes far away, slivers, and small objects in large halls.
 
 #include "ExtremeScenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An eye and sensors that are very near, very far, inside of things, or in the plane of a cell; and
+// An eye and sensors that are very near, very far, inside of objects, or in the plane of a cell; and
 // scenes of all lengths. In a furnace all that an eye sees is 1 / pi W/m2/sr, and a sensor on a surface
 // receives 1 W/m2.
 
@@ -86,7 +86,7 @@ Mesh MakeGlossyBox()
 }
 
 /// A glossy furnace and a glossy box that moves in it, watched from inside and by sensors. Of 30 seeds
-/// the mean radiance has a standard deviation of 0.002, that of the sensors 0.0093: tolerances are 5.5
+/// the mean radiance has a standard deviation of 0.002, the sensors' mean 0.0093: tolerances are 5.5
 /// of them, a false alarm in 20 million.
 void ExpectFurnace(double size, const Vector& offset)
 {

@@ -139,7 +139,7 @@ inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
         }
       }
     }
-    // Of a thing 1 km away, points in floats are known to 3e-5 m, and small cells to 1e-3 of their area.
+    // Of an object 1 km away, points in floats are known to 3e-5 m, and small cells to 1e-3 of their area.
     EXPECT_LE(brought, bound->GetComponent(0, band) + 1e-3 * received);
   }
 }

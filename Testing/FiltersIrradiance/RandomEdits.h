@@ -56,7 +56,7 @@ inline void ChangeAPoseField(Trial& t)
   moving.Data->Modified();
 }
 
-/// Touches exactly: the lamp, or in a corner the floor, two walls and other things there.
+/// Touches exactly: the lamp, or in a corner the floor, two walls and other objects there.
 inline void TouchSomething(Trial& t)
 {
   Connection& moving = Pick(t.Random, t.Moving());

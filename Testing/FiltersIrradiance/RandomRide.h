@@ -38,7 +38,7 @@ inline Ride RandomRide(RandomNumbers& random)
   return ride;
 }
 
-/// Half of all times are those of keys; some rides are over then.
+/// Half of all times are times of keys; some rides are over then.
 inline double RandomTime(RandomNumbers& random)
 {
   return Chance(random, 2) ? 0.25 * random.Below(6) : random.Between(0, 1.25);

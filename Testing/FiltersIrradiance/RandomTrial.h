@@ -246,7 +246,7 @@ inline void Trial::Look()
   ++this->Done.Looks;
 }
 
-/// What looks at the photons of the filter sees the same as what looks at those of a fresh one.
+/// What looks at the photons of the filter sees the same as with a fresh one.
 inline void Trial::CompareViews(vtkIrradianceFilter* fresh)
 {
   this->Look();

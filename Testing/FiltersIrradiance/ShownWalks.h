@@ -88,6 +88,29 @@ inline Ids RepairedOf(const Walks& walks)
   return ids;
 }
 
+/// Walks of a filter that shows them.
+constexpr vtkIdType NumberOfWalks = 1500;
+
+inline vtkSmartPointer<vtkIrradianceFilter> MakeShowing(const Scene& scene, vtkIdType shown = All)
+{
+  auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->SetNumberOfOutputWalks(shown);
+  return filter;
+}
+
+inline bool HasShot(vtkIrradianceFilter* filter)
+{
+  return Field(filter, "ShootSeconds") > 0;
+}
+
+/// Without walls: most light escapes.
+inline Scene MakeOpenScene()
+{
+  Scene scene = MakeSmallScene();
+  scene.Fixed[0] = MakeRectangle({ 0, 0, 0 }, { 3, 0, 0 }, { 0, 3, 0 }, 3);
+  return scene;
+}
+
 /// Asks for all walks that touch a cell, then for what was asked before.
 inline Ids Touching(vtkIrradianceFilter* filter, int port, int connection, vtkIdType cell)
 {

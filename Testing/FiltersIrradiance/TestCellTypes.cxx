@@ -128,7 +128,7 @@ TEST(CellTypes, PolygonsThatCrossThemselvesAreReported)
   EXPECT_NEAR(Field(filter, "EmittedPower"), 8 * (2 + 0.5 + 0.25 + 1.75), 1e-6);
 }
 
-// The front of every triangle of a strip is that of the first one.
+// Every triangle of a strip has its front on the side of the first one's.
 TEST(CellTypes, FrontOfAStrip)
 {
   Mesh mesh = MakePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 } });

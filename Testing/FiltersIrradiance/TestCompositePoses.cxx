@@ -114,7 +114,7 @@ double PlaceOf(vtkPolyData* leaf, int axis)
 
 }
 
-// Also that nothing is read or shot anew.
+// Also that nothing is read or shot again.
 TEST(CompositePoses, MovePartsOfTheIrradianceFilter)
 {
   for (const Tree& tree : MakeTrees())
@@ -152,7 +152,7 @@ TEST(CompositePoses, KeepTheirTimes)
   }
 }
 
-// The sum over all poses: that of plain polydata, bit for bit.
+// The sum over all poses is the same as of plain polydata, bit for bit.
 TEST(CompositePoses, AreExposedAsPlainPolyData)
 {
   const Mesh ball = MakeBall(0.3, 6);

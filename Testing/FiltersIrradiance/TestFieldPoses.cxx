@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses from field data that change with time: ObjectToWorld, and those of glTF files.
+// Poses from field data that change with time: ObjectToWorld, and the poses in glTF files.
 
 #include "ErrorObserver.h"
 #include "OutputBits.h"

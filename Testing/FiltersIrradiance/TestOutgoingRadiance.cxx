@@ -185,7 +185,7 @@ TEST(OutgoingRadianceFilter, AsksAStaticSceneForItsPhotonsOnce)
   EXPECT_EQ(irradiance->Count, 2);
 }
 
-// Law 1 through the pipeline: views of a filter that updates equal those of a new one.
+// Law 1 through the pipeline: a filter that updates gives the same views as a new one.
 TEST(OutgoingRadianceFilter, ViewsOfAnUpdateEqualThoseOfANewFilter)
 {
   Scene scene = MakeGlossyScene();

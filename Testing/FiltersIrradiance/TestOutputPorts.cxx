@@ -23,15 +23,6 @@ using namespace ShownWalks;
 namespace
 {
 
-constexpr vtkIdType NumberOfWalks = 1000;
-
-vtkSmartPointer<vtkIrradianceFilter> MakeShowing(const Scene& scene)
-{
-  auto filter = MakeFilter(scene, NumberOfWalks);
-  filter->SetNumberOfOutputWalks(50);
-  return filter;
-}
-
 /// Counts events, and does something at the first.
 class Observer : public vtkCommand
 {
@@ -83,7 +74,7 @@ void UpdateTimeStep(vtkAlgorithm* filter, int port, double time)
 
 TEST(OutputPorts, HaveTheirTypes)
 {
-  const auto filter = MakeShowing(MakeSmallScene());
+  const auto filter = MakeShowing(MakeSmallScene(), 50);
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
   EXPECT_TRUE(filter->GetOutputDataObject(0)->IsA("vtkMultiBlockDataSet"));
@@ -101,7 +92,7 @@ TEST(OutputPorts, ComeFromOneExecution)
   for (const int first : { 0, 1 })
   {
     SCOPED_TRACE(first);
-    const auto filter = MakeShowing(scene);
+    const auto filter = MakeShowing(scene, 50);
     const auto executions = Watch(filter, vtkCommand::StartEvent);
     filter->Update(first);
     EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
@@ -111,7 +102,7 @@ TEST(OutputPorts, ComeFromOneExecution)
     EXPECT_EQ(executions->Count, 1);
     scene.Moving[0].Pose->Translate(0.1, 0, 0);
     filter->Update(first);
-    const auto fresh = MakeShowing(scene);
+    const auto fresh = MakeShowing(scene, 50);
     fresh->Update();
     EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
     EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
@@ -162,7 +153,7 @@ TEST(OutputPorts, AreOfTheSameTime)
 {
   Scene scene = MakeSmallScene();
   scene.Moving = { MakeMoving(MakeBall(0.3, 6), { 0, 0, 0 }) };
-  const auto filter = MakeShowing(scene);
+  const auto filter = MakeShowing(scene, 50);
   filter->SetDynamicTransform(0, nullptr);
   filter->SetDynamicTransformInterpolator(0, MakeRide());
   filter->UpdateInformation();
@@ -187,7 +178,7 @@ TEST(OutputPorts, AreOfTheSameTime)
         filter->GetOutputDataObject(each)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
         time);
     }
-    const auto fresh = MakeShowing(scene);
+    const auto fresh = MakeShowing(scene, 50);
     fresh->SetDynamicTransform(0, nullptr);
     fresh->SetDynamicTransformInterpolator(0, MakeRide());
     UpdateTimeStep(fresh, 0, time);
@@ -213,7 +204,7 @@ TEST(OutputPorts, HaveTheTimesOfTheInputs)
   };
   vtkNew<Walker> walker;
   walker->SetOutput(MakeBall(0.3, 6));
-  const auto filter = MakeShowing({ { MakeRoom(3, 1) }, {} });
+  const auto filter = MakeShowing({ { MakeRoom(3, 1) }, {} }, 50);
   filter->AddInputConnection(1, walker->GetOutputPort());
   filter->UpdateInformation();
   for (const int port : { 0, 1 })
@@ -228,7 +219,7 @@ TEST(OutputPorts, AreEmptyAfterAnAbort)
   for (const int port : { 0, 1 })
   {
     const Scene scene = MakeSmallScene();
-    const auto filter = MakeShowing(scene);
+    const auto filter = MakeShowing(scene, 50);
     filter->Update();
     const auto progress = Watch(filter, vtkCommand::ProgressEvent);
     progress->Change = [&] { filter->SetAbortExecute(1); };
@@ -239,7 +230,7 @@ TEST(OutputPorts, AreEmptyAfterAnAbort)
     EXPECT_EQ(filter->GetWalksOutput()->GetCellData()->GetNumberOfArrays(), 0);
     filter->Modified();
     filter->Update(port);
-    const auto fresh = MakeShowing(scene);
+    const auto fresh = MakeShowing(scene, 50);
     fresh->Update();
     EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
     EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
@@ -251,12 +242,12 @@ TEST(OutputPorts, SeeWhatChangedWhileTheyWereMade)
   for (const int port : { 0, 1 })
   {
     const Scene scene = MakeSmallScene();
-    const auto filter = MakeShowing(scene);
+    const auto filter = MakeShowing(scene, 50);
     const auto meddler = Watch(filter, vtkCommand::ProgressEvent);
     meddler->Change = [&] { scene.Moving[0].Pose->Translate(0.1, 0, 0); };
     filter->Update(port);
     filter->Update(1 - port); // sees it
-    const auto fresh = MakeShowing(scene);
+    const auto fresh = MakeShowing(scene, 50);
     fresh->Update();
     EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh)));
     EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));

@@ -310,7 +310,7 @@ TEST(PartsComeAndGo, WithATimeBudget)
   hall.Filter->Update();
   EXPECT_GT(Field(hall.Filter, "StalePower"), 0);
   EXPECT_EQ(Field(hall.Filter, "ShootSeconds"), 0);
-  // Another thing comes in the first one's place while walks are stale: a fresh start.
+  // Another part comes in the first one's place while walks are stale: a fresh start.
   hall.Parts[0].Model = MakeCone(0.8, 0.4, 9);
   hall.Parts[0].Appear();
   hall.Filter->Update();
@@ -319,7 +319,7 @@ TEST(PartsComeAndGo, WithATimeBudget)
   expectRepaired("another");
 }
 
-// A lamp that comes or goes changes all light: all is shot anew, and right.
+// A lamp that comes or goes changes all light: all is shot again, and right.
 TEST(PartsComeAndGo, LampsStartAnew)
 {
   Hall hall({ Part(MakeBall(0.4, 8)), Away(Part(MakeLamp({ 0, 0, 0 }, 0.5, { 50 }))) });
@@ -348,7 +348,7 @@ TEST(PartsComeAndGo, WhereTheyTouchALamp)
   }
 }
 
-// What looks at photons sees those of the walks as they are now.
+// What looks at photons sees the photons of the present walks.
 TEST(PartsComeAndGo, EyesAndSensorsFollow)
 {
   const Mesh shiny = MakeBox(0.6, 0.6, 0.6);
@@ -432,7 +432,7 @@ TEST(PartsComeAndGo, WhateverIsSwitchedMeanwhile)
   }
 }
 
-// Without light there are no walks, but what looks at cells finds those of the present parts.
+// Without light there are no walks, but what looks at cells finds the cells of the present parts.
 TEST(PartsComeAndGo, InTheDark)
 {
   const Mesh room = MakeRoom(3, 2), ball = MakeBall(0.4, 12), now = Mesh::New();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The filter in a VTK pipeline: what makes it execute, and what it then does anew.
+// The filter in a VTK pipeline: what makes it execute, and what it then does again.
 
 #include "ErrorObserver.h"
 #include "OutputBits.h"

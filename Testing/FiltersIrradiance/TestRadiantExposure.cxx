@@ -115,8 +115,8 @@ TEST(RadiantExposure, SumsUpEnergies)
   EXPECT_LT(FieldOf(exposure, "PowerBalanceError"), 1e-14);
 }
 
-// A part that is there at some times only; the exposure is that of those times, and the geometry that
-// of the last of them.
+// A part that is there at some times only: they alone count for the exposure, and the last of them
+// gives the geometry.
 TEST(RadiantExposure, OfAPartThatComesAndGoes)
 {
   const auto square = PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),

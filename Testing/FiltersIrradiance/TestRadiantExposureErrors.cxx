@@ -64,7 +64,7 @@ vtkSmartPointer<vtkIrradianceFilter> MakeFilterWithError(const std::vector<doubl
 
 }
 
-// If nothing changes, the exposure and its error are those of the irradiance, times the time; known and
+// If nothing changes, the exposure and its error are the irradiance and its error, times the time; known and
 // unknown are the same cells.
 TEST(RadiantExposureError, OfAStillSceneIsThatOfTheIrradiance)
 {
@@ -218,7 +218,7 @@ namespace
 {
 
 /// The standard error of the exposure of a square with these replicates at the times 0, 1 and 2, whose
-/// weights are 1/2, 1 and 1/2. The irradiance is their mean, that of a photon is 1.
+/// weights are 1/2, 1 and 1/2. The irradiance is their mean, a photon's is 1.
 double ErrorOf(const std::vector<std::vector<double>>& replicates)
 {
   const auto square = PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),
@@ -258,7 +258,7 @@ TEST(RadiantExposureError, FollowsFromTheReplicates)
   EXPECT_DOUBLE_EQ(ErrorOf({ { 12, 8 }, { 11, 9 }, { 13, 7 } }), (23.5 - 16.5) / 2);
   EXPECT_TRUE(std::isnan(ErrorOf({ { 15, 5 }, { 16, 4 }, { 15, 5 } })));
   EXPECT_TRUE(std::isnan(ErrorOf({ { 0, 0 }, { 0, 0 }, { 0, 0 } })));
-  // 26 at one time and none at the others: those of the lit time are enough.
+  // 26 at one time and none at the others: the lit time has enough.
   EXPECT_DOUBLE_EQ(ErrorOf({ { 0, 0 }, { 40, 12 }, { 0, 0 } }), 14);
 }
 

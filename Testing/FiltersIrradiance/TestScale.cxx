@@ -62,7 +62,7 @@ Scene MakeTurnedScene(const Mesh& light)
   return scene;
 }
 
-/// Every irradiance of `scaled` is that of `original` times 2^exponent.
+/// Every irradiance of `scaled` is the one of `original` times 2^exponent.
 void ExpectScaled(vtkIrradianceFilter* original, vtkIrradianceFilter* scaled, int exponent)
 {
   for (unsigned int port = 0; port < 2; ++port)

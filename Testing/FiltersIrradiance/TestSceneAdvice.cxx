@@ -170,7 +170,7 @@ TEST(LengthAdvice, NothingIsSaidOfLargeScenes)
                                       MakeLamp({ 1000, 1000, 500 }, 2000, { 1000 }) },
                                     {} },
     NumberOfWalks)));
-  // A large thing beside small ones that are lamps alone, or that it does not touch.
+  // A large part beside small ones that are lamps alone, or that it does not touch.
   ExpectNothing(Update(MakeFilter(
     { { MakeLamp({ 0, 0, 0 }, 1, { 100 }) }, { MakeMoving(MakeBox(30, 30, 2), { 0, 0, -3 }) } },
     NumberOfWalks)));

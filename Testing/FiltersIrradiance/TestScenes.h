@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-/// Rooms, lamps and things that move in them, in metres.
+/// Rooms, lamps and objects that move in them, in metres.
 namespace TestScenes
 {
 

@@ -174,7 +174,7 @@ TEST(UpdateEqualsRebuild, InEveryConfiguration)
     }
     StepAll(random, scene);
   }
-  // The updates were real: some walks became invalid, but not all, and no frame was shot anew.
+  // The updates were real: some walks became invalid, but not all, and no frame was shot again.
   EXPECT_EQ(shootSeconds, 0);
   EXPECT_GT(invalid, 0.1 * 12 * NumberOfFrames * NumberOfWalks);
   EXPECT_LT(invalid, 0.9 * 12 * NumberOfFrames * NumberOfWalks);

@@ -248,7 +248,7 @@ void CheckUpdate(vtkIrradianceFilter* filter, const ErrorObserver* observer, con
   }
 }
 
-/// What looks at the photons sees the same as what looks at those of a fresh filter.
+/// What looks at the photons sees the same as with a fresh filter.
 void CompareViews(const Inputs& inputs, FuzzedViews::Filters& views, vtkIrradianceFilter* fresh)
 {
   if (fresh->GetOutput()->GetNumberOfBlocks() == 0)

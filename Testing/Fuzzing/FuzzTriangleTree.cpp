@@ -32,7 +32,7 @@ Vector3 readPoint(ByteReader& bytes)
   return { x, y, bytes.numberWithin(kMostDistant) };
 }
 
-/// Triangles share corners, as those of meshes do.
+/// Triangles share corners, as in meshes.
 test::Triangles readTriangles(ByteReader& bytes)
 {
   std::vector<Vector3> points;

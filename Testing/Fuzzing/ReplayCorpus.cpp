@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Feeds files to a fuzz target without a fuzzer: Replay<target> FILE_OR_FOLDER... A target aborts
-// if something is wrong; the last name printed is that of the culprit.
+// if something is wrong; the last name printed is the culprit's.
 
 #include <algorithm>
 #include <cstdint>

@@ -27,7 +27,7 @@ def wait_for(file_name, process, seconds=100):
 
 
 def libraries():
-    """Those of Qt that were unpacked beside ParaView."""
+    """The folder of Qt's libraries that were unpacked beside ParaView."""
     return glob.glob(f"{SDK}/lib/*/qt5/plugins")[0][:-len("/qt5/plugins")]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The numbers of the plugin are those of the C++ filter, bit for bit, at any time and in any order of times."""
+"""The plugin and the C++ filter have the same numbers, bit for bit, at any time and in any order of times."""
 import unittest
 
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader

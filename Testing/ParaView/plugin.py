@@ -60,7 +60,7 @@ def leaves(data):
 
 def bits(data):
     """Points, cell arrays and field data of a composite data set as bytes, by name, without times (TimeValue:
-    that of files)."""
+    the time of files)."""
     found = {}
     for i in range(data.GetFieldData().GetNumberOfArrays()):
         array = data.GetFieldData().GetArray(i)

@@ -42,7 +42,7 @@ inline Answer shownAnswer(
   return answer;
 }
 
-/// That of a new engine.
+/// The answer of a new engine.
 inline Answer freshShownAnswer(const SceneObjects& objects, const EngineSettings& settings)
 {
   IrradianceEngine engine;

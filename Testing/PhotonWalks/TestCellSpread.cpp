@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Sums of cells, spread over the cells around them: what is conserved, and what it depends on.
+
+#include "EngineRun.h"
 #include "MovingScene.h"
-#include "ShownAnswer.h"
+#include "Tally/CellSpread.h"
 #include "ThreadExecution.h"
-#include "TickingExecution.h"
 
 #include <gtest/gtest.h>
 
@@ -17,17 +19,7 @@ namespace
 
 using test::box;
 using test::grey;
-using test::MovingScene;
 using test::ObjectBuilder;
-
-EngineSettings spreading(std::uint32_t walks, double photons)
-{
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(walks);
-  settings.cellEstimate = CellEstimate::Spread;
-  settings.spreadPhotons = photons;
-  return settings;
-}
 
 /// Sums with something at random in each part, `times` 2^30 or so, and in no few cells nothing.
 CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan, unsigned seed,
@@ -45,8 +37,7 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
         {
           for (std::uint32_t i = 0; i < plan.replicates().count(); ++i)
           {
-            sums.set({ object, cell, side }, band, i,
-              times *
+            sums.set({ object, cell, side }, band, i, times *
                 static_cast<std::int64_t>(random.engine() % 3 * (random.engine() % (1u << 30))));
           }
         }
@@ -302,214 +293,6 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   }
 }
 
-// Law 1, with error bars, all kinds of motion and of sides.
-TEST(CellSpread, UpdateEqualsRebuild)
-{
-  for (const int bands : { 1, 3 })
-  {
-    MovingScene scene(bands, bands == 3, 71);
-    EngineSettings settings = spreading(10007, 400);
-    settings.separateSides = bands == 3;
-    settings.replicates = 4;
-    IrradianceEngine engine;
-    test::ThreadExecution threads(2);
-    for (int frame = 0; frame < (test::kIsSanitized ? 4 : 10); ++frame, scene.nextFrame())
-    {
-      engine.update(scene.objects(), settings, threads);
-      ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
-        test::freshShownAnswer(scene.objects(), settings))
-        << bands << " bands, frame " << frame;
-      EXPECT_EQ(engine.statistics().shootSeconds > 0, frame == 0);
-    }
-  }
-}
-
-TEST(CellSpread, UpdateEqualsRebuildWithATarget)
-{
-  MovingScene scene(1, true, 75);
-  EngineSettings settings = spreading(1000, 100);
-  settings.replicates = 8;
-  settings.targetRelativeError = 0.35;
-  settings.maximumNumberOfWalks = 30000;
-  IrradianceEngine engine;
-  Execution execution;
-  for (int frame = 0; frame < 6; ++frame, scene.nextFrame())
-  {
-    settings.targetRelativeError = frame % 3 == 2 ? 0.6 : 0.35;
-    settings.cellEstimate = frame == 4 ? CellEstimate::Sums : CellEstimate::Spread;
-    engine.update(scene.objects(), settings, execution);
-    ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
-      test::freshShownAnswer(scene.objects(), settings))
-      << "frame " << frame << ", " << engine.numberOfWalks() << " walks";
-    EXPECT_GT(engine.sums().rounds(), 1u);
-    const std::vector<double> areas = cellAreas(scene.objects().staticObject);
-    double watts = 0;
-    for (std::size_t cell = 0; cell < areas.size(); ++cell)
-    {
-      watts += engine.irradiance({ 0, cell }, 0) * areas[cell];
-    }
-    EXPECT_NEAR(watts / test::wattsOn(engine, 0, 0, areas.size()), 1, 1e-12) << "of all rounds";
-  }
-}
-
-// While walks are stale, the stale part is spread like the whole. In the end nothing is stale.
-TEST(CellSpread, SpreadsWhatIsStaleAlike)
-{
-  MovingScene scene(1, true, 76);
-  EngineSettings settings = spreading(20000, 200);
-  settings.repairTimeBudget = 10 * test::TickingExecution::kTick;
-  IrradianceEngine engine;
-  test::TickingExecution clock;
-  engine.update(scene.objects(), settings, clock);
-  scene.nextFrame();
-  engine.update(scene.objects(), settings, clock);
-  int waits = 0;
-  for (; engine.stale() && !engine.stale()->isEmpty(); ++waits)
-  {
-    for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
-    {
-      const std::vector<double> areas = cellAreas(scene.objects()[object]);
-      double watts = 0, stale = 0;
-      for (std::size_t cell = 0; cell < areas.size(); ++cell)
-      {
-        const double all = engine.irradiance({ object, cell }, 0),
-                     part = engine.staleIrradiance({ object, cell }, 0);
-        EXPECT_GE(part, 0);
-        EXPECT_LE(part, all);
-        watts += part * areas[cell];
-        stale += engine.watts(engine.stale()->sums().sum({ object, cell }, 0));
-      }
-      EXPECT_NEAR(watts, stale, 1e-8 * stale);
-    }
-    engine.update(scene.objects(), settings, clock);
-  }
-  EXPECT_GT(waits, 3);
-  EXPECT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
-    test::freshShownAnswer(scene.objects(), settings));
-}
-
-// Replicates are spread one by one, what is stale in one go, and both are rounded: where all photons of
-// an object are stale, the part must not come out larger than the whole.
-TEST(CellSpread, WhatIsStaleIsAtMostAll)
-{
-  MovingScene scene(1, true, 76);
-  EngineSettings settings = spreading(2000, 50);
-  settings.numberOfWalks = 2000; // with sanitizers too: few would be repaired at once
-  settings.replicates = 16;
-  settings.repairTimeBudget = 1e-3 * test::TickingExecution::kTick;
-  IrradianceEngine engine;
-  test::TickingExecution clock;
-  engine.update(scene.objects(), settings, clock);
-  for (int frame = 0; frame < 4; ++frame)
-  {
-    scene.nextFrame();
-    engine.update(scene.objects(), settings, clock);
-    ASSERT_FALSE(engine.stale()->isEmpty());
-    for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
-    {
-      const std::vector<double> areas = cellAreas(scene.objects()[object]);
-      for (std::size_t cell = 0; cell < areas.size(); ++cell)
-      {
-        EXPECT_LE(
-          engine.staleIrradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
-      }
-    }
-  }
-}
-
-// Law 2.
-TEST(CellSpread, IsTheSameForAnyThreads)
-{
-  const SceneObjects objects = MovingScene(3, false, 77).objects();
-  EngineSettings settings = spreading(10000, 300);
-  settings.replicates = 5;
-  const test::Answer expected = test::freshShownAnswer(objects, settings);
-  std::vector<std::unique_ptr<Execution>> executions;
-  executions.push_back(std::make_unique<test::ThreadExecution>(2));
-  executions.push_back(std::make_unique<test::ThreadExecution>(5));
-  executions.push_back(std::make_unique<test::BackwardExecution>());
-  for (const auto& execution : executions)
-  {
-    IrradianceEngine engine;
-    engine.update(objects, settings, *execution);
-    EXPECT_TRUE(test::shownAnswer(engine, objects, settings) == expected);
-  }
-}
-
-// Law 6, for models in another unit of length.
-TEST(CellSpread, ScalesByPowersOfTwo)
-{
-  const auto scaled = [](double scale) {
-    ObjectBuilder room, thing;
-    room.addBox(box({ 0, 0, 0 }, Vector3(4, 3, 5) * scale), 4, grey(0.6), true);
-    room.addQuad(Vector3(1, 1, 4.5) * scale, Vector3(0, 1, 0) * scale, Vector3(1, 0, 0) * scale, 1,
-      1, grey(0, 10));
-    thing.addSphere({ 0, 0, 0 }, 0.8 * scale, 12, grey(0.3));
-    thing.material().exitance.clear();
-    Matrix3 stretch = Matrix3::Identity();
-    stretch(0, 1) = 0.3;
-    return SceneObjects{ room.build(), { thing.build({ stretch, Vector3(1.5, 1.2, 2) * scale }) } };
-  };
-  EngineSettings settings = spreading(20000, 150);
-  settings.replicates = 4;
-  const SceneObjects unit = scaled(1);
-  IrradianceEngine engine;
-  Execution execution;
-  engine.update(unit, settings, execution);
-  for (const int exponent : { -20, -3, 1, 10, 30 })
-  {
-    const double scale = std::ldexp(1.0, exponent);
-    const SceneObjects objects = scaled(scale);
-    IrradianceEngine other;
-    other.update(objects, settings, execution);
-    for (std::uint32_t object = 0; object < objects.size(); ++object)
-    {
-      const std::vector<double> areas = cellAreas(unit[object]);
-      for (std::size_t cell = 0; cell < areas.size(); ++cell)
-      {
-        ASSERT_EQ(other.irradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
-        const double error = engine.errorEstimate().standardError({ object, cell }, 0),
-                     otherError = other.errorEstimate().standardError({ object, cell }, 0);
-        ASSERT_TRUE(error == otherError || (std::isnan(error) && std::isnan(otherError)));
-      }
-    }
-  }
-}
-
-// Walls that receive enough keep their bits, error bars included; only the fine thing changes.
-TEST(CellSpread, LeavesLargeCellsAlone)
-{
-  ObjectBuilder room, thing;
-  room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 3, grey(0.5), true);
-  room.addPointLight({ 1, 1, 3 }, 10);
-  thing.addSphere({ 2.5, 2.5, 1.5 }, 0.6, 16, grey(0.5));
-  const SceneObjects objects{ room.build(), { thing.build() } };
-  EngineSettings settings = spreading(50000, 100);
-  settings.replicates = 4;
-  IrradianceEngine sums, spread;
-  Execution execution;
-  spread.update(objects, settings, execution);
-  settings.cellEstimate = CellEstimate::Sums;
-  sums.update(objects, settings, execution);
-  for (std::size_t cell = 0; cell < objects.staticObject.material->numberOfCells; ++cell)
-  {
-    EXPECT_EQ(spread.irradiance({ 0, cell }, 0), sums.irradiance({ 0, cell }, 0));
-    const double error = spread.errorEstimate().standardError({ 0, cell }, 0);
-    EXPECT_EQ(error, sums.errorEstimate().standardError({ 0, cell }, 0));
-  }
-  std::size_t changed = 0, known = 0, knownBySums = 0;
-  const std::size_t cells = objects.dynamicObjects[0].material->numberOfCells;
-  for (std::size_t cell = 0; cell < cells; ++cell)
-  {
-    changed += spread.irradiance({ 1, cell }, 0) != sums.irradiance({ 1, cell }, 0) ? 1 : 0;
-    known += std::isnan(spread.errorEstimate().standardError({ 1, cell }, 0)) ? 0 : 1;
-    knownBySums += std::isnan(sums.errorEstimate().standardError({ 1, cell }, 0)) ? 0 : 1;
-  }
-  EXPECT_GT(changed, cells * 9 / 10);
-  EXPECT_GT(known, cells * 9 / 10);
-  EXPECT_LT(knownBySums, cells / 10);
-}
-
 // What was not finished does not pass for the weights of the scene.
 TEST(CellSpread, AnInterruptionLeavesNoTrace)
 {
@@ -539,84 +322,6 @@ TEST(CellSpread, AnInterruptionLeavesNoTrace)
       << "stopped at call " << stopAt;
   }
   EXPECT_GE(stops, 1);
-}
-
-// The estimate can change without a new walk, with and without something that may move.
-TEST(CellSpread, ShootsNothingAnew)
-{
-  for (const bool isStatic : { false, true })
-  {
-    SceneObjects objects = MovingScene(1, true, 78).objects();
-    objects.dynamicObjects.resize(isStatic ? 0 : objects.dynamicObjects.size());
-    EngineSettings settings = spreading(5000, 100);
-    settings.replicates = 4;
-    IrradianceEngine engine;
-    Execution execution;
-    engine.update(objects, settings, execution);
-    for (const double photons : { 0.0, 100.0, 37.0, 0.0 })
-    {
-      settings.cellEstimate = photons == 0 ? CellEstimate::Sums : CellEstimate::Spread;
-      settings.spreadPhotons = std::max(1.0, photons);
-      engine.update(objects, settings, execution);
-      EXPECT_EQ(engine.statistics().shootSeconds, 0);
-      EXPECT_TRUE(
-        test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
-    }
-  }
-}
-
-// In a furnace nothing is there to blur, so the intervals hold the truth, 1 W/m2. Cells next to each
-// other err alike: of each seed, the many cells of a thing are worth some 30. Over 20 seeds, the share
-// of intervals that hold the truth is off by 0.04 once in 10^5.
-TEST(CellSpread, IntervalsHoldTheTruth)
-{
-  test::RandomVectors random(92);
-  ObjectBuilder room, thing;
-  room.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), 4, {}, true);
-  thing.addSphere({ 0, 0, 0 }, 0.8, 20, {});
-  for (ObjectBuilder* builder : { &room, &thing })
-  {
-    Material& material = builder->material();
-    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
-    {
-      material.reflectance[cell] = random.uniform(0, 0.9);
-      material.exitance[cell] = 1 - material.reflectance[cell];
-    }
-  }
-  const SceneObjects objects{ room.build(), { thing.build(test::shift({ 1.5, 1.2, 2 })) } };
-  const std::vector<double> areas = cellAreas(objects.dynamicObjects[0]);
-  EngineSettings settings = spreading(40000, 150);
-  settings.replicates = 16;
-  settings.verify = false;
-  const double factor = ErrorEstimate::confidenceFactor(settings.replicates);
-  double cells = 0, known = 0, held = 0, squares = 0;
-  for (int seed = 1; seed <= 20; ++seed)
-  {
-    settings.seed = static_cast<std::uint64_t>(seed);
-    IrradianceEngine engine;
-    Execution execution;
-    engine.update(objects, settings, execution);
-    const ErrorEstimate errors = engine.errorEstimate();
-    for (std::size_t cell = 0; cell < areas.size(); ++cell)
-    {
-      const double off = engine.irradiance({ 1, cell }, 0) - 1,
-                   error = engine.watts(errors.standardError({ 1, cell }, 0)) / areas[cell];
-      cells += 1;
-      squares += off * off;
-      known += std::isnan(error) ? 0 : 1;
-      held += std::abs(off) <= factor * error ? 1 : 0;
-    }
-  }
-  std::printf("%.2f %% of the intervals hold the truth, known in %.1f %% of %zu cells; RMS error "
-              "%.2f %%, where 150 photons have %.2f %%\n",
-    100 * held / known, 100 * known / cells, areas.size(), 100 * std::sqrt(squares / cells),
-    100 / std::sqrt(150.0));
-  if (!test::kIsSanitized)
-  {
-    EXPECT_GE(known, 0.99 * cells);
-    EXPECT_NEAR(held / known, 0.95, 0.04);
-    EXPECT_NEAR(std::sqrt(squares / cells * 150), 1, 0.25) << "the noise of as many photons";
-  }
 }
 
 }

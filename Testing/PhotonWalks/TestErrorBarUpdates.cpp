@@ -143,7 +143,7 @@ TEST(ErrorBarUpdates, UpdateEqualsRebuildWithATarget)
   EXPECT_GE(stays, 1);
 }
 
-// While walks wait for repair the number of rounds stays; afterwards it is that of a new engine.
+// While walks wait for repair the number of rounds stays; afterwards it is as in a new engine.
 TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
 {
   ShadedRoom room;
@@ -205,7 +205,7 @@ TEST(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
     test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
 }
 
-// With any number of rounds, the power is that of the lights and balances to the last quantum.
+// With any number of rounds, the power is what the lights emit, and balances to the last quantum.
 TEST(ErrorBarUpdates, PowerIsThatOfTheScene)
 {
   ShadedRoom room;

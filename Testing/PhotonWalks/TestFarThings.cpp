@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-// Law: far things cost nothing near. The tests count the segments for which the verification casts
+// Law: far objects cost nothing near. The tests count the segments for which the verification casts
 // a ray: those near the moving ball, even if something stands 1 km away or came back from there.
 
 namespace irradiance
@@ -70,7 +70,7 @@ struct FarScene
     {
       moveSmall(frame);
       update(what);
-      EXPECT_EQ(engine.statistics().shootSeconds, 0) << "shot anew";
+      EXPECT_EQ(engine.statistics().shootSeconds, 0) << "shot again";
       sum += engine.statistics().suspectSegments;
     }
     return sum;

@@ -76,7 +76,7 @@ std::vector<ObjectBuilder> movingThings()
   return { a, b };
 }
 
-/// The two things circle without touching each other or a wall.
+/// The two objects circle without touching each other or a wall.
 void setPoses(SceneObjects& objects, int frame)
 {
   const double angle = 0.0628 * frame;
@@ -146,7 +146,7 @@ private:
   std::vector<ReplicateMean> cells_, areas_;
 };
 
-/// Shoots every frame anew, with its own seed.
+/// Shoots every frame again, with its own seed.
 void expectOneInEveryFrame(SceneObjects& objects, std::uint64_t firstSeed)
 {
   IrradianceEngine engine;
@@ -167,7 +167,7 @@ void expectOneInEveryFrame(SceneObjects& objects, std::uint64_t firstSeed)
 
 }
 
-// All cells shine, those of moving things too, so every frame is shot anew, with its own seed. 8
+// All cells shine, also on moving objects, so every frame is shot again, with its own seed. 8
 // area means, |t| > 3.5 of 99 degrees: a false alarm in 0.6 % of all choices of seeds.
 TEST(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
 {
@@ -193,7 +193,7 @@ TEST(Furnace, EveryCellReceivesOneWattWhereCellsReflectSpecularly)
   expectOneInEveryFrame(objects, 1001);
 }
 
-// White things move in a shining room: walks are verified and repaired from frame to frame. The
+// White objects move in a shining room: walks are verified and repaired from frame to frame. The
 // last frames of 16 seeds of 65,536 walks are compared; 8 area means, |t| > 4 of 15 degrees: a
 // false alarm in 0.9 %.
 TEST(Furnace, EveryCellReceivesOneWattAfterManyUpdates)

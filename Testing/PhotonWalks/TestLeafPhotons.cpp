@@ -9,7 +9,7 @@
 
 #include <set>
 
-// Photons in leaves that are kept up to date are those of leaves that are filled anew.
+// Leaves that are kept up to date have the same photons as leaves that are filled again.
 
 namespace irradiance
 {

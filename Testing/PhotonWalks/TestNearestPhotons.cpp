@@ -253,7 +253,7 @@ TEST(NearestPhotons, EqualASearchOfAllOnAFineMesh)
   expectNearest(objects, 400, 26000, { { 3 }, { 50 }, { 25, 0.5 } });
 }
 
-// Poses that stretch a hundredfold, things far apart and far from the origin.
+// Poses that stretch a hundredfold, objects far apart and far from the origin.
 TEST(NearestPhotons, EqualASearchOfAllWherePosesAreExtreme)
 {
   test::ObjectBuilder room, thing;

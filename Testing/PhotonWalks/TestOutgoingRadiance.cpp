@@ -167,7 +167,7 @@ TEST(OutgoingRadiance, PhotonsOfTheOtherSideAreNotSeen)
   EXPECT_EQ(radiance({ 0, 0 }, { { 0, 0.5, -2 } })[0], 0);
 }
 
-// The photons of an engine that updates equal those of a new one, and so does what is seen.
+// The photons of an engine that updates equal a new one's, and so does what is seen.
 TEST(OutgoingRadiance, UpdateEqualsRebuild)
 {
   for (const int bands : { 1, 3 })

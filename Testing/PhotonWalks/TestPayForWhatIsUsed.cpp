@@ -32,7 +32,7 @@ TEST(PayForWhatIsUsed, NothingThatMovesNoHistory)
 {
   SceneObjects objects = MovingScene(1, true, 61).objects();
   EXPECT_GT(shoot(objects, true, false).historyBytes, 0u);
-  EXPECT_EQ(shoot(objects, false, false).historyBytes, 0u) << "every frame is shot anew";
+  EXPECT_EQ(shoot(objects, false, false).historyBytes, 0u) << "every frame is shot again";
   objects.dynamicObjects.clear();
   EXPECT_EQ(shoot(objects, true, false).historyBytes, 0u);
 }

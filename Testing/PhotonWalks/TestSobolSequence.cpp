@@ -182,7 +182,7 @@ TEST(SobolSequence, SuccessiveBouncesAreIndependent)
     EXPECT_LT(pair.chiSquare(), kLimit);
   }
 }
-// Each replicate follows a net of its own, the first that of the seed.
+// Each replicate follows a net of its own, the first the net of the seed.
 TEST(SobolSequence, ReplicatesAreSequencesOfTheirOwn)
 {
   constexpr std::uint32_t kReplicates = 5;

@@ -69,7 +69,7 @@ void compareOverFrames(
       variant->engine.update(scene.objects(), variant->settings, execution);
       ASSERT_TRUE(answerOf(variant->engine, scene.objects(), settings.separateSides) == fresh)
         << "scene " << seed << ", frame " << frame << ", " << *variant;
-      EXPECT_EQ(variant->engine.statistics().shootSeconds > 0, frame == 0) << "shot anew";
+      EXPECT_EQ(variant->engine.statistics().shootSeconds > 0, frame == 0) << "shot again";
     }
     invalid += variants[0]->engine.statistics().invalidWalks;
     repaired += variants[0]->engine.statistics().repairedSegments;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The numbers of Python are those of C++, bit for bit, in the scene that ParaView is compared in, too."""
+"""Python and C++ have the same numbers, bit for bit, in the scene that ParaView is compared in, too."""
 import os
 import subprocess
 import tempfile

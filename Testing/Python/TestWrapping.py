@@ -21,7 +21,7 @@ def public_part(header):
 
 
 def methods(header):
-    """The methods that a header declares, by itself or through VTK's macros."""
+    """The methods that a header declares, in full or through VTK's macros."""
     text = public_part(header)
     for kind, name in MACRO.findall(text):
         yield from (f"{name}On", f"{name}Off") if kind == "Boolean" else (kind + name,)

@@ -328,7 +328,7 @@ TEST(EllipsoidBound, BoxContainsTheBodyAndIsTight)
       }
     }
     std::printf(
-      "%s: area of the box over that of the corners' box %.3f\n", body.name.c_str(), areaRatio / n);
+      "%s: area of the box over the corners' box %.3f\n", body.name.c_str(), areaRatio / n);
     EXPECT_LE(areaRatio / n, 1.6) << body.name;
   }
   EXPECT_GE(tests, 300000);

@@ -113,7 +113,7 @@ TEST_P(KdTreeLaw, FindsWhatBruteForceFinds)
   EXPECT_GT(hits, numberOfRays());
 }
 
-// `from` may be any distance up to that of the hit.
+// `from` may be any distance up to the hit.
 TEST_P(KdTreeLaw, MayStartAnywhereBeforeTheHit)
 {
   constexpr unsigned kSeed = 2;

@@ -391,7 +391,7 @@ TEST(PolygonTriangulation, QuadsAreCutAlongTheFirstDiagonalThatLiesInside)
   EXPECT_GT(bent, 5);
 }
 
-// Its area vector is that of the bend, and lies in the plane of the wings.
+// Its area vector belongs to the bend, and lies in the plane of the wings.
 TEST(PolygonTriangulation, BentBowTie)
 {
   const Cut cut({ { 0, 0, 0 }, { 1, 1, 0.01 }, { 1, 0, 0 }, { 0, 1, 0 } });

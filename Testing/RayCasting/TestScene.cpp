@@ -11,7 +11,7 @@
 #include <cstring>
 #include <initializer_list>
 
-// Law: all traversal modes give the same bits, those of brute force.
+// Law: all traversal modes and brute force give the same bits.
 
 namespace irradiance
 {
@@ -204,7 +204,7 @@ TEST(Scene, WithoutMovedObjectsNothingIsHit)
   EXPECT_FALSE(test::castMoved(scene, { { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
 }
 
-// The bounds of a body beyond the range of doubles are unknown. Those of the others must still count.
+// The bounds of a body beyond the range of doubles are unknown. The bounds of the others must still count.
 TEST(Scene, ABodyWithoutBoundsAmongMany)
 {
   const auto ball = test::bodyOf(test::icosphere(1));

@@ -174,7 +174,7 @@ TEST(SurfacePoint, LiesInTheTriangleOffItsEdges)
 }
 
 // Law: no point is farther off than verification assumes, not even on the slenderest triangles. The
-// weights are rounded as those of a hit are.
+// weights are rounded as the weights of a hit are.
 TEST_P(SpawnedRays, BeginWithinTheClearance)
 {
   constexpr unsigned kSeed = 7;

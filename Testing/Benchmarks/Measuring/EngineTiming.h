@@ -27,7 +27,7 @@ inline UpdateTime timeUpdate(irradiance::IrradianceEngine& engine,
   const double start = execution.seconds();
   engine.update(objects, settings, execution);
   const double whole = execution.seconds() - start;
-  // The engine's own clocks run on while the machine does other things; only their ratios are used.
+  // The engine's own clocks run on while the machine does other work; only their ratios are used.
   const irradiance::EngineStatistics& cost = engine.statistics();
   const double perSecond = whole / (cost.shootSeconds + cost.verifySeconds + cost.repairSeconds);
   return { whole, cost.verifySeconds * perSecond, cost.repairSeconds * perSecond };

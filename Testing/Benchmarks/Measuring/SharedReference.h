@@ -23,7 +23,7 @@ public:
 
   /// Of a run with another seed: the mean square difference from the truth over the area, in units of
   /// the square of the mean irradiance. The error of the reference is taken off, so it is right on the
-  /// average of many runs, and that of one may be negative where the reference is poor.
+  /// average of many runs; in one run it may be negative where the reference is poor.
   double squaredError(const CellField& field) const;
 
   /// Mean irradiance, ours / theirs.

@@ -16,7 +16,7 @@ struct Shot
   CellField irradiance;
 };
 
-/// By an engine that is new, or that is to shoot anew.
+/// By an engine that is new, or that is to shoot again.
 inline Shot shoot(irradiance::IrradianceEngine& engine, const irradiance::SceneObjects& objects,
   const irradiance::EngineSettings& settings)
 {

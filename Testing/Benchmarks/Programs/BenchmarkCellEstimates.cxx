@@ -2,12 +2,12 @@
 /**
  * What each estimate of the irradiance of cells makes of the same walks: its error on what stands and on
  * what moves, how much of it is blur, what becomes of a sharp edge of a shadow, and the time of a frame.
- * The rival is the classic photon map, built anew in each frame from walks that are not stored.
+ * The rival is the classic photon map, built again in each frame from walks that are not stored.
  *
  * Errors are RMS over the area of a part of a scene, in units of that part's mean irradiance. The truth
  * comes from two long runs r and s: the mean of (x - r)(x - s) is the squared error of x, however noisy r and
- * s are. Blur is measured likewise, by the estimate of the long runs' own photons, as wide as that of the
- * largest number of walks. Times are CPU time of one thread.
+ * s are. Blur is measured likewise, by the estimate of the long runs' own photons, as wide as with the largest
+ * number of walks. Times are CPU time of one thread.
  *
  * Arguments: [most walks = 1000000] [seeds = 3] [walks of the truth = 32000000] [head.off] ["refinement": that alone]
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What verification costs when a scene has far things, and when many things move: a small ball that
+ * What verification costs when a scene has far objects, and when many objects move: a small ball that
  * moves in a room of 4 m, with another ball, a light or a lamp that is far; and 1 to 1000 balls that all
  * move. The cases take turns, frame by frame, and before any time counts each of them has to have the
  * answer of a fresh engine. One thread, CPU time.

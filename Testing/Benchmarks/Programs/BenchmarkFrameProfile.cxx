@@ -2,7 +2,7 @@
 /**
  * Where the whole Update() of vtkIrradianceFilter goes in a frame, output included: a room in which one
  * ball moves, or 200 small ones do. One thread, wall clock. In the first frame the output has to equal
- * that of a new filter.
+ * a new filter's.
  *
  * Arguments: [walks = 1000000] [frames = 20]
  */

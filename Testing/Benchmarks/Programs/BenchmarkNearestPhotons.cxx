@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * How fast the photons nearest to a place are found: the 50 nearest to places at random on the surfaces
- * of a room, by locators that are built anew in each frame, and by our leaf photons, of which only those
+ * of a room, by locators that are built again in each frame, and by our leaf photons, of which only those
  * of changed walks are moved. Before any time counts, all have to find what a search of all photons finds.
  * Ours takes only photons on sides that face as the sensor does, from a flattened world. One thread, CPU
  * time.
@@ -109,7 +109,7 @@ struct Frames
 
 const std::string kOurs = "leaf photons";
 
-/// The photons are those of the first frame.
+/// The photons are from the first frame.
 std::vector<Contestant> makeContestants(Frames& frames)
 {
   const std::vector<Vector3> photons = photonPoints(frames.engines[0]);
@@ -183,7 +183,7 @@ Cost costOf(PhotonLocator& locator, const std::vector<Sensor>& sensors, double w
 }
 
 /// What sensors cost that lie 10 m off all surface: with the distance that vtkIrradianceProbeFilter takes by
-/// itself, and with any. Before that counts, the surface found has to be that of a look at all triangles.
+/// itself, and with any. Before that counts, the surface found has to be the one that a look at all triangles finds.
 void timeFarSensors(IrradianceEngine& engine, const std::vector<Sensor>& near)
 {
   CpuTime execution;

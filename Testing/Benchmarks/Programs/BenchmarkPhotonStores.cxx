@@ -179,7 +179,7 @@ void reportMemory(const Photons& photons, const SceneObjects& objects, const std
     static_cast<double>(photons.bytes()) / static_cast<double>(count));
 }
 
-/// Throws unless the engine, which kept its photons up to date, has what is collected anew.
+/// Throws unless the engine, which kept its photons up to date, has what a new one collects.
 void requireFresh(IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
 {
   SpecularPhotons fresh(objects);
@@ -240,7 +240,7 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
   }
 }
 
-/// Throws unless the engine, which kept its photons up to date, has what is collected anew.
+/// Throws unless the engine, which kept its photons up to date, has what a new one collects.
 void requireFreshLeaves(IrradianceEngine& engine, Execution& execution)
 {
   LeafPhotons fresh(engine.objects());

@@ -33,7 +33,7 @@ const std::string kOurTwoLevel = "ours, two-level";
 /// Instructions that our casts can be held to.
 struct SimdChoice
 {
-  std::string name; ///< behind that of the rival; empty for the best that the machine has
+  std::string name; ///< behind the rival's; empty for the best that the machine has
   SimdLevel level;
 };
 
@@ -99,7 +99,7 @@ void castSets(
   }
 }
 
-/// Speed of `name` over that of `rival`: [set][round].
+/// Speed of `name` over the speed of `rival`: [set][round].
 std::vector<std::vector<double>> speedsOf(
   const Seconds& seconds, const std::string& name, const std::string& rival)
 {

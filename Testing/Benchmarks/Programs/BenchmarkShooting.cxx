@@ -3,7 +3,7 @@
  * Shooting and frames beside a plain tracer with Embree (Rivals/PlainTracer.h), at equal error.
  *
  * The efficiency of a shooting is 1 / (squared RMS error over the area x CPU time). A frame is compared
- * with the time in which the tracer, shooting anew, would reach the error that our update has: its own
+ * with the time in which the tracer, shooting everything again, would reach the error that our update has: its own
  * time x (its error / ours)^2. Building Embree's scene is not counted, which favours the tracer. Answers
  * are compared before any time counts. One thread, CPU time, in turns; two threads by the clock on the
  * wall.

@@ -125,7 +125,7 @@ void measureKeys()
       keys ||
     height != 0.01 * 5000)
   {
-    throw std::runtime_error("the pose at a key is not that of the key");
+    throw std::runtime_error("the pose at a key differs from the key");
   }
 }
 

@@ -11,7 +11,7 @@ A line of the template with nothing else is replaced if it is one of these:
     {{lines NAME: X | Y}}     its picture with lines, quantity Y over quantity X, see charts.lines
     {{further results}}       all tables that are not named before
 
-and these within a text, which is then wrapped anew:
+and these within a text, which is then wrapped again:
 
     {{value NAME | ROW | QUANTITY}}      the median
     {{scenes NAME | ROW | QUANTITY}}     the medians of the rows "SCENE, ROW" of all scenes

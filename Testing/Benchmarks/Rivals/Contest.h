@@ -77,7 +77,7 @@ private:
   SharedReference reference_;
 };
 
-/// Squared errors, the means of all rounds: that of a single run varies.
+/// Squared errors, the means of all rounds: the error of a single run varies.
 struct Errors
 {
   /// For the same time, how much more efficient ours is.

@@ -40,7 +40,7 @@ public:
   /// are in no order.
   void findNearest(
     const std::array<float, 3>& point, std::size_t count, std::vector<Neighbour>& found) const;
-  /// W/m2 at a point of a surface: the power of those of the nearest `count` photons that flew against
+  /// W/m2 at a point of a surface: the power of the photons, of the nearest `count`, that flew against
   /// the normal, over the disc through the farthest one.
   float irradiance(const std::array<float, 3>& point, const std::array<float, 3>& normal,
     std::size_t count, std::vector<Neighbour>& found) const;

@@ -25,7 +25,7 @@ public:
   /// Returns the number of walks that were shot. `pilots`: share of the walks. `seconds`: CPU time for
   /// the frame, at the end of which no further group is begun.
   std::size_t update(const irradiance::SceneObjects& objects, double pilots, double seconds);
-  /// All walks anew.
+  /// All walks again.
   void shootAll(const irradiance::SceneObjects& objects);
 
   const irradiance::CellSums& sums() const { return sums_; }

@@ -14,7 +14,7 @@
  * walks side by side, bounce by bounce, and adds 1 to a cell for each hit. A walk survives a hit with
  * probability = reflectance, so all photons have the same power and none is carried along. Everything is
  * in floats, random numbers are xorshift, nothing is stored, and a scene in which something has moved is
- * shot anew.
+ * shot again.
  */
 class PlainTracer
 {

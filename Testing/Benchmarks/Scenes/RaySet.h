@@ -6,7 +6,7 @@
 #include "Scenes/BenchmarkScene.h"
 
 /// Rays of a kind. Directions have unit length. Origins lie off the surface, so that no rival needs a
-/// rule against meeting the surface that a ray leaves; all numbers are those of a float, so that all
+/// rule against meeting the surface that a ray leaves; all numbers fit a float, so that all
 /// see the same rays.
 struct RaySet
 {

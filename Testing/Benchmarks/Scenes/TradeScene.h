@@ -25,7 +25,7 @@ struct TradeScene : MovingScene
 /// `head`: a file in the OFF format.
 std::vector<TradeScene> makeTradeScenes(const std::string& head);
 
-/// Every triangle cut into four `levels` times, each piece a cell: those of cell i are 4 i to 4 i + 3.
+/// Every triangle cut into four `levels` times, each piece a cell: cell i becomes the cells 4 i to 4 i + 3.
 irradiance::SceneObjects subdivided(const irradiance::SceneObjects& objects, int levels);
 
 #endif

@@ -4,9 +4,9 @@
 // An estimate is the mean of 32 independent passes. That it is off by more than 5 of its standard
 // errors happens by chance once in 47,000 times (Student's t, 31 degrees of freedom); each test states
 // how many values it compares. Seeds are fixed.
-#include "../../Testing/PhotonWalks/LambertContour.h"
-#include "../../Testing/PhotonWalks/TestScenes.h"
-#include "../../Testing/PhotonWalks/ThreadExecution.h"
+#include "../PhotonWalks/LambertContour.h"
+#include "../PhotonWalks/TestScenes.h"
+#include "../PhotonWalks/ThreadExecution.h"
 #include "BidirectionalTracer.h"
 #include "CameraRays.h"
 #include "CellIrradiance.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tracer against vtkIrradianceFilter, and what stands around it.
-#include "../../Testing/FiltersIrradiance/TestScenes.h"
+#include "../FiltersIrradiance/TestScenes.h"
 #include "BidirectionalTracer.h"
 #include "CellIrradiance.h"
 #include "CellRadiance.h"

@@ -55,7 +55,7 @@ std::optional<Vector3> Subpath::reflect(PathVertex& vertex)
   return {};
 }
 
-/// Where light is mirrored all densities are those of directions around it, which a mirror keeps. The
+/// Where light is mirrored all densities are over directions around it, which a mirror keeps. The
 /// same factor stands for both subpaths, and is left out.
 bool Subpath::arrive(PathVertex vertex)
 {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input at the edge of what can be computed: without light or cells, without area, with all light reflected.
+
+#include "OutputBits.h"
+#include "Reports.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace TestScenes;
+
+namespace
+{
+
+constexpr vtkIdType NumberOfWalks = 500;
+
+}
+
+// A point that no cell uses may have any coordinates.
+TEST(OddInput, UnusedPointThatIsNaN)
+{
+  const double nan = std::nan("");
+  Scene scene = MakeSmallScene();
+  scene.Moving[0].Model->GetPoints()->InsertNextPoint(nan, nan, nan);
+  scene.Moving[0].Model->GetPointData()->Initialize();
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
+}
+
+TEST(OddInput, NoLightIsOneWarningAndZeros)
+{
+  Scene scene = MakeSmallScene();
+  scene.Fixed.resize(1);
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  EXPECT_NE(observer->Warnings[0].find("no light"), std::string::npos);
+  vtkDataArray* irradiance = IrradianceOf(filter, 0, 0);
+  EXPECT_EQ(irradiance->GetNumberOfTuples(), 54);
+  EXPECT_EQ(irradiance->GetRange()[0], 0);
+  EXPECT_EQ(irradiance->GetRange()[1], 0);
+  EXPECT_EQ(Field(filter, "EmittedPower"), 0);
+}
+
+TEST(OddInput, NoInputIsAnEmptyOutput)
+{
+  const auto filter = MakeFilter({}, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_TRUE(observer->Warnings.empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
+}
+
+TEST(OddInput, EmptyPolyData)
+{
+  Scene scene = MakeSmallScene();
+  scene.Fixed.push_back(Mesh::New());
+  scene.Moving.push_back(MakeMoving(Mesh::New(), { 1, 1, 1 }));
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_EQ(OutputOf(filter->GetOutput(), 0, 2)->GetNumberOfCells(), 0);
+  EXPECT_EQ(OutputOf(filter->GetOutput(), 1, 2)->GetNumberOfCells(), 0);
+}
+
+TEST(OddInput, CellsWithoutAreaAreKeptAndReported)
+{
+  Scene scene = MakeSmallScene();
+  Mesh ball = Copy(scene.Moving[0].Model);
+  const vtkIdType ids[3] = { 5, 5, 6 };
+  ball->GetPolys()->ReplaceCellAtId(9, 3, ids);
+  ball->GetPolys()->ReplaceCellAtId(11, 3, ids);
+  scene.Moving[0].Model = ball;
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(observer->Errors.empty());
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  for (const char* word : { "input port 1, connection 0", "2 cells", "cell 9" })
+  {
+    EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
+  }
+  EXPECT_EQ(IrradianceOf(filter, 1, 0)->GetNumberOfTuples(), ball->GetNumberOfCells());
+  EXPECT_EQ(IrradianceOf(filter, 1, 0)->GetComponent(9, 0), 0);
+  EXPECT_EQ(IrradianceOf(filter, 1, 0)->GetComponent(11, 0), 0);
+
+  observer->Clear();
+  scene.Moving[0].Pose->Translate(0.1, 0, 0);
+  filter->Update();
+  EXPECT_TRUE(observer->Warnings.empty()); // reported once
+}
+
+// Light that is never absorbed is an error, not an endless update.
+TEST(OddInput, ReflectanceOneInAClosedRoom)
+{
+  Scene scene{ { MakeRoom(3, 1), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) }, {} };
+  for (const Mesh& mesh : scene.Fixed)
+  {
+    SetCellValues(mesh, "DiffuseReflectance", { 1 });
+  }
+  const std::string error = OnlyErrorOf(MakeFilter(scene, NumberOfWalks));
+  EXPECT_NE(error.find("reflectance"), std::string::npos) << error;
+}
+
+// Very little light counts: powers times 2^k give irradiances times 2^k.
+TEST(OddInput, TinyPowers)
+{
+  const Scene scene = MakeSmallScene();
+  const auto expected = MakeFilter(scene, NumberOfWalks);
+  expected->Update();
+  for (const int k : { -100, -900 })
+  {
+    SetCellValues(scene.Fixed[1], "RadiantExitance", { std::ldexp(100.0, k) });
+    const auto filter = MakeFilter(scene, NumberOfWalks);
+    filter->Update();
+    for (vtkIdType cell = 0; cell < 54; ++cell)
+    {
+      const double value = IrradianceOf(expected, 0, 0)->GetComponent(cell, 0);
+      EXPECT_EQ(IrradianceOf(filter, 0, 0)->GetComponent(cell, 0), std::ldexp(value, k))
+        << "k " << k << ", cell " << cell;
+    }
+  }
+  // A light below the normal doubles counts as none.
+  SetCellValues(scene.Fixed[1], "RadiantExitance", { std::ldexp(100.0, -1060) });
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_EQ(observer->Warnings.size(), 1u);
+  EXPECT_EQ(IrradianceOf(filter, 0, 0)->GetComponent(0, 0), 0.0);
+}

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Output port 1 after a motion: which walks were shot again, which are stale, and what is as in a new filter.
+
+#include "ErrorObserver.h"
+#include "ShownWalks.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <functional>
+
+using namespace ShownWalks;
+
+// Every walk that touches the moved object, before or after, and no other.
+TEST(OutputWalks, SayWhichWereRepaired)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeShowing(scene);
+  Walks before = UpdatedWalks(filter);
+  EXPECT_TRUE(RepairedOf(before).empty()) << "all were shot for the first time";
+  for (const int moved : { 0, 1, 0 })
+  {
+    SCOPED_TRACE(moved);
+    Ids expected = Touching(filter, 1, moved);
+    scene.Moving[static_cast<std::size_t>(moved)].Pose->Translate(0.2, -0.1, 0.15);
+    const Walks after = UpdatedWalks(filter);
+    EXPECT_EQ(RepairedOf(after).size(), Field(filter, "NumberOfInvalidWalks"));
+    double segments = 0;
+    for (const auto& [id, walk] : after)
+    {
+      SCOPED_TRACE(id);
+      const auto news = std::count(walk.IsNew.begin(), walk.IsNew.end(), true);
+      const auto kept = walk.IsNew.size() - static_cast<std::size_t>(news);
+      EXPECT_EQ(walk.Repaired, news > 0);
+      EXPECT_TRUE(std::is_sorted(walk.IsNew.begin(), walk.IsNew.end())) << "a tail";
+      ASSERT_GE(before.at(id).Points.size(), kept);
+      EXPECT_TRUE(
+        std::equal(walk.Points.begin(), walk.Points.end() - news, before.at(id).Points.begin()));
+      EXPECT_TRUE(walk.Repaired || walk.Points == before.at(id).Points);
+      segments += static_cast<double>(news);
+    }
+    EXPECT_EQ(segments, Field(filter, "NumberOfRepairedSegments"));
+    const Ids now = Touching(filter, 1, moved);
+    expected.insert(now.begin(), now.end());
+    EXPECT_EQ(RepairedOf(after), expected);
+    EXPECT_GT(expected.size(), 50u);
+    EXPECT_LT(expected.size(), static_cast<std::size_t>(NumberOfWalks) / 2);
+    before = after;
+  }
+}
+
+TEST(OutputWalks, SayWhichAThingTouchedThatCameOrLeft)
+{
+  const Scene scene = MakeSmallScene();
+  const Mesh ball = Copy(scene.Moving[0].Model);
+  const auto filter = MakeShowing(scene);
+  filter->Update();
+  const Ids touching = Touching(filter, 1, 0);
+  EXPECT_GT(touching.size(), 50u);
+  for (const bool leaves : { true, false, true })
+  {
+    scene.Moving[0].Model->ShallowCopy(leaves ? Mesh::New() : ball);
+    const Walks after = UpdatedWalks(filter);
+    EXPECT_FALSE(HasShot(filter));
+    EXPECT_EQ(RepairedOf(after), touching);
+    EXPECT_EQ(Touching(filter, 1, 0), leaves ? Ids() : touching);
+  }
+}
+
+TEST(OutputWalks, KeepTheMarksWhileNothingMoves)
+{
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeShowing(scene);
+  filter->Update();
+  scene.Moving[0].Pose->Translate(0.2, 0, 0);
+  const Ids repaired = RepairedOf(UpdatedWalks(filter));
+  filter->SetNumberOfOutputWalks(NumberOfWalks / 2);
+  Ids half = RepairedOf(UpdatedWalks(filter));
+  EXPECT_EQ(half, Ids(repaired.begin(), repaired.lower_bound(NumberOfWalks / 2)));
+  EXPECT_FALSE(half.empty());
+  filter->SetNumberOfOutputWalks(0);
+  filter->Update();
+  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfPoints(), 0);
+  filter->SetNumberOfOutputWalks(All);
+  EXPECT_EQ(RepairedOf(UpdatedWalks(filter)), repaired);
+  filter->SetSeed(2);
+  EXPECT_TRUE(RepairedOf(UpdatedWalks(filter)).empty());
+  EXPECT_TRUE(HasShot(filter));
+}
+
+TEST(OutputWalks, AreThoseOfANewFilter)
+{
+  using Setting = std::function<void(vtkIrradianceFilter*)>;
+  const std::vector<Setting> settings{ [](vtkIrradianceFilter*) {},
+    [](vtkIrradianceFilter* filter) { filter->SeparateSidesOn(); },
+    [](vtkIrradianceFilter* filter) {
+      ErrorObserver::Watch(filter); // the target is not reached
+      filter->SetTargetRelativeError(0.2);
+      filter->SetMaximumNumberOfWalks(4 * NumberOfWalks);
+      filter->SetNumberOfReplicates(5);
+    },
+    [](vtkIrradianceFilter* filter) {
+      filter->SetOutputWalksPort(1);
+      filter->SetOutputWalksConnection(1);
+      filter->SetOutputWalksCell(5);
+    } };
+  for (std::size_t i = 0; i < settings.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    Scene scene = MakeOpenScene();
+    SetCellValues(scene.Fixed[1], "RadiantExitance", { 50, 100, 25 });
+    SetCellValues(scene.Moving[0].Model, "DiffuseReflectance", { 0.1 });
+    SetCellValues(scene.Moving[0].Model, "SpecularReflectance", { 0.8 });
+    SetCellValues(scene.Moving[0].Model, "PhongExponent", { 40 });
+    const auto filter = MakeShowing(scene);
+    settings[i](filter);
+    filter->Update();
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      scene.Moving[0].Pose->Translate(0.1, 0.2, frame % 2 ? 1.2 : -1);
+      scene.Moving[1].Pose->RotateZ(20);
+      filter->Update();
+      const auto fresh = MakeShowing(scene);
+      settings[i](fresh);
+      vtkSMPTools::LocalScope(
+        vtkSMPTools::Config{ 1, "STDThread", false }, [&] { fresh->Update(); });
+      EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
+      EXPECT_GT(fresh->GetWalksOutput()->GetNumberOfCells(), 0);
+      EXPECT_TRUE(RepairedOf(WalksOf(fresh->GetWalksOutput())).empty());
+    }
+  }
+}
+
+TEST(OutputWalks, OfAStaticSceneAreShotOnce)
+{
+  Scene scene = MakeSmallScene();
+  scene.Moving.clear();
+  const auto filter = MakeShowing(scene, 0);
+  filter->Update();
+  filter->SetNumberOfOutputWalks(100);
+  filter->Update();
+  EXPECT_TRUE(HasShot(filter)) << "they were not stored";
+  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 100);
+  filter->SetNumberOfOutputWalks(200);
+  filter->Update();
+  EXPECT_FALSE(HasShot(filter));
+  filter->SetNumberOfOutputWalks(0);
+  filter->Update();
+  filter->SetOutputWalksCell(4);
+  filter->SetNumberOfOutputWalks(20);
+  filter->Update();
+  EXPECT_FALSE(HasShot(filter));
+  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 20);
+}
+
+TEST(OutputWalks, SayWhichAreStale)
+{
+  constexpr double noTime = 1e-9; // s; over when it begins
+  const Scene scene = MakeSmallScene();
+  const auto filter = MakeShowing(scene);
+  filter->SetRepairTimeBudget(noTime);
+  EXPECT_TRUE(IdsOf(UpdatedWalks(filter)).size() == static_cast<std::size_t>(NumberOfWalks));
+  EXPECT_TRUE(filter->GetWalksOutput()->GetCellData()->HasArray("Stale"));
+  scene.Moving[0].Pose->Translate(0.2, 0, 0);
+  const auto full = MakeShowing(scene);
+  full->SetRepairTimeBudget(10);
+  scene.Moving[0].Pose->Translate(-0.2, 0, 0);
+  full->Update();
+  scene.Moving[0].Pose->Translate(0.2, 0, 0);
+  const Ids expected = RepairedOf(UpdatedWalks(full));
+  Ids repaired;
+  std::size_t left = expected.size();
+  for (int calls = 0; left > 0; ++calls)
+  {
+    filter->Modified();
+    const Walks walks = UpdatedWalks(filter);
+    Ids waiting = expected;
+    const Ids now = RepairedOf(walks);
+    EXPECT_GT(now.size(), 0u);
+    repaired.insert(now.begin(), now.end());
+    std::size_t stale = 0;
+    double power = 0;
+    for (const auto& [id, walk] : walks)
+    {
+      EXPECT_EQ(walk.Stale, expected.count(id) > 0 && repaired.count(id) == 0) << id;
+      stale += walk.Stale;
+      power += walk.Stale ? walk.Power[0] : 0;
+    }
+    EXPECT_NEAR(power, Field(filter, "StalePower"), 1e-9 * Field(filter, "EmittedPower"));
+    ASSERT_LT(stale, left) << "call " << calls;
+    left = stale;
+    filter->SetRepairTimeBudget(calls < 3 ? noTime : 10);
+  }
+  EXPECT_EQ(repaired, expected);
+  EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(full)));
+}
