@@ -2,16 +2,16 @@
 #ifndef irradiance_IrradianceEngine_h
 #define irradiance_IrradianceEngine_h
 
+#include "Estimates/CellEstimate.h"
+#include "Estimates/CellSpread.h"
+#include "Estimates/ErrorEstimate.h"
+#include "Estimates/NearestCells.h"
 #include "Execution/Execution.h"
 #include "Light/Contacts.h"
 #include "Light/SceneCells.h"
-#include "NearestCells.h"
 #include "Photons/LeafPhotons.h"
 #include "Photons/SpecularPhotons.h"
 #include "Repair/SceneChange.h"
-#include "Tally/CellEstimate.h"
-#include "Tally/CellSpread.h"
-#include "Tally/ErrorEstimate.h"
 #include "Walks/WalkSet.h"
 
 #include <memory>

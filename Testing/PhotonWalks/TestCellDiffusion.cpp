@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestScenes.h"
 
+#include "Estimates/CellDiffusion.h"
 #include "Simd/SimdLevel.h"
-#include "Tally/CellDiffusion.h"
 
 #include "../RayCasting/RandomVectors.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestScenes.h"
 
-#include "Tally/CellNeighbours.h"
+#include "Estimates/CellNeighbours.h"
 
 #include <gtest/gtest.h>
 

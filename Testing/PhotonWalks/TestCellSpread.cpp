@@ -2,8 +2,8 @@
 // Sums of cells, spread over the cells around them: what is conserved, and what it depends on.
 
 #include "EngineRun.h"
+#include "Estimates/CellSpread.h"
 #include "MovingScene.h"
-#include "Tally/CellSpread.h"
 #include "ThreadExecution.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,8 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
         {
           for (std::uint32_t i = 0; i < plan.replicates().count(); ++i)
           {
-            sums.set({ object, cell, side }, band, i, times *
+            sums.set({ object, cell, side }, band, i,
+              times *
                 static_cast<std::int64_t>(random.engine() % 3 * (random.engine() % (1u << 30))));
           }
         }

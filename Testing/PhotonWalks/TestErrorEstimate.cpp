@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
-#include "Tally/ErrorEstimate.h"
+#include "Estimates/ErrorEstimate.h"
 #include "TestScenes.h"
 
 #include "../RayCasting/RandomVectors.h"

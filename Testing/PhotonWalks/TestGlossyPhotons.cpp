@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GlossyPhotons.h"
+#include "Views/GlossyPhotons.h"
 
 #include "../RayCasting/RandomVectors.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OutgoingRadiance.h"
+#include "Views/OutgoingRadiance.h"
 
 #include "EngineRun.h"
 #include "MovingScene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tally/StudentT.h"
+#include "Estimates/StudentT.h"
 
 #include <gtest/gtest.h>
 

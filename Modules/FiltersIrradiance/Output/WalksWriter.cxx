@@ -2,7 +2,7 @@
 #include "Output/WalksWriter.h"
 
 #include "Progress/InputError.h"
-#include "WalkPaths.h"
+#include "Views/WalkPaths.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exposure/ReplicateSums.h"
 
-#include "Tally/ErrorEstimate.h"
+#include "Estimates/ErrorEstimate.h"
 
 #include <algorithm>
 #include <cmath>

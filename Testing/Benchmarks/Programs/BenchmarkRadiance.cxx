@@ -11,7 +11,7 @@
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "OutgoingRadiance.h"
+#include "Views/OutgoingRadiance.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tally/ErrorEstimate.h"
+#include "Estimates/ErrorEstimate.h"
 
+#include "Estimates/StudentT.h"
 #include "Execution/SlicedPass.h"
-#include "Tally/StudentT.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #ifndef irradiance_OutgoingRadiance_h
 #define irradiance_OutgoingRadiance_h
 
-#include "GlossyPhotons.h"
 #include "IrradianceEngine.h"
+#include "Views/GlossyPhotons.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #ifndef irradiance_CellDiffusion_h
 #define irradiance_CellDiffusion_h
 
-#include "Tally/CellNeighbours.h"
+#include "Estimates/CellNeighbours.h"
 
 #include <cstdint>
 #include <vector>

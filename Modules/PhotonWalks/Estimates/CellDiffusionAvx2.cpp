@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
+#include "Estimates/CellDiffusion.h"
 #include "Simd/SimdTarget.h"
-#include "Tally/CellDiffusion.h"
 
 #include <immintrin.h>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
 
-#include "Tally/CellDiffusion.inl"
+#include "Estimates/CellDiffusion.inl"
 
 namespace irradiance
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tally/CellNeighbours.h"
+#include "Estimates/CellNeighbours.h"
 
 #include "Meshes/MeshEdges.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tally/CellDiffusion.h"
+#include "Estimates/CellDiffusion.h"
 
 #include "Simd/SimdLevel.h"
 
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "Tally/CellDiffusion.inl"
+#include "Estimates/CellDiffusion.inl"
 
 namespace irradiance
 {

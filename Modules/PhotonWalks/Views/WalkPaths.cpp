@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WalkPaths.h"
+#include "Views/WalkPaths.h"
 
 #include "Execution/SlicedPass.h"
 

@@ -2,8 +2,8 @@
 #ifndef irradiance_CellSpread_h
 #define irradiance_CellSpread_h
 
+#include "Estimates/CellDiffusion.h"
 #include "Execution/Execution.h"
-#include "Tally/CellDiffusion.h"
 #include "Tally/CellSums.h"
 
 #include <memory>

@@ -2,10 +2,10 @@
 #ifndef irradiance_GlossyPhotons_h
 #define irradiance_GlossyPhotons_h
 
-#include "Eye.h"
 #include "Light/PhongLobe.h"
 #include "Light/Power.h"
 #include "Meshes/SurfacePoint.h"
+#include "Views/Eye.h"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "NearestCells.h"
+#include "Estimates/NearestCells.h"
 
 #include "Execution/SlicedPass.h"
 #include "Photons/PhotonLeaf.h"

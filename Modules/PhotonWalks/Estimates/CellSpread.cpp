@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tally/CellSpread.h"
+#include "Estimates/CellSpread.h"
 
 #include "Execution/SlicedPass.h"
 

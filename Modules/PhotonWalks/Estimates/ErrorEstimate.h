@@ -2,8 +2,8 @@
 #ifndef irradiance_ErrorEstimate_h
 #define irradiance_ErrorEstimate_h
 
+#include "Estimates/CellSpread.h"
 #include "Execution/Execution.h"
-#include "Tally/CellSpread.h"
 
 #include <algorithm>
 #include <array>
