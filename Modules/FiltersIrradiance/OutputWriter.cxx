@@ -199,7 +199,7 @@ void OutputWriter::write(const std::vector<InputConnection>& statics,
   const auto makeStatic = [&](const InputPart& part) {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
     polyData->ShallowCopy(part.polyData);
-    addIrradiance(polyData, 0, scene_.firstCellOfStatic(staticPart++));
+    addIrradiance(polyData, { 0, scene_.firstCellOfStatic(staticPart++) });
     return polyData;
   };
   std::uint32_t object = 0;
@@ -212,7 +212,7 @@ void OutputWriter::write(const std::vector<InputConnection>& statics,
     {
       polyData->GetFieldData()->RemoveArray(part.innerPose);
     }
-    addIrradiance(polyData, ++object, 0);
+    addIrradiance(polyData, { ++object, 0 });
     return polyData;
   };
   writeBlocks(statics, dynamics, makeStatic, makeDynamic, output);
@@ -247,67 +247,63 @@ void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
   writeBlocks(statics, dynamics, makePart, makePart, output);
 }
 
-void OutputWriter::addIrradiance(
-  vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const
+void OutputWriter::addIrradiance(vtkPolyData* polyData, const SceneCell& first) const
 {
   int side = 0;
   for (const char* suffix : suffixesOf(settings_))
   {
-    addSide(polyData, suffix, object, firstCell, side++);
+    addSide(polyData, suffix, { first, side++ });
   }
   activateIrradiance(polyData, settings_);
 }
 
-void OutputWriter::addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
-  std::size_t firstCell, int side) const
+void OutputWriter::addSide(
+  vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const
 {
-  const std::vector<double>& areas = scene_.areas(object);
   const auto add = [&](const std::string& name, const auto& value) {
     vtkNew<vtkDoubleArray> array;
     array->SetName(name.c_str());
     array->SetNumberOfComponents(scene_.bands());
     array->SetNumberOfTuples(polyData->GetNumberOfCells());
     CheckpointPace pace(checkpoint_);
-    for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
+    CellSide cell = first;
+    for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i, ++cell.cell)
     {
       pace.step();
-      const std::size_t cell = firstCell + static_cast<std::size_t>(i);
       for (int band = 0; band < scene_.bands(); ++band)
       {
-        array->SetTypedComponent(i, band, value(cell, band, areas[cell]));
+        array->SetTypedComponent(i, band, value(cell, band));
       }
     }
     polyData->GetCellData()->AddArray(array);
   };
-  add(irradianceName(suffix), [&](std::size_t cell, int band, double area) {
-    return engine_.irradiance(object, cell, side, band, area);
-  });
+  add(irradianceName(suffix),
+    [&](const CellSide& cell, int band) { return engine_.irradiance(cell, band); });
   if (withErrors_)
   {
-    add(standardErrorName(suffix), [&](std::size_t cell, int band, double area) {
-      return standardError(object, cell, side, band, area);
-    });
+    add(standardErrorName(suffix),
+      [&](const CellSide& cell, int band) { return standardError(cell, band); });
   }
   if (withReplicates_)
   {
-    add(photonName(suffix), [&](std::size_t cell, int band, double area) {
-      return area > 0 ? engine_.watts(errors_.photon(object, cell, side, band)) / area : 0.0;
+    add(photonName(suffix), [&](const CellSide& cell, int band) {
+      const double area = engine_.cells().area(cell);
+      return area > 0 ? engine_.watts(errors_.photon(cell, band)) / area : 0.0;
     });
   }
   if (withReplicates_ && withErrors_)
   {
-    addReplicates(polyData, suffix, object, firstCell, side);
+    addReplicates(polyData, suffix, first);
   }
   if (settings_.repairTimeBudget > 0)
   {
-    add(staleName(suffix), [&](std::size_t cell, int band, double area) {
-      return engine_.staleIrradiance(object, cell, side, band, area);
-    });
+    add(staleName(suffix),
+      [&](const CellSide& cell, int band) { return engine_.staleIrradiance(cell, band); });
   }
 }
 
-void OutputWriter::addReplicates(vtkPolyData* polyData, const std::string& suffix,
-  std::uint32_t object, std::size_t firstCell, int side) const
+void OutputWriter::addReplicates(
+  vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const
 {
   const int bands = scene_.bands();
   const auto replicates = static_cast<int>(errors_.replicates());
@@ -315,27 +311,26 @@ void OutputWriter::addReplicates(vtkPolyData* polyData, const std::string& suffi
   parts->SetName(replicatesName(suffix).c_str());
   parts->SetNumberOfComponents(replicates * bands);
   parts->SetNumberOfTuples(polyData->GetNumberOfCells());
-  const std::vector<double>& areas = scene_.areas(object);
   CheckpointPace pace(checkpoint_);
-  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
+  CellSide cell = first;
+  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i, ++cell.cell)
   {
-    const std::size_t cell = firstCell + static_cast<std::size_t>(i);
+    const double area = engine_.cells().area(cell);
     for (int part = 0; part < replicates * bands; ++part)
     {
       pace.step();
-      const double quanta = errors_.ofReplicate(
-        object, cell, side, part % bands, static_cast<std::uint32_t>(part / bands));
-      parts->SetTypedComponent(
-        i, part, areas[cell] > 0 ? engine_.watts(quanta) / areas[cell] : 0.0);
+      const double quanta =
+        errors_.ofReplicate(cell, part % bands, static_cast<std::uint32_t>(part / bands));
+      parts->SetTypedComponent(i, part, area > 0 ? engine_.watts(quanta) / area : 0.0);
     }
   }
   polyData->GetCellData()->AddArray(parts);
 }
 
-double OutputWriter::standardError(
-  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+double OutputWriter::standardError(const CellSide& cell, int band) const
 {
-  return area > 0 ? engine_.watts(errors_.standardError(object, cell, side, band)) / area
+  const double area = engine_.cells().area(cell);
+  return area > 0 ? engine_.watts(errors_.standardError(cell, band)) / area
                   : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -52,17 +52,15 @@ private:
   static void writeBlocks(const std::vector<InputConnection>& statics,
     const std::vector<InputConnection>& dynamics, const MakePart& makeStatic,
     const MakePart& makeDynamic, vtkMultiBlockDataSet* output);
-  void addIrradiance(vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) const;
+  /// `first`: of the cells of the polydata.
+  void addIrradiance(vtkPolyData* polyData, const SceneCell& first) const;
   /// `suffix`: part of the arrays' names, such as Front.
-  void addSide(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
-    std::size_t firstCell, int side) const;
+  void addSide(vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const;
   /// See ReplicateArrays.h.
-  void addReplicates(vtkPolyData* polyData, const std::string& suffix, std::uint32_t object,
-    std::size_t firstCell, int side) const;
+  void addReplicates(vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const;
   void addFieldData(vtkMultiBlockDataSet* output) const;
   /// W/m2; NaN where it is not known.
-  double standardError(
-    std::uint32_t object, std::size_t cell, int side, int band, double area) const;
+  double standardError(const CellSide& cell, int band) const;
 
   const IrradianceEngine& engine_;
   const SceneReader& scene_;

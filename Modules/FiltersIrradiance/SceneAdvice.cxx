@@ -84,20 +84,6 @@ std::vector<std::string> SceneAdvice::warnings() const
   return warnings;
 }
 
-bool SceneAdvice::emits(std::uint32_t object, std::size_t cell) const
-{
-  const Material& material = *objects_[object].material;
-  const auto bands = static_cast<std::size_t>(material.bands);
-  for (std::size_t i = 0; !material.exitance.empty() && i < bands; ++i)
-  {
-    if (material.exitance[cell * bands + i] > 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Calls visit(part, cell, triangle in the world) for all that is there.
 template <class Visit>
 void SceneAdvice::forEachTriangle(const Visit& visit) const
@@ -135,7 +121,7 @@ void SceneAdvice::findParts(
   }
   forEachTriangle([&](std::size_t part, std::size_t cell, const Triangle& triangle) {
     Part& at = parts_[part];
-    const bool isLamp = emits(at.object, cell);
+    const bool isLamp = objects_[at.object].material->hasExitance(cell);
     (isLamp ? at.emitting : at.dark).add(triangle.bounds());
     const Material& material = *objects_[at.object].material;
     for (int band = 0; isLamp && band < material.bands; ++band)
@@ -155,18 +141,18 @@ bool SceneAdvice::isUnlit() const
   const CellSums& sums = engine_.sums();
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
-    const std::vector<double>& areas = scene_.areas(object);
-    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+    const Material& material = *objects_[object].material;
+    for (SceneCell cell{ object, 0 }; cell.cell < material.numberOfCells; ++cell.cell)
     {
       pace.step();
-      if (!(areas[cell] > 0) || emits(object, cell))
+      if (!(engine_.cells().area(cell) > 0) || material.hasExitance(cell.cell))
       {
         continue;
       }
       hasOthers = true;
       for (int i = 0; i < sums.sides() * scene_.bands(); ++i)
       {
-        if (sums.sum(object, cell, i / scene_.bands(), i % scene_.bands()) != 0)
+        if (sums.sum({ cell, i / scene_.bands() }, i % scene_.bands()) != 0)
         {
           return false;
         }
@@ -199,7 +185,7 @@ std::vector<bool> SceneAdvice::partsThatFaceAway() const
     faceAway[i] = faceAway[i] && !others[i].isEmpty();
   }
   forEachTriangle([&](std::size_t part, std::size_t cell, const Triangle& triangle) {
-    if (!faceAway[part] || !emits(parts_[part].object, cell))
+    if (!faceAway[part] || !objects_[parts_[part].object].material->hasExitance(cell))
     {
       return;
     }
@@ -284,13 +270,8 @@ std::string SceneAdvice::sceneLengthWarning() const
     return {};
   }
   double area = 0;
-  for (std::uint32_t object = 0; object < objects_.size(); ++object)
-  {
-    for (const double cell : scene_.areas(object))
-    {
-      area += cell;
-    }
-  }
+  engine_.cells().numbers().forEach(
+    [&](const SceneCell& cell) { area += engine_.cells().area(cell); });
   const double emitted = this->emitted();
   if (!(emitted > 0 && emitted < kThinLight * area))
   {

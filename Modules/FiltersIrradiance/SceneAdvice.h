@@ -59,7 +59,6 @@ private:
     const std::vector<InputConnection>& statics, const std::vector<InputConnection>& dynamics);
   double emitted() const; ///< W, of all bands
   double escaped() const;
-  bool emits(std::uint32_t object, std::size_t cell) const;
   bool isUnlit() const;
   std::vector<bool> partsThatFaceAway() const;
   Box allBut(std::size_t part) const;

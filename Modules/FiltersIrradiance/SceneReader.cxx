@@ -129,7 +129,6 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
   hasNews_ = hasNews_ || dynamicStamps_.size() != dynamicParts.size();
   dynamicStamps_.resize(dynamicParts.size());
   objects_.dynamicObjects.resize(dynamicParts.size());
-  areas_.resize(dynamicParts.size() + 1);
   readStatic(staticParts, checkpoint);
   for (std::size_t i = 0; i < dynamicParts.size(); ++i)
   {
@@ -140,7 +139,6 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
     {
       checkReach(dynamicParts[i]->name, object.worldFromObject, object.body->mesh().bounds());
     }
-    areas_[i + 1] = cellAreas(object, checkpoint);
   }
   checkDigits(objects_);
   flattenManySmall(objects_);
@@ -186,7 +184,6 @@ void SceneReader::readStatic(const Parts& staticParts, const Checkpoint& checkpo
     convert(*part, all, checkpoint);
   }
   adopt(std::move(all), objects_.staticObject, false, checkpoint);
-  areas_[0] = cellAreas(objects_.staticObject, checkpoint);
   staticStamps_ = std::move(stamps);
 }
 

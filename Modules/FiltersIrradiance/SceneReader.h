@@ -38,8 +38,6 @@ public:
     const std::vector<InputConnection>& dynamicConnections);
   /// Number of the first cell of a static part among the cells of object 0.
   std::size_t firstCellOfStatic(std::size_t part) const { return firstCell_[part]; }
-  /// World area of the cells of an object, m2.
-  const std::vector<double>& areas(std::uint32_t object) const { return areas_[object]; }
   /// New warnings since the last call, about inputs that can be computed all the same.
   std::vector<std::string> takeWarnings();
   /// Whether anything but poses has changed since forgetNews(): cells, materials, parts that are there.
@@ -85,7 +83,6 @@ private:
   std::vector<std::optional<Stamp>> dynamicStamps_;
   SceneObjects objects_;
   std::vector<std::size_t> firstCell_;
-  std::vector<std::vector<double>> areas_;
   std::vector<std::string> warnings_;
   bool hasNews_ = false;
 };

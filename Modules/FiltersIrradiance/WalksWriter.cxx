@@ -167,9 +167,9 @@ std::vector<std::uint32_t> WalksWriter::choose(
     return {};
   }
   const SceneCell cell = request_.port == 0
-    ? SceneCell{ 0, static_cast<std::uint32_t>(scene.firstCellOfStatic(cell_->part) + cell_->cell) }
+    ? SceneCell{ 0, scene.firstCellOfStatic(cell_->part) + static_cast<std::size_t>(cell_->cell) }
     : SceneCell{ static_cast<std::uint32_t>(cell_->part + 1),
-        static_cast<std::uint32_t>(cell_->cell) };
+        static_cast<std::size_t>(cell_->cell) };
   return paths.touching(cell, most, execution);
 }
 

@@ -201,7 +201,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
     for (vtkIdType cell = unit.begin; cell < unit.end; ++cell)
     {
       const auto towardsEye =
-        radiance(unit.object, unit.firstCell + static_cast<std::size_t>(cell), eye);
+        radiance({ unit.object, unit.firstCell + static_cast<std::size_t>(cell) }, eye);
       for (int band = 0; band < bands; ++band)
       {
         unit.radiance->SetTypedComponent(cell, band, towardsEye[static_cast<std::size_t>(band)]);

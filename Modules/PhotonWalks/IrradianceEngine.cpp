@@ -2,121 +2,98 @@
 #include "IrradianceEngine.h"
 
 #include "Execution/ProgressSpan.h"
-#include "Execution/SlicedPass.h"
-#include "History/PointFrame.h"
-#include "Repair/SceneChange.h"
-#include "Shooting/WalkBatch.h"
+#include "Execution/Stopwatch.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <numeric>
 #include <utility>
 
 namespace irradiance
 {
 
-namespace
-{
-
-WalkPlan planOf(const EngineSettings& settings)
-{
-  assert(settings.replicates >= (settings.targetRelativeError > 0 ? 2u : 1u));
-  return { settings.numberOfWalks,
-    settings.targetRelativeError > 0 ? settings.maximumNumberOfWalks : settings.numberOfWalks,
-    settings.replicates };
-}
-
-}
-
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
-  const WalkPlan plan = planOf(settings);
+  const FrameChange change = changeTo(objects, settings, execution);
+  const bool isFresh = change == FrameChange::Fresh;
+  const std::vector<bool> moved = isFresh ? std::vector<bool>() : findMoved(objects, objects_);
+  const std::size_t bytes = statistics_.historyBytes, blocks = history().size();
+  isValid_ = false; // until the end is reached
+  ++state_;
+  objects_ = objects;
+  // A history that is kept stays, for those who ask for photons again.
+  const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
+  settings_ = settings;
+  settings_.keepPhotons = keepsPhotons;
+  statistics_ = {};
+  const Checkpoint checkpoint = checkpointOf(execution, 0);
+  cells_.update(objects_, checkpoint);
+  surfaces_.forgetOthers(objects_);
+  walks_.setSettings(settings_);
+  if (change == FrameChange::Replace)
+  {
+    walks_.replaceCells(objects_, checkpoint);
+    forgetPhotonStores();
+  }
+  const bool hasTarget = settings_.targetRelativeError > 0;
+  const double begun = isFresh ? 0 : hasTarget ? 0.5 : 1; // what comes after a repair is not known
+  ProgressSpan following(execution, 0, begun), shooting(execution, begun, 1), end(execution, 1, 1);
+  if (isFresh)
+  {
+    start(execution);
+  }
+  else
+  {
+    follow(moved, following);
+  }
+  if (hasTarget && !walks_.hasStale())
+  {
+    reachTarget(shooting);
+  }
+  else
+  {
+    shootOnce(isFresh, shooting);
+  }
+  walks_.forgetBudget();
+  const bool isSame = change == FrameChange::Still && history().size() == blocks;
+  estimateNearest(isSame, end);
+  statistics_ += walks_.statistics();
+  // To count them takes longer than all else where nothing has moved.
+  statistics_.historyBytes = isSame ? bytes : walks_.bytes();
+  isValid_ = true;
+}
+
+FrameChange IrradianceEngine::changeTo(
+  const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
+{
+  const WalkPlan plan = WalkSet::planOf(settings);
+  const bool samePlan = plan == walks_.plan();
   // A wall that a point light touches may have moved.
-  bool sameLights = isValid_ && plan == plan_ && areLightsUnchanged(objects, objects_) &&
-    emitters_.pointBounds().isEmpty();
+  bool sameLights = isValid_ && samePlan && areLightsUnchanged(objects, objects_) &&
+    walks_.emitters().pointBounds().isEmpty();
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);
     EmitterTable emitters(objects, plan.most(), &contacts_, checkpointOf(execution, 0));
     isValid_ = wasValid;
-    sameLights = isValid_ && emitters == emitters_;
-    emitters_ = std::move(emitters);
+    sameLights = isValid_ && emitters == walks_.emitters();
+    walks_.setSource(std::move(emitters), plan);
   }
-  const bool repair = sameLights && canRepair(objects, settings);
-  const std::vector<bool> moved = repair ? findMoved(objects, objects_) : std::vector<bool>();
-  const bool replaces = repair && hasReplaced(objects, objects_);
+  if (!sameLights || !samePlan || !canRepair(objects, settings))
+  {
+    return FrameChange::Fresh;
+  }
+  if (hasReplaced(objects, objects_))
+  {
+    return FrameChange::Replace;
+  }
+  const std::vector<bool> moved = findMoved(objects, objects_);
   const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
-  const bool isStill = repair && !replaces && !stale_ && !forgetsHits &&
-    std::none_of(moved.begin(), moved.end(), [](bool isMoved) { return isMoved; });
-  const std::size_t bytes = statistics_.historyBytes, blocks = history_.size();
-  isValid_ = false; // until the end is reached
-  ++state_;
-  objects_ = objects;
-  surfaces_.forgetOthers(objects_);
-  // What is stored stays, for those who ask again.
-  const bool keepsPhotons = settings.keepPhotons || (repair && settings_.keepPhotons);
-  settings_ = settings;
-  settings_.keepPhotons = keepsPhotons;
-  plan_ = plan;
-  statistics_ = {};
-  const bool hasTarget = settings.targetRelativeError > 0;
-  const double begun = repair ? (hasTarget ? 0.5 : 1) : 0; // what comes after a repair is not known
-  ProgressSpan first(execution, 0, begun), rest(execution, begun, 1);
-  if (replaces)
-  {
-    sums_.replace(objects_, checkpointOf(execution, 0));
-    stale_.reset(); // nothing is stale, see canRepair()
-    forgetPhotonStores();
-  }
-  if (repair)
-  {
-    if (forgetsHits)
-    {
-      history_.forgetAllStaticHits();
-    }
-    verifyAndRepair(moved, first);
-  }
-  else
-  {
-    startAnew(execution);
-  }
-  const bool isStale = stale_ && !stale_->isEmpty();
-  if (hasTarget && !isStale)
-  {
-    reachTarget(rest);
-  }
-  else
-  {
-    reached_ = isStale ? std::numeric_limits<double>::quiet_NaN() : 0;
-    if (!repair)
-    {
-      shootRound(0, execution);
-    }
-    ProgressSpan atItsEnd(execution, 1, 1);
-    spreadSums(sums_.rounds(), atItsEnd);
-  }
-  // Rounds may have been added or dropped.
-  if (stale_ && stale_->isEmpty() && (!hasBudget() || stale_->numberOfBlocks() != history_.size()))
-  {
-    stale_.reset();
-  }
-  const bool isSame = isStill && history_.size() == blocks;
-  ProgressSpan estimating(execution, 1, 1);
-  estimateNearest(isSame, estimating);
-  // To count them takes longer than all else where nothing has moved.
-  statistics_.historyBytes = isSame ? bytes : historyBytes();
-  isValid_ = true;
-}
-
-std::size_t IrradianceEngine::historyBytes() const
-{
-  const std::size_t others =
-    (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef);
-  return others + history_.bytes();
+  return stale() || forgetsHits || std::find(moved.begin(), moved.end(), true) != moved.end()
+    ? FrameChange::Motion
+    : FrameChange::Still;
 }
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
@@ -124,10 +101,9 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   // Rounds of walks that were not stored cannot be taken back.
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
-    (!settings.keepPhotons || keepsPhotons()) && planOf(settings) == plan_ &&
-    settings.seed == settings_.seed && settings.separateSides == settings_.separateSides &&
-    differsOnlyByMotion(objects, objects_) &&
-    (!stale_ || stale_->isEmpty() || !hasReplaced(objects, objects_));
+    (!settings.keepPhotons || keepsPhotons()) && settings.seed == settings_.seed &&
+    settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_) &&
+    (!walks_.hasStale() || !hasReplaced(objects, objects_));
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)
@@ -135,98 +111,100 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   scene_.setTraversalMode(settings_.traversalMode);
   scene_.setStatic(objects_.staticObject.body);
   scene_.setDynamic(objects_.dynamicBodies());
-  scene_.setPointSources(emitters_.pointBounds());
+  scene_.setPointSources(walks_.emitters().pointBounds());
   const Checkpoint checkpoint = checkpointOf(execution, 0);
   scene_.commit(moved, checkpoint);
   contacts_.update(objects_, checkpoint);
 }
 
-void IrradianceEngine::startAnew(Execution& execution)
+void IrradianceEngine::start(Execution& execution)
 {
   commitScene({}, execution);
-  sums_ = CellSums(objects_, settings_.separateSides ? 2 : 1, plan_, 0);
-  balance_ = {};
-  const Checkpoint checkpoint = checkpointOf(execution, 0);
-  while (history_.size() > 0) // freeing many walks takes a while
-  {
-    history_.removeLast();
-    checkpoint();
-  }
-  history_ = WalkHistory(plan_, pointFrame(objects_, walkBounds()),
-    objects_.staticObject.material->bands, Power{ { emitters_.photon() } });
-  stale_.reset();
-  repaired_ = {};
+  walks_.start(space(), execution);
   forgetPhotonStores();
-  hasSides_ = settings_.keepPhotons || settings_.separateSides;
-  clearance_ = scene_.clearance();
-  pointReach_ = reachInFrame();
+}
+
+void IrradianceEngine::follow(const std::vector<bool>& moved, Execution& execution)
+{
+  const bool hasMotion = std::find(moved.begin(), moved.end(), true) != moved.end();
+  if (hasMotion)
+  {
+    const Stopwatch stopwatch;
+    commitScene(moved, execution);
+    statistics_.verifySeconds = stopwatch.seconds();
+  }
+  if (walks_.isEmpty() || !(hasMotion || walks_.hasStale()))
+  {
+    return;
+  }
+  PhotonChanges changes;
+  walks_.follow(moved, space(), specularPhotons_ || leafPhotons_ ? &changes : nullptr, execution);
+  const Stopwatch stopwatch;
+  updatePhotonStores(changes, execution);
+  statistics_.repairSeconds = stopwatch.seconds();
 }
 
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
-  const Clock::time_point start = Clock::now();
-  const WalkRound& walks = plan_.rounds()[round];
-  const bool keep = settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
   forgetPhotonStores(); // they are collected again, with this round
-  sums_.setRounds(round + 1, checkpointOf(execution, 0));
-  for (std::size_t block = walks.firstBlock; keep && block < walks.endBlock; ++block)
+  walks_.shootRound(round, keepsPhotons(), space(), execution);
+}
+
+void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
+{
+  if (isFresh)
   {
-    history_.append();
+    shootRound(0, execution);
   }
-  shootBlocks(walks, keep, execution);
-  statistics_.shootSeconds += secondsSince(start);
+  reached_ = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
+  ProgressSpan end(execution, 1, 1);
+  spreadSums(sums().rounds(), end);
 }
 
-void IrradianceEngine::shootBlocks(const WalkRound& walks, bool isStored, Execution& execution)
+void IrradianceEngine::reachTarget(Execution& execution)
 {
-  const SobolSequence samples = this->samples();
-  const WalkShooter shooter = this->shooter(samples);
-  SharedBalance total(balance_);
-  std::vector<std::unique_ptr<WalkBatch>> open(walks.endBlock - walks.firstBlock);
-  SlicedPass pass{ emitters_.isEmpty() ? 0 : open.size(), {} };
-  pass.work = [&](std::size_t i, const Deadline& deadline) {
-    const std::size_t block = walks.firstBlock + i;
-    if (!open[i])
+  const std::vector<WalkRound>& plan = this->plan().rounds();
+  double progress = 0;
+  std::size_t rounds = 0;
+  do
+  {
+    if (rounds == sums().rounds())
     {
-      std::vector<std::uint32_t> numbers(plan_.walksIn(block));
-      std::iota(numbers.begin(), numbers.end(), plan_.firstWalkOf(block));
-      open[i] =
-        std::make_unique<WalkBatch>(shooter, isStored ? &history_.frame() : nullptr, hasSides_);
-      open[i]->shoot(numbers);
+      // Fewer walks may have been expected before. Progress then waits rather than going back.
+      const double expected = expectedWalks(rounds);
+      const double from = std::max(progress, plan[rounds].firstWalk / expected);
+      progress = std::max(from, plan[rounds].endWalk / expected);
+      ProgressSpan span(execution, from, progress);
+      shootRound(rounds, span);
     }
-    PowerBalance balance;
-    WalkTally tally(sums_, balance);
-    const bool isDone = open[i]->run(tally, [&] { return deadline.hasPassed(); });
-    if (isDone)
-    {
-      balance.emitted += open[i]->emitted();
-      if (isStored)
-      {
-        history_.blockOf(plan_.firstWalkOf(block)).makeRoom(open[i]->sizes());
-        open[i]->store(history_);
-      }
-      open[i].reset();
-    }
-    total.add(balance);
-    return isDone;
-  };
-  pass.run(execution);
+    ++rounds;
+    checkReceived(balance());
+    ProgressSpan still(execution, progress, progress);
+    spreadSums(rounds, still);
+    reached_ = errorEstimate(rounds).relativeErrorOfMostArea(cells_, still);
+  } while (reached_ > settings_.targetRelativeError && rounds < plan.size());
+  if (history().size() > plan[rounds - 1].endBlock)
+  {
+    forgetPhotonStores();
+  }
+  walks_.dropRounds(rounds, checkpointOf(execution, progress));
+  if (!execution.reportProgress(1))
+  {
+    throw Interrupted();
+  }
 }
 
-Box IrradianceEngine::walkBounds() const
+double IrradianceEngine::expectedWalks(std::size_t rounds) const
 {
-  Box bounds = scene_.bounds();
-  bounds.add(emitters_.pointBounds());
-  return bounds;
-}
-
-double IrradianceEngine::reachInFrame() const
-{
-  const Box world = walkBounds();
-  const UnitFrame& frame = history_.frame();
-  return std::max(
-           frame(world.lower).cwiseAbs().maxCoeff(), frame(world.upper).cwiseAbs().maxCoeff()) +
-    clearance_ * frame.scale;
+  const std::vector<WalkRound>& plan = this->plan().rounds();
+  const double most = this->plan().most(), next = plan[rounds].endWalk;
+  if (rounds == 0)
+  {
+    return most;
+  }
+  // The error falls with the square root of the number of walks.
+  const double ratio = reached_ / settings_.targetRelativeError;
+  return std::clamp(plan[rounds - 1].endWalk * ratio * ratio, next, most);
 }
 
 void IrradianceEngine::spreadSums(std::size_t rounds, Execution& execution)
@@ -238,49 +216,118 @@ void IrradianceEngine::spreadSums(std::size_t rounds, Execution& execution)
     spreadStaleSums_ = {};
     return;
   }
-  spread_.update(objects_, sums_, rounds, settings_.spreadPhotons,
-    static_cast<double>(emitters_.photon()), execution);
-  spreadSums_ = spread_.spread(objects_, sums_, rounds, execution);
-  if (stale_)
+  spread_.update(objects_, sums(), rounds, settings_.spreadPhotons,
+    static_cast<double>(walks_.emitters().photon()), execution);
+  spreadSums_ = spread_.spread(objects_, sums(), rounds, execution);
+  if (stale())
   {
-    spreadStaleSums_ = spread_.spread(objects_, stale_->sums(), 1, execution);
+    spreadStaleSums_ = spread_.spread(objects_, stale()->sums(), 1, execution);
   }
 }
 
 ErrorEstimate IrradianceEngine::errorEstimate(std::size_t rounds) const
 {
-  const auto photon = emitters_.largestStart();
+  const auto photon = walks_.emitters().largestStart();
   return isSpread() ? ErrorEstimate(spreadSums_, spreadSums_.plan(), 1, photon, &spread_)
-                    : ErrorEstimate(sums_, plan_, rounds, photon);
+                    : ErrorEstimate(sums(), plan(), rounds, photon);
 }
 
-double IrradianceEngine::irradiance(
-  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+double IrradianceEngine::irradiance(const CellSide& cell, int band) const
 {
   if (settings_.cellEstimate == CellEstimate::Nearest)
   {
-    const double density = nearestCells_.density(object, cell, side, band);
+    const double density = nearestCells_.density(cell, band);
     if (!std::isnan(density))
     {
       return watts(density);
     }
   }
-  const CellSums& sums = isSpread() ? spreadSums_ : sums_;
-  return area > 0 ? watts(sums.sum(object, cell, side, band)) / area : 0.0;
+  const CellSums& sums = isSpread() ? spreadSums_ : this->sums();
+  const double area = cells_.area(cell);
+  return area > 0 ? watts(sums.sum(cell, band)) / area : 0.0;
 }
 
-double IrradianceEngine::staleIrradiance(
-  std::uint32_t object, std::size_t cell, int side, int band, double area) const
+double IrradianceEngine::staleIrradiance(const CellSide& cell, int band) const
 {
-  if (!stale_ || !(area > 0))
+  const double area = cells_.area(cell);
+  if (!stale() || !(area > 0))
   {
     return 0;
   }
-  const auto quanta = [&](const CellSums& sums) { return sums.sum(object, cell, side, band); };
+  const auto quanta = [&](const CellSums& sums) { return sums.sum(cell, band); };
   // What is spread is rounded at each step, so the part may come out larger than the whole.
   return watts(isSpread() ? std::min(quanta(spreadStaleSums_), quanta(spreadSums_))
-                          : quanta(stale_->sums())) /
+                          : quanta(stale()->sums())) /
     area;
+}
+
+const SpecularPhotons& IrradianceEngine::specularPhotons(Execution& execution)
+{
+  return storeOf(specularPhotons_, execution);
+}
+
+const LeafPhotons& IrradianceEngine::leafPhotons(Execution& execution)
+{
+  return storeOf(leafPhotons_, execution);
+}
+
+template <class Store>
+const Store& IrradianceEngine::storeOf(std::unique_ptr<Store>& store, Execution& execution)
+{
+  assert(keepsPhotons());
+  if (!store)
+  {
+    walks_.findSides(space(), execution);
+    auto photons = std::make_unique<Store>(objects_);
+    photons->add(history(), 0, history().size(), execution);
+    store = std::move(photons);
+  }
+  return *store;
+}
+
+const Surfaces& IrradianceEngine::surfaces(Execution& execution)
+{
+  surfaces_.update(objects_, checkpointOf(execution, 0));
+  return surfaces_;
+}
+
+void IrradianceEngine::forgetPhotonStores()
+{
+  specularPhotons_.reset();
+  leafPhotons_.reset();
+  nearestCells_ = {};
+}
+
+void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Execution& execution)
+{
+  if (specularPhotons_)
+  {
+    specularPhotons_->apply(changes, execution);
+  }
+  if (leafPhotons_)
+  {
+    leafPhotons_->apply(objects_, history(), changes, execution);
+    nearestCells_.note(changes);
+  }
+}
+
+void IrradianceEngine::estimateNearest(bool isSame, Execution& execution)
+{
+  const bool isAsked = settings_.cellEstimate == CellEstimate::Nearest;
+  const auto count = static_cast<std::uint32_t>(std::max(settings_.spreadPhotons, 2.0));
+  if (isAsked && isSame && nearestCells_.count() == count)
+  {
+    return;
+  }
+  if (!isAsked)
+  {
+    nearestCells_ = {};
+    return;
+  }
+  const LeafPhotons& leaves = leafPhotons(execution);
+  const NearestPhotons nearest(leaves, surfaces(execution), objects_, history());
+  nearestCells_.update(
+    nearest, sums(), count, static_cast<double>(walks_.emitters().photon()), execution);
 }
 
 }

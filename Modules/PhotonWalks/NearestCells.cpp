@@ -3,7 +3,6 @@
 
 #include "Execution/SlicedPass.h"
 #include "Photons/PhotonLeaf.h"
-#include "Repair/SceneChange.h"
 #include "Trees/BoxQuery.h"
 
 #include <algorithm>
@@ -91,9 +90,9 @@ std::vector<NearestCells::Middle> NearestCells::middlesOf(
   const SceneObject& object = photons.objects()[number];
   const Middle none{ Vector3::Zero(), Vector3::Zero(), 0, kNone, 0 };
   std::vector<Middle> middles(object.material->numberOfCells, none);
-  const TriangleMesh& mesh = object.body->mesh();
+  const TriangleMesh& mesh = object.mesh();
   CheckpointPace pace(checkpoint);
-  for (std::size_t i = 0; object.isPresent && i < mesh.size(); ++i)
+  for (std::size_t i = 0; i < mesh.size(); ++i)
   {
     const Triangle triangle = transformed(object.worldFromObject, mesh[i]);
     Middle& middle = middles[object.material->cellOfTriangle[i]];
@@ -110,7 +109,7 @@ std::vector<NearestCells::Middle> NearestCells::middlesOf(
     middle.normal /= middle.normal.norm();
   }
   std::vector<double> nearest(middles.size(), kInfinity);
-  for (std::uint32_t i = 0; object.isPresent && i < mesh.size(); ++i)
+  for (std::uint32_t i = 0; i < mesh.size(); ++i)
   {
     const std::uint32_t cell = object.material->cellOfTriangle[i];
     Middle& middle = middles[cell];
@@ -151,7 +150,7 @@ std::vector<char> NearestCells::updateMiddles(
   const SceneObjects& objects = photons.objects();
   std::vector<char> isMoved;
   middles_.resize(objects.size());
-  firstCell_.assign(1, 0);
+  numbers_ = CellNumbers(objects);
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     isMoved.push_back(isFirst || hasMoved(objects[i], objects_[i]) ? 1 : 0);
@@ -159,38 +158,32 @@ std::vector<char> NearestCells::updateMiddles(
     {
       middles_[i] = middlesOf(photons, i, checkpoint);
     }
-    firstCell_.push_back(firstCell_.back() + middles_[i].size());
   }
   return isMoved;
 }
 
 /// Returns the sides of cells that received few photons themselves, and sets the largest radius.
-std::vector<NearestCells::Place> NearestCells::findSmall(
-  const CellSums& sums, int bands, double photon)
+std::vector<CellSide> NearestCells::findSmall(const CellSums& sums, double photon)
 {
-  std::vector<Place> small;
+  std::vector<CellSide> small;
   double area = 0, received = 0; // m2, photons
-  for (std::uint32_t object = 0; object < middles_.size(); ++object)
-  {
-    for (std::uint32_t cell = 0; cell < middles_[object].size(); ++cell)
+  numbers_.forEach([&](const SceneCell& cell) {
+    const Middle& middle = middles_[cell.object][cell.cell];
+    area += middle.area;
+    for (int side = 0; side < 2; ++side)
     {
-      const Middle& middle = middles_[object][cell];
-      area += middle.area;
-      for (int side = 0; side < 2; ++side)
+      double power = 0;
+      for (int band = 0; band < sums.bands(); ++band)
       {
-        double power = 0;
-        for (int band = 0; band < bands; ++band)
-        {
-          power += static_cast<double>(sums.sum(object, cell, std::min(side, sides_ - 1), band));
-        }
-        received += side < sides_ ? power / photon : 0;
-        if (power / photon < count_ && middle.triangle != kNone)
-        {
-          small.push_back({ object, cell, side });
-        }
+        power += static_cast<double>(sums.sum({ cell, std::min(side, sides_ - 1) }, band));
+      }
+      received += side < sides_ ? power / photon : 0;
+      if (power / photon < count_ && middle.triangle != kNone)
+      {
+        small.push_back({ cell, side });
       }
     }
-  }
+  });
   maximumRadius_ = received > 0 ? radiusFor(4 * count_ * area / received / M_PI) : 0;
   return small;
 }
@@ -241,11 +234,11 @@ void NearestCells::update(const NearestPhotons& photons, const CellSums& sums, s
   sides_ = sums.sides();
   const std::vector<char> isMoved = updateMiddles(photons, isFirst, checkpointOf(execution, 0));
   const double radius = maximumRadius_;
-  const std::vector<Place> small = findSmall(sums, objects.staticObject.material->bands, photon);
+  const std::vector<CellSide> small = findSmall(sums, photon);
   const Changes changes(photons.bounds(), changedPhotons(photons, isMoved),
     isFirst ? std::vector<Box>() : boundsOfMoved(objects, isMoved));
   const bool isAll = isFirst || radius != maximumRadius_;
-  estimates_.resize(2 * firstCell_.back());
+  estimates_.resize(2 * numbers_.size());
   std::vector<Estimate> before(estimates_.size());
   before.swap(estimates_);
   std::atomic<std::size_t> estimated{ 0 };
@@ -269,12 +262,12 @@ void NearestCells::update(const NearestPhotons& photons, const CellSums& sums, s
   changes_ = {};
 }
 
-Foot NearestCells::footOf(const NearestPhotons& photons, const Place& place) const
+Foot NearestCells::footOf(const NearestPhotons& photons, const CellSide& cell) const
 {
-  const Middle& middle = middles_[place.object][place.cell];
-  const int sign = place.side == 0 ? 1 : -1;
-  return photons.footOn({ middle.position, sign * middle.normal },
-    { place.object, middle.triangle }, sign * middle.side);
+  const Middle& middle = middles_[cell.object][cell.cell];
+  const int sign = cell.side == 0 ? 1 : -1;
+  return photons.footOn({ middle.position, sign * middle.normal }, { cell.object, middle.triangle },
+    sign * middle.side);
 }
 
 NearestCells::Estimate NearestCells::estimate(const NearestPhotons& photons, const Foot& foot) const
@@ -283,18 +276,17 @@ NearestCells::Estimate NearestCells::estimate(const NearestPhotons& photons, con
   return { estimate.radius, estimate.power, estimate.area };
 }
 
-double NearestCells::density(std::uint32_t object, std::size_t cell, int side, int band) const
+double NearestCells::density(const CellSide& cell, int band) const
 {
-  const auto onSide = [&](int which) {
-    const Estimate& estimate =
-      estimates_[2 * (firstCell_[object] + cell) + static_cast<std::size_t>(which)];
+  const auto onSide = [&](int side) {
+    const Estimate& estimate = estimates_[slotOf({ cell, side })];
     return std::isnan(estimate.reach) || !(estimate.area > 0)
       ? kUnknown
       : static_cast<double>(estimate.power[band]) / estimate.area;
   };
   if (sides_ == 2)
   {
-    return onSide(side);
+    return onSide(cell.side);
   }
   const double back = onSide(1);
   return onSide(0) + (std::isnan(back) ? 0 : back);

@@ -35,7 +35,7 @@ public:
   /// Photons for an estimate; 0 if there are none.
   std::uint32_t count() const { return count_; }
   /// Quanta per m2 on a side of a cell, as in CellSums; NaN if that is to come from its sum.
-  double density(std::uint32_t object, std::size_t cell, int side, int band) const;
+  double density(const CellSide& cell, int band) const;
   /// How many sides of cells the last update estimated.
   std::size_t numberOfEstimates() const { return numberOfEstimates_; }
 
@@ -50,11 +50,6 @@ private:
     double area;
     std::uint32_t triangle; ///< of the cell, nearest to that position; kNone: none faces as all do
     int side;               ///< of the triangle, on the cell's front
-  };
-  struct Place
-  {
-    std::uint32_t object, cell;
-    int side; ///< 0 front, 1 back
   };
   /// What one side of a cell receives.
   struct Estimate
@@ -76,17 +71,17 @@ private:
     const NearestPhotons& photons, std::uint32_t object, const Checkpoint& checkpoint);
   std::vector<char> updateMiddles(
     const NearestPhotons& photons, bool isFirst, const Checkpoint& checkpoint);
-  std::vector<Place> findSmall(const CellSums& sums, int bands, double photon);
+  std::vector<CellSide> findSmall(const CellSums& sums, double photon);
   std::vector<ChangedPhoton> changedPhotons(
     const NearestPhotons& photons, const std::vector<char>& isMoved) const;
   std::vector<Box> boundsOfMoved(
     const SceneObjects& objects, const std::vector<char>& isMoved) const;
   static double radiusFor(double squared);
-  Foot footOf(const NearestPhotons& photons, const Place& place) const;
+  Foot footOf(const NearestPhotons& photons, const CellSide& cell) const;
   Estimate estimate(const NearestPhotons& photons, const Foot& foot) const;
-  std::size_t slotOf(const Place& place) const
+  std::size_t slotOf(const CellSide& cell) const
   {
-    return 2 * (firstCell_[place.object] + place.cell) + static_cast<std::size_t>(place.side);
+    return 2 * numbers_[cell] + static_cast<std::size_t>(cell.side);
   }
 
   std::uint32_t count_ = 0;
@@ -95,7 +90,7 @@ private:
   double maximumRadius_ = 0;
   SceneObjects objects_;  ///< of the last update
   PhotonChanges changes_; ///< since then
-  std::vector<std::size_t> firstCell_;
+  CellNumbers numbers_;
   std::vector<std::vector<Middle>> middles_; ///< by object
   std::vector<Estimate> estimates_;          ///< of the front and of the back of each cell
 };

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace irradiance
@@ -38,12 +37,12 @@ OutgoingRadiance::OutgoingRadiance(
 {
   for (std::uint32_t object = 0; object < engine.objects().size(); ++object)
   {
-    addCells(object, execution);
+    addCells(object);
   }
   collectPhotons(execution);
 }
 
-void OutgoingRadiance::addCells(std::uint32_t object, Execution& execution)
+void OutgoingRadiance::addCells(std::uint32_t object)
 {
   const std::vector<std::uint32_t>& cellOf = materialOf(object).cellOfTriangle;
   Cells cells;
@@ -57,8 +56,6 @@ void OutgoingRadiance::addCells(std::uint32_t object, Execution& execution)
     ++cells.first[cell + 1];
   }
   std::partial_sum(cells.first.begin(), cells.first.end(), cells.first.begin());
-  cells.areas = cellAreas(engine_.objects()[object], checkpointOf(execution, 0));
-  cells.firstCell = objects_.empty() ? 0 : objects_.back().firstCell + objects_.back().areas.size();
   objects_.push_back(std::move(cells));
 }
 
@@ -69,7 +66,7 @@ void OutgoingRadiance::collectPhotons(Execution& execution)
   {
     return;
   }
-  photons_.resize(objects_.back().firstCell + objects_.back().areas.size());
+  photons_.resize(engine_.cells().numbers().size());
   const SobolSequence samples = engine_.samples();
   const WalkShooter shooter = engine_.shooter(samples);
   const WalkHistory& history = engine_.history();
@@ -82,7 +79,7 @@ void OutgoingRadiance::collectPhotons(Execution& execution)
       {
         return true;
       }
-      const std::vector<SegmentRef> segments = photons.sorted(object, cell);
+      const std::vector<SegmentRef> segments = photons.sorted({ object, cell });
       std::vector<SurfacePoint> points(segments.size());
       std::vector<Vector3> directions(segments.size());
       shooter.arrivalsOf(history, segments, points.data(), directions.data());
@@ -93,7 +90,7 @@ void OutgoingRadiance::collectPhotons(Execution& execution)
         arrivals.push_back({ history.hit(segments[i]).id.triangle, points[i], -directions[i],
           { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) } });
       }
-      photons_[objects_[object].firstCell + cell] =
+      photons_[numberOf({ object, cell })] =
         GlossyPhotons(material.lobeOf(cell), std::move(arrivals), bands_);
       return true;
     };
@@ -101,31 +98,28 @@ void OutgoingRadiance::collectPhotons(Execution& execution)
   }
 }
 
-OutgoingRadiance::Bands OutgoingRadiance::operator()(
-  std::uint32_t object, std::size_t cell, const Eye& eye) const
+OutgoingRadiance::Bands OutgoingRadiance::operator()(const SceneCell& cell, const Eye& eye) const
 {
   Bands radiance{};
-  if (objects_[object].areas[cell] > 0)
+  if (engine_.cells().area(cell) > 0)
   {
-    add(radiance, diffuse(object, cell, eye));
-    if (isSpecular(object, cell))
+    add(radiance, diffuse(cell, eye));
+    if (isSpecular(cell))
     {
-      const bool isMirror = materialOf(object).lobeOf(cell).isMirror();
-      add(radiance, isMirror ? mirrored(object, cell, eye) : specular(object, cell, eye));
+      add(radiance, lobeOf(cell).isMirror() ? mirrored(cell, eye) : specular(cell, eye));
     }
   }
   return radiance;
 }
 
 /// Each triangle of the cell shows the eye one of its sides.
-OutgoingRadiance::Bands OutgoingRadiance::diffuse(
-  std::uint32_t object, std::size_t cell, const Eye& eye) const
+OutgoingRadiance::Bands OutgoingRadiance::diffuse(const SceneCell& cell, const Eye& eye) const
 {
-  const Cells& cells = objects_[object];
+  const Cells& cells = objects_[cell.object];
   double front = 0, back = 0; // parts of the area
-  for (std::size_t i = cells.first[cell]; i < cells.first[cell + 1]; ++i)
+  for (std::size_t i = cells.first[cell.cell]; i < cells.first[cell.cell + 1]; ++i)
   {
-    const Triangle triangle = engine_.scene().worldTriangle({ object, cells.triangles[i] });
+    const Triangle triangle = engine_.scene().worldTriangle({ cell.object, cells.triangles[i] });
     const Vector3 toEye = eye.directionFrom((triangle.a + triangle.b + triangle.c) / 3);
     (toEye.dot(triangle.areaVector()) >= 0 ? front : back) += triangle.area();
   }
@@ -134,55 +128,50 @@ OutgoingRadiance::Bands OutgoingRadiance::diffuse(
   {
     if ((isFront ? front : back) > 0)
     {
-      add(radiance, diffuseOf(object, cell, isFront), (isFront ? front : back) / (front + back));
+      add(radiance, diffuseOf(cell, isFront), (isFront ? front : back) / (front + back));
     }
   }
   return radiance;
 }
 
-OutgoingRadiance::Bands OutgoingRadiance::diffuseOf(
-  std::uint32_t object, std::size_t cell, bool isFront) const
+OutgoingRadiance::Bands OutgoingRadiance::diffuseOf(const SceneCell& cell, bool isFront) const
 {
-  const Material& material = materialOf(object);
+  const Material& material = materialOf(cell.object);
   const int side = isFront || !engine_.settings().separateSides ? 0 : 1;
   Bands radiance{};
   for (int band = 0; band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    const std::size_t slot = cell * static_cast<std::size_t>(bands_) + i;
+    const std::size_t slot = cell.cell * static_cast<std::size_t>(bands_) + i;
     const double emitted = isFront && !material.exitance.empty() ? material.exitance[slot] : 0;
-    radiance[i] = (emitted +
-                    material.reflectance[slot] *
-                      engine_.irradiance(object, cell, side, band, objects_[object].areas[cell])) /
-      kPi;
+    radiance[i] =
+      (emitted + material.reflectance[slot] * engine_.irradiance({ cell, side }, band)) / kPi;
   }
   return radiance;
 }
 
-OutgoingRadiance::Bands OutgoingRadiance::specular(
-  std::uint32_t object, std::size_t cell, const Eye& eye) const
+OutgoingRadiance::Bands OutgoingRadiance::specular(const SceneCell& cell, const Eye& eye) const
 {
-  const Material& material = materialOf(object);
-  Bands sum = photons_[objects_[object].firstCell + cell].towards(eye, material.lobeOf(cell));
-  const std::size_t first = cell * static_cast<std::size_t>(bands_);
+  const Material& material = materialOf(cell.object);
+  Bands sum = photons_[numberOf(cell)].towards(eye, lobeOf(cell));
+  const std::size_t first = cell.cell * static_cast<std::size_t>(bands_);
   for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
   {
-    sum[band] *= material.specularReflectance[first + band] / objects_[object].areas[cell];
+    sum[band] *= material.specularReflectance[first + band] / engine_.cells().area(cell);
   }
   return sum;
 }
 
-Ray OutgoingRadiance::mirrorRay(
-  std::uint32_t object, std::size_t cell, std::uint32_t sample, const Eye& eye) const
+Ray OutgoingRadiance::mirrorRay(const SceneCell& cell, std::uint32_t sample, const Eye& eye) const
 {
-  const Cells& cells = objects_[object];
-  double rest = (sample + 0.5) / mirrorSamples_ * cells.areas[cell];
-  std::size_t i = cells.first[cell];
+  const Cells& cells = objects_[cell.object];
+  double rest = (sample + 0.5) / mirrorSamples_ * engine_.cells().area(cell);
+  std::size_t i = cells.first[cell.cell];
   const auto triangleAt = [&](std::size_t place) {
-    return engine_.scene().worldTriangle({ object, cells.triangles[place] });
+    return engine_.scene().worldTriangle({ cell.object, cells.triangles[place] });
   };
   double area = triangleAt(i).area();
-  while (rest > area && i + 1 < cells.first[cell + 1])
+  while (rest > area && i + 1 < cells.first[cell.cell + 1])
   {
     rest -= area;
     area = triangleAt(++i).area();
@@ -192,17 +181,16 @@ Ray OutgoingRadiance::mirrorRay(
   const Vector3 toEye = eye.directionFrom(point.position);
   point.turn(toEye.dot(point.normal) >= 0);
   return { point.clearPosition(), irradiance::mirrored(point.normal, -toEye),
-    { object, cells.triangles[i] } };
+    { cell.object, cells.triangles[i] } };
 }
 
-OutgoingRadiance::Bands OutgoingRadiance::mirrored(
-  std::uint32_t object, std::size_t cell, const Eye& eye) const
+OutgoingRadiance::Bands OutgoingRadiance::mirrored(const SceneCell& cell, const Eye& eye) const
 {
   Bands sum{};
   Sights sights;
   for (std::uint32_t sample = 0; sample < mirrorSamples_; ++sample)
   {
-    const Ray ray = mirrorRay(object, cell, sample, eye);
+    const Ray ray = mirrorRay(cell, sample, eye);
     if (!ray.direction.isZero(0)) // the eye is not at the very point
     {
       sights.rays.push_back(ray);
@@ -214,10 +202,10 @@ OutgoingRadiance::Bands OutgoingRadiance::mirrored(
   {
     look(sights, sum);
   }
-  const std::size_t first = cell * static_cast<std::size_t>(bands_);
+  const std::size_t first = cell.cell * static_cast<std::size_t>(bands_);
   for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
   {
-    sum[band] *= materialOf(object).specularReflectance[first + band];
+    sum[band] *= materialOf(cell.object).specularReflectance[first + band];
   }
   return sum;
 }
@@ -227,32 +215,34 @@ void OutgoingRadiance::look(Sights& sights, Bands& sum) const
 {
   std::vector<Hit> hits(sights.rays.size());
   engine_.scene().cast(sights.rays.data(), sights.rays.size(), hits.data());
-  std::vector<std::tuple<std::uint32_t, std::size_t, std::size_t>> order; // object, cell, ray
+  const auto cellOf = [&](std::size_t ray) { return engine_.sums().cellOf(hits[ray].id); };
+  std::vector<std::pair<std::size_t, std::size_t>> order; // number of the cell, ray
   for (std::size_t i = 0; i < hits.size(); ++i)
   {
     if (hits[i])
     {
-      const TriangleId id = hits[i].id;
-      order.emplace_back(id.object, materialOf(id.object).cellOfTriangle[id.triangle], i);
+      order.emplace_back(numberOf(cellOf(i)), i);
     }
   }
   std::sort(order.begin(), order.end());
   Sights next;
-  for (const auto& [object, cell, i] : order)
+  for (const auto& [number, i] : order)
   {
+    const SceneCell cell = cellOf(i);
     const Ray& ray = sights.rays[i];
     const SurfacePoint point = engine_.scene().surfaceAt(ray.direction, hits[i]);
-    Bands radiance = diffuseOf(object, cell, point.isFront), reflected = sights.shares[i];
-    const bool isMirror = isSpecular(object, cell) && materialOf(object).lobeOf(cell).isMirror();
-    if (isSpecular(object, cell) && !isMirror)
+    Bands radiance = diffuseOf(cell, point.isFront), reflected = sights.shares[i];
+    const bool isMirror = isSpecular(cell) && lobeOf(cell).isMirror();
+    if (isSpecular(cell) && !isMirror)
     {
-      add(radiance, specular(object, cell, { -ray.direction, true }));
+      add(radiance, specular(cell, { -ray.direction, true }));
     }
     for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
     {
       sum[band] += sights.shares[i][band] * radiance[band];
       reflected[band] *= isMirror
-        ? materialOf(object).specularReflectance[cell * static_cast<std::size_t>(bands_) + band]
+        ? materialOf(cell.object)
+            .specularReflectance[cell.cell * static_cast<std::size_t>(bands_) + band]
         : 0;
     }
     if (isMirror)

@@ -29,7 +29,7 @@ public:
   OutgoingRadiance(IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution);
 
   /// May be called by several threads. 0 for a cell without area.
-  Bands operator()(std::uint32_t object, std::size_t cell, const Eye& eye) const;
+  Bands operator()(const SceneCell& cell, const Eye& eye) const;
 
 private:
   /// A mirror is followed by at most this many others.
@@ -40,16 +40,14 @@ private:
   {
     std::vector<std::uint32_t> triangles;
     std::vector<std::size_t> first; ///< of each cell, and the end
-    std::vector<double> areas;      ///< of each cell, world, m2
-    std::size_t firstCell;          ///< among the cells of all objects
   };
-  void addCells(std::uint32_t object, Execution& execution);
+  void addCells(std::uint32_t object);
   void collectPhotons(Execution& execution);
-  Bands diffuse(std::uint32_t object, std::size_t cell, const Eye& eye) const;
+  Bands diffuse(const SceneCell& cell, const Eye& eye) const;
   /// Emitted, and reflected diffusely, by one side.
-  Bands diffuseOf(std::uint32_t object, std::size_t cell, bool isFront) const;
-  Bands specular(std::uint32_t object, std::size_t cell, const Eye& eye) const;
-  Bands mirrored(std::uint32_t object, std::size_t cell, const Eye& eye) const;
+  Bands diffuseOf(const SceneCell& cell, bool isFront) const;
+  Bands specular(const SceneCell& cell, const Eye& eye) const;
+  Bands mirrored(const SceneCell& cell, const Eye& eye) const;
   /// Rays on their way through mirrors, with the part of what they meet that gets to the eye.
   struct Sights
   {
@@ -59,11 +57,16 @@ private:
   /// Adds what the rays show, and replaces them by those that mirrors reflect.
   void look(Sights& sights, Bands& sum) const;
   /// The ray that shows what is mirrored at a point of a cell.
-  Ray mirrorRay(std::uint32_t object, std::size_t cell, std::uint32_t sample, const Eye& eye) const;
-  bool isSpecular(std::uint32_t object, std::size_t cell) const
+  Ray mirrorRay(const SceneCell& cell, std::uint32_t sample, const Eye& eye) const;
+  bool isSpecular(const SceneCell& cell) const
   {
-    return materialOf(object).isSpecular(cell);
+    return materialOf(cell.object).isSpecular(cell.cell);
   }
+  const PhongLobe& lobeOf(const SceneCell& cell) const
+  {
+    return materialOf(cell.object).lobeOf(cell.cell);
+  }
+  std::size_t numberOf(const SceneCell& cell) const { return engine_.cells().numbers()[cell]; }
   const Material& materialOf(std::uint32_t object) const
   {
     return *engine_.objects()[object].material;

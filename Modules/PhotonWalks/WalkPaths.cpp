@@ -63,10 +63,7 @@ std::vector<std::uint32_t> WalkPaths::touching(
 bool WalkPaths::emits(const SceneCell& cell) const
 {
   const Material& material = *engine_.objects()[cell.object].material;
-  const auto bands = static_cast<std::ptrdiff_t>(material.bands);
-  const auto isPositive = [](double exitance) { return exitance > 0; };
-  const auto first = material.exitance.begin() + bands * static_cast<std::ptrdiff_t>(cell.cell);
-  return (!material.exitance.empty() && std::any_of(first, first + bands, isPositive)) ||
+  return material.hasExitance(cell.cell) ||
     std::any_of(material.pointLights.begin(), material.pointLights.end(),
       [&](const PointLight& light) { return light.cell == cell.cell; });
 }

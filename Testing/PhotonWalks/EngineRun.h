@@ -43,7 +43,7 @@ inline Answer answerOf(
       {
         for (int band = 0; band < material.bands; ++band)
         {
-          answer.push_back(engine.sums().sum(object, cell, side, band));
+          answer.push_back(engine.sums().sum({ object, cell, side }, band));
         }
       }
     }
@@ -73,7 +73,7 @@ inline double wattsOn(const IrradianceEngine& engine, std::uint32_t object, std:
   std::int64_t quanta = 0;
   for (std::size_t cell = first; cell < last; ++cell)
   {
-    quanta += engine.sums().sum(object, cell, 0, band);
+    quanta += engine.sums().sum({ object, cell }, band);
   }
   return engine.watts(quanta);
 }

@@ -23,16 +23,15 @@ inline Answer shownAnswer(
   const ErrorEstimate errors = engine.errorEstimate();
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    const std::vector<double> areas = cellAreas(objects[object]);
-    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+    for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
     {
       for (int side = 0; side < (settings.separateSides ? 2 : 1); ++side)
       {
         for (int band = 0; band < objects.staticObject.material->bands; ++band)
         {
-          add(engine.irradiance(object, cell, side, band, areas[cell]));
-          add(engine.staleIrradiance(object, cell, side, band, areas[cell]));
-          add(errors.standardError(object, cell, side, band));
+          add(engine.irradiance({ object, cell, side }, band));
+          add(engine.staleIrradiance({ object, cell, side }, band));
+          add(errors.standardError({ object, cell, side }, band));
         }
       }
     }

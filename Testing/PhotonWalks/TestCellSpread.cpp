@@ -37,7 +37,7 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
         {
           for (std::uint32_t i = 0; i < plan.replicates().count(); ++i)
           {
-            sums.set(object, cell, side, band, i,
+            sums.set({ object, cell, side }, band, i,
               times *
                 static_cast<std::int64_t>(random.engine() % 3 * (random.engine() % (1u << 30))));
           }
@@ -62,7 +62,7 @@ std::vector<std::int64_t> totals(
       {
         for (int side = 0; side < sums.sides(); ++side)
         {
-          totals.back() += sums.sum(object, cell, side, band, i, 1);
+          totals.back() += sums.sum({ object, cell, side }, band, i, 1);
         }
       }
     }
@@ -84,7 +84,7 @@ std::vector<std::int64_t> valuesOf(const CellSums& sums, const SceneObjects& obj
         {
           for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
           {
-            values.push_back(sums.sum(object, cell, side, band, i, 1));
+            values.push_back(sums.sum({ object, cell, side }, band, i, 1));
           }
         }
       }
@@ -162,15 +162,15 @@ TEST(CellSpread, DoesNotLeak)
     CellSums sums(objects, 1, WalkPlan(1000, 1000, 1));
     for (std::size_t cell = 0; cell < 100; ++cell)
     {
-      sums.set(0, cell, 0, 0, 0, cell % 7 == 0 ? 1 << 30 : 0);
+      sums.set({ 0, cell }, 0, 0, cell % 7 == 0 ? 1 << 30 : 0);
     }
     const CellSums spread = spreadOf(objects, sums, 2000);
     std::int64_t onDark = 0;
     for (std::size_t cell = 0; cell < 100; ++cell)
     {
       onDark +=
-        border == Border::Object ? spread.sum(1, cell, 0, 0) : spread.sum(0, 100 + cell, 0, 0);
-      EXPECT_GT(spread.sum(0, cell, 0, 0), 0);
+        border == Border::Object ? spread.sum({ 1, cell }, 0) : spread.sum({ 0, 100 + cell }, 0);
+      EXPECT_GT(spread.sum({ 0, cell }, 0), 0);
     }
     EXPECT_EQ(onDark > 0, border == Border::None);
   }
@@ -209,13 +209,13 @@ TEST(CellSpread, DoesNotDependOnTheOrderOfCells)
   CellSums other(shuffled, 1, plan);
   for (std::size_t i = 0; i < cells; ++i)
   {
-    other.set(1, i, 0, 0, 0, sums.sum(1, order[i], 0, 0));
+    other.set({ 1, i }, 0, 0, sums.sum({ 1, order[i] }, 0));
   }
   const CellSums spread = spreadOf(objects, sums, 1000),
                  otherSpread = spreadOf(shuffled, other, 1000);
   for (std::size_t i = 0; i < cells; ++i)
   {
-    EXPECT_EQ(otherSpread.sum(1, i, 0, 0), spread.sum(1, order[i], 0, 0));
+    EXPECT_EQ(otherSpread.sum({ 1, i }, 0), spread.sum({ 1, order[i] }, 0));
   }
 }
 
@@ -265,16 +265,16 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   for (std::size_t k = 0; k < areas.size(); ++k)
   {
     CellSums sums(objects, 1, plan);
-    sums.set(0, k, 0, 0, 0, std::int64_t{ 1 } << 24); // a photon
+    sums.set({ 0, k }, 0, 0, std::int64_t{ 1 } << 24); // a photon
     const CellSums spread = spreadOf(objects, sums, photons);
     for (std::size_t i = 0; i < areas.size(); ++i)
     {
-      const double w = double(spread.sum(0, i, 0, 0)) / kPhoton;
+      const double w = double(spread.sum({ 0, i }, 0)) / kPhoton;
       shares[i] += w * w * areas[k] / areas[i];
     }
   }
   CellSums sums(objects, 1, plan);
-  sums.set(0, 0, 0, 0, 0, std::int64_t{ 1 } << 24);
+  sums.set({ 0, 0 }, 0, 0, std::int64_t{ 1 } << 24);
   CellSpread spread;
   Execution execution;
   spread.update(objects, sums, 1, photons, kPhoton, execution);
@@ -283,13 +283,13 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   for (std::size_t i = 0; i < small; ++i)
   {
     EXPECT_LT(shares[i], 0.5);
-    EXPECT_NEAR(spread.photonShare(0, i, 0) / shares[i], 1, 1.4) << "4 standard errors";
-    ratio += spread.photonShare(0, i, 0) / shares[i] / double(small);
+    EXPECT_NEAR(spread.photonShare({ 0, i }) / shares[i], 1, 1.4) << "4 standard errors";
+    ratio += spread.photonShare({ 0, i }) / shares[i] / double(small);
   }
   EXPECT_NEAR(ratio, 1, 0.25) << "some ten independent parts";
   for (std::size_t i = small; i < areas.size(); ++i)
   {
-    EXPECT_EQ(spread.photonShare(0, i, 0), 1);
+    EXPECT_EQ(spread.photonShare({ 0, i }), 1);
     EXPECT_NEAR(shares[i], 1, 1e-12);
   }
 }

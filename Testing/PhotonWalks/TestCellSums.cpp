@@ -24,7 +24,7 @@ SceneObjects quadAndBox(int bands)
 void add(CellSums& sums, const TriangleId& id, bool isFront, const Power& power, int sign)
 {
   std::vector<Deposit> deposits;
-  sums.collect(sums.slotOf(0, id.object, sums.cellOf(id)), isFront, power, sign, deposits);
+  sums.collect(sums.slotOf(0, sums.cellOf(id)), isFront, power, sign, deposits);
   sums.add(deposits);
 }
 
@@ -38,14 +38,14 @@ TEST(CellSums, TrianglesOfACellShareASum)
   add(sums, { 1, 11 }, true, { { 1ll << 50, 0, 0 } }, 1);
   for (std::size_t cell = 0; cell < 4; ++cell)
   {
-    EXPECT_EQ(sums.sum(0, cell, 0, 0), cell == 1 ? 12 : 0);
+    EXPECT_EQ(sums.sum({ 0, cell }, 0), cell == 1 ? 12 : 0);
   }
   for (std::size_t cell = 0; cell < 6; ++cell)
   {
-    EXPECT_EQ(sums.sum(1, cell, 0, 0), cell == 5 ? 1ll << 50 : 0);
+    EXPECT_EQ(sums.sum({ 1, cell }, 0), cell == 5 ? 1ll << 50 : 0);
   }
   add(sums, { 0, 3 }, false, { { 7, 0, 0 } }, -1);
-  EXPECT_EQ(sums.sum(0, 1, 0, 0), 5);
+  EXPECT_EQ(sums.sum({ 0, 1 }, 0), 5);
 }
 
 TEST(CellSums, SidesAndBandsStandApart)
@@ -55,10 +55,10 @@ TEST(CellSums, SidesAndBandsStandApart)
   add(sums, { 1, 5 }, false, { { 10, 20, 30 } }, 1);
   for (int band = 0; band < 3; ++band)
   {
-    EXPECT_EQ(sums.sum(1, 2, 0, band), band + 1);
-    EXPECT_EQ(sums.sum(1, 2, 1, band), 10 * (band + 1));
-    EXPECT_EQ(sums.sum(1, 1, 1, band), 0);
-    EXPECT_EQ(sums.sum(1, 3, 0, band), 0);
+    EXPECT_EQ(sums.sum({ 1, 2 }, band), band + 1);
+    EXPECT_EQ(sums.sum({ 1, 2, 1 }, band), 10 * (band + 1));
+    EXPECT_EQ(sums.sum({ 1, 1, 1 }, band), 0);
+    EXPECT_EQ(sums.sum({ 1, 3 }, band), 0);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(CellSums, ManyThreadsLoseNothing)
   });
   for (std::size_t cell = 0; cell < 4; ++cell)
   {
-    EXPECT_EQ(sums.sum(0, cell, 0, 0), 500 * 1275);
+    EXPECT_EQ(sums.sum({ 0, cell }, 0), 500 * 1275);
   }
 }
 

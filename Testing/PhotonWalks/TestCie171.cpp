@@ -61,7 +61,7 @@ TEST(Cie171, AreaSource53)
   overSeeds({ room.build(), {} }, test::scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
-      estimates[i].add(engine.irradiance(0, i, 0, 0, 0.125));
+      estimates[i].add(engine.irradiance({ 0, i }, 0));
     }
   });
   for (std::size_t i = 0; i < 6; ++i)
@@ -117,7 +117,7 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
   overSeeds(objects, test::scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
-      estimates[i].add(engine.irradiance(0, i, 0, 0, 2));
+      estimates[i].add(engine.irradiance({ 0, i }, 0));
     }
     wall.add(test::wattsOn(engine, 0, 0, 6) / 12);
   });
@@ -151,8 +151,7 @@ TEST(Cie171, InternalReflectedComponent58)
     double center = 0;
     for (std::size_t wall = 0; wall < 6; ++wall)
     {
-      center +=
-        engine.irradiance(0, wall * kCells * kCells + kCells * kCells / 2, 0, 0, kCellArea) / 6;
+      center += engine.irradiance({ 0, wall * kCells * kCells + kCells * kCells / 2 }, 0) / 6;
     }
     return std::array<double, 2>{ test::wattsOn(engine, 0, 0, 6 * kCells * kCells) / 96, center };
   };

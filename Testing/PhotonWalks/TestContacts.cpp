@@ -135,7 +135,7 @@ TEST(Contacts, ASheetThatIsNotHitMatters)
     objects.dynamicObjects[0].worldFromObject = test::shift({ x, 0, 0 });
     engine.update(objects, settings, one);
     ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
-    const std::int64_t upper = engine.sums().sum(0, 1, 0, 0);
+    const std::int64_t upper = engine.sums().sum({ 0, 1 }, 0);
     EXPECT_NE(upper, received); // so it does matter
     received = upper;
   }
@@ -180,7 +180,7 @@ TEST(Contacts, NoLightGetsInside)
     engine.update(objects, settings, one);
     for (std::size_t cell = 0; cell < 24; ++cell)
     {
-      EXPECT_EQ(engine.sums().sum(1, cell, 1, 0), 0) << "angle " << angle << ", cell " << cell;
+      EXPECT_EQ(engine.sums().sum({ 1, cell, 1 }, 0), 0) << "angle " << angle << ", cell " << cell;
     }
     // Interreflection between .5 and .7: 10 / .65 W/m2 on 0.25 m2. With about 5,000 photons, chance
     // exceeds 10 % in 1 of 10^9 runs (with sanitizers, 35 %).

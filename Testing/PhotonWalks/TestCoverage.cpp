@@ -172,8 +172,8 @@ void forEachCell(const IrradianceEngine& engine, const KnownScene& scene, const 
     const std::vector<double> areas = cellAreas(scene.objects[object]);
     for (std::size_t cell = 0; cell < areas.size(); ++cell)
     {
-      use(engine.irradiance(object, cell, 0, 0, areas[cell]),
-        engine.watts(errors.standardError(object, cell, 0, 0)) / areas[cell],
+      use(engine.irradiance({ object, cell }, 0),
+        engine.watts(errors.standardError({ object, cell }, 0)) / areas[cell],
         scene.truth[object][cell], areas[cell]);
     }
   }

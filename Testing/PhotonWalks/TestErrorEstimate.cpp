@@ -26,11 +26,18 @@ SceneObjects strip(const std::vector<double>& widths, int bands = 1)
   return { builder.build(), {} };
 }
 
+SceneCells cellsOf(const SceneObjects& objects)
+{
+  SceneCells cells;
+  cells.update(objects, {});
+  return cells;
+}
+
 /// Adds `quanta` of a walk to a cell of strip().
 void add(CellSums& sums, std::uint32_t walk, std::uint32_t cell, const Power& quanta)
 {
   std::vector<Deposit> deposits;
-  sums.collect(sums.slotOf(walk, 0, cell), true, quanta, 1, deposits);
+  sums.collect(sums.slotOf(walk, { 0, cell }), true, quanta, 1, deposits);
   sums.add(deposits);
 }
 
@@ -51,7 +58,7 @@ TEST(ErrorEstimate, IsThatOfTheMeanOfReplicates)
     estimates.add(double(quanta) * kReplicates);
   }
   const ErrorEstimate errors(sums, plan, 1, { 1, 0, 0 });
-  EXPECT_NEAR(errors.standardError(0, 1, 0, 0) / estimates.standardError(), 1, 1e-12);
+  EXPECT_NEAR(errors.standardError({ 0, 1 }, 0) / estimates.standardError(), 1, 1e-12);
 }
 
 // The expected square of the estimate is the variance, for any remainder of walks / replicates. A
@@ -72,11 +79,11 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
       for (std::uint32_t walk = 0; walk < walks; ++walk)
       {
         const std::int64_t quanta = kPhoton / 4 * static_cast<std::int64_t>(3 + random() % 2);
-        sums.collect(sums.slotOf(walk, 0, 0), true, { { quanta, 0, 0 } }, 1, deposits);
+        sums.collect(sums.slotOf(walk, {}), true, { { quanta, 0, 0 } }, 1, deposits);
       }
       sums.add(deposits);
       // Photons of one quantum keep the error's lower bound out of the way.
-      const double error = ErrorEstimate(sums, plan, 1, { 1, 0, 0 }).standardError(0, 0, 0, 0);
+      const double error = ErrorEstimate(sums, plan, 1, { 1, 0, 0 }).standardError({ 0, 0 }, 0);
       squares.add(error * error);
     }
     const double truth = walks * double(kPhoton / 4) * double(kPhoton / 4) / 4;
@@ -92,9 +99,9 @@ TEST(ErrorEstimate, IsUnknownBelow25Photons)
   add(sums, 3, 0, { { 24999, 0, 0 } });
   add(sums, 3, 1, { { 25000, 0, 0 } });
   const ErrorEstimate errors(sums, plan, 1, { 1000, 0, 0 });
-  EXPECT_TRUE(std::isnan(errors.standardError(0, 0, 0, 0)));
-  EXPECT_GT(errors.standardError(0, 1, 0, 0), 0);
-  EXPECT_TRUE(std::isnan(errors.standardError(0, 2, 0, 0))) << "nothing received";
+  EXPECT_TRUE(std::isnan(errors.standardError({ 0, 0 }, 0)));
+  EXPECT_GT(errors.standardError({ 0, 1 }, 0), 0);
+  EXPECT_TRUE(std::isnan(errors.standardError({ 0, 2 }, 0))) << "nothing received";
 }
 
 // One replicate says nothing about the spread, nor do fewer than 25 walks, however strong they are.
@@ -105,7 +112,7 @@ TEST(ErrorEstimate, IsUnknownWithoutReplicatesOrWalks)
   {
     CellSums sums(strip({ 1 }), 1, plan);
     add(sums, 0, 0, { { 1000000, 0, 0 } });
-    const double error = ErrorEstimate(sums, plan, 1, { 1000, 0, 0 }).standardError(0, 0, 0, 0);
+    const double error = ErrorEstimate(sums, plan, 1, { 1000, 0, 0 }).standardError({ 0, 0 }, 0);
     EXPECT_EQ(std::isnan(error), !(plan == enough));
   }
 }
@@ -119,7 +126,7 @@ TEST(ErrorEstimate, IsAtLeastThatOfRoundingToAPhoton)
   {
     add(sums, walk, 0, { { 600, 0, 0 } });
   }
-  const double error = ErrorEstimate(sums, plan, 1, { 600, 0, 0 }).standardError(0, 0, 0, 0);
+  const double error = ErrorEstimate(sums, plan, 1, { 600, 0, 0 }).standardError({ 0, 0 }, 0);
   EXPECT_NEAR(error, 600 * std::sqrt(4 / 12.0), 1e-9);
 }
 
@@ -139,7 +146,7 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
     add(sums, 1, 1, { { 800000, 0, 0 } });
     add(sums, 0, 2, { { inDark, 0, 0 } });
     return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 })
-      .relativeErrorOfMostArea(objects, execution);
+      .relativeErrorOfMostArea(cellsOf(objects), execution);
   };
   const double t = 12.7062047; // of one degree
   EXPECT_NEAR(reached({ 96, 3, 1 }, 0), t * 0.1, 1e-6);
@@ -160,7 +167,8 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   add(sums, 1, 0, { { 90000, 80000, 0 } });
   Execution execution;
   const auto reached = [&](const std::array<double, 3>& photon) {
-    return ErrorEstimate(sums, plan, 1, photon).relativeErrorOfMostArea(objects, execution);
+    return ErrorEstimate(sums, plan, 1, photon)
+      .relativeErrorOfMostArea(cellsOf(objects), execution);
   };
   EXPECT_NEAR(reached({ 1000, 1000, 0 }), 12.7062047 * 0.2, 1e-6);
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
@@ -177,13 +185,13 @@ TEST(ErrorEstimate, LooksAtTheFirstRoundsAlone)
     add(sums, walk, 0, { { 1000, 0, 0 } });
   }
   const auto error = [&](std::size_t rounds) {
-    return ErrorEstimate(sums, plan, rounds, { 1, 0, 0 }).standardError(0, 0, 0, 0);
+    return ErrorEstimate(sums, plan, rounds, { 1, 0, 0 }).standardError({ 0, 0 }, 0);
   };
   EXPECT_NEAR(error(1), std::sqrt(2 / 12.0), 1e-9) << "both have 1000";
   EXPECT_NEAR(error(2), 1000, 1e-9) << "2000 and 1000: sqrt(2 (500^2 + 500^2))";
   EXPECT_NEAR(error(3), 1000, 1e-9) << "3000 and 2000";
   sums.setRounds(2);
-  EXPECT_EQ(sums.sum(0, 0, 0, 0), 3000);
+  EXPECT_EQ(sums.sum({ 0, 0 }, 0), 3000);
   EXPECT_NEAR(error(2), 1000, 1e-9);
 }
 

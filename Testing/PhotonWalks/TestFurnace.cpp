@@ -107,7 +107,7 @@ public:
         for (std::size_t cell = first; cell < first + group; ++cell)
         {
           area += areas[cell];
-          at(cells_, cellIndex++).add(engine.irradiance(object, cell, 0, 0, areas[cell]));
+          at(cells_, cellIndex++).add(engine.irradiance({ object, cell }, 0));
         }
         at(areas_, areaIndex++).add(test::wattsOn(engine, object, first, first + group) / area);
       }

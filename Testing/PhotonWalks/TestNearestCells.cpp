@@ -30,15 +30,14 @@ std::vector<double> allIrradiances(const IrradianceEngine& engine)
   std::vector<double> all;
   for (std::uint32_t object = 0; object < engine.objects().size(); ++object)
   {
-    const std::vector<double> areas = cellAreas(engine.objects()[object]);
     const Material& material = *engine.objects()[object].material;
-    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+    for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
     {
       for (int side = 0; side < engine.sums().sides(); ++side)
       {
         for (int band = 0; band < material.bands; ++band)
         {
-          all.push_back(engine.irradiance(object, cell, side, band, areas[cell]));
+          all.push_back(engine.irradiance({ object, cell, side }, band));
         }
       }
     }
@@ -143,11 +142,10 @@ TEST(NearestCells, DarkPlacesStayDark)
   Execution execution;
   const SceneObjects objects{ room.build(), {} };
   engine.update(objects, settings, execution);
-  const std::vector<double> areas = cellAreas(objects.staticObject);
-  for (std::size_t cell = 6; cell < areas.size(); ++cell)
+  for (std::size_t cell = 6; cell < engine.cells().numbers().sizeOf(0); ++cell)
   {
-    EXPECT_GT(engine.irradiance(0, cell, 0, 0, areas[cell]), 0.5);
-    EXPECT_EQ(engine.irradiance(0, cell, 1, 0, areas[cell]), 0);
+    EXPECT_GT(engine.irradiance({ 0, cell }, 0), 0.5);
+    EXPECT_EQ(engine.irradiance({ 0, cell, 1 }, 0), 0);
   }
 }
 

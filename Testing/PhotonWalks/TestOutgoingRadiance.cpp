@@ -48,7 +48,7 @@ double exitanceOf(const OutgoingRadiance& radiance, std::uint32_t object, std::s
   {
     const Vector3 direction =
       sampleCosineHemisphere(normal, { (i / steps + 0.5) / steps, (i % steps + 0.5) / steps });
-    sum += radiance(object, cell, { direction, true })[0];
+    sum += radiance({ object, cell }, { direction, true })[0];
   }
   return sum * M_PI / (steps * steps);
 }
@@ -64,7 +64,7 @@ std::vector<double> allRadiances(IrradianceEngine& engine)
   {
     for (std::size_t cell = 0; cell < engine.objects()[object].material->numberOfCells; ++cell)
     {
-      const auto bands = radiance(object, cell, cell % 2 == 0 ? near : far);
+      const auto bands = radiance({ object, cell }, cell % 2 == 0 ? near : far);
       all.insert(all.end(), bands.begin(), bands.end());
     }
   }
@@ -87,12 +87,11 @@ TEST(OutgoingRadiance, IntegratesToTheReflectedIrradiance)
     Execution execution;
     engine.update(objects, settingsOf(1000), execution);
     const OutgoingRadiance radiance(engine, kMirrorSamples, execution);
-    const std::vector<double> areas = cellAreas(objects.staticObject);
     const Vector3 normals[] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
       { 0, 0, -1 } };
     for (std::size_t cell = 0; cell < 24; ++cell)
     {
-      const double received = engine.irradiance(0, cell, 0, 0, areas[cell]);
+      const double received = engine.irradiance({ 0, cell }, 0);
       EXPECT_NEAR(
         exitanceOf(radiance, 0, cell, normals[cell / 4], 32), 0.7 * received, 0.007 * received)
         << "exponent " << exponent << ", cell " << cell;
@@ -123,7 +122,7 @@ TEST(OutgoingRadiance, IsThatOfAFurnace)
     double mean = 0;
     for (std::size_t cell = 0; cell < 54; ++cell)
     {
-      const double seen = radiance(0, cell, { eye })[0] * M_PI;
+      const double seen = radiance({ 0, cell }, { eye })[0] * M_PI;
       EXPECT_NEAR(seen, 1, tolerance) << "cell " << cell;
       mean += seen / 54;
     }
@@ -144,13 +143,13 @@ TEST(OutgoingRadiance, AMirrorShowsWhatIsThere)
   engine.update(objects, settingsOf(100), execution);
   const OutgoingRadiance radiance(engine, kMirrorSamples, execution);
   const Eye above{ { 0, 0, 1 }, true };
-  EXPECT_NEAR(radiance(0, 0, above)[0], 0.8 * 5 / M_PI, 1e-12);
-  EXPECT_NEAR(radiance(0, 1, above)[0], 0.8 * 7 / M_PI, 1e-12);
+  EXPECT_NEAR(radiance({ 0, 0 }, above)[0], 0.8 * 5 / M_PI, 1e-12);
+  EXPECT_NEAR(radiance({ 0, 1 }, above)[0], 0.8 * 7 / M_PI, 1e-12);
   const Eye below{ { 0, 0, -1 }, true };
-  EXPECT_EQ(radiance(0, 0, below)[0], 0) << "there is nothing to see";
+  EXPECT_EQ(radiance({ 0, 0 }, below)[0], 0) << "there is nothing to see";
   // A lamp shows its front alone; seen from behind, it is dark.
-  EXPECT_NEAR(radiance(0, 2, below)[0], 5 / M_PI, 1e-12);
-  EXPECT_EQ(radiance(0, 2, above)[0], 0);
+  EXPECT_NEAR(radiance({ 0, 2 }, below)[0], 5 / M_PI, 1e-12);
+  EXPECT_EQ(radiance({ 0, 2 }, above)[0], 0);
 }
 
 // A glossy sheet that is lit from above shows nothing from below.
@@ -164,8 +163,8 @@ TEST(OutgoingRadiance, PhotonsOfTheOtherSideAreNotSeen)
   Execution execution;
   engine.update(objects, settingsOf(1000), execution);
   const OutgoingRadiance radiance(engine, kMirrorSamples, execution);
-  EXPECT_GT(radiance(0, 0, { { 0, 0.5, 2 } })[0], 0.01);
-  EXPECT_EQ(radiance(0, 0, { { 0, 0.5, -2 } })[0], 0);
+  EXPECT_GT(radiance({ 0, 0 }, { { 0, 0.5, 2 } })[0], 0.01);
+  EXPECT_EQ(radiance({ 0, 0 }, { { 0, 0.5, -2 } })[0], 0);
 }
 
 // The photons of an engine that updates equal a new one's, and so does what is seen.

@@ -35,7 +35,7 @@ Answer viewsOf(IrradianceEngine& engine)
   {
     for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
     {
-      for (const double value : radiance(object, cell, { { 0.1, 0.2, 0.3 } }))
+      for (const double value : radiance({ object, cell }, { { 0.1, 0.2, 0.3 } }))
       {
         add(answer, value);
       }

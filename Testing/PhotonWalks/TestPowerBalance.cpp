@@ -58,7 +58,7 @@ Power sumOfCells(const IrradianceEngine& engine, const SceneObjects& objects)
     {
       for (int band = 0; band < material.bands; ++band)
       {
-        sum[band] += engine.sums().sum(object, cell, 0, band);
+        sum[band] += engine.sums().sum({ object, cell }, band);
       }
     }
   }

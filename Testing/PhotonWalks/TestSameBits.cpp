@@ -121,9 +121,9 @@ TEST(SameBits, SidesAddUpToTheSum)
       {
         for (int band = 0; band < 3; ++band)
         {
-          ASSERT_EQ(a.sums().sum(object, cell, 0, band),
-            b.sums().sum(object, cell, 0, band) + b.sums().sum(object, cell, 1, band));
-          back += b.sums().sum(object, cell, 1, band);
+          ASSERT_EQ(a.sums().sum({ object, cell }, band),
+            b.sums().sum({ object, cell }, band) + b.sums().sum({ object, cell, 1 }, band));
+          back += b.sums().sum({ object, cell, 1 }, band);
         }
       }
     }

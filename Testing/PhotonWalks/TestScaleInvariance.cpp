@@ -88,11 +88,9 @@ void compareAtScale(int exponent, bool scalesModels)
       << "2^" << exponent << ", models " << scalesModels << ", frame " << i;
     for (std::uint32_t object = 0; object < frame.size(); ++object)
     {
-      const std::vector<double> areas = cellAreas(frame[object]), bigAreas = cellAreas(big[object]);
-      for (std::size_t cell = 0; cell < areas.size(); ++cell)
+      for (std::size_t cell = 0; cell < unit.cells().numbers().sizeOf(object); ++cell)
       {
-        ASSERT_EQ(unit.irradiance(object, cell, 0, 0, areas[cell]),
-          scaled.irradiance(object, cell, 0, 0, bigAreas[cell]));
+        ASSERT_EQ(unit.irradiance({ object, cell }, 0), scaled.irradiance({ object, cell }, 0));
       }
     }
   }

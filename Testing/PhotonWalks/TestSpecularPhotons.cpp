@@ -101,8 +101,8 @@ void expectEqual(const SpecularPhotons& sets, const Lists& lists, const SceneObj
       const bool hasPhotons = found != lists.end() && objects[object].material->isSpecular(cell);
       const std::vector<SegmentRef> expected =
         hasPhotons ? found->second : std::vector<SegmentRef>();
-      ASSERT_EQ(sets.sorted(object, cell), expected) << object << ", " << cell;
-      ASSERT_EQ(sets.size(object, cell), expected.size());
+      ASSERT_EQ(sets.sorted({ object, cell }), expected) << object << ", " << cell;
+      ASSERT_EQ(sets.size({ object, cell }), expected.size());
       photons += expected.size();
     }
   }
@@ -192,7 +192,7 @@ TEST(SpecularPhotons, OnlySpecularCellsArePaidFor)
     {
       ++cells;
       specular += objects[object].material->isSpecular(cell) ? 1 : 0;
-      photons += sets.size(object, cell);
+      photons += sets.size({ object, cell });
     }
   }
   const double perPhoton = double(sets.bytes()) / double(photons);

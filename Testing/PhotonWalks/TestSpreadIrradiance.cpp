@@ -76,7 +76,7 @@ TEST(CellSpread, UpdateEqualsRebuildWithATarget)
     double watts = 0;
     for (std::size_t cell = 0; cell < areas.size(); ++cell)
     {
-      watts += engine.irradiance(0, cell, 0, 0, areas[cell]) * areas[cell];
+      watts += engine.irradiance({ 0, cell }, 0) * areas[cell];
     }
     EXPECT_NEAR(watts / test::wattsOn(engine, 0, 0, areas.size()), 1, 1e-12) << "of all rounds";
   }
@@ -102,12 +102,12 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
       double watts = 0, stale = 0;
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        const double all = engine.irradiance(object, cell, 0, 0, areas[cell]),
-                     part = engine.staleIrradiance(object, cell, 0, 0, areas[cell]);
+        const double all = engine.irradiance({ object, cell }, 0),
+                     part = engine.staleIrradiance({ object, cell }, 0);
         EXPECT_GE(part, 0);
         EXPECT_LE(part, all);
         watts += part * areas[cell];
-        stale += engine.watts(engine.stale()->sums().sum(object, cell, 0, 0));
+        stale += engine.watts(engine.stale()->sums().sum({ object, cell }, 0));
       }
       EXPECT_NEAR(watts, stale, 1e-8 * stale);
     }
@@ -140,8 +140,8 @@ TEST(CellSpread, WhatIsStaleIsAtMostAll)
       const std::vector<double> areas = cellAreas(scene.objects()[object]);
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        EXPECT_LE(engine.staleIrradiance(object, cell, 0, 0, areas[cell]),
-          engine.irradiance(object, cell, 0, 0, areas[cell]));
+        EXPECT_LE(
+          engine.staleIrradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
       }
     }
   }
@@ -197,10 +197,9 @@ TEST(CellSpread, ScalesByPowersOfTwo)
       const std::vector<double> areas = cellAreas(unit[object]);
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        ASSERT_EQ(other.irradiance(object, cell, 0, 0, areas[cell] * scale * scale),
-          engine.irradiance(object, cell, 0, 0, areas[cell]));
-        const double error = engine.errorEstimate().standardError(object, cell, 0, 0),
-                     otherError = other.errorEstimate().standardError(object, cell, 0, 0);
+        ASSERT_EQ(other.irradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
+        const double error = engine.errorEstimate().standardError({ object, cell }, 0),
+                     otherError = other.errorEstimate().standardError({ object, cell }, 0);
         ASSERT_TRUE(error == otherError || (std::isnan(error) && std::isnan(otherError)));
       }
     }
@@ -224,17 +223,17 @@ TEST(CellSpread, LeavesLargeCellsAlone)
   sums.update(objects, settings, execution);
   for (std::size_t cell = 0; cell < objects.staticObject.material->numberOfCells; ++cell)
   {
-    EXPECT_EQ(spread.irradiance(0, cell, 0, 0, 1), sums.irradiance(0, cell, 0, 0, 1));
-    const double error = spread.errorEstimate().standardError(0, cell, 0, 0);
-    EXPECT_EQ(error, sums.errorEstimate().standardError(0, cell, 0, 0));
+    EXPECT_EQ(spread.irradiance({ 0, cell }, 0), sums.irradiance({ 0, cell }, 0));
+    const double error = spread.errorEstimate().standardError({ 0, cell }, 0);
+    EXPECT_EQ(error, sums.errorEstimate().standardError({ 0, cell }, 0));
   }
   std::size_t changed = 0, known = 0, knownBySums = 0;
   const std::size_t cells = objects.dynamicObjects[0].material->numberOfCells;
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    changed += spread.irradiance(1, cell, 0, 0, 1) != sums.irradiance(1, cell, 0, 0, 1) ? 1 : 0;
-    known += std::isnan(spread.errorEstimate().standardError(1, cell, 0, 0)) ? 0 : 1;
-    knownBySums += std::isnan(sums.errorEstimate().standardError(1, cell, 0, 0)) ? 0 : 1;
+    changed += spread.irradiance({ 1, cell }, 0) != sums.irradiance({ 1, cell }, 0) ? 1 : 0;
+    known += std::isnan(spread.errorEstimate().standardError({ 1, cell }, 0)) ? 0 : 1;
+    knownBySums += std::isnan(sums.errorEstimate().standardError({ 1, cell }, 0)) ? 0 : 1;
   }
   EXPECT_GT(changed, cells * 9 / 10);
   EXPECT_GT(known, cells * 9 / 10);
@@ -299,8 +298,8 @@ TEST(CellSpread, IntervalsHoldTheTruth)
     const ErrorEstimate errors = engine.errorEstimate();
     for (std::size_t cell = 0; cell < areas.size(); ++cell)
     {
-      const double off = engine.irradiance(1, cell, 0, 0, areas[cell]) - 1,
-                   error = engine.watts(errors.standardError(1, cell, 0, 0)) / areas[cell];
+      const double off = engine.irradiance({ 1, cell }, 0) - 1,
+                   error = engine.watts(errors.standardError({ 1, cell }, 0)) / areas[cell];
       cells += 1;
       squares += off * off;
       known += std::isnan(error) ? 0 : 1;

@@ -41,10 +41,10 @@ public:
       double brought = 0; // to all cells by the new tails
       double stale = 0;
       forEachCell([&](std::uint32_t object, std::size_t cell, int side) {
-        const std::int64_t before = now.sums().sum(object, cell, side, band);
-        const std::int64_t after = full.sums().sum(object, cell, side, band);
+        const std::int64_t before = now.sums().sum({ object, cell, side }, band);
+        const std::int64_t after = full.sums().sum({ object, cell, side }, band);
         const std::int64_t tail =
-          now.stale() ? now.stale()->sums().sum(object, cell, side, band) : 0;
+          now.stale() ? now.stale()->sums().sum({ object, cell, side }, band) : 0;
         ASSERT_GE(tail, 0);
         ASSERT_GE(after, before - tail) << "object " << object << ", cell " << cell;
         largestLoss_ = std::max(largestLoss_, tail > 0 ? double(before - after) / double(tail) : 0);
@@ -205,8 +205,8 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     {
       for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
       {
-        brought += double(full.sums().sum(object, cell, 0, 0) - now.sums().sum(object, cell, 0, 0) +
-          now.stale()->sums().sum(object, cell, 0, 0));
+        brought += double(full.sums().sum({ object, cell }, 0) -
+          now.sums().sum({ object, cell }, 0) + now.stale()->sums().sum({ object, cell }, 0));
       }
     }
     EXPECT_GT(brought, 0);

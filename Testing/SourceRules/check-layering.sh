@@ -20,7 +20,7 @@ modules=(RayCasting PhotonWalks FiltersIrradiance)
 # From the bottom to the top. A module's own folder, without a room, comes after its rooms.
 rooms=(
   RayCasting/{Simd,Progress,Geometry,Meshes,Trees,Ellipsoids,Kernels,Scene} RayCasting
-  PhotonWalks/{Execution,Sampling,Light,History,Photons,Tally,Shooting,Repair} PhotonWalks
+  PhotonWalks/{Execution,Sampling,Light,History,Photons,Tally,Shooting,Repair,Walks} PhotonWalks
   FiltersIrradiance)
 failures=0
 

@@ -18,18 +18,14 @@ std::array<std::vector<double>, 3> someCorners(const SceneObjects& objects)
   std::size_t triangles = 0;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    triangles += objects[i].isPresent ? objects[i].body->mesh().size() : 0;
+    triangles += objects[i].mesh().size();
   }
   const std::size_t step = triangles / kEnough + 1;
   std::array<std::vector<double>, 3> corners;
   std::size_t toNext = 0;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    if (!objects[i].isPresent)
-    {
-      continue;
-    }
-    const TriangleMesh& mesh = objects[i].body->mesh();
+    const TriangleMesh& mesh = objects[i].mesh();
     for (; toNext < mesh.size(); toNext += step)
     {
       const Vector3 corner = objects[i].worldFromObject(mesh[toNext].a);

@@ -134,7 +134,7 @@ bool holds(const Box& outer, const Box& inner)
 /// Triangles of an object that may touch a box in the world.
 std::vector<std::uint32_t> trianglesNear(const SceneObject& object, const Box& world)
 {
-  if (!object.isPresent)
+  if (object.isEmpty())
   {
     return {};
   }

@@ -5,6 +5,7 @@
 #include "Geometry/Ray.h"
 #include "Light/Contacts.h"
 #include "Light/Power.h"
+#include "Light/SceneCell.h"
 #include "Light/SceneObjects.h"
 #include "Meshes/SurfacePoint.h"
 

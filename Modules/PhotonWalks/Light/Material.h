@@ -13,17 +13,6 @@
 namespace irradiance
 {
 
-/// A cell of the scene.
-struct SceneCell
-{
-  std::uint32_t object = 0, cell = 0;
-
-  friend bool operator==(const SceneCell& a, const SceneCell& b)
-  {
-    return a.object == b.object && a.cell == b.cell;
-  }
-};
-
 /// How cells of an object reflect and emit. Arrays hold one value per cell and band, cell-major.
 struct Material
 {
@@ -61,6 +50,14 @@ struct Material
     return isSpecular() ? total_ : reflectance;
   }
 
+  bool hasExitance(std::size_t cell) const
+  {
+    const auto first = cell * static_cast<std::size_t>(bands);
+    return !exitance.empty() &&
+      std::any_of(exitance.begin() + static_cast<std::ptrdiff_t>(first),
+        exitance.begin() + static_cast<std::ptrdiff_t>(first + static_cast<std::size_t>(bands)),
+        [](double watts) { return watts > 0; });
+  }
   bool emits() const { return !exitance.empty() || !pointLights.empty(); }
   double reflectanceOf(std::uint32_t triangle, int band) const
   {

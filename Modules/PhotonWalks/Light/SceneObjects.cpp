@@ -21,12 +21,18 @@ void flattenManySmall(SceneObjects& objects)
   }
 }
 
+bool hasMoved(const SceneObject& now, const SceneObject& before)
+{
+  return now.isPresent != before.isPresent ||
+    (now.isPresent && (now.body != before.body || now.worldFromObject != before.worldFromObject));
+}
+
 std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& checkpoint)
 {
   std::vector<double> areas(object.material->numberOfCells, 0.0);
-  const TriangleMesh& mesh = object.body->mesh();
+  const TriangleMesh& mesh = object.mesh();
   CheckpointPace pace(checkpoint);
-  for (std::size_t i = 0; object.isPresent && i < mesh.size(); ++i)
+  for (std::size_t i = 0; i < mesh.size(); ++i)
   {
     areas[object.material->cellOfTriangle[i]] +=
       transformed(object.worldFromObject, mesh[i]).area();

@@ -43,6 +43,9 @@ struct SceneObjects
  */
 void flattenManySmall(SceneObjects& objects);
 
+/// Whether an object has come or gone, or has another pose or other points.
+bool hasMoved(const SceneObject& now, const SceneObject& before);
+
 /// World area of every cell, m2; 0 if the object is not there.
 std::vector<double> cellAreas(const SceneObject& object, const Checkpoint& checkpoint = {});
 

@@ -329,7 +329,7 @@ NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfac
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     trees_.emplace_back(objects[i], searchUnitsPerWorldUnit_);
-    if (objects[i].isPresent && !leaves.isEmpty(i))
+    if (!objects[i].isEmpty() && !leaves.isEmpty(i))
     {
       lit_.push_back(i);
     }

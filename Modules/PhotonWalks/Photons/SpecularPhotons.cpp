@@ -41,23 +41,24 @@ SpecularPhotons::SpecularPhotons(const SceneObjects& objects)
   }
 }
 
-const PhotonSet* SpecularPhotons::setOf(std::uint32_t object, std::size_t cell) const
+const PhotonSet* SpecularPhotons::setOf(const SceneCell& cell) const
 {
-  const Cells& cells = objects_[object];
-  return cells.material && cells.sets[cell] != kNone ? &sets_[cells.firstSet + cells.sets[cell]]
-                                                     : nullptr;
+  const Cells& cells = objects_[cell.object];
+  return cells.material && cells.sets[cell.cell] != kNone
+    ? &sets_[cells.firstSet + cells.sets[cell.cell]]
+    : nullptr;
 }
 
-std::size_t SpecularPhotons::size(std::uint32_t object, std::size_t cell) const
+std::size_t SpecularPhotons::size(const SceneCell& cell) const
 {
-  const PhotonSet* const set = setOf(object, cell);
+  const PhotonSet* const set = setOf(cell);
   return set ? set->size() : 0;
 }
 
-std::vector<SegmentRef> SpecularPhotons::sorted(std::uint32_t object, std::size_t cell) const
+std::vector<SegmentRef> SpecularPhotons::sorted(const SceneCell& cell) const
 {
   std::vector<SegmentRef> photons;
-  if (const PhotonSet* const set = setOf(object, cell))
+  if (const PhotonSet* const set = setOf(cell))
   {
     photons.reserve(set->size());
     set->forEach([&](const SegmentRef& photon) { photons.push_back(photon); });

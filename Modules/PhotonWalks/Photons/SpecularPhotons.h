@@ -3,6 +3,7 @@
 #define irradiance_SpecularPhotons_h
 
 #include "Execution/Execution.h"
+#include "Light/SceneCell.h"
 #include "Light/SceneObjects.h"
 #include "Photons/PhotonSet.h"
 
@@ -37,9 +38,9 @@ public:
   /// Whether there is no specular cell.
   bool isEmpty() const { return sets_.empty(); }
   /// The number of photons on a cell; 0 if it is not specular.
-  std::size_t size(std::uint32_t object, std::size_t cell) const;
+  std::size_t size(const SceneCell& cell) const;
   /// The photons on a cell, in order, so that a sum over them does not depend on how they came.
-  std::vector<SegmentRef> sorted(std::uint32_t object, std::size_t cell) const;
+  std::vector<SegmentRef> sorted(const SceneCell& cell) const;
   /// Memory held.
   std::size_t bytes() const;
 
@@ -64,7 +65,7 @@ private:
   using Parts = std::array<std::vector<Change>, kParts>;
 
   /// Null if the cell is not specular.
-  const PhotonSet* setOf(std::uint32_t object, std::size_t cell) const;
+  const PhotonSet* setOf(const SceneCell& cell) const;
   class Collector;
   std::vector<Parts> collect(const std::vector<Photon>& photons);
   std::vector<Parts> collect(

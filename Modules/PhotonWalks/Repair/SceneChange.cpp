@@ -4,12 +4,6 @@
 namespace irradiance
 {
 
-bool hasMoved(const SceneObject& now, const SceneObject& before)
-{
-  return now.isPresent != before.isPresent ||
-    (now.isPresent && (now.body != before.body || now.worldFromObject != before.worldFromObject));
-}
-
 namespace
 {
 

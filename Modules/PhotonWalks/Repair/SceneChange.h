@@ -7,6 +7,15 @@
 namespace irradiance
 {
 
+/// What the stored walks need to follow to a frame.
+enum class FrameChange
+{
+  Still,   ///< nothing: no walk can have changed
+  Motion,  ///< verification and repair
+  Replace, ///< likewise, and sums for objects that look different; no walk has touched these
+  Fresh    ///< all are shot again
+};
+
 /// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does
 /// not prove that they changed.
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
@@ -18,9 +27,6 @@ bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before);
 /// Whether an object has another material or another number of triangles. Both frames have as many
 /// objects.
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
-
-/// Whether an object has come or gone, or has another pose or other points.
-bool hasMoved(const SceneObject& now, const SceneObject& before);
 
 /// Which dynamic objects have come or gone, or have another pose or other points. Both frames have as
 /// many of them.

@@ -143,7 +143,7 @@ void WalkBatch::findCells(std::size_t first, WalkTally& tally)
     {
       cells_[i - first] = rules.cellOf(hits_[i].id);
       rules.prefetchCell(hits_[i]);
-      slots_[i - first] = tally.slotOf(walks_[i], hits_[i].id.object, cells_[i - first]);
+      slots_[i - first] = tally.slotOf(walks_[i], { hits_[i].id.object, cells_[i - first] });
       tally.prefetch(slots_[i - first]);
     }
   }

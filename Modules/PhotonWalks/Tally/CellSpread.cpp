@@ -85,7 +85,7 @@ std::int64_t CellSpread::quantaOn(std::uint32_t object, const CellSums& sums, st
       {
         for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
         {
-          quanta += sums.sum(object, cell, side, band, i, rounds);
+          quanta += sums.sum({ object, cell, side }, band, i, rounds);
           pace.step(rounds);
         }
       }
@@ -232,7 +232,7 @@ CellSums CellSpread::spread(
       static_cast<std::size_t>(sums.sides()) * fields.width());
     bool isDark = true;
     forEachSum(fields, [&](auto cell, int side, int band, auto replicate, std::size_t i) {
-      const std::int64_t sum = sums.sum(fields.object, cell, side, band, replicate, rounds);
+      const std::int64_t sum = sums.sum({ fields.object, cell, side }, band, replicate, rounds);
       fields.quanta[i] = static_cast<double>(sum >> shift);
       isDark = isDark && sum == 0;
     });
@@ -243,10 +243,10 @@ CellSums CellSpread::spread(
     forEachSum(fields, [&](auto cell, int side, int band, auto replicate, std::size_t i) {
       const std::int64_t low = shift == 0
         ? 0
-        : sums.sum(fields.object, cell, side, band, replicate, rounds) &
+        : sums.sum({ fields.object, cell, side }, band, replicate, rounds) &
           ((std::int64_t{ 1 } << shift) - 1);
       const auto spread = static_cast<std::int64_t>(fields.quanta[i]);
-      result.set(fields.object, cell, side, band, replicate, (spread << shift) + low);
+      result.set({ fields.object, cell, side }, band, replicate, (spread << shift) + low);
     });
   };
   diffuse(all, begin, end, execution);
@@ -321,13 +321,13 @@ void CellSpread::findPhotonShares(Execution& execution)
   }
 }
 
-double CellSpread::photonShare(std::uint32_t object, std::size_t cell, int side) const
+double CellSpread::photonShare(const CellSide& cell) const
 {
-  const ObjectCells& cells = objects_[object];
+  const ObjectCells& cells = objects_[cell.object];
   return cells.photonShares.empty()
     ? 1.0
-    : cells.photonShares[cell * static_cast<std::size_t>(cells.sides) +
-        static_cast<std::size_t>(side)];
+    : cells.photonShares[cell.cell * static_cast<std::size_t>(cells.sides) +
+        static_cast<std::size_t>(cell.side)];
 }
 
 }

@@ -39,7 +39,7 @@ public:
   /// A photon's effective part in a sum that was spread: if the cells around expect equally many
   /// photons for their area, the estimate draws on 1 / this for each of the cell's own. Known
   /// to within a third or so, and only if the sums of the update had replicates.
-  double photonShare(std::uint32_t object, std::size_t cell, int side) const;
+  double photonShare(const CellSide& cell) const;
 
 private:
   /// The cells of an object, and how power flows between them.

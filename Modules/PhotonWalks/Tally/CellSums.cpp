@@ -12,15 +12,13 @@ CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan,
   : plan_(plan)
   , sides_(sides)
   , bands_(objects.staticObject.material->bands)
+  , numbers_(objects)
 {
-  std::size_t cells = 0;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    firstCell_.push_back(cells);
     materials_.push_back(objects[object].material);
-    cells += objects[object].material->numberOfCells;
   }
-  roundSize_ = cells * static_cast<std::size_t>(sides_) * plan.replicates().count() *
+  roundSize_ = numbers_.size() * static_cast<std::size_t>(sides_) * plan.replicates().count() *
     static_cast<std::size_t>(bands_);
   setRounds(rounds);
 }
@@ -35,11 +33,11 @@ void CellSums::replace(const SceneObjects& objects, const Checkpoint& checkpoint
     {
       if (now.materials_[object] == materials_[object])
       {
+        const CellSide first{ { object, 0 } };
         const auto size = static_cast<std::ptrdiff_t>(
           materials_[object]->numberOfCells * static_cast<std::size_t>(sides_) * sideSize());
-        std::copy_n(sums_.begin() + static_cast<std::ptrdiff_t>(slot({ round, 0 }, object, 0, 0)),
-          size,
-          now.sums_.begin() + static_cast<std::ptrdiff_t>(now.slot({ round, 0 }, object, 0, 0)));
+        std::copy_n(sums_.begin() + static_cast<std::ptrdiff_t>(slot({ round, 0 }, first)), size,
+          now.sums_.begin() + static_cast<std::ptrdiff_t>(now.slot({ round, 0 }, first)));
       }
       if (checkpoint)
       {
@@ -111,23 +109,23 @@ void CellSums::add(const std::vector<Deposit>& deposits)
   }
 }
 
-std::int64_t CellSums::sum(std::uint32_t object, std::size_t cell, int side, int band) const
+std::int64_t CellSums::sum(const CellSide& cell, int band) const
 {
   std::int64_t total = 0;
   for (std::uint32_t replicate = 0; replicate < plan_.replicates().count(); ++replicate)
   {
-    total += sum(object, cell, side, band, replicate, rounds_);
+    total += sum(cell, band, replicate, rounds_);
   }
   return total;
 }
 
-std::int64_t CellSums::sum(std::uint32_t object, std::size_t cell, int side, int band,
-  std::uint32_t replicate, std::size_t rounds) const
+std::int64_t CellSums::sum(
+  const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
 {
   std::int64_t total = 0;
   for (std::size_t round = 0; round < rounds; ++round)
   {
-    total += sums_[slot({ round, replicate }, object, cell, side) + static_cast<std::size_t>(band)];
+    total += sums_[slot({ round, replicate }, cell) + static_cast<std::size_t>(band)];
   }
   return total;
 }

@@ -4,7 +4,7 @@
 
 #include "History/Contribution.h"
 #include "Light/Power.h"
-#include "Light/SceneObjects.h"
+#include "Light/SceneCells.h"
 #include "Sampling/WalkPlan.h"
 #include "Simd/Prefetch.h"
 
@@ -46,17 +46,17 @@ public:
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 
   /// Where the photons of a walk on the front of a cell are added.
-  std::size_t slotOf(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
+  std::size_t slotOf(std::uint32_t walk, const SceneCell& cell) const
   {
-    return slot(groupOf(walk), object, cell, 0);
+    return slot(groupOf(walk), { cell });
   }
   /// Where the photons on the back of a cell with this slot are added.
   std::size_t backOf(std::size_t slot) const { return slot + (sides_ == 2 ? sideSize() : 0); }
   /// Prefetches the sum that add() will change.
   void prefetch(std::size_t slot) const { prefetchLine(sums_.data() + slot); }
-  std::uint32_t cellOf(const TriangleId& id) const
+  SceneCell cellOf(const TriangleId& id) const
   {
-    return materials_[id.object]->cellOfTriangle[id.triangle];
+    return { id.object, materials_[id.object]->cellOfTriangle[id.triangle] };
   }
   /// Appends the deposits of a photon on a cell with this slot. `sign`: 1 to add it, -1 to remove it.
   void collect(std::size_t slot, bool isFront, const Power& power, int sign,
@@ -71,26 +71,25 @@ public:
   /// Likewise of what a stored segment brought.
   void collect(const Contribution& brought, int sign, std::vector<Deposit>& deposits) const
   {
-    const TriangleId& id = brought.hit.id;
-    collect(slotOf(brought.segment.walk, id.object, cellOf(id)), brought.isFront, brought.power,
+    collect(slotOf(brought.segment.walk, cellOf(brought.hit.id)), brought.isFront, brought.power,
       sign, deposits);
   }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);
-  /// `side`: 0 front (or both), 1 back.
-  std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band) const;
+  std::int64_t sum(const CellSide& cell, int band) const;
   /// The part that the walks of one replicate in the first `rounds` rounds brought.
-  std::int64_t sum(std::uint32_t object, std::size_t cell, int side, int band,
-    std::uint32_t replicate, std::size_t rounds) const;
+  std::int64_t sum(
+    const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const;
 
   /// Replaces what the walks of a replicate brought in the first round.
-  void set(std::uint32_t object, std::size_t cell, int side, int band, std::uint32_t replicate,
-    std::int64_t quanta)
+  void set(const CellSide& cell, int band, std::uint32_t replicate, std::int64_t quanta)
   {
-    sums_[slot({ 0, replicate }, object, cell, side) + static_cast<std::size_t>(band)] = quanta;
+    sums_[slot({ 0, replicate }, cell) + static_cast<std::size_t>(band)] = quanta;
   }
 
+  const CellNumbers& numbers() const { return numbers_; }
   int sides() const { return sides_; }
+  int bands() const { return bands_; }
   const WalkPlan& plan() const { return plan_; }
 
 private:
@@ -103,10 +102,10 @@ private:
   {
     return { plan_.roundOf(walk), plan_.replicates().replicateOf(walk) };
   }
-  std::size_t slot(const Group& group, std::uint32_t object, std::size_t cell, int side) const
+  std::size_t slot(const Group& group, const CellSide& cell) const
   {
-    const std::size_t part = (firstCell_[object] + cell) * static_cast<std::size_t>(sides_) +
-      static_cast<std::size_t>(side);
+    const std::size_t part =
+      numbers_[cell] * static_cast<std::size_t>(sides_) + static_cast<std::size_t>(cell.side);
     return group.round * roundSize_ + part * sideSize() +
       group.replicate * static_cast<std::size_t>(bands_);
   }
@@ -119,7 +118,7 @@ private:
   WalkPlan plan_;
   int sides_ = 1;
   int bands_ = 1;
-  std::vector<std::size_t> firstCell_;
+  CellNumbers numbers_;
   std::vector<std::shared_ptr<const Material>> materials_;
   std::size_t rounds_ = 0;
   std::size_t roundSize_ = 0; ///< sums of a round

@@ -53,20 +53,17 @@ double ErrorEstimate::confidenceFactor(std::uint32_t replicates)
   return studentQuantile(kConfidence, static_cast<int>(replicates) - 1);
 }
 
-ErrorEstimate::Received ErrorEstimate::received(
-  std::uint32_t object, std::size_t cell, int side, int band) const
+ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) const
 {
   const auto replicates = static_cast<std::uint32_t>(share_.size());
-  const auto ofReplicate = [&](std::uint32_t i) {
-    return sums_.sum(object, cell, side, band, i, rounds_);
-  };
+  const auto ofReplicate = [&](std::uint32_t i) { return sums_.sum(cell, band, i, rounds_); };
   std::int64_t total = 0;
   for (std::uint32_t i = 0; i < replicates; ++i)
   {
     total += ofReplicate(i);
   }
   const auto quanta = static_cast<double>(total);
-  const double photon = this->photon(object, cell, side, band);
+  const double photon = this->photon(cell, band);
   if (replicates < 2 || walks_ < kFewestPhotons || total == 0 || quanta < kFewestPhotons * photon)
   {
     return { quanta, std::nan(""), photon };
@@ -97,31 +94,26 @@ double ErrorEstimate::relativeError(const Received& received, double average, do
   return std::isnan(received.error) ? kInfinity : factor * received.error / received.quanta;
 }
 
-std::vector<ErrorEstimate::CellSide> ErrorEstimate::cellSides(
-  const SceneObjects& objects, Execution& execution) const
+std::vector<ErrorEstimate::Part> ErrorEstimate::partsOf(
+  const SceneCells& cells, Execution& execution) const
 {
-  std::vector<CellSide> parts;
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    const std::vector<double> areas = cellAreas(objects[object]);
-    for (std::size_t cell = 0; cell < areas.size(); ++cell)
+  std::vector<Part> parts;
+  cells.numbers().forEach([&](const SceneCell& cell) {
+    const double area = cells.area(cell);
+    for (int side = 0; side < sums_.sides() && area > 0; ++side)
     {
-      for (int side = 0; side < sums_.sides() && areas[cell] > 0; ++side)
-      {
-        parts.push_back({ object, cell, side, areas[cell] });
-      }
+      parts.push_back({ { cell, side }, area });
     }
-  }
+  });
   constexpr std::size_t kPartsPerUnit = 4096;
   SlicedPass pass{ (parts.size() + kPartsPerUnit - 1) / kPartsPerUnit, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
     for (std::size_t i = unit * kPartsPerUnit;
          i < std::min((unit + 1) * kPartsPerUnit, parts.size()); ++i)
     {
-      for (int band = 0; band < objects.staticObject.material->bands; ++band)
+      for (int band = 0; band < sums_.bands(); ++band)
       {
-        parts[i].received[static_cast<std::size_t>(band)] =
-          received(parts[i].object, parts[i].cell, parts[i].side, band);
+        parts[i].received[static_cast<std::size_t>(band)] = received(parts[i].cell, band);
       }
     }
     return true;
@@ -130,13 +122,12 @@ std::vector<ErrorEstimate::CellSide> ErrorEstimate::cellSides(
   return parts;
 }
 
-double ErrorEstimate::relativeErrorOfMostArea(
-  const SceneObjects& objects, Execution& execution) const
+double ErrorEstimate::relativeErrorOfMostArea(const SceneCells& cells, Execution& execution) const
 {
-  const std::vector<CellSide> parts = cellSides(objects, execution);
+  const std::vector<Part> parts = partsOf(cells, execution);
   double area = 0;
   std::array<double, Power::kMaxBands> sums{}; // quanta
-  for (const CellSide& part : parts)
+  for (const Part& part : parts)
   {
     area += part.area;
     for (std::size_t band = 0; band < sums.size(); ++band)
@@ -147,10 +138,10 @@ double ErrorEstimate::relativeErrorOfMostArea(
   const double factor = confidenceFactor(static_cast<std::uint32_t>(share_.size()));
   std::vector<std::pair<double, double>> errors; // with the area
   errors.reserve(parts.size());
-  for (const CellSide& part : parts)
+  for (const Part& part : parts)
   {
     double worst = 0;
-    for (int band = 0; band < objects.staticObject.material->bands; ++band)
+    for (int band = 0; band < sums_.bands(); ++band)
     {
       const auto i = static_cast<std::size_t>(band);
       worst = std::max(worst, relativeError(part.received[i], sums[i] / area * part.area, factor));

@@ -36,31 +36,25 @@ public:
   static double confidenceFactor(std::uint32_t replicates);
 
   /// Of a cell's sum, in quanta; NaN where too few photons arrived.
-  double standardError(std::uint32_t object, std::size_t cell, int side, int band) const
-  {
-    return received(object, cell, side, band).error;
-  }
+  double standardError(const CellSide& cell, int band) const { return received(cell, band).error; }
 
   std::uint32_t replicates() const { return static_cast<std::uint32_t>(share_.size()); }
   /// What one replicate by itself says of a cell's sum, in quanta: its own, over its share of the walks.
-  double ofReplicate(
-    std::uint32_t object, std::size_t cell, int side, int band, std::uint32_t replicate) const
+  double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
   {
-    return static_cast<double>(sums_.sum(object, cell, side, band, replicate, rounds_)) /
-      share_[replicate];
+    return static_cast<double>(sums_.sum(cell, band, replicate, rounds_)) / share_[replicate];
   }
   /// What one photon of full power effectively brings to a cell, in quanta.
-  double photon(std::uint32_t object, std::size_t cell, int side, int band) const
+  double photon(const CellSide& cell, int band) const
   {
-    return photon_[static_cast<std::size_t>(band)] *
-      (spread_ ? spread_->photonShare(object, cell, side) : 1.0);
+    return photon_[static_cast<std::size_t>(band)] * (spread_ ? spread_->photonShare(cell) : 1.0);
   }
 
   /// The least e for which kConfidence of the area is known to within e times its own irradiance,
   /// with probability kConfidence; infinite if there is none. A cell that received nothing is known
   /// to within 3 photons; its e is 3 photons over what its area receives on average. The worst band
   /// of a cell counts, and each side by itself if they are kept apart.
-  double relativeErrorOfMostArea(const SceneObjects& objects, Execution& execution) const;
+  double relativeErrorOfMostArea(const SceneCells& cells, Execution& execution) const;
 
 private:
   /// What a cell, or one of its sides, has received in a band, its standard error, and what one
@@ -69,17 +63,15 @@ private:
   {
     double quanta, error, photon;
   };
-  struct CellSide
+  struct Part
   {
-    std::uint32_t object;
-    std::size_t cell;
-    int side;
+    CellSide cell;
     double area; ///< m2
     std::array<Received, Power::kMaxBands> received{};
   };
-  Received received(std::uint32_t object, std::size_t cell, int side, int band) const;
+  Received received(const CellSide& cell, int band) const;
   /// All cells, or sides of cells, that have an area.
-  std::vector<CellSide> cellSides(const SceneObjects& objects, Execution& execution) const;
+  std::vector<Part> partsOf(const SceneCells& cells, Execution& execution) const;
   /// `average`: quanta that a cell of this area receives on average. `factor`: confidenceFactor().
   static double relativeError(const Received& received, double average, double factor);
 

@@ -25,9 +25,9 @@ public:
 
   int sides() const { return sums_.sides(); }
   /// Where the photons of a walk on a cell are tallied.
-  std::size_t slotOf(std::uint32_t walk, std::uint32_t object, std::uint32_t cell) const
+  std::size_t slotOf(std::uint32_t walk, const SceneCell& cell) const
   {
-    return sums_.slotOf(walk, object, cell);
+    return sums_.slotOf(walk, cell);
   }
   std::size_t backOf(std::size_t slot) const { return sums_.backOf(slot); }
   /// Prefetches the sum that a photon will change.

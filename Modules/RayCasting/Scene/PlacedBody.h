@@ -21,11 +21,14 @@ struct PlacedBody
   /// Whether it is there in this frame. If not, it is as if it had no triangles.
   bool isPresent = true;
 
-  bool isEmpty() const { return !isPresent || body->mesh().isEmpty(); }
-  Box worldBounds() const
+  /// The triangles that are there in this frame.
+  const TriangleMesh& mesh() const
   {
-    return isEmpty() ? Box() : movedBox(worldFromObject, body->mesh().bounds());
+    static const TriangleMesh none;
+    return isPresent ? body->mesh() : none;
   }
+  bool isEmpty() const { return mesh().isEmpty(); }
+  Box worldBounds() const { return isEmpty() ? Box() : movedBox(worldFromObject, mesh().bounds()); }
 };
 
 }

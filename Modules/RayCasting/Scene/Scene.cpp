@@ -125,8 +125,7 @@ Scene::MixedTree Scene::mix(
   {
     mixed.first[object] = static_cast<std::uint32_t>(world.size());
     conditionNumber = std::max(conditionNumber, object == 0 ? 1.0 : placed_[object - 1].condition);
-    const bool isPresent = object == 0 || placed_[object - 1].object.isPresent;
-    for (std::uint32_t i = 0; isPresent && i < bodyOf(object).mesh().size(); ++i)
+    for (std::uint32_t i = 0; i < meshOf(object).size(); ++i)
     {
       mixed.ids.push_back({ object, i });
       world.push_back(worldTriangle(mixed.ids.back()));

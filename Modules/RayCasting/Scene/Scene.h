@@ -126,6 +126,11 @@ private:
   void place(double magnitude);
   MixedTree mix(const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const;
   Group group(const std::vector<bool>& chosen, const Checkpoint& checkpoint) const;
+  /// The triangles that are there.
+  const TriangleMesh& meshOf(std::uint32_t object) const
+  {
+    return object == 0 ? static_->mesh() : placed_[object - 1].object.mesh();
+  }
   const RigidObject& bodyOf(std::uint32_t object) const
   {
     return object == 0 ? *static_ : *placed_[object - 1].object.body;

@@ -60,7 +60,8 @@ private:
 
   KdBounds hull_;
   std::array<std::uint32_t, kFaces> counts_ = {};
-  std::array<Part, kFaces + 1> parts_; ///< the sheets, each item in its first, and last what is in none
+  /// The sheets, each item in its first one, and last what is in none.
+  std::array<Part, kFaces + 1> parts_;
 };
 
 }

@@ -37,7 +37,7 @@ inline CellField irradianceOf(
   const irradiance::IrradianceEngine& engine, const irradiance::SceneObjects& objects)
 {
   return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double area) {
-    return engine.irradiance(object, cell, 0, 0, area);
+    return engine.irradiance({ object, cell }, 0);
   });
 }
 

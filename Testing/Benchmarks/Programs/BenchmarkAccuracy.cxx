@@ -127,7 +127,7 @@ void measureCoverage(const std::string& name, const Truth& scene, const Irradian
   const ErrorEstimate estimate = engine.errorEstimate();
   const CellField errors =
     fieldOf(scene.objects, [&](std::uint32_t object, std::size_t cell, double area) {
-      return engine.watts(estimate.standardError(object, cell, 0, 0)) / area;
+      return engine.watts(estimate.standardError({ object, cell }, 0)) / area;
     });
   const CellField isKnown = (!errors.isNaN()).cast<double>();
   const CellField holds = ((irradianceOf(engine, scene.objects) - scene.irradiance).abs() <=

@@ -139,7 +139,7 @@ std::vector<PhotonTraffic::Photons> contentsOf(
   {
     for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
     {
-      contents.push_back(sets.sorted(object, cell));
+      contents.push_back(sets.sorted({ object, cell }));
     }
   }
   return contents;

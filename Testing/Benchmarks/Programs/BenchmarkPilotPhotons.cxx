@@ -34,7 +34,7 @@ struct Frame
 CellField receivedBy(const PilotTracer& tracer, const SceneObjects& objects)
 {
   return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double area) {
-    return tracer.watts(tracer.sums().sum(object, cell, 0, 0)) / area;
+    return tracer.watts(tracer.sums().sum({ object, cell }, 0)) / area;
   });
 }
 

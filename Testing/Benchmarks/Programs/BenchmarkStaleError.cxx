@@ -56,7 +56,7 @@ BoundsUse boundsUse(const IrradianceEngine& engine, const Truth& truth)
 {
   const CellField stale =
     fieldOf(truth.objects, [&](std::uint32_t object, std::size_t cell, double area) {
-      return engine.staleIrradiance(object, cell, 0, 0, area);
+      return engine.staleIrradiance({ object, cell }, 0);
     });
   const CellField loss = irradianceOf(engine, truth.objects) - truth.irradiance;
   const double rounding = 1e-12 * meanOf(truth.irradiance, truth.areas);

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkSet_h
+#define irradiance_WalkSet_h
+
+#include "Execution/Execution.h"
+#include "History/WalkHistory.h"
+#include "Light/Contacts.h"
+#include "Light/Emitter.h"
+#include "Repair/StaleWalks.h"
+#include "Repair/WalkVerifier.h"
+#include "Tally/CellSums.h"
+#include "Tally/PowerBalance.h"
+#include "Walks/WalkSettings.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// What walks fly through in a frame.
+struct WalkSpace
+{
+  const Scene& scene;
+  const SceneObjects& objects;
+  const Contacts& contacts;
+};
+
+/**
+ * A population of walks that start at the same lights, each with the same power: where they start, how
+ * many there are, what is stored of them, what they brought to the cells, and which of them are stale.
+ *
+ * Walks are shot round by round. After a motion they are verified, and those that it changed are shot
+ * again; then all is as if it had been shot in that frame, bit for bit.
+ */
+class WalkSet
+{
+public:
+  /// The plan of the walks that settings ask for.
+  static WalkPlan planOf(const WalkSettings& settings);
+
+  /// Before the start: the lights and the number of walks.
+  void setSource(EmitterTable emitters, const WalkPlan& plan);
+  /// For what is done next. Between two starts they may differ only in what is kept, and in the budget.
+  void setSettings(const WalkSettings& settings);
+  /// Forgets all walks. The next rounds are shot in this space.
+  void start(const WalkSpace& space, Execution& execution);
+  /// Shoots a round. With `isStored` the history holds all rounds before it.
+  void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
+  /// Drops all but the first `kept` rounds.
+  void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
+  /// Follows a motion: verifies what is stored, if any object `moved`, and repairs what is stale, as far
+  /// as the budget of time goes. `changes`: receives the photons that go and come; null: not asked for.
+  void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
+    Execution& execution);
+  /// Changes to objects of which some have other cells. No walk may touch these, or be stale.
+  void replaceCells(const SceneObjects& objects, const Checkpoint& checkpoint);
+  /// Finds the sides of all stored hits; those that walks leave are stored anyway.
+  void findSides(const WalkSpace& space, Execution& execution);
+  /// Forgets that there was a budget if nothing is stale, and there is none now or the number of rounds
+  /// has changed.
+  void forgetBudget();
+
+  bool isEmpty() const { return emitters_.isEmpty(); }
+  const EmitterTable& emitters() const { return emitters_; }
+  const WalkPlan& plan() const { return plan_; }
+  const WalkHistory& history() const { return history_; }
+  /// What arrived in the cells themselves.
+  const CellSums& sums() const { return sums_; }
+  const PowerBalance& balance() const { return balance_; }
+  /// What the budget left unrepaired; null without a budget, or before anything moved.
+  const StaleWalks* stale() const { return stale_.get(); }
+  bool hasStale() const { return stale_ && !stale_->isEmpty(); }
+  /// The first segments of the tails that the last repair shot again, ordered by walk; empty after a
+  /// start. Only if that repair was to list them.
+  const std::vector<SegmentRef>& repaired() const { return repaired_; }
+  /// What was done since the settings were made.
+  const WalkStatistics& statistics() const { return statistics_; }
+  /// The number of walks shot; more than in the settings if a target needs them.
+  std::uint32_t numberOfWalks() const { return plan_.rounds()[sums_.rounds() - 1].endWalk; }
+  /// Watts of a number of quanta.
+  double watts(double quanta) const
+  {
+    return emitters_.flux() *
+      (quanta / (static_cast<double>(emitters_.photon()) * numberOfWalks()));
+  }
+  /// Memory held.
+  std::size_t bytes() const;
+
+  SobolSequence samples() const { return SobolSequence(settings_.seed, plan_.replicates()); }
+  /// The arguments must outlive it.
+  WalkShooter shooter(const WalkSpace& space, const SobolSequence& samples) const
+  {
+    return { space.scene, space.objects, emitters_, samples, &space.contacts };
+  }
+  /// Walks stay inside, except where they escape.
+  Box bounds(const Scene& scene) const;
+
+private:
+  using Found = std::vector<std::vector<StaleSegment>>; ///< by block
+
+  int sides() const { return settings_.separateSides ? 2 : 1; }
+  bool hasBudget() const { return settings_.repairTimeBudget > 0; }
+  void shootBlocks(
+    const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution);
+  Found verify(const WalkShooter& shooter, const std::vector<bool>& moved, const WalkSpace& space,
+    Execution& execution);
+  void repair(
+    const WalkShooter& shooter, const Found& found, PhotonChanges* changes, Execution& execution);
+  double reachInFrame(const Scene& scene) const;
+
+  WalkSettings settings_;
+  EmitterTable emitters_;
+  WalkPlan plan_;
+  WalkHistory history_; ///< empty unless walks are stored
+  CellSums sums_;
+  PowerBalance balance_;
+  std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
+  std::vector<SegmentRef> repaired_;
+  bool hasSides_ = false; ///< all sides of stored hits are known, see WalkBatch
+  double pointReach_ = 0; ///< the largest coordinate of a stored point, except the ends of escapes
+  double clearance_ = 0;  ///< of all frames since the start, see Scene
+  WalkStatistics statistics_;
+};
+
+}
+
+#endif
