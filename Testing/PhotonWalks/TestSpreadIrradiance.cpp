@@ -140,8 +140,8 @@ TEST(CellSpread, WhatIsStaleIsAtMostAll)
       const std::vector<double> areas = cellAreas(scene.objects()[object]);
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        EXPECT_LE(engine.staleIrradiance({ object, cell }, 0),
-          engine.irradiance({ object, cell }, 0));
+        EXPECT_LE(
+          engine.staleIrradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
       }
     }
   }
@@ -197,8 +197,7 @@ TEST(CellSpread, ScalesByPowersOfTwo)
       const std::vector<double> areas = cellAreas(unit[object]);
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        ASSERT_EQ(other.irradiance({ object, cell }, 0),
-          engine.irradiance({ object, cell }, 0));
+        ASSERT_EQ(other.irradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
         const double error = engine.errorEstimate().standardError({ object, cell }, 0),
                      otherError = other.errorEstimate().standardError({ object, cell }, 0);
         ASSERT_TRUE(error == otherError || (std::isnan(error) && std::isnan(otherError)));

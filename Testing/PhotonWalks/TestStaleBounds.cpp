@@ -205,8 +205,8 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     {
       for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
       {
-        brought += double(full.sums().sum({ object, cell }, 0) - now.sums().sum({ object, cell }, 0) +
-          now.stale()->sums().sum({ object, cell }, 0));
+        brought += double(full.sums().sum({ object, cell }, 0) -
+          now.sums().sum({ object, cell }, 0) + now.stale()->sums().sum({ object, cell }, 0));
       }
     }
     EXPECT_GT(brought, 0);
