@@ -19,10 +19,10 @@ namespace
 
 constexpr std::uint32_t kReplicates = 16;
 
-WalkSettings settingsOf(std::uint64_t seed)
+WalkSettings settingsOf(std::uint64_t seed, std::uint32_t walks)
 {
   WalkSettings settings;
-  settings.numberOfWalks = test::scaled(200000);
+  settings.numberOfWalks = test::scaled(walks);
   settings.seed = seed;
   settings.replicates = kReplicates;
   return settings;
@@ -42,12 +42,17 @@ SceneObjects only(bool hasPoints, const SceneObjects& objects)
 class TwoSets
 {
 public:
+  explicit TwoSets(std::uint32_t walks)
+    : walks_(walks)
+  {
+  }
+
   void start(const SceneObjects& objects)
   {
     commit(objects, {});
     for (std::size_t i = 0; i < sets_.size(); ++i)
     {
-      const WalkSettings settings = settingsOf(i + 1);
+      const WalkSettings settings = settingsOf(i + 1, walks_);
       const WalkPlan plan = WalkSet::planOf(settings);
       WalkSet& set = sets_[i];
       set.setSource(EmitterTable(only(i == 1, objects), plan.most(), &contacts_), plan);
@@ -78,6 +83,7 @@ private:
     contacts_.update(objects, {});
   }
 
+  std::uint32_t walks_;
   test::ThreadExecution execution_{ 2 };
   SceneObjects objects_;
   Scene scene_;
@@ -106,7 +112,8 @@ TEST(WalkSet, TwoFollowMotionsToTheBitsOfAFreshStart)
 {
   constexpr unsigned kSeed = 11;
   test::MovingScene scene(3, false, kSeed);
-  TwoSets followed;
+  constexpr std::uint32_t kWalks = 40000;
+  TwoSets followed(kWalks);
   followed.start(scene.objects());
   const int frames = static_cast<int>(test::scaled(100));
   std::int64_t invalid = 0;
@@ -119,7 +126,7 @@ TEST(WalkSet, TwoFollowMotionsToTheBitsOfAFreshStart)
     {
       continue;
     }
-    TwoSets fresh;
+    TwoSets fresh(kWalks);
     fresh.start(scene.objects());
     for (std::size_t i = 0; i < 2; ++i)
     {
@@ -137,10 +144,11 @@ TEST(WalkSet, TwoBringWhatOneWithAllLampsBrings)
 {
   constexpr unsigned kSeed = 12;
   test::MovingScene scene(1, true, kSeed);
-  TwoSets two;
+  constexpr std::uint32_t kWalks = 200000;
+  TwoSets two(kWalks);
   two.start(scene.objects());
   EngineSettings settings;
-  static_cast<WalkSettings&>(settings) = settingsOf(3);
+  static_cast<WalkSettings&>(settings) = settingsOf(3, kWalks);
   IrradianceEngine one;
   Execution serial;
   one.update(scene.objects(), settings, serial);
