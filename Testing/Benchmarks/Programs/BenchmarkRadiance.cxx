@@ -51,7 +51,7 @@ double meanRadiance(const OutgoingRadiance& radiance, const SceneObjects& object
   double sum = 0;
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    sum += radiance(0, cell, eye)[0];
+    sum += radiance({ 0, cell }, eye)[0];
   }
   return sum / static_cast<double>(cells);
 }
