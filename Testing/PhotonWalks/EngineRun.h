@@ -27,33 +27,28 @@ constexpr std::uint32_t scaled(std::uint32_t count)
   return kIsSanitized ? std::max(count / 12, 1u) : count;
 }
 
-/// The engine's whole answer, in integers.
+/// The whole answer of an engine or of a set of walks, in integers.
 using Answer = std::vector<std::int64_t>;
 
-inline Answer answerOf(
-  const IrradianceEngine& engine, const SceneObjects& objects, bool separateSides = false)
+template <class Walks>
+Answer answerOf(const Walks& walks, const SceneObjects& objects, bool separateSides = false)
 {
   Answer answer;
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    const Material& material = *objects[object].material;
-    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
+  CellNumbers(objects).forEach([&](const SceneCell& cell) {
+    for (int side = 0; side < (separateSides ? 2 : 1); ++side)
     {
-      for (int side = 0; side < (separateSides ? 2 : 1); ++side)
+      for (int band = 0; band < objects.staticObject.material->bands; ++band)
       {
-        for (int band = 0; band < material.bands; ++band)
-        {
-          answer.push_back(engine.sums().sum({ object, cell, side }, band));
-        }
+        answer.push_back(walks.sums().sum({ cell, side }, band));
       }
     }
-  }
-  for (const Power& power :
-    { engine.balance().emitted, engine.balance().absorbed, engine.balance().escaped })
+  });
+  const PowerBalance& balance = walks.balance();
+  for (const Power& power : { balance.emitted, balance.absorbed, balance.escaped })
   {
     answer.insert(answer.end(), power.quanta.begin(), power.quanta.end());
   }
-  answer.push_back(engine.balance().segments);
+  answer.push_back(balance.segments);
   return answer;
 }
 

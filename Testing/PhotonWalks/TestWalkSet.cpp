@@ -91,23 +91,6 @@ private:
   std::array<WalkSet, 2> sets_;
 };
 
-std::vector<std::int64_t> sumsOf(const WalkSet& set, const SceneObjects& objects)
-{
-  std::vector<std::int64_t> sums;
-  CellNumbers(objects).forEach([&](const SceneCell& cell) {
-    for (int band = 0; band < set.sums().bands(); ++band)
-    {
-      sums.push_back(set.sums().sum({ cell }, band));
-    }
-  });
-  for (const Power& power :
-    { set.balance().emitted, set.balance().absorbed, set.balance().escaped })
-  {
-    sums.insert(sums.end(), power.quanta.begin(), power.quanta.end());
-  }
-  return sums;
-}
-
 TEST(WalkSet, TwoFollowMotionsToTheBitsOfAFreshStart)
 {
   constexpr unsigned kSeed = 11;
@@ -130,8 +113,8 @@ TEST(WalkSet, TwoFollowMotionsToTheBitsOfAFreshStart)
     fresh.start(scene.objects());
     for (std::size_t i = 0; i < 2; ++i)
     {
-      ASSERT_EQ(
-        sumsOf(followed.sets()[i], scene.objects()), sumsOf(fresh.sets()[i], scene.objects()))
+      ASSERT_EQ(test::answerOf(followed.sets()[i], scene.objects()),
+        test::answerOf(fresh.sets()[i], scene.objects()))
         << "set " << i << ", frame " << frame;
     }
   }
