@@ -32,8 +32,12 @@ fi
 cmake --build --preset release --parallel "$(nproc)" --target "$example"
 
 case $example in
-  MovingTeapot | CuringOven) fetch_data || echo "The data could not be fetched; the program goes on with what is there." ;;
+  MovingTeapot | CuringOven | InteractiveRoom) fetch_data || echo "The data could not be fetched; the program goes on with what is there." ;;
 esac
 
 cd "$caller" # file names among the arguments are the caller's
+# What waits for the user's mouse and keys needs the user's own display; what plays or measures does not.
+if [[ $example == InteractiveRoom && " $*" != *" --events"* && " $*" != *" --frames"* ]]; then
+  exec "$home/build/release/bin/$example" "$@"
+fi
 exec "$home/Utilities/run-under-xvfb.sh" "$home/build/release/bin/$example" "$@"

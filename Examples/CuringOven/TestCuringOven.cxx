@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The oven's parts, its dose and what it writes, against what is known of them beforehand.
+#include "../../Testing/MessageOf.h"
+#include "../../Testing/WriteFile.h"
 #include "CureTable.h"
 #include "Oven.h"
 #include "OvenOptions.h"
@@ -44,19 +46,6 @@ using namespace curingoven;
 namespace
 {
 
-std::string MessageOf(const std::function<void()>& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const std::exception& error)
-  {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
 bool Has(const std::string& text, const char* part)
 {
   return text.find(part) != std::string::npos;
@@ -67,13 +56,6 @@ std::string TextOf(const std::string& path)
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
-}
-
-std::string WriteFile(const std::string& name, const std::string& text)
-{
-  std::string path = testing::TempDir() + name;
-  std::ofstream(path) << text;
-  return path;
 }
 
 template <typename Writer, typename Source>

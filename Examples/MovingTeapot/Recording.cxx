@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Recording.h"
 
+#include "IrradianceColors.h"
 #include "OutputFolder.h"
 #include "TeapotScene.h"
 #include "VtkErrors.h"
@@ -56,13 +57,6 @@ constexpr const char* Irradiance = "Irradiance"; // W/m2
 // The end of the colour range, W/m2. With the lamp of this scene 98 % of all area receive less; the
 // lamp's neighbourhood does not darken the rest.
 constexpr double Brightest = 30.0;
-
-// Dark to light like glowing iron; even steps in irradiance look even (the "inferno" map of
-// matplotlib, CC0). Not const, for VTK takes no such table.
-double ColorStops[][3] = { { 0.001, 0.000, 0.014 }, { 0.122, 0.047, 0.282 },
-  { 0.341, 0.062, 0.429 }, { 0.550, 0.135, 0.404 }, { 0.736, 0.216, 0.330 },
-  { 0.891, 0.350, 0.197 }, { 0.978, 0.558, 0.035 }, { 0.976, 0.793, 0.240 },
-  { 0.988, 0.998, 0.645 } };
 
 // Each point takes the mean of the cells around it, and each cell then the mean of its points: small cells,
 // which few photons hit, become less noisy.
@@ -167,7 +161,7 @@ void Recording::SetUpWindow(int width, int height)
   vtkNew<vtkTextProperty> style;
   style->SetColor(0.1, 0.1, 0.1);
   style->SetFontSize(height / 36);
-  this->Colors->BuildFunctionFromTable(0.0, Brightest, int(std::size(ColorStops)), ColorStops[0]);
+  SetIrradianceColors(this->Colors, Brightest);
   this->Caption->SetTextProperty(style);
   this->Caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   this->Caption->SetPosition(0.012, 0.02);

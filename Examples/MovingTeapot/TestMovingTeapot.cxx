@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of the scene, against what is known of them beforehand.
+#include "../../Testing/MessageOf.h"
+#include "../../Testing/WriteFile.h"
 #include "Meshes.h"
 #include "Options.h"
 #include "OutputFolder.h"
@@ -84,26 +86,6 @@ double SignedVolume(vtkPolyData* mesh, vtkIdType first, vtkIdType last, const Po
     volume += vtkMath::Determinant3x3(corner[0].data(), corner[1].data(), corner[2].data()) / 6.0;
   }
   return volume;
-}
-
-std::string WriteFile(const std::string& name, const std::string& text)
-{
-  const std::string path = testing::TempDir() + name;
-  std::ofstream(path) << text;
-  return path;
-}
-
-std::string MessageOf(const std::function<void()>& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const std::runtime_error& error)
-  {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 bool Has(const std::string& text, const char* part)

@@ -57,7 +57,7 @@ public:
   void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
     vtkMultiBlockDataSet* output, vtkPolyData* walks);
   void Advise(
-    vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::Checkpoint& checkpoint);
+    vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint);
 
   irradiance::DynamicPoses Poses;
   irradiance::SceneReader Scene;
@@ -111,23 +111,8 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
   }
 }
 
-/// The nearest photons are others in each replicate and round.
-void CheckNearest(vtkIrradianceFilter* filter)
-{
-  const char* other = filter->GetComputeStandardError() ? "ComputeStandardError"
-    : filter->GetTargetRelativeError() > 0              ? "TargetRelativeError"
-    : filter->GetRepairTimeBudget() > 0                 ? "RepairTimeBudget"
-                                                        : nullptr;
-  if (other && filter->GetCellEstimate() == vtkIrradianceFilter::Nearest)
-  {
-    throw irradiance::InputError(std::string("CellEstimate Nearest and ") + other +
-      " exclude each other: what is known of the error is known of sums, also spread ones");
-  }
-}
-
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
-  CheckNearest(filter);
   constexpr vtkIdType mostSpreadPhotons = 1000000;
   const double budget = filter->GetRepairTimeBudget();
   if (!(budget >= 0))
@@ -153,6 +138,10 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.cellEstimate = static_cast<irradiance::CellEstimate>(filter->GetCellEstimate());
   settings.spreadPhotons =
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
+  if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
+  {
+    throw irradiance::InputError(conflict);
+  }
   return settings;
 }
 
@@ -162,7 +151,7 @@ vtkInformation* RequestingOutput(vtkInformation* request, vtkInformationVector* 
   return outputs->GetInformationObject(port);
 }
 
-/// That of the output for which somebody asks.
+/// The time for which the requested output is to be computed; none if the request names no time.
 std::optional<double> RequestedTime(vtkInformation* request, vtkInformationVector* outputs)
 {
   auto* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
@@ -450,7 +439,7 @@ vtkAlgorithmOutput* vtkIrradianceFilter::GetWalksOutputPort()
   return this->GetOutputPort(1);
 }
 
-// The executive copies only the times of the first connection; a scene has those of all.
+// The executive copies only the times of the first connection; a scene has the times of all.
 int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
@@ -504,14 +493,15 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
 
 /// Says what is probably a mistake, unless it said so when the inputs last changed.
 void vtkIrradianceFilter::vtkInternals::Advise(
-  vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::Checkpoint& checkpoint)
+  vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint)
 {
   if (!this->Scene.hasNews())
   {
     return;
   }
-  const std::vector<std::string> advice = this->Engine->hasEmitters()
-    ? irradiance::SceneAdvice(inputs.Static, inputs.Dynamic, this->Scene, *this->Engine, checkpoint)
+  const std::vector<std::string> advice = this->Engine->hasLights()
+    ? irradiance::SceneAdvice(
+        inputs.Static, inputs.Dynamic, this->Scene, *this->Engine, cancelPoint)
         .warnings()
     : std::vector<std::string>(
         1, irradiance::noLightWarning(filter, inputs.Static, inputs.Dynamic));
@@ -535,14 +525,14 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
       filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
     inputs.Static, inputs.Dynamic);
   settings.keepPhotons = irradiance::arePhotonsRequested(request) || walksWriter.isAsked() ||
-    settings.cellEstimate == irradiance::CellEstimate::Nearest;
+    irradiance::needsPhotons(settings.cellEstimate);
   settings.listRepaired = walksWriter.isAsked();
   irradiance::SmpExecution execution = irradiance::executionOf(filter);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
   {
     throw irradiance::Interrupted();
   }
-  const irradiance::Checkpoint reading = irradiance::checkpointOf(execution, 0);
+  const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
   this->Scene.read(inputs.Static, inputs.Dynamic, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())
   {
@@ -553,7 +543,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   {
     vtkWarningWithObjectMacro(filter, << TargetMissed(*this->Engine, settings));
   }
-  const irradiance::Checkpoint writing = irradiance::checkpointOf(execution, 1);
+  const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
   this->Advise(filter, inputs, writing);
   irradiance::OutputWriter(*this->Engine, this->Scene, settings,
     filter->GetComputeStandardError() != 0, irradiance::areReplicatesRequested(request), writing)

@@ -75,15 +75,15 @@ public:
   /// From which photons the irradiance of a cell is estimated.
   enum CellEstimates
   {
-    Sums = 0,   ///< those that arrived in it
-    Spread = 1, ///< small cells: also those in the cells around it
-    Nearest = 2 ///< small cells: those nearest to their middles
+    Sums = 0,   ///< the photons that arrived in it
+    Spread = 1, ///< small cells: also the photons in the cells around it
+    Nearest = 2 ///< small cells: the photons nearest to their middles
   };
 
   /// What happens when dynamic objects have moved; the result is the same.
   enum UpdateModes
   {
-    Rebuild = 0, ///< everything is shot anew
+    Rebuild = 0, ///< all walks are shot again
     Verify = 1   ///< the stored walks are verified and those that changed repaired
   };
 
@@ -345,7 +345,7 @@ public:
 
   ///@{
   /**
-   * Figures of the last update, as in the field data of the output: W, those of three bands added up;
+   * Figures of the last update, as in the field data of the output: W, three bands added up;
    * seconds; bytes. NaN, or -1 for counts, where the output has no such figure.
    */
   double GetEmittedPower();

@@ -54,7 +54,7 @@ std::vector<irradiance::Sensor> ReadSensors(vtkPointSet* input)
   {
     throw irradiance::InputError(
       "the sensors have no point normals of three components: a sensor needs the direction from "
-      "which it receives light (vtkPolyDataNormals computes those of surfaces)");
+      "which it receives light (vtkPolyDataNormals computes normals of surfaces)");
   }
   std::vector<irradiance::Sensor> sensors(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
@@ -76,12 +76,42 @@ std::vector<irradiance::Sensor> ReadSensors(vtkPointSet* input)
   return sensors;
 }
 
-template <class Array>
-vtkSmartPointer<Array> AddArray(vtkPointSet* output, const std::string& name, int components)
+/// What is known at the sensors, in point arrays of the output.
+class SensorArrays
 {
-  return irradiance::addArray<Array>(
-    output->GetPointData(), name, components, output->GetNumberOfPoints());
-}
+public:
+  SensorArrays(vtkPointSet* output, int bands)
+    : Irradiances(Add<vtkDoubleArray>(output, irradiance::irradianceName(), bands))
+    , Counts(Add<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1))
+    , Radii(Add<vtkDoubleArray>(output, irradiance::kSearchRadius, 1))
+  {
+  }
+
+  void Set(vtkIdType point, const irradiance::NearestEstimate& estimate,
+    const irradiance::IrradianceEngine& engine)
+  {
+    for (int band = 0; band < this->Irradiances->GetNumberOfComponents(); ++band)
+    {
+      this->Irradiances->SetTypedComponent(point, band,
+        estimate.area > 0 ? engine.watts(estimate.power[band]) / estimate.area
+                          : std::numeric_limits<double>::quiet_NaN());
+    }
+    this->Counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
+    this->Radii->SetTypedComponent(point, 0, estimate.radius);
+  }
+
+private:
+  template <class Array>
+  static vtkSmartPointer<Array> Add(vtkPointSet* output, const std::string& name, int components)
+  {
+    return irradiance::addArray<Array>(
+      output->GetPointData(), name, components, output->GetNumberOfPoints());
+  }
+
+  vtkSmartPointer<vtkDoubleArray> Irradiances;
+  vtkSmartPointer<vtkIdTypeArray> Counts;
+  vtkSmartPointer<vtkDoubleArray> Radii;
+};
 
 /// No property but 0, which stands for a default, may be other than positive.
 void CheckPositive(const char* name, double value)
@@ -115,9 +145,7 @@ std::string TextOfLost(
 void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
 {
   irradiance::copyEmptyArrays(input, output);
-  AddArray<vtkDoubleArray>(output, irradiance::irradianceName(), irradiance::bandsOf(scene));
-  AddArray<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1);
-  AddArray<vtkDoubleArray>(output, irradiance::kSearchRadius, 1);
+  SensorArrays(output, irradiance::bandsOf(scene));
   output->GetPointData()->SetActiveScalars(irradiance::irradianceName().c_str());
 }
 
@@ -208,19 +236,16 @@ void vtkIrradianceProbeFilter::Compute(
   const irradiance::PhotonSource source(scene, "the source");
   irradiance::IrradianceEngine& engine = *source.engine();
   irradiance::SmpExecution execution = irradiance::executionOf(this);
-  const irradiance::LeafPhotons& leaves = engine.leafPhotons(execution);
-  const irradiance::NearestPhotons nearest(
-    leaves, engine.surfaces(execution), engine.objects(), engine.history());
+  engine.collect<irradiance::LeafPhotons>(execution);
+  engine.prepareSurfaces(execution);
+  const irradiance::NearestPhotons nearest = engine.nearestPhotons();
   const auto count = static_cast<std::uint32_t>(this->NumberOfPhotons);
   const double maximumDistance =
     this->MaximumDistance > 0 ? this->MaximumDistance : irradiance::usualDistance(nearest);
   const double maximumRadius =
     this->MaximumRadius > 0 ? this->MaximumRadius : irradiance::usualRadius(nearest, count);
-  const int bands = engine.objects().staticObject.material->bands;
   output->ShallowCopy(input);
-  const auto irradiances = AddArray<vtkDoubleArray>(output, irradiance::irradianceName(), bands);
-  const auto counts = AddArray<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1);
-  const auto radii = AddArray<vtkDoubleArray>(output, irradiance::kSearchRadius, 1);
+  SensorArrays arrays(output, engine.objects().staticObject.material->bands);
   std::vector<char> areLost(sensors.size());
   constexpr std::size_t unitSize = 64;
   irradiance::SlicedPass pass{ (sensors.size() + unitSize - 1) / unitSize, {} };
@@ -232,15 +257,7 @@ void vtkIrradianceProbeFilter::Compute(
         ? irradiance::nearestEstimate(nearest, *foot, count, maximumRadius)
         : irradiance::NearestEstimate{ {}, 0, std::numeric_limits<double>::quiet_NaN(), 0 };
       areLost[i] = foot ? 0 : 1;
-      const auto point = static_cast<vtkIdType>(i);
-      for (int band = 0; band < bands; ++band)
-      {
-        irradiances->SetTypedComponent(point, band,
-          estimate.area > 0 ? engine.watts(estimate.power[band]) / estimate.area
-                            : std::numeric_limits<double>::quiet_NaN());
-      }
-      counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
-      radii->SetTypedComponent(point, 0, estimate.radius);
+      arrays.Set(static_cast<vtkIdType>(i), estimate, engine);
     }
     return true;
   };

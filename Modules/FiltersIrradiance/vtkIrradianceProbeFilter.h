@@ -14,7 +14,7 @@
  * - Port 0: sensors, a vtkPointSet with point normals (the active ones, or else the array
  *   `Normals`). A normal is the direction from which the sensor receives light; its length does not
  *   matter. Sensors lie on surfaces of the scene, or nearly: each is moved to the closest point of the
- *   surface that faces as it does, no farther than MaximumDistance. Sensors in the air, such as those of
+ *   surface that faces as it does, no farther than MaximumDistance. Sensors in the air, such as in
  *   a working plane, cannot be measured: give them a surface, a sheet of reflectance 0 among the inputs,
  *   which then also casts a shadow.
  * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. A filter that did
@@ -22,7 +22,7 @@
  *
  * @section ProbeOutput Output
  * A shallow copy of the sensors with the point arrays
- * - `Irradiance` (double, W/m2, as many components as that of the source): NaN where there is no
+ * - `Irradiance` (double, W/m2, as many components as in the source): NaN where there is no
  *   surface within MaximumDistance that faces as the sensor does, and farther than a million sizes of the
  *   scene away from it, where nothing can be told. One warning says how many such sensors there are, and
  *   which is the first;
@@ -35,17 +35,17 @@
  * away: what is known is the mean over the surface within the SearchRadius, so shadow edges are
  * blurred, and at an edge of a surface across which light changes the mean is one-sided. Photons count, and so does surface, if
  * their side faces within 45.6 degrees of the sensor, is not inside of a body, and is of the same surface
- * as far as planes can tell: not those of the other side of a thin wall, of a wall that meets at a corner,
- * of the inner face of a thin board, or of a sheet or a step above or below. (Where sheets bend, one below
+ * as far as planes can tell: not the other side of a thin wall, a wall that meets at a corner,
+ * the inner face of a thin board, or a sheet or a step above or below. (Where sheets bend, one below
  * another counts beyond sqrt(2 R h), for the radius R of the bend and the distance h of the sheets.) As
  * only area that is there counts, no light is lost at edges.
- * Which photons are found does not depend on threads or trees, and after an update they are those of
- * a new filter. Documentation/Theory.md, section 5.4.
+ * Which photons are found does not depend on threads or trees, and after an update a new filter
+ * would find the same. Documentation/Theory.md, section 5.4.
  *
  * While walks are stale (RepairTimeBudget), the irradiance rests on them.
  *
  * @section ProbeTime Time
- * TIME_STEPS and TIME_RANGE are those of the source and of the sensors, united. The requested time goes to
+ * TIME_STEPS and TIME_RANGE unite the times of the source and of the sensors. The requested time goes to
  * both.
  *
  * @section ProbeErrors Errors

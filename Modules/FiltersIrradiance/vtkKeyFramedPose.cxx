@@ -3,8 +3,8 @@
 
 #include "Data/LeafData.h"
 #include "Data/NamedArray.h"
+#include "Input/GeometryOrigin.h"
 #include "Input/KeyFrameFile.h"
-#include "Input/PassedGeometry.h"
 #include "Input/Pose.h"
 #include "Output/EmptyPiece.h"
 #include "Pipeline/FilterRun.h"
@@ -201,10 +201,10 @@ std::vector<irradiance::KeyFrame> vtkKeyFramedPose::vtkInternals::AddedKeys(
   const std::function<void(double)>& report) const
 {
   std::vector<irradiance::KeyFrame> keys;
-  const irradiance::Checkpoint checkpoint = [&] {
+  const irradiance::CancelPoint cancelPoint = [&] {
     report(static_cast<double>(keys.size()) / static_cast<double>(this->Added.size()));
   };
-  irradiance::CheckpointPace pace(checkpoint);
+  irradiance::ThrottledCancelPoint pace(cancelPoint);
   for (const Pose& pose : this->Added)
   {
     pace.step();

@@ -3,14 +3,14 @@
  * @class   vtkKeyFramedPose
  * @brief   a pose over time for polydata, or a tree of them, from key frames
  *
- * Passes its input on, with the pose at the requested time (UPDATE_TIME_STEP; without one: that of
- * the first key) as the field-data array `ObjectToWorld`: one tuple of 16 doubles, row by row. This
+ * Passes its input on, with the pose at the requested time (UPDATE_TIME_STEP; without one: the pose
+ * of the first key) as the field-data array `ObjectToWorld`: one tuple of 16 doubles, row by row. This
  * is what port 1 of vtkIrradianceFilter reads. Points, cells and arrays are the input's own objects,
- * so only the pose changes with time, and vtkIrradianceFilter builds no tree anew. Nothing is moved
+ * so only the pose changes with time, and vtkIrradianceFilter builds no tree again. Nothing is moved
  * here: to see the motion without that filter, apply the array (vtkTransformPolyDataFilter).
  *
  * The keys come from AddPose() and AddPoseMatrix(), in any order, or from a file. There are two at
- * least. At the time of a key the pose is that of the key, bit for bit.
+ * least. At the time of a key the output has exactly the pose of the key.
  *
  * If the input has an `ObjectToWorld` of its own, that is applied first: world = pose * input's.
  *
@@ -64,14 +64,14 @@ public:
   {
     Linear = 0, ///< at constant speed; rotations about one axis, by the shorter way
     Spline = 1, ///< through the keys without jumps of speed: cubic pieces (Catmull and Rom)
-    Step = 2    ///< that of the last key
+    Step = 2    ///< the pose of the last key
   };
 
   /// What happens at a time before the first key or after the last.
   enum OutsideModes
   {
     Error = 0, ///< an error
-    Hold = 1,  ///< the pose is that of the nearest key
+    Hold = 1,  ///< the pose of the nearest key
     Leave = 2  ///< the part is not there: the output has its arrays, but no points and no cells
   };
 
@@ -89,8 +89,8 @@ public:
   ///@{
   /**
    * Adds a key by its matrix, model to world, row by row: an invertible affine map. Linear and Spline
-   * interpolate position, rotation and scale; they take no matrix that shears, nor some that mirror
-   * beside others that do not. Step takes all.
+   * interpolate position, rotation and scale; they take no matrix that shears, and either
+   * all mirror or none does. Step takes all.
    */
   void AddPoseMatrix(double time, double m00, double m01, double m02, double m03, double m10,
     double m11, double m12, double m13, double m20, double m21, double m22, double m23, double m30,

@@ -40,6 +40,7 @@ public:
       this->MirrorSamples != mirrorSamples)
     {
       this->Radiance.reset();
+      engine->collect<irradiance::CellPhotonSets>(execution);
       this->Radiance = std::make_unique<irradiance::OutgoingRadiance>(
         *engine, static_cast<std::uint32_t>(mirrorSamples), execution);
       this->Engine = engine;

@@ -19,7 +19,7 @@
  * `Irradiance`): the mean over the area of the cell of the radiance towards the eye. It is active.
  * - Emitted: RadiantExitance / pi, if the eye is in front.
  * - Diffuse: DiffuseReflectance times irradiance / pi. With SeparateSides of the
- *   vtkIrradianceFilter the irradiance is that of the side that the eye sees, else that of both
+ *   vtkIrradianceFilter the irradiance of the side that the eye sees counts, else of both
  *   sides together: switch it on for sheets that are lit from both sides.
  * - Specular: the sum over the photons on the cell, on the side that the eye sees, of power times
  *   BRDF over the area. The larger the PhongExponent, the fewer photons a lobe has, and the noisier
@@ -67,7 +67,7 @@ public:
 
   ///@{
   /**
-   * The camera whose position is that of the eye; with ParallelProjection the eye is infinitely far
+   * The camera at whose position the eye is; with ParallelProjection the eye is infinitely far
    * away, against its direction of projection. It is kept by reference: when it moves, the filter
    * executes. Null for EyePosition. Default null.
    */

@@ -154,7 +154,7 @@ private:
   /// Null, except in a run and after an abort.
   std::unique_ptr<irradiance::ExposureIntegral> Integral;
   Settings Of{};               ///< the integral's
-  bool MayBeAtSteps = false;   ///< Automatic, and no time yet that came as that of a step
+  bool MayBeAtSteps = false;   ///< Automatic, and no time yet came as the time of a step
   std::optional<double> Probe; ///< Automatic: the first time asked for, which is between steps
   vtkWeakPointer<vtkExecutive> Producer; ///< of what the integral took
   vtkMTimeType Upstream = 0;             ///< upstreamTime() of that

@@ -33,7 +33,7 @@
  *   `RadiantExposureBackStandardError` (J/m2), if the input has standard errors; NaN where it is not known.
  *   The 95 % interval is the exposure +- this times the field `ConfidenceFactor`.
  *
- * Field data of the root: those of the last time, and `StartTime`, `EndTime` (s), `NumberOfTimeSteps`
+ * Field data of the root: the input's at the last time, and `StartTime`, `EndTime` (s), `NumberOfTimeSteps`
  * (intervals between visited times), `IntegrationTimes` (s, one tuple for each visited time). With error control
  * `TimeIntegrationError` (reached, relative, of the worst block) and `TimeIntegrationNoise` (what looked
  * like error but is noise). If the

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,52 +15,25 @@ namespace irradiance
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
+  assert(conflictOf(settings, settings).empty());
   const FrameChange change = changeTo(objects, settings, execution);
-  const bool isFresh = change == FrameChange::Fresh;
-  const std::vector<bool> moved = isFresh ? std::vector<bool>() : findMoved(objects, objects_);
-  const std::size_t bytes = statistics_.historyBytes, blocks = history().size();
+  const bool isFresh = change.kind == FrameChange::Fresh;
+  const std::size_t blocks = history().size();
   isValid_ = false; // until the end is reached
   ++state_;
-  objects_ = objects;
-  // A history that is kept stays, for those who ask for photons again.
-  const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
-  settings_ = settings;
-  settings_.keepPhotons = keepsPhotons;
-  statistics_ = {};
-  const Checkpoint checkpoint = checkpointOf(execution, 0);
-  cells_.update(objects_, checkpoint);
-  surfaces_.forgetOthers(objects_);
-  walks_.setSettings(settings_);
-  if (change == FrameChange::Replace)
-  {
-    walks_.replaceCells(objects_, checkpoint);
-    forgetPhotonStores();
-  }
+  adopt(objects, settings, change.kind, cancelPointOf(execution, 0));
   const bool hasTarget = settings_.targetRelativeError > 0;
   const double begun = isFresh ? 0 : hasTarget ? 0.5 : 1; // what comes after a repair is not known
-  ProgressSpan following(execution, 0, begun), shooting(execution, begun, 1), end(execution, 1, 1);
-  if (isFresh)
-  {
-    start(execution);
-  }
-  else
-  {
-    follow(moved, following);
-  }
-  if (hasTarget && !walks_.hasStale())
-  {
-    reachTarget(shooting);
-  }
-  else
-  {
-    shootOnce(isFresh, shooting);
-  }
+  ProgressSpan following(execution, 0, begun), shooting(execution, begun, 1);
+  isFresh ? start(execution) : follow(change, following);
+  hasTarget && !walks_.hasStale() ? reachTarget(shooting) : shootOnce(isFresh, shooting);
   walks_.forgetBudget();
-  const bool isSame = change == FrameChange::Still && history().size() == blocks;
-  estimateNearest(isSame, end);
   statistics_ += walks_.statistics();
-  // To count them takes longer than all else where nothing has moved.
-  statistics_.historyBytes = isSame ? bytes : walks_.bytes();
+  // To count the bytes takes longer than all else where nothing has moved.
+  if (change.kind != FrameChange::Still || history().size() != blocks)
+  {
+    statistics_.historyBytes = walks_.bytes();
+  }
   isValid_ = true;
 }
 
@@ -72,28 +44,28 @@ FrameChange IrradianceEngine::changeTo(
   const bool samePlan = plan == walks_.plan();
   // A wall that a point light touches may have moved.
   bool sameLights = isValid_ && samePlan && areLightsUnchanged(objects, objects_) &&
-    walks_.emitters().pointBounds().isEmpty();
+    walks_.lights().boundsInAir().isEmpty();
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);
-    EmitterTable emitters(objects, plan.most(), &contacts_, checkpointOf(execution, 0));
+    LightTable lights(
+      objects, plan.most(), LightWalls(objects, solidSides_, cancelPointOf(execution, 0)));
     isValid_ = wasValid;
-    sameLights = isValid_ && emitters == walks_.emitters();
-    walks_.setSource(std::move(emitters), plan);
+    sameLights = isValid_ && lights == walks_.lights();
+    walks_.setSource(std::move(lights), plan);
   }
-  if (!sameLights || !samePlan || !canRepair(objects, settings))
+  const bool replaces = hasReplaced(objects, objects_);
+  if (!sameLights || !samePlan || !canRepair(objects, settings) || (replaces && walks_.hasStale()))
   {
-    return FrameChange::Fresh;
+    return { FrameChange::Fresh, {} };
   }
-  if (hasReplaced(objects, objects_))
-  {
-    return FrameChange::Replace;
-  }
-  const std::vector<bool> moved = findMoved(objects, objects_);
+  FrameChange change{ FrameChange::Still, findMoved(objects, objects_) };
   const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
-  return stale() || forgetsHits || std::find(moved.begin(), moved.end(), true) != moved.end()
-    ? FrameChange::Motion
-    : FrameChange::Still;
+  if (replaces || change.hasMotion() || stale() || forgetsHits)
+  {
+    change.kind = replaces ? FrameChange::Replace : FrameChange::Motion;
+  }
+  return change;
 }
 
 bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
@@ -102,8 +74,31 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || keepsPhotons()) && settings.seed == settings_.seed &&
-    settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_) &&
-    (!walks_.hasStale() || !hasReplaced(objects, objects_));
+    settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
+}
+
+void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,
+  FrameChange::Kind change, const CancelPoint& cancelPoint)
+{
+  objects_ = objects;
+  // Walks that are kept for their photons stay: a filter may need them again.
+  const bool keepsPhotons =
+    settings.keepPhotons || (change != FrameChange::Fresh && settings_.keepPhotons);
+  if (!estimator_ || !isSameEstimate(settings, settings_))
+  {
+    estimator_ = makeCellEstimator(settings, { space(), cells_, walks_, photons_, surfaces_ });
+  }
+  settings_ = settings;
+  settings_.keepPhotons = keepsPhotons;
+  statistics_ = { {}, statistics_.historyBytes };
+  cells_.update(objects_, cancelPoint);
+  surfaces_.forgetOthers(objects_);
+  walks_.setSettings(settings_);
+  if (change == FrameChange::Replace)
+  {
+    walks_.replaceCells(objects_, cancelPoint);
+    forgetPhotons();
+  }
 }
 
 void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)
@@ -111,26 +106,26 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   scene_.setTraversalMode(settings_.traversalMode);
   scene_.setStatic(objects_.staticObject.body);
   scene_.setDynamic(objects_.dynamicBodies());
-  scene_.setPointSources(walks_.emitters().pointBounds());
-  const Checkpoint checkpoint = checkpointOf(execution, 0);
-  scene_.commit(moved, checkpoint);
-  contacts_.update(objects_, checkpoint);
+  scene_.setPointSources(walks_.lights().boundsInAir());
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  scene_.commit(moved, cancelPoint);
+  contacts_.update(objects_, solidSides_, cancelPoint);
 }
 
 void IrradianceEngine::start(Execution& execution)
 {
   commitScene({}, execution);
   walks_.start(space(), execution);
-  forgetPhotonStores();
+  forgetPhotons();
 }
 
-void IrradianceEngine::follow(const std::vector<bool>& moved, Execution& execution)
+void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
 {
-  const bool hasMotion = std::find(moved.begin(), moved.end(), true) != moved.end();
+  const bool hasMotion = change.hasMotion();
   if (hasMotion)
   {
     const Stopwatch stopwatch;
-    commitScene(moved, execution);
+    commitScene(change.moved, execution);
     statistics_.verifySeconds = stopwatch.seconds();
   }
   if (walks_.isEmpty() || !(hasMotion || walks_.hasStale()))
@@ -138,15 +133,16 @@ void IrradianceEngine::follow(const std::vector<bool>& moved, Execution& executi
     return;
   }
   PhotonChanges changes;
-  walks_.follow(moved, space(), specularPhotons_ || leafPhotons_ ? &changes : nullptr, execution);
+  walks_.follow(change.moved, space(), photons_.isEmpty() ? nullptr : &changes, execution);
   const Stopwatch stopwatch;
-  updatePhotonStores(changes, execution);
+  photons_.apply(objects_, history(), changes, execution);
+  estimator_->note(changes);
   statistics_.repairSeconds = stopwatch.seconds();
 }
 
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
-  forgetPhotonStores(); // they are collected again, with this round
+  forgetPhotons(); // they are collected again, with this round
   walks_.shootRound(round, keepsPhotons(), space(), execution);
 }
 
@@ -158,7 +154,7 @@ void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
   }
   reached_ = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
   ProgressSpan end(execution, 1, 1);
-  spreadSums(sums().rounds(), end);
+  estimate(sums().rounds(), end);
 }
 
 void IrradianceEngine::reachTarget(Execution& execution)
@@ -180,14 +176,14 @@ void IrradianceEngine::reachTarget(Execution& execution)
     ++rounds;
     checkReceived(balance());
     ProgressSpan still(execution, progress, progress);
-    spreadSums(rounds, still);
-    reached_ = errorEstimate(rounds).relativeErrorOfMostArea(cells_, still);
+    estimate(rounds, still);
+    reached_ = errorEstimate().relativeErrorOfMostArea(cells_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan.size());
   if (history().size() > plan[rounds - 1].endBlock)
   {
-    forgetPhotonStores();
+    forgetPhotons();
   }
-  walks_.dropRounds(rounds, checkpointOf(execution, progress));
+  walks_.dropRounds(rounds, cancelPointOf(execution, progress));
   if (!execution.reportProgress(1))
   {
     throw Interrupted();
@@ -207,127 +203,20 @@ double IrradianceEngine::expectedWalks(std::size_t rounds) const
   return std::clamp(plan[rounds - 1].endWalk * ratio * ratio, next, most);
 }
 
-void IrradianceEngine::spreadSums(std::size_t rounds, Execution& execution)
+void IrradianceEngine::estimate(std::size_t rounds, Execution& execution)
 {
-  if (!isSpread())
+  if (needsPhotons(settings_.cellEstimate))
   {
-    spread_ = {};
-    spreadSums_ = {};
-    spreadStaleSums_ = {};
-    return;
+    collect<LeafPhotons>(execution);
+    prepareSurfaces(execution);
   }
-  spread_.update(objects_, sums(), rounds, settings_.spreadPhotons,
-    static_cast<double>(walks_.emitters().photon()), execution);
-  spreadSums_ = spread_.spread(objects_, sums(), rounds, execution);
-  if (stale())
-  {
-    spreadStaleSums_ = spread_.spread(objects_, stale()->sums(), 1, execution);
-  }
+  estimator_->update(rounds, execution);
 }
 
-ErrorEstimate IrradianceEngine::errorEstimate(std::size_t rounds) const
+void IrradianceEngine::forgetPhotons()
 {
-  const auto photon = walks_.emitters().largestStart();
-  return isSpread() ? ErrorEstimate(spreadSums_, spreadSums_.plan(), 1, photon, &spread_)
-                    : ErrorEstimate(sums(), plan(), rounds, photon);
-}
-
-double IrradianceEngine::irradiance(const CellSide& cell, int band) const
-{
-  if (settings_.cellEstimate == CellEstimate::Nearest)
-  {
-    const double density = nearestCells_.density(cell, band);
-    if (!std::isnan(density))
-    {
-      return watts(density);
-    }
-  }
-  const CellSums& sums = isSpread() ? spreadSums_ : this->sums();
-  const double area = cells_.area(cell);
-  return area > 0 ? watts(sums.sum(cell, band)) / area : 0.0;
-}
-
-double IrradianceEngine::staleIrradiance(const CellSide& cell, int band) const
-{
-  const double area = cells_.area(cell);
-  if (!stale() || !(area > 0))
-  {
-    return 0;
-  }
-  const auto quanta = [&](const CellSums& sums) { return sums.sum(cell, band); };
-  // What is spread is rounded at each step, so the part may come out larger than the whole.
-  return watts(isSpread() ? std::min(quanta(spreadStaleSums_), quanta(spreadSums_))
-                          : quanta(stale()->sums())) /
-    area;
-}
-
-const SpecularPhotons& IrradianceEngine::specularPhotons(Execution& execution)
-{
-  return storeOf(specularPhotons_, execution);
-}
-
-const LeafPhotons& IrradianceEngine::leafPhotons(Execution& execution)
-{
-  return storeOf(leafPhotons_, execution);
-}
-
-template <class Store>
-const Store& IrradianceEngine::storeOf(std::unique_ptr<Store>& store, Execution& execution)
-{
-  assert(keepsPhotons());
-  if (!store)
-  {
-    walks_.findSides(space(), execution);
-    auto photons = std::make_unique<Store>(objects_);
-    photons->add(history(), 0, history().size(), execution);
-    store = std::move(photons);
-  }
-  return *store;
-}
-
-const Surfaces& IrradianceEngine::surfaces(Execution& execution)
-{
-  surfaces_.update(objects_, checkpointOf(execution, 0));
-  return surfaces_;
-}
-
-void IrradianceEngine::forgetPhotonStores()
-{
-  specularPhotons_.reset();
-  leafPhotons_.reset();
-  nearestCells_ = {};
-}
-
-void IrradianceEngine::updatePhotonStores(const PhotonChanges& changes, Execution& execution)
-{
-  if (specularPhotons_)
-  {
-    specularPhotons_->apply(changes, execution);
-  }
-  if (leafPhotons_)
-  {
-    leafPhotons_->apply(objects_, history(), changes, execution);
-    nearestCells_.note(changes);
-  }
-}
-
-void IrradianceEngine::estimateNearest(bool isSame, Execution& execution)
-{
-  const bool isAsked = settings_.cellEstimate == CellEstimate::Nearest;
-  const auto count = static_cast<std::uint32_t>(std::max(settings_.spreadPhotons, 2.0));
-  if (isAsked && isSame && nearestCells_.count() == count)
-  {
-    return;
-  }
-  if (!isAsked)
-  {
-    nearestCells_ = {};
-    return;
-  }
-  const LeafPhotons& leaves = leafPhotons(execution);
-  const NearestPhotons nearest(leaves, surfaces(execution), objects_, history());
-  nearestCells_.update(
-    nearest, sums(), count, static_cast<double>(walks_.emitters().photon()), execution);
+  photons_.forgetAll();
+  estimator_->forgetPhotons();
 }
 
 }

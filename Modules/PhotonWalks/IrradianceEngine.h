@@ -3,28 +3,25 @@
 #define irradiance_IrradianceEngine_h
 
 #include "Estimates/CellEstimate.h"
-#include "Estimates/CellSpread.h"
-#include "Estimates/ErrorEstimate.h"
-#include "Estimates/NearestCells.h"
+#include "Estimates/CellEstimator.h"
 #include "Execution/Execution.h"
-#include "Light/Contacts.h"
-#include "Light/SceneCells.h"
-#include "Photons/LeafPhotons.h"
-#include "Photons/SpecularPhotons.h"
+#include "Photons/NearestPhotons.h"
 #include "Repair/SceneChange.h"
+#include "Surfaces/Contacts.h"
+#include "Surfaces/SceneCells.h"
 #include "Walks/WalkSet.h"
 
+#include <cassert>
 #include <memory>
 
 namespace irradiance
 {
 
-struct EngineSettings : WalkSettings
+struct EngineSettings
+  : WalkSettings
+  , EstimateSettings
 {
   TraversalMode traversalMode = TraversalMode::Parallel;
-  CellEstimate cellEstimate = CellEstimate::Sums;
-  /// On how many photons a small cell draws if the estimate is spread, on average; > 0.
-  double spreadPhotons = 250;
 };
 
 /// What a frame cost. Verification includes rebuilding the trees over dynamic objects, repair includes
@@ -38,8 +35,8 @@ struct EngineStatistics : WalkStatistics
  * The front door of the engine: a scene in, the power received by every cell out.
  *
  * The first frame is shot. A later one is verified and repaired if only dynamic objects changed
- * pose or points, came or went; its sums then equal those of a new engine, bit for bit. An object that
- * comes may look different from before, if no walks are stale. All is shot anew if lights, materials,
+ * pose or points, came or went; its sums then equal the sums of a new engine, bit for bit. An object that
+ * comes may look different from before, if no walks are stale. All is shot again if lights, materials,
  * static geometry, seed or sides changed, or the number of objects, triangles, walks or replicates.
  *
  * With a time budget the repair may end early. Then stale() tells what is left, and further calls,
@@ -48,14 +45,20 @@ struct EngineStatistics : WalkStatistics
 class IrradianceEngine
 {
 public:
-  /// All objects need a body and a material, with the same number of bands.
+  IrradianceEngine() = default;
+  IrradianceEngine(const IrradianceEngine&) = delete;
+  IrradianceEngine& operator=(const IrradianceEngine&) = delete;
+
+  /// All objects need a body and a material, with the same number of bands. No conflictOf() the settings.
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
   /// W/m2, by the cell estimate of the settings; 0 for a cell without area.
-  double irradiance(const CellSide& cell, int band) const;
-  /// The errors of irradiance(), from the variance between replicates; valid until the next update.
-  /// What the estimate blurs is not in them.
-  ErrorEstimate errorEstimate() const { return errorEstimate(sums().rounds()); }
+  double irradiance(const CellSide& cell, int band) const
+  {
+    return estimator_->irradiance(cell, band);
+  }
+  /// The errors of irradiance(), see CellEstimator; valid until the next update.
+  ErrorEstimate errorEstimate() const { return estimator_->errorEstimate(); }
   double watts(double quanta) const { return walks_.watts(quanta); }
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
   std::uint32_t numberOfWalks() const { return walks_.numberOfWalks(); }
@@ -64,10 +67,13 @@ public:
   const StaleWalks* stale() const { return walks_.stale(); }
   const std::vector<SegmentRef>& repaired() const { return walks_.repaired(); }
   /// The part of irradiance() that rests on stale walks.
-  double staleIrradiance(const CellSide& cell, int band) const;
+  double staleIrradiance(const CellSide& cell, int band) const
+  {
+    return estimator_->staleIrradiance(cell, band);
+  }
   /// StaleWalks::gainBound() in watts.
   double staleGainBound(int band) const { return stale() ? watts(stale()->gainBound(band)) : 0.0; }
-  bool hasEmitters() const { return !walks_.isEmpty(); }
+  bool hasLights() const { return !walks_.isEmpty(); }
   const PowerBalance& balance() const { return walks_.balance(); }
   const EngineStatistics& statistics() const { return statistics_; }
   const CellSums& sums() const { return walks_.sums(); }
@@ -92,19 +98,34 @@ public:
   }
   SobolSequence samples() const { return walks_.samples(); }
   /// `samples` must outlive it.
-  WalkShooter shooter(const SobolSequence& samples) const
+  WalkTracer tracer(const SobolSequence& samples) const { return walks_.tracer(space(), samples); }
+  /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
+  /// before; then updates keep it up to date. Throws Interrupted.
+  template <class Store>
+  void collect(Execution& execution)
   {
-    return walks_.shooter(space(), samples);
+    assert(keepsPhotons());
+    walks_.findSides(space(), execution);
+    photons_.collect<Store>(objects_, history(), execution);
   }
-  /// The photons on specular cells. They are collected when first asked for, then updates keep them
-  /// up to date. Throws Interrupted.
-  const SpecularPhotons& specularPhotons(Execution& execution);
-  /// All photons, in the leaf cells of the ray-casting trees; likewise.
-  const LeafPhotons& leafPhotons(Execution& execution);
-  /// The surfaces of all objects, on which sensors stand; likewise.
-  const Surfaces& surfaces(Execution& execution);
-  /// How many sides of cells the last update estimated from their nearest photons.
-  std::size_t numberOfNearestEstimates() const { return nearestCells_.numberOfEstimates(); }
+  /// What was collected.
+  template <class Store>
+  const Store& photons() const
+  {
+    return photons_.get<Store>();
+  }
+  /// Prepares the surfaces of all objects, on which sensors stand, unless that was done before. Throws
+  /// Interrupted.
+  void prepareSurfaces(Execution& execution)
+  {
+    surfaces_.update(objects_, cancelPointOf(execution, 0));
+  }
+  /// Until the next update. Needs leaf photons and surfaces.
+  NearestPhotons nearestPhotons() const
+  {
+    return { photons<LeafPhotons>(), surfaces_, objects_, history() };
+  }
+  const CellEstimator& estimator() const { return *estimator_; }
 
 private:
   WalkSpace space() const { return { scene_, objects_, contacts_ }; }
@@ -113,10 +134,13 @@ private:
     const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
   /// Whether the stored walks can be repaired, given that the lights are the same.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
+  /// Takes over a frame and its settings, and forgets what it makes out of date.
+  void adopt(const SceneObjects& objects, const EngineSettings& settings, FrameChange::Kind change,
+    const CancelPoint& cancelPoint);
   void commitScene(const std::vector<bool>& moved, Execution& execution);
   /// Forgets all walks and commits the scene.
   void start(Execution& execution);
-  void follow(const std::vector<bool>& moved, Execution& execution);
+  void follow(const FrameChange& change, Execution& execution);
   void shootRound(std::size_t round, Execution& execution);
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
   void shootOnce(bool isFresh, Execution& execution);
@@ -125,17 +149,9 @@ private:
   void reachTarget(Execution& execution);
   /// An estimate, after some rounds, of the number of walks that the target will take.
   double expectedWalks(std::size_t rounds) const;
-  bool isSpread() const { return settings_.cellEstimate == CellEstimate::Spread; }
-  /// Spreads the sums of the first rounds, if the settings say so.
-  void spreadSums(std::size_t rounds, Execution& execution);
-  /// Of the rounds for which spreadSums() was called.
-  ErrorEstimate errorEstimate(std::size_t rounds) const;
-  /// `isSame`: no photon has changed since the last call.
-  void estimateNearest(bool isSame, Execution& execution);
-  template <class Store>
-  const Store& storeOf(std::unique_ptr<Store>& store, Execution& execution);
-  void forgetPhotonStores();
-  void updatePhotonStores(const PhotonChanges& changes, Execution& execution);
+  /// Estimates the cells from the first rounds.
+  void estimate(std::size_t rounds, Execution& execution);
+  void forgetPhotons();
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
   std::uint64_t state_ = 0;
@@ -143,14 +159,12 @@ private:
   SceneCells cells_;
   EngineSettings settings_;
   Scene scene_;
+  ObjectSides solidSides_;
   Contacts contacts_; ///< of this frame
   WalkSet walks_;
-  CellSpread spread_;
-  NearestCells nearestCells_;                        ///< empty unless asked for
-  CellSums spreadSums_, spreadStaleSums_;            ///< empty unless sums are spread
-  std::unique_ptr<SpecularPhotons> specularPhotons_; ///< null until asked for
-  std::unique_ptr<LeafPhotons> leafPhotons_;         ///< null until asked for
-  Surfaces surfaces_;                                ///< empty until asked for
+  PhotonStores photons_;
+  Surfaces surfaces_;                        ///< empty until they are prepared
+  std::unique_ptr<CellEstimator> estimator_; ///< null before the first update
   double reached_ = 0;
   EngineStatistics statistics_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Keys from files and by calls: which are read, which are refused, and how long reading may be aborted.
 
+#include "../WriteFile.h"
 #include "KeyFramedPoses.h"
 
 #include "vtkCommand.h"
@@ -28,13 +29,6 @@ public:
   std::vector<double> Values;
   double AbortAt = 2;
 };
-
-std::string WriteFile(const std::string& name, const std::string& text)
-{
-  const std::string path = testing::TempDir() + name;
-  std::ofstream(path) << text;
-  return path;
-}
 
 }
 

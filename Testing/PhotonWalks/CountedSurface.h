@@ -2,9 +2,9 @@
 #ifndef irradiance_test_CountedSurface_h
 #define irradiance_test_CountedSurface_h
 
-#include "Light/Contacts.h"
 #include "Meshes/ClosestPoint.h"
 #include "Photons/Foot.h"
+#include "Surfaces/Contacts.h"
 
 #include <optional>
 #include <vector>

@@ -18,18 +18,18 @@ struct WalkSegment
 
 /// The segments of one walk, shot alone.
 inline std::vector<WalkSegment> shotWalk(
-  const WalkShooter& shooter, const SceneObjects& objects, std::uint32_t walk)
+  const WalkTracer& tracer, const SceneObjects& objects, std::uint32_t walk)
 {
   CellSums sums(objects, 1);
   PowerBalance balance;
   WalkTally tally(sums, balance);
-  const UnitFrame frame(shooter.scene().bounds());
+  const UnitFrame frame(tracer.scene().bounds());
   const WalkPlan plan;
-  WalkBatch batch(shooter, &frame);
+  WalkBatch batch(tracer, &frame);
   batch.shoot({ walk });
   batch.run(tally, [] { return false; });
   WalkHistory history(
-    plan, frame, shooter.rules().bands(), shooter.rules().photon(), plan.blockOf(walk));
+    plan, frame, tracer.sampler().bands(), tracer.sampler().powerPerWalk(), plan.blockOf(walk));
   history.append();
   batch.store(history);
   std::vector<WalkSegment> segments(history.block(0).size(walk));
@@ -37,11 +37,11 @@ inline std::vector<WalkSegment> shotWalk(
   {
     WalkSegment& segment = segments[bounce];
     const SegmentRef stored{ walk, bounce };
-    shooter.raysOf(history, { stored }, &segment.ray);
+    tracer.raysOf(history, { stored }, &segment.ray);
     segment.hit = history.hit(stored);
     if (segment.hit)
     {
-      segment.hit.distance = shooter.scene().distanceTo(segment.ray, segment.hit.id);
+      segment.hit.distance = tracer.scene().distanceTo(segment.ray, segment.hit.id);
     }
     segment.power = history.power(stored);
     segment.isFront = history.isFront(stored);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Light/Absorption.h"
+#include "Surfaces/Absorption.h"
 
 #include "TestScenes.h"
 

@@ -67,7 +67,7 @@ KnownScene furnace()
     for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
     {
       material.reflectance[cell] = random.uniform(0, 0.9);
-      material.exitance[cell] = 1 - material.reflectance[cell];
+      builder->emission().exitance[cell] = 1 - material.reflectance[cell];
     }
     scene.truth.emplace_back(material.numberOfCells, 1.0);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sampling/DirectionSampling.h"
 
 #include "../RayCasting/RandomVectors.h"
+#include "CosineHemisphere.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,8 @@ namespace irradiance
 
 namespace
 {
+
+using test::sampleCosineHemisphere;
 
 constexpr int kGrid = 1000;
 

@@ -27,7 +27,7 @@ SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
   for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
   {
     material.reflectance[cell] = random.uniform(0, 0.9);
-    material.exitance[cell] = 1 - material.reflectance[cell];
+    builder.emission().exitance[cell] = 1 - material.reflectance[cell];
   }
   return builder.build();
 }
@@ -57,7 +57,6 @@ SceneObject white(ObjectBuilder builder)
   {
     reflectance = 1;
   }
-  builder.material().exitance.clear();
   return builder.build();
 }
 

@@ -19,21 +19,21 @@ class Frame
 public:
   Frame(const SceneObjects& objects, const EngineSettings& settings)
     : objects_(objects)
-    , emitters_(objects, settings.numberOfWalks)
+    , lights_(objects, settings.numberOfWalks)
     , samples_(settings.seed)
-    , shooter_(scene_, objects_, emitters_, samples_)
+    , tracer_(scene_, objects_, lights_, samples_)
   {
     scene_.setTraversalMode(TraversalMode::Sequential);
     scene_.setStatic(objects.staticObject.body);
     scene_.setDynamic(objects.dynamicBodies());
-    scene_.setPointSources(emitters_.pointBounds());
+    scene_.setPointSources(lights_.boundsInAir());
     scene_.commit({});
   }
   Frame(const Frame&) = delete;
 
   std::vector<WalkSegment> trace(std::uint32_t walk) const
   {
-    return test::shotWalk(shooter_, objects_, walk);
+    return test::shotWalk(tracer_, objects_, walk);
   }
   Hit cast(const WalkSegment& segment) const { return scene_.cast(segment.ray); }
   bool isMoved(const Frame& before, const Hit& hit) const
@@ -49,9 +49,9 @@ public:
 private:
   SceneObjects objects_;
   Scene scene_;
-  EmitterTable emitters_;
+  LightTable lights_;
   SobolSequence samples_;
-  WalkShooter shooter_;
+  WalkTracer tracer_;
 };
 
 struct Counts

@@ -37,7 +37,7 @@ LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history, Exec
 /// What a leaf holds, in order.
 using Content = std::vector<std::tuple<UnitPoint, std::uint32_t, std::uint32_t, std::uint32_t>>;
 
-Content contentOf(const PhotonLeaf& leaf)
+Content contentOf(const PhotonTree& leaf)
 {
   Content content;
   for (const LeafPhoton& photon : leaf.photons())
@@ -213,14 +213,18 @@ TEST(LeafPhotons, BlocksComeAndGo)
   leaves.add(history, 2, 4, execution);
   EXPECT_EQ(contentsOf(leaves, objects.size()),
     contentsOf(filled(objects, history, execution), objects.size()));
-  leaves.remove(history, 2, 4, execution);
+  const std::vector<Photon> all = test::photonsOf(history);
+  std::vector<Photon> first;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(first),
+    [&](const Photon& photon) { return photon.reference.walk < engine.plan().firstWalkOf(2); });
+  leaves.apply(objects, history, test::changesBetween(all, first), execution);
   EXPECT_EQ(contentsOf(leaves, objects.size()), contentsOf(half, objects.size()));
-  leaves.remove(history, 0, 2, execution);
+  leaves.apply(objects, history, { first, {} }, execution);
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     EXPECT_TRUE(leaves.isEmpty(object));
   }
-  EXPECT_THROW(leaves.remove(history, 0, 1, execution), std::logic_error);
+  EXPECT_THROW(leaves.apply(objects, history, { first, {} }, execution), std::logic_error);
 }
 
 TEST(LeafPhotons, CanBeInterrupted)

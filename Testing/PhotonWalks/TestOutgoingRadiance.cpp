@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/OutgoingRadiance.h"
 
+#include "CosineHemisphere.h"
 #include "EngineRun.h"
 #include "MovingScene.h"
 #include "ThreadExecution.h"
-
-#include "Sampling/DirectionSampling.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +18,7 @@ using test::box;
 using test::Look;
 using test::MovingScene;
 using test::ObjectBuilder;
+using test::sampleCosineHemisphere;
 
 constexpr std::uint32_t kMirrorSamples = 16;
 
@@ -57,6 +57,7 @@ double exitanceOf(const OutgoingRadiance& radiance, std::uint32_t object, std::s
 std::vector<double> allRadiances(IrradianceEngine& engine)
 {
   Execution execution;
+  engine.collect<CellPhotonSets>(execution);
   const OutgoingRadiance radiance(engine, 2, execution);
   const Eye near{ { 0.1, 0.2, 0.3 } }, far{ { 0, 0.6, 0.8 }, true };
   std::vector<double> all;
@@ -86,6 +87,7 @@ TEST(OutgoingRadiance, IntegratesToTheReflectedIrradiance)
     IrradianceEngine engine;
     Execution execution;
     engine.update(objects, settingsOf(1000), execution);
+    engine.collect<CellPhotonSets>(execution);
     const OutgoingRadiance radiance(engine, kMirrorSamples, execution);
     const Vector3 normals[] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
       { 0, 0, -1 } };
@@ -115,6 +117,7 @@ TEST(OutgoingRadiance, IsThatOfAFurnace)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsOf(test::scaled(400000)), execution);
+  engine.collect<CellPhotonSets>(execution);
   const OutgoingRadiance radiance(engine, kMirrorSamples, execution);
   const double tolerance = test::kIsSanitized ? 0.4 : 0.1;
   for (const Vector3& eye : { Vector3(2, 1.5, 1), Vector3(3.5, 0.4, 0.3) })
@@ -141,6 +144,7 @@ TEST(OutgoingRadiance, AMirrorShowsWhatIsThere)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsOf(100), execution);
+  engine.collect<CellPhotonSets>(execution);
   const OutgoingRadiance radiance(engine, kMirrorSamples, execution);
   const Eye above{ { 0, 0, 1 }, true };
   EXPECT_NEAR(radiance({ 0, 0 }, above)[0], 0.8 * 5 / M_PI, 1e-12);
@@ -162,6 +166,7 @@ TEST(OutgoingRadiance, PhotonsOfTheOtherSideAreNotSeen)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsOf(1000), execution);
+  engine.collect<CellPhotonSets>(execution);
   const OutgoingRadiance radiance(engine, kMirrorSamples, execution);
   EXPECT_GT(radiance({ 0, 0 }, { { 0, 0.5, 2 } })[0], 0.01);
   EXPECT_EQ(radiance({ 0, 0 }, { { 0, 0.5, -2 } })[0], 0);

@@ -28,8 +28,9 @@ Answer viewsOf(IrradianceEngine& engine)
 {
   Execution execution;
   const SceneObjects& objects = engine.objects();
+  engine.collect<CellPhotonSets>(execution);
   const OutgoingRadiance radiance(engine, 2, execution);
-  engine.leafPhotons(execution); // for estimates from the nearest photons
+  engine.collect<LeafPhotons>(execution); // for estimates from the nearest photons
   Answer answer;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {

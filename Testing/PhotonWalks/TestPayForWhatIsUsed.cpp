@@ -160,16 +160,11 @@ TEST(PayForWhatIsUsed, MotionOutOfReachInvalidatesNothing)
 TEST(PayForWhatIsUsed, NoLightNoWalks)
 {
   SceneObjects objects = MovingScene(1, true, 64).objects();
-  objects.staticObject.material = [&] {
-    Material dark = *objects.staticObject.material;
-    dark.exitance.clear();
-    dark.pointLights.clear();
-    return std::make_shared<Material>(dark);
-  }();
+  objects.staticObject.emission = nullptr;
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, {}, execution);
-  EXPECT_FALSE(engine.hasEmitters());
+  EXPECT_FALSE(engine.hasLights());
   EXPECT_EQ(engine.balance().segments, 0);
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.5;
   engine.update(objects, {}, execution);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Light/PhongLobe.h"
+#include "Surfaces/PhongLobe.h"
 
-#include "Light/LobeLoss.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolSequence.h"
+#include "Surfaces/LobeLoss.h"
 
 #include "../RayCasting/RandomVectors.h"
 

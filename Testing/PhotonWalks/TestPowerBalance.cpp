@@ -27,19 +27,19 @@ struct Recount
 
 Recount recount(const SceneObjects& objects, const EngineSettings& settings)
 {
-  const EmitterTable emitters(objects, settings.numberOfWalks);
+  const LightTable lights(objects, settings.numberOfWalks);
   Scene scene;
   scene.setStatic(objects.staticObject.body);
   scene.setDynamic(objects.dynamicBodies());
-  scene.setPointSources(emitters.pointBounds());
+  scene.setPointSources(lights.boundsInAir());
   scene.commit({});
   const SobolSequence samples(settings.seed);
-  const WalkShooter shooter(scene, objects, emitters, samples);
+  const WalkTracer tracer(scene, objects, lights, samples);
   Recount result;
   for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
   {
-    result.emitted += shooter.rules().powerOf(walk);
-    for (const WalkSegment& segment : test::shotWalk(shooter, objects, walk))
+    result.emitted += tracer.sampler().powerOf(walk);
+    for (const WalkSegment& segment : test::shotWalk(tracer, objects, walk))
     {
       ++result.segments;
       (segment.hit ? result.received : result.escaped) += segment.power;

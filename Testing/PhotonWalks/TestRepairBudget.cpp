@@ -127,7 +127,7 @@ std::map<std::uint16_t, std::size_t> effects(const IrradianceEngine& engine)
   {
     for (const StaleMark& mark : engine.stale()->marks(block))
     {
-      ++counts[mark.effect];
+      ++counts[mark.powerClass];
     }
   }
   return counts;

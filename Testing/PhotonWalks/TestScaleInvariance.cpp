@@ -19,15 +19,18 @@ SceneObject scaledModel(const SceneObject& object, double scale)
   {
     triangles.push_back({ t.a * scale, t.b * scale, t.c * scale });
   }
-  Material material = *object.material;
-  for (PointLight& light : material.pointLights)
-  {
-    light.position *= scale;
-    light.flux[0] *= scale * scale; // as much per m2
-  }
   SceneObject result = object;
+  if (object.emission)
+  {
+    Emission emission = *object.emission;
+    for (PointSource& light : emission.points)
+    {
+      light.position *= scale;
+      light.flux[0] *= scale * scale; // as much per m2
+    }
+    result.emission = std::make_shared<Emission>(emission);
+  }
   result.body = std::make_shared<RigidObject>(TriangleMesh(triangles));
-  result.material = std::make_shared<Material>(material);
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Light/SceneCells.h"
+#include "Surfaces/SceneCells.h"
 #include "TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(SceneCells, AreMeasuredAgainAfterAnInterruption)
   cells.update(objects, {});
   objects.staticObject = strip(1 << 16, 4);
   int polls = 0;
-  const Checkpoint stop = [&] { polls++ == 0 ? throw std::runtime_error("stop") : void(); };
+  const CancelPoint stop = [&] { polls++ == 0 ? throw std::runtime_error("stop") : void(); };
   EXPECT_THROW(cells.update(objects, stop), std::runtime_error);
   objects.dynamicObjects[0] = strip(1, 8);
   cells.update(objects, stop);

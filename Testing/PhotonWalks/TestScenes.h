@@ -2,8 +2,9 @@
 #ifndef irradiance_test_TestScenes_h
 #define irradiance_test_TestScenes_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -29,7 +30,11 @@ inline Look grey(double reflectance, double exitance = 0)
 class ObjectBuilder
 {
 public:
-  explicit ObjectBuilder(int bands = 1) { material_.bands = bands; }
+  explicit ObjectBuilder(int bands = 1)
+  {
+    material_.bands = bands;
+    emission_.bands = bands;
+  }
 
   void addCell(const std::vector<Triangle>& triangles, const Look& look)
   {
@@ -42,7 +47,7 @@ public:
     for (std::size_t band = 0; band < static_cast<std::size_t>(material_.bands); ++band)
     {
       material_.reflectance.push_back(look.reflectance[band]);
-      material_.exitance.push_back(look.exitance[band]);
+      emission_.exitance.push_back(look.exitance[band]);
       specular_.push_back(look.specular[band]);
       isSpecular_ = isSpecular_ || look.specular[band] > 0;
     }
@@ -128,11 +133,12 @@ public:
 
   void addPointLight(const Vector3& position, double flux)
   {
-    material_.pointLights.push_back(
+    emission_.points.push_back(
       { position, std::vector<double>(static_cast<std::size_t>(material_.bands), flux) });
   }
 
   Material& material() { return material_; }
+  Emission& emission() { return emission_; }
 
   SceneObject build(const AffineMap& worldFromObject = {}, bool isFlattened = false) const
   {
@@ -141,14 +147,18 @@ public:
     {
       material->setSpecular(specular_, exponents_);
     }
+    const auto isLit = [](double watts) { return watts > 0; };
+    const bool emits = !emission_.points.empty() ||
+      std::any_of(emission_.exitance.begin(), emission_.exitance.end(), isLit);
     return { { std::make_shared<RigidObject>(TriangleMesh(triangles_)), worldFromObject,
                isFlattened },
-      material };
+      material, emits ? std::make_shared<Emission>(emission_) : nullptr };
   }
 
 private:
   std::vector<Triangle> triangles_;
   Material material_;
+  Emission emission_;
   std::vector<double> specular_, exponents_;
   bool isSpecular_ = false;
 };

@@ -13,7 +13,7 @@ namespace irradiance
 namespace
 {
 
-constexpr SampleUse kUses[] = { SampleUse::Emitter, SampleUse::Position, SampleUse::Direction,
+constexpr SampleUse kUses[] = { SampleUse::Light, SampleUse::Position, SampleUse::Direction,
   SampleUse::Survival };
 
 /// Sobol's point as the xor of direction numbers m_k 2^(32 - k) (Bratley and Fox 1988).

@@ -175,7 +175,6 @@ TEST(CellSpread, ScalesByPowersOfTwo)
     room.addQuad(Vector3(1, 1, 4.5) * scale, Vector3(0, 1, 0) * scale, Vector3(1, 0, 0) * scale, 1,
       1, grey(0, 10));
     thing.addSphere({ 0, 0, 0 }, 0.8 * scale, 12, grey(0.3));
-    thing.material().exitance.clear();
     Matrix3 stretch = Matrix3::Identity();
     stretch(0, 1) = 0.3;
     return SceneObjects{ room.build(), { thing.build({ stretch, Vector3(1.5, 1.2, 2) * scale }) } };
@@ -279,7 +278,7 @@ TEST(CellSpread, IntervalsHoldTheTruth)
     for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
     {
       material.reflectance[cell] = random.uniform(0, 0.9);
-      material.exitance[cell] = 1 - material.reflectance[cell];
+      builder->emission().exitance[cell] = 1 - material.reflectance[cell];
     }
   }
   const SceneObjects objects{ room.build(), { thing.build(test::shift({ 1.5, 1.2, 2 })) } };

@@ -4,6 +4,7 @@
 #include "Simd/SimdLevel.h"
 
 #include "../RayCasting/RandomVectors.h"
+#include "CosineHemisphere.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@ namespace irradiance
 
 namespace
 {
+
+using test::sampleCosineHemisphere;
 
 template <class Lanes>
 void expectSameBits(const Lanes& a, const Lanes& b)
@@ -100,11 +103,11 @@ TEST(Stages, RaysLeaveFromSurfacePointsOnEachInstructionSet)
   const SobolSequence samples(3);
   for (int trial = 0; trial < 2000; ++trial)
   {
-    LeavingLanes lanes;
+    ScatterLanes lanes;
     setSamples(lanes.samples, samples, static_cast<std::uint32_t>(32 * trial));
     const double size = random.powerOfTwo(-20, 20);
     std::vector<Triangle> triangles;
-    for (unsigned lane = 0; lane < LeavingLanes::kSize; ++lane)
+    for (unsigned lane = 0; lane < ScatterLanes::kSize; ++lane)
     {
       triangles.push_back(
         { size * random.inCube(), size * random.inCube(), size * random.inCube() });
@@ -114,15 +117,15 @@ TEST(Stages, RaysLeaveFromSurfacePointsOnEachInstructionSet)
       lanes.incoming.set(lane, random.direction());
       lanes.side[lane] = static_cast<double>(lane % 3) - 1;
     }
-    LeavingLanes first = lanes;
-    leaveAllPlain(first);
-    for (const auto& leave : onEachLevel(&leaveAllPlain, &leaveAllAvx2, &leaveAllAvx512))
+    ScatterLanes first = lanes;
+    scatterAllPlain(first);
+    for (const auto& leave : onEachLevel(&scatterAllPlain, &scatterAllAvx2, &scatterAllAvx512))
     {
-      LeavingLanes left = lanes;
+      ScatterLanes left = lanes;
       leave(left);
       expectSameBits(left, first);
     }
-    for (unsigned lane = 0; lane < LeavingLanes::kSize; ++lane)
+    for (unsigned lane = 0; lane < ScatterLanes::kSize; ++lane)
     {
       SurfacePoint point = surfacePoint(triangles[lane], lanes.weights.get(lane));
       const Vector3 incoming = lanes.incoming.get(lane);

@@ -16,6 +16,7 @@ namespace
 using test::WalkSegment;
 
 const UnitFrame kFrame;
+const Hit kDynamicHit{ 1, { 1, 0 } };
 const Power kPhoton{ { 1 << 20 } }; ///< of all segments, if there is one band
 
 /// A WalkBlock in its plainest form.
@@ -142,13 +143,14 @@ void compareWithModel(unsigned seed, int bands)
     }
     else if (bounce < size && what < 8)
     {
-      const Hit hit = random.hit();
-      block.rememberStaticHit({ kFirst + walk, bounce }, hit);
+      Hit hit = random.hit();
+      hit.id.object = 0;
+      block.updateStaticHit({ kFirst + walk, bounce }, hit, kDynamicHit, true);
       model.staticHits[{ walk, bounce }] = hit;
     }
     else if (what < 9)
     {
-      block.forgetStaticHit({ kFirst + walk, bounce });
+      block.updateStaticHit({ kFirst + walk, bounce }, kDynamicHit, {}, true);
       model.staticHits.erase({ walk, bounce });
     }
     else if (random.below(100) == 0)
@@ -209,7 +211,7 @@ TEST(WalkBlock, StaticHitsBehindTheNewTailAreForgotten)
     test::replaceTail(block, { walk, 0 }, random.tail(5, 1), kFrame);
     for (std::uint32_t i = 0; i < 5; ++i)
     {
-      block.rememberStaticHit({ walk, i }, { 10.0 + i, { 0, i } });
+      block.updateStaticHit({ walk, i }, { 10.0 + i, { 0, i } }, kDynamicHit, true);
     }
   }
   test::replaceTail(block, { 0, 2 }, random.tail(4, 1), kFrame);
@@ -219,7 +221,7 @@ TEST(WalkBlock, StaticHitsBehindTheNewTailAreForgotten)
     EXPECT_NE(block.hiddenStaticHit({ 1, i }), nullptr);
   }
   // A static miss is remembered too.
-  block.rememberStaticHit({ 1, 0 }, {});
+  block.updateStaticHit({ 1, 0 }, {}, kDynamicHit, true);
   ASSERT_NE(block.hiddenStaticHit({ 1, 0 }), nullptr);
   EXPECT_FALSE(*block.hiddenStaticHit({ 1, 0 }));
 }

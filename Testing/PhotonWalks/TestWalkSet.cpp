@@ -31,10 +31,10 @@ WalkSettings settingsOf(std::uint64_t seed, std::uint32_t walks)
 /// The scene without its area lights, or without its point lights.
 SceneObjects only(bool hasPoints, const SceneObjects& objects)
 {
-  Material material = *objects.staticObject.material;
-  hasPoints ? material.exitance.clear() : material.pointLights.clear();
+  Emission emission = *objects.staticObject.emission;
+  hasPoints ? emission.exitance.clear() : emission.points.clear();
   SceneObjects some = objects;
-  some.staticObject.material = std::make_shared<const Material>(std::move(material));
+  some.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
   return some;
 }
 
@@ -55,7 +55,7 @@ public:
       const WalkSettings settings = settingsOf(i + 1, walks_);
       const WalkPlan plan = WalkSet::planOf(settings);
       WalkSet& set = sets_[i];
-      set.setSource(EmitterTable(only(i == 1, objects), plan.most(), &contacts_), plan);
+      set.setSource(LightTable(only(i == 1, objects), plan.most()), plan);
       set.setSettings(settings);
       set.start(space(), execution_);
       set.shootRound(0, true, space(), execution_);
@@ -80,13 +80,14 @@ private:
     scene_.setStatic(objects.staticObject.body);
     scene_.setDynamic(objects.dynamicBodies());
     scene_.commit(moved, {});
-    contacts_.update(objects, {});
+    contacts_.update(objects, sides_, {});
   }
 
   std::uint32_t walks_;
   test::ThreadExecution execution_{ 2 };
   SceneObjects objects_;
   Scene scene_;
+  ObjectSides sides_;
   Contacts contacts_;
   std::array<WalkSet, 2> sets_;
 };
@@ -140,8 +141,8 @@ TEST(WalkSet, TwoBringWhatOneWithAllLampsBrings)
   double flux = 0;
   for (const WalkSet& set : two.sets())
   {
-    errors.emplace_back(set.sums(), set.plan(), 1, set.emitters().largestStart());
-    flux += set.emitters().flux();
+    errors.emplace_back(set.sums(), set.plan(), 1, set.lights().largestStart());
+    flux += set.lights().flux();
   }
   EXPECT_NEAR(flux, one.watts(one.balance().emitted.total()), 1e-9 * flux);
   int compared = 0;

@@ -206,11 +206,11 @@ TEST(KdTreeBuilder, PollsItsCheckpoint)
   const Triangles triangles = test::icosphere(6); // 81920
   int polls = 0;
   KdTreeBuilder builder;
-  builder.checkpoint = [&] { ++polls; };
+  builder.cancelPoint = [&] { ++polls; };
   builder.build(primitivesOf(triangles));
   // At least ten levels have as many items as the root, and polls are at most 2^15 items apart.
   EXPECT_GT(polls, 10);
-  builder.checkpoint = [] { throw std::runtime_error("stop"); };
+  builder.cancelPoint = [] { throw std::runtime_error("stop"); };
   EXPECT_THROW(builder.build(primitivesOf(triangles)), std::runtime_error);
 }
 

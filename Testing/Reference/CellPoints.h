@@ -2,9 +2,9 @@
 #ifndef CellPoints_h
 #define CellPoints_h
 
-#include "Light/SceneObjects.h"
 #include "PathVertex.h"
 #include "Random.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <map>
 #include <optional>

@@ -32,10 +32,10 @@ void Lamps::add(const Lamp& lamp, double flux)
 void Lamps::addTriangles(const SceneObjects& objects, std::uint32_t object)
 {
   const TriangleMesh& mesh = objects[object].body->mesh();
-  const Material& material = *objects[object].material;
-  for (std::uint32_t i = 0; i < mesh.size() && !material.exitance.empty(); ++i)
+  for (std::uint32_t i = 0; i < mesh.size(); ++i)
   {
-    const Spectrum exitance = spectrumOf(material, material.exitance, material.cellOfTriangle[i]);
+    const Spectrum exitance =
+      exitanceOf(objects[object], objects[object].material->cellOfTriangle[i]);
     const Triangle triangle = transformed(objects[object].worldFromObject, mesh[i]);
     add({ { object, i }, triangle, exitance }, exitance.sum() * triangle.area());
   }
@@ -43,7 +43,11 @@ void Lamps::addTriangles(const SceneObjects& objects, std::uint32_t object)
 
 void Lamps::addPoints(const SceneObject& object)
 {
-  for (const PointLight& light : object.material->pointLights)
+  if (!object.emission)
+  {
+    return;
+  }
+  for (const PointSource& light : object.emission->points)
   {
     Spectrum flux = Spectrum::Zero();
     std::copy(light.flux.begin(), light.flux.end(), flux.begin());

@@ -3,7 +3,7 @@
 #define Lamps_h
 
 #include "Departure.h"
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <vector>
 

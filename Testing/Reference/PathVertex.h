@@ -4,8 +4,8 @@
 
 #include "Geometry/Ray.h"
 #include "Geometry/Vector.h"
-#include "Light/PhongLobe.h"
 #include "Meshes/SurfacePoint.h"
+#include "Surfaces/PhongLobe.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #ifndef ReadScene_h
 #define ReadScene_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 class vtkIrradianceFilter;
 

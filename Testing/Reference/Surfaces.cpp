@@ -16,6 +16,16 @@ Spectrum spectrumOf(const Material& material, const std::vector<double>& values,
   return spectrum;
 }
 
+Spectrum exitanceOf(const SceneObject& object, std::size_t cell)
+{
+  Spectrum spectrum = Spectrum::Zero();
+  if (const double* const exitance = object.exitanceOf(cell))
+  {
+    std::copy_n(exitance, object.emission->bands, spectrum.begin());
+  }
+  return spectrum;
+}
+
 namespace
 {
 
@@ -42,9 +52,9 @@ PathVertex vertexOn(const SceneObjects& objects, const TriangleId& id, const Sur
   const Material& material = *objects[id.object].material;
   const std::size_t cell = material.cellOfTriangle[id.triangle];
   PathVertex vertex = surfaceVertex(id, point);
-  if (point.isFront && !material.exitance.empty())
+  if (point.isFront)
   {
-    vertex.exitance = spectrumOf(material, material.exitance, cell);
+    vertex.exitance = exitanceOf(objects[id.object], cell);
   }
   vertex.diffuse = spectrumOf(material, material.reflectance, cell);
   vertex.diffuseChance = vertex.diffuse.maxCoeff();

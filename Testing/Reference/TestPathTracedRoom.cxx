@@ -247,7 +247,7 @@ TEST(Radiance, OfTheGlossyRoomIsTheFilters)
   const auto isLampOrMirror = [&](const CellId& id) {
     const Material& material = *objects[id.object].material;
     return (material.isSpecular(id.cell) && material.lobeOf(id.cell).isMirror()) ||
-      (!material.exitance.empty() && material.exitance[3 * id.cell] > 0);
+      objects[id.object].hasExitance(id.cell);
   };
   cells.erase(std::remove_if(cells.begin(), cells.end(), isLampOrMirror), cells.end());
   SmpExecution execution([](double) { return true; });

@@ -11,18 +11,18 @@ failures=0
 clean_tree()
 {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/Modules/{RayCasting/{Geometry,Meshes,Ellipsoids},PhotonWalks/{Light,Tally},FiltersIrradiance/{Input,Output},Python} \
+  mkdir -p "$tree"/Modules/{RayCasting/{Geometry,Meshes,Ellipsoids},PhotonWalks/{Surfaces,Tally},FiltersIrradiance/{Input,Output},Python} \
     "$tree"/Testing/{RayCasting,PhotonWalks}
   cd "$tree"
   printf '#include <Eigen/Core>\n' >Modules/RayCasting/Geometry/Vector.h
   printf '#include "Geometry/Vector.h"\n' >Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.h
   printf '#include "Ellipsoids/EnclosingEllipsoid.h"\n#include <CGAL/Cartesian.h>\n' >Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.cpp
   printf '#include <CGAL/Cartesian.h>\nusing Kernel = CGAL::Cartesian<double>;\n' >Modules/RayCasting/Meshes/PolygonTriangulation.cpp
-  printf '#include "RayCasting/Geometry/Vector.h"\n// as VTK would do\n' >Modules/PhotonWalks/Light/Emitter.h
-  printf '#include "Light/Emitter.h"\n' >Modules/PhotonWalks/Light/Emitter.cpp
-  printf '#include "Light/Emitter.h"\n' >Modules/PhotonWalks/Tally/CellSums.h
+  printf '#include "RayCasting/Geometry/Vector.h"\n// as VTK would do\n' >Modules/PhotonWalks/Surfaces/Emitter.h
+  printf '#include "Surfaces/Emitter.h"\n' >Modules/PhotonWalks/Surfaces/Emitter.cpp
+  printf '#include "Surfaces/Emitter.h"\n' >Modules/PhotonWalks/Tally/CellSums.h
   printf '#include "Tally/CellSums.h"\n' >Modules/PhotonWalks/Engine.h
-  printf '#include "PhotonWalks/Light/Emitter.h"\n' >Modules/FiltersIrradiance/Input/Converter.h
+  printf '#include "PhotonWalks/Surfaces/Emitter.h"\n' >Modules/FiltersIrradiance/Input/Converter.h
   printf '#include "Input/Converter.h"\n' >Modules/FiltersIrradiance/Output/Writer.h
   printf '#include "vtkObject.h"\n#include <memory>\nclass vtkX;\n' >Modules/FiltersIrradiance/vtkX.h
   printf '#include "vtkX.h"\n#include "Input/Converter.h"\n' >Modules/FiltersIrradiance/vtkX.cxx
@@ -52,23 +52,23 @@ if ! bash "$here/check-layering.sh" "$tree"; then
   failures=$((failures + 1))
 fi
 
-expect_violation Modules/RayCasting/Geometry/Vector.h '#include "PhotonWalks/Light/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Light"
-expect_violation Modules/RayCasting/Geometry/Vector.h '#include "../../PhotonWalks/Light/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Light"
-expect_violation Modules/RayCasting/Geometry/Vector.h '#include <Emitter.h>' "RayCasting/Geometry may not use PhotonWalks/Light"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include "PhotonWalks/Surfaces/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Surfaces"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include "../../PhotonWalks/Surfaces/Emitter.h"' "RayCasting/Geometry may not use PhotonWalks/Surfaces"
+expect_violation Modules/RayCasting/Geometry/Vector.h '#include <Emitter.h>' "RayCasting/Geometry may not use PhotonWalks/Surfaces"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#  include "Converter.h"' "RayCasting/Geometry may not use FiltersIrradiance/Input"
-expect_violation Modules/PhotonWalks/Light/Emitter.cpp '#include "FiltersIrradiance/Input/Converter.h"' "PhotonWalks/Light may not use FiltersIrradiance/Input"
-expect_violation Testing/RayCasting/TestVector.cpp '#include "PhotonWalks/Light/Emitter.h"' "RayCasting may not use PhotonWalks/Light"
+expect_violation Modules/PhotonWalks/Surfaces/Emitter.cpp '#include "FiltersIrradiance/Input/Converter.h"' "PhotonWalks/Surfaces may not use FiltersIrradiance/Input"
+expect_violation Testing/RayCasting/TestVector.cpp '#include "PhotonWalks/Surfaces/Emitter.h"' "RayCasting may not use PhotonWalks/Surfaces"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include "Ellipsoids/EnclosingEllipsoid.h"' "RayCasting/Geometry may not use RayCasting/Ellipsoids"
-expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "Tally/CellSums.h"' "PhotonWalks/Light may not use PhotonWalks/Tally"
-expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "../Tally/CellSums.h"' "PhotonWalks/Light may not use PhotonWalks/Tally"
+expect_violation Modules/PhotonWalks/Surfaces/Emitter.h '#include "Tally/CellSums.h"' "PhotonWalks/Surfaces may not use PhotonWalks/Tally"
+expect_violation Modules/PhotonWalks/Surfaces/Emitter.h '#include "../Tally/CellSums.h"' "PhotonWalks/Surfaces may not use PhotonWalks/Tally"
 expect_violation Modules/PhotonWalks/Tally/CellSums.h '#include "Engine.h"' "PhotonWalks/Tally may not use PhotonWalks"
 expect_violation Modules/FiltersIrradiance/Input/Converter.h '#include "Output/Writer.h"' "FiltersIrradiance/Input may not use FiltersIrradiance/Output"
 expect_violation Modules/FiltersIrradiance/Output/Writer.h '#include "vtkX.h"' "FiltersIrradiance/Output may not use FiltersIrradiance"
-expect_violation Modules/PhotonWalks/Attic/Old.h '#include "Light/Emitter.h"' "this folder is no room"
+expect_violation Modules/PhotonWalks/Attic/Old.h '#include "Surfaces/Emitter.h"' "this folder is no room"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include <vtkPolyData.h>' "RayCasting may not know VTK"
-expect_violation Modules/PhotonWalks/Light/Emitter.h '#include "sub/vtkPolyData.h"' "PhotonWalks may not know VTK"
-expect_violation Modules/PhotonWalks/Light/Emitter.h 'class vtkPolyData;' "PhotonWalks may not know VTK"
-expect_violation Modules/PhotonWalks/Light/Emitter.h 'int count(const vtkIdType* ids);' "PhotonWalks may not know VTK"
+expect_violation Modules/PhotonWalks/Surfaces/Emitter.h '#include "sub/vtkPolyData.h"' "PhotonWalks may not know VTK"
+expect_violation Modules/PhotonWalks/Surfaces/Emitter.h 'class vtkPolyData;' "PhotonWalks may not know VTK"
+expect_violation Modules/PhotonWalks/Surfaces/Emitter.h 'int count(const vtkIdType* ids);' "PhotonWalks may not know VTK"
 expect_violation Testing/PhotonWalks/TestEmitter.cpp '#include <vtkNew.h>' "PhotonWalks may not know VTK"
 expect_violation Modules/RayCasting/Geometry/Vector.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"
 expect_violation Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.h '#include <CGAL/Cartesian.h>' "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone"

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-/// The names of the arrays of outputs. Those of cells say by a suffix which side they are of.
+/// The names of the arrays of outputs. Names of cell arrays end with the side of the cell.
 namespace irradiance
 {
 
@@ -33,14 +33,14 @@ inline std::string standardErrorName(const std::string& name)
   return name + "StandardError";
 }
 
-/// What each replicate by itself says of the irradiance: one component for each replicate and band, the bands
-/// of the first replicate first, W/m2. It is there with ComputeStandardError, for those who ask for it.
+/// What each replicate alone says of the irradiance: one component for each replicate and band, the bands
+/// of the first replicate first, W/m2. It is there with ComputeStandardError, if a filter requests it.
 inline std::string replicatesName(const std::string& suffix)
 {
   return irradianceName(suffix) + "Replicates";
 }
 
-/// The irradiance that one photon of full power is, in each band, W/m2. It is there for those who ask for it,
+/// The irradiance that one photon of full power is, in each band, W/m2. It is there if a filter requests it,
 /// with or without standard errors.
 inline std::string photonName(const std::string& suffix)
 {

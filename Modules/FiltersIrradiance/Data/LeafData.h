@@ -34,7 +34,7 @@ void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit);
 std::vector<LeafData> leavesOf(vtkDataObject* data);
 
 /// A copy that shares the arrays, but neither leaves nor structure: it stays as it is when the pipeline
-/// fills the original anew.
+/// fills the original again.
 vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data);
 
 /// Fills `output` with the structure of `input` and, as the i-th leaf, what `make` returns for it.

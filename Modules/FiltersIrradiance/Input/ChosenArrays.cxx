@@ -66,7 +66,7 @@ vtkAbstractArray* readArray(vtkAlgorithm* filter, const MaterialArrayRole& role,
   vtkAbstractArray* ofPoints = findArray(filter, role, part.polyData->GetPointData());
   if (!array && ofPoints && ofPoints->GetName())
   {
-    part.oddities.push_back(part.name + ": the array " + ofPoints->GetName() + " (" + role.meaning +
+    part.warnings.push_back(part.name + ": the array " + ofPoints->GetName() + " (" + role.meaning +
       ") stands on the points and is not read; it has to stand on the cells");
   }
   return array;
@@ -148,7 +148,7 @@ void noteNearNames(vtkAlgorithm* filter, InputPart& part)
         std::find(known.begin(), known.end(), plain) != known.end())
       {
         const std::string quantity = quoted(kArrayRoles[i].defaultName);
-        part.oddities.push_back(part.name + ": the cell array " + quoted(name) +
+        part.warnings.push_back(part.name + ": the cell array " + quoted(name) +
           " is not read, as the " + kArrayRoles[i].meaning + " is read from " + quantity +
           "; rename it, or call SetCellArray(" + quantity + ", " + quoted(name) + ")");
       }

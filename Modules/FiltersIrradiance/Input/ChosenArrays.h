@@ -10,7 +10,7 @@
 namespace irradiance
 {
 
-/// Finds the arrays that the filter was told to read in a part, and notes among its oddities which
+/// Finds the arrays that the filter was told to read in a part, and notes among its warnings which
 /// ones it will overlook: on the points, or nearly called as the array of a quantity that the part
 /// has no array for.
 void findArrays(vtkAlgorithm* filter, InputPart& part);

@@ -88,7 +88,7 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
     {
       if (hasFieldPose(fields))
       {
-        part.oddities.push_back(part.name + " is static and stays where it is: its field array " +
+        part.warnings.push_back(part.name + " is static and stays where it is: its field array " +
           kFieldPoseName + " is not read");
         break;
       }

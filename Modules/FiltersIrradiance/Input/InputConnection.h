@@ -17,7 +17,7 @@ class vtkPolyData;
 namespace irradiance
 {
 
-/// One polydata of the scene: that of a connection, or a leaf of a composite one.
+/// One polydata of the scene: the data of a connection, or a leaf of a composite one.
 struct InputPart
 {
   std::string name; ///< as in "input port 1, connection 0" or "..., block 3 (Plate)"
@@ -25,7 +25,7 @@ struct InputPart
   MaterialArrays<vtkAbstractArray> arrays{};
   AffineMap worldFromPart;           ///< the identity for static parts
   const char* innerPose = nullptr;   ///< a field-data array that is part of that; or null
-  std::vector<std::string> oddities; ///< warnings about what can be computed all the same
+  std::vector<std::string> warnings; ///< warnings about what can be computed all the same
 };
 
 /// A connection of the filter and the polydata in it, in the order of its leaves.
@@ -40,7 +40,7 @@ struct InputConnection
 InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data);
 
 /**
- * A dynamic connection. Its pose is that of `transform`; if null, the field-data array
+ * A dynamic connection. `transform` is its pose; if null, the field-data array
  * ObjectToWorld of `data`; else the identity. In composite data, a leaf with such an array of its
  * own is moved by that first, then by the pose of the connection. Before all that a part is moved by
  * its field-data array `innerPose` (null: none). Also throws InputError for a pose that is not an

@@ -264,8 +264,8 @@ std::vector<KeyFrame> readKeyFrames(
 {
   Table table(fileName);
   const Form form = formOf(table);
-  const Checkpoint checkpoint = [&] { report(table.progress()); };
-  CheckpointPace pace(checkpoint);
+  const CancelPoint cancelPoint = [&] { report(table.progress()); };
+  ThrottledCancelPoint pace(cancelPoint);
   std::vector<KeyFrame> keys;
   while (table.next())
   {

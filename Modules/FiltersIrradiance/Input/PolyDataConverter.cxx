@@ -40,14 +40,14 @@ void forEachCell(vtkCellArray* cells, const Visit& visit)
 
 PolyDataConverter::PolyDataConverter(std::string where, vtkPolyData* input,
   const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance, ConvertedPolyData& target,
-  const Checkpoint& checkpoint)
+  const CancelPoint& cancelPoint)
   : where_(std::move(where))
   , input_(input)
   , arrays_(arrays)
   , defaultReflectance_(defaultReflectance)
   , target_(target)
   , bands_(target.material.bands)
-  , pace_(checkpoint)
+  , pace_(cancelPoint)
   , ghosts_(input->GetCellGhostArray())
   , firstCell_(target.material.numberOfCells)
 {
@@ -82,7 +82,7 @@ std::vector<std::string> PolyDataConverter::convert()
   {
     target_.material.setSpecular(std::move(specular_), std::move(exponents_));
   }
-  return oddities();
+  return warnings();
 }
 
 void PolyDataConverter::makeRoom()
@@ -91,9 +91,9 @@ void PolyDataConverter::makeRoom()
   const auto bands = static_cast<std::size_t>(bands_);
   material.numberOfCells += static_cast<std::size_t>(input_->GetNumberOfCells());
   material.reflectance.resize(material.numberOfCells * bands, 0.0);
-  if (arrays_[Exitance] || !material.exitance.empty())
+  if (arrays_[Exitance] || !target_.emission.exitance.empty())
   {
-    material.exitance.resize(material.numberOfCells * bands, 0.0);
+    target_.emission.exitance.resize(material.numberOfCells * bands, 0.0);
   }
   if (arrays_[Specular] || material.isSpecular())
   {
@@ -144,13 +144,13 @@ void PolyDataConverter::checkMisplaced() const
   }
 }
 
-std::vector<std::string> PolyDataConverter::oddities() const
+std::vector<std::string> PolyDataConverter::warnings() const
 {
-  std::vector<std::string> oddities;
+  std::vector<std::string> warnings;
   const auto add = [&](const OddCells& cells, const char* what, const char* so) {
     if (cells.count > 0)
     {
-      oddities.push_back(where_ + ": " + std::to_string(cells.count) + " cells " + what +
+      warnings.push_back(where_ + ": " + std::to_string(cells.count) + " cells " + what +
         ", the first is cell " + std::to_string(cells.first) + "; " + so);
     }
   };
@@ -160,10 +160,10 @@ std::vector<std::string> PolyDataConverter::oddities() const
   add(exitanceElsewhere_, "have a radiant exitance but no surface", "it is not read there");
   if (arrays_[Exponent] && !arrays_[Specular])
   {
-    oddities.push_back(
+    warnings.push_back(
       where_ + ": has Phong exponents but no specular reflectance; they are not read");
   }
-  return oddities;
+  return warnings;
 }
 
 void PolyDataConverter::checkArray(std::size_t number) const
@@ -243,7 +243,7 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
     if (arrays_[Flux] && count > 0 && !isAbsent)
     {
       readPoints(count, ids);
-      PointLight light{ Vector3::Zero(), {},
+      PointSource light{ Vector3::Zero(), {},
         static_cast<std::uint32_t>(firstCell_ + static_cast<std::size_t>(cell_)) };
       double total = 0;
       for (int band = 0; band < bands_; ++band)
@@ -261,7 +261,7 @@ void PolyDataConverter::readPointLights(vtkCellArray* cells)
         light.position = corner;
         if (total > 0)
         {
-          target_.material.pointLights.push_back(light);
+          target_.emission.points.push_back(light);
         }
       }
     }
@@ -359,7 +359,8 @@ void PolyDataConverter::readSurfaceCell()
     {
       fail("radiant exitance " + text(exitance) + " W/m2 is not within 0.." + text(kBrightest));
     }
-    material.exitance[cell * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] =
+    target_.emission
+      .exitance[cell * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)] =
       exitance;
   }
 }

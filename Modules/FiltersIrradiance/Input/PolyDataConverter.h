@@ -4,8 +4,9 @@
 
 #include "Geometry/Triangle.h"
 #include "Input/MaterialArrays.h"
-#include "Light/Material.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
+#include "Surfaces/Emission.h"
+#include "Surfaces/Material.h"
 
 #include "vtkType.h"
 
@@ -19,11 +20,18 @@ class vtkUnsignedCharArray;
 namespace irradiance
 {
 
-/// The triangles of some polydata and the material of its cells, which keep their order.
+/// The triangles of some polydata, and how its cells reflect and emit. These keep their order.
 struct ConvertedPolyData
 {
+  explicit ConvertedPolyData(int bands)
+  {
+    material.bands = bands;
+    emission.bands = bands;
+  }
+
   std::vector<Triangle> triangles;
   Material material;
+  Emission emission;
 };
 
 /// Reads one vtkPolyData. Throws InputError, naming `where` (as in "input port 1, connection 0"),
@@ -32,10 +40,10 @@ struct ConvertedPolyData
 class PolyDataConverter
 {
 public:
-  /// Appends the input's cells to those of `target`, with the bands of `target`.
+  /// Appends the input's cells to the cells of `target`, with the bands of `target`.
   PolyDataConverter(std::string where, vtkPolyData* input,
     const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance,
-    ConvertedPolyData& target, const Checkpoint& checkpoint);
+    ConvertedPolyData& target, const CancelPoint& cancelPoint);
 
   /// Returns warnings about input that can be computed all the same, a sentence each.
   std::vector<std::string> convert();
@@ -70,7 +78,7 @@ private:
   /// The largest value of an array in the cell, 0 if there is none.
   double largest(vtkDataArray* array) const;
   void checkMisplaced() const;
-  std::vector<std::string> oddities() const;
+  std::vector<std::string> warnings() const;
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string where_;
@@ -79,7 +87,7 @@ private:
   double defaultReflectance_;
   ConvertedPolyData& target_;
   int bands_;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
   vtkUnsignedCharArray* ghosts_;
   std::size_t firstCell_; ///< in the target
   vtkIdType cell_ = 0;    ///< the cell being read, by VTK's number

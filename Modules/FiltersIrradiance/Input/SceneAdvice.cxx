@@ -45,11 +45,11 @@ double sum(const Power& power, int bands)
 
 SceneAdvice::SceneAdvice(const std::vector<InputConnection>& statics,
   const std::vector<InputConnection>& dynamics, const SceneReader& scene,
-  const IrradianceEngine& engine, const Checkpoint& checkpoint)
+  const IrradianceEngine& engine, const CancelPoint& cancelPoint)
   : scene_(scene)
   , objects_(scene.objects())
   , engine_(engine)
-  , checkpoint_(checkpoint)
+  , cancelPoint_(cancelPoint)
 {
   Box all;
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
@@ -88,7 +88,7 @@ std::vector<std::string> SceneAdvice::warnings() const
 template <class Visit>
 void SceneAdvice::forEachTriangle(const Visit& visit) const
 {
-  CheckpointPace pace(checkpoint_);
+  ThrottledCancelPoint pace(cancelPoint_);
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     const SceneObject& placed = objects_[object];
@@ -121,14 +121,12 @@ void SceneAdvice::findParts(
   }
   forEachTriangle([&](std::size_t part, std::size_t cell, const Triangle& triangle) {
     Part& at = parts_[part];
-    const bool isLamp = objects_[at.object].material->hasExitance(cell);
+    const SceneObject& object = objects_[at.object];
+    const bool isLamp = object.hasExitance(cell);
     (isLamp ? at.emitting : at.dark).add(triangle.bounds());
-    const Material& material = *objects_[at.object].material;
-    for (int band = 0; isLamp && band < material.bands; ++band)
+    for (int band = 0; isLamp && band < object.emission->bands; ++band)
     {
-      const auto bands = static_cast<std::size_t>(material.bands);
-      at.watts +=
-        triangle.area() * material.exitance[cell * bands + static_cast<std::size_t>(band)];
+      at.watts += triangle.area() * object.exitanceOf(cell)[band];
     }
   });
 }
@@ -137,15 +135,15 @@ void SceneAdvice::findParts(
 bool SceneAdvice::isUnlit() const
 {
   bool hasOthers = false;
-  CheckpointPace pace(checkpoint_);
+  ThrottledCancelPoint pace(cancelPoint_);
   const CellSums& sums = engine_.sums();
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
-    const Material& material = *objects_[object].material;
-    for (SceneCell cell{ object, 0 }; cell.cell < material.numberOfCells; ++cell.cell)
+    const std::size_t cells = objects_[object].material->numberOfCells;
+    for (SceneCell cell{ object, 0 }; cell.cell < cells; ++cell.cell)
     {
       pace.step();
-      if (!(engine_.cells().area(cell) > 0) || material.hasExitance(cell.cell))
+      if (!(engine_.cells().area(cell) > 0) || objects_[object].hasExitance(cell.cell))
       {
         continue;
       }
@@ -185,7 +183,7 @@ std::vector<bool> SceneAdvice::partsThatFaceAway() const
     faceAway[i] = faceAway[i] && !others[i].isEmpty();
   }
   forEachTriangle([&](std::size_t part, std::size_t cell, const Triangle& triangle) {
-    if (!faceAway[part] || !objects_[parts_[part].object].material->hasExitance(cell))
+    if (!faceAway[part] || !objects_[parts_[part].object].hasExitance(cell))
     {
       return;
     }

@@ -23,7 +23,7 @@ public:
   /// After an update of `engine` with `scene`, which has read these inputs. All of them must outlive it.
   SceneAdvice(const std::vector<InputConnection>& statics,
     const std::vector<InputConnection>& dynamics, const SceneReader& scene,
-    const IrradianceEngine& engine, const Checkpoint& checkpoint);
+    const IrradianceEngine& engine, const CancelPoint& cancelPoint);
 
   /// Warnings, a sentence or two each.
   std::vector<std::string> warnings() const;
@@ -69,7 +69,7 @@ private:
   const SceneReader& scene_;
   const SceneObjects& objects_;
   const IrradianceEngine& engine_;
-  const Checkpoint& checkpoint_;
+  const CancelPoint& cancelPoint_;
   /// The static ones, then the dynamic ones. Empty where there is nothing to say.
   std::vector<Part> parts_;
   std::size_t statics_ = 0; ///< how many are static

@@ -2,7 +2,7 @@
 #include "Input/SceneReader.h"
 
 #include "Geometry/MovedBox.h"
-#include "Input/PassedGeometry.h"
+#include "Input/GeometryOrigin.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
@@ -29,9 +29,9 @@ vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
 }
 
 bool isEqual(
-  const std::vector<Triangle>& a, const std::vector<Triangle>& b, const Checkpoint& checkpoint)
+  const std::vector<Triangle>& a, const std::vector<Triangle>& b, const CancelPoint& cancelPoint)
 {
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   bool isEqual = a.size() == b.size();
   for (std::size_t i = 0; isEqual && i < a.size(); ++i)
   {
@@ -116,7 +116,7 @@ int SceneReader::countBands(const std::vector<InputConnection>& staticConnection
 
 void SceneReader::read(const std::vector<InputConnection>& staticConnections,
   const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
-  const Checkpoint& checkpoint)
+  const CancelPoint& cancelPoint)
 {
   const Parts staticParts = partsOf(staticConnections), dynamicParts = partsOf(dynamicConnections);
   const Settings settings{ countBands(staticConnections, dynamicConnections), defaultReflectance };
@@ -129,10 +129,10 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
   hasNews_ = hasNews_ || dynamicStamps_.size() != dynamicParts.size();
   dynamicStamps_.resize(dynamicParts.size());
   objects_.dynamicObjects.resize(dynamicParts.size());
-  readStatic(staticParts, checkpoint);
+  readStatic(staticParts, cancelPoint);
   for (std::size_t i = 0; i < dynamicParts.size(); ++i)
   {
-    readDynamic(*dynamicParts[i], i, checkpoint);
+    readDynamic(*dynamicParts[i], i, cancelPoint);
     SceneObject& object = objects_.dynamicObjects[i];
     object.worldFromObject = dynamicParts[i]->worldFromPart;
     if (object.isPresent)
@@ -145,25 +145,25 @@ void SceneReader::read(const std::vector<InputConnection>& staticConnections,
 }
 
 void SceneReader::convert(
-  const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint)
+  const InputPart& part, ConvertedPolyData& target, const CancelPoint& cancelPoint)
 {
   hasNews_ = true;
   MaterialArrays<vtkDataArray> arrays;
   std::transform(part.arrays.begin(), part.arrays.end(), arrays.begin(),
     [&](vtkAbstractArray* array) { return asNumbers(array, part.name); });
-  for (const auto& oddities : { part.oddities,
+  for (const auto& warnings : { part.warnings,
          PolyDataConverter(
-           part.name, part.polyData, arrays, settings_.defaultReflectance, target, checkpoint)
+           part.name, part.polyData, arrays, settings_.defaultReflectance, target, cancelPoint)
            .convert() })
   {
-    for (const std::string& oddity : oddities)
+    for (const std::string& warning : warnings)
     {
-      warn(oddity);
+      warn(warning);
     }
   }
 }
 
-void SceneReader::readStatic(const Parts& staticParts, const Checkpoint& checkpoint)
+void SceneReader::readStatic(const Parts& staticParts, const CancelPoint& cancelPoint)
 {
   std::vector<Stamp> stamps;
   std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(stamps),
@@ -175,55 +175,61 @@ void SceneReader::readStatic(const Parts& staticParts, const Checkpoint& checkpo
   hasNews_ = true;
   staticStamps_.reset(); // until all is read
   firstCell_.clear();
-  ConvertedPolyData all;
-  all.material.bands = settings_.bands;
+  ConvertedPolyData all(settings_.bands);
   for (const InputPart* part : staticParts)
   {
     firstCell_.push_back(all.material.numberOfCells);
     all.material.firstCellOfPart = firstCell_;
-    convert(*part, all, checkpoint);
+    convert(*part, all, cancelPoint);
   }
-  adopt(std::move(all), objects_.staticObject, false, checkpoint);
+  adopt(std::move(all), objects_.staticObject, false, cancelPoint);
   staticStamps_ = std::move(stamps);
 }
 
 void SceneReader::readDynamic(
-  const InputPart& part, std::size_t index, const Checkpoint& checkpoint)
+  const InputPart& part, std::size_t index, const CancelPoint& cancelPoint)
 {
   SceneObject& object = objects_.dynamicObjects[index];
   const bool wasPresent = std::exchange(object.isPresent, part.polyData->GetNumberOfCells() > 0);
   hasNews_ = hasNews_ || object.isPresent != wasPresent;
   if (!object.isPresent && object.material && object.material->bands == settings_.bands)
   {
-    return; // what it was may come back
+    return; // its body and material stay: the object may come back unchanged
   }
   const Stamp stamp = stampOf(part);
   if (!(dynamicStamps_[index] == stamp))
   {
     dynamicStamps_[index].reset(); // until all is read
-    ConvertedPolyData data;
-    data.material.bands = settings_.bands;
-    convert(part, data, checkpoint);
-    adopt(std::move(data), object, true, checkpoint);
+    ConvertedPolyData data(settings_.bands);
+    convert(part, data, cancelPoint);
+    adopt(std::move(data), object, true, cancelPoint);
     dynamicStamps_[index] = stamp;
   }
 }
 
 /// Equal values keep the old object, and with it its tree, its ellipsoid and the stored walks.
 void SceneReader::adopt(
-  ConvertedPolyData data, SceneObject& object, bool mayMove, const Checkpoint& checkpoint)
+  ConvertedPolyData data, SceneObject& object, bool mayMove, const CancelPoint& cancelPoint)
 {
   if (!object.material || !(*object.material == data.material))
   {
     object.material = std::make_shared<Material>(std::move(data.material));
   }
-  if (!object.body || !isEqual(object.body->mesh().triangles(), data.triangles, checkpoint))
+  if (data.emission.isEmpty())
+  {
+    object.emission.reset();
+  }
+  else if (!object.emission || !(*object.emission == data.emission))
+  {
+    object.emission = std::make_shared<Emission>(std::move(data.emission));
+  }
+  if (!object.body || !isEqual(object.body->mesh().triangles(), data.triangles, cancelPoint))
   {
     object.body = std::make_shared<RigidObject>(
-      TriangleMesh(std::move(data.triangles), checkpoint), checkpoint, mayMove);
-    if (checkpoint)
+      TriangleMesh(std::move(data.triangles), cancelPoint), cancelPoint, mayMove);
+    if (cancelPoint)
     {
-      checkpoint(); // freeing the memory of the build takes a while
+      cancelPoint(); // freeing the memory of the build takes a while
     }
   }
 }

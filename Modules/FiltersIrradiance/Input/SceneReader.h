@@ -4,7 +4,7 @@
 
 #include "Input/InputConnection.h"
 #include "Input/PolyDataConverter.h"
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -29,7 +29,7 @@ public:
   /// exception it is what it was, or partly new.
   void read(const std::vector<InputConnection>& staticConnections,
     const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
-    const Checkpoint& checkpoint);
+    const CancelPoint& cancelPoint);
 
   const SceneObjects& objects() const { return objects_; }
   int bands() const { return settings_.bands; }
@@ -71,12 +71,12 @@ private:
 
   static Parts partsOf(const std::vector<InputConnection>& connections);
   static Stamp stampOf(const InputPart& part);
-  void convert(const InputPart& part, ConvertedPolyData& target, const Checkpoint& checkpoint);
-  void readStatic(const Parts& parts, const Checkpoint& checkpoint);
-  void readDynamic(const InputPart& part, std::size_t index, const Checkpoint& checkpoint);
+  void convert(const InputPart& part, ConvertedPolyData& target, const CancelPoint& cancelPoint);
+  void readStatic(const Parts& parts, const CancelPoint& cancelPoint);
+  void readDynamic(const InputPart& part, std::size_t index, const CancelPoint& cancelPoint);
   void warn(const std::string& warning);
   void adopt(
-    ConvertedPolyData data, SceneObject& object, bool mayMove, const Checkpoint& checkpoint);
+    ConvertedPolyData data, SceneObject& object, bool mayMove, const CancelPoint& cancelPoint);
 
   Settings settings_;
   std::optional<std::vector<Stamp>> staticStamps_; ///< none: to be read

@@ -232,7 +232,7 @@ void OutputWriter::addSide(
   const auto add = [&](const std::string& name, const auto& value) {
     const auto array = addArray<vtkDoubleArray>(
       polyData->GetCellData(), name, scene_.bands(), polyData->GetNumberOfCells());
-    CheckpointPace pace(checkpoint_);
+    ThrottledCancelPoint pace(cancelPoint_);
     CellSide cell = first;
     for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i, ++cell.cell)
     {
@@ -254,7 +254,7 @@ void OutputWriter::addSide(
   {
     add(photonName(suffix), [&](const CellSide& cell, int band) {
       const double area = engine_.cells().area(cell);
-      return area > 0 ? engine_.watts(errors_.photon(cell, band)) / area : 0.0;
+      return area > 0 ? engine_.watts(errors_.quantaPerPhoton(cell, band)) / area : 0.0;
     });
   }
   if (withReplicates_ && withErrors_)
@@ -275,7 +275,7 @@ void OutputWriter::addReplicates(
   const auto replicates = static_cast<int>(errors_.replicates());
   const auto parts = addArray<vtkDoubleArray>(polyData->GetCellData(), replicatesName(suffix),
     replicates * bands, polyData->GetNumberOfCells());
-  CheckpointPace pace(checkpoint_);
+  ThrottledCancelPoint pace(cancelPoint_);
   CellSide cell = first;
   for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i, ++cell.cell)
   {
@@ -308,14 +308,7 @@ void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
   const auto addPower = [&](const char* name, const Power& power) {
     addWatts(name, engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]));
   };
-  const auto addCount = [&](const char* name, std::int64_t count) {
-    addTuple<vtkIdTypeArray>(fields, name, { static_cast<vtkIdType>(count) });
-  };
-  const auto addNumber = [&](const char* name, double number) {
-    addTuple<vtkDoubleArray>(fields, name, { number });
-  };
   const PowerBalance& balance = engine_.balance();
-  const EngineStatistics& statistics = engine_.statistics();
   // The integers balance; so that the rounded watts do too, they are added.
   const auto emitted = [&](int band) {
     return engine_.watts(balance.absorbed[band]) + engine_.watts(balance.escaped[band]);
@@ -329,8 +322,20 @@ void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
     addWatts(kStaleGainBound, engine_.staleGainBound(0), engine_.staleGainBound(1),
       engine_.staleGainBound(2));
   }
+  addStatistics(fields);
+}
+
+void OutputWriter::addStatistics(vtkFieldData* fields) const
+{
+  const auto addCount = [&](const char* name, std::int64_t count) {
+    addTuple<vtkIdTypeArray>(fields, name, { static_cast<vtkIdType>(count) });
+  };
+  const auto addNumber = [&](const char* name, double number) {
+    addTuple<vtkDoubleArray>(fields, name, { number });
+  };
+  const EngineStatistics& statistics = engine_.statistics();
   addCount(kNumberOfWalks, engine_.numberOfWalks());
-  addCount(kNumberOfSegments, balance.segments);
+  addCount(kNumberOfSegments, engine_.balance().segments);
   if (withErrors_)
   {
     addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));

@@ -11,6 +11,7 @@
 #include <string>
 
 class vtkDataObject;
+class vtkFieldData;
 class vtkMultiBlockDataSet;
 
 namespace irradiance
@@ -25,13 +26,13 @@ public:
   /// photonName().
   OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
     const EngineSettings& settings, bool withErrors, bool withReplicates,
-    const Checkpoint& checkpoint)
+    const CancelPoint& cancelPoint)
     : engine_(engine)
     , scene_(scene)
     , settings_(settings)
     , withErrors_(withErrors)
     , withReplicates_(withReplicates)
-    , checkpoint_(checkpoint)
+    , cancelPoint_(cancelPoint)
     , errors_(engine.errorEstimate())
   {
   }
@@ -59,6 +60,7 @@ private:
   void addSide(vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const;
   void addReplicates(vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const;
   void addFieldData(vtkMultiBlockDataSet* output) const;
+  void addStatistics(vtkFieldData* fields) const;
   /// W/m2; NaN where it is not known.
   double standardError(const CellSide& cell, int band) const;
 
@@ -66,7 +68,7 @@ private:
   const SceneReader& scene_;
   const EngineSettings& settings_;
   bool withErrors_, withReplicates_;
-  const Checkpoint& checkpoint_;
+  const CancelPoint& cancelPoint_;
   ErrorEstimate errors_;
 };
 

@@ -145,7 +145,7 @@ void WalksWriter::findCell(const std::vector<InputConnection>& connections)
     first += leaf.polyData->GetNumberOfCells();
     ++part;
   }
-  if (request_.cell < 0 || (!cell_ && first > 0)) // a thing that has left for a while has no cells
+  if (request_.cell < 0 || (!cell_ && first > 0)) // a part that is away has no cells
   {
     fail("OutputWalksCell", request_.cell,
       chosen.name + " has " + std::to_string(first) +

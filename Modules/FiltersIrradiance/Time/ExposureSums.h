@@ -27,7 +27,7 @@ struct TimedData
 class ExposureSums
 {
 public:
-  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to that of
+  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to the irradiance of
   /// other times; then the sums are of no use any more.
   void add(const TimedData& input, double weight);
   /// No more times are added; what only adding needs is released.
@@ -54,7 +54,7 @@ private:
     std::string name;
     unsigned int flatIndex = 0;
     vtkSmartPointer<vtkDataSet> geometry; ///< of the last time with cells; null: never any
-    double firstTime = 0, time = 0;       ///< with cells; the geometry is that of the last
+    double firstTime = 0, time = 0;       ///< with cells; the geometry is of the last
     std::vector<Side> sides;
   };
 

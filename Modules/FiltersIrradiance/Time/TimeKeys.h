@@ -14,12 +14,12 @@ namespace irradiance
 std::vector<double> stepsOf(vtkInformation* input);
 
 /// TIME_STEPS and TIME_RANGE of a filter with several inputs: the steps of all of them, and the range that
-/// holds all steps and ranges. VTK's executive passes on those of the first input alone, and a filter
+/// holds all steps and ranges. VTK's executive passes on the times of the first input alone, and a filter
 /// without TIME_RANGE does not execute when the time changes.
 class TimeKeys
 {
 public:
-  /// Those of all connections of the first `ports` input ports.
+  /// The times of all connections of the first `ports` input ports.
   TimeKeys(vtkInformationVector** inputs, int ports);
 
   void addSteps(const std::vector<double>& steps);

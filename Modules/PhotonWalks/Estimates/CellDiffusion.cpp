@@ -18,7 +18,7 @@ namespace
 
 /// How long power diffuses so that a cell draws on `width`; in the unit of areas. A point becomes a
 /// Gaussian of the effective area 8 pi t in the time t. The rest comes from squares in a grid, where
-/// the area is that of a square / (exp(-x) I0(x))^2, x = 4 t / square, to within a tenth.
+/// the area is a square's / (exp(-x) I0(x))^2, x = 4 t / square, to within a tenth.
 double diffusionTime(double area, double width)
 {
   return std::max(0.0, std::min(2.2 * (width - area), width + M_PI / 2 * area)) / (8 * M_PI);
@@ -54,14 +54,16 @@ int chooseSteps(std::vector<double> stepsNeeded)
 
 }
 
-CellDiffusion::CellDiffusion(const std::vector<double>& areas,
-  const std::vector<CellNeighbours>& neighbours, int sides, double width)
+struct CellDiffusion::Flow
 {
-  struct Flow
-  {
-    const CellNeighbours* between;
-    double whole; // of all steps, as w in the class comment
-  };
+  const CellNeighbours* between;
+  double whole; ///< of all steps, as w in the class comment
+  double most;  ///< of a step
+};
+
+std::vector<CellDiffusion::Flow> CellDiffusion::flowsBetween(
+  const std::vector<double>& areas, const std::vector<CellNeighbours>& neighbours, double width)
+{
   std::vector<Flow> flows;
   std::vector<int> degrees(areas.size(), 0);
   for (const CellNeighbours& pair : neighbours)
@@ -70,20 +72,27 @@ CellDiffusion::CellDiffusion(const std::vector<double>& areas,
       (diffusionTime(areas[pair.cells[0]], width) + diffusionTime(areas[pair.cells[1]], width));
     if (time > 0 && pair.conductance > 0) // not NaN, as slivers may have
     {
-      flows.push_back({ &pair, time * pair.conductance });
+      flows.push_back({ &pair, time * pair.conductance, 0 });
       ++degrees[pair.cells[0]];
       ++degrees[pair.cells[1]];
     }
   }
   constexpr double kMostOfAll = 0.75; // of what is in a cell; its edges share it evenly
-  const auto most = [&](const CellNeighbours& pair) {
-    return kMostOfAll *
-      std::min(areas[pair.cells[0]] / degrees[pair.cells[0]],
-        areas[pair.cells[1]] / degrees[pair.cells[1]]);
-  };
+  for (Flow& flow : flows)
+  {
+    const auto [a, b] = flow.between->cells;
+    flow.most = kMostOfAll * std::min(areas[a] / degrees[a], areas[b] / degrees[b]);
+  }
+  return flows;
+}
+
+CellDiffusion::CellDiffusion(const std::vector<double>& areas,
+  const std::vector<CellNeighbours>& neighbours, int sides, double width)
+{
+  const std::vector<Flow> flows = flowsBetween(areas, neighbours, width);
   std::vector<double> stepsNeeded;
   std::transform(flows.begin(), flows.end(), std::back_inserter(stepsNeeded),
-    [&](const Flow& flow) { return flow.whole / most(*flow.between); });
+    [](const Flow& flow) { return flow.whole / flow.most; });
   steps_ = chooseSteps(stepsNeeded);
   std::vector<Link> links;
   std::vector<int> periods;
@@ -92,7 +101,7 @@ CellDiffusion::CellDiffusion(const std::vector<double>& areas,
     const CellNeighbours& between = *flows[i].between;
     const auto [a, b] = between.cells;
     const int taken = powerNotBelow(stepsNeeded[i], steps_);
-    const double w = std::min(flows[i].whole / taken, most(between));
+    const double w = std::min(flows[i].whole / taken, flows[i].most);
     for (int side = 0; side < sides; ++side)
     {
       const int other = between.isTurned ? sides - 1 - side : side;

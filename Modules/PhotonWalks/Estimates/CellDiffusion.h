@@ -47,18 +47,21 @@ public:
   int steps() const { return steps_; }
   /// Where the quanta of a node stand. Nodes that take part in all steps come first.
   std::size_t placeOf(std::size_t node) const { return places_.empty() ? node : places_[node]; }
-  /// Takes step `number`, from 0 on, of `fields` fields, 1 or kFields. `quanta`: whole numbers, those of
+  /// Takes step `number`, from 0 on, of `fields` fields, 1 or kFields. `quanta`: whole numbers, of
   /// field k at place * fields + k; in a field, they sum up to less than 2^53, so that all are exact.
   /// `before`: room for the same.
   void step(
     int number, unsigned fields, std::vector<double>& quanta, std::vector<double>& before) const;
 
 private:
+  struct Flow;
+  static std::vector<Flow> flowsBetween(
+    const std::vector<double>& areas, const std::vector<CellNeighbours>& neighbours, double width);
   void place(std::vector<Link> links, const std::vector<int>& periods, std::size_t nodes);
 
   int steps_ = 0;
   std::vector<std::uint32_t> places_; ///< of the nodes; empty if all keep their numbers
-  std::vector<Link> links_;           ///< those of short periods first
+  std::vector<Link> links_;           ///< links of short periods first
   /// Of those that take part in every 2^i-th step: what comes before the end.
   std::vector<std::size_t> linkEnds_, placeEnds_;
 };

@@ -2,16 +2,45 @@
 #ifndef irradiance_CellEstimate_h
 #define irradiance_CellEstimate_h
 
+#include <memory>
+#include <string>
+
 namespace irradiance
 {
+
+class CellEstimator;
+struct EstimateSource;
+struct WalkSettings;
 
 /// From which photons the irradiance of a cell is estimated.
 enum class CellEstimate
 {
   Sums,   ///< those that arrived in it
-  Spread, ///< small cells: also those of the cells around it, see CellSpread
-  Nearest ///< small cells: those nearest to their middles, see NearestCells
+  Spread, ///< small cells: also the photons of the cells around it, see CellSpread
+  Nearest ///< small cells: the photons nearest to their middles, see NearestPhotonEstimator
 };
+
+struct EstimateSettings
+{
+  CellEstimate cellEstimate = CellEstimate::Sums;
+  /// On how many photons a small cell draws if not on its sum alone, on average; > 0.
+  double spreadPhotons = 250;
+};
+
+/// Whether both are met by the same estimator.
+inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
+{
+  return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons;
+}
+
+std::unique_ptr<CellEstimator> makeCellEstimator(
+  const EstimateSettings& settings, const EstimateSource& source);
+
+/// Whether it searches the photons of stored walks.
+bool needsPhotons(CellEstimate estimate);
+
+/// What excludes each other, in the words of the filter's properties; empty if nothing does.
+std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks);
 
 }
 

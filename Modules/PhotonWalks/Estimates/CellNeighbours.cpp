@@ -37,10 +37,10 @@ class SmoothSurface
 {
 public:
   SmoothSurface(const std::vector<Triangle>& triangles,
-    const std::vector<std::uint32_t>& cellOfTriangle, const Checkpoint& checkpoint)
+    const std::vector<std::uint32_t>& cellOfTriangle, const CancelPoint& cancelPoint)
     : triangles_(triangles)
     , cellOfTriangle_(cellOfTriangle)
-    , pace_(checkpoint)
+    , pace_(cancelPoint)
   {
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
     {
@@ -154,7 +154,7 @@ private:
 
   const std::vector<Triangle>& triangles_;
   const std::vector<std::uint32_t>& cellOfTriangle_;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
   std::vector<Vector3> normals_;
   std::vector<std::uint32_t> chosen_; ///< triangles that have an area
   std::vector<SmoothEdge> edges_;
@@ -165,9 +165,9 @@ private:
 
 std::vector<CellNeighbours> cellNeighbours(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& cellOfTriangle, std::size_t numberOfCells, double normalLength,
-  const Checkpoint& checkpoint)
+  const CancelPoint& cancelPoint)
 {
-  return SmoothSurface(triangles, cellOfTriangle, checkpoint)
+  return SmoothSurface(triangles, cellOfTriangle, cancelPoint)
     .neighbours(numberOfCells, normalLength);
 }
 

@@ -3,7 +3,7 @@
 #define irradiance_CellNeighbours_h
 
 #include "Geometry/Triangle.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 
 #include <array>
 #include <cstdint>
@@ -39,7 +39,7 @@ constexpr double kCosineOfMostFold = 0.81915204428899178;
  */
 std::vector<CellNeighbours> cellNeighbours(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& cellOfTriangle, std::size_t numberOfCells, double normalLength,
-  const Checkpoint& checkpoint = {});
+  const CancelPoint& cancelPoint = {});
 
 }
 

@@ -54,7 +54,7 @@ double rounded(double x)
 }
 
 void CellSpread::measure(
-  const SceneObject& object, ObjectCells& cells, const Checkpoint& checkpoint)
+  const SceneObject& object, ObjectCells& cells, const CancelPoint& cancelPoint)
 {
   const Matrix3 shape = shapeOf(object.worldFromObject.linear);
   if (cells.body != object.body || cells.material != object.material || cells.shape != shape)
@@ -63,7 +63,7 @@ void CellSpread::measure(
     unturned.worldFromObject = { shape, Vector3::Zero() };
     unturned.isPresent = true; // it has the same areas when it comes back
     cells = {};
-    cells.areas = cellAreas(unturned, checkpoint);
+    cells.areas = cellAreas(unturned, cancelPoint);
     cells.area = std::accumulate(cells.areas.begin(), cells.areas.end(), 0.0);
     cells.body = object.body;
     cells.material = object.material;
@@ -72,9 +72,9 @@ void CellSpread::measure(
 }
 
 std::int64_t CellSpread::quantaOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
-  const Checkpoint& checkpoint) const
+  const CancelPoint& cancelPoint) const
 {
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   const Material& material = *objects_[object].material;
   std::int64_t quanta = 0;
   for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
@@ -94,7 +94,8 @@ std::int64_t CellSpread::quantaOn(std::uint32_t object, const CellSums& sums, st
   return quanta;
 }
 
-void CellSpread::connect(ObjectCells& cells, double width, int sides, const Checkpoint& checkpoint)
+void CellSpread::connect(
+  ObjectCells& cells, double width, int sides, const CancelPoint& cancelPoint)
 {
   if (cells.width == width && cells.sides == sides)
   {
@@ -107,14 +108,14 @@ void CellSpread::connect(ObjectCells& cells, double width, int sides, const Chec
         cells.areas.begin(), cells.areas.end(), [&](double area) { return area < width; }))
   {
     cells.diffusion =
-      CellDiffusion(cells.areas, neighboursOf(cells, width, checkpoint), sides, width);
+      CellDiffusion(cells.areas, neighboursOf(cells, width, cancelPoint), sides, width);
   }
   cells.width = width;
   cells.sides = sides;
 }
 
 std::vector<CellNeighbours> CellSpread::neighboursOf(
-  const ObjectCells& cells, double width, const Checkpoint& checkpoint)
+  const ObjectCells& cells, double width, const CancelPoint& cancelPoint)
 {
   // On a cylinder of radius r a photon fills a shape sqrt(1 + 30 width / r^2) times as long as wide.
   // Of 10 to 100, no factor is better than the others by much.
@@ -122,33 +123,33 @@ std::vector<CellNeighbours> CellSpread::neighboursOf(
   const std::vector<Triangle>& model = cells.body->mesh().triangles();
   std::vector<Triangle> triangles;
   triangles.reserve(model.size());
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   for (const Triangle& triangle : model)
   {
     triangles.push_back(transformed({ cells.shape, Vector3::Zero() }, triangle));
     pace.step();
   }
   return cellNeighbours(triangles, cells.material->cellOfTriangle, cells.material->numberOfCells,
-    normalLength, checkpoint);
+    normalLength, cancelPoint);
 }
 
 void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
-  double photons, double photon, Execution& execution)
+  double photons, double quantaPerWalk, Execution& execution)
 {
-  const Checkpoint checkpoint = checkpointOf(execution, 0);
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   objects_.resize(objects.size());
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     ObjectCells& cells = objects_[object];
-    measure(objects[object], cells, checkpoint);
-    const std::int64_t quanta = quantaOn(object, sums, rounds, checkpoint);
+    measure(objects[object], cells, cancelPoint);
+    const std::int64_t quanta = quantaOn(object, sums, rounds, cancelPoint);
     for (cells.shift = 0; quanta >> cells.shift >= std::int64_t{ 1 } << 53;)
     {
       ++cells.shift;
     }
-    const double received = static_cast<double>(quanta) / photon;
+    const double received = static_cast<double>(quanta) / quantaPerWalk;
     const double width = received > 0 ? rounded(photons * cells.area / received) : 0.0;
-    connect(cells, width, sums.sides(), checkpoint);
+    connect(cells, width, sums.sides(), cancelPoint);
   }
   if (sums.plan().replicates().count() > 1)
   {
@@ -193,64 +194,96 @@ void CellSpread::diffuse(
   pass.run(execution);
 }
 
+template <class Visit>
+void CellSpread::forEachSum(
+  const Fields& fields, std::uint32_t bands, int sides, const Visit& visit) const
+{
+  const ObjectCells& cells = objects_[fields.object];
+  std::size_t node = 0;
+  for (CellSide cell{ { fields.object, 0 }, 0 }; cell.cell < cells.areas.size(); ++cell.cell)
+  {
+    for (cell.side = 0; cell.side < sides; ++cell.side)
+    {
+      const std::size_t place = cells.diffusion.placeOf(node++) * fields.width();
+      for (std::uint32_t k = 0; k < fields.count; ++k)
+      {
+        const std::uint32_t field = fields.first + k;
+        visit(cell, static_cast<int>(field % bands), field / bands, place + k);
+      }
+    }
+  }
+}
+
 /// Where more than 2^53 quanta arrived, the lowest bits of each sum stay where they are.
 CellSums CellSpread::spread(
   const SceneObjects& objects, const CellSums& sums, std::size_t rounds, Execution& execution) const
 {
   const std::uint32_t walks = sums.plan().rounds()[rounds - 1].endWalk;
   const std::uint32_t replicates = sums.plan().replicates().count();
+  const auto bands = static_cast<std::uint32_t>(objects.staticObject.material->bands);
   CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0);
-  result.setRounds(1, checkpointOf(execution, 0));
+  result.setRounds(1, cancelPointOf(execution, 0));
   std::vector<Fields> all;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    addFields(
-      object, replicates * static_cast<std::uint32_t>(objects[object].material->bands), all);
+    addFields(object, replicates * bands, all);
   }
-  /// visit(cell, side, band, replicate, index into the quanta)
-  const auto forEachSum = [&](const Fields& fields, const auto& visit) {
-    const Material& material = *objects[fields.object].material;
-    const auto bands = static_cast<std::uint32_t>(material.bands);
-    std::size_t node = 0;
-    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
-    {
-      for (int side = 0; side < sums.sides(); ++side)
-      {
-        const std::size_t place =
-          objects_[fields.object].diffusion.placeOf(node++) * fields.width();
-        for (std::uint32_t k = 0; k < fields.count; ++k)
-        {
-          const std::uint32_t field = fields.first + k;
-          visit(cell, side, static_cast<int>(field % bands), field / bands, place + k);
-        }
-      }
-    }
-  };
   const auto begin = [&](Fields& fields) {
     const unsigned shift = objects_[fields.object].shift;
     fields.quanta.resize(objects[fields.object].material->numberOfCells *
       static_cast<std::size_t>(sums.sides()) * fields.width());
     bool isDark = true;
-    forEachSum(fields, [&](auto cell, int side, int band, auto replicate, std::size_t i) {
-      const std::int64_t sum = sums.sum({ fields.object, cell, side }, band, replicate, rounds);
+    const auto read = [&](const CellSide& cell, int band, auto replicate, std::size_t i) {
+      const std::int64_t sum = sums.sum(cell, band, replicate, rounds);
       fields.quanta[i] = static_cast<double>(sum >> shift);
       isDark = isDark && sum == 0;
-    });
+    };
+    forEachSum(fields, bands, sums.sides(), read);
     fields.stepsDone = isDark ? objects_[fields.object].diffusion.steps() : 0;
   };
   const auto end = [&](const Fields& fields) {
     const unsigned shift = objects_[fields.object].shift;
-    forEachSum(fields, [&](auto cell, int side, int band, auto replicate, std::size_t i) {
-      const std::int64_t low = shift == 0
-        ? 0
-        : sums.sum({ fields.object, cell, side }, band, replicate, rounds) &
-          ((std::int64_t{ 1 } << shift) - 1);
+    const std::int64_t lowest = (std::int64_t{ 1 } << shift) - 1;
+    const auto write = [&](const CellSide& cell, int band, auto replicate, std::size_t i) {
+      const std::int64_t low = shift == 0 ? 0 : sums.sum(cell, band, replicate, rounds) & lowest;
       const auto spread = static_cast<std::int64_t>(fields.quanta[i]);
-      result.set({ fields.object, cell, side }, band, replicate, (spread << shift) + low);
-    });
+      result.set(cell, band, replicate, (spread << shift) + low);
+    };
+    forEachSum(fields, bands, sums.sides(), write);
   };
   diffuse(all, begin, end, execution);
   return result;
+}
+
+/// In quanta: in proportion to the square root of area, as large as their exact sum allows, if the
+/// squares of all fields are to fit into an integer.
+std::vector<std::int64_t> CellSpread::deviationsOf(const ObjectCells& cells)
+{
+  const auto nodes = static_cast<double>(cells.areas.size()) * cells.sides;
+  const double most = std::min(0x1p28, 0x1p52 / nodes);
+  const double largest = *std::max_element(cells.areas.begin(), cells.areas.end());
+  std::vector<std::int64_t> deviations;
+  for (const double area : cells.areas)
+  {
+    deviations.insert(deviations.end(), static_cast<std::size_t>(cells.sides),
+      static_cast<std::int64_t>(most * std::sqrt(area / largest)));
+  }
+  return deviations;
+}
+
+void CellSpread::fillWithSigns(Fields& fields, const std::vector<std::int64_t>& sizes) const
+{
+  const CellDiffusion& diffusion = objects_[fields.object].diffusion;
+  fields.quanta.resize(sizes.size() * fields.width());
+  for (std::uint32_t k = 0; k < fields.count; ++k)
+  {
+    std::mt19937_64 random(fields.first + k);
+    for (std::size_t node = 0; node < sizes.size(); ++node)
+    {
+      fields.quanta[diffusion.placeOf(node) * fields.width() + k] =
+        static_cast<double>(random() % 2 == 0 ? sizes[node] : -sizes[node]);
+    }
+  }
 }
 
 /**
@@ -267,33 +300,12 @@ void CellSpread::findPhotonShares(Execution& execution)
     const ObjectCells& cells = objects_[object];
     if (cells.diffusion.steps() > 0 && cells.photonShares.empty())
     {
-      const auto nodes = static_cast<double>(cells.areas.size()) * cells.sides;
-      // Quanta: their sum is exact, and the squares of all fields fit into an integer.
-      const double most = std::min(0x1p28, 0x1p52 / nodes);
-      const double largest = *std::max_element(cells.areas.begin(), cells.areas.end());
-      for (const double area : cells.areas)
-      {
-        sizes[object].insert(sizes[object].end(), static_cast<std::size_t>(cells.sides),
-          static_cast<std::int64_t>(most * std::sqrt(area / largest)));
-      }
+      sizes[object] = deviationsOf(cells);
       squares[object].resize(sizes[object].size());
       addFields(object, kFields, all);
     }
   }
-  const auto begin = [&](Fields& fields) {
-    const std::vector<std::int64_t>& size = sizes[fields.object];
-    const CellDiffusion& diffusion = objects_[fields.object].diffusion;
-    fields.quanta.resize(size.size() * fields.width());
-    for (std::uint32_t k = 0; k < fields.count; ++k)
-    {
-      std::mt19937_64 random(fields.first + k);
-      for (std::size_t node = 0; node < size.size(); ++node)
-      {
-        fields.quanta[diffusion.placeOf(node) * fields.width() + k] =
-          static_cast<double>(random() % 2 == 0 ? size[node] : -size[node]);
-      }
-    }
-  };
+  const auto begin = [&](Fields& fields) { fillWithSigns(fields, sizes[fields.object]); };
   std::mutex mutex;
   const auto end = [&](const Fields& fields) {
     const CellDiffusion& diffusion = objects_[fields.object].diffusion;
@@ -310,14 +322,14 @@ void CellSpread::findPhotonShares(Execution& execution)
     }
   };
   diffuse(all, begin, end, execution);
+  const auto share = [](std::int64_t size, std::int64_t sum) {
+    const auto variance = static_cast<double>(size * size) * kFields;
+    return size > 0 ? static_cast<float>(std::min(1.0, static_cast<double>(sum) / variance)) : 1.0F;
+  };
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     std::transform(sizes[object].begin(), sizes[object].end(), squares[object].begin(),
-      std::back_inserter(objects_[object].photonShares), [](std::int64_t size, std::int64_t sum) {
-        const auto variance = static_cast<double>(size * size) * kFields;
-        return size > 0 ? static_cast<float>(std::min(1.0, static_cast<double>(sum) / variance))
-                        : 1.0F;
-      });
+      std::back_inserter(objects_[object].photonShares), share);
   }
 }
 

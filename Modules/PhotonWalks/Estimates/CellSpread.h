@@ -27,9 +27,9 @@ public:
   /// but rigid motion has happened since the last call, most are kept.
   ///
   /// `photons`: on how many photons the estimate of a small cell is to draw, on the average of its
-  /// object. `photon`: quanta of one, in all bands together.
+  /// object. `quantaPerWalk`: in all bands together.
   void update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds, double photons,
-    double photon, Execution& execution);
+    double quantaPerWalk, Execution& execution);
 
   /// What the first `rounds` rounds brought, spread over the cells of the scene of the last update;
   /// replicate by replicate, in one round.
@@ -69,15 +69,23 @@ private:
     unsigned width() const { return count == 1 ? 1 : CellDiffusion::kFields; }
   };
 
-  static void measure(const SceneObject& object, ObjectCells& cells, const Checkpoint& checkpoint);
+  static void measure(
+    const SceneObject& object, ObjectCells& cells, const CancelPoint& cancelPoint);
   /// What an object received.
   std::int64_t quantaOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
-    const Checkpoint& checkpoint) const;
-  static void connect(ObjectCells& cells, double width, int sides, const Checkpoint& checkpoint);
+    const CancelPoint& cancelPoint) const;
+  static void connect(ObjectCells& cells, double width, int sides, const CancelPoint& cancelPoint);
   static std::vector<CellNeighbours> neighboursOf(
-    const ObjectCells& cells, double width, const Checkpoint& checkpoint);
+    const ObjectCells& cells, double width, const CancelPoint& cancelPoint);
   void findPhotonShares(Execution& execution);
+  /// The standard deviation that each node is given for this.
+  static std::vector<std::int64_t> deviationsOf(const ObjectCells& cells);
+  /// Gives each node its size with a random sign.
+  void fillWithSigns(Fields& fields, const std::vector<std::int64_t>& sizes) const;
   void addFields(std::uint32_t object, std::uint32_t count, std::vector<Fields>& all) const;
+  /// Calls visit(cell side, band, replicate, index into the quanta) for all sums in the fields.
+  template <class Visit>
+  void forEachSum(const Fields& fields, std::uint32_t bands, int sides, const Visit& visit) const;
   /// Takes the fields through all steps. `begin` fills some whose quanta are 0, `end` reads them.
   template <class Begin, class End>
   void diffuse(

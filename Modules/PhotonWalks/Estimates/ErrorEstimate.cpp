@@ -32,12 +32,12 @@ double quantileOfArea(std::vector<std::pair<double, double>> errorsWithAreas, do
 }
 
 ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-  const std::array<double, Power::kMaxBands>& photon, const CellSpread* spread)
+  const std::array<double, Power::kMaxBands>& quantaPerWalk, const CellSpread* spread)
   : sums_(sums)
   , spread_(spread)
   , rounds_(rounds)
   , walks_(plan.rounds()[rounds - 1].endWalk)
-  , photon_(photon)
+  , quantaPerWalk_(quantaPerWalk)
 {
   double squares = 0;
   for (std::uint32_t replicate = 0; replicate < plan.replicates().count(); ++replicate)
@@ -63,10 +63,11 @@ ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) 
     total += ofReplicate(i);
   }
   const auto quanta = static_cast<double>(total);
-  const double photon = this->photon(cell, band);
-  if (replicates < 2 || walks_ < kFewestPhotons || total == 0 || quanta < kFewestPhotons * photon)
+  const double quantaPerPhoton = this->quantaPerPhoton(cell, band);
+  if (replicates < 2 || walks_ < kFewestPhotons || total == 0 ||
+    quanta < kFewestPhotons * quantaPerPhoton)
   {
-    return { quanta, std::nan(""), photon };
+    return { quanta, std::nan(""), quantaPerPhoton };
   }
   double squares = 0;
   for (std::uint32_t i = 0; i < replicates; ++i)
@@ -74,19 +75,21 @@ ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) 
     const double off = static_cast<double>(ofReplicate(i)) - share_[i] * quanta;
     squares += off * off;
   }
-  return { quanta, std::sqrt(variance(unbiased_ * squares, replicates * photon * photon)), photon };
+  return { quanta,
+    std::sqrt(variance(unbiased_ * squares, replicates * quantaPerPhoton * quantaPerPhoton)),
+    quantaPerPhoton };
 }
 
 double ErrorEstimate::relativeError(const Received& received, double average, double factor)
 {
-  if (received.photon == 0)
+  if (received.quantaPerPhoton == 0)
   {
     return 0; // no light has this band
   }
   if (received.quanta == 0)
   {
     // Where 3 photons are expected, none arrives in 5 % of cases.
-    return 3 * received.photon / average;
+    return 3 * received.quantaPerPhoton / average;
   }
   return std::isnan(received.error) ? kInfinity : factor * received.error / received.quanta;
 }

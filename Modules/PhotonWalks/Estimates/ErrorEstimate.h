@@ -27,11 +27,11 @@ public:
   /// reach a target.
   static constexpr double kConfidence = 0.95;
 
-  /// `photon`: quanta with which the most powerful walk starts, in each band. `spread`: what has
-  /// spread the sums, if they are; the errors are those of the spread sums, which are not the truth
+  /// `quantaPerWalk`: of the most powerful walk at its start, in each band. `spread`: what has
+  /// spread the sums, if they are; the errors are of the spread sums, which are not the truth
   /// where they blur it. `sums` and `spread` must outlive the estimate.
   ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-    const std::array<double, Power::kMaxBands>& photon, const CellSpread* spread = nullptr);
+    const std::array<double, Power::kMaxBands>& quantaPerWalk, const CellSpread* spread = nullptr);
 
   /// The variance of what n replicates tell, from their spread. What they tell comes in steps, as photons do,
   /// so replicates may agree by chance: the variance within a step is the least that can be claimed.
@@ -48,21 +48,22 @@ public:
   double standardError(const CellSide& cell, int band) const { return received(cell, band).error; }
 
   std::uint32_t replicates() const { return static_cast<std::uint32_t>(share_.size()); }
-  /// What one replicate by itself says of a cell's sum, in quanta: its own, over its share of the walks.
+  /// What one replicate alone says of a cell's sum, in quanta: its own, over its share of the walks.
   double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
   {
     return static_cast<double>(sums_.sum(cell, band, replicate, rounds_)) / share_[replicate];
   }
   /// What one photon of full power effectively brings to a cell, in quanta.
-  double photon(const CellSide& cell, int band) const
+  double quantaPerPhoton(const CellSide& cell, int band) const
   {
-    return photon_[static_cast<std::size_t>(band)] * (spread_ ? spread_->photonShare(cell) : 1.0);
+    return quantaPerWalk_[static_cast<std::size_t>(band)] *
+      (spread_ ? spread_->photonShare(cell) : 1.0);
   }
 
   /// The least e for which kConfidence of the area is known to within e times its own irradiance,
   /// with probability kConfidence; infinite if there is none. A cell that received nothing is known
   /// to within 3 photons; its e is 3 photons over what its area receives on average. The worst band
-  /// of a cell counts, and each side by itself if they are kept apart.
+  /// of a cell counts, and each side alone if they are kept apart.
   double relativeErrorOfMostArea(const SceneCells& cells, Execution& execution) const;
 
 private:
@@ -70,7 +71,7 @@ private:
   /// photon of full power effectively brings to it; quanta.
   struct Received
   {
-    double quanta, error, photon;
+    double quanta, error, quantaPerPhoton;
   };
   struct Part
   {
@@ -88,7 +89,7 @@ private:
   const CellSpread* spread_;
   std::size_t rounds_;
   std::uint32_t walks_;
-  std::array<double, Power::kMaxBands> photon_;
+  std::array<double, Power::kMaxBands> quantaPerWalk_;
   std::vector<double> share_; ///< of each replicate in the walks
   double unbiased_;           ///< 1 / (1 - sum of the squared shares)
 };

@@ -2,7 +2,7 @@
 #ifndef irradiance_Execution_h
 #define irradiance_Execution_h
 
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 
 #include <chrono>
 #include <cstddef>
@@ -45,9 +45,9 @@ public:
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// A checkpoint that may be called often. At most every 20 ms it reports `progress`, and throws
+/// A cancel point that may be called often. At most every 20 ms it reports `progress`, and throws
 /// Interrupted if the report returns false. `execution` must outlive it.
-inline Checkpoint checkpointOf(Execution& execution, double progress)
+inline CancelPoint cancelPointOf(Execution& execution, double progress)
 {
   return [&execution, progress, last = std::chrono::steady_clock::now()]() mutable {
     constexpr std::chrono::milliseconds kBetween{ 20 };

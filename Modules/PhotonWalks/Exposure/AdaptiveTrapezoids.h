@@ -25,7 +25,7 @@ namespace irradiance
  * middles, which makes a pair of each. All decisions follow from the samples, so the times do too.
  *
  * Only the samples of pairs that may yet be halved are held. A settled pair is added up, and its sums wait for
- * those of its neighbour: of the other half of what was halved, or, from a pair of the first times upwards,
+ * the sums of its neighbour: of the other half of what was halved, or, from a pair of the first times upwards,
  * of the other half of a range of such pairs. So the order of additions does not depend on what was settled
  * when.
  *
@@ -65,7 +65,7 @@ public:
   Sums takeSums() { return std::move(*sums_); }
 
 private:
-  /// Of the progress: that of the first times.
+  /// The part of the progress that the first times make.
   static constexpr double kFirstShare = 0.5;
 
   using Node = std::shared_ptr<const Sample>;
@@ -107,7 +107,7 @@ private:
   TimeHalving halving_;
   std::vector<double> times_;      ///< in the order of visits, until all is done
   std::vector<Place> firstPlaces_; ///< of pairs of first intervals
-  std::vector<Node> recent_;       ///< of the first times, those of the pair that is not complete
+  std::vector<Node> recent_;       ///< at the first times, of the pair that is not complete
   std::map<std::size_t, Pair> open_;
   std::size_t nextId_ = 0;
   std::deque<Task> tasks_;

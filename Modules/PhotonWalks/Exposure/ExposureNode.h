@@ -50,7 +50,7 @@ private:
   };
 
   static double powerOf(const Side& side, const std::vector<double>& areas);
-  /// J, of all cells; `weights`: those of the nodes.
+  /// J, of all cells; `weights`: of the nodes.
   static NoisyDifference differenceOf(const Three& nodes, const std::array<double, 3>& weights,
     std::size_t leaf, std::size_t side, const std::vector<double>& areas);
 

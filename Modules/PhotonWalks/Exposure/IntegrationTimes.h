@@ -13,7 +13,7 @@ struct TimeSpan
   double start, end;
 };
 
-/// The ends of the span and those of `steps` between them. `steps` are in order.
+/// The ends of the span and the `steps` between them. `steps` are in order.
 std::vector<double> timesWithin(const std::vector<double>& steps, const TimeSpan& span);
 
 /// The ends of `intervals` equal parts of the span.

@@ -11,7 +11,7 @@ namespace irradiance
 {
 
 /**
- * The exposure that each replicate finds by itself, and what their scatter tells of the error. Photons at
+ * The exposure that each replicate finds, and what their scatter tells of the error. Photons at
  * different times come from the same walks, so the errors of different times depend on each other;
  * replicates do not. See Documentation/Theory.md, 5.5.
  */
@@ -51,7 +51,7 @@ private:
   {
     double firstRun = 0, lastRun = 0; ///< J/m2 of a photon; of a single run, the last
     double photonSquares = 0;         ///< sum of its squares over the runs between
-    double firstPhotons = 0;          ///< those of the first run
+    double firstPhotons = 0;          ///< in the first run
     double photons = 0;               ///< those that arrived, counted once in each run
     double photonTime = 0;            ///< number of photons * s
     double litTime = 0;               ///< s in which any arrived

@@ -36,7 +36,7 @@ struct PointScan
   std::uint32_t tags;
   const ScanBody* bodies;
   std::size_t numberOfBodies;
-  /// Within this squared distance of 0, errors are small beside each body.
+  /// Within this squared distance of 0, errors are small relative to each body.
   float squaredNear;
   /// A flag bit for each segment, kGroupSize to a word: set if the segment may touch a body, or if
   /// the bit of its tag is set in `tags`.

@@ -21,7 +21,7 @@ namespace irradiance
 class SegmentScan
 {
 public:
-  /// `frame` is that of the points; `reach` the largest coordinate of any point in it, except the
+  /// `frame`: of the points; `reach` the largest coordinate of any point in it, except the
   /// ends of escaped segments.
   SegmentScan(const UnitFrame& frame, double reach);
 

@@ -7,11 +7,11 @@ namespace irradiance
 {
 
 WalkBlock::WalkBlock(std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands,
-  const UnitFrame& frame, const Power& photon)
+  const UnitFrame& frame, const Power& power)
   : firstWalk_(firstWalk)
   , frame_(frame)
   , places_(numberOfWalks)
-  , photon_(photon)
+  , power_(power)
   , storedBands_(bands > 1 ? static_cast<std::size_t>(bands) : 0)
 {
 }
@@ -29,7 +29,7 @@ Power WalkBlock::power(const SegmentRef& segment) const
 {
   if (storedBands_ == 0)
   {
-    return photon_;
+    return power_;
   }
   Power power;
   const std::size_t first = hitOf(segment) * storedBands_;
@@ -121,7 +121,7 @@ void WalkBlock::moveToEnd(const SegmentRef& end, std::uint32_t capacity)
 
 void WalkBlock::closeHoles()
 {
-  WalkBlock dense(firstWalk_, numberOfWalks(), static_cast<int>(storedBands_), frame_, photon_);
+  WalkBlock dense(firstWalk_, numberOfWalks(), static_cast<int>(storedBands_), frame_, power_);
   std::vector<std::uint32_t> sizes;
   for (const Range& range : places_)
   {
@@ -191,26 +191,16 @@ const Hit* WalkBlock::hiddenStaticHit(const SegmentRef& segment) const
   return found == staticHits_.end() ? nullptr : &found->second;
 }
 
-void WalkBlock::rememberStaticHit(const SegmentRef& segment, const Hit& hit)
-{
-  staticHits_[key(segment)] = hit;
-}
-
-void WalkBlock::forgetStaticHit(const SegmentRef& segment)
-{
-  staticHits_.erase(key(segment));
-}
-
 void WalkBlock::updateStaticHit(
   const SegmentRef& segment, const Hit& old, const Hit& now, bool isCached)
 {
   if (!now.id.isDynamic())
   {
-    forgetStaticHit(segment);
+    staticHits_.erase(key(segment));
   }
   else if (isCached && !old.id.isDynamic())
   {
-    rememberStaticHit(segment, old);
+    staticHits_[key(segment)] = old;
   }
 }
 

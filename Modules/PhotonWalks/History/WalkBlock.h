@@ -5,9 +5,9 @@
 #include "Geometry/Ray.h"
 #include "Geometry/UnitFrame.h"
 #include "History/SegmentRef.h"
-#include "Light/Power.h"
 #include "Sampling/WalkPlan.h"
 #include "Simd/Prefetch.h"
+#include "Surfaces/Power.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +41,7 @@ struct StoredSegment
 /**
  * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock; the unit of work of a
  * thread. A block stores what cannot be computed again: the triangle hit, its side, the point on it
- * and the power. Rays and distances follow from these (WalkShooter::raysOf, Scene::distanceTo). The
+ * and the power. Rays and distances follow from these (WalkTracer::raysOf, Scene::distanceTo). The
  * points of a walk are also kept as floats, to be scanned for segments near moved objects.
  *
  * Walks lie one after the other in two kinds of pools: of hits, one for each segment, and of points,
@@ -55,10 +55,10 @@ public:
   /// An escaped segment ends this far from where it begins, in the frame of the points.
   static constexpr double kFar = 0x1p24;
 
-  /// `frame`: of the points. `photon`: the power of all segments, if there is one band; several have
+  /// `frame`: of the points. `power`: of all segments, if there is one band; several have
   /// a power for each segment.
   WalkBlock(std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands, const UnitFrame& frame,
-    const Power& photon);
+    const Power& power);
 
   std::uint32_t firstWalk() const { return firstWalk_; }
   std::uint32_t endWalk() const { return firstWalk_ + numberOfWalks(); }
@@ -89,8 +89,6 @@ public:
 
   /// The static hit that a dynamic object hides from the segment; null if not known.
   const Hit* hiddenStaticHit(const SegmentRef& segment) const;
-  void rememberStaticHit(const SegmentRef& segment, const Hit& hit);
-  void forgetStaticHit(const SegmentRef& segment);
   /// To be called when another hit ends the segment. With `isCached`, a static hit that becomes
   /// hidden is kept while a dynamic object hides it (section 3.3 of the paper).
   void updateStaticHit(const SegmentRef& segment, const Hit& old, const Hit& now, bool isCached);
@@ -188,7 +186,7 @@ private:
   std::vector<std::uint16_t> tags_;
   std::vector<TriangleId> ids_;
   std::vector<std::array<float, 2>> weights_;
-  Power photon_;
+  Power power_;
   std::size_t storedBands_; ///< powers for each hit: none if they are all the same
   std::vector<std::int64_t> powers_;
   std::unordered_map<std::uint64_t, Hit> staticHits_;

@@ -41,13 +41,13 @@ class WalkHistory
 public:
   /// Stores nothing.
   WalkHistory() = default;
-  /// `frame`, `bands`, `photon`: see WalkBlock. `firstBlock`: the number in the plan of the first block.
-  WalkHistory(const WalkPlan& plan, const UnitFrame& frame, int bands, const Power& photon,
+  /// `frame`, `bands`, `power`: see WalkBlock. `firstBlock`: the number in the plan of the first block.
+  WalkHistory(const WalkPlan& plan, const UnitFrame& frame, int bands, const Power& power,
     std::size_t firstBlock = 0)
     : plan_(plan)
     , frame_(frame)
     , bands_(bands)
-    , photon_(photon)
+    , power_(power)
     , firstBlock_(firstBlock)
   {
   }
@@ -70,7 +70,7 @@ public:
   void append()
   {
     const std::size_t number = firstBlock_ + blocks_.size();
-    blocks_.emplace_back(plan_.firstWalkOf(number), plan_.walksIn(number), bands_, frame_, photon_);
+    blocks_.emplace_back(plan_.firstWalkOf(number), plan_.walksIn(number), bands_, frame_, power_);
   }
   void removeLast() { blocks_.pop_back(); }
   void forgetAllStaticHits()
@@ -122,7 +122,7 @@ private:
   WalkPlan plan_;
   UnitFrame frame_;
   int bands_ = 1;
-  Power photon_;
+  Power power_;
   std::size_t firstBlock_ = 0;
   std::vector<WalkBlock> blocks_;
 };

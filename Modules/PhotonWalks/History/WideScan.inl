@@ -87,7 +87,7 @@ inline unsigned flagNear(const Segments<Lanes>& segments, const ScanBody& body)
   return Lanes::notAbove(dot<Lanes>(p[0], p[1], p[2], p[0], p[1], p[2], zero), reach);
 }
 
-/// Flags those of the first kGroupSize segments that may touch any of the bodies.
+/// Flags which of the first kGroupSize segments may touch any of the bodies.
 template <class Lanes>
 inline unsigned flagGroup(const float* x, const float* y, const float* z, const PointScan& scan)
 {

@@ -54,7 +54,7 @@ std::optional<Foot> FootSearch::find(double maximumDistance)
   return found.side == 0 ? std::nullopt : std::optional<Foot>(on(found.id, found.side));
 }
 
-/// Nothing farther away is looked for.
+/// Surface farther away is not searched.
 double FootSearch::limit() const
 {
   return std::min({ maximumDistance_, std::sqrt(outside_.squaredDistance),

@@ -23,7 +23,7 @@ public:
 
   /**
    * No farther than `maximumDistance`. Sides that are inside of a body are taken only if they are less
-   * than half as far as others: a sensor near a thin thing, but not quite on it, stands outside. Of
+   * than half as far as others: a sensor near a thin object, but not quite on it, stands outside. Of
    * several places at one distance the first by object and triangle.
    */
   std::optional<Foot> find(double maximumDistance);

@@ -24,12 +24,12 @@ LeafPhotons::Tree::Tree(std::shared_ptr<const RigidObject> itsBody)
 std::size_t LeafPhotons::Tree::size() const
 {
   return std::accumulate(leaves.begin(), leaves.end(), std::size_t{},
-    [](std::size_t sum, const PhotonLeaf& leaf) { return sum + leaf.size(); });
+    [](std::size_t sum, const PhotonTree& leaf) { return sum + leaf.size(); });
 }
 
 void LeafPhotons::Tree::empty()
 {
-  for (PhotonLeaf& leaf : leaves)
+  for (PhotonTree& leaf : leaves)
   {
     leaf.empty();
   }
@@ -37,11 +37,11 @@ void LeafPhotons::Tree::empty()
 
 void LeafPhotons::Tree::giveBackMemory()
 {
-  for (PhotonLeaf& leaf : leaves)
+  for (PhotonTree& leaf : leaves)
   {
     if (leaf.size() == 0)
     {
-      leaf = PhotonLeaf();
+      leaf = PhotonTree();
     }
   }
 }
@@ -73,12 +73,12 @@ public:
   /// chosen(object): whether the photons of an object are looked at.
   template <class Chosen>
   void addBlocks(
-    What what, const WalkHistory& history, std::size_t first, std::size_t end, const Chosen& chosen)
+    const WalkHistory& history, std::size_t first, std::size_t end, const Chosen& chosen)
   {
     constexpr std::size_t kPerUnit = 4; // blocks
     for (std::size_t begin = first; begin < end; begin += kPerUnit)
     {
-      addUnit(what, [=, &history](List& list) {
+      addUnit(What::Arrive, [=, &history](List& list) {
         for (std::size_t block = begin; block < std::min(begin + kPerUnit, end); ++block)
         {
           history.forEachPhoton(block, [&](const Photon& photon) {
@@ -230,7 +230,7 @@ private:
     }
   }
 
-  PhotonLeaf& leafAt(std::size_t leaf)
+  PhotonTree& leafAt(std::size_t leaf)
   {
     const auto next = std::upper_bound(firstLeaf_.begin(), firstLeaf_.end(), leaf);
     const auto object = static_cast<std::size_t>(next - firstLeaf_.begin()) - 1;
@@ -254,8 +254,6 @@ LeafPhotons::LeafPhotons(const SceneObjects& objects)
 namespace
 {
 
-constexpr auto kAny = [](std::uint32_t) { return true; };
-
 /// By object.
 std::vector<std::size_t> countsOf(const std::vector<Photon>& photons, std::size_t objects)
 {
@@ -273,15 +271,7 @@ void LeafPhotons::add(
   const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
 {
   Binding binding(trees_);
-  binding.addBlocks(Binding::What::Arrive, history, first, end, kAny);
-  binding.run(execution);
-}
-
-void LeafPhotons::remove(
-  const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
-{
-  Binding binding(trees_);
-  binding.addBlocks(Binding::What::Leave, history, first, end, kAny);
+  binding.addBlocks(history, first, end, [](std::uint32_t) { return true; });
   binding.run(execution);
 }
 
@@ -293,7 +283,7 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     isAnew.push_back(trees_[i].body != objects[i].body);
-    // All photons on a thing that moves leave.
+    // All photons on an object that moves leave.
     isEmptied.push_back(isAnew[i] || (gone[i] > 0 && gone[i] == trees_[i].size()));
     if (isAnew[i])
     {
@@ -310,7 +300,7 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
   Binding binding(trees_);
   if (std::find(isAnew.begin(), isAnew.end(), true) != isAnew.end())
   {
-    binding.addBlocks(Binding::What::Arrive, history, 0, history.size(), isNew);
+    binding.addBlocks(history, 0, history.size(), isNew);
   }
   binding.addPhotons(Binding::What::Leave, changes.gone, isLeft);
   binding.addPhotons(Binding::What::Arrive, changes.arrived, isOld);
@@ -335,8 +325,8 @@ std::size_t LeafPhotons::bytes() const
   std::size_t bytes = 0;
   for (const Tree& tree : trees_)
   {
-    bytes += tree.table.bytes() + tree.leaves.capacity() * sizeof(PhotonLeaf);
-    for (const PhotonLeaf& leaf : tree.leaves)
+    bytes += tree.table.bytes() + tree.leaves.capacity() * sizeof(PhotonTree);
+    for (const PhotonTree& leaf : tree.leaves)
     {
       bytes += leaf.bytes();
     }

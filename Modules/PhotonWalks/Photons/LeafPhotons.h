@@ -3,8 +3,8 @@
 #define irradiance_LeafPhotons_h
 
 #include "Execution/Execution.h"
-#include "Light/SceneObjects.h"
-#include "Photons/PhotonLeaf.h"
+#include "Photons/PhotonTree.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <memory>
 #include <vector>
@@ -30,17 +30,15 @@ public:
 
   /// Adds the photons of blocks [`first`, `end`) of the history.
   void add(const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution);
-  /// Removes them, as long as the history still has them.
-  void remove(const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution);
   /// `objects` and `history` are those after the changes. An object with another body than before has
-  /// a new tree, to which its photons are bound anew; it does not matter what `changes` says of them.
+  /// a new tree, to which its photons are bound again; it does not matter what `changes` says of them.
   void apply(const SceneObjects& objects, const WalkHistory& history, const PhotonChanges& changes,
     Execution& execution);
 
   const TriangleTree& tree(std::uint32_t object) const { return trees_[object].body->tree(); }
   const LeafTable& table(std::uint32_t object) const { return trees_[object].table; }
   /// `leaf`: the number of its first block.
-  const PhotonLeaf& leaf(std::uint32_t object, std::uint32_t leaf) const
+  const PhotonTree& leaf(std::uint32_t object, std::uint32_t leaf) const
   {
     return trees_[object].leaves[leaf];
   }
@@ -64,7 +62,8 @@ private:
 
     std::shared_ptr<const RigidObject> body;
     LeafTable table;
-    std::vector<PhotonLeaf> leaves; ///< one for each block; only those of first blocks are used
+    std::vector<PhotonTree>
+      leaves; ///< one for each block; only the first block of a leaf uses its own
   };
   class Binding;
 

@@ -8,7 +8,7 @@ namespace irradiance
 {
 
 /**
- * Power over area is the irradiance at a sensor: that of the photons nearest to its foot, over
+ * Power over area is the irradiance at a sensor: the power of the photons nearest to its foot, over
  * the surface that counts within the sphere through the farthest of them, in the flattened world of the
  * sensor. As only surface that is there counts, nothing is lost at edges and in corners; and as the same
  * surface counts for photons and for area, what does not count leaves no bias.
@@ -37,10 +37,10 @@ NearestEstimate nearestEstimate(const NearestPhotons& photons, const Foot& foot,
 /// flattened world.
 double countedArea(const NearestPhotons& photons, const Foot& foot, double radius);
 
-/// The largest radius for sensors of which nobody says more: four times the one that `count` photons fill
+/// The largest radius if the user sets none: four times the one that `count` photons fill
 /// on the average of the scene, at most a quarter of the scene's largest extent. World.
 double usualRadius(const NearestPhotons& photons, std::uint32_t count);
-/// How far from a surface sensors lie that are meant to be on it, if nobody says more. World.
+/// How far from a surface a sensor may lie and still counts as on it, if the user sets no distance. World.
 double usualDistance(const NearestPhotons& photons);
 
 }

@@ -3,8 +3,8 @@
 #define irradiance_PlacedTree_h
 
 #include "Geometry/UnitFrame.h"
-#include "Light/SceneObjects.h"
 #include "Photons/Sensor.h"
+#include "Surfaces/SceneObjects.h"
 #include "Trees/LeafQuery.h"
 #include "Trees/SurfaceTree.h"
 
@@ -61,7 +61,7 @@ public:
   double size() const { return size_; }
   bool isMirrored() const { return linear_.determinant() < 0; }
   /// Whether the pose keeps angles, as it turns, mirrors and scales alone. The following hold if it does;
-  /// their unit frame is that of the object's SurfaceTree.
+  /// their unit frame is the frame of the object's SurfaceTree.
   bool keepsAngles() const { return worldUnitsPerUnit_ > 0; }
   double worldUnitsPerUnit() const { return worldUnitsPerUnit_; }
   double worldAreaOfUnit() const { return worldUnitsPerUnit_ * worldUnitsPerUnit_; }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/Surfaces.h"
 
-#include "Light/Contacts.h"
+#include "Surfaces/Contacts.h"
 
 #include <algorithm>
 
 namespace irradiance
 {
 
-void Surfaces::update(const SceneObjects& objects, const Checkpoint& checkpoint)
+void Surfaces::update(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
   forgetOthers(objects);
   known_.resize(objects.size());
@@ -17,8 +17,8 @@ void Surfaces::update(const SceneObjects& objects, const Checkpoint& checkpoint)
     const SceneObject& object = objects[i];
     if (!known_[i].body)
     {
-      known_[i].tree = { object.body->mesh(), solidSidesOf(object, i == 0, checkpoint).of,
-        checkpoint };
+      known_[i].tree = { object.body->mesh(), solidSidesOf(object, i == 0, cancelPoint).of,
+        cancelPoint };
       known_[i].body = object.body;
       known_[i].material = object.material;
     }

@@ -2,7 +2,7 @@
 #ifndef irradiance_Surfaces_h
 #define irradiance_Surfaces_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 #include "Trees/SurfaceTree.h"
 
 #include <memory>
@@ -15,10 +15,10 @@ namespace irradiance
 class Surfaces
 {
 public:
-  /// Updates them to a frame. Those of objects with the same body and material stay.
-  void update(const SceneObjects& objects, const Checkpoint& checkpoint = {});
+  /// Updates them to a frame. The surface of an object with the same body and material stays.
+  void update(const SceneObjects& objects, const CancelPoint& cancelPoint = {});
 
-  /// Forgets those of objects that have another body or material, or are no more.
+  /// Forgets the surfaces of objects that have another body or material, or are gone.
   void forgetOthers(const SceneObjects& objects);
 
   const SurfaceTree& of(std::uint32_t object) const { return known_[object].tree; }

@@ -9,13 +9,13 @@ namespace
 
 /// What is known of a segment before it is cast.
 StaleSegment known(
-  const WalkShooter& shooter, const WalkBlock& block, const SegmentRef& segment, const Ray& ray)
+  const WalkTracer& tracer, const WalkBlock& block, const SegmentRef& segment, const Ray& ray)
 {
   const Hit old = block.hit(segment);
-  StaleSegment stale{ segment, ray, {}, old, shooter.isTouching(block, segment, old) };
+  StaleSegment stale{ segment, ray, {}, old, tracer.isTouching(block, segment, old) };
   if (old && !old.id.isDynamic() && !stale.wasTouching)
   {
-    stale.old.distance = shooter.scene().distanceTo(ray, old.id);
+    stale.old.distance = tracer.scene().distanceTo(ray, old.id);
   }
   return stale;
 }
@@ -31,14 +31,14 @@ const Hit* staticHit(const WalkBlock& block, const StaleSegment& stale)
 }
 
 std::vector<StaleSegment> recast(
-  const WalkShooter& shooter, const WalkHistory& history, const std::vector<SegmentRef>& segments)
+  const WalkTracer& tracer, const WalkHistory& history, const std::vector<SegmentRef>& segments)
 {
   std::vector<Ray> rays(segments.size());
-  shooter.raysOf(history, segments, rays.data());
+  tracer.raysOf(history, segments, rays.data());
   std::vector<StaleSegment> stale;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    stale.push_back(known(shooter, history.blockOf(segments[i].walk), segments[i], rays[i]));
+    stale.push_back(known(tracer, history.blockOf(segments[i].walk), segments[i], rays[i]));
   }
   for (const bool isStaticHitKnown : { false, true }) // then only dynamic objects can precede it
   {
@@ -55,12 +55,12 @@ std::vector<StaleSegment> recast(
         hits.push_back(hit ? *hit : Hit{});
       }
     }
-    const Scene& scene = shooter.scene();
+    const Scene& scene = tracer.scene();
     isStaticHitKnown ? scene.castDynamic(rays.data(), rays.size(), hits.data())
                      : scene.cast(rays.data(), rays.size(), hits.data());
     for (std::size_t k = 0; k < which.size(); ++k)
     {
-      stale[which[k]].hit = shooter.settled(rays[k], hits[k]);
+      stale[which[k]].hit = tracer.resolveContact(rays[k], hits[k]);
     }
   }
   return stale;

@@ -12,7 +12,7 @@ namespace irradiance
 /// The first stale segments of walks that an earlier frame marked, with their hits in the present
 /// scene: a hit found in that frame may have changed since, but the ray has not.
 std::vector<StaleSegment> recast(
-  const WalkShooter& shooter, const WalkHistory& history, const std::vector<SegmentRef>& segments);
+  const WalkTracer& tracer, const WalkHistory& history, const std::vector<SegmentRef>& segments);
 
 }
 

@@ -29,8 +29,7 @@ bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Fun
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
 {
   return isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
-    const bool canEmit = a.material->emits() || b.material->emits();
-    return !canEmit || (a.material == b.material && !hasMoved(a, b));
+    return !(a.emits() || b.emits()) || (isSameThing(a, b) && !hasMoved(a, b));
   });
 }
 
@@ -38,7 +37,7 @@ bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before)
 {
   return now.staticObject.body == before.staticObject.body &&
     isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
-      return !b.isPresent || isSameLook(a, b); // no stored walk knows what was not there
+      return !b.isPresent || isSameLook(a, b); // no stored walk has hit an absent object
     });
 }
 

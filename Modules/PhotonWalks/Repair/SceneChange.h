@@ -2,18 +2,29 @@
 #ifndef irradiance_SceneChange_h
 #define irradiance_SceneChange_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace irradiance
 {
 
 /// What the stored walks need to follow to a frame.
-enum class FrameChange
+struct FrameChange
 {
-  Still,   ///< nothing: no walk can have changed
-  Motion,  ///< verification and repair
-  Replace, ///< likewise, and sums for objects that look different; no walk has touched these
-  Fresh    ///< all are shot again
+  enum Kind
+  {
+    Still,   ///< nothing: no walk can have changed
+    Motion,  ///< verification and repair
+    Replace, ///< likewise, and sums for objects that look different; no walk has touched these
+    Fresh    ///< all are shot again
+  };
+
+  Kind kind;
+  std::vector<bool> moved; ///< for each dynamic object, see findMoved(); empty if all is fresh
+
+  bool hasMotion() const { return std::find(moved.begin(), moved.end(), true) != moved.end(); }
 };
 
 /// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does
@@ -24,7 +35,7 @@ bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
 /// points, and in the look of objects that were not there before.
 bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before);
 
-/// Whether an object has another material or another number of triangles. Both frames have as many
+/// Whether an object has another material or another number of triangles, or there are more or fewer
 /// objects.
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
 

@@ -16,9 +16,9 @@ namespace irradiance
 struct StaleMark
 {
   std::uint32_t walk;
-  std::uint32_t bounce : 21; ///< a walk has at most 2^20 segments
-  std::uint32_t effect : 11; ///< class of the power that it carries; larger is more, 0: repaired
-  std::int64_t gain;         ///< see TailBound
+  std::uint32_t bounce : 21;     ///< a walk has at most 2^20 segments
+  std::uint32_t powerClass : 11; ///< what it carries: more if larger, 0: repaired
+  std::int64_t gain;             ///< see TailBound
 
   SegmentRef first() const { return { walk, bounce }; }
 };

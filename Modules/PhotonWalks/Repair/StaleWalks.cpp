@@ -16,7 +16,7 @@ namespace
 {
 
 /// The class of a power, four classes to an octave: sign, exponent and two bits, 11 in all.
-std::uint32_t effectOf(const Power& power)
+std::uint32_t powerClassOf(const Power& power)
 {
   const auto all = static_cast<float>(power[0] + power[1] + power[2]);
   std::uint32_t bits = 0;
@@ -41,24 +41,24 @@ bool StaleWalks::isEmpty() const
     blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
 }
 
-std::vector<EffectClass> StaleWalks::classes(std::size_t enough) const
+std::vector<PowerClass> StaleWalks::classes(std::size_t enough) const
 {
   std::map<std::uint16_t, std::size_t, std::greater<>> counts;
   for (const Block& block : blocks_)
   {
     for (const StaleMark& mark : block.marks)
     {
-      ++counts[mark.effect];
+      ++counts[mark.powerClass];
     }
   }
-  std::vector<EffectClass> classes;
-  for (const auto& [effect, count] : counts)
+  std::vector<PowerClass> classes;
+  for (const auto& [powerClass, count] : counts)
   {
     if (classes.empty() || classes.back().size >= enough)
     {
-      classes.push_back({ effect, 0 });
+      classes.push_back({ powerClass, 0 });
     }
-    classes.back().weakest = effect;
+    classes.back().weakest = powerClass;
     classes.back().size += count;
   }
   return classes;
@@ -106,7 +106,7 @@ void StaleWalks::add(
     StaleMark mark{};
     mark.walk = first.walk;
     mark.bounce = first.bounce & 0x1fffffu;
-    mark.effect = effectOf(carried) & 0x7ffu;
+    mark.powerClass = powerClassOf(carried) & 0x7ffu;
     mark.gain = bound_.isKnown() ? bound_(first.walk, first.bounce, carried) : 0;
     marks.push_back(mark);
     count(blocks_[block], walks, marks.back(), 1);
@@ -121,14 +121,14 @@ void StaleWalks::repair(
 {
   tally(walks, mark, walks.size(mark.walk), -1, deposits);
   count(blocks_[block], walks, mark, -1);
-  mark.effect = 0;
+  mark.powerClass = 0;
 }
 
 void StaleWalks::forgetRepaired(std::size_t block)
 {
   StaleMarks& marks = blocks_[block].marks;
-  marks.erase(std::remove_if(
-                marks.begin(), marks.end(), [](const StaleMark& mark) { return mark.effect == 0; }),
+  marks.erase(std::remove_if(marks.begin(), marks.end(),
+                [](const StaleMark& mark) { return mark.powerClass == 0; }),
     marks.end());
 }
 

@@ -12,9 +12,9 @@ namespace irradiance
 {
 
 /// Walks whose stale segments carry similar power.
-struct EffectClass
+struct PowerClass
 {
-  std::uint16_t weakest; ///< StaleMark::effect
+  std::uint16_t weakest; ///< StaleMark::powerClass
   std::size_t size;
 };
 
@@ -36,7 +36,7 @@ public:
   const StaleMarks& marks(std::size_t block) const { return blocks_[block].marks; }
 
   /// All stale walks, the strongest first; each class but the last has at least `enough`.
-  std::vector<EffectClass> classes(std::size_t enough) const;
+  std::vector<PowerClass> classes(std::size_t enough) const;
 
   /// Marks what a verification found, by block. The verification must have skipped the tails that
   /// were marked before. Throws Interrupted.

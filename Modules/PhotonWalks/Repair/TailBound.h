@@ -2,9 +2,9 @@
 #ifndef irradiance_TailBound_h
 #define irradiance_TailBound_h
 
-#include "Light/Power.h"
-#include "Light/SceneObjects.h"
 #include "Sampling/SobolSequence.h"
+#include "Surfaces/Power.h"
+#include "Surfaces/SceneObjects.h"
 
 namespace irradiance
 {

@@ -43,7 +43,7 @@ struct WalkRepair::Batch
     : begin(first)
     , end(first + count)
     , tally(state.sums, balance)
-    , walks(state.shooter, &state.history.frame(), state.storesSides)
+    , walks(state.tracer, &state.history.frame(), state.storesSides)
   {
   }
 
@@ -58,13 +58,13 @@ struct WalkRepair::Batch
 
 std::int64_t WalkRepair::run(Execution& execution)
 {
-  const std::vector<EffectClass> order = classes();
+  const std::vector<PowerClass> order = classes();
   double all = 0, done = 0;
-  for (const EffectClass& like : order)
+  for (const PowerClass& like : order)
   {
     all += static_cast<double>(like.size);
   }
-  for (const EffectClass& like : order)
+  for (const PowerClass& like : order)
   {
     if (hasBegun_ && state_.budget && state_.budget->itemsToBegin(1) == 0)
     {
@@ -91,7 +91,7 @@ std::int64_t WalkRepair::run(Execution& execution)
 
 /// Each is large enough to fill the batches of all threads. If there is time for all, so is the
 /// only one.
-std::vector<EffectClass> WalkRepair::classes() const
+std::vector<PowerClass> WalkRepair::classes() const
 {
   if (state_.stale)
   {
@@ -99,17 +99,17 @@ std::vector<EffectClass> WalkRepair::classes() const
     const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
     return state_.stale->classes(state_.budget ? enough : std::numeric_limits<std::size_t>::max());
   }
-  EffectClass every{ 0, 0 };
+  PowerClass every{ 0, 0 };
   for (const auto& found : state_.found)
   {
     every.size += found.size();
   }
-  return every.size > 0 ? std::vector<EffectClass>{ every } : std::vector<EffectClass>{};
+  return every.size > 0 ? std::vector<PowerClass>{ every } : std::vector<PowerClass>{};
 }
 
-/// A block has few stale walks. Those of several blocks are shot together, as long as that leaves
+/// A block has few stale walks. So walks of several blocks are shot together, as long as that leaves
 /// enough units for all threads.
-std::vector<WalkRepair::Unit> WalkRepair::units(const EffectClass& like) const
+std::vector<WalkRepair::Unit> WalkRepair::units(const PowerClass& like) const
 {
   const std::size_t together = std::min(like.size / kUnits, kBatchSize);
   std::vector<Unit> units;
@@ -137,7 +137,7 @@ void WalkRepair::addItems(std::size_t block, std::uint16_t weakest, std::vector<
   }
   for (StaleMark& mark : state_.stale->marks(block))
   {
-    if (mark.effect >= weakest) // no stronger class is left
+    if (mark.powerClass >= weakest) // no stronger class is left
     {
       items.push_back({ block, &mark, nullptr });
     }
@@ -247,7 +247,7 @@ void WalkRepair::findSegments(Batch& batch) const
       items.push_back(item);
     }
   }
-  batch.recast = recast(state_.shooter, state_.history, earlier);
+  batch.recast = recast(state_.tracer, state_.history, earlier);
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     items[i]->segment = &batch.recast[i];

@@ -17,7 +17,7 @@ namespace irradiance
 {
 
 /**
- * Shoots stale walks again from their first stale segment on, those of several blocks side by side.
+ * Shoots stale walks again from their first stale segment on; walks of several blocks side by side.
  *
  * With a budget of time those come first whose stale segments carry most power. A walk is repaired
  * completely or not at all: what is half done at the end is dropped. The first few walks are always
@@ -29,7 +29,7 @@ public:
   /// What it works on. Must outlive it.
   struct State
   {
-    const WalkShooter& shooter;
+    const WalkTracer& tracer;
     WalkHistory& history;
     CellSums& sums;
     PowerBalance& balance;
@@ -37,7 +37,7 @@ public:
     bool storesSides; ///< see WalkBatch
     /// By block, what the verification of this frame found. May be empty if nothing moved.
     const std::vector<std::vector<StaleSegment>>& found;
-    StaleWalks* stale;  ///< the walks to repair; null: those that were found
+    StaleWalks* stale;  ///< the walks to repair; null: those in `found`
     TimeBudget* budget; ///< null: time for all; else `stale` is given
     PhotonChanges* changes =
       nullptr; ///< receives the photons that go and come; null: not asked for
@@ -59,8 +59,8 @@ private:
   struct Batch;
   struct Unit;
 
-  std::vector<EffectClass> classes() const;
-  std::vector<Unit> units(const EffectClass& like) const;
+  std::vector<PowerClass> classes() const;
+  std::vector<Unit> units(const PowerClass& like) const;
   void addItems(std::size_t block, std::uint16_t weakest, std::vector<Item>& items) const;
   bool work(Unit& unit, const Deadline& deadline);
   /// The next walks of a unit; null if there are none or the time is up.

@@ -54,7 +54,7 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
   for (Candidates* candidates : all)
   {
     candidates->rays.resize(candidates->segments.size());
-    shooter_.raysOf(history_, candidates->segments, candidates->rays.data());
+    tracer_.raysOf(history_, candidates->segments, candidates->rays.data());
     suspects_ += static_cast<std::int64_t>(candidates->rays.size());
   }
   castBlocked(suspects.blocked);
@@ -86,8 +86,8 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
   const StaleMarks* known, Suspects& suspects) const
 {
   const WalkBlock& block = history_.block(number);
-  // None of the requests waits for another, so the memory delivers many at a time: first the places
-  // of the walks, which lead to the hits.
+  // No prefetch waits for another, so many are under way at a time: first the places of the walks,
+  // which lead to the hits.
   for (const std::uint32_t point : points)
   {
     block.prefetchPlaceAt(point);
@@ -113,9 +113,9 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
     const Hit hit = block.hit(*segment);
     const bool isLost = hasMoved(hit.id);
     stale = isLost ? segment->walk : stale;
-    Candidates& candidates = shooter_.isTouching(block, *segment, hit) ? suspects.touching
-      : isLost                                                         ? suspects.lost
-                                                                       : suspects.blocked;
+    Candidates& candidates = tracer_.isTouching(block, *segment, hit) ? suspects.touching
+      : isLost                                                        ? suspects.lost
+                                                                      : suspects.blocked;
     candidates.add(*segment, number, hit);
   }
 }
@@ -123,33 +123,33 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& po
 /// The old hit is not on a moved object. It is valid unless a moved object came in front of it.
 void WalkVerifier::castBlocked(Candidates& candidates) const
 {
-  shooter_.scene().findDistances(
+  tracer_.scene().findDistances(
     candidates.rays.data(), candidates.rays.size(), candidates.old.data());
   candidates.now = candidates.old;
-  shooter_.scene().castMoved(candidates.rays.data(), candidates.rays.size(), candidates.now.data());
+  tracer_.scene().castMoved(candidates.rays.data(), candidates.rays.size(), candidates.now.data());
   for (std::size_t i = 0; i < candidates.rays.size(); ++i)
   {
     if (candidates.now[i] != candidates.old[i])
     {
-      candidates.now[i] = shooter_.settled(candidates.rays[i], candidates.now[i]);
+      candidates.now[i] = tracer_.resolveContact(candidates.rays[i], candidates.now[i]);
       candidates.stale.push_back(i);
     }
   }
 }
 
-/// Where objects touch, the ray is cast anew. The hit may be the same and yet depend on other
-/// objects than before: then it is stored anew as well.
+/// Where objects touch, the ray is cast again. The hit may be the same and yet depend on other
+/// objects than before: then it is stored again as well.
 void WalkVerifier::castTouching(Candidates& candidates) const
 {
   const std::size_t count = candidates.rays.size();
   candidates.now.assign(count, {});
-  shooter_.cast(candidates.rays.data(), count, candidates.now.data());
+  tracer_.cast(candidates.rays.data(), count, candidates.now.data());
   for (std::size_t i = 0; i < count; ++i)
   {
     const Hit &now = candidates.now[i], &old = candidates.old[i];
     const SegmentRef& segment = candidates.segments[i];
     if (now.id != old.id || now.weights != old.weights || hasMoved(now.id) ||
-      shooter_.isContact(candidates.rays[i].start, now.id) !=
+      tracer_.isContact(candidates.rays[i].start, now.id) !=
         history_.blockOf(segment.walk).isContact(segment))
     {
       candidates.stale.push_back(i);
@@ -161,7 +161,7 @@ void WalkVerifier::castTouching(Candidates& candidates) const
 /// normal and the point on it have changed. Static geometry is known to lie behind the old hit.
 void WalkVerifier::castLost(Candidates& candidates) const
 {
-  const Scene& scene = shooter_.scene();
+  const Scene& scene = tracer_.scene();
   const std::size_t count = candidates.rays.size();
   candidates.now.assign(count, {});
   scene.castDynamic(candidates.rays.data(), count, candidates.now.data());
@@ -203,7 +203,7 @@ void WalkVerifier::castLost(Candidates& candidates) const
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    candidates.now[i] = shooter_.settled(candidates.rays[i], candidates.now[i]);
+    candidates.now[i] = tracer_.resolveContact(candidates.rays[i], candidates.now[i]);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "History/SegmentScan.h"
 #include "Repair/StaleMark.h"
-#include "Shooting/WalkShooter.h"
+#include "Shooting/WalkTracer.h"
 
 #include <atomic>
 #include <vector>
@@ -19,7 +19,7 @@ struct StaleSegment
   Ray ray;
   Hit hit; ///< in the new frame
   Hit old; ///< in the old frame; its distance is valid only if nothing there moved or touches
-  /// Whether contacts affect the old hit: then it may differ from that of the static tree alone.
+  /// Whether contacts affect the old hit: then it may differ from the hit in the static tree alone.
   bool wasTouching = false;
 };
 
@@ -37,9 +37,9 @@ public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
   /// flags all segments that these objects may change. `clearance`: a stored segment may end this
   /// far from where it hit, as the next one begins there (see Scene).
-  WalkVerifier(const WalkShooter& shooter, const WalkHistory& history,
-    const std::vector<bool>& moved, const SegmentScan& scan, double clearance)
-    : shooter_(shooter)
+  WalkVerifier(const WalkTracer& tracer, const WalkHistory& history, const std::vector<bool>& moved,
+    const SegmentScan& scan, double clearance)
+    : tracer_(tracer)
     , history_(history)
     , moved_(moved)
     , scan_(scan)
@@ -65,7 +65,7 @@ private:
   void castLost(Candidates& candidates) const;
   void castTouching(Candidates& candidates) const;
 
-  const WalkShooter& shooter_;
+  const WalkTracer& tracer_;
   const WalkHistory& history_;
   const std::vector<bool>& moved_;
   const SegmentScan& scan_;

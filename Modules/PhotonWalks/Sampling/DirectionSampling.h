@@ -3,7 +3,7 @@
 #define irradiance_DirectionSampling_h
 
 #include "Geometry/Vector.h"
-#include "Sampling/Turn.h"
+#include "Sampling/SinCos.h"
 
 #include <array>
 
@@ -13,7 +13,7 @@ namespace irradiance
 /**
  * Unit vector at a given height over the plane across the unit vector `axis`, `turns` around it.
  * `radius` is the distance from the axis: height^2 + radius^2 = 1. Without branches, so that a loop
- * over many becomes SIMD. The frame around the axis is that of Duff et al., "Building an Orthonormal
+ * over many becomes SIMD. The frame around the axis is from Duff et al., "Building an Orthonormal
  * Basis, Revisited" (JCGT 2017).
  */
 struct DirectionAround
@@ -26,7 +26,7 @@ struct DirectionAround
     const double sign = __builtin_copysign(1.0, axisZ);
     const double a = -1.0 / (sign + axisZ);
     const double b = axisX * axisY * a;
-    const Turn turn(turns);
+    const SinCos turn(turns);
     const double p = radius * turn.cosine, q = radius * turn.sine;
     x = p * (1.0 + sign * axisX * axisX * a) + q * b + height * axisX;
     y = p * (sign * b) + q * (sign + axisY * axisY * a) + height * axisY;
@@ -52,18 +52,12 @@ inline Vector3 directionAround(const Vector3& axis, double height, double radius
   return { direction.x, direction.y, direction.z };
 }
 
-inline Vector3 sampleCosineHemisphere(const Vector3& normal, const std::array<double, 2>& u)
-{
-  const CosineDirection direction(normal[0], normal[1], normal[2], u[0], u[1]);
-  return { direction.x, direction.y, direction.z };
-}
-
 /// Unit vector, density 1 / (4 pi) per steradian.
 inline Vector3 sampleSphere(const std::array<double, 2>& u)
 {
   const double z = 1 - 2 * u[0];
   const double radius = std::sqrt(std::max(0.0, 1 - z * z));
-  const Turn turn(u[1]);
+  const SinCos turn(u[1]);
   return { radius * turn.cosine, radius * turn.sine, z };
 }
 

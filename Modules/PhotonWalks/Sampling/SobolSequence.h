@@ -13,7 +13,7 @@ namespace irradiance
 /// What a sample of a bounce is used for; each use has a two-dimensional pattern of its own.
 enum class SampleUse : std::uint32_t
 {
-  Emitter,     ///< which light (first coordinate)
+  Light,       ///< which light (first coordinate)
   Position,    ///< where on it
   Direction,   ///< in which direction the walk leaves
   Survival,    ///< whether and how the walk leaves the hit before this bounce (first coordinate)

@@ -16,7 +16,7 @@ void drawAllFirstPlain(SampleLanes& samples)
   samples.drawFirst();
 }
 
-void leaveAllPlain(LeavingLanes& lanes)
+void scatterAllPlain(ScatterLanes& lanes)
 {
   lanes.leave();
 }
@@ -31,9 +31,9 @@ void drawAllFirst(SampleLanes& samples)
   IRRADIANCE_CALL_BEST(drawAllFirst, samples);
 }
 
-void leaveAll(LeavingLanes& lanes)
+void scatterAll(ScatterLanes& lanes)
 {
-  IRRADIANCE_CALL_BEST(leaveAll, lanes);
+  IRRADIANCE_CALL_BEST(scatterAll, lanes);
 }
 
 }

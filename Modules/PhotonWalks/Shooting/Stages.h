@@ -3,7 +3,7 @@
 #define irradiance_Stages_h
 
 #include "Sampling/SampleLanes.h"
-#include "Shooting/LeavingLanes.h"
+#include "Shooting/ScatterLanes.h"
 
 namespace irradiance
 {
@@ -12,7 +12,7 @@ namespace irradiance
 /// All give the same bits.
 void drawAll(SampleLanes& samples);
 void drawAllFirst(SampleLanes& samples);
-void leaveAll(LeavingLanes& lanes);
+void scatterAll(ScatterLanes& lanes);
 
 void drawAllPlain(SampleLanes& samples);
 void drawAllAvx2(SampleLanes& samples);
@@ -20,9 +20,9 @@ void drawAllAvx512(SampleLanes& samples);
 void drawAllFirstPlain(SampleLanes& samples);
 void drawAllFirstAvx2(SampleLanes& samples);
 void drawAllFirstAvx512(SampleLanes& samples);
-void leaveAllPlain(LeavingLanes& lanes);
-void leaveAllAvx2(LeavingLanes& lanes);
-void leaveAllAvx512(LeavingLanes& lanes);
+void scatterAllPlain(ScatterLanes& lanes);
+void scatterAllAvx2(ScatterLanes& lanes);
+void scatterAllAvx512(ScatterLanes& lanes);
 
 }
 

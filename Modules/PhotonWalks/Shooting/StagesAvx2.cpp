@@ -19,7 +19,7 @@ void drawAllFirstAvx2(SampleLanes& samples)
   samples.drawFirst();
 }
 
-void leaveAllAvx2(LeavingLanes& lanes)
+void scatterAllAvx2(ScatterLanes& lanes)
 {
   lanes.leave();
 }

@@ -19,7 +19,7 @@ void drawAllFirstAvx512(SampleLanes& samples)
   samples.drawFirst();
 }
 
-void leaveAllAvx512(LeavingLanes& lanes)
+void scatterAllAvx512(ScatterLanes& lanes)
 {
   lanes.leave();
 }

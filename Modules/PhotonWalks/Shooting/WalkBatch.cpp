@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkBatch.h"
 
-#include "Light/Absorption.h"
+#include "Surfaces/Absorption.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -17,8 +17,8 @@ constexpr std::size_t kAhead = 8; // hits between a request to memory and its us
 
 }
 
-WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn, bool storesSides)
-  : shooter_(shooter)
+WalkBatch::WalkBatch(const WalkTracer& tracer, const UnitFrame* storedIn, bool storesSides)
+  : tracer_(tracer)
   , frame_(storedIn)
   , storesSides_(storesSides)
 {
@@ -26,7 +26,7 @@ WalkBatch::WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn, bool
 
 void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
 {
-  const WalkRules& rules = shooter_.rules();
+  const WalkSampler& sampler = tracer_.sampler();
   const std::size_t first = walks_.size(), all = first + walks.size();
   reserve(walks.size());
   for (const std::uint32_t walk : walks)
@@ -35,20 +35,20 @@ void WalkBatch::shoot(const std::vector<std::uint32_t>& walks)
   }
   walks_.insert(walks_.end(), walks.begin(), walks.end());
   bounces_.resize(all, 0);
-  if (rules.bands() == 1)
+  if (sampler.bands() == 1)
   {
-    emitted_ += static_cast<std::int64_t>(walks.size()) * rules.photon();
+    emitted_ += static_cast<std::int64_t>(walks.size()) * sampler.powerPerWalk();
   }
   else
   {
     for (const std::uint32_t walk : walks)
     {
-      powers_.push_back(rules.powerOf(walk));
+      powers_.push_back(sampler.powerOf(walk));
       emitted_ += powers_.back();
     }
   }
   rays_.resize(all);
-  rules.start(walks.data(), walks.size(), rays_.data() + first);
+  sampler.start(walks.data(), walks.size(), rays_.data() + first);
 }
 
 void WalkBatch::reserve(std::size_t walks)
@@ -72,7 +72,7 @@ void WalkBatch::resume(
   addTail(first);
   walks_.push_back(first.walk);
   bounces_.push_back(first.bounce);
-  if (shooter_.rules().bands() > 1)
+  if (tracer_.sampler().bands() > 1)
   {
     powers_.push_back(incoming);
   }
@@ -101,7 +101,7 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
     if (!areHitsKnown_)
     {
       hits_.resize(walks_.size());
-      shooter_.cast(rays_.data() + first, count, hits_.data() + first);
+      tracer_.cast(rays_.data() + first, count, hits_.data() + first);
     }
     areHitsKnown_ = false;
     segments_ += static_cast<std::int64_t>(count);
@@ -125,24 +125,24 @@ bool WalkBatch::run(WalkTally& tally, const std::function<bool()>& hasToStop)
 /// What a hit needs is scattered in memory: it is prefetched in time, and what leads to it first.
 void WalkBatch::findCells(std::size_t first, WalkTally& tally)
 {
-  const WalkRules& rules = shooter_.rules();
+  const WalkSampler& sampler = tracer_.sampler();
   const std::size_t end = hits_.size();
   cells_.resize(end - first);
   slots_.resize(end - first);
   for (std::size_t i = first; i < std::min(first + kAhead, end); ++i)
   {
-    rules.prefetchTriangle(hits_[i]);
+    sampler.prefetchTriangle(hits_[i]);
   }
   for (std::size_t i = first; i < end; ++i)
   {
     if (i + kAhead < end)
     {
-      rules.prefetchTriangle(hits_[i + kAhead]);
+      sampler.prefetchTriangle(hits_[i + kAhead]);
     }
     if (hits_[i])
     {
-      cells_[i - first] = rules.cellOf(hits_[i].id);
-      rules.prefetchCell(hits_[i]);
+      cells_[i - first] = sampler.cellOf(hits_[i].id);
+      sampler.prefetchCell(hits_[i]);
       slots_[i - first] = tally.slotOf(walks_[i], { hits_[i].id.object, cells_[i - first] });
       tally.prefetch(slots_[i - first]);
     }
@@ -154,7 +154,7 @@ void WalkBatch::findSides(std::size_t first)
   isFront_.resize(hits_.size() - first);
   for (std::size_t i = first; i < hits_.size(); ++i)
   {
-    isFront_[i - first] = !hits_[i] || shooter_.rules().hitsFront(rays_[i], hits_[i].id);
+    isFront_[i - first] = !hits_[i] || tracer_.sampler().hitsFront(rays_[i], hits_[i].id);
   }
 }
 
@@ -170,8 +170,8 @@ void WalkBatch::receive(std::size_t first, WalkTally& tally)
       received += hits_[first + i] ? 1 : 0;
     }
     slots_.resize(received);
-    tally.receive(slots_, shooter_.rules().photon());
-    tally.escape(static_cast<std::int64_t>(count - received), shooter_.rules().photon());
+    tally.receive(slots_, tracer_.sampler().powerPerWalk());
+    tally.escape(static_cast<std::int64_t>(count - received), tracer_.sampler().powerPerWalk());
     return;
   }
   for (std::size_t i = 0; i < count; ++i)
@@ -190,7 +190,7 @@ void WalkBatch::receive(std::size_t first, WalkTally& tally)
 /// Keeps what will be stored of the segments. The sides of those that go on follow when they leave.
 void WalkBatch::record(std::size_t first)
 {
-  const WalkRules& rules = shooter_.rules();
+  const WalkSampler& sampler = tracer_.sampler();
   const std::size_t count = hits_.size() - first;
   isSurvivor_.assign(count, 0);
   for (const std::uint32_t survivor : survivors_)
@@ -210,8 +210,8 @@ void WalkBatch::record(std::size_t first)
     ++tails_[tail].size;
     pieces_[firstPiece + i] = { tail,
       { storedPoint(*frame_, ray.origin), hit.id, hit.weights,
-        isSideUnknown ? rules.hitsFront(ray, hit.id) : isFront(i),
-        shooter_.isContact(ray.start, hit.id) } };
+        isSideUnknown ? sampler.hitsFront(ray, hit.id) : isFront(i),
+        tracer_.isContact(ray.start, hit.id) } };
     // Written for all, counted for those that end: which do is unpredictable.
     const double length = hit ? hit.distance : WalkBlock::kFar / frame_->scale;
     ends_[ends] = { tail, storedPoint(*frame_, ray.origin + length * ray.direction) };
@@ -227,7 +227,7 @@ void WalkBatch::record(std::size_t first)
 
 void WalkBatch::absorb(std::size_t first)
 {
-  const WalkRules& rules = shooter_.rules();
+  const WalkSampler& sampler = tracer_.sampler();
   const std::size_t count = hits_.size() - first;
   probabilities_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -235,12 +235,12 @@ void WalkBatch::absorb(std::size_t first)
     const Hit& hit = hits_[first + i];
     probabilities_[i] = !hit ? 0
       : powers_.empty()
-      ? rules.reflectanceOf(hit.id.object, cells_[i])
-      : survivalProbabilities(powers_[first + i], rules.materialOf(hit.id.object), cells_[i])
+      ? sampler.reflectanceOf(hit.id.object, cells_[i])
+      : survivalProbabilities(powers_[first + i], sampler.materialOf(hit.id.object), cells_[i])
           .total();
   }
   survivors_.clear();
-  rules.survive(walks_.data() + first, bounces_.data() + first, probabilities_.data(), count,
+  sampler.survive(walks_.data() + first, bounces_.data() + first, probabilities_.data(), count,
     static_cast<std::uint32_t>(first), survivors_);
 }
 
@@ -248,8 +248,8 @@ void WalkBatch::absorb(std::size_t first)
 /// place is written only after it was read, as no survivor moves up.
 void WalkBatch::leave(std::size_t first, WalkTally& tally)
 {
-  const WalkRules& rules = shooter_.rules();
-  Departures departures(rules);
+  const WalkSampler& sampler = tracer_.sampler();
+  ScatteredRays scattered(sampler);
   std::size_t kept = first;
   Piece* const pieces = frame_ ? &pieces_[pieces_.size() - (hits_.size() - first)] : nullptr;
   for (const std::uint32_t i : survivors_)
@@ -260,14 +260,14 @@ void WalkBatch::leave(std::size_t first, WalkTally& tally)
     tailOf_[kept] = tailOf_[i];
     walks_[kept] = walks_[i];
     bounces_[kept] = bounces_[i] + 1;
-    const Reflection reflection = rules.reflectionAt(
+    const Reflection reflection = sampler.reflectionAt(
       hit.id, walks_[kept], bounces_[kept], powers_.empty() ? Power{} : powers_[i]);
-    departures.add({ walks_[kept], bounces_[kept], hit.id, weightsOf(hit), side, rays_[i].direction,
-                     reflection, rays_[i].origin },
+    scattered.add({ walks_[kept], bounces_[kept], hit.id, weightsOf(hit), side, rays_[i].direction,
+                    reflection, rays_[i].origin },
       &rays_[kept], pieces ? &pieces[i - first].segment.isFront : nullptr);
     if (!powers_.empty())
     {
-      const Material& material = rules.materialOf(hit.id.object);
+      const Material& material = sampler.materialOf(hit.id.object);
       const std::size_t cell = cells_[i - first];
       const double probability = material.isSpecular()
         ? survivalProbabilities(powers_[i], material, cell).of(reflection)
@@ -279,9 +279,9 @@ void WalkBatch::leave(std::size_t first, WalkTally& tally)
   }
   if (powers_.empty())
   {
-    tally.release(static_cast<std::int64_t>(kept - first), rules.photon());
+    tally.release(static_cast<std::int64_t>(kept - first), sampler.powerPerWalk());
   }
-  departures.flush();
+  scattered.flush();
   tailOf_.resize(kept);
   walks_.resize(kept);
   bounces_.resize(kept);

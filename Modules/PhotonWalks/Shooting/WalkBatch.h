@@ -2,7 +2,7 @@
 #ifndef irradiance_WalkBatch_h
 #define irradiance_WalkBatch_h
 
-#include "Shooting/WalkShooter.h"
+#include "Shooting/WalkTracer.h"
 #include "Tally/WalkTally.h"
 
 #include <functional>
@@ -19,7 +19,7 @@ public:
   /// `storedIn`: the frame of the blocks to which store() will write; null if nothing is stored.
   /// `storesSides`: the sides of all hits are stored; else, if the tally does not need them, only of
   /// those that walks leave.
-  WalkBatch(const WalkShooter& shooter, const UnitFrame* storedIn, bool storesSides = false);
+  WalkBatch(const WalkTracer& tracer, const UnitFrame* storedIn, bool storesSides = false);
 
   /// Adds whole walks.
   void shoot(const std::vector<std::uint32_t>& walks);
@@ -85,7 +85,7 @@ private:
   void leave(std::size_t first, WalkTally& tally);
   void checkEnd(std::size_t place) const;
 
-  const WalkShooter& shooter_;
+  const WalkTracer& tracer_;
   const UnitFrame* frame_;
   bool storesSides_;
   // Of the walks that go on, by place.
@@ -106,7 +106,7 @@ private:
   std::int64_t segments_ = 0;
   Power emitted_;
   std::vector<Tail> tails_;
-  std::vector<Piece> pieces_; ///< in order within a walk; those of several walks are mixed
+  std::vector<Piece> pieces_; ///< in order within a walk; pieces of several walks are mixed
   std::vector<Power> piecePowers_;
   std::vector<End> ends_;
 };

@@ -23,10 +23,10 @@ CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan,
   setRounds(rounds);
 }
 
-void CellSums::replace(const SceneObjects& objects, const Checkpoint& checkpoint)
+void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
   CellSums now(objects, sides_, plan_, 0);
-  now.setRounds(rounds_, checkpoint);
+  now.setRounds(rounds_, cancelPoint);
   for (std::size_t round = 0; round < rounds_; ++round)
   {
     for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -39,16 +39,16 @@ void CellSums::replace(const SceneObjects& objects, const Checkpoint& checkpoint
         std::copy_n(sums_.begin() + static_cast<std::ptrdiff_t>(slot({ round, 0 }, first)), size,
           now.sums_.begin() + static_cast<std::ptrdiff_t>(now.slot({ round, 0 }, first)));
       }
-      if (checkpoint)
+      if (cancelPoint)
       {
-        checkpoint();
+        cancelPoint();
       }
     }
   }
   *this = std::move(now);
 }
 
-void CellSums::setRounds(std::size_t rounds, const Checkpoint& checkpoint)
+void CellSums::setRounds(std::size_t rounds, const CancelPoint& cancelPoint)
 {
   if (rounds == rounds_)
   {
@@ -66,9 +66,9 @@ void CellSums::setRounds(std::size_t rounds, const Checkpoint& checkpoint)
     sums.insert(sums.end(), old + static_cast<std::ptrdiff_t>(std::min(first, sums_.size())),
       old + static_cast<std::ptrdiff_t>(std::min(end, sums_.size())));
     sums.resize(end);
-    if (checkpoint)
+    if (cancelPoint)
     {
-      checkpoint();
+      cancelPoint();
     }
   }
   sums_.swap(sums);

@@ -3,10 +3,10 @@
 #define irradiance_CellSums_h
 
 #include "History/Contribution.h"
-#include "Light/Power.h"
-#include "Light/SceneCells.h"
 #include "Sampling/WalkPlan.h"
 #include "Simd/Prefetch.h"
+#include "Surfaces/Power.h"
+#include "Surfaces/SceneCells.h"
 
 #include <array>
 #include <memory>
@@ -39,9 +39,9 @@ public:
 
   /// Changes to objects of which some have other cells than before. These start with nothing; all
   /// others keep their sums.
-  void replace(const SceneObjects& objects, const Checkpoint& checkpoint = {});
+  void replace(const SceneObjects& objects, const CancelPoint& cancelPoint = {});
   /// Makes room for further rounds, or drops the last ones.
-  void setRounds(std::size_t rounds, const Checkpoint& checkpoint = {});
+  void setRounds(std::size_t rounds, const CancelPoint& cancelPoint = {});
   std::size_t rounds() const { return rounds_; }
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 

@@ -2,7 +2,7 @@
 #ifndef irradiance_PowerBalance_h
 #define irradiance_PowerBalance_h
 
-#include "Light/Power.h"
+#include "Surfaces/Power.h"
 
 #include <cstdint>
 #include <mutex>

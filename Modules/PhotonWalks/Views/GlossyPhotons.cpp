@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/GlossyPhotons.h"
 
-#include "Sampling/UnitPower.h"
+#include "Sampling/PowUnit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct GlossyPhotons::Lobe
   /// Cosines above `faint`.
   double operator()(double cosine) const
   {
-    return scale * unitPower(std::min(cosine, 1.0), exponent);
+    return scale * powUnit(std::min(cosine, 1.0), exponent);
   }
 
   double exponent, faint, scale;

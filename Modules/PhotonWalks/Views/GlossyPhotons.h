@@ -2,9 +2,9 @@
 #ifndef irradiance_GlossyPhotons_h
 #define irradiance_GlossyPhotons_h
 
-#include "Light/PhongLobe.h"
-#include "Light/Power.h"
 #include "Meshes/SurfacePoint.h"
+#include "Surfaces/PhongLobe.h"
+#include "Surfaces/Power.h"
 #include "Views/Eye.h"
 
 #include <array>

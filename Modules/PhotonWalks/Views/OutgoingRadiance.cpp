@@ -29,7 +29,7 @@ void add(OutgoingRadiance::Bands& sum, const OutgoingRadiance::Bands& part, doub
 }
 
 OutgoingRadiance::OutgoingRadiance(
-  IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution)
+  const IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution)
   : engine_(engine)
   , mirrorPoints_(0)
   , mirrorSamples_(mirrorSamples)
@@ -39,7 +39,7 @@ OutgoingRadiance::OutgoingRadiance(
   {
     addCells(object);
   }
-  collectPhotons(execution);
+  preparePhotons(execution);
 }
 
 void OutgoingRadiance::addCells(std::uint32_t object)
@@ -59,16 +59,16 @@ void OutgoingRadiance::addCells(std::uint32_t object)
   objects_.push_back(std::move(cells));
 }
 
-void OutgoingRadiance::collectPhotons(Execution& execution)
+void OutgoingRadiance::preparePhotons(Execution& execution)
 {
-  const SpecularPhotons& photons = engine_.specularPhotons(execution);
+  const CellPhotonSets& photons = engine_.photons<CellPhotonSets>();
   if (photons.isEmpty())
   {
     return;
   }
   photons_.resize(engine_.cells().numbers().size());
   const SobolSequence samples = engine_.samples();
-  const WalkShooter shooter = engine_.shooter(samples);
+  const WalkTracer tracer = engine_.tracer(samples);
   const WalkHistory& history = engine_.history();
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
@@ -82,7 +82,7 @@ void OutgoingRadiance::collectPhotons(Execution& execution)
       const std::vector<SegmentRef> segments = photons.sorted({ object, cell });
       std::vector<SurfacePoint> points(segments.size());
       std::vector<Vector3> directions(segments.size());
-      shooter.arrivalsOf(history, segments, points.data(), directions.data());
+      tracer.arrivalsOf(history, segments, points.data(), directions.data());
       std::vector<GlossyPhotons::Arrival> arrivals;
       for (std::size_t i = 0; i < segments.size(); ++i)
       {
@@ -137,15 +137,17 @@ OutgoingRadiance::Bands OutgoingRadiance::diffuse(const SceneCell& cell, const E
 OutgoingRadiance::Bands OutgoingRadiance::diffuseOf(const SceneCell& cell, bool isFront) const
 {
   const Material& material = materialOf(cell.object);
+  const double* const exitance =
+    isFront ? engine_.objects()[cell.object].exitanceOf(cell.cell) : nullptr;
   const int side = isFront || !engine_.settings().separateSides ? 0 : 1;
   Bands radiance{};
   for (int band = 0; band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
     const std::size_t slot = cell.cell * static_cast<std::size_t>(bands_) + i;
-    const double emitted = isFront && !material.exitance.empty() ? material.exitance[slot] : 0;
-    radiance[i] =
-      (emitted + material.reflectance[slot] * engine_.irradiance({ cell, side }, band)) / kPi;
+    radiance[i] = ((exitance ? exitance[i] : 0) +
+                    material.reflectance[slot] * engine_.irradiance({ cell, side }, band)) /
+      kPi;
   }
   return radiance;
 }

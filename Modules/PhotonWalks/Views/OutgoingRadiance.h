@@ -17,16 +17,17 @@ namespace irradiance
  *
  * The specular part is the sum over photons of power times BRDF, over the area, so it is as noisy as
  * the photons in a lobe are few. Mirrors have no such sum: at some points of a mirror a ray shows
- * what is seen there. Where SeparateSides is off, diffuse light is that of both sides.
+ * what is seen there. Where SeparateSides is off, diffuse light is the light of both sides.
  */
 class OutgoingRadiance
 {
 public:
   using Bands = GlossyPhotons::Bands;
 
-  /// Collects what does not depend on the eye, in the present state of the engine. That must keep
-  /// the photons, and must not change as long as this is used. Throws Interrupted.
-  OutgoingRadiance(IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution);
+  /// Prepares what does not depend on the eye, in the present state of the engine. That must have
+  /// collected its specular photons, and must not change as long as this is used. Throws Interrupted.
+  OutgoingRadiance(
+    const IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution);
 
   /// May be called by several threads. 0 for a cell without area.
   Bands operator()(const SceneCell& cell, const Eye& eye) const;
@@ -42,7 +43,7 @@ private:
     std::vector<std::size_t> first; ///< of each cell, and the end
   };
   void addCells(std::uint32_t object);
-  void collectPhotons(Execution& execution);
+  void preparePhotons(Execution& execution);
   Bands diffuse(const SceneCell& cell, const Eye& eye) const;
   /// Emitted, and reflected diffusely, by one side.
   Bands diffuseOf(const SceneCell& cell, bool isFront) const;
@@ -72,7 +73,7 @@ private:
     return *engine_.objects()[object].material;
   }
 
-  IrradianceEngine& engine_;
+  const IrradianceEngine& engine_;
   SobolSequence mirrorPoints_;
   std::uint32_t mirrorSamples_;
   int bands_;

@@ -14,7 +14,7 @@ namespace irradiance
 WalkPaths::WalkPaths(const IrradianceEngine& engine)
   : engine_(engine)
   , samples_(engine.samples())
-  , shooter_(engine.shooter(samples_))
+  , tracer_(engine.tracer(samples_))
   , bounds_(engine.walkBounds())
 {
   assert(engine.keepsPhotons());
@@ -24,7 +24,7 @@ WalkPaths::WalkPaths(const IrradianceEngine& engine)
 
 std::vector<std::uint32_t> WalkPaths::first(std::size_t most) const
 {
-  const std::size_t all = engine_.hasEmitters() ? engine_.numberOfWalks() : 0;
+  const std::size_t all = engine_.hasLights() ? engine_.numberOfWalks() : 0;
   std::vector<std::uint32_t> walks(std::min(most, all));
   std::iota(walks.begin(), walks.end(), 0u);
   return walks;
@@ -35,14 +35,14 @@ std::vector<std::uint32_t> WalkPaths::touching(
 {
   const WalkHistory& history = engine_.history();
   const bool isLight = emits(cell);
-  std::vector<std::vector<std::uint32_t>> found(engine_.hasEmitters() ? history.size() : 0);
+  std::vector<std::vector<std::uint32_t>> found(engine_.hasLights() ? history.size() : 0);
   SlicedPass pass{ found.size(), {} };
   pass.work = [&](std::size_t number, const Deadline&) {
     const WalkBlock& block = history.block(number);
     for (std::uint32_t walk = block.firstWalk();
          walk < block.endWalk() && found[number].size() < most; ++walk)
     {
-      if (isHit(walk, cell) || (isLight && shooter_.rules().lightCellOf(walk) == cell))
+      if (isHit(walk, cell) || (isLight && tracer_.sampler().lightOf(walk).cell == cell))
       {
         found[number].push_back(walk);
       }
@@ -62,10 +62,8 @@ std::vector<std::uint32_t> WalkPaths::touching(
 /// Else no sample has to be drawn to know that no walk starts there.
 bool WalkPaths::emits(const SceneCell& cell) const
 {
-  const Material& material = *engine_.objects()[cell.object].material;
-  return material.hasExitance(cell.cell) ||
-    std::any_of(material.pointLights.begin(), material.pointLights.end(),
-      [&](const PointLight& light) { return light.cell == cell.cell; });
+  const auto& emission = engine_.objects()[cell.object].emission;
+  return emission && emission->emits(cell.cell);
 }
 
 bool WalkPaths::isHit(std::uint32_t walk, const SceneCell& cell) const
@@ -74,7 +72,7 @@ bool WalkPaths::isHit(std::uint32_t walk, const SceneCell& cell) const
   for (std::uint32_t bounce = 0; bounce < block.size(walk); ++bounce)
   {
     const TriangleId id = block.hit({ walk, bounce }).id;
-    if (id.object == cell.object && shooter_.rules().cellOf(id) == cell.cell)
+    if (id.object == cell.object && tracer_.sampler().cellOf(id) == cell.cell)
     {
       return true;
     }
@@ -117,11 +115,11 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
     }
   }
   std::vector<Ray> rays(rayless.size());
-  shooter_.raysOf(history, rayless, rays.data());
+  tracer_.raysOf(history, rayless, rays.data());
   for (std::size_t i = 0; i < count; ++i)
   {
     paths[i].walk = walks[i];
-    paths[i].power = shooter_.rules().powerOf(walks[i]);
+    paths[i].power = tracer_.sampler().powerOf(walks[i]);
     paths[i].points.push_back(rays[i].origin);
     addHits(paths[i]);
   }
@@ -143,7 +141,7 @@ void WalkPaths::addHits(WalkPath& path) const
     if (const Hit hit = block.hit({ path.walk, bounce }))
     {
       path.points.push_back(
-        surfacePoint(shooter_.rules().triangleOf(hit.id), weightsOf(hit)).position);
+        surfacePoint(tracer_.sampler().triangleOf(hit.id), weightsOf(hit)).position);
     }
   }
 }

@@ -55,7 +55,7 @@ private:
 
   const IrradianceEngine& engine_;
   SobolSequence samples_;
-  WalkShooter shooter_;
+  WalkTracer tracer_;
   Box bounds_; ///< beyond which escapes are cut off
 };
 

@@ -26,9 +26,9 @@ WalkPlan WalkSet::planOf(const WalkSettings& settings)
     settings.replicates };
 }
 
-void WalkSet::setSource(EmitterTable emitters, const WalkPlan& plan)
+void WalkSet::setSource(LightTable lights, const WalkPlan& plan)
 {
-  emitters_ = std::move(emitters);
+  lights_ = std::move(lights);
   plan_ = plan;
 }
 
@@ -46,14 +46,14 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
 {
   sums_ = CellSums(space.objects, sides(), plan_, 0);
   balance_ = {};
-  const Checkpoint checkpoint = checkpointOf(execution, 0);
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   while (history_.size() > 0) // freeing many walks takes a while
   {
     history_.removeLast();
-    checkpoint();
+    cancelPoint();
   }
   history_ = WalkHistory(plan_, pointFrame(space.objects, bounds(space.scene)),
-    space.objects.staticObject.material->bands, Power{ { emitters_.photon() } });
+    space.objects.staticObject.material->bands, Power{ { lights_.quantaPerWalk() } });
   stale_.reset();
   repaired_ = {};
   hasSides_ = settings_.keepPhotons || settings_.separateSides;
@@ -66,7 +66,7 @@ void WalkSet::shootRound(
 {
   const Stopwatch stopwatch;
   const WalkRound& walks = plan_.rounds()[round];
-  sums_.setRounds(round + 1, checkpointOf(execution, 0));
+  sums_.setRounds(round + 1, cancelPointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; isStored && block < walks.endBlock; ++block)
   {
     history_.append();
@@ -79,10 +79,10 @@ void WalkSet::shootBlocks(
   const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution)
 {
   const SobolSequence samples = this->samples();
-  const WalkShooter shooter = this->shooter(space, samples);
+  const WalkTracer tracer = this->tracer(space, samples);
   SharedBalance total(balance_);
   std::vector<std::unique_ptr<WalkBatch>> open(walks.endBlock - walks.firstBlock);
-  SlicedPass pass{ emitters_.isEmpty() ? 0 : open.size(), {} };
+  SlicedPass pass{ lights_.isEmpty() ? 0 : open.size(), {} };
   pass.work = [&](std::size_t i, const Deadline& deadline) {
     const std::size_t block = walks.firstBlock + i;
     if (!open[i])
@@ -90,7 +90,7 @@ void WalkSet::shootBlocks(
       std::vector<std::uint32_t> numbers(plan_.walksIn(block));
       std::iota(numbers.begin(), numbers.end(), plan_.firstWalkOf(block));
       open[i] =
-        std::make_unique<WalkBatch>(shooter, isStored ? &history_.frame() : nullptr, hasSides_);
+        std::make_unique<WalkBatch>(tracer, isStored ? &history_.frame() : nullptr, hasSides_);
       open[i]->shoot(numbers);
     }
     PowerBalance balance;
@@ -112,7 +112,7 @@ void WalkSet::shootBlocks(
   pass.run(execution);
 }
 
-void WalkSet::dropRounds(std::size_t kept, const Checkpoint& checkpoint)
+void WalkSet::dropRounds(std::size_t kept, const CancelPoint& cancelPoint)
 {
   const std::size_t blocks = plan_.rounds()[kept - 1].endBlock;
   while (history_.size() > blocks)
@@ -125,9 +125,9 @@ void WalkSet::dropRounds(std::size_t kept, const Checkpoint& checkpoint)
       tally.remove(last, { walk, 0 });
     }
     history_.removeLast();
-    checkpoint();
+    cancelPoint();
   }
-  sums_.setRounds(kept, checkpoint);
+  sums_.setRounds(kept, cancelPoint);
 }
 
 void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
@@ -137,12 +137,12 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
   const double verified = hasMotion ? 0.5 : 0; // progress between verification and repair
   ProgressSpan verification(execution, 0, verified), rest(execution, verified, 1);
   const SobolSequence samples = this->samples();
-  const WalkShooter shooter = this->shooter(space, samples);
+  const WalkTracer tracer = this->tracer(space, samples);
   const Stopwatch stopwatch;
   Found found;
   if (hasMotion)
   {
-    found = verify(shooter, moved, space, verification);
+    found = verify(tracer, moved, space, verification);
   }
   if (hasBudget() && !stale_)
   {
@@ -154,10 +154,10 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
     stale_->add(found, history_, atItsEnd);
   }
   statistics_.verifySeconds = hasMotion ? stopwatch.seconds() : 0;
-  repair(shooter, found, changes, rest);
+  repair(tracer, found, changes, rest);
 }
 
-WalkSet::Found WalkSet::verify(const WalkShooter& shooter, const std::vector<bool>& moved,
+WalkSet::Found WalkSet::verify(const WalkTracer& tracer, const std::vector<bool>& moved,
   const WalkSpace& space, Execution& execution)
 {
   // Stored points may lie where objects were in earlier frames.
@@ -176,7 +176,7 @@ WalkSet::Found WalkSet::verify(const WalkShooter& shooter, const std::vector<boo
       }
     }
   }
-  const WalkVerifier verifier(shooter, history_, moved, scan, clearance_);
+  const WalkVerifier verifier(tracer, history_, moved, scan, clearance_);
   Found stale(history_.size());
   std::vector<const StaleMarks*> known;
   for (std::size_t block = 0; stale_ && block < history_.size(); ++block)
@@ -200,7 +200,7 @@ WalkSet::Found WalkSet::verify(const WalkShooter& shooter, const std::vector<boo
 }
 
 void WalkSet::repair(
-  const WalkShooter& shooter, const Found& found, PhotonChanges* changes, Execution& execution)
+  const WalkTracer& tracer, const Found& found, PhotonChanges* changes, Execution& execution)
 {
   const Stopwatch stopwatch;
   std::optional<TimeBudget> budget;
@@ -210,15 +210,15 @@ void WalkSet::repair(
   }
   repaired_ = {};
   WalkRepair repair(
-    { shooter, history_, sums_, balance_, settings_.cacheStaticHits, hasSides_, found, stale_.get(),
+    { tracer, history_, sums_, balance_, settings_.cacheStaticHits, hasSides_, found, stale_.get(),
       budget ? &*budget : nullptr, changes, settings_.listRepaired ? &repaired_ : nullptr });
   statistics_.repairedSegments = repair.run(execution);
   statistics_.repairSeconds = budget ? budget->elapsed() : stopwatch.seconds();
 }
 
-void WalkSet::replaceCells(const SceneObjects& objects, const Checkpoint& checkpoint)
+void WalkSet::replaceCells(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  sums_.replace(objects, checkpoint);
+  sums_.replace(objects, cancelPoint);
   stale_.reset(); // nothing is stale
 }
 
@@ -229,7 +229,7 @@ void WalkSet::findSides(const WalkSpace& space, Execution& execution)
     return;
   }
   const SobolSequence samples = this->samples();
-  const WalkShooter shooter = this->shooter(space, samples);
+  const WalkTracer tracer = this->tracer(space, samples);
   SlicedPass pass{ history_.size(), {} };
   pass.work = [&](std::size_t i, const Deadline&) {
     WalkBlock& block = history_.block(i);
@@ -242,10 +242,10 @@ void WalkSet::findSides(const WalkSpace& space, Execution& execution)
       }
     }
     std::vector<Ray> rays(ends.size());
-    shooter.raysOf(history_, ends, rays.data());
+    tracer.raysOf(history_, ends, rays.data());
     for (std::size_t k = 0; k < ends.size(); ++k)
     {
-      block.setSide(ends[k], shooter.rules().hitsFront(rays[k], block.hit(ends[k]).id));
+      block.setSide(ends[k], tracer.sampler().hitsFront(rays[k], block.hit(ends[k]).id));
     }
     return true;
   };
@@ -270,7 +270,7 @@ std::size_t WalkSet::bytes() const
 Box WalkSet::bounds(const Scene& scene) const
 {
   Box bounds = scene.bounds();
-  bounds.add(emitters_.pointBounds());
+  bounds.add(lights_.boundsInAir());
   return bounds;
 }
 

@@ -4,10 +4,10 @@
 
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
-#include "Light/Contacts.h"
-#include "Light/Emitter.h"
+#include "Lights/LightTable.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
+#include "Surfaces/Contacts.h"
 #include "Tally/CellSums.h"
 #include "Tally/PowerBalance.h"
 #include "Walks/WalkSettings.h"
@@ -40,7 +40,7 @@ public:
   static WalkPlan planOf(const WalkSettings& settings);
 
   /// Before the start: the lights and the number of walks.
-  void setSource(EmitterTable emitters, const WalkPlan& plan);
+  void setSource(LightTable lights, const WalkPlan& plan);
   /// For what is done next. Between two starts they may differ only in what is kept, and in the budget.
   void setSettings(const WalkSettings& settings);
   /// Forgets all walks. The next rounds are shot in this space.
@@ -48,21 +48,21 @@ public:
   /// Shoots a round. With `isStored` the history holds all rounds before it.
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
   /// Drops all but the first `kept` rounds.
-  void dropRounds(std::size_t kept, const Checkpoint& checkpoint);
+  void dropRounds(std::size_t kept, const CancelPoint& cancelPoint);
   /// Follows a motion: verifies what is stored, if any object `moved`, and repairs what is stale, as far
   /// as the budget of time goes. `changes`: receives the photons that go and come; null: not asked for.
   void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
     Execution& execution);
   /// Changes to objects of which some have other cells. No walk may touch these, or be stale.
-  void replaceCells(const SceneObjects& objects, const Checkpoint& checkpoint);
+  void replaceCells(const SceneObjects& objects, const CancelPoint& cancelPoint);
   /// Finds the sides of all stored hits; those that walks leave are stored anyway.
   void findSides(const WalkSpace& space, Execution& execution);
   /// Forgets that there was a budget if nothing is stale, and there is none now or the number of rounds
   /// has changed.
   void forgetBudget();
 
-  bool isEmpty() const { return emitters_.isEmpty(); }
-  const EmitterTable& emitters() const { return emitters_; }
+  bool isEmpty() const { return lights_.isEmpty(); }
+  const LightTable& lights() const { return lights_; }
   const WalkPlan& plan() const { return plan_; }
   const WalkHistory& history() const { return history_; }
   /// What arrived in the cells themselves.
@@ -81,17 +81,17 @@ public:
   /// Watts of a number of quanta.
   double watts(double quanta) const
   {
-    return emitters_.flux() *
-      (quanta / (static_cast<double>(emitters_.photon()) * numberOfWalks()));
+    return lights_.flux() *
+      (quanta / (static_cast<double>(lights_.quantaPerWalk()) * numberOfWalks()));
   }
   /// Memory held.
   std::size_t bytes() const;
 
   SobolSequence samples() const { return SobolSequence(settings_.seed, plan_.replicates()); }
   /// The arguments must outlive it.
-  WalkShooter shooter(const WalkSpace& space, const SobolSequence& samples) const
+  WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const
   {
-    return { space.scene, space.objects, emitters_, samples, &space.contacts };
+    return { space.scene, space.objects, lights_, samples, &space.contacts };
   }
   /// Walks stay inside, except where they escape.
   Box bounds(const Scene& scene) const;
@@ -103,14 +103,14 @@ private:
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   void shootBlocks(
     const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution);
-  Found verify(const WalkShooter& shooter, const std::vector<bool>& moved, const WalkSpace& space,
+  Found verify(const WalkTracer& tracer, const std::vector<bool>& moved, const WalkSpace& space,
     Execution& execution);
   void repair(
-    const WalkShooter& shooter, const Found& found, PhotonChanges* changes, Execution& execution);
+    const WalkTracer& tracer, const Found& found, PhotonChanges* changes, Execution& execution);
   double reachInFrame(const Scene& scene) const;
 
   WalkSettings settings_;
-  EmitterTable emitters_;
+  LightTable lights_;
   WalkPlan plan_;
   WalkHistory history_; ///< empty unless walks are stored
   CellSums sums_;

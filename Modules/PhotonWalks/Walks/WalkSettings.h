@@ -12,10 +12,10 @@ struct WalkSettings
 {
   std::uint32_t numberOfWalks = 1000000;
   std::uint64_t seed = 1;
-  bool verify = true; ///< false: every frame is shot anew
+  bool verify = true; ///< false: all walks of every frame are shot again
   bool cacheStaticHits = true;
   bool separateSides = false;
-  /// Whether walks are stored even if nothing can move, for those who ask for photons.
+  /// Whether walks are stored even if nothing can move, for filters that need their photons.
   bool keepPhotons = false;
   bool listRepaired = false;    ///< whether it is noted which walks a repair shoots again
   std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known

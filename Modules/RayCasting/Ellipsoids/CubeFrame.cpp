@@ -15,8 +15,8 @@ constexpr double kFlatness = 0x1p-20;         // thinnest axis over the longest
 constexpr double kOffsetResolution = 0x1p-44; // thinnest axis over the distance from the origin
 constexpr double kSmallestLength = 0x1p-200;  // only a point exactly at the origin needs it
 
-Matrix3 principalDirections(
-  const std::vector<Vector3>& points, const Vector3& origin, double unit, CheckpointPace& pace)
+Matrix3 principalDirections(const std::vector<Vector3>& points, const Vector3& origin, double unit,
+  ThrottledCancelPoint& pace)
 {
   Vector3 mean = Vector3::Zero();
   for (const Vector3& point : points)
@@ -40,9 +40,9 @@ Matrix3 principalDirections(
 
 }
 
-CubeFrame cubeFrame(const std::vector<Vector3>& points, const Checkpoint& checkpoint)
+CubeFrame cubeFrame(const std::vector<Vector3>& points, const CancelPoint& cancelPoint)
 {
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   Box box;
   for (const Vector3& point : points)
   {

@@ -3,7 +3,7 @@
 #define irradiance_CubeFrame_h
 
 #include "Geometry/Vector.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 
 #include <array>
 #include <vector>
@@ -27,7 +27,7 @@ struct CubeFrame
 
 /// An axis along which the points have no extent gets 2^-20 of the longest, or 2^-44 of the
 /// distance from the origin if that is more. Scales exactly with powers of two.
-CubeFrame cubeFrame(const std::vector<Vector3>& points, const Checkpoint& checkpoint = {});
+CubeFrame cubeFrame(const std::vector<Vector3>& points, const CancelPoint& cancelPoint = {});
 
 }
 

@@ -30,7 +30,7 @@ Box allOfSpace()
 double relativeInverseError(const Matrix3& shape, const Matrix3& inverse)
 {
   // shape^-1 = (I + residual)^-1 * inverse. With `shape` as encloseByEllipsoid writes it, this
-  // residual is small even for a needle; that of shape * inverse is not.
+  // residual is small even for a needle; the residual of shape * inverse is not.
   const double rounding = 8.0 * kUnitRoundoff * (inverse.cwiseAbs() * shape.cwiseAbs()).norm();
   const double residual = (inverse * shape - Matrix3::Identity()).norm() + rounding;
   return residual < 0.5 ? 2.0 * residual : kInfinity;
@@ -63,8 +63,8 @@ MovedEllipsoid moved(const EnclosingEllipsoid& ellipsoid, const AffineMap& world
     centerError + axesError + kSmallestLength };
 }
 
-/// Lengthens axes shorter than `pad` or much shorter than the longest. Beside the pad their
-/// length does not matter, and it may be 0.
+/// Lengthens axes shorter than `pad` or much shorter than the longest. Compared with the
+/// pad their length does not matter, and it may be 0.
 Matrix3 roundingMap(const Matrix3& matrix, double pad)
 {
   const Matrix3 semiAxes = principalSemiAxes(matrix);

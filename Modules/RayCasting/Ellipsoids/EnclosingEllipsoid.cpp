@@ -26,8 +26,9 @@
 // size is measured against all points afterwards, with a bound on the rounding.
 //
 // CGAL sees only a few hundred points, the active ones. The ellipsoid of some of the points is
-// never larger than that of all. So if the others stick out by a factor g, growing the ellipsoid
-// by g costs at most g^3 in volume. While g is large, the points furthest out become active.
+// never larger than the ellipsoid of all. So if the others stick out by a factor g, growing the
+// ellipsoid by g costs at most g^3 in volume. While g is large, the points furthest out become
+// active.
 
 namespace irradiance
 {
@@ -43,7 +44,7 @@ constexpr std::size_t kFewPoints = 256;
 constexpr int kMaxActivations = 60;
 constexpr double kGoodGrowth = 1.001;
 
-void requireUsable(const Points& points, CheckpointPace& pace)
+void requireUsable(const Points& points, ThrottledCancelPoint& pace)
 {
   if (points.empty())
   {
@@ -167,7 +168,8 @@ struct Reach
   std::array<double, 8> distance;      // of that point; 0 if the octant has none
 };
 
-Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points, CheckpointPace& pace)
+Reach measureReach(
+  const EnclosingEllipsoid& ellipsoid, const Points& points, ThrottledCancelPoint& pace)
 {
   Reach reach;
   reach.furthest.fill(0);
@@ -194,7 +196,7 @@ Reach measureReach(const EnclosingEllipsoid& ellipsoid, const Points& points, Ch
 
 /// Up to 26 points that lie furthest along the axes, edges and corners of the cube.
 std::vector<std::size_t> extremePoints(
-  const Points& points, const CubeFrame& frame, CheckpointPace& pace)
+  const Points& points, const CubeFrame& frame, ThrottledCancelPoint& pace)
 {
   static const std::array<Vector3, 13> directions = { Vector3(1, 0, 0), Vector3(0, 1, 0),
     Vector3(0, 0, 1), Vector3(1, 1, 0), Vector3(1, -1, 0), Vector3(1, 0, 1), Vector3(1, 0, -1),
@@ -240,7 +242,7 @@ bool activate(const Reach& reach, std::vector<std::size_t>& active)
 }
 
 EnclosingEllipsoid proposeEllipsoid(
-  const Points& points, const CubeFrame& frame, CheckpointPace& pace)
+  const Points& points, const CubeFrame& frame, ThrottledCancelPoint& pace)
 {
   std::vector<std::size_t> active = extremePoints(points, frame, pace);
   if (points.size() <= kFewPoints)
@@ -269,7 +271,7 @@ EnclosingEllipsoid proposeEllipsoid(
 
 /// The smallest multiple of the ellipsoid that provably contains the points.
 EnclosingEllipsoid growAround(
-  const Points& points, EnclosingEllipsoid ellipsoid, CheckpointPace& pace)
+  const Points& points, EnclosingEllipsoid ellipsoid, ThrottledCancelPoint& pace)
 {
   constexpr int kMaxRounds = 20; // one or two are needed
   double reach = measureReach(ellipsoid, points, pace).largest;
@@ -290,11 +292,11 @@ EnclosingEllipsoid growAround(
 
 }
 
-EnclosingEllipsoid encloseByEllipsoid(const Points& points, const Checkpoint& checkpoint)
+EnclosingEllipsoid encloseByEllipsoid(const Points& points, const CancelPoint& cancelPoint)
 {
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   requireUsable(points, pace);
-  const CubeFrame frame = cubeFrame(points, checkpoint);
+  const CubeFrame frame = cubeFrame(points, cancelPoint);
   return growAround(points, proposeEllipsoid(points, frame, pace), pace);
 }
 

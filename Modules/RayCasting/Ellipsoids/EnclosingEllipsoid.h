@@ -3,7 +3,7 @@
 #define irradiance_EnclosingEllipsoid_h
 
 #include "Geometry/Vector.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 
 #include <vector>
 
@@ -29,7 +29,7 @@ struct EnclosingEllipsoid
 /// Throws std::invalid_argument if there is no point, or if a coordinate is not finite or
 /// exceeds 1e38 in absolute value.
 EnclosingEllipsoid encloseByEllipsoid(
-  const std::vector<Vector3>& points, const Checkpoint& checkpoint = {});
+  const std::vector<Vector3>& points, const CancelPoint& cancelPoint = {});
 
 }
 

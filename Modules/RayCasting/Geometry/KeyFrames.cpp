@@ -69,7 +69,7 @@ void checkTimes(const std::vector<KeyFrame>& keys)
 }
 
 KeyFrames::KeyFrames(
-  std::vector<KeyFrame> keys, KeyInterpolation interpolation, const Checkpoint& checkpoint)
+  std::vector<KeyFrame> keys, KeyInterpolation interpolation, const CancelPoint& cancelPoint)
   : interpolation_(interpolation)
   , keys_(std::move(keys))
 {
@@ -78,7 +78,7 @@ KeyFrames::KeyFrames(
   {
     return;
   }
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   for (const KeyFrame& key : keys_)
   {
     pace.step();
@@ -179,15 +179,15 @@ KeyFrames::Parts KeyFrames::linear(std::size_t i, double fraction) const
     a.rotation.slerp(fraction, b.rotation), a.scale + fraction * (b.scale - a.scale) };
 }
 
-/// Cubic pieces with the slopes of Catmull and Rom: at a key that of the parabola through it and its
-/// neighbours, at the ends that of the straight line. Rotations: by rotation vectors relative to the
-/// first key of the piece, which agree at the keys.
+/// Cubic pieces with the slopes of Catmull and Rom: at a key the slope of the parabola through it and
+/// its neighbours, at the ends the slope of the straight line. Rotations: by rotation vectors relative
+/// to the first key of the piece, which agree at the keys.
 KeyFrames::Parts KeyFrames::spline(std::size_t i, double fraction) const
 {
   const HermiteWeights weights = hermiteWeights(fraction);
   const double length = keys_[i + 1].time - keys_[i].time;
   const Quaterniond base = parts_[i].rotation;
-  // Slope at key k of what `step(a, b)` tells the difference of between two keys, times `length`.
+  // The slope of a quantity at key k, times `length`. `step(a, b)`: how far it goes from key a to b.
   const auto slope = [&](std::size_t k, const auto& step) -> Vector3 {
     const auto speed = [&](std::size_t a) -> Vector3 {
       return step(a, a + 1) / (keys_[a + 1].time - keys_[a].time);

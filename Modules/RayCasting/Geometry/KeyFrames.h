@@ -3,7 +3,7 @@
 #define irradiance_KeyFrames_h
 
 #include "Geometry/Vector.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 
 #include <Eigen/Geometry>
 
@@ -26,10 +26,10 @@ enum class KeyInterpolation
 {
   Linear, ///< straight lines, constant speeds; rotations by the shorter way
   Spline, ///< cubic, through the keys with continuous velocity
-  Step    ///< that of the last key
+  Step    ///< the pose of the last key
 };
 
-/// Poses over time. At the time of a key the pose is that of the key, bit for bit.
+/// Poses over time. At the time of a key they are the pose of the key, bit for bit.
 class KeyFrames
 {
 public:
@@ -39,7 +39,7 @@ public:
   /// times that are not finite or not increasing, and for poses that cannot be interpolated, as they
   /// shear, or as some mirror and others do not.
   KeyFrames(
-    std::vector<KeyFrame> keys, KeyInterpolation interpolation, const Checkpoint& checkpoint);
+    std::vector<KeyFrame> keys, KeyInterpolation interpolation, const CancelPoint& cancelPoint);
 
   bool isEmpty() const { return keys_.empty(); }
   const std::vector<KeyFrame>& keys() const { return keys_; }

@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// The coordinate axes as a ray orders them: z is that of its largest component; x and y follow so
-/// that the triangle's orientation, as the ray sees it, is kept.
+/// The coordinate axes as a ray orders them: along z its direction is largest; x and y follow so that
+/// the triangle's orientation, as the ray sees it, is kept.
 struct RayAxes
 {
   int x, y, z;

@@ -38,8 +38,8 @@ struct Avx2Lanes
   }
   static unsigned ordered(const Mask (&passed)[2], const std::uint8_t* order)
   {
-    // Packing swaps the two middle groups of four lanes. So does what follows to the order, which
-    // does not wait for the planes.
+    // Packing swaps the two middle groups of four lanes. The order is permuted likewise, which need
+    // not wait for the planes.
     const __m256i packed =
       _mm256_packs_epi32(_mm256_castps_si256(passed[0]), _mm256_castps_si256(passed[1]));
     const __m128i bytes =

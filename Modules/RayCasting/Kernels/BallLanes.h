@@ -15,7 +15,7 @@ struct Ball
   double squaredRadius;
 };
 
-/// Eight rays that are held beside balls, side by side: most rays miss most objects.
+/// Tests eight rays against the ball around an object at once: most rays miss most objects.
 struct BallLanes
 {
   static constexpr unsigned kSize = 8;

@@ -23,8 +23,20 @@ struct QueryCounts
   }
 };
 
-/// Where the searches of this thread are counted; null, the initial value, if they are not.
-QueryCounts*& queryCounts();
+/// Where the searches of this thread are counted; null, the initial value, if they are not. Only tests and
+/// benchmarks are built so that they can be: the kernels exist twice then.
+#ifdef VTKIRRADIANCE_COUNT_QUERIES
+inline QueryCounts*& queryCounts()
+{
+  static thread_local QueryCounts* counts = nullptr;
+  return counts;
+}
+#else
+constexpr QueryCounts* queryCounts()
+{
+  return nullptr;
+}
+#endif
 
 }
 

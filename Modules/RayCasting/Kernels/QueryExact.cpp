@@ -80,7 +80,7 @@ private:
     }
     for (const unsigned lane : treelet.farToNear[octant_])
     {
-      // From a distant origin even the boxes of empty lanes seem to be near the others.
+      // From a distant origin even the boxes of empty lanes seem to lie near the used ones.
       if (treelet.children[lane] != Treelet::kEmpty)
       {
         push(treelet.children[lane], from[lane], to[lane]);

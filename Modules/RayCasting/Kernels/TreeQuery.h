@@ -31,7 +31,7 @@ struct TreeQuery
   static constexpr double kLeastBlur = 0x1p-46;
   /// The error of a determinant is below kSizeBlur * L^2.
   static constexpr float kSizeBlur = 0x1p-19F;
-  /// Floats do not serve directions with a smaller component, or farther origins.
+  /// Floats are too coarse for directions with a smaller component, and for origins farther away.
   static constexpr double kSmallestComponent = 0x1p-12;
   static constexpr double kLargestOrigin = 0x1p26;
   static constexpr double kFarthest = 4; ///< no hit is farther, on a ray that starts in the frame
@@ -61,11 +61,11 @@ struct TreeQuery
   unsigned octant;
   bool isForFloats;
   double exactLimit; ///< as `limit`, from the start of the ray, for a search in double
-  // These belong to the source.
+  // For the source; kernels leave them alone.
   std::uint32_t job;
   bool isShared; ///< the source wants to be told of lower limits
 
-  /// Copies from the request what all searches need. `largest`: that component of its direction.
+  /// Copies from the request what all searches need. `largest`: largest component of its direction.
   void set(const QueryRequest& request, double largest);
   /// No hit comes before this distance from the start of the ray, in the frame.
   double from(const QueryRequest& request) const;

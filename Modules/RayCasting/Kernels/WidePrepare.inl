@@ -21,7 +21,7 @@ inline bool prepare(const QueryRequest& request, TreeQuery& query)
   const Triple origin = (Lanes::load(request.origin) - Lanes::load(tree.frame().center)) *
     Lanes::triple(tree.frame().scale);
   const double flattest = Lanes::mostOf(Lanes::absolute(inverse));
-  // With an infinite number this is false; the search in double ends by itself.
+  // With an infinite number this is false; the search in double can handle it.
   query.isForFloats = flattest <= 1 / TreeQuery::kSmallestComponent &&
     Lanes::mostOf(Lanes::absolute(origin)) <= TreeQuery::kLargestOrigin;
   if (!query.isForFloats)

@@ -18,7 +18,7 @@ constexpr double kLineWidth = 0x1p-48;
 /// multiples of 2^-75, so that exact numbers stay short.
 std::vector<Vector3> inUnitFrame(const std::vector<Vector3>& corners);
 
-/// The direction from which the polygon appears largest and counter-clockwise: that of its area
+/// The direction from which the polygon appears largest and counter-clockwise: along its area
 /// vector. If parts cancel, as a bow-tie's do, it is a normal of its plane, on either side. Zero if
 /// all corners are on a line. Expects the unit frame.
 Vector3 frontOf(const std::vector<Vector3>& corners);

@@ -39,7 +39,7 @@ struct HashOfCorner
 
 /// By the lower of their corners' numbers, then by the higher and by triangle. Each corner has few.
 std::vector<MeshEdge> sorted(
-  const std::vector<MeshEdge>& edges, std::size_t corners, CheckpointPace& pace)
+  const std::vector<MeshEdge>& edges, std::size_t corners, ThrottledCancelPoint& pace)
 {
   const auto lower = [](const MeshEdge& edge) { return edge.corners >> 32; };
   std::vector<std::size_t> ends(corners + 1, 0); // once filled, of the edges of each corner
@@ -71,7 +71,7 @@ std::vector<MeshEdge> sorted(
 
 std::vector<MeshEdge> meshEdges(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& partOf,
-  CheckpointPace& pace)
+  ThrottledCancelPoint& pace)
 {
   std::unordered_map<Corner, std::uint32_t, HashOfCorner> numbers;
   std::vector<MeshEdge> edges;

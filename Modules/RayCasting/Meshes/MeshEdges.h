@@ -3,7 +3,7 @@
 #define irradiance_MeshEdges_h
 
 #include "Geometry/Triangle.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 
 #include <cstdint>
 #include <vector>
@@ -25,7 +25,7 @@ struct MeshEdge
 /// each triangle of the mesh; empty: there are no parts.
 std::vector<MeshEdge> meshEdges(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& partOf,
-  CheckpointPace& pace);
+  ThrottledCancelPoint& pace);
 
 /// 0, 1, 2 for a, b, c; any other number counts on from there.
 inline const Vector3& cornerOf(const Triangle& triangle, int number)

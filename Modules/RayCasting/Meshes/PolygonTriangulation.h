@@ -9,7 +9,7 @@
 namespace irradiance
 {
 
-/// Appends the triangles of a polygon, with the polygon's orientation: that of its area vector.
+/// Appends the triangles of a polygon, with the polygon's orientation, which its area vector gives.
 ///
 /// A polygon may be concave, not quite planar, and may touch itself: its inside is what it goes
 /// around once. So a hole connected to the outline by an edge walked there and back stays a hole,

@@ -23,8 +23,8 @@ struct Shell
   bool isTurned = false; ///< its triangles, as given, have their fronts inside
 };
 
-/// Sets of connected triangles. Each triangle knows whether its orientation is opposite to that of
-/// the first of its set.
+/// Sets of connected triangles. Each triangle knows whether its orientation is opposite to the
+/// orientation of the first in its set.
 class OrientedSets
 {
 public:
@@ -82,11 +82,11 @@ class ShellSearch
 {
 public:
   ShellSearch(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& partOf,
-    const std::vector<bool>& isLamp, const Checkpoint& checkpoint)
+    const std::vector<bool>& isLamp, const CancelPoint& cancelPoint)
     : triangles_(triangles)
     , partOf_(partOf)
     , isLamp_(isLamp)
-    , pace_(checkpoint)
+    , pace_(cancelPoint)
     , shellOf_(triangles.size(), kNone)
     , isTurned_(triangles.size(), 0)
   {
@@ -273,7 +273,7 @@ private:
   const std::vector<Triangle>& triangles_;
   const std::vector<std::uint32_t>& partOf_;
   const std::vector<bool>& isLamp_;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
   std::vector<Shell> shells_;
   std::vector<std::uint32_t> shellOf_;
   std::vector<char> isTurned_;
@@ -316,9 +316,9 @@ bool isRoom(const std::vector<Shell>& shells, std::size_t number, const Box& all
 
 SolidSides solidSides(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
-  const Checkpoint& checkpoint)
+  const CancelPoint& cancelPoint)
 {
-  const ShellSearch search(triangles, partOf, isLamp, checkpoint);
+  const ShellSearch search(triangles, partOf, isLamp, cancelPoint);
   Box all;
   for (const Shell& shell : search.shells())
   {

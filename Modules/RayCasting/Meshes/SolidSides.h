@@ -3,7 +3,7 @@
 #define irradiance_SolidSides_h
 
 #include "Meshes/TriangleMesh.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,21 +27,21 @@ struct SolidSides
 };
 
 /**
- * Finds the solid sides of the triangles of a mesh. A closed surface is that of a body, solid
+ * Finds the solid sides of the triangles of a mesh. A closed surface belongs to a body, solid
  * inside; everything else is a sheet. Triangles whose edges have exactly the same two corners are
  * connected; the order of their corners does not matter.
  *
- * With `mayHoldRooms`, a closed surface may also be that of a room, solid outside. It is one if two
- * of these hold: its front is inside; it holds all of the mesh; it holds something that spans less
- * of it than a whole side.
+ * With `mayHoldRooms`, a closed surface may also belong to a room, solid outside. It is one if two
+ * of these hold: its front is inside; it holds all of the mesh; it holds another surface that
+ * spans less of it than a whole side.
  *
  * Both arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined only
- * where they do not close by themselves. `isLamp`: lamps belong to a surface only if it does not
+ * where they are not closed alone. `isLamp`: lamps belong to a surface only if it does not
  * close without them.
  */
 SolidSides solidSides(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
-  const Checkpoint& checkpoint);
+  const CancelPoint& cancelPoint);
 
 }
 

@@ -9,7 +9,7 @@ namespace irradiance
  * The one formula of a SurfacePoint, in plain numbers and without branches, so that a loop over many
  * points becomes SIMD and gives the same bits.
  *
- * The point is kept off the edges: beside an edge the rounded position may lie behind the neighbour,
+ * The point is kept off the edges: near an edge the rounded position may lie behind the neighbour,
  * and then no step along the triangle's own normal helps.
  */
 struct SurfaceFormula
@@ -19,8 +19,8 @@ struct SurfaceFormula
   /// A point is kept this many times farther from the edges than above its triangle. If two walls
   /// meet at more than an angle of 1 in 64, the step off one of them stays in front of the other.
   static constexpr double kSharpest = 64;
-  /// No weight is raised beyond this for that purpose. Otherwise a step that is large beside its
-  /// triangle (far from the origin) would gather all points in the middle.
+  /// No weight is raised beyond this for that purpose. Otherwise a step that is large relative
+  /// to its triangle (far from the origin) would gather all points in the middle.
   static constexpr double kMostRaised = 0x1p-7;
 
   struct Point

@@ -9,10 +9,10 @@
 namespace irradiance
 {
 
-TriangleMesh::TriangleMesh(std::vector<Triangle> triangles, const Checkpoint& checkpoint)
+TriangleMesh::TriangleMesh(std::vector<Triangle> triangles, const CancelPoint& cancelPoint)
   : triangles_(std::move(triangles))
 {
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   for (const Triangle& triangle : triangles_)
   {
     bounds_.add(triangle.bounds());

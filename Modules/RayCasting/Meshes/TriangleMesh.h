@@ -3,7 +3,7 @@
 #define irradiance_TriangleMesh_h
 
 #include "Geometry/Triangle.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 #include "Simd/Prefetch.h"
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class TriangleMesh
 {
 public:
   TriangleMesh() = default;
-  explicit TriangleMesh(std::vector<Triangle> triangles, const Checkpoint& checkpoint = {});
+  explicit TriangleMesh(std::vector<Triangle> triangles, const CancelPoint& cancelPoint = {});
 
   std::size_t size() const { return triangles_.size(); }
   bool isEmpty() const { return triangles_.empty(); }

@@ -18,7 +18,7 @@ struct PlacedBody
   /// If true, its triangles stand one by one in a tree that every Scene::commit() rebuilds.
   /// Otherwise the body is searched in its own tree, behind its ellipsoid.
   bool isFlattened = false;
-  /// Whether it is there in this frame. If not, it is as if it had no triangles.
+  /// Whether it is part of this frame. If not, it is treated as if it had no triangles.
   bool isPresent = true;
 
   /// The triangles that are there in this frame.

@@ -11,7 +11,7 @@ namespace irradiance
 
 /**
  * The tree queries of a batch of rays (which ray in which tree), and the confirmation in double of
- * the triangles that they find, which is put off until those have come from memory.
+ * the triangles that they find, which is put off until memory has delivered the triangles.
  */
 class Scene::QueryBatch final : public QuerySource
 {
@@ -25,9 +25,9 @@ public:
 
   /// Adds searches of the rays at places from `first` to `end` of the order.
   void add(const MixedTree& mixed, std::uint32_t first, std::uint32_t end, const Order& order);
-  /// Adds those rays, eight at most, to all trees of the group that they may touch, except those
-  /// behind the tree over bodies. If `alone` is given, they are added to the static tree as well,
-  /// except those that touch nothing, which are appended to it.
+  /// Adds the rays at these places, eight at most, to all trees of the group that they may touch,
+  /// except the trees that the tree over bodies leads to. If `alone` is given, they are added to the
+  /// static tree as well, except rays that touch nothing, which are appended to `alone`.
   void addGroup(
     const Group& group, std::uint32_t first, std::uint32_t end, const Order& order, Order* alone);
   /// Searches all rays in the static tree.
@@ -68,8 +68,8 @@ private:
     return isForAll_ ? Job{ order_->empty() ? number : (*order_)[number], 0, nullptr, nullptr, 0 }
                      : jobs_[number];
   }
-  /// The ray at a place of the order. Prefetches that some places after it: where rays are taken out
-  /// of order, the hardware does not guess which come next.
+  /// The ray at a place of the order. Prefetches the ray some places after it: where rays are taken
+  /// out of order, the hardware does not guess which come next.
   std::uint32_t rayAt(const Order& order, std::size_t place) const;
   /// Adds a search of the ray in the tree of an object.
   void add(std::uint32_t ray, std::uint32_t object);
@@ -95,7 +95,7 @@ private:
   Hit* best_;
   const double* from_;
   std::vector<Job>& jobs_;
-  /// Instead of jobs, all rays are searched in one tree: that over bodies, or the static one.
+  /// Instead of jobs, all rays are searched in one tree: the tree over bodies, or the static one.
   bool isForAll_ = false;
   const Group* group_ = nullptr; ///< whose bodies are searched; null otherwise
   const Order* order_ = nullptr; ///< of all rays; may be empty

@@ -9,26 +9,26 @@ namespace irradiance
 namespace
 {
 
-EnclosingEllipsoid enclose(const TriangleMesh& mesh, const Checkpoint& checkpoint)
+EnclosingEllipsoid enclose(const TriangleMesh& mesh, const CancelPoint& cancelPoint)
 {
   std::vector<Vector3> points;
   points.reserve(3 * mesh.size());
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   for (const Triangle& triangle : mesh.triangles())
   {
     points.insert(points.end(), { triangle.a, triangle.b, triangle.c });
     pace.step();
   }
   return points.empty() ? EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() }
-                        : encloseByEllipsoid(points, checkpoint);
+                        : encloseByEllipsoid(points, cancelPoint);
 }
 
 }
 
-RigidObject::RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint, bool mayMove)
+RigidObject::RigidObject(TriangleMesh mesh, const CancelPoint& cancelPoint, bool mayMove)
   : mesh_(std::move(mesh))
-  , tree_(treeOf(mesh_.triangles(), checkpoint))
-  , ellipsoid_(mayMove ? enclose(mesh_, checkpoint)
+  , tree_(treeOf(mesh_.triangles(), cancelPoint))
+  , ellipsoid_(mayMove ? enclose(mesh_, cancelPoint)
                        : EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() })
 {
 }

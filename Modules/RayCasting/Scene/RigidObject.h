@@ -14,7 +14,7 @@ namespace irradiance
 class RigidObject
 {
 public:
-  explicit RigidObject(TriangleMesh mesh, const Checkpoint& checkpoint = {}, bool mayMove = true);
+  explicit RigidObject(TriangleMesh mesh, const CancelPoint& cancelPoint = {}, bool mayMove = true);
 
   const TriangleMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }

@@ -28,7 +28,7 @@ double roundTripError(const AffineMap& map, double condition, double magnitude)
 /// Fewer instanced objects than this are tried one after the other.
 constexpr std::size_t kManyObjects = 4;
 
-/// That around the ellipsoid or that around its box, whichever is smaller.
+/// The ball around the ellipsoid or the ball around its box, whichever is smaller.
 Ball ballAround(const EllipsoidBound& bound)
 {
   const Box& box = bound.worldBox();
@@ -73,7 +73,7 @@ void Scene::setDynamic(const std::vector<PlacedBody>& objects)
   objects_ = objects;
 }
 
-void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
+void Scene::commit(const std::vector<bool>& moved, const CancelPoint& cancelPoint)
 {
   bounds_ = static_->mesh().bounds();
   treeBytes_ = static_->tree().bytes();
@@ -84,14 +84,14 @@ void Scene::commit(const std::vector<bool>& moved, const Checkpoint& checkpoint)
   }
   place(std::max(bounds_.magnitude(), pointSources_.magnitude()));
   dynamic_ = {};
-  dynamic_ = group(std::vector<bool>(objects_.size(), true), checkpoint);
-  moved_ = moved.empty() ? Group{} : group(moved, checkpoint);
+  dynamic_ = group(std::vector<bool>(objects_.size(), true), cancelPoint);
+  moved_ = moved.empty() ? Group{} : group(moved, cancelPoint);
   oneTree_ = {};
   if (mode_ == TraversalMode::OneTree && !objects_.empty())
   {
     std::vector<std::uint32_t> all(objects_.size() + 1);
     std::iota(all.begin(), all.end(), 0u);
-    oneTree_ = mix(all, checkpoint);
+    oneTree_ = mix(all, cancelPoint);
   }
 }
 
@@ -113,7 +113,7 @@ void Scene::place(double magnitude)
 }
 
 Scene::MixedTree Scene::mix(
-  const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const
+  const std::vector<std::uint32_t>& objects, const CancelPoint& cancelPoint) const
 {
   MixedTree mixed;
   mixed.objects = objects;
@@ -132,11 +132,11 @@ Scene::MixedTree Scene::mix(
       blurs.push_back(object == 0 ? 0.0 : placed_[object - 1].roundTrip);
     }
   }
-  mixed.tree = TriangleTree(world, blurs, conditionNumber, checkpoint);
+  mixed.tree = TriangleTree(world, blurs, conditionNumber, cancelPoint);
   return mixed;
 }
 
-Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& checkpoint) const
+Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& cancelPoint) const
 {
   Group group;
   std::vector<std::uint32_t> flattened;
@@ -165,11 +165,11 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const Checkpoint& che
   }
   else if (!flattened.empty())
   {
-    group.flattened = std::make_shared<MixedTree>(mix(flattened, checkpoint));
+    group.flattened = std::make_shared<MixedTree>(mix(flattened, cancelPoint));
   }
   if (boxes.size() >= kManyObjects)
   {
-    group.bodies = TriangleTree(boxes, slack, checkpoint);
+    group.bodies = TriangleTree(boxes, slack, cancelPoint);
   }
   return group;
 }
@@ -276,7 +276,7 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
   }
   if (mode_ == TraversalMode::Parallel && !dynamic_.bodies.isEmpty())
   {
-    // Behind a static hit few of many bodies matter.
+    // Once a static hit is known, few of many bodies are before it and have to be searched.
     castStatic(rays, count, hits);
     return castDynamic(rays, count, hits);
   }
@@ -369,7 +369,7 @@ double Scene::clearance() const
     const double mean = square.trace() / 3;
     const bool isSimilarity = (square - mean * Matrix3::Identity()).norm() < 0.125 * mean;
     const double condition = isSimilarity ? 1.25 : linear.norm() * placed.inverse.norm();
-    // Only its own coordinates count, not those of something far away.
+    // Only its own coordinates count: an object far away does not make this one less exact.
     const double magnitude = placed.object.worldBounds().magnitude() * (1 + 0x1p-20);
     farthest = std::max(farthest,
       farthestClearance(

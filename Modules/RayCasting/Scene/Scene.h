@@ -42,7 +42,7 @@ public:
   void setPointSources(const Box& bounds) { pointSources_ = bounds; }
   /// Rebuilds the trees that depend on poses. `moved[i]` says whether castMoved() searches dynamic
   /// object i; empty means none. Call after any of the above and before any cast.
-  void commit(const std::vector<bool>& moved, const Checkpoint& checkpoint = {});
+  void commit(const std::vector<bool>& moved, const CancelPoint& cancelPoint = {});
 
   /// The closest hits among all triangles.
   void cast(const Ray* rays, std::size_t count, Hit* hits) const;
@@ -62,7 +62,6 @@ public:
     return hit;
   }
 
-  std::size_t numberOfObjects() const { return placed_.size(); }
   /// Of all geometry, in world space.
   const Box& bounds() const { return bounds_; }
   /// The triangle in world space, its corners in the order of the mesh.
@@ -118,14 +117,14 @@ private:
   {
     std::shared_ptr<const MixedTree> flattened; ///< null if there are none
     std::vector<std::uint32_t> instanced;       ///< indices in placed_
-    TriangleTree bodies;                        ///< over those, if they are many
+    TriangleTree bodies;                        ///< over the instanced ones, if they are many
   };
 
   class QueryBatch;
 
   void place(double magnitude);
-  MixedTree mix(const std::vector<std::uint32_t>& objects, const Checkpoint& checkpoint) const;
-  Group group(const std::vector<bool>& chosen, const Checkpoint& checkpoint) const;
+  MixedTree mix(const std::vector<std::uint32_t>& objects, const CancelPoint& cancelPoint) const;
+  Group group(const std::vector<bool>& chosen, const CancelPoint& cancelPoint) const;
   /// The triangles that are there.
   const TriangleMesh& meshOf(std::uint32_t object) const
   {

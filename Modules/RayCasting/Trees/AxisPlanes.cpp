@@ -55,7 +55,7 @@ AxisPlanes::AxisPlanes(const std::vector<Triangle>& triangles)
 bool AxisPlanes::hide(int axis, int side, float bound, const Box& whole) const
 {
   const std::vector<double>& places = places_[static_cast<std::size_t>(axis)];
-  // Of the planes between this float and its neighbour, the one beyond which most is.
+  // Of the planes between this float and its neighbour, the one farthest inside the triangle.
   const double least = side > 0 ? std::nextafter(bound, -HUGE_VALF) : bound;
   const double most = side > 0 ? bound : std::nextafter(bound, HUGE_VALF);
   const auto first = std::upper_bound(places.begin(), places.end(), least);

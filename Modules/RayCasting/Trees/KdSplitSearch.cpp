@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/KdSplitSearch.h"
 
-#include "Trees/KdSheets.h"
+#include "Trees/CoplanarFaces.h"
 
 #include <algorithm>
 
@@ -87,13 +87,13 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
 void KdSplitSearch::cutOffSheets(
   const KdItems& items, const Box& cell, const AxisCosts& costs, KdSplit& best)
 {
-  const KdSheets sheets(items, pace_);
+  const CoplanarFaces sheets(items, pace_);
   if (!sheets.areAny())
   {
     return;
   }
   const double cost = sheets.costOfCuttingAll(cost_, cell);
-  for (int face = 0; face < KdSheets::kFaces; ++face)
+  for (int face = 0; face < CoplanarFaces::kFaces; ++face)
   {
     const std::uint32_t count = sheets.count(face), others = items.size() - count;
     const int axis = face / 2;

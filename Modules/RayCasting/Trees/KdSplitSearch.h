@@ -2,7 +2,7 @@
 #ifndef irradiance_KdSplitSearch_h
 #define irradiance_KdSplitSearch_h
 
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 #include "Trees/KdBins.h"
 #include "Trees/KdCost.h"
 #include "Trees/KdEvents.h"
@@ -35,15 +35,15 @@ struct KdSplit
 /**
  * Finds the cheapest of all planes at which an item begins or ends. First, bins give lower bounds
  * of the cost. Then only events in bins that may hold the cheapest plane are sorted and swept. So
- * the answer is that of a full sweep, usually in linear time.
+ * a full sweep would give the same answer; this usually takes linear time.
  */
 class KdSplitSearch
 {
 public:
-  /// `checkpoint` must outlive the search.
-  KdSplitSearch(const KdCost& cost, const Checkpoint& checkpoint)
+  /// `cancelPoint` must outlive the search.
+  KdSplitSearch(const KdCost& cost, const CancelPoint& cancelPoint)
     : cost_(cost)
-    , pace_(checkpoint)
+    , pace_(cancelPoint)
   {
   }
 
@@ -61,7 +61,7 @@ private:
   void sweepEvents(int axis, const KdAxisCost& cost, KdSplit& best);
 
   KdCost cost_;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
   std::array<KdBins, 3> bins_;
   std::array<bool, KdBins::kMost> isChosen_; ///< for the bins of the current axis
   KdEvents events_;

@@ -30,8 +30,8 @@ public:
     , primitives_(primitives)
     , search_({ config.traversalCost, config.intersectionCost, config.emptyFactor,
                 config.partingCost, static_cast<std::uint32_t>(config.blockSize) },
-        config.checkpoint)
-    , pace_(config.checkpoint)
+        config.cancelPoint)
+    , pace_(config.cancelPoint)
   {
     assert(config.blockSize > 0);
   }
@@ -52,7 +52,7 @@ public:
     }
     const Range all{ 0, items_.size() };
     // Clipping rounds by a few ulps of the coordinates; this is 2^8 ulps. A cell may begin or end
-    // half a float beside a triangle whose bounds were rounded to it.
+    // half a float away from a triangle whose bounds were rounded to the same float.
     clipError_ = (config_.roundsToNearest ? 0x1p-23 : 0x1p-44) * tree_.bounds.magnitude();
     // Leaves room behind the outermost walls, so that a plane can cut off the empty space inside.
     tree_.bounds.inflate(all.size() == 0 ? 0.0 : 0x1p-10 * tree_.bounds.extent().maxCoeff());
@@ -194,7 +194,7 @@ private:
   std::vector<KdItem> items_;
   double clipError_ = 0;
   int maxDepth_ = 0;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
 };
 
 }

@@ -22,7 +22,7 @@ inline UnitPoint unitPoint(const UnitFrame& frame, const Vector3& position)
 }
 
 /// The squared distances, in the unit frame, from a point to the boxes of a treelet's children;
-/// those of unused places are at least 1e30.
+/// for unused places at least 1e30.
 std::array<float, Treelet::kSize> squaredDistances(const Treelet& treelet, const UnitPoint& point);
 
 /// No point of a triangle whose weights were rounded to floats lies farther than this from the box
@@ -45,8 +45,8 @@ public:
   LeafTable() = default;
   explicit LeafTable(const TriangleTree& tree);
 
-  /// Of the leaves that list the triangle, that whose box is nearest to a point on it. `tree`: that
-  /// of the table.
+  /// Of the leaves that list the triangle, the one whose box is nearest to a point on it. `tree`: the
+  /// tree that the table was made from.
   std::uint32_t leafOf(
     const TriangleTree& tree, std::uint32_t triangle, const UnitPoint& point) const;
   std::size_t bytes() const;

@@ -12,9 +12,9 @@ namespace irradiance
 class SurfaceTree::Builder
 {
 public:
-  Builder(SurfaceTree& tree, const TriangleMesh& mesh, const Checkpoint& checkpoint)
+  Builder(SurfaceTree& tree, const TriangleMesh& mesh, const CancelPoint& cancelPoint)
     : tree_(tree)
-    , pace_(checkpoint)
+    , pace_(cancelPoint)
   {
     for (std::uint32_t i = 0; i < mesh.size(); ++i)
     {
@@ -116,7 +116,7 @@ private:
         highest = std::max(highest, height);
       }
       node.cosine = std::min(node.cosine, node.axis.dot(items_[i].normal));
-      // Of small angles the cosine tells little.
+      // The cosine hardly changes with a small angle.
       node.sine = std::max(node.sine, node.axis.cross(items_[i].normal).norm());
     }
     constexpr double kRounding = 0x1p-48;
@@ -135,16 +135,16 @@ private:
   }
 
   SurfaceTree& tree_;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
   std::vector<Item> items_;
 };
 
 SurfaceTree::SurfaceTree(
-  const TriangleMesh& mesh, std::vector<SolidSide> solidSides, const Checkpoint& checkpoint)
+  const TriangleMesh& mesh, std::vector<SolidSide> solidSides, const CancelPoint& cancelPoint)
   : frame_(mesh.bounds())
   , solidSides_(std::move(solidSides))
 {
-  Builder(*this, mesh, checkpoint);
+  Builder(*this, mesh, cancelPoint);
 }
 
 }

@@ -23,7 +23,7 @@ struct SurfaceNode
   double area;
   std::uint32_t begin, end; ///< in the order of the tree
   std::uint32_t right;      ///< its second child, the first follows the node; 0 if it has none
-  std::uint8_t solidSides;  ///< which there are among its triangles; see maskOf()
+  std::uint8_t solidSides;  ///< the solid sides that occur among its triangles; see maskOf()
 
   bool isLeaf() const { return right == 0; }
   static std::uint8_t maskOf(SolidSide side)
@@ -33,18 +33,18 @@ struct SurfaceNode
 };
 
 /**
- * The triangles of a mesh, each once, for those who ask about surface and not about rays: what faces
- * some way, how near it is, and how much there is of it. Triangles without area are not there.
+ * The triangles of a mesh, each once, for questions about surface in place of rays: what faces some
+ * way, how near it is, and how much there is of it. Triangles without area are left out.
  *
- * Triangles are cut in two, at the median of their middles, until few are left.
+ * Triangles are cut in two, at the median of their centroids, until few are left.
  */
 class SurfaceTree
 {
 public:
   SurfaceTree() = default;
-  /// `solidSides`: those of the triangles.
-  SurfaceTree(
-    const TriangleMesh& mesh, std::vector<SolidSide> solidSides, const Checkpoint& checkpoint = {});
+  /// `solidSides`: one for each triangle.
+  SurfaceTree(const TriangleMesh& mesh, std::vector<SolidSide> solidSides,
+    const CancelPoint& cancelPoint = {});
 
   bool isEmpty() const { return nodes_.empty(); }
   const UnitFrame& frame() const { return frame_; }

@@ -19,9 +19,9 @@ std::uint32_t forkAt(const KdTree& tree, std::uint32_t node)
   return node;
 }
 
-TreeletPlan::TreeletPlan(const KdTree& tree, const Checkpoint& checkpoint)
+TreeletPlan::TreeletPlan(const KdTree& tree, const CancelPoint& cancelPoint)
   : tree_(tree)
-  , pace_(checkpoint)
+  , pace_(cancelPoint)
   , onLeft_(tree.nodes.size())
 {
   plan(0);

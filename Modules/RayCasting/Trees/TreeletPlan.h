@@ -2,7 +2,7 @@
 #ifndef irradiance_TreeletPlan_h
 #define irradiance_TreeletPlan_h
 
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 #include "Trees/KdTree.h"
 #include "Trees/Treelet.h"
 
@@ -24,7 +24,7 @@ std::uint32_t forkAt(const KdTree& tree, std::uint32_t node);
 class TreeletPlan
 {
 public:
-  explicit TreeletPlan(const KdTree& tree, const Checkpoint& checkpoint = {});
+  explicit TreeletPlan(const KdTree& tree, const CancelPoint& cancelPoint = {});
 
   /// How many of the at most `most` children that a node has in a treelet are left of its plane; 0
   /// if the node is itself a child. Only for nodes that forkAt() returns.
@@ -40,7 +40,7 @@ private:
   Areas part(std::uint32_t node);
 
   const KdTree& tree_;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
   std::vector<std::array<std::uint8_t, kSize>> onLeft_;
 };
 

@@ -24,12 +24,12 @@ class TriangleTree::Packing
 {
 public:
   Packing(TriangleTree& target, const KdTree& tree, const std::vector<Triangle>& triangles,
-    const Checkpoint& checkpoint)
+    const CancelPoint& cancelPoint)
     : target_(target)
     , tree_(tree)
     , triangles_(triangles)
-    , pace_(checkpoint)
-    , plan_(tree, checkpoint)
+    , pace_(cancelPoint)
+    , plan_(tree, cancelPoint)
   {
     std::size_t blocks = 0;
     for (const KdNode& node : tree.nodes)
@@ -264,15 +264,15 @@ private:
   TriangleTree& target_;
   const KdTree& tree_;
   const std::vector<Triangle>& triangles_;
-  CheckpointPace pace_;
+  ThrottledCancelPoint pace_;
   TreeletPlan plan_;
 };
 
 TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& blurs,
-  double conditionNumber, const Checkpoint& checkpoint)
+  double conditionNumber, const CancelPoint& cancelPoint)
   : isIllConditioned_(conditionNumber > kMostConditionNumber)
 {
-  CheckpointPace pace(checkpoint);
+  ThrottledCancelPoint pace(cancelPoint);
   Box box; // includes the blurs, which may dominate, so that distances in the frame stay small
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
@@ -305,13 +305,13 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, const std::ve
     planes_ = AxisPlanes(unit);
   }
   KdTreeBuilder builder;
-  builder.checkpoint = checkpoint;
+  builder.cancelPoint = cancelPoint;
   builder.roundsToNearest = blurs.empty();
   pack(primitives, unit, builder);
 }
 
 TriangleTree::TriangleTree(
-  const std::vector<Box>& boxes, double slack, const Checkpoint& checkpoint)
+  const std::vector<Box>& boxes, double slack, const CancelPoint& cancelPoint)
 {
   Box all;
   for (const Box& box : boxes)
@@ -331,7 +331,7 @@ TriangleTree::TriangleTree(
   blur_ = kBeyondTheFrame; // no test rejects
   slack_ = slack * frame_.scale;
   KdTreeBuilder builder;
-  builder.checkpoint = checkpoint;
+  builder.cancelPoint = cancelPoint;
   builder.blockSize = 1;
   pack(primitives,
     std::vector<Triangle>(boxes.size(), { Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY() }),
@@ -345,7 +345,7 @@ void TriangleTree::pack(const std::vector<KdPrimitive>& primitives,
   bounds_ = tree.bounds;
   if (!tree.isEmpty())
   {
-    Packing packing(*this, tree, unit, builder.checkpoint);
+    Packing packing(*this, tree, unit, builder.cancelPoint);
     root_ = packing.pack(0);
     if (builder.roundsToNearest)
     {
@@ -362,9 +362,9 @@ std::size_t TriangleTree::bytes() const
     planes_.bytes();
 }
 
-TriangleTree treeOf(const std::vector<Triangle>& triangles, const Checkpoint& checkpoint)
+TriangleTree treeOf(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint)
 {
-  return TriangleTree(triangles, {}, 1, checkpoint);
+  return TriangleTree(triangles, {}, 1, cancelPoint);
 }
 
 }

@@ -4,7 +4,7 @@
 
 #include "Geometry/Triangle.h"
 #include "Geometry/UnitFrame.h"
-#include "Progress/Checkpoint.h"
+#include "Progress/CancelPoint.h"
 #include "Trees/AxisPlanes.h"
 #include "Trees/Treelet.h"
 
@@ -42,19 +42,19 @@ class TriangleTree
 public:
   TriangleTree() = default;
   /// `blurs`: the position errors of the triangles; empty if they are exact. `conditionNumber`:
-  /// that of the map to the space in which they are tested; 1 if that is this one.
+  /// of the map to the space in which they are tested; 1 if they are tested in this one.
   TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& blurs,
-    double conditionNumber, const Checkpoint& checkpoint);
+    double conditionNumber, const CancelPoint& cancelPoint);
   /// A tree over bodies: a search finds all whose boxes it may touch, as if each held a triangle that
   /// is known only up to that box. Empty if a box is not finite. `slack`: a hit may be this much
   /// closer than its box.
-  TriangleTree(const std::vector<Box>& boxes, double slack, const Checkpoint& checkpoint);
+  TriangleTree(const std::vector<Box>& boxes, double slack, const CancelPoint& cancelPoint);
 
   bool isEmpty() const { return blocks_.empty(); }
   const UnitFrame& frame() const { return frame_; }
   /// In the unit frame.
   const Box& bounds() const { return bounds_; }
-  /// How far the distance of a confirmed hit may differ from that in the tree, in the unit frame.
+  /// How far the distance of a confirmed hit may differ from the one in the tree, in the unit frame.
   double slack() const { return slack_; }
   /// The largest position error of the triangles, in the unit frame.
   double blur() const { return blur_; }
@@ -90,7 +90,7 @@ private:
 };
 
 /// Builds the tree of a mesh in the mesh's own space.
-TriangleTree treeOf(const std::vector<Triangle>& triangles, const Checkpoint& checkpoint = {});
+TriangleTree treeOf(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint = {});
 
 }
 

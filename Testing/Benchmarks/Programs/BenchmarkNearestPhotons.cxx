@@ -187,9 +187,10 @@ Cost costOf(PhotonLocator& locator, const std::vector<Sensor>& sensors, double w
 void timeFarSensors(IrradianceEngine& engine, const std::vector<Sensor>& near)
 {
   CpuTime execution;
-  const LeafPhotons& leaves = engine.leafPhotons(execution);
+  engine.collect<LeafPhotons>(execution);
+  engine.prepareSurfaces(execution);
   const WalkHistory& history = engine.history();
-  const NearestPhotons photons(leaves, engine.surfaces(execution), engine.objects(), history);
+  const NearestPhotons photons = engine.nearestPhotons();
   std::vector<Sensor> far(near.begin(), near.begin() + std::min<std::ptrdiff_t>(near.size(), 300));
   for (Sensor& sensor : far)
   {

@@ -3,7 +3,7 @@
  * What it costs to keep photons. One thread, CPU time.
  *
  * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash table and
- * a vector that is searched from end to end. SpecularPhotons: a room with specular cells, whose photons
+ * a vector that is searched from end to end. CellPhotonSets: a room with specular cells, whose photons
  * the engine keeps, beside the same room without any. LeafPhotons: all photons of a room, in the leaf cells
  * of its trees, beside the same frames without. In every round all have to hold the right photons.
  *
@@ -12,7 +12,7 @@
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Photons/SpecularPhotons.h"
+#include "Photons/CellPhotonSets.h"
 #include "Rivals/PhotonBags.h"
 #include "Scenes/PhotonTraffic.h"
 #include "Scenes/PlainRoom.h"
@@ -34,7 +34,7 @@ void require(bool isRight, const std::string& what)
   }
 }
 
-/// Prefetches what the later steps will need, as SpecularPhotons does.
+/// Prefetches what the later steps will need, as CellPhotonSets does.
 template <class Bag, class Work>
 void forEachStep(
   std::vector<Bag>& bags, const std::vector<PhotonTraffic::Step>& steps, const Work& work)
@@ -132,7 +132,7 @@ void timeAllSets(std::size_t photons, int rounds)
 
 /// What is on each cell.
 std::vector<PhotonTraffic::Photons> contentsOf(
-  const SpecularPhotons& sets, const SceneObjects& objects)
+  const CellPhotonSets& sets, const SceneObjects& objects)
 {
   std::vector<PhotonTraffic::Photons> contents;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -180,11 +180,11 @@ void reportMemory(const Photons& photons, const SceneObjects& objects, const std
 }
 
 /// Throws unless the engine, which kept its photons up to date, has what a new one collects.
-void requireFresh(IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
+void requireFresh(const IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
 {
-  SpecularPhotons fresh(objects);
+  CellPhotonSets fresh(objects);
   fresh.add(engine.history(), 0, engine.history().size(), execution);
-  require(contentsOf(engine.specularPhotons(execution), objects) == contentsOf(fresh, objects),
+  require(contentsOf(engine.photons<CellPhotonSets>(), objects) == contentsOf(fresh, objects),
     "Updated photons differ from new ones");
 }
 
@@ -194,7 +194,7 @@ double timeWithPhotons(IrradianceEngine& engine, const SceneObjects& objects,
 {
   return threadCpuSecondsOf([&] {
     engine.update(objects, settings, execution);
-    engine.specularPhotons(execution);
+    engine.collect<CellPhotonSets>(execution);
   });
 }
 
@@ -208,7 +208,7 @@ EngineSettings keeping(EngineSettings settings)
 /// A room with specular cells beside the same room without any. Its walks are longer.
 void timeSpecularPhotons(const EngineSettings& settings, int rounds)
 {
-  const std::string table = "SpecularPhotons", row = "20 % of the cells";
+  const std::string table = "CellPhotonSets", row = "20 % of the cells";
   const MovingScene matte = makePlainRoom(), glossy = makeGlossyRoom(0.2);
   const EngineSettings kept = keeping(settings);
   CpuTime execution;
@@ -217,7 +217,7 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     IrradianceEngine plain, engine;
     const double plainFirst = timeUpdate(plain, matte.at(0), settings).whole;
     const double first = timeUpdate(engine, glossy.at(0), kept).whole;
-    const double building = threadCpuSecondsOf([&] { engine.specularPhotons(execution); });
+    const double building = threadCpuSecondsOf([&] { engine.collect<CellPhotonSets>(execution); });
     report(table, row, "first shooting / without", (first + building) / plainFirst, { 1.35, 1.15 });
     report(table + "Parts", row, "built, ms", 1e3 * building);
     report(table + "Parts", row, "built / first shooting", building / (first + building));
@@ -236,16 +236,16 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     report(table, row, "frame / without", frames / plainFrames, { 1.35, 1.15 });
     report(
       table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
-    reportMemory(engine.specularPhotons(execution), glossy.at(0), table + "Parts", row);
+    reportMemory(engine.photons<CellPhotonSets>(), glossy.at(0), table + "Parts", row);
   }
 }
 
 /// Throws unless the engine, which kept its photons up to date, has what a new one collects.
-void requireFreshLeaves(IrradianceEngine& engine, Execution& execution)
+void requireFreshLeaves(const IrradianceEngine& engine, Execution& execution)
 {
   LeafPhotons fresh(engine.objects());
   fresh.add(engine.history(), 0, engine.history().size(), execution);
-  require(contentsOf(engine.leafPhotons(execution), engine.objects()) ==
+  require(contentsOf(engine.photons<LeafPhotons>(), engine.objects()) ==
       contentsOf(fresh, engine.objects()),
     "Updated leaves differ from new ones");
 }
@@ -264,7 +264,7 @@ void timeLeafPhotons(const EngineSettings& settings, int rounds)
     IrradianceEngine plain, engine;
     timeUpdate(plain, room.at(0), settings);
     const double first = timeUpdate(engine, room.at(0), kept).whole;
-    const double building = threadCpuSecondsOf([&] { engine.leafPhotons(execution); });
+    const double building = threadCpuSecondsOf([&] { engine.collect<LeafPhotons>(execution); });
     double frames = 0, plainFrames = 0, changed = 0;
     for (int frame = 1; frame <= kFrames; ++frame)
     {
@@ -280,7 +280,7 @@ void timeLeafPhotons(const EngineSettings& settings, int rounds)
     report(table + "Parts", row, "frame without, ms", 1e3 * plainFrames / kFrames);
     report(
       table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
-    reportMemory(engine.leafPhotons(execution), room.at(0), table + "Parts", row);
+    reportMemory(engine.photons<LeafPhotons>(), room.at(0), table + "Parts", row);
   }
 }
 

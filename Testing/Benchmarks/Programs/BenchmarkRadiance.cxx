@@ -76,8 +76,10 @@ void run(const Arguments& arguments)
     for (int round = 0; round < rounds; ++round)
     {
       std::unique_ptr<OutgoingRadiance> radiance;
-      const double collected = threadCpuSecondsOf(
-        [&] { radiance = std::make_unique<OutgoingRadiance>(engine, samples, execution); });
+      const double collected = threadCpuSecondsOf([&] {
+        engine.collect<CellPhotonSets>(execution);
+        radiance = std::make_unique<OutgoingRadiance>(engine, samples, execution);
+      });
       double mean = 0;
       const double looked = threadCpuSecondsOf([&] {
         mean = meanRadiance(*radiance, objects, { { 3.2, 0.7 + 0.1 * round, 1.4 } });

@@ -3,7 +3,7 @@
 #define EmbreeScene_h
 
 #include "Geometry/Ray.h"
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <embree3/rtcore.h>
 

@@ -20,7 +20,7 @@ public:
   {
     for (IrradianceEngine* each : engines_)
     {
-      each->leafPhotons(execution_); // finds the sides of all photons
+      each->collect<LeafPhotons>(execution_); // finds the sides of all photons
       photons_.push_back(test::photonsOf(each->history()));
     }
     changes_ = { test::changesBetween(photons_[1], photons_[0]),

@@ -2,10 +2,10 @@
 #ifndef OurCaster_h
 #define OurCaster_h
 
-#include "Light/SceneObjects.h"
 #include "Rivals/Caster.h"
 #include "Scene/Scene.h"
 #include "Simd/SimdLevel.h"
+#include "Surfaces/SceneObjects.h"
 
 /// The scene with its trees built, ready for casts.
 std::shared_ptr<const irradiance::Scene> makeScene(const irradiance::SceneObjects& objects,

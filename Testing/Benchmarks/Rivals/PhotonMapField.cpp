@@ -39,7 +39,7 @@ std::vector<Middle> middlesOf(const SceneObject& object)
 std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
 {
   const SobolSequence samples = engine.samples();
-  const WalkShooter shooter = engine.shooter(samples);
+  const WalkTracer tracer = engine.tracer(samples);
   const WalkHistory& history = engine.history();
   std::vector<PhotonMap::Photon> photons;
   for (std::size_t i = 0; i < history.size(); ++i)
@@ -48,7 +48,7 @@ std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
     history.forEachPhoton(i, [&](const Photon& photon) { segments.push_back(photon.reference); });
     std::vector<SurfacePoint> points(segments.size());
     std::vector<Vector3> directions(segments.size());
-    shooter.arrivalsOf(history, segments, points.data(), directions.data());
+    tracer.arrivalsOf(history, segments, points.data(), directions.data());
     for (std::size_t k = 0; k < segments.size(); ++k)
     {
       const Power power = history.power(segments[k]);

@@ -32,7 +32,7 @@ PilotTracer::PilotTracer(
   const SceneObjects& objects, std::uint32_t walks, std::uint64_t seed, const StartStrata& strata)
   : plan_(walks, walks, 1)
   , strata_(strata)
-  , emitters_(objects, walks)
+  , lights_(objects, walks)
   , samples_(seed)
   , groups_(strata.numberOfGroups())
 {
@@ -51,7 +51,7 @@ void PilotTracer::shootAll(const SceneObjects& objects)
   sums_ = CellSums(objects, 1);
   balance_ = {};
   history_ = WalkHistory(plan_, UnitFrame(scene_->bounds()), objects.staticObject.material->bands,
-    Power{ { emitters_.photon() } });
+    Power{ { lights_.quantaPerWalk() } });
   for (std::size_t block = 0; block < plan_.rounds().back().endBlock; ++block)
   {
     history_.append();
@@ -73,7 +73,7 @@ std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
   };
   const std::array<double, 2> direction = samples_.sample(walk, 0, SampleUse::Direction);
   std::uint32_t group =
-    stratumOf(samples_.sample(walk, 0, SampleUse::Emitter)[0], strata_.emitterBits);
+    stratumOf(samples_.sample(walk, 0, SampleUse::Light)[0], strata_.emitterBits);
   for (const double coordinate : direction)
   {
     group = group << strata_.directionBits | stratumOf(coordinate, strata_.directionBits);
@@ -84,10 +84,10 @@ std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
 void PilotTracer::shoot(const Walks& walks)
 {
   constexpr std::size_t kBatchSize = 1024;
-  const WalkShooter shooter(*scene_, objects_, emitters_, samples_);
+  const WalkTracer tracer(*scene_, objects_, lights_, samples_);
   for (std::size_t first = 0; first < walks.size(); first += kBatchSize)
   {
-    WalkBatch batch(shooter, &history_.frame());
+    WalkBatch batch(tracer, &history_.frame());
     const auto begin = walks.begin() + static_cast<std::ptrdiff_t>(first);
     batch.shoot(
       { begin, begin + static_cast<std::ptrdiff_t>(std::min(kBatchSize, walks.size() - first)) });

@@ -4,7 +4,7 @@
 
 #include "Scenes/TradeScene.h"
 #include "Shooting/WalkBatch.h"
-#include "Shooting/WalkShooter.h"
+#include "Shooting/WalkTracer.h"
 #include "Tally/WalkTally.h"
 
 /**
@@ -31,8 +31,8 @@ public:
   const irradiance::CellSums& sums() const { return sums_; }
   double watts(std::int64_t quanta) const
   {
-    return emitters_.flux() *
-      (static_cast<double>(quanta) / (static_cast<double>(emitters_.photon()) * plan_.most()));
+    return lights_.flux() *
+      (static_cast<double>(quanta) / (static_cast<double>(lights_.quantaPerWalk()) * plan_.most()));
   }
   /// A number for each walk that differs if a hit or a power of the walks does.
   std::vector<std::uint64_t> signatures() const;
@@ -52,7 +52,7 @@ private:
   irradiance::WalkPlan plan_;
   StartStrata strata_;
   irradiance::SceneObjects objects_;
-  irradiance::EmitterTable emitters_;
+  irradiance::LightTable lights_;
   irradiance::SobolSequence samples_;
   std::shared_ptr<const irradiance::Scene> scene_;
   irradiance::CellSums sums_;

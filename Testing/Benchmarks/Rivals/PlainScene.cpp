@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/PlainScene.h"
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <stdexcept>
 
@@ -19,7 +19,7 @@ PlainScene::Vector floats(const Vector3& point)
 void add(const SceneObject& object, PlainScene& scene)
 {
   const Material& material = *object.material;
-  if (material.bands != 1 || !material.pointLights.empty())
+  if (material.bands != 1 || (object.emission && !object.emission->points.empty()))
   {
     throw std::invalid_argument("the plain tracer knows only grey scenes without point lights");
   }
@@ -32,7 +32,8 @@ void add(const SceneObject& object, PlainScene& scene)
     scene.triangles.push_back(triangle);
     scene.surfaces.push_back({ static_cast<float>(material.reflectanceOf(i, 0)),
       static_cast<std::uint32_t>(scene.numberOfCells + cell) });
-    const double flux = material.exitance.empty() ? 0 : material.exitance[cell] * world.area();
+    const double* const exitance = object.exitanceOf(cell);
+    const double flux = exitance ? *exitance * world.area() : 0;
     if (flux > 0)
     {
       scene.lights.push_back({ triangle, flux });

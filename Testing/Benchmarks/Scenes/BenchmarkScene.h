@@ -2,7 +2,7 @@
 #ifndef BenchmarkScene_h
 #define BenchmarkScene_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <optional>
 #include <string>

@@ -42,6 +42,5 @@ std::optional<SceneObjects> makeDragonRoom()
   room.addQuad(corner, { 0, edge, 0 }, { edge, 0, 0 }, 2, 2, test::grey(0.5, 100));
   const SceneObject& body = scene->objects.dynamicObjects[0];
   addCells(body.body->mesh(), 1, dragon);
-  dragon.material().exitance.clear();
   return SceneObjects{ room.build(), { dragon.build(body.worldFromObject) } };
 }

@@ -2,7 +2,7 @@
 #ifndef DragonRoom_h
 #define DragonRoom_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <optional>
 

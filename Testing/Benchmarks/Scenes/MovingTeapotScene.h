@@ -2,7 +2,7 @@
 #ifndef MovingTeapotScene_h
 #define MovingTeapotScene_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <functional>
 #include <string>

@@ -34,7 +34,6 @@ SceneObject makeMesh(int nu, int nv, const Corner& corner)
       add(a, c, d);
     }
   }
-  mesh.material().exitance.clear();
   return mesh.build();
 }
 

@@ -51,23 +51,17 @@ std::vector<Triangle> trianglesOf(vtkPolyData* mesh)
 SceneObject makeObject(const std::vector<vtkPolyData*>& parts)
 {
   test::ObjectBuilder object;
-  bool emits = false;
   for (vtkPolyData* part : parts)
   {
     object.material().firstCellOfPart.push_back(object.material().numberOfCells);
     vtkDataArray* reflectance = part->GetCellData()->GetArray("DiffuseReflectance");
     vtkDataArray* exitance = part->GetCellData()->GetArray("RadiantExitance");
-    emits = emits || exitance;
     for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
     {
       object.addCell(trianglesOf(part, cell),
         test::grey(reflectance ? reflectance->GetTuple1(cell) : 0.5,
           exitance ? exitance->GetTuple1(cell) : 0));
     }
-  }
-  if (!emits)
-  {
-    object.material().exitance.clear();
   }
   return object.build();
 }

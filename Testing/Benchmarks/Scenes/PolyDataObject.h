@@ -2,7 +2,7 @@
 #ifndef PolyDataObject_h
 #define PolyDataObject_h
 
-#include "Light/SceneObjects.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <vector>
 

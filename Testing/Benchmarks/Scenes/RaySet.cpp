@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes/RaySet.h"
 
-#include "Sampling/DirectionSampling.h"
+#include "../../PhotonWalks/CosineHemisphere.h"
 #include "Sampling/SobolSequence.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<Ray> fromSurfaces(
   std::vector<Ray> rays;
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const double u = kSamples.sample(i, 0, SampleUse::Emitter)[0];
+    const double u = kSamples.sample(i, 0, SampleUse::Light)[0];
     const auto found = std::upper_bound(upTo.begin(), upTo.end() - 1, u * area);
     const Triangle& triangle = triangles[static_cast<std::size_t>(found - upTo.begin())];
     const Vector3 weights = sampleTriangle(kSamples.sample(i, 0, SampleUse::Position));
@@ -41,7 +41,7 @@ std::vector<Ray> fromSurfaces(
     const Vector3 point =
       weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
     rays.push_back(asFloats(point + offset * normal,
-      sampleCosineHemisphere(normal, kSamples.sample(i, 0, SampleUse::Direction))));
+      test::sampleCosineHemisphere(normal, kSamples.sample(i, 0, SampleUse::Direction))));
   }
   return rays;
 }
@@ -67,7 +67,7 @@ std::vector<Ray> fromLight(const AreaLight& light, std::uint32_t count)
     const double y = 16 * (tile / columns) + everySecondBit(place >> 1) + jitter[1];
     const std::array<double, 2> at = kSamples.sample(i, 0, SampleUse::Position);
     rays.push_back(asFloats(light.center + light.edge * Vector3(at[0] - 0.5, at[1] - 0.5, 0),
-      sampleCosineHemisphere(-Vector3::UnitZ(), { x / (16 * columns), y / (16 * rows) })));
+      test::sampleCosineHemisphere(-Vector3::UnitZ(), { x / (16 * columns), y / (16 * rows) })));
   }
   return rays;
 }

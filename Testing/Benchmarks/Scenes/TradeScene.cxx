@@ -26,16 +26,11 @@ SceneObject cut(const SceneObject& object, const Pieces& piecesOf)
   for (std::size_t i = 0; i < material.cellOfTriangle.size(); ++i)
   {
     const std::size_t cell = material.cellOfTriangle[i];
+    const double* const exitance = object.exitanceOf(cell);
     for (const Triangle& piece : piecesOf(object.body->mesh()[i]))
     {
-      builder.addCell({ piece },
-        test::grey(
-          material.reflectance[cell], material.exitance.empty() ? 0 : material.exitance[cell]));
+      builder.addCell({ piece }, test::grey(material.reflectance[cell], exitance ? *exitance : 0));
     }
-  }
-  if (material.exitance.empty())
-  {
-    builder.material().exitance.clear();
   }
   return builder.build(object.worldFromObject);
 }
@@ -65,7 +60,6 @@ TradeScene makeBox()
   room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 6, test::grey(0.5), true);
   room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
   thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
-  thing.material().exitance.clear();
   return { { "box", { room.build(), { thing.build() } }, circling({ 2, 2, 2 }, 1) }, { 4, 4 } };
 }
 
@@ -80,10 +74,9 @@ TradeScene makeFurnace()
   for (std::size_t cell = 0; cell < walls.numberOfCells; ++cell)
   {
     walls.reflectance[cell] = random.uniform(0, 0.9);
-    walls.exitance[cell] = 1 - walls.reflectance[cell];
+    room.emission().exitance[cell] = 1 - walls.reflectance[cell];
   }
   thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
-  thing.material().exitance.clear();
   return { { "furnace", { room.build(), { thing.build() } }, circling({ 2, 1.5, 2.5 }, 0.7) },
     { 6, 3 }, true };
 }

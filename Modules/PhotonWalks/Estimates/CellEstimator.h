@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_CellEstimator_h
+#define irradiance_CellEstimator_h
+
+#include "Estimates/ErrorEstimate.h"
+#include "Photons/PhotonStores.h"
+#include "Photons/Surfaces.h"
+#include "Walks/WalkSet.h"
+
+namespace irradiance
+{
+
+/// What is known of a frame; it changes from frame to frame.
+struct EstimateSource
+{
+  WalkSpace space;
+  const SceneCells& cells;
+  const WalkSet& walks;
+  const PhotonStores& photons; ///< LeafPhotons, if needsPhotons()
+  const Surfaces& surfaces;    ///< likewise
+};
+
+/// Estimates the irradiance of cells from what walks brought. What follows from an estimate is valid until
+/// the next update of it.
+class CellEstimator
+{
+public:
+  /// All that the source refers to has to outlive it.
+  explicit CellEstimator(const EstimateSource& source)
+    : source_(source)
+  {
+  }
+  virtual ~CellEstimator() = default;
+  CellEstimator(const CellEstimator&) = delete;
+  CellEstimator& operator=(const CellEstimator&) = delete;
+
+  /// To a frame, and the first `rounds` rounds of its walks. Throws Interrupted; after that all walks have to
+  /// be shot again.
+  virtual void update(std::size_t rounds, Execution& execution) = 0;
+  /// Before an update: these photons, and no others, have left and come since the last one.
+  virtual void note(const PhotonChanges& /*changes*/) {}
+  /// Before an update: all photons may be others, and the cells too.
+  virtual void forgetPhotons() {}
+
+  /// W/m2; 0 for a cell without area.
+  virtual double irradiance(const CellSide& cell, int band) const = 0;
+  /// The part of irradiance() that rests on stale walks.
+  virtual double staleIrradiance(const CellSide& cell, int band) const = 0;
+  /// The errors of irradiance(), from the variance between replicates; what the estimate blurs is not in
+  /// them.
+  virtual ErrorEstimate errorEstimate() const = 0;
+
+protected:
+  const EstimateSource& source() const { return source_; }
+  /// W/m2 of a sum on a cell.
+  double perArea(std::int64_t quanta, const CellSide& cell) const
+  {
+    const double area = source_.cells.area(cell);
+    return area > 0 ? source_.walks.watts(static_cast<double>(quanta)) / area : 0.0;
+  }
+
+private:
+  EstimateSource source_;
+};
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Estimates/SpreadEstimator.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+void SpreadEstimator::update(std::size_t rounds, Execution& execution)
+{
+  const SceneObjects& objects = source().space.objects;
+  const WalkSet& walks = source().walks;
+  spread_.update(objects, walks.sums(), rounds, photons_,
+    static_cast<double>(walks.lights().quantaPerWalk()), execution);
+  sums_ = spread_.spread(objects, walks.sums(), rounds, execution);
+  if (walks.stale())
+  {
+    staleSums_ = spread_.spread(objects, walks.stale()->sums(), 1, execution);
+  }
+}
+
+double SpreadEstimator::staleIrradiance(const CellSide& cell, int band) const
+{
+  // What is spread is rounded at each step, so the part may come out larger than the whole.
+  return source().walks.stale()
+    ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
+    : 0.0;
+}
+
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_SpreadEstimator_h
+#define irradiance_SpreadEstimator_h
+
+#include "Estimates/CellEstimator.h"
+#include "Estimates/CellSpread.h"
+
+namespace irradiance
+{
+
+/// From the sums of the cell and of the cells around it, see CellSpread.
+class SpreadEstimator : public CellEstimator
+{
+public:
+  /// `photons`: on how many a small cell is to draw, on average.
+  SpreadEstimator(const EstimateSource& source, double photons)
+    : CellEstimator(source)
+    , photons_(photons)
+  {
+  }
+
+  void update(std::size_t rounds, Execution& execution) override;
+  double irradiance(const CellSide& cell, int band) const override
+  {
+    return perArea(sums_.sum(cell, band), cell);
+  }
+  double staleIrradiance(const CellSide& cell, int band) const override;
+  ErrorEstimate errorEstimate() const override
+  {
+    return { sums_, sums_.plan(), 1, source().walks.lights().largestStart(), &spread_ };
+  }
+
+private:
+  double photons_;
+  CellSpread spread_;
+  CellSums sums_, staleSums_; ///< spread
+};
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_SumEstimator_h
+#define irradiance_SumEstimator_h
+
+#include "Estimates/CellEstimator.h"
+
+namespace irradiance
+{
+
+/// From the photons that arrived in the cell itself.
+class SumEstimator : public CellEstimator
+{
+public:
+  using CellEstimator::CellEstimator;
+
+  void update(std::size_t rounds, Execution& /*execution*/) override { rounds_ = rounds; }
+  double irradiance(const CellSide& cell, int band) const override
+  {
+    return perArea(source().walks.sums().sum(cell, band), cell);
+  }
+  double staleIrradiance(const CellSide& cell, int band) const override
+  {
+    const StaleWalks* stale = source().walks.stale();
+    return stale ? perArea(stale->sums().sum(cell, band), cell) : 0.0;
+  }
+  ErrorEstimate errorEstimate() const override
+  {
+    const WalkSet& walks = source().walks;
+    return { walks.sums(), walks.plan(), rounds_, walks.lights().largestStart() };
+  }
+
+private:
+  std::size_t rounds_ = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lights/LightTable.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace irradiance
+{
+
+LightTable::LightTable(
+  const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls)
+{
+  constexpr std::uint64_t kMostQuanta = std::uint64_t{ 1 } << 46;
+  while (2 * static_cast<std::uint64_t>(quantaPerWalk_) * numberOfWalks <= kMostQuanta)
+  {
+    quantaPerWalk_ *= 2;
+  }
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    if (objects[object].isPresent && objects[object].emits())
+    {
+      addAreas(objects, object);
+      addPoints(objects, object, walls);
+    }
+  }
+  if (flux() < std::numeric_limits<double>::min())
+  {
+    lights_.clear(); // too weak for a double
+  }
+  for (const Light& light : lights_)
+  {
+    powers_.push_back(powerOf(light));
+  }
+}
+
+void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number)
+{
+  const SceneObject& object = objects[number];
+  const TriangleMesh& mesh = object.mesh();
+  for (std::uint32_t i = 0; i < mesh.size() && !object.emission->exitance.empty(); ++i)
+  {
+    const AreaLight shape{ { number, i }, transformed(object.worldFromObject, mesh[i]) };
+    Light light{ {}, { number, object.material->cellOfTriangle[i] }, shape };
+    const double area = shape.triangle.area();
+    const double* const exitance = object.emission->exitanceOf(light.cell.cell);
+    std::transform(exitance, exitance + object.emission->bands, light.flux.begin(),
+      [area](double wattsPerArea) { return area * wattsPerArea; });
+    add(light);
+  }
+}
+
+void LightTable::addPoints(
+  const SceneObjects& objects, std::uint32_t number, const LightWalls& walls)
+{
+  const SceneObject& object = objects[number];
+  const std::vector<PointSource>& sources = object.emission->points;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    Light light{ {}, { number, sources[i].cell },
+      PointLight(object.worldFromObject(sources[i].position), walls.at(number, i)) };
+    std::copy(sources[i].flux.begin(), sources[i].flux.end(), light.flux.begin());
+    add(light);
+  }
+}
+
+void LightTable::add(const Light& light)
+{
+  if (light.totalFlux() > 0)
+  {
+    cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + light.totalFlux());
+    lights_.push_back(light);
+    if (light.triangle() == TriangleId{})
+    {
+      boundsInAir_.add(light.bounds());
+    }
+  }
+}
+
+Power LightTable::powerOf(const Light& light) const
+{
+  Power power;
+  for (int band = 0; band < Power::kMaxBands; ++band)
+  {
+    const double share = light.flux[static_cast<std::size_t>(band)] / light.totalFlux();
+    power[band] = nearestQuanta(static_cast<double>(quantaPerWalk_) * share);
+  }
+  return power;
+}
+
+std::array<double, Power::kMaxBands> LightTable::largestStart() const
+{
+  std::array<double, Power::kMaxBands> largest{};
+  for (const Power& power : powers_)
+  {
+    for (std::size_t band = 0; band < largest.size(); ++band)
+    {
+      largest[band] = std::max(largest[band], static_cast<double>(power.quanta[band]));
+    }
+  }
+  return largest;
+}
+
+std::size_t LightTable::choose(double sample) const
+{
+  const double flux = sample * cumulative_.back();
+  // By bisection without branches, as which half it is cannot be predicted. The last one is chosen
+  // if no other is.
+  std::size_t first = 0;
+  for (std::size_t count = cumulative_.size(); count > 1;)
+  {
+    const std::size_t half = count / 2;
+    first += static_cast<std::size_t>(cumulative_[first + half - 1] <= flux) * half;
+    count -= half;
+  }
+  return first;
+}
+
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_LightTable_h
+#define irradiance_LightTable_h
+
+#include "Lights/Light.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * All lights of a frame. Every walk carries the same share of the total flux; which light it starts
+ * from is sampled in proportion to flux.
+ */
+class LightTable
+{
+public:
+  LightTable() = default;
+  /// Throws std::runtime_error for a light to which walls leave no side.
+  LightTable(
+    const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {});
+
+  bool isEmpty() const { return lights_.empty(); }
+  const std::vector<Light>& lights() const { return lights_; }
+  /// Bounds of the lights in the air, which no triangle bounds.
+  const Box& boundsInAir() const { return boundsInAir_; }
+  /// W, of all lights in all bands.
+  double flux() const { return lights_.empty() ? 0 : cumulative_.back(); }
+  /// Quanta with which every walk starts, in all bands together: the power of two for which all
+  /// walks have 2^45 to 2^46. This leaves 2^16 times the emitted power for the cells to receive
+  /// before a sum overflows.
+  std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
+
+  /// Quanta with which a walk from any light may start, in each band.
+  std::array<double, Power::kMaxBands> largestStart() const;
+
+  /// The number of the light that a sample in (0, 1) chooses.
+  std::size_t choose(double sample) const;
+  const Light& operator[](std::size_t light) const { return lights_[light]; }
+  /// With which walks leave a light.
+  const Power& power(std::size_t light) const { return powers_[light]; }
+
+  /// Equal tables start the same walks, bit for bit.
+  friend bool operator==(const LightTable& a, const LightTable& b)
+  {
+    return a.quantaPerWalk_ == b.quantaPerWalk_ && a.lights_ == b.lights_;
+  }
+
+private:
+  void addAreas(const SceneObjects& objects, std::uint32_t object);
+  void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls);
+  void add(const Light& light);
+  Power powerOf(const Light& light) const;
+
+  std::vector<Light> lights_;
+  std::vector<double> cumulative_; ///< W, up to and including each light
+  std::vector<Power> powers_;
+  std::int64_t quantaPerWalk_ = 1;
+  Box boundsInAir_;
+};
+
+}
+
+#endif

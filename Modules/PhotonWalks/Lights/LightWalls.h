@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_LightWalls_h
+#define irradiance_LightWalls_h
+
+#include "Surfaces/ObjectSides.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// A wall in whose plane a point lies.
+struct Wall
+{
+  Vector3 normal;   ///< unit vector to the side where light can be
+  double distance;  ///< from the plane to the point, along the normal
+  double clearance; ///< distance from the plane at which light starts, as in SurfacePoint
+};
+
+/// The walls in whose plane the point sources of a frame lie, except walls that let them shine to
+/// both sides.
+class LightWalls
+{
+public:
+  /// No walls.
+  LightWalls() = default;
+  LightWalls(const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint);
+
+  /// The walls at a point source of an object.
+  std::vector<Wall> at(std::uint32_t object, std::size_t source) const
+  {
+    return walls_.empty() ? std::vector<Wall>() : walls_[object][source];
+  }
+
+private:
+  std::vector<std::vector<std::vector<Wall>>> walls_; ///< by object and source
+};
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PointLight_h
+#define irradiance_PointLight_h
+
+#include "Geometry/Ray.h"
+#include "Lights/LightWalls.h"
+
+#include <array>
+#include <vector>
+
+namespace irradiance
+{
+
+/// An isotropic point light, in world space. In the plane of walls it shines to their open side
+/// alone: what would go behind a wall is mirrored at it.
+class PointLight
+{
+public:
+  /// Throws std::runtime_error if the walls leave no side open.
+  PointLight(const Vector3& position, const std::vector<Wall>& walls);
+
+  Box bounds() const { return { position_, position_ }; }
+  /// The ray that leaves in the direction that a point of the unit square chooses.
+  Ray leaving(const std::array<double, 2>& u) const;
+
+  friend bool operator==(const PointLight& a, const PointLight& b)
+  {
+    return a.position_ == b.position_ && a.openSides_ == b.openSides_;
+  }
+
+private:
+  Vector3 position_;               ///< clear of the walls
+  std::vector<Vector3> openSides_; ///< the normals of the walls, to the side that is lit
+};
+
+}
+
+#endif

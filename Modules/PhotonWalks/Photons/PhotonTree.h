@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PhotonTree_h
+#define irradiance_PhotonTree_h
+
+#include "Photons/PhotonPack.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The photons of one leaf of a triangle tree, in a kd-tree of their own whose ends are packs. A
+ * leaf may hold a million. A full pack is cut in two; all is built again when the packs have become
+ * too empty, or the planes too many in a row. The photons are a set: how they are cut depends on
+ * what came and went before, what a search finds does not.
+ */
+class PhotonTree
+{
+public:
+  std::size_t size() const { return size_; }
+  /// In any order.
+  std::vector<LeafPhoton> photons() const;
+  std::size_t bytes() const
+  {
+    return nodes_.capacity() * sizeof(Node) + packs_.capacity() * sizeof(PhotonPack);
+  }
+
+  /// All photons leave; the memory stays.
+  void empty();
+  /// Photons leave, placed as they were when they arrived, then others arrive. False if one that is to
+  /// leave is not here.
+  bool change(const std::vector<LeafPhoton>& gone, const std::vector<LeafPhoton>& arrived);
+
+  /// Calls visit(pack) for all packs that may hold photons within some distance of a point, those
+  /// nearby first. squaredLimit() is that distance, squared, in the unit frame; it may shrink from
+  /// one pack to the next. Rounding errors are up to the caller: 2^-22 of the squares.
+  template <class Limit, class Visit>
+  void visitNear(const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const;
+
+private:
+  static constexpr int kDeepest = 64; ///< planes in a row
+  static constexpr std::size_t kNoPack = ~std::size_t{};
+
+  /// A plane with the nodes on its two sides; or an end with its packs, which are several only if all
+  /// photons were in one place, or they are few.
+  class Node
+  {
+  public:
+    Node() = default;
+    static Node inner(float plane, std::size_t axis, std::size_t left)
+    {
+      return { plane, left << 2 | axis };
+    }
+    static Node end(std::size_t firstPack, std::size_t packs)
+    {
+      return { static_cast<float>(packs), firstPack << 2 | kEnd };
+    }
+    bool isEnd() const { return (link_ & kEnd) == kEnd; }
+    std::size_t axis() const { return link_ & kEnd; }
+    float plane() const { return value_; }
+    /// The one behind it is the right one.
+    std::size_t left() const { return link_ >> 2; }
+    std::size_t firstPack() const { return link_ >> 2; }
+    std::size_t packs() const { return static_cast<std::size_t>(value_); }
+
+  private:
+    static constexpr std::uint32_t kEnd = 3;
+
+    Node(float value, std::size_t link)
+      : value_(value)
+      , link_(static_cast<std::uint32_t>(link))
+    {
+    }
+
+    float value_ = 0;
+    std::uint32_t link_ = kEnd;
+  };
+  using Photons = std::vector<LeafPhoton>;
+
+  /// A node, and the number of planes above it.
+  struct Place
+  {
+    std::size_t node = 0;
+    int depth = 0;
+  };
+
+  /// The end where a photon belongs, below a node where it belongs.
+  Place endOf(const LeafPhoton& photon, Place place) const;
+  /// The ends where photons belong. Calls prefetch(pack) for the first pack of each.
+  template <class Prefetch>
+  std::vector<Place> endsOf(const Photons& photons, const Prefetch& prefetch) const;
+  /// Returns the number of planes above the deepest.
+  int insert(const Photons& photons);
+  void insertAt(const Place& end, const LeafPhoton& photon);
+  bool remove(const Photons& photons);
+  bool removeAt(const Place& end, const LeafPhoton& photon);
+  Photons photonsExcept(const Photons& gone) const;
+  void addTo(Photons& photons, const Node& end) const;
+  bool isWasteful() const;
+  /// From nothing.
+  void build(Photons photons);
+  /// `spare`: a pack that is free to be used, or kNoPack.
+  void build(std::size_t node, Photons::iterator begin, Photons::iterator end, std::size_t& spare);
+  void makeEnd(
+    std::size_t node, Photons::const_iterator begin, std::size_t size, std::size_t& spare);
+
+  std::vector<Node> nodes_; ///< the root comes first
+  std::vector<PhotonPack> packs_;
+  std::size_t size_ = 0;
+};
+
+template <class Limit, class Visit>
+void PhotonTree::visitNear(
+  const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const
+{
+  if (size_ == 0)
+  {
+    return;
+  }
+  struct Pending
+  {
+    std::size_t node;
+    std::array<float, 3> outside; ///< how far the point lies outside of the node's cell
+
+    float squaredDistance() const
+    {
+      return outside[0] * outside[0] + outside[1] * outside[1] + outside[2] * outside[2];
+    }
+  };
+  std::array<Pending, kDeepest + 1> pending;
+  std::size_t count = 0;
+  pending[count++] = { 0, {} };
+  while (count > 0)
+  {
+    Pending at = pending[--count];
+    if (at.squaredDistance() > squaredLimit())
+    {
+      continue;
+    }
+    while (!nodes_[at.node].isEnd())
+    {
+      const Node& node = nodes_[at.node];
+      const float beyond = point[node.axis()] - node.plane();
+      const std::size_t isRight = beyond < 0 ? 0 : 1;
+      Pending& far = pending[count++] = at;
+      far.node = node.left() + 1 - isRight;
+      far.outside[node.axis()] = beyond;
+      at.node = node.left() + isRight;
+    }
+    const Node& end = nodes_[at.node];
+    for (std::size_t i = 0; i < end.packs(); ++i)
+    {
+      visit(packs_[end.firstPack() + i]);
+    }
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Emission_h
+#define irradiance_Emission_h
+
+#include "Geometry/Vector.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/// An isotropic point source of an object.
+struct PointSource
+{
+  Vector3 position;         ///< in the space of its object
+  std::vector<double> flux; ///< W, one per band
+  std::uint32_t cell = 0;   ///< of its object
+
+  friend bool operator==(const PointSource& a, const PointSource& b)
+  {
+    return a.position == b.position && a.flux == b.flux && a.cell == b.cell;
+  }
+};
+
+/// The light that an object itself gives off.
+struct Emission
+{
+  int bands = 1; ///< 1 or 3
+  /// W/m2 from the front, one value per cell and band, cell-major; empty: none.
+  std::vector<double> exitance;
+  std::vector<PointSource> points;
+
+  bool isEmpty() const { return exitance.empty() && points.empty(); }
+  /// Null for a cell of an object without exitance; else one value per band.
+  const double* exitanceOf(std::size_t cell) const
+  {
+    return exitance.empty() ? nullptr : &exitance[cell * static_cast<std::size_t>(bands)];
+  }
+  bool hasExitance(std::size_t cell) const
+  {
+    const double* const first = exitanceOf(cell);
+    return first && std::any_of(first, first + bands, [](double watts) { return watts > 0; });
+  }
+  /// Whether light of a cell starts walks: by its exitance, or from a point source of it.
+  bool emits(std::size_t cell) const
+  {
+    return hasExitance(cell) ||
+      std::any_of(points.begin(), points.end(),
+        [cell](const PointSource& source) { return source.cell == cell; });
+  }
+
+  friend bool operator==(const Emission& a, const Emission& b)
+  {
+    return a.bands == b.bands && a.exitance == b.exitance && a.points == b.points;
+  }
+};
+
+}
+
+#endif

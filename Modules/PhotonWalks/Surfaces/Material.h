@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Material_h
+#define irradiance_Material_h
+
+#include "Surfaces/PhongLobe.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/// How cells of an object reflect. Arrays hold one value per cell and band, cell-major.
+struct Material
+{
+  int bands = 1; ///< 1 or 3
+  std::size_t numberOfCells = 0;
+  std::vector<std::uint32_t> cellOfTriangle;
+  std::vector<double> reflectance; ///< diffuse, 0..1
+  /// 0..1; with the diffuse one at most 1. Empty: none. Set by setSpecular().
+  std::vector<double> specularReflectance;
+  /// Of each cell, see PhongLobe: >= 0, infinite for a mirror. Empty: none. Set by setSpecular().
+  std::vector<double> phongExponent;
+  /// The first cell of each input, if there are several.
+  std::vector<std::size_t> firstCellOfPart;
+
+  /// All arrays before it must be complete.
+  void setSpecular(std::vector<double> specular, std::vector<double> exponents);
+  bool isSpecular() const { return !specularReflectance.empty(); }
+  bool isSpecular(std::size_t cell) const
+  {
+    if (!isSpecular())
+    {
+      return false;
+    }
+    const auto first = specularReflectance.begin() +
+      static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(bands));
+    return std::any_of(first, first + bands, [](double rho) { return rho > 0; });
+  }
+  /// Only if isSpecular().
+  const PhongLobe& lobeOf(std::size_t cell) const { return lobes_[lobeOfCell_[cell]]; }
+  /// In one band, by cell: what is reflected in all.
+  const std::vector<double>& totalReflectance() const
+  {
+    return isSpecular() ? total_ : reflectance;
+  }
+
+  double reflectanceOf(std::uint32_t triangle, int band) const
+  {
+    return reflectance[cellOfTriangle[triangle] * static_cast<std::size_t>(bands) +
+      static_cast<std::size_t>(band)];
+  }
+
+  /// Only if isSpecular().
+  double specularOf(std::uint32_t triangle, int band) const
+  {
+    return specularReflectance[cellOfTriangle[triangle] * static_cast<std::size_t>(bands) +
+      static_cast<std::size_t>(band)];
+  }
+
+  std::uint32_t partOfCell(std::size_t cell) const
+  {
+    return static_cast<std::uint32_t>(
+      std::upper_bound(firstCellOfPart.begin(), firstCellOfPart.end(), cell) -
+      firstCellOfPart.begin());
+  }
+
+  friend bool operator==(const Material& a, const Material& b)
+  {
+    return a.bands == b.bands && a.numberOfCells == b.numberOfCells &&
+      a.cellOfTriangle == b.cellOfTriangle && a.reflectance == b.reflectance &&
+      a.specularReflectance == b.specularReflectance && a.phongExponent == b.phongExponent &&
+      a.firstCellOfPart == b.firstCellOfPart;
+  }
+
+private:
+  std::vector<double> total_;
+  std::vector<PhongLobe> lobes_; ///< one for each exponent that occurs
+  std::vector<std::uint32_t> lobeOfCell_;
+};
+
+}
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surfaces/ObjectSides.h"
+
+namespace irradiance
+{
+
+SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint)
+{
+  const std::vector<Triangle>& triangles = object.body->mesh().triangles();
+  std::vector<bool> lamps;
+  std::vector<std::uint32_t> parts;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    lamps.push_back(object.isLamp(i));
+    parts.push_back(object.material->partOfCell(object.material->cellOfTriangle[i]));
+  }
+  return solidSides(triangles, parts, lamps, isStatic, cancelPoint);
+}
+
+const SolidSides& ObjectSides::of(
+  const SceneObjects& objects, std::uint32_t object, const CancelPoint& cancelPoint)
+{
+  known_.resize(objects.size());
+  Known& known = known_[object];
+  if (!isSameThing(known.object, objects[object]) || known.sides.of.empty())
+  {
+    known = { objects[object], solidSidesOf(objects[object], object == 0, cancelPoint) };
+  }
+  return known.sides;
+}
+
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ObjectSides_h
+#define irradiance_ObjectSides_h
+
+#include "Meshes/SolidSides.h"
+#include "Surfaces/SceneObjects.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// The solid sides of an object's triangles, in its own space. The static object may hold rooms.
+SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint);
+
+/// The solid sides of all objects. They are found when first asked for, and hold while an object's
+/// body, material and emission stay.
+class ObjectSides
+{
+public:
+  const SolidSides& of(
+    const SceneObjects& objects, std::uint32_t object, const CancelPoint& cancelPoint);
+
+private:
+  struct Known
+  {
+    SceneObject object; ///< as it was
+    SolidSides sides;
+  };
+
+  std::vector<Known> known_;
+};
+
+}
+
+#endif

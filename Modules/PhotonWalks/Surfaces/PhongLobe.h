@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PhongLobe_h
+#define irradiance_PhongLobe_h
+
+#include "Geometry/Vector.h"
+
+#include <array>
+#include <vector>
+
+namespace irradiance
+{
+
+/// The direction in which a mirror reflects light that flies in the direction `incoming`.
+inline Vector3 mirrored(const Vector3& normal, const Vector3& incoming)
+{
+  return incoming - 2 * incoming.dot(normal) * normal;
+}
+
+/// What chooses a direction of a PhongLobe: five numbers in (0, 1).
+struct LobeSample
+{
+  std::array<double, 2> lobe;
+  double acceptance;
+  std::array<double, 2> compensation;
+};
+
+/**
+ * Specular reflection around the mirror direction, for a specular reflectance of 1: a Phong lobe of
+ * cos^n, reciprocal and with an albedo of 1 at every angle of incidence, up to a perfect mirror.
+ *
+ * With the angle alpha between the outgoing and the mirror direction, and the cosines c of incoming
+ * and outgoing directions with the normal, the BRDF is
+ *
+ *   (n + 1) / (2 pi) cos^n(alpha) / max(c_in, c_out) + b(c_in) b(c_out) / (pi B).
+ *
+ * The first term is from Neumann, Neumann and Szirmay-Kalos, "Compact Metallic Reflectance
+ * Models" (Eurographics 1999). It loses b(c_in), in the main what falls below the horizon. The second
+ * term gives this back (Kulla and Conty, "Revisiting Physically Based Shading at Imageworks", 2017);
+ * B is the mean of b over all directions, weighted by their cosine. Documentation/Theory.md, 1.1.
+ */
+class PhongLobe
+{
+public:
+  /// `exponent` n >= 0; infinite for a mirror.
+  explicit PhongLobe(double exponent);
+
+  double exponent() const { return exponent_; }
+  bool isMirror() const { return losses_.empty(); }
+
+  /// The BRDF, per steradian. Unit vectors away from the surface; 0 if one is not on the side of the
+  /// unit normal. Not for mirrors.
+  double value(const Vector3& normal, const Vector3& toLight, const Vector3& toEye) const;
+
+  /// The direction in which light leaves that flies in the direction `incoming`: a unit vector
+  /// against the unit normal. Density: value() times the cosine of the direction, per steradian.
+  Vector3 sample(const Vector3& normal, const Vector3& incoming, const LobeSample& sample) const;
+
+  /// The part b of the light that the first term loses, for a cosine of incidence > 0.
+  double loss(double cosine) const;
+  /// B, the mean of the loss.
+  double meanLoss() const { return sums_.back(); }
+
+private:
+  /// Nodes of the loss, closer together where it is larger.
+  std::size_t nodeBelow(double square) const;
+  Vector3 compensate(const Vector3& normal, const std::array<double, 2>& sample) const;
+
+  double exponent_;
+  // By node. The loss is linear in the square of the cosine between nodes.
+  std::vector<double> squares_; ///< of the cosine, from 0 to 1
+  std::vector<double> losses_;
+  std::vector<double> sums_; ///< the integral of the loss over the square, from 0; the last is B
+};
+
+}
+
+#endif

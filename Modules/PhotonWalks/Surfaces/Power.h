@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Power_h
+#define irradiance_Power_h
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// The integer nearest to `quanta`, which is at least 0 and below 2^52.
+inline std::int64_t nearestQuanta(double quanta)
+{
+  const double halfMore = quanta + 0.5;
+  return static_cast<std::int64_t>(halfMore);
+}
+
+/// Radiant power in whole quanta, so that sums are exact in any order and can be undone. A walk
+/// starts with LightTable::quantaPerWalk() of them. One or three bands; the unused ones are 0.
+struct Power
+{
+  static constexpr int kMaxBands = 3;
+
+  std::array<std::int64_t, kMaxBands> quanta{};
+
+  std::int64_t& operator[](int band) { return quanta[static_cast<std::size_t>(band)]; }
+  std::int64_t operator[](int band) const { return quanta[static_cast<std::size_t>(band)]; }
+
+  std::int64_t largest() const { return *std::max_element(quanta.begin(), quanta.end()); }
+  /// In all bands.
+  double total() const { return static_cast<double>(quanta[0] + quanta[1] + quanta[2]); }
+  bool isZero() const { return quanta == decltype(quanta){}; }
+
+  Power& operator+=(const Power& other)
+  {
+    for (int band = 0; band < kMaxBands; ++band)
+    {
+      (*this)[band] += other[band];
+    }
+    return *this;
+  }
+  Power& operator-=(const Power& other)
+  {
+    for (int band = 0; band < kMaxBands; ++band)
+    {
+      (*this)[band] -= other[band];
+    }
+    return *this;
+  }
+  friend Power operator*(std::int64_t times, Power power)
+  {
+    for (std::int64_t& quanta : power.quanta)
+    {
+      quanta *= times;
+    }
+    return power;
+  }
+  friend Power operator-(Power a, const Power& b) { return a -= b; }
+  friend bool operator==(const Power& a, const Power& b) { return a.quanta == b.quanta; }
+};
+
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_SceneCells_h
+#define irradiance_SceneCells_h
+
+#include "Surfaces/SceneCell.h"
+#include "Surfaces/SceneObjects.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// Numbers the cells of all objects, object by object.
+class CellNumbers
+{
+public:
+  CellNumbers() = default;
+  explicit CellNumbers(const SceneObjects& objects)
+  {
+    for (std::uint32_t object = 0; object < objects.size(); ++object)
+    {
+      ends_.push_back(ends_.back() + objects[object].material->numberOfCells);
+    }
+  }
+
+  std::uint32_t numberOfObjects() const { return static_cast<std::uint32_t>(ends_.size() - 1); }
+  /// Of all objects.
+  std::size_t size() const { return ends_.back(); }
+  std::size_t sizeOf(std::uint32_t object) const { return ends_[object + 1] - ends_[object]; }
+  std::size_t operator[](const SceneCell& cell) const { return ends_[cell.object] + cell.cell; }
+  /// Calls visit(SceneCell) for each cell, in order.
+  template <class Visit>
+  void forEach(const Visit& visit) const
+  {
+    for (std::uint32_t object = 0; object < numberOfObjects(); ++object)
+    {
+      for (std::size_t cell = 0; cell < sizeOf(object); ++cell)
+      {
+        visit(SceneCell{ object, cell });
+      }
+    }
+  }
+
+private:
+  std::vector<std::size_t> ends_ = { 0 }; ///< of no object, and of each
+};
+
+/// The cells of the scene and their areas in a frame.
+class SceneCells
+{
+public:
+  /// Measures what differs from the last frame.
+  void update(const SceneObjects& objects, const CancelPoint& cancelPoint);
+
+  const CellNumbers& numbers() const { return numbers_; }
+  /// World area, m2; 0 if the object is not there.
+  double area(const SceneCell& cell) const { return areas_[cell.object][cell.cell]; }
+
+private:
+  SceneObjects objects_; ///< as measured
+  CellNumbers numbers_;
+  std::vector<std::vector<double>> areas_; ///< by object
+};
+
+}
+
+#endif

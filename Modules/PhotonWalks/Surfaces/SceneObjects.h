@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_SceneObjects_h
+#define irradiance_SceneObjects_h
+
+#include "Scene/PlacedBody.h"
+#include "Surfaces/Emission.h"
+#include "Surfaces/Material.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Geometry, pose, material and emission of one object of the scene.
+struct SceneObject : PlacedBody
+{
+  std::shared_ptr<const Material> material;
+  std::shared_ptr<const Emission> emission; ///< null: none
+
+  bool emits() const { return emission && !emission->isEmpty(); }
+  /// W/m2 by band; null if the object has no exitance.
+  const double* exitanceOf(std::size_t cell) const
+  {
+    return emission ? emission->exitanceOf(cell) : nullptr;
+  }
+  bool hasExitance(std::size_t cell) const { return emission && emission->hasExitance(cell); }
+  /// Whether a triangle belongs to a cell with exitance.
+  bool isLamp(std::uint32_t triangle) const
+  {
+    return hasExitance(material->cellOfTriangle[triangle]);
+  }
+};
+
+/// The whole input of a frame. Object 0 is the static one, object i + 1 is dynamicObjects[i].
+struct SceneObjects
+{
+  SceneObject staticObject; ///< its pose is the identity
+  std::vector<SceneObject> dynamicObjects;
+
+  const SceneObject& operator[](std::uint32_t object) const
+  {
+    return object == 0 ? staticObject : dynamicObjects[object - 1];
+  }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(dynamicObjects.size() + 1); }
+  /// The dynamic objects as the ray casting sees them.
+  std::vector<PlacedBody> dynamicBodies() const
+  {
+    return { dynamicObjects.begin(), dynamicObjects.end() };
+  }
+};
+
+/**
+ * Flattens the dynamic objects of few triangles if there are many of them, and instances all others.
+ * Then one tree over single moving triangles (section 2.2 of the paper), rebuilt in each frame, is
+ * faster than a tree for each object; Documentation/Performance.md has the measurements. Results do
+ * not depend on it.
+ */
+void flattenManySmall(SceneObjects& objects);
+
+/// Whether an object has come or gone, or has another pose or other points.
+bool hasMoved(const SceneObject& now, const SceneObject& before);
+
+/// Whether two frames of an object have the same body and the same cells, which reflect and emit alike.
+bool isSameThing(const SceneObject& now, const SceneObject& before);
+
+/// World area of every cell, m2; 0 if the object is not there.
+std::vector<double> cellAreas(const SceneObject& object, const CancelPoint& cancelPoint = {});
+
+}
+
+#endif

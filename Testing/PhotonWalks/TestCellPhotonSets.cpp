@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EngineRun.h"
+#include "HistoryPhotons.h"
+#include "MovingScene.h"
+#include "Photons/CellPhotonSets.h"
+#include "ThreadExecution.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::MovingScene;
+
+/// A moving scene in which every third cell is specular, each in one band alone. The third object
+/// has no specular cell.
+class PartlyGlossyScene
+{
+public:
+  explicit PartlyGlossyScene(unsigned seed)
+    : scene_(3, false, seed, true)
+  {
+    for (std::uint32_t object = 0; object < scene_.objects().size(); ++object)
+    {
+      materials_.push_back(partlyGlossy(*scene_.objects()[object].material, object != 2));
+    }
+  }
+
+  SceneObjects objects() const
+  {
+    SceneObjects objects = scene_.objects();
+    objects.staticObject.material = materials_[0];
+    for (std::size_t i = 0; i < objects.dynamicObjects.size(); ++i)
+    {
+      objects.dynamicObjects[i].material = materials_[i + 1];
+    }
+    return objects;
+  }
+  void nextFrame() { scene_.nextFrame(); }
+
+private:
+  static std::shared_ptr<const Material> partlyGlossy(Material material, bool hasGloss)
+  {
+    std::vector<double> specular = material.specularReflectance;
+    for (std::size_t i = 0; i < specular.size(); ++i)
+    {
+      const std::size_t cell = i / 3, band = i % 3;
+      specular[i] = cell % 3 == 0 && band == cell / 3 % 3 ? specular[i] : 0.0;
+    }
+    if (hasGloss)
+    {
+      material.setSpecular(specular, material.phongExponent);
+    }
+    else
+    {
+      material.specularReflectance.clear();
+      material.phongExponent.clear();
+    }
+    return std::make_shared<const Material>(std::move(material));
+  }
+
+  MovingScene scene_;
+  std::vector<std::shared_ptr<const Material>> materials_;
+};
+
+EngineSettings settingsOf(std::uint32_t walks)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = walks;
+  return settings;
+}
+
+/// The photons on each cell, looked for one by one.
+using Lists = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<SegmentRef>>;
+
+Lists listsOf(const std::vector<Photon>& photons, const SceneObjects& objects)
+{
+  Lists lists;
+  for (const Photon& photon : photons)
+  {
+    const Material& material = *objects[photon.id.object].material;
+    lists[{ photon.id.object, material.cellOfTriangle[photon.id.triangle] }].push_back(
+      photon.reference);
+  }
+  return lists;
+}
+
+void expectEqual(const CellPhotonSets& sets, const Lists& lists, const SceneObjects& objects)
+{
+  std::size_t photons = 0;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
+    {
+      const auto found = lists.find({ object, cell });
+      const bool hasPhotons = found != lists.end() && objects[object].material->isSpecular(cell);
+      const std::vector<SegmentRef> expected =
+        hasPhotons ? found->second : std::vector<SegmentRef>();
+      ASSERT_EQ(sets.sorted({ object, cell }), expected) << object << ", " << cell;
+      ASSERT_EQ(sets.size({ object, cell }), expected.size());
+      photons += expected.size();
+    }
+  }
+  ASSERT_GT(photons, 0u);
+}
+
+}
+
+TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
+{
+  PartlyGlossyScene scene(71);
+  const EngineSettings settings = settingsOf(5000);
+  Execution serial;
+  test::ThreadExecution threads(3);
+  IrradianceEngine engine;
+  engine.update(scene.objects(), settings, serial);
+  CellPhotonSets updated(scene.objects());
+  updated.add(engine.history(), 0, engine.history().size(), threads);
+  std::vector<Photon> photons = test::photonsOf(engine.history());
+  std::size_t changed = 0;
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    scene.nextFrame();
+    const SceneObjects objects = scene.objects();
+    engine.update(objects, settings, serial);
+    const std::vector<Photon> now = test::photonsOf(engine.history());
+    const PhotonChanges changes = test::changesBetween(photons, now);
+    changed += changes.gone.size() + changes.arrived.size();
+    updated.apply(changes, threads);
+    photons = now;
+    const Lists lists = listsOf(photons, objects);
+    ASSERT_NO_FATAL_FAILURE(expectEqual(updated, lists, objects)) << "frame " << frame;
+    CellPhotonSets fresh(objects);
+    fresh.add(engine.history(), 0, engine.history().size(), serial);
+    ASSERT_NO_FATAL_FAILURE(expectEqual(fresh, lists, objects)) << "frame " << frame;
+  }
+  EXPECT_GT(changed, photons.size());
+}
+
+// What the engine does with rounds of walks that a target does not need.
+TEST(CellPhotonSets, BlocksComeAndGo)
+{
+  const PartlyGlossyScene scene(72);
+  const SceneObjects objects = scene.objects();
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settingsOf(40000), serial); // more blocks than one unit of work
+  const std::size_t blocks = engine.history().size(), kept = 18;
+  std::vector<Photon> first;
+  for (const Photon& photon : test::photonsOf(engine.history()))
+  {
+    if (photon.reference.walk < engine.plan().firstWalkOf(kept))
+    {
+      first.push_back(photon);
+    }
+  }
+  CellPhotonSets sets(objects);
+  test::BackwardExecution backward;
+  sets.add(engine.history(), kept, blocks, backward);
+  sets.add(engine.history(), 0, kept, backward);
+  ASSERT_NO_FATAL_FAILURE(
+    expectEqual(sets, listsOf(test::photonsOf(engine.history()), objects), objects));
+  sets.apply(test::changesBetween(test::photonsOf(engine.history()), first), backward);
+  ASSERT_NO_FATAL_FAILURE(expectEqual(sets, listsOf(first, objects), objects));
+}
+
+TEST(CellPhotonSets, OnlySpecularCellsArePaidFor)
+{
+  const MovingScene matte(1, true, 73);
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(matte.objects(), settingsOf(5000), serial);
+  CellPhotonSets nothing(matte.objects());
+  nothing.add(engine.history(), 0, engine.history().size(), serial);
+  EXPECT_TRUE(nothing.isEmpty());
+  // Even of the objects, nothing but that they have none.
+  EXPECT_LE(nothing.bytes(), sizeof(nothing) + 64 * matte.objects().size());
+
+  const SceneObjects objects = PartlyGlossyScene(73).objects();
+  engine.update(objects, settingsOf(40000), serial);
+  CellPhotonSets sets(objects);
+  sets.add(engine.history(), 0, engine.history().size(), serial);
+  std::size_t cells = 0, specular = 0, photons = 0;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
+    {
+      ++cells;
+      specular += objects[object].material->isSpecular(cell) ? 1 : 0;
+      photons += sets.size({ object, cell });
+    }
+  }
+  const double perPhoton = double(sets.bytes()) / double(photons);
+  std::printf(
+    "%zu photons on %zu of %zu cells: %.1f bytes a photon\n", photons, specular, cells, perPhoton);
+  EXPECT_LE(sets.bytes(), 16 * photons + 64 * specular + 4 * cells + 1000);
+}
+
+TEST(CellPhotonSets, WorkCanBeInterrupted)
+{
+  const SceneObjects objects = PartlyGlossyScene(74).objects();
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settingsOf(5000), serial);
+  for (int sign = 0; sign < 2; ++sign)
+  {
+    CellPhotonSets sets(objects);
+    test::StoppingExecution stopping(sign);
+    EXPECT_THROW(sets.add(engine.history(), 0, engine.history().size(), stopping), Interrupted);
+  }
+}
+
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shooting/WalkSampler.h"
+
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::grey;
+using test::ObjectBuilder;
+
+SceneObjects onlyStatic(const ObjectBuilder& builder)
+{
+  return { builder.build(), {} };
+}
+
+struct Starts
+{
+  std::vector<Ray> rays;
+  std::vector<Power> powers;
+
+  Starts(const SceneObjects& objects, const LightTable& table, std::uint32_t walks,
+    std::uint64_t seed = 1)
+    : rays(walks)
+  {
+    const SobolSequence samples(seed);
+    const WalkSampler sampler(objects, table, samples);
+    std::vector<std::uint32_t> numbers(walks);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    sampler.start(numbers.data(), walks, rays.data());
+    for (const std::uint32_t walk : numbers)
+    {
+      powers.push_back(sampler.powerOf(walk));
+    }
+  }
+
+  Power total() const
+  {
+    Power sum;
+    for (const Power& power : powers)
+    {
+      sum += power;
+    }
+    return sum;
+  }
+};
+
+}
+
+TEST(LightTable, EveryWalkOfOneBandStartsWithTheSameQuanta)
+{
+  for (const double flux : { 1.0, 10000.0, 0.1, M_PI, 3e-20, 7e25 })
+  {
+    ObjectBuilder builder;
+    builder.addPointLight({ 1, 2, 3 }, flux);
+    builder.addPointLight({ 4, 2, 3 }, 0.3 * flux);
+    for (const std::uint32_t walks : { 1u, 7u, 1000u, 12345u })
+    {
+      const LightTable table(onlyStatic(builder), walks);
+      EXPECT_EQ(table.flux(), flux + 0.3 * flux);
+      EXPECT_EQ(Starts(onlyStatic(builder), table, walks).total(),
+        (Power{ { walks * table.quantaPerWalk(), 0, 0 } }));
+    }
+  }
+}
+
+TEST(LightTable, QuantaAreAPowerOfTwoAndLeaveRoomForSums)
+{
+  ObjectBuilder builder;
+  builder.addPointLight({ 0, 0, 0 }, 1);
+  for (const std::uint32_t walks : { 1u, 2u, 3u, 1000000u, 0xffffffffu })
+  {
+    const std::int64_t quanta = LightTable(onlyStatic(builder), walks).quantaPerWalk();
+    EXPECT_EQ(quanta & (quanta - 1), 0) << walks;
+    EXPECT_GT(2.0 * static_cast<double>(quanta) * walks, 0x1p46) << walks;
+    EXPECT_LE(static_cast<double>(quanta) * walks, 0x1p46) << walks;
+  }
+}
+
+// Fluxes 1, 2, 5 of 8 W and 2^13 walks: the samples are stratified, so the counts are exact.
+TEST(LightTable, LightsAreChosenInProportionToFlux)
+{
+  ObjectBuilder builder;
+  for (const double flux : { 1.0, 0.0, 2.0, 5.0 })
+  {
+    builder.addPointLight({ flux, 0, 0 }, flux);
+  }
+  const SceneObjects objects = onlyStatic(builder);
+  const LightTable table(objects, 8192);
+  ASSERT_EQ(table.lights().size(), 3u);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    std::array<int, 6> counts{};
+    for (const Ray& ray : Starts(objects, table, 8192, seed).rays)
+    {
+      ++counts[static_cast<std::size_t>(ray.origin[0])];
+    }
+    EXPECT_EQ(counts, (std::array<int, 6>{ 0, 1024, 2048, 0, 0, 5120 })) << "seed " << seed;
+  }
+}
+
+TEST(LightTable, CellsEmitFromTheirFrontInTheirColour)
+{
+  ObjectBuilder builder(3);
+  builder.addQuad({ 1, 1, 2 }, { 0, 2, 0 }, { 3, 0, 0 }, 2, 2, { {}, { 4, 2, 1 } }); // looks down
+  builder.addQuad({ 1, 1, 5 }, { 3, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
+  const SceneObjects objects{ test::nothing(3), { builder.build(test::shift({ 10, 0, 0 })) } };
+  const LightTable table(objects, 1000);
+  ASSERT_EQ(table.lights().size(), 8u);
+  const Starts starts(objects, table, 1000, 3);
+  for (const Ray& ray : starts.rays)
+  {
+    ASSERT_LT(ray.direction[2], 0);
+    ASSERT_LT(ray.origin[2], 2);
+    ASSERT_NEAR(ray.origin[2], 2, 1e-8);
+    ASSERT_TRUE(ray.origin[0] > 11 && ray.origin[0] < 14);
+    ASSERT_EQ(ray.start.object, 1u);
+  }
+  for (const Power& power : starts.powers)
+  {
+    ASSERT_NEAR(double(power[0]) / double(power[2]), 4, 1e-6);
+    ASSERT_NEAR(double(power[1]) / double(power[2]), 2, 1e-6);
+  }
+  // 6 m2 of 4, 2, 1 W/m2; each band is rounded once.
+  EXPECT_EQ(table.flux(), 42);
+  const Power total = starts.total();
+  for (int band = 0; band < 3; ++band)
+  {
+    EXPECT_NEAR(double(total[band]) / double(1000 * table.quantaPerWalk()), (24 >> band) / 42.0,
+      0.5 / double(table.quantaPerWalk()));
+  }
+}
+
+TEST(LightTable, TablesAreEqualWhenTheyStartTheSameWalks)
+{
+  ObjectBuilder builder;
+  builder.addBox(test::box({ 0, 0, 0 }, { 1, 1, 1 }), 1, grey(0, 1));
+  const SceneObject lamp = builder.build();
+  const SceneObjects objects{ test::nothing(), { lamp } };
+  SceneObjects moved = objects;
+  moved.dynamicObjects[0].worldFromObject.translation[1] = 1e-9;
+  EXPECT_TRUE(LightTable(objects, 100) == LightTable(objects, 100));
+  EXPECT_FALSE(LightTable(objects, 100) == LightTable(objects, 200)) << "other quanta";
+  EXPECT_FALSE(LightTable(objects, 100) == LightTable(moved, 100));
+  EXPECT_TRUE(LightTable({ test::nothing(), {} }, 100).isEmpty());
+}
+
+}
