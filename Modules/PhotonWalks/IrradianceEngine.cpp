@@ -18,7 +18,7 @@ void IrradianceEngine::update(
   assert(conflictOf(settings, settings).empty());
   const FrameChange change = changeTo(objects, settings, execution);
   const bool isFresh = change.kind == FrameChange::Fresh;
-  const std::size_t blocks = history().size();
+  const std::size_t blocks = walks_.numberOfBlocks();
   isValid_ = false; // until the end is reached
   ++state_;
   adopt(objects, settings, change.kind, cancelPointOf(execution, 0));
@@ -30,7 +30,7 @@ void IrradianceEngine::update(
   walks_.forgetBudget();
   statistics_ += walks_.statistics();
   // To count the bytes takes longer than all else where nothing has moved.
-  if (change.kind != FrameChange::Still || history().size() != blocks)
+  if (change.kind != FrameChange::Still || walks_.numberOfBlocks() != blocks)
   {
     statistics_.historyBytes = walks_.bytes();
   }
@@ -40,19 +40,22 @@ void IrradianceEngine::update(
 FrameChange IrradianceEngine::changeTo(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
-  const WalkPlan plan = WalkSet::planOf(settings);
-  const bool samePlan = plan == walks_.plan();
+  const WalkPlan plan = WalkSets::planOf(settings);
+  const bool samePlan = plan == WalkSets::planOf(settings_);
   // A wall that a point light touches may have moved.
-  bool sameLights = isValid_ && samePlan && areLightsUnchanged(objects, objects_) &&
-    walks_.lights().boundsInAir().isEmpty();
+  bool sameLights =
+    isValid_ && samePlan && areLightsUnchanged(objects, objects_) && walks_.boundsInAir().isEmpty();
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);
-    LightTable lights(
-      objects, plan.most(), LightWalls(objects, solidSides_, cancelPointOf(execution, 0)));
+    std::vector<WalkSource> sources =
+      sourcesOf(objects, plan, LightWalls(objects, solidSides_, cancelPointOf(execution, 0)));
     isValid_ = wasValid;
-    sameLights = isValid_ && lights == walks_.lights();
-    walks_.setSource(std::move(lights), plan);
+    sameLights = isValid_ && walks_.hasSources(sources);
+    if (!sameLights)
+    {
+      walks_.setSources(std::move(sources));
+    }
   }
   const bool replaces = hasReplaced(objects, objects_);
   if (!sameLights || !samePlan || !canRepair(objects, settings) || (replaces && walks_.hasStale()))
@@ -61,7 +64,7 @@ FrameChange IrradianceEngine::changeTo(
   }
   FrameChange change{ FrameChange::Still, findMoved(objects, objects_) };
   const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
-  if (replaces || change.hasMotion() || stale() || forgetsHits)
+  if (replaces || change.hasMotion() || walks_.staleSums() || forgetsHits)
   {
     change.kind = replaces ? FrameChange::Replace : FrameChange::Motion;
   }
@@ -106,7 +109,7 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   scene_.setTraversalMode(settings_.traversalMode);
   scene_.setStatic(objects_.staticObject.body);
   scene_.setDynamic(objects_.dynamicBodies());
-  scene_.setPointSources(walks_.lights().boundsInAir());
+  scene_.setPointSources(walks_.boundsInAir());
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   scene_.commit(moved, cancelPoint);
   contacts_.update(objects_, solidSides_, cancelPoint);
@@ -135,7 +138,7 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
   PhotonChanges changes;
   walks_.follow(change.moved, space(), photons_.isEmpty() ? nullptr : &changes, execution);
   const Stopwatch stopwatch;
-  photons_.apply(objects_, history(), changes, execution);
+  photons_.apply(objects_, walks_.histories(), changes, execution);
   estimator_->note(changes);
   statistics_.repairSeconds = stopwatch.seconds();
 }
@@ -159,7 +162,7 @@ void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
 
 void IrradianceEngine::reachTarget(Execution& execution)
 {
-  const std::vector<WalkRound>& plan = this->plan().rounds();
+  const std::vector<WalkRound>& plan = walks_.plan().rounds();
   double progress = 0;
   std::size_t rounds = 0;
   do
@@ -179,11 +182,11 @@ void IrradianceEngine::reachTarget(Execution& execution)
     estimate(rounds, still);
     reached_ = errorEstimate().relativeErrorOfMostArea(cells_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan.size());
-  if (history().size() > plan[rounds - 1].endBlock)
+  if (keepsPhotons() && sums().rounds() > rounds)
   {
     forgetPhotons();
   }
-  walks_.dropRounds(rounds, cancelPointOf(execution, progress));
+  walks_.dropRounds(rounds, objects_, cancelPointOf(execution, progress));
   if (!execution.reportProgress(1))
   {
     throw Interrupted();
@@ -192,8 +195,8 @@ void IrradianceEngine::reachTarget(Execution& execution)
 
 double IrradianceEngine::expectedWalks(std::size_t rounds) const
 {
-  const std::vector<WalkRound>& plan = this->plan().rounds();
-  const double most = this->plan().most(), next = plan[rounds].endWalk;
+  const std::vector<WalkRound>& plan = walks_.plan().rounds();
+  const double most = walks_.plan().most(), next = plan[rounds].endWalk;
   if (rounds == 0)
   {
     return most;

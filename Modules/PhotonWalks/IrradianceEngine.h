@@ -9,7 +9,7 @@
 #include "Repair/SceneChange.h"
 #include "Surfaces/Contacts.h"
 #include "Surfaces/SceneCells.h"
-#include "Walks/WalkSet.h"
+#include "Walks/WalkSets.h"
 
 #include <cassert>
 #include <memory>
@@ -39,7 +39,7 @@ struct EngineStatistics : WalkStatistics
  * comes may look different from before, if no walks are stale. All is shot again if lights, materials,
  * static geometry, seed or sides changed, or the number of objects, triangles, walks or replicates.
  *
- * With a time budget the repair may end early. Then stale() tells what is left, and further calls,
+ * With a time budget the repair may end early. Then stalePower() tells what is left, and further calls,
  * with or without motion, continue with it.
  */
 class IrradianceEngine
@@ -64,22 +64,21 @@ public:
   std::uint32_t numberOfWalks() const { return walks_.numberOfWalks(); }
   /// See ErrorEstimate::relativeErrorOfMostArea; 0 without a target, NaN while walks are stale.
   double reachedRelativeError() const { return reached_; }
-  const StaleWalks* stale() const { return walks_.stale(); }
-  const std::vector<SegmentRef>& repaired() const { return walks_.repaired(); }
+  /// Quanta that the walks carry which the budget left unrepaired.
+  Power stalePower() const { return walks_.stalePower(); }
   /// The part of irradiance() that rests on stale walks.
   double staleIrradiance(const CellSide& cell, int band) const
   {
     return estimator_->staleIrradiance(cell, band);
   }
   /// StaleWalks::gainBound() in watts.
-  double staleGainBound(int band) const { return stale() ? watts(stale()->gainBound(band)) : 0.0; }
+  double staleGainBound(int band) const { return watts(walks_.staleGainBound(band)); }
   bool hasLights() const { return !walks_.isEmpty(); }
   const PowerBalance& balance() const { return walks_.balance(); }
   const EngineStatistics& statistics() const { return statistics_; }
   const CellSums& sums() const { return walks_.sums(); }
-  /// Empty unless something may move, or photons are kept.
-  const WalkHistory& history() const { return walks_.history(); }
-  const WalkPlan& plan() const { return walks_.plan(); }
+  /// Their histories are empty unless something may move, or photons are kept.
+  const WalkSets& walks() const { return walks_; }
 
   /// Differs after each update: what was derived from another state is out of date.
   std::uint64_t state() const { return state_; }
@@ -96,9 +95,7 @@ public:
   {
     return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
   }
-  SobolSequence samples() const { return walks_.samples(); }
-  /// `samples` must outlive it.
-  WalkTracer tracer(const SobolSequence& samples) const { return walks_.tracer(space(), samples); }
+  WalkSpace space() const { return { scene_, objects_, contacts_ }; }
   /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
   /// before; then updates keep it up to date. Throws Interrupted.
   template <class Store>
@@ -106,7 +103,7 @@ public:
   {
     assert(keepsPhotons());
     walks_.findSides(space(), execution);
-    photons_.collect<Store>(objects_, history(), execution);
+    photons_.collect<Store>(objects_, walks_.histories(), execution);
   }
   /// What was collected.
   template <class Store>
@@ -123,12 +120,11 @@ public:
   /// Until the next update. Needs leaf photons and surfaces.
   NearestPhotons nearestPhotons() const
   {
-    return { photons<LeafPhotons>(), surfaces_, objects_, history() };
+    return { photons<LeafPhotons>(), surfaces_, objects_, walks_.histories() };
   }
   const CellEstimator& estimator() const { return *estimator_; }
 
 private:
-  WalkSpace space() const { return { scene_, objects_, contacts_ }; }
   /// What is to be done for a frame. Takes over new lights and a new plan.
   FrameChange changeTo(
     const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
@@ -161,7 +157,7 @@ private:
   Scene scene_;
   ObjectSides solidSides_;
   Contacts contacts_; ///< of this frame
-  WalkSet walks_;
+  WalkSets walks_;
   PhotonStores photons_;
   Surfaces surfaces_;                        ///< empty until they are prepared
   std::unique_ptr<CellEstimator> estimator_; ///< null before the first update

@@ -15,21 +15,14 @@ constexpr double kNoTime = 1e-9; ///< s; a budget that is over when it begins
 inline std::size_t numberOfStale(const IrradianceEngine& engine)
 {
   std::size_t count = 0;
-  for (std::size_t block = 0; engine.stale() && block < engine.stale()->numberOfBlocks(); ++block)
+  for (const WalkSet& set : engine.walks().sets())
   {
-    count += engine.stale()->marks(block).size();
+    for (std::size_t block = 0; set.stale() && block < set.stale()->numberOfBlocks(); ++block)
+    {
+      count += set.stale()->marks(block).size();
+    }
   }
   return count;
-}
-
-inline Power stalePower(const IrradianceEngine& engine)
-{
-  return engine.stale() ? engine.stale()->power() : Power{};
-}
-
-inline double gainBound(const IrradianceEngine& engine, int band)
-{
-  return engine.stale() ? engine.stale()->gainBound(band) : 0;
 }
 
 inline void expectBalance(const IrradianceEngine& engine)

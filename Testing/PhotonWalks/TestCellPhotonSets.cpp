@@ -2,6 +2,7 @@
 #include "EngineRun.h"
 #include "HistoryPhotons.h"
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "Photons/CellPhotonSets.h"
 #include "ThreadExecution.h"
 
@@ -120,15 +121,15 @@ TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
   IrradianceEngine engine;
   engine.update(scene.objects(), settings, serial);
   CellPhotonSets updated(scene.objects());
-  updated.add(engine.history(), 0, engine.history().size(), threads);
-  std::vector<Photon> photons = test::photonsOf(engine.history());
+  updated.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), threads);
+  std::vector<Photon> photons = test::photonsOf(test::onlySet(engine).history());
   std::size_t changed = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
     scene.nextFrame();
     const SceneObjects objects = scene.objects();
     engine.update(objects, settings, serial);
-    const std::vector<Photon> now = test::photonsOf(engine.history());
+    const std::vector<Photon> now = test::photonsOf(test::onlySet(engine).history());
     const PhotonChanges changes = test::changesBetween(photons, now);
     changed += changes.gone.size() + changes.arrived.size();
     updated.apply(changes, threads);
@@ -136,7 +137,7 @@ TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
     const Lists lists = listsOf(photons, objects);
     ASSERT_NO_FATAL_FAILURE(expectEqual(updated, lists, objects)) << "frame " << frame;
     CellPhotonSets fresh(objects);
-    fresh.add(engine.history(), 0, engine.history().size(), serial);
+    fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), serial);
     ASSERT_NO_FATAL_FAILURE(expectEqual(fresh, lists, objects)) << "frame " << frame;
   }
   EXPECT_GT(changed, photons.size());
@@ -150,22 +151,23 @@ TEST(CellPhotonSets, BlocksComeAndGo)
   IrradianceEngine engine;
   Execution serial;
   engine.update(objects, settingsOf(40000), serial); // more blocks than one unit of work
-  const std::size_t blocks = engine.history().size(), kept = 18;
+  const std::size_t blocks = test::onlySet(engine).history().size(), kept = 18;
   std::vector<Photon> first;
-  for (const Photon& photon : test::photonsOf(engine.history()))
+  for (const Photon& photon : test::photonsOf(test::onlySet(engine).history()))
   {
-    if (photon.reference.walk < engine.plan().firstWalkOf(kept))
+    if (photon.reference.walk < test::onlySet(engine).plan().firstWalkOf(kept))
     {
       first.push_back(photon);
     }
   }
   CellPhotonSets sets(objects);
   test::BackwardExecution backward;
-  sets.add(engine.history(), kept, blocks, backward);
-  sets.add(engine.history(), 0, kept, backward);
+  sets.add(test::onlySet(engine).history(), kept, blocks, backward);
+  sets.add(test::onlySet(engine).history(), 0, kept, backward);
   ASSERT_NO_FATAL_FAILURE(
-    expectEqual(sets, listsOf(test::photonsOf(engine.history()), objects), objects));
-  sets.apply(test::changesBetween(test::photonsOf(engine.history()), first), backward);
+    expectEqual(sets, listsOf(test::photonsOf(test::onlySet(engine).history()), objects), objects));
+  sets.apply(
+    test::changesBetween(test::photonsOf(test::onlySet(engine).history()), first), backward);
   ASSERT_NO_FATAL_FAILURE(expectEqual(sets, listsOf(first, objects), objects));
 }
 
@@ -176,7 +178,7 @@ TEST(CellPhotonSets, OnlySpecularCellsArePaidFor)
   Execution serial;
   engine.update(matte.objects(), settingsOf(5000), serial);
   CellPhotonSets nothing(matte.objects());
-  nothing.add(engine.history(), 0, engine.history().size(), serial);
+  nothing.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), serial);
   EXPECT_TRUE(nothing.isEmpty());
   // Even of the objects, nothing but that they have none.
   EXPECT_LE(nothing.bytes(), sizeof(nothing) + 64 * matte.objects().size());
@@ -184,7 +186,7 @@ TEST(CellPhotonSets, OnlySpecularCellsArePaidFor)
   const SceneObjects objects = PartlyGlossyScene(73).objects();
   engine.update(objects, settingsOf(40000), serial);
   CellPhotonSets sets(objects);
-  sets.add(engine.history(), 0, engine.history().size(), serial);
+  sets.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), serial);
   std::size_t cells = 0, specular = 0, photons = 0;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
@@ -211,7 +213,9 @@ TEST(CellPhotonSets, WorkCanBeInterrupted)
   {
     CellPhotonSets sets(objects);
     test::StoppingExecution stopping(sign);
-    EXPECT_THROW(sets.add(engine.history(), 0, engine.history().size(), stopping), Interrupted);
+    EXPECT_THROW(sets.add(test::onlySet(engine).history(), 0,
+                   test::onlySet(engine).history().size(), stopping),
+      Interrupted);
   }
 }
 

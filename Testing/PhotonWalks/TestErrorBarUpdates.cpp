@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "ShownAnswer.h"
 #include "ThreadExecution.h"
 #include "TickingExecution.h"
@@ -159,7 +160,7 @@ TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
   {
     const SceneObjects& objects = room.at(height);
     engine.update(objects, settings, clock);
-    for (; engine.stale() && !engine.stale()->isEmpty(); ++waits)
+    for (; test::onlySet(engine).stale() && !test::onlySet(engine).stale()->isEmpty(); ++waits)
     {
       ASSERT_TRUE(std::isnan(engine.reachedRelativeError()));
       ASSERT_EQ(engine.numberOfWalks(), before);

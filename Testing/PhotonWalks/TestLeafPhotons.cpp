@@ -2,6 +2,7 @@
 #include "EngineRun.h"
 #include "HistoryPhotons.h"
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "Photons/LeafPhotons.h"
 #include "ThreadExecution.h"
 
@@ -70,18 +71,18 @@ void updateWhileThingsMove(int bands, bool isClosed, unsigned seed, Execution& e
   const EngineSettings settings = settingsFor(test::scaled(4000));
   engine.update(scene.objects(), settings, execution);
   const std::uint32_t objects = scene.objects().size();
-  LeafPhotons leaves = filled(scene.objects(), engine.history(), execution);
-  std::vector<Photon> before = test::photonsOf(engine.history());
+  LeafPhotons leaves = filled(scene.objects(), test::onlySet(engine).history(), execution);
+  std::vector<Photon> before = test::photonsOf(test::onlySet(engine).history());
   for (int frame = 0; frame < kFrames; ++frame)
   {
     scene.nextFrame();
     engine.update(scene.objects(), settings, execution);
-    std::vector<Photon> after = test::photonsOf(engine.history());
+    std::vector<Photon> after = test::photonsOf(test::onlySet(engine).history());
     PhotonChanges changes = test::changesBetween(before, after);
     // In any order.
     std::reverse(changes.gone.begin(), changes.gone.end());
-    leaves.apply(scene.objects(), engine.history(), changes, execution);
-    const LeafPhotons anew = filled(scene.objects(), engine.history(), execution);
+    leaves.apply(scene.objects(), test::onlySet(engine).history(), changes, execution);
+    const LeafPhotons anew = filled(scene.objects(), test::onlySet(engine).history(), execution);
     ASSERT_EQ(contentsOf(leaves, objects), contentsOf(anew, objects)) << "frame " << frame;
     before = std::move(after);
   }
@@ -104,7 +105,7 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(4000), execution);
-  const LeafPhotons leaves = filled(objects, engine.history(), execution);
+  const LeafPhotons leaves = filled(objects, test::onlySet(engine).history(), execution);
   std::set<SegmentRef> found;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
@@ -115,10 +116,10 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
       for (const LeafPhoton& photon : leaves.leaf(object, leaf).photons())
       {
         isEmpty = false;
-        const Hit stored = engine.history().hit(photon.reference());
+        const Hit stored = test::onlySet(engine).history().hit(photon.reference());
         EXPECT_TRUE(found.insert(photon.reference()).second);
         EXPECT_EQ(stored.id, (TriangleId{ object, photon.triangle }));
-        EXPECT_EQ(engine.history().isFront(photon.reference()), photon.isFront());
+        EXPECT_EQ(test::onlySet(engine).history().isFront(photon.reference()), photon.isFront());
         const TriangleMesh& mesh = objects[object].body->mesh();
         EXPECT_EQ(photon.position,
           unitPoint(tree.frame(), modelPoint(mesh, stored.id.triangle, stored.weights)));
@@ -139,7 +140,7 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
     }
     EXPECT_EQ(leaves.isEmpty(object), isEmpty);
   }
-  EXPECT_EQ(found.size(), test::photonsOf(engine.history()).size());
+  EXPECT_EQ(found.size(), test::photonsOf(test::onlySet(engine).history()).size());
   EXPECT_GT(found.size(), 4000u);
 }
 
@@ -154,8 +155,8 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(3000), execution);
-  LeafPhotons leaves = filled(objects, engine.history(), execution);
-  const auto before = test::photonsOf(engine.history());
+  LeafPhotons leaves = filled(objects, test::onlySet(engine).history(), execution);
+  const auto before = test::photonsOf(test::onlySet(engine).history());
   const auto ordersOf = [&] {
     std::vector<std::vector<SegmentRef>> orders;
     for (std::uint32_t object = 0; object < 2; ++object)
@@ -174,8 +175,9 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   const auto old = ordersOf();
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.01;
   engine.update(objects, settingsFor(3000), execution);
-  const PhotonChanges changes = test::changesBetween(before, test::photonsOf(engine.history()));
-  leaves.apply(objects, engine.history(), changes, execution);
+  const PhotonChanges changes =
+    test::changesBetween(before, test::photonsOf(test::onlySet(engine).history()));
+  leaves.apply(objects, test::onlySet(engine).history(), changes, execution);
   std::set<SegmentRef> changed;
   for (const std::vector<Photon>* photons : { &changes.gone, &changes.arrived })
   {
@@ -205,7 +207,7 @@ TEST(LeafPhotons, BlocksComeAndGo)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(4000), execution);
-  const WalkHistory& history = engine.history();
+  const WalkHistory& history = test::onlySet(engine).history();
   ASSERT_EQ(history.size(), 4u);
   LeafPhotons leaves(objects), half(objects);
   half.add(history, 0, 2, execution);
@@ -215,8 +217,9 @@ TEST(LeafPhotons, BlocksComeAndGo)
     contentsOf(filled(objects, history, execution), objects.size()));
   const std::vector<Photon> all = test::photonsOf(history);
   std::vector<Photon> first;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(first),
-    [&](const Photon& photon) { return photon.reference.walk < engine.plan().firstWalkOf(2); });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(first), [&](const Photon& photon) {
+    return photon.reference.walk < test::onlySet(engine).plan().firstWalkOf(2);
+  });
   leaves.apply(objects, history, test::changesBetween(all, first), execution);
   EXPECT_EQ(contentsOf(leaves, objects.size()), contentsOf(half, objects.size()));
   leaves.apply(objects, history, { first, {} }, execution);
@@ -235,7 +238,9 @@ TEST(LeafPhotons, CanBeInterrupted)
   engine.update(scene.objects(), settingsFor(2000), execution);
   test::StoppingExecution stopping(0);
   LeafPhotons leaves(scene.objects());
-  EXPECT_THROW(leaves.add(engine.history(), 0, engine.history().size(), stopping), Interrupted);
+  EXPECT_THROW(leaves.add(test::onlySet(engine).history(), 0,
+                 test::onlySet(engine).history().size(), stopping),
+    Interrupted);
 }
 
 }

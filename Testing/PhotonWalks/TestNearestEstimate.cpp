@@ -4,6 +4,7 @@
 #include "LambertContour.h"
 #include "Meshes/TriangleInSphere.h"
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "Photons/NearestEstimate.h"
 
 #include <gtest/gtest.h>
@@ -36,9 +37,10 @@ struct Lit
     Execution execution;
     engine.update(objects, settings, execution);
     leaves = LeafPhotons(objects);
-    leaves.add(engine.history(), 0, engine.history().size(), execution);
+    leaves.add(
+      test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
     surfaces.update(objects);
-    photons.emplace(leaves, surfaces, objects, engine.history());
+    photons.emplace(leaves, surfaces, objects, test::onlySet(engine).history());
   }
 
   NearestEstimate estimate(

@@ -3,6 +3,7 @@
 #include "EngineRun.h"
 #include "HistoryPhotons.h"
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "Photons/NearestPhotons.h"
 #include "ShotWalk.h"
 
@@ -187,7 +188,7 @@ void expectNearest(const SceneObjects& objects, std::uint32_t walks, std::uint32
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(walks), execution);
-  const WalkHistory& history = engine.history();
+  const WalkHistory& history = test::onlySet(engine).history();
   const LeafPhotons leaves = filled(objects, history);
   const Surfaces surfaces = surfacesOf(objects);
   const NearestPhotons photons(leaves, surfaces, objects, history);
@@ -210,7 +211,7 @@ TEST(NearestPhotons, EqualASearchOfAllWhileThingsMove)
   for (int frame = 0; frame <= kFrames; ++frame)
   {
     engine.update(scene.objects(), settingsFor(1500), execution);
-    const WalkHistory& history = engine.history();
+    const WalkHistory& history = test::onlySet(engine).history();
     std::vector<Photon> after = test::photonsOf(history);
     if (frame == 0)
     {
@@ -280,7 +281,7 @@ TEST(NearestPhotons, EqualASearchOfAllWherePosesAreExtreme)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settingsFor(1500), execution);
-  const WalkHistory& history = engine.history();
+  const WalkHistory& history = test::onlySet(engine).history();
   const LeafPhotons leaves = filled(objects, history);
   for (const double far : { 1e12, 1e14 })
   {
@@ -375,7 +376,7 @@ TEST(NearestPhotons, ScaleChangesNothing)
     IrradianceEngine engine;
     Execution execution;
     engine.update(objects, settingsFor(5000), execution);
-    const WalkHistory& history = engine.history();
+    const WalkHistory& history = test::onlySet(engine).history();
     const LeafPhotons leaves = filled(objects, history);
     const Surfaces surfaces = surfacesOf(objects);
     const NearestPhotons photons(leaves, surfaces, objects, history);

@@ -3,6 +3,7 @@
 
 #include "MovingScene.h"
 #include "ShownAnswer.h"
+#include "TwoGroups.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,7 @@ public:
     : random_(seed)
     , scene_(1, true, seed, true)
     , isAway_(MovingScene::kObjects, false)
+    , hasGroups_(seed % 2 == 0)
   {
     settings.numberOfWalks = 300;
     settings.spreadPhotons = 60;
@@ -70,8 +72,12 @@ public:
     {
       settings.replicates = settings.replicates == 1 ? 4 : 1;
     }
+    while (!conflictOf(settings, settings).empty())
+    {
+      settings.cellEstimate = estimates[random_.engine() % 3];
+    }
     scene_.nextFrame();
-    objects = scene_.objects();
+    objects = hasGroups_ ? test::inTwoGroups(scene_.objects()) : scene_.objects();
     for (std::size_t i = 0; i < isAway_.size(); ++i)
     {
       isAway_[i] = isAway_[i] != isOneOf(3);
@@ -107,6 +113,7 @@ private:
   test::RandomVectors random_;
   MovingScene scene_;
   std::vector<bool> isAway_;
+  bool hasGroups_; ///< two sets of walks
   SceneObject other_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "EngineRun.h"
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "StaleLight.h"
 #include "TickingExecution.h"
 
@@ -17,12 +18,10 @@ namespace
 using test::answerOf;
 using test::expectBalance;
 using test::freshAnswer;
-using test::gainBound;
 using test::kNoTime;
 using test::MovingScene;
 using test::numberOfStale;
 using test::scaled;
-using test::stalePower;
 using test::TickingExecution;
 
 /// Budgets of any size, frames with and without motion, now and then time to catch up.
@@ -55,13 +54,13 @@ void converge(EngineSettings settings, int bands, unsigned threads, unsigned see
       ASSERT_LT(numberOfStale(engine), left) << "every call repairs something";
       left = numberOfStale(engine);
     }
-    ASSERT_TRUE(!isLifted || !engine.stale());
+    ASSERT_TRUE(!isLifted || !test::onlySet(engine).stale());
     partial += numberOfStale(engine) > 0;
     if (numberOfStale(engine) == 0)
     {
       ++exact;
-      EXPECT_TRUE(stalePower(engine).isZero());
-      EXPECT_EQ(gainBound(engine, 0), 0);
+      EXPECT_TRUE(engine.stalePower().isZero());
+      EXPECT_EQ(engine.walks().staleGainBound(0), 0);
       ASSERT_TRUE(answerOf(engine, scene.objects(), settings.separateSides) ==
         freshAnswer(scene.objects(), settings));
     }
@@ -123,9 +122,9 @@ namespace
 std::map<std::uint16_t, std::size_t> effects(const IrradianceEngine& engine)
 {
   std::map<std::uint16_t, std::size_t> counts;
-  for (std::size_t block = 0; block < engine.stale()->numberOfBlocks(); ++block)
+  for (std::size_t block = 0; block < test::onlySet(engine).stale()->numberOfBlocks(); ++block)
   {
-    for (const StaleMark& mark : engine.stale()->marks(block))
+    for (const StaleMark& mark : test::onlySet(engine).stale()->marks(block))
     {
       ++counts[mark.powerClass];
     }
@@ -257,7 +256,7 @@ TEST(RepairBudget, WithoutABudgetNoClockAndNoBooks)
   for (int frame = 0; frame < 5; ++frame, scene.nextFrame())
   {
     engine.update(scene.objects(), settings, clock);
-    EXPECT_EQ(engine.stale(), nullptr);
+    EXPECT_EQ(test::onlySet(engine).stale(), nullptr);
   }
   EXPECT_EQ(clock.ticks(), 0);
   const std::size_t bytes = engine.statistics().historyBytes;
@@ -265,11 +264,11 @@ TEST(RepairBudget, WithoutABudgetNoClockAndNoBooks)
   engine.update(scene.objects(), settings, clock);
   EXPECT_GT(engine.statistics().invalidWalks, 0);
   EXPECT_GT(numberOfStale(engine), 0u);
-  const std::size_t held = engine.stale()->bytes();
+  const std::size_t held = test::onlySet(engine).stale()->bytes();
   EXPECT_LE(held, 16 * numberOfStale(engine) + 16 * 16 + 4 * 80) << "16 bytes a stale walk";
   settings.repairTimeBudget = 0;
   engine.update(scene.objects(), settings, clock);
-  EXPECT_EQ(engine.stale(), nullptr);
+  EXPECT_EQ(test::onlySet(engine).stale(), nullptr);
   EXPECT_LT(engine.statistics().historyBytes, bytes + bytes / 2);
   const std::int64_t ticks = clock.ticks();
   scene.nextFrame();

@@ -2,6 +2,7 @@
 // The engine with the cell estimate Spread: laws, what is stale, error bars.
 
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "ShownAnswer.h"
 #include "ThreadExecution.h"
 #include "TickingExecution.h"
@@ -94,7 +95,7 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
   scene.nextFrame();
   engine.update(scene.objects(), settings, clock);
   int waits = 0;
-  for (; engine.stale() && !engine.stale()->isEmpty(); ++waits)
+  for (; test::onlySet(engine).stale() && !test::onlySet(engine).stale()->isEmpty(); ++waits)
   {
     for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
     {
@@ -107,7 +108,7 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
         EXPECT_GE(part, 0);
         EXPECT_LE(part, all);
         watts += part * areas[cell];
-        stale += engine.watts(engine.stale()->sums().sum({ object, cell }, 0));
+        stale += engine.watts(test::onlySet(engine).stale()->sums().sum({ object, cell }, 0));
       }
       EXPECT_NEAR(watts, stale, 1e-8 * stale);
     }
@@ -134,7 +135,7 @@ TEST(CellSpread, WhatIsStaleIsAtMostAll)
   {
     scene.nextFrame();
     engine.update(scene.objects(), settings, clock);
-    ASSERT_FALSE(engine.stale()->isEmpty());
+    ASSERT_FALSE(test::onlySet(engine).stale()->isEmpty());
     for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
     {
       const std::vector<double> areas = cellAreas(scene.objects()[object]);

@@ -3,6 +3,7 @@
 
 #include "EngineRun.h"
 #include "MovingScene.h"
+#include "OnlySet.h"
 #include "StaleLight.h"
 #include "TickingExecution.h"
 
@@ -16,12 +17,10 @@ namespace
 
 using test::answerOf;
 using test::expectBalance;
-using test::gainBound;
 using test::kNoTime;
 using test::MovingScene;
 using test::numberOfStale;
 using test::scaled;
-using test::stalePower;
 using test::TickingExecution;
 
 /// Checks both bounds, in quanta, and records how much of them is used.
@@ -43,15 +42,16 @@ public:
       forEachCell([&](std::uint32_t object, std::size_t cell, int side) {
         const std::int64_t before = now.sums().sum({ object, cell, side }, band);
         const std::int64_t after = full.sums().sum({ object, cell, side }, band);
-        const std::int64_t tail =
-          now.stale() ? now.stale()->sums().sum({ object, cell, side }, band) : 0;
+        const std::int64_t tail = test::onlySet(now).stale()
+          ? test::onlySet(now).stale()->sums().sum({ object, cell, side }, band)
+          : 0;
         ASSERT_GE(tail, 0);
         ASSERT_GE(after, before - tail) << "object " << object << ", cell " << cell;
         largestLoss_ = std::max(largestLoss_, tail > 0 ? double(before - after) / double(tail) : 0);
         brought += double(after - (before - tail));
         stale += double(tail);
       });
-      const double bound = gainBound(now, band);
+      const double bound = now.walks().staleGainBound(band);
       ASSERT_LE(brought, bound) << "band " << band;
       ASSERT_GE(stale, 0);
       if (bound > 0)
@@ -205,15 +205,16 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     {
       for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
       {
-        brought += double(full.sums().sum({ object, cell }, 0) -
-          now.sums().sum({ object, cell }, 0) + now.stale()->sums().sum({ object, cell }, 0));
+        brought +=
+          double(full.sums().sum({ object, cell }, 0) - now.sums().sum({ object, cell }, 0) +
+            test::onlySet(now).stale()->sums().sum({ object, cell }, 0));
       }
     }
     EXPECT_GT(brought, 0);
-    EXPECT_EQ(brought, gainBound(now, 0)) << "reflectance " << reflectance;
+    EXPECT_EQ(brought, now.walks().staleGainBound(0)) << "reflectance " << reflectance;
     // A walk survives with probability = reflectance: power / (1 - reflectance), within 5 standard errors (one false alarm
     // in 10^6). The standard deviation of a walk's tail is at most about its mean.
-    const double mean = double(stalePower(now)[0]) / (1 - reflectance);
+    const double mean = double(now.stalePower()[0]) / (1 - reflectance);
     EXPECT_NEAR(
       brought, mean, 5 * mean / std::sqrt(double(numberOfStale(now))) + double(numberOfStale(now)));
   }
@@ -232,13 +233,13 @@ TEST(RepairBudget, NoGainBoundWhereNearlyAllIsReflected)
   IrradianceEngine engine;
   Execution execution;
   engine.update(objects, settings, execution);
-  EXPECT_EQ(gainBound(engine, 0), 0);
+  EXPECT_EQ(engine.walks().staleGainBound(0), 0);
   objects.dynamicObjects[0].worldFromObject = test::shift({ 0.4, -0.3, 0.2 });
   engine.update(objects, settings, execution);
-  EXPECT_EQ(gainBound(engine, 0), kInfinity);
+  EXPECT_EQ(engine.walks().staleGainBound(0), kInfinity);
   settings.repairTimeBudget = 0;
   engine.update(objects, settings, execution);
-  EXPECT_EQ(gainBound(engine, 0), 0);
+  EXPECT_EQ(engine.walks().staleGainBound(0), 0);
 }
 
 }

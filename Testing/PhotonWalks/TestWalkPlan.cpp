@@ -57,6 +57,25 @@ TEST(WalkPlan, EveryWalkHasOnePlaceInABlockOfItsRound)
   }
 }
 
+// The same walks under other numbers.
+TEST(WalkPlan, NumbersMayBeginAnywhere)
+{
+  constexpr std::uint32_t kFirst = 12345;
+  const WalkPlan plan(3000, 20000, 16), later(3000, 20000, 16, kFirst);
+  EXPECT_EQ(later.most(), 20000u);
+  EXPECT_EQ(later.walksAfter(2), 6000u);
+  EXPECT_EQ(later.endWalk(), kFirst + 20000);
+  EXPECT_FALSE(later == plan);
+  ASSERT_EQ(later.rounds().back().endBlock, plan.rounds().back().endBlock);
+  for (std::uint32_t walk = 0; walk < 20000; ++walk)
+  {
+    ASSERT_EQ(later.blockOf(kFirst + walk), plan.blockOf(walk));
+    ASSERT_EQ(later.roundOf(kFirst + walk), plan.roundOf(walk));
+    ASSERT_EQ(later.replicates().replicateOf(kFirst + walk), plan.replicates().replicateOf(walk));
+    ASSERT_EQ(later.replicates().numberWithin(kFirst + walk), plan.replicates().numberWithin(walk));
+  }
+}
+
 // Each replicate takes the numbers 0, 1, 2, ... of its own sequence, for any total.
 TEST(WalkPlan, WalksAreAssignedInTurn)
 {

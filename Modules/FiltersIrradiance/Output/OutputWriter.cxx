@@ -316,7 +316,7 @@ void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
   addWatts(kEmittedPower, emitted(0), emitted(1), emitted(2));
   addPower(kAbsorbedPower, balance.absorbed);
   addPower(kEscapedPower, balance.escaped);
-  addPower(kStalePower, engine_.stale() ? engine_.stale()->power() : Power{});
+  addPower(kStalePower, engine_.stalePower());
   if (settings_.repairTimeBudget > 0)
   {
     addWatts(kStaleGainBound, engine_.staleGainBound(0), engine_.staleGainBound(1),

@@ -5,7 +5,7 @@
 #include "Estimates/ErrorEstimate.h"
 #include "Photons/PhotonStores.h"
 #include "Photons/Surfaces.h"
-#include "Walks/WalkSet.h"
+#include "Walks/WalkSets.h"
 
 namespace irradiance
 {
@@ -15,7 +15,7 @@ struct EstimateSource
 {
   WalkSpace space;
   const SceneCells& cells;
-  const WalkSet& walks;
+  const WalkSets& walks;
   const PhotonStores& photons; ///< LeafPhotons, if needsPhotons()
   const Surfaces& surfaces;    ///< likewise
 };

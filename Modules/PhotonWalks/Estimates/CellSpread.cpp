@@ -218,7 +218,7 @@ void CellSpread::forEachSum(
 CellSums CellSpread::spread(
   const SceneObjects& objects, const CellSums& sums, std::size_t rounds, Execution& execution) const
 {
-  const std::uint32_t walks = sums.plan().rounds()[rounds - 1].endWalk;
+  const std::uint32_t walks = sums.plan().walksAfter(rounds);
   const std::uint32_t replicates = sums.plan().replicates().count();
   const auto bands = static_cast<std::uint32_t>(objects.staticObject.material->bands);
   CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0);

@@ -36,7 +36,7 @@ ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::si
   : sums_(sums)
   , spread_(spread)
   , rounds_(rounds)
-  , walks_(plan.rounds()[rounds - 1].endWalk)
+  , walks_(plan.walksAfter(rounds))
   , quantaPerWalk_(quantaPerWalk)
 {
   double squares = 0;

@@ -184,7 +184,7 @@ std::vector<CellSide> NearestPhotonEstimator::findSmall()
 {
   const CellSums& sums = source().walks.sums();
   const auto quantaPerWalk =
-    static_cast<double>(source().walks.lights().quantaPerWalk()); // in all bands together
+    static_cast<double>(source().walks.quantaPerWalk()); // in all bands together
   std::vector<CellSide> small;
   double area = 0, received = 0; // m2, photons
   numbers_.forEach([&](const SceneCell& cell) {
@@ -253,7 +253,7 @@ void NearestPhotonEstimator::update(std::size_t rounds, Execution& execution)
   {
     const EstimateSource& from = source();
     estimateSmallCells(NearestPhotons(from.photons.get<LeafPhotons>(), from.surfaces,
-                         from.space.objects, from.walks.history()),
+                         from.space.objects, from.walks.histories()),
       execution);
   }
 }

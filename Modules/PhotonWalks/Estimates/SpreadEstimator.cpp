@@ -9,20 +9,20 @@ namespace irradiance
 void SpreadEstimator::update(std::size_t rounds, Execution& execution)
 {
   const SceneObjects& objects = source().space.objects;
-  const WalkSet& walks = source().walks;
-  spread_.update(objects, walks.sums(), rounds, photons_,
-    static_cast<double>(walks.lights().quantaPerWalk()), execution);
+  const WalkSets& walks = source().walks;
+  spread_.update(
+    objects, walks.sums(), rounds, photons_, static_cast<double>(walks.quantaPerWalk()), execution);
   sums_ = spread_.spread(objects, walks.sums(), rounds, execution);
-  if (walks.stale())
+  if (const CellSums* stale = walks.staleSums())
   {
-    staleSums_ = spread_.spread(objects, walks.stale()->sums(), 1, execution);
+    staleSums_ = spread_.spread(objects, *stale, 1, execution);
   }
 }
 
 double SpreadEstimator::staleIrradiance(const CellSide& cell, int band) const
 {
   // What is spread is rounded at each step, so the part may come out larger than the whole.
-  return source().walks.stale()
+  return source().walks.staleSums()
     ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
     : 0.0;
 }

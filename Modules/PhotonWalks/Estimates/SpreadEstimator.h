@@ -27,7 +27,7 @@ public:
   double staleIrradiance(const CellSide& cell, int band) const override;
   ErrorEstimate errorEstimate() const override
   {
-    return { sums_, sums_.plan(), 1, source().walks.lights().largestStart(), &spread_ };
+    return { sums_, sums_.plan(), 1, source().walks.largestStart(), &spread_ };
   }
 
 private:

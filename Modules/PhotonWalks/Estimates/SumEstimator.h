@@ -20,13 +20,13 @@ public:
   }
   double staleIrradiance(const CellSide& cell, int band) const override
   {
-    const StaleWalks* stale = source().walks.stale();
-    return stale ? perArea(stale->sums().sum(cell, band), cell) : 0.0;
+    const CellSums* stale = source().walks.staleSums();
+    return stale ? perArea(stale->sum(cell, band), cell) : 0.0;
   }
   ErrorEstimate errorEstimate() const override
   {
-    const WalkSet& walks = source().walks;
-    return { walks.sums(), walks.plan(), rounds_, walks.lights().largestStart() };
+    const WalkSets& walks = source().walks;
+    return { walks.sums(), walks.plan(), rounds_, walks.largestStart() };
   }
 
 private:

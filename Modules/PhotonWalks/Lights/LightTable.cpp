@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-LightTable::LightTable(
-  const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls)
+LightTable::LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
+  const LightWalls& walls, std::uint32_t group)
 {
   constexpr std::uint64_t kMostQuanta = std::uint64_t{ 1 } << 46;
   while (2 * static_cast<std::uint64_t>(quantaPerWalk_) * numberOfWalks <= kMostQuanta)
@@ -19,21 +19,28 @@ LightTable::LightTable(
   {
     if (objects[object].isPresent && objects[object].emits())
     {
-      addAreas(objects, object);
-      addPoints(objects, object, walls);
+      addAreas(objects, object, group);
+      addPoints(objects, object, walls, group);
     }
   }
   if (flux() < std::numeric_limits<double>::min())
   {
     lights_.clear(); // too weak for a double
   }
+  setQuantaPerWalk(quantaPerWalk_);
+}
+
+void LightTable::setQuantaPerWalk(std::int64_t quanta)
+{
+  quantaPerWalk_ = quanta;
+  powers_.clear();
   for (const Light& light : lights_)
   {
     powers_.push_back(powerOf(light));
   }
 }
 
-void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number)
+void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number, std::uint32_t group)
 {
   const SceneObject& object = objects[number];
   const TriangleMesh& mesh = object.mesh();
@@ -45,12 +52,15 @@ void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number)
     const double* const exitance = object.emission->exitanceOf(light.cell.cell);
     std::transform(exitance, exitance + object.emission->bands, light.flux.begin(),
       [area](double wattsPerArea) { return area * wattsPerArea; });
-    add(light);
+    if (object.emission->groupOf(light.cell.cell) == group)
+    {
+      add(light);
+    }
   }
 }
 
 void LightTable::addPoints(
-  const SceneObjects& objects, std::uint32_t number, const LightWalls& walls)
+  const SceneObjects& objects, std::uint32_t number, const LightWalls& walls, std::uint32_t group)
 {
   const SceneObject& object = objects[number];
   const std::vector<PointSource>& sources = object.emission->points;
@@ -59,7 +69,10 @@ void LightTable::addPoints(
     Light light{ {}, { number, sources[i].cell },
       PointLight(object.worldFromObject(sources[i].position), walls.at(number, i)) };
     std::copy(sources[i].flux.begin(), sources[i].flux.end(), light.flux.begin());
-    add(light);
+    if (object.emission->groupOf(light.cell.cell) == group)
+    {
+      add(light);
+    }
   }
 }
 

@@ -11,16 +11,16 @@ namespace irradiance
 {
 
 /**
- * All lights of a frame. Every walk carries the same share of the total flux; which light it starts
+ * The lights of one group in a frame. Every walk carries the same share of the total flux; which light it starts
  * from is sampled in proportion to flux.
  */
 class LightTable
 {
 public:
   LightTable() = default;
-  /// Throws std::runtime_error for a light to which walls leave no side.
-  LightTable(
-    const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {});
+  /// `group`: see Emission::groups. Throws std::runtime_error for a light to which walls leave no side.
+  LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {},
+    std::uint32_t group = 0);
 
   bool isEmpty() const { return lights_.empty(); }
   const std::vector<Light>& lights() const { return lights_; }
@@ -32,6 +32,8 @@ public:
   /// walks have 2^45 to 2^46. This leaves 2^16 times the emitted power for the cells to receive
   /// before a sum overflows.
   std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
+  /// Another number, >= 1.
+  void setQuantaPerWalk(std::int64_t quanta);
 
   /// Quanta with which a walk from any light may start, in each band.
   std::array<double, Power::kMaxBands> largestStart() const;
@@ -49,8 +51,9 @@ public:
   }
 
 private:
-  void addAreas(const SceneObjects& objects, std::uint32_t object);
-  void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls);
+  void addAreas(const SceneObjects& objects, std::uint32_t object, std::uint32_t group);
+  void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls,
+    std::uint32_t group);
   void add(const Light& light);
   Power powerOf(const Light& light) const;
 

@@ -275,7 +275,7 @@ void LeafPhotons::add(
   binding.run(execution);
 }
 
-void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
+void LeafPhotons::apply(const SceneObjects& objects, const WalkHistories& histories,
   const PhotonChanges& changes, Execution& execution)
 {
   const std::vector<std::size_t> gone = countsOf(changes.gone, objects.size());
@@ -300,7 +300,10 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistory& history,
   Binding binding(trees_);
   if (std::find(isAnew.begin(), isAnew.end(), true) != isAnew.end())
   {
-    binding.addBlocks(history, 0, history.size(), isNew);
+    for (const WalkHistory* history : histories.all())
+    {
+      binding.addBlocks(*history, 0, history->size(), isNew);
+    }
   }
   binding.addPhotons(Binding::What::Leave, changes.gone, isLeft);
   binding.addPhotons(Binding::What::Arrive, changes.arrived, isOld);

@@ -3,6 +3,7 @@
 #define irradiance_LeafPhotons_h
 
 #include "Execution/Execution.h"
+#include "History/WalkHistories.h"
 #include "Photons/PhotonTree.h"
 #include "Surfaces/SceneObjects.h"
 
@@ -30,10 +31,10 @@ public:
 
   /// Adds the photons of blocks [`first`, `end`) of the history.
   void add(const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution);
-  /// `objects` and `history` are those after the changes. An object with another body than before has
+  /// `objects` and `histories` are those after the changes. An object with another body than before has
   /// a new tree, to which its photons are bound again; it does not matter what `changes` says of them.
-  void apply(const SceneObjects& objects, const WalkHistory& history, const PhotonChanges& changes,
-    Execution& execution);
+  void apply(const SceneObjects& objects, const WalkHistories& histories,
+    const PhotonChanges& changes, Execution& execution);
 
   const TriangleTree& tree(std::uint32_t object) const { return trees_[object].body->tree(); }
   const LeafTable& table(std::uint32_t object) const { return trees_[object].table; }

@@ -317,11 +317,11 @@ private:
 };
 
 NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfaces,
-  const SceneObjects& objects, const WalkHistory& history)
+  const SceneObjects& objects, const WalkHistories& histories)
   : leaves_(leaves)
   , surfaces_(surfaces)
   , objects_(objects)
-  , history_(history)
+  , histories_(histories)
   , bounds_(boundsOf(objects))
   , searchUnitsPerWorldUnit_(UnitFrame(bounds_).scale)
 {

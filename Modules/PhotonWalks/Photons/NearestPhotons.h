@@ -36,9 +36,9 @@ struct NearPhotons
 class NearestPhotons
 {
 public:
-  /// For one frame; all of them must outlive it.
+  /// For one frame; all of them must outlive it, the histories themselves too.
   NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfaces, const SceneObjects& objects,
-    const WalkHistory& history);
+    const WalkHistories& histories);
 
   /// Where a sensor stands; nothing if that is farther away than `maximumDistance`, or if the sensor
   /// is so far from the scene that distances in double tell little of what is nearer.
@@ -65,7 +65,7 @@ public:
   /// By which distances are compared: in double, from the point given by the stored weights.
   double squaredDistance(const Sensor& sensor, const SegmentRef& photon) const
   {
-    const Hit hit = history_.hit(photon);
+    const Hit hit = histories_.hit(photon);
     return sensor.squaredDistance(position(hit.id, hit.weights));
   }
   /// Of a photon, in the world.
@@ -87,7 +87,7 @@ public:
   }
 
   const SceneObjects& objects() const { return objects_; }
-  const WalkHistory& history() const { return history_; }
+  const WalkHistories& histories() const { return histories_; }
   std::size_t numberOfPhotons() const { return leaves_.size(); }
   /// Of the scene.
   const Box& bounds() const { return bounds_; }
@@ -112,7 +112,7 @@ private:
   const LeafPhotons& leaves_;
   const Surfaces& surfaces_;
   const SceneObjects& objects_;
-  const WalkHistory& history_;
+  WalkHistories histories_;
   Box bounds_;
   double searchUnitsPerWorldUnit_;
   std::vector<PlacedTree> trees_;

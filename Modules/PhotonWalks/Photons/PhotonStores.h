@@ -2,6 +2,8 @@
 #ifndef irradiance_PhotonStores_h
 #define irradiance_PhotonStores_h
 
+#include "Execution/ProgressSpan.h"
+#include "History/WalkHistories.h"
 #include "Photons/CellPhotonSets.h"
 #include "Photons/LeafPhotons.h"
 
@@ -13,26 +15,33 @@
 namespace irradiance
 {
 
-/// The photons of a history, arranged for searches. A store is collected when a filter
-/// needs it; from then on it follows the history. All that changes stores throws Interrupted.
+/// The photons of all stored walks, arranged for searches. A store is collected when a filter
+/// needs it; from then on it follows the histories. All that changes stores throws Interrupted.
 class PhotonStores
 {
 public:
   /// Collects a store, unless that was done before. The sides of all hits have to be known.
   template <class Store>
-  void collect(const SceneObjects& objects, const WalkHistory& history, Execution& execution)
+  void collect(const SceneObjects& objects, const WalkHistories& histories, Execution& execution)
   {
     auto& store = std::get<std::unique_ptr<Store>>(stores_);
     if (!store)
     {
       auto photons = std::make_unique<Store>(objects);
-      photons->add(history, 0, history.size(), execution);
+      const auto count = static_cast<double>(histories.all().size());
+      double done = 0;
+      for (const WalkHistory* history : histories.all())
+      {
+        ProgressSpan part(execution, done / count, (done + 1) / count);
+        photons->add(*history, 0, history->size(), part);
+        ++done;
+      }
       store = std::move(photons);
     }
   }
-  /// `objects` and `history` are those after the changes.
-  void apply(const SceneObjects& objects, const WalkHistory& history, const PhotonChanges& changes,
-    Execution& execution)
+  /// `objects` and `histories` are those after the changes.
+  void apply(const SceneObjects& objects, const WalkHistories& histories,
+    const PhotonChanges& changes, Execution& execution)
   {
     if (const auto& specular = std::get<0>(stores_))
     {
@@ -40,7 +49,7 @@ public:
     }
     if (const auto& leaves = std::get<1>(stores_))
     {
-      leaves->apply(objects, history, changes, execution);
+      leaves->apply(objects, histories, changes, execution);
     }
   }
   void forgetAll() { stores_ = {}; }

@@ -6,16 +6,15 @@
 namespace irradiance
 {
 
-WalkPlan::WalkPlan(std::uint32_t first, std::uint32_t most, std::uint32_t replicates)
-  : replicates_(replicates)
+WalkPlan::WalkPlan(
+  std::uint32_t first, std::uint32_t most, std::uint32_t replicates, std::uint32_t firstWalk)
+  : replicates_(replicates, firstWalk)
 {
-  WalkRound round{ 0, 0, 0, 0 };
-  while (round.endWalk < most)
+  WalkRound round{ firstWalk, firstWalk, 0, 0 };
+  for (std::uint64_t walks = first; round.endWalk - firstWalk < most; walks *= 2)
   {
-    const std::uint64_t twice = std::uint64_t{ round.endWalk } * 2;
     round.firstWalk = round.endWalk;
-    round.endWalk =
-      rounds_.empty() ? first : static_cast<std::uint32_t>(std::min<std::uint64_t>(twice, most));
+    round.endWalk = firstWalk + static_cast<std::uint32_t>(std::min<std::uint64_t>(walks, most));
     round.firstBlock = round.endBlock;
     round.endBlock +=
       (std::size_t{ round.endWalk - round.firstWalk } + kWalksPerBlock - 1) / kWalksPerBlock;

@@ -36,11 +36,19 @@ public:
         std::numeric_limits<std::uint32_t>::max(), std::numeric_limits<std::uint32_t>::max(), 1)
   {
   }
-  /// 1 <= `first` <= `most`. With `first` == `most` there is one round.
-  WalkPlan(std::uint32_t first, std::uint32_t most, std::uint32_t replicates);
+  /// 1 <= `first` <= `most` walks, numbered from `firstWalk` on. With `first` == `most` there is one round.
+  WalkPlan(
+    std::uint32_t first, std::uint32_t most, std::uint32_t replicates, std::uint32_t firstWalk = 0);
 
   const std::vector<WalkRound>& rounds() const { return rounds_; }
-  std::uint32_t most() const { return rounds_.back().endWalk; }
+  std::uint32_t most() const { return walksAfter(rounds_.size()); }
+  /// The number of walks in the first `rounds` rounds, 1 or more.
+  std::uint32_t walksAfter(std::size_t rounds) const
+  {
+    return rounds_[rounds - 1].endWalk - rounds_.front().firstWalk;
+  }
+  /// One more than the number of the last walk.
+  std::uint32_t endWalk() const { return rounds_.back().endWalk; }
   const Replicates& replicates() const { return replicates_; }
 
   std::size_t roundOf(std::uint32_t walk) const
@@ -60,8 +68,9 @@ public:
 
   friend bool operator==(const WalkPlan& a, const WalkPlan& b)
   {
-    return a.rounds_.front().endWalk == b.rounds_.front().endWalk && a.most() == b.most() &&
-      a.replicates_.count() == b.replicates_.count();
+    const WalkRound &first = a.rounds_.front(), &other = b.rounds_.front();
+    return first.firstWalk == other.firstWalk && first.endWalk == other.endWalk &&
+      a.endWalk() == b.endWalk() && a.replicates_.count() == b.replicates_.count();
   }
 
 private:

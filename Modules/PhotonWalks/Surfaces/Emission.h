@@ -32,7 +32,10 @@ struct Emission
   /// W/m2 from the front, one value per cell and band, cell-major; empty: none.
   std::vector<double> exitance;
   std::vector<PointSource> points;
+  /// The group of each cell's lights; empty: all are in group 0. Each group starts a set of walks of its own.
+  std::vector<std::uint32_t> groups;
 
+  std::uint32_t groupOf(std::size_t cell) const { return groups.empty() ? 0 : groups[cell]; }
   bool isEmpty() const { return exitance.empty() && points.empty(); }
   /// Null for a cell of an object without exitance; else one value per band.
   const double* exitanceOf(std::size_t cell) const
@@ -54,7 +57,8 @@ struct Emission
 
   friend bool operator==(const Emission& a, const Emission& b)
   {
-    return a.bands == b.bands && a.exitance == b.exitance && a.points == b.points;
+    return a.bands == b.bands && a.exitance == b.exitance && a.points == b.points &&
+      a.groups == b.groups;
   }
 };
 

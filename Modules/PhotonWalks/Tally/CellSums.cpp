@@ -2,6 +2,7 @@
 #include "Tally/CellSums.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <utility>
 
@@ -105,6 +106,20 @@ void CellSums::add(const std::vector<Deposit>& deposits)
     {
       prefetchLine(sums_.data() + sorted[std::min(i + kAhead, sorted.size() - 1)].slot);
       sums_[sorted[i].slot] += sorted[i].quanta;
+    }
+  }
+}
+
+void CellSums::add(const CellSums& others, const CancelPoint& cancelPoint)
+{
+  assert(others.sums_.size() == sums_.size());
+  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
+  for (std::size_t i = 0; i < sums_.size(); ++i)
+  {
+    sums_[i] += others.sums_[i];
+    if (i % kPiece == 0 && cancelPoint)
+    {
+      cancelPoint();
     }
   }
 }

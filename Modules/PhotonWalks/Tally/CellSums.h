@@ -76,6 +76,8 @@ public:
   }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);
+  /// Adds other sums of the same cells, round by round and replicate by replicate.
+  void add(const CellSums& others, const CancelPoint& cancelPoint);
   std::int64_t sum(const CellSide& cell, int band) const;
   /// The part that the walks of one replicate in the first `rounds` rounds brought.
   std::int64_t sum(

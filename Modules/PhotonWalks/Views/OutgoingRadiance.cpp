@@ -4,6 +4,7 @@
 #include "Execution/SlicedPass.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
+#include "Walks/StoredWalks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +68,7 @@ void OutgoingRadiance::preparePhotons(Execution& execution)
     return;
   }
   photons_.resize(engine_.cells().numbers().size());
-  const SobolSequence samples = engine_.samples();
-  const WalkTracer tracer = engine_.tracer(samples);
-  const WalkHistory& history = engine_.history();
+  const StoredWalks walks(engine_.walks(), engine_.space());
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     const Material& material = materialOf(object);
@@ -82,13 +81,14 @@ void OutgoingRadiance::preparePhotons(Execution& execution)
       const std::vector<SegmentRef> segments = photons.sorted({ object, cell });
       std::vector<SurfacePoint> points(segments.size());
       std::vector<Vector3> directions(segments.size());
-      tracer.arrivalsOf(history, segments, points.data(), directions.data());
+      walks.arrivalsOf(segments, points.data(), directions.data());
       std::vector<GlossyPhotons::Arrival> arrivals;
       for (std::size_t i = 0; i < segments.size(); ++i)
       {
-        const Power power = history.power(segments[i]);
-        arrivals.push_back({ history.hit(segments[i]).id.triangle, points[i], -directions[i],
-          { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) } });
+        const Power power = walks.histories().power(segments[i]);
+        arrivals.push_back(
+          { walks.histories().hit(segments[i]).id.triangle, points[i], -directions[i],
+            { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) } });
       }
       photons_[numberOf({ object, cell })] =
         GlossyPhotons(material.lobeOf(cell), std::move(arrivals), bands_);

@@ -13,8 +13,7 @@ namespace irradiance
 
 WalkPaths::WalkPaths(const IrradianceEngine& engine)
   : engine_(engine)
-  , samples_(engine.samples())
-  , tracer_(engine.tracer(samples_))
+  , walks_(engine.walks(), engine.space())
   , bounds_(engine.walkBounds())
 {
   assert(engine.keepsPhotons());
@@ -24,25 +23,29 @@ WalkPaths::WalkPaths(const IrradianceEngine& engine)
 
 std::vector<std::uint32_t> WalkPaths::first(std::size_t most) const
 {
-  const std::size_t all = engine_.hasLights() ? engine_.numberOfWalks() : 0;
-  std::vector<std::uint32_t> walks(std::min(most, all));
-  std::iota(walks.begin(), walks.end(), 0u);
-  return walks;
+  return engine_.walks().first(most);
 }
 
 std::vector<std::uint32_t> WalkPaths::touching(
   const SceneCell& cell, std::size_t most, Execution& execution) const
 {
-  const WalkHistory& history = engine_.history();
   const bool isLight = emits(cell);
-  std::vector<std::vector<std::uint32_t>> found(engine_.hasLights() ? history.size() : 0);
+  std::vector<const WalkBlock*> blocks;
+  for (const WalkHistory* history : walks_.histories().all())
+  {
+    for (std::size_t i = 0; i < history->size() && engine_.hasLights(); ++i)
+    {
+      blocks.push_back(&history->block(i));
+    }
+  }
+  std::vector<std::vector<std::uint32_t>> found(blocks.size());
   SlicedPass pass{ found.size(), {} };
   pass.work = [&](std::size_t number, const Deadline&) {
-    const WalkBlock& block = history.block(number);
+    const WalkBlock& block = *blocks[number];
     for (std::uint32_t walk = block.firstWalk();
          walk < block.endWalk() && found[number].size() < most; ++walk)
     {
-      if (isHit(walk, cell) || (isLight && tracer_.sampler().lightOf(walk).cell == cell))
+      if (isHit(block, walk, cell) || (isLight && walks_.sampler(walk).lightOf(walk).cell == cell))
       {
         found[number].push_back(walk);
       }
@@ -66,13 +69,12 @@ bool WalkPaths::emits(const SceneCell& cell) const
   return emission && emission->emits(cell.cell);
 }
 
-bool WalkPaths::isHit(std::uint32_t walk, const SceneCell& cell) const
+bool WalkPaths::isHit(const WalkBlock& block, std::uint32_t walk, const SceneCell& cell) const
 {
-  const WalkBlock& block = engine_.history().blockOf(walk);
   for (std::uint32_t bounce = 0; bounce < block.size(walk); ++bounce)
   {
     const TriangleId id = block.hit({ walk, bounce }).id;
-    if (id.object == cell.object && tracer_.sampler().cellOf(id) == cell.cell)
+    if (id.object == cell.object && walks_.sampler(walk).cellOf(id) == cell.cell)
     {
       return true;
     }
@@ -97,7 +99,7 @@ std::vector<WalkPath> WalkPaths::paths(
 
 void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const
 {
-  const WalkHistory& history = engine_.history();
+  const WalkHistories& histories = walks_.histories();
   std::vector<SegmentRef> rayless; // first segments, and those that escape
   std::vector<std::size_t> escaping;
   for (std::size_t i = 0; i < count; ++i)
@@ -106,8 +108,9 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const SegmentRef last{ walks[i], history.blockOf(walks[i]).size(walks[i]) - 1 };
-    paths[i].escapes = !history.hit(last);
+    const WalkBlock& block = histories.of(walks[i]).blockOf(walks[i]);
+    const SegmentRef last{ walks[i], block.size(walks[i]) - 1 };
+    paths[i].escapes = !block.hit(last);
     if (paths[i].escapes)
     {
       rayless.push_back(last);
@@ -115,11 +118,11 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
     }
   }
   std::vector<Ray> rays(rayless.size());
-  tracer_.raysOf(history, rayless, rays.data());
+  walks_.raysOf(rayless, rays.data());
   for (std::size_t i = 0; i < count; ++i)
   {
     paths[i].walk = walks[i];
-    paths[i].power = tracer_.sampler().powerOf(walks[i]);
+    paths[i].power = walks_.sampler(walks[i]).powerOf(walks[i]);
     paths[i].points.push_back(rays[i].origin);
     addHits(paths[i]);
   }
@@ -135,27 +138,28 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
 
 void WalkPaths::addHits(WalkPath& path) const
 {
-  const WalkBlock& block = engine_.history().blockOf(path.walk);
+  const WalkBlock& block = walks_.histories().of(path.walk).blockOf(path.walk);
   for (std::uint32_t bounce = 0; bounce < block.size(path.walk); ++bounce)
   {
     if (const Hit hit = block.hit({ path.walk, bounce }))
     {
       path.points.push_back(
-        surfacePoint(tracer_.sampler().triangleOf(hit.id), weightsOf(hit)).position);
+        surfacePoint(walks_.sampler(path.walk).triangleOf(hit.id), weightsOf(hit)).position);
     }
   }
 }
 
 void WalkPaths::addMarks(WalkPath& path) const
 {
-  const std::vector<SegmentRef>& repaired = engine_.repaired();
+  const WalkSet& set = engine_.walks().of(path.walk);
+  const std::vector<SegmentRef>& repaired = set.repaired();
   const auto tail = std::lower_bound(repaired.begin(), repaired.end(), SegmentRef{ path.walk, 0 });
   const bool isRepaired = tail != repaired.end() && tail->walk == path.walk;
   path.firstRepaired = isRepaired ? std::size_t{ tail->bounce } + 1 : path.points.size();
   constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
-  const std::size_t block = engine_.history().indexOf(path.walk);
-  path.isStale = engine_.stale() && block < engine_.stale()->numberOfBlocks() &&
-    irradiance::isStale(engine_.stale()->marks(block), { path.walk, kLast });
+  const std::size_t block = set.history().indexOf(path.walk);
+  path.isStale = set.stale() && block < set.stale()->numberOfBlocks() &&
+    irradiance::isStale(set.stale()->marks(block), { path.walk, kLast });
 }
 
 Vector3 WalkPaths::endOf(const Ray& ray) const

@@ -3,6 +3,7 @@
 #define irradiance_WalkPaths_h
 
 #include "IrradianceEngine.h"
+#include "Walks/StoredWalks.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ struct WalkPath
   bool escapes;
   bool isStale; ///< part of it is no longer valid, see StaleWalks
   std::size_t
-    firstRepaired; ///< the first point that was shot again, see repaired(); else their number
+    firstRepaired; ///< the first point that was shot again, see WalkSet::repaired(); else their number
 };
 
 /**
@@ -46,7 +47,7 @@ public:
 
 private:
   bool emits(const SceneCell& cell) const;
-  bool isHit(std::uint32_t walk, const SceneCell& cell) const;
+  bool isHit(const WalkBlock& block, std::uint32_t walk, const SceneCell& cell) const;
   void find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const;
   void addHits(WalkPath& path) const;
   void addMarks(WalkPath& path) const;
@@ -54,8 +55,7 @@ private:
   Vector3 endOf(const Ray& ray) const;
 
   const IrradianceEngine& engine_;
-  SobolSequence samples_;
-  WalkTracer tracer_;
+  StoredWalks walks_;
   Box bounds_; ///< beyond which escapes are cut off
 };
 

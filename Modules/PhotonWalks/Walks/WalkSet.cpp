@@ -18,20 +18,6 @@
 namespace irradiance
 {
 
-WalkPlan WalkSet::planOf(const WalkSettings& settings)
-{
-  assert(settings.replicates >= (settings.targetRelativeError > 0 ? 2u : 1u));
-  return { settings.numberOfWalks,
-    settings.targetRelativeError > 0 ? settings.maximumNumberOfWalks : settings.numberOfWalks,
-    settings.replicates };
-}
-
-void WalkSet::setSource(LightTable lights, const WalkPlan& plan)
-{
-  lights_ = std::move(lights);
-  plan_ = plan;
-}
-
 void WalkSet::setSettings(const WalkSettings& settings)
 {
   if (settings_.cacheStaticHits && !settings.cacheStaticHits)
@@ -44,7 +30,7 @@ void WalkSet::setSettings(const WalkSettings& settings)
 
 void WalkSet::start(const WalkSpace& space, Execution& execution)
 {
-  sums_ = CellSums(space.objects, sides(), plan_, 0);
+  sums_ = CellSums(space.objects, sides(), plan(), 0);
   balance_ = {};
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   while (history_.size() > 0) // freeing many walks takes a while
@@ -52,8 +38,8 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
     history_.removeLast();
     cancelPoint();
   }
-  history_ = WalkHistory(plan_, pointFrame(space.objects, bounds(space.scene)),
-    space.objects.staticObject.material->bands, Power{ { lights_.quantaPerWalk() } });
+  history_ = WalkHistory(plan(), pointFrame(space.objects, bounds(space.scene)),
+    space.objects.staticObject.material->bands, Power{ { lights().quantaPerWalk() } });
   stale_.reset();
   repaired_ = {};
   hasSides_ = settings_.keepPhotons || settings_.separateSides;
@@ -65,7 +51,7 @@ void WalkSet::shootRound(
   std::size_t round, bool isStored, const WalkSpace& space, Execution& execution)
 {
   const Stopwatch stopwatch;
-  const WalkRound& walks = plan_.rounds()[round];
+  const WalkRound& walks = plan().rounds()[round];
   sums_.setRounds(round + 1, cancelPointOf(execution, 0));
   for (std::size_t block = walks.firstBlock; isStored && block < walks.endBlock; ++block)
   {
@@ -82,13 +68,13 @@ void WalkSet::shootBlocks(
   const WalkTracer tracer = this->tracer(space, samples);
   SharedBalance total(balance_);
   std::vector<std::unique_ptr<WalkBatch>> open(walks.endBlock - walks.firstBlock);
-  SlicedPass pass{ lights_.isEmpty() ? 0 : open.size(), {} };
+  SlicedPass pass{ lights().isEmpty() ? 0 : open.size(), {} };
   pass.work = [&](std::size_t i, const Deadline& deadline) {
     const std::size_t block = walks.firstBlock + i;
     if (!open[i])
     {
-      std::vector<std::uint32_t> numbers(plan_.walksIn(block));
-      std::iota(numbers.begin(), numbers.end(), plan_.firstWalkOf(block));
+      std::vector<std::uint32_t> numbers(plan().walksIn(block));
+      std::iota(numbers.begin(), numbers.end(), plan().firstWalkOf(block));
       open[i] =
         std::make_unique<WalkBatch>(tracer, isStored ? &history_.frame() : nullptr, hasSides_);
       open[i]->shoot(numbers);
@@ -101,7 +87,7 @@ void WalkSet::shootBlocks(
       balance.emitted += open[i]->emitted();
       if (isStored)
       {
-        history_.blockOf(plan_.firstWalkOf(block)).makeRoom(open[i]->sizes());
+        history_.blockOf(plan().firstWalkOf(block)).makeRoom(open[i]->sizes());
         open[i]->store(history_);
       }
       open[i].reset();
@@ -114,7 +100,7 @@ void WalkSet::shootBlocks(
 
 void WalkSet::dropRounds(std::size_t kept, const CancelPoint& cancelPoint)
 {
-  const std::size_t blocks = plan_.rounds()[kept - 1].endBlock;
+  const std::size_t blocks = plan().rounds()[kept - 1].endBlock;
   while (history_.size() > blocks)
   {
     WalkTally tally(sums_, balance_);
@@ -270,7 +256,7 @@ std::size_t WalkSet::bytes() const
 Box WalkSet::bounds(const Scene& scene) const
 {
   Box bounds = scene.bounds();
-  bounds.add(lights_.boundsInAir());
+  bounds.add(lights().boundsInAir());
   return bounds;
 }
 

@@ -4,15 +4,16 @@
 
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
-#include "Lights/LightTable.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
 #include "Surfaces/Contacts.h"
 #include "Tally/CellSums.h"
 #include "Tally/PowerBalance.h"
 #include "Walks/WalkSettings.h"
+#include "Walks/WalkSource.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -36,11 +37,8 @@ struct WalkSpace
 class WalkSet
 {
 public:
-  /// The plan of the walks that settings ask for.
-  static WalkPlan planOf(const WalkSettings& settings);
-
-  /// Before the start: the lights and the number of walks.
-  void setSource(LightTable lights, const WalkPlan& plan);
+  /// Before the start.
+  void setSource(WalkSource source) { source_ = std::move(source); }
   /// For what is done next. Between two starts they may differ only in what is kept, and in the budget.
   void setSettings(const WalkSettings& settings);
   /// Forgets all walks. The next rounds are shot in this space.
@@ -61,9 +59,9 @@ public:
   /// has changed.
   void forgetBudget();
 
-  bool isEmpty() const { return lights_.isEmpty(); }
-  const LightTable& lights() const { return lights_; }
-  const WalkPlan& plan() const { return plan_; }
+  const WalkSource& source() const { return source_; }
+  const LightTable& lights() const { return source_.lights; }
+  const WalkPlan& plan() const { return source_.plan; }
   const WalkHistory& history() const { return history_; }
   /// What arrived in the cells themselves.
   const CellSums& sums() const { return sums_; }
@@ -76,22 +74,14 @@ public:
   const std::vector<SegmentRef>& repaired() const { return repaired_; }
   /// What was done since the settings were made.
   const WalkStatistics& statistics() const { return statistics_; }
-  /// The number of walks shot; more than in the settings if a target needs them.
-  std::uint32_t numberOfWalks() const { return plan_.rounds()[sums_.rounds() - 1].endWalk; }
-  /// Watts of a number of quanta.
-  double watts(double quanta) const
-  {
-    return lights_.flux() *
-      (quanta / (static_cast<double>(lights_.quantaPerWalk()) * numberOfWalks()));
-  }
   /// Memory held.
   std::size_t bytes() const;
 
-  SobolSequence samples() const { return SobolSequence(settings_.seed, plan_.replicates()); }
+  SobolSequence samples() const { return SobolSequence(settings_.seed, plan().replicates()); }
   /// The arguments must outlive it.
   WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const
   {
-    return { space.scene, space.objects, lights_, samples, &space.contacts };
+    return { space.scene, space.objects, lights(), samples, &space.contacts };
   }
   /// Walks stay inside, except where they escape.
   Box bounds(const Scene& scene) const;
@@ -110,8 +100,7 @@ private:
   double reachInFrame(const Scene& scene) const;
 
   WalkSettings settings_;
-  LightTable lights_;
-  WalkPlan plan_;
+  WalkSource source_;
   WalkHistory history_; ///< empty unless walks are stored
   CellSums sums_;
   PowerBalance balance_;

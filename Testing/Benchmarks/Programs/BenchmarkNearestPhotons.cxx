@@ -13,6 +13,7 @@
  */
 #include "../../PhotonWalks/CountedSurface.h"
 #include "../../PhotonWalks/HistoryPhotons.h"
+#include "../../PhotonWalks/OnlySet.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -38,7 +39,7 @@ constexpr double kPixels = 640 * 480; ///< searches of a frame
 std::vector<Vector3> photonPoints(const IrradianceEngine& engine)
 {
   std::vector<Vector3> points;
-  for (const Photon& photon : test::photonsOf(engine.history()))
+  for (const Photon& photon : test::photonsOf(test::onlySet(engine).history()))
   {
     const SceneObject& object = engine.objects()[photon.id.object];
     points.push_back(
@@ -189,7 +190,7 @@ void timeFarSensors(IrradianceEngine& engine, const std::vector<Sensor>& near)
   CpuTime execution;
   engine.collect<LeafPhotons>(execution);
   engine.prepareSurfaces(execution);
-  const WalkHistory& history = engine.history();
+  const WalkHistory& history = test::onlySet(engine).history();
   const NearestPhotons photons = engine.nearestPhotons();
   std::vector<Sensor> far(near.begin(), near.begin() + std::min<std::ptrdiff_t>(near.size(), 300));
   for (Sensor& sensor : far)

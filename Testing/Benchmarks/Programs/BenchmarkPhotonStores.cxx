@@ -9,6 +9,7 @@
  *
  * Arguments: [walks = 1000000] [rounds = 5]
  */
+#include "../../PhotonWalks/OnlySet.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -183,7 +184,7 @@ void reportMemory(const Photons& photons, const SceneObjects& objects, const std
 void requireFresh(const IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
 {
   CellPhotonSets fresh(objects);
-  fresh.add(engine.history(), 0, engine.history().size(), execution);
+  fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
   require(contentsOf(engine.photons<CellPhotonSets>(), objects) == contentsOf(fresh, objects),
     "Updated photons differ from new ones");
 }
@@ -244,7 +245,7 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
 void requireFreshLeaves(const IrradianceEngine& engine, Execution& execution)
 {
   LeafPhotons fresh(engine.objects());
-  fresh.add(engine.history(), 0, engine.history().size(), execution);
+  fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
   require(contentsOf(engine.photons<LeafPhotons>(), engine.objects()) ==
       contentsOf(fresh, engine.objects()),
     "Updated leaves differ from new ones");

@@ -8,6 +8,7 @@
  *
  * Arguments: [walks = 262144] [frames = 8] [head.off]
  */
+#include "../../PhotonWalks/OnlySet.h"
 #include "Measuring/CellField.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
@@ -80,7 +81,7 @@ BoundsUse boundsUse(const IrradianceEngine& engine, const Truth& truth)
 int finish(IrradianceEngine& engine, const Truth& truth, const EngineSettings& settings)
 {
   int calls = 0;
-  while (!engine.stale()->isEmpty())
+  while (!test::onlySet(engine).stale()->isEmpty())
   {
     timeUpdate(engine, truth.objects, settings);
     ++calls;
@@ -120,7 +121,7 @@ void measure(
     }
   }
   reportValue("StalePower at the end, % of the emitted",
-    100 * double(engine.stale()->power()[0]) / double(engine.balance().emitted[0]));
+    100 * double(test::onlySet(engine).stale()->power()[0]) / double(engine.balance().emitted[0]));
   reportValue("largest loss / StaleIrradiance", most.loss);
   reportValue("gain / StaleGainBound", most.gain);
   if (percent > 0)

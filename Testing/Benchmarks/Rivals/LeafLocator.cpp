@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../PhotonWalks/CountedSurface.h"
 #include "../../PhotonWalks/HistoryPhotons.h"
+#include "../../PhotonWalks/OnlySet.h"
 #include "Photons/NearestPhotons.h"
 #include "Rivals/PhotonLocator.h"
 
@@ -21,7 +22,7 @@ public:
     for (IrradianceEngine* each : engines_)
     {
       each->collect<LeafPhotons>(execution_); // finds the sides of all photons
-      photons_.push_back(test::photonsOf(each->history()));
+      photons_.push_back(test::photonsOf(test::onlySet(*each).history()));
     }
     changes_ = { test::changesBetween(photons_[1], photons_[0]),
       test::changesBetween(photons_[0], photons_[1]) };
@@ -73,7 +74,7 @@ public:
 
 private:
   const SceneObjects& objects() const { return engines_[frame_]->objects(); }
-  const WalkHistory& history() const { return engines_[frame_]->history(); }
+  const WalkHistory& history() const { return test::onlySet(*engines_[frame_]).history(); }
 
   Execution execution_;
   std::array<IrradianceEngine*, 2> engines_;

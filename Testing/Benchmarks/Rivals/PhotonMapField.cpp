@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/PhotonMapField.h"
 
+#include "../../PhotonWalks/OnlySet.h"
+
 using namespace irradiance;
 
 namespace
@@ -40,7 +42,7 @@ std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
 {
   const SobolSequence samples = engine.samples();
   const WalkTracer tracer = engine.tracer(samples);
-  const WalkHistory& history = engine.history();
+  const WalkHistory& history = test::onlySet(engine).history();
   std::vector<PhotonMap::Photon> photons;
   for (std::size_t i = 0; i < history.size(); ++i)
   {

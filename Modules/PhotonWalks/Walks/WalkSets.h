@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkSets_h
+#define irradiance_WalkSets_h
+
+#include "History/WalkHistories.h"
+#include "Walks/WalkSet.h"
+
+#include <optional>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * All sets of walks in a scene, and what they bring together. They are shot, verified and repaired one after
+ * the other. Walks of all sets have different numbers. A quantum is as many watts in each, so what they
+ * bring adds up in integers. Of a single set, the total is what the set holds; nothing is copied.
+ */
+class WalkSets
+{
+public:
+  WalkSets() = default;
+  WalkSets(const WalkSets&) = delete;
+  WalkSets& operator=(const WalkSets&) = delete;
+
+  /// The plan of the walks that settings ask for.
+  static WalkPlan planOf(const WalkSettings& settings);
+
+  /// Before the start: a set for each.
+  void setSources(std::vector<WalkSource> sources);
+  bool hasSources(const std::vector<WalkSource>& sources) const;
+  /// What follows does in each set what WalkSet says. A budget of time is shared evenly.
+  void setSettings(const WalkSettings& settings);
+  void start(const WalkSpace& space, Execution& execution);
+  void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
+  void dropRounds(std::size_t kept, const SceneObjects& objects, const CancelPoint& cancelPoint);
+  void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
+    Execution& execution);
+  void replaceCells(const SceneObjects& objects, const CancelPoint& cancelPoint);
+  void findSides(const WalkSpace& space, Execution& execution);
+  void forgetBudget();
+
+  const std::vector<WalkSet>& sets() const { return sets_; }
+  /// Whether there are no lights.
+  bool isEmpty() const { return flux_ == 0; }
+  /// Bounds of the lights in the air.
+  Box boundsInAir() const;
+  /// Walks stay inside, except where they escape.
+  Box bounds(const Scene& scene) const;
+  /// The walks of all sets, round by round.
+  const WalkPlan& plan() const { return plan_; }
+  /// See WalkSet.
+  const CellSums& sums() const { return total_ ? total_->sums : sets_.front().sums(); }
+  const PowerBalance& balance() const { return total_ ? total_->balance : sets_.front().balance(); }
+  /// The number of walks shot; more than in the settings if a target needs them.
+  std::uint32_t numberOfWalks() const { return plan_.walksAfter(sums().rounds()); }
+  /// With which a walk starts, in all bands together; of several sets, on average.
+  std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
+  /// Quanta with which a walk may start at most, in each band.
+  std::array<double, Power::kMaxBands> largestStart() const;
+  double watts(double quanta) const
+  {
+    return flux_ * (quanta / (static_cast<double>(quantaPerWalk_) * numberOfWalks()));
+  }
+
+  WalkHistories histories() const;
+  std::size_t numberOfBlocks() const;
+  /// Memory held.
+  std::size_t bytes() const;
+  /// The `count` first walks, or all: of each set its share.
+  std::vector<std::uint32_t> first(std::size_t count) const;
+  /// Where the walk belongs.
+  const WalkSet& of(std::uint32_t walk) const;
+
+  bool hasStale() const;
+  /// The power that stale tails brought to the cells; null without a budget, or before anything moved.
+  const CellSums* staleSums() const;
+  /// The power that the first stale segments carry, and a bound of what their new tails bring; quanta.
+  Power stalePower() const;
+  double staleGainBound(int band) const;
+
+  /// What was done since the settings were made.
+  WalkStatistics statistics() const;
+
+private:
+  struct Total
+  {
+    CellSums sums;
+    PowerBalance balance;
+    CellSums stale;
+  };
+  /// Sums up what the sets hold, if there are several.
+  void sumUp(const SceneObjects& objects, const CancelPoint& cancelPoint);
+
+  std::vector<WalkSet> sets_ = std::vector<WalkSet>(1);
+  std::optional<Total> total_; ///< of several sets
+  WalkPlan plan_;
+  double flux_ = 0; ///< W
+  std::int64_t quantaPerWalk_ = 1;
+};
+
+}
+
+#endif

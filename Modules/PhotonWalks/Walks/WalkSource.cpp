@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Walks/WalkSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+std::uint32_t numberOfGroups(const SceneObjects& objects)
+{
+  std::uint32_t groups = 1;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    if (objects[i].emits() && !objects[i].emission->groups.empty())
+    {
+      const std::vector<std::uint32_t>& some = objects[i].emission->groups;
+      groups = std::max(groups, *std::max_element(some.begin(), some.end()) + 1);
+    }
+  }
+  return groups;
+}
+
+/// Shares the walks of a plan.
+void deal(std::vector<WalkSource>& sources, const WalkPlan& plan)
+{
+  const std::uint32_t first = plan.walksAfter(1), replicates = plan.replicates().count();
+  const std::uint32_t times = std::uint32_t{ 1 } << std::ilogb(plan.most() / first);
+  const double flux = std::accumulate(sources.begin(), sources.end(), 0.0,
+    [](double sum, const WalkSource& source) { return sum + source.lights.flux(); });
+  std::vector<std::uint32_t> walks;
+  std::uint32_t firstWalk = 0;
+  for (WalkSource& source : sources)
+  {
+    const double share = source.lights.flux() / flux * first / replicates;
+    walks.push_back(replicates * std::max(1u, static_cast<std::uint32_t>(share)));
+    source.plan = WalkPlan(walks.back(), walks.back() * times, replicates, firstWalk);
+    firstWalk += walks.back() * times;
+  }
+  const double all = std::accumulate(walks.begin(), walks.end(), 0.0);
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    LightTable& lights = sources[i].lights;
+    const double quanta =
+      static_cast<double>(lights.quantaPerWalk()) * (lights.flux() / flux) * (all / walks[i]);
+    lights.setQuantaPerWalk(std::max<std::int64_t>(1, std::llround(quanta)));
+  }
+}
+
+}
+
+std::vector<WalkSource> sourcesOf(
+  const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls)
+{
+  std::vector<WalkSource> sources;
+  for (std::uint32_t group = 0; group < numberOfGroups(objects); ++group)
+  {
+    WalkSource source{ LightTable(objects, plan.most(), walls, group), plan };
+    if (!source.lights.isEmpty())
+    {
+      sources.push_back(std::move(source));
+    }
+  }
+  if (sources.empty())
+  {
+    sources.push_back({ {}, plan });
+  }
+  if (sources.size() > 1)
+  {
+    deal(sources, plan);
+  }
+  return sources;
+}
+
+}

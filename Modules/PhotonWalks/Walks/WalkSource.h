@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkSource_h
+#define irradiance_WalkSource_h
+
+#include "Lights/LightTable.h"
+#include "Sampling/WalkPlan.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// Where the walks of a set start, and how many there are.
+struct WalkSource
+{
+  LightTable lights;
+  WalkPlan plan;
+
+  friend bool operator==(const WalkSource& a, const WalkSource& b)
+  {
+    return a.plan == b.plan && a.lights == b.lights;
+  }
+};
+
+/**
+ * A source for each group of lights that shines (see Emission::groups); one without lights if none does.
+ *
+ * A single group has all walks of the plan. Several share them by flux, and number them one source after the
+ * other. Their shares are rounded: to walks that all replicates have as many of, which double from round to
+ * round. So a walk has a little more power in one source than in another, and a quantum is as many watts in
+ * all; rounded to whole quanta, the power of a source is off by less than half a quantum for each walk.
+ * Throws as LightTable does.
+ */
+std::vector<WalkSource> sourcesOf(
+  const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
+
+}
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EngineRun.h"
+#include "MovingScene.h"
+#include "ShownAnswer.h"
+#include "StaleLight.h"
+#include "ThreadExecution.h"
+#include "TwoGroups.h"
+#include "Views/WalkPaths.h"
+
+#include <gtest/gtest.h>
+
+// An engine has a set of walks for each group of lights. It follows motions to the bits of a new engine, and
+// brings what one set with all lamps brings.
+
+namespace irradiance
+{
+namespace
+{
+
+constexpr std::uint32_t kReplicates = 16;
+
+EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(walks);
+  settings.seed = seed;
+  settings.replicates = kReplicates;
+  return settings;
+}
+
+/// Takes an engine with two sets through motions, and compares it with a new one in each `every`th frame.
+void expectFreshBits(const EngineSettings& settings, int frames, int every, unsigned seed)
+{
+  test::MovingScene scene(3, false, seed);
+  IrradianceEngine engine;
+  test::ThreadExecution threads(2);
+  engine.update(test::inTwoGroups(scene.objects()), settings, threads);
+  ASSERT_EQ(engine.walks().sets().size(), 2u);
+  std::int64_t repaired = 0;
+  for (int frame = 1; frame <= frames; ++frame)
+  {
+    scene.nextFrame();
+    const SceneObjects objects = test::inTwoGroups(scene.objects());
+    engine.update(objects, settings, threads);
+    repaired += engine.statistics().repairedSegments;
+    if (frame % every == 0 || frame == frames)
+    {
+      IrradianceEngine fresh;
+      Execution serial;
+      fresh.update(objects, settings, serial);
+      ASSERT_EQ(
+        test::shownAnswer(engine, objects, settings), test::shownAnswer(fresh, objects, settings))
+        << "frame " << frame;
+      test::expectBalance(engine);
+    }
+  }
+  EXPECT_GT(repaired, 0);
+}
+
+TEST(WalkSets, TwoFollowMotionsToTheBitsOfAFreshStart)
+{
+  expectFreshBits(settingsOf(11, 40000), static_cast<int>(test::scaled(100)), 25, 11);
+}
+
+TEST(WalkSets, TwoFollowMotionsForEachEstimate)
+{
+  for (const CellEstimate estimate : { CellEstimate::Spread, CellEstimate::Nearest })
+  {
+    EngineSettings settings = settingsOf(5, 6000);
+    settings.replicates = estimate == CellEstimate::Nearest ? 1 : kReplicates;
+    settings.cellEstimate = estimate;
+    settings.spreadPhotons = 60;
+    settings.separateSides = estimate == CellEstimate::Nearest;
+    expectFreshBits(settings, 6, 3, 5);
+  }
+}
+
+TEST(WalkSets, TwoReachATargetAndKeepItOverMotions)
+{
+  EngineSettings settings = settingsOf(6, 3000);
+  settings.targetRelativeError = 0.5;
+  settings.maximumNumberOfWalks = 20 * settings.numberOfWalks;
+  expectFreshBits(settings, 4, 1, 6);
+}
+
+TEST(WalkSets, TwoRepairWithinABudget)
+{
+  test::MovingScene scene(1, true, 7);
+  EngineSettings settings = settingsOf(7, 30000);
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(test::inTwoGroups(scene.objects()), settings, serial);
+  scene.nextFrame();
+  const SceneObjects objects = test::inTwoGroups(scene.objects());
+  settings.repairTimeBudget = test::kNoTime;
+  engine.update(objects, settings, serial);
+  std::int64_t stale = 0;
+  engine.cells().numbers().forEach(
+    [&](const SceneCell& cell) { stale += engine.walks().staleSums()->sum({ cell }, 0); });
+  EXPECT_GT(stale, 0);
+  std::int64_t each = 0;
+  for (const WalkSet& set : engine.walks().sets())
+  {
+    EXPECT_TRUE(set.hasStale());
+    each += set.stale()->power().total();
+  }
+  EXPECT_EQ(engine.stalePower().total(), each);
+  EXPECT_GT(engine.staleGainBound(0), 0);
+
+  settings.repairTimeBudget = 0;
+  engine.update(objects, settings, serial);
+  EXPECT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings));
+  EXPECT_TRUE(engine.stalePower().isZero());
+}
+
+TEST(WalkSets, ShareTheWalksByFlux)
+{
+  const test::MovingScene scene(3, true, 8);
+  const WalkPlan plan(10000, 70000, kReplicates);
+  const std::vector<WalkSource> sources = sourcesOf(test::inTwoGroups(scene.objects()), plan);
+  ASSERT_EQ(sources.size(), 2u);
+  const LightTable all(scene.objects(), plan.most());
+  std::uint32_t next = 0;
+  for (const WalkSource& source : sources)
+  {
+    const double share = source.lights.flux() / all.flux();
+    EXPECT_NEAR(source.plan.walksAfter(1), 10000 * share, kReplicates);
+    EXPECT_EQ(source.plan.walksAfter(1) % kReplicates, 0u);
+    ASSERT_EQ(source.plan.rounds().size(), 3u); // 10000, 20000, 40000
+    EXPECT_EQ(source.plan.most(), 4 * source.plan.walksAfter(1));
+    EXPECT_EQ(source.plan.rounds().front().firstWalk, next);
+    next = source.plan.endWalk();
+  }
+  // As many watts in a quantum: quanta over flux are the same.
+  const auto quantaPerWatt = [](const WalkSource& source) {
+    return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
+      source.lights.flux();
+  };
+  EXPECT_NEAR(quantaPerWatt(sources[0]) / quantaPerWatt(sources[1]), 1, 1e-6);
+}
+
+TEST(WalkSets, OneGroupHasTheWholePlan)
+{
+  const test::MovingScene scene(3, true, 8);
+  const WalkPlan plan(10000, 70000, kReplicates);
+  const std::vector<WalkSource> sources = sourcesOf(scene.objects(), plan);
+  ASSERT_EQ(sources.size(), 1u);
+  EXPECT_TRUE(sources.front().plan == plan);
+  EXPECT_TRUE(sources.front().lights == LightTable(scene.objects(), plan.most()));
+}
+
+/// A path starts on a light of its group, and points of a path lie in the room.
+TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
+{
+  const test::MovingScene scene(1, true, 9);
+  EngineSettings settings = settingsOf(9, 5000);
+  settings.keepPhotons = true;
+  IrradianceEngine engine;
+  Execution serial;
+  const SceneObjects objects = test::inTwoGroups(scene.objects());
+  engine.update(objects, settings, serial);
+  const WalkPaths paths(engine);
+  const std::vector<std::uint32_t> all = paths.first(engine.numberOfWalks());
+  ASSERT_EQ(all.size(), engine.numberOfWalks());
+  const Vector3 point = objects.staticObject.emission->points.front().position;
+  std::size_t atPoint = 0;
+  for (const WalkPath& path : paths.paths(all, serial))
+  {
+    const bool isSecond = path.walk >= engine.walks().sets()[1].plan().rounds().front().firstWalk;
+    EXPECT_EQ((path.points.front() - point).norm() < 1e-9, isSecond) << "walk " << path.walk;
+    atPoint += isSecond ? 1 : 0;
+  }
+  // Some walks of each.
+  EXPECT_GT(atPoint, 0u);
+  EXPECT_LT(atPoint, all.size());
+  std::size_t few = 0;
+  for (const std::uint32_t walk : paths.first(100))
+  {
+    few += walk >= engine.walks().sets()[1].plan().rounds().front().firstWalk ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(few) / 100,
+    static_cast<double>(atPoint) / static_cast<double>(all.size()), 0.011);
+}
+
+/// Of some 220 cells with an error bar, one is off by more than 5.5 standard errors (Student's t of 15
+/// degrees of freedom) in one run of 70.
+TEST(WalkSets, TwoBringWhatOneWithAllLampsBrings)
+{
+  const test::MovingScene scene(1, true, 12);
+  const EngineSettings settings = settingsOf(3, 200000);
+  IrradianceEngine one, two;
+  Execution serial;
+  one.update(scene.objects(), settings, serial);
+  two.update(test::inTwoGroups(scene.objects()), settingsOf(4, 200000), serial);
+  ASSERT_EQ(two.walks().sets().size(), 2u);
+  EXPECT_NEAR(
+    two.watts(two.balance().emitted.total()) / one.watts(one.balance().emitted.total()), 1, 1e-6);
+  const ErrorEstimate oneError = one.errorEstimate(), twoError = two.errorEstimate();
+  int compared = 0;
+  one.cells().numbers().forEach([&](const SceneCell& cell) {
+    const CellSide side{ cell };
+    const double area = one.cells().area(cell);
+    const double error = std::hypot(one.watts(oneError.standardError(side, 0)),
+                           two.watts(twoError.standardError(side, 0))) /
+      area;
+    if (area > 0 && !std::isnan(error))
+    {
+      EXPECT_NEAR(two.irradiance(side, 0), one.irradiance(side, 0), 5.5 * error)
+        << "cell " << cell.cell << " of object " << cell.object;
+      ++compared;
+    }
+  });
+  EXPECT_GT(compared, test::kIsSanitized ? 50 : 150);
+}
+
+}
+}
