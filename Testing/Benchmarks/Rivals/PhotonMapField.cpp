@@ -2,6 +2,7 @@
 #include "Rivals/PhotonMapField.h"
 
 #include "../../PhotonWalks/OnlySet.h"
+#include "Walks/StoredWalks.h"
 
 using namespace irradiance;
 
@@ -40,8 +41,7 @@ std::vector<Middle> middlesOf(const SceneObject& object)
 
 std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
 {
-  const SobolSequence samples = engine.samples();
-  const WalkTracer tracer = engine.tracer(samples);
+  const StoredWalks walks(engine.walks(), engine.space());
   const WalkHistory& history = test::onlySet(engine).history();
   std::vector<PhotonMap::Photon> photons;
   for (std::size_t i = 0; i < history.size(); ++i)
@@ -50,7 +50,7 @@ std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
     history.forEachPhoton(i, [&](const Photon& photon) { segments.push_back(photon.reference); });
     std::vector<SurfacePoint> points(segments.size());
     std::vector<Vector3> directions(segments.size());
-    tracer.arrivalsOf(history, segments, points.data(), directions.data());
+    walks.arrivalsOf(segments, points.data(), directions.data());
     for (std::size_t k = 0; k < segments.size(); ++k)
     {
       const Power power = history.power(segments[k]);
