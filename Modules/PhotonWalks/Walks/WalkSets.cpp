@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -205,18 +206,15 @@ std::size_t WalkSets::bytes() const
 std::vector<std::uint32_t> WalkSets::first(std::size_t count) const
 {
   const std::size_t all = isEmpty() ? 0 : numberOfWalks();
+  const std::size_t chosen = std::min(count, all);
   std::vector<std::uint32_t> walks;
-  std::size_t before = 0; // walks of the sets so far
+  std::size_t before = 0; // walks of this set and of those before it
   for (const WalkSet& set : sets_)
   {
-    const std::size_t shot = set.plan().walksAfter(set.sums().rounds());
-    const auto shareOf = [&](
-                           std::size_t walks) { return all > count ? walks * count / all : walks; };
-    const std::size_t size = walks.size();
-    walks.resize(isEmpty() ? 0 : shareOf(before + shot));
-    before += shot;
-    std::iota(walks.begin() + static_cast<std::ptrdiff_t>(size), walks.end(),
-      set.plan().rounds().front().firstWalk);
+    before += set.plan().walksAfter(set.sums().rounds());
+    const auto next = static_cast<std::ptrdiff_t>(walks.size());
+    walks.resize(all > 0 ? before * chosen / all : 0);
+    std::iota(walks.begin() + next, walks.end(), set.plan().rounds().front().firstWalk);
   }
   return walks;
 }
