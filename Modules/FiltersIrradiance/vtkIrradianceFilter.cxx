@@ -7,6 +7,7 @@
 #include "Input/SceneAdvice.h"
 #include "Output/OutputWriter.h"
 #include "Output/WalksWriter.h"
+#include "Pipeline/ControllerRanks.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
@@ -26,6 +27,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMatrixToLinearTransform.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -55,10 +57,11 @@ public:
 
   Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
   void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
-    vtkMultiBlockDataSet* output, vtkPolyData* walks);
+    irradiance::Ranks& ranks, vtkMultiBlockDataSet* output, vtkPolyData* walks);
   void Advise(
     vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint);
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   irradiance::DynamicPoses Poses;
   irradiance::SceneReader Scene;
   /// Shared with the outputs, see PhotonSource.
@@ -229,6 +232,20 @@ void vtkIrradianceFilter::SetDynamicTransformInterpolator(
 vtkTransformInterpolator* vtkIrradianceFilter::GetDynamicTransformInterpolator(int i)
 {
   return this->Internals->Poses.interpolator(i);
+}
+
+void vtkIrradianceFilter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Internals->Controller != controller)
+  {
+    this->Internals->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkIrradianceFilter::GetController()
+{
+  return this->Internals->Controller;
 }
 
 void vtkIrradianceFilter::RemoveAllDynamicTransforms()
@@ -517,7 +534,8 @@ void vtkIrradianceFilter::vtkInternals::Advise(
 }
 
 void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, const Inputs& inputs,
-  vtkInformation* request, vtkMultiBlockDataSet* output, vtkPolyData* walks)
+  vtkInformation* request, irradiance::Ranks& ranks, vtkMultiBlockDataSet* output,
+  vtkPolyData* walks)
 {
   irradiance::EngineSettings settings = CheckedSettings(filter);
   const irradiance::WalksWriter walksWriter(
@@ -527,7 +545,15 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   settings.keepPhotons = irradiance::arePhotonsRequested(request) || walksWriter.isAsked() ||
     irradiance::needsPhotons(settings.cellEstimate);
   settings.listRepaired = walksWriter.isAsked();
-  irradiance::SmpExecution execution = irradiance::executionOf(filter);
+  if (settings.keepPhotons && ranks.areSeveral())
+  {
+    throw irradiance::InputError(
+      "CellEstimate Nearest, output walks, vtkIrradianceProbeFilter and "
+      "vtkOutgoingRadianceFilter need all photons in one process, but the "
+      "Controller has " +
+      std::to_string(ranks.count()));
+  }
+  irradiance::SmpExecution execution = irradiance::executionOf(filter, &ranks);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
   {
     throw irradiance::Interrupted();
@@ -561,30 +587,38 @@ int vtkIrradianceFilter::RequestData(
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkPolyData* walks = vtkPolyData::GetData(outputs, 1);
-  if (inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects() ==
-      0 &&
-    this->Internals->Poses.isEmpty())
-  {
-    return irradiance::runFilter(this, output, [] {});
-  }
+  const int connections =
+    inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects();
+  const bool isUnused = connections == 0 && this->Internals->Poses.isEmpty();
   const std::optional<double> time = RequestedTime(request, outputs);
-  this->Internals->Begun = this->InputTime();
-  return irradiance::runFilter(this, output, [&] {
+  if (!isUnused)
+  {
+    this->Internals->Begun = this->InputTime();
+  }
+  irradiance::ControllerRanks ranks(this->Internals->Controller);
+  const auto compute = [&] {
+    ranks.expectSame(isUnused ? 1 : 0, "other inputs than on the first process");
+    if (isUnused)
+    {
+      return;
+    }
     this->Internals->Poses.evaluate(time);
     this->Internals->Begun = this->InputTime(); // evaluation counts as a change
     const vtkInternals::Inputs read = this->Internals->GetInputs(this, inputs);
-    vtkInformation* info = RequestingOutput(request, outputs);
-    if (irradiance::isEmptyPieceRequested(info))
+    const bool isEmpty = irradiance::isEmptyPieceRequested(RequestingOutput(request, outputs));
+    if (!isEmpty || ranks.areSeveral())
     {
+      this->Internals->Compute(this, read, outputs->GetInformationObject(0), ranks, output, walks);
+    }
+    if (isEmpty)
+    {
+      output->Initialize();
       irradiance::OutputWriter::writeEmpty(
         read.Static, read.Dynamic, CheckedSettings(this), this->ComputeStandardError != 0, output);
     }
-    else
-    {
-      this->Internals->Compute(this, read, outputs->GetInformationObject(0), output, walks);
-    }
     SetDataTime(time, outputs);
-  });
+  };
+  return irradiance::runFilter(this, output, compute, &ranks);
 }
 
 void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -604,6 +638,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
      << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
+     << indent << "Controller: " << this->GetController() << "\n"
      << indent << "NumberOfOutputWalks: " << this->NumberOfOutputWalks << "\n"
      << indent << "OutputWalksPort: " << this->OutputWalksPort << "\n"
      << indent << "OutputWalksConnection: " << this->OutputWalksConnection << "\n"

@@ -53,6 +53,7 @@
 #include <memory> // For the internals
 
 class vtkLinearTransform;
+class vtkMultiProcessController;
 class vtkPolyData;
 class vtkTransformInterpolator;
 
@@ -223,6 +224,20 @@ public:
    */
   vtkSetMacro(RepairTimeBudget, double);
   vtkGetMacro(RepairTimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that share the walks, for example a vtkMPIController; null: this one alone. Each process
+   * has the whole scene, shoots and stores its part of the walks, and has the whole output, with the bits
+   * that one process alone would give. All of them have to update the filter at the same time, with the
+   * same inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds are
+   * this process's own. CellEstimate Nearest, output walks, vtkIrradianceProbeFilter and
+   * vtkOutgoingRadianceFilter need all photons in one process: with several they give an error. See "Several
+   * processes" in the Guide. Default null.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
   ///@}
 
   ///@{

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IrradianceEngine.h"
 
+#include "AgreedChange.h"
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
 
@@ -16,12 +17,13 @@ void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
   assert(conflictOf(settings, settings).empty());
-  const FrameChange change = changeTo(objects, settings, execution);
+  const FrameChange change = agreedChange(changeTo(objects, settings, execution),
+    { objects, objects_, settings, settings }, execution.ranks());
   const bool isFresh = change.kind == FrameChange::Fresh;
   const std::size_t blocks = walks_.numberOfBlocks();
   isValid_ = false; // until the end is reached
   ++state_;
-  adopt(objects, settings, change.kind, cancelPointOf(execution, 0));
+  adopt(objects, settings, change.kind, execution);
   const bool hasTarget = settings_.targetRelativeError > 0;
   const double begun = isFresh ? 0 : hasTarget ? 0.5 : 1; // what comes after a repair is not known
   ProgressSpan following(execution, 0, begun), shooting(execution, begun, 1);
@@ -58,7 +60,8 @@ FrameChange IrradianceEngine::changeTo(
     }
   }
   const bool replaces = hasReplaced(objects, objects_);
-  if (!sameLights || !samePlan || !canRepair(objects, settings) || (replaces && walks_.hasStale()))
+  if (!sameLights || !samePlan || !canRepair(objects, settings) ||
+    !walks_.areOf(execution.ranks()) || (replaces && walks_.hasStale()))
   {
     return { FrameChange::Fresh, {} };
   }
@@ -81,7 +84,7 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
 }
 
 void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,
-  FrameChange::Kind change, const CancelPoint& cancelPoint)
+  FrameChange::Kind change, Execution& execution)
 {
   objects_ = objects;
   // Walks that are kept for their photons stay: a filter may need them again.
@@ -94,12 +97,13 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   settings_ = settings;
   settings_.keepPhotons = keepsPhotons;
   statistics_ = { {}, statistics_.historyBytes };
-  cells_.update(objects_, cancelPoint);
+  ProgressSpan beginning(execution, 0, 0);
+  cells_.update(objects_, cancelPointOf(beginning, 0));
   surfaces_.forgetOthers(objects_);
   walks_.setSettings(settings_);
   if (change == FrameChange::Replace)
   {
-    walks_.replaceCells(objects_, cancelPoint);
+    walks_.replaceCells(objects_, beginning);
     forgetPhotons();
   }
 }
@@ -186,7 +190,8 @@ void IrradianceEngine::reachTarget(Execution& execution)
   {
     forgetPhotons();
   }
-  walks_.dropRounds(rounds, objects_, cancelPointOf(execution, progress));
+  ProgressSpan dropping(execution, progress, progress);
+  walks_.dropRounds(rounds, objects_, dropping);
   if (!execution.reportProgress(1))
   {
     throw Interrupted();

@@ -132,7 +132,7 @@ private:
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
   /// Takes over a frame and its settings, and forgets what it makes out of date.
   void adopt(const SceneObjects& objects, const EngineSettings& settings, FrameChange::Kind change,
-    const CancelPoint& cancelPoint);
+    Execution& execution);
   void commitScene(const std::vector<bool>& moved, Execution& execution);
   /// Forgets all walks and commits the scene.
   void start(Execution& execution);

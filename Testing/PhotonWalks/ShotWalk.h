@@ -28,8 +28,8 @@ inline std::vector<WalkSegment> shotWalk(
   WalkBatch batch(tracer, &frame);
   batch.shoot({ walk });
   batch.run(tally, [] { return false; });
-  WalkHistory history(
-    plan, frame, tracer.sampler().bands(), tracer.sampler().powerPerWalk(), plan.blockOf(walk));
+  WalkHistory history(plan, frame, tracer.sampler().bands(), tracer.sampler().powerPerWalk(),
+    DealtBlocks(plan.blockOf(walk), plan.blockOf(walk) + 1)); // begins with the walk's block
   history.append();
   batch.store(history);
   std::vector<WalkSegment> segments(history.block(0).size(walk));

@@ -4,32 +4,39 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace irradiance
 {
 
-// A part of the walks, as one of several processes has them.
-TEST(WalkHistory, NeedNotBeginAtTheFirstBlock)
+// A part of the walks, as one of several ranks has them: each walk has one place on one rank.
+TEST(WalkHistory, RanksShareTheBlocksOfAPlan)
 {
   const WalkPlan plan(5000, 20000, 3);
   const UnitFrame frame;
-  constexpr std::size_t kFirst = 3;
-  WalkHistory history(plan, frame, 1, Power{ { 1 } }, kFirst);
-  for (int i = 0; i < 4; ++i)
+  constexpr std::size_t kRanks = 3;
+  std::vector<int> isStored(plan.most(), 0);
+  for (std::size_t rank = 0; rank < kRanks; ++rank)
   {
-    history.append();
-  }
-  std::uint32_t next = plan.firstWalkOf(kFirst);
-  for (std::size_t i = 0; i < history.size(); ++i)
-  {
-    EXPECT_EQ(history.block(i).firstWalk(), next);
-    EXPECT_EQ(history.block(i).numberOfWalks(), plan.walksIn(kFirst + i));
-    for (; next < history.block(i).endWalk(); ++next)
+    const DealtBlocks dealt(rank, kRanks);
+    WalkHistory history(plan, frame, 1, Power{ { 1 } }, dealt);
+    while (history.size() < dealt.before(plan.rounds().back().endBlock))
     {
-      ASSERT_EQ(history.indexOf(next), i);
-      ASSERT_EQ(&history.blockOf(next), &history.block(i));
+      history.append();
+    }
+    for (std::size_t i = 0; i < history.size(); ++i)
+    {
+      EXPECT_EQ(history.block(i).firstWalk(), plan.firstWalkOf(dealt[i]));
+      for (std::uint32_t walk = history.block(i).firstWalk(); walk < history.block(i).endWalk();
+           ++walk)
+      {
+        ASSERT_EQ(history.indexOf(walk), i);
+        ASSERT_EQ(&history.blockOf(walk), &history.block(i));
+        ++isStored[walk];
+      }
     }
   }
-  EXPECT_EQ(next, plan.firstWalkOf(kFirst + 4));
+  EXPECT_EQ(std::count(isStored.begin(), isStored.end(), 1), 20000);
 }
 
 TEST(WalkHistory, PhotonsOfATail)

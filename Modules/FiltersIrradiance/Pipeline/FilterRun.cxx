@@ -56,16 +56,17 @@ vtkMTimeType upstreamTime(vtkAlgorithm* filter, int port, int connection)
   return time;
 }
 
-SmpExecution executionOf(vtkAlgorithm* filter)
+SmpExecution executionOf(vtkAlgorithm* filter, Ranks* ranks)
 {
-  return SmpExecution([filter](double progress) {
+  const auto report = [filter](double progress) {
     filter->UpdateProgress(progress);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101)
     return !filter->CheckAbort();
 #else
     return !filter->GetAbortExecute();
 #endif
-  });
+  };
+  return SmpExecution(report, ranks);
 }
 
 void forgetAbort(vtkAlgorithm* filter)
@@ -77,18 +78,23 @@ void forgetAbort(vtkAlgorithm* filter)
 #endif
 }
 
-int runFilter(vtkAlgorithm* filter, vtkDataObject* output, const std::function<void()>& compute)
+int runFilter(
+  vtkAlgorithm* filter, vtkDataObject* output, const std::function<void()>& compute, Ranks* ranks)
 {
   output->Initialize();
   output->GetInformation()->Remove(failedKey());
   if (hasInputFailed(filter))
   {
     fail(output);
+    if (ranks)
+    {
+      ranks->withdraw();
+    }
     return 1;
   }
   try
   {
-    compute();
+    ranks ? ranks->together(compute) : compute();
   }
   catch (const Interrupted&)
   {

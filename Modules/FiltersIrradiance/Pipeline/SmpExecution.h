@@ -11,12 +11,14 @@
 namespace irradiance
 {
 
-/// VTK's threads, and a function that reports progress and returns whether to continue.
+/// VTK's threads, a function that reports progress and returns whether to continue, and ranks.
 class SmpExecution : public Execution
 {
 public:
-  explicit SmpExecution(std::function<bool(double)> report)
+  /// `ranks` must outlive it; null: alone.
+  explicit SmpExecution(std::function<bool(double)> report, Ranks* ranks = nullptr)
     : report_(std::move(report))
+    , ranks_(ranks)
   {
   }
 
@@ -31,8 +33,11 @@ public:
 
   bool reportProgress(double progress) override { return report_(progress); }
 
+  Ranks& ranks() override { return ranks_ ? *ranks_ : Execution::ranks(); }
+
 private:
   std::function<bool(double)> report_;
+  Ranks* ranks_;
 };
 
 }

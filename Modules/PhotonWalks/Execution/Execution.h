@@ -2,6 +2,7 @@
 #ifndef irradiance_Execution_h
 #define irradiance_Execution_h
 
+#include "Execution/Ranks.h"
 #include "Progress/CancelPoint.h"
 
 #include <chrono>
@@ -12,7 +13,8 @@
 namespace irradiance
 {
 
-/// Gives the engine its threads and takes its reports of progress. This one is serial and silent.
+/// Gives the engine its threads and ranks, and takes its reports of progress. This one is serial, alone and
+/// silent.
 class Execution
 {
 public:
@@ -36,6 +38,12 @@ public:
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
       .count();
   }
+
+  /// With whom the work is shared.
+  virtual Ranks& ranks() { return alone_; }
+
+private:
+  Ranks alone_;
 };
 
 /// Execution::reportProgress() returned false.

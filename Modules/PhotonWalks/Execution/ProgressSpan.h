@@ -32,6 +32,8 @@ public:
 
   double seconds() const override { return whole_.seconds(); }
 
+  Ranks& ranks() override { return whole_.ranks(); }
+
 private:
   Execution& whole_;
   double from_, to_;

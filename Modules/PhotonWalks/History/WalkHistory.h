@@ -3,6 +3,7 @@
 #define irradiance_WalkHistory_h
 
 #include "History/Contribution.h"
+#include "Sampling/DealtBlocks.h"
 #include "Sampling/WalkPlan.h"
 
 #include <numeric>
@@ -32,23 +33,20 @@ struct PhotonChanges
   }
 };
 
-/**
- * The stored walks of a plan: consecutive blocks of it, from any one on. Blocks are counted here from
- * the first that is stored.
- */
+/// The stored walks of a plan: the blocks that are dealt to this rank. They are counted here.
 class WalkHistory
 {
 public:
   /// Stores nothing.
   WalkHistory() = default;
-  /// `frame`, `bands`, `power`: see WalkBlock. `firstBlock`: the number in the plan of the first block.
+  /// `frame`, `bands`, `power`: see WalkBlock.
   WalkHistory(const WalkPlan& plan, const UnitFrame& frame, int bands, const Power& power,
-    std::size_t firstBlock = 0)
+    const DealtBlocks& dealt = {})
     : plan_(plan)
     , frame_(frame)
     , bands_(bands)
     , power_(power)
-    , firstBlock_(firstBlock)
+    , dealt_(dealt)
   {
   }
   WalkHistory(WalkHistory&&) = default;
@@ -62,14 +60,14 @@ public:
   const WalkBlock& block(std::size_t i) const { return blocks_[i]; }
   WalkBlock& block(std::size_t i) { return blocks_[i]; }
   /// Where the walk is stored.
-  std::size_t indexOf(std::uint32_t walk) const { return plan_.blockOf(walk) - firstBlock_; }
+  std::size_t indexOf(std::uint32_t walk) const { return dealt_.before(plan_.blockOf(walk)); }
   const WalkBlock& blockOf(std::uint32_t walk) const { return blocks_[indexOf(walk)]; }
   WalkBlock& blockOf(std::uint32_t walk) { return blocks_[indexOf(walk)]; }
 
-  /// Adds the next block of the plan, whose walks have no segments yet.
+  /// Adds the next block, whose walks have no segments yet.
   void append()
   {
-    const std::size_t number = firstBlock_ + blocks_.size();
+    const std::size_t number = dealt_[blocks_.size()];
     blocks_.emplace_back(plan_.firstWalkOf(number), plan_.walksIn(number), bands_, frame_, power_);
   }
   void removeLast() { blocks_.pop_back(); }
@@ -123,7 +121,7 @@ private:
   UnitFrame frame_;
   int bands_ = 1;
   Power power_;
-  std::size_t firstBlock_ = 0;
+  DealtBlocks dealt_;
   std::vector<WalkBlock> blocks_;
 };
 

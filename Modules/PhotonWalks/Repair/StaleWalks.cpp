@@ -159,15 +159,14 @@ Power StaleWalks::power() const
   return sum;
 }
 
-double StaleWalks::gainBound(int band) const
+Power StaleWalks::gainBound() const
 {
   Power gain;
   for (const Block& block : blocks_)
   {
     gain += block.gain;
   }
-  return bound_.isKnown() || power()[band] == 0 ? static_cast<double>(gain[band])
-                                                : std::numeric_limits<double>::infinity();
+  return gain;
 }
 
 std::size_t StaleWalks::bytes() const

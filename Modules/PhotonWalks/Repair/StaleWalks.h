@@ -53,9 +53,9 @@ public:
   void take(const std::vector<Deposit>& deposits) { sums_.add(deposits); }
   /// The power that the first stale segments carry.
   Power power() const;
-  /// Upper bound of the quanta that all cells together receive from the repaired tails; infinite
-  /// where no bound is known.
-  double gainBound(int band) const;
+  /// Upper bound of the quanta that all cells together receive from the repaired tails, if it is known.
+  Power gainBound() const;
+  bool isBoundKnown() const { return bound_.isKnown(); }
   std::size_t bytes() const;
 
 private:

@@ -124,6 +124,16 @@ void CellSums::add(const CellSums& others, const CancelPoint& cancelPoint)
   }
 }
 
+void CellSums::sumOver(Ranks& ranks, const CancelPoint& cancelPoint)
+{
+  constexpr std::size_t kPiece = std::size_t{ 1 } << 18;
+  for (std::size_t i = 0; i < sums_.size(); i += kPiece)
+  {
+    cancelPoint();
+    ranks.sum(&sums_[i], std::min(kPiece, sums_.size() - i));
+  }
+}
+
 std::int64_t CellSums::sum(const CellSide& cell, int band) const
 {
   std::int64_t total = 0;

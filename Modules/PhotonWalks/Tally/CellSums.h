@@ -2,6 +2,7 @@
 #ifndef irradiance_CellSums_h
 #define irradiance_CellSums_h
 
+#include "Execution/Ranks.h"
 #include "History/Contribution.h"
 #include "Sampling/WalkPlan.h"
 #include "Simd/Prefetch.h"
@@ -78,6 +79,8 @@ public:
   void add(const std::vector<Deposit>& deposits);
   /// Adds other sums of the same cells, round by round and replicate by replicate.
   void add(const CellSums& others, const CancelPoint& cancelPoint);
+  /// Adds up the sums of all ranks.
+  void sumOver(Ranks& ranks, const CancelPoint& cancelPoint);
   std::int64_t sum(const CellSide& cell, int band) const;
   /// The part that the walks of one replicate in the first `rounds` rounds brought.
   std::int64_t sum(

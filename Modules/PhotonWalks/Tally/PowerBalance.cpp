@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tally/PowerBalance.h"
 
+#include <array>
 #include <stdexcept>
 
 namespace irradiance
@@ -14,6 +15,21 @@ PowerBalance& PowerBalance::operator+=(const PowerBalance& other)
   segments += other.segments;
   received += other.received;
   return *this;
+}
+
+void sumOver(Ranks& ranks, PowerBalance& balance)
+{
+  for (Power* power : { &balance.emitted, &balance.absorbed, &balance.escaped })
+  {
+    ranks.sum(power->quanta.data(), power->quanta.size());
+  }
+  constexpr double kUnit = 0x1p20; // so that the sum of many ranks does not overflow
+  std::array<std::int64_t, 2> counts{ balance.segments,
+    static_cast<std::int64_t>(balance.received / kUnit) };
+  ranks.sum(counts.data(), counts.size());
+  balance.segments = counts[0];
+  balance.received = kUnit * static_cast<double>(counts[1]);
+  checkReceived(balance);
 }
 
 void checkReceived(const PowerBalance& balance)

@@ -2,6 +2,7 @@
 #ifndef irradiance_PowerBalance_h
 #define irradiance_PowerBalance_h
 
+#include "Execution/Ranks.h"
 #include "Surfaces/Power.h"
 
 #include <cstdint>
@@ -22,6 +23,9 @@ struct PowerBalance
 
   PowerBalance& operator+=(const PowerBalance& other);
 };
+
+/// Adds up the balances of all ranks.
+void sumOver(Ranks& ranks, PowerBalance& balance);
 
 /// Throws std::overflow_error when cell sums might overflow.
 void checkReceived(const PowerBalance& balance);

@@ -38,8 +38,9 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
     history_.removeLast();
     cancelPoint();
   }
+  blocks_ = DealtBlocks(execution.ranks().rank(), execution.ranks().count());
   history_ = WalkHistory(plan(), pointFrame(space.objects, bounds(space.scene)),
-    space.objects.staticObject.material->bands, Power{ { lights().quantaPerWalk() } });
+    space.objects.staticObject.material->bands, Power{ { lights().quantaPerWalk() } }, blocks_);
   stale_.reset();
   repaired_ = {};
   hasSides_ = settings_.keepPhotons || settings_.separateSides;
@@ -53,7 +54,7 @@ void WalkSet::shootRound(
   const Stopwatch stopwatch;
   const WalkRound& walks = plan().rounds()[round];
   sums_.setRounds(round + 1, cancelPointOf(execution, 0));
-  for (std::size_t block = walks.firstBlock; isStored && block < walks.endBlock; ++block)
+  while (isStored && history_.size() < blocks_.before(walks.endBlock))
   {
     history_.append();
   }
@@ -67,10 +68,11 @@ void WalkSet::shootBlocks(
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(space, samples);
   SharedBalance total(balance_);
-  std::vector<std::unique_ptr<WalkBatch>> open(walks.endBlock - walks.firstBlock);
+  const std::size_t first = blocks_.before(walks.firstBlock);
+  std::vector<std::unique_ptr<WalkBatch>> open(blocks_.before(walks.endBlock) - first);
   SlicedPass pass{ lights().isEmpty() ? 0 : open.size(), {} };
   pass.work = [&](std::size_t i, const Deadline& deadline) {
-    const std::size_t block = walks.firstBlock + i;
+    const std::size_t block = blocks_[first + i];
     if (!open[i])
     {
       std::vector<std::uint32_t> numbers(plan().walksIn(block));
@@ -100,7 +102,7 @@ void WalkSet::shootBlocks(
 
 void WalkSet::dropRounds(std::size_t kept, const CancelPoint& cancelPoint)
 {
-  const std::size_t blocks = plan().rounds()[kept - 1].endBlock;
+  const std::size_t blocks = blocks_.before(plan().rounds()[kept - 1].endBlock);
   while (history_.size() > blocks)
   {
     WalkTally tally(sums_, balance_);

@@ -41,7 +41,7 @@ public:
   void setSource(WalkSource source) { source_ = std::move(source); }
   /// For what is done next. Between two starts they may differ only in what is kept, and in the budget.
   void setSettings(const WalkSettings& settings);
-  /// Forgets all walks. The next rounds are shot in this space.
+  /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its blocks.
   void start(const WalkSpace& space, Execution& execution);
   /// Shoots a round. With `isStored` the history holds all rounds before it.
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
@@ -63,6 +63,11 @@ public:
   const LightTable& lights() const { return source_.lights; }
   const WalkPlan& plan() const { return source_.plan; }
   const WalkHistory& history() const { return history_; }
+  /// Whether it has the walks that are this rank's.
+  bool isOf(const Ranks& ranks) const
+  {
+    return blocks_ == DealtBlocks(ranks.rank(), ranks.count());
+  }
   /// What arrived in the cells themselves.
   const CellSums& sums() const { return sums_; }
   const PowerBalance& balance() const { return balance_; }
@@ -101,6 +106,7 @@ private:
 
   WalkSettings settings_;
   WalkSource source_;
+  DealtBlocks blocks_;  ///< of this rank
   WalkHistory history_; ///< empty unless walks are stored
   CellSums sums_;
   PowerBalance balance_;

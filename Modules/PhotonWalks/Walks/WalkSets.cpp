@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -75,12 +76,16 @@ void WalkSets::setSettings(const WalkSettings& settings)
     set.setSettings(own);
     own.seed += 0x9e3779b97f4a7c15u; // as SplitMix64 does
   }
+  if (total_)
+  {
+    total_->statistics = {};
+  }
 }
 
 void WalkSets::start(const WalkSpace& space, Execution& execution)
 {
   forEach(sets_, execution, [&](WalkSet& set, Execution& part) { set.start(space, part); });
-  sumUp(space.objects, cancelPointOf(execution, 1));
+  sumUp(space.objects, execution);
 }
 
 void WalkSets::shootRound(
@@ -88,17 +93,16 @@ void WalkSets::shootRound(
 {
   forEach(sets_, execution,
     [&](WalkSet& set, Execution& part) { set.shootRound(round, isStored, space, part); });
-  sumUp(space.objects, cancelPointOf(execution, 1));
+  sumUp(space.objects, execution);
 }
 
-void WalkSets::dropRounds(
-  std::size_t kept, const SceneObjects& objects, const CancelPoint& cancelPoint)
+void WalkSets::dropRounds(std::size_t kept, const SceneObjects& objects, Execution& execution)
 {
   for (WalkSet& set : sets_)
   {
-    set.dropRounds(kept, cancelPoint);
+    set.dropRounds(kept, cancelPointOf(execution, 1));
   }
-  sumUp(objects, cancelPoint);
+  sumUp(objects, execution);
 }
 
 void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
@@ -106,16 +110,16 @@ void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
 {
   forEach(sets_, execution,
     [&](WalkSet& set, Execution& part) { set.follow(moved, space, changes, part); });
-  sumUp(space.objects, cancelPointOf(execution, 1));
+  sumUp(space.objects, execution);
 }
 
-void WalkSets::replaceCells(const SceneObjects& objects, const CancelPoint& cancelPoint)
+void WalkSets::replaceCells(const SceneObjects& objects, Execution& execution)
 {
   for (WalkSet& set : sets_)
   {
-    set.replaceCells(objects, cancelPoint);
+    set.replaceCells(objects, cancelPointOf(execution, 0));
   }
-  sumUp(objects, cancelPoint);
+  sumUp(objects, execution);
 }
 
 void WalkSets::findSides(const WalkSpace& space, Execution& execution)
@@ -129,16 +133,24 @@ void WalkSets::forgetBudget()
   {
     set.forgetBudget();
   }
+  if (total_ && !total_->stale.isStale)
+  {
+    total_->stale.isKept = staleOfSets().isKept;
+  }
 }
 
-void WalkSets::sumUp(const SceneObjects& objects, const CancelPoint& cancelPoint)
+void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
 {
-  if (sets_.size() == 1)
+  Ranks& ranks = execution.ranks();
+  if (sets_.size() == 1 && !ranks.areSeveral())
   {
+    total_.reset();
     return;
   }
+  const CancelPoint cancelPoint = cancelPointOf(execution, 1);
   const CellSums& any = sets_.front().sums();
-  Total total{ CellSums(objects, any.sides(), plan_, 0), {}, CellSums(objects, any.sides()) };
+  Total total{ CellSums(objects, any.sides(), plan_, 0), {}, CellSums(objects, any.sides()),
+    staleOfSets(), statisticsOfSets() };
   total.sums.setRounds(any.rounds(), cancelPoint);
   for (const WalkSet& set : sets_)
   {
@@ -146,10 +158,53 @@ void WalkSets::sumUp(const SceneObjects& objects, const CancelPoint& cancelPoint
     total.balance += set.balance();
     if (set.stale())
     {
-      total.stale.add(set.stale()->sums(), cancelPoint);
+      total.staleSums.add(set.stale()->sums(), cancelPoint);
     }
   }
+  if (ranks.areSeveral())
+  {
+    sumOver(ranks, total, cancelPoint);
+  }
   total_ = std::move(total);
+}
+
+void WalkSets::sumOver(Ranks& ranks, Total& total, const CancelPoint& cancelPoint)
+{
+  total.sums.sumOver(ranks, cancelPoint);
+  irradiance::sumOver(ranks, total.balance);
+  std::array<std::int64_t, 6> counts{ total.stale.isKept ? 1 : 0, total.stale.isStale ? 1 : 0,
+    total.stale.isBounded ? 0 : 1, total.statistics.suspectSegments, total.statistics.invalidWalks,
+    total.statistics.repairedSegments };
+  ranks.sum(counts.data(), counts.size());
+  total.stale.isKept = counts[0] > 0;
+  total.stale.isStale = counts[1] > 0;
+  total.stale.isBounded = counts[2] == 0;
+  total.statistics.suspectSegments = counts[3];
+  total.statistics.invalidWalks = counts[4];
+  total.statistics.repairedSegments = counts[5];
+  if (total.stale.isKept)
+  {
+    ranks.sum(total.stale.power.quanta.data(), total.stale.power.quanta.size());
+    ranks.sum(total.stale.gain.quanta.data(), total.stale.gain.quanta.size());
+    total.staleSums.sumOver(ranks, cancelPoint);
+  }
+}
+
+WalkSets::StaleFigures WalkSets::staleOfSets() const
+{
+  StaleFigures all;
+  for (const WalkSet& set : sets_)
+  {
+    if (const StaleWalks* stale = set.stale())
+    {
+      all.isKept = true;
+      all.isStale = all.isStale || !stale->isEmpty();
+      all.isBounded = all.isBounded && stale->isBoundKnown();
+      all.power += stale->power();
+      all.gain += stale->gainBound();
+    }
+  }
+  return all;
 }
 
 Box WalkSets::boundsInAir() const
@@ -225,39 +280,24 @@ const WalkSet& WalkSets::of(std::uint32_t walk) const
     [walk](const WalkSet& set) { return walk < set.plan().endWalk(); });
 }
 
-bool WalkSets::hasStale() const
-{
-  return std::any_of(sets_.begin(), sets_.end(), [](const WalkSet& set) { return set.hasStale(); });
-}
-
 const CellSums* WalkSets::staleSums() const
 {
-  const auto isKept = [](const WalkSet& set) { return set.stale() != nullptr; };
-  if (std::none_of(sets_.begin(), sets_.end(), isKept))
+  if (total_)
   {
-    return nullptr;
+    return total_->stale.isKept ? &total_->staleSums : nullptr;
   }
-  return total_ ? &total_->stale : &sets_.front().stale()->sums();
-}
-
-Power WalkSets::stalePower() const
-{
-  Power power;
-  for (const WalkSet& set : sets_)
-  {
-    power += set.stale() ? set.stale()->power() : Power{};
-  }
-  return power;
+  const StaleWalks* stale = sets_.front().stale();
+  return stale ? &stale->sums() : nullptr;
 }
 
 double WalkSets::staleGainBound(int band) const
 {
-  return std::accumulate(sets_.begin(), sets_.end(), 0.0, [&](double sum, const WalkSet& set) {
-    return sum + (set.stale() ? set.stale()->gainBound(band) : 0);
-  });
+  const StaleFigures stale = staleFigures();
+  return stale.isBounded || stale.power[band] == 0 ? static_cast<double>(stale.gain[band])
+                                                   : std::numeric_limits<double>::infinity();
 }
 
-WalkStatistics WalkSets::statistics() const
+WalkStatistics WalkSets::statisticsOfSets() const
 {
   WalkStatistics sum;
   for (const WalkSet& set : sets_)

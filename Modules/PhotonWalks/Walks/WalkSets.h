@@ -14,7 +14,8 @@ namespace irradiance
 /**
  * All sets of walks in a scene, and what they bring together. They are shot, verified and repaired one after
  * the other. Walks of all sets have different numbers. A quantum is as many watts in each, so what they
- * bring adds up in integers. Of a single set, the total is what the set holds; nothing is copied.
+ * bring adds up in integers, over the sets and over the ranks. Of a single set on a single rank, the total
+ * is what the set holds; nothing is copied.
  */
 class WalkSets
 {
@@ -33,14 +34,17 @@ public:
   void setSettings(const WalkSettings& settings);
   void start(const WalkSpace& space, Execution& execution);
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
-  void dropRounds(std::size_t kept, const SceneObjects& objects, const CancelPoint& cancelPoint);
+  void dropRounds(std::size_t kept, const SceneObjects& objects, Execution& execution);
   void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
     Execution& execution);
-  void replaceCells(const SceneObjects& objects, const CancelPoint& cancelPoint);
+  void replaceCells(const SceneObjects& objects, Execution& execution);
   void findSides(const WalkSpace& space, Execution& execution);
   void forgetBudget();
 
+  /// With the walks of this rank.
   const std::vector<WalkSet>& sets() const { return sets_; }
+  /// Whether the walks of the last start were dealt to the same ranks.
+  bool areOf(const Ranks& ranks) const { return sets_.front().isOf(ranks); }
   /// Whether there are no lights.
   bool isEmpty() const { return flux_ == 0; }
   /// Bounds of the lights in the air.
@@ -72,28 +76,43 @@ public:
   /// Where the walk belongs.
   const WalkSet& of(std::uint32_t walk) const;
 
-  bool hasStale() const;
+  bool hasStale() const { return staleFigures().isStale; }
   /// The power that stale tails brought to the cells; null without a budget, or before anything moved.
   const CellSums* staleSums() const;
   /// The power that the first stale segments carry, and a bound of what their new tails bring; quanta.
-  Power stalePower() const;
+  Power stalePower() const { return staleFigures().power; }
+  /// Infinite where no bound is known.
   double staleGainBound(int band) const;
 
   /// What was done since the settings were made.
-  WalkStatistics statistics() const;
+  WalkStatistics statistics() const { return total_ ? total_->statistics : statisticsOfSets(); }
 
 private:
+  /// What is stale in all sets.
+  struct StaleFigures
+  {
+    bool isKept = false; ///< there are sums of what is stale
+    bool isStale = false;
+    bool isBounded = true;
+    Power power, gain; ///< see StaleWalks
+  };
   struct Total
   {
     CellSums sums;
     PowerBalance balance;
-    CellSums stale;
+    CellSums staleSums;
+    StaleFigures stale;
+    WalkStatistics statistics;
   };
-  /// Sums up what the sets hold, if there are several.
-  void sumUp(const SceneObjects& objects, const CancelPoint& cancelPoint);
+  /// Sums up what the sets of all ranks hold, unless it is a single one.
+  void sumUp(const SceneObjects& objects, Execution& execution);
+  static void sumOver(Ranks& ranks, Total& total, const CancelPoint& cancelPoint);
+  StaleFigures staleOfSets() const;
+  StaleFigures staleFigures() const { return total_ ? total_->stale : staleOfSets(); }
+  WalkStatistics statisticsOfSets() const;
 
   std::vector<WalkSet> sets_ = std::vector<WalkSet>(1);
-  std::optional<Total> total_; ///< of several sets
+  std::optional<Total> total_; ///< of several
   WalkPlan plan_;
   double flux_ = 0; ///< W
   std::int64_t quantaPerWalk_ = 1;
