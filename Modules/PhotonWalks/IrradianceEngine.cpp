@@ -60,8 +60,9 @@ FrameChange IrradianceEngine::changeTo(
     }
   }
   const bool replaces = hasReplaced(objects, objects_);
+  const bool all = settings.allOnEachRank || settings_.allOnEachRank;
   if (!sameLights || !samePlan || !canRepair(objects, settings) ||
-    !walks_.areOf(execution.ranks()) || (replaces && walks_.hasStale()))
+    !walks_.areOf(execution.ranks(), all) || (replaces && walks_.hasStale()))
   {
     return { FrameChange::Fresh, {} };
   }
@@ -88,14 +89,16 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
 {
   objects_ = objects;
   // Walks that are kept for their photons stay: a filter may need them again.
-  const bool keepsPhotons =
-    settings.keepPhotons || (change != FrameChange::Fresh && settings_.keepPhotons);
+  const bool isFresh = change == FrameChange::Fresh;
+  const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
+  const bool allOnEachRank = settings.allOnEachRank || (!isFresh && settings_.allOnEachRank);
   if (!estimator_ || !isSameEstimate(settings, settings_))
   {
     estimator_ = makeCellEstimator(settings, { space(), cells_, walks_, photons_, surfaces_ });
   }
   settings_ = settings;
   settings_.keepPhotons = keepsPhotons;
+  settings_.allOnEachRank = allOnEachRank;
   statistics_ = { {}, statistics_.historyBytes };
   ProgressSpan beginning(execution, 0, 0);
   cells_.update(objects_, cancelPointOf(beginning, 0));

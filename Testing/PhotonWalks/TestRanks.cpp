@@ -5,6 +5,7 @@
 #include "StaleLight.h"
 #include "ThreadRanks.h"
 #include "TwoGroups.h"
+#include "Views/WalkPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -186,6 +187,86 @@ TEST(Ranks, EndTogetherWhenOneFails)
   engines[1]->update(scene.objects(), settings, alone);
   EXPECT_EQ(
     test::answerOf(*engines[1], scene.objects()), test::freshAnswer(scene.objects(), settings));
+}
+
+// Who reads photons needs all of them in each engine; then the walks are shot again, and stay.
+TEST(Ranks, EachHasAllWalksWherePhotonsAreRead)
+{
+  test::MovingScene scene(1, true, 5);
+  std::vector<SceneObjects> frames;
+  for (int i = 0; i < 3; ++i)
+  {
+    frames.push_back(scene.objects());
+    scene.nextFrame();
+  }
+  EngineSettings settings = settingsOf(9000), reading = settings;
+  reading.keepPhotons = reading.allOnEachRank = true;
+  const Answer expected = test::freshAnswer(frames[2], settings);
+  std::mutex mutex;
+  const std::vector<std::string> errors = ThreadRanks(3).run([&](ThreadRanks::Rank& rank) {
+    IrradianceEngine engine;
+    engine.update(frames[0], settings, rank);
+    const std::size_t share = engine.walks().numberOfBlocks();
+    engine.update(frames[1], reading, rank);
+    const std::size_t all = engine.walks().numberOfBlocks();
+    engine.update(frames[2], settings, rank);
+    const std::lock_guard<std::mutex> lock(mutex);
+    EXPECT_EQ(share, 3u);
+    EXPECT_EQ(all, 9u); // of 1024 walks at most
+    EXPECT_EQ(engine.walks().numberOfBlocks(), all);
+    EXPECT_GT(engine.statistics().invalidWalks, 0);
+    EXPECT_EQ(engine.statistics().shootSeconds, 0);
+    EXPECT_EQ(test::answerOf(engine, frames[2]), expected);
+  });
+  EXPECT_EQ(errors, std::vector<std::string>(3));
+}
+
+/// All that a path tells.
+std::vector<double> numbersOf(const std::vector<WalkPath>& paths)
+{
+  std::vector<double> numbers;
+  for (const WalkPath& path : paths)
+  {
+    numbers.insert(numbers.end(),
+      { double(path.walk), double(path.power[0]), path.escapes ? 1.0 : 0.0,
+        path.isStale ? 1.0 : 0.0, double(path.firstRepaired), double(path.points.size()) });
+    for (const Vector3& point : path.points)
+    {
+      numbers.insert(numbers.end(), point.data(), point.data() + 3);
+    }
+  }
+  return numbers;
+}
+
+TEST(Ranks, ShowTheWalksOfOne)
+{
+  test::MovingScene scene(1, true, 5);
+  const SceneObjects first = test::inTwoGroups(scene.objects());
+  scene.nextFrame();
+  const SceneObjects second = test::inTwoGroups(scene.objects());
+  EngineSettings settings = settingsOf(5000);
+  settings.keepPhotons = settings.listRepaired = true;
+  const auto numbers = [&](Execution& execution) {
+    IrradianceEngine engine;
+    engine.update(first, settings, execution);
+    engine.update(second, settings, execution);
+    const WalkPaths paths(engine);
+    auto all = numbersOf(paths.paths(paths.first(200), execution));
+    const auto touching =
+      numbersOf(paths.paths(paths.touching({ 1, 0 }, 50, execution), execution));
+    EXPECT_FALSE(touching.empty());
+    all.insert(all.end(), touching.begin(), touching.end());
+    return all;
+  };
+  Execution alone;
+  const std::vector<double> expected = numbers(alone);
+  std::mutex mutex;
+  const std::vector<std::string> errors = ThreadRanks(3).run([&](ThreadRanks::Rank& rank) {
+    const std::vector<double> shown = numbers(rank);
+    const std::lock_guard<std::mutex> lock(mutex);
+    EXPECT_EQ(shown, expected);
+  });
+  EXPECT_EQ(errors, std::vector<std::string>(3));
 }
 
 TEST(Ranks, MustBeGivenTheSame)

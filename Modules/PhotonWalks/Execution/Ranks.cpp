@@ -2,7 +2,7 @@
 #include "Execution/Ranks.h"
 
 #include <algorithm>
-#include <vector>
+#include <numeric>
 
 namespace irradiance
 {
@@ -31,6 +31,21 @@ void Ranks::sum(std::int64_t* numbers, std::size_t size)
     agree(true);
     allReduce(numbers, size);
   }
+}
+
+std::vector<std::int64_t> Ranks::concatenate(const std::vector<std::int64_t>& own)
+{
+  std::vector<std::int64_t> sizes(count(), 0);
+  sizes[rank()] = static_cast<std::int64_t>(own.size());
+  sum(sizes.data(), sizes.size());
+  const auto mine = sizes.begin() + rank();
+  // A sum in which each number has one summand.
+  std::vector<std::int64_t> all(
+    static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), std::int64_t{})));
+  std::copy(
+    own.begin(), own.end(), all.begin() + std::accumulate(sizes.begin(), mine, std::int64_t{}));
+  sum(all.data(), all.size());
+  return all;
 }
 
 void Ranks::expectSame(std::uint64_t number, const std::string& what)

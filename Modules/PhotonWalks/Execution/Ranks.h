@@ -7,6 +7,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace irradiance
 {
@@ -29,6 +30,8 @@ public:
 
   /// Replaces numbers by their sums over all ranks. Throws RankFailed.
   void sum(std::int64_t* numbers, std::size_t size);
+  /// The numbers of all ranks, one rank after the other. Throws RankFailed.
+  std::vector<std::int64_t> concatenate(const std::vector<std::int64_t>& own);
   /// Throws RankFailed if this number is another one on some rank. `what` are its words for the user.
   void expectSame(std::uint64_t number, const std::string& what);
   /// Does work in which ranks sum up. If one of them throws, all others throw RankFailed.

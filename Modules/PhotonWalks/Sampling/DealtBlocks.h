@@ -22,6 +22,7 @@ public:
 
   /// The number in the plan of the i-th of these.
   std::size_t operator[](std::size_t i) const { return rank_ + i * ranks_; }
+  bool contains(std::size_t block) const { return block % ranks_ == rank_; }
   /// How many of these have lower numbers.
   std::size_t before(std::size_t block) const
   {

@@ -85,10 +85,10 @@ void OutgoingRadiance::preparePhotons(Execution& execution)
       std::vector<GlossyPhotons::Arrival> arrivals;
       for (std::size_t i = 0; i < segments.size(); ++i)
       {
-        const Power power = walks.histories().power(segments[i]);
-        arrivals.push_back(
-          { walks.histories().hit(segments[i]).id.triangle, points[i], -directions[i],
-            { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) } });
+        const WalkHistory& history = walks.historyOf(segments[i].walk);
+        const Power power = history.power(segments[i]);
+        arrivals.push_back({ history.hit(segments[i]).id.triangle, points[i], -directions[i],
+          { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) } });
       }
       photons_[numberOf({ object, cell })] =
         GlossyPhotons(material.lobeOf(cell), std::move(arrivals), bands_);

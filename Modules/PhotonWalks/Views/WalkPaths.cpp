@@ -5,11 +5,28 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
 namespace irradiance
 {
+
+namespace
+{
+
+/// In order.
+std::vector<std::uint32_t> walksOfAll(const std::vector<std::uint32_t>& own, Ranks& ranks)
+{
+  const std::vector<std::int64_t> all = ranks.concatenate({ own.begin(), own.end() });
+  std::vector<std::uint32_t> walks(all.size());
+  std::transform(all.begin(), all.end(), walks.begin(),
+    [](std::int64_t walk) { return static_cast<std::uint32_t>(walk); });
+  std::sort(walks.begin(), walks.end());
+  return walks;
+}
+
+}
 
 WalkPaths::WalkPaths(const IrradianceEngine& engine)
   : engine_(engine)
@@ -31,21 +48,22 @@ std::vector<std::uint32_t> WalkPaths::touching(
 {
   const bool isLight = emits(cell);
   std::vector<const WalkBlock*> blocks;
-  for (const WalkHistory* history : walks_.histories().all())
+  for (const WalkSet& set : engine_.walks().sets())
   {
-    for (std::size_t i = 0; i < history->size() && engine_.hasLights(); ++i)
+    for (std::size_t i = 0; i < set.history().size() && engine_.hasLights(); ++i)
     {
-      blocks.push_back(&history->block(i));
+      blocks.push_back(&set.history().block(i));
     }
   }
   std::vector<std::vector<std::uint32_t>> found(blocks.size());
   SlicedPass pass{ found.size(), {} };
   pass.work = [&](std::size_t number, const Deadline&) {
     const WalkBlock& block = *blocks[number];
+    const WalkSampler& sampler = walks_.sampler(block.firstWalk());
     for (std::uint32_t walk = block.firstWalk();
          walk < block.endWalk() && found[number].size() < most; ++walk)
     {
-      if (isHit(block, walk, cell) || (isLight && walks_.sampler(walk).lightOf(walk).cell == cell))
+      if (isHit(block, walk, cell, sampler) || (isLight && sampler.lightOf(walk).cell == cell))
       {
         found[number].push_back(walk);
       }
@@ -59,6 +77,11 @@ std::vector<std::uint32_t> WalkPaths::touching(
     const std::size_t count = std::min(some.size(), most - walks.size());
     walks.insert(walks.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
   }
+  if (engine_.walks().areShared())
+  {
+    walks = walksOfAll(walks, execution.ranks());
+    walks.resize(std::min(walks.size(), most));
+  }
   return walks;
 }
 
@@ -69,12 +92,13 @@ bool WalkPaths::emits(const SceneCell& cell) const
   return emission && emission->emits(cell.cell);
 }
 
-bool WalkPaths::isHit(const WalkBlock& block, std::uint32_t walk, const SceneCell& cell) const
+bool WalkPaths::isHit(
+  const WalkBlock& block, std::uint32_t walk, const SceneCell& cell, const WalkSampler& sampler)
 {
   for (std::uint32_t bounce = 0; bounce < block.size(walk); ++bounce)
   {
     const TriangleId id = block.hit({ walk, bounce }).id;
-    if (id.object == cell.object && walks_.sampler(walk).cellOf(id) == cell.cell)
+    if (id.object == cell.object && sampler.cellOf(id) == cell.cell)
     {
       return true;
     }
@@ -82,10 +106,19 @@ bool WalkPaths::isHit(const WalkBlock& block, std::uint32_t walk, const SceneCel
   return false;
 }
 
+std::vector<std::uint32_t> WalkPaths::own(const std::vector<std::uint32_t>& walks) const
+{
+  std::vector<std::uint32_t> own;
+  std::copy_if(walks.begin(), walks.end(), std::back_inserter(own),
+    [this](std::uint32_t walk) { return walks_.setOf(walk).has(walk); });
+  return own;
+}
+
 std::vector<WalkPath> WalkPaths::paths(
-  const std::vector<std::uint32_t>& walks, Execution& execution) const
+  const std::vector<std::uint32_t>& all, Execution& execution) const
 {
   constexpr std::size_t kPerUnit = 64;
+  const std::vector<std::uint32_t> walks = own(all);
   std::vector<WalkPath> paths(walks.size());
   SlicedPass pass{ (walks.size() + kPerUnit - 1) / kPerUnit, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
@@ -94,12 +127,11 @@ std::vector<WalkPath> WalkPaths::paths(
     return true;
   };
   pass.run(execution);
-  return paths;
+  return engine_.walks().areShared() ? pathsOfAll(paths, execution.ranks()) : paths;
 }
 
 void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const
 {
-  const WalkHistories& histories = walks_.histories();
   std::vector<SegmentRef> rayless; // first segments, and those that escape
   std::vector<std::size_t> escaping;
   for (std::size_t i = 0; i < count; ++i)
@@ -108,7 +140,7 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const WalkBlock& block = histories.of(walks[i]).blockOf(walks[i]);
+    const WalkBlock& block = walks_.historyOf(walks[i]).blockOf(walks[i]);
     const SegmentRef last{ walks[i], block.size(walks[i]) - 1 };
     paths[i].escapes = !block.hit(last);
     if (paths[i].escapes)
@@ -138,20 +170,20 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
 
 void WalkPaths::addHits(WalkPath& path) const
 {
-  const WalkBlock& block = walks_.histories().of(path.walk).blockOf(path.walk);
+  const WalkBlock& block = walks_.historyOf(path.walk).blockOf(path.walk);
+  const WalkSampler& sampler = walks_.sampler(path.walk);
   for (std::uint32_t bounce = 0; bounce < block.size(path.walk); ++bounce)
   {
     if (const Hit hit = block.hit({ path.walk, bounce }))
     {
-      path.points.push_back(
-        surfacePoint(walks_.sampler(path.walk).triangleOf(hit.id), weightsOf(hit)).position);
+      path.points.push_back(surfacePoint(sampler.triangleOf(hit.id), weightsOf(hit)).position);
     }
   }
 }
 
 void WalkPaths::addMarks(WalkPath& path) const
 {
-  const WalkSet& set = engine_.walks().of(path.walk);
+  const WalkSet& set = walks_.setOf(path.walk);
   const std::vector<SegmentRef>& repaired = set.repaired();
   const auto tail = std::lower_bound(repaired.begin(), repaired.end(), SegmentRef{ path.walk, 0 });
   const bool isRepaired = tail != repaired.end() && tail->walk == path.walk;

@@ -3,26 +3,13 @@
 #define irradiance_WalkPaths_h
 
 #include "IrradianceEngine.h"
+#include "Views/WalkPath.h"
 #include "Walks/StoredWalks.h"
 
 #include <vector>
 
 namespace irradiance
 {
-
-/// A stored walk, to look at.
-struct WalkPath
-{
-  std::uint32_t walk;
-  Power power; ///< with which it starts
-  /// World space: the start on its light, then its hits. A walk that escapes has one more, where it
-  /// is cut off.
-  std::vector<Vector3> points;
-  bool escapes;
-  bool isStale; ///< part of it is no longer valid, see StaleWalks
-  std::size_t
-    firstRepaired; ///< the first point that was shot again, see WalkSet::repaired(); else their number
-};
 
 /**
  * Chooses among the stored walks of an engine, and hands them out as polylines. Points follow from
@@ -39,15 +26,19 @@ public:
   /// The first `most` walks, or all. As samples are a quasi-random sequence, any number of first
   /// walks is spread evenly over lights, places and directions; every tenth walk would not be.
   std::vector<std::uint32_t> first(std::size_t most) const;
-  /// The first `most` walks that start on a cell or hit it, or all of these. Throws Interrupted.
+  /// The first `most` walks that start on a cell or hit it, or all of these. All ranks ask together. Throws
+  /// Interrupted.
   std::vector<std::uint32_t> touching(
     const SceneCell& cell, std::size_t most, Execution& execution) const;
-  /// In the order of `walks`. Throws Interrupted.
-  std::vector<WalkPath> paths(const std::vector<std::uint32_t>& walks, Execution& execution) const;
+  /// In the order of `all`, which rise. All ranks ask together. Throws Interrupted.
+  std::vector<WalkPath> paths(const std::vector<std::uint32_t>& all, Execution& execution) const;
 
 private:
   bool emits(const SceneCell& cell) const;
-  bool isHit(const WalkBlock& block, std::uint32_t walk, const SceneCell& cell) const;
+  static bool isHit(
+    const WalkBlock& block, std::uint32_t walk, const SceneCell& cell, const WalkSampler& sampler);
+  /// Without the walks that only other ranks have.
+  std::vector<std::uint32_t> own(const std::vector<std::uint32_t>& walks) const;
   void find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const;
   void addHits(WalkPath& path) const;
   void addMarks(WalkPath& path) const;

@@ -4,7 +4,9 @@
 
 #include "Walks/WalkSets.h"
 
+#include <algorithm>
 #include <deque>
+#include <iterator>
 
 namespace irradiance
 {
@@ -15,78 +17,76 @@ class StoredWalks
 public:
   /// The arguments, and what the space refers to, must outlive it.
   StoredWalks(const WalkSets& sets, const WalkSpace& space)
-    : histories_(sets.histories())
   {
     for (const WalkSet& set : sets.sets())
     {
-      sources_.emplace_back(set, space);
+      readers_.emplace_back(set, space);
     }
   }
 
-  const WalkHistories& histories() const { return histories_; }
+  /// The set to which a walk belongs.
+  const WalkSet& setOf(std::uint32_t walk) const { return readerOf(walk).set; }
+  const WalkHistory& historyOf(std::uint32_t walk) const { return setOf(walk).history(); }
   /// What a walk does where it starts and at its hits.
-  const WalkSampler& sampler(std::uint32_t walk) const { return tracer(walk).sampler(); }
+  const WalkSampler& sampler(std::uint32_t walk) const { return readerOf(walk).tracer.sampler(); }
   /// See WalkTracer; segments of any sets.
   void raysOf(const std::vector<SegmentRef>& segments, Ray* rays) const
   {
-    forEachSet(
-      segments, [&](const WalkTracer& tracer, const WalkHistory& history, const auto& some) {
-        tracer.raysOf(history, some, rays);
-        rays += some.size();
-      });
+    forEachSet(segments, [&](const Reader& reader, const std::vector<SegmentRef>& some) {
+      reader.tracer.raysOf(reader.set.history(), some, rays);
+      rays += some.size();
+    });
   }
   /// Likewise.
   void arrivalsOf(
     const std::vector<SegmentRef>& segments, SurfacePoint* points, Vector3* directions) const
   {
-    forEachSet(
-      segments, [&](const WalkTracer& tracer, const WalkHistory& history, const auto& some) {
-        tracer.arrivalsOf(history, some, points, directions);
-        points += some.size();
-        directions += some.size();
-      });
+    forEachSet(segments, [&](const Reader& reader, const std::vector<SegmentRef>& some) {
+      reader.tracer.arrivalsOf(reader.set.history(), some, points, directions);
+      points += some.size();
+      directions += some.size();
+    });
   }
 
 private:
-  struct Source
+  /// Of one set.
+  struct Reader
   {
-    Source(const WalkSet& set, const WalkSpace& space)
-      : endWalk(set.plan().endWalk())
-      , samples(set.samples())
-      , tracer(set.tracer(space, samples))
+    Reader(const WalkSet& walks, const WalkSpace& space)
+      : set(walks)
+      , samples(walks.samples())
+      , tracer(walks.tracer(space, samples))
     {
     }
-    Source(const Source&) = delete;
-    Source& operator=(const Source&) = delete;
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
 
-    std::uint32_t endWalk;
+    const WalkSet& set;
     SobolSequence samples;
     WalkTracer tracer; ///< refers to samples
   };
 
-  const WalkTracer& tracer(std::uint32_t walk) const
+  const Reader& readerOf(std::uint32_t walk) const
   {
-    return std::find_if(sources_.begin(), std::prev(sources_.end()), [walk](const Source& source) {
-      return walk < source.endWalk;
-    })->tracer;
+    return *std::find_if(readers_.begin(), std::prev(readers_.end()),
+      [walk](const Reader& reader) { return walk < reader.set.plan().endWalk(); });
   }
-  /// Calls visit(tracer, history, segments) for all segments in their order: those of one set together
-  /// that follow each other.
+  /// Calls visit(reader, segments) for all segments in their order: those of one set together that follow
+  /// each other.
   template <class Visit>
   void forEachSet(const std::vector<SegmentRef>& segments, const Visit& visit) const
   {
     for (auto begin = segments.begin(); begin != segments.end();)
     {
-      const WalkHistory& history = histories_.of(begin->walk);
+      const Reader& reader = readerOf(begin->walk);
       const auto end = std::find_if(begin, segments.end(),
-        [&](const SegmentRef& segment) { return &histories_.of(segment.walk) != &history; });
-      visit(tracer(begin->walk), history, std::vector<SegmentRef>(begin, end));
+        [&](const SegmentRef& segment) { return &readerOf(segment.walk) != &reader; });
+      visit(reader, std::vector<SegmentRef>(begin, end));
       begin = end;
     }
   }
 
-  WalkHistories histories_;
-  std::deque<Source> sources_;
+  std::deque<Reader> readers_;
 };
 
 }

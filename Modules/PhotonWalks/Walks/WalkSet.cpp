@@ -38,7 +38,7 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
     history_.removeLast();
     cancelPoint();
   }
-  blocks_ = DealtBlocks(execution.ranks().rank(), execution.ranks().count());
+  blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
   history_ = WalkHistory(plan(), pointFrame(space.objects, bounds(space.scene)),
     space.objects.staticObject.material->bands, Power{ { lights().quantaPerWalk() } }, blocks_);
   stale_.reset();

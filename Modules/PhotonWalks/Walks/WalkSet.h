@@ -63,11 +63,11 @@ public:
   const LightTable& lights() const { return source_.lights; }
   const WalkPlan& plan() const { return source_.plan; }
   const WalkHistory& history() const { return history_; }
-  /// Whether it has the walks that are this rank's.
-  bool isOf(const Ranks& ranks) const
-  {
-    return blocks_ == DealtBlocks(ranks.rank(), ranks.count());
-  }
+  /// Whether it has the walks that are this rank's: a part of them, or all.
+  bool isOf(const Ranks& ranks, bool all) const { return blocks_ == dealt(ranks, all); }
+  /// Whether other ranks have walks of it.
+  bool isShared() const { return !(blocks_ == DealtBlocks()); }
+  bool has(std::uint32_t walk) const { return blocks_.contains(plan().blockOf(walk)); }
   /// What arrived in the cells themselves.
   const CellSums& sums() const { return sums_; }
   const PowerBalance& balance() const { return balance_; }
@@ -94,6 +94,10 @@ public:
 private:
   using Found = std::vector<std::vector<StaleSegment>>; ///< by block
 
+  static DealtBlocks dealt(const Ranks& ranks, bool all)
+  {
+    return all ? DealtBlocks() : DealtBlocks(ranks.rank(), ranks.count());
+  }
   int sides() const { return settings_.separateSides ? 2 : 1; }
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   void shootBlocks(

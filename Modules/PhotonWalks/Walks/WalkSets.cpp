@@ -142,7 +142,7 @@ void WalkSets::forgetBudget()
 void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
 {
   Ranks& ranks = execution.ranks();
-  if (sets_.size() == 1 && !ranks.areSeveral())
+  if (sets_.size() == 1 && !areShared())
   {
     total_.reset();
     return;
@@ -161,7 +161,7 @@ void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
       total.staleSums.add(set.stale()->sums(), cancelPoint);
     }
   }
-  if (ranks.areSeveral())
+  if (areShared())
   {
     sumOver(ranks, total, cancelPoint);
   }
@@ -198,7 +198,7 @@ WalkSets::StaleFigures WalkSets::staleOfSets() const
     if (const StaleWalks* stale = set.stale())
     {
       all.isKept = true;
-      all.isStale = all.isStale || !stale->isEmpty();
+      all.isStale = all.isStale || set.hasStale();
       all.isBounded = all.isBounded && stale->isBoundKnown();
       all.power += stale->power();
       all.gain += stale->gainBound();
@@ -272,12 +272,6 @@ std::vector<std::uint32_t> WalkSets::first(std::size_t count) const
     std::iota(walks.begin() + next, walks.end(), set.plan().rounds().front().firstWalk);
   }
   return walks;
-}
-
-const WalkSet& WalkSets::of(std::uint32_t walk) const
-{
-  return *std::find_if(sets_.begin(), std::prev(sets_.end()),
-    [walk](const WalkSet& set) { return walk < set.plan().endWalk(); });
 }
 
 const CellSums* WalkSets::staleSums() const

@@ -43,8 +43,10 @@ public:
 
   /// With the walks of this rank.
   const std::vector<WalkSet>& sets() const { return sets_; }
-  /// Whether the walks of the last start were dealt to the same ranks.
-  bool areOf(const Ranks& ranks) const { return sets_.front().isOf(ranks); }
+  /// Whether the walks of the last start were dealt to the same ranks; or whether all of them are here.
+  bool areOf(const Ranks& ranks, bool all) const { return sets_.front().isOf(ranks, all); }
+  /// Whether other ranks have some of the walks.
+  bool areShared() const { return sets_.front().isShared(); }
   /// Whether there are no lights.
   bool isEmpty() const { return flux_ == 0; }
   /// Bounds of the lights in the air.
@@ -73,10 +75,8 @@ public:
   std::size_t bytes() const;
   /// The `count` first walks, or all: of each set its share.
   std::vector<std::uint32_t> first(std::size_t count) const;
-  /// Where the walk belongs.
-  const WalkSet& of(std::uint32_t walk) const;
 
-  bool hasStale() const { return staleFigures().isStale; }
+  bool hasStale() const { return total_ ? total_->stale.isStale : sets_.front().hasStale(); }
   /// The power that stale tails brought to the cells; null without a budget, or before anything moved.
   const CellSums* staleSums() const;
   /// The power that the first stale segments carry, and a bound of what their new tails bring; quanta.

@@ -17,6 +17,9 @@ struct WalkSettings
   bool separateSides = false;
   /// Whether walks are stored even if nothing can move, for filters that need their photons.
   bool keepPhotons = false;
+  /// Whether each rank shoots and keeps all walks, for filters that read their photons there; else the ranks
+  /// share them.
+  bool allOnEachRank = false;
   bool listRepaired = false;    ///< whether it is noted which walks a repair shoots again
   std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known
   /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. The
