@@ -7,11 +7,14 @@
 #include "Input/SceneAdvice.h"
 #include "Output/OutputWriter.h"
 #include "Output/WalksWriter.h"
+#include "Pipeline/AloneRequest.h"
 #include "Pipeline/ControllerRanks.h"
+#include "Pipeline/DistributedInput.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/PieceRequest.h"
+#include "Pipeline/RanksPipeline.h"
 #include "Pipeline/ReplicateRequest.h"
 #include "Progress/InputError.h"
 #include "Time/DynamicPoses.h"
@@ -55,7 +58,12 @@ public:
     Connections Static, Dynamic;
   };
 
+  /// The processes that share the walks; null if a filter downstream has each compute alone.
+  vtkMultiProcessController* GetSharing(vtkIrradianceFilter* filter) const;
+  /// What this process has.
   Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
+  /// Completes what is distributed.
+  void Complete(vtkIrradianceFilter* filter, Inputs& inputs, irradiance::Ranks& ranks);
   void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
     irradiance::Ranks& ranks, vtkMultiBlockDataSet* output, vtkPolyData* walks);
   void Advise(
@@ -63,7 +71,9 @@ public:
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   irradiance::DynamicPoses Poses;
+  irradiance::DistributedInput Pieces;
   irradiance::SceneReader Scene;
+  std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
     std::make_shared<irradiance::IrradianceEngine>();
@@ -86,6 +96,25 @@ std::uint32_t Checked(const char* name, vtkIdType value, vtkIdType low, vtkIdTyp
       std::to_string(low) + " to " + std::to_string(high) + " are possible");
   }
   return static_cast<std::uint32_t>(value);
+}
+
+/// Of all polydata of an output, in order.
+std::vector<irradiance::PieceCells> PiecesOf(
+  const std::vector<irradiance::InputConnection>& statics,
+  const std::vector<irradiance::InputConnection>& dynamics)
+{
+  std::vector<irradiance::PieceCells> pieces;
+  for (const auto* connections : { &statics, &dynamics })
+  {
+    for (const irradiance::InputConnection& connection : *connections)
+    {
+      for (const irradiance::InputPart& part : connection.parts)
+      {
+        pieces.push_back(part.cells);
+      }
+    }
+  }
+  return pieces;
 }
 
 void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& settings)
@@ -193,6 +222,7 @@ std::string TargetMissed(
 vtkIrradianceFilter::vtkIrradianceFilter()
   : Internals(new vtkInternals)
 {
+  this->Internals->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
@@ -428,6 +458,15 @@ bool vtkIrradianceFilter::HasChangedMeanwhile()
   return output && time > this->Internals->Begun && time <= output->GetUpdateTime();
 }
 
+vtkExecutive* vtkIrradianceFilter::CreateDefaultExecutive()
+{
+  auto* pipeline = irradiance::RanksPipeline::New();
+  pipeline->upstreamFailed = [this] {
+    irradiance::ControllerRanks(this->Internals->GetSharing(this)).withdraw();
+  };
+  return pipeline;
+}
+
 int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   // Composite types first: else the executive would call the filter for each block separately.
@@ -466,18 +505,29 @@ int vtkIrradianceFilter::RequestInformation(
   return 1;
 }
 
-// Light comes from everywhere: every piece needs the whole scene.
+// Light comes from everywhere: every piece needs the whole scene. Of distributed inputs each process has a
+// piece, and the filter puts them together.
 int vtkIrradianceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
+  const irradiance::ControllerRanks ranks(this->Internals->GetSharing(this));
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
-      irradiance::requestWhole(inputs[port]->GetInformationObject(i));
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      this->DistributedInput ? irradiance::requestPiece(input, ranks)
+                             : irradiance::requestWhole(input);
     }
   }
   return 1;
+}
+
+vtkMultiProcessController* vtkIrradianceFilter::vtkInternals::GetSharing(
+  vtkIrradianceFilter* filter) const
+{
+  const bool isAlone = irradiance::isAloneRequested(filter->GetOutputInformation(0));
+  return isAlone ? nullptr : this->Controller.Get();
 }
 
 vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::GetInputs(
@@ -504,8 +554,23 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
     read.Dynamic.push_back(irradiance::dynamicConnection(filter, i,
       vtkDataObject::GetData(inputs[1], i), this->Poses.pose(i), filter->GetPoseArrayName()));
   }
-  irradiance::checkChosenArrays(filter, read.Static, read.Dynamic);
   return read;
+}
+
+void vtkIrradianceFilter::vtkInternals::Complete(
+  vtkIrradianceFilter* filter, Inputs& inputs, irradiance::Ranks& ranks)
+{
+  if (filter->GetDistributedInput())
+  {
+    if (!this->GetSharing(filter) && irradiance::ControllerRanks(this->Controller).areSeveral())
+    {
+      throw irradiance::InputError(
+        "DistributedInput is on, but the processes share the times of a vtkRadiantExposureFilter, "
+        "so each needs the whole scene: set it to off, or that filter's Controller to null");
+    }
+    this->Pieces.complete(filter, this->GetSharing(filter), ranks, inputs.Static, inputs.Dynamic);
+  }
+  irradiance::checkChosenArrays(filter, inputs.Static, inputs.Dynamic);
 }
 
 /// Says what is probably a mistake, unless it said so when the inputs last changed.
@@ -542,16 +607,18 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
       filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
     inputs.Static, inputs.Dynamic);
-  settings.keepPhotons = irradiance::arePhotonsRequested(request) || walksWriter.isAsked() ||
-    irradiance::needsPhotons(settings.cellEstimate);
+  settings.allOnEachRank =
+    irradiance::arePhotonsRequested(request) || irradiance::needsPhotons(settings.cellEstimate);
+  settings.keepPhotons = settings.allOnEachRank || walksWriter.isAsked();
   settings.listRepaired = walksWriter.isAsked();
-  if (settings.keepPhotons && ranks.areSeveral())
+  ranks.expectSame(walksWriter.hash(), "other output walks than on the first process");
+  if (settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral())
   {
-    throw irradiance::InputError(
-      "CellEstimate Nearest, output walks, vtkIrradianceProbeFilter and "
-      "vtkOutgoingRadianceFilter need all photons in one process, but the "
-      "Controller has " +
-      std::to_string(ranks.count()));
+    throw irradiance::InputError("RepairTimeBudget is " +
+      irradiance::text(settings.repairTimeBudget) + ", but there are " +
+      std::to_string(ranks.count()) +
+      " processes, and each of them would repair other photons for vtkIrradianceProbeFilter or "
+      "vtkOutgoingRadianceFilter: set it to 0");
   }
   irradiance::SmpExecution execution = irradiance::executionOf(filter, &ranks);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
@@ -559,6 +626,10 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     throw irradiance::Interrupted();
   }
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
+  if (std::exchange(this->Processes, ranks.count()) != ranks.count())
+  {
+    this->Scene = irradiance::SceneReader(); // alone, each may have seen other parts come
+  }
   this->Scene.read(inputs.Static, inputs.Dynamic, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())
   {
@@ -574,7 +645,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   irradiance::OutputWriter(*this->Engine, this->Scene, settings,
     filter->GetComputeStandardError() != 0, irradiance::areReplicatesRequested(request), writing)
     .write(inputs.Static, inputs.Dynamic, output);
-  irradiance::PhotonSource::attach(output, this->Engine);
+  irradiance::PhotonSource::attach(output, this->Engine, PiecesOf(inputs.Static, inputs.Dynamic));
   if (walksWriter.isAsked())
   {
     irradiance::ProgressSpan atItsEnd(execution, 1, 1);
@@ -595,17 +666,20 @@ int vtkIrradianceFilter::RequestData(
   {
     this->Internals->Begun = this->InputTime();
   }
-  irradiance::ControllerRanks ranks(this->Internals->Controller);
+  irradiance::ControllerRanks ranks(this->Internals->GetSharing(this));
   const auto compute = [&] {
-    ranks.expectSame(isUnused ? 1 : 0, "other inputs than on the first process");
+    ranks.expectSame((isUnused ? 1 : 0) + (this->DistributedInput ? 2 : 0),
+      "other inputs than on the first process");
     if (isUnused)
     {
       return;
     }
     this->Internals->Poses.evaluate(time);
     this->Internals->Begun = this->InputTime(); // evaluation counts as a change
-    const vtkInternals::Inputs read = this->Internals->GetInputs(this, inputs);
-    const bool isEmpty = irradiance::isEmptyPieceRequested(RequestingOutput(request, outputs));
+    vtkInternals::Inputs read = this->Internals->GetInputs(this, inputs);
+    this->Internals->Complete(this, read, ranks);
+    const bool isLaterPiece = irradiance::isEmptyPieceRequested(RequestingOutput(request, outputs));
+    const bool isEmpty = isLaterPiece && !this->DistributedInput;
     if (!isEmpty || ranks.areSeveral())
     {
       this->Internals->Compute(this, read, outputs->GetInformationObject(0), ranks, output, walks);
@@ -615,6 +689,10 @@ int vtkIrradianceFilter::RequestData(
       output->Initialize();
       irradiance::OutputWriter::writeEmpty(
         read.Static, read.Dynamic, CheckedSettings(this), this->ComputeStandardError != 0, output);
+    }
+    if (isLaterPiece)
+    {
+      walks->Initialize(); // each walk once
     }
     SetDataTime(time, outputs);
   };
@@ -638,6 +716,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
      << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
+     << indent << "DistributedInput: " << this->DistributedInput << "\n"
      << indent << "Controller: " << this->GetController() << "\n"
      << indent << "NumberOfOutputWalks: " << this->NumberOfOutputWalks << "\n"
      << indent << "OutputWalksPort: " << this->OutputWalksPort << "\n"

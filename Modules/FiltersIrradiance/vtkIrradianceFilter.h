@@ -40,8 +40,8 @@
  * NumberOfOutputWalks. Input that cannot be computed is one error that names the input, the cell and the
  * value, and an empty output. What is hardly meant is a warning.
  *
- * Progress is reported and AbortExecute honoured within 0.1 s. Runs on VTK's threads (vtkSMPTools). Of
- * several processes the first has the whole result.
+ * Progress is reported and AbortExecute honoured within 0.1 s. Runs on VTK's threads (vtkSMPTools), and on the
+ * processes of the Controller. If they ask for pieces, the first has the whole result, unless DistributedInput.
  */
 
 #ifndef vtkIrradianceFilter_h
@@ -228,16 +228,32 @@ public:
 
   ///@{
   /**
-   * The processes that share the walks, for example a vtkMPIController; null: this one alone. Each process
-   * has the whole scene, shoots and stores its part of the walks, and has the whole output, with the bits
-   * that one process alone would give. All of them have to update the filter at the same time, with the
-   * same inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds are
-   * this process's own. CellEstimate Nearest, output walks, vtkIrradianceProbeFilter and
-   * vtkOutgoingRadianceFilter need all photons in one process: with several they give an error. See "Several
-   * processes" in the Guide. Default null.
+   * The processes that share the walks; null: this one alone. Each process has the whole scene, shoots and
+   * stores its part of the walks, and has the whole output, with the bits that one process alone would give.
+   * All of them have to update the filter at the same time, with the same inputs and settings; else, or if one
+   * fails, each has one error. HistoryBytes and the seconds are this process's own. Where single photons are
+   * read (CellEstimate Nearest, vtkIrradianceProbeFilter, vtkOutgoingRadianceFilter) each process shoots and
+   * stores all walks; with several processes that excludes a RepairTimeBudget. See "Several processes" in the
+   * Guide. Default: VTK's global controller when the filter is made, so this process alone unless a program,
+   * such as ParaView's server, has set another.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
+  ///@}
+
+  ///@{
+  /**
+   * Whether each process of the Controller has a piece of every input, instead of all of it. Then the filter
+   * asks for pieces, puts them together on each process, and its output has the cells of the process's own
+   * pieces. Cells are ordered by their global ids, if they have some, and else by their places, so the result
+   * does not depend on the division; it has other bits than that of the same input in another order.
+   * A part that all processes have alike is whole, and counts once.
+   * All pieces with cells need the same cell arrays, and the inputs the same blocks, on each process; the pose of
+   * a part is that of the first process that has cells of it. OutputWalksCell has to be -1. Default off.
+   */
+  vtkSetMacro(DistributedInput, vtkTypeBool);
+  vtkGetMacro(DistributedInput, vtkTypeBool);
+  vtkBooleanMacro(DistributedInput, vtkTypeBool);
   ///@}
 
   ///@{
@@ -385,6 +401,7 @@ protected:
   vtkIrradianceFilter();
   ~vtkIrradianceFilter() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
@@ -413,6 +430,7 @@ protected:
   vtkIdType OutputWalksCell = -1;
   int OutputWalksPort = 0;
   int OutputWalksConnection = 0;
+  vtkTypeBool DistributedInput = 0;
 
 private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;

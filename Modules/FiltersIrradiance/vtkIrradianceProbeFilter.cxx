@@ -17,6 +17,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -277,7 +278,10 @@ int vtkIrradianceProbeFilter::RequestData(
   vtkDataObject* scene = vtkDataObject::GetData(inputs[1], 0);
   vtkInformation* info = outputs->GetInformationObject(0);
   return irradiance::runFilter(this, output, [&] {
-    if (input && irradiance::isEmptyPieceRequested(info))
+    // What could not be computed has no blocks: that is an error on all processes.
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(scene);
+    const bool isComputed = blocks && blocks->GetNumberOfBlocks() > 0;
+    if (input && isComputed && irradiance::isEmptyPieceRequested(info))
     {
       WriteEmpty(input, scene, output);
     }

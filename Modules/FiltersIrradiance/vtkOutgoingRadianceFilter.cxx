@@ -118,8 +118,7 @@ void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 struct Unit
 {
   vtkDoubleArray* radiance;
-  std::uint32_t object;
-  std::size_t firstCell;
+  irradiance::PartCells cells;
   vtkIdType begin, end; ///< of the part
 };
 
@@ -128,15 +127,14 @@ std::vector<Unit> MakeUnits(
 {
   constexpr vtkIdType size = 8; // cells with mirrors take long
   std::vector<Unit> units;
-  source.forEachPart(
-    output, [&](vtkPolyData* polyData, std::uint32_t object, std::size_t firstCell) {
-      const auto radiance = AddRadiance(polyData, bands);
-      for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
-      {
-        units.push_back({ radiance, object, firstCell, begin,
-          std::min(begin + size, polyData->GetNumberOfCells()) });
-      }
-    });
+  source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
+    const auto radiance = AddRadiance(polyData, bands);
+    for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
+    {
+      units.push_back(
+        { radiance, cells, begin, std::min(begin + size, polyData->GetNumberOfCells()) });
+    }
+  });
   return units;
 }
 
@@ -200,8 +198,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
     const Unit& unit = units[i];
     for (vtkIdType cell = unit.begin; cell < unit.end; ++cell)
     {
-      const auto towardsEye =
-        radiance({ unit.object, unit.firstCell + static_cast<std::size_t>(cell) }, eye);
+      const auto towardsEye = radiance(unit.cells[cell], eye);
       for (int band = 0; band < bands; ++band)
       {
         unit.radiance->SetTypedComponent(cell, band, towardsEye[static_cast<std::size_t>(band)]);
@@ -218,7 +215,9 @@ int vtkOutgoingRadianceFilter::RequestData(
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
   return irradiance::runFilter(this, output, [&] {
-    if (input && irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
+    // What could not be computed has no blocks: that is an error on all processes.
+    if (input && input->GetNumberOfBlocks() > 0 && !irradiance::PhotonSource::isIn(input) &&
+      irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
     {
       WriteEmpty(input, output);
       return;

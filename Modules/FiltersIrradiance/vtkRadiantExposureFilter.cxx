@@ -2,10 +2,16 @@
 #include "vtkRadiantExposureFilter.h"
 
 #include "Data/NamedArray.h"
+#include "Output/EmptyPiece.h"
+#include "Pipeline/AloneRequest.h"
+#include "Pipeline/ControllerRanks.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PieceRequest.h"
+#include "Pipeline/RankData.h"
+#include "Pipeline/RanksPipeline.h"
 #include "Pipeline/ReplicateRequest.h"
 #include "Progress/InputError.h"
+#include "Surfaces/SceneHash.h"
 #include "Time/ErrorControlledIntegral.h"
 #include "Time/ExposureTimes.h"
 #include "Time/InputTimes.h"
@@ -19,7 +25,9 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkWeakPointer.h"
 
@@ -106,6 +114,20 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
       : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
 }
 
+/// Of all that decides which times are visited.
+std::uint64_t HashOf(const Settings& settings, vtkInformation* input)
+{
+  irradiance::Hash hash;
+  hash.add(settings.Mode);
+  hash.add(settings.NumberOfTimeSteps);
+  hash.add(settings.MaximumNumberOfTimeSteps);
+  hash.add(settings.RelativeTolerance);
+  hash.add(settings.Span.start);
+  hash.add(settings.Span.end);
+  hash.add(irradiance::stepsOf(input));
+  return hash.value();
+}
+
 void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields)
 {
   const std::vector<double>& times = integral.times();
@@ -132,23 +154,37 @@ void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields
  * takes. If upstream fails at a later time, the executive of VTK 9.1 and its like then asks for ever.
  * So a run asks for the first time as that does, in RequestUpdateExtent, and updates the producer
  * for the others, in RequestData.
+ *
+ * Ranks visit as many times at once as there are ranks, one time each. Then each rank takes the data of all of
+ * these, in the order of time: the sums are those of one rank alone.
  */
 class vtkRadiantExposureFilter::vtkInternals
 {
 public:
   /// Continues what an abort left, if that is still what is asked for, and asks for the next time.
   void Prepare(vtkRadiantExposureFilter* filter);
-  void Run(vtkRadiantExposureFilter* filter, vtkDataObject* output);
+  void Run(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks, vtkDataObject* output);
+  /// Asks for nothing more: others need not pay for it.
+  void End(vtkRadiantExposureFilter* filter) const;
   void Forget() { this->Integral = nullptr; }
+  irradiance::ControllerRanks GetRanks() const
+  {
+    return irradiance::ControllerRanks(this->Controller);
+  }
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::string Error; ///< found before the data were asked for
 
 private:
   void Begin(vtkRadiantExposureFilter* filter);
   bool IsUpToDate(vtkRadiantExposureFilter* filter) const;
-  void UpdateProducer(vtkRadiantExposureFilter* filter) const;
-  double NextTime() const { return this->Probe ? *this->Probe : this->Integral->nextTime(); }
-  void Take(vtkRadiantExposureFilter* filter);
+  bool HasChanged(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const;
+  void Agree(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const;
+  void UpdateProducer(vtkRadiantExposureFilter* filter, const irradiance::Ranks& ranks) const;
+  std::vector<double> NextTimes(const irradiance::Ranks& ranks) const;
+  std::optional<double> OwnTime(const irradiance::Ranks& ranks) const;
+  void Take(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks);
+  void Write(vtkRadiantExposureFilter* filter, vtkDataObject* output) const;
   void IntegrateOverSteps(vtkRadiantExposureFilter* filter);
 
   /// Null, except in a run and after an abort.
@@ -183,29 +219,86 @@ void vtkRadiantExposureFilter::vtkInternals::Begin(vtkRadiantExposureFilter* fil
 
 void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* filter)
 {
+  const irradiance::ControllerRanks ranks = this->GetRanks();
+  vtkInformation* input = filter->GetInputInformation(0, 0);
+  if (ranks.areSeveral())
+  {
+    irradiance::requestWhole(input);
+    this->Forget(); // after an abort not all may have come as far
+  }
+  irradiance::requestAlone(input, ranks.areSeveral());
+  irradiance::requestReplicates(input, true);
   if (!this->IsUpToDate(filter))
   {
     this->Begin(filter);
   }
-  vtkInformation* input = filter->GetInputInformation(0, 0);
-  input->Set(Pipeline::UPDATE_TIME_STEP(), this->NextTime());
-  irradiance::requestReplicates(input, true);
+  // With more ranks than times, some visit the last one in vain: VTK updates what is upstream anyway.
+  const double last = this->NextTimes(ranks).back();
+  input->Set(Pipeline::UPDATE_TIME_STEP(), this->OwnTime(ranks).value_or(last));
 }
 
-void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(vtkRadiantExposureFilter* filter) const
+void vtkRadiantExposureFilter::vtkInternals::End(vtkRadiantExposureFilter* filter) const
 {
-  const double time = this->NextTime();
-  filter->GetInputInformation(0, 0)->Set(Pipeline::UPDATE_TIME_STEP(), time);
-  if (!this->Producer->Update(filter->GetInputConnection(0, 0)->GetIndex()))
+  vtkInformation* input = filter->GetInputInformation(0, 0);
+  irradiance::requestReplicates(input, false);
+  irradiance::requestAlone(input, false);
+}
+
+/// Whether an observer has changed something. Throws RankFailed if only some have.
+bool vtkRadiantExposureFilter::vtkInternals::HasChanged(
+  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const
+{
+  const bool hasChanged = !this->IsUpToDate(filter);
+  ranks.expectSame(hasChanged ? 1 : 0, "something was changed meanwhile, or not,");
+  return hasChanged;
+}
+
+void vtkRadiantExposureFilter::vtkInternals::Agree(
+  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const
+{
+  if (ranks.areSeveral())
   {
-    throw irradiance::InputError(
-      "the input could not be computed at time " + irradiance::text(time) + ", see its own error");
+    ranks.expectSame(HashOf(this->Of, filter->GetInputInformation(0, 0)),
+      "other settings or times than on the first process");
   }
 }
 
-void vtkRadiantExposureFilter::vtkInternals::Take(vtkRadiantExposureFilter* filter)
+/// Those that the ranks visit together, one each.
+std::vector<double> vtkRadiantExposureFilter::vtkInternals::NextTimes(
+  const irradiance::Ranks& ranks) const
 {
-  const double time = this->NextTime();
+  return this->Probe ? std::vector<double>(ranks.count(), *this->Probe)
+                     : this->Integral->nextTimes(ranks.count());
+}
+
+/// None if there are fewer than ranks.
+std::optional<double> vtkRadiantExposureFilter::vtkInternals::OwnTime(
+  const irradiance::Ranks& ranks) const
+{
+  const std::vector<double> times = this->NextTimes(ranks);
+  return ranks.rank() < times.size() ? std::optional<double>(times[ranks.rank()]) : std::nullopt;
+}
+
+void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(
+  vtkRadiantExposureFilter* filter, const irradiance::Ranks& ranks) const
+{
+  const std::optional<double> time = this->OwnTime(ranks);
+  if (!time)
+  {
+    return;
+  }
+  filter->GetInputInformation(0, 0)->Set(Pipeline::UPDATE_TIME_STEP(), *time);
+  if (!this->Producer->Update(filter->GetInputConnection(0, 0)->GetIndex()))
+  {
+    throw irradiance::InputError(
+      "the input could not be computed at time " + irradiance::text(*time) + ", see its own error");
+  }
+}
+
+void vtkRadiantExposureFilter::vtkInternals::Take(
+  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks)
+{
+  const std::optional<double> time = this->OwnTime(ranks);
   vtkDataObject* data = filter->GetInputDataObject(0, 0);
   if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 &&
     irradiance::forgetAborted(this->Producer))
@@ -216,16 +309,25 @@ void vtkRadiantExposureFilter::vtkInternals::Take(vtkRadiantExposureFilter* filt
   }
   const bool isProbe = this->Probe.has_value();
   this->Probe.reset();
-  if (this->MayBeAtSteps &&
+  const bool isAtSteps = time && this->MayBeAtSteps &&
     irradiance::comesAtStepsOnly(
-      this->Producer, filter->GetInputConnection(0, 0)->GetIndex(), this->Of.Span))
+      this->Producer, filter->GetInputConnection(0, 0)->GetIndex(), this->Of.Span);
+  std::int64_t ranksAtSteps = isAtSteps ? 1 : 0;
+  ranks.sum(&ranksAtSteps, 1);
+  if (ranksAtSteps > 0)
   {
     this->IntegrateOverSteps(filter);
   }
   else if (!isProbe)
   {
-    irradiance::checkTime(filter->GetInputInformation(0, 0), time, this->Of.Span);
-    this->Integral->take(data);
+    if (time)
+    {
+      irradiance::checkTime(filter->GetInputInformation(0, 0), *time, this->Of.Span);
+    }
+    for (const auto& next : irradiance::dataOfRanks(time ? data : nullptr, this->Controller, ranks))
+    {
+      this->Integral->take(next);
+    }
   }
   // Upstream may modify itself as it executes, such as interpolators that set themselves up. If
   // something changed a vtkIrradianceFilter meanwhile, its time rises until it executes again.
@@ -240,24 +342,36 @@ void vtkRadiantExposureFilter::vtkInternals::IntegrateOverSteps(vtkRadiantExposu
 }
 
 void vtkRadiantExposureFilter::vtkInternals::Run(
-  vtkRadiantExposureFilter* filter, vtkDataObject* output)
+  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks, vtkDataObject* output)
 {
   irradiance::SmpExecution execution = irradiance::executionOf(filter);
-  this->Take(filter);
+  this->Agree(filter, ranks);
+  this->Take(filter, ranks);
   while (!this->Integral->isDone())
   {
     if (!execution.reportProgress(this->Integral->progress()))
     {
       throw irradiance::Interrupted();
     }
-    if (!this->IsUpToDate(filter)) // an observer has changed something
+    if (this->HasChanged(filter, ranks))
     {
       this->Producer->UpdateInformation();
       this->Begin(filter);
+      this->Agree(filter, ranks);
     }
-    this->UpdateProducer(filter);
-    this->Take(filter);
+    this->UpdateProducer(filter, ranks);
+    this->Take(filter, ranks);
   }
+  this->Write(filter, output);
+  if (ranks.areSeveral() && irradiance::isEmptyPieceRequested(filter->GetOutputInformation(0)))
+  {
+    irradiance::removeElements(output);
+  }
+}
+
+void vtkRadiantExposureFilter::vtkInternals::Write(
+  vtkRadiantExposureFilter* filter, vtkDataObject* output) const
+{
   if (!this->Integral->sums().haveCells() &&
     !irradiance::isEmptyPieceRequested(filter->GetInputInformation(0, 0)))
   {
@@ -279,6 +393,31 @@ vtkRadiantExposureFilter::vtkRadiantExposureFilter()
 }
 
 vtkRadiantExposureFilter::~vtkRadiantExposureFilter() = default;
+
+vtkExecutive* vtkRadiantExposureFilter::CreateDefaultExecutive()
+{
+  auto* pipeline = irradiance::RanksPipeline::New();
+  pipeline->upstreamFailed = [this] {
+    this->Internals->End(this);
+    this->Internals->Forget();
+    this->Internals->GetRanks().withdraw();
+  };
+  return pipeline;
+}
+
+void vtkRadiantExposureFilter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Internals->Controller != controller)
+  {
+    this->Internals->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkRadiantExposureFilter::GetController()
+{
+  return this->Internals->Controller;
+}
 
 int vtkRadiantExposureFilter::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -318,20 +457,22 @@ int vtkRadiantExposureFilter::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
+  irradiance::ControllerRanks ranks = this->Internals->GetRanks();
   bool isAborted = true;
-  const int result = irradiance::runFilter(this, output, [&] {
+  const auto compute = [&] {
     if (!this->Internals->Error.empty())
     {
       throw irradiance::InputError(this->Internals->Error);
     }
-    this->Internals->Run(this, output);
+    this->Internals->Run(this, ranks, output);
     isAborted = false;
-  });
+  };
+  const int result = irradiance::runFilter(this, output, compute, &ranks);
   if (result == 0 || !isAborted)
   {
     this->Internals->Forget();
   }
-  irradiance::requestReplicates(this->GetInputInformation(0, 0), false); // others need not pay
+  this->Internals->End(this);
   return result;
 }
 
@@ -343,5 +484,6 @@ void vtkRadiantExposureFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "IntegrationMode: " << this->IntegrationMode << "\n"
      << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n"
      << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n"
-     << indent << "MaximumNumberOfTimeSteps: " << this->MaximumNumberOfTimeSteps << "\n";
+     << indent << "MaximumNumberOfTimeSteps: " << this->MaximumNumberOfTimeSteps << "\n"
+     << indent << "Controller: " << this->GetController() << "\n";
 }

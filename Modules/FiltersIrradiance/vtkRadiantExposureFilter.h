@@ -61,6 +61,8 @@
 
 #include <memory> // For the internals
 
+class vtkMultiProcessController;
+
 class VTKFILTERSIRRADIANCE_EXPORT vtkRadiantExposureFilter : public vtkPassInputTypeAlgorithm
 {
 public:
@@ -131,10 +133,25 @@ public:
   vtkGetMacro(MaximumNumberOfTimeSteps, int);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the times, for example a vtkMPIController; null: this one alone. Each has the whole
+   * pipeline and computes every n-th time; a vtkIrradianceFilter upstream computes alone then, whatever its
+   * Controller. Each has the whole output, with the bits that one process alone would give; of several pieces, the
+   * first has all. All have to update this filter at the same time, with the same input and settings; else, or if
+   * one fails or is aborted, each has one error. While intervals are halved, only one or two times are known in
+   * advance, and other processes wait. As a rule, give the Controller to vtkIrradianceFilter instead: see "Several
+   * processes" in the Guide. Default null.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
 protected:
   vtkRadiantExposureFilter();
   ~vtkRadiantExposureFilter() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;

@@ -60,7 +60,9 @@ FrameChange IrradianceEngine::changeTo(
     }
   }
   const bool replaces = hasReplaced(objects, objects_);
-  const bool all = settings.allOnEachRank || settings_.allOnEachRank;
+  // Within a budget each rank would repair others of them.
+  const bool mayStay = settings.repairTimeBudget == 0;
+  const bool all = settings.allOnEachRank || (settings_.allOnEachRank && mayStay);
   if (!sameLights || !samePlan || !canRepair(objects, settings) ||
     !walks_.areOf(execution.ranks(), all) || (replaces && walks_.hasStale()))
   {

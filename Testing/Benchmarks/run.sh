@@ -72,6 +72,11 @@ measure()
   [[ $1 != BenchmarkParaView ]] ||
     program=(env VTK_SMP_BACKEND_IN_USE=STDThread "PV_PLUGIN_PATH=$(echo "$build"/paraview/lib/paraview-*/plugins)"
       "$home/Utilities/run-under-xvfb.sh" "$sdk/usr/bin/pvpython" "${program[@]:2}")
+  # As root in a container, without a shell to other machines.
+  [[ $1 != BenchmarkRanks ]] ||
+    program=(env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+      OMPI_MCA_plm=isolated 'OMPI_MCA_btl=self,vader' OMPI_MCA_btl_vader_single_copy_mechanism=none
+      mpirun -n 2 "${program[@]}")
   # shellcheck disable=SC2086 # several words
   PYTHONPATH=$(echo "$build"/lib/python3*/*-packages) "${program[@]}" $arguments >"$1.csv"
   "$python" "$report/results.py" "$1.csv" | tee "$1.txt"
@@ -98,12 +103,13 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkFrameProfile "" "20000 2"
   measure BenchmarkRepairBudget "" "20000 2"
+  measure BenchmarkRanks "" "20000 2"
   measure BenchmarkPhotonStores "1000000 11" "20000 2"
   measure BenchmarkRadiance "" "20000 1 4"
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"

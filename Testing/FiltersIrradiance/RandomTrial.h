@@ -9,6 +9,7 @@
 #include "ShownWalks.h"
 #include "ViewFilters.h"
 
+#include "vtkMultiProcessController.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -71,20 +72,27 @@ struct Counts
   void Digested(std::uint64_t digest) { this->Digest = 3 * this->Digest + digest; }
 };
 
-/// A long-lived filter and what it is to compute.
+/// A long-lived filter and what it is to compute. With a controller its processes compute it together, and
+/// the fresh filters alone.
 struct Trial
 {
-  Trial(std::uint64_t seed, Counts& counts)
+  Trial(std::uint64_t seed, Counts& counts, vtkMultiProcessController* controller = nullptr)
     : Random(seed)
     , Given(RandomModel(Random))
     , Done(counts)
   {
+    this->Filter->SetController(controller);
     Configure(this->Filter, this->Given);
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Observer);
   }
 
   std::vector<Connection>& Moving() { return this->Given.Ports[1]; }
   Settings& Set() { return this->Given.Set; }
+  bool IsShared() const
+  {
+    vtkMultiProcessController* controller = this->Filter->GetController();
+    return controller && controller->GetNumberOfProcesses() > 1;
+  }
   void Update()
   {
     RandomPrograms::Update(*this->Filter, this->Given.Time, this->Given.NumberOfThreads);
@@ -145,6 +153,7 @@ struct Trial
   {
     auto fresh = vtkSmartPointer<vtkIrradianceFilter>::New();
     const auto reports = ErrorObserver::Watch(fresh);
+    fresh->SetController(nullptr);
     Configure(fresh, this->Given);
     RandomPrograms::Update(*fresh, this->Given.Time, 3 - this->Given.NumberOfThreads);
     EXPECT_EQ(reports->Errors.size(), errors);
@@ -153,6 +162,7 @@ struct Trial
 
   void LimitGloss();
   void KeepCellOfWalks();
+  void DropBudgetOfLook();
   void UpdateAndCheck();
   void Compare();
   void Look();
@@ -201,10 +211,21 @@ inline void Trial::KeepCellOfWalks()
   }
 }
 
+/// Several processes look at photons or have a budget.
+inline void Trial::DropBudgetOfLook()
+{
+  if (this->IsShared() && this->Given.Look.IsUsed() && this->Set().RepairTimeBudget > 0)
+  {
+    this->Set().RepairTimeBudget = 0;
+    this->Apply();
+  }
+}
+
 inline void Trial::UpdateAndCheck()
 {
   this->LimitGloss();
   this->KeepCellOfWalks();
+  this->DropBudgetOfLook();
   this->Reports->Clear();
   if (this->Given.Look.IsUsed() && Chance(this->Random, 4))
   {

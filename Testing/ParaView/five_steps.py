@@ -4,30 +4,23 @@
 OUTPUT: where the window is left after each step, as step1.png to step5.png, then trace.py, and the file done at
 the end.
 """
-import ctypes
 import os
 import sys
-import time
 
 from paraview import smtrace
 from paraview.simple import *  # noqa: F403, what a user's script does
 
-sys.path.append(os.path.dirname(os.environ["FIVE_STEPS"]))
+sys.path.append(os.environ["SCRIPTS"])
 from grab_screen import grab_screen  # noqa: E402
-
-# PyDLL: the window calls Python while it draws itself.
-process_events = getattr(ctypes.PyDLL("libQt5Core.so.5"),
-                         "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE")
+from qt_events import process_events  # noqa: E402
 
 
 def leave_window(step, active):
-    """With the panel of what was made last. A script keeps the window from drawing itself."""
+    """With the panel of what was made last."""
     SetActiveSource(active)
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [4.9, -7.4, 5.9], [0, 0, 1], [0, 0, 1]
     Render(view)
-    end = time.monotonic() + 1
-    while time.monotonic() < end:
-        process_events(0)
+    process_events(1)
     grab_screen(1150, 764, os.path.join(os.environ["OUTPUT"], f"step{step}.png"))
 
 

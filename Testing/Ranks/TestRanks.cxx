@@ -4,20 +4,22 @@
 #include "ErrorObserver.h"
 #include "ExposureScenes.h"
 #include "OutputBits.h"
+#include "Processes.h"
 #include "TestScenes.h"
 
-#include "vtkMPIController.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutgoingRadianceFilter.h"
+#include "vtkPolyDataAlgorithm.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 using namespace TestScenes;
+using Processes::Controller;
 
 namespace
 {
-
-vtkMPIController* Controller = nullptr;
 
 bool AreSeveral()
 {
@@ -38,6 +40,7 @@ void ExpectBitsOfOne(const Settings& set)
     set(filter);
   }
   together->SetController(Controller);
+  alone->SetController(nullptr);
   vtkIdType invalid = 0;
   for (int frame = 0; frame < 4; ++frame)
   {
@@ -162,31 +165,118 @@ TEST(Ranks, HaveOneErrorEachWhenNotGivenTheSame)
   expect(none, "other inputs than on the first process on 1 of ");
 }
 
-TEST(Ranks, SayWhatNeedsAllPhotons)
+TEST(Ranks, ReadPhotonsOfAll)
+{
+  ExpectBitsOfOne([](vtkIrradianceFilter* filter) { filter->SetCellEstimateToNearest(); });
+}
+
+TEST(Ranks, ShowTheWalksOfOne)
+{
+  Scene scene = MakeSmallScene();
+  vtkNew<vtkIrradianceFilter> together, alone;
+  for (vtkIrradianceFilter* filter : { together.Get(), alone.Get() })
+  {
+    Connect(filter, scene);
+    filter->SetNumberOfWalks(6000);
+    filter->SetNumberOfOutputWalks(300);
+  }
+  together->SetController(Controller);
+  alone->SetController(nullptr);
+  for (const vtkIdType cell : { -1, 4 })
+  {
+    for (vtkIrradianceFilter* filter : { together.Get(), alone.Get() })
+    {
+      filter->SetOutputWalksCell(cell);
+    }
+    scene.Moving[0].Pose->Translate(0.1, 0.05, 0.02);
+    together->Update();
+    alone->Update();
+    EXPECT_GT(together->GetWalksOutput()->GetNumberOfCells(), 100);
+    EXPECT_TRUE(
+      IsSame(OutputBits(together->GetWalksOutput()), OutputBits(alone->GetWalksOutput())));
+  }
+}
+
+// Each process would repair other walks, and then show other photons.
+TEST(Ranks, RefuseABudgetWherePhotonsAreRead)
 {
   const Scene scene = MakeSmallScene();
   vtkNew<vtkIrradianceFilter> filter;
   Connect(filter, scene);
   filter->SetController(Controller);
-  filter->SetNumberOfOutputWalks(10);
+  filter->SetNumberOfWalks(6000);
+  filter->SetRepairTimeBudget(1);
+  vtkNew<vtkOutgoingRadianceFilter> radiance;
+  radiance->SetInputConnection(filter->GetOutputPort());
+  const auto observer = ErrorObserver::Watch(filter);
+  radiance->Update();
+  ASSERT_EQ(observer->Errors.size(), AreSeveral() ? 1u : 0u);
   if (AreSeveral())
   {
-    EXPECT_NE(OneErrorOf(filter).find("need all photons in one process"), std::string::npos);
-  }
-  else
-  {
-    filter->Update();
-    EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 10);
+    EXPECT_NE(
+      observer->Errors.front().find("RepairTimeBudget is 1, but there are "), std::string::npos);
   }
 }
 
-int main(int argc, char** argv)
+// Found by TestRandomRanks: each process kept all walks, repaired them in a time of its own, and had other stale light.
+TEST(Ranks, ShareTheWalksAgainForABudget)
 {
-  testing::InitGoogleTest(&argc, argv);
-  vtkNew<vtkMPIController> controller;
-  controller->Initialize(&argc, &argv);
-  Controller = controller;
-  const int result = RUN_ALL_TESTS();
-  controller->Finalize();
-  return result;
+  const Scene scene = MakeSmallScene();
+  vtkNew<vtkIrradianceFilter> filter;
+  Connect(filter, scene);
+  filter->SetController(Controller);
+  filter->SetNumberOfWalks(20000);
+  filter->SetCellEstimateToNearest();
+  filter->Update();
+  const auto all = static_cast<double>(filter->GetHistoryBytes());
+  filter->SetCellEstimateToSums();
+  filter->SetRepairTimeBudget(1);
+  filter->Update();
+  const auto own = static_cast<double>(filter->GetHistoryBytes());
+  EXPECT_TRUE(AreSeveral() ? own < 0.8 * all : own == all) << own << " of " << all;
+}
+
+namespace
+{
+
+/// A source that may fail.
+class Fallible : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(Fallible, vtkPolyDataAlgorithm);
+  static Fallible* New();
+  bool Fails = false;
+
+protected:
+  Fallible() { this->SetNumberOfInputPorts(0); }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    vtkPolyData::GetData(output)->ShallowCopy(MakeRoom(3, 3));
+    return this->Fails ? 0 : 1;
+  }
+};
+vtkStandardNewMacro(Fallible);
+
+}
+
+// VTK does not call a filter whose input fails; the others must hear of it.
+TEST(Ranks, EndWhenTheInputOfOneFails)
+{
+  vtkNew<Fallible> source;
+  vtkNew<vtkIrradianceFilter> filter;
+  filter->SetController(Controller);
+  filter->SetNumberOfWalks(2000);
+  filter->AddInputConnection(0, source->GetOutputPort());
+  filter->AddInputDataObject(0, MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }));
+  source->Fails = Processes::Own() == Processes::Count() - 1;
+  const auto observer = ErrorObserver::Watch(filter);
+  const auto ofSource = ErrorObserver::Watch(source);
+  filter->Update();
+  EXPECT_EQ(observer->Errors.size(), source->Fails ? 0u : 1u);
+  EXPECT_EQ(ofSource->Failures, source->Fails ? 1 : 0);
+  // All begin again together.
+  source->Fails = false;
+  source->Modified();
+  filter->Update();
+  EXPECT_GT(filter->GetAbsorbedPower(), 0);
 }

@@ -22,7 +22,7 @@ InputPart partOf(vtkAlgorithm* filter, const std::string& name, vtkPolyData* pol
 {
   InputPart part;
   part.name = name;
-  part.polyData = polyData;
+  part.polyData = part.piece = polyData;
   findArrays(filter, part);
   return part;
 }

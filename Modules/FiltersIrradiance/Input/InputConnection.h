@@ -4,6 +4,7 @@
 
 #include "Geometry/Vector.h"
 #include "Input/MaterialArrays.h"
+#include "Input/PartCells.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct InputPart
 {
   std::string name; ///< as in "input port 1, connection 0" or "..., block 3 (Plate)"
   vtkPolyData* polyData = nullptr;
+  vtkPolyData* piece = nullptr; ///< what this process has of it: all, unless inputs are distributed
+  PieceCells cells;             ///< of the piece
   MaterialArrays<vtkAbstractArray> arrays{};
   AffineMap worldFromPart;           ///< the identity for static parts
   const char* innerPose = nullptr;   ///< a field-data array that is part of that; or null

@@ -5,6 +5,7 @@
 #include "Data/LeafData.h"
 
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -19,6 +20,23 @@ void copyEmptyArrays(vtkDataSet* from, vtkDataSet* to)
   to->GetPointData()->CopyAllocate(from->GetPointData(), 0);
   to->GetCellData()->CopyAllOn();
   to->GetCellData()->CopyAllocate(from->GetCellData(), 0);
+}
+
+void removeElements(vtkDataObject* data)
+{
+  const auto whole = snapshotOf(data);
+  const std::vector<LeafData> leaves = leavesOf(whole);
+  data->Initialize();
+  fillLeaves(whole, data, [&](std::size_t i) {
+    vtkDataSet* leaf = leaves[i].data;
+    const auto empty = vtk::TakeSmartPointer(leaf ? leaf->NewInstance() : nullptr);
+    if (empty)
+    {
+      copyEmptyArrays(leaf, empty);
+    }
+    return empty;
+  });
+  data->GetFieldData()->Initialize();
 }
 
 vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData)

@@ -16,6 +16,9 @@ namespace irradiance
 /// Gives a data set without points the arrays of another, without values.
 void copyEmptyArrays(vtkDataSet* from, vtkDataSet* to);
 
+/// Takes points and cells from data, and the field data of the root.
+void removeElements(vtkDataObject* data);
+
 /// Polydata with the arrays of another, without points and cells.
 vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData);
 

@@ -167,21 +167,21 @@ void OutputWriter::write(const std::vector<InputConnection>& statics,
   std::size_t staticPart = 0;
   const auto makeStatic = [&](const InputPart& part) {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
-    polyData->ShallowCopy(part.polyData);
-    addIrradiance(polyData, { 0, scene_.firstCellOfStatic(staticPart++) });
+    polyData->ShallowCopy(part.piece);
+    addIrradiance(polyData, { { 0, scene_.firstCellOfStatic(staticPart++) }, part.cells });
     return polyData;
   };
   std::uint32_t object = 0;
   const auto makeDynamic = [&](const InputPart& part) {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
-    polyData->ShallowCopy(part.polyData);
+    polyData->ShallowCopy(part.piece);
     movePoints(part.worldFromPart, polyData);
     polyData->GetFieldData()->RemoveArray(kFieldPoseName); // applied
     if (part.innerPose)
     {
       polyData->GetFieldData()->RemoveArray(part.innerPose);
     }
-    addIrradiance(polyData, { ++object, 0 });
+    addIrradiance(polyData, { { ++object, 0 }, part.cells });
     return polyData;
   };
   writeBlocks(statics, dynamics, makeStatic, makeDynamic, output);
@@ -216,27 +216,27 @@ void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
   writeBlocks(statics, dynamics, makePart, makePart, output);
 }
 
-void OutputWriter::addIrradiance(vtkPolyData* polyData, const SceneCell& first) const
+void OutputWriter::addIrradiance(vtkPolyData* polyData, const PartCells& cells) const
 {
   int side = 0;
   for (const char* suffix : suffixesOf(settings_))
   {
-    addSide(polyData, suffix, { first, side++ });
+    addSide(polyData, suffix, cells, side++);
   }
   activateIrradiance(polyData, settings_);
 }
 
 void OutputWriter::addSide(
-  vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const
+  vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const
 {
   const auto add = [&](const std::string& name, const auto& value) {
     const auto array = addArray<vtkDoubleArray>(
       polyData->GetCellData(), name, scene_.bands(), polyData->GetNumberOfCells());
     ThrottledCancelPoint pace(cancelPoint_);
-    CellSide cell = first;
-    for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i, ++cell.cell)
+    for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
     {
       pace.step();
+      const CellSide cell{ cells[i], side };
       for (int band = 0; band < scene_.bands(); ++band)
       {
         array->SetTypedComponent(i, band, value(cell, band));
@@ -259,7 +259,7 @@ void OutputWriter::addSide(
   }
   if (withReplicates_ && withErrors_)
   {
-    addReplicates(polyData, suffix, first);
+    addReplicates(polyData, suffix, cells, side);
   }
   if (settings_.repairTimeBudget > 0)
   {
@@ -269,16 +269,16 @@ void OutputWriter::addSide(
 }
 
 void OutputWriter::addReplicates(
-  vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const
+  vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const
 {
   const int bands = scene_.bands();
   const auto replicates = static_cast<int>(errors_.replicates());
   const auto parts = addArray<vtkDoubleArray>(polyData->GetCellData(), replicatesName(suffix),
     replicates * bands, polyData->GetNumberOfCells());
   ThrottledCancelPoint pace(cancelPoint_);
-  CellSide cell = first;
-  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i, ++cell.cell)
+  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
   {
+    const CellSide cell{ cells[i], side };
     const double area = engine_.cells().area(cell);
     for (int part = 0; part < replicates * bands; ++part)
     {

@@ -54,11 +54,12 @@ private:
   static void writeBlocks(const std::vector<InputConnection>& statics,
     const std::vector<InputConnection>& dynamics, const MakePart& makeStatic,
     const MakePart& makeDynamic, vtkMultiBlockDataSet* output);
-  /// `first`: of the cells of the polydata.
-  void addIrradiance(vtkPolyData* polyData, const SceneCell& first) const;
+  void addIrradiance(vtkPolyData* polyData, const PartCells& cells) const;
   /// `suffix`: part of the arrays' names, such as Front.
-  void addSide(vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const;
-  void addReplicates(vtkPolyData* polyData, const std::string& suffix, const CellSide& first) const;
+  void addSide(
+    vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const;
+  void addReplicates(
+    vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const;
   void addFieldData(vtkMultiBlockDataSet* output) const;
   void addStatistics(vtkFieldData* fields) const;
   /// W/m2; NaN where it is not known.

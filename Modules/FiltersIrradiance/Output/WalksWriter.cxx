@@ -2,6 +2,7 @@
 #include "Output/WalksWriter.h"
 
 #include "Progress/InputError.h"
+#include "Surfaces/SceneHash.h"
 #include "Views/WalkPaths.h"
 
 #include "vtkCellArray.h"
@@ -119,6 +120,16 @@ WalksWriter::WalksWriter(const WalksRequest& request, const std::vector<InputCon
   }
 }
 
+std::uint64_t WalksWriter::hash() const
+{
+  Hash hash;
+  hash.add(request_.count);
+  hash.add(request_.port);
+  hash.add(request_.connection);
+  hash.add(request_.cell);
+  return hash.value();
+}
+
 void WalksWriter::findCell(const std::vector<InputConnection>& connections)
 {
   const int count = static_cast<int>(connections.size());
@@ -132,6 +143,11 @@ void WalksWriter::findCell(const std::vector<InputConnection>& connections)
   for (int i = 0; i < request_.connection; ++i)
   {
     part += connections[static_cast<std::size_t>(i)].parts.size();
+  }
+  if (!connections.front().parts.empty() && connections.front().parts.front().cells)
+  {
+    fail("OutputWalksCell", request_.cell,
+      "with DistributedInput the cells of an input have no common numbers; -1 means all walks");
   }
   const InputConnection& chosen = connections[static_cast<std::size_t>(request_.connection)];
   vtkIdType first = 0;

@@ -33,6 +33,8 @@ public:
 
   /// Whether any walk is asked for; then the engine must keep the photons and list what it repairs.
   bool isAsked() const { return request_.count > 0; }
+  /// Of what is asked for.
+  std::uint64_t hash() const;
   /// The state of engine and scene after the update. `withStale`: also says which walks are stale.
   /// Leaves the output alone if it throws Interrupted.
   void write(const IrradianceEngine& engine, const SceneReader& scene, bool withStale,

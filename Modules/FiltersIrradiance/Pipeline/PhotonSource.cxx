@@ -34,6 +34,7 @@ public:
 
   std::shared_ptr<IrradianceEngine> engine;
   std::uint64_t state = 0;
+  std::vector<PieceCells> pieces;
 };
 vtkStandardNewMacro(EngineReference);
 
@@ -45,6 +46,15 @@ vtkInformationObjectBaseKey* engineKey()
 
 /// Copies of data share its arrays, but not its own information: so an array holds the reference.
 constexpr const char* kHolder = kNumberOfWalks;
+
+EngineReference* referenceIn(vtkDataObject* data)
+{
+  vtkAbstractArray* holder =
+    data && data->GetFieldData() ? data->GetFieldData()->GetAbstractArray(kHolder) : nullptr;
+  return holder && holder->HasInformation() ? static_cast<EngineReference*>(vtkObject::SafeDownCast(
+                                                holder->GetInformation()->Get(engineKey())))
+                                            : nullptr;
+}
 
 /// Calls visit(polydata, or null for other data) for the leaves of a block, in order.
 template <class Visit>
@@ -60,23 +70,25 @@ void forEachPolyData(vtkDataObject* block, const Visit& visit)
 
 }
 
-void PhotonSource::attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine)
+void PhotonSource::attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine,
+  std::vector<PieceCells> pieces)
 {
   vtkNew<EngineReference> reference;
+  reference->pieces = std::move(pieces);
   reference->state = engine->state();
   reference->engine = std::move(engine);
   output->GetFieldData()->GetAbstractArray(kHolder)->GetInformation()->Set(engineKey(), reference);
 }
 
+bool PhotonSource::isIn(vtkDataObject* data)
+{
+  return referenceIn(data) != nullptr;
+}
+
 PhotonSource::PhotonSource(vtkDataObject* data, const char* what)
   : what_(what)
 {
-  vtkAbstractArray* holder =
-    data && data->GetFieldData() ? data->GetFieldData()->GetAbstractArray(kHolder) : nullptr;
-  auto* reference = holder && holder->HasInformation()
-    ? static_cast<EngineReference*>(
-        vtkObject::SafeDownCast(holder->GetInformation()->Get(engineKey())))
-    : nullptr;
+  EngineReference* reference = referenceIn(data);
   if (!reference)
   {
     throw InputError(std::string(what) +
@@ -84,6 +96,7 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what)
       "connect the filter, or a shallow copy of its whole output");
   }
   engine_ = reference->engine;
+  pieces_ = reference->pieces;
   if (!engine_->isValid() || engine_->state() != reference->state)
   {
     throw InputError(std::string(what) +
@@ -104,6 +117,17 @@ void PhotonSource::failUnlike() const
     "needed");
 }
 
+void PhotonSource::checkCells(
+  vtkPolyData* polyData, std::size_t part, std::size_t cellsOfPart) const
+{
+  const PieceCells piece = part < pieces_.size() ? pieces_[part] : nullptr;
+  if (part >= pieces_.size() || !polyData ||
+    static_cast<std::size_t>(polyData->GetNumberOfCells()) != (piece ? piece->size() : cellsOfPart))
+  {
+    failUnlike();
+  }
+}
+
 void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const
 {
   const SceneObjects& objects = engine_->objects();
@@ -111,28 +135,37 @@ void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) c
   {
     failUnlike();
   }
-  std::size_t firstCell = 0;
+  const Material& statics = *objects.staticObject.material;
+  std::size_t part = 0;
   forEachPolyData(data->GetBlock(0), [&](vtkPolyData* polyData) {
-    const auto cells = static_cast<std::size_t>(polyData ? polyData->GetNumberOfCells() : 0);
-    if (!polyData || firstCell + cells > objects.staticObject.material->numberOfCells)
+    if (part >= statics.firstCellOfPart.size())
     {
       failUnlike();
     }
-    visit(polyData, 0, firstCell);
-    firstCell += cells;
+    const std::size_t first = statics.firstCellOfPart[part];
+    const bool isLast = part + 1 == statics.firstCellOfPart.size();
+    checkCells(
+      polyData, part, (isLast ? statics.numberOfCells : statics.firstCellOfPart[part + 1]) - first);
+    visit(polyData, { { 0, first }, pieces_[part] });
+    ++part;
   });
+  if (part != statics.firstCellOfPart.size())
+  {
+    failUnlike();
+  }
   std::uint32_t object = 0;
   forEachPolyData(data->GetBlock(1), [&](vtkPolyData* polyData) {
     ++object;
-    if (!polyData || object >= objects.size() ||
-      static_cast<std::size_t>(polyData->GetNumberOfCells()) !=
-        (objects[object].isPresent ? objects[object].material->numberOfCells : 0))
+    if (object >= objects.size())
     {
       failUnlike();
     }
-    visit(polyData, object, 0);
+    checkCells(
+      polyData, part, objects[object].isPresent ? objects[object].material->numberOfCells : 0);
+    visit(polyData, { { object, 0 }, pieces_[part] });
+    ++part;
   });
-  if (firstCell != objects.staticObject.material->numberOfCells || object + 1 != objects.size())
+  if (object + 1 != objects.size())
   {
     failUnlike();
   }

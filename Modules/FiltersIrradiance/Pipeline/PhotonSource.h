@@ -2,10 +2,12 @@
 #ifndef irradiance_PhotonSource_h
 #define irradiance_PhotonSource_h
 
+#include "Input/PartCells.h"
 #include "IrradianceEngine.h"
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 class vtkDataObject;
 class vtkMultiBlockDataSet;
@@ -21,8 +23,12 @@ namespace irradiance
 class PhotonSource
 {
 public:
-  /// Lets an output refer to the present state of an engine. It needs field data to hold on to.
-  static void attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine);
+  /// Lets an output refer to the present state of an engine. It needs field data to hold on to. `pieces`: of all
+  /// polydata, in order.
+  static void attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine,
+    std::vector<PieceCells> pieces);
+  /// Whether data refer to an engine.
+  static bool isIn(vtkDataObject* data);
 
   /// `what`: the input, as errors name it. Throws InputError if the data refers to no engine, if the
   /// engine has gone on since, or if it did not keep the photons.
@@ -30,16 +36,19 @@ public:
 
   const std::shared_ptr<IrradianceEngine>& engine() const { return engine_; }
 
-  /// Calls visit(polydata, object, number of its first cell) for all polydata of an output, in the
-  /// order in which the engine numbers them. Throws InputError if that is not what the engine has.
-  using Visit = std::function<void(vtkPolyData*, std::uint32_t object, std::size_t firstCell)>;
+  /// Calls visit(polydata, its cells) for all polydata of an output, in the order in which the engine
+  /// numbers them. Throws InputError if that is not what the engine has.
+  using Visit = std::function<void(vtkPolyData*, const PartCells&)>;
   void forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const;
 
 private:
-  void failUnlike() const;
+  /// Throws InputError unless the polydata has as many cells as its piece, or as the part.
+  void checkCells(vtkPolyData* polyData, std::size_t part, std::size_t cellsOfPart) const;
+  [[noreturn]] void failUnlike() const;
 
   const char* what_;
   std::shared_ptr<IrradianceEngine> engine_;
+  std::vector<PieceCells> pieces_;
 };
 
 }

@@ -20,4 +20,13 @@ void requestWhole(vtkInformation* input)
   input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
+void requestPiece(vtkInformation* input, const Ranks& ranks)
+{
+  requestWhole(input);
+  input->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), static_cast<int>(ranks.rank()));
+  input->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), static_cast<int>(ranks.count()));
+}
+
 }

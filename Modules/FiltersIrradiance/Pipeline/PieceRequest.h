@@ -2,6 +2,8 @@
 #ifndef irradiance_PieceRequest_h
 #define irradiance_PieceRequest_h
 
+#include "Execution/Ranks.h"
+
 class vtkInformation;
 
 namespace irradiance
@@ -16,6 +18,8 @@ bool isEmptyPieceRequested(vtkInformation* output);
 
 /// Asks for all of an input, whatever piece the output is of.
 void requestWhole(vtkInformation* input);
+/// Asks for this rank's piece of an input.
+void requestPiece(vtkInformation* input, const Ranks& ranks);
 
 }
 

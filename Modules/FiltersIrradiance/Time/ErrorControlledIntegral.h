@@ -20,7 +20,7 @@ public:
   ErrorControlledIntegral(std::vector<double> firstTimes, double tolerance, int mostIntervals);
 
   bool isDone() const override { return rule_.isDone(); }
-  double nextTime() const override { return rule_.nextTime(); }
+  std::vector<double> nextTimes(std::size_t most) const override { return rule_.nextTimes(most); }
   void take(vtkDataObject* data) override;
   double progress() const override { return rule_.progress(); }
   double relativeError() const override { return rule_.halving().relativeError(); }

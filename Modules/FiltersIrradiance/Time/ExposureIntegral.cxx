@@ -3,8 +3,17 @@
 
 #include "Exposure/IntegrationTimes.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
+
+std::vector<double> GivenTimesIntegral::nextTimes(std::size_t most) const
+{
+  const std::size_t end = std::min(next_ + most, times_.size());
+  return { times_.begin() + static_cast<std::ptrdiff_t>(next_),
+    times_.begin() + static_cast<std::ptrdiff_t>(end) };
+}
 
 void GivenTimesIntegral::take(vtkDataObject* data)
 {

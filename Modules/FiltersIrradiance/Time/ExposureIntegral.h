@@ -21,8 +21,9 @@ public:
   virtual ~ExposureIntegral() = default;
 
   virtual bool isDone() const = 0;
-  /// The time that is needed next; not if done.
-  virtual double nextTime() const = 0;
+  /// The times that are needed next, in order, as far as they are known: 1 to `most`; not if done.
+  virtual std::vector<double> nextTimes(std::size_t most) const = 0;
+  double nextTime() const { return nextTimes(1).front(); }
   /// Takes the data of nextTime(). Throws InputError; then the integral is of no use any more.
   virtual void take(vtkDataObject* data) = 0;
   /// From 0 to 1.
@@ -55,7 +56,7 @@ public:
   explicit GivenTimesIntegral(std::vector<double> times) { times_ = std::move(times); }
 
   bool isDone() const override { return next_ == times_.size(); }
-  double nextTime() const override { return times_[next_]; }
+  std::vector<double> nextTimes(std::size_t most) const override;
   void take(vtkDataObject* data) override;
   double progress() const override
   {

@@ -46,12 +46,9 @@ public:
 
   bool isDone() const { return isDone_; }
   /// The time that is needed next; not if done.
-  double nextTime() const
-  {
-    return times_.size() < firstTimes_.size()
-      ? firstTimes_[times_.size()]
-      : middleOf(tasks_.front().start->time, tasks_.front().end->time);
-  }
+  double nextTime() const { return nextTimes(1).front(); }
+  /// The times that are needed next, in order, as far as they are known: 1 to `most`; not if done.
+  std::vector<double> nextTimes(std::size_t most) const;
   /// Takes the sample of nextTime(). `measure(three samples)`: what they bring to each block, see
   /// IntervalMeasure.
   template <class Measure>
@@ -128,6 +125,21 @@ void AdaptiveTrapezoids<Sample, Sums>::makePlaces(const Place& place, std::size_
   const auto merge = std::make_shared<Merge>(Merge{ place, nullptr });
   makePlaces({ merge, false }, count / 2);
   makePlaces({ merge, true }, count - count / 2);
+}
+
+template <class Sample, class Sums>
+std::vector<double> AdaptiveTrapezoids<Sample, Sums>::nextTimes(std::size_t most) const
+{
+  std::vector<double> next;
+  for (std::size_t i = times_.size(); i < firstTimes_.size() && next.size() < most; ++i)
+  {
+    next.push_back(firstTimes_[i]);
+  }
+  for (std::size_t i = 0; i < tasks_.size() && next.size() < most; ++i)
+  {
+    next.push_back(middleOf(tasks_[i].start->time, tasks_[i].end->time));
+  }
+  return next;
 }
 
 template <class Sample, class Sums>

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PartCells_h
+#define irradiance_PartCells_h
+
+#include "Surfaces/SceneCell.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Numbers of cells in a whole, in the order of a piece of it; null: the piece is the whole.
+using PieceCells = std::shared_ptr<const std::vector<std::size_t>>;
+
+/// Which cells of the scene a polydata has.
+struct PartCells
+{
+  SceneCell first; ///< of the part to which the polydata belongs
+  PieceCells piece;
+
+  SceneCell operator[](vtkIdType i) const
+  {
+    const auto cell = static_cast<std::size_t>(i);
+    return { first.object, first.cell + (piece ? (*piece)[cell] : cell) };
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The events of ParaView's window, for scripts in it: a script keeps the window from doing anything."""
+import ctypes
+import time
+
+# PyDLL: the window calls Python while it draws itself.
+_process_events = getattr(ctypes.PyDLL("libQt5Core.so.5"),
+                          "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE")
+
+
+def process_events(seconds, until=lambda: False):
+    """For so many seconds, or until something is the case."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end and not until():
+        _process_events(0)

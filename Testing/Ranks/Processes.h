@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Processes_h
+#define Processes_h
+
+#include "vtkMPIController.h"
+
+/// Those that mpirun has started.
+namespace Processes
+{
+
+/// Of all of them; null before main().
+extern vtkMPIController* Controller;
+
+inline int Count()
+{
+  return Controller->GetNumberOfProcesses();
+}
+
+inline int Own()
+{
+  return Controller->GetLocalProcessId();
+}
+
+/// All have to call it.
+inline int Sum(int own)
+{
+  int sum = 0;
+  Controller->AllReduce(&own, &sum, 1, vtkCommunicator::SUM_OP);
+  return sum;
+}
+
+}
+
+#endif

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Under mpirun: each process has pieces of the inputs, and they bring what the whole brings.
+
+#include "ErrorObserver.h"
+#include "Processes.h"
+#include "TestScenes.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkOutgoingRadianceFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace TestScenes;
+
+namespace
+{
+
+/// Which process has a cell.
+using Division = std::function<int(vtkIdType cell)>;
+
+int InTurn(vtkIdType cell)
+{
+  return static_cast<int>(cell) % Processes::Count();
+}
+
+/// Long runs of cells, the last process first.
+int InRuns(vtkIdType cell)
+{
+  return Processes::Count() - 1 - static_cast<int>(cell / 20) % Processes::Count();
+}
+
+int AllOnTheLast(vtkIdType)
+{
+  return Processes::Count() - 1;
+}
+
+/// This process's cells of a mesh of polygons.
+Mesh PieceOf(vtkPolyData* mesh, const Division& division)
+{
+  auto piece = Mesh::New();
+  piece->SetPoints(mesh->GetPoints());
+  vtkNew<vtkCellArray> polys;
+  piece->GetCellData()->CopyAllOn();
+  piece->GetCellData()->CopyAllocate(mesh->GetCellData());
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    if (division(cell) == Processes::Own())
+    {
+      vtkNew<vtkIdList> points;
+      mesh->GetCellPoints(cell, points);
+      const vtkIdType to = polys->InsertNextCell(points);
+      piece->GetCellData()->CopyData(mesh->GetCellData(), cell, to);
+    }
+  }
+  piece->SetPolys(polys);
+  return piece;
+}
+
+Scene PiecesOf(const Scene& scene, const Division& division)
+{
+  Scene pieces;
+  for (const Mesh& mesh : scene.Fixed)
+  {
+    pieces.Fixed.push_back(PieceOf(mesh, division));
+  }
+  for (const MovingObject& object : scene.Moving)
+  {
+    pieces.Moving.push_back({ PieceOf(object.Model, division), object.Pose });
+  }
+  return pieces;
+}
+
+/// Of all blocks; -1 for NaN, which equals nothing.
+std::vector<std::vector<double>> ValuesOf(vtkMultiBlockDataSet* output, const char* name)
+{
+  std::vector<std::vector<double>> values;
+  for (unsigned int port = 0; port < 2; ++port)
+  {
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      vtkDataArray* array =
+        vtkPolyData::SafeDownCast(blocks->GetBlock(i))->GetCellData()->GetArray(name);
+      values.emplace_back();
+      for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
+      {
+        const double value = array->GetComponent(k, 0);
+        values.back().push_back(std::isnan(value) ? -1 : value);
+      }
+    }
+  }
+  return values;
+}
+
+std::vector<std::vector<double>> PiecesOf(
+  const std::vector<std::vector<double>>& whole, const Division& division)
+{
+  std::vector<std::vector<double>> pieces;
+  for (const std::vector<double>& values : whole)
+  {
+    pieces.emplace_back();
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (division(static_cast<vtkIdType>(i)) == Processes::Own())
+      {
+        pieces.back().push_back(values[i]);
+      }
+    }
+  }
+  return pieces;
+}
+
+vtkSmartPointer<vtkIrradianceFilter> FilterOf(const Scene& scene, bool isDistributed)
+{
+  auto filter = vtkSmartPointer<vtkIrradianceFilter>::New();
+  Connect(filter, scene);
+  filter->SetNumberOfWalks(5000);
+  filter->SetComputeStandardError(true);
+  filter->SetController(isDistributed ? Processes::Controller : nullptr);
+  filter->SetDistributedInput(isDistributed);
+  return filter;
+}
+
+std::vector<std::vector<double>> RadianceOf(vtkIrradianceFilter* filter)
+{
+  vtkNew<vtkOutgoingRadianceFilter> radiance;
+  radiance->SetInputConnection(filter->GetOutputPort());
+  radiance->SetEyePosition(0.2, 0.3, 1.6);
+  radiance->Update();
+  return ValuesOf(vtkMultiBlockDataSet::SafeDownCast(radiance->GetOutput()), "Radiance");
+}
+
+/// Two frames of pieces against a filter that has the whole, alone.
+void ExpectWhole(const Scene& scene, const Division& division, bool isOrderedByPlace)
+{
+  const auto pieces = FilterOf(PiecesOf(scene, division), true), whole = FilterOf(scene, false);
+  whole->SetDistributedInput(isOrderedByPlace);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    scene.Moving[0].Pose->Translate(0.1, 0.05, 0);
+    pieces->Update();
+    whole->Update();
+    for (const char* name : { "Irradiance", "IrradianceStandardError" })
+    {
+      EXPECT_EQ(
+        ValuesOf(pieces->GetOutput(), name), PiecesOf(ValuesOf(whole->GetOutput(), name), division))
+        << name << ", frame " << frame;
+    }
+  }
+  EXPECT_GT(pieces->GetNumberOfInvalidWalks(), 0);
+  EXPECT_GT(pieces->GetAbsorbedPower(), 0);
+  EXPECT_EQ(RadianceOf(pieces), PiecesOf(RadianceOf(whole), division));
+}
+
+Scene MakeCoarseScene()
+{
+  return { { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) },
+    { MakeMoving(MakeBox(0.5, 0.6, 0.7), { 1, 1, 0.5 }),
+      MakeMoving(MakeBox(0.5, 0.5, 0.5), { 2, 2, 0.5 }) } };
+}
+
+void AddGlobalIds(vtkPolyData* mesh)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Ids");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    ids->InsertNextValue(7 * i);
+  }
+  mesh->GetCellData()->SetGlobalIds(ids);
+}
+
+std::string ErrorOf(vtkIrradianceFilter* filter)
+{
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  EXPECT_EQ(observer->Errors.size(), 1u);
+  return observer->Errors.empty() ? "" : observer->Errors.front();
+}
+
+}
+
+TEST(DistributedInput, BringsTheBitsOfTheWholeWhateverTheDivision)
+{
+  for (const Division division : { &InTurn, &InRuns, &AllOnTheLast })
+  {
+    ExpectWhole(MakeCoarseScene(), division, true);
+  }
+}
+
+TEST(DistributedInput, KeepsTheOrderOfGlobalIds)
+{
+  const Scene scene = MakeCoarseScene();
+  for (const Mesh& mesh : scene.Fixed)
+  {
+    AddGlobalIds(mesh);
+  }
+  for (const MovingObject& object : scene.Moving)
+  {
+    AddGlobalIds(object.Model);
+  }
+  ExpectWhole(scene, InRuns, false);
+}
+
+// A process without cells of a thing knows neither its arrays nor its pose.
+TEST(DistributedInput, TakesThePoseFromWhoHasTheCells)
+{
+  const Mesh box = MakeBox(0.5, 0.6, 0.7);
+  SetCellValues(box, "DiffuseReflectance", { 0.9 });
+  vtkNew<vtkDoubleArray> pose;
+  pose->SetName("ObjectToWorld");
+  pose->SetNumberOfComponents(16);
+  pose->InsertNextTuple(
+    std::array<double, 16>{ 1, 0, 0, 1.5, 0, 1, 0, 1.2, 0, 0, 1, 0.6, 0, 0, 0, 1 }.data());
+  box->GetFieldData()->AddArray(pose);
+  const bool isOwner = Processes::Own() == Processes::Count() - 1;
+  const Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) }, {} };
+  const auto pieces = FilterOf(PiecesOf(scene, InTurn), true), whole = FilterOf(scene, false);
+  pieces->AddInputDataObject(1, isOwner ? box : Mesh::New());
+  whole->AddInputDataObject(1, box);
+  whole->SetDistributedInput(true);
+  pieces->Update();
+  whole->Update();
+  EXPECT_EQ(ValuesOf(pieces->GetOutput(), "Irradiance")[0],
+    PiecesOf(ValuesOf(whole->GetOutput(), "Irradiance"), InTurn)[0]);
+  EXPECT_EQ(pieces->GetAbsorbedPower(), whole->GetAbsorbedPower());
+  const auto onBox = ValuesOf(pieces->GetOutput(), "Irradiance")[2];
+  EXPECT_EQ(onBox, isOwner ? ValuesOf(whole->GetOutput(), "Irradiance")[2] : std::vector<double>{});
+}
+
+// Each process makes the lamp and the things that move; the room alone is in pieces.
+TEST(DistributedInput, TakesOnceWhatAllHave)
+{
+  const Scene scene = MakeCoarseScene();
+  Scene mixed = scene;
+  mixed.Fixed[0] = PieceOf(scene.Fixed[0], InTurn);
+  const auto pieces = FilterOf(mixed, true), whole = FilterOf(scene, false);
+  whole->SetDistributedInput(true);
+  pieces->Update();
+  whole->Update();
+  EXPECT_EQ(pieces->GetEmittedPower(), whole->GetEmittedPower());
+  auto expected = ValuesOf(whole->GetOutput(), "Irradiance");
+  expected[0] = PiecesOf(expected, InTurn)[0];
+  EXPECT_EQ(ValuesOf(pieces->GetOutput(), "Irradiance"), expected);
+}
+
+TEST(DistributedInput, AsksSourcesForPieces)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetThetaResolution(16);
+  const auto filter = FilterOf({ { MakeRoom(3, 2) }, {} }, true);
+  filter->RemoveAllInputConnections(0);
+  filter->AddInputConnection(0, ball->GetOutputPort());
+  filter->AddInputDataObject(
+    0, Processes::Own() == 0 ? MakeLamp({ 0, 0, 2 }, 1, { 100 }) : Mesh::New());
+  filter->Update();
+  const auto cells = static_cast<int>(ValuesOf(filter->GetOutput(), "Irradiance")[0].size());
+  EXPECT_EQ(Processes::Sum(cells), 192);
+  EXPECT_GT(cells, 0);
+  EXPECT_EQ(cells<192, Processes::Count()> 1) << "this process has all of the sphere";
+}
+
+TEST(DistributedInput, NeedsTheSameArraysInAllPieces)
+{
+  Scene scene = PiecesOf(MakeCoarseScene(), InTurn);
+  if (Processes::Count() == 1)
+  {
+    GTEST_SKIP() << "one process has one piece";
+  }
+  if (Processes::Own() == 1)
+  {
+    SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0.7 });
+  }
+  EXPECT_NE(ErrorOf(FilterOf(scene, true))
+              .find("input port 0, connection 0: not all pieces of it have the cell array "
+                    "DiffuseReflectance (double, 1)"),
+    std::string::npos);
+}
+
+TEST(DistributedInput, NeedsAsManyInputsOnAllProcesses)
+{
+  Scene scene = PiecesOf(MakeCoarseScene(), InTurn);
+  if (Processes::Count() == 1)
+  {
+    GTEST_SKIP() << "one process cannot differ";
+  }
+  if (Processes::Own() == 1)
+  {
+    scene.Moving.pop_back();
+  }
+  EXPECT_NE(ErrorOf(FilterOf(scene, true)).find("another number of inputs"), std::string::npos);
+}
+
+TEST(DistributedInput, HasNoNumbersForAChosenCell)
+{
+  const auto filter = FilterOf(PiecesOf(MakeCoarseScene(), InTurn), true);
+  filter->SetNumberOfOutputWalks(10);
+  filter->SetOutputWalksCell(1);
+  EXPECT_NE(ErrorOf(filter).find("with DistributedInput"), std::string::npos);
+}
