@@ -73,17 +73,23 @@ struct ConfirmLanes
     double* const distances = rays.distance + first;
     std::uint32_t* const hits = rays.hit + first;
     float *const weightsB = rays.weight[0] + first, *const weightsC = rays.weight[1] + first;
+    const std::uint32_t firstNumber = rays.first;
+    // The columns do not overlap.
+#pragma GCC ivdep
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      const double distance = intersection.distance[lane], old = distances[lane];
-      const std::uint32_t number = rays.first + candidate[lane];
+      const double distance = intersection.distance[lane], oldDistance = distances[lane];
+      const std::uint32_t some = candidate[lane], number = firstNumber + some, oldHit = hits[lane];
+      const float weightB = static_cast<float>(intersection.weightB[lane]),
+                  weightC = static_cast<float>(intersection.weightC[lane]);
+      const float oldB = weightsB[lane], oldC = weightsC[lane];
       // The distance is NaN where the ray misses.
-      const bool isCloser = (candidate[lane] != TreeRays::kNone) & (distance > 0) &
-        ((distance < old) | ((distance == old) & (number < hits[lane])));
-      distances[lane] = isCloser ? distance : old;
-      hits[lane] = isCloser ? number : hits[lane];
-      weightsB[lane] = isCloser ? static_cast<float>(intersection.weightB[lane]) : weightsB[lane];
-      weightsC[lane] = isCloser ? static_cast<float>(intersection.weightC[lane]) : weightsC[lane];
+      const bool isCloser = (some != TreeRays::kNone) & (distance > 0) &
+        ((distance < oldDistance) | ((distance == oldDistance) & (number < oldHit)));
+      distances[lane] = isCloser ? distance : oldDistance;
+      hits[lane] = isCloser ? number : oldHit;
+      weightsB[lane] = isCloser ? weightB : oldB;
+      weightsC[lane] = isCloser ? weightC : oldC;
     }
   }
 };

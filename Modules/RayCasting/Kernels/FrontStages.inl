@@ -23,6 +23,27 @@ inline std::uint32_t pickRays(
   return count;
 }
 
+/// The loops over lanes are functions of their own: within others, GCC 12 makes no SIMD of them.
+template <class Real>
+__attribute__((noinline)) void prepareSome(PrepareLanes<Real>& lanes, const TriangleTree& tree,
+  const TreeRays& rays, const Real* const (&directions)[3], std::uint32_t first)
+{
+  lanes.prepare(tree, { rays.origin[0] + first, rays.origin[1] + first, rays.origin[2] + first },
+    { directions[0] + first, directions[1] + first, directions[2] + first },
+    rays.distance + first);
+}
+
+__attribute__((noinline)) void intersectSome(IntersectionLanes& lanes)
+{
+  lanes.intersect();
+}
+
+__attribute__((noinline)) void keepSome(
+  ConfirmLanes& lanes, const TreeRays& rays, std::uint32_t first, const std::uint32_t* candidate)
+{
+  lanes.keep(rays, first, candidate);
+}
+
 template <class Real>
 inline void prepareAll(const TriangleTree& tree, const TreeRays& rays,
   const Real* const (&directions)[3], PreparedQueries& queries)
@@ -32,9 +53,7 @@ inline void prepareAll(const TriangleTree& tree, const TreeRays& rays,
   queries.otherCount = 0;
   for (std::uint32_t first = 0; first < rays.count; first += TreeRays::kLanes)
   {
-    lanes.prepare(tree, { rays.origin[0] + first, rays.origin[1] + first, rays.origin[2] + first },
-      { directions[0] + first, directions[1] + first, directions[2] + first },
-      rays.distance + first);
+    prepareSome<Real>(lanes, tree, rays, directions, first);
     lanes.write(tree, rays, first, queries);
   }
 }
@@ -59,8 +78,8 @@ inline void confirmAll(const TreeRays& rays, const Real* const (&directions)[3],
     }
     lanes.setRays<Real>(rays, first, directions);
     lanes.setTriangles(candidate + first, corners);
-    lanes.intersection.intersect();
-    lanes.keep(rays, first, candidate + first);
+    intersectSome(lanes.intersection);
+    keepSome(lanes, rays, first, candidate + first);
   }
 }
 

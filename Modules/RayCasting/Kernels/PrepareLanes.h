@@ -54,6 +54,8 @@ struct PrepareLanes
     const double centerX = tree.frame().center[0], centerY = tree.frame().center[1],
                  centerZ = tree.frame().center[2], scale = tree.frame().scale;
     const float slack = static_cast<float>(tree.slack() + 2 * TreeQuery::kBlur);
+    // The columns are not the lanes' own memory.
+#pragma GCC ivdep
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
       const double ox = (origins[0][lane] - centerX) * scale,
@@ -78,8 +80,7 @@ struct PrepareLanes
       const float padding = static_cast<float>(TreeQuery::kBlur) * flattest;
       const float left =
         static_cast<float>((bounds[lane] * scale - way) * static_cast<double>(largest));
-      const float end =
-        least(left + (slack + 6 * padding), static_cast<float>(TreeQuery::kFarthest));
+      const float end = left + (slack + 6 * padding);
       const double farthest = most(most(size(ox), size(oy)), size(oz));
       const bool isFollowed = (flattest <= kFlattest) & (farthest <= kLargestOrigin) &
         (largest >= static_cast<Real>(kLeastDirection)) &
@@ -99,9 +100,9 @@ struct PrepareLanes
       product[0][lane] = px * ix;
       product[1][lane] = py * iy;
       product[2][lane] = pz * iz;
-      limit[lane] = end;
+      limit[lane] = least(end, static_cast<float>(TreeQuery::kFarthest));
       pad[lane] = 2 * padding;
-      isKept[lane] = isFollowed & !(from > to + padding) & (end >= 0) ? 1 : 0;
+      isKept[lane] = isFollowed & (from <= to + padding) & (end >= 0) ? 1 : 0;
       isOther[lane] = isFollowed ? 0 : 1;
     }
   }
