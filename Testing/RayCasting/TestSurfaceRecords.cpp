@@ -23,8 +23,7 @@ SurfacePoint pointOf(const SurfaceRecord& record, const Vector3& weights)
   Vector3 kept;
   for (int corner = 0; corner < 3; ++corner)
   {
-    kept[corner] =
-      weights[corner] > record.inset[corner] ? weights[corner] : record.inset[corner];
+    kept[corner] = weights[corner] > record.inset[corner] ? weights[corner] : record.inset[corner];
   }
   const double scale = 1 / (kept[0] + kept[1] + kept[2]);
   SurfacePoint point{ {}, {}, record.clearance, true };

@@ -194,8 +194,14 @@ private:
   {
     return a < b ? a : b;
   }
-  __attribute__((always_inline)) static float size(float a) { return __builtin_fabsf(a); }
-  __attribute__((always_inline)) static double size(double a) { return __builtin_fabs(a); }
+  __attribute__((always_inline)) static float size(float a)
+  {
+    return __builtin_fabsf(a);
+  }
+  __attribute__((always_inline)) static double size(double a)
+  {
+    return __builtin_fabs(a);
+  }
 };
 
 }

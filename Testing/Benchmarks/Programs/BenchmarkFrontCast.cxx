@@ -55,8 +55,8 @@ std::vector<Ray> photonRays(
     // Fronts face the room.
     const SurfacePoint point = surfacePoint(triangles[number], { 1 - s, s * (1 - t), s * t });
     // A point of a ball that touches the surface: cosine-distributed.
-    rays.push_back(test::asInFront({ point.clearPosition(), point.normal + random.direction(),
-      records.idOf(number) }));
+    rays.push_back(test::asInFront(
+      { point.clearPosition(), point.normal + random.direction(), records.idOf(number) }));
   }
   return rays;
 }
