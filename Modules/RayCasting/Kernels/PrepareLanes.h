@@ -33,7 +33,7 @@ struct PrepareLanes
   /// Entries and exits are off by less than this part of themselves.
   static constexpr float kEntryError = 0x1p-21F;
   /// From farther away, in the frame, a ray would begin too early.
-  static constexpr double kLargestOrigin = 0x1p8;
+  static constexpr double kLargestOrigin = 0x1p12;
   /// For components of the direction, so that no quotient is rounded to a denormal number.
   static constexpr double kLeastDirection = 0x1p-60, kLargestDirection = 0x1p60;
 
