@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 // Attacks the margins with which a front prepares rays in floats: where they enter the tree's box, how
 // late, and how nearly along it.
@@ -163,6 +164,79 @@ TEST(PrepareLanes, LoseNoHitWhereRaysEnterTheTree)
   }
   EXPECT_EQ(wrong, 0) << "of " << targets * 12000 << ", seed " << kSeed;
   EXPECT_GT(hits, targets * 4000);
+}
+
+/// How late a ray begins, as a part of its true entry into the box of the tree: less than 0 if early.
+template <class Real>
+double lateness(const PrepareLanes<Real>& lanes, unsigned lane, const TriangleTree& tree,
+  const double* const (&origins)[3], const Real* const (&directions)[3])
+{
+  long double entry = 0, origin[3], direction[3];
+  int steepest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    direction[axis] = directions[axis][lane];
+    origin[axis] = (static_cast<long double>(origins[axis][lane]) - tree.frame().center[axis]) *
+      tree.frame().scale;
+    steepest = std::abs(direction[axis]) > std::abs(direction[steepest]) ? axis : steepest;
+    const long double lower = (tree.bounds().lower[axis] - origin[axis]) / direction[axis],
+                      upper = (tree.bounds().upper[axis] - origin[axis]) / direction[axis];
+    entry = std::max(entry, std::min(lower, upper));
+  }
+  const long double begin = (lanes.begin[steepest][lane] - origin[steepest]) / direction[steepest];
+  return static_cast<double>((begin - entry) / entry);
+}
+
+/// Fifteen random rays at a unit box from afar, and one that begins in it; the extremes of lateness.
+template <class Real>
+std::pair<double, double> extremeLateness(RandomVectors& random, int groups)
+{
+  constexpr unsigned kSize = PrepareLanes<Real>::kSize;
+  const TriangleTree tree = treeOf(test::boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 }));
+  std::pair<double, double> extremes(kInfinity, -kInfinity);
+  for (int group = 0; group < groups; ++group)
+  {
+    double origin[3][kSize], bound[kSize];
+    Real direction[3][kSize];
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      const Ray ray = test::asInFront({ random.inCube(), random.direction(), {} });
+      const double away = lane == 0 ? 0 : random.powerOfTwo(6, 12.5);
+      bound[lane] = kInfinity;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        direction[axis][lane] = static_cast<Real>(ray.direction[axis]);
+        origin[axis][lane] = ray.origin[axis] - away * ray.direction[axis];
+      }
+    }
+    PrepareLanes<Real> lanes;
+    const double* const origins[] = { origin[0], origin[1], origin[2] };
+    const Real* const directions[] = { direction[0], direction[1], direction[2] };
+    lanes.prepare(tree, origins, directions, bound);
+    EXPECT_EQ(lanes.begin[0][0], static_cast<float>(0.5 * origin[0][0]));
+    for (unsigned lane = 1; lane < kSize; ++lane)
+    {
+      if (lanes.isKept[lane] != 0)
+      {
+        const double late = lateness<Real>(lanes, lane, tree, origins, directions);
+        extremes = { std::min(extremes.first, late), std::max(extremes.second, late) };
+      }
+    }
+  }
+  return extremes;
+}
+
+// Law: no ray begins behind its entry, except by the rounding of where it begins. Nor much before it.
+TEST(PrepareLanes, BeginNoRayTooLate)
+{
+  RandomVectors random(42);
+  const int groups = std::max(1, 20000 * test::effort() / test::kFewer);
+  for (const auto& [earliest, latest] :
+    { extremeLateness<float>(random, groups), extremeLateness<double>(random, groups) })
+  {
+    EXPECT_LT(latest, 0);
+    EXPECT_GT(earliest, -0x1p-19);
+  }
 }
 
 }
