@@ -115,7 +115,7 @@ class FrontLaw : public testing::TestWithParam<NamedScene>
 TEST_P(FrontLaw, FindsWhatSceneFinds)
 {
   constexpr unsigned kSeed = 21;
-  constexpr int kRays = 16000 / kFewer;
+  constexpr int kRays = 8000 / kFewer;
   const SurfaceRecords records = recordsOf(GetParam());
   if (records.size() == 0)
   {
