@@ -2,6 +2,8 @@
 #ifdef __x86_64__
 
 #include "Kernels/BallLanes.h"
+#include "Kernels/ConfirmLanes.h"
+#include "Kernels/FrontStages.h"
 #include "Kernels/IntersectionLanes.h"
 #include "Kernels/QueryCounts.h"
 #include "Kernels/TreeQuery.h"
@@ -10,6 +12,7 @@
 #include "Trees/KdTree.h"
 
 #include <algorithm>
+#include <cstring>
 #include <immintrin.h>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
@@ -17,12 +20,38 @@ IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
 #include "Kernels/Avx2Lanes.inl"
 #include "Kernels/WideQuery.inl"
 
+#include "Kernels/FrontQueue.inl"
+#include "Kernels/FrontStages.inl"
+
 namespace irradiance
 {
 
 void runQueriesAvx2(QuerySource& source)
 {
-  runInTurns<Avx2Lanes, Avx2Lanes>(source);
+  runSource<Avx2Lanes, Avx2Lanes>(source);
+}
+
+std::uint32_t pickFrontAvx2(
+  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
+{
+  return pickRays(rays, filter, picked);
+}
+
+void prepareFrontAvx2(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
+{
+  prepareRays(tree, rays, queries);
+}
+
+void searchFrontAvx2(FrontSearches& searches)
+{
+  FrontQueue<Avx2Lanes> queue(searches);
+  runQueue<Avx2Lanes, Avx2Lanes>(queue);
+}
+
+void confirmFrontAvx2(
+  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners)
+{
+  confirmRays(rays, candidate, corners);
 }
 
 void intersectAllAvx2(IntersectionLanes& lanes)

@@ -2,6 +2,8 @@
 #ifdef __x86_64__
 
 #include "Kernels/BallLanes.h"
+#include "Kernels/ConfirmLanes.h"
+#include "Kernels/FrontStages.h"
 #include "Kernels/IntersectionLanes.h"
 #include "Kernels/QueryCounts.h"
 #include "Kernels/TreeQuery.h"
@@ -10,12 +12,16 @@
 #include "Trees/KdTree.h"
 
 #include <algorithm>
+#include <cstring>
 #include <immintrin.h>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
 
 #include "Kernels/Avx2Lanes.inl"
 #include "Kernels/WideQuery.inl"
+
+#include "Kernels/FrontQueue.inl"
+#include "Kernels/FrontStages.inl"
 
 namespace irradiance
 {
@@ -51,7 +57,30 @@ struct Avx512Boxes
 
 void runQueriesAvx512(QuerySource& source)
 {
-  runInTurns<Avx512Boxes, Avx2Lanes>(source);
+  runSource<Avx512Boxes, Avx2Lanes>(source);
+}
+
+std::uint32_t pickFrontAvx512(
+  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
+{
+  return pickRays(rays, filter, picked);
+}
+
+void prepareFrontAvx512(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
+{
+  prepareRays(tree, rays, queries);
+}
+
+void searchFrontAvx512(FrontSearches& searches)
+{
+  FrontQueue<Avx2Lanes> queue(searches);
+  runQueue<Avx512Boxes, Avx2Lanes>(queue);
+}
+
+void confirmFrontAvx512(
+  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners)
+{
+  confirmRays(rays, candidate, corners);
 }
 
 void intersectAllAvx512(IntersectionLanes& lanes)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Kernels/ConfirmLanes.h"
+#include "Kernels/FrontStages.h"
 #include "Kernels/QueryCounts.h"
 #include "Kernels/TreeQuery.h"
 #include "Simd/Prefetch.h"
@@ -9,6 +11,9 @@
 #include <cstring>
 
 #include "Kernels/WideQuery.inl"
+
+#include "Kernels/FrontQueue.inl"
+#include "Kernels/FrontStages.inl"
 
 namespace irradiance
 {
@@ -92,7 +97,30 @@ struct PlainLanes
 
 void runQueriesPlain(QuerySource& source)
 {
-  runInTurns<PlainLanes, PlainLanes>(source);
+  runSource<PlainLanes, PlainLanes>(source);
+}
+
+std::uint32_t pickFrontPlain(
+  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
+{
+  return pickRays(rays, filter, picked);
+}
+
+void prepareFrontPlain(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
+{
+  prepareRays(tree, rays, queries);
+}
+
+void searchFrontPlain(FrontSearches& searches)
+{
+  FrontQueue<PlainLanes> queue(searches);
+  runQueue<PlainLanes, PlainLanes>(queue);
+}
+
+void confirmFrontPlain(
+  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners)
+{
+  confirmRays(rays, candidate, corners);
 }
 
 }

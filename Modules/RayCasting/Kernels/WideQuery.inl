@@ -11,11 +11,15 @@ namespace irradiance
 namespace
 {
 
-/// Takes searches from a source, several at a time.
+/// Searches that a QuerySource asks for, several at a time. WideSearch takes them from here, or from
+/// another class with these functions (FrontQueue), which are then no virtual calls.
 template <class Lanes>
 class RequestQueue
 {
 public:
+  /// Whether the searches of a ray tell each other of lower limits.
+  static constexpr bool kSharesLimits = true;
+
   explicit RequestQueue(QuerySource& source)
     : source_(source)
   {
@@ -23,7 +27,33 @@ public:
 
   /// The next search that floats can follow; false if there is none. Runs those that they cannot on
   /// the way.
-  bool next(TreeQuery& query)
+  __attribute__((always_inline)) bool next(TreeQuery& query)
+  {
+    if (!take(query))
+    {
+      return false;
+    }
+    if (query.isShared)
+    {
+      source_.begin(query);
+    }
+    return true;
+  }
+  __attribute__((always_inline)) void finish(
+    const TreeQuery& query, const std::uint32_t* references, unsigned count)
+  {
+    source_.finish(query, references, count);
+  }
+  __attribute__((always_inline)) void test(TreeQuery& query, std::uint32_t reference)
+  {
+    source_.test(query, reference);
+  }
+  __attribute__((always_inline)) void narrow(const TreeQuery& query) { source_.narrow(query); }
+
+private:
+  static constexpr std::size_t kMost = 16;
+
+  bool take(TreeQuery& query)
   {
     for (;;)
     {
@@ -48,9 +78,6 @@ public:
       runQueryExact(source_, request);
     }
   }
-
-private:
-  static constexpr std::size_t kMost = 16;
 
   QuerySource& source_;
   std::size_t next_ = 0, count_ = 0;
@@ -110,7 +137,7 @@ inline unsigned enter(
 
 /// A running search. Its steps are inlined even if the compiler would rather not: calls cost a tenth of a
 /// frame's shooting.
-template <class Boxes, class Lanes, bool isCounted>
+template <class Boxes, class Lanes, class Queue, bool isCounted>
 struct WideSearch
 {
   /// The children of a treelet that are still to be searched.
@@ -131,15 +158,11 @@ struct WideSearch
   Left stack[KdTree::kMaxDepth + 3];
 
   /// Takes the next search; false if there is none.
-  __attribute__((always_inline)) bool start(QuerySource& source, RequestQueue<Lanes>& queue)
+  __attribute__((always_inline)) bool start(Queue& queue)
   {
     if (!queue.next(query))
     {
       return false;
-    }
-    if (query.isShared)
-    {
-      source.begin(query);
     }
     child = query.tree->root();
     depth = 1;
@@ -151,7 +174,7 @@ struct WideSearch
   }
 
   /// Searches one treelet or leaf; false at the end.
-  __attribute__((always_inline)) bool step(QuerySource& source)
+  __attribute__((always_inline)) bool step(Queue& queue)
   {
     if ((child & Treelet::kLeaf) == 0)
     {
@@ -169,30 +192,30 @@ struct WideSearch
       Left& below = stack[depth - 1];
       const unsigned belowLanes = below.lanes;
       depth -= isAny ? 0 : 1;
-      return descend(source, *(isAny ? &top : &below), isAny ? &treelet : below.treelet,
+      return descend(queue, *(isAny ? &top : &below), isAny ? &treelet : below.treelet,
         isAny ? lanes : belowLanes);
     }
-    testLeaf(source, query.tree->blocks() + (child & ~Treelet::kLeaf));
+    testLeaf(queue, query.tree->blocks() + (child & ~Treelet::kLeaf));
     --depth;
-    return descend(source, stack[depth], stack[depth].treelet, stack[depth].lanes);
+    return descend(queue, stack[depth], stack[depth].treelet, stack[depth].lanes);
   }
 
 private:
   /// Continues with the nearest child that is left in the top of the stack, at `depth`; false if the
   /// search ends before it.
   __attribute__((always_inline)) bool descend(
-    QuerySource& source, Left& top, const Treelet* treelet, unsigned lanes)
+    Queue& queue, Left& top, const Treelet* treelet, unsigned lanes)
   {
     if (lanes == 0)
     {
-      return finish(source);
+      return finish(queue);
     }
     const unsigned place = 31u - static_cast<unsigned>(__builtin_clz(lanes));
     const unsigned lane = treelet->farToNear[query.octant][place];
     // What lies deeper in the stack is farther away.
     if (top.from[lane] > query.limit)
     {
-      return finish(source);
+      return finish(queue);
     }
     top.lanes = lanes ^ 1u << place;
     depth += top.lanes != 0 ? 1 : 0;
@@ -215,7 +238,7 @@ private:
     }
   }
 
-  __attribute__((always_inline)) void testLeaf(QuerySource& source, const TriangleBlock* block)
+  __attribute__((always_inline)) void testLeaf(Queue& queue, const TriangleBlock* block)
   {
     for (bool hasMore = true; hasMore; ++block)
     {
@@ -229,22 +252,22 @@ private:
         const BlockResult<Lanes> result = testBlock<Lanes>(*block, first, query);
         if (result.possible != 0)
         {
-          query.tree->isIllConditioned() ? testAll(source, *block, result.possible << first)
-                                         : take(source, *block, first, result);
+          query.tree->isIllConditioned() ? testAll(queue, *block, result.possible << first)
+                                         : take(queue, *block, first, result);
         }
       }
     }
   }
 
-  void testAll(QuerySource& source, const TriangleBlock& block, unsigned found)
+  void testAll(Queue& queue, const TriangleBlock& block, unsigned found)
   {
     for (; found != 0; found &= found - 1)
     {
-      source.test(query, block.reference(static_cast<unsigned>(__builtin_ctz(found))));
+      queue.test(query, block.reference(static_cast<unsigned>(__builtin_ctz(found))));
     }
   }
 
-  void take(QuerySource& source, const TriangleBlock& block, unsigned first,
+  void take(Queue& queue, const TriangleBlock& block, unsigned first,
     const BlockResult<Lanes>& result)
   {
     alignas(32) float distances[Lanes::kCount], sizes[Lanes::kCount], blurs[Lanes::kCount];
@@ -256,66 +279,68 @@ private:
       const auto lane = static_cast<unsigned>(__builtin_ctz(found));
       if (candidates.count == Candidates::kMost)
       {
-        makeRoom(source);
+        makeRoom(queue);
       }
       candidates.references[candidates.count] = block.reference(first + lane);
       candidates.distances[candidates.count] = distances[lane] - blurs[lane];
       candidates.sizes[candidates.count++] = sizes[lane] + blurs[lane];
       if ((result.certain >> lane & 1) != 0)
       {
-        lower((distances[lane] + blurs[lane]) / (sizes[lane] - blurs[lane]), source);
+        lower((distances[lane] + blurs[lane]) / (sizes[lane] - blurs[lane]), queue);
       }
     }
   }
 
   /// Lowers the limit: something is hit at this distance or before.
-  void lower(float distance, QuerySource& source)
+  void lower(float distance, Queue& queue)
   {
     const float limit = distance * (1 + 0x1p-20F) + query.margin;
     if (limit < query.limit)
     {
       query.limit = limit;
-      if (query.isShared)
+      if constexpr (Queue::kSharesLimits)
       {
-        source.narrow(query);
+        if (query.isShared)
+        {
+          queue.narrow(query);
+        }
       }
     }
   }
 
-  void makeRoom(QuerySource& source)
+  void makeRoom(Queue& queue)
   {
     candidates.sift(query.limit);
     for (; candidates.count == Candidates::kMost; candidates.count = 0)
     {
       for (const std::uint32_t reference : candidates.references)
       {
-        source.test(query, reference);
+        queue.test(query, reference);
       }
     }
   }
 
   /// Ends the search and hands over its candidates.
-  bool finish(QuerySource& source)
+  bool finish(Queue& queue)
   {
     if (candidates.count > 1)
     {
       candidates.sift(query.limit);
     }
-    source.finish(query, candidates.references, candidates.count);
+    queue.finish(query, candidates.references, candidates.count);
     return false;
   }
 };
 
 /// Runs several searches in turns: while one waits for memory, or for the result of a long chain of
 /// operations, the others compute.
-template <class Boxes, class Lanes, bool isCounted>
-void runInTurns(QuerySource& source)
+template <class Boxes, class Lanes, class Queue, bool isCounted>
+void runInTurns(Queue& queue)
 {
   constexpr unsigned kSearches = 4;
-  RequestQueue<Lanes> queue(source);
-  WideSearch<Boxes, Lanes, isCounted> searches[kSearches];
+  WideSearch<Boxes, Lanes, Queue, isCounted> searches[kSearches];
   unsigned running = 0;
-  while (running < kSearches && searches[running].start(source, queue))
+  while (running < kSearches && searches[running].start(queue))
   {
     ++running;
   }
@@ -325,7 +350,7 @@ void runInTurns(QuerySource& source)
 #pragma GCC unroll 4
     for (unsigned i = 0; i < kSearches; ++i)
     {
-      if (__builtin_expect(!searches[i].step(source), 0) && !searches[i].start(source, queue))
+      if (__builtin_expect(!searches[i].step(queue), 0) && !searches[i].start(queue))
       {
         ended = i;
         break;
@@ -334,7 +359,7 @@ void runInTurns(QuerySource& source)
   }
   for (unsigned i = 0; i < running; ++i)
   {
-    while (i != ended && searches[i].step(source))
+    while (i != ended && searches[i].step(queue))
     {
     }
     if constexpr (isCounted)
@@ -344,17 +369,26 @@ void runInTurns(QuerySource& source)
   }
 }
 
-template <class Boxes, class Lanes>
-void runInTurns(QuerySource& source)
+/// Counts if this thread's searches are counted.
+template <class Boxes, class Lanes, class Queue>
+void runQueue(Queue& queue)
 {
 #ifdef VTKIRRADIANCE_COUNT_QUERIES
   if (queryCounts())
   {
-    runInTurns<Boxes, Lanes, true>(source);
+    runInTurns<Boxes, Lanes, Queue, true>(queue);
     return;
   }
 #endif
-  runInTurns<Boxes, Lanes, false>(source);
+  runInTurns<Boxes, Lanes, Queue, false>(queue);
+}
+
+/// Runs all searches of a source.
+template <class Boxes, class Lanes>
+void runSource(QuerySource& source)
+{
+  RequestQueue<Lanes> queue(source);
+  runQueue<Boxes, Lanes>(queue);
 }
 
 }

@@ -121,6 +121,7 @@ private:
   };
 
   class QueryBatch;
+  friend class FrontCast;
 
   void place(double magnitude);
   MixedTree mix(const std::vector<std::uint32_t>& objects, const CancelPoint& cancelPoint) const;

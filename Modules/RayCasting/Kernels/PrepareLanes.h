@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PrepareLanes_h
+#define irradiance_PrepareLanes_h
+
+#include "Kernels/PreparedQuery.h"
+#include "Kernels/TreeQuery.h"
+#include "Kernels/TreeRays.h"
+#include "Simd/Transpose4.h"
+
+#include <cstddef>
+
+namespace irradiance
+{
+
+/// Searches of rays in a tree, ready for the kernels.
+struct PreparedQueries
+{
+  PreparedQuery* queries; ///< room for TreeRays::roomFor(count)
+  std::uint32_t count;
+  std::uint32_t* others; ///< rays that must be prepared in double, or searched so; as much room
+  std::uint32_t otherCount;
+};
+
+/**
+ * Prepares searches of 16 rays side by side. It is in double until a ray begins near the tree's box;
+ * from there on numbers are about 1, and floats are as good as in prepare(), which does all of it in
+ * double. Documentation/Theory.md, section 3, shows that no ray begins too late.
+ */
+template <class Real>
+struct PrepareLanes
+{
+  static constexpr unsigned kSize = TreeRays::kLanes;
+  /// Entries and exits are off by less than this part of themselves.
+  static constexpr float kEntryError = 0x1p-21F;
+  /// From farther away, in the frame, a ray would begin too early.
+  static constexpr double kLargestOrigin = 0x1p12;
+  /// For components of the direction, so that no quotient is rounded to a denormal number.
+  static constexpr double kLeastDirection = 0x1p-60, kLargestDirection = 0x1p60;
+
+  alignas(64) double origin[3][kSize]; ///< in the frame, not yet moved to the box
+  alignas(64) float begin[3][kSize], direction[3][kSize], inverse[3][kSize], product[3][kSize];
+  alignas(64) float limit[kSize], pad[kSize], behind[kSize];
+  alignas(64) std::uint32_t skipped[kSize];
+  alignas(64) std::int32_t isKept[kSize], isOther[kSize];
+
+  /// Is compiled once for each instruction set.
+  __attribute__((always_inline)) void prepare(const TriangleTree& tree,
+    const double* const (&origins)[3], const Real* const (&directions)[3], const double* bounds)
+  {
+    constexpr float kFlattest = static_cast<float>(1 / TreeQuery::kSmallestComponent);
+    const double lowerX = tree.bounds().lower[0], lowerY = tree.bounds().lower[1],
+                 lowerZ = tree.bounds().lower[2], upperX = tree.bounds().upper[0],
+                 upperY = tree.bounds().upper[1], upperZ = tree.bounds().upper[2];
+    const double centerX = tree.frame().center[0], centerY = tree.frame().center[1],
+                 centerZ = tree.frame().center[2], scale = tree.frame().scale;
+    const float slack = static_cast<float>(tree.slack() + 2 * TreeQuery::kBlur);
+    // The columns are not the lanes' own memory.
+#pragma GCC ivdep
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      const double ox = (origins[0][lane] - centerX) * scale,
+                   oy = (origins[1][lane] - centerY) * scale,
+                   oz = (origins[2][lane] - centerZ) * scale;
+      const Real dx = directions[0][lane], dy = directions[1][lane], dz = directions[2][lane];
+      const Real largest = most(most(size(dx), size(dy)), size(dz));
+      const float ix = static_cast<float>(largest / dx), iy = static_cast<float>(largest / dy),
+                  iz = static_cast<float>(largest / dz);
+      const float flattest = most(most(size(ix), size(iy)), size(iz));
+      const Slab x(lowerX - ox, upperX - ox, ix), y(lowerY - oy, upperY - oy, iy),
+        z(lowerZ - oz, upperZ - oz, iz);
+      const float entry = most(most(x.entry, y.entry), z.entry);
+      const float exit = least(least(x.exit, y.exit), z.exit);
+      const float from = most(entry - kEntryError * size(entry), 0.0F);
+      const float to = exit + kEntryError * size(exit);
+      // Any number will do that is not too large: the place on the ray is exact.
+      const double way = static_cast<double>(static_cast<Real>(from) / largest);
+      const float px = static_cast<float>(ox + way * static_cast<double>(dx)),
+                  py = static_cast<float>(oy + way * static_cast<double>(dy)),
+                  pz = static_cast<float>(oz + way * static_cast<double>(dz));
+      const float padding = static_cast<float>(TreeQuery::kBlur) * flattest;
+      const float left =
+        static_cast<float>((bounds[lane] * scale - way) * static_cast<double>(largest));
+      const float end = left + (slack + 6 * padding);
+      const double farthest = most(most(size(ox), size(oy)), size(oz));
+      const bool isFollowed = (flattest <= kFlattest) & (farthest <= kLargestOrigin) &
+        (largest >= static_cast<Real>(kLeastDirection)) &
+        (largest <= static_cast<Real>(kLargestDirection));
+      origin[0][lane] = ox;
+      origin[1][lane] = oy;
+      origin[2][lane] = oz;
+      begin[0][lane] = px;
+      begin[1][lane] = py;
+      begin[2][lane] = pz;
+      direction[0][lane] = static_cast<float>(dx / largest);
+      direction[1][lane] = static_cast<float>(dy / largest);
+      direction[2][lane] = static_cast<float>(dz / largest);
+      inverse[0][lane] = ix;
+      inverse[1][lane] = iy;
+      inverse[2][lane] = iz;
+      product[0][lane] = px * ix;
+      product[1][lane] = py * iy;
+      product[2][lane] = pz * iz;
+      limit[lane] = least(end, static_cast<float>(TreeQuery::kFarthest));
+      pad[lane] = 2 * padding;
+      isKept[lane] = isFollowed & (from <= to + padding) & (end >= 0) ? 1 : 0;
+      isOther[lane] = isFollowed ? 0 : 1;
+    }
+  }
+
+  /// Writes the searches that are kept, and the rays that are for others. `first`: the ray in lane 0.
+  __attribute__((always_inline)) void write(
+    const TriangleTree& tree, const TreeRays& rays, std::uint32_t first, PreparedQueries& all)
+  {
+    const unsigned lanes = rays.count - first < kSize ? rays.count - first : kSize;
+    std::int32_t behindAxis[kSize];
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      behind[lane] = -__builtin_inff();
+      behindAxis[lane] = 0;
+      skipped[lane] =
+        lane < lanes ? rays.skipped(first + lane, TriangleBlock::kNone) : TriangleBlock::kNone;
+      if (skipped[lane] != TriangleBlock::kNone)
+      {
+        behindAxis[lane] = setBehind(lane, tree.planes().of(skipped[lane]));
+      }
+    }
+    for (unsigned group = 0; group < lanes; group += 4)
+    {
+      PreparedQuery rows[4];
+      turn(begin, limit, group, rows, 0);
+      turn(direction, pad, group, rows, 4);
+      turn(inverse, behind, group, rows, 8);
+      turn(product, reinterpret_cast<const float*>(skipped), group, rows, 12);
+      for (unsigned lane = group; lane < group + 4 && lane < lanes; ++lane)
+      {
+        rows[lane - group].ray = first + lane;
+        rows[lane - group].behindAxis = behindAxis[lane];
+        all.queries[all.count] = rows[lane - group];
+        all.count += static_cast<std::uint32_t>(isKept[lane]);
+        all.others[all.otherCount] = first + lane;
+        all.otherCount += static_cast<std::uint32_t>(isOther[lane]);
+      }
+    }
+  }
+
+private:
+  /// As TreeQuery::setBehind(). Returns the axis.
+  __attribute__((always_inline)) std::int32_t setBehind(unsigned lane, const AxisPlane* plane)
+  {
+    if (!plane)
+    {
+      return 0;
+    }
+    const double side = __builtin_copysign(1.0, direction[plane->axis][lane]);
+    const double place = side * plane->place;
+    if (side * origin[plane->axis][lane] - place >= TreeQuery::kClearOfPlane)
+    {
+      behind[lane] = roundUp(place);
+    }
+    return plane->axis;
+  }
+
+  /// Writes the three columns and the fourth, of four lanes, to each row from a float on.
+  __attribute__((always_inline)) static void turn(const float (&columns)[3][kSize],
+    const float* fourth, unsigned group, PreparedQuery (&rows)[4], unsigned to)
+  {
+    const float* const from[] = { columns[0] + group, columns[1] + group, columns[2] + group,
+      fourth + group };
+    float* const into[] = { rows[0].origin + to, rows[1].origin + to, rows[2].origin + to,
+      rows[3].origin + to };
+    transpose4<float>(from, into);
+  }
+
+  struct Slab
+  {
+    float entry, exit;
+
+    __attribute__((always_inline)) Slab(double toLower, double toUpper, float inverse)
+    {
+      const float lower = static_cast<float>(toLower) * inverse;
+      const float upper = static_cast<float>(toUpper) * inverse;
+      entry = least(lower, upper);
+      exit = most(lower, upper);
+    }
+  };
+
+  template <class Number>
+  __attribute__((always_inline)) static Number most(Number a, Number b)
+  {
+    return a > b ? a : b;
+  }
+  template <class Number>
+  __attribute__((always_inline)) static Number least(Number a, Number b)
+  {
+    return a < b ? a : b;
+  }
+  __attribute__((always_inline)) static float size(float a)
+  {
+    return __builtin_fabsf(a);
+  }
+  __attribute__((always_inline)) static double size(double a)
+  {
+    return __builtin_fabs(a);
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_TreeRays_h
+#define irradiance_TreeRays_h
+
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// Rays in the space of a tree as columns, and the best hits that are known of them. The columns have
+/// room for a multiple of kLanes; what stands beyond `count` has no meaning and may be changed.
+struct TreeRays
+{
+  static constexpr std::uint32_t kLanes = 16;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  static constexpr std::uint32_t roomFor(std::uint32_t count)
+  {
+    return (count + kLanes - 1) / kLanes * kLanes;
+  }
+
+  std::uint32_t count;
+  const double* origin[3];
+  /// Directions are floats, or, where these are null, doubles.
+  const float* direction[3];
+  const double* exactDirection[3];
+  const std::uint32_t* start; ///< the number of the triangle that each leaves, or kNone
+  std::uint32_t first;        ///< the number of the tree's first triangle
+  std::uint32_t triangles;    ///< of the tree
+
+  double* distance; ///< nothing farther is looked for; may be infinite
+  std::uint32_t* hit;
+  float* weight[2]; ///< of the second and third corner
+
+  /// The triangle that a ray leaves, as the tree knows it.
+  std::uint32_t skipped(std::uint32_t ray, std::uint32_t none) const
+  {
+    const std::uint32_t reference = start[ray] - first;
+    return reference < triangles ? reference : none;
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_test_TestFronts_h
+#define irradiance_test_TestFronts_h
+
+#include "Scene/FrontCast.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace irradiance::test
+{
+
+/// GCC 12 drops the rounding of a vector of doubles that are cast to float and back at once.
+inline double roundedToFloat(double x)
+{
+  const volatile float rounded = static_cast<float>(x);
+  return static_cast<double>(rounded);
+}
+
+/// The ray with a direction that a front can hold: of length 1, and rounded to floats.
+inline Ray asInFront(const Ray& ray)
+{
+  const Vector3 unit = (ray.direction / ray.direction.cwiseAbs().maxCoeff()).normalized();
+  return { ray.origin,
+    { roundedToFloat(unit[0]), roundedToFloat(unit[1]), roundedToFloat(unit[2]) }, ray.start };
+}
+
+/// Rays, whose directions must be floats, and their hits, as the columns of a front.
+class TestFront
+{
+public:
+  explicit TestFront(const SurfaceRecords& records)
+    : records_(records)
+  {
+  }
+
+  void set(const std::vector<Ray>& rays, const std::vector<Hit>& hits)
+  {
+    count_ = static_cast<std::uint32_t>(rays.size());
+    // What stands beyond the last ray must not matter.
+    const std::size_t room = TreeRays::roomFor(count_);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      origin_[axis].assign(room, none);
+      direction_[axis].assign(room, static_cast<float>(none));
+    }
+    start_.assign(room, 0);
+    distance_.assign(room, none);
+    hit_.assign(room, 0);
+    weight_[0].assign(room, 0);
+    weight_[1].assign(room, 0);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        origin_[axis][i] = rays[i].origin[axis];
+        direction_[axis][i] = static_cast<float>(rays[i].direction[axis]);
+      }
+      start_[i] = records_.numberOf(rays[i].start);
+      distance_[i] = hits[i].distance;
+      hit_[i] = records_.numberOf(hits[i].id);
+      weight_[0][i] = hits[i].weights[0];
+      weight_[1][i] = hits[i].weights[1];
+    }
+  }
+
+  FrontRays columns()
+  {
+    return { count_, { origin_[0].data(), origin_[1].data(), origin_[2].data() },
+      { direction_[0].data(), direction_[1].data(), direction_[2].data() }, start_.data(),
+      distance_.data(), hit_.data(), { weight_[0].data(), weight_[1].data() } };
+  }
+
+  Hit hit(std::size_t i) const
+  {
+    return { distance_[i], records_.idOf(hit_[i]), { weight_[0][i], weight_[1][i] } };
+  }
+
+private:
+  const SurfaceRecords& records_;
+  std::uint32_t count_ = 0;
+  std::vector<double> origin_[3], distance_;
+  std::vector<float> direction_[3], weight_[2];
+  std::vector<std::uint32_t> start_, hit_;
+};
+
+}
+
+#endif
