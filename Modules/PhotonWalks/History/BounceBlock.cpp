@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History/BounceBlock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::uint8_t kManyBounces = 255;
+
+}
+
+BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks,
+  int bands, const PointGrid& grid, const Power& power)
+  : arena_(&arena)
+  , firstWalk_(firstWalk)
+  , numberOfWalks_(numberOfWalks)
+  , size_(numberOfWalks)
+  , bands_(bands > 1 ? static_cast<std::uint32_t>(bands) : 0)
+  , grid_(grid)
+  , power_(power)
+{
+  pages_.reserve(3 * numberOfWalks / BouncePage::kSize + 1);
+  while (pages_.size() * BouncePage::kSize < size_)
+  {
+    addPage();
+  }
+}
+
+BounceBlock::~BounceBlock()
+{
+  giveBack();
+}
+
+BounceBlock::BounceBlock(BounceBlock&& other) noexcept = default;
+
+BounceBlock& BounceBlock::operator=(BounceBlock&& other) noexcept
+{
+  giveBack();
+  arena_ = other.arena_;
+  firstWalk_ = other.firstWalk_;
+  numberOfWalks_ = other.numberOfWalks_;
+  size_ = other.size_;
+  bands_ = other.bands_;
+  grid_ = other.grid_;
+  power_ = other.power_;
+  pages_ = std::move(other.pages_);
+  free_ = std::move(other.free_);
+  children_ = std::move(other.children_);
+  parents_ = std::move(other.parents_);
+  return *this;
+}
+
+void BounceBlock::giveBack() noexcept
+{
+  for (BouncePage* const page : pages_)
+  {
+    arena_->giveBack(page);
+  }
+  pages_.clear();
+}
+
+void BounceBlock::addPage()
+{
+  pages_.reserve(pages_.size() + 1);
+  auto* const page = static_cast<BouncePage*>(arena_->take());
+  pages_.push_back(page);
+  std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
+}
+
+std::int64_t* BounceBlock::powersAt(std::uint32_t slot) const
+{
+  auto* const powers = reinterpret_cast<std::int64_t*>(pages_[slot / BouncePage::kSize] + 1);
+  return powers + std::size_t{ slot % BouncePage::kSize } * bands_;
+}
+
+std::uint32_t BounceBlock::newSlot()
+{
+  if (!free_.empty())
+  {
+    const std::uint32_t slot = free_.back();
+    free_.pop_back();
+    return slot;
+  }
+  while (size_ % kPart >= kCrossing)
+  {
+    ++size_; // a slot that no link can name; its tag stays free
+  }
+  const std::uint32_t slot = size_++;
+  if (pages_.size() * BouncePage::kSize <= slot)
+  {
+    addPage();
+  }
+  return slot;
+}
+
+void BounceBlock::append(
+  const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots)
+{
+  for (std::size_t at = 0; at < count; at += GridSegments::kSize)
+  {
+    appendSome(front, first + at, std::min(GridSegments::kSize, count - at), slots + at);
+  }
+}
+
+void BounceBlock::appendSome(
+  const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots)
+{
+  GridSegments segments;
+  placeOnGrid(grid_, front.rays, first, count, segments);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool isFirst = front.parents[first + i] == kNone;
+    slots[i] = isFirst ? front.walks[first + i] - firstWalk_ : newSlot();
+  }
+  storeEnds(segments, slots, count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    storeRow(front, first + i, static_cast<GridSegments::State>(segments.states[i]), slots[i]);
+  }
+}
+
+/// Most slots follow each other: runs of them are copied at once, page by page.
+void BounceBlock::storeEnds(
+  const GridSegments& segments, const std::uint32_t* slots, std::size_t count)
+{
+  for (std::size_t i = 0, run = 1; i < count; i += run)
+  {
+    const std::uint32_t place = slots[i] % BouncePage::kSize;
+    for (run = 1;
+         i + run < count && slots[i + run] == slots[i] + run && place + run < BouncePage::kSize;
+         ++run)
+    {
+    }
+    BouncePage& page = pageOf(slots[i]);
+    for (int column = 0; column < 6; ++column)
+    {
+      std::copy_n(segments.ends[column] + i, run, page.ends[column] + place);
+    }
+  }
+}
+
+void BounceBlock::storeRow(
+  const BounceColumns& front, std::size_t row, GridSegments::State state, std::uint32_t slot)
+{
+  BouncePage& page = pageOf(slot);
+  const std::uint32_t place = slot % BouncePage::kSize;
+  const std::uint32_t parent = front.parents[row];
+  const unsigned contact = front.kinds[row] == BounceColumns::kContact ? BounceRecord::kContact : 0;
+  const unsigned side = front.isFront[row] != 0 ? 0 : BounceRecord::kBack;
+  page.records[place] = { front.triangles[row], { front.weights[0][row], front.weights[1][row] },
+    static_cast<std::uint16_t>((front.walks[row] - firstWalk_) | side | contact), kEnd };
+  page.tags[place] = state == GridSegments::Whole ? front.kinds[row]
+    : state == GridSegments::Cut ? static_cast<std::uint8_t>(front.kinds[row] | BounceTag::kOpen)
+                                 : static_cast<std::uint8_t>(BounceTag::kAlways | BounceTag::kOpen);
+  page.children[place] = kEnd;
+  page.bounces[place] = 0;
+  if (bands_ > 0)
+  {
+    std::copy_n(front.powers[row].quanta.begin(), bands_, powersAt(slot));
+  }
+  if (parent != kNone)
+  {
+    link(parent, slot);
+  }
+}
+
+void BounceBlock::link(std::uint32_t parent, std::uint32_t slot)
+{
+  BouncePage& from = pageOf(parent);
+  BouncePage& to = pageOf(slot);
+  const std::uint32_t before = parent % BouncePage::kSize, place = slot % BouncePage::kSize;
+  const bool isNear = partOf(parent) == partOf(slot);
+  from.children[before] = isNear ? static_cast<std::uint16_t>(slot) : kCrossing;
+  to.records[place].parent = isNear ? static_cast<std::uint16_t>(parent) : kCrossing;
+  to.bounces[place] =
+    static_cast<std::uint8_t>(std::min<int>(from.bounces[before] + 1, kManyBounces));
+  if (!isNear)
+  {
+    children_[parent] = slot;
+    parents_[slot] = parent;
+  }
+}
+
+/// From the segment before it.
+void BounceBlock::unlink(std::uint32_t slot)
+{
+  const std::uint32_t parent = previous(slot);
+  if (parent == kNone)
+  {
+    return;
+  }
+  pageOf(parent).children[parent % BouncePage::kSize] = kEnd;
+  if (partOf(parent) != partOf(slot))
+  {
+    children_.erase(parent);
+    parents_.erase(slot);
+  }
+}
+
+void BounceBlock::removeFrom(std::uint32_t slot)
+{
+  unlink(slot);
+  while (slot != kNone)
+  {
+    const std::uint32_t after = next(slot);
+    pageOf(slot).tags[slot % BouncePage::kSize] = BounceTag::kFree;
+    if (after != kNone && partOf(after) != partOf(slot))
+    {
+      children_.erase(slot);
+      parents_.erase(after);
+    }
+    if (slot >= numberOfWalks_)
+    {
+      free_.push_back(slot);
+    }
+    slot = after;
+  }
+}
+
+std::uint32_t BounceBlock::slotOf(const SegmentRef& segment) const
+{
+  std::uint32_t slot = begin(segment.walk);
+  for (std::uint32_t bounce = 0; bounce < segment.bounce && slot != kNone; ++bounce)
+  {
+    slot = next(slot);
+  }
+  return slot;
+}
+
+std::uint32_t BounceBlock::lastOf(std::uint32_t walk) const
+{
+  std::uint32_t last = kNone;
+  forEachFrom(begin(walk), [&](std::uint32_t slot) { last = slot; });
+  return last;
+}
+
+SegmentRef BounceBlock::segmentAt(std::uint32_t slot) const
+{
+  const std::uint32_t walk = walkOf(slot);
+  std::uint32_t more = 0;
+  while (pageOf(slot).bounces[slot % BouncePage::kSize] == kManyBounces)
+  {
+    slot = previous(slot);
+    ++more;
+  }
+  return { walk, pageOf(slot).bounces[slot % BouncePage::kSize] + more };
+}
+
+std::uint32_t BounceBlock::size(std::uint32_t walk) const
+{
+  std::uint32_t size = 0;
+  forEachFrom(begin(walk), [&](std::uint32_t) { ++size; });
+  return size;
+}
+
+Power BounceBlock::power(std::uint32_t slot) const
+{
+  if (bands_ == 0)
+  {
+    return power_;
+  }
+  Power power;
+  std::copy_n(powersAt(slot), bands_, power.quanta.begin());
+  return power;
+}
+
+void BounceBlock::setSide(std::uint32_t slot, bool isFront)
+{
+  std::uint16_t& walk = record(slot).walk;
+  walk =
+    static_cast<std::uint16_t>(isFront ? walk & ~BounceRecord::kBack : walk | BounceRecord::kBack);
+}
+
+/// A segment that was cut is longer.
+double BounceBlock::shortestLength(std::uint32_t slot) const
+{
+  const BouncePage& page = pageOf(slot);
+  const std::uint32_t place = slot % BouncePage::kSize;
+  if ((page.tags[place] & BounceTag::kKinds) == BounceTag::kAlways &&
+    (page.tags[place] & BounceTag::kOpen) != 0)
+  {
+    return 0; // it may be too far away for the grid
+  }
+  Vector3 shortest;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double along = std::abs(page.ends[axis][place] - page.ends[3 + axis][place]);
+    shortest[axis] = std::max(0.0, along - 1 - 2 * GridSegments::kBlur) * grid_.step[axis];
+  }
+  return shortest.norm() * (1 - 0x1p-40);
+}
+
+std::size_t BounceBlock::bytes() const
+{
+  constexpr std::size_t kNode = 4 * sizeof(void*); // of a map, and its share of the buckets
+  return sizeof(*this) + pages_.size() * arena_->pageBytes() + pages_.capacity() * sizeof(void*) +
+    free_.capacity() * sizeof(std::uint32_t) + (children_.size() + parents_.size()) * kNode;
+}
+
+}
