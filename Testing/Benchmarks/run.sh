@@ -92,6 +92,7 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkRayCasting "300000 5" "10000 2"
   measure BenchmarkTraversalModes "" "10000 2"
   measure BenchmarkSegmentScan "" "1 2"
+  measure BenchmarkBounceHistory "" "0.1 2"
   measure BenchmarkFarAndMany "" "5000 1"
   measure BenchmarkSigns "" "100"
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"

@@ -208,7 +208,8 @@ private:
     ASSERT_TRUE(block_.power(slot) == (bands_ > 1 ? segment.power : onePower()));
     const Vector3 along = segment.distance * segment.direction.cast<double>();
     const Vector3 end = segment.origin + along;
-    const bool isWhole = end.cwiseAbs().maxCoeff() <= 1 && segment.distance < kInfinity;
+    const bool isWhole =
+      segment.distance < kInfinity && block_.grid()(end).cwiseAbs().maxCoeff() <= PointGrid::kReach;
     ASSERT_EQ((block_.tag(slot) & BounceTag::kOpen) == 0, isWhole);
     const double shortest = block_.shortestLength(slot);
     ASSERT_LE(shortest, along.norm());

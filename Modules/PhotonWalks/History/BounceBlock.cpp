@@ -14,6 +14,20 @@ namespace
 
 constexpr std::uint8_t kManyBounces = 255;
 
+std::uint8_t tagOf(std::uint8_t kind, GridSegments::State state)
+{
+  constexpr std::uint8_t kTooFar = BounceTag::kAlways | BounceTag::kOpen;
+  return state == GridSegments::Whole ? kind
+    : state == GridSegments::Cut      ? static_cast<std::uint8_t>(kind | BounceTag::kOpen)
+                                      : kTooFar;
+}
+
+/// From a slot to the end of its page.
+std::uint32_t placesFrom(std::uint32_t slot)
+{
+  return BouncePage::kSize - slot % BouncePage::kSize;
+}
+
 }
 
 BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks,
@@ -112,63 +126,84 @@ void BounceBlock::append(
 void BounceBlock::appendSome(
   const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots)
 {
+  const bool isScattered = !free_.empty();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint32_t parent = front.parents[first + i];
+    slots[i] = parent == kNone ? front.walks[first + i] - firstWalk_ : newSlot();
+    if (isScattered)
+    {
+      prefetchToStore(slots[i], parent);
+    }
+  }
   GridSegments segments;
   placeOnGrid(grid_, front.rays, first, count, segments);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const bool isFirst = front.parents[first + i] == kNone;
-    slots[i] = isFirst ? front.walks[first + i] - firstWalk_ : newSlot();
-  }
-  storeEnds(segments, slots, count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    storeRow(front, first + i, static_cast<GridSegments::State>(segments.states[i]), slots[i]);
-  }
-}
-
-/// Most slots follow each other: runs of them are copied at once, page by page.
-void BounceBlock::storeEnds(
-  const GridSegments& segments, const std::uint32_t* slots, std::size_t count)
-{
   for (std::size_t i = 0, run = 1; i < count; i += run)
   {
-    const std::uint32_t place = slots[i] % BouncePage::kSize;
-    for (run = 1;
-         i + run < count && slots[i + run] == slots[i] + run && place + run < BouncePage::kSize;
-         ++run)
+    // Most slots follow each other.
+    const std::size_t most = std::min<std::size_t>(count - i, placesFrom(slots[i]));
+    for (run = 1; run < most && slots[i + run] == slots[i] + run; ++run)
     {
     }
-    BouncePage& page = pageOf(slots[i]);
-    for (int column = 0; column < 6; ++column)
-    {
-      std::copy_n(segments.ends[column] + i, run, page.ends[column] + place);
-    }
+    storeRun(front, first + i, segments, i, slots[i], run);
   }
 }
 
-void BounceBlock::storeRow(
-  const BounceColumns& front, std::size_t row, GridSegments::State state, std::uint32_t slot)
+void BounceBlock::prefetchToStore(std::uint32_t slot, std::uint32_t parent) const
+{
+  const BouncePage& page = pageOf(slot);
+  const std::uint32_t place = slot % BouncePage::kSize;
+  for (const auto& column : page.ends)
+  {
+    prefetchLine(column + place);
+  }
+  prefetchLine(page.bounces + place);
+  if (parent != kNone)
+  {
+    prefetchLine(pageOf(parent).bounces + parent % BouncePage::kSize);
+    prefetchLine(pageOf(parent).children + parent % BouncePage::kSize);
+  }
+}
+
+/// Rows from `row` on, placed from `at` on, to consecutive slots of a page.
+void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
+  const GridSegments& segments, std::size_t at, std::uint32_t slot, std::size_t count)
 {
   BouncePage& page = pageOf(slot);
   const std::uint32_t place = slot % BouncePage::kSize;
-  const std::uint32_t parent = front.parents[row];
+  for (int column = 0; column < 6; ++column)
+  {
+    std::copy_n(segments.ends[column] + at, count, page.ends[column] + place);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    page.records[place + i] = recordOf(front, row + i);
+    page.tags[place + i] =
+      tagOf(front.kinds[row + i], static_cast<GridSegments::State>(segments.states[at + i]));
+  }
+  std::fill_n(page.children + place, count, kEnd);
+  std::fill_n(page.bounces + place, count, std::uint8_t{ 0 });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto stored = slot + static_cast<std::uint32_t>(i);
+    if (bands_ > 0)
+    {
+      std::copy_n(front.powers[row + i].quanta.begin(), bands_, powersAt(stored));
+    }
+    if (front.parents[row + i] != kNone)
+    {
+      link(front.parents[row + i], stored);
+    }
+  }
+}
+
+/// Not linked yet.
+BounceRecord BounceBlock::recordOf(const BounceColumns& front, std::size_t row) const
+{
   const unsigned contact = front.kinds[row] == BounceColumns::kContact ? BounceRecord::kContact : 0;
   const unsigned side = front.isFront[row] != 0 ? 0 : BounceRecord::kBack;
-  page.records[place] = { front.triangles[row], { front.weights[0][row], front.weights[1][row] },
+  return { front.triangles[row], { front.weights[0][row], front.weights[1][row] },
     static_cast<std::uint16_t>((front.walks[row] - firstWalk_) | side | contact), kEnd };
-  page.tags[place] = state == GridSegments::Whole ? front.kinds[row]
-    : state == GridSegments::Cut ? static_cast<std::uint8_t>(front.kinds[row] | BounceTag::kOpen)
-                                 : static_cast<std::uint8_t>(BounceTag::kAlways | BounceTag::kOpen);
-  page.children[place] = kEnd;
-  page.bounces[place] = 0;
-  if (bands_ > 0)
-  {
-    std::copy_n(front.powers[row].quanta.begin(), bands_, powersAt(slot));
-  }
-  if (parent != kNone)
-  {
-    link(parent, slot);
-  }
 }
 
 void BounceBlock::link(std::uint32_t parent, std::uint32_t slot)
@@ -283,10 +318,9 @@ double BounceBlock::shortestLength(std::uint32_t slot) const
 {
   const BouncePage& page = pageOf(slot);
   const std::uint32_t place = slot % BouncePage::kSize;
-  if ((page.tags[place] & BounceTag::kKinds) == BounceTag::kAlways &&
-    (page.tags[place] & BounceTag::kOpen) != 0)
+  if (page.tags[place] == tagOf(0, GridSegments::TooFar))
   {
-    return 0; // it may be too far away for the grid
+    return 0;
   }
   Vector3 shortest;
   for (int axis = 0; axis < 3; ++axis)

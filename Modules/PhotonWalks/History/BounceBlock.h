@@ -164,6 +164,7 @@ public:
   {
     prefetchLine(&record(slot));
     prefetchLine(&pageOf(slot).children[slot % BouncePage::kSize]);
+    prefetchLine(&pageOf(slot).tags[slot % BouncePage::kSize]);
   }
   /// The slots as a scan reads them.
   const std::vector<BouncePage*>& pages() const { return pages_; }
@@ -192,9 +193,10 @@ private:
   void addPage();
   void appendSome(
     const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
-  void storeEnds(const GridSegments& segments, const std::uint32_t* slots, std::size_t count);
-  void storeRow(
-    const BounceColumns& front, std::size_t row, GridSegments::State state, std::uint32_t slot);
+  void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const;
+  void storeRun(const BounceColumns& front, std::size_t row, const GridSegments& segments,
+    std::size_t at, std::uint32_t slot, std::size_t count);
+  BounceRecord recordOf(const BounceColumns& front, std::size_t row) const;
   void link(std::uint32_t parent, std::uint32_t slot);
   void unlink(std::uint32_t slot);
   void giveBack() noexcept;

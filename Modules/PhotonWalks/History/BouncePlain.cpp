@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "History/GridSegments.inl"
 #include "History/PageScan.inl"

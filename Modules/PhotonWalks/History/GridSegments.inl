@@ -1,161 +1,145 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No include guard: the kernel of each instruction set includes this once, between the marks of its
-// target. Plain loops over lanes: what they compute is the same on all.
+// target. Each compiles these vectors to registers of its own size, and computes the same.
 
 namespace irradiance
 {
 namespace
 {
 
+#define IRRADIANCE_LANES inline __attribute__((always_inline))
+
 constexpr std::size_t kGridLanes = 8;
 static_assert(RayColumns::kPadding >= kGridLanes && GridSegments::kSize % kGridLanes == 0);
+
+using GridDoubles = double __attribute__((vector_size(8 * kGridLanes)));
+using GridFloats = float __attribute__((vector_size(4 * kGridLanes)));
+using GridInts = std::int32_t __attribute__((vector_size(4 * kGridLanes)));
+using GridShorts = std::int16_t __attribute__((vector_size(2 * kGridLanes)));
+using GridBytes = std::int8_t __attribute__((vector_size(kGridLanes)));
+using GridMask =
+  std::int64_t __attribute__((vector_size(8 * kGridLanes))); ///< -1 or 0 in each lane
 
 /// Some rays on the grid: origin + t * along is where a ray is at distance t.
 struct GridRays
 {
-  double origin[3][kGridLanes], along[3][kGridLanes], reach[kGridLanes];
+  GridDoubles origin[3], along[3], reach;
 
-  __attribute__((always_inline))
-  GridRays(const PointGrid& grid, const RayColumns& rays, std::size_t first)
+  IRRADIANCE_LANES GridRays(const PointGrid& grid, const RayColumns& rays, std::size_t first)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double center = grid.center[axis], perStep = grid.perStep[axis];
-      for (std::size_t i = 0; i < kGridLanes; ++i)
-      {
-        origin[axis][i] = (rays.origin[axis][first + i] - center) * perStep;
-        along[axis][i] = static_cast<double>(rays.direction[axis][first + i]) * perStep;
-      }
+      GridFloats direction;
+      std::memcpy(&origin[axis], rays.origin[axis] + first, sizeof origin[axis]);
+      std::memcpy(&direction, rays.direction[axis] + first, sizeof direction);
+      origin[axis] = (origin[axis] - grid.center[axis]) * grid.perStep[axis];
+      along[axis] = __builtin_convertvector(direction, GridDoubles) * grid.perStep[axis];
     }
-    for (std::size_t i = 0; i < kGridLanes; ++i)
-    {
-      reach[i] = rays.distance[first + i];
-    }
+    std::memcpy(&reach, rays.distance + first, sizeof reach);
   }
 };
 
 /// Rounds to the nearest place within reach, ties to even. NaN is anywhere.
-__attribute__((always_inline)) inline void roundToGrid(const double* from, std::int16_t* to)
+IRRADIANCE_LANES void roundToGrid(const GridDoubles& from, std::int16_t* to)
 {
   constexpr double kRounder = 0x1.8p52, kReach = PointGrid::kReach;
-  std::int32_t places[kGridLanes];
-  for (std::size_t i = 0; i < kGridLanes; ++i)
-  {
-    double place = from[i] < kReach ? from[i] : kReach;
-    place = place > -kReach ? place : -kReach;
-    places[i] = static_cast<std::int32_t>((place + kRounder) - kRounder);
-  }
-  for (std::size_t i = 0; i < kGridLanes; ++i)
-  {
-    to[i] = static_cast<std::int16_t>(places[i]);
-  }
+  const GridDoubles most = kReach - GridDoubles{}, least = -kReach - GridDoubles{};
+  GridDoubles place = from < most ? from : most;
+  place = place > least ? place : least;
+  const GridInts whole = __builtin_convertvector((place + kRounder) - kRounder, GridInts);
+  const GridShorts narrow = __builtin_convertvector(whole, GridShorts);
+  std::memcpy(to, &narrow, sizeof narrow);
 }
 
-/// Writes the rays' segments; returns how many of them are not whole within the grid.
-__attribute__((always_inline)) inline int placeWhole(
-  const GridRays& rays, std::int64_t* isCut, GridSegments& segments, std::size_t at)
+/// Writes the rays' segments; returns in `isIn` those that are whole within the grid.
+IRRADIANCE_LANES void placeWhole(
+  const GridRays& rays, GridMask& isIn, GridSegments& segments, std::size_t at)
 {
   constexpr double kReach = PointGrid::kReach;
-  std::int64_t isIn[kGridLanes];
-  std::fill_n(isIn, kGridLanes, 1);
+  isIn = ~GridMask{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    double end[kGridLanes];
-    for (std::size_t i = 0; i < kGridLanes; ++i)
-    {
-      const double from = rays.origin[axis][i], to = from + rays.reach[i] * rays.along[axis][i];
-      // An escape ends at infinity, or at NaN where it runs along another axis.
-      isIn[i] &=
-        std::int64_t{ std::fabs(from) <= kReach } & std::int64_t{ std::fabs(to) <= kReach };
-      end[i] = to;
-    }
-    roundToGrid(rays.origin[axis], segments.ends[axis] + at);
-    roundToGrid(end, segments.ends[3 + axis] + at);
+    // An escape ends at infinity, or at NaN where it runs along another axis.
+    const GridDoubles from = rays.origin[axis], to = from + rays.reach * rays.along[axis];
+    isIn &= (from <= kReach) & (from >= -kReach) & (to <= kReach) & (to >= -kReach);
+    roundToGrid(from, segments.ends[axis] + at);
+    roundToGrid(to, segments.ends[3 + axis] + at);
   }
-  std::int64_t cut = 0;
-  for (std::size_t i = 0; i < kGridLanes; ++i)
-  {
-    isCut[i] = 1 - isIn[i];
-    cut += isCut[i];
-  }
-  return static_cast<int>(cut);
 }
 
 /// The distances between which rays are within the grid.
 struct GridSpan
 {
-  double from[kGridLanes], to[kGridLanes];
+  GridDoubles from, to;
 
-  __attribute__((always_inline)) GridSpan(const GridRays& rays, const std::int64_t* isCut)
+  IRRADIANCE_LANES explicit GridSpan(const GridRays& rays)
+    : from{}
+    , to(rays.reach)
   {
     constexpr double kReach = PointGrid::kReach;
-    for (std::size_t i = 0; i < kGridLanes; ++i)
-    {
-      from[i] = 0;
-      to[i] = rays.reach[i];
-    }
     for (int axis = 0; axis < 3; ++axis)
     {
-      for (std::size_t i = 0; i < kGridLanes; ++i)
-      {
-        const double lower = (-kReach - rays.origin[axis][i]) / rays.along[axis][i],
-                     upper = (kReach - rays.origin[axis][i]) / rays.along[axis][i];
-        const double enters = lower < upper ? lower : upper, leaves = lower > upper ? lower : upper;
-        // NaN, from a ray along a face of the grid, changes nothing.
-        from[i] = isCut[i] != 0 && enters > from[i] ? enters : from[i];
-        to[i] = isCut[i] != 0 && leaves < to[i] ? leaves : to[i];
-      }
+      const GridDoubles lower = (-kReach - rays.origin[axis]) / rays.along[axis],
+                        upper = (kReach - rays.origin[axis]) / rays.along[axis];
+      const GridDoubles enters = lower < upper ? lower : upper,
+                        leaves = lower > upper ? lower : upper;
+      // NaN, from a ray along a face of the grid, changes nothing.
+      from = enters > from ? enters : from;
+      to = leaves < to ? leaves : to;
     }
   }
 };
 
-/// Writes the same segments again, cut.
-__attribute__((always_inline)) inline void placeCut(
-  const GridRays& rays, const std::int64_t* isCut, GridSegments& segments, std::size_t at)
+/// Writes the same segments again, cut, except those that are whole.
+IRRADIANCE_LANES void placeCut(
+  const GridRays& rays, const GridMask& isIn, GridSegments& segments, std::size_t at)
 {
-  const GridSpan span(rays, isCut);
+  GridSpan span(rays);
+  const GridDoubles zero{}, corner = PointGrid::kReach - zero;
+  span.from = isIn ? zero : span.from;
+  span.to = isIn ? rays.reach : span.to;
+  const GridMask isInside = span.from <= span.to;
+  GridMask isNear = ~GridMask{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    double begin[kGridLanes], end[kGridLanes];
-    for (std::size_t i = 0; i < kGridLanes; ++i)
-    {
-      const bool isInside = span.from[i] <= span.to[i];
-      const double from = rays.origin[axis][i] + span.from[i] * rays.along[axis][i],
-                   to = rays.origin[axis][i] + span.to[i] * rays.along[axis][i];
-      begin[i] = isInside ? from : PointGrid::kReach;
-      end[i] = isInside ? to : PointGrid::kReach;
-    }
-    roundToGrid(begin, segments.ends[axis] + at);
-    roundToGrid(end, segments.ends[3 + axis] + at);
+    const GridDoubles& origin = rays.origin[axis];
+    const GridDoubles from = origin + span.from * rays.along[axis],
+                      to = origin + span.to * rays.along[axis];
+    roundToGrid(isInside ? from : corner, segments.ends[axis] + at);
+    roundToGrid(isInside ? to : corner, segments.ends[3 + axis] + at);
+    isNear &= (origin < GridSegments::kFarthest) & (origin > -GridSegments::kFarthest);
   }
-  for (std::size_t i = 0; i < kGridLanes; ++i)
-  {
-    const bool isNear = std::fabs(rays.origin[0][i]) < GridSegments::kFarthest &&
-      std::fabs(rays.origin[1][i]) < GridSegments::kFarthest &&
-      std::fabs(rays.origin[2][i]) < GridSegments::kFarthest;
-    segments.states[at + i] = isCut[i] == 0 ? GridSegments::Whole
-      : isNear                              ? GridSegments::Cut
-                                            : GridSegments::TooFar;
-  }
+  const GridMask cut = std::int64_t{ GridSegments::Cut } - GridMask{},
+                 tooFar = std::int64_t{ GridSegments::TooFar } - GridMask{};
+  const GridBytes states = __builtin_convertvector(isIn ? GridMask{}
+      : isNear                                          ? cut
+                                                        : tooFar,
+    GridBytes);
+  std::memcpy(segments.states + at, &states, sizeof states);
 }
 
-__attribute__((always_inline)) inline void placeAllOnGrid(const PointGrid& grid,
-  const RayColumns& columns, std::size_t first, std::size_t count, GridSegments& segments)
+IRRADIANCE_LANES void placeAllOnGrid(const PointGrid& grid, const RayColumns& columns,
+  std::size_t first, std::size_t count, GridSegments& segments)
 {
   for (std::size_t at = 0; at < count; at += kGridLanes)
   {
     const GridRays rays(grid, columns, first + at);
-    std::int64_t isCut[kGridLanes];
-    for (std::size_t i = 0; i < kGridLanes; ++i)
+    GridMask isIn;
+    placeWhole(rays, isIn, segments, at);
+    const GridBytes isOut = __builtin_convertvector(~isIn, GridBytes);
+    std::uint64_t anyOut;
+    static_assert(sizeof anyOut == sizeof isOut);
+    std::memcpy(&anyOut, &isOut, sizeof anyOut);
+    static_assert(GridSegments::Whole == 0);
+    std::memset(segments.states + at, GridSegments::Whole, kGridLanes);
+    if (anyOut != 0)
     {
-      segments.states[at + i] = GridSegments::Whole;
-    }
-    if (placeWhole(rays, isCut, segments, at) > 0)
-    {
-      placeCut(rays, isCut, segments, at);
+      placeCut(rays, isIn, segments, at);
     }
   }
 }
+
+#undef IRRADIANCE_LANES
 
 }
 }

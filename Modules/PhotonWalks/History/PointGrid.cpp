@@ -14,8 +14,10 @@ PointGrid::PointGrid(const Box& box)
   // From the middle as it was rounded, so that both corners are within reach.
   const Vector3 half = (box.upper - center).cwiseMax(center - box.lower);
   constexpr double kFlattest = 0x1p-10, kSmallest = 0x1p-500;
+  // Points on the border, a little beside it by rounding, and bodies that touch it are well within.
+  constexpr double kMargin = 8;
   const double least = std::max(kFlattest * half.maxCoeff(), kSmallest);
-  step = half.cwiseMax(least) * ((1 + 0x1p-40) / kReach);
+  step = half.cwiseMax(least) / (kReach - kMargin);
   perStep = step.cwiseInverse();
 }
 
