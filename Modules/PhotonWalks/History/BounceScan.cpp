@@ -40,10 +40,9 @@ void BounceScan::addBody(const EllipsoidBound& bound, const OwnBox* own)
 void BounceScan::find(
   const BounceBlock& block, const BounceBlock& next, std::vector<std::uint32_t>& slots) const
 {
-  slots.clear();
   if (flagsAll_ || bodies_.size() > kMostBodies)
   {
-    block.forEach([&](std::uint32_t slot) { slots.push_back(slot); });
+    listAll(block, slots);
     return;
   }
   static thread_local std::vector<std::uint16_t> flagged;
@@ -52,6 +51,19 @@ void BounceScan::find(
   const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies_.data(),
     bodies_.size(), flagged.data() };
   IRRADIANCE_CALL_BEST(scanPages, scan);
+  listFlagged(flagged, slots);
+}
+
+void BounceScan::listAll(const BounceBlock& block, std::vector<std::uint32_t>& slots)
+{
+  slots.clear();
+  block.forEach([&](std::uint32_t slot) { slots.push_back(slot); });
+}
+
+void BounceScan::listFlagged(
+  const std::vector<std::uint16_t>& flagged, std::vector<std::uint32_t>& slots)
+{
+  slots.clear();
   for (std::size_t group = 0; group < flagged.size(); ++group)
   {
     const auto first = static_cast<std::uint32_t>(group) * PageScan::kGroupSize;

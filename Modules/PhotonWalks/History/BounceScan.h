@@ -36,6 +36,15 @@ public:
   void find(
     const BounceBlock& block, const BounceBlock& next, std::vector<std::uint32_t>& slots) const;
 
+  // What an index needs, see SegmentIndex.
+  static void listAll(const BounceBlock& block, std::vector<std::uint32_t>& slots);
+  /// The slots whose bits are set, see PageScan.
+  static void listFlagged(
+    const std::vector<std::uint16_t>& flagged, std::vector<std::uint32_t>& slots);
+  const TagSet& tags() const { return tags_; }
+  const std::vector<GridBody>& bodies() const { return bodies_; }
+  bool flagsAll() const { return flagsAll_; } ///< whatever the bodies are
+
 private:
   /// To test more bodies costs more than a ray through the trees over them.
   static constexpr std::size_t kMostBodies = 128;

@@ -43,9 +43,7 @@ std::optional<GridBody> bodyOnGrid(const PointGrid& grid, const EllipsoidBound& 
   const double norm = matrix.norm();
   // No point of the grid is farther from 0 in the body's frame.
   const double farthest = std::sqrt(3.0) * PointGrid::kReach * norm + offset.norm();
-  constexpr double kThinnest = 0x1p60;
-  if (!(norm < kMost) || !(norm > kLeast) || !(farthest < kMost * PointGrid::kReach) ||
-    !(matrix.inverse().norm() < kThinnest))
+  if (!(norm < kMost) || !(norm > kLeast) || !(farthest < kMost * PointGrid::kReach))
   {
     return std::nullopt;
   }
@@ -56,6 +54,10 @@ std::optional<GridBody> bodyOnGrid(const PointGrid& grid, const EllipsoidBound& 
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
   body.squaredRadius = static_cast<float>(radius * radius);
+  const double stretch =
+    std::sqrt((matrix * matrix.transpose()).cwiseAbs().rowwise().sum().maxCoeff());
+  body.groupRadius = static_cast<float>((radius + 2 * kRoundings * kRoundoff * farthest) * kMore);
+  body.stretch = static_cast<float>(stretch * kMore);
   return body;
 }
 

@@ -17,6 +17,9 @@ struct GridBody
   float matrix[9]; ///< column by column
   float offset[3];
   float squaredRadius;
+  /// For groups of segments: a segment within d steps of another comes within groupRadius + stretch * d of
+  /// 0 there if the other is flagged.
+  float groupRadius, stretch;
   bool hasBox = false;
   float boxMatrix[9], boxOffset[3];
   float face[3];  ///< twice the half-width of the cube along each axis, widened

@@ -65,7 +65,9 @@ struct GridEnds
   Triple<Lanes> begin;
   Triple<Lanes> along; ///< from the other end to there
 
-  GridEnds(const std::int16_t (*ends)[BouncePage::kSize], std::size_t place)
+  /// From columns, those of the other ends after those where segments begin.
+  template <class Columns>
+  GridEnds(const Columns& ends, std::size_t place)
     : begin{ Lanes::load(ends[0] + place), Lanes::load(ends[1] + place),
       Lanes::load(ends[2] + place) }
     , along(minus<Lanes>(begin,
@@ -75,10 +77,10 @@ struct GridEnds
   }
 };
 
-/// Flags the segments that may come within the body's ball, a bit for each. With p and p - q the ends
-/// in the body's frame, p - t q is nearest to its centre for t = p.q / q.q.
+/// Squared, from the middle of the body's ball to the nearest point of each segment. With p and p - q the
+/// ends in the body's frame, p - t q is nearest for t = p.q / q.q.
 template <class Lanes>
-inline unsigned flagNearBall(const GridEnds<Lanes>& ends, const GridBody& body)
+inline typename Lanes::Floats squaredDistance(const GridEnds<Lanes>& ends, const GridBody& body)
 {
   const auto zero = Lanes::all(0);
   const Triple<Lanes> p = plus<Lanes>(product<Lanes>(body.matrix, ends.begin), body.offset),
@@ -87,7 +89,14 @@ inline unsigned flagNearBall(const GridEnds<Lanes>& ends, const GridBody& body)
   const auto t = Lanes::least(
     Lanes::most(Lanes::divide(dot<Lanes>(p, q), dot<Lanes>(q, q)), zero), Lanes::all(1));
   const Triple<Lanes> nearest = minus<Lanes>(p, times<Lanes>(t, q));
-  return Lanes::notAbove(dot<Lanes>(nearest, nearest), Lanes::all(body.squaredRadius));
+  return dot<Lanes>(nearest, nearest);
+}
+
+/// Flags the segments that may come within the body's ball, a bit for each.
+template <class Lanes>
+inline unsigned flagNearBall(const GridEnds<Lanes>& ends, const GridBody& body)
+{
+  return Lanes::notAbove(squaredDistance<Lanes>(ends, body), Lanes::all(body.squaredRadius));
 }
 
 /// Likewise for the body's cube. A segment and a cube have no common point if there is a plane between
@@ -130,7 +139,7 @@ template <class Lanes>
 inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageScan& scan)
 {
   unsigned flagged = Lanes::tagged(page.tags + place, scan.tags);
-  for (std::size_t i = 0; i < PageScan::kGroupSize; i += Lanes::kCount)
+  for (std::size_t i = 0; i < PageScan::kGroupSize && scan.numberOfBodies > 0; i += Lanes::kCount)
   {
     const GridEnds<Lanes> ends(page.ends, place + i);
     unsigned near = 0;

@@ -8,7 +8,7 @@
  */
 #include "../../PhotonWalks/BounceFront.h"
 #include "../../PhotonWalks/ShotWalk.h"
-#include "History/BounceScan.h"
+#include "History/SegmentIndex.h"
 #include "History/SegmentScan.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -395,6 +395,52 @@ std::size_t countFound(const std::vector<Block>& blocks, const Scan& scan)
   return count;
 }
 
+/// Each of some blocks; what follows is theirs.
+struct Indexes
+{
+  explicit Indexes(const Histories& histories)
+  {
+    for (std::size_t first = 0; first < histories.blocks; first += SegmentIndex::kBlocks)
+    {
+      SegmentIndex::Blocks& some = blocks.emplace_back();
+      for (std::size_t b = first; b < std::min(first + SegmentIndex::kBlocks, histories.blocks);
+           ++b)
+      {
+        some.push_back(&histories.byBounces[b]);
+      }
+      all.emplace_back(some);
+    }
+  }
+
+  std::size_t countFound(const BounceScan& scan) const
+  {
+    static std::vector<std::vector<std::uint32_t>> found;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      all[i].find(blocks[i], scan, found);
+      for (std::size_t b = 0; b < blocks[i].size(); ++b)
+      {
+        count += found[b].size();
+      }
+    }
+    return count;
+  }
+
+  double bytes() const
+  {
+    double bytes = 0;
+    for (const SegmentIndex& index : all)
+    {
+      bytes += static_cast<double>(index.bytes());
+    }
+    return bytes;
+  }
+
+  std::vector<SegmentIndex::Blocks> blocks;
+  std::vector<SegmentIndex> all;
+};
+
 /// What comes into the box of a body must be found: sought at many places along each segment.
 void checkScan(const Histories& histories, const Bodies& bodies, const BounceScan& scan)
 {
@@ -471,6 +517,7 @@ void run(const Arguments& arguments)
   const RigidObject body = makeCube();
   volatile std::size_t used = 0; // so that nothing is optimized away
   std::vector<std::function<void()>> jobs;
+  const Indexes indexes(histories);
   for (const Case& one : kCases)
   {
     const Bodies bodies = makeBodies(body, one.bodies, one.size);
@@ -479,6 +526,11 @@ void run(const Arguments& arguments)
     checkScan(histories, bodies, scan);
     jobs.push_back([&, scan] { used = used + countFound(histories.byBounces, scan); });
     jobs.push_back([&, scanOfWalks] { used = used + countFound(histories.byWalks, scanOfWalks); });
+    jobs.push_back([&, scan] { used = used + indexes.countFound(scan); });
+    if (indexes.countFound(scan) != countFound(histories.byBounces, scan))
+    {
+      throw std::runtime_error("The index does not find what the scan finds");
+    }
     const auto all = static_cast<double>(histories.segments);
     report("BounceHistory", one.name, "share found",
       static_cast<double>(countFound(histories.byBounces, scan)) / all);
@@ -487,6 +539,7 @@ void run(const Arguments& arguments)
   }
   jobs.push_back([&] { histories.replaceByBounces(); });
   jobs.push_back([&] { histories.replaceByWalks(); });
+  jobs.push_back([&] { used = used + Indexes(histories).all.size(); });
   jobs.push_back([&] { histories.storeByBounces(); });
   jobs.push_back([&] { histories.storeByWalks(); });
   const std::vector<std::vector<double>> seconds = timeInTurns(jobs, rounds);
@@ -495,11 +548,15 @@ void run(const Arguments& arguments)
   const std::size_t cases = std::size(kCases);
   for (std::size_t i = 0; i < cases; ++i)
   {
-    reportPair(kCases[i].name, segments, seconds[2 * i], seconds[2 * i + 1]);
+    reportPair(kCases[i].name, segments, seconds[3 * i], seconds[3 * i + 1]);
+    report("BounceHistory", kCases[i].name, "ns a segment, by index",
+      ratios(1, ratios(1e-9 * segments, seconds[3 * i + 2])));
   }
-  reportPair("replace tails", static_cast<double>(histories.tailSegments), seconds[2 * cases],
-    seconds[2 * cases + 1]);
-  reportPair("store", segments, seconds[2 * cases + 2], seconds[2 * cases + 3]);
+  const auto* const rest = seconds.data() + 3 * cases;
+  reportPair("replace tails", static_cast<double>(histories.tailSegments), rest[0], rest[1]);
+  report("BounceHistory", "index", "ns a segment", ratios(1, ratios(1e-9 * segments, rest[2])));
+  report("BounceHistory", "index", "bytes a segment", indexes.bytes() / segments);
+  reportPair("store", segments, rest[3], rest[4]);
   report("BounceHistory", "memory", "bytes a segment", bytes / segments, { 38, 34 });
   report("BounceHistory", "memory", "bytes a segment, by walks", bytesByWalks / segments);
 }
