@@ -135,9 +135,8 @@ public:
   double shortestLength(std::uint32_t slot) const;
   void setSide(std::uint32_t slot, bool isFront);
 
-  /// Calls visit(slot) for a segment and all after it of its walk, in order. Visiting a contribution
-  /// to a cell (see Contribution.h) is this, where triangle() is not kNone. The segment may be removed
-  /// by then no more than those before it.
+  /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle() is
+  /// not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
   template <class Visit>
   void forEachFrom(std::uint32_t slot, const Visit& visit) const
   {
