@@ -82,7 +82,10 @@ void BounceBlock::giveBack() noexcept
 
 void BounceBlock::addPage()
 {
-  pages_.reserve(pages_.size() + 1);
+  if (pages_.size() == pages_.capacity())
+  {
+    pages_.reserve(2 * pages_.size() + 1); // now, so that a page that was taken is never lost
+  }
   auto* const page = static_cast<BouncePage*>(arena_->take());
   pages_.push_back(page);
   std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
