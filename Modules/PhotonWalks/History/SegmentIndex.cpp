@@ -23,19 +23,31 @@ std::size_t roundedUp(std::size_t size, std::size_t step)
   return (size + step - 1) / step * step;
 }
 
-/// The first five bits of all coordinates of both ends, interleaved: segments with equal upper bits are
-/// alike.
+constexpr unsigned kKeyBits = 5; // of each of the six coordinates
+
+/// The bits of a number, six places apart.
+std::array<std::uint32_t, 1u << kKeyBits> spreadBits()
+{
+  std::array<std::uint32_t, 1u << kKeyBits> spread{};
+  for (std::uint32_t number = 0; number < spread.size(); ++number)
+  {
+    for (unsigned bit = 0; bit < kKeyBits; ++bit)
+    {
+      spread[number] |= (number >> bit & 1u) << 6 * bit;
+    }
+  }
+  return spread;
+}
+
+/// The first bits of all coordinates of both ends, interleaved: segments with equal upper bits are alike.
 std::uint32_t keyOf(const BouncePage& page, std::uint32_t place)
 {
+  static const auto spread = spreadBits();
   std::uint32_t key = 0;
-  constexpr int kFirst = 15, kBits = 5;
-  for (int bit = kFirst; bit > kFirst - kBits; --bit)
+  for (const auto& column : page.ends)
   {
-    for (const auto& column : page.ends)
-    {
-      const auto upwards = static_cast<std::uint16_t>(column[place] ^ 0x8000);
-      key = key << 1 | (static_cast<std::uint32_t>(upwards) >> bit & 1u);
-    }
+    const auto upwards = static_cast<std::uint16_t>(column[place] ^ 0x8000);
+    key = key << 1 | spread[static_cast<unsigned>(upwards) >> (16 - kKeyBits)];
   }
   return key;
 }
@@ -140,8 +152,14 @@ SegmentIndex::Columns SegmentIndex::groupsOf(const Columns& members, std::size_t
     const auto isThere = members.references.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = std::find(isThere, isThere + static_cast<std::ptrdiff_t>(count), kNothing);
     const auto there = end - isThere;
-    std::array<double, kTop> squares[2] = {};
-    for (int column = 0; column < 6 && there > 0; ++column)
+    if (there == 0)
+    {
+      continue;
+    }
+    std::array<double, kTop> squares[2];
+    std::fill_n(squares[0].begin(), there, 0.0);
+    std::fill_n(squares[1].begin(), there, 0.0);
+    for (int column = 0; column < 6; ++column)
     {
       const auto begin = members.ends[column].begin() + static_cast<std::ptrdiff_t>(first);
       const auto [least, most] = std::minmax_element(begin, begin + there);
@@ -153,8 +171,9 @@ SegmentIndex::Columns SegmentIndex::groupsOf(const Columns& members, std::size_t
         squares[column / 3][static_cast<std::size_t>(i)] += off * off;
       }
     }
-    const double square = std::max(*std::max_element(squares[0].begin(), squares[0].end()),
-      *std::max_element(squares[1].begin(), squares[1].end()));
+    const double square =
+      std::max(*std::max_element(squares[0].begin(), squares[0].begin() + there),
+        *std::max_element(squares[1].begin(), squares[1].begin() + there));
     constexpr double kMore = 1 + 0x1p-20; // pays for the rounding to floats
     groups.radius[group] = static_cast<float>(std::sqrt(square) * kMore);
   }
