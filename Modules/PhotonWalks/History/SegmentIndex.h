@@ -14,7 +14,8 @@ namespace irradiance
 /**
  * An index over the stored segments of up to 64 blocks, for scenes of many moved bodies: what a
  * BounceScan takes for each segment and body is taken for each group of like segments first. It finds
- * the same segments. It pays from some kFromBodies bodies on; a scene of fewer should have none.
+ * the same segments. A scene of fewer than kFromBodies bodies should have none: from some 10 on a search
+ * takes less than a scan, with 64 a third; to build it takes as long as to scan for some 70 bodies.
  *
  * Segments are sorted by where both their ends are, then grouped by 16, and by 256. A group is known by a
  * segment in its middle and by how far from that one's ends those of the others are.
@@ -26,7 +27,7 @@ class SegmentIndex
 {
 public:
   static constexpr std::size_t kBlocks = 64;
-  static constexpr std::size_t kFromBodies = 8;
+  static constexpr std::size_t kFromBodies = 16;
 
   using Blocks = std::vector<const BounceBlock*>; ///< up to kBlocks, always the same ones
 
