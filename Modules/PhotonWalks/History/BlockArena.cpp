@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History/BlockArena.h"
+
+#include <algorithm>
+#include <cassert>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::size_t kFirstSlab = std::size_t{ 1 } << 16, kLargestSlab = std::size_t{ 1 } << 22;
+constexpr std::size_t kHugePage = std::size_t{ 1 } << 21;
+
+}
+
+BlockArena::BlockArena(std::size_t pageBytes, SystemPages pages)
+  : pageBytes_((pageBytes + kAlignment - 1) / kAlignment * kAlignment)
+  , pages_(pages)
+{
+}
+
+BlockArena::~BlockArena()
+{
+  assert(used_ == 0);
+}
+
+void* BlockArena::take()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (free_ == nullptr && next_ == end_)
+  {
+    addSlab();
+  }
+  ++used_;
+  if (Free* const page = free_)
+  {
+    free_ = page->next;
+    return page;
+  }
+  void* const page = next_;
+  next_ += pageBytes_;
+  return page;
+}
+
+void BlockArena::giveBack(void* page) noexcept
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  free_ = new (page) Free{ free_ };
+  --used_;
+}
+
+/// Slabs grow with what is held, so that a small scene holds little and a large one asks rarely.
+void BlockArena::addSlab()
+{
+  const bool isHuge = pages_ == SystemPages::Huge;
+  const std::size_t wanted = isHuge ? kLargestSlab : std::clamp(bytes_, kFirstSlab, kLargestSlab);
+  const std::size_t size = std::max<std::size_t>(wanted / pageBytes_, 1) * pageBytes_;
+  const std::size_t alignment = isHuge ? kHugePage : kAlignment;
+  slabs_.reserve(slabs_.size() + 1);
+  Slab slab(static_cast<std::byte*>(
+    std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)));
+  if (!slab)
+  {
+    throw std::bad_alloc();
+  }
+#ifdef __linux__
+  if (isHuge)
+  {
+    madvise(slab.get(), size, MADV_HUGEPAGE); // a wish: it need not be granted
+  }
+#endif
+  slabs_.push_back(std::move(slab));
+  next_ = slabs_.back().get();
+  end_ = next_ + size;
+  bytes_ += size;
+}
+
+std::size_t BlockArena::bytes() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return bytes_ + slabs_.capacity() * sizeof(Slab);
+}
+
+std::size_t BlockArena::bytesInUse() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return used_ * pageBytes_;
+}
+
+void BlockArena::release()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (used_ > 0)
+  {
+    return;
+  }
+  slabs_.clear();
+  bytes_ = 0;
+  free_ = nullptr;
+  next_ = end_ = nullptr;
+}
+
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifdef __x86_64__
+
+#include "History/GridSegments.h"
+#include "History/IndexScan.h"
+#include "History/PageScan.h"
+#include "Simd/Prefetch.h"
+#include "Simd/SimdTarget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <immintrin.h>
+
+IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
+
+#include "History/GridSegments.inl"
+#include "History/PageScan.inl"
+#include "History/WideTags.inl"
+
+#include "History/IndexScan.inl"
+
+namespace irradiance
+{
+namespace
+{
+
+struct Avx2GridLanes : WideTags
+{
+  using Floats = __m256;
+  static constexpr std::size_t kCount = 8;
+
+  static Floats all(float value) { return _mm256_set1_ps(value); }
+  static Floats load(const std::int16_t* places)
+  {
+    const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(places));
+    return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(all));
+  }
+  static Floats loadFloats(const float* values) { return _mm256_loadu_ps(values); }
+  static Floats add(Floats a, Floats b) { return _mm256_add_ps(a, b); }
+  static Floats subtract(Floats a, Floats b) { return _mm256_sub_ps(a, b); }
+  static Floats multiply(Floats a, Floats b) { return _mm256_mul_ps(a, b); }
+  static Floats divide(Floats a, Floats b) { return _mm256_div_ps(a, b); }
+  static Floats least(Floats a, Floats b) { return _mm256_min_ps(a, b); }
+  static Floats most(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+  static Floats absolute(Floats a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
+  /// NaN counts as not above.
+  static unsigned notAbove(Floats a, Floats b)
+  {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_NGT_UQ)));
+  }
+};
+
+}
+
+void scanPagesAvx2(const PageScan& scan)
+{
+  scanPages<Avx2GridLanes>(scan);
+}
+
+std::size_t scanIndexAvx2(const IndexScan& scan)
+{
+  return scanIndex<Avx2GridLanes>(scan);
+}
+
+void placeOnGridAvx2(const PointGrid& grid, const RayColumns& rays, std::size_t first,
+  std::size_t count, GridSegments& segments)
+{
+  placeAllOnGrid(grid, rays, first, count, segments);
+}
+
+}
+
+IRRADIANCE_TARGET_END
+
+#endif

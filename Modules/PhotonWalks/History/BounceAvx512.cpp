@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifdef __x86_64__
+
+#include "History/GridSegments.h"
+#include "History/IndexScan.h"
+#include "History/PageScan.h"
+#include "Simd/Prefetch.h"
+#include "Simd/SimdTarget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <immintrin.h>
+
+IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
+
+#include "History/GridSegments.inl"
+#include "History/PageScan.inl"
+#include "History/WideTags.inl"
+
+#include "History/IndexScan.inl"
+
+namespace irradiance
+{
+namespace
+{
+
+struct Avx512GridLanes : WideTags
+{
+  using Floats = __m512;
+  static constexpr std::size_t kCount = 16;
+
+  static Floats all(float value) { return _mm512_set1_ps(value); }
+  static Floats load(const std::int16_t* places)
+  {
+    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places));
+    return _mm512_cvtepi32_ps(_mm512_cvtepi16_epi32(all));
+  }
+  static Floats loadFloats(const float* values) { return _mm512_loadu_ps(values); }
+  static Floats add(Floats a, Floats b) { return _mm512_add_ps(a, b); }
+  static Floats subtract(Floats a, Floats b) { return _mm512_sub_ps(a, b); }
+  static Floats multiply(Floats a, Floats b) { return _mm512_mul_ps(a, b); }
+  static Floats divide(Floats a, Floats b) { return _mm512_div_ps(a, b); }
+  static Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
+  static Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }
+  static Floats absolute(Floats a) { return _mm512_abs_ps(a); }
+  /// NaN counts as not above.
+  static unsigned notAbove(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_NGT_UQ); }
+};
+
+}
+
+void scanPagesAvx512(const PageScan& scan)
+{
+  scanPages<Avx512GridLanes>(scan);
+}
+
+std::size_t scanIndexAvx512(const IndexScan& scan)
+{
+  return scanIndex<Avx512GridLanes>(scan);
+}
+
+void placeOnGridAvx512(const PointGrid& grid, const RayColumns& rays, std::size_t first,
+  std::size_t count, GridSegments& segments)
+{
+  placeAllOnGrid(grid, rays, first, count, segments);
+}
+
+}
+
+IRRADIANCE_TARGET_END
+
+#endif

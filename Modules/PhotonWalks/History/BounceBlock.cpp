@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History/BounceBlock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::uint8_t kManyBounces = 255;
+
+std::uint8_t tagOf(std::uint8_t kind, GridSegments::State state)
+{
+  constexpr std::uint8_t kTooFar = BounceTag::kAlways | BounceTag::kOpen;
+  return state == GridSegments::Whole ? kind
+    : state == GridSegments::Cut      ? static_cast<std::uint8_t>(kind | BounceTag::kOpen)
+                                      : kTooFar;
+}
+
+/// From a slot to the end of its page.
+std::uint32_t placesFrom(std::uint32_t slot)
+{
+  return BouncePage::kSize - slot % BouncePage::kSize;
+}
+
+}
+
+BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks,
+  int bands, const PointGrid& grid, const Power& power)
+  : arena_(&arena)
+  , firstWalk_(firstWalk)
+  , numberOfWalks_(numberOfWalks)
+  , size_(numberOfWalks)
+  , bands_(bands > 1 ? static_cast<std::uint32_t>(bands) : 0)
+  , grid_(grid)
+  , power_(power)
+{
+  pages_.reserve(3 * numberOfWalks / BouncePage::kSize + 1);
+  while (pages_.size() * BouncePage::kSize < size_)
+  {
+    addPage();
+  }
+}
+
+BounceBlock::~BounceBlock()
+{
+  giveBack();
+}
+
+BounceBlock::BounceBlock(BounceBlock&& other) noexcept = default;
+
+BounceBlock& BounceBlock::operator=(BounceBlock&& other) noexcept
+{
+  giveBack();
+  arena_ = other.arena_;
+  firstWalk_ = other.firstWalk_;
+  numberOfWalks_ = other.numberOfWalks_;
+  size_ = other.size_;
+  bands_ = other.bands_;
+  grid_ = other.grid_;
+  power_ = other.power_;
+  pages_ = std::move(other.pages_);
+  free_ = std::move(other.free_);
+  children_ = std::move(other.children_);
+  parents_ = std::move(other.parents_);
+  return *this;
+}
+
+void BounceBlock::giveBack() noexcept
+{
+  for (BouncePage* const page : pages_)
+  {
+    arena_->giveBack(page);
+  }
+  pages_.clear();
+}
+
+void BounceBlock::addPage()
+{
+  if (pages_.size() == pages_.capacity())
+  {
+    pages_.reserve(2 * pages_.size() + 1); // now, so that a page that was taken is never lost
+  }
+  auto* const page = static_cast<BouncePage*>(arena_->take());
+  pages_.push_back(page);
+  std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
+}
+
+std::int64_t* BounceBlock::powersAt(std::uint32_t slot) const
+{
+  auto* const powers = reinterpret_cast<std::int64_t*>(pages_[slot / BouncePage::kSize] + 1);
+  return powers + std::size_t{ slot % BouncePage::kSize } * bands_;
+}
+
+std::uint32_t BounceBlock::newSlot()
+{
+  if (!free_.empty())
+  {
+    const std::uint32_t slot = free_.back();
+    free_.pop_back();
+    return slot;
+  }
+  while (size_ % kPart >= kCrossing)
+  {
+    ++size_; // a slot that no link can name; its tag stays free
+  }
+  const std::uint32_t slot = size_++;
+  if (pages_.size() * BouncePage::kSize <= slot)
+  {
+    addPage();
+  }
+  return slot;
+}
+
+void BounceBlock::append(
+  const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots)
+{
+  for (std::size_t at = 0; at < count; at += GridSegments::kSize)
+  {
+    appendSome(front, first + at, std::min(GridSegments::kSize, count - at), slots + at);
+  }
+}
+
+void BounceBlock::appendSome(
+  const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots)
+{
+  const bool isScattered = !free_.empty();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint32_t parent = front.parents[first + i];
+    slots[i] = parent == kNone ? front.walks[first + i] - firstWalk_ : newSlot();
+    if (isScattered)
+    {
+      prefetchToStore(slots[i], parent);
+    }
+  }
+  GridSegments segments;
+  placeOnGrid(grid_, front.rays, first, count, segments);
+  for (std::size_t i = 0, run = 1; i < count; i += run)
+  {
+    // Most slots follow each other.
+    const std::size_t most = std::min<std::size_t>(count - i, placesFrom(slots[i]));
+    for (run = 1; run < most && slots[i + run] == slots[i] + run; ++run)
+    {
+    }
+    storeRun(front, first + i, segments, i, slots[i], run);
+  }
+}
+
+void BounceBlock::prefetchToStore(std::uint32_t slot, std::uint32_t parent) const
+{
+  const BouncePage& page = pageOf(slot);
+  const std::uint32_t place = slot % BouncePage::kSize;
+  for (const auto& column : page.ends)
+  {
+    prefetchLine(column + place);
+  }
+  prefetchLine(page.bounces + place);
+  if (parent != kNone)
+  {
+    prefetchLine(pageOf(parent).bounces + parent % BouncePage::kSize);
+    prefetchLine(pageOf(parent).children + parent % BouncePage::kSize);
+  }
+}
+
+/// Rows from `row` on, placed from `at` on, to consecutive slots of a page.
+void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
+  const GridSegments& segments, std::size_t at, std::uint32_t slot, std::size_t count)
+{
+  BouncePage& page = pageOf(slot);
+  const std::uint32_t place = slot % BouncePage::kSize;
+  for (int column = 0; column < 6; ++column)
+  {
+    std::copy_n(segments.ends[column] + at, count, page.ends[column] + place);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    page.records[place + i] = recordOf(front, row + i);
+    page.tags[place + i] =
+      tagOf(front.kinds[row + i], static_cast<GridSegments::State>(segments.states[at + i]));
+  }
+  std::fill_n(page.children + place, count, kEnd);
+  std::fill_n(page.bounces + place, count, std::uint8_t{ 0 });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto stored = slot + static_cast<std::uint32_t>(i);
+    if (bands_ > 0)
+    {
+      std::copy_n(front.powers[row + i].quanta.begin(), bands_, powersAt(stored));
+    }
+    if (front.parents[row + i] != kNone)
+    {
+      link(front.parents[row + i], stored);
+    }
+  }
+}
+
+/// Not linked yet.
+BounceRecord BounceBlock::recordOf(const BounceColumns& front, std::size_t row) const
+{
+  const unsigned contact = front.kinds[row] == BounceColumns::kContact ? BounceRecord::kContact : 0;
+  const unsigned side = front.isFront[row] != 0 ? 0 : BounceRecord::kBack;
+  return { front.triangles[row], { front.weights[0][row], front.weights[1][row] },
+    static_cast<std::uint16_t>((front.walks[row] - firstWalk_) | side | contact), kEnd };
+}
+
+void BounceBlock::link(std::uint32_t parent, std::uint32_t slot)
+{
+  BouncePage& from = pageOf(parent);
+  BouncePage& to = pageOf(slot);
+  const std::uint32_t before = parent % BouncePage::kSize, place = slot % BouncePage::kSize;
+  const bool isNear = partOf(parent) == partOf(slot);
+  from.children[before] = isNear ? static_cast<std::uint16_t>(slot) : kCrossing;
+  to.records[place].parent = isNear ? static_cast<std::uint16_t>(parent) : kCrossing;
+  to.bounces[place] =
+    static_cast<std::uint8_t>(std::min<int>(from.bounces[before] + 1, kManyBounces));
+  if (!isNear)
+  {
+    children_[parent] = slot;
+    parents_[slot] = parent;
+  }
+}
+
+/// From the segment before it.
+void BounceBlock::unlink(std::uint32_t slot)
+{
+  const std::uint32_t parent = previous(slot);
+  if (parent == kNone)
+  {
+    return;
+  }
+  pageOf(parent).children[parent % BouncePage::kSize] = kEnd;
+  if (partOf(parent) != partOf(slot))
+  {
+    children_.erase(parent);
+    parents_.erase(slot);
+  }
+}
+
+void BounceBlock::removeFrom(std::uint32_t slot)
+{
+  unlink(slot);
+  while (slot != kNone)
+  {
+    const std::uint32_t after = next(slot);
+    pageOf(slot).tags[slot % BouncePage::kSize] = BounceTag::kFree;
+    if (after != kNone && partOf(after) != partOf(slot))
+    {
+      children_.erase(slot);
+      parents_.erase(after);
+    }
+    if (slot >= numberOfWalks_)
+    {
+      free_.push_back(slot);
+    }
+    slot = after;
+  }
+}
+
+std::uint32_t BounceBlock::slotOf(const SegmentRef& segment) const
+{
+  std::uint32_t slot = begin(segment.walk);
+  for (std::uint32_t bounce = 0; bounce < segment.bounce && slot != kNone; ++bounce)
+  {
+    slot = next(slot);
+  }
+  return slot;
+}
+
+std::uint32_t BounceBlock::lastOf(std::uint32_t walk) const
+{
+  std::uint32_t last = kNone;
+  forEachFrom(begin(walk), [&](std::uint32_t slot) { last = slot; });
+  return last;
+}
+
+SegmentRef BounceBlock::segmentAt(std::uint32_t slot) const
+{
+  const std::uint32_t walk = walkOf(slot);
+  std::uint32_t more = 0;
+  while (pageOf(slot).bounces[slot % BouncePage::kSize] == kManyBounces)
+  {
+    slot = previous(slot);
+    ++more;
+  }
+  return { walk, pageOf(slot).bounces[slot % BouncePage::kSize] + more };
+}
+
+std::uint32_t BounceBlock::size(std::uint32_t walk) const
+{
+  std::uint32_t size = 0;
+  forEachFrom(begin(walk), [&](std::uint32_t) { ++size; });
+  return size;
+}
+
+Power BounceBlock::power(std::uint32_t slot) const
+{
+  if (bands_ == 0)
+  {
+    return power_;
+  }
+  Power power;
+  std::copy_n(powersAt(slot), bands_, power.quanta.begin());
+  return power;
+}
+
+void BounceBlock::setSide(std::uint32_t slot, bool isFront)
+{
+  std::uint16_t& walk = record(slot).walk;
+  walk =
+    static_cast<std::uint16_t>(isFront ? walk & ~BounceRecord::kBack : walk | BounceRecord::kBack);
+}
+
+/// A segment that was cut is longer.
+double BounceBlock::shortestLength(std::uint32_t slot) const
+{
+  const BouncePage& page = pageOf(slot);
+  const std::uint32_t place = slot % BouncePage::kSize;
+  if (page.tags[place] == tagOf(0, GridSegments::TooFar))
+  {
+    return 0;
+  }
+  Vector3 shortest;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double along = std::abs(page.ends[axis][place] - page.ends[3 + axis][place]);
+    shortest[axis] = std::max(0.0, along - 1 - 2 * GridSegments::kBlur) * grid_.step[axis];
+  }
+  return shortest.norm() * (1 - 0x1p-40);
+}
+
+std::size_t BounceBlock::bytes() const
+{
+  constexpr std::size_t kNode = 4 * sizeof(void*); // of a map, and its share of the buckets
+  return sizeof(*this) + pages_.size() * arena_->pageBytes() + pages_.capacity() * sizeof(void*) +
+    free_.capacity() * sizeof(std::uint32_t) + (children_.size() + parents_.size()) * kNode;
+}
+
+}

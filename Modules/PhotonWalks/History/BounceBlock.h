@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_BounceBlock_h
+#define irradiance_BounceBlock_h
+
+#include "History/BlockArena.h"
+#include "History/BouncePage.h"
+#include "History/GridSegments.h"
+#include "History/SegmentRef.h"
+#include "Simd/Prefetch.h"
+#include "Surfaces/Power.h"
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Segments that were shot side by side, in columns. Rows are read up to RayColumns::kPadding places
+/// behind the last one.
+struct BounceColumns
+{
+  RayColumns rays;
+  const std::uint32_t* walks;
+  const std::uint32_t* parents;   ///< slot of the segment before, BounceBlock::kNone at bounce 0
+  const std::uint32_t* triangles; ///< that were hit, numbered through all objects, or kNone
+  const float* weights[2];        ///< see Hit
+  const std::uint8_t* kinds;      ///< BounceTag::kindOf the object that was hit, or kContact
+  const std::uint8_t* isFront;    ///< the side that was hit, 0 or 1
+  const Power* powers = nullptr;  ///< if there are several bands
+
+  /// The kind of a hit that may depend on dynamic objects that touch, see Contacts.
+  static constexpr std::uint8_t kContact = BounceTag::kAlways;
+};
+
+/**
+ * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock, as WalkBlock stores them,
+ * but by bounces: a front of walks is appended as it was shot.
+ *
+ * Each segment has a slot, which it keeps. The first segment of a walk is in the slot of the walk's
+ * number, counted from the first; from there links lead to the segment after, and back to the one
+ * before. Slots of tails that were removed are tagged as free and used again; nothing is ever moved.
+ * So a slot names a segment for as long as it is stored, to photons as well.
+ *
+ * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
+ * of 64 K slots to another is listed aside. That takes 64 segments a walk.
+ *
+ * A cache of static hits (section 3.3 of the paper) needs nothing of this class: a map beside it from
+ * slots to hits, whose entry is dropped where the slot is visited before removeFrom().
+ */
+class BounceBlock
+{
+public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// The size of the arena's pages.
+  static std::size_t pageBytes(int bands)
+  {
+    return sizeof(BouncePage) +
+      (bands > 1 ? static_cast<std::size_t>(bands) * BouncePage::kSize * sizeof(std::int64_t) : 0);
+  }
+
+  /// `grid`: of the ends. `power`: of all segments, if there is one band; several have a power for
+  /// each segment.
+  BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands,
+    const PointGrid& grid, const Power& power);
+  ~BounceBlock();
+  BounceBlock(BounceBlock&& other) noexcept;
+  BounceBlock& operator=(BounceBlock&& other) noexcept;
+
+  std::uint32_t firstWalk() const { return firstWalk_; }
+  std::uint32_t endWalk() const { return firstWalk_ + numberOfWalks_; }
+  std::uint32_t numberOfWalks() const { return numberOfWalks_; }
+  const PointGrid& grid() const { return grid_; }
+  /// All slots, free ones included.
+  std::uint32_t slots() const { return size_; }
+  bool isFree(std::uint32_t slot) const { return tag(slot) == BounceTag::kFree; }
+
+  /// Stores rows [first, first + count) of a front, all of walks of this block, and writes the slot
+  /// of each to `slots`. A walk has no segment after a row's parent, or at all for a bounce of 0.
+  void append(
+    const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
+  /// Removes this segment and all after it of its walk.
+  void removeFrom(std::uint32_t slot);
+
+  // From a segment of a walk to its slot, and back.
+  /// The first segment of a walk, or kNone.
+  std::uint32_t begin(std::uint32_t walk) const
+  {
+    const std::uint32_t slot = walk - firstWalk_;
+    return isFree(slot) ? kNone : slot;
+  }
+  /// kNone after the last.
+  std::uint32_t next(std::uint32_t slot) const
+  {
+    const std::uint16_t child = pageOf(slot).children[slot % BouncePage::kSize];
+    return child < kCrossing ? partOf(slot) | child
+      : child == kCrossing   ? children_.at(slot)
+                             : kNone;
+  }
+  /// kNone before the first.
+  std::uint32_t previous(std::uint32_t slot) const
+  {
+    const std::uint16_t parent = record(slot).parent;
+    return parent < kCrossing ? partOf(slot) | parent
+      : parent == kCrossing   ? parents_.at(slot)
+                              : kNone;
+  }
+  std::uint32_t slotOf(const SegmentRef& segment) const;
+  std::uint32_t lastOf(std::uint32_t walk) const;
+  SegmentRef segmentAt(std::uint32_t slot) const;
+  /// The number of segments of a walk.
+  std::uint32_t size(std::uint32_t walk) const;
+
+  // What is known of a segment.
+  /// kNone if it escapes.
+  std::uint32_t triangle(std::uint32_t slot) const { return record(slot).triangle; }
+  std::array<float, 2> weights(std::uint32_t slot) const
+  {
+    return { record(slot).weights[0], record(slot).weights[1] };
+  }
+  std::uint32_t walkOf(std::uint32_t slot) const
+  {
+    return firstWalk_ + (record(slot).walk & BounceRecord::kWalk);
+  }
+  bool isFront(std::uint32_t slot) const { return (record(slot).walk & BounceRecord::kBack) == 0; }
+  bool isContact(std::uint32_t slot) const
+  {
+    return (record(slot).walk & BounceRecord::kContact) != 0;
+  }
+  Power power(std::uint32_t slot) const;
+  std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
+  /// Lower bound of a segment's length in the world, too short by some steps of the grid.
+  double shortestLength(std::uint32_t slot) const;
+  void setSide(std::uint32_t slot, bool isFront);
+
+  /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle() is
+  /// not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
+  template <class Visit>
+  void forEachFrom(std::uint32_t slot, const Visit& visit) const
+  {
+    for (; slot != kNone; slot = next(slot))
+    {
+      visit(slot);
+    }
+  }
+  /// For all segments, in the order of slots: that of memory.
+  template <class Visit>
+  void forEach(const Visit& visit) const
+  {
+    for (std::uint32_t slot = 0; slot < size_; ++slot)
+    {
+      if (!isFree(slot))
+      {
+        visit(slot);
+      }
+    }
+  }
+
+  /// Prefetches what a slot's queries read.
+  void prefetch(std::uint32_t slot) const
+  {
+    prefetchLine(&record(slot));
+    prefetchLine(&pageOf(slot).children[slot % BouncePage::kSize]);
+    prefetchLine(&pageOf(slot).tags[slot % BouncePage::kSize]);
+  }
+  /// The slots as a scan reads them.
+  const std::vector<BouncePage*>& pages() const { return pages_; }
+
+  /// Memory held, including unused slots.
+  std::size_t bytes() const;
+
+private:
+  static constexpr std::uint16_t kEnd = 0xffff;      ///< a link to nothing
+  static constexpr std::uint16_t kCrossing = 0xfffe; ///< a link that is listed aside
+  static constexpr std::uint32_t kPart = 1u << 16;
+
+  static std::uint32_t partOf(std::uint32_t slot) { return slot & ~(kPart - 1); }
+  BouncePage& pageOf(std::uint32_t slot) { return *pages_[slot / BouncePage::kSize]; }
+  const BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
+  BounceRecord& record(std::uint32_t slot)
+  {
+    return pageOf(slot).records[slot % BouncePage::kSize];
+  }
+  const BounceRecord& record(std::uint32_t slot) const
+  {
+    return pageOf(slot).records[slot % BouncePage::kSize];
+  }
+  std::int64_t* powersAt(std::uint32_t slot) const;
+  std::uint32_t newSlot();
+  void addPage();
+  void appendSome(
+    const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
+  void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const;
+  void storeRun(const BounceColumns& front, std::size_t row, const GridSegments& segments,
+    std::size_t at, std::uint32_t slot, std::size_t count);
+  BounceRecord recordOf(const BounceColumns& front, std::size_t row) const;
+  void link(std::uint32_t parent, std::uint32_t slot);
+  void unlink(std::uint32_t slot);
+  void giveBack() noexcept;
+
+  BlockArena* arena_;
+  std::uint32_t firstWalk_, numberOfWalks_;
+  std::uint32_t size_;  ///< slots
+  std::uint32_t bands_; ///< stored for each segment: none if all powers are the same
+  PointGrid grid_;
+  Power power_;
+  std::vector<BouncePage*> pages_;
+  std::vector<std::uint32_t> free_; ///< slots, except those of first segments
+  std::unordered_map<std::uint32_t, std::uint32_t> children_, parents_; ///< links between parts
+};
+
+}
+
+#endif

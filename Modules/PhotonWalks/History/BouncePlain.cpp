@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History/GridSegments.h"
+#include "History/IndexScan.h"
+#include "History/PageScan.h"
+#include "Simd/Prefetch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "History/GridSegments.inl"
+#include "History/PageScan.inl"
+
+#include "History/IndexScan.inl"
+
+namespace irradiance
+{
+namespace
+{
+
+struct PlainGridLanes
+{
+  using Floats = float;
+  static constexpr std::size_t kCount = 1;
+
+  static Floats all(float value) { return value; }
+  static Floats load(const std::int16_t* places) { return *places; }
+  static Floats loadFloats(const float* values) { return *values; }
+  static Floats add(Floats a, Floats b) { return a + b; }
+  static Floats subtract(Floats a, Floats b) { return a - b; }
+  static Floats multiply(Floats a, Floats b) { return a * b; }
+  static Floats divide(Floats a, Floats b) { return a / b; }
+  static Floats least(Floats a, Floats b) { return a < b ? a : b; }
+  static Floats most(Floats a, Floats b) { return a > b ? a : b; }
+  static Floats absolute(Floats a) { return std::fabs(a); }
+  /// NaN counts as not above.
+  static unsigned notAbove(Floats a, Floats b) { return a > b ? 0 : 1; }
+
+  static unsigned stored(const std::uint8_t* tags)
+  {
+    unsigned bits = 0;
+    for (unsigned i = 0; i < PageScan::kGroupSize; ++i)
+    {
+      bits |= (tags[i] != BounceTag::kFree ? 1u : 0u) << i;
+    }
+    return bits;
+  }
+  static unsigned tagged(const std::uint8_t* tags, const TagSet& set)
+  {
+    unsigned bits = 0;
+    for (unsigned i = 0; i < PageScan::kGroupSize; ++i)
+    {
+      bits |= (set.has(tags[i]) ? 1u : 0u) << i;
+    }
+    return bits;
+  }
+};
+
+}
+
+void scanPagesPlain(const PageScan& scan)
+{
+  scanPages<PlainGridLanes>(scan);
+}
+
+std::size_t scanIndexPlain(const IndexScan& scan)
+{
+  return scanIndex<PlainGridLanes>(scan);
+}
+
+void placeOnGridPlain(const PointGrid& grid, const RayColumns& rays, std::size_t first,
+  std::size_t count, GridSegments& segments)
+{
+  placeAllOnGrid(grid, rays, first, count, segments);
+}
+
+}

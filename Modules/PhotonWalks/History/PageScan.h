@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PageScan_h
+#define irradiance_PageScan_h
+
+#include "History/BouncePage.h"
+#include "History/GridBody.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace irradiance
+{
+
+/// Which tags are flagged.
+struct TagSet
+{
+  std::uint8_t rows[16] = {}; ///< kind k has bit k / 16 of rows[k % 16]
+  std::uint8_t open = 0;      ///< BounceTag::kOpen if all open segments are flagged
+
+  void add(std::uint8_t kind)
+  {
+    std::uint8_t& row = rows[kind % 16];
+    row = static_cast<std::uint8_t>(row | 1u << kind / 16);
+  }
+  bool has(std::uint8_t tag) const
+  {
+    const unsigned kind = tag & BounceTag::kKinds;
+    return (rows[kind % 16] >> kind / 16 & 1) != 0 || (tag & open) != 0;
+  }
+};
+
+/// What the loops of a BounceScan work on: they test each segment of some pages once.
+struct PageScan
+{
+  static constexpr std::uint32_t kGroupSize = 16; ///< segments to a word of `flagged`
+  static constexpr std::uint32_t kGroups = BouncePage::kSize / kGroupSize;
+
+  const BouncePage* const* pages;
+  std::size_t numberOfPages;
+  const BouncePage* next; ///< is scanned afterwards, to be prefetched; may be null
+  TagSet tags;
+  const GridBody* bodies;
+  std::size_t numberOfBodies;
+  /// A bit for each slot, kGroups words for each page: set if a segment is stored there that may touch
+  /// a body, or whose tag is in `tags`. The same on every machine.
+  std::uint16_t* flagged;
+};
+
+void scanPagesPlain(const PageScan& scan);
+#ifdef __x86_64__
+void scanPagesAvx2(const PageScan& scan);
+void scanPagesAvx512(const PageScan& scan);
+#endif
+
+}
+
+#endif

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../RayCasting/TestMeshes.h"
+#include "BounceFront.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+// Law: a block answers what a plain list of segments for each walk would answer, after any appends and
+// removals, and holds little more than 32 bytes a segment.
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::BounceFront;
+using test::BounceSegment;
+
+constexpr std::uint32_t kFirst = 5 * 1024;
+
+Box unitBox()
+{
+  Box box;
+  box.add(Vector3::Constant(-1));
+  box.add(Vector3::Constant(1));
+  return box;
+}
+
+/// What was stored, walk by walk.
+struct Model
+{
+  struct Entry
+  {
+    BounceSegment segment;
+    std::uint32_t slot;
+  };
+  std::vector<std::vector<Entry>> walks;
+
+  std::size_t size() const
+  {
+    std::size_t size = 0;
+    for (const auto& walk : walks)
+    {
+      size += walk.size();
+    }
+    return size;
+  }
+};
+
+/// Applies the same operations to a block and to its model.
+class Twins
+{
+public:
+  Twins(unsigned seed, std::uint32_t walks, int bands)
+    : random_(seed)
+    , bands_(bands)
+    , arena_(BounceBlock::pageBytes(bands))
+    , block_(arena_, kFirst, walks, bands, PointGrid(unitBox()), onePower())
+    , model_{ std::vector<std::vector<Model::Entry>>(walks) }
+  {
+  }
+
+  /// One more segment for each walk of a random share of them.
+  void append(double share)
+  {
+    BounceFront front;
+    for (std::uint32_t walk = 0; walk < model_.walks.size(); ++walk)
+    {
+      if (uniform() < share)
+      {
+        const auto& before = model_.walks[walk];
+        front.add(segment(walk, before.empty() ? BounceBlock::kNone : before.back().slot));
+      }
+    }
+    const std::vector<std::uint32_t> slots = front.appendTo(block_);
+    for (std::size_t i = 0; i < front.size(); ++i)
+    {
+      model_.walks[front[i].walk - kFirst].push_back({ front[i], slots[i] });
+    }
+  }
+
+  /// A random tail of each walk of a random share of them; all of it with `isWhole`.
+  void remove(double share, bool isWhole)
+  {
+    for (auto& walk : model_.walks)
+    {
+      if (!walk.empty() && uniform() < share)
+      {
+        const std::size_t first = isWhole ? 0 : random_() % walk.size();
+        block_.removeFrom(walk[first].slot);
+        walk.resize(first, {});
+      }
+    }
+  }
+
+  void turnSides()
+  {
+    for (auto& walk : model_.walks)
+    {
+      if (!walk.empty() && uniform() < 0.1)
+      {
+        Model::Entry& entry = walk[random_() % walk.size()];
+        entry.segment.isFront = !entry.segment.isFront;
+        block_.setSide(entry.slot, entry.segment.isFront);
+      }
+    }
+  }
+
+  /// Moves the block back and forth.
+  void move()
+  {
+    BounceBlock other = std::move(block_);
+    block_ = std::move(other);
+  }
+
+  void expectEqual() const
+  {
+    std::vector<std::uint32_t> used;
+    for (std::uint32_t i = 0; i < model_.walks.size(); ++i)
+    {
+      ASSERT_NO_FATAL_FAILURE(expectEqualWalk(i));
+      for (const Model::Entry& entry : model_.walks[i])
+      {
+        used.push_back(entry.slot);
+      }
+    }
+    std::sort(used.begin(), used.end());
+    std::vector<std::uint32_t> visited;
+    block_.forEach([&](std::uint32_t slot) { visited.push_back(slot); });
+    ASSERT_EQ(visited, used);
+  }
+
+  const BounceBlock& block() const { return block_; }
+  const BlockArena& arena() const { return arena_; }
+  std::size_t segments() const { return model_.size(); }
+
+private:
+  static Power onePower()
+  {
+    Power power;
+    power[0] = 1234567;
+    return power;
+  }
+  double uniform() { return std::uniform_real_distribution<double>()(random_); }
+
+  BounceSegment segment(std::uint32_t walk, std::uint32_t parent)
+  {
+    BounceSegment segment;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      segment.origin[axis] = 2 * uniform() - 1;
+      segment.direction[axis] = static_cast<float>(2 * uniform() - 1);
+      segment.power[axis] = axis < bands_ ? static_cast<std::int64_t>(random_() >> 2) : 0;
+    }
+    segment.walk = kFirst + walk;
+    segment.parent = parent;
+    if (uniform() < 0.8)
+    {
+      segment.distance = uniform();
+      segment.triangle = static_cast<std::uint32_t>(random_() % BounceBlock::kNone);
+      segment.weights = { static_cast<float>(uniform()), static_cast<float>(uniform()) };
+      segment.kind = uniform() < 0.1
+        ? BounceColumns::kContact
+        : BounceTag::kindOf(static_cast<std::uint32_t>(random_() % 1000));
+    }
+    segment.isFront = uniform() < 0.5;
+    return segment;
+  }
+
+  void expectEqualWalk(std::uint32_t i) const
+  {
+    const auto& walk = model_.walks[i];
+    const std::uint32_t number = kFirst + i;
+    ASSERT_EQ(block_.size(number), walk.size());
+    ASSERT_EQ(block_.begin(number), walk.empty() ? BounceBlock::kNone : walk.front().slot);
+    ASSERT_EQ(block_.lastOf(number), walk.empty() ? BounceBlock::kNone : walk.back().slot);
+    std::uint32_t before = BounceBlock::kNone, slot = block_.begin(number);
+    for (std::uint32_t bounce = 0; bounce < walk.size(); ++bounce)
+    {
+      ASSERT_EQ(slot, walk[bounce].slot);
+      ASSERT_EQ(block_.previous(slot), before);
+      ASSERT_NO_FATAL_FAILURE(expectEqualSegment(slot, walk[bounce].segment));
+      const bool isCounted = walk.size() < 100 || bounce % 997 == 0; // what follows counts links
+      if (isCounted)
+      {
+        ASSERT_EQ(block_.slotOf({ number, bounce }), slot);
+        ASSERT_EQ(block_.segmentAt(slot), (SegmentRef{ number, bounce }));
+      }
+      before = slot;
+      slot = block_.next(slot);
+    }
+    ASSERT_EQ(slot, BounceBlock::kNone);
+    ASSERT_EQ(block_.slotOf({ number, static_cast<std::uint32_t>(walk.size()) }), slot);
+  }
+
+  void expectEqualSegment(std::uint32_t slot, const BounceSegment& segment) const
+  {
+    ASSERT_FALSE(block_.isFree(slot));
+    ASSERT_EQ(block_.walkOf(slot), segment.walk);
+    ASSERT_EQ(block_.triangle(slot), segment.triangle);
+    ASSERT_EQ(block_.weights(slot), segment.weights);
+    ASSERT_EQ(block_.isFront(slot), segment.isFront);
+    ASSERT_EQ(block_.isContact(slot), segment.kind == BounceColumns::kContact);
+    ASSERT_EQ(block_.tag(slot) & BounceTag::kKinds, segment.kind);
+    ASSERT_TRUE(block_.power(slot) == (bands_ > 1 ? segment.power : onePower()));
+    const Vector3 along = segment.distance * segment.direction.cast<double>();
+    const Vector3 end = segment.origin + along;
+    const bool isWhole =
+      segment.distance < kInfinity && block_.grid()(end).cwiseAbs().maxCoeff() <= PointGrid::kReach;
+    ASSERT_EQ((block_.tag(slot) & BounceTag::kOpen) == 0, isWhole);
+    const double shortest = block_.shortestLength(slot);
+    ASSERT_LE(shortest, along.norm());
+    if (isWhole)
+    {
+      ASSERT_GT(shortest, along.norm() - 2e-4);
+    }
+  }
+
+  std::mt19937_64 random_;
+  int bands_;
+  BlockArena arena_;
+  BounceBlock block_;
+  Model model_;
+};
+
+/// Some thousand segments at a time are appended, removed and stored anew.
+void compareWithModel(unsigned seed, std::uint32_t walks, int bands, int steps)
+{
+  Twins twins(seed, walks, bands);
+  std::mt19937_64 random(seed);
+  std::size_t most = 0;
+  for (int step = 0; step < steps; ++step)
+  {
+    const double share = static_cast<double>(1 + random() % 4) / 4;
+    const auto what = random() % 8;
+    what < 4     ? twins.append(share)
+      : what < 7 ? twins.remove(share / 2, what == 6)
+                 : twins.turnSides();
+    if (step % 16 == 0)
+    {
+      twins.move();
+    }
+    ASSERT_NO_FATAL_FAILURE(twins.expectEqual()) << "seed " << seed << ", step " << step;
+    most = std::max(most, twins.segments());
+  }
+  // Free slots are used again: memory is in proportion to the most that was stored.
+  const std::size_t page = twins.arena().pageBytes();
+  EXPECT_LE(twins.arena().bytesInUse(), (most + walks) * page / BouncePage::kSize + 2 * page)
+    << "seed " << seed;
+}
+
+}
+
+TEST(BounceBlock, AgreesWithAPlainModelUnderRandomOperations)
+{
+  compareWithModel(1, 1024, 1, 400 / test::kFewer);
+  compareWithModel(2, 1024, 3, 200 / test::kFewer);
+  compareWithModel(3, 1, 1, 400);
+  compareWithModel(4, 700, 2, 200 / test::kFewer);
+}
+
+// Links of 16 bits reach 64 K slots, the count of bounces 255; walks may be longer.
+TEST(BounceBlock, LongWalks)
+{
+  constexpr std::uint32_t kWalks = 16, kLength = 3 * 65536 / kWalks;
+  Twins twins(5, kWalks, 1);
+  for (std::uint32_t bounce = 0; bounce < kLength; ++bounce)
+  {
+    twins.append(1);
+  }
+  ASSERT_NO_FATAL_FAILURE(twins.expectEqual());
+  for (int round = 0; round < 4; ++round)
+  {
+    twins.remove(0.5, round == 3);
+    ASSERT_NO_FATAL_FAILURE(twins.expectEqual());
+    for (std::uint32_t bounce = 0; bounce < kLength / 4; ++bounce)
+    {
+      twins.append(0.9);
+    }
+    ASSERT_NO_FATAL_FAILURE(twins.expectEqual());
+  }
+}
+
+// A segment takes 32 bytes; pages are not quite full.
+TEST(BounceBlock, FewBytesASegment)
+{
+  for (const double mean : { 2.0, 2.2, 2.5, 2.8, 3.0 })
+  {
+    Twins twins(6, 1024, 1);
+    for (double alive = 1; alive > 1e-6; alive *= 1 - 1 / mean)
+    {
+      twins.append(alive);
+    }
+    const auto segments = static_cast<double>(twins.segments());
+    EXPECT_LT(static_cast<double>(twins.block().bytes()) / segments, 36.0) << mean;
+    EXPECT_LT(static_cast<double>(twins.arena().bytes()) / segments, 38.0 + 65536 / segments);
+  }
+}
+
+TEST(BlockArena, UsesMemoryAgain)
+{
+  constexpr std::size_t kPage = sizeof(BouncePage);
+  for (const auto pages : { BlockArena::SystemPages::Usual, BlockArena::SystemPages::Huge })
+  {
+    BlockArena arena(kPage, pages);
+    EXPECT_EQ(arena.bytes(), 0u);
+    std::vector<void*> taken;
+    for (int i = 0; i < 1000; ++i)
+    {
+      taken.push_back(arena.take());
+      std::fill_n(static_cast<char*>(taken.back()), kPage, static_cast<char>(i));
+    }
+    EXPECT_EQ(arena.bytesInUse(), 1000 * kPage);
+    EXPECT_GE(arena.bytes(), 1000 * kPage);
+    EXPECT_LT(arena.bytes(), 2000 * kPage);
+    for (int i = 0; i < 1000; ++i)
+    {
+      const char* const page = static_cast<const char*>(taken[static_cast<std::size_t>(i)]);
+      ASSERT_EQ(std::count(page, page + kPage, static_cast<char>(i)), std::ptrdiff_t{ kPage });
+    }
+    const std::size_t held = arena.bytes();
+    arena.release(); // nothing happens
+    std::sort(taken.begin(), taken.end());
+    for (int round = 0; round < 3; ++round)
+    {
+      for (void* const page : taken)
+      {
+        arena.giveBack(page);
+      }
+      std::vector<void*> again;
+      for (std::size_t i = 0; i < taken.size(); ++i)
+      {
+        again.push_back(arena.take());
+      }
+      std::sort(again.begin(), again.end());
+      ASSERT_EQ(again, taken);
+    }
+    EXPECT_EQ(arena.bytes(), held);
+    for (void* const page : taken)
+    {
+      arena.giveBack(page);
+    }
+    EXPECT_EQ(arena.bytesInUse(), 0u);
+    arena.release();
+    EXPECT_LT(arena.bytes(), 1000u);
+  }
+}
+
+}
