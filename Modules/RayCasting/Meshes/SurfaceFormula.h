@@ -30,6 +30,7 @@ struct SurfaceFormula
 
   Point position, normal;
   double clearance;
+  Point kept; ///< the weights, raised to what keeps the point off the edges
 
   /// The weights of the corners a, b, c are `weight` x, y, z.
   __attribute__((always_inline))
@@ -44,7 +45,7 @@ struct SurfaceFormula
     clearance = kClearance * most(most(largest(a), largest(b)), largest(c));
     const double perEdge = clearance * perLength;
     // The 1-norm is no less than the length and needs no square root.
-    const Point kept{ inside(weight.x, perEdge * sum(minus(c, b))),
+    kept = { inside(weight.x, perEdge * sum(minus(c, b))),
       inside(weight.y, perEdge * sum(minus(a, c))), inside(weight.z, perEdge * sum(minus(b, a))) };
     const double scale = 1 / (kept.x + kept.y + kept.z);
     position = { (kept.x * a.x + kept.y * b.x + kept.z * c.x) * scale,

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Tally/PhotonCounts.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// All 0 between uses, so that it need not be cleared.
+std::vector<std::int32_t>& tableOfThread()
+{
+  static thread_local std::vector<std::int32_t> table;
+  return table;
+}
+
+}
+
+PhotonCounts::PhotonCounts(CellSums& sums, std::int64_t quanta, std::size_t expected)
+  : sums_(sums)
+  , quanta_(quanta)
+  , table_(sums.slots() / kSlotsPerPhoton <= expected ? &tableOfThread() : nullptr)
+{
+  assert(sums.slots() < 0xffffffffu);
+  if (table_ && table_->size() <= sums.slots())
+  {
+    table_->resize(sums.slots() + 1); // the last entry is for what escapes
+  }
+}
+
+PhotonCounts::~PhotonCounts()
+{
+  flush();
+}
+
+void PhotonCounts::change(const std::uint32_t* slots, std::size_t count, std::int32_t sign)
+{
+  if (!table_)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (slots[i] != escaped())
+      {
+        list_.push_back({ slots[i], sign * quanta_ });
+      }
+    }
+    return;
+  }
+  if (counted_ + count > kMostPhotons)
+  {
+    flush();
+  }
+  counted_ += count;
+  std::int32_t* const table = table_->data();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    table[slots[i]] += sign;
+  }
+}
+
+void PhotonCounts::flush()
+{
+  if (table_ && counted_ > 0)
+  {
+    sums_.addCounts(table_->data(), quanta_);
+    (*table_)[escaped()] = 0;
+    counted_ = 0;
+  }
+  if (!list_.empty())
+  {
+    sums_.add(list_);
+    list_.clear();
+  }
+}
+
+void PhotonCounts::discard()
+{
+  if (table_)
+  {
+    std::fill_n(table_->begin(), sums_.slots() + 1, 0);
+    counted_ = 0;
+  }
+  list_.clear();
+}
+
+}
