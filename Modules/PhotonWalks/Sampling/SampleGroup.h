@@ -10,7 +10,8 @@ namespace irradiance
 /// What walks side by side need to know of Replicates: the division for all lanes at once.
 struct ReplicateLanes
 {
-  static constexpr unsigned kSize = 16;
+  static constexpr unsigned kSize =
+    32; ///< compilers unroll shorter loops, and then miss the vectors
 
   alignas(64) std::uint32_t replicate[kSize], number[kSize]; ///< number: within the replicate
 
@@ -70,10 +71,11 @@ private:
   __attribute__((always_inline)) void setKeys(const BounceKeys& keys, const std::uint32_t* walks,
     const std::uint32_t* bounces, std::uint32_t ahead)
   {
+    const std::uint32_t same = keys.bounce() - ahead;
     std::uint32_t others = 0;
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      others |= (bounces[lane] + ahead) ^ keys.bounce();
+      others |= bounces[lane] ^ same;
     }
     if (others != 0)
     {
@@ -81,12 +83,14 @@ private:
     }
     else if (keys.replicates() == 1)
     {
+      const std::uint32_t first = keys.firstWalk(), ofIndex = *keys.shuffles(),
+                          ofX = *keys.scramblesX(), ofY = *keys.scramblesY();
       for (unsigned lane = 0; lane < kSize; ++lane)
       {
-        index[lane] = walks[lane] - keys.firstWalk();
-        shuffle[lane] = *keys.shuffles();
-        scrambleX[lane] = *keys.scramblesX();
-        scrambleY[lane] = *keys.scramblesY();
+        index[lane] = walks[lane] - first;
+        shuffle[lane] = ofIndex;
+        scrambleX[lane] = ofX;
+        scrambleY[lane] = ofY;
       }
     }
     else

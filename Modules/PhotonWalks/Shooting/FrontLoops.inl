@@ -9,6 +9,10 @@ namespace
 
 constexpr unsigned kGroup = WalkFront::kGroup;
 static_assert(kGroup == SampleGroup::kSize);
+/// Lanes::Packing takes that many walks.
+constexpr unsigned kPacked = 16;
+static_assert(
+  kPacked <= FrontColumn<float>::kRoomBehind && kGroup <= FrontColumn<float>::kRoomBehind);
 
 /// Bisection as in LightTable::choose(), all lanes in step.
 __attribute__((always_inline)) inline void chooseLights(
@@ -27,23 +31,27 @@ __attribute__((always_inline)) inline void chooseLights(
     const auto half = static_cast<std::uint32_t>(count / 2);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      chosen[lane] += upTo[chosen[lane] + half - 1] <= flux[lane] ? half : 0u;
+      chosen[lane] +=
+        static_cast<std::uint32_t>(upTo[chosen[lane] + half - 1] <= flux[lane]) * half;
     }
     count -= half;
   }
 }
 
-/// Uniform over the area of a triangle, as sampleTriangle(), in float.
+/// Places uniform over the area of triangles, as sampleTriangle(), in float.
 __attribute__((always_inline)) inline void placeOnTriangles(
   const SampleGroup& samples, float* weightB, float* weightC)
 {
+  alignas(64) float b[kGroup], c[kGroup];
   for (unsigned lane = 0; lane < kGroup; ++lane)
   {
     const float root = __builtin_sqrtf((static_cast<float>(samples.x[lane]) + 0.5F) * 0x1p-32F);
     const float part = (static_cast<float>(samples.y[lane]) + 0.5F) * 0x1p-32F;
-    weightB[lane] = root * (1 - part);
-    weightC[lane] = root * part;
+    b[lane] = root * (1 - part);
+    c[lane] = root * part;
   }
+  std::memcpy(weightB, b, sizeof(b));
+  std::memcpy(weightC, c, sizeof(c));
 }
 
 template <class Lanes>
@@ -51,42 +59,60 @@ void runStartLoop(const StartLoop& loop)
 {
   WalkFront& front = loop.front;
   SampleGroup samples;
+  std::uint32_t chosen[kGroup], triangles[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
     const std::uint32_t *walks = &front.walk[i], *bounces = &front.bounce[i];
     samples.drawFirst(loop.lights, walks, bounces, 0);
-    chooseLights(loop.cumulativeFlux, samples.x, loop.chosen + i);
+    chooseLights(loop.cumulativeFlux, samples.x, chosen);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      front.start[i + lane] = loop.triangles[loop.chosen[i + lane]];
-      front.side[i + lane] = 1;
+      triangles[lane] = loop.triangles[chosen[lane]];
     }
+    std::memcpy(loop.chosen + i, chosen, sizeof(chosen));
+    std::memcpy(&front.start[i], triangles, sizeof(triangles));
+    std::memset(&front.side[i], 1, kGroup);
     samples.draw(loop.positions, walks, bounces, 0);
     placeOnTriangles(samples, &front.weightB[i], &front.weightC[i]);
+  }
+}
+
+/// Asks memory for the looks of hits two groups ahead.
+__attribute__((always_inline)) inline void prefetchLooks(
+  const SceneRows& rows, const WalkFront& front, std::size_t i)
+{
+  const std::size_t ahead = i + 2 * kGroup;
+  const std::uint32_t* const hits = front.hit.data() + ahead;
+  for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
+  {
+    prefetchLine(rows.lookOf(hits[lane]));
   }
 }
 
 template <class Lanes>
 void runSurviveLoop(const SurviveLoop& loop)
 {
-  constexpr std::size_t kAhead = 2 * kGroup;
+  static_assert(CellLook::kSurvivesAlways == 1u << 31);
   WalkFront& front = loop.front;
+  const SceneRows rows = loop.rows;
   SampleGroup samples;
+  alignas(64) std::uint32_t threshold[kGroup], always[kGroup], survives[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    for (unsigned lane = 0; i + kAhead < front.size && lane < kGroup; ++lane)
-    {
-      prefetchLine(loop.rows.lookOf(front.hit[i + kAhead + lane]));
-    }
+    prefetchLooks(rows, front, i);
     samples.drawFirst(loop.keys, &front.walk[i], &front.bounce[i], 1);
-    alignas(64) std::uint32_t survives[kGroup];
+    const std::uint32_t* const hits = &front.hit[i];
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      const CellLook& look = *loop.rows.lookOf(front.hit[i + lane]);
-      survives[lane] = (samples.x[lane] < look.threshold ? 1u : 0u) | look.cell >> 31;
+      const CellLook look = *rows.lookOf(hits[lane]);
+      threshold[lane] = look.threshold;
+      always[lane] = look.cell >> 31;
     }
-    static_assert(CellLook::kSurvivesAlways == 1u << 31);
-    front.survivors[i / kGroup] = static_cast<std::uint16_t>(Lanes::maskOf(survives));
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      survives[lane] = static_cast<std::uint32_t>(samples.x[lane] < threshold[lane]) | always[lane];
+    }
+    front.survivors[i / kGroup] = Lanes::maskOf(survives);
   }
 }
 
@@ -107,13 +133,13 @@ void runPackLoop(const PackLoop& loop)
   const WalkFront& from = loop.from;
   WalkFront& to = loop.to;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < from.size; i += kGroup)
+  for (std::size_t i = 0; i < from.size; i += kPacked)
   {
-    const unsigned last = from.size - i < kGroup ? (1u << (from.size - i)) - 1 : 0xffffu;
-    const unsigned mask = from.survivors[i / kGroup] & last;
+    const unsigned last = from.size - i < kPacked ? (1u << (from.size - i)) - 1 : 0xffffu;
+    const unsigned mask = from.survivors[i / kGroup] >> i % kGroup & last;
     const typename Lanes::Packing pack(mask);
-    alignas(64) std::uint32_t next[kGroup];
-    for (unsigned lane = 0; lane < kGroup; ++lane)
+    alignas(64) std::uint32_t next[kPacked];
+    for (unsigned lane = 0; lane < kPacked; ++lane)
     {
       next[lane] = from.bounce[i + lane] + 1;
     }
@@ -150,10 +176,9 @@ void runPackLoop(const PackLoop& loop)
   to.size = kept;
 }
 
-/// Eight rows of the table, side by side.
+/// Rows of the table, side by side.
 struct RecordLanes
 {
-  static constexpr unsigned kSize = 8;
   enum Column
   {
     A = 0,
@@ -164,55 +189,59 @@ struct RecordLanes
     Inset = 13,
     Columns = 16
   };
+  /// Lanes::transpose takes that many rows.
+  static constexpr unsigned kRows = 8;
 
-  alignas(64) double column[Columns][kSize];
+  alignas(64) double column[Columns][kGroup];
 
   template <class Lanes>
   __attribute__((always_inline)) void load(const SceneRows& rows, const std::uint32_t* numbers)
   {
-    const double* row[kSize];
-    for (unsigned lane = 0; lane < kSize; ++lane)
+    for (unsigned first = 0; first < kGroup; first += kRows)
     {
-      row[lane] = reinterpret_cast<const double*>(rows.recordOf(numbers[lane]));
+      const double* row[kRows];
+      for (unsigned lane = 0; lane < kRows; ++lane)
+      {
+        row[lane] = reinterpret_cast<const double*>(rows.recordOf(numbers[first + lane]));
+      }
+      Lanes::transpose(row, &column[0][first]);
     }
-    Lanes::transpose(row, column);
   }
 };
 static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::Normal * sizeof(double));
 static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::Inset * sizeof(double));
+
+/// The sides from which directions come: 1 front, -1 back.
+__attribute__((always_inline)) inline void findSidesOf(const RecordLanes& record,
+  const float* directionX, const float* directionY, const float* directionZ, double* side)
+{
+  const auto& c = record.column;
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    const double with = double{ directionX[lane] } * c[RecordLanes::Normal][lane] +
+      double{ directionY[lane] } * c[RecordLanes::Normal + 1][lane] +
+      double{ directionZ[lane] } * c[RecordLanes::Normal + 2][lane];
+    side[lane] = with <= 0 ? 1.0 : -1.0;
+  }
+}
 
 __attribute__((always_inline)) inline double mostOf(double a, double b)
 {
   return a > b ? a : b;
 }
 
-/// The points that eight walks leave, with the operations of SurfaceFormula in its order.
+/// The points that walks leave, with the operations of SurfaceFormula in its order.
 struct PointLanes
 {
-  static constexpr unsigned kSize = RecordLanes::kSize;
-
-  alignas(64) double direction[3][kSize]; ///< of arrival
-  alignas(64) double side[kSize];         ///< 1 front, -1 back
-  alignas(64) double origin[3][kSize];
-  alignas(64) float normal[3][kSize]; ///< of the side
-
-  __attribute__((always_inline)) void findSides(const RecordLanes& record)
-  {
-    const auto& c = record.column;
-    for (unsigned lane = 0; lane < kSize; ++lane)
-    {
-      const double with = direction[0][lane] * c[RecordLanes::Normal][lane] +
-        direction[1][lane] * c[RecordLanes::Normal + 1][lane] +
-        direction[2][lane] * c[RecordLanes::Normal + 2][lane];
-      side[lane] = with <= 0 ? 1.0 : -1.0;
-    }
-  }
+  alignas(64) double side[kGroup]; ///< 1 front, -1 back
+  alignas(64) double origin[3][kGroup];
+  alignas(64) float normal[3][kGroup]; ///< of the side
 
   __attribute__((always_inline)) void place(
     const RecordLanes& record, const float* weightB, const float* weightC)
   {
     const auto& c = record.column;
-    for (unsigned lane = 0; lane < kSize; ++lane)
+    for (unsigned lane = 0; lane < kGroup; ++lane)
     {
       const double b = weightB[lane], g = weightC[lane], a = 1 - b - g;
       const double keptA = mostOf(a, c[RecordLanes::Inset][lane]),
@@ -233,41 +262,59 @@ struct PointLanes
   }
 };
 
+/// Either way between the sides of a front and those of lanes.
+__attribute__((always_inline)) inline void loadSides(const std::uint8_t* isFront, double* side)
+{
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    side[lane] = isFront[lane] != 0 ? 1.0 : -1.0;
+  }
+}
+
+__attribute__((always_inline)) inline void storeSides(const double* side, std::uint8_t* isFront)
+{
+  std::uint8_t is[kGroup];
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    is[lane] = side[lane] > 0 ? 1 : 0;
+  }
+  std::memcpy(isFront, is, sizeof(is));
+}
+
 template <class Lanes>
 __attribute__((always_inline)) inline void leavePoints(
-  const LeaveLoop& loop, std::size_t i, float (*normals)[kGroup], unsigned firstLane)
+  const LeaveLoop& loop, std::size_t i, PointLanes& points)
 {
   WalkFront& front = loop.front;
   RecordLanes record;
   record.load<Lanes>(loop.rows, &front.start[i]);
-  PointLanes points;
   if (loop.areSidesKnown)
   {
-    for (unsigned lane = 0; lane < PointLanes::kSize; ++lane)
-    {
-      points.side[lane] = front.side[i + lane] != 0 ? 1.0 : -1.0;
-    }
+    loadSides(&front.side[i], points.side);
   }
   else
   {
-    for (unsigned lane = 0; lane < PointLanes::kSize; ++lane)
-    {
-      points.direction[0][lane] = front.directionX[i + lane];
-      points.direction[1][lane] = front.directionY[i + lane];
-      points.direction[2][lane] = front.directionZ[i + lane];
-    }
-    points.findSides(record);
-    for (unsigned lane = 0; lane < PointLanes::kSize; ++lane)
-    {
-      front.side[i + lane] = points.side[lane] > 0 ? 1 : 0;
-    }
+    findSidesOf(
+      record, &front.directionX[i], &front.directionY[i], &front.directionZ[i], points.side);
+    storeSides(points.side, &front.side[i]);
   }
   points.place(record, &front.weightB[i], &front.weightC[i]);
-  FrontColumn<double>* const origins[3] = { &front.originX, &front.originY, &front.originZ };
-  for (unsigned axis = 0; axis < 3; ++axis)
+  std::memcpy(&front.originX[i], points.origin[0], sizeof(points.origin[0]));
+  std::memcpy(&front.originY[i], points.origin[1], sizeof(points.origin[1]));
+  std::memcpy(&front.originZ[i], points.origin[2], sizeof(points.origin[2]));
+}
+
+/// Asks memory for the records of the next group.
+__attribute__((always_inline)) inline void prefetchRecords(
+  const SceneRows& rows, const WalkFront& front, std::size_t i)
+{
+  const std::size_t ahead = i + kGroup;
+  const std::uint32_t* const starts = front.start.data() + ahead;
+  for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
   {
-    std::memcpy(&(*origins[axis])[i], points.origin[axis], sizeof(points.origin[axis]));
-    std::memcpy(&normals[axis][firstLane], points.normal[axis], sizeof(points.normal[axis]));
+    const SurfaceRecord* const record = rows.recordOf(starts[lane]);
+    prefetchLine(record);
+    prefetchLine(&record->inset);
   }
 }
 
@@ -276,24 +323,17 @@ void runLeaveLoop(const LeaveLoop& loop)
 {
   WalkFront& front = loop.front;
   SampleGroup samples;
-  alignas(64) float normal[3][kGroup], direction[3][kGroup];
+  PointLanes points;
+  alignas(64) float direction[3][kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    for (unsigned lane = 0; i + kGroup < front.size && lane < kGroup; ++lane)
-    {
-      const SurfaceRecord* next = loop.rows.recordOf(front.start[i + kGroup + lane]);
-      prefetchLine(next);
-      prefetchLine(&next->normal);
-    }
-    for (unsigned half = 0; half < kGroup; half += PointLanes::kSize)
-    {
-      leavePoints<Lanes>(loop, i + half, normal, half);
-    }
+    prefetchRecords(loop.rows, front, i);
+    leavePoints<Lanes>(loop, i, points);
     samples.draw(loop.keys, &front.walk[i], &front.bounce[i], 0);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      const CosineDirectionInFloat leaving(
-        normal[0][lane], normal[1][lane], normal[2][lane], samples.x[lane], samples.y[lane]);
+      const CosineDirectionInFloat leaving(points.normal[0][lane], points.normal[1][lane],
+        points.normal[2][lane], samples.x[lane], samples.y[lane]);
       direction[0][lane] = leaving.x;
       direction[1][lane] = leaving.y;
       direction[2][lane] = leaving.z;
@@ -308,61 +348,54 @@ template <class Lanes>
 void runSidesLoop(const SidesLoop& loop)
 {
   WalkFront& front = loop.front;
-  for (std::size_t i = 0; i < front.size; i += PointLanes::kSize)
+  RecordLanes record;
+  alignas(64) double side[kGroup];
+  for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    RecordLanes record;
     record.load<Lanes>(loop.rows, &front.hit[i]);
-    PointLanes points;
-    for (unsigned lane = 0; lane < PointLanes::kSize; ++lane)
+    findSidesOf(record, &front.directionX[i], &front.directionY[i], &front.directionZ[i], side);
+    const std::uint32_t* const hits = &front.hit[i];
+    for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      points.direction[0][lane] = front.directionX[i + lane];
-      points.direction[1][lane] = front.directionY[i + lane];
-      points.direction[2][lane] = front.directionZ[i + lane];
+      side[lane] = hits[lane] == WalkFront::kNone ? 1.0 : side[lane]; // as in WalkBatch
     }
-    points.findSides(record);
-    for (unsigned lane = 0; lane < PointLanes::kSize; ++lane)
-    {
-      // What escapes is on the front, as in WalkBatch.
-      front.hitSide[i + lane] =
-        points.side[lane] > 0 || front.hit[i + lane] == WalkFront::kNone ? 1 : 0;
-    }
+    storeSides(side, &front.hitSide[i]);
   }
 }
 
 template <class Lanes>
 void runSlotsLoop(const SlotsLoop& loop)
 {
-  constexpr std::size_t kAhead = 2 * kGroup;
   const WalkFront& front = loop.front;
+  const SceneRows rows = loop.rows;
+  const std::uint32_t perCell = loop.perCell, perReplicate = loop.perReplicate,
+                      perSide = loop.perSide, escaped = loop.escaped;
   ReplicateLanes replicates{};
+  alignas(64) std::uint32_t cell[kGroup], back[kGroup] = {}, slot[kGroup];
   for (std::size_t i = loop.first; i < loop.end; i += kGroup)
   {
-    for (unsigned lane = 0; i + kAhead < front.size && lane < kGroup; ++lane)
+    prefetchLooks(rows, front, i);
+    const std::uint32_t* const hits = &front.hit[i];
+    for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      prefetchLine(loop.rows.lookOf(front.hit[i + kAhead + lane]));
+      cell[lane] = rows.lookOf(hits[lane])->number();
     }
     if (loop.replicates > 1)
     {
       replicates.set(&front.walk[i], loop.firstWalk, loop.replicates);
     }
-    std::uint32_t* const slots = loop.slots + (i - loop.first);
-    alignas(64) std::uint32_t slot[kGroup];
+    const std::uint8_t* const hitSides = &front.hitSide[i];
+    for (unsigned lane = 0; lane < kGroup && perSide > 0; ++lane)
+    {
+      back[lane] = hitSides[lane] != 0 ? 0 : perSide;
+    }
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      const std::uint32_t hit = front.hit[i + lane];
-      const std::uint32_t cell = loop.rows.lookOf(hit)->cell & CellLook::kNumber;
       const std::uint32_t sum =
-        cell * loop.perCell + replicates.replicate[lane] * loop.perReplicate;
-      slot[lane] = hit == WalkFront::kNone ? loop.escaped : sum;
+        cell[lane] * perCell + back[lane] + replicates.replicate[lane] * perReplicate;
+      slot[lane] = hits[lane] == WalkFront::kNone ? escaped : sum;
     }
-    if (loop.perSide > 0)
-    {
-      for (unsigned lane = 0; lane < kGroup; ++lane)
-      {
-        slot[lane] += front.hitSide[i + lane] != 0 ? 0 : loop.perSide;
-      }
-    }
-    std::memcpy(slots, slot, sizeof(slot));
+    std::memcpy(loop.slots + (i - loop.first), slot, sizeof(slot));
   }
 }
 

@@ -17,11 +17,11 @@ namespace
 {
 
 /// For each mask of eight lanes those that it chooses, in order.
-struct PackedLanes
+struct ChosenLanes
 {
   alignas(64) std::uint8_t lanes[256][8] = {};
 
-  constexpr PackedLanes()
+  constexpr ChosenLanes()
   {
     for (unsigned mask = 0; mask < 256; ++mask)
     {
@@ -36,7 +36,7 @@ struct PackedLanes
     }
   }
 };
-constexpr PackedLanes kPacked;
+constexpr ChosenLanes kChosen;
 
 }
 }
@@ -52,24 +52,28 @@ namespace
 
 struct Avx2Lanes
 {
-  static unsigned maskOf(const std::uint32_t* flags) { return half(flags) | half(flags + 8) << 8; }
-
-  static void transpose(const double* const* rows, double (*columns)[RecordLanes::kSize])
+  static std::uint32_t maskOf(const std::uint32_t* flags)
   {
-    for (unsigned row = 0; row < RecordLanes::kSize; row += 4)
+    return eight(flags) | eight(flags + 8) << 8 | eight(flags + 16) << 16 | eight(flags + 24) << 24;
+  }
+
+  static void transpose(const double* const* rows, double* columns)
+  {
+    for (unsigned row = 0; row < RecordLanes::kRows; row += 4)
     {
       for (unsigned column = 0; column < RecordLanes::Columns; column += 4)
       {
+        double* const to = columns + column * kGroup + row;
         const __m256d a = _mm256_load_pd(rows[row] + column),
                       b = _mm256_load_pd(rows[row + 1] + column),
                       c = _mm256_load_pd(rows[row + 2] + column),
                       d = _mm256_load_pd(rows[row + 3] + column);
         const __m256d even = _mm256_unpacklo_pd(a, b), odd = _mm256_unpackhi_pd(a, b),
                       evenBelow = _mm256_unpacklo_pd(c, d), oddBelow = _mm256_unpackhi_pd(c, d);
-        _mm256_store_pd(columns[column] + row, _mm256_permute2f128_pd(even, evenBelow, 0x20));
-        _mm256_store_pd(columns[column + 1] + row, _mm256_permute2f128_pd(odd, oddBelow, 0x20));
-        _mm256_store_pd(columns[column + 2] + row, _mm256_permute2f128_pd(even, evenBelow, 0x31));
-        _mm256_store_pd(columns[column + 3] + row, _mm256_permute2f128_pd(odd, oddBelow, 0x31));
+        _mm256_store_pd(to, _mm256_permute2f128_pd(even, evenBelow, 0x20));
+        _mm256_store_pd(to + kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x20));
+        _mm256_store_pd(to + 2 * kGroup, _mm256_permute2f128_pd(even, evenBelow, 0x31));
+        _mm256_store_pd(to + 3 * kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x31));
       }
     }
   }
@@ -82,14 +86,14 @@ struct Avx2Lanes
       for (unsigned i = 0; i < 2; ++i)
       {
         const unsigned lanes = mask >> 8 * i & 0xffu;
-        bytes_[i] = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPacked.lanes[lanes]));
+        bytes_[i] = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes]));
         words_[i] = _mm256_cvtepu8_epi32(bytes_[i]);
       }
       for (unsigned i = 0; i < 4; ++i)
       {
         const unsigned lanes = mask >> 4 * i & 0xfu;
         const __m256i lane = _mm256_cvtepu8_epi64(
-          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPacked.lanes[lanes])));
+          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes])));
         // A double is two words: 2 lane and 2 lane + 1.
         doubles_[i] = _mm256_or_si256(_mm256_slli_epi64(lane, 1),
           _mm256_add_epi64(_mm256_slli_epi64(lane, 33), _mm256_set1_epi64x(0x100000000)));
@@ -154,10 +158,10 @@ struct Avx2Lanes
   };
 
 private:
-  static unsigned half(const std::uint32_t* flags)
+  static std::uint32_t eight(const std::uint32_t* flags)
   {
     const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(flags));
-    return static_cast<unsigned>(
+    return static_cast<std::uint32_t>(
       _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(all, 31))));
   }
 };

@@ -22,17 +22,18 @@ namespace
 
 struct Avx512Lanes
 {
-  static unsigned maskOf(const std::uint32_t* flags)
+  static std::uint32_t maskOf(const std::uint32_t* flags)
   {
-    const __m512i all = _mm512_load_si512(flags);
-    return _mm512_test_epi32_mask(all, all);
+    const __m512i low = _mm512_load_si512(flags), high = _mm512_load_si512(flags + 16);
+    return std::uint32_t{ _mm512_test_epi32_mask(low, low) } |
+      std::uint32_t{ _mm512_test_epi32_mask(high, high) } << 16;
   }
 
-  static void transpose(const double* const* rows, double (*columns)[RecordLanes::kSize])
+  static void transpose(const double* const* rows, double* columns)
   {
     for (unsigned column = 0; column < RecordLanes::Columns; column += 8)
     {
-      transposeSquare(rows, column, columns + column);
+      transposeSquare(rows, column, columns + column * kGroup);
     }
   }
 
@@ -88,8 +89,7 @@ struct Avx512Lanes
   };
 
 private:
-  static void transposeSquare(
-    const double* const* rows, unsigned first, double (*columns)[RecordLanes::kSize])
+  static void transposeSquare(const double* const* rows, unsigned first, double* columns)
   {
     // Pairs of rows: columns 0, 2, 4, 6 of both in `even`, the others in `odd`.
     __m512d even[4], odd[4];
@@ -101,19 +101,19 @@ private:
       odd[pair] = _mm512_unpackhi_pd(a, b);
     }
     storeEverySecond(even, columns);
-    storeEverySecond(odd, columns + 1);
+    storeEverySecond(odd, columns + kGroup);
   }
-  static void storeEverySecond(const __m512d (&pairs)[4], double (*columns)[RecordLanes::kSize])
+  static void storeEverySecond(const __m512d (&pairs)[4], double* columns)
   {
     // 0x88 takes the quarters 0 and 2 of both, 0xdd the quarters 1 and 3.
     const __m512d above = _mm512_shuffle_f64x2(pairs[0], pairs[1], 0x88),
                   below = _mm512_shuffle_f64x2(pairs[2], pairs[3], 0x88),
                   aboveNext = _mm512_shuffle_f64x2(pairs[0], pairs[1], 0xdd),
                   belowNext = _mm512_shuffle_f64x2(pairs[2], pairs[3], 0xdd);
-    _mm512_store_pd(columns[0], _mm512_shuffle_f64x2(above, below, 0x88));
-    _mm512_store_pd(columns[2], _mm512_shuffle_f64x2(aboveNext, belowNext, 0x88));
-    _mm512_store_pd(columns[4], _mm512_shuffle_f64x2(above, below, 0xdd));
-    _mm512_store_pd(columns[6], _mm512_shuffle_f64x2(aboveNext, belowNext, 0xdd));
+    _mm512_store_pd(columns, _mm512_shuffle_f64x2(above, below, 0x88));
+    _mm512_store_pd(columns + 2 * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0x88));
+    _mm512_store_pd(columns + 4 * kGroup, _mm512_shuffle_f64x2(above, below, 0xdd));
+    _mm512_store_pd(columns + 6 * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0xdd));
   }
 };
 

@@ -26,13 +26,13 @@ struct PlainLanes
     return mask;
   }
 
-  static void transpose(const double* const* rows, double (*columns)[RecordLanes::kSize])
+  static void transpose(const double* const* rows, double* columns)
   {
-    for (unsigned lane = 0; lane < RecordLanes::kSize; ++lane)
+    for (unsigned column = 0; column < RecordLanes::Columns; ++column)
     {
-      for (unsigned column = 0; column < RecordLanes::Columns; ++column)
+      for (unsigned row = 0; row < RecordLanes::kRows; ++row)
       {
-        columns[column][lane] = rows[lane][column];
+        columns[column * kGroup + row] = rows[row][column];
       }
     }
   }
@@ -50,7 +50,7 @@ struct PlainLanes
     void operator()(const Value* from, Value* to) const
     {
       unsigned kept = 0;
-      for (unsigned lane = 0; lane < kGroup; ++lane)
+      for (unsigned lane = 0; lane < kPacked; ++lane)
       {
         to[kept] = from[lane];
         kept += mask_ >> lane & 1u;

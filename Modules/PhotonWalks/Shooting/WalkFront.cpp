@@ -14,11 +14,12 @@ void WalkFront::reserve(std::size_t walks, int bands)
   {
     column->reserve(walks);
   }
-  for (FrontColumn<std::uint32_t>* column : { &start, &hit, &candidate, &walk, &bounce, &block })
+  for (FrontColumn<std::uint32_t>* column :
+    { &start, &hit, &candidate, &walk, &bounce, &block, &survivors })
   {
     column->reserve(walks);
   }
-  for (FrontColumn<std::uint16_t>* column : { &slot, &parent, &survivors })
+  for (FrontColumn<std::uint16_t>* column : { &slot, &parent })
   {
     column->reserve(walks);
   }

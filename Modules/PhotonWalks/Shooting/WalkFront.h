@@ -23,7 +23,7 @@ struct WalkFront
 {
   static constexpr std::uint32_t kNone = TriangleId::kNone;
   /// Stages take that many walks at a time.
-  static constexpr std::size_t kGroup = 16;
+  static constexpr std::size_t kGroup = 32;
   /// Walks that are shot together: some four blocks.
   static constexpr std::size_t kUsualSize = 4096;
 
@@ -47,7 +47,7 @@ struct WalkFront
   FrontColumn<std::uint8_t> isSpecular;    ///< how it leaves `start`; only where cells are glossy
   FrontColumn<std::int64_t> power[Power::kMaxBands]; ///< quanta; only with several bands
   /// A bit for each walk of a group that survives, see WalkStages::absorb().
-  FrontColumn<std::uint16_t> survivors;
+  FrontColumn<std::uint32_t> survivors;
 
   std::size_t groups() const { return (size + kGroup - 1) / kGroup; }
 

@@ -134,7 +134,7 @@ void WalkStages::absorb(WalkFront& from, WalkFront& to, bool areSidesKnown) cons
 
 void WalkStages::decideByPowers(WalkFront& front) const
 {
-  std::fill_n(front.survivors.data(), front.groups(), std::uint16_t{ 0 });
+  std::fill_n(front.survivors.data(), front.groups(), 0u);
   for (std::size_t i = 0; i < front.size; ++i)
   {
     if (front.hit[i] == WalkFront::kNone)
@@ -151,8 +151,7 @@ void WalkStages::decideByPowers(WalkFront& front) const
     {
       const Reflection reflection =
         survival.specular == 0 ? Reflection::Diffuse : survival.chosenBy(sample);
-      front.survivors[i / WalkFront::kGroup] |=
-        static_cast<std::uint16_t>(1u << i % WalkFront::kGroup);
+      front.survivors[i / WalkFront::kGroup] |= 1u << i % WalkFront::kGroup;
       front.isSpecular[i] = reflection == Reflection::Specular ? 1 : 0;
       front.setPower(i, sampler_.bands(),
         survivingPower(incoming, material, cell, reflection, survival.of(reflection)));
