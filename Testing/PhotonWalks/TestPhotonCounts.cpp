@@ -82,6 +82,21 @@ TEST(PhotonCounts, TablesServeSumsOfEverySize)
   }
 }
 
+// A thread has one table: who comes second keeps a list.
+TEST(PhotonCounts, SeveralOfAThreadStandApart)
+{
+  CellSums sums(quad(64), 1), others(quad(64), 1);
+  {
+    PhotonCounts counts(sums, 2, 1000), otherCounts(others, 3, 1000);
+    const std::uint32_t slot = 7;
+    counts.add(&slot, 1);
+    otherCounts.add(&slot, 1);
+    counts.add(&slot, 1);
+  }
+  EXPECT_EQ(sums.sum({ { 0, 7 } }, 0), 4);
+  EXPECT_EQ(others.sum({ { 0, 7 } }, 0), 3);
+}
+
 TEST(PhotonCounts, ManyThreadsLoseNothing)
 {
   constexpr std::uint32_t kCells = 100;

@@ -316,6 +316,88 @@ TEST(WalkStages, SidesAreThoseThatTheRaysComeFrom)
   });
 }
 
+TEST(WalkStages, ReplicatesAreThoseOfTheDivision)
+{
+  test::RandomVectors random(13);
+  ReplicateLanes lanes;
+  for (int trial = 0; trial < 20000; ++trial)
+  {
+    const auto count =
+      2 + static_cast<std::uint32_t>(random.engine() >> (32 + random.engine() % 31));
+    const auto first = static_cast<std::uint32_t>(trial % 2 == 0 ? 0 : random.engine());
+    const Replicates replicates(count, first);
+    std::uint32_t walks[ReplicateLanes::kSize];
+    for (std::uint32_t& walk : walks)
+    {
+      // Any, and on both sides of a multiple.
+      const auto any = static_cast<std::uint32_t>(random.engine());
+      walk = first + (any % 2 == 0 ? any : any / count * count - any % 3);
+    }
+    lanes.set(walks, first, count);
+    for (unsigned lane = 0; lane < ReplicateLanes::kSize; ++lane)
+    {
+      ASSERT_EQ(lanes.replicate[lane], replicates.replicateOf(walks[lane]))
+        << walks[lane] << ' ' << count;
+      ASSERT_EQ(lanes.number[lane], replicates.numberWithin(walks[lane]));
+    }
+  }
+}
+
+// Photon by photon, as CellSums itself numbers its sums: rounds, replicates, sides and bands.
+TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
+{
+  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  const WalkPlan plans[] = { WalkPlan(1000, 1000, 1), WalkPlan(100, 1000, 1),
+    WalkPlan(1000, 1000, 16), WalkPlan(100, 1000, 7) };
+  for (const SimdLevel level : test::simdLevels())
+  {
+    const SimdLimit limit(level);
+    for (const WalkPlan& plan : plans)
+    {
+      for (const int sides : { 1, 2 })
+      {
+        for (const std::size_t photons : { 1u, 100000u })
+        {
+          WalkFront front;
+          fill(front, world, Bounces::Mixed, 0);
+          const std::size_t rounds = plan.rounds().size();
+          CellSums sums(world.objects(), sides, plan, rounds),
+            expected(world.objects(), sides, plan, rounds);
+          PowerBalance balance;
+          std::vector<Deposit> deposits;
+          const Power photon{ { 1000 } };
+          FrontTally(world.triangles(), sums, balance, photon, photons).receive(front);
+          for (std::size_t i = 0; i < kWalks; ++i)
+          {
+            if (front.hit[i] != WalkFront::kNone)
+            {
+              const SceneCell cell = expected.cellOf(world.triangles().idOf(front.hit[i]));
+              expected.collect(
+                expected.slotOf(front.walk[i], cell), front.hitSide[i] != 0, photon, 1, deposits);
+            }
+          }
+          expected.add(deposits);
+          EXPECT_EQ(balance.absorbed, static_cast<std::int64_t>(deposits.size()) * photon);
+          EXPECT_EQ(balance.escaped, static_cast<std::int64_t>(kWalks - deposits.size()) * photon);
+          expected.numbers().forEach([&](const SceneCell& cell) {
+            for (int side = 0; side < sides; ++side)
+            {
+              for (std::uint32_t replicate = 0; replicate < plan.replicates().count(); ++replicate)
+              {
+                for (std::size_t round = 1; round <= rounds; ++round)
+                {
+                  ASSERT_EQ(sums.sum({ cell, side }, 0, replicate, round),
+                    expected.sum({ cell, side }, 0, replicate, round));
+                }
+              }
+            }
+          });
+        }
+      }
+    }
+  }
+}
+
 // A direction may graze by less than its rounding to float.
 TEST(WalkStages, RoundedDirectionsStayOutOfTheSurface)
 {

@@ -14,8 +14,7 @@ void WalkFront::reserve(std::size_t walks, int bands)
   {
     column->reserve(walks);
   }
-  for (FrontColumn<std::uint32_t>* column :
-    { &start, &hit, &candidate, &walk, &bounce, &block, &survivors })
+  for (FrontColumn<std::uint32_t>* column : { &start, &hit, &candidate, &walk, &bounce, &block })
   {
     column->reserve(walks);
   }
@@ -27,6 +26,7 @@ void WalkFront::reserve(std::size_t walks, int bands)
   {
     column->reserve(walks);
   }
+  survivors.reserve(walks / kGroup + 1);
   for (int band = 0; bands > 1 && band < bands; ++band)
   {
     power[band].reserve(walks);

@@ -4,6 +4,7 @@
 #include "Shooting/FrontLoops.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <string>
 
@@ -61,6 +62,7 @@ void WalkStages::start(WalkFront& front) const
   {
     return;
   }
+  assert(!lights_.isEmpty());
   std::fill_n(front.bounce.data(), front.size, 0u);
   front.pad();
   const BounceKeys lights(samples_, 0, SampleUse::Light),

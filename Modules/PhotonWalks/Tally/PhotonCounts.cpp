@@ -7,33 +7,36 @@
 namespace irradiance
 {
 
-namespace
+PhotonCounts::Table& PhotonCounts::tableOfThread()
 {
-
-/// All 0 between uses, so that it need not be cleared.
-std::vector<std::int32_t>& tableOfThread()
-{
-  static thread_local std::vector<std::int32_t> table;
+  static thread_local Table table;
   return table;
-}
-
 }
 
 PhotonCounts::PhotonCounts(CellSums& sums, std::int64_t quanta, std::size_t expected)
   : sums_(sums)
   , quanta_(quanta)
-  , table_(sums.slots() / kSlotsPerPhoton <= expected ? &tableOfThread() : nullptr)
 {
   assert(sums.slots() < 0xffffffffu);
-  if (table_ && table_->size() <= sums.slots())
+  Table& table = tableOfThread();
+  if (sums.slots() / kSlotsPerPhoton <= expected && !table.isTaken)
   {
-    table_->resize(sums.slots() + 1); // the last entry is for what escapes
+    table_ = &table;
+    table.isTaken = true;
+    if (table.counts.size() <= sums.slots())
+    {
+      table.counts.resize(sums.slots() + 1); // the last entry is for what escapes
+    }
   }
 }
 
 PhotonCounts::~PhotonCounts()
 {
   flush();
+  if (table_)
+  {
+    table_->isTaken = false;
+  }
 }
 
 void PhotonCounts::change(const std::uint32_t* slots, std::size_t count, std::int32_t sign)
@@ -54,7 +57,7 @@ void PhotonCounts::change(const std::uint32_t* slots, std::size_t count, std::in
     flush();
   }
   counted_ += count;
-  std::int32_t* const table = table_->data();
+  std::int32_t* const table = table_->counts.data();
   for (std::size_t i = 0; i < count; ++i)
   {
     table[slots[i]] += sign;
@@ -65,8 +68,8 @@ void PhotonCounts::flush()
 {
   if (table_ && counted_ > 0)
   {
-    sums_.addCounts(table_->data(), quanta_);
-    (*table_)[escaped()] = 0;
+    sums_.addCounts(table_->counts.data(), quanta_);
+    table_->counts[escaped()] = 0;
     counted_ = 0;
   }
   if (!list_.empty())
@@ -80,7 +83,7 @@ void PhotonCounts::discard()
 {
   if (table_)
   {
-    std::fill_n(table_->begin(), sums_.slots() + 1, 0);
+    std::fill_n(table_->counts.begin(), sums_.slots() + 1, 0);
     counted_ = 0;
   }
   list_.clear();

@@ -18,7 +18,7 @@ namespace irradiance
 class PhotonCounts
 {
 public:
-  /// `expected`: about how many photons. `sums` must outlive this. A thread has one at a time.
+  /// `expected`: about how many photons. `sums` must outlive this.
   PhotonCounts(CellSums& sums, std::int64_t quanta, std::size_t expected);
   /// Adds to the sums.
   ~PhotonCounts();
@@ -44,8 +44,15 @@ private:
 
   CellSums& sums_;
   std::int64_t quanta_;
-  std::vector<std::int32_t>* table_; ///< null if there is a list
-  std::size_t counted_ = 0;          ///< in the table
+  struct Table
+  {
+    std::vector<std::int32_t> counts; ///< all 0 between uses, so that it need not be cleared
+    bool isTaken = false;
+  };
+  static Table& tableOfThread();
+
+  Table* table_ = nullptr;  ///< null if there is a list
+  std::size_t counted_ = 0; ///< in the table
   std::vector<Deposit> list_;
 };
 

@@ -3,7 +3,7 @@
  * What the stages of a walk cost a segment, but for the cast: those of WalkStages, over fronts of walks,
  * beside those of WalkSampler, ScatteredRays and WalkTally, which take the same walks with the same hits in
  * the same minutes. Before any time counts, both have to keep the same walks, place their rays at the same
- * points, and bring the cells the same. One thread, wall clock.
+ * points, and bring the cells the same. One thread, CPU time.
  *
  * Arguments: [walks = 200000] [rounds = 7] [replicates = 1] [instruction set, 0 plain, 1 AVX2 = the best]
  */
@@ -15,7 +15,6 @@
 #include "Simd/SimdLevel.h"
 #include "Tally/WalkTally.h"
 
-#include <chrono>
 #include <stdexcept>
 
 using namespace irradiance;
@@ -36,13 +35,24 @@ constexpr const char* kNames[kStages] = { "start", "receive", "absorb", "leave",
 
 using Seconds = std::array<double, kStages>;
 
-/// Adds what it takes to a stage. A front takes some microseconds, so the clock must be a quick one.
+/// What reading the clock takes.
+double clockSeconds()
+{
+  constexpr int kReadings = 1000;
+  const double start = threadCpuSeconds();
+  for (int i = 1; i < kReadings; ++i)
+  {
+    threadCpuSeconds();
+  }
+  return (threadCpuSeconds() - start) / kReadings;
+}
+
+/// Adds what it takes to a stage. A front takes some microseconds, so the clock itself is taken off.
 template <class Work>
 void timed(double& seconds, const Work& work)
 {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  static const double clock = clockSeconds();
+  seconds += threadCpuSecondsOf(work) - clock;
 }
 
 /// The stages of before, over the walks of a front, as WalkBatch runs them.
