@@ -99,10 +99,9 @@ void runSurviveLoop(const SurviveLoop& loop)
   alignas(64) std::uint32_t threshold[kGroup], always[kGroup], survives[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    prefetchLooks(rows, front, i);
     samples.drawFirst(loop.keys, &front.walk[i], &front.bounce[i], 1);
     const std::uint32_t* const hits = &front.hit[i];
-    for (unsigned lane = 0; lane < kGroup; ++lane)
+    for (unsigned lane = 0; lane < kGroup; ++lane) // the tally has just read the same looks
     {
       const CellLook look = *rows.lookOf(hits[lane]);
       threshold[lane] = look.threshold;
