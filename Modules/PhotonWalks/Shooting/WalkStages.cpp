@@ -17,6 +17,12 @@ namespace
 /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
 constexpr std::uint32_t kMostBounces = 1u << 20;
 
+/// Not inlined: GCC 12 with -O3 takes two conversions of a pair, to float and back, for none.
+__attribute__((noinline)) Eigen::Vector3f toFloat(const Vector3& v)
+{
+  return v.cast<float>();
+}
+
 void setDirection(WalkFront& front, std::size_t place, const Vector3& direction)
 {
   front.directionX[place] = static_cast<float>(direction[0]);
@@ -35,11 +41,12 @@ void setOrigin(WalkFront& front, std::size_t place, const Vector3& origin)
 
 Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
 {
-  // Rounding turns a direction by up to 2^-24. What grazes more than that is raised.
-  constexpr double kLift = 0x1p-22;
-  const auto rounded = [](const Vector3& v) { return Vector3(v.cast<float>().cast<double>()); };
+  // Rounding turns a direction by up to 2^-24. What then points into the surface, or grazes it so that the
+  // sign is a matter of rounding in double, is raised by more than that.
+  constexpr double kLift = 0x1p-22, kGrazing = 0x1p-30;
+  const auto rounded = [](const Vector3& v) { return Vector3(toFloat(v).cast<double>()); };
   const Vector3 nearest = rounded(direction);
-  return nearest.dot(normal) > 0 ? nearest : rounded(direction + kLift * normal);
+  return nearest.dot(normal) > kGrazing ? nearest : rounded(direction + kLift * normal);
 }
 
 WalkStages::WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles,
