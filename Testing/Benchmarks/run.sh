@@ -98,6 +98,7 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkTraversalModes "" "10000 2"
   measure BenchmarkSegmentScan "" "1 2"
   measure BenchmarkFrontCast "" "2 2"
+  measure BenchmarkFrontStages "" "20000 2"
   measure BenchmarkBounceHistory "" "0.1 2"
   measure BenchmarkFarAndMany "" "5000 1"
   measure BenchmarkSigns "" "100"

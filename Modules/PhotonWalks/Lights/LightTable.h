@@ -40,6 +40,8 @@ public:
 
   /// The number of the light that a sample in (0, 1) chooses.
   std::size_t choose(double sample) const;
+  /// W, up to and including each light: what choose() searches.
+  const std::vector<double>& cumulativeFlux() const { return cumulative_; }
   const Light& operator[](std::size_t light) const { return lights_[light]; }
   /// With which walks leave a light.
   const Power& power(std::size_t light) const { return powers_[light]; }

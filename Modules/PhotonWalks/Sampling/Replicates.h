@@ -20,6 +20,7 @@ public:
   }
 
   std::uint32_t count() const { return count_; }
+  std::uint32_t firstWalk() const { return firstWalk_; }
   std::uint32_t replicateOf(std::uint32_t walk) const
   {
     return count_ == 1 ? 0 : (walk - firstWalk_) % count_;

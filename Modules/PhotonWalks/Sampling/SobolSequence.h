@@ -54,6 +54,7 @@ public:
     return { SobolPoint::toUnit(point.x), SobolPoint::toUnit(point.y) };
   }
 
+  const Replicates& replicates() const { return replicates_; }
   /// The number of a walk's point in its sequence.
   std::uint32_t indexOf(std::uint32_t walk) const { return replicates_.numberWithin(walk); }
   SampleKeys keysOf(std::uint32_t walk, std::uint32_t bounce, SampleUse use) const

@@ -81,8 +81,7 @@ void CellSums::add(const std::vector<Deposit>& deposits)
   // Sorted by part, each by one pass to count and one to place.
   static thread_local std::vector<Deposit> sorted;
   sorted.resize(deposits.size());
-  const std::size_t partSize = sums_.size() / kParts + 1;
-  const auto shift = static_cast<unsigned>(64 - __builtin_clzll(partSize));
+  const unsigned shift = partShift();
   std::array<std::size_t, kParts + 1> ends{};
   for (const Deposit& deposit : deposits)
   {
@@ -106,6 +105,21 @@ void CellSums::add(const std::vector<Deposit>& deposits)
     {
       prefetchLine(sums_.data() + sorted[std::min(i + kAhead, sorted.size() - 1)].slot);
       sums_[sorted[i].slot] += sorted[i].quanta;
+    }
+  }
+}
+
+void CellSums::addCounts(std::int32_t* counts, std::int64_t quanta)
+{
+  for (std::size_t i = 0; i < sums_.size();)
+  {
+    const std::size_t part = i >> partShift(),
+                      end = std::min((part + 1) << partShift(), sums_.size());
+    const std::lock_guard<std::mutex> lock((*mutexes_)[part]);
+    for (; i < end; ++i)
+    {
+      sums_[i] += counts[i] * quanta;
+      counts[i] = 0;
     }
   }
 }

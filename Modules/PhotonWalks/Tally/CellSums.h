@@ -51,6 +51,11 @@ public:
   {
     return slot(groupOf(walk), { cell });
   }
+  /// How slots are numbered: by round, then cell, side, replicate and band.
+  std::size_t slotsPerRound() const { return roundSize_; }
+  std::size_t slotsPerCell() const { return static_cast<std::size_t>(sides_) * sideSize(); }
+  /// Of all rounds.
+  std::size_t slots() const { return sums_.size(); }
   /// Where the photons on the back of a cell with this slot are added.
   std::size_t backOf(std::size_t slot) const { return slot + (sides_ == 2 ? sideSize() : 0); }
   /// Prefetches the sum that add() will change.
@@ -77,6 +82,9 @@ public:
   }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);
+  /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be called by
+  /// many threads at once.
+  void addCounts(std::int32_t* counts, std::int64_t quanta);
   /// Adds other sums of the same cells, round by round and replicate by replicate.
   void add(const CellSums& others, const CancelPoint& cancelPoint);
   /// Adds up the sums of all ranks.
@@ -131,6 +139,11 @@ private:
   /// Of consecutive parts of the sums, so that threads seldom wait for each other.
   static constexpr std::size_t kParts = 16;
   using Mutexes = std::array<std::mutex, kParts>;
+  /// The part of a slot is the slot shifted down by this.
+  unsigned partShift() const
+  {
+    return static_cast<unsigned>(64 - __builtin_clzll(sums_.size() / kParts + 1));
+  }
   std::unique_ptr<Mutexes> mutexes_ = std::make_unique<Mutexes>();
 };
 

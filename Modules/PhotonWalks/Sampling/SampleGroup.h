@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_SampleGroup_h
+#define irradiance_SampleGroup_h
+
+#include "Sampling/BounceKeys.h"
+
+namespace irradiance
+{
+
+/// What walks side by side need to know of Replicates: the division for all lanes at once.
+struct ReplicateLanes
+{
+  static constexpr unsigned kSize =
+    32; ///< compilers unroll shorter loops, and then miss the vectors
+
+  alignas(64) std::uint32_t replicate[kSize], number[kSize]; ///< number: within the replicate
+
+  /// `count` > 1. The quotient of two integers below 2^32, rounded to a double, never reaches the next
+  /// integer: it is 2^-32 or more away from it, relative to the divisor, and the rounding 2^-53.
+  __attribute__((always_inline)) void set(
+    const std::uint32_t* walks, std::uint32_t firstWalk, std::uint32_t count)
+  {
+    const double divisor = count;
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      const std::uint32_t walk = walks[lane] - firstWalk;
+      // By way of a signed number, which SIMD converts faster.
+      const double dividend = static_cast<std::int32_t>(walk ^ 0x80000000u) + 2147483648.0;
+      const auto quotient =
+        static_cast<std::uint32_t>(static_cast<std::int32_t>(dividend / divisor));
+      number[lane] = quotient;
+      replicate[lane] = walk - quotient * count;
+    }
+  }
+};
+
+/// Samples of walks side by side, as integers: the same as SobolSequence::sample() makes its numbers of.
+struct SampleGroup
+{
+  static constexpr unsigned kSize = ReplicateLanes::kSize;
+
+  alignas(64) std::uint32_t index[kSize], shuffle[kSize], scrambleX[kSize], scrambleY[kSize];
+  alignas(64) std::uint32_t x[kSize], y[kSize]; ///< the samples, in units of 2^-32
+
+  /// Draws samples for the bounces given plus `ahead`. Walks at the bounce of the keys take these, and
+  /// groups with others, as repairs bring them, look up keys walk by walk. Is compiled once for each
+  /// instruction set.
+  __attribute__((always_inline)) void draw(const BounceKeys& keys, const std::uint32_t* walks,
+    const std::uint32_t* bounces, std::uint32_t ahead)
+  {
+    setKeys(keys, walks, bounces, ahead);
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      const SobolPoint point(index[lane], shuffle[lane], scrambleX[lane], scrambleY[lane]);
+      x[lane] = point.x;
+      y[lane] = point.y;
+    }
+  }
+  /// Only the first coordinates.
+  __attribute__((always_inline)) void drawFirst(const BounceKeys& keys, const std::uint32_t* walks,
+    const std::uint32_t* bounces, std::uint32_t ahead)
+  {
+    setKeys(keys, walks, bounces, ahead);
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      x[lane] = SobolPoint(index[lane], shuffle[lane], scrambleX[lane], 0).x;
+    }
+  }
+
+private:
+  __attribute__((always_inline)) void setKeys(const BounceKeys& keys, const std::uint32_t* walks,
+    const std::uint32_t* bounces, std::uint32_t ahead)
+  {
+    const std::uint32_t same = keys.bounce() - ahead;
+    std::uint32_t others = 0;
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      others |= bounces[lane] ^ same;
+    }
+    if (others != 0)
+    {
+      lookUp(keys, walks, bounces, ahead);
+    }
+    else if (keys.replicates() == 1)
+    {
+      const std::uint32_t first = keys.firstWalk(), ofIndex = *keys.shuffles(),
+                          ofX = *keys.scramblesX(), ofY = *keys.scramblesY();
+      for (unsigned lane = 0; lane < kSize; ++lane)
+      {
+        index[lane] = walks[lane] - first;
+        shuffle[lane] = ofIndex;
+        scrambleX[lane] = ofX;
+        scrambleY[lane] = ofY;
+      }
+    }
+    else
+    {
+      setReplicates(keys, walks);
+    }
+  }
+
+  __attribute__((always_inline)) void setReplicates(
+    const BounceKeys& keys, const std::uint32_t* walks)
+  {
+    ReplicateLanes lanes;
+    lanes.set(walks, keys.firstWalk(), keys.replicates());
+    const std::uint32_t *shuffles = keys.shuffles(), *scramblesX = keys.scramblesX(),
+                        *scramblesY = keys.scramblesY();
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      const std::uint32_t replicate = lanes.replicate[lane];
+      index[lane] = lanes.number[lane];
+      shuffle[lane] = shuffles[replicate];
+      scrambleX[lane] = scramblesX[replicate];
+      scrambleY[lane] = scramblesY[replicate];
+    }
+  }
+
+  /// Not for lanes: bounces may be any, and there are keys for the first ones alone.
+  __attribute__((noinline)) void lookUp(const BounceKeys& keys, const std::uint32_t* walks,
+    const std::uint32_t* bounces, std::uint32_t ahead)
+  {
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      const SampleKeys own = keys.samples().keysOf(walks[lane], bounces[lane] + ahead, keys.use());
+      index[lane] = keys.samples().indexOf(walks[lane]);
+      shuffle[lane] = own.shuffle;
+      scrambleX[lane] = own.scrambles[0];
+      scrambleY[lane] = own.scrambles[1];
+    }
+  }
+};
+
+}
+
+#endif

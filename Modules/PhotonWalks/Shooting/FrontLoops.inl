@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loops of FrontLoops.h, compiled once for each instruction set. `Lanes`: its way to transpose rows and
+// to pack what a mask chooses. All else are plain loops over a group of walks, which become SIMD.
+
+namespace irradiance
+{
+namespace
+{
+
+constexpr unsigned kGroup = WalkFront::kGroup;
+static_assert(kGroup == SampleGroup::kSize);
+/// Lanes::Packing takes that many walks.
+constexpr unsigned kPacked = 16;
+static_assert(
+  kPacked <= FrontColumn<float>::kRoomBehind && kGroup <= FrontColumn<float>::kRoomBehind);
+
+/// Bisection as in LightTable::choose(), all lanes in step.
+__attribute__((always_inline)) inline void chooseLights(
+  const std::vector<double>& cumulative, const std::uint32_t* samples, std::uint32_t* chosen)
+{
+  const double* const upTo = cumulative.data();
+  const double all = cumulative.back();
+  double flux[kGroup];
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    flux[lane] = SobolPoint::toUnit(samples[lane]) * all;
+    chosen[lane] = 0;
+  }
+  for (std::size_t count = cumulative.size(); count > 1;)
+  {
+    const auto half = static_cast<std::uint32_t>(count / 2);
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      chosen[lane] +=
+        static_cast<std::uint32_t>(upTo[chosen[lane] + half - 1] <= flux[lane]) * half;
+    }
+    count -= half;
+  }
+}
+
+/// Places uniform over the area of triangles, as sampleTriangle(), in float.
+__attribute__((always_inline)) inline void placeOnTriangles(
+  const SampleGroup& samples, float* weightB, float* weightC)
+{
+  alignas(64) float b[kGroup], c[kGroup];
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    const float root = __builtin_sqrtf((static_cast<float>(samples.x[lane]) + 0.5F) * 0x1p-32F);
+    const float part = (static_cast<float>(samples.y[lane]) + 0.5F) * 0x1p-32F;
+    b[lane] = root * (1 - part);
+    c[lane] = root * part;
+  }
+  std::memcpy(weightB, b, sizeof(b));
+  std::memcpy(weightC, c, sizeof(c));
+}
+
+template <class Lanes>
+void runStartLoop(const StartLoop& loop)
+{
+  WalkFront& front = loop.front;
+  SampleGroup samples;
+  std::uint32_t chosen[kGroup], triangles[kGroup];
+  for (std::size_t i = 0; i < front.size; i += kGroup)
+  {
+    const std::uint32_t *walks = &front.walk[i], *bounces = &front.bounce[i];
+    samples.drawFirst(loop.lights, walks, bounces, 0);
+    chooseLights(loop.cumulativeFlux, samples.x, chosen);
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      triangles[lane] = loop.triangles[chosen[lane]];
+    }
+    std::memcpy(loop.chosen + i, chosen, sizeof(chosen));
+    std::memcpy(&front.start[i], triangles, sizeof(triangles));
+    std::memset(&front.side[i], 1, kGroup);
+    samples.draw(loop.positions, walks, bounces, 0);
+    placeOnTriangles(samples, &front.weightB[i], &front.weightC[i]);
+  }
+}
+
+/// Asks memory for the looks of hits two groups ahead.
+__attribute__((always_inline)) inline void prefetchLooks(
+  const SceneRows& rows, const WalkFront& front, std::size_t i)
+{
+  const std::size_t ahead = i + 2 * kGroup;
+  const std::uint32_t* const hits = front.hit.data() + ahead;
+  for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
+  {
+    prefetchLine(rows.lookOf(hits[lane]));
+  }
+}
+
+template <class Lanes>
+void runSurviveLoop(const SurviveLoop& loop)
+{
+  static_assert(CellLook::kSurvivesAlways == 1u << 31);
+  WalkFront& front = loop.front;
+  const SceneRows rows = loop.rows;
+  SampleGroup samples;
+  alignas(64) std::uint32_t threshold[kGroup], always[kGroup], survives[kGroup];
+  for (std::size_t i = 0; i < front.size; i += kGroup)
+  {
+    samples.drawFirst(loop.keys, &front.walk[i], &front.bounce[i], 1);
+    const std::uint32_t* const hits = &front.hit[i];
+    for (unsigned lane = 0; lane < kGroup; ++lane) // the tally has just read the same looks
+    {
+      const CellLook look = *rows.lookOf(hits[lane]);
+      threshold[lane] = look.threshold;
+      always[lane] = look.cell >> 31;
+    }
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      survives[lane] = static_cast<std::uint32_t>(samples.x[lane] < threshold[lane]) | always[lane];
+    }
+    front.survivors[i / kGroup] = Lanes::maskOf(survives);
+  }
+}
+
+template <class Lanes>
+void runDrawLoop(const DrawLoop& loop)
+{
+  SampleGroup samples;
+  for (std::size_t i = 0; i < loop.front.size; i += kGroup)
+  {
+    samples.drawFirst(loop.keys, &loop.front.walk[i], &loop.front.bounce[i], 1);
+    std::copy_n(samples.x, kGroup, loop.samples + i);
+  }
+}
+
+template <class Lanes>
+void runPackLoop(const PackLoop& loop)
+{
+  const WalkFront& from = loop.from;
+  WalkFront& to = loop.to;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < from.size; i += kPacked)
+  {
+    const unsigned last = from.size - i < kPacked ? (1u << (from.size - i)) - 1 : 0xffffu;
+    const unsigned mask = from.survivors[i / kGroup] >> i % kGroup & last;
+    const typename Lanes::Packing pack(mask);
+    alignas(64) std::uint32_t next[kPacked];
+    for (unsigned lane = 0; lane < kPacked; ++lane)
+    {
+      next[lane] = from.bounce[i + lane] + 1;
+    }
+    pack(&from.hit[i], &to.start[kept]);
+    pack(&from.weightB[i], &to.weightB[kept]);
+    pack(&from.weightC[i], &to.weightC[kept]);
+    pack(&from.walk[i], &to.walk[kept]);
+    pack(next, &to.bounce[kept]);
+    pack(&from.block[i], &to.block[kept]);
+    pack(&from.slot[i], &to.parent[kept]);
+    if (!loop.areSidesKnown || loop.hasGlossy)
+    {
+      pack(&from.directionX[i], &to.directionX[kept]);
+      pack(&from.directionY[i], &to.directionY[kept]);
+      pack(&from.directionZ[i], &to.directionZ[kept]);
+    }
+    if (loop.areSidesKnown)
+    {
+      pack(&from.hitSide[i], &to.side[kept]);
+    }
+    if (loop.hasGlossy)
+    {
+      pack(&from.isSpecular[i], &to.isSpecular[kept]);
+      pack(&from.originX[i], &to.originX[kept]);
+      pack(&from.originY[i], &to.originY[kept]);
+      pack(&from.originZ[i], &to.originZ[kept]);
+    }
+    for (int band = 0; loop.bands > 1 && band < loop.bands; ++band)
+    {
+      pack(&from.power[band][i], &to.power[band][kept]);
+    }
+    kept += static_cast<unsigned>(__builtin_popcount(mask));
+  }
+  to.size = kept;
+}
+
+/// Rows of the table, side by side.
+struct RecordLanes
+{
+  enum Column
+  {
+    A = 0,
+    B = 3,
+    C = 6,
+    Normal = 9,
+    Clearance = 12,
+    Inset = 13,
+    Columns = 16
+  };
+  /// Lanes::transpose takes that many rows.
+  static constexpr unsigned kRows = 8;
+
+  alignas(64) double column[Columns][kGroup];
+
+  template <class Lanes>
+  __attribute__((always_inline)) void load(const SceneRows& rows, const std::uint32_t* numbers)
+  {
+    for (unsigned first = 0; first < kGroup; first += kRows)
+    {
+      const double* row[kRows];
+      for (unsigned lane = 0; lane < kRows; ++lane)
+      {
+        row[lane] = reinterpret_cast<const double*>(rows.recordOf(numbers[first + lane]));
+      }
+      Lanes::transpose(row, &column[0][first]);
+    }
+  }
+};
+static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::Normal * sizeof(double));
+static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::Inset * sizeof(double));
+
+/// The sides from which directions come: 1 front, -1 back.
+__attribute__((always_inline)) inline void findSidesOf(const RecordLanes& record,
+  const float* directionX, const float* directionY, const float* directionZ, double* side)
+{
+  const auto& c = record.column;
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    const double with = double{ directionX[lane] } * c[RecordLanes::Normal][lane] +
+      double{ directionY[lane] } * c[RecordLanes::Normal + 1][lane] +
+      double{ directionZ[lane] } * c[RecordLanes::Normal + 2][lane];
+    side[lane] = with <= 0 ? 1.0 : -1.0;
+  }
+}
+
+__attribute__((always_inline)) inline double mostOf(double a, double b)
+{
+  return a > b ? a : b;
+}
+
+/// The points that walks leave, with the operations of SurfaceFormula in its order.
+struct PointLanes
+{
+  alignas(64) double side[kGroup]; ///< 1 front, -1 back
+  alignas(64) double origin[3][kGroup];
+  alignas(64) float normal[3][kGroup]; ///< of the side
+
+  __attribute__((always_inline)) void place(
+    const RecordLanes& record, const float* weightB, const float* weightC)
+  {
+    const auto& c = record.column;
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      const double b = weightB[lane], g = weightC[lane], a = 1 - b - g;
+      const double keptA = mostOf(a, c[RecordLanes::Inset][lane]),
+                   keptB = mostOf(b, c[RecordLanes::Inset + 1][lane]),
+                   keptC = mostOf(g, c[RecordLanes::Inset + 2][lane]);
+      const double scale = 1 / (keptA + keptB + keptC);
+      for (unsigned axis = 0; axis < 3; ++axis)
+      {
+        const double turned = side[lane] * c[RecordLanes::Normal + axis][lane];
+        const double position =
+          (keptA * c[RecordLanes::A + axis][lane] + keptB * c[RecordLanes::B + axis][lane] +
+            keptC * c[RecordLanes::C + axis][lane]) *
+          scale;
+        origin[axis][lane] = position + c[RecordLanes::Clearance][lane] * turned;
+        normal[axis][lane] = static_cast<float>(turned);
+      }
+    }
+  }
+};
+
+/// Either way between the sides of a front and those of lanes.
+__attribute__((always_inline)) inline void loadSides(const std::uint8_t* isFront, double* side)
+{
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    side[lane] = isFront[lane] != 0 ? 1.0 : -1.0;
+  }
+}
+
+__attribute__((always_inline)) inline void storeSides(const double* side, std::uint8_t* isFront)
+{
+  std::uint8_t is[kGroup];
+  for (unsigned lane = 0; lane < kGroup; ++lane)
+  {
+    is[lane] = side[lane] > 0 ? 1 : 0;
+  }
+  std::memcpy(isFront, is, sizeof(is));
+}
+
+template <class Lanes>
+__attribute__((always_inline)) inline void leavePoints(
+  const LeaveLoop& loop, std::size_t i, PointLanes& points)
+{
+  WalkFront& front = loop.front;
+  RecordLanes record;
+  record.load<Lanes>(loop.rows, &front.start[i]);
+  if (loop.areSidesKnown)
+  {
+    loadSides(&front.side[i], points.side);
+  }
+  else
+  {
+    findSidesOf(
+      record, &front.directionX[i], &front.directionY[i], &front.directionZ[i], points.side);
+    storeSides(points.side, &front.side[i]);
+  }
+  points.place(record, &front.weightB[i], &front.weightC[i]);
+  std::memcpy(&front.originX[i], points.origin[0], sizeof(points.origin[0]));
+  std::memcpy(&front.originY[i], points.origin[1], sizeof(points.origin[1]));
+  std::memcpy(&front.originZ[i], points.origin[2], sizeof(points.origin[2]));
+}
+
+/// Asks memory for the records of the next group.
+__attribute__((always_inline)) inline void prefetchRecords(
+  const SceneRows& rows, const WalkFront& front, std::size_t i)
+{
+  const std::size_t ahead = i + kGroup;
+  const std::uint32_t* const starts = front.start.data() + ahead;
+  for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
+  {
+    const SurfaceRecord* const record = rows.recordOf(starts[lane]);
+    prefetchLine(record);
+    prefetchLine(&record->inset);
+  }
+}
+
+template <class Lanes>
+void runLeaveLoop(const LeaveLoop& loop)
+{
+  WalkFront& front = loop.front;
+  SampleGroup samples;
+  PointLanes points;
+  alignas(64) float direction[3][kGroup];
+  for (std::size_t i = 0; i < front.size; i += kGroup)
+  {
+    prefetchRecords(loop.rows, front, i);
+    leavePoints<Lanes>(loop, i, points);
+    samples.draw(loop.keys, &front.walk[i], &front.bounce[i], 0);
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      const CosineDirectionInFloat leaving(points.normal[0][lane], points.normal[1][lane],
+        points.normal[2][lane], samples.x[lane], samples.y[lane]);
+      direction[0][lane] = leaving.x;
+      direction[1][lane] = leaving.y;
+      direction[2][lane] = leaving.z;
+    }
+    std::memcpy(&front.directionX[i], direction[0], sizeof(direction[0]));
+    std::memcpy(&front.directionY[i], direction[1], sizeof(direction[1]));
+    std::memcpy(&front.directionZ[i], direction[2], sizeof(direction[2]));
+  }
+}
+
+template <class Lanes>
+void runSidesLoop(const SidesLoop& loop)
+{
+  WalkFront& front = loop.front;
+  RecordLanes record;
+  alignas(64) double side[kGroup];
+  for (std::size_t i = 0; i < front.size; i += kGroup)
+  {
+    record.load<Lanes>(loop.rows, &front.hit[i]);
+    findSidesOf(record, &front.directionX[i], &front.directionY[i], &front.directionZ[i], side);
+    const std::uint32_t* const hits = &front.hit[i];
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      side[lane] = hits[lane] == WalkFront::kNone ? 1.0 : side[lane]; // as in WalkBatch
+    }
+    storeSides(side, &front.hitSide[i]);
+  }
+}
+
+template <class Lanes>
+void runSlotsLoop(const SlotsLoop& loop)
+{
+  const WalkFront& front = loop.front;
+  const SceneRows rows = loop.rows;
+  const std::uint32_t perCell = loop.perCell, perReplicate = loop.perReplicate,
+                      perSide = loop.perSide, escaped = loop.escaped;
+  ReplicateLanes replicates{};
+  alignas(64) std::uint32_t cell[kGroup], back[kGroup] = {}, slot[kGroup];
+  for (std::size_t i = loop.first; i < loop.end; i += kGroup)
+  {
+    prefetchLooks(rows, front, i);
+    const std::uint32_t* const hits = &front.hit[i];
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      cell[lane] = rows.lookOf(hits[lane])->number();
+    }
+    if (loop.replicates > 1)
+    {
+      replicates.set(&front.walk[i], loop.firstWalk, loop.replicates);
+    }
+    const std::uint8_t* const hitSides = &front.hitSide[i];
+    for (unsigned lane = 0; lane < kGroup && perSide > 0; ++lane)
+    {
+      back[lane] = hitSides[lane] != 0 ? 0 : perSide;
+    }
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      const std::uint32_t sum =
+        cell[lane] * perCell + back[lane] + replicates.replicate[lane] * perReplicate;
+      slot[lane] = hits[lane] == WalkFront::kNone ? escaped : sum;
+    }
+    std::memcpy(loop.slots + (i - loop.first), slot, sizeof(slot));
+  }
+}
+
+}
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifdef __x86_64__
+
+#include "Sampling/CosineDirectionInFloat.h"
+#include "Shooting/FrontLoops.h"
+#include "Simd/Prefetch.h"
+#include "Simd/SimdTarget.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <immintrin.h>
+
+namespace irradiance
+{
+namespace
+{
+
+/// For each mask of eight lanes those that it chooses, in order.
+struct ChosenLanes
+{
+  alignas(64) std::uint8_t lanes[256][8] = {};
+
+  constexpr ChosenLanes()
+  {
+    for (unsigned mask = 0; mask < 256; ++mask)
+    {
+      unsigned kept = 0;
+      for (unsigned lane = 0; lane < 8; ++lane)
+      {
+        if ((mask >> lane & 1u) != 0)
+        {
+          lanes[mask][kept++] = static_cast<std::uint8_t>(lane);
+        }
+      }
+    }
+  }
+};
+constexpr ChosenLanes kChosen;
+
+}
+}
+
+IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
+
+#include "Shooting/FrontLoops.inl"
+
+namespace irradiance
+{
+namespace
+{
+
+struct Avx2Lanes
+{
+  static std::uint32_t maskOf(const std::uint32_t* flags)
+  {
+    return eight(flags) | eight(flags + 8) << 8 | eight(flags + 16) << 16 | eight(flags + 24) << 24;
+  }
+
+  static void transpose(const double* const* rows, double* columns)
+  {
+    for (unsigned row = 0; row < RecordLanes::kRows; row += 4)
+    {
+      for (unsigned column = 0; column < RecordLanes::Columns; column += 4)
+      {
+        double* const to = columns + column * kGroup + row;
+        const __m256d a = _mm256_load_pd(rows[row] + column),
+                      b = _mm256_load_pd(rows[row + 1] + column),
+                      c = _mm256_load_pd(rows[row + 2] + column),
+                      d = _mm256_load_pd(rows[row + 3] + column);
+        const __m256d even = _mm256_unpacklo_pd(a, b), odd = _mm256_unpackhi_pd(a, b),
+                      evenBelow = _mm256_unpacklo_pd(c, d), oddBelow = _mm256_unpackhi_pd(c, d);
+        _mm256_store_pd(to, _mm256_permute2f128_pd(even, evenBelow, 0x20));
+        _mm256_store_pd(to + kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x20));
+        _mm256_store_pd(to + 2 * kGroup, _mm256_permute2f128_pd(even, evenBelow, 0x31));
+        _mm256_store_pd(to + 3 * kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x31));
+      }
+    }
+  }
+
+  class Packing
+  {
+  public:
+    explicit Packing(unsigned mask)
+    {
+      for (unsigned i = 0; i < 2; ++i)
+      {
+        const unsigned lanes = mask >> 8 * i & 0xffu;
+        bytes_[i] = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes]));
+        words_[i] = _mm256_cvtepu8_epi32(bytes_[i]);
+      }
+      for (unsigned i = 0; i < 4; ++i)
+      {
+        const unsigned lanes = mask >> 4 * i & 0xfu;
+        const __m256i lane = _mm256_cvtepu8_epi64(
+          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes])));
+        // A double is two words: 2 lane and 2 lane + 1.
+        doubles_[i] = _mm256_or_si256(_mm256_slli_epi64(lane, 1),
+          _mm256_add_epi64(_mm256_slli_epi64(lane, 33), _mm256_set1_epi64x(0x100000000)));
+        quarters_[i] = __builtin_popcount(lanes);
+      }
+    }
+
+    void operator()(const std::uint32_t* from, std::uint32_t* to) const { packWords(from, to); }
+    void operator()(const float* from, float* to) const { packWords(from, to); }
+    void operator()(const double* from, double* to) const { packDoubles(from, to); }
+    void operator()(const std::int64_t* from, std::int64_t* to) const { packDoubles(from, to); }
+    void operator()(const std::uint16_t* from, std::uint16_t* to) const
+    {
+      for (unsigned i = 0; i < 2; ++i)
+      {
+        const __m128i lane = _mm_cvtepu8_epi16(bytes_[i]);
+        const __m128i pairs =
+          _mm_or_si128(_mm_slli_epi16(lane, 1), // its bytes: 2 lane and 2 lane + 1
+            _mm_add_epi16(_mm_slli_epi16(lane, 9), _mm_set1_epi16(0x100)));
+        const __m128i all = _mm_load_si128(reinterpret_cast<const __m128i*>(from + 8 * i));
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(all, pairs));
+        to += quarters_[0] + quarters_[1];
+      }
+    }
+    void operator()(const std::uint8_t* from, std::uint8_t* to) const
+    {
+      for (unsigned i = 0; i < 2; ++i)
+      {
+        const __m128i all = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(from + 8 * i));
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(all, bytes_[i]));
+        to += quarters_[0] + quarters_[1];
+      }
+    }
+
+  private:
+    template <class Value>
+    void packWords(const Value* from, Value* to) const
+    {
+      for (unsigned i = 0; i < 2; ++i)
+      {
+        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from + 8 * i));
+        _mm256_storeu_si256(
+          reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, words_[i]));
+        to += quarters_[0] + quarters_[1];
+      }
+    }
+    template <class Value>
+    void packDoubles(const Value* from, Value* to) const
+    {
+      for (unsigned i = 0; i < 4; ++i)
+      {
+        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from + 4 * i));
+        _mm256_storeu_si256(
+          reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, doubles_[i]));
+        to += quarters_[i];
+      }
+    }
+
+    __m128i bytes_[2];
+    __m256i words_[2], doubles_[4];
+    int quarters_[4]; ///< how many stay of four lanes
+  };
+
+private:
+  static std::uint32_t eight(const std::uint32_t* flags)
+  {
+    const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(flags));
+    return static_cast<std::uint32_t>(
+      _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(all, 31))));
+  }
+};
+
+}
+
+#define IRRADIANCE_LEVEL(name) name##Avx2
+#define IRRADIANCE_LANES Avx2Lanes
+#include "Shooting/FrontLoopsOf.inl"
+
+}
+
+IRRADIANCE_TARGET_END
+
+#endif

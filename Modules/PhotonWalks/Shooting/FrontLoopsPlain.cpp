@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/CosineDirectionInFloat.h"
+#include "Shooting/FrontLoops.h"
+#include "Simd/Prefetch.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+#include "Shooting/FrontLoops.inl"
+
+namespace irradiance
+{
+namespace
+{
+
+struct PlainLanes
+{
+  static unsigned maskOf(const std::uint32_t* flags)
+  {
+    unsigned mask = 0;
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      mask |= flags[lane] << lane;
+    }
+    return mask;
+  }
+
+  static void transpose(const double* const* rows, double* columns)
+  {
+    for (unsigned column = 0; column < RecordLanes::Columns; ++column)
+    {
+      for (unsigned row = 0; row < RecordLanes::kRows; ++row)
+      {
+        columns[column * kGroup + row] = rows[row][column];
+      }
+    }
+  }
+
+  /// Writes each value, and goes on behind those that stay: which do is unpredictable.
+  class Packing
+  {
+  public:
+    explicit Packing(unsigned mask)
+      : mask_(mask)
+    {
+    }
+
+    template <class Value>
+    void operator()(const Value* from, Value* to) const
+    {
+      unsigned kept = 0;
+      for (unsigned lane = 0; lane < kPacked; ++lane)
+      {
+        to[kept] = from[lane];
+        kept += mask_ >> lane & 1u;
+      }
+    }
+
+  private:
+    unsigned mask_;
+  };
+};
+
+}
+
+#define IRRADIANCE_LEVEL(name) name##Plain
+#define IRRADIANCE_LANES PlainLanes
+#include "Shooting/FrontLoopsOf.inl"
+
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shooting/FrontTally.h"
+
+#include "Shooting/FrontLoops.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+FrontTally::FrontTally(const SceneTriangles& triangles, CellSums& sums, PowerBalance& balance,
+  const Power& photon, std::size_t expected)
+  : triangles_(triangles)
+  , sums_(sums)
+  , balance_(balance)
+  , photon_(photon)
+  , counts_(sums, photon[0], sums.bands() == 1 ? expected : 0)
+{
+  slots_.reserve(kTogether);
+}
+
+Power FrontTally::powerOf(const WalkFront& front) const
+{
+  if (sums_.bands() == 1)
+  {
+    return static_cast<std::int64_t>(front.size) * photon_;
+  }
+  Power all;
+  for (int band = 0; band < sums_.bands(); ++band)
+  {
+    for (std::size_t i = 0; i < front.size; ++i)
+    {
+      all[band] += front.power[band][i];
+    }
+  }
+  return all;
+}
+
+void FrontTally::receive(const WalkFront& front)
+{
+  for (std::size_t first = 0; first < front.size; first += kTogether)
+  {
+    receiveGroups(front, first, std::min(first + kTogether, front.size));
+  }
+  balance_.segments += static_cast<std::int64_t>(front.size);
+}
+
+void FrontTally::receiveGroups(const WalkFront& front, std::size_t first, std::size_t end)
+{
+  const Replicates& replicates = sums_.plan().replicates();
+  const auto perCell = static_cast<std::uint32_t>(sums_.slotsPerCell());
+  runSlots({ SceneRows(triangles_), front, first, end, perCell, keepsSides() ? perCell / 2 : 0,
+    static_cast<std::uint32_t>(sums_.bands()), replicates.count(), replicates.firstWalk(),
+    counts_.escaped(), slots_.data() });
+  if (sums_.rounds() > 1)
+  {
+    addRounds(front, first, end);
+  }
+  if (sums_.bands() > 1)
+  {
+    receivePowers(front, first, end);
+    return;
+  }
+  counts_.add(slots_.data(), end - first);
+  const auto escaped = static_cast<std::int64_t>(
+    std::count(front.hit.data() + first, front.hit.data() + end, WalkFront::kNone));
+  const Power received = (static_cast<std::int64_t>(end - first) - escaped) * photon_;
+  balance_.escaped += escaped * photon_;
+  balance_.absorbed += received;
+  balance_.received += received.total();
+}
+
+void FrontTally::addRounds(const WalkFront& front, std::size_t first, std::size_t end)
+{
+  for (std::size_t i = first; i < end; ++i)
+  {
+    if (front.hit[i] != WalkFront::kNone)
+    {
+      slots_[i - first] +=
+        static_cast<std::uint32_t>(sums_.plan().roundOf(front.walk[i]) * sums_.slotsPerRound());
+    }
+  }
+}
+
+void FrontTally::receivePowers(const WalkFront& front, std::size_t first, std::size_t end)
+{
+  for (std::size_t i = first; i < end; ++i)
+  {
+    const Power carried = front.powerAt(i, sums_.bands());
+    if (front.hit[i] == WalkFront::kNone)
+    {
+      balance_.escaped += carried;
+      continue;
+    }
+    sums_.collect(slots_[i - first], true, carried, 1, deposits_); // the side is in the slot
+    balance_.absorbed += carried;
+    balance_.received += carried.total();
+  }
+}
+
+void FrontTally::discard()
+{
+  counts_.discard();
+  deposits_.clear();
+}
+
+}

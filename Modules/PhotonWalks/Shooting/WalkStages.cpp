@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shooting/WalkStages.h"
+
+#include "Shooting/FrontLoops.h"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <string>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
+constexpr std::uint32_t kMostBounces = 1u << 20;
+
+/// Not inlined: GCC 12 with -O3 takes two conversions of a pair, to float and back, for none.
+__attribute__((noinline)) Eigen::Vector3f toFloat(const Vector3& v)
+{
+  return v.cast<float>();
+}
+
+void setDirection(WalkFront& front, std::size_t place, const Vector3& direction)
+{
+  front.directionX[place] = static_cast<float>(direction[0]);
+  front.directionY[place] = static_cast<float>(direction[1]);
+  front.directionZ[place] = static_cast<float>(direction[2]);
+}
+
+void setOrigin(WalkFront& front, std::size_t place, const Vector3& origin)
+{
+  front.originX[place] = origin[0];
+  front.originY[place] = origin[1];
+  front.originZ[place] = origin[2];
+}
+
+}
+
+Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
+{
+  // Rounding turns a direction by up to 2^-24. What then points into the surface, or grazes it so that the
+  // sign is a matter of rounding in double, is raised by more than that.
+  constexpr double kLift = 0x1p-22, kGrazing = 0x1p-30;
+  const auto rounded = [](const Vector3& v) { return Vector3(toFloat(v).cast<double>()); };
+  const Vector3 nearest = rounded(direction);
+  return nearest.dot(normal) > kGrazing ? nearest : rounded(direction + kLift * normal);
+}
+
+WalkStages::WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles,
+  const LightTable& lights, const SobolSequence& samples)
+  : sampler_(sampler)
+  , triangles_(triangles)
+  , lights_(lights)
+  , samples_(samples)
+{
+  for (const Light& light : lights.lights())
+  {
+    triangleOfLight_.push_back(triangles.numberOf(light.triangle()));
+    hasLightsInAir_ = hasLightsInAir_ || triangleOfLight_.back() == WalkFront::kNone;
+  }
+}
+
+void WalkStages::start(WalkFront& front) const
+{
+  if (front.size == 0)
+  {
+    return;
+  }
+  assert(!lights_.isEmpty());
+  std::fill_n(front.bounce.data(), front.size, 0u);
+  front.pad();
+  const BounceKeys lights(samples_, 0, SampleUse::Light),
+    positions(samples_, 0, SampleUse::Position);
+  runStart({ front, lights, positions, lights_.cumulativeFlux(), triangleOfLight_.data(),
+    front.candidate.data() });
+  if (triangles_.hasGlossy())
+  {
+    std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
+  }
+  setPowers(front);
+  leave(front, true);
+  if (hasLightsInAir_)
+  {
+    startInAir(front);
+  }
+}
+
+/// Such lights are few, and each has walls of its own.
+void WalkStages::startInAir(WalkFront& front) const
+{
+  for (std::size_t i = 0; i < front.size; ++i)
+  {
+    if (front.start[i] == WalkFront::kNone)
+    {
+      const Ray ray = lights_[front.candidate[i]].leaving(
+        samples_.sample(front.walk[i], 0, SampleUse::Direction));
+      setOrigin(front, i, ray.origin);
+      setDirection(front, i, ray.direction);
+    }
+  }
+}
+
+void WalkStages::setPowers(WalkFront& front) const
+{
+  for (std::size_t i = 0; sampler_.bands() > 1 && i < front.size; ++i)
+  {
+    front.setPower(i, sampler_.bands(), lights_.power(front.candidate[i]));
+  }
+}
+
+void WalkStages::findSides(WalkFront& front) const
+{
+  front.pad();
+  runSides({ SceneRows(triangles_), front });
+}
+
+void WalkStages::absorb(WalkFront& from, WalkFront& to, bool areSidesKnown) const
+{
+  to.reserve(from.size, sampler_.bands());
+  to.size = 0;
+  if (from.size == 0)
+  {
+    return;
+  }
+  from.pad();
+  const BounceKeys keys(samples_, from.bounce[0] + 1, SampleUse::Survival);
+  if (sampler_.bands() == 1)
+  {
+    runSurvive({ SceneRows(triangles_), from, keys });
+    chooseReflections(from);
+  }
+  else
+  {
+    runDraw({ from, keys, from.candidate.data() });
+    decideByPowers(from);
+  }
+  runPack({ from, to, areSidesKnown, triangles_.hasGlossy(), sampler_.bands() });
+  checkEnds(to);
+}
+
+void WalkStages::decideByPowers(WalkFront& front) const
+{
+  std::fill_n(front.survivors.data(), front.groups(), 0u);
+  for (std::size_t i = 0; i < front.size; ++i)
+  {
+    if (front.hit[i] == WalkFront::kNone)
+    {
+      continue;
+    }
+    const TriangleId id = triangles_.idOf(front.hit[i]);
+    const Material& material = sampler_.materialOf(id.object);
+    const std::uint32_t cell = sampler_.cellOf(id);
+    const Power incoming = front.powerAt(i, sampler_.bands());
+    const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell);
+    const double sample = SobolPoint::toUnit(front.candidate[i]);
+    if (sample < survival.total())
+    {
+      const Reflection reflection =
+        survival.specular == 0 ? Reflection::Diffuse : survival.chosenBy(sample);
+      front.survivors[i / WalkFront::kGroup] |= 1u << i % WalkFront::kGroup;
+      front.isSpecular[i] = reflection == Reflection::Specular ? 1 : 0;
+      front.setPower(i, sampler_.bands(),
+        survivingPower(incoming, material, cell, reflection, survival.of(reflection)));
+    }
+  }
+}
+
+/// One band.
+void WalkStages::chooseReflections(WalkFront& front) const
+{
+  for (std::size_t i = 0; triangles_.hasGlossy() && i < front.size; ++i)
+  {
+    const std::uint32_t hit = front.hit[i];
+    front.isSpecular[i] = 0;
+    if (hit != WalkFront::kNone && triangles_.looks()[hit].isGlossy() &&
+      (front.survivors[i / WalkFront::kGroup] >> i % WalkFront::kGroup & 1u) != 0)
+    {
+      const Reflection reflection =
+        sampler_.reflectionAt(triangles_.idOf(hit), front.walk[i], front.bounce[i] + 1, {});
+      front.isSpecular[i] = reflection == Reflection::Specular ? 1 : 0;
+    }
+  }
+}
+
+void WalkStages::checkEnds(const WalkFront& front) const
+{
+  const std::uint32_t* const first = front.bounce.data();
+  const std::uint32_t* const last = std::max_element(first, first + front.size);
+  if (front.size > 0 && *last > kMostBounces)
+  {
+    throw std::runtime_error("walk " +
+      std::to_string(front.walk[static_cast<std::size_t>(last - first)]) +
+      " does not end: the light cannot leave a part of the scene that absorbs nothing "
+      "(reflectance 1)");
+  }
+}
+
+void WalkStages::leave(WalkFront& front, bool areSidesKnown) const
+{
+  if (front.size == 0)
+  {
+    return;
+  }
+  front.pad();
+  // What the loop overwrites is kept for the few that leave specularly.
+  std::vector<ScatteredRay> specular;
+  std::vector<std::uint32_t> places;
+  for (std::size_t i = 0; triangles_.hasGlossy() && i < front.size; ++i)
+  {
+    if (front.isSpecular[i] != 0)
+    {
+      const double b = front.weightB[i], c = front.weightC[i];
+      specular.push_back({ front.walk[i], front.bounce[i], triangles_.idOf(front.start[i]),
+        { 1 - b - c, b, c }, 0, Vector3::Zero(), Reflection::Specular,
+        { front.originX[i], front.originY[i], front.originZ[i] } });
+      places.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  const BounceKeys keys(samples_, front.bounce[0], SampleUse::Direction);
+  runLeave({ SceneRows(triangles_), front, keys, areSidesKnown });
+  leaveSpecularly(front, specular, places);
+}
+
+/// Their sides and origins are those that the loop found. They are few, and each has a lobe of its own.
+void WalkStages::leaveSpecularly(WalkFront& front, const std::vector<ScatteredRay>& leaving,
+  const std::vector<std::uint32_t>& places) const
+{
+  ScatteredRays scattered(sampler_);
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    const std::uint32_t i = places[k];
+    ScatteredRay one = leaving[k];
+    one.side = front.side[i] != 0 ? 1.0 : -1.0;
+    Ray ray;
+    scattered.add(one, &ray);
+    const double* const normal = triangles_.records()[front.start[i]].normal;
+    setDirection(front, i,
+      roundedDirection(ray.direction, one.side * Vector3(normal[0], normal[1], normal[2])));
+  }
+}
+
+}

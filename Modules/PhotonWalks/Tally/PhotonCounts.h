@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PhotonCounts_h
+#define irradiance_PhotonCounts_h
+
+#include "Tally/CellSums.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * Photons of one power that one thread adds to sums, or takes back. Each is an increment in a table of the
+ * thread's own, and the sums follow at the end. Where the table would be larger than all that is to be
+ * counted, photons stand in a list instead.
+ */
+class PhotonCounts
+{
+public:
+  /// `expected`: about how many photons. `sums` must outlive this.
+  PhotonCounts(CellSums& sums, std::int64_t quanta, std::size_t expected);
+  /// Adds to the sums.
+  ~PhotonCounts();
+  PhotonCounts(const PhotonCounts&) = delete;
+  PhotonCounts& operator=(const PhotonCounts&) = delete;
+
+  /// `slots` may be that of no sum, escaped(), too.
+  void add(const std::uint32_t* slots, std::size_t count) { change(slots, count, 1); }
+  void remove(const std::uint32_t* slots, std::size_t count) { change(slots, count, -1); }
+  /// The slot of photons that no cell receives.
+  std::uint32_t escaped() const { return static_cast<std::uint32_t>(sums_.slots()); }
+  /// Drops what was counted.
+  void discard();
+
+private:
+  /// A table of so many slots for each photon takes about as long as the list.
+  static constexpr std::size_t kSlotsPerPhoton = 8;
+  /// So many photons fit an entry of the table.
+  static constexpr std::size_t kMostPhotons = std::size_t{ 1 } << 30;
+
+  void change(const std::uint32_t* slots, std::size_t count, std::int32_t sign);
+  void flush();
+
+  CellSums& sums_;
+  std::int64_t quanta_;
+  struct Table
+  {
+    std::vector<std::int32_t> counts; ///< all 0 between uses, so that it need not be cleared
+    bool isTaken = false;
+  };
+  static Table& tableOfThread();
+
+  Table* table_ = nullptr;  ///< null if there is a list
+  std::size_t counted_ = 0; ///< in the table
+  std::vector<Deposit> list_;
+};
+
+}
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_test_FrontWorld_h
+#define irradiance_test_FrontWorld_h
+
+#include "EngineRun.h"
+#include "Scene/Scene.h"
+#include "Shooting/WalkStages.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace irradiance::test
+{
+
+/// A scene, and the stages that take fronts of walks through it. Rays are cast by Scene::cast().
+class FrontWorld
+{
+public:
+  FrontWorld(const SceneObjects& objects, const WalkPlan& plan, std::uint64_t seed)
+    : objects_(objects)
+    , plan_(plan)
+    , lights_(objects_, plan.most())
+    , samples_(seed, plan.replicates())
+    , triangles_(objects_)
+    , sampler_(objects_, lights_, samples_)
+    , stages_(sampler_, triangles_, lights_, samples_)
+  {
+    scene_.setStatic(objects_.staticObject.body);
+    scene_.setDynamic(objects_.dynamicBodies());
+    scene_.setPointSources(lights_.boundsInAir());
+    scene_.commit({});
+  }
+  FrontWorld(const FrontWorld&) = delete;
+  FrontWorld& operator=(const FrontWorld&) = delete;
+
+  const SceneObjects& objects() const { return objects_; }
+  const WalkPlan& plan() const { return plan_; }
+  const LightTable& lights() const { return lights_; }
+  const SobolSequence& samples() const { return samples_; }
+  const SceneTriangles& triangles() const { return triangles_; }
+  const WalkSampler& sampler() const { return sampler_; }
+  const WalkStages& stages() const { return stages_; }
+  const Scene& scene() const { return scene_; }
+
+  /// Makes room for these walks and numbers them.
+  void enter(WalkFront& front, std::uint32_t first, std::uint32_t count) const
+  {
+    front.reserve(count, sampler_.bands());
+    front.size = count;
+    std::iota(front.walk.data(), front.walk.data() + count, first);
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      front.block[i] = front.walk[i] / WalkPlan::kWalksPerBlock;
+      front.parent[i] = 0xffff;
+    }
+  }
+
+  Ray rayOf(const WalkFront& front, std::size_t i) const
+  {
+    return { Vector3(front.originX[i], front.originY[i], front.originZ[i]),
+      Vector3(front.directionX[i], front.directionY[i], front.directionZ[i]),
+      triangles_.idOf(front.start[i]) };
+  }
+
+  void cast(WalkFront& front) const
+  {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < front.size; ++i)
+    {
+      rays.push_back(rayOf(front, i));
+    }
+    std::vector<Hit> hits(front.size);
+    scene_.cast(rays.data(), rays.size(), hits.data());
+    for (std::size_t i = 0; i < front.size; ++i)
+    {
+      front.distance[i] = hits[i].distance;
+      front.hit[i] = triangles_.numberOf(hits[i].id);
+      front.weightB[i] = hits[i].weights[0];
+      front.weightC[i] = hits[i].weights[1];
+      front.slot[i] = static_cast<std::uint16_t>(i);
+    }
+  }
+
+  /// Takes these walks from their lights to their ends, so many at a time.
+  void shoot(
+    std::uint32_t first, std::uint32_t end, std::uint32_t together, FrontTally& tally) const
+  {
+    FrontPair& fronts = FrontPair::ofThread();
+    const bool keepsSides = tally.keepsSides();
+    for (std::uint32_t walk = first; walk < end; walk += together)
+    {
+      enter(fronts.now, walk, std::min(together, end - walk));
+      stages_.start(fronts.now);
+      tally.emit(fronts.now);
+      while (fronts.now.size > 0)
+      {
+        cast(fronts.now);
+        if (keepsSides)
+        {
+          stages_.findSides(fronts.now);
+        }
+        tally.receive(fronts.now);
+        stages_.absorb(fronts.now, fronts.next, keepsSides);
+        tally.release(fronts.next);
+        stages_.leave(fronts.next, keepsSides);
+        fronts.swap();
+      }
+    }
+  }
+
+private:
+  SceneObjects objects_;
+  WalkPlan plan_;
+  LightTable lights_;
+  SobolSequence samples_;
+  SceneTriangles triangles_;
+  WalkSampler sampler_;
+  WalkStages stages_;
+  Scene scene_;
+};
+
+/// All walks of a world's plan, shot by its stages.
+class FrontRun
+{
+public:
+  FrontRun(const FrontWorld& world, int sides, std::uint32_t together)
+    : sums_(world.objects(), sides, world.plan(), world.plan().rounds().size())
+  {
+    const std::uint32_t first = world.plan().rounds().front().firstWalk;
+    FrontTally tally(world.triangles(), sums_, balance_, world.sampler().powerPerWalk(),
+      std::size_t{ 4 } * world.plan().most());
+    world.shoot(first, world.plan().endWalk(), together, tally);
+  }
+
+  const CellSums& sums() const { return sums_; }
+  const PowerBalance& balance() const { return balance_; }
+
+private:
+  CellSums sums_;
+  PowerBalance balance_;
+};
+
+}
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Tally/PhotonCounts.h"
+
+#include "TestScenes.h"
+#include "ThreadExecution.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+SceneObjects quad(int cells)
+{
+  test::ObjectBuilder builder;
+  builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, cells, 1, test::grey(0.5));
+  return { builder.build(), {} };
+}
+
+/// What each way of counting expects: of 64 cells, a table for many photons and a list for few.
+constexpr std::size_t kExpected[] = { 1000, 1 };
+
+}
+
+TEST(PhotonCounts, CountsGoToTheirSums)
+{
+  for (const std::size_t expected : kExpected)
+  {
+    CellSums sums(quad(64), 1);
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      PhotonCounts counts(sums, std::int64_t{ 1 } << 40, expected);
+      const std::uint32_t slots[] = { 3, 63, 3, 0, counts.escaped(), 3 };
+      counts.add(slots, 6);
+      counts.remove(slots + 1, 1);
+      counts.remove(slots + 4, 2);
+    }
+    for (std::size_t cell = 0; cell < 64; ++cell)
+    {
+      const std::int64_t photons = cell == 3 ? 4 : cell == 0 ? 2 : 0;
+      EXPECT_EQ(sums.sum({ { 0, cell } }, 0), photons << 40) << cell;
+    }
+  }
+}
+
+TEST(PhotonCounts, WhatIsDiscardedIsForgotten)
+{
+  for (const std::size_t expected : kExpected)
+  {
+    CellSums sums(quad(64), 1);
+    for (const bool isDiscarded : { true, false })
+    {
+      PhotonCounts counts(sums, 5, expected);
+      const std::uint32_t slots[] = { 7, counts.escaped() };
+      counts.add(slots, 2);
+      if (isDiscarded)
+      {
+        counts.discard();
+      }
+    }
+    EXPECT_EQ(sums.sum({ { 0, 7 } }, 0), 5);
+  }
+}
+
+// A thread's table may be longer than the sums that come later: what escaped must not reach them.
+TEST(PhotonCounts, TablesServeSumsOfEverySize)
+{
+  for (const int cells : { 100, 10, 1000, 10 })
+  {
+    CellSums sums(quad(cells), 1);
+    {
+      PhotonCounts counts(sums, 1, 10000);
+      const std::uint32_t slots[] = { counts.escaped(), counts.escaped(), 1 };
+      counts.add(slots, 3);
+    }
+    for (int cell = 0; cell < cells; ++cell)
+    {
+      EXPECT_EQ(sums.sum({ { 0, static_cast<std::size_t>(cell) } }, 0), cell == 1 ? 1 : 0);
+    }
+  }
+}
+
+// A thread has one table: who comes second keeps a list.
+TEST(PhotonCounts, SeveralOfAThreadStandApart)
+{
+  CellSums sums(quad(64), 1), others(quad(64), 1);
+  {
+    PhotonCounts counts(sums, 2, 1000), otherCounts(others, 3, 1000);
+    const std::uint32_t slot = 7;
+    counts.add(&slot, 1);
+    otherCounts.add(&slot, 1);
+    counts.add(&slot, 1);
+  }
+  EXPECT_EQ(sums.sum({ { 0, 7 } }, 0), 4);
+  EXPECT_EQ(others.sum({ { 0, 7 } }, 0), 3);
+}
+
+TEST(PhotonCounts, ManyThreadsLoseNothing)
+{
+  constexpr std::uint32_t kCells = 100;
+  for (const std::size_t expected : kExpected)
+  {
+    CellSums sums(quad(kCells), 1);
+    test::ThreadExecution execution(4);
+    execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        PhotonCounts counts(sums, 3, expected);
+        std::vector<std::uint32_t> slots(kCells);
+        for (std::uint32_t k = 0; k < kCells; ++k)
+        {
+          slots[k] = (k + static_cast<std::uint32_t>(i)) % kCells;
+        }
+        counts.add(slots.data(), kCells);
+      }
+    });
+    for (std::size_t cell = 0; cell < kCells; ++cell)
+    {
+      EXPECT_EQ(sums.sum({ { 0, cell } }, 0), 6000);
+    }
+  }
+}
+
+}

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/CosineDirectionInFloat.h"
+#include "Shooting/FrontLoops.h"
+
+#include "../RayCasting/RandomVectors.h"
+#include "../RayCasting/TestSimdLevels.h"
+#include "FrontWorld.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::FrontWorld;
+using test::SimdLimit;
+
+constexpr std::uint32_t kWalks = 1000; // the last group is not full
+
+/// Triangles at random, thin ones and small ones among them, in two objects, of which one is placed; each
+/// with a reflectance of its own. `scale`: a power of two.
+SceneObjects someTriangles(double scale)
+{
+  test::RandomVectors random(5);
+  const auto some = [&](double exitance) {
+    test::ObjectBuilder builder;
+    for (int i = 0; i < 200; ++i)
+    {
+      const double size = scale * random.powerOfTwo(-12, 0), thin = random.powerOfTwo(-20, 0);
+      const Vector3 place = scale * random.inCube(), along = size * random.direction();
+      const Vector3 aside = size * thin * random.direction();
+      const double reflectance = i % 10 == 0 ? 0 : i % 10 == 1 ? 1 : random.uniform(0, 1);
+      builder.addCell({ { place, place + along, place + aside } },
+        test::grey(reflectance, i % 3 == 0 ? exitance * random.uniform(0, 1) : 0));
+    }
+    return builder.build();
+  };
+  SceneObjects objects{ some(1), { some(0) } };
+  objects.dynamicObjects[0].worldFromObject = { random.rotation(), scale * random.inCube() };
+  return objects;
+}
+
+/// Samples of a walk as integers.
+std::array<std::uint32_t, 2> integersOf(
+  const SobolSequence& samples, std::uint32_t walk, std::uint32_t bounce, SampleUse use)
+{
+  const std::array<double, 2> sample = samples.sample(walk, bounce, use);
+  const auto integer = [](double x) { return static_cast<std::uint32_t>((x - 0x1p-33) * 0x1p32); };
+  return { integer(sample[0]), integer(sample[1]) };
+}
+
+enum class Bounces
+{
+  Same,  ///< all walks at one
+  Mixed, ///< as after repairs
+  Runs   ///< groups of one and groups of several
+};
+
+std::uint32_t bounceOf(Bounces bounces, std::uint32_t i)
+{
+  const std::uint32_t mixed = i * 7 % 50;
+  return bounces == Bounces::Same ? 3
+    : bounces == Bounces::Mixed   ? mixed
+    : i / 100 % 2 == 0            ? 2
+                                  : mixed;
+}
+
+/// Walks with hits at random, also with none.
+void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint32_t firstWalk)
+{
+  test::RandomVectors random(7);
+  world.enter(front, firstWalk, kWalks);
+  for (std::uint32_t i = 0; i < kWalks; ++i)
+  {
+    const Vector3 direction = random.direction();
+    front.directionX[i] = static_cast<float>(direction[0]);
+    front.directionY[i] = static_cast<float>(direction[1]);
+    front.directionZ[i] = static_cast<float>(direction[2]);
+    front.bounce[i] = bounceOf(bounces, i);
+    front.start[i] = static_cast<std::uint32_t>(random.engine() % world.triangles().size());
+    front.hit[i] = i % 9 == 0
+      ? WalkFront::kNone
+      : static_cast<std::uint32_t>(random.engine() % world.triangles().size());
+    const double root = std::sqrt(random.uniform(0, 1)), part = random.uniform(0, 1);
+    front.weightB[i] = i % 50 == 0 ? 1.0F : i % 50 == 1 ? 0.0F : static_cast<float>(root * part);
+    front.weightC[i] = i % 50 <= 2 ? 0.0F : static_cast<float>(root * (1 - part));
+    front.side[i] = front.hitSide[i] = static_cast<std::uint8_t>(random.engine() % 2);
+    front.slot[i] = static_cast<std::uint16_t>(3 * i);
+    front.isSpecular[i] = 0;
+    front.originX[i] = i;
+    front.originY[i] = 2.0 * i;
+    front.originZ[i] = 3.0 * i;
+    for (int band = 0; band < Power::kMaxBands; ++band)
+    {
+      front.power[band].reserve(kWalks);
+      front.power[band][i] = (std::int64_t{ 1 } << 40) + 3 * i + band;
+    }
+  }
+}
+
+Vector3 originOf(const WalkFront& front, std::size_t i)
+{
+  return { front.originX[i], front.originY[i], front.originZ[i] };
+}
+
+Vector3 directionOf(const WalkFront& front, std::size_t i)
+{
+  return { front.directionX[i], front.directionY[i], front.directionZ[i] };
+}
+
+/// The plans of one and of several replicates.
+std::vector<WalkPlan> somePlans()
+{
+  return { WalkPlan(5000, 5000, 1), WalkPlan(5000, 5000, 16), WalkPlan(5000, 5000, 7, 1000),
+    WalkPlan(5000, 5000, 1, 0xfffff000u - 5000) };
+}
+
+/// Calls test(world, bounces) on each instruction set, for each plan and kind of bounces.
+template <class Test>
+void onAll(const Test& test)
+{
+  const SceneObjects objects = someTriangles(1);
+  for (const WalkPlan& plan : somePlans())
+  {
+    const FrontWorld world(objects, plan, 11);
+    for (const SimdLevel level : test::simdLevels())
+    {
+      const SimdLimit limit(level);
+      for (const Bounces bounces : { Bounces::Same, Bounces::Mixed, Bounces::Runs })
+      {
+        test(world, bounces);
+      }
+    }
+  }
+}
+
+}
+
+TEST(WalkStages, WalksStartWhereTheirSamplesSay)
+{
+  onAll([](const FrontWorld& world, Bounces) {
+    WalkFront front;
+    const std::uint32_t first = world.plan().rounds().front().firstWalk;
+    world.enter(front, first, kWalks);
+    world.stages().start(front);
+    for (std::uint32_t i = 0; i < kWalks; ++i)
+    {
+      const auto chosen = world.samples().sample(first + i, 0, SampleUse::Light);
+      const Light& light = world.lights()[world.lights().choose(chosen[0])];
+      ASSERT_EQ(front.start[i], world.triangles().numberOf(light.triangle()));
+      ASSERT_EQ(front.bounce[i], 0u);
+      ASSERT_EQ(front.side[i], 1);
+      const Vector3 weights =
+        sampleTriangle(world.samples().sample(first + i, 0, SampleUse::Position));
+      ASSERT_NEAR(front.weightB[i], weights[1], 0x1p-22);
+      ASSERT_NEAR(front.weightC[i], weights[2], 0x1p-22);
+      ASSERT_LE(double{ front.weightB[i] } + double{ front.weightC[i] }, 1 + 0x1p-23);
+    }
+  });
+}
+
+TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
+{
+  onAll([](const FrontWorld& world, Bounces bounces) {
+    WalkFront front, next;
+    const std::uint32_t first = world.plan().rounds().front().firstWalk;
+    fill(front, world, bounces, first);
+    world.stages().absorb(front, next, false);
+    std::size_t kept = 0;
+    for (std::uint32_t i = 0; i < kWalks; ++i)
+    {
+      const TriangleId id = world.triangles().idOf(front.hit[i]);
+      const double sample =
+        world.samples().sample(first + i, front.bounce[i] + 1, SampleUse::Survival)[0];
+      if (front.hit[i] != WalkFront::kNone &&
+        sample < world.sampler().reflectanceOf(id.object, world.sampler().cellOf(id)))
+      {
+        ASSERT_LT(kept, next.size);
+        ASSERT_EQ(next.walk[kept], first + i);
+        ASSERT_EQ(next.start[kept], front.hit[i]);
+        ASSERT_EQ(next.bounce[kept], front.bounce[i] + 1);
+        ASSERT_EQ(next.parent[kept], front.slot[i]);
+        ASSERT_EQ(next.block[kept], front.block[i]);
+        ASSERT_EQ(next.weightB[kept], front.weightB[i]);
+        ASSERT_EQ(next.weightC[kept], front.weightC[i]);
+        ASSERT_EQ(directionOf(next, kept), directionOf(front, i));
+        ++kept;
+      }
+    }
+    EXPECT_EQ(kept, next.size);
+  });
+}
+
+TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
+{
+  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  test::RandomVectors random(9);
+  for (const SimdLevel level : test::simdLevels())
+  {
+    const SimdLimit limit(level);
+    for (int trial = 0; trial < 300; ++trial)
+    {
+      WalkFront front, next;
+      fill(front, world, Bounces::Mixed, 0);
+      front.size = trial < 40 ? static_cast<std::size_t>(trial) : 1 + random.engine() % kWalks;
+      next.reserve(front.size, 3);
+      for (std::size_t group = 0; group < front.groups(); ++group)
+      {
+        front.survivors[group] = static_cast<std::uint32_t>(trial % 4 == 0 ? 0xffffffffu
+            : trial % 4 == 1                                               ? 0
+                                                                           : random.engine());
+      }
+      runPack({ front, next, true, true, 3 });
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < front.size; ++i)
+      {
+        if ((front.survivors[i / 32] >> i % 32 & 1) == 0)
+        {
+          continue;
+        }
+        ASSERT_EQ(next.start[kept], front.hit[i]);
+        ASSERT_EQ(next.walk[kept], front.walk[i]);
+        ASSERT_EQ(next.bounce[kept], front.bounce[i] + 1);
+        ASSERT_EQ(next.block[kept], front.block[i]);
+        ASSERT_EQ(next.parent[kept], front.slot[i]);
+        ASSERT_EQ(next.side[kept], front.hitSide[i]);
+        ASSERT_EQ(next.isSpecular[kept], front.isSpecular[i]);
+        ASSERT_EQ(next.weightB[kept], front.weightB[i]);
+        ASSERT_EQ(next.weightC[kept], front.weightC[i]);
+        ASSERT_EQ(originOf(next, kept), originOf(front, i));
+        ASSERT_EQ(directionOf(next, kept), directionOf(front, i));
+        ASSERT_EQ(next.powerAt(kept, 3), front.powerAt(i, 3));
+        ++kept;
+      }
+      ASSERT_EQ(next.size, kept);
+    }
+  }
+}
+
+// Bit for bit from the point that SurfacePoint finds, in the direction that the samples of the sequence
+// choose; never into the surface.
+TEST(WalkStages, RaysLeaveFromSurfacePoints)
+{
+  for (const bool areSidesKnown : { false, true })
+  {
+    onAll([areSidesKnown](const FrontWorld& world, Bounces bounces) {
+      WalkFront front;
+      const std::uint32_t first = world.plan().rounds().front().firstWalk;
+      fill(front, world, bounces, first);
+      WalkFront before;
+      fill(before, world, bounces, first);
+      world.stages().leave(front, areSidesKnown);
+      for (std::uint32_t i = 0; i < kWalks; ++i)
+      {
+        const double b = front.weightB[i], c = front.weightC[i];
+        SurfacePoint point = surfacePoint(
+          world.scene().worldTriangle(world.triangles().idOf(front.start[i])), { 1 - b - c, b, c });
+        const Vector3 n = point.normal, d = directionOf(before, i);
+        const bool comesFromFront = d[0] * n[0] + d[1] * n[1] + d[2] * n[2] <= 0;
+        point.turn(areSidesKnown ? before.side[i] != 0 : comesFromFront);
+        ASSERT_EQ(front.side[i] != 0, point.isFront);
+        ASSERT_EQ(originOf(front, i), point.clearPosition());
+        const auto sample =
+          integersOf(world.samples(), first + i, front.bounce[i], SampleUse::Direction);
+        const CosineDirectionInFloat expected(static_cast<float>(point.normal[0]),
+          static_cast<float>(point.normal[1]), static_cast<float>(point.normal[2]), sample[0],
+          sample[1]);
+        ASSERT_EQ(directionOf(front, i), Vector3(expected.x, expected.y, expected.z));
+        ASSERT_GT(directionOf(front, i).dot(point.normal), 0);
+      }
+    });
+  }
+}
+
+// From less than the size of a proton's to more than the distance to other stars.
+TEST(WalkStages, ScalingByAPowerOfTwoChangesOnlyTheUnit)
+{
+  const WalkPlan plan(5000, 5000, 1);
+  const FrontWorld one(someTriangles(1), plan, 11);
+  WalkFront expected;
+  fill(expected, one, Bounces::Same, 0);
+  one.stages().leave(expected, false);
+  for (const int power : { -92, -30, 60 })
+  {
+    const double scale = std::ldexp(1.0, power);
+    const FrontWorld scaled(someTriangles(scale), plan, 11);
+    WalkFront front;
+    fill(front, scaled, Bounces::Same, 0);
+    scaled.stages().leave(front, false);
+    for (std::uint32_t i = 0; i < kWalks; ++i)
+    {
+      ASSERT_EQ(originOf(front, i), scale * originOf(expected, i));
+      ASSERT_EQ(directionOf(front, i), directionOf(expected, i));
+      ASSERT_EQ(front.side[i], expected.side[i]);
+    }
+  }
+}
+
+TEST(WalkStages, SidesAreThoseThatTheRaysComeFrom)
+{
+  onAll([](const FrontWorld& world, Bounces bounces) {
+    WalkFront front;
+    fill(front, world, bounces, 0);
+    world.stages().findSides(front);
+    for (std::uint32_t i = 0; i < kWalks; ++i)
+    {
+      const bool isFront = front.hit[i] == WalkFront::kNone ||
+        directionOf(front, i).dot(Vector3(world.triangles().records()[front.hit[i]].normal)) <= 0;
+      ASSERT_EQ(front.hitSide[i] != 0, isFront);
+    }
+  });
+}
+
+TEST(WalkStages, ReplicatesAreThoseOfTheDivision)
+{
+  test::RandomVectors random(13);
+  ReplicateLanes lanes;
+  for (int trial = 0; trial < 20000; ++trial)
+  {
+    const auto count =
+      2 + static_cast<std::uint32_t>(random.engine() >> (32 + random.engine() % 31));
+    const auto first = static_cast<std::uint32_t>(trial % 2 == 0 ? 0 : random.engine());
+    const Replicates replicates(count, first);
+    std::uint32_t walks[ReplicateLanes::kSize];
+    for (std::uint32_t& walk : walks)
+    {
+      // Any, and on both sides of a multiple.
+      const auto any = static_cast<std::uint32_t>(random.engine());
+      walk = first + (any % 2 == 0 ? any : any / count * count - any % 3);
+    }
+    lanes.set(walks, first, count);
+    for (unsigned lane = 0; lane < ReplicateLanes::kSize; ++lane)
+    {
+      ASSERT_EQ(lanes.replicate[lane], replicates.replicateOf(walks[lane]))
+        << walks[lane] << ' ' << count;
+      ASSERT_EQ(lanes.number[lane], replicates.numberWithin(walks[lane]));
+    }
+  }
+}
+
+// Photon by photon, as CellSums itself numbers its sums: rounds, replicates, sides and bands.
+TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
+{
+  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  const WalkPlan plans[] = { WalkPlan(1000, 1000, 1), WalkPlan(100, 1000, 1),
+    WalkPlan(1000, 1000, 16), WalkPlan(100, 1000, 7) };
+  for (const SimdLevel level : test::simdLevels())
+  {
+    const SimdLimit limit(level);
+    for (const WalkPlan& plan : plans)
+    {
+      for (const int sides : { 1, 2 })
+      {
+        for (const std::size_t photons : { 1u, 100000u })
+        {
+          WalkFront front;
+          fill(front, world, Bounces::Mixed, 0);
+          const std::size_t rounds = plan.rounds().size();
+          CellSums sums(world.objects(), sides, plan, rounds),
+            expected(world.objects(), sides, plan, rounds);
+          PowerBalance balance;
+          std::vector<Deposit> deposits;
+          const Power photon{ { 1000 } };
+          FrontTally(world.triangles(), sums, balance, photon, photons).receive(front);
+          for (std::size_t i = 0; i < kWalks; ++i)
+          {
+            if (front.hit[i] != WalkFront::kNone)
+            {
+              const SceneCell cell = expected.cellOf(world.triangles().idOf(front.hit[i]));
+              expected.collect(
+                expected.slotOf(front.walk[i], cell), front.hitSide[i] != 0, photon, 1, deposits);
+            }
+          }
+          expected.add(deposits);
+          EXPECT_EQ(balance.absorbed, static_cast<std::int64_t>(deposits.size()) * photon);
+          EXPECT_EQ(balance.escaped, static_cast<std::int64_t>(kWalks - deposits.size()) * photon);
+          expected.numbers().forEach([&](const SceneCell& cell) {
+            for (int side = 0; side < sides; ++side)
+            {
+              for (std::uint32_t replicate = 0; replicate < plan.replicates().count(); ++replicate)
+              {
+                for (std::size_t round = 1; round <= rounds; ++round)
+                {
+                  ASSERT_EQ(sums.sum({ cell, side }, 0, replicate, round),
+                    expected.sum({ cell, side }, 0, replicate, round));
+                }
+              }
+            }
+          });
+        }
+      }
+    }
+  }
+}
+
+// A direction may graze by less than its rounding to float.
+TEST(WalkStages, RoundedDirectionsStayOutOfTheSurface)
+{
+  test::RandomVectors random(12);
+  for (int i = 0; i < 1000000; ++i)
+  {
+    const Vector3 normal = random.direction();
+    const Vector3 along = normal.cross(random.direction()).normalized();
+    const double height = i % 10 == 0 ? 0 : random.powerOfTwo(-60, 0);
+    const Vector3 direction = (along + height * normal).normalized();
+    const Vector3 rounded = roundedDirection(direction, normal);
+    ASSERT_GT(rounded.dot(normal), 0x1p-31);
+    ASSERT_LE((rounded - direction).norm(), 0x1p-21);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(rounded[axis], static_cast<double>(static_cast<float>(rounded[axis])));
+    }
+  }
+}
+
+TEST(WalkStages, WalksThatNeverEndAreNamed)
+{
+  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  WalkFront front, next;
+  fill(front, world, Bounces::Same, 0);
+  std::fill_n(front.bounce.data(), kWalks, (1u << 20) - 1);
+  world.stages().absorb(front, next, false);
+  std::fill_n(front.bounce.data(), kWalks, 1u << 20);
+  EXPECT_THROW(world.stages().absorb(front, next, false), std::runtime_error);
+}
+
+}
