@@ -91,7 +91,10 @@ struct ExactRay
 
 ExactVector storedEnd(const GridSegments& segments, std::size_t i, int first)
 {
-  return { segments.ends[first][i], segments.ends[first + 1][i], segments.ends[first + 2][i] };
+  const auto end = [&](std::size_t axis) {
+    return static_cast<long double>(segments.ends[first + axis][i]);
+  };
+  return { end(0), end(1), end(2) };
 }
 
 /// How far, along the worst axis, p is from the stored segment, at the same share of its length.
