@@ -59,7 +59,7 @@ struct BouncePage
 
   static constexpr std::size_t kScanned = sizeof ends + sizeof tags; ///< bytes
 };
-static_assert(sizeof(BouncePage) == 32 * BouncePage::kSize);
+static_assert(sizeof(BouncePage) == std::size_t{ 32 } * BouncePage::kSize);
 
 }
 

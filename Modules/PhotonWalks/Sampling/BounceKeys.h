@@ -25,7 +25,7 @@ public:
   /// By replicate.
   const std::uint32_t* shuffles() const { return keys_.data(); }
   const std::uint32_t* scramblesX() const { return keys_.data() + replicates_; }
-  const std::uint32_t* scramblesY() const { return keys_.data() + 2 * replicates_; }
+  const std::uint32_t* scramblesY() const { return keys_.data() + std::size_t{ 2 } * replicates_; }
 
 private:
   const SobolSequence* samples_;

@@ -81,7 +81,7 @@ void runStartLoop(const StartLoop& loop)
 __attribute__((always_inline)) inline void prefetchLooks(
   const SceneRows& rows, const WalkFront& front, std::size_t i)
 {
-  const std::size_t ahead = i + 2 * kGroup;
+  const std::size_t ahead = i + std::size_t{ 2 } * kGroup;
   const std::uint32_t* const hits = front.hit.data() + ahead;
   for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
   {

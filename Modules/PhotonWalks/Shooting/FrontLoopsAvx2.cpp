@@ -63,7 +63,7 @@ struct Avx2Lanes
     {
       for (unsigned column = 0; column < RecordLanes::Columns; column += 4)
       {
-        double* const to = columns + column * kGroup + row;
+        double* const to = columns + std::size_t{ column } * kGroup + row;
         const __m256d a = _mm256_load_pd(rows[row] + column),
                       b = _mm256_load_pd(rows[row + 1] + column),
                       c = _mm256_load_pd(rows[row + 2] + column),
@@ -72,8 +72,10 @@ struct Avx2Lanes
                       evenBelow = _mm256_unpacklo_pd(c, d), oddBelow = _mm256_unpackhi_pd(c, d);
         _mm256_store_pd(to, _mm256_permute2f128_pd(even, evenBelow, 0x20));
         _mm256_store_pd(to + kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x20));
-        _mm256_store_pd(to + 2 * kGroup, _mm256_permute2f128_pd(even, evenBelow, 0x31));
-        _mm256_store_pd(to + 3 * kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x31));
+        _mm256_store_pd(
+          to + std::size_t{ 2 } * kGroup, _mm256_permute2f128_pd(even, evenBelow, 0x31));
+        _mm256_store_pd(
+          to + std::size_t{ 3 } * kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x31));
       }
     }
   }
@@ -113,7 +115,8 @@ struct Avx2Lanes
         const __m128i pairs =
           _mm_or_si128(_mm_slli_epi16(lane, 1), // its bytes: 2 lane and 2 lane + 1
             _mm_add_epi16(_mm_slli_epi16(lane, 9), _mm_set1_epi16(0x100)));
-        const __m128i all = _mm_load_si128(reinterpret_cast<const __m128i*>(from + 8 * i));
+        const __m128i all =
+          _mm_load_si128(reinterpret_cast<const __m128i*>(from + std::size_t{ 8 } * i));
         _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(all, pairs));
         to += quarters_[0] + quarters_[1];
       }
@@ -122,7 +125,8 @@ struct Avx2Lanes
     {
       for (unsigned i = 0; i < 2; ++i)
       {
-        const __m128i all = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(from + 8 * i));
+        const __m128i all =
+          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(from + std::size_t{ 8 } * i));
         _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(all, bytes_[i]));
         to += quarters_[0] + quarters_[1];
       }
@@ -134,7 +138,8 @@ struct Avx2Lanes
     {
       for (unsigned i = 0; i < 2; ++i)
       {
-        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from + 8 * i));
+        const __m256i all =
+          _mm256_load_si256(reinterpret_cast<const __m256i*>(from + std::size_t{ 8 } * i));
         _mm256_storeu_si256(
           reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, words_[i]));
         to += quarters_[0] + quarters_[1];

@@ -33,7 +33,7 @@ struct Avx512Lanes
   {
     for (unsigned column = 0; column < RecordLanes::Columns; column += 8)
     {
-      transposeSquare(rows, column, columns + column * kGroup);
+      transposeSquare(rows, column, columns + std::size_t{ column } * kGroup);
     }
   }
 
@@ -93,7 +93,7 @@ private:
   {
     // Pairs of rows: columns 0, 2, 4, 6 of both in `even`, the others in `odd`.
     __m512d even[4], odd[4];
-    for (unsigned pair = 0; pair < 4; ++pair)
+    for (std::size_t pair = 0; pair < 4; ++pair)
     {
       const __m512d a = _mm512_load_pd(rows[2 * pair] + first),
                     b = _mm512_load_pd(rows[2 * pair + 1] + first);
@@ -111,9 +111,11 @@ private:
                   aboveNext = _mm512_shuffle_f64x2(pairs[0], pairs[1], 0xdd),
                   belowNext = _mm512_shuffle_f64x2(pairs[2], pairs[3], 0xdd);
     _mm512_store_pd(columns, _mm512_shuffle_f64x2(above, below, 0x88));
-    _mm512_store_pd(columns + 2 * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0x88));
-    _mm512_store_pd(columns + 4 * kGroup, _mm512_shuffle_f64x2(above, below, 0xdd));
-    _mm512_store_pd(columns + 6 * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0xdd));
+    _mm512_store_pd(
+      columns + std::size_t{ 2 } * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0x88));
+    _mm512_store_pd(columns + std::size_t{ 4 } * kGroup, _mm512_shuffle_f64x2(above, below, 0xdd));
+    _mm512_store_pd(
+      columns + std::size_t{ 6 } * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0xdd));
   }
 };
 

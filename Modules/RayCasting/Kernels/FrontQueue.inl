@@ -68,10 +68,7 @@ public:
     }
   }
 
-  void test(TreeQuery& query, std::uint32_t reference)
-  {
-    front_.tester.test(query.job, reference);
-  }
+  void test(TreeQuery& query, std::uint32_t reference) { front_.tester.test(query.job, reference); }
 
 private:
   __attribute__((always_inline)) static unsigned signOf(float x)

@@ -29,8 +29,7 @@ __attribute__((noinline)) void prepareSome(PrepareLanes<Real>& lanes, const Tria
   const TreeRays& rays, const Real* const (&directions)[3], std::uint32_t first)
 {
   lanes.prepare(tree, { rays.origin[0] + first, rays.origin[1] + first, rays.origin[2] + first },
-    { directions[0] + first, directions[1] + first, directions[2] + first },
-    rays.distance + first);
+    { directions[0] + first, directions[1] + first, directions[2] + first }, rays.distance + first);
 }
 
 __attribute__((noinline)) void intersectSome(IntersectionLanes& lanes)

@@ -267,8 +267,8 @@ private:
     }
   }
 
-  void take(Queue& queue, const TriangleBlock& block, unsigned first,
-    const BlockResult<Lanes>& result)
+  void take(
+    Queue& queue, const TriangleBlock& block, unsigned first, const BlockResult<Lanes>& result)
   {
     alignas(32) float distances[Lanes::kCount], sizes[Lanes::kCount], blurs[Lanes::kCount];
     Lanes::store(distances, result.distance);
