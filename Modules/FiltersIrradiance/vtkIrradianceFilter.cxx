@@ -104,16 +104,8 @@ std::vector<irradiance::PieceCells> PiecesOf(
   const std::vector<irradiance::InputConnection>& dynamics)
 {
   std::vector<irradiance::PieceCells> pieces;
-  for (const auto* connections : { &statics, &dynamics })
-  {
-    for (const irradiance::InputConnection& connection : *connections)
-    {
-      for (const irradiance::InputPart& part : connection.parts)
-      {
-        pieces.push_back(part.cells);
-      }
-    }
-  }
+  irradiance::forEachPart(
+    statics, dynamics, [&](const irradiance::InputPart& part) { pieces.push_back(part.cells); });
   return pieces;
 }
 

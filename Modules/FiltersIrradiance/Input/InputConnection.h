@@ -39,6 +39,22 @@ struct InputConnection
   std::vector<InputPart> parts;
 };
 
+/// Calls visit(part) for the parts of the static connections, then of the dynamic ones, in order.
+template <class Connections, class Visit>
+void forEachPart(Connections& statics, Connections& dynamics, const Visit& visit)
+{
+  for (auto* connections : { &statics, &dynamics })
+  {
+    for (auto& connection : *connections)
+    {
+      for (auto& part : connection.parts)
+      {
+        visit(part);
+      }
+    }
+  }
+}
+
 /// A static connection. Throws InputError for a leaf that is no polydata.
 InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data);
 

@@ -28,16 +28,7 @@ using Parts = std::vector<InputPart*>;
 Parts partsOf(std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics)
 {
   Parts parts;
-  for (auto* connections : { &statics, &dynamics })
-  {
-    for (InputConnection& connection : *connections)
-    {
-      for (InputPart& part : connection.parts)
-      {
-        parts.push_back(&part);
-      }
-    }
-  }
+  forEachPart(statics, dynamics, [&](InputPart& part) { parts.push_back(&part); });
   return parts;
 }
 
