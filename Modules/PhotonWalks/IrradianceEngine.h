@@ -95,14 +95,13 @@ public:
   {
     return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
   }
-  WalkSpace space() const { return { scene_, objects_, contacts_ }; }
+  WalkSpace space() const { return { scene_, objects_, triangles_, contacts_ }; }
   /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
   /// before; then updates keep it up to date. Throws Interrupted.
   template <class Store>
   void collect(Execution& execution)
   {
     assert(keepsPhotons());
-    walks_.findSides(space(), execution);
     photons_.collect<Store>(objects_, walks_.histories(), execution);
   }
   /// What was collected.
@@ -155,6 +154,7 @@ private:
   SceneCells cells_;
   EngineSettings settings_;
   Scene scene_;
+  SceneTriangles triangles_; ///< of objects_
   ObjectSides solidSides_;
   Contacts contacts_; ///< of this frame
   WalkSets walks_;

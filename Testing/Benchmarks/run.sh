@@ -96,9 +96,8 @@ cd "$build/results"
 if [[ $part != accuracy ]]; then
   measure BenchmarkRayCasting "300000 5" "10000 2"
   measure BenchmarkTraversalModes "" "10000 2"
-  measure BenchmarkSegmentScan "" "1 2"
   measure BenchmarkFrontCast "" "2 2"
-  measure BenchmarkFrontStages "" "20000 2"
+  measure BenchmarkStages "" "20000 2 2"
   measure BenchmarkBounceHistory "" "0.1 2"
   measure BenchmarkFarAndMany "" "5000 1"
   measure BenchmarkSigns "" "100"
@@ -112,7 +111,7 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,SegmentScan,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,FrontCast,Stages,BounceHistory,FarAndMany,Signs,Shooting,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkAccuracy "" "65536 1"

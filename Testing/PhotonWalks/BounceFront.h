@@ -59,12 +59,16 @@ public:
     kinds_ = column<std::uint8_t>(size, [](const BounceSegment& s) { return s.kind; });
     isFront_ = column<std::uint8_t>(
       size, [](const BounceSegment& s) { return static_cast<std::uint8_t>(s.isFront); });
-    powers_ = column<Power>(size, [](const BounceSegment& s) { return s.power; });
+    for (int band = 0; band < Power::kMaxBands; ++band)
+    {
+      powers_[band] =
+        column<std::int64_t>(size, [&](const BounceSegment& s) { return s.power[band]; });
+    }
     return { { { origin_[0].data(), origin_[1].data(), origin_[2].data() },
                { direction_[0].data(), direction_[1].data(), direction_[2].data() },
                distance_.data() },
       walks_.data(), parents_.data(), triangles_.data(), { second_.data(), third_.data() },
-      kinds_.data(), isFront_.data(), powers_.data() };
+      kinds_.data(), isFront_.data(), { powers_[0].data(), powers_[1].data(), powers_[2].data() } };
   }
 
 private:
@@ -85,7 +89,7 @@ private:
   std::vector<float> direction_[3], second_, third_;
   std::vector<std::uint32_t> walks_, parents_, triangles_;
   std::vector<std::uint8_t> kinds_, isFront_;
-  std::vector<Power> powers_;
+  std::vector<std::int64_t> powers_[Power::kMaxBands];
 };
 
 }

@@ -7,6 +7,7 @@
 #include "Shooting/WalkStages.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -52,7 +53,6 @@ public:
     for (std::uint32_t i = 0; i < count; ++i)
     {
       front.block[i] = front.walk[i] / WalkPlan::kWalksPerBlock;
-      front.parent[i] = 0xffff;
     }
   }
 
@@ -78,15 +78,21 @@ public:
       front.hit[i] = triangles_.numberOf(hits[i].id);
       front.weightB[i] = hits[i].weights[0];
       front.weightC[i] = hits[i].weights[1];
-      front.slot[i] = static_cast<std::uint16_t>(i);
+      front.slot[i] = static_cast<std::uint32_t>(i);
     }
   }
 
+  /// Who watches the walks sees each front before its rays are cast and after.
+  using Watch = std::function<void(const WalkFront&)>;
+
   /// Takes these walks from their lights to their ends, so many at a time.
-  void shoot(
-    std::uint32_t first, std::uint32_t end, std::uint32_t together, FrontTally& tally) const
+  void shoot(std::uint32_t first, std::uint32_t end, std::uint32_t together, FrontTally& tally,
+    const Watch& leaving = {}, const Watch& arriving = {}) const
   {
-    FrontPair& fronts = FrontPair::ofThread();
+    struct
+    {
+      WalkFront now, next;
+    } fronts;
     const bool keepsSides = tally.keepsSides();
     for (std::uint32_t walk = first; walk < end; walk += together)
     {
@@ -95,16 +101,24 @@ public:
       tally.emit(fronts.now);
       while (fronts.now.size > 0)
       {
+        if (leaving)
+        {
+          leaving(fronts.now);
+        }
         cast(fronts.now);
         if (keepsSides)
         {
           stages_.findSides(fronts.now);
         }
         tally.receive(fronts.now);
+        if (arriving)
+        {
+          arriving(fronts.now);
+        }
         stages_.absorb(fronts.now, fronts.next, keepsSides);
         tally.release(fronts.next);
         stages_.leave(fronts.next, keepsSides);
-        fronts.swap();
+        std::swap(fronts.now, fronts.next);
       }
     }
   }

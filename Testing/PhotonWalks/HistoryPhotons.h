@@ -20,6 +20,8 @@ inline std::vector<Photon> photonsOf(const WalkHistory& history)
   {
     history.forEachPhoton(block, [&](const Photon& photon) { photons.push_back(photon); });
   }
+  std::sort(photons.begin(), photons.end(),
+    [](const Photon& a, const Photon& b) { return a.reference < b.reference; });
   return photons;
 }
 

@@ -2,6 +2,8 @@
 #ifndef ShotWalk_h
 #define ShotWalk_h
 
+#include "BounceFront.h"
+#include "Shooting/StoredRays.h"
 #include "Shooting/WalkBatch.h"
 
 namespace irradiance::test
@@ -22,26 +24,32 @@ inline std::vector<WalkSegment> shotWalk(
 {
   CellSums sums(objects, 1);
   PowerBalance balance;
-  WalkTally tally(sums, balance);
-  const UnitFrame frame(tracer.scene().bounds());
   const WalkPlan plan;
-  WalkBatch batch(tracer, &frame);
-  batch.shoot({ walk });
-  batch.run(tally, [] { return false; });
-  WalkHistory history(plan, frame, tracer.sampler().bands(), tracer.sampler().powerPerWalk(),
+  const int bands = tracer.sampler().bands();
+  WalkHistory history(plan, PointGrid(tracer.scene().bounds()), tracer.triangles().numbers(), bands,
+    tracer.sampler().powerPerWalk(), std::make_shared<BlockArena>(BounceBlock::pageBytes(bands)),
     DealtBlocks(plan.blockOf(walk), plan.blockOf(walk) + 1)); // begins with the walk's block
   history.append();
-  batch.store(history);
-  std::vector<WalkSegment> segments(history.block(0).size(walk));
+  WalkBatch batch;
+  batch.begin(tracer, &history, false);
+  batch.front().reserve(1, bands);
+  batch.front().size = 1;
+  batch.front().walk[0] = walk;
+  batch.front().block[0] = 0;
+  FrontTally tally(tracer.triangles(), sums, balance, tracer.sampler().powerPerWalk(), 1);
+  batch.start(tally);
+  batch.run(tally, [] { return false; });
+  std::vector<WalkSegment> segments(history.size(walk));
+  StoredRays rays;
   for (std::uint32_t bounce = 0; bounce < segments.size(); ++bounce)
   {
     WalkSegment& segment = segments[bounce];
     const SegmentRef stored{ walk, bounce };
-    tracer.raysOf(history, { stored }, &segment.ray);
+    rays.find(tracer, history, { stored }, &segment.ray);
     segment.hit = history.hit(stored);
     if (segment.hit)
     {
-      segment.hit.distance = tracer.scene().distanceTo(segment.ray, segment.hit.id);
+      segment.hit.distance = tracer.scene().hitOf(segment.ray, segment.hit.id).distance;
     }
     segment.power = history.power(stored);
     segment.isFront = history.isFront(stored);
@@ -49,26 +57,27 @@ inline std::vector<WalkSegment> shotWalk(
   return segments;
 }
 
-/// Replaces the segments of a walk from `place` on by `tail`. `frame`: of the block, with `bands`.
-inline void replaceTail(WalkBlock& block, SegmentRef place, const std::vector<WalkSegment>& tail,
-  const UnitFrame& frame, int bands = 1)
+/// Stores a walk that has no segments yet.
+inline void storeWalk(
+  WalkHistory& history, std::uint32_t walk, const std::vector<WalkSegment>& segments)
 {
-  block.replaceTail(place, static_cast<std::uint32_t>(tail.size()));
-  for (const WalkSegment& segment : tail)
+  std::uint32_t parent = BounceBlock::kNone;
+  for (const WalkSegment& segment : segments)
   {
-    const Ray& ray = segment.ray;
-    const Hit& hit = segment.hit;
-    block.setSegment(
-      place, { storedPoint(frame, ray.origin), hit.id, hit.weights, segment.isFront, false });
-    if (bands > 1)
-    {
-      block.setPower(place, segment.power);
-    }
-    ++place.bounce;
+    BounceFront front;
+    BounceSegment stored;
+    stored.origin = segment.ray.origin;
+    stored.direction = segment.ray.direction.cast<float>();
+    stored.distance = segment.hit ? segment.hit.distance : kInfinity;
+    stored.walk = walk;
+    stored.parent = parent;
+    stored.triangle = history.numbers().numberOf(segment.hit.id);
+    stored.weights = segment.hit.weights;
+    stored.isFront = segment.isFront;
+    stored.power = segment.power;
+    front.add(stored);
+    history.append(history.indexOf(walk), front.columns(), 0, 1, &parent);
   }
-  const WalkSegment& last = tail.back();
-  const double length = last.hit ? last.hit.distance : WalkBlock::kFar / frame.scale;
-  block.setEnd(place.walk, storedPoint(frame, last.ray.origin + length * last.ray.direction));
 }
 
 }

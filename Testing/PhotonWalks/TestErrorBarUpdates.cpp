@@ -151,7 +151,7 @@ TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
   EngineSettings settings = withErrors(3001);
   settings.targetRelativeError = 0.2;
   settings.maximumNumberOfWalks = 100000;
-  settings.repairTimeBudget = 50 * test::TickingExecution::kTick;
+  settings.repairTimeBudget = 20 * test::TickingExecution::kTick;
   IrradianceEngine engine;
   test::TickingExecution clock;
   int waits = 0, changes = 0;

@@ -21,7 +21,8 @@ public:
     : objects_(objects)
     , lights_(objects, settings.numberOfWalks)
     , samples_(settings.seed)
-    , tracer_(scene_, objects_, lights_, samples_)
+    , triangles_(objects_)
+    , tracer_(scene_, objects_, triangles_, lights_, samples_)
   {
     scene_.setTraversalMode(TraversalMode::Sequential);
     scene_.setStatic(objects.staticObject.body);
@@ -51,6 +52,7 @@ private:
   Scene scene_;
   LightTable lights_;
   SobolSequence samples_;
+  SceneTriangles triangles_;
   WalkTracer tracer_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shooting/WalkSampler.h"
+#include "Shooting/WalkStages.h"
 
 #include "TestScenes.h"
 
@@ -32,11 +32,18 @@ struct Starts
   {
     const SobolSequence samples(seed);
     const WalkSampler sampler(objects, table, samples);
-    std::vector<std::uint32_t> numbers(walks);
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    sampler.start(numbers.data(), walks, rays.data());
-    for (const std::uint32_t walk : numbers)
+    const SceneTriangles triangles(objects);
+    const WalkStages stages(sampler, triangles, table, samples);
+    WalkFront front;
+    front.reserve(walks, sampler.bands());
+    front.size = walks;
+    std::iota(front.walk.data(), front.walk.data() + walks, 0u);
+    stages.start(front);
+    for (std::uint32_t walk = 0; walk < walks; ++walk)
     {
+      rays[walk] = { { front.originX[walk], front.originY[walk], front.originZ[walk] },
+        { front.directionX[walk], front.directionY[walk], front.directionZ[walk] },
+        triangles.idOf(front.start[walk]) };
       powers.push_back(sampler.powerOf(walk));
     }
   }

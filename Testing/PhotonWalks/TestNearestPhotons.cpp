@@ -306,9 +306,9 @@ TEST(NearestPhotons, TiesAreBrokenByWalkAndBounce)
   floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 1, 1, test::grey(0.5));
   const SceneObjects objects{ floor.build(), {} };
   constexpr std::uint32_t kWalks = 400;
-  const UnitFrame frame;
   const WalkPlan plan(kWalks, kWalks, 1);
-  WalkHistory history(plan, frame, 1, Power{ { 1 << 20 } });
+  WalkHistory history(plan, PointGrid(), TriangleNumbers({ 2 }), 1, Power{ { 1 << 20 } },
+    std::make_shared<BlockArena>(BounceBlock::pageBytes(1)));
   history.append();
   std::mt19937 random(3);
   for (std::uint32_t walk = 0; walk < kWalks; ++walk)
@@ -321,7 +321,7 @@ TEST(NearestPhotons, TiesAreBrokenByWalkAndBounce)
       segment.ray = { Vector3::Zero(), Vector3::UnitZ(), {} };
       segment.hit = { 1, { 0, static_cast<std::uint32_t>(random() % 2) }, { place(), place() } };
     }
-    test::replaceTail(history.block(0), { walk, 0 }, segments, frame);
+    test::storeWalk(history, walk, segments);
   }
   const LeafPhotons leaves = filled(objects, history);
   const Surfaces surfaces = surfacesOf(objects);

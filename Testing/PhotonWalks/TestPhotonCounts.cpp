@@ -45,25 +45,6 @@ TEST(PhotonCounts, CountsGoToTheirSums)
   }
 }
 
-TEST(PhotonCounts, WhatIsDiscardedIsForgotten)
-{
-  for (const std::size_t expected : kExpected)
-  {
-    CellSums sums(quad(64), 1);
-    for (const bool isDiscarded : { true, false })
-    {
-      PhotonCounts counts(sums, 5, expected);
-      const std::uint32_t slots[] = { 7, counts.escaped() };
-      counts.add(slots, 2);
-      if (isDiscarded)
-      {
-        counts.discard();
-      }
-    }
-    EXPECT_EQ(sums.sum({ { 0, 7 } }, 0), 5);
-  }
-}
-
 // A thread's table may be longer than the sums that come later: what escaped must not reach them.
 TEST(PhotonCounts, TablesServeSumsOfEverySize)
 {

@@ -34,7 +34,8 @@ Recount recount(const SceneObjects& objects, const EngineSettings& settings)
   scene.setPointSources(lights.boundsInAir());
   scene.commit({});
   const SobolSequence samples(settings.seed);
-  const WalkTracer tracer(scene, objects, lights, samples);
+  const SceneTriangles triangles(objects);
+  const WalkTracer tracer(scene, objects, triangles, lights, samples);
   Recount result;
   for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
   {

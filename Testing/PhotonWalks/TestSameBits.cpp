@@ -102,6 +102,39 @@ TEST(SameBits, WhateverTheInstructions)
   }
 }
 
+// So many that what they may change is looked for in an index, which is worn and made anew on the way.
+TEST(SameBits, AmongManyThatMoveWhateverTheInstructions)
+{
+  constexpr int kMovers = 24, kFrames = 8;
+  static_assert(kMovers >= static_cast<int>(SegmentIndex::kFromBodies));
+  test::ObjectBuilder room, grain;
+  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 3, test::grey(0.7), true);
+  room.addPointLight({ 2, 2, 2 }, 3);
+  grain.addSphere({ 0, 0, 0 }, 0.2, 4, test::grey(0.5));
+  SceneObjects objects{ room.build(), std::vector<SceneObject>(kMovers, grain.build()) };
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(20000);
+  for (const SimdLevel level : test::simdLevels())
+  {
+    const test::SimdLimit limit(level);
+    IrradianceEngine engine;
+    test::ThreadExecution threads(2);
+    for (int frame = 0; frame < kFrames; ++frame)
+    {
+      for (int i = 0; i < kMovers; ++i)
+      {
+        const auto at = [&](double step) { return 0.5 + 3 * std::fmod(step * (i + 1), 1.0); };
+        objects.dynamicObjects[static_cast<std::size_t>(i)].worldFromObject =
+          test::shift({ at(0.8191725134), at(0.6710436067) + 0.1 * frame, at(0.5497004779) });
+      }
+      engine.update(objects, settings, threads);
+      EXPECT_EQ(engine.statistics().invalidWalks > 0, frame > 0);
+      ASSERT_TRUE(test::answerOf(engine, objects) == test::freshAnswer(objects, settings))
+        << "SIMD level " << static_cast<int>(level) << ", frame " << frame;
+    }
+  }
+}
+
 TEST(SameBits, SidesAddUpToTheSum)
 {
   MovingScene scene(3, false, 42);

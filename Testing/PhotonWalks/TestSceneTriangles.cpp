@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Surfaces/SceneCells.h"
 #include "Surfaces/SceneTriangles.h"
 
 #include "Meshes/SurfacePoint.h"
+#include "Surfaces/SceneCells.h"
 
 #include "MovingScene.h"
 
 #include <gtest/gtest.h>
+
+#include <cstring>
+#include <stdexcept>
 
 namespace irradiance
 {
@@ -50,6 +55,50 @@ void expectRecords(const SceneTriangles& triangles, const SceneObjects& objects)
   }
 }
 
+/// As made anew.
+void expectAsFresh(const SceneTriangles& triangles, const SceneObjects& objects)
+{
+  expectNumbers(triangles, objects);
+  const SceneTriangles fresh(objects);
+  ASSERT_TRUE(triangles.numbers() == fresh.numbers());
+  EXPECT_EQ(triangles.hasGlossy(), fresh.hasGlossy());
+  for (std::uint32_t number = 0; number < fresh.size(); ++number)
+  {
+    ASSERT_EQ(
+      std::memcmp(triangles.records() + number, fresh.records() + number, sizeof(SurfaceRecord)),
+      0);
+    ASSERT_EQ(triangles.looks()[number].cell, fresh.looks()[number].cell);
+    ASSERT_EQ(triangles.looks()[number].threshold, fresh.looks()[number].threshold);
+  }
+}
+
+/// Changes something: a pose, who is there, the points, the look, or which objects there are.
+void change(SceneObjects& objects, const SceneObjects& others, test::RandomVectors& random)
+{
+  std::vector<SceneObject>& all = objects.dynamicObjects;
+  const std::size_t which = random.engine() % all.size();
+  switch (random.engine() % 6)
+  {
+    case 0:
+      all[which].worldFromObject.translation += random.inCube();
+      break;
+    case 1:
+      all[which].isPresent = !all[which].isPresent;
+      break;
+    case 2:
+      all[which] = others.dynamicObjects[which % others.dynamicObjects.size()];
+      break;
+    case 3:
+      std::swap(all[which], all.front());
+      break;
+    case 4:
+      all.push_back(all[which]);
+      break;
+    default:
+      all.size() > 1 ? all.pop_back() : all.push_back(all.front());
+  }
+}
+
 }
 
 TEST(SceneTriangles, NumbersRunThroughAllObjects)
@@ -63,13 +112,79 @@ TEST(SceneTriangles, NumbersRunThroughAllObjects)
   EXPECT_FALSE(triangles.hasGlossy());
 }
 
-TEST(SceneTriangles, MovedObjectsArePlacedAgain)
+TEST(SceneTriangles, FollowTheScene)
+{
+  test::MovingScene scene(1, true, 3), glossy(1, true, 4, true);
+  SceneObjects objects = scene.objects();
+  SceneTriangles triangles;
+  test::RandomVectors random(5);
+  for (int step = 0; step < 80; ++step)
+  {
+    change(objects, step % 2 == 0 ? glossy.objects() : scene.objects(), random);
+    if (step % 3 == 0)
+    {
+      objects.staticObject =
+        step % 2 == 0 ? glossy.objects().staticObject : scene.objects().staticObject;
+    }
+    triangles.update(objects);
+    expectAsFresh(triangles, objects);
+  }
+}
+
+// So many triangles that an update can be cancelled before, among and after the looks.
+TEST(SceneTriangles, AreRightAfterACancelledUpdate)
+{
+  test::ObjectBuilder dull, bright;
+  dull.addSphere({ 0, 0, 0 }, 1, 60, test::grey(0.2));
+  bright.addSphere({ 0, 0, 0 }, 1, 70, test::grey(0.8));
+  SceneObjects objects{ dull.build(), { bright.build(), dull.build() } };
+  ASSERT_GT(objects.staticObject.body->mesh().size(), 5000u);
+  SceneTriangles triangles(objects);
+  bool isCancelled = true;
+  for (int before = 0; isCancelled; ++before)
+  {
+    std::swap(objects.staticObject, objects.dynamicObjects[0]);
+    objects.dynamicObjects[1].worldFromObject.translation[0] += 0.5;
+    int left = before;
+    isCancelled = false;
+    try
+    {
+      triangles.update(objects, [&] {
+        if (left-- == 0)
+        {
+          throw std::runtime_error("cancelled");
+        }
+      });
+    }
+    catch (const std::runtime_error&)
+    {
+      isCancelled = true;
+    }
+    if (before % 2 == 0) // back to what it was before, in part
+    {
+      objects.dynamicObjects[1].worldFromObject.translation[0] -= 0.5;
+    }
+    triangles.update(objects);
+    expectAsFresh(triangles, objects);
+    ASSERT_LT(before, 100);
+  }
+}
+
+TEST(SceneTriangles, KeepTheLooksOfWhatMoves)
 {
   test::MovingScene scene(1, true, 3);
   SceneObjects objects = scene.objects();
   SceneTriangles triangles(objects);
+  for (std::uint32_t number = 0; number < triangles.size(); ++number)
+  {
+    const_cast<CellLook&>(triangles.looks()[number]).threshold = number; // a mark
+  }
   objects.dynamicObjects[0].worldFromObject.translation += Vector3(0.1, 0.2, 0.3);
-  triangles.place(objects[1], 1);
+  triangles.update(objects);
+  for (std::uint32_t number = 0; number < triangles.size(); ++number)
+  {
+    ASSERT_EQ(triangles.looks()[number].threshold, number);
+  }
   expectRecords(triangles, objects);
 }
 
@@ -95,6 +210,8 @@ TEST(SceneTriangles, AnEmptySceneHasRowsForNothing)
   EXPECT_EQ(triangles.size(), 0u);
   EXPECT_NE(triangles.records(), nullptr);
   EXPECT_FALSE(triangles.looks()[0].survives(0));
+  EXPECT_NE(SceneTriangles().records(), nullptr);
+  EXPECT_FALSE(SceneTriangles().looks()[0].survives(0));
 }
 
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/WalkPlan.h"
 
-#include "History/WalkBlock.h"
-
 #include <gtest/gtest.h>
 
 namespace irradiance

@@ -5,6 +5,7 @@
 #include "../RayCasting/RandomVectors.h"
 #include "../RayCasting/TestSimdLevels.h"
 #include "FrontWorld.h"
+#include "Sampling/DirectionSampling.h"
 #include "TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -58,16 +59,21 @@ enum class Bounces
 {
   Same,  ///< all walks at one
   Mixed, ///< as after repairs
+  Few,   ///< likewise, but none beyond the usual ones
+  Late,  ///< all walks at one that is unusual
   Runs   ///< groups of one and groups of several
 };
 
 std::uint32_t bounceOf(Bounces bounces, std::uint32_t i)
 {
-  const std::uint32_t mixed = i * 7 % 50;
+  static_assert(BounceKeys::kUsualBounces == 32);
+  const std::uint32_t mixed = i * 7 % 50, few = i * 7 % 31;
+  const std::uint32_t runs[] = { 2, few, mixed, 30, 31 };
   return bounces == Bounces::Same ? 3
     : bounces == Bounces::Mixed   ? mixed
-    : i / 100 % 2 == 0            ? 2
-                                  : mixed;
+    : bounces == Bounces::Few     ? few
+    : bounces == Bounces::Late    ? 40
+                                  : runs[i / 100 % 5];
 }
 
 /// Walks with hits at random, also with none.
@@ -90,7 +96,7 @@ void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint3
     front.weightB[i] = i % 50 == 0 ? 1.0F : i % 50 == 1 ? 0.0F : static_cast<float>(root * part);
     front.weightC[i] = i % 50 <= 2 ? 0.0F : static_cast<float>(root * (1 - part));
     front.side[i] = front.hitSide[i] = static_cast<std::uint8_t>(random.engine() % 2);
-    front.slot[i] = static_cast<std::uint16_t>(3 * i);
+    front.slot[i] = 0x10000 + 3 * i;
     front.isSpecular[i] = 0;
     front.originX[i] = i;
     front.originY[i] = 2.0 * i;
@@ -131,7 +137,8 @@ void onAll(const Test& test)
     for (const SimdLevel level : test::simdLevels())
     {
       const SimdLimit limit(level);
-      for (const Bounces bounces : { Bounces::Same, Bounces::Mixed, Bounces::Runs })
+      for (const Bounces bounces :
+        { Bounces::Same, Bounces::Mixed, Bounces::Few, Bounces::Late, Bounces::Runs })
       {
         test(world, bounces);
       }
@@ -154,6 +161,7 @@ TEST(WalkStages, WalksStartWhereTheirSamplesSay)
       const Light& light = world.lights()[world.lights().choose(chosen[0])];
       ASSERT_EQ(front.start[i], world.triangles().numberOf(light.triangle()));
       ASSERT_EQ(front.bounce[i], 0u);
+      ASSERT_EQ(front.parent[i], WalkFront::kNone);
       ASSERT_EQ(front.side[i], 1);
       const Vector3 weights =
         sampleTriangle(world.samples().sample(first + i, 0, SampleUse::Position));
@@ -178,7 +186,8 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
       const double sample =
         world.samples().sample(first + i, front.bounce[i] + 1, SampleUse::Survival)[0];
       if (front.hit[i] != WalkFront::kNone &&
-        sample < world.sampler().reflectanceOf(id.object, world.sampler().cellOf(id)))
+        sample <
+          world.sampler().materialOf(id.object).totalReflectance()[world.sampler().cellOf(id)])
       {
         ASSERT_LT(kept, next.size);
         ASSERT_EQ(next.walk[kept], first + i);

@@ -10,7 +10,7 @@
 
 #include <cstring>
 
-// Law: the cast of a front finds what Scene::cast finds, bit for bit.
+// Law: the casts of a front find what those of Scene find, bit for bit.
 
 namespace irradiance
 {
@@ -44,19 +44,21 @@ RaySource raysAt(const NamedScene& named, const SurfaceRecords& records, unsigne
   const Scene scene = named.scene(TraversalMode::Parallel);
   for (std::uint32_t i = 0; i < records.size(); ++i)
   {
-    ids.push_back(records.idOf(i));
+    ids.push_back(records.numbers().idOf(i));
     triangles.push_back(scene.worldTriangle(ids.back()));
   }
   return RaySource(triangles, seed, ids);
 }
 
+using CastFunction = void (FrontCast::*)(const Scene&, const SurfaceRecords&, const FrontRays&);
+
 /// Casts the rays as fronts with these hits given; expects these others.
-void expectHits(const NamedScene& named, const std::vector<Ray>& rays,
-  const std::vector<Hit>& given, const std::vector<Hit>& expected, const std::string& what)
+void expectHits(const NamedScene& named, const Scene& scene, CastFunction function,
+  const std::vector<Ray>& rays, const std::vector<Hit>& given, const std::vector<Hit>& expected,
+  const std::string& what)
 {
   const SurfaceRecords records = recordsOf(named);
   test::TestFront front(records);
-  const Scene scene = named.scene(TraversalMode::Parallel);
   for (const SimdLevel level : test::simdLevels())
   {
     const test::SimdLimit limit(level);
@@ -70,7 +72,7 @@ void expectHits(const NamedScene& named, const std::vector<Ray>& rays,
       const auto end = static_cast<std::ptrdiff_t>(std::min(first + size, rays.size()));
       front.set({ rays.begin() + begin, rays.begin() + end },
         { given.begin() + begin, given.begin() + end });
-      cast.cast(scene, records, front.columns());
+      (cast.*function)(scene, records, front.columns());
       for (; first < static_cast<std::size_t>(end); ++first)
       {
         const Hit found = front.hit(first - static_cast<std::size_t>(begin));
@@ -87,7 +89,14 @@ void expectHits(const NamedScene& named, const std::vector<Ray>& rays,
   }
 }
 
-/// The scenes of all tests; and each with one, two and three of its objects, all instanced.
+void expectHits(const NamedScene& named, const std::vector<Ray>& rays,
+  const std::vector<Hit>& given, const std::vector<Hit>& expected, const std::string& what)
+{
+  expectHits(
+    named, named.scene(TraversalMode::Parallel), &FrontCast::cast, rays, given, expected, what);
+}
+
+/// The scenes of all tests; each with one, two and three of its objects, all instanced; and with many.
 std::vector<NamedScene> frontScenes()
 {
   std::vector<NamedScene> scenes = test::testScenes();
@@ -104,6 +113,15 @@ std::vector<NamedScene> frontScenes()
       }
       scenes.push_back(some);
     }
+    NamedScene many{ scene.name + ", 40", scene.still, {} };
+    test::RandomVectors random(26);
+    for (std::size_t i = 0; i < 40; ++i)
+    {
+      many.objects.push_back(scene.objects[i % scene.objects.size()]);
+      many.objects.back().isFlattened = i == 7 && scene.objects.size() > 6;
+      many.objects.back().worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
+    }
+    scenes.push_back(many);
   }
   return scenes;
 }
@@ -142,41 +160,117 @@ TEST_P(FrontLaw, FindsWhatSceneFinds)
   EXPECT_GT(hits, kRays);
 }
 
+/// Rays of all kinds.
+std::vector<Ray> mixedRays(const NamedScene& named, const SurfaceRecords& records, unsigned seed)
+{
+  constexpr std::size_t kRays = 3000 / kFewer;
+  RaySource source = raysAt(named, records, seed);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < kRays; ++i)
+  {
+    rays.push_back(test::asInFront(source.next(kRayKinds[i % kRayKinds.size()])));
+  }
+  return rays;
+}
+
+/// Hits that are closer and farther than the closest ones, and some at the very same distance.
+std::vector<Hit> givenHits(
+  const Scene& scene, const SurfaceRecords& records, const std::vector<Ray>& rays)
+{
+  std::vector<Hit> given(rays.size());
+  scene.cast(rays.data(), rays.size(), given.data());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    Hit& hit = given[i];
+    const double distance = hit ? hit.distance : 1.0;
+    const double distances[] = { hit.distance, distance, std::nextafter(distance, kInfinity),
+      1.5 * distance, 0.5 * distance, 0.0 };
+    hit.distance = distances[i / 6 % 6];
+    hit.id = i / 36 % 2 == 0
+      ? records.numbers().idOf(static_cast<std::uint32_t>(i) % records.size())
+      : hit.id;
+    hit.weights = { 0.25F, 0.5F };
+  }
+  return given;
+}
+
 // Hits that are known are kept unless something is closer, also at the very same distance.
 TEST_P(FrontLaw, KeepsCloserHits)
 {
-  constexpr unsigned kSeed = 22;
-  constexpr int kRays = 8000 / kFewer;
   const SurfaceRecords records = recordsOf(GetParam());
   if (records.size() == 0)
   {
     return;
   }
-  RaySource source = raysAt(GetParam(), records, kSeed);
+  const std::vector<Ray> rays = mixedRays(GetParam(), records, 22);
+  for (const TraversalMode mode : { TraversalMode::Parallel, TraversalMode::OneTree })
+  {
+    const Scene scene = GetParam().scene(mode);
+    const std::vector<Hit> given = givenHits(scene, records, rays);
+    std::vector<Hit> expected = given;
+    scene.castDynamic(rays.data(), rays.size(), expected.data());
+    expectHits(GetParam(), scene, &FrontCast::castDynamic, rays, given, expected, "dynamic");
+    scene.castStatic(rays.data(), rays.size(), expected.data());
+    expectHits(GetParam(), scene, &FrontCast::cast, rays, given, expected,
+      mode == TraversalMode::OneTree ? "one tree" : "with hits given");
+  }
+}
+
+TEST_P(FrontLaw, CastsToMovedObjects)
+{
+  const SurfaceRecords records = recordsOf(GetParam());
+  if (records.size() == 0)
+  {
+    return;
+  }
+  const std::vector<Ray> rays = mixedRays(GetParam(), records, 27);
+  std::vector<bool> moved(GetParam().objects.size());
+  for (const std::size_t step : { 1, 2, 3 })
+  {
+    for (std::size_t i = 0; i < moved.size(); ++i)
+    {
+      moved[i] = i % step == 0;
+    }
+    const Scene scene = GetParam().scene(TraversalMode::Parallel, moved);
+    const std::vector<Hit> given = givenHits(scene, records, rays);
+    std::vector<Hit> expected = given;
+    scene.castMoved(rays.data(), rays.size(), expected.data());
+    expectHits(GetParam(), scene, &FrontCast::castMoved, rays, given, expected, "moved");
+  }
+}
+
+// Known hits have the distances and the weights with which they were found; others are missed.
+TEST_P(FrontLaw, FindsTheDistancesOfKnownHits)
+{
+  const SurfaceRecords records = recordsOf(GetParam());
+  if (records.size() == 0)
+  {
+    return;
+  }
+  const std::vector<Ray> rays = mixedRays(GetParam(), records, 28);
   const Scene scene = GetParam().scene(TraversalMode::Parallel);
-  std::vector<Ray> rays;
-  std::vector<Hit> given(kRays), expected;
-  for (int i = 0; i < kRays; ++i)
+  std::vector<Hit> expected(rays.size());
+  scene.cast(rays.data(), rays.size(), expected.data());
+  std::vector<Hit> given = expected;
+  int missed = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    rays.push_back(
-      test::asInFront(source.next(kRayKinds[static_cast<std::size_t>(i) % kRayKinds.size()])));
+    given[i].distance = i % 3 == 0 ? 0.0 : 7.0;
+    given[i].weights = { 0.25F, 0.5F };
+    if (i % 5 == 0) // a triangle that the ray seldom hits
+    {
+      given[i].id = records.numbers().idOf(static_cast<std::uint32_t>(i) % records.size());
+      expected[i] = scene.hitOf(rays[i], given[i].id);
+      expected[i].id = given[i].id;
+    }
+    if (expected[i].distance == kInfinity)
+    {
+      expected[i].weights = given[i].weights;
+      ++missed;
+    }
   }
-  scene.cast(rays.data(), rays.size(), given.data());
-  for (int i = 0; i < kRays; ++i)
-  {
-    Hit& hit = given[static_cast<std::size_t>(i)];
-    const double distance = hit ? hit.distance : 1.0;
-    const double distances[] = { hit.distance, distance, std::nextafter(distance, kInfinity),
-      1.5 * distance, 0.5 * distance, 0.0 };
-    hit.distance = distances[i / 6 % 6];
-    hit.id =
-      i / 36 % 2 == 0 ? records.idOf(static_cast<std::uint32_t>(i) % records.size()) : hit.id;
-    hit.weights = { 0.25F, 0.5F };
-  }
-  expected = given;
-  scene.castDynamic(rays.data(), rays.size(), expected.data());
-  scene.castStatic(rays.data(), rays.size(), expected.data());
-  expectHits(GetParam(), rays, given, expected, "with hits given");
+  EXPECT_GT(missed, 20);
+  expectHits(GetParam(), scene, &FrontCast::findDistances, rays, given, expected, "distances");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FrontLaw, testing::ValuesIn(frontScenes()), test::NameOfMesh());
@@ -197,7 +291,7 @@ TEST(FrontCast, ManyTrianglesAtOneDistance)
   for (int i = 0; i < 500; ++i)
   {
     const Ray ray{ Vector3(0.3, 0.3, 2) + 0.2 * random.inCube(), { 0, 0, -1 },
-      records.idOf(static_cast<std::uint32_t>(i) % records.size()) };
+      records.numbers().idOf(static_cast<std::uint32_t>(i) % records.size()) };
     rays.push_back(
       test::asInFront({ ray.origin, ray.direction + 0.1 * random.inCube(), ray.start }));
     expected.push_back(scene.scene(TraversalMode::Sequential).cast(rays.back()));

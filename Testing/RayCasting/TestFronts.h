@@ -58,9 +58,9 @@ public:
         origin_[axis][i] = rays[i].origin[axis];
         direction_[axis][i] = static_cast<float>(rays[i].direction[axis]);
       }
-      start_[i] = records_.numberOf(rays[i].start);
+      start_[i] = records_.numbers().numberOf(rays[i].start);
       distance_[i] = hits[i].distance;
-      hit_[i] = records_.numberOf(hits[i].id);
+      hit_[i] = records_.numbers().numberOf(hits[i].id);
       weight_[0][i] = hits[i].weights[0];
       weight_[1][i] = hits[i].weights[1];
     }
@@ -75,7 +75,7 @@ public:
 
   Hit hit(std::size_t i) const
   {
-    return { distance_[i], records_.idOf(hit_[i]), { weight_[0][i], weight_[1][i] } };
+    return { distance_[i], records_.numbers().idOf(hit_[i]), { weight_[0][i], weight_[1][i] } };
   }
 
 private:

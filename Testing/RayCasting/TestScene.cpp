@@ -156,45 +156,6 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
   EXPECT_GT(hits, kRays / 4);
 }
 
-// The distances of known hits, many at a time, have the bits of those found at first.
-TEST_P(SceneLaw, FindsTheDistancesOfKnownHits)
-{
-  constexpr unsigned kSeed = 3;
-  const Scene scene = GetParam().scene(TraversalMode::Parallel);
-  RaySource source = rays(kSeed);
-  std::vector<Ray> batch;
-  for (int i = 0; i < 1001; ++i)
-  {
-    batch.push_back(source.next(kRayKinds[static_cast<std::size_t>(i) % kRayKinds.size()]));
-  }
-  std::vector<Hit> hits(batch.size());
-  scene.cast(batch.data(), batch.size(), hits.data());
-  for (const SimdLevel level : test::simdLevels())
-  {
-    const test::SimdLimit limit(level);
-    std::vector<Hit> known = hits;
-    int missed = 0;
-    for (std::size_t i = 0; i < known.size(); ++i)
-    {
-      known[i].distance = hits[i] ? -1 : 7;
-      if (i % 5 == 0 && hits[i]) // a triangle that the ray seldom hits
-      {
-        known[i].id = hits[(i + 1) % hits.size()] ? hits[(i + 1) % hits.size()].id : known[i].id;
-      }
-    }
-    std::vector<Hit> found = known;
-    scene.findDistances(batch.data(), batch.size(), found.data());
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      const double expected = known[i] ? scene.distanceTo(batch[i], known[i].id) : 7;
-      EXPECT_EQ(found[i].distance, expected) << exactly(batch[i]);
-      EXPECT_TRUE(known[i].id != hits[i].id || !hits[i] || haveSameBits(found[i], hits[i]));
-      missed += found[i].distance == kInfinity ? 1 : 0;
-    }
-    EXPECT_GT(missed, 20);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(
   Scenes, SceneLaw, testing::ValuesIn(test::testScenes()), test::NameOfMesh());
 

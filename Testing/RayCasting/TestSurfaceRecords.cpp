@@ -102,8 +102,8 @@ void expectRecordsOf(const NamedScene& named, const SurfaceRecords& records)
     for (std::uint32_t i = 0; i < body.mesh().size(); ++i, ++number)
     {
       const TriangleId id{ object, i };
-      ASSERT_EQ(records.numberOf(id), number);
-      ASSERT_EQ(records.idOf(number), id);
+      ASSERT_EQ(records.numbers().numberOf(id), number);
+      ASSERT_EQ(records.numbers().idOf(number), id);
       const SurfaceRecord expected(scene.worldTriangle(id));
       ASSERT_EQ(std::memcmp(&records[number], &expected, sizeof expected), 0) << named.name;
     }
@@ -121,8 +121,8 @@ TEST(SurfaceRecords, AreOfTheTrianglesInTheWorld)
   }
   const SurfaceRecords none;
   EXPECT_EQ(none.size(), 0u);
-  EXPECT_EQ(none.numberOf({}), SurfaceRecords::kNone);
-  EXPECT_EQ(none.idOf(SurfaceRecords::kNone), TriangleId());
+  EXPECT_EQ(none.numbers().numberOf({}), TriangleNumbers::kNone);
+  EXPECT_EQ(none.numbers().idOf(TriangleNumbers::kNone), TriangleId());
 }
 
 // What moves, comes, goes or is replaced is made anew, also after an update that was cancelled.
@@ -188,7 +188,7 @@ TEST(SurfaceRecords, AreLeftAloneWhereNothingChanged)
   std::vector<std::uint32_t> marked;
   for (std::uint32_t object = 0; object <= scene.objects.size(); ++object)
   {
-    marked.push_back(records.first(object));
+    marked.push_back(records.numbers().first(object));
     const_cast<SurfaceRecord&>(records[marked.back()]).clearance = -1;
   }
   scene.objects[2].worldFromObject.translation[0] += 0.5;

@@ -5,10 +5,6 @@
 #include <cassert>
 #include <new>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace irradiance
 {
 
@@ -16,13 +12,11 @@ namespace
 {
 
 constexpr std::size_t kFirstSlab = std::size_t{ 1 } << 16, kLargestSlab = std::size_t{ 1 } << 22;
-constexpr std::size_t kHugePage = std::size_t{ 1 } << 21;
 
 }
 
-BlockArena::BlockArena(std::size_t pageBytes, SystemPages pages)
+BlockArena::BlockArena(std::size_t pageBytes)
   : pageBytes_((pageBytes + kAlignment - 1) / kAlignment * kAlignment)
-  , pages_(pages)
 {
 }
 
@@ -59,23 +53,14 @@ void BlockArena::giveBack(void* page) noexcept
 /// Slabs grow with what is held, so that a small scene holds little and a large one asks rarely.
 void BlockArena::addSlab()
 {
-  const bool isHuge = pages_ == SystemPages::Huge;
-  const std::size_t wanted = isHuge ? kLargestSlab : std::clamp(bytes_, kFirstSlab, kLargestSlab);
+  const std::size_t wanted = std::clamp(bytes_, kFirstSlab, kLargestSlab);
   const std::size_t size = std::max<std::size_t>(wanted / pageBytes_, 1) * pageBytes_;
-  const std::size_t alignment = isHuge ? kHugePage : kAlignment;
   slabs_.reserve(slabs_.size() + 1);
-  Slab slab(static_cast<std::byte*>(
-    std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)));
+  Slab slab(static_cast<std::byte*>(std::aligned_alloc(kAlignment, size)));
   if (!slab)
   {
     throw std::bad_alloc();
   }
-#ifdef __linux__
-  if (isHuge)
-  {
-    madvise(slab.get(), size, MADV_HUGEPAGE); // a wish: it need not be granted
-  }
-#endif
   slabs_.push_back(std::move(slab));
   next_ = slabs_.back().get();
   end_ = next_ + size;

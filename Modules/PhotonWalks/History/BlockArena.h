@@ -21,15 +21,7 @@ namespace irradiance
 class BlockArena
 {
 public:
-  /// Huge pages of the system pay only for memory that was used before: the first touch of each may
-  /// take milliseconds where a guest's memory is not backed yet. So they are for those who measured.
-  enum class SystemPages
-  {
-    Usual,
-    Huge
-  };
-
-  explicit BlockArena(std::size_t pageBytes, SystemPages pages = SystemPages::Usual);
+  explicit BlockArena(std::size_t pageBytes);
   ~BlockArena();
   BlockArena(const BlockArena&) = delete;
   BlockArena& operator=(const BlockArena&) = delete;
@@ -45,7 +37,7 @@ public:
   /// Frees all memory if none is in use, else nothing.
   void release();
 
-  static constexpr std::size_t kAlignment = 4096;
+  static constexpr std::size_t kAlignment = 64;
 
 private:
   struct Free
@@ -61,7 +53,6 @@ private:
   void addSlab();
 
   const std::size_t pageBytes_;
-  const SystemPages pages_;
   mutable std::mutex mutex_;
   std::vector<Slab> slabs_;
   std::size_t bytes_ = 0, used_ = 0;           ///< pages in use

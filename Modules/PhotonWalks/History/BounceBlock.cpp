@@ -40,11 +40,6 @@ BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32
   , grid_(grid)
   , power_(power)
 {
-  pages_.reserve(3 * numberOfWalks / BouncePage::kSize + 1);
-  while (pages_.size() * BouncePage::kSize < size_)
-  {
-    addPage();
-  }
 }
 
 BounceBlock::~BounceBlock()
@@ -120,6 +115,14 @@ std::uint32_t BounceBlock::newSlot()
 void BounceBlock::append(
   const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots)
 {
+  if (pages_.empty()) // only now, so that whoever shoots the walks touches their memory first
+  {
+    pages_.reserve(3 * numberOfWalks_ / BouncePage::kSize + 1);
+    while (pages_.size() * BouncePage::kSize < size_)
+    {
+      addPage();
+    }
+  }
   for (std::size_t at = 0; at < count; at += GridSegments::kSize)
   {
     appendSome(front, first + at, std::min(GridSegments::kSize, count - at), slots + at);
@@ -191,7 +194,10 @@ void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
     const auto stored = slot + static_cast<std::uint32_t>(i);
     if (bands_ > 0)
     {
-      std::copy_n(front.powers[row + i].quanta.begin(), bands_, powersAt(stored));
+      for (std::uint32_t band = 0; band < bands_; ++band)
+      {
+        powersAt(stored)[band] = front.powers[band][row + i];
+      }
     }
     if (front.parents[row + i] != kNone)
     {
@@ -279,16 +285,15 @@ std::uint32_t BounceBlock::lastOf(std::uint32_t walk) const
   return last;
 }
 
-SegmentRef BounceBlock::segmentAt(std::uint32_t slot) const
+std::uint32_t BounceBlock::bounceOf(std::uint32_t slot) const
 {
-  const std::uint32_t walk = walkOf(slot);
   std::uint32_t more = 0;
   while (pageOf(slot).bounces[slot % BouncePage::kSize] == kManyBounces)
   {
     slot = previous(slot);
     ++more;
   }
-  return { walk, pageOf(slot).bounces[slot % BouncePage::kSize] + more };
+  return pageOf(slot).bounces[slot % BouncePage::kSize] + more;
 }
 
 std::uint32_t BounceBlock::size(std::uint32_t walk) const
@@ -307,31 +312,6 @@ Power BounceBlock::power(std::uint32_t slot) const
   Power power;
   std::copy_n(powersAt(slot), bands_, power.quanta.begin());
   return power;
-}
-
-void BounceBlock::setSide(std::uint32_t slot, bool isFront)
-{
-  std::uint16_t& walk = record(slot).walk;
-  walk =
-    static_cast<std::uint16_t>(isFront ? walk & ~BounceRecord::kBack : walk | BounceRecord::kBack);
-}
-
-/// A segment that was cut is longer.
-double BounceBlock::shortestLength(std::uint32_t slot) const
-{
-  const BouncePage& page = pageOf(slot);
-  const std::uint32_t place = slot % BouncePage::kSize;
-  if (page.tags[place] == tagOf(0, GridSegments::TooFar))
-  {
-    return 0;
-  }
-  Vector3 shortest;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double along = std::abs(page.ends[axis][place] - page.ends[3 + axis][place]);
-    shortest[axis] = std::max(0.0, along - 1 - 2 * GridSegments::kBlur) * grid_.step[axis];
-  }
-  return shortest.norm() * (1 - 0x1p-40);
 }
 
 std::size_t BounceBlock::bytes() const

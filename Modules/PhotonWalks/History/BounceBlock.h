@@ -28,15 +28,16 @@ struct BounceColumns
   const float* weights[2];        ///< see Hit
   const std::uint8_t* kinds;      ///< BounceTag::kindOf the object that was hit, or kContact
   const std::uint8_t* isFront;    ///< the side that was hit, 0 or 1
-  const Power* powers = nullptr;  ///< if there are several bands
+  /// Quanta, if there are several bands.
+  const std::int64_t* powers[Power::kMaxBands]{};
 
   /// The kind of a hit that may depend on dynamic objects that touch, see Contacts.
   static constexpr std::uint8_t kContact = BounceTag::kAlways;
 };
 
 /**
- * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock, as WalkBlock stores them,
- * but by bounces: a front of walks is appended as it was shot.
+ * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock, by bounces: a front of walks is
+ * appended as it was shot.
  *
  * Each segment has a slot, which it keeps. The first segment of a walk is in the slot of the walk's
  * number, counted from the first; from there links lead to the segment after, and back to the one
@@ -46,8 +47,7 @@ struct BounceColumns
  * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
  * of 64 K slots to another is listed aside. That takes 64 segments a walk.
  *
- * A cache of static hits (section 3.3 of the paper) needs nothing of this class: a map beside it from
- * slots to hits, whose entry is dropped where the slot is visited before removeFrom().
+ * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHits.
  */
 class BounceBlock
 {
@@ -78,18 +78,36 @@ public:
   bool isFree(std::uint32_t slot) const { return tag(slot) == BounceTag::kFree; }
 
   /// Stores rows [first, first + count) of a front, all of walks of this block, and writes the slot
-  /// of each to `slots`. A walk has no segment after a row's parent, or at all for a bounce of 0.
+  /// of each to `slots`. A walk has no segment after a row's parent, or at all for a bounce of 0. Rows
+  /// may be in any order.
   void append(
     const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
   /// Removes this segment and all after it of its walk.
   void removeFrom(std::uint32_t slot);
+  /// Likewise, and calls visit(slot) for each of them before any is removed.
+  template <class Visit>
+  void removeFrom(std::uint32_t slot, const Visit& visit)
+  {
+    forEachFrom(slot, visit); // then their links are in the nearest memory
+    removeFrom(slot);
+  }
+  /// Puts numberOf(triangle) in place of the triangle of each segment that hits one: an object of another
+  /// size that no segment hits changes the numbers of the triangles after it.
+  template <class Renumber>
+  void renumber(const Renumber& numberOf)
+  {
+    forEach([&](std::uint32_t slot) {
+      std::uint32_t& number = record(slot).triangle;
+      number = number == kNone ? kNone : numberOf(number);
+    });
+  }
 
   // From a segment of a walk to its slot, and back.
   /// The first segment of a walk, or kNone.
   std::uint32_t begin(std::uint32_t walk) const
   {
     const std::uint32_t slot = walk - firstWalk_;
-    return isFree(slot) ? kNone : slot;
+    return pages_.empty() || isFree(slot) ? kNone : slot;
   }
   /// kNone after the last.
   std::uint32_t next(std::uint32_t slot) const
@@ -109,7 +127,8 @@ public:
   }
   std::uint32_t slotOf(const SegmentRef& segment) const;
   std::uint32_t lastOf(std::uint32_t walk) const;
-  SegmentRef segmentAt(std::uint32_t slot) const;
+  std::uint32_t bounceOf(std::uint32_t slot) const;
+  SegmentRef segmentAt(std::uint32_t slot) const { return { walkOf(slot), bounceOf(slot) }; }
   /// The number of segments of a walk.
   std::uint32_t size(std::uint32_t walk) const;
 
@@ -131,9 +150,6 @@ public:
   }
   Power power(std::uint32_t slot) const;
   std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
-  /// Lower bound of a segment's length in the world, too short by some steps of the grid.
-  double shortestLength(std::uint32_t slot) const;
-  void setSide(std::uint32_t slot, bool isFront);
 
   /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle() is
   /// not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
@@ -149,7 +165,7 @@ public:
   template <class Visit>
   void forEach(const Visit& visit) const
   {
-    for (std::uint32_t slot = 0; slot < size_; ++slot)
+    for (std::uint32_t slot = 0; slot < size_ && !pages_.empty(); ++slot)
     {
       if (!isFree(slot))
       {
@@ -158,6 +174,12 @@ public:
     }
   }
 
+  /// Prefetches the hit of a slot, its walk, its bounce and the link to the segment before.
+  void prefetchHit(std::uint32_t slot) const
+  {
+    prefetchLine(&record(slot));
+    prefetchLine(&pageOf(slot).bounces[slot % BouncePage::kSize]);
+  }
   /// Prefetches what a slot's queries read.
   void prefetch(std::uint32_t slot) const
   {

@@ -40,7 +40,7 @@ void BounceScan::addBody(const EllipsoidBound& bound, const OwnBox* own)
 void BounceScan::find(
   const BounceBlock& block, const BounceBlock& next, std::vector<std::uint32_t>& slots) const
 {
-  if (flagsAll_ || bodies_.size() > kMostBodies)
+  if (flagsAll_)
   {
     listAll(block, slots);
     return;

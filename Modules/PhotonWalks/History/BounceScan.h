@@ -12,10 +12,9 @@ namespace irradiance
 {
 
 /**
- * Finds the stored segments that moved objects may change, by testing all segments of a BounceBlock, as
- * SegmentScan does for those of a WalkBlock. It flags those that come near one of its bodies, those that
- * end on an object that moved, and those that are always flagged. It never misses one, flags a few
- * too many, and flags the same ones on every machine.
+ * Finds the stored segments that moved objects may change, by testing all segments of a BounceBlock. It flags
+ * those that come near one of its bodies, those that end on an object that moved, and those that are always
+ * flagged. It never misses one, flags a few too many, and flags the same ones on every machine.
  *
  * Segments that are not whole within the grid are stored up to its border. While all bodies are within
  * the grid, no more is needed; if one sticks out, all such segments are flagged.
@@ -46,9 +45,6 @@ public:
   bool flagsAll() const { return flagsAll_; } ///< whatever the bodies are
 
 private:
-  /// To test more bodies costs more than a ray through the trees over them.
-  static constexpr std::size_t kMostBodies = 128;
-
   PointGrid grid_;
   TagSet tags_;
   bool flagsAll_ = false; ///< where floats might tell too little

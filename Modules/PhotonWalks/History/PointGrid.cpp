@@ -1,8 +1,116 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/PointGrid.h"
 
+#include "Surfaces/SceneObjects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace irradiance
 {
+
+namespace
+{
+
+/// Calls visit(triangle, area) for each triangle in the world.
+template <class Visit>
+void forEachTriangle(const SceneObjects& objects, const Visit& visit)
+{
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (const Triangle& own : objects[object].mesh().triangles())
+    {
+      const Triangle triangle =
+        object == 0 ? own : transformed(objects[object].worldFromObject, own);
+      visit(triangle, triangle.area());
+    }
+  }
+}
+
+/// Spread evenly over the triangle, by the sequence of Roberts.
+Vector3 pointOn(const Triangle& triangle, std::size_t number)
+{
+  constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
+  const auto n = static_cast<double>(number);
+  double b = std::fmod(0.5 + kFirst * n, 1.0), c = std::fmod(0.5 + kSecond * n, 1.0);
+  if (b + c > 1)
+  {
+    b = 1 - b;
+    c = 1 - c;
+  }
+  return triangle.a + b * (triangle.b - triangle.a) + c * (triangle.c - triangle.a);
+}
+
+/// Some points, evenly spread over all surfaces; none if their area is no number to count with.
+std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects)
+{
+  constexpr std::size_t kPoints = 512;
+  double all = 0;
+  forEachTriangle(objects, [&](const Triangle&, double area) { all += area; });
+  std::vector<Vector3> points;
+  if (!(all > 0) || !std::isfinite(all))
+  {
+    return points;
+  }
+  const double each = all / kPoints;
+  double before = 0;
+  forEachTriangle(objects, [&](const Triangle& triangle, double area) {
+    before += area;
+    while (points.size() < kPoints && (static_cast<double>(points.size()) + 0.5) * each < before)
+    {
+      points.push_back(pointOn(triangle, points.size()));
+    }
+  });
+  return points;
+}
+
+double medianOf(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Where most surfaces are: within `spread` of the middle lies half of them, along each axis.
+struct Middle
+{
+  Vector3 center = Vector3::Zero();
+  double spread = 0;
+
+  explicit Middle(const std::vector<Vector3>& points)
+  {
+    std::vector<double> values(points.size());
+    for (int axis = 0; axis < 3 && !points.empty(); ++axis)
+    {
+      std::transform(points.begin(), points.end(), values.begin(),
+        [&](const Vector3& point) { return point[axis]; });
+      center[axis] = medianOf(values);
+      std::transform(values.begin(), values.end(), values.begin(),
+        [&](double value) { return std::abs(value - center[axis]); });
+      spread = std::max(spread, medianOf(values));
+    }
+  }
+
+  Box within(double spreads) const
+  {
+    Box box{ center, center };
+    box.inflate(spreads * spread);
+    return box;
+  }
+};
+
+bool isWithin(const Box& inner, const Box& outer, int axis)
+{
+  return inner.lower[axis] >= outer.lower[axis] && inner.upper[axis] <= outer.upper[axis];
+}
+
+bool isWithin(const Box& inner, const Box& outer)
+{
+  return isWithin(inner, outer, 0) && isWithin(inner, outer, 1) && isWithin(inner, outer, 2);
+}
+
+}
 
 PointGrid::PointGrid(const Box& box)
 {
@@ -19,6 +127,35 @@ PointGrid::PointGrid(const Box& box)
   const double least = std::max(kFlattest * half.maxCoeff(), kSmallest);
   step = half.cwiseMax(least) / (kReach - kMargin);
   perStep = step.cwiseInverse();
+}
+
+PointGrid pointGrid(const SceneObjects& objects, const Box& bounds)
+{
+  constexpr double kNear = 32, kInner = 16;
+  const Middle middle(pointsOnSurfaces(objects));
+  const Box near = middle.within(kNear), inner = middle.within(kInner);
+  if (!(middle.spread > 0) || isWithin(bounds, near))
+  {
+    return PointGrid(bounds);
+  }
+  Box box = bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!isWithin(bounds, near, axis))
+    {
+      box.lower[axis] = std::max(bounds.lower[axis], inner.lower[axis]);
+      box.upper[axis] = std::min(bounds.upper[axis], inner.upper[axis]);
+    }
+  }
+  for (const SceneObject& object : objects.dynamicObjects)
+  {
+    const Box its = object.worldBounds();
+    if (!its.isEmpty() && isWithin(its, near))
+    {
+      box.add(its);
+    }
+  }
+  return PointGrid(box);
 }
 
 }

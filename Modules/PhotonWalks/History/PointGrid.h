@@ -7,6 +7,8 @@
 namespace irradiance
 {
 
+struct SceneObjects;
+
 /**
  * The grid to which the ends of stored segments are rounded, so that a coordinate takes 16 bits. Grid
  * coordinates of what lies in its box are within kReach of 0. Each axis has a step of its own, as a
@@ -29,6 +31,16 @@ struct PointGrid
   Vector3 operator()(const Vector3& world) const { return (world - center).cwiseProduct(perStep); }
   Vector3 world(const Vector3& place) const { return center + place.cwiseProduct(step); }
 };
+
+/**
+ * The grid of a scene. `bounds`: of all geometry and point lights. Let m be the median, axis by axis, of
+ * points spread evenly over all surfaces, and s the median of their distances from it, along the axis on
+ * which that is largest. Half of all area has to be far away before it moves them.
+ *
+ * The grid holds all of an axis on which nothing is farther than 32 s from m, so all of an ordinary scene.
+ * Otherwise it holds what is within 16 s there, and in any case all dynamic objects that are within 32 s.
+ */
+PointGrid pointGrid(const SceneObjects& objects, const Box& bounds);
 
 }
 

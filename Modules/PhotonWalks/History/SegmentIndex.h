@@ -39,7 +39,7 @@ public:
   /// Whether so much was added that a new index pays.
   bool isWorn() const { return 4 * tail_.references.size() > sorted_.references.size() + 1024; }
 
-  /// For each block, what BounceScan::find lists (if it took any number of bodies).
+  /// For each block, what BounceScan::find lists.
   void find(const Blocks& blocks, const BounceScan& scan,
     std::vector<std::vector<std::uint32_t>>& slots) const;
 

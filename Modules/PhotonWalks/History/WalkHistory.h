@@ -2,127 +2,194 @@
 #ifndef irradiance_WalkHistory_h
 #define irradiance_WalkHistory_h
 
+#include "History/BounceBlock.h"
+#include "History/BounceScan.h"
 #include "History/Contribution.h"
+#include "History/HiddenHits.h"
+#include "History/Photon.h"
+#include "History/SegmentIndex.h"
 #include "Sampling/DealtBlocks.h"
 #include "Sampling/WalkPlan.h"
+#include "Scene/TriangleNumbers.h"
 
-#include <numeric>
+#include <limits>
+#include <memory>
 #include <vector>
 
 namespace irradiance
 {
 
-/// A photon and where it arrived.
-struct Photon
+/// Where a segment is stored: the block, counted in its history, and the slot there.
+struct SegmentPlace
 {
-  SegmentRef reference;
-  TriangleId id;
-  std::array<float, 2> weights; ///< see Hit
-  bool isFront;                 ///< see WalkHistory::isFront
+  std::size_t block;
+  std::uint32_t slot;
 };
 
-/// Photons that left the history or came to it, in any order.
-struct PhotonChanges
-{
-  std::vector<Photon> gone, arrived;
-
-  void add(const PhotonChanges& others)
-  {
-    gone.insert(gone.end(), others.gone.begin(), others.gone.end());
-    arrived.insert(arrived.end(), others.arrived.begin(), others.arrived.end());
-  }
-};
-
-/// The stored walks of a plan: the blocks that are dealt to this rank. They are counted here.
+/**
+ * The stored walks of a plan: the blocks that are dealt to this rank. They are counted here.
+ *
+ * What is stored of a segment is what cannot be computed again: the triangle hit, its side, the point on it
+ * and the power. Rays and distances follow from these, see StoredRays.
+ */
 class WalkHistory
 {
 public:
+  /// Blocks that one thread at a time may search and change: an index is over so many.
+  static constexpr std::size_t kTogether = SegmentIndex::kBlocks;
+
   /// Stores nothing.
   WalkHistory() = default;
-  /// `frame`, `bands`, `power`: see WalkBlock.
-  WalkHistory(const WalkPlan& plan, const UnitFrame& frame, int bands, const Power& power,
-    const DealtBlocks& dealt = {})
-    : plan_(plan)
-    , frame_(frame)
-    , bands_(bands)
-    , power_(power)
-    , dealt_(dealt)
-  {
-  }
-  WalkHistory(WalkHistory&&) = default;
-  WalkHistory& operator=(WalkHistory&&) = default;
+  /// `numbers`: of the triangles. `arena`: with pages for so many `bands`. `grid`, `power`: see BounceBlock.
+  WalkHistory(const WalkPlan& plan, const PointGrid& grid, const TriangleNumbers& numbers,
+    int bands, const Power& power, std::shared_ptr<BlockArena> arena,
+    const DealtBlocks& dealt = {});
+  WalkHistory(WalkHistory&&) noexcept = default;
+  WalkHistory& operator=(WalkHistory&& other) noexcept;
+  ~WalkHistory() = default;
 
   const WalkPlan& plan() const { return plan_; }
-  /// Of the stored points.
-  const UnitFrame& frame() const { return frame_; }
+  const PointGrid& grid() const { return grid_; }
+  const TriangleNumbers& numbers() const { return numbers_; }
+  int bands() const { return bands_; }
 
   std::size_t size() const { return blocks_.size(); }
-  const WalkBlock& block(std::size_t i) const { return blocks_[i]; }
-  WalkBlock& block(std::size_t i) { return blocks_[i]; }
+  const BounceBlock& block(std::size_t i) const { return blocks_[i]; }
+  BounceBlock& block(std::size_t i) { return blocks_[i]; }
   /// Where the walk is stored.
   std::size_t indexOf(std::uint32_t walk) const { return dealt_.before(plan_.blockOf(walk)); }
-  const WalkBlock& blockOf(std::uint32_t walk) const { return blocks_[indexOf(walk)]; }
-  WalkBlock& blockOf(std::uint32_t walk) { return blocks_[indexOf(walk)]; }
+  SegmentPlace placeOf(const SegmentRef& segment) const
+  {
+    const std::size_t block = indexOf(segment.walk);
+    return { block, blocks_[block].slotOf(segment) };
+  }
+  /// The number of segments of a walk.
+  std::uint32_t size(std::uint32_t walk) const { return blocks_[indexOf(walk)].size(walk); }
 
   /// Adds the next block, whose walks have no segments yet.
-  void append()
+  void append();
+  void removeLast();
+  /// Changes to other numbers of the same triangles. No stored walk has hit those that are gone.
+  void renumber(const TriangleNumbers& numbers);
+
+  /// Sets the kinds of these hits, see BounceColumns; kContact is for the caller to set.
+  void setKinds(const std::uint32_t* triangles, std::size_t count, std::uint8_t* kinds) const;
+  /// Stores rows of a front, see BounceBlock::append.
+  void append(std::size_t block, const BounceColumns& front, std::size_t first, std::size_t count,
+    std::uint32_t* slots);
+  /// Removes this segment and all after it of its walk. Calls visit(slot) for each before.
+  template <class Visit>
+  void removeFrom(const SegmentPlace& first, const Visit& visit)
   {
-    const std::size_t number = dealt_[blocks_.size()];
-    blocks_.emplace_back(plan_.firstWalkOf(number), plan_.walksIn(number), bands_, frame_, power_);
+    HiddenHits& hidden = hidden_[first.block];
+    blocks_[first.block].removeFrom(first.slot, [&](std::uint32_t slot) {
+      visit(slot);
+      if (!hidden.isEmpty())
+      {
+        hidden.forget(slot);
+      }
+    });
   }
-  void removeLast() { blocks_.pop_back(); }
-  void forgetAllStaticHits()
+
+  /// Before find(): for scans of so many bodies.
+  void prepareToFind(std::size_t bodies);
+  bool isIndexed() const { return !indices_.empty(); }
+  /// Lists for each block of [first, end) the slots of segments that the scan flags, in order. Blocks that
+  /// stand in one unit of kTogether are one thread's.
+  void find(const BounceScan& scan, std::size_t first, std::size_t end,
+    std::vector<std::vector<std::uint32_t>>& slots);
+
+  HiddenHits& hidden(std::size_t block) { return hidden_[block]; }
+  const HiddenHits& hidden(std::size_t block) const { return hidden_[block]; }
+  void forgetHiddenHits();
+
+  /// Memory held.
+  std::size_t bytes() const;
+
+  Power power(const SegmentRef& segment) const
   {
-    for (WalkBlock& block : blocks_)
+    return bands_ == 1 ? power_ : power(placeOf(segment));
+  }
+  Power power(const SegmentPlace& place) const { return blocks_[place.block].power(place.slot); }
+  /// The hit without its distance.
+  Hit hit(const SegmentRef& segment) const { return hit(placeOf(segment)); }
+  Hit hit(const SegmentPlace& place) const { return hitAt(blocks_[place.block], place.slot); }
+  /// Whether it hits the front.
+  bool isFront(const SegmentRef& segment) const
+  {
+    const SegmentPlace place = placeOf(segment);
+    return blocks_[place.block].isFront(place.slot);
+  }
+
+  /// Calls visit(Contribution) for each segment of a walk that hits something, in order: from this one up
+  /// to bounce `end`.
+  template <class Visit>
+  void forEachContribution(const SegmentPlace& first, const SegmentRef& segment, std::uint32_t end,
+    const Visit& visit) const
+  {
+    const BounceBlock& block = blocks_[first.block];
+    SegmentRef now = segment;
+    for (std::uint32_t slot = first.slot; slot != BounceBlock::kNone && now.bounce < end;
+         slot = block.next(slot), ++now.bounce)
     {
-      block.forgetAllStaticHits();
+      if (const Hit hit = hitAt(block, slot))
+      {
+        visit(Contribution{ now, hit, block.isFront(slot), block.power(slot) });
+      }
     }
   }
-  /// Memory held.
-  std::size_t bytes() const
-  {
-    return std::accumulate(blocks_.begin(), blocks_.end(), std::size_t{},
-      [](std::size_t sum, const WalkBlock& block) { return sum + block.bytes(); });
-  }
-
-  Power power(const SegmentRef& segment) const { return blockOf(segment.walk).power(segment); }
-  /// The hit without its distance.
-  Hit hit(const SegmentRef& segment) const { return blockOf(segment.walk).hit(segment); }
-  /// Whether it hits the front. Known of all segments only if sides are kept for others, see
-  /// WalkBatch.
-  bool isFront(const SegmentRef& segment) const { return blockOf(segment.walk).isFront(segment); }
-
-  /// Calls visit(Photon) for each photon that segments of a walk brought, from `first` on, in order.
+  /// Calls visit(Photon) for each photon that segments of a walk brought, from this one on, in order.
   template <class Visit>
-  void forEachPhotonFrom(const SegmentRef& first, const Visit& visit) const
+  void forEachPhotonFrom(
+    const SegmentPlace& first, const SegmentRef& segment, const Visit& visit) const
   {
-    visitPhotons(blockOf(first.walk), first, visit);
+    const BounceBlock& block = blocks_[first.block];
+    SegmentRef now = segment;
+    block.forEachFrom(first.slot, [&](std::uint32_t slot) {
+      visitPhoton(block, slot, now, visit);
+      ++now.bounce;
+    });
   }
-  /// The same for all walks of a block.
+  /// The same for all walks of a block, in any order.
   template <class Visit>
   void forEachPhoton(std::size_t i, const Visit& visit) const
   {
-    for (std::uint32_t walk = blocks_[i].firstWalk(); walk < blocks_[i].endWalk(); ++walk)
-    {
-      visitPhotons(blocks_[i], { walk, 0 }, visit);
-    }
+    const BounceBlock& block = blocks_[i];
+    block.forEach(
+      [&](std::uint32_t slot) { visitPhoton(block, slot, block.segmentAt(slot), visit); });
   }
 
 private:
   template <class Visit>
-  static void visitPhotons(const WalkBlock& block, const SegmentRef& first, const Visit& visit)
+  void visitPhoton(const BounceBlock& block, std::uint32_t slot, const SegmentRef& segment,
+    const Visit& visit) const
   {
-    forEachContribution(block, first, block.size(first.walk), [&](const Contribution& brought) {
-      visit(Photon{ brought.segment, brought.hit.id, brought.hit.weights, brought.isFront });
-    });
+    if (const Hit hit = hitAt(block, slot))
+    {
+      visit(Photon{ segment, hit.id, hit.weights, block.isFront(slot) });
+    }
   }
+  Hit hitAt(const BounceBlock& block, std::uint32_t slot) const
+  {
+    Hit hit;
+    hit.id = numbers_.idOf(block.triangle(slot));
+    hit.weights = block.weights(slot);
+    return hit;
+  }
+  void makeKinds();
+  SegmentIndex::Blocks together(std::size_t unit) const;
 
   WalkPlan plan_;
-  UnitFrame frame_;
+  PointGrid grid_;
+  TriangleNumbers numbers_;
+  std::vector<std::uint8_t> kinds_; ///< by triangle, if there are blocks
   int bands_ = 1;
   Power power_;
   DealtBlocks dealt_;
-  std::vector<WalkBlock> blocks_;
+  std::shared_ptr<BlockArena> arena_; ///< outlives the blocks
+  std::vector<BounceBlock> blocks_;
+  std::vector<HiddenHits> hidden_;                     ///< by block
+  std::vector<std::unique_ptr<SegmentIndex>> indices_; ///< by unit; empty unless bodies are many
 };
 
 }

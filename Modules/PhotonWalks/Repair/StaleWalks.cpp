@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/StaleWalks.h"
 
-#include "Execution/SlicedPass.h"
-
 #include <algorithm>
 #include <cstring>
 #include <functional>
@@ -14,6 +12,8 @@ namespace irradiance
 
 namespace
 {
+
+constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max(); // segments of a walk
 
 /// The class of a power, four classes to an octave: sign, exponent and two bits, 11 in all.
 std::uint32_t powerClassOf(const Power& power)
@@ -64,63 +64,47 @@ std::vector<PowerClass> StaleWalks::classes(std::size_t enough) const
   return classes;
 }
 
-void StaleWalks::add(const std::vector<std::vector<StaleSegment>>& found,
-  const WalkHistory& history, Execution& execution)
-{
-  SlicedPass pass{ found.size(), {} };
-  pass.work = [&](std::size_t block, const Deadline&) {
-    add(block, history.block(block), found[block]);
-    return true;
-  };
-  pass.run(execution);
-}
-
 void StaleWalks::add(
-  std::size_t block, const WalkBlock& walks, const std::vector<StaleSegment>& found)
+  std::size_t block, const WalkHistory& history, const std::vector<SegmentRef>& found)
 {
-  if (found.empty())
-  {
-    return;
-  }
   const StaleMarks before = std::move(blocks_[block].marks);
   StaleMarks& marks = blocks_[block].marks;
   marks.clear();
   marks.reserve(before.size() + found.size());
   std::vector<Deposit> deposits;
   auto old = before.begin();
-  for (const StaleSegment& stale : found)
+  for (const SegmentRef& first : found)
   {
-    const SegmentRef first = stale.segment;
     for (; old != before.end() && old->walk < first.walk; ++old)
     {
       marks.push_back(*old);
     }
-    std::uint32_t end = walks.size(first.walk);
+    std::uint32_t end = kAll;
     if (old != before.end() && old->walk == first.walk)
     {
-      count(blocks_[block], walks, *old, -1);
+      count(blocks_[block], history, *old, -1);
       end = old->bounce; // the rest has been tallied
       ++old;
     }
-    const Power carried = walks.power(first);
+    const Power carried = history.power(first);
     StaleMark mark{};
     mark.walk = first.walk;
     mark.bounce = first.bounce & 0x1fffffu;
     mark.powerClass = powerClassOf(carried) & 0x7ffu;
     mark.gain = bound_.isKnown() ? bound_(first.walk, first.bounce, carried) : 0;
     marks.push_back(mark);
-    count(blocks_[block], walks, marks.back(), 1);
-    tally(walks, marks.back(), end, 1, deposits);
+    count(blocks_[block], history, marks.back(), 1);
+    tally(history, marks.back(), end, 1, deposits);
   }
   marks.insert(marks.end(), old, before.end());
   sums_.add(deposits);
 }
 
 void StaleWalks::repair(
-  std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits)
+  std::size_t block, const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
 {
-  tally(walks, mark, walks.size(mark.walk), -1, deposits);
-  count(blocks_[block], walks, mark, -1);
+  tally(history, mark, kAll, -1, deposits);
+  count(blocks_[block], history, mark, -1);
   mark.powerClass = 0;
 }
 
@@ -132,16 +116,16 @@ void StaleWalks::forgetRepaired(std::size_t block)
     marks.end());
 }
 
-void StaleWalks::tally(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
-  std::vector<Deposit>& deposits) const
+void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end,
+  int sign, std::vector<Deposit>& deposits) const
 {
-  forEachContribution(walks, mark.first(), end,
+  history.forEachContribution(history.placeOf(mark.first()), mark.first(), end,
     [&](const Contribution& brought) { sums_.collect(brought, sign, deposits); });
 }
 
-void StaleWalks::count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign)
+void StaleWalks::count(Block& block, const WalkHistory& history, const StaleMark& mark, int sign)
 {
-  const Power carried = walks.power(mark.first());
+  const Power carried = history.power(mark.first());
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     block.power[band] += sign * carried[band];

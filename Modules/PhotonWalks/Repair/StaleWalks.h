@@ -2,10 +2,9 @@
 #ifndef irradiance_StaleWalks_h
 #define irradiance_StaleWalks_h
 
-#include "Execution/Execution.h"
+#include "History/WalkHistory.h"
 #include "Repair/StaleMark.h"
 #include "Repair/TailBound.h"
-#include "Repair/WalkVerifier.h"
 #include "Tally/CellSums.h"
 
 namespace irradiance
@@ -38,13 +37,12 @@ public:
   /// All stale walks, the strongest first; each class but the last has at least `enough`.
   std::vector<PowerClass> classes(std::size_t enough) const;
 
-  /// Marks what a verification found, by block. The verification must have skipped the tails that
-  /// were marked before. Throws Interrupted.
-  void add(const std::vector<std::vector<StaleSegment>>& found, const WalkHistory& history,
-    Execution& execution);
+  /// Marks the first stale segments of walks of a block, ordered by walk, as a verification found them. It
+  /// must have skipped the tails that were marked before.
+  void add(std::size_t block, const WalkHistory& history, const std::vector<SegmentRef>& found);
   /// Takes out a walk whose tail is about to be replaced; its mark stays until forgetRepaired().
   void repair(
-    std::size_t block, const WalkBlock& walks, StaleMark& mark, std::vector<Deposit>& deposits);
+    std::size_t block, const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits);
   void forgetRepaired(std::size_t block);
 
   /// The power that the stale tails brought to the cells.
@@ -66,11 +64,10 @@ private:
     Power gain;
   };
 
-  void add(std::size_t block, const WalkBlock& walks, const std::vector<StaleSegment>& found);
   /// Collects the deposits of the segments from the mark to `end`.
-  void tally(const WalkBlock& walks, const StaleMark& mark, std::uint32_t end, int sign,
+  void tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end, int sign,
     std::vector<Deposit>& deposits) const;
-  static void count(Block& block, const WalkBlock& walks, const StaleMark& mark, int sign);
+  static void count(Block& block, const WalkHistory& history, const StaleMark& mark, int sign);
 
   std::vector<Block> blocks_;
   CellSums sums_;

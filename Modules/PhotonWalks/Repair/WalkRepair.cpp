@@ -2,8 +2,8 @@
 #include "Repair/WalkRepair.h"
 
 #include "Execution/ProgressSpan.h"
-#include "Repair/Recast.h"
-#include "Shooting/WalkBatch.h"
+#include "Execution/Stopwatch.h"
+#include "Progress/StageTimes.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,50 +15,124 @@ namespace irradiance
 namespace
 {
 
-constexpr std::size_t kUnits = 32; // at least, if there are as many blocks; for all threads
+constexpr std::size_t kUnits = 32; // at least, if there are as many marked walks; for all threads
 constexpr std::size_t kBatchSize = 512;
+
+/// Blocks whose walks are verified and repaired together, in a row for a thread.
+std::size_t blocksPerUnit(const WalkHistory& history)
+{
+  constexpr std::size_t kUsual = 32;
+  static_assert(WalkHistory::kTogether % kUsual == 0);
+  return history.isIndexed() ? WalkHistory::kTogether : kUsual;
+}
+
+/// A pass over all blocks: work(first, end, unit, deadline) on those of a unit.
+template <class Work>
+void passOver(const WalkHistory& history, Execution& execution, const Work& work)
+{
+  const std::size_t step = blocksPerUnit(history), all = history.size();
+  SlicedPass pass{ (all + step - 1) / step, {} };
+  pass.work = [&](std::size_t unit, const Deadline& deadline) {
+    return work(unit * step, std::min((unit + 1) * step, all), unit, deadline);
+  };
+  pass.run(execution);
+}
 
 }
 
-/// A walk to be repaired.
-struct WalkRepair::Item
-{
-  std::size_t block;
-  StaleMark* mark;             ///< null without StaleWalks
-  const StaleSegment* segment; ///< null while the new hit is not known
-};
-
-/// Walks of consecutive blocks, on which one thread at a time works.
+/// Marked walks of consecutive blocks, on which one thread at a time works.
 struct WalkRepair::Unit
 {
+  struct Item
+  {
+    std::size_t block;
+    StaleMark* mark;
+  };
+
   std::vector<Item> items; ///< ordered by walk
   std::size_t next = 0;
-  std::unique_ptr<Batch> open;
+  std::unique_ptr<RepairWork> open;
+  std::size_t walks = 0; ///< of what is open
+  double seconds = 0;    ///< spent on it
 };
 
-/// Walks that are shot side by side, with a tally that is dropped if they are not done in time.
-struct WalkRepair::Batch
+std::unique_ptr<RepairWork> WalkRepair::take()
 {
-  Batch(const State& state, Item* first, std::size_t count)
-    : begin(first)
-    , end(first + count)
-    , tally(state.sums, balance)
-    , walks(state.tracer, &state.history.frame(), state.storesSides)
+  std::unique_ptr<RepairWork> work = state_.pool.take();
+  work->batch.begin(state_.tracer, &state_.history, state_.sums.sides() == 2);
+  work->stale.hidden.clear();
+  work->firsts.clear();
+  work->changes.gone.clear();
+  work->changes.arrived.clear();
+  work->hasBegun = false;
+  return work;
+}
+
+void WalkRepair::verifyAndRepair(Execution& execution)
+{
+  std::vector<std::unique_ptr<RepairWork>> open(state_.history.size()); // by unit
+  passOver(state_.history, execution,
+    [&](std::size_t first, std::size_t end, std::size_t unit, const Deadline& deadline) {
+      if (!open[unit])
+      {
+        open[unit] = take();
+        const Stopwatch stopwatch;
+        state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->stale);
+        const double seconds = stopwatch.seconds();
+        const std::lock_guard<std::mutex> lock(mutex_);
+        figures_.verifySeconds += seconds;
+        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->stale.rows.size);
+      }
+      const Stopwatch stopwatch;
+      const bool isDone = shoot(*open[unit], deadline);
+      if (isDone)
+      {
+        finish(open[unit]);
+      }
+      const std::lock_guard<std::mutex> lock(mutex_);
+      figures_.repairSeconds += stopwatch.seconds();
+      return isDone;
+    });
+  if (state_.tails)
   {
+    std::sort(state_.tails->begin(), state_.tails->end());
   }
+}
 
-  Item *begin, *end;
-  std::vector<StaleSegment> recast; ///< of the items that an earlier frame marked
-  PowerBalance balance;
-  WalkTally tally;
-  WalkBatch walks;
-  double seconds = 0; ///< spent on it
-  bool isFirst = false;
-};
-
-std::int64_t WalkRepair::run(Execution& execution)
+void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
 {
-  const std::vector<PowerClass> order = classes();
+  std::vector<const StaleMarks*> known;
+  for (std::size_t block = 0; block < state_.history.size(); ++block)
+  {
+    known.push_back(&std::as_const(stale).marks(block));
+  }
+  passOver(state_.history, execution,
+    [&](std::size_t first, std::size_t end, std::size_t, const Deadline&) {
+      std::unique_ptr<RepairWork> work = take();
+      state_.verifier.find(first, end, known, work->verifier, work->stale);
+      const WalkFront& rows = work->stale.rows;
+      for (std::size_t row = 0, next = 0; row < rows.size; row = next)
+      {
+        work->firsts.clear();
+        for (next = row; next < rows.size && rows.block[next] == rows.block[row]; ++next)
+        {
+          work->firsts.push_back({ rows.walk[next], rows.bounce[next] });
+        }
+        std::sort(work->firsts.begin(), work->firsts.end());
+        stale.add(rows.block[row], state_.history, work->firsts);
+      }
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        figures_.invalidWalks += static_cast<std::int64_t>(rows.size);
+      }
+      state_.pool.giveBack(std::move(work));
+      return true;
+    });
+}
+
+void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execution)
+{
+  const std::vector<PowerClass> order = classes(stale, budget);
   double all = 0, done = 0;
   for (const PowerClass& like : order)
   {
@@ -66,111 +140,84 @@ std::int64_t WalkRepair::run(Execution& execution)
   }
   for (const PowerClass& like : order)
   {
-    if (hasBegun_ && state_.budget && state_.budget->itemsToBegin(1) == 0)
+    if (hasBegun_ && budget && budget->itemsToBegin(1) == 0)
     {
       break;
     }
-    std::vector<Unit> parts = units(like);
+    std::vector<Unit> parts = units(stale, like);
     const double from = done / all;
     done += static_cast<double>(like.size);
     ProgressSpan span(execution, from, done / all);
     SlicedPass pass{ parts.size(), {} };
-    pass.work = [&](std::size_t i, const Deadline& deadline) { return work(parts[i], deadline); };
+    pass.work = [&](std::size_t i, const Deadline& deadline) {
+      return work(parts[i], stale, budget, deadline);
+    };
     pass.run(span);
   }
-  for (std::size_t block = 0; state_.stale && block < state_.history.size(); ++block)
+  for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    state_.stale->forgetRepaired(block);
+    stale.forgetRepaired(block);
   }
   if (state_.tails)
   {
     std::sort(state_.tails->begin(), state_.tails->end());
   }
-  return segments_;
 }
 
 /// Each is large enough to fill the batches of all threads. If there is time for all, so is the
 /// only one.
-std::vector<PowerClass> WalkRepair::classes() const
+std::vector<PowerClass> WalkRepair::classes(const StaleWalks& stale, bool hasBudget) const
 {
-  if (state_.stale)
-  {
-    constexpr std::size_t kForAUnit = 128;
-    const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
-    return state_.stale->classes(state_.budget ? enough : std::numeric_limits<std::size_t>::max());
-  }
-  PowerClass every{ 0, 0 };
-  for (const auto& found : state_.found)
-  {
-    every.size += found.size();
-  }
-  return every.size > 0 ? std::vector<PowerClass>{ every } : std::vector<PowerClass>{};
+  constexpr std::size_t kForAUnit = 128;
+  const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
+  return stale.classes(hasBudget ? enough : std::numeric_limits<std::size_t>::max());
 }
 
 /// A block has few stale walks. So walks of several blocks are shot together, as long as that leaves
 /// enough units for all threads.
-std::vector<WalkRepair::Unit> WalkRepair::units(const PowerClass& like) const
+std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerClass& like) const
 {
-  const std::size_t together = std::min(like.size / kUnits, kBatchSize);
+  const std::size_t together = std::max<std::size_t>(std::min(like.size / kUnits, kBatchSize), 1);
   std::vector<Unit> units;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    if (units.empty() || units.back().items.size() >= std::max<std::size_t>(together, 1))
+    // Blocks of one index are one thread's.
+    const bool mayBegin = !state_.history.isIndexed() || block % WalkHistory::kTogether == 0;
+    if (units.empty() || (mayBegin && units.back().items.size() >= together))
     {
       units.emplace_back();
-      units.back().items.reserve(together);
     }
-    addItems(block, like.weakest, units.back().items);
+    for (StaleMark& mark : stale.marks(block))
+    {
+      if (mark.powerClass >= like.weakest) // no stronger class is left
+      {
+        units.back().items.push_back({ block, &mark });
+      }
+    }
   }
   return units;
 }
 
-void WalkRepair::addItems(std::size_t block, std::uint16_t weakest, std::vector<Item>& items) const
+bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const Deadline& deadline)
 {
-  if (!state_.stale)
+  const auto now = [&] { return budget ? budget->now() : 0; }; // without a budget no clock is read
+  while (unit.open || (unit.open = begin(unit, stale, budget)))
   {
-    for (const StaleSegment& segment : state_.found[block])
-    {
-      items.push_back({ block, nullptr, &segment });
-    }
-    return;
-  }
-  for (StaleMark& mark : state_.stale->marks(block))
-  {
-    if (mark.powerClass >= weakest) // no stronger class is left
-    {
-      items.push_back({ block, &mark, nullptr });
-    }
-  }
-}
-
-bool WalkRepair::work(Unit& unit, const Deadline& deadline)
-{
-  while (unit.open || (unit.open = begin(unit)))
-  {
-    Batch& batch = *unit.open;
-    const auto isTooLate = [&] { return !batch.isFirst && hasEnded(); };
     const double start = now();
-    const bool isDone =
-      batch.walks.run(batch.tally, [&] { return deadline.hasPassed() || isTooLate(); });
+    const bool isDone = shoot(*unit.open, deadline);
     if (isDone)
     {
-      finish(batch);
+      finish(unit.open);
     }
-    batch.seconds += now() - start;
-    if (!isDone && !isTooLate())
+    unit.seconds += now() - start;
+    if (!isDone)
     {
       return false;
     }
-    if (!isDone)
+    if (budget)
     {
-      batch.tally.discard();
+      budget->spend(unit.seconds, unit.walks);
     }
-    else if (state_.budget)
-    {
-      state_.budget->spend(batch.seconds, static_cast<std::size_t>(batch.end - batch.begin));
-    }
-    unit.open.reset();
     if (deadline.hasPassed())
     {
       return false;
@@ -179,148 +226,140 @@ bool WalkRepair::work(Unit& unit, const Deadline& deadline)
   return true;
 }
 
-std::unique_ptr<WalkRepair::Batch> WalkRepair::begin(Unit& unit)
+std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, TimeBudget* budget)
 {
   constexpr std::size_t kFirst = 16;
-  const std::size_t left = unit.items.size() - unit.next;
+  const std::size_t left = std::min(unit.items.size() - unit.next, kBatchSize);
   if (left == 0)
   {
     return nullptr;
   }
-  const double start = now();
-  const std::size_t count = !state_.budget ? left
-    : hasBegun_                            ? state_.budget->itemsToBegin(std::min(left, kBatchSize))
-                                           : std::min(left, kFirst);
-  if (count == 0)
+  const double start = budget ? budget->now() : 0;
+  unit.walks = !budget ? left : hasBegun_ ? budget->itemsToBegin(left) : std::min(left, kFirst);
+  if (unit.walks == 0)
   {
     return nullptr;
   }
-  auto batch = std::make_unique<Batch>(state_, unit.items.data() + unit.next, count);
-  unit.next += count;
-  batch->isFirst = !hasBegun_.exchange(true);
-  fill(*batch);
-  batch->seconds = now() - start;
-  return batch;
+  hasBegun_ = true;
+  std::unique_ptr<RepairWork> work = take();
+  std::vector<SegmentPlace> places;
+  std::vector<Deposit> deposits;
+  for (std::size_t i = unit.next; i < unit.next + unit.walks; ++i)
+  {
+    const Unit::Item& item = unit.items[i];
+    places.push_back(state_.history.placeOf(item.mark->first()));
+    stale.repair(item.block, state_.history, *item.mark, deposits);
+  }
+  stale.take(deposits);
+  unit.next += unit.walks;
+  state_.verifier.castAgain(places, work->verifier, work->stale);
+  unit.seconds = budget ? budget->now() - start : 0;
+  return work;
 }
 
-void WalkRepair::fill(Batch& batch) const
+void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
 {
-  constexpr std::ptrdiff_t kAhead = 16;
-  findSegments(batch);
-  for (const Item* item = batch.begin; item != batch.end; ++item)
+  constexpr std::size_t kAhead = 12;
+  WalkFront& rows = work.stale.rows;
+  const int bands = state_.history.bands();
+  StageClock clock;
+  Power starting;
+  work.old.size = 0;
+  for (std::size_t row = 0; row < rows.size; ++row)
   {
-    if (batch.end - item > 2 * kAhead)
+    // First the links to the segments after, then these.
+    if (row + 2 * kAhead < rows.size)
     {
-      const Item& later = item[2 * kAhead];
-      state_.history.block(later.block).prefetchPlace(later.segment->segment.walk);
+      const std::size_t soon = row + 2 * kAhead;
+      state_.history.block(rows.block[soon]).prefetch(rows.slot[soon]);
     }
-    if (batch.end - item > kAhead)
+    if (row + kAhead < rows.size)
     {
-      prefetch(item[kAhead]);
+      const BounceBlock& block = state_.history.block(rows.block[row + kAhead]);
+      const std::uint32_t after = block.next(rows.slot[row + kAhead]);
+      if (after != BounceBlock::kNone)
+      {
+        block.prefetch(after);
+      }
     }
-    const StaleSegment& stale = *item->segment;
-    const WalkBlock& block = state_.history.block(item->block);
-    batch.walks.resume(stale.segment, stale.ray, stale.hit, block.power(stale.segment));
-    batch.tally.remove(block, stale.segment);
-  }
-}
-
-/// Prefetches what the tally will read of the old tail and what the new one will overwrite.
-void WalkRepair::prefetch(const Item& item) const
-{
-  const WalkBlock& block = state_.history.block(item.block);
-  block.prefetch(item.segment->segment);
-  block.prefetchPoint(item.segment->segment);
-}
-
-/// Those that this frame's verification found have their new hits; the others are cast.
-void WalkRepair::findSegments(Batch& batch) const
-{
-  std::vector<SegmentRef> earlier;
-  std::vector<Item*> items;
-  for (Item* item = batch.begin; item != batch.end; ++item)
-  {
-    item->segment = item->mark ? foundNow(*item) : item->segment;
-    if (!item->segment)
+    const Power carried = state_.history.power(SegmentPlace{ rows.block[row], rows.slot[row] });
+    if (bands > 1)
     {
-      earlier.push_back(item->mark->first());
-      items.push_back(item);
+      rows.setPower(row, bands, carried);
     }
+    starting += carried;
+    remove(work, row);
   }
-  batch.recast = recast(state_.tracer, state_.history, earlier);
-  for (std::size_t i = 0; i < items.size(); ++i)
-  {
-    items[i]->segment = &batch.recast[i];
-  }
+  tally.remove(work.old, starting);
+  clock.ends(Stage::Remove);
 }
 
-const StaleSegment* WalkRepair::foundNow(const Item& item) const
+void WalkRepair::remove(RepairWork& work, std::size_t row)
 {
-  if (state_.found.empty())
+  const WalkFront& rows = work.stale.rows;
+  const SegmentPlace place{ rows.block[row], rows.slot[row] };
+  const SegmentRef first{ rows.walk[row], rows.bounce[row] };
+  if (state_.changes || state_.tails)
   {
-    return nullptr;
+    work.firsts.push_back(first);
   }
-  const std::vector<StaleSegment>& found = state_.found[item.block];
-  const std::uint32_t walk = item.mark->walk;
-  const auto known = std::lower_bound(found.begin(), found.end(), walk,
-    [](const StaleSegment& stale, std::uint32_t w) { return stale.segment.walk < w; });
-  return known != found.end() && known->segment.walk == walk ? &*known : nullptr;
-}
-
-void WalkRepair::finish(Batch& batch)
-{
-  std::vector<Deposit> stale;
-  for (const Item* item = batch.begin; item != batch.end; ++item)
-  {
-    const StaleSegment& now = *item->segment;
-    WalkBlock& block = state_.history.block(item->block);
-    if (item->mark)
-    {
-      state_.stale->repair(item->block, block, *item->mark, stale);
-    }
-    block.updateStaticHit(
-      now.segment, now.old, now.hit, state_.cacheStaticHits && !now.wasTouching);
-  }
-  if (state_.stale)
-  {
-    state_.stale->take(stale);
-  }
-  PhotonChanges changes;
   if (state_.changes)
-  {
-    collectTails(batch, changes.gone);
-  }
-  batch.walks.store(state_.history);
-  if (state_.changes)
-  {
-    collectTails(batch, changes.arrived);
-    const std::lock_guard<std::mutex> lock(changesMutex_);
-    state_.changes->add(changes);
-  }
-  if (state_.tails)
-  {
-    listTails(batch);
-  }
-  balance_.add(batch.balance);
-  segments_ += batch.walks.numberOfSegments();
-}
-
-void WalkRepair::listTails(const Batch& batch)
-{
-  const std::lock_guard<std::mutex> lock(changesMutex_);
-  for (const Item* item = batch.begin; item != batch.end; ++item)
-  {
-    state_.tails->push_back(item->segment->segment);
-  }
-}
-
-void WalkRepair::collectTails(const Batch& batch, std::vector<Photon>& photons) const
-{
-  for (const Item* item = batch.begin; item != batch.end; ++item)
   {
     state_.history.forEachPhotonFrom(
-      item->segment->segment, [&](const Photon& photon) { photons.push_back(photon); });
+      place, first, [&](const Photon& photon) { work.changes.gone.push_back(photon); });
   }
+  const BounceBlock& block = state_.history.block(place.block);
+  state_.history.removeFrom(
+    place, [&](std::uint32_t slot) { addStored(block, slot, state_.history.bands(), work.old); });
+}
+
+bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
+{
+  PowerBalance balance;
+  bool isDone = true;
+  {
+    constexpr std::size_t kUsualTail = 8; // photons that go and come
+    FrontTally tally(state_.tracer.triangles(), state_.sums, balance,
+      state_.tracer.sampler().powerPerWalk(), kUsualTail * work.stale.rows.size);
+    if (!std::exchange(work.hasBegun, true))
+    {
+      removeOld(work, tally);
+      work.batch.resume(state_.changes || !work.stale.hidden.empty());
+    }
+    isDone = work.batch.run(tally, [&] { return deadline.hasPassed(); });
+  }
+  balance_.add(balance);
+  return isDone;
+}
+
+void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
+{
+  const std::vector<SegmentPlace>& places = work->batch.places();
+  for (std::size_t i = 0; i < work->stale.hidden.size(); ++i)
+  {
+    if (work->stale.hidden[i].isKnown())
+    {
+      state_.history.hidden(places[i].block).set(places[i].slot, work->stale.hidden[i]);
+    }
+  }
+  for (std::size_t i = 0; state_.changes && i < places.size(); ++i)
+  {
+    state_.history.forEachPhotonFrom(places[i], work->firsts[i],
+      [&](const Photon& photon) { work->changes.arrived.push_back(photon); });
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    figures_.repairedSegments += work->batch.numberOfSegments();
+    if (state_.changes)
+    {
+      state_.changes->add(work->changes);
+    }
+    if (state_.tails)
+    {
+      state_.tails->insert(state_.tails->end(), work->firsts.begin(), work->firsts.end());
+    }
+  }
+  state_.pool.giveBack(std::move(work));
 }
 
 }

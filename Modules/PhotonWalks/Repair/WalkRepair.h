@@ -2,10 +2,12 @@
 #ifndef irradiance_WalkRepair_h
 #define irradiance_WalkRepair_h
 
+#include "Execution/Pool.h"
 #include "Execution/SlicedPass.h"
 #include "Execution/TimeBudget.h"
-#include "History/WalkHistory.h"
 #include "Repair/StaleWalks.h"
+#include "Repair/WalkVerifier.h"
+#include "Shooting/WalkBatch.h"
 #include "Tally/PowerBalance.h"
 
 #include <atomic>
@@ -16,12 +18,25 @@
 namespace irradiance
 {
 
+/// What a thread needs to find stale walks and to shoot them again.
+struct RepairWork
+{
+  WalkBatch batch;
+  StaleFront stale{ batch.front() };
+  WalkVerifier::Memory verifier;
+  WalkFront old;                  ///< segments that are taken back
+  std::vector<SegmentRef> firsts; ///< of the tails that are shot
+  PhotonChanges changes;
+  bool hasBegun = false; ///< the old tails are removed
+};
+
 /**
- * Shoots stale walks again from their first stale segment on; walks of several blocks side by side.
+ * Shoots stale walks again from their first stale segment on, walks of several blocks side by side: those
+ * that a motion changed, in one pass with their verification; or those that were marked.
  *
- * With a budget of time those come first whose stale segments carry most power. A walk is repaired
- * completely or not at all: what is half done at the end is dropped. The first few walks are always
- * finished, however small the budget, so that enough calls repair all.
+ * With a budget of time those marked come first whose stale segments carry most power. A walk is repaired
+ * completely or not at all: what a thread has begun it finishes, some hundred walks. The first few are always
+ * begun, however small the budget, so that enough calls repair all.
  */
 class WalkRepair
 {
@@ -30,19 +45,21 @@ public:
   struct State
   {
     const WalkTracer& tracer;
+    const WalkVerifier& verifier;
     WalkHistory& history;
     CellSums& sums;
     PowerBalance& balance;
-    bool cacheStaticHits;
-    bool storesSides; ///< see WalkBatch
-    /// By block, what the verification of this frame found. May be empty if nothing moved.
-    const std::vector<std::vector<StaleSegment>>& found;
-    StaleWalks* stale;  ///< the walks to repair; null: those in `found`
-    TimeBudget* budget; ///< null: time for all; else `stale` is given
-    PhotonChanges* changes =
-      nullptr; ///< receives the photons that go and come; null: not asked for
+    Pool<RepairWork>& pool;
+    PhotonChanges* changes; ///< receives the photons that go and come; null: not asked for
     /// Receives the first segment of each tail that was shot, by walk; null: likewise.
-    std::vector<SegmentRef>* tails = nullptr;
+    std::vector<SegmentRef>* tails;
+  };
+  /// What was done.
+  struct Figures
+  {
+    std::int64_t invalidWalks = 0; ///< that the verification found
+    std::int64_t repairedSegments = 0;
+    double verifySeconds = 0, repairSeconds = 0; ///< of all threads
   };
 
   explicit WalkRepair(const State& state)
@@ -51,39 +68,38 @@ public:
   {
   }
 
-  /// Returns the number of segments that were shot. Throws Interrupted.
-  std::int64_t run(Execution& execution);
+  // Each throws Interrupted.
+  /// Verifies all walks and repairs those that are stale.
+  void verifyAndRepair(Execution& execution);
+  /// Verifies all walks and marks those that are stale.
+  void verifyAndMark(StaleWalks& stale, Execution& execution);
+  /// Repairs marked walks. `budget`: null: there is time for all.
+  void repair(StaleWalks& stale, TimeBudget* budget, Execution& execution);
+
+  const Figures& figures() const { return figures_; }
 
 private:
-  struct Item;
-  struct Batch;
   struct Unit;
 
-  std::vector<PowerClass> classes() const;
-  std::vector<Unit> units(const PowerClass& like) const;
-  void addItems(std::size_t block, std::uint16_t weakest, std::vector<Item>& items) const;
-  bool work(Unit& unit, const Deadline& deadline);
+  std::vector<PowerClass> classes(const StaleWalks& stale, bool hasBudget) const;
+  std::vector<Unit> units(StaleWalks& stale, const PowerClass& like) const;
+  bool work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const Deadline& deadline);
   /// The next walks of a unit; null if there are none or the time is up.
-  std::unique_ptr<Batch> begin(Unit& unit);
-  void fill(Batch& batch) const;
-  void prefetch(const Item& item) const;
-  void findSegments(Batch& batch) const;
-  /// Null if the walk was marked in an earlier frame.
-  const StaleSegment* foundNow(const Item& item) const;
-  void finish(Batch& batch);
-  void listTails(const Batch& batch);
-  /// Appends the photons of the tails that the batch replaces.
-  void collectTails(const Batch& batch, std::vector<Photon>& photons) const;
+  std::unique_ptr<RepairWork> begin(Unit& unit, StaleWalks& stale, TimeBudget* budget);
 
-  // Without a budget no clock is read.
-  double now() const { return state_.budget ? state_.budget->now() : 0; }
-  bool hasEnded() const { return state_.budget && state_.budget->hasEnded(); }
+  std::unique_ptr<RepairWork> take();
+  /// Removes the old tails of `work.stale`.
+  void removeOld(RepairWork& work, FrontTally& tally);
+  void remove(RepairWork& work, std::size_t row);
+  /// Shoots the new ones; returns whether they are done.
+  bool shoot(RepairWork& work, const Deadline& deadline);
+  void finish(std::unique_ptr<RepairWork>& work);
 
   State state_;
   SharedBalance balance_;
   std::atomic<bool> hasBegun_{ false };
-  std::atomic<std::int64_t> segments_{ 0 };
-  std::mutex changesMutex_;
+  std::mutex mutex_;
+  Figures figures_;
 };
 
 }

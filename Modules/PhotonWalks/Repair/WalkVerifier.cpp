@@ -1,210 +1,287 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/WalkVerifier.h"
 
+#include "Progress/StageTimes.h"
+
 #include <algorithm>
 
 namespace irradiance
 {
 
-/// Segments for which rays are cast in the same way, entry by entry.
-struct WalkVerifier::Candidates
+namespace
 {
-  std::vector<SegmentRef> segments;
-  std::vector<std::size_t> blocks;
-  std::vector<Ray> rays;
-  std::vector<Hit> old, now;
-  std::vector<std::size_t> stale; ///< entries
 
-  void add(const SegmentRef& segment, std::size_t block, const Hit& hit)
-  {
-    segments.push_back(segment);
-    blocks.push_back(block);
-    old.push_back(hit);
-  }
-  void clear()
-  {
-    segments.clear();
-    blocks.clear();
-    old.clear();
-    now.clear();
-    stale.clear();
-  }
-};
-
-struct WalkVerifier::Suspects
+HiddenHit hitOf(const WalkFront& rows, std::size_t row)
 {
-  Candidates blocked, lost, touching;
-};
+  return { rows.distance[row], rows.hit[row], { rows.weightB[row], rows.weightC[row] } };
+}
 
-void WalkVerifier::find(std::size_t first, std::size_t end,
-  const std::vector<const StaleMarks*>& known, std::vector<std::vector<StaleSegment>>& stale) const
+}
+
+WalkVerifier::WalkVerifier(const WalkTracer& tracer, WalkHistory& history,
+  const std::vector<bool>& moved, const BounceScan& scan, bool cachesStaticHits)
+  : tracer_(tracer)
+  , history_(history)
+  , moved_(moved)
+  , scan_(scan)
+  , cachesStaticHits_(cachesStaticHits)
+  , firstDynamic_(history.numbers().objects() > 1 ? history.numbers().first(1) : WalkFront::kNone)
 {
-  static thread_local std::vector<std::uint32_t> points;
-  static thread_local Suspects suspects;
-  Candidates* const all[] = { &suspects.blocked, &suspects.lost, &suspects.touching };
-  for (Candidates* candidates : all)
+}
+
+void WalkVerifier::Memory::clear()
+{
+  for (Suspects* const suspects : { &blocked, &lost, &uncovered })
   {
-    candidates->clear();
+    suspects->rows.size = 0;
+    suspects->known.clear();
   }
-  for (std::size_t block = first; block < end; ++block)
+}
+
+/// Any of them may get all.
+void WalkVerifier::Memory::reserve(std::size_t more, int bands)
+{
+  for (Suspects* const suspects : { &blocked, &lost, &uncovered })
   {
-    scan_.find(history_.block(block), history_.block(std::min(block + 1, end - 1)), points);
-    sort(block, points, known.empty() ? nullptr : known[block], suspects);
+    suspects->rows.reserve(suspects->rows.size + more, bands);
   }
-  for (Candidates* candidates : all)
+}
+
+template <class IsChosen>
+void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, StaleFront& stale) const
+{
+  const std::array<const WalkFront*, 3> fronts = memory.fronts();
+  std::array<std::size_t, 3> next{};
+  const auto blockAt = [&](std::size_t i) {
+    return next[i] < fronts[i]->size ? fronts[i]->block[next[i]] : WalkFront::kNone;
+  };
+  memory.chosen.clear();
+  for (;;)
   {
-    candidates->rays.resize(candidates->segments.size());
-    tracer_.raysOf(history_, candidates->segments, candidates->rays.data());
-    suspects_ += static_cast<std::int64_t>(candidates->rays.size());
-  }
-  castBlocked(suspects.blocked);
-  castLost(suspects.lost);
-  castTouching(suspects.touching);
-  for (const Candidates* candidates : all)
-  {
-    for (const std::size_t i : candidates->stale)
+    const std::uint32_t block = std::min({ blockAt(0), blockAt(1), blockAt(2) });
+    if (block == WalkFront::kNone)
     {
-      stale[candidates->blocks[i]].push_back({ candidates->segments[i], candidates->rays[i],
-        candidates->now[i], candidates->old[i], candidates == &suspects.touching });
+      break;
+    }
+    for (std::size_t i = 0; i < fronts.size(); ++i)
+    {
+      for (; blockAt(i) == block; ++next[i])
+      {
+        if (isChosen(*fronts[i], next[i]))
+        {
+          memory.chosen.push_back(
+            { static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(next[i]) });
+        }
+      }
     }
   }
+  stale.rows.pick(fronts, memory.chosen);
+  const Suspects* const suspects[] = { &memory.blocked, &memory.lost, &memory.uncovered };
+  for (std::size_t i = 0; cachesStaticHits_ && i < memory.chosen.size(); ++i)
+  {
+    const Suspects& from = *suspects[memory.chosen[i].front];
+    const std::uint32_t row = memory.chosen[i].row;
+    stale.hidden.push_back(isDynamic(from.rows.hit[row]) ? from.known[row] : HiddenHit{});
+  }
+}
+
+void WalkVerifier::find(std::size_t first, std::size_t end,
+  const std::vector<const StaleMarks*>& known, Memory& memory, StaleFront& stale) const
+{
+  StageClock clock;
+  history_.find(scan_, first, end, memory.slots);
+  clock.ends(Stage::Scan);
+  memory.firstStale.assign((end - first) * WalkPlan::kWalksPerBlock, BounceBlock::kNone);
+  memory.clear();
   for (std::size_t block = first; block < end; ++block)
   {
-    std::vector<StaleSegment>& found = stale[block];
-    std::sort(found.begin(), found.end(),
-      [](const StaleSegment& a, const StaleSegment& b) { return a.segment < b.segment; });
-    found.erase(std::unique(found.begin(), found.end(),
-                  [](const StaleSegment& a, const StaleSegment& b) {
-                    return a.segment.walk == b.segment.walk;
-                  }),
-      found.end());
+    std::uint32_t* const firstStale =
+      memory.firstStale.data() + (block - first) * WalkPlan::kWalksPerBlock;
+    sort(block, memory.slots[block - first], known.empty() ? nullptr : known[block], firstStale,
+      memory);
+  }
+  clock.ends(Stage::Sort);
+  findRays(memory);
+  suspects_ += static_cast<std::int64_t>(
+    memory.blocked.rows.size + memory.lost.rows.size + memory.uncovered.rows.size);
+  clock.ends(Stage::Rays);
+  castBlocked(memory, false);
+  castLost(memory);
+  castUncovered(memory);
+  clock.restarts(); // the cast has a clock of its own
+  noteFirst(first, memory);
+  choose(
+    memory,
+    [&](const WalkFront& rows, std::size_t row) {
+      return rows.bounce[row] == memory.firstStale[walkAt(rows, row, first)];
+    },
+    stale);
+  clock.ends(Stage::Sort);
+}
+
+void WalkVerifier::castAgain(
+  const std::vector<SegmentPlace>& places, Memory& memory, StaleFront& stale) const
+{
+  memory.clear();
+  memory.reserve(places.size(), history_.bands());
+  for (const SegmentPlace& place : places)
+  {
+    add(
+      place.block, place.slot, isDynamic(history_.block(place.block).triangle(place.slot)), memory);
+  }
+  findRays(memory);
+  castBlocked(memory, true);
+  castLost(memory);
+  castUncovered(memory);
+  choose(
+    memory, [](const WalkFront&, std::size_t) { return true; }, stale);
+}
+
+void WalkVerifier::findRays(Memory& memory) const
+{
+  for (Suspects* const suspects : { &memory.blocked, &memory.lost, &memory.uncovered })
+  {
+    memory.rays.find(tracer_, history_, suspects->rows);
   }
 }
 
 /// Decides for each flagged segment of a block how to find out whether it is stale.
-void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& points,
-  const StaleMarks* known, Suspects& suspects) const
+void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& slots,
+  const StaleMarks* known, std::uint32_t* firstStale, Memory& memory) const
 {
-  const WalkBlock& block = history_.block(number);
-  // No prefetch waits for another, so many are under way at a time: first the places of the walks,
-  // which lead to the hits.
-  for (const std::uint32_t point : points)
+  const BounceBlock& block = history_.block(number);
+  for (const std::uint32_t slot : slots)
   {
-    block.prefetchPlaceAt(point);
+    block.prefetchHit(slot);
   }
-  for (const std::uint32_t point : points)
+  const auto isKnown = [&](std::uint32_t slot) {
+    return known && irradiance::isStale(*known, block.segmentAt(slot));
+  };
+  for (const std::uint32_t slot : slots)
   {
-    if (const auto segment = block.segmentAt(point))
+    if (hasMoved(block.triangle(slot)) && !isKnown(slot))
     {
-      block.prefetch(*segment);
+      std::uint32_t& least = firstStale[block.walkOf(slot) - block.firstWalk()];
+      least = std::min(least, block.bounceOf(slot));
     }
   }
-  std::uint32_t stale = block.endWalk(); // a walk with a segment that is stale for certain
-  for (const std::uint32_t point : points)
+  memory.reserve(slots.size(), history_.bands());
+  for (const std::uint32_t slot : slots)
   {
-    const auto segment = block.segmentAt(point);
-    if (!segment || segment->walk == stale ||
-      // It begins on a moved object, so the segment before it is stale.
-      (segment->bounce > 0 && hasMoved(block.hit({ segment->walk, segment->bounce - 1 }).id)) ||
-      (known && isStale(*known, *segment)))
+    // What comes after a segment whose hit moved need not be looked at; nor could its ray be found.
+    if (block.bounceOf(slot) <= firstStale[block.walkOf(slot) - block.firstWalk()] &&
+      !isKnown(slot))
     {
-      continue;
+      add(number, slot, hasMoved(block.triangle(slot)), memory);
     }
-    const Hit hit = block.hit(*segment);
-    const bool isLost = hasMoved(hit.id);
-    stale = isLost ? segment->walk : stale;
-    Candidates& candidates = tracer_.isTouching(block, *segment, hit) ? suspects.touching
-      : isLost                                                        ? suspects.lost
-                                                                      : suspects.blocked;
-    candidates.add(*segment, number, hit);
   }
+}
+
+void WalkVerifier::add(std::size_t number, std::uint32_t slot, bool isLost, Memory& memory) const
+{
+  const BounceBlock& block = history_.block(number);
+  const bool isTouched = isTouching(block, slot);
+  const bool mayHide = cachesStaticHits_ && !isTouched && isDynamic(block.triangle(slot));
+  const HiddenHit hidden = mayHide ? history_.hidden(number).find(slot) : HiddenHit{};
+  Suspects& suspects = isTouched ? memory.lost
+    : !isLost                    ? memory.blocked
+    : hidden.isKnown()           ? memory.uncovered
+                                 : memory.lost;
+  const std::size_t row = suspects.rows.size++;
+  suspects.rows.block[row] = static_cast<std::uint32_t>(number);
+  suspects.rows.slot[row] = slot;
+  suspects.known.push_back(hidden);
+}
+
+/// Whether contacts affect the stored hit.
+bool WalkVerifier::isTouching(const BounceBlock& block, std::uint32_t slot) const
+{
+  if (block.isContact(slot))
+  {
+    return true;
+  }
+  if (!tracer_.hasContacts())
+  {
+    return false;
+  }
+  const std::uint32_t hit = block.triangle(slot), parent = block.previous(slot);
+  const std::uint32_t start = parent == BounceBlock::kNone
+    ? tracer_.triangles().numberOf(tracer_.sampler().lightOf(block.walkOf(slot)).triangle())
+    : block.triangle(parent);
+  return tracer_.hasContact(hit) || tracer_.isContact(start, hit);
 }
 
 /// The old hit is not on a moved object. It is valid unless a moved object came in front of it.
-void WalkVerifier::castBlocked(Candidates& candidates) const
+void WalkVerifier::castBlocked(Memory& memory, bool byAllDynamic) const
 {
-  tracer_.scene().findDistances(
-    candidates.rays.data(), candidates.rays.size(), candidates.old.data());
-  candidates.now = candidates.old;
-  tracer_.scene().castMoved(candidates.rays.data(), candidates.rays.size(), candidates.now.data());
-  for (std::size_t i = 0; i < candidates.rays.size(); ++i)
+  WalkFront& rows = memory.blocked.rows;
+  tracer_.findDistances(rows, memory.cast);
+  for (std::size_t row = 0; cachesStaticHits_ && row < rows.size; ++row)
   {
-    if (candidates.now[i] != candidates.old[i])
+    if (!isDynamic(rows.hit[row]))
     {
-      candidates.now[i] = tracer_.resolveContact(candidates.rays[i], candidates.now[i]);
-      candidates.stale.push_back(i);
+      memory.blocked.known[row] = hitOf(rows, row);
     }
   }
+  byAllDynamic ? tracer_.castDynamic(rows, memory.cast) : tracer_.castMoved(rows, memory.cast);
 }
 
-/// Where objects touch, the ray is cast again. The hit may be the same and yet depend on other
-/// objects than before: then it is stored again as well.
-void WalkVerifier::castTouching(Candidates& candidates) const
+/// The object that was hit moved, or objects touch.
+void WalkVerifier::castLost(Memory& memory) const
 {
-  const std::size_t count = candidates.rays.size();
-  candidates.now.assign(count, {});
-  tracer_.cast(candidates.rays.data(), count, candidates.now.data());
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Hit &now = candidates.now[i], &old = candidates.old[i];
-    const SegmentRef& segment = candidates.segments[i];
-    if (now.id != old.id || now.weights != old.weights || hasMoved(now.id) ||
-      tracer_.isContact(candidates.rays[i].start, now.id) !=
-        history_.blockOf(segment.walk).isContact(segment))
-    {
-      candidates.stale.push_back(i);
-    }
-  }
+  tracer_.cast(memory.lost.rows, memory.cast);
 }
 
-/// The object that was hit moved, so the hit is stale even if the same triangle is found again: its
-/// normal and the point on it have changed. Static geometry is known to lie behind the old hit.
-void WalkVerifier::castLost(Candidates& candidates) const
+/// Dynamic objects hid a static hit that is known.
+void WalkVerifier::castUncovered(Memory& memory) const
 {
-  const Scene& scene = tracer_.scene();
-  const std::size_t count = candidates.rays.size();
-  candidates.now.assign(count, {});
-  scene.castDynamic(candidates.rays.data(), count, candidates.now.data());
-  std::vector<Ray> rays; // those that may hit static geometry instead
-  std::vector<Hit> hits;
-  std::vector<double> from;
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < count; ++i)
+  WalkFront& rows = memory.uncovered.rows;
+  for (std::size_t row = 0; row < rows.size; ++row)
   {
-    constexpr std::size_t kAhead = 16;
-    if (i + kAhead < count)
-    {
-      const SegmentRef& later = candidates.segments[i + kAhead];
-      history_.blockOf(later.walk).prefetchPoint(later);
-    }
-    candidates.stale.push_back(i);
-    const SegmentRef& segment = candidates.segments[i];
-    const WalkBlock& block = history_.blockOf(segment.walk);
-    const double clear = std::max(0.0, block.shortestLength(segment) - clearance_);
-    Hit& now = candidates.now[i];
-    if (now.distance < clear)
-    {
-      continue;
-    }
-    if (const Hit* hidden = block.hiddenStaticHit(segment))
-    {
-      now = isCloser(*hidden, now) ? *hidden : now;
-      continue;
-    }
-    rays.push_back(candidates.rays[i]);
-    hits.push_back(now);
-    from.push_back(clear);
-    which.push_back(i);
+    const HiddenHit& known = memory.uncovered.known[row];
+    rows.distance[row] = known.distance;
+    rows.hit[row] = known.triangle;
+    rows.weightB[row] = known.weights[0];
+    rows.weightC[row] = known.weights[1];
   }
-  scene.castStatic(rays.data(), rays.size(), hits.data(), from.data());
-  for (std::size_t i = 0; i < which.size(); ++i)
-  {
-    candidates.now[which[i]] = hits[i];
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    candidates.now[i] = tracer_.resolveContact(candidates.rays[i], candidates.now[i]);
-  }
+  tracer_.castDynamic(rows, memory.cast);
+}
+
+/// Segments whose hit moved are stale even if the same triangle is found again: its normal and the point on
+/// it have changed. They were noted before.
+void WalkVerifier::noteFirst(std::size_t firstBlock, Memory& memory) const
+{
+  const auto noteIf = [&](const WalkFront& rows, const auto& isStale) {
+    for (std::size_t row = 0; row < rows.size; ++row)
+    {
+      std::uint32_t& first = memory.firstStale[walkAt(rows, row, firstBlock)];
+      if (rows.bounce[row] < first && isStale(row))
+      {
+        first = rows.bounce[row];
+      }
+    }
+  };
+  const WalkFront &blocked = memory.blocked.rows, &lost = memory.lost.rows;
+  noteIf(blocked, [&](std::size_t row) { return blocked.hit[row] != blocked.candidate[row]; });
+  noteIf(lost, [&](std::size_t row) { return isChanged(lost, row); });
+}
+
+/// Where objects touch, the hit may be the same and yet depend on other objects than before: then it is
+/// stored again as well.
+bool WalkVerifier::isChanged(const WalkFront& rows, std::size_t row) const
+{
+  const BounceBlock& block = history_.block(rows.block[row]);
+  const std::uint32_t slot = rows.slot[row], hit = rows.hit[row];
+  const std::array<float, 2> weights{ rows.weightB[row], rows.weightC[row] };
+  return hit != block.triangle(slot) || weights != block.weights(slot) || hasMoved(hit) ||
+    tracer_.isContact(rows.start[row], hit) != block.isContact(slot);
+}
+
+std::size_t WalkVerifier::walkAt(
+  const WalkFront& rows, std::size_t row, std::size_t firstBlock) const
+{
+  return (rows.block[row] - firstBlock) * WalkPlan::kWalksPerBlock +
+    (rows.walk[row] - history_.block(rows.block[row]).firstWalk());
 }
 
 }

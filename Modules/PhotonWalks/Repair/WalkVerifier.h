@@ -2,26 +2,16 @@
 #ifndef irradiance_WalkVerifier_h
 #define irradiance_WalkVerifier_h
 
-#include "History/SegmentScan.h"
+#include "History/BounceScan.h"
+#include "Repair/StaleFront.h"
 #include "Repair/StaleMark.h"
-#include "Shooting/WalkTracer.h"
+#include "Shooting/StoredRays.h"
 
 #include <atomic>
 #include <vector>
 
 namespace irradiance
 {
-
-/// The first segment of a walk that the motion changed.
-struct StaleSegment
-{
-  SegmentRef segment;
-  Ray ray;
-  Hit hit; ///< in the new frame
-  Hit old; ///< in the old frame; its distance is valid only if nothing there moved or touches
-  /// Whether contacts affect the old hit: then it may differ from the hit in the static tree alone.
-  bool wasTouching = false;
-};
 
 /**
  * Finds which stored walks changed, and modifies none. Conservative and exact: after the repair
@@ -35,41 +25,83 @@ class WalkVerifier
 {
 public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
-  /// flags all segments that these objects may change. `clearance`: a stored segment may end this
-  /// far from where it hit, as the next one begins there (see Scene).
-  WalkVerifier(const WalkTracer& tracer, const WalkHistory& history, const std::vector<bool>& moved,
-    const SegmentScan& scan, double clearance)
-    : tracer_(tracer)
-    , history_(history)
-    , moved_(moved)
-    , scan_(scan)
-    , clearance_(clearance)
-  {
-  }
+  /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHits.
+  WalkVerifier(const WalkTracer& tracer, WalkHistory& history, const std::vector<bool>& moved,
+    const BounceScan& scan, bool cachesStaticHits);
 
-  /// Of the blocks [first, end): in `stale[block]` at most one segment of each walk, ordered by walk.
-  /// Walks `known` to be stale (by block; null: none) are verified up to their marks.
+  /// The memory of one thread.
+  class Memory
+  {
+    friend class WalkVerifier;
+
+    /// Segments for which rays are cast in the same way, row by row.
+    struct Suspects
+    {
+      WalkFront rows;
+      std::vector<HiddenHit>
+        known; ///< of each row: the hit of before, or the static one that was hidden
+    };
+
+    Suspects blocked, lost, uncovered;
+
+    void clear();
+    void reserve(std::size_t more, int bands);
+    std::vector<std::vector<std::uint32_t>> slots;
+    std::vector<std::uint32_t> firstStale; ///< bounce, by walk
+    std::vector<WalkFront::Row> chosen;
+
+    std::array<const WalkFront*, 3> fronts() const
+    {
+      return { &blocked.rows, &lost.rows, &uncovered.rows };
+    }
+    StoredRays rays;
+    FrontCast cast;
+  };
+
+  /// Of the blocks [first, end), which stand in one unit of WalkHistory::kTogether: at most one segment of
+  /// each walk. Walks `known` to be stale (by block; null: none) are verified up to their marks.
   void find(std::size_t first, std::size_t end, const std::vector<const StaleMarks*>& known,
-    std::vector<std::vector<StaleSegment>>& stale) const;
+    Memory& memory, StaleFront& stale) const;
+  /// The same for segments that are known to be stale, by block: their hits in the new frame. A hit that was
+  /// found in an earlier frame may have changed since, but the ray has not.
+  void castAgain(const std::vector<SegmentPlace>& places, Memory& memory, StaleFront& stale) const;
   /// The number of segments for which rays were cast so far.
   std::int64_t numberOfSuspects() const { return suspects_; }
 
 private:
-  struct Candidates;
-  struct Suspects;
+  using Suspects = Memory::Suspects;
 
-  bool hasMoved(const TriangleId& id) const { return id.isDynamic() && moved_[id.object - 1]; }
-  void sort(std::size_t block, const std::vector<std::uint32_t>& points, const StaleMarks* known,
-    Suspects& suspects) const;
-  void castBlocked(Candidates& candidates) const;
-  void castLost(Candidates& candidates) const;
-  void castTouching(Candidates& candidates) const;
+  bool hasMoved(std::uint32_t triangle) const
+  {
+    return isDynamic(triangle) && moved_[history_.numbers().objectOf(triangle) - 1];
+  }
+  bool isDynamic(std::uint32_t triangle) const
+  {
+    return triangle >= firstDynamic_ && triangle != WalkFront::kNone;
+  }
+  void sort(std::size_t number, const std::vector<std::uint32_t>& slots, const StaleMarks* known,
+    std::uint32_t* firstStale, Memory& memory) const;
+  /// `isLost`: nothing is known of the new hit.
+  void add(std::size_t number, std::uint32_t slot, bool isLost, Memory& memory) const;
+  bool isTouching(const BounceBlock& block, std::uint32_t slot) const;
+  void findRays(Memory& memory) const;
+  void castBlocked(Memory& memory, bool byAllDynamic) const;
+  void castLost(Memory& memory) const;
+  void castUncovered(Memory& memory) const;
+  void noteFirst(std::size_t firstBlock, Memory& memory) const;
+  bool isChanged(const WalkFront& rows, std::size_t row) const;
+  /// The walk of a row, counted from the first of the first block.
+  std::size_t walkAt(const WalkFront& rows, std::size_t row, std::size_t firstBlock) const;
+  /// Takes the rows for which isChosen(rows, row) is true, block by block.
+  template <class IsChosen>
+  void choose(Memory& memory, const IsChosen& isChosen, StaleFront& stale) const;
 
   const WalkTracer& tracer_;
-  const WalkHistory& history_;
+  WalkHistory& history_; ///< its indices may grow
   const std::vector<bool>& moved_;
-  const SegmentScan& scan_;
-  double clearance_;
+  const BounceScan& scan_;
+  bool cachesStaticHits_;
+  std::uint32_t firstDynamic_; ///< triangle
   mutable std::atomic<std::int64_t> suspects_{ 0 };
 };
 

@@ -4,21 +4,23 @@
 namespace irradiance
 {
 
-BounceKeys::BounceKeys(const SobolSequence& samples, std::uint32_t bounce, SampleUse use)
+BounceKeys::BounceKeys(const SobolSequence& samples, SampleUse use, std::uint32_t bounces)
   : samples_(&samples)
-  , bounce_(bounce)
   , use_(use)
+  , bounces_(bounces)
   , replicates_(samples.replicates().count())
   , firstWalk_(samples.replicates().firstWalk())
-  , keys_(3 * std::size_t{ replicates_ })
+  , keys_(3 * size())
 {
-  for (std::uint32_t replicate = 0; replicate < replicates_; ++replicate)
+  for (std::size_t i = 0; i < size(); ++i)
   {
     // The first walks are of one replicate each, in their order.
+    const auto bounce = static_cast<std::uint32_t>(i / replicates_),
+               replicate = static_cast<std::uint32_t>(i % replicates_);
     const SampleKeys keys = samples.keysOf(firstWalk_ + replicate, bounce, use);
-    keys_[replicate] = keys.shuffle;
-    keys_[replicates_ + replicate] = keys.scrambles[0];
-    keys_[2 * std::size_t{ replicates_ } + replicate] = keys.scrambles[1];
+    keys_[i] = keys.shuffle;
+    keys_[size() + i] = keys.scrambles[0];
+    keys_[2 * size() + i] = keys.scrambles[1];
   }
 }
 

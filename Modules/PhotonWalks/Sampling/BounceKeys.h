@@ -9,29 +9,33 @@
 namespace irradiance
 {
 
-/// The sample keys of all walks at one bounce for one use, which differ by replicate alone.
+/// The sample keys of all walks for one use, at the first bounces: a table by bounce and replicate, for lanes.
 class BounceKeys
 {
 public:
-  /// `samples` must outlive this.
-  BounceKeys(const SobolSequence& samples, std::uint32_t bounce, SampleUse use);
+  /// Further bounces are rare.
+  static constexpr std::uint32_t kUsualBounces = 32;
+
+  /// `samples` must outlive this. `bounces`: of the table, from 0 on.
+  BounceKeys(const SobolSequence& samples, SampleUse use, std::uint32_t bounces = kUsualBounces);
 
   const SobolSequence& samples() const { return *samples_; }
-  std::uint32_t bounce() const { return bounce_; }
   SampleUse use() const { return use_; }
+  std::uint32_t bounces() const { return bounces_; }
   std::uint32_t replicates() const { return replicates_; }
   std::uint32_t firstWalk() const { return firstWalk_; }
 
-  /// By replicate.
+  /// By bounce, then by replicate.
   const std::uint32_t* shuffles() const { return keys_.data(); }
-  const std::uint32_t* scramblesX() const { return keys_.data() + replicates_; }
-  const std::uint32_t* scramblesY() const { return keys_.data() + std::size_t{ 2 } * replicates_; }
+  const std::uint32_t* scramblesX() const { return keys_.data() + size(); }
+  const std::uint32_t* scramblesY() const { return keys_.data() + 2 * size(); }
 
 private:
+  std::size_t size() const { return std::size_t{ bounces_ } * replicates_; }
+
   const SobolSequence* samples_;
-  std::uint32_t bounce_;
   SampleUse use_;
-  std::uint32_t replicates_, firstWalk_;
+  std::uint32_t bounces_, replicates_, firstWalk_;
   std::vector<std::uint32_t> keys_;
 };
 

@@ -42,8 +42,8 @@ struct SampleGroup
   alignas(64) std::uint32_t index[kSize], shuffle[kSize], scrambleX[kSize], scrambleY[kSize];
   alignas(64) std::uint32_t x[kSize], y[kSize]; ///< the samples, in units of 2^-32
 
-  /// Draws samples for the bounces given plus `ahead`. Walks at the bounce of the keys take these, and
-  /// groups with others, as repairs bring them, look up keys walk by walk. Is compiled once for each
+  /// Draws samples for the bounces given plus `ahead`. Is quickest for walks that are all at one bounce, quick
+  /// for any bounces of the table of keys, and looks up all others walk by walk. Is compiled once for each
   /// instruction set.
   __attribute__((always_inline)) void draw(const BounceKeys& keys, const std::uint32_t* walks,
     const std::uint32_t* bounces, std::uint32_t ahead)
@@ -71,41 +71,55 @@ private:
   __attribute__((always_inline)) void setKeys(const BounceKeys& keys, const std::uint32_t* walks,
     const std::uint32_t* bounces, std::uint32_t ahead)
   {
-    const std::uint32_t same = keys.bounce() - ahead;
-    std::uint32_t others = 0;
+    const std::uint32_t first = bounces[0];
+    std::uint32_t others = 0, most = 0;
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      others |= bounces[lane] ^ same;
+      others |= bounces[lane] ^ first;
+      most = bounces[lane] > most ? bounces[lane] : most;
     }
-    if (others != 0)
+    if (most + ahead >= keys.bounces())
     {
       lookUp(keys, walks, bounces, ahead);
     }
+    else if (others != 0)
+    {
+      setMixed(keys, walks, bounces, ahead);
+    }
     else if (keys.replicates() == 1)
     {
-      const std::uint32_t first = keys.firstWalk(), ofIndex = *keys.shuffles(),
-                          ofX = *keys.scramblesX(), ofY = *keys.scramblesY();
-      for (unsigned lane = 0; lane < kSize; ++lane)
-      {
-        index[lane] = walks[lane] - first;
-        shuffle[lane] = ofIndex;
-        scrambleX[lane] = ofX;
-        scrambleY[lane] = ofY;
-      }
+      setSame(keys, walks, first + ahead);
     }
     else
     {
-      setReplicates(keys, walks);
+      setReplicates(keys, walks, first + ahead);
     }
   }
 
+  /// One replicate, one bounce.
+  __attribute__((always_inline)) void setSame(
+    const BounceKeys& keys, const std::uint32_t* walks, std::uint32_t bounce)
+  {
+    const std::uint32_t first = keys.firstWalk(), ofIndex = keys.shuffles()[bounce],
+                        ofX = keys.scramblesX()[bounce], ofY = keys.scramblesY()[bounce];
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      index[lane] = walks[lane] - first;
+      shuffle[lane] = ofIndex;
+      scrambleX[lane] = ofX;
+      scrambleY[lane] = ofY;
+    }
+  }
+
+  /// One bounce.
   __attribute__((always_inline)) void setReplicates(
-    const BounceKeys& keys, const std::uint32_t* walks)
+    const BounceKeys& keys, const std::uint32_t* walks, std::uint32_t bounce)
   {
     ReplicateLanes lanes;
     lanes.set(walks, keys.firstWalk(), keys.replicates());
-    const std::uint32_t *shuffles = keys.shuffles(), *scramblesX = keys.scramblesX(),
-                        *scramblesY = keys.scramblesY();
+    const std::size_t row = std::size_t{ bounce } * keys.replicates();
+    const std::uint32_t *shuffles = keys.shuffles() + row, *scramblesX = keys.scramblesX() + row,
+                        *scramblesY = keys.scramblesY() + row;
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
       const std::uint32_t replicate = lanes.replicate[lane];
@@ -116,7 +130,41 @@ private:
     }
   }
 
-  /// Not for lanes: bounces may be any, and there are keys for the first ones alone.
+  /// Bounces as repairs bring them, all in the table.
+  __attribute__((always_inline)) void setMixed(const BounceKeys& keys, const std::uint32_t* walks,
+    const std::uint32_t* bounces, std::uint32_t ahead)
+  {
+    const std::uint32_t count = keys.replicates(), first = keys.firstWalk();
+    alignas(64) std::uint32_t place[kSize];
+    if (count == 1)
+    {
+      for (unsigned lane = 0; lane < kSize; ++lane)
+      {
+        index[lane] = walks[lane] - first;
+        place[lane] = bounces[lane] + ahead;
+      }
+    }
+    else
+    {
+      ReplicateLanes lanes;
+      lanes.set(walks, first, count);
+      for (unsigned lane = 0; lane < kSize; ++lane)
+      {
+        index[lane] = lanes.number[lane];
+        place[lane] = (bounces[lane] + ahead) * count + lanes.replicate[lane];
+      }
+    }
+    const std::uint32_t *shuffles = keys.shuffles(), *scramblesX = keys.scramblesX(),
+                        *scramblesY = keys.scramblesY();
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      shuffle[lane] = shuffles[place[lane]];
+      scrambleX[lane] = scramblesX[place[lane]];
+      scrambleY[lane] = scramblesY[place[lane]];
+    }
+  }
+
+  /// Not for lanes: bounces may be any.
   __attribute__((noinline)) void lookUp(const BounceKeys& keys, const std::uint32_t* walks,
     const std::uint32_t* bounces, std::uint32_t ahead)
   {

@@ -11,8 +11,7 @@ constexpr unsigned kGroup = WalkFront::kGroup;
 static_assert(kGroup == SampleGroup::kSize);
 /// Lanes::Packing takes that many walks.
 constexpr unsigned kPacked = 16;
-static_assert(
-  kPacked <= FrontColumn<float>::kRoomBehind && kGroup <= FrontColumn<float>::kRoomBehind);
+static_assert(kPacked <= Column<float>::kRoomBehind && kGroup <= Column<float>::kRoomBehind);
 
 /// Bisection as in LightTable::choose(), all lanes in step.
 __attribute__((always_inline)) inline void chooseLights(
@@ -210,16 +209,15 @@ struct RecordLanes
 static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::Normal * sizeof(double));
 static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::Inset * sizeof(double));
 
-/// The sides from which directions come: 1 front, -1 back.
-__attribute__((always_inline)) inline void findSidesOf(const RecordLanes& record,
-  const float* directionX, const float* directionY, const float* directionZ, double* side)
+/// The sides from which directions come, beside these normals: 1 front, -1 back.
+__attribute__((always_inline)) inline void findSidesOf(const double* normalX, const double* normalY,
+  const double* normalZ, const float* directionX, const float* directionY, const float* directionZ,
+  double* side)
 {
-  const auto& c = record.column;
   for (unsigned lane = 0; lane < kGroup; ++lane)
   {
-    const double with = double{ directionX[lane] } * c[RecordLanes::Normal][lane] +
-      double{ directionY[lane] } * c[RecordLanes::Normal + 1][lane] +
-      double{ directionZ[lane] } * c[RecordLanes::Normal + 2][lane];
+    const double with = double{ directionX[lane] } * normalX[lane] +
+      double{ directionY[lane] } * normalY[lane] + double{ directionZ[lane] } * normalZ[lane];
     side[lane] = with <= 0 ? 1.0 : -1.0;
   }
 }
@@ -293,8 +291,9 @@ __attribute__((always_inline)) inline void leavePoints(
   }
   else
   {
-    findSidesOf(
-      record, &front.directionX[i], &front.directionY[i], &front.directionZ[i], points.side);
+    const auto* const normal = record.column + RecordLanes::Normal;
+    findSidesOf(normal[0], normal[1], normal[2], &front.directionX[i], &front.directionY[i],
+      &front.directionZ[i], points.side);
     storeSides(points.side, &front.side[i]);
   }
   points.place(record, &front.weightB[i], &front.weightC[i]);
@@ -343,20 +342,31 @@ void runLeaveLoop(const LeaveLoop& loop)
   }
 }
 
+/// Of a record only the normal is read.
 template <class Lanes>
 void runSidesLoop(const SidesLoop& loop)
 {
   WalkFront& front = loop.front;
-  RecordLanes record;
-  alignas(64) double side[kGroup];
+  alignas(64) double x[kGroup], y[kGroup], z[kGroup], side[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    record.load<Lanes>(loop.rows, &front.hit[i]);
-    findSidesOf(record, &front.directionX[i], &front.directionY[i], &front.directionZ[i], side);
     const std::uint32_t* const hits = &front.hit[i];
+    const std::size_t ahead = i + kGroup;
+    for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
+    {
+      prefetchLine(&loop.rows.recordOf(hits[kGroup + lane])->normal);
+    }
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      side[lane] = hits[lane] == WalkFront::kNone ? 1.0 : side[lane]; // as in WalkBatch
+      const double* const normal = loop.rows.recordOf(hits[lane])->normal;
+      x[lane] = normal[0];
+      y[lane] = normal[1];
+      z[lane] = normal[2];
+    }
+    findSidesOf(x, y, z, &front.directionX[i], &front.directionY[i], &front.directionZ[i], side);
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      side[lane] = hits[lane] == WalkFront::kNone ? 1.0 : side[lane];
     }
     storeSides(side, &front.hitSide[i]);
   }

@@ -107,20 +107,6 @@ struct Avx2Lanes
     void operator()(const float* from, float* to) const { packWords(from, to); }
     void operator()(const double* from, double* to) const { packDoubles(from, to); }
     void operator()(const std::int64_t* from, std::int64_t* to) const { packDoubles(from, to); }
-    void operator()(const std::uint16_t* from, std::uint16_t* to) const
-    {
-      for (unsigned i = 0; i < 2; ++i)
-      {
-        const __m128i lane = _mm_cvtepu8_epi16(bytes_[i]);
-        const __m128i pairs =
-          _mm_or_si128(_mm_slli_epi16(lane, 1), // its bytes: 2 lane and 2 lane + 1
-            _mm_add_epi16(_mm_slli_epi16(lane, 9), _mm_set1_epi16(0x100)));
-        const __m128i all =
-          _mm_load_si128(reinterpret_cast<const __m128i*>(from + std::size_t{ 8 } * i));
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(all, pairs));
-        to += quarters_[0] + quarters_[1];
-      }
-    }
     void operator()(const std::uint8_t* from, std::uint8_t* to) const
     {
       for (unsigned i = 0; i < 2; ++i)

@@ -67,12 +67,6 @@ struct Avx512Lanes
       _mm512_storeu_si512(
         to + lows_, _mm512_maskz_compress_epi64(high_, _mm512_load_si512(from + 8)));
     }
-    void operator()(const std::uint16_t* from, std::uint16_t* to) const
-    {
-      const __m512i words =
-        _mm512_cvtepu16_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(from)));
-      _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtepi32_epi16(packed(words)));
-    }
     void operator()(const std::uint8_t* from, std::uint8_t* to) const
     {
       const __m512i words =

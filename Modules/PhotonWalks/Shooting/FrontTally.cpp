@@ -16,7 +16,6 @@ FrontTally::FrontTally(const SceneTriangles& triangles, CellSums& sums, PowerBal
   , photon_(photon)
   , counts_(sums, photon[0], sums.bands() == 1 ? expected : 0)
 {
-  slots_.reserve(kTogether);
 }
 
 Power FrontTally::powerOf(const WalkFront& front) const
@@ -36,38 +35,29 @@ Power FrontTally::powerOf(const WalkFront& front) const
   return all;
 }
 
-void FrontTally::receive(const WalkFront& front)
+void FrontTally::change(const WalkFront& front, int sign)
 {
   for (std::size_t first = 0; first < front.size; first += kTogether)
   {
-    receiveGroups(front, first, std::min(first + kTogether, front.size));
+    const std::size_t end = std::min(first + kTogether, front.size);
+    findSlots(front, first, end);
+    sums_.bands() == 1 ? changePhotons(front, first, end, sign)
+                       : changePowers(front, first, end, sign);
   }
-  balance_.segments += static_cast<std::int64_t>(front.size);
+  balance_.segments += sign * static_cast<std::int64_t>(front.size);
 }
 
-void FrontTally::receiveGroups(const WalkFront& front, std::size_t first, std::size_t end)
+void FrontTally::findSlots(const WalkFront& front, std::size_t first, std::size_t end)
 {
   const Replicates& replicates = sums_.plan().replicates();
   const auto perCell = static_cast<std::uint32_t>(sums_.slotsPerCell());
   runSlots({ SceneRows(triangles_), front, first, end, perCell, keepsSides() ? perCell / 2 : 0,
     static_cast<std::uint32_t>(sums_.bands()), replicates.count(), replicates.firstWalk(),
-    counts_.escaped(), slots_.data() });
+    counts_.escaped(), slots_ });
   if (sums_.rounds() > 1)
   {
     addRounds(front, first, end);
   }
-  if (sums_.bands() > 1)
-  {
-    receivePowers(front, first, end);
-    return;
-  }
-  counts_.add(slots_.data(), end - first);
-  const auto escaped = static_cast<std::int64_t>(
-    std::count(front.hit.data() + first, front.hit.data() + end, WalkFront::kNone));
-  const Power received = (static_cast<std::int64_t>(end - first) - escaped) * photon_;
-  balance_.escaped += escaped * photon_;
-  balance_.absorbed += received;
-  balance_.received += received.total();
 }
 
 void FrontTally::addRounds(const WalkFront& front, std::size_t first, std::size_t end)
@@ -82,26 +72,32 @@ void FrontTally::addRounds(const WalkFront& front, std::size_t first, std::size_
   }
 }
 
-void FrontTally::receivePowers(const WalkFront& front, std::size_t first, std::size_t end)
+void FrontTally::changePhotons(const WalkFront& front, std::size_t first, std::size_t end, int sign)
+{
+  const std::size_t count = end - first;
+  sign > 0 ? counts_.add(slots_, count) : counts_.remove(slots_, count);
+  const auto escaped = static_cast<std::int64_t>(
+    std::count(front.hit.data() + first, front.hit.data() + end, WalkFront::kNone));
+  const Power received = sign * (static_cast<std::int64_t>(count) - escaped) * photon_;
+  balance_.escaped += sign * escaped * photon_;
+  balance_.absorbed += received;
+  balance_.received += received.total();
+}
+
+void FrontTally::changePowers(const WalkFront& front, std::size_t first, std::size_t end, int sign)
 {
   for (std::size_t i = first; i < end; ++i)
   {
-    const Power carried = front.powerAt(i, sums_.bands());
+    const Power carried = front.powerAt(i, sums_.bands()), added = sign * carried;
     if (front.hit[i] == WalkFront::kNone)
     {
-      balance_.escaped += carried;
+      balance_.escaped += added;
       continue;
     }
-    sums_.collect(slots_[i - first], true, carried, 1, deposits_); // the side is in the slot
-    balance_.absorbed += carried;
-    balance_.received += carried.total();
+    sums_.collect(slots_[i - first], true, carried, sign, deposits_); // the side is in the slot
+    balance_.absorbed += added;
+    balance_.received += added.total();
   }
-}
-
-void FrontTally::discard()
-{
-  counts_.discard();
-  deposits_.clear();
 }
 
 }

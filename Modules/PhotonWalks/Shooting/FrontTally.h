@@ -10,12 +10,13 @@
 namespace irradiance
 {
 
-/// Adds what a front brings to the cells and the balance, as WalkTally does walk by walk. The cells are
-/// updated when the tally is destroyed.
+/// Adds what a front brings to the cells and the balance, or takes it back: the one place where the result
+/// gains or loses a photon. The cells are updated when the tally is destroyed.
 class FrontTally
 {
 public:
-  /// `photon`: the power of each walk, if there is one band. `expected`: about how many photons will come.
+  /// `photon`: the power of each walk, if there is one band. `expected`: about how many photons will come or
+  /// go: many are counted in a table, few stand in a list, see PhotonCounts.
   /// The other arguments must outlive the tally.
   FrontTally(const SceneTriangles& triangles, CellSums& sums, PowerBalance& balance,
     const Power& photon, std::size_t expected);
@@ -26,13 +27,24 @@ public:
   bool keepsSides() const { return sums_.sides() == 2; }
   /// Walks start.
   void emit(const WalkFront& front) { balance_.emitted += powerOf(front); }
+  /// Walks that had started are no more. What they brought is for remove().
+  void unemit(const Power& started) { balance_.emitted -= started; }
   /// The cells that are hit receive what the walks carry; what hits nothing escapes. Reads walk, hit and,
   /// if sides are kept apart, hitSide.
-  void receive(const WalkFront& front);
+  void receive(const WalkFront& front) { change(front, 1); }
   /// Of what arrived, this front leaves again.
   void release(const WalkFront& front) { balance_.absorbed -= powerOf(front); }
-  /// Drops what was tallied for the cells; the caller drops the balance.
-  void discard();
+  /**
+   * Takes back what tails of walks brought: all their segments, in any order, as receive() took them, with
+   * the sides that were hit and, with several bands, their powers. `starting`: what the first segments of
+   * the tails carry in all. That is under way again, for the tails that come instead: it was released
+   * before, or emitted.
+   */
+  void remove(const WalkFront& tails, const Power& starting)
+  {
+    change(tails, -1);
+    balance_.absorbed += powerOf(tails) - starting;
+  }
   void check() const { checkReceived(balance_); }
 
 private:
@@ -41,10 +53,13 @@ private:
   static_assert(kTogether % WalkFront::kGroup == 0);
 
   Power powerOf(const WalkFront& front) const;
-  void receiveGroups(const WalkFront& front, std::size_t first, std::size_t end);
+  /// `sign`: 1 to add what a front brings, -1 to remove it.
+  void change(const WalkFront& front, int sign);
+  void changePhotons(const WalkFront& front, std::size_t first, std::size_t end, int sign);
+  void changePowers(const WalkFront& front, std::size_t first, std::size_t end, int sign);
+  void findSlots(const WalkFront& front, std::size_t first, std::size_t end);
   /// Walks of several rounds: each has sums of its own.
   void addRounds(const WalkFront& front, std::size_t first, std::size_t end);
-  void receivePowers(const WalkFront& front, std::size_t first, std::size_t end);
 
   const SceneTriangles& triangles_;
   CellSums& sums_;
@@ -52,7 +67,7 @@ private:
   Power photon_;
   PhotonCounts counts_;           ///< one band
   std::vector<Deposit> deposits_; ///< several bands
-  FrontColumn<std::uint32_t> slots_;
+  alignas(64) std::uint32_t slots_[kTogether];
 };
 
 }

@@ -2,8 +2,8 @@
 #ifndef irradiance_WalkBatch_h
 #define irradiance_WalkBatch_h
 
+#include "History/WalkHistory.h"
 #include "Shooting/WalkTracer.h"
-#include "Tally/WalkTally.h"
 
 #include <functional>
 #include <vector>
@@ -11,104 +11,55 @@
 namespace irradiance
 {
 
-/// Shoots many walks side by side, bounce by bounce: each stage of a bounce is a loop over the walks
-/// that go on.
+/**
+ * Takes a front of walks to their ends, bounce by bounce: the stages of WalkStages, the cast, the tally and
+ * the history. It owns the memory for this, to be used again.
+ */
 class WalkBatch
 {
 public:
-  /// `storedIn`: the frame of the blocks to which store() will write; null if nothing is stored.
-  /// `storesSides`: the sides of all hits are stored; else, if the tally does not need them, only of
-  /// those that walks leave.
-  WalkBatch(const WalkTracer& tracer, const UnitFrame* storedIn, bool storesSides = false);
+  /// Begins anew. The arguments must outlive the run. `history`: where segments are stored, or null.
+  /// `keepsSides`: the tally keeps sides apart. What is stored has sides anyway.
+  void begin(const WalkTracer& tracer, WalkHistory* history, bool keepsSides);
 
-  /// Adds whole walks.
-  void shoot(const std::vector<std::uint32_t>& walks);
-  /// Adds a walk from segment `first` on, whose ray and new hit are known. `incoming`: what the
-  /// segment carries.
-  void resume(const SegmentRef& first, const Ray& ray, const Hit& hit, const Power& incoming);
+  /// To be filled: with walks and their blocks, to be started; or with walks whose rays and hits are known,
+  /// to go on.
+  WalkFront& front() { return now_; }
+  /// All walks of the front leave their lights.
+  void start(FrontTally& tally);
+  /// All walks of the front go on. `notesPlaces`: see places().
+  void resume(bool notesPlaces);
 
   /// Shoots until all walks have ended. If `hasToStop` returns true between two bounces, it returns
-  /// false and may be called again.
-  bool run(WalkTally& tally, const std::function<bool()>& hasToStop);
+  /// false and may be called again, on another thread and with another tally.
+  bool run(FrontTally& tally, const std::function<bool()>& hasToStop);
 
   /// Segments shot so far.
   std::int64_t numberOfSegments() const { return segments_; }
-  /// Power with which the walks added by shoot() started.
-  const Power& emitted() const { return emitted_; }
-
-  struct Tail
-  {
-    SegmentRef first;
-    std::uint32_t size; ///< segments
-  };
-  /// In the order in which the walks were added.
-  const std::vector<Tail>& tails() const { return tails_; }
-  /// The numbers of segments of the tails.
-  std::vector<std::uint32_t> sizes() const;
-  /// Replaces the stored tails of the walks by what was shot.
-  void store(WalkHistory& history) const;
+  /// Where the segments with which walks went on are stored.
+  const std::vector<SegmentPlace>& places() const { return places_; }
 
 private:
-  /// A walk that needs more is in a closed scene that absorbs nothing: it would never end.
-  static constexpr std::uint32_t kMostBounces = 1u << 20;
   /// After this many rounds the few walks that are left are finished kPatient at a time, so that it
   /// shows soon if they are endless.
   static constexpr std::uint32_t kRoundsTogether = 256;
   static constexpr std::size_t kPatient = 2;
 
-  /// A segment to be stored.
-  struct Piece
-  {
-    std::uint32_t tail;
-    StoredSegment segment;
-  };
-  /// The point where a walk ended.
-  struct End
-  {
-    std::uint32_t tail;
-    StoredPoint point;
-  };
+  bool isDone();
+  void store();
 
-  void reserve(std::size_t walks);
-  void addTail(const SegmentRef& first);
-  /// Whether the front was hit; true if sides are not kept apart.
-  bool isFront(std::size_t placeOfBounce) const
-  {
-    return isFront_.empty() || isFront_[placeOfBounce] != 0;
-  }
-  // The stages of a bounce, for the walks from place `first` on.
-  void findCells(std::size_t first, WalkTally& tally);
-  void findSides(std::size_t first);
-  void receive(std::size_t first, WalkTally& tally);
-  void record(std::size_t first);
-  void absorb(std::size_t first);
-  void leave(std::size_t first, WalkTally& tally);
-  void checkEnd(std::size_t place) const;
-
-  const WalkTracer& tracer_;
-  const UnitFrame* frame_;
-  bool storesSides_;
-  // Of the walks that go on, by place.
-  std::vector<std::uint32_t> tailOf_, walks_, bounces_;
-  std::vector<Power> powers_; ///< empty if there is one band
-  std::vector<Ray> rays_;
-  std::vector<Hit> hits_;
-  // Of the walks of this bounce, by place - first.
-  std::vector<std::uint32_t> cells_;
-  std::vector<std::size_t> slots_; ///< where the tally adds their photons
-  std::vector<double> probabilities_;
-  std::vector<char> isFront_; ///< empty if sides are not kept apart
-  std::vector<std::uint32_t> survivors_;
-  std::vector<char> isSurvivor_;
-
+  const WalkTracer* tracer_ = nullptr;
+  WalkHistory* history_ = nullptr;
+  bool areSidesKnown_ = false;
   bool areHitsKnown_ = false;
+  bool notesPlaces_ = false;
+  WalkFront now_, next_;
+  WalkFront waiting_; ///< see kRoundsTogether
+  FrontCast cast_;
+  Column<std::uint8_t> kinds_;
   std::uint32_t rounds_ = 0;
   std::int64_t segments_ = 0;
-  Power emitted_;
-  std::vector<Tail> tails_;
-  std::vector<Piece> pieces_; ///< in order within a walk; pieces of several walks are mixed
-  std::vector<Power> piecePowers_;
-  std::vector<End> ends_;
+  std::vector<SegmentPlace> places_;
 };
 
 }

@@ -1,36 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkFront.h"
 
+#include <algorithm>
+#include <cassert>
+
 namespace irradiance
 {
 
-void WalkFront::reserve(std::size_t walks, int bands)
+void WalkFront::reserve(std::size_t walks, int bandsOfPower)
 {
-  for (FrontColumn<double>* column : { &originX, &originY, &originZ, &distance })
-  {
-    column->reserve(walks);
-  }
-  for (FrontColumn<float>* column : { &directionX, &directionY, &directionZ, &weightB, &weightC })
-  {
-    column->reserve(walks);
-  }
-  for (FrontColumn<std::uint32_t>* column : { &start, &hit, &candidate, &walk, &bounce, &block })
-  {
-    column->reserve(walks);
-  }
-  for (FrontColumn<std::uint16_t>* column : { &slot, &parent })
-  {
-    column->reserve(walks);
-  }
-  for (FrontColumn<std::uint8_t>* column : { &side, &hitSide, &isSpecular })
-  {
-    column->reserve(walks);
-  }
-  survivors.reserve(walks / kGroup + 1);
-  for (int band = 0; bands > 1 && band < bands; ++band)
-  {
-    power[band].reserve(walks);
-  }
+  const std::size_t room = std::max(walks, walk.room()); // of all columns, also those of powers
+  bands = bandsOfPower;
+  forEachColumn(
+    bands, [room](auto& column) { column.reserve(room); }, *this);
+  survivors.reserve(room / kGroup + 1);
+}
+
+void WalkFront::take(const WalkFront& from, std::size_t first, std::size_t count)
+{
+  assert(&from != this && first + count <= from.size);
+  const std::size_t room = walk.room(), all = size + count;
+  reserve(all > room ? std::max(all, 2 * room) : room, from.bands);
+  forEachColumn(
+    bands,
+    [&](auto& to, const auto& column) {
+      std::copy_n(column.data() + first, count, to.data() + size);
+    },
+    *this, from);
+  size = all;
+}
+
+void WalkFront::pick(const std::array<const WalkFront*, 3>& fronts, const std::vector<Row>& rows)
+{
+  const std::size_t all = size + rows.size();
+  reserve(all, fronts[0]->bands);
+  forEachColumn(
+    bands,
+    [&](auto& to, const auto& a, const auto& b, const auto& c) {
+      const decltype(a.data()) columns[] = { a.data(), b.data(), c.data() };
+      for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        to[size + i] = columns[rows[i].front][rows[i].row];
+      }
+    },
+    *this, *fronts[0], *fronts[1], *fronts[2]);
+  size = all;
 }
 
 void WalkFront::pad()
@@ -42,15 +56,9 @@ void WalkFront::pad()
     start[i] = hit[i] = kNone;
     side[i] = hitSide[i] = 1;
     weightB[i] = weightC[i] = 0;
-    walk[i] = walk[0];
-    bounce[i] = bounce[0]; // so that the group has one
+    walk[i] = walk[size - 1];
+    bounce[i] = bounce[size - 1]; // so that the group has one
   }
-}
-
-FrontPair& FrontPair::ofThread()
-{
-  static thread_local FrontPair fronts;
-  return fronts;
 }
 
 }

@@ -3,11 +3,13 @@
 #define irradiance_WalkFront_h
 
 #include "Geometry/Ray.h"
-#include "Shooting/FrontColumn.h"
+#include "Simd/Column.h"
 #include "Surfaces/Power.h"
 
+#include <array>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace irradiance
 {
@@ -28,60 +30,94 @@ struct WalkFront
   static constexpr std::size_t kUsualSize = 4096;
 
   std::size_t size = 0;
+  int bands = 1; ///< with which it was reserved
 
   // The ray.
-  FrontColumn<double> originX, originY, originZ;
-  FrontColumn<float> directionX, directionY, directionZ; ///< of unit length to float rounding
-  FrontColumn<std::uint32_t> start;                      ///< the triangle that it leaves, or kNone
-  FrontColumn<std::uint8_t> side;                        ///< 1 if it leaves the front, 0 the back
+  Column<double> originX, originY, originZ;
+  Column<float> directionX, directionY, directionZ; ///< of unit length to float rounding
+  Column<std::uint32_t> start;                      ///< the triangle that it leaves, or kNone
+  Column<std::uint8_t> side;                        ///< 1 if it leaves the front, 0 the back
   // Where it ends. Before it is cast: where the walk leaves `start`, by the weights.
-  FrontColumn<double> distance;
-  FrontColumn<std::uint32_t> hit;       ///< the triangle, or kNone if the walk escapes
-  FrontColumn<float> weightB, weightC;  ///< of the second and third corner
-  FrontColumn<std::uint8_t> hitSide;    ///< 1 the front, 0 the back; only where sides matter
-  FrontColumn<std::uint32_t> candidate; ///< of whoever casts
+  Column<double> distance;
+  Column<std::uint32_t> hit;       ///< the triangle, or kNone if the walk escapes
+  Column<float> weightB, weightC;  ///< of the second and third corner
+  Column<std::uint8_t> hitSide;    ///< 1 the front, 0 the back; only where sides matter
+  Column<std::uint32_t> candidate; ///< of whoever casts
   // Whose it is.
-  FrontColumn<std::uint32_t> walk, bounce;
-  FrontColumn<std::uint32_t> block;        ///< that stores it
-  FrontColumn<std::uint16_t> slot, parent; ///< in the block: of this segment and of the one before
-  FrontColumn<std::uint8_t> isSpecular;    ///< how it leaves `start`; only where cells are glossy
-  FrontColumn<std::int64_t> power[Power::kMaxBands]; ///< quanta; only with several bands
+  Column<std::uint32_t> walk, bounce;
+  Column<std::uint32_t> block; ///< that stores it
+  Column<std::uint32_t> slot,
+    parent; ///< in the block: of this segment and of the one before, or kNone
+  Column<std::uint8_t> isSpecular; ///< how it leaves `start`; only where cells are glossy
+  Column<std::int64_t> power[Power::kMaxBands]; ///< quanta; only with several bands
   /// A bit for each walk of a group that survives, see WalkStages::absorb().
-  FrontColumn<std::uint32_t> survivors;
+  Column<std::uint32_t> survivors;
 
   std::size_t groups() const { return (size + kGroup - 1) / kGroup; }
 
-  /// Room for that many walks. Keeps the columns; never gives room back.
-  void reserve(std::size_t walks, int bands);
+  /// Room for that many walks, with powers if there are several bands. Keeps the columns; never gives room
+  /// back.
+  void reserve(std::size_t walks, int bandsOfPower);
+  /// Appends rows of another front. All columns go along, but for `survivors`; rows that were never written
+  /// stay so.
+  void take(const WalkFront& from, std::size_t first, std::size_t count);
+  /// A row of one of several fronts.
+  struct Row
+  {
+    std::uint32_t front, row;
+  };
+  /// Likewise, rows of three fronts.
+  void pick(const std::array<const WalkFront*, 3>& fronts, const std::vector<Row>& rows);
   /// Gives the places behind the last walk, up to a whole group, values that stages can read.
   void pad();
 
-  Power powerAt(std::size_t place, int bands) const
+  Power powerAt(std::size_t place, int count) const
   {
     Power carried;
-    for (int band = 0; band < bands; ++band)
+    for (int band = 0; band < count; ++band)
     {
       carried[band] = power[band][place];
     }
     return carried;
   }
-  void setPower(std::size_t place, int bands, const Power& carried)
+  void setPower(std::size_t place, int count, const Power& carried)
   {
-    for (int band = 0; band < bands; ++band)
+    for (int band = 0; band < count; ++band)
     {
       power[band][place] = carried[band];
     }
   }
-};
 
-/// The two fronts between which the stages of a thread go to and fro. Their memory is used again for as
-/// long as the thread lives.
-struct FrontPair
-{
-  WalkFront now, next;
-
-  void swap() { std::swap(now, next); }
-  static FrontPair& ofThread();
+private:
+  /// Calls visit(column...) with the same column of each front, for all that have a place for each walk.
+  template <class Visit, class... Fronts>
+  static void forEachColumn(int bandsOfPower, const Visit& visit, Fronts&... fronts)
+  {
+    visit(fronts.originX...);
+    visit(fronts.originY...);
+    visit(fronts.originZ...);
+    visit(fronts.directionX...);
+    visit(fronts.directionY...);
+    visit(fronts.directionZ...);
+    visit(fronts.start...);
+    visit(fronts.side...);
+    visit(fronts.distance...);
+    visit(fronts.hit...);
+    visit(fronts.weightB...);
+    visit(fronts.weightC...);
+    visit(fronts.hitSide...);
+    visit(fronts.candidate...);
+    visit(fronts.walk...);
+    visit(fronts.bounce...);
+    visit(fronts.block...);
+    visit(fronts.slot...);
+    visit(fronts.parent...);
+    visit(fronts.isSpecular...);
+    for (int band = 0; bandsOfPower > 1 && band < bandsOfPower; ++band)
+    {
+      visit(fronts.power[band]...);
+    }
+  }
 };
 
 }

@@ -55,6 +55,10 @@ WalkStages::WalkStages(const WalkSampler& sampler, const SceneTriangles& triangl
   , triangles_(triangles)
   , lights_(lights)
   , samples_(samples)
+  , lightKeys_(samples, SampleUse::Light, 1)
+  , positionKeys_(samples, SampleUse::Position, 1)
+  , survivalKeys_(samples, SampleUse::Survival)
+  , directionKeys_(samples, SampleUse::Direction)
 {
   for (const Light& light : lights.lights())
   {
@@ -71,10 +75,9 @@ void WalkStages::start(WalkFront& front) const
   }
   assert(!lights_.isEmpty());
   std::fill_n(front.bounce.data(), front.size, 0u);
+  std::fill_n(front.parent.data(), front.size, WalkFront::kNone);
   front.pad();
-  const BounceKeys lights(samples_, 0, SampleUse::Light),
-    positions(samples_, 0, SampleUse::Position);
-  runStart({ front, lights, positions, lights_.cumulativeFlux(), triangleOfLight_.data(),
+  runStart({ front, lightKeys_, positionKeys_, lights_.cumulativeFlux(), triangleOfLight_.data(),
     front.candidate.data() });
   if (triangles_.hasGlossy())
   {
@@ -126,15 +129,14 @@ void WalkStages::absorb(WalkFront& from, WalkFront& to, bool areSidesKnown) cons
     return;
   }
   from.pad();
-  const BounceKeys keys(samples_, from.bounce[0] + 1, SampleUse::Survival);
   if (sampler_.bands() == 1)
   {
-    runSurvive({ SceneRows(triangles_), from, keys });
+    runSurvive({ SceneRows(triangles_), from, survivalKeys_ });
     chooseReflections(from);
   }
   else
   {
-    runDraw({ from, keys, from.candidate.data() });
+    runDraw({ from, survivalKeys_, from.candidate.data() });
     decideByPowers(from);
   }
   runPack({ from, to, areSidesKnown, triangles_.hasGlossy(), sampler_.bands() });
@@ -205,40 +207,40 @@ void WalkStages::leave(WalkFront& front, bool areSidesKnown) const
     return;
   }
   front.pad();
-  // What the loop overwrites is kept for the few that leave specularly.
-  std::vector<ScatteredRay> specular;
-  std::vector<std::uint32_t> places;
+  const std::vector<Specular> specular = specularOf(front);
+  runLeave({ SceneRows(triangles_), front, directionKeys_, areSidesKnown });
+  leaveSpecularly(front, specular);
+}
+
+/// What the loop overwrites of the few that leave specularly.
+std::vector<WalkStages::Specular> WalkStages::specularOf(const WalkFront& front) const
+{
+  std::vector<Specular> specular;
   for (std::size_t i = 0; triangles_.hasGlossy() && i < front.size; ++i)
   {
     if (front.isSpecular[i] != 0)
     {
       const double b = front.weightB[i], c = front.weightC[i];
-      specular.push_back({ front.walk[i], front.bounce[i], triangles_.idOf(front.start[i]),
-        { 1 - b - c, b, c }, 0, Vector3::Zero(), Reflection::Specular,
-        { front.originX[i], front.originY[i], front.originZ[i] } });
-      places.push_back(static_cast<std::uint32_t>(i));
+      specular.push_back(
+        { i, { front.originX[i], front.originY[i], front.originZ[i] }, { 1 - b - c, b, c } });
     }
   }
-  const BounceKeys keys(samples_, front.bounce[0], SampleUse::Direction);
-  runLeave({ SceneRows(triangles_), front, keys, areSidesKnown });
-  leaveSpecularly(front, specular, places);
+  return specular;
 }
 
 /// Their sides and origins are those that the loop found. They are few, and each has a lobe of its own.
-void WalkStages::leaveSpecularly(WalkFront& front, const std::vector<ScatteredRay>& leaving,
-  const std::vector<std::uint32_t>& places) const
+void WalkStages::leaveSpecularly(WalkFront& front, const std::vector<Specular>& specular) const
 {
-  ScatteredRays scattered(sampler_);
-  for (std::size_t k = 0; k < places.size(); ++k)
+  for (const auto& [i, from, weights] : specular)
   {
-    const std::uint32_t i = places[k];
-    ScatteredRay one = leaving[k];
-    one.side = front.side[i] != 0 ? 1.0 : -1.0;
-    Ray ray;
-    scattered.add(one, &ray);
-    const double* const normal = triangles_.records()[front.start[i]].normal;
-    setDirection(front, i,
-      roundedDirection(ray.direction, one.side * Vector3(normal[0], normal[1], normal[2])));
+    const SurfaceRecord& record = triangles_.records()[front.start[i]];
+    const auto corner = [](const double* x) { return Vector3(x[0], x[1], x[2]); };
+    SurfacePoint point =
+      surfacePoint({ corner(record.a), corner(record.b), corner(record.c) }, weights);
+    point.turn(front.side[i] != 0);
+    const Vector3 direction = sampler_.specularDirection(
+      point, triangles_.idOf(front.start[i]), from, front.walk[i], front.bounce[i]);
+    setDirection(front, i, roundedDirection(direction, point.normal));
   }
 }
 

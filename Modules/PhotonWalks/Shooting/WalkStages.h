@@ -2,6 +2,7 @@
 #ifndef irradiance_WalkStages_h
 #define irradiance_WalkStages_h
 
+#include "Sampling/BounceKeys.h"
 #include "Shooting/FrontTally.h"
 #include "Shooting/WalkFront.h"
 #include "Shooting/WalkSampler.h"
@@ -20,7 +21,8 @@ namespace irradiance
  *               ^------------------------------------------------------------------------------'
  *
  * Walks that a history knows enter at leave(), or, with a known hit, after the cast. What a walk does is a
- * function of the scene, the samples and its number, whatever else is in its front.
+ * function of the scene, the samples and its number, whatever else is in its front. So rays need not be
+ * stored: start() and leave() find them again, bit for bit, for any walks in any order and at any bounces.
  */
 class WalkStages
 {
@@ -29,7 +31,9 @@ public:
   WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles, const LightTable& lights,
     const SobolSequence& samples);
 
-  /// Walks leave their lights. Reads walk; writes bounce, the ray and, with several bands, powers.
+  /// Walks leave their lights, areas or points in the air. Reads walk, for which any numbers of the plan will
+  /// do; writes bounce, parent, the ray with side, the weights of its place on `start`, candidate, isSpecular
+  /// where cells are glossy, and powers with several bands.
   void start(WalkFront& front) const;
 
   /// Finds which sides the rays hit. Reads direction and hit; writes hitSide.
@@ -46,7 +50,8 @@ public:
 
   /**
    * Walks leave the points of `start` that the weights name. Reads walk, bounce, start, weights and either
-   * side, if known, or the direction of arrival. Writes the ray and side. Where cells are glossy it also
+   * side, if known, or the direction of arrival. Writes the ray and side. Of a stored segment the hit and
+   * the side that was hit are `start`, weights and side of the segment after it, which has one bounce more. Where cells are glossy it also
    * reads isSpecular, and for walks for which it is set the origin of the ray that came and its direction.
    */
   void leave(WalkFront& front, bool areSidesKnown) const;
@@ -57,14 +62,21 @@ private:
   void chooseReflections(WalkFront& front) const;
   void startInAir(WalkFront& front) const;
   void setPowers(WalkFront& front) const;
-  void leaveSpecularly(WalkFront& front, const std::vector<ScatteredRay>& leaving,
-    const std::vector<std::uint32_t>& places) const;
+  /// A walk that leaves specularly: its row, whence the light came, and the point that it leaves.
+  struct Specular
+  {
+    std::size_t row;
+    Vector3 from, weights;
+  };
+  std::vector<Specular> specularOf(const WalkFront& front) const;
+  void leaveSpecularly(WalkFront& front, const std::vector<Specular>& specular) const;
   void checkEnds(const WalkFront& front) const;
 
   const WalkSampler& sampler_;
   const SceneTriangles& triangles_;
   const LightTable& lights_;
   const SobolSequence& samples_;
+  BounceKeys lightKeys_, positionKeys_, survivalKeys_, directionKeys_;
   std::vector<std::uint32_t> triangleOfLight_;
   bool hasLightsInAir_ = false;
 };

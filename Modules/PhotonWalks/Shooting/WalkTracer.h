@@ -2,10 +2,8 @@
 #ifndef irradiance_WalkTracer_h
 #define irradiance_WalkTracer_h
 
-#include "History/WalkHistory.h"
-#include "Meshes/SurfacePoint.h"
-#include "Scene/Scene.h"
-#include "Shooting/WalkSampler.h"
+#include "Scene/FrontCast.h"
+#include "Shooting/WalkStages.h"
 #include "Surfaces/Contacts.h"
 
 namespace irradiance
@@ -17,66 +15,61 @@ class WalkTracer
 {
 public:
   /// The arguments must outlive the tracer. `contacts`: null if nothing coincides with a lamp.
-  WalkTracer(const Scene& scene, const SceneObjects& objects, const LightTable& lights,
-    const SobolSequence& samples, const Contacts* contacts = nullptr)
+  WalkTracer(const Scene& scene, const SceneObjects& objects, const SceneTriangles& triangles,
+    const LightTable& lights, const SobolSequence& samples, const Contacts* contacts = nullptr)
     : scene_(scene)
+    , triangles_(triangles)
     , sampler_(objects, lights, samples)
+    , stages_(sampler_, triangles, lights, samples)
     , contacts_(contacts)
   {
   }
+  WalkTracer(const WalkTracer&) = delete;
+  WalkTracer& operator=(const WalkTracer&) = delete;
 
   const Scene& scene() const { return scene_; }
+  const SceneTriangles& triangles() const { return triangles_; }
   const WalkSampler& sampler() const { return sampler_; }
+  const WalkStages& stages() const { return stages_; }
 
-  /// The hits of the rays: the closest triangles, and among triangles that coincide those that
-  /// Contacts puts first.
-  void cast(const Ray* rays, std::size_t count, Hit* hits) const;
-  /// The hit of a ray whose closest hit among all triangles is known.
-  Hit resolveContact(const Ray& ray, const Hit& closest) const
+  // Each finds the hits of the rays of a front: the closest triangles, and among triangles that coincide
+  // those that Contacts puts first. `cast`: owns the memory of the stages.
+  /// Among all triangles. Writes distance, hit and weights.
+  void cast(WalkFront& front, FrontCast& cast) const;
+  /// Among dynamic triangles, if they are closer than what stands in the front.
+  void castDynamic(WalkFront& front, FrontCast& cast) const;
+  /// Likewise, among those of objects that moved. Only rows with another hit are asked for contacts.
+  void castMoved(WalkFront& front, FrontCast& cast) const;
+  /// Sets the distances and weights of hits that are known.
+  void findDistances(WalkFront& front, FrontCast& cast) const;
+
+  /// Whether the hit of a segment may depend on dynamic objects that touch its ends. Numbers of triangles.
+  bool isContact(std::uint32_t start, std::uint32_t hit) const
   {
-    return contacts_ ? contacts_->resolveContact(scene_, ray, closest) : closest;
-  }
-  /// Whether the hit of a segment may depend on dynamic objects that touch its ends.
-  bool isContact(const TriangleId& start, const TriangleId& hit) const
-  {
-    return hasContacts() && (contacts_->hasDynamic(start) || contacts_->hasDynamic(hit));
+    return hasContacts() &&
+      (contacts_->hasDynamic(triangles_.idOf(start)) ||
+        contacts_->hasDynamic(triangles_.idOf(hit)));
   }
   bool hasContacts() const { return contacts_ && !contacts_->isEmpty(); }
   /// Whether other triangles coincide with this one.
-  bool hasContact(const TriangleId& id) const { return contacts_ && contacts_->has(id); }
-
-  using Segments = std::vector<SegmentRef>;
-  /// The rays of stored segments, the same as when they were shot unless they start on what has
-  /// moved. `rays`: one for each.
-  void raysOf(const WalkHistory& history, const Segments& segments, Ray* rays) const;
-  /// The points where stored segments hit, and the unit directions in which they flew there. They
-  /// follow from stored points as the directions of specular reflection do. Not for escapes.
-  void arrivalsOf(const WalkHistory& history, const Segments& segments, SurfacePoint* points,
-    Vector3* directions) const;
-  /// The triangle on which a stored segment begins.
-  TriangleId startOf(const WalkBlock& block, const SegmentRef& segment) const
+  bool hasContact(std::uint32_t triangle) const
   {
-    return segment.bounce == 0 ? sampler_.lightOf(segment.walk).triangle()
-                               : block.hit({ segment.walk, segment.bounce - 1 }).id;
+    return hasContacts() && contacts_->has(triangles_.idOf(triangle));
   }
-  /// Whether contacts affect a stored segment that has this hit.
-  bool isTouching(const WalkBlock& block, const SegmentRef& segment, const Hit& hit) const
+  Ray rayOf(const WalkFront& front, std::size_t row) const
   {
-    return block.isContact(segment) ||
-      (hasContacts() && (isContact(startOf(block, segment), hit.id) || hasContact(hit.id)));
+    return { { front.originX[row], front.originY[row], front.originZ[row] },
+      { front.directionX[row], front.directionY[row], front.directionZ[row] },
+      triangles_.idOf(front.start[row]) };
   }
 
 private:
-  /// Calls set(i, ray) with the first ray of the walk of each segment i of `which`.
-  template <class Set>
-  void forEachStart(
-    const Segments& segments, const std::vector<std::size_t>& which, const Set& set) const;
-  /// Where the rays of stored segments begin.
-  void originsOf(const WalkHistory& history, const Segments& segments, Vector3* origins) const;
-  ScatteredRay scatteredRayOf(const WalkHistory& history, const SegmentRef& segment) const;
+  void resolveContact(WalkFront& front, std::size_t row) const;
 
   const Scene& scene_;
+  const SceneTriangles& triangles_;
   WalkSampler sampler_;
+  WalkStages stages_;
   const Contacts* contacts_;
 };
 

@@ -5,7 +5,6 @@
 #include "Execution/Ranks.h"
 #include "History/Contribution.h"
 #include "Sampling/WalkPlan.h"
-#include "Simd/Prefetch.h"
 #include "Surfaces/Power.h"
 #include "Surfaces/SceneCells.h"
 
@@ -58,8 +57,6 @@ public:
   std::size_t slots() const { return sums_.size(); }
   /// Where the photons on the back of a cell with this slot are added.
   std::size_t backOf(std::size_t slot) const { return slot + (sides_ == 2 ? sideSize() : 0); }
-  /// Prefetches the sum that add() will change.
-  void prefetch(std::size_t slot) const { prefetchLine(sums_.data() + slot); }
   SceneCell cellOf(const TriangleId& id) const
   {
     return { id.object, materials_[id.object]->cellOfTriangle[id.triangle] };

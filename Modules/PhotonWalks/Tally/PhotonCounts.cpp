@@ -79,14 +79,4 @@ void PhotonCounts::flush()
   }
 }
 
-void PhotonCounts::discard()
-{
-  if (table_)
-  {
-    std::fill_n(table_->counts.begin(), sums_.slots() + 1, 0);
-    counted_ = 0;
-  }
-  list_.clear();
-}
-
 }

@@ -30,8 +30,6 @@ public:
   void remove(const std::uint32_t* slots, std::size_t count) { change(slots, count, -1); }
   /// The slot of photons that no cell receives.
   std::uint32_t escaped() const { return static_cast<std::uint32_t>(sums_.slots()); }
-  /// Drops what was counted.
-  void discard();
 
 private:
   /// A table of so many slots for each photon takes about as long as the list.

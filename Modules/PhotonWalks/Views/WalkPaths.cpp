@@ -47,23 +47,24 @@ std::vector<std::uint32_t> WalkPaths::touching(
   const SceneCell& cell, std::size_t most, Execution& execution) const
 {
   const bool isLight = emits(cell);
-  std::vector<const WalkBlock*> blocks;
+  std::vector<std::pair<const WalkHistory*, std::size_t>> blocks;
   for (const WalkSet& set : engine_.walks().sets())
   {
     for (std::size_t i = 0; i < set.history().size() && engine_.hasLights(); ++i)
     {
-      blocks.push_back(&set.history().block(i));
+      blocks.emplace_back(&set.history(), i);
     }
   }
   std::vector<std::vector<std::uint32_t>> found(blocks.size());
   SlicedPass pass{ found.size(), {} };
   pass.work = [&](std::size_t number, const Deadline&) {
-    const WalkBlock& block = *blocks[number];
+    const auto& [history, index] = blocks[number];
+    const BounceBlock& block = history->block(index);
     const WalkSampler& sampler = walks_.sampler(block.firstWalk());
     for (std::uint32_t walk = block.firstWalk();
          walk < block.endWalk() && found[number].size() < most; ++walk)
     {
-      if (isHit(block, walk, cell, sampler) || (isLight && sampler.lightOf(walk).cell == cell))
+      if (isHit(*history, index, walk, cell) || (isLight && sampler.lightOf(walk).cell == cell))
       {
         found[number].push_back(walk);
       }
@@ -93,17 +94,12 @@ bool WalkPaths::emits(const SceneCell& cell) const
 }
 
 bool WalkPaths::isHit(
-  const WalkBlock& block, std::uint32_t walk, const SceneCell& cell, const WalkSampler& sampler)
+  const WalkHistory& history, std::size_t block, std::uint32_t walk, const SceneCell& cell) const
 {
-  for (std::uint32_t bounce = 0; bounce < block.size(walk); ++bounce)
-  {
-    const TriangleId id = block.hit({ walk, bounce }).id;
-    if (id.object == cell.object && sampler.cellOf(id) == cell.cell)
-    {
-      return true;
-    }
-  }
-  return false;
+  bool isHit = false;
+  history.forEachPhotonFrom({ block, history.block(block).begin(walk) }, { walk, 0 },
+    [&](const Photon& photon) { isHit = isHit || engine_.sums().cellOf(photon.id) == cell; });
+  return isHit;
 }
 
 std::vector<std::uint32_t> WalkPaths::own(const std::vector<std::uint32_t>& walks) const
@@ -140,9 +136,10 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const WalkBlock& block = walks_.historyOf(walks[i]).blockOf(walks[i]);
-    const SegmentRef last{ walks[i], block.size(walks[i]) - 1 };
-    paths[i].escapes = !block.hit(last);
+    const WalkHistory& history = walks_.historyOf(walks[i]);
+    const BounceBlock& block = history.block(history.indexOf(walks[i]));
+    const SegmentRef last = block.segmentAt(block.lastOf(walks[i]));
+    paths[i].escapes = !history.hit(last);
     if (paths[i].escapes)
     {
       rayless.push_back(last);
@@ -170,15 +167,13 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
 
 void WalkPaths::addHits(WalkPath& path) const
 {
-  const WalkBlock& block = walks_.historyOf(path.walk).blockOf(path.walk);
-  const WalkSampler& sampler = walks_.sampler(path.walk);
-  for (std::uint32_t bounce = 0; bounce < block.size(path.walk); ++bounce)
-  {
-    if (const Hit hit = block.hit({ path.walk, bounce }))
-    {
-      path.points.push_back(surfacePoint(sampler.triangleOf(hit.id), weightsOf(hit)).position);
-    }
-  }
+  const WalkHistory& history = walks_.historyOf(path.walk);
+  const SegmentRef first{ path.walk, 0 };
+  history.forEachPhotonFrom(history.placeOf(first), first, [&](const Photon& photon) {
+    const Hit hit{ 0, photon.id, photon.weights };
+    path.points.push_back(
+      surfacePoint(engine_.scene().worldTriangle(hit.id), weightsOf(hit)).position);
+  });
 }
 
 void WalkPaths::addMarks(WalkPath& path) const

@@ -35,8 +35,8 @@ public:
 
 private:
   bool emits(const SceneCell& cell) const;
-  static bool isHit(
-    const WalkBlock& block, std::uint32_t walk, const SceneCell& cell, const WalkSampler& sampler);
+  bool isHit(
+    const WalkHistory& history, std::size_t block, std::uint32_t walk, const SceneCell& cell) const;
   /// Without the walks that only other ranks have.
   std::vector<std::uint32_t> own(const std::vector<std::uint32_t>& walks) const;
   void find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const;

@@ -29,11 +29,12 @@ public:
   const WalkHistory& historyOf(std::uint32_t walk) const { return setOf(walk).history(); }
   /// What a walk does where it starts and at its hits.
   const WalkSampler& sampler(std::uint32_t walk) const { return readerOf(walk).tracer.sampler(); }
-  /// See WalkTracer; segments of any sets.
+  /// See StoredRays; segments of any sets.
   void raysOf(const std::vector<SegmentRef>& segments, Ray* rays) const
   {
+    StoredRays stored;
     forEachSet(segments, [&](const Reader& reader, const std::vector<SegmentRef>& some) {
-      reader.tracer.raysOf(reader.set.history(), some, rays);
+      stored.find(reader.tracer, reader.set.history(), some, rays);
       rays += some.size();
     });
   }
@@ -41,8 +42,9 @@ public:
   void arrivalsOf(
     const std::vector<SegmentRef>& segments, SurfacePoint* points, Vector3* directions) const
   {
+    StoredRays stored;
     forEachSet(segments, [&](const Reader& reader, const std::vector<SegmentRef>& some) {
-      reader.tracer.arrivalsOf(reader.set.history(), some, points, directions);
+      stored.findArrivals(reader.tracer, reader.set.history(), some, points, directions);
       points += some.size();
       directions += some.size();
     });

@@ -4,13 +4,8 @@
 #include "Execution/ProgressSpan.h"
 #include "Execution/SlicedPass.h"
 #include "Execution/Stopwatch.h"
-#include "History/PointFrame.h"
-#include "Repair/WalkRepair.h"
-#include "Shooting/WalkBatch.h"
-#include "Tally/WalkTally.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -18,11 +13,19 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// Blocks whose walks are shot side by side.
+constexpr std::size_t kBlocksTogether = WalkFront::kUsualSize / WalkPlan::kWalksPerBlock;
+
+}
+
 void WalkSet::setSettings(const WalkSettings& settings)
 {
   if (settings_.cacheStaticHits && !settings.cacheStaticHits)
   {
-    history_.forgetAllStaticHits();
+    history_.forgetHiddenHits();
   }
   settings_ = settings;
   statistics_ = {};
@@ -39,13 +42,30 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
     cancelPoint();
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
-  history_ = WalkHistory(plan(), pointFrame(space.objects, bounds(space.scene)),
-    space.objects.staticObject.material->bands, Power{ { lights().quantaPerWalk() } }, blocks_);
+  const int bands = space.objects.staticObject.material->bands;
+  history_ = {};
+  history_ =
+    WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene)), space.triangles.numbers(),
+      bands, Power{ { lights().quantaPerWalk() } }, arenaFor(bands), blocks_);
   stale_.reset();
   repaired_ = {};
-  hasSides_ = settings_.keepPhotons || settings_.separateSides;
-  clearance_ = space.scene.clearance();
-  pointReach_ = reachInFrame(space.scene);
+}
+
+std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
+{
+  constexpr std::size_t kUsualBytes = std::size_t{ 4 } * 34; // of a walk
+  const std::size_t pageBytes = BounceBlock::pageBytes(bands);
+  const std::size_t expected =
+    kUsualBytes * blocks_.before(plan().rounds().front().endBlock) * WalkPlan::kWalksPerBlock;
+  if (!arena_ || arena_->pageBytes() < pageBytes || arena_->pageBytes() >= 2 * pageBytes)
+  {
+    arena_ = std::make_shared<BlockArena>(pageBytes);
+  }
+  else if (arena_->bytes() > 4 * expected)
+  {
+    arena_->release();
+  }
+  return arena_;
 }
 
 void WalkSet::shootRound(
@@ -68,31 +88,30 @@ void WalkSet::shootBlocks(
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(space, samples);
   SharedBalance total(balance_);
-  const std::size_t first = blocks_.before(walks.firstBlock);
-  std::vector<std::unique_ptr<WalkBatch>> open(blocks_.before(walks.endBlock) - first);
-  SlicedPass pass{ lights().isEmpty() ? 0 : open.size(), {} };
-  pass.work = [&](std::size_t i, const Deadline& deadline) {
-    const std::size_t block = blocks_[first + i];
-    if (!open[i])
-    {
-      std::vector<std::uint32_t> numbers(plan().walksIn(block));
-      std::iota(numbers.begin(), numbers.end(), plan().firstWalkOf(block));
-      open[i] =
-        std::make_unique<WalkBatch>(tracer, isStored ? &history_.frame() : nullptr, hasSides_);
-      open[i]->shoot(numbers);
-    }
+  const std::size_t first = blocks_.before(walks.firstBlock), end = blocks_.before(walks.endBlock);
+  const std::size_t units = (end - first + kBlocksTogether - 1) / kBlocksTogether;
+  std::vector<std::unique_ptr<WalkBatch>> open(units);
+  SlicedPass pass{ lights().isEmpty() ? 0 : units, {} };
+  pass.work = [&](std::size_t unit, const Deadline& deadline) {
     PowerBalance balance;
-    WalkTally tally(sums_, balance);
-    const bool isDone = open[i]->run(tally, [&] { return deadline.hasPassed(); });
+    bool isDone = true;
+    {
+      constexpr std::size_t kUsualPhotons = 4 * WalkFront::kUsualSize;
+      FrontTally tally(
+        space.triangles, sums_, balance, tracer.sampler().powerPerWalk(), kUsualPhotons);
+      if (!open[unit])
+      {
+        open[unit] = batches_->take();
+        open[unit]->begin(tracer, isStored ? &history_ : nullptr, sides() == 2);
+        const std::size_t begin = first + unit * kBlocksTogether;
+        fill(*open[unit], begin, std::min(begin + kBlocksTogether, end), tracer.sampler().bands());
+        open[unit]->start(tally);
+      }
+      isDone = open[unit]->run(tally, [&] { return deadline.hasPassed(); });
+    }
     if (isDone)
     {
-      balance.emitted += open[i]->emitted();
-      if (isStored)
-      {
-        history_.blockOf(plan().firstWalkOf(block)).makeRoom(open[i]->sizes());
-        open[i]->store(history_);
-      }
-      open[i].reset();
+      batches_->giveBack(std::move(open[unit]));
     }
     total.add(balance);
     return isDone;
@@ -100,18 +119,38 @@ void WalkSet::shootBlocks(
   pass.run(execution);
 }
 
-void WalkSet::dropRounds(std::size_t kept, const CancelPoint& cancelPoint)
+void WalkSet::fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const
+{
+  WalkFront& front = batch.front();
+  for (std::size_t i = first; i < end; ++i)
+  {
+    const std::uint32_t count = plan().walksIn(blocks_[i]);
+    front.reserve(front.size + count, bands);
+    std::iota(front.walk.data() + front.size, front.walk.data() + front.size + count,
+      plan().firstWalkOf(blocks_[i]));
+    std::fill_n(front.block.data() + front.size, count, static_cast<std::uint32_t>(i));
+    front.size += count;
+  }
+}
+
+void WalkSet::dropRounds(
+  std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
 {
   const std::size_t blocks = blocks_.before(plan().rounds()[kept - 1].endBlock);
+  const int bands = history_.bands();
+  WalkFront old;
   while (history_.size() > blocks)
   {
-    WalkTally tally(sums_, balance_);
-    const WalkBlock& last = history_.block(history_.size() - 1);
-    for (std::uint32_t walk = last.firstWalk(); walk < last.endWalk(); ++walk)
-    {
-      balance_.emitted -= last.power({ walk, 0 });
-      tally.remove(last, { walk, 0 });
-    }
+    const BounceBlock& last = history_.block(history_.size() - 1);
+    old.size = 0;
+    Power starting;
+    last.forEach([&](std::uint32_t slot) {
+      addStored(last, slot, bands, old);
+      starting += slot < last.numberOfWalks() ? last.power(slot) : Power{};
+    });
+    FrontTally tally(triangles, sums_, balance_, Power{ { lights().quantaPerWalk() } }, old.size);
+    tally.remove(old, starting);
+    tally.unemit(starting);
     history_.removeLast();
     cancelPoint();
   }
@@ -122,36 +161,60 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
   Execution& execution)
 {
   const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
-  const double verified = hasMotion ? 0.5 : 0; // progress between verification and repair
-  ProgressSpan verification(execution, 0, verified), rest(execution, verified, 1);
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(space, samples);
-  const Stopwatch stopwatch;
-  Found found;
-  if (hasMotion)
-  {
-    found = verify(tracer, moved, space, verification);
-  }
+  const BounceScan scan = scanOf(moved, space);
+  history_.prepareToFind(scan.bodies().size());
+  const WalkVerifier verifier(tracer, history_, moved, scan, settings_.cacheStaticHits);
+  repaired_ = {};
+  WalkRepair repair({ tracer, verifier, history_, sums_, balance_, *repairs_, changes,
+    settings_.listRepaired ? &repaired_ : nullptr });
   if (hasBudget() && !stale_)
   {
     stale_ = std::make_unique<StaleWalks>(space.objects, sides(), history_.size(), samples);
   }
-  if (stale_)
+  const Stopwatch stopwatch;
+  if (!stale_)
   {
-    ProgressSpan atItsEnd(verification, 1, 1);
-    stale_->add(found, history_, atItsEnd);
+    if (hasMotion)
+    {
+      repair.verifyAndRepair(execution);
+      // Both take turns on each thread.
+      const WalkRepair::Figures& figures = repair.figures();
+      const double share =
+        figures.verifySeconds / (figures.verifySeconds + figures.repairSeconds + 1e-12);
+      statistics_.verifySeconds = share * stopwatch.seconds();
+      statistics_.repairSeconds = (1 - share) * stopwatch.seconds();
+    }
   }
-  statistics_.verifySeconds = hasMotion ? stopwatch.seconds() : 0;
-  repair(tracer, found, changes, rest);
+  else
+  {
+    const double verified = hasMotion ? 0.5 : 0; // progress between verification and repair
+    ProgressSpan verification(execution, 0, verified), rest(execution, verified, 1);
+    if (hasMotion)
+    {
+      repair.verifyAndMark(*stale_, verification);
+      statistics_.verifySeconds = stopwatch.seconds();
+    }
+    std::optional<TimeBudget> budget;
+    if (hasBudget())
+    {
+      budget.emplace(execution, settings_.repairTimeBudget);
+    }
+    const Stopwatch repairing;
+    repair.repair(*stale_, budget ? &*budget : nullptr, rest);
+    statistics_.repairSeconds = budget ? budget->elapsed() : repairing.seconds();
+  }
+  statistics_.suspectSegments = verifier.numberOfSuspects();
+  statistics_.invalidWalks = repair.figures().invalidWalks;
+  statistics_.repairedSegments = repair.figures().repairedSegments;
 }
 
-WalkSet::Found WalkSet::verify(const WalkTracer& tracer, const std::vector<bool>& moved,
-  const WalkSpace& space, Execution& execution)
+BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const WalkSpace& space) const
 {
-  // Stored points may lie where objects were in earlier frames.
-  clearance_ = std::max(clearance_, space.scene.clearance());
-  pointReach_ = std::max(pointReach_, reachInFrame(space.scene));
-  SegmentScan scan(history_.frame(), pointReach_);
+  BounceScan scan(history_.grid());
+  // What touches a segment's start may lie behind it.
+  const double clearance = space.contacts.isEmpty() ? 0 : space.scene.clearance();
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     const SceneObject& object = space.objects.dynamicObjects[i];
@@ -160,85 +223,21 @@ WalkSet::Found WalkSet::verify(const WalkTracer& tracer, const std::vector<bool>
       scan.addMoved(i + 1);
       if (!object.isEmpty())
       {
-        scan.addBody(space.scene.shadowBound(i, clearance_));
+        const OwnBox own{ object.body->mesh().bounds(), object.worldFromObject,
+          space.scene.shadowPad(i, clearance) };
+        scan.addBody(space.scene.shadowBound(i, clearance), &own);
       }
     }
   }
-  const WalkVerifier verifier(tracer, history_, moved, scan, clearance_);
-  Found stale(history_.size());
-  std::vector<const StaleMarks*> known;
-  for (std::size_t block = 0; stale_ && block < history_.size(); ++block)
-  {
-    known.push_back(&std::as_const(*stale_).marks(block));
-  }
-  constexpr std::size_t kBlocksPerUnit = 16; // in a row for a thread, which prefetches the next
-  SlicedPass pass{ (stale.size() + kBlocksPerUnit - 1) / kBlocksPerUnit, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
-    verifier.find(
-      unit * kBlocksPerUnit, std::min((unit + 1) * kBlocksPerUnit, stale.size()), known, stale);
-    return true;
-  };
-  pass.run(execution);
-  statistics_.suspectSegments = verifier.numberOfSuspects();
-  for (const auto& found : stale)
-  {
-    statistics_.invalidWalks += static_cast<std::int64_t>(found.size());
-  }
-  return stale;
+  return scan;
 }
 
-void WalkSet::repair(
-  const WalkTracer& tracer, const Found& found, PhotonChanges* changes, Execution& execution)
-{
-  const Stopwatch stopwatch;
-  std::optional<TimeBudget> budget;
-  if (hasBudget())
-  {
-    budget.emplace(execution, settings_.repairTimeBudget);
-  }
-  repaired_ = {};
-  WalkRepair repair(
-    { tracer, history_, sums_, balance_, settings_.cacheStaticHits, hasSides_, found, stale_.get(),
-      budget ? &*budget : nullptr, changes, settings_.listRepaired ? &repaired_ : nullptr });
-  statistics_.repairedSegments = repair.run(execution);
-  statistics_.repairSeconds = budget ? budget->elapsed() : stopwatch.seconds();
-}
-
-void WalkSet::replaceCells(const SceneObjects& objects, const CancelPoint& cancelPoint)
+void WalkSet::replaceCells(
+  const SceneObjects& objects, const TriangleNumbers& numbers, const CancelPoint& cancelPoint)
 {
   sums_.replace(objects, cancelPoint);
+  history_.renumber(numbers);
   stale_.reset(); // nothing is stale
-}
-
-void WalkSet::findSides(const WalkSpace& space, Execution& execution)
-{
-  if (hasSides_)
-  {
-    return;
-  }
-  const SobolSequence samples = this->samples();
-  const WalkTracer tracer = this->tracer(space, samples);
-  SlicedPass pass{ history_.size(), {} };
-  pass.work = [&](std::size_t i, const Deadline&) {
-    WalkBlock& block = history_.block(i);
-    std::vector<SegmentRef> ends;
-    for (std::uint32_t walk = block.firstWalk(); walk < block.endWalk(); ++walk)
-    {
-      if (block.size(walk) > 0 && block.hit({ walk, block.size(walk) - 1 }))
-      {
-        ends.push_back({ walk, block.size(walk) - 1 });
-      }
-    }
-    std::vector<Ray> rays(ends.size());
-    tracer.raysOf(history_, ends, rays.data());
-    for (std::size_t k = 0; k < ends.size(); ++k)
-    {
-      block.setSide(ends[k], tracer.sampler().hitsFront(rays[k], block.hit(ends[k]).id));
-    }
-    return true;
-  };
-  pass.run(execution);
-  hasSides_ = true;
 }
 
 void WalkSet::forgetBudget()
@@ -260,15 +259,6 @@ Box WalkSet::bounds(const Scene& scene) const
   Box bounds = scene.bounds();
   bounds.add(lights().boundsInAir());
   return bounds;
-}
-
-double WalkSet::reachInFrame(const Scene& scene) const
-{
-  const Box world = bounds(scene);
-  const UnitFrame& frame = history_.frame();
-  return std::max(
-           frame(world.lower).cwiseAbs().maxCoeff(), frame(world.upper).cwiseAbs().maxCoeff()) +
-    clearance_ * frame.scale;
 }
 
 }

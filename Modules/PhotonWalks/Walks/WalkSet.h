@@ -5,7 +5,7 @@
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
 #include "Repair/StaleWalks.h"
-#include "Repair/WalkVerifier.h"
+#include "Repair/WalkRepair.h"
 #include "Surfaces/Contacts.h"
 #include "Tally/CellSums.h"
 #include "Tally/PowerBalance.h"
@@ -24,6 +24,7 @@ struct WalkSpace
 {
   const Scene& scene;
   const SceneObjects& objects;
+  const SceneTriangles& triangles;
   const Contacts& contacts;
 };
 
@@ -46,15 +47,15 @@ public:
   /// Shoots a round. With `isStored` the history holds all rounds before it.
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
   /// Drops all but the first `kept` rounds.
-  void dropRounds(std::size_t kept, const CancelPoint& cancelPoint);
+  void dropRounds(
+    std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
   /// Follows a motion: verifies what is stored, if any object `moved`, and repairs what is stale, as far
   /// as the budget of time goes. `changes`: receives the photons that go and come; null: not asked for.
   void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
     Execution& execution);
-  /// Changes to objects of which some have other cells. No walk may touch these, or be stale.
-  void replaceCells(const SceneObjects& objects, const CancelPoint& cancelPoint);
-  /// Finds the sides of all stored hits; those that walks leave are stored anyway.
-  void findSides(const WalkSpace& space, Execution& execution);
+  /// Changes to objects of which some have other cells or triangles. No walk may touch these, or be stale.
+  void replaceCells(
+    const SceneObjects& objects, const TriangleNumbers& numbers, const CancelPoint& cancelPoint);
   /// Forgets that there was a budget if nothing is stale, and there is none now or the number of rounds
   /// has changed.
   void forgetBudget();
@@ -86,14 +87,12 @@ public:
   /// The arguments must outlive it.
   WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const
   {
-    return { space.scene, space.objects, lights(), samples, &space.contacts };
+    return { space.scene, space.objects, space.triangles, lights(), samples, &space.contacts };
   }
   /// Walks stay inside, except where they escape.
   Box bounds(const Scene& scene) const;
 
 private:
-  using Found = std::vector<std::vector<StaleSegment>>; ///< by block
-
   static DealtBlocks dealt(const Ranks& ranks, bool all)
   {
     return all ? DealtBlocks() : DealtBlocks(ranks.rank(), ranks.count());
@@ -102,24 +101,26 @@ private:
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   void shootBlocks(
     const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution);
-  Found verify(const WalkTracer& tracer, const std::vector<bool>& moved, const WalkSpace& space,
-    Execution& execution);
-  void repair(
-    const WalkTracer& tracer, const Found& found, PhotonChanges* changes, Execution& execution);
-  double reachInFrame(const Scene& scene) const;
+  /// Fills a batch with the walks of blocks [first, end) of this rank.
+  void fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const;
+  /// What a motion may change, to be looked for among stored segments.
+  BounceScan scanOf(const std::vector<bool>& moved, const WalkSpace& space) const;
+  /// An arena for pages of so many bands: the one of before, if it will do.
+  std::shared_ptr<BlockArena> arenaFor(int bands);
 
   WalkSettings settings_;
   WalkSource source_;
-  DealtBlocks blocks_;  ///< of this rank
-  WalkHistory history_; ///< empty unless walks are stored
+  DealtBlocks blocks_;                ///< of this rank
+  std::shared_ptr<BlockArena> arena_; ///< kept over fresh starts
+  WalkHistory history_;               ///< empty unless walks are stored
   CellSums sums_;
   PowerBalance balance_;
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
   std::vector<SegmentRef> repaired_;
-  bool hasSides_ = false; ///< all sides of stored hits are known, see WalkBatch
-  double pointReach_ = 0; ///< the largest coordinate of a stored point, except the ends of escapes
-  double clearance_ = 0;  ///< of all frames since the start, see Scene
   WalkStatistics statistics_;
+  // What threads work with, kept for the next frames.
+  std::unique_ptr<Pool<WalkBatch>> batches_ = std::make_unique<Pool<WalkBatch>>();
+  std::unique_ptr<Pool<RepairWork>> repairs_ = std::make_unique<Pool<RepairWork>>();
 };
 
 }

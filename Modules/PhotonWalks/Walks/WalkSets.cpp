@@ -96,13 +96,13 @@ void WalkSets::shootRound(
   sumUp(space.objects, execution);
 }
 
-void WalkSets::dropRounds(std::size_t kept, const SceneObjects& objects, Execution& execution)
+void WalkSets::dropRounds(std::size_t kept, const WalkSpace& space, Execution& execution)
 {
   for (WalkSet& set : sets_)
   {
-    set.dropRounds(kept, cancelPointOf(execution, 1));
+    set.dropRounds(kept, space.triangles, cancelPointOf(execution, 1));
   }
-  sumUp(objects, execution);
+  sumUp(space.objects, execution);
 }
 
 void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
@@ -113,18 +113,14 @@ void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
   sumUp(space.objects, execution);
 }
 
-void WalkSets::replaceCells(const SceneObjects& objects, Execution& execution)
+void WalkSets::replaceCells(
+  const SceneObjects& objects, const TriangleNumbers& numbers, Execution& execution)
 {
   for (WalkSet& set : sets_)
   {
-    set.replaceCells(objects, cancelPointOf(execution, 0));
+    set.replaceCells(objects, numbers, cancelPointOf(execution, 0));
   }
   sumUp(objects, execution);
-}
-
-void WalkSets::findSides(const WalkSpace& space, Execution& execution)
-{
-  forEach(sets_, execution, [&](WalkSet& set, Execution& part) { set.findSides(space, part); });
 }
 
 void WalkSets::forgetBudget()

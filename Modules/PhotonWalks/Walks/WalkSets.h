@@ -34,11 +34,11 @@ public:
   void setSettings(const WalkSettings& settings);
   void start(const WalkSpace& space, Execution& execution);
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
-  void dropRounds(std::size_t kept, const SceneObjects& objects, Execution& execution);
+  void dropRounds(std::size_t kept, const WalkSpace& space, Execution& execution);
   void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
     Execution& execution);
-  void replaceCells(const SceneObjects& objects, Execution& execution);
-  void findSides(const WalkSpace& space, Execution& execution);
+  void replaceCells(
+    const SceneObjects& objects, const TriangleNumbers& numbers, Execution& execution);
   void forgetBudget();
 
   /// With the walks of this rank.

@@ -13,7 +13,7 @@ struct WalkSettings
   std::uint32_t numberOfWalks = 1000000;
   std::uint64_t seed = 1;
   bool verify = true; ///< false: all walks of every frame are shot again
-  bool cacheStaticHits = true;
+  bool cacheStaticHits = false;
   bool separateSides = false;
   /// Whether walks are stored even if nothing can move, for filters that need their photons.
   bool keepPhotons = false;

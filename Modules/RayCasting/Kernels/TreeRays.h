@@ -38,6 +38,20 @@ struct TreeRays
     const std::uint32_t reference = start[ray] - first;
     return reference < triangles ? reference : none;
   }
+
+  /// Keeps the hit of a ray on a triangle if it is the closer one. The distance is NaN if the ray misses.
+  void keepCloser(
+    std::uint32_t ray, std::uint32_t number, double found, double weightB, double weightC) const
+  {
+    double& best = distance[ray];
+    if (found > 0 && (found < best || (found == best && number < hit[ray])))
+    {
+      best = found;
+      hit[ray] = number;
+      weight[0][ray] = static_cast<float>(weightB);
+      weight[1][ray] = static_cast<float>(weightC);
+    }
+  }
 };
 
 }

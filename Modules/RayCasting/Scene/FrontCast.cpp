@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontCast.h"
 
-#include "Scene/FrontTimes.h"
+#include "Kernels/IntersectionLanes.h"
+#include "Progress/StageTimes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,12 @@ TreeRays inWorld(const FrontRays& rays, std::uint32_t triangles)
   return { rays.count, { rays.origin[0], rays.origin[1], rays.origin[2] },
     { rays.direction[0], rays.direction[1], rays.direction[2] }, { nullptr, nullptr, nullptr },
     rays.start, 0, triangles, rays.distance, rays.hit, { rays.weight[0], rays.weight[1] } };
+}
+
+Ray rayOf(const FrontRays& rays, std::uint32_t ray)
+{
+  return { { rays.origin[0][ray], rays.origin[1][ray], rays.origin[2][ray] },
+    { rays.direction[0][ray], rays.direction[1][ray], rays.direction[2][ray] }, {} };
 }
 
 /// Documentation/Theory.md, section 3, derives the constants.
@@ -59,18 +66,54 @@ CornerRows rowsOf(const TriangleMesh& mesh)
 
 void FrontCast::cast(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
 {
-  const Scene::Group& dynamic = scene.dynamic_;
-  if (dynamic.flattened || !dynamic.bodies.isEmpty())
+  if (scene.mode_ == TraversalMode::OneTree && !scene.placed_.empty())
   {
-    // Once a static hit is known, few of many bodies are before it.
-    castStatic(scene, records, rays);
-    return castDynamicByScene(scene, records, rays);
+    return castMixed(scene, scene.oneTree_, records, rays);
   }
-  for (const std::uint32_t index : dynamic.instanced)
+  // Once a static hit is known, few of many bodies are before it.
+  const bool isStaticFirst = scene.dynamic_.flattened || areMany(scene.dynamic_);
+  if (isStaticFirst)
+  {
+    castStatic(scene, records, rays);
+  }
+  castDynamic(scene, records, rays);
+  if (!isStaticFirst)
+  {
+    castStatic(scene, records, rays);
+  }
+}
+
+void FrontCast::castDynamic(
+  const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+{
+  castGroup(scene, scene.dynamic_, records, rays);
+}
+
+void FrontCast::castMoved(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+{
+  castGroup(scene, scene.moved_, records, rays);
+}
+
+void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
+  const SurfaceRecords& records, const FrontRays& rays)
+{
+  if (group.flattened)
+  {
+    castMixed(scene, *group.flattened, records, rays);
+  }
+  if (areMany(group))
+  {
+    return castBodies(scene, group, records, rays);
+  }
+  for (const std::uint32_t index : group.instanced)
   {
     castBody(scene, index, records, rays);
   }
-  castStatic(scene, records, rays);
+}
+
+bool FrontCast::areMany(const Scene::Group& group)
+{
+  return group.instanced.size() > kFewBodies && !group.bodies.isEmpty();
 }
 
 void FrontCast::castStatic(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
@@ -83,19 +126,77 @@ void FrontCast::castStatic(const Scene& scene, const SurfaceRecords& records, co
   search_.run(*scene.static_, inWorld(rays, triangles), rowsOf(records));
 }
 
+void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
+  const SurfaceRecords& records, const FrontRays& rays)
+{
+  StageClock clock;
+  start_.need(TreeRays::roomFor(rays.count));
+  for (std::uint32_t ray = 0; ray < rays.count; ++ray)
+  {
+    start_[ray] = mixed.referenceTo(records.numbers().idOf(rays.start[ray]));
+  }
+  TreeRays world = inWorld(rays, static_cast<std::uint32_t>(mixed.ids.size()));
+  world.start = start_.data();
+  clock.ends(Stage::PreTest);
+  tests_.clear();
+  for (const auto& [ray, reference] : pairs_.find(mixed.tree, world))
+  {
+    const TriangleId& id = mixed.ids[reference];
+    addTest(scene, ray, records.numbers().numberOf(id), id);
+  }
+  runTests(scene, records, rays);
+}
+
 void FrontCast::castBody(
   const Scene& scene, std::uint32_t index, const SurfaceRecords& records, const FrontRays& rays)
 {
-  FrontClock clock;
+  StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
   const EllipsoidFilter filter = filterOf(scene.placed_[index].bound);
   const std::uint32_t count = pickFront(inWorld(rays, 0), filter, local_.ray.data());
+  clock.ends(Stage::PreTest);
+  castPicked(scene, index, records, rays, count);
+}
+
+void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
+  const SurfaceRecords& records, const FrontRays& rays)
+{
+  const auto bodies = static_cast<std::uint32_t>(group.instanced.size());
+  const std::vector<FrontPairs::Pair>& pairs = pairs_.find(group.bodies, inWorld(rays, 0));
+  StageClock clock;
+  raysOfBodies_.set(pairs, rays.count, bodies);
+  local_.need(TreeRays::roomFor(rays.count));
+  for (std::uint32_t body = 0; body < bodies; ++body)
+  {
+    const std::uint32_t index = group.instanced[body];
+    std::uint32_t count = 0;
+    raysOfBodies_.forEach(body, [&](std::uint32_t ray) {
+      if (scene.mayTouch(scene.placed_[index], rayOf(rays, ray), rays.distance[ray]))
+      {
+        local_.ray[count++] = ray;
+      }
+    });
+    clock.ends(Stage::PreTest);
+    castPicked(scene, index, records, rays, count);
+    clock = {};
+  }
+}
+
+/// Casts the rays in `local_.ray`, so many, to a body.
+void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const SurfaceRecords& records,
+  const FrontRays& rays, std::uint32_t count)
+{
+  if (count == 0)
+  {
+    return;
+  }
+  StageClock clock;
   const std::uint32_t object = index + 1;
   takeToBody(scene, object, rays, count);
-  clock.ends(FrontStage::PreTest);
+  clock.ends(Stage::PreTest);
   const TriangleMesh& mesh = scene.meshOf(object);
   search_.run(scene.bodyOf(object),
-    local_.columns(count, records.first(object), static_cast<std::uint32_t>(mesh.size())),
+    local_.columns(count, records.numbers().first(object), static_cast<std::uint32_t>(mesh.size())),
     rowsOf(mesh));
   giveBack(rays, count);
 }
@@ -107,10 +208,7 @@ void FrontCast::takeToBody(
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const std::uint32_t ray = local_.ray[i];
-    const Scene::LocalRay local = scene.localRay(
-      { { rays.origin[0][ray], rays.origin[1][ray], rays.origin[2][ray] },
-        { rays.direction[0][ray], rays.direction[1][ray], rays.direction[2][ray] }, {} },
-      object);
+    const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), object);
     for (int axis = 0; axis < 3; ++axis)
     {
       local_.origin[axis][i] = local.origin[axis];
@@ -137,27 +235,88 @@ void FrontCast::giveBack(const FrontRays& rays, std::uint32_t count)
   }
 }
 
-void FrontCast::castDynamicByScene(
+void FrontCast::findDistances(
   const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
 {
-  rays_.resize(rays.count);
-  hits_.resize(rays.count);
-  for (std::uint32_t i = 0; i < rays.count; ++i)
+  StageClock clock;
+  const auto triangles = static_cast<std::uint32_t>(scene.static_->mesh().size());
+  const std::uint32_t room = TreeRays::roomFor(rays.count);
+  candidate_.need(room);
+  std::fill_n(candidate_.data() + rays.count, room - rays.count, TreeRays::kNone);
+  std::fill_n(rays.distance, rays.count, kInfinity);
+  tests_.clear();
+  for (std::uint32_t ray = 0; ray < rays.count; ++ray)
   {
-    rays_[i] = { { rays.origin[0][i], rays.origin[1][i], rays.origin[2][i] },
-      { rays.direction[0][i], rays.direction[1][i], rays.direction[2][i] },
-      records.idOf(rays.start[i]) };
-    hits_[i] = { rays.distance[i], records.idOf(rays.hit[i]),
-      { rays.weight[0][i], rays.weight[1][i] } };
+    const std::uint32_t hit = rays.hit[ray];
+    const bool isStatic = hit < triangles;
+    candidate_[ray] = isStatic ? hit : TreeRays::kNone;
+    if (!isStatic && hit != TreeRays::kNone)
+    {
+      addTest(scene, ray, hit, records.numbers().idOf(hit));
+    }
   }
-  scene.castDynamic(rays_.data(), rays.count, hits_.data());
-  for (std::uint32_t i = 0; i < rays.count; ++i)
+  if (triangles > 0)
   {
-    rays.distance[i] = hits_[i].distance;
-    rays.hit[i] = records.numberOf(hits_[i].id);
-    rays.weight[0][i] = hits_[i].weights[0];
-    rays.weight[1][i] = hits_[i].weights[1];
+    confirmFront(inWorld(rays, triangles), candidate_.data(), rowsOf(records));
   }
+  clock.ends(Stage::Confirm);
+  runTests(scene, records, rays);
+}
+
+/// Prefetches the triangle.
+void FrontCast::addTest(
+  const Scene& scene, std::uint32_t ray, std::uint32_t number, const TriangleId& id)
+{
+  scene.bodyOf(id.object).mesh().prefetch(id.triangle);
+  tests_.push_back({ ray, number });
+}
+
+/// Tests what was added, and keeps the closer hits.
+void FrontCast::runTests(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+{
+  StageClock clock;
+  const TreeRays columns = inWorld(rays, 0);
+  IntersectionLanes lanes;
+  for (std::size_t first = 0; first < tests_.size(); first += IntersectionLanes::kSize)
+  {
+    const std::size_t some = std::min<std::size_t>(tests_.size() - first, IntersectionLanes::kSize);
+    for (unsigned lane = 0; lane < some; ++lane)
+    {
+      const auto& [ray, number] = tests_[first + lane];
+      const TriangleId id = records.numbers().idOf(number);
+      const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), id.object);
+      lanes.set(lane, local.origin, local.direction, scene.localTriangle(id));
+    }
+    intersectAll(lanes);
+    for (unsigned lane = 0; lane < some; ++lane)
+    {
+      const auto& [ray, number] = tests_[first + lane];
+      columns.keepCloser(
+        ray, number, lanes.distance[lane], lanes.weightB[lane], lanes.weightC[lane]);
+    }
+  }
+  clock.ends(Stage::Confirm);
+}
+
+void FrontCast::RaysOfBodies::set(
+  const std::vector<FrontPairs::Pair>& pairs, std::uint32_t rays, std::uint32_t bodies)
+{
+  // Counted one place on, so that each count becomes the first place of its body.
+  firsts_.assign(bodies + 2, 0);
+  for (const FrontPairs::Pair& pair : pairs)
+  {
+    ++firsts_[pair.reference + 2];
+  }
+  for (std::uint32_t body = 2; body < bodies + 2; ++body)
+  {
+    firsts_[body] += firsts_[body - 1];
+  }
+  rays_.resize(pairs.size());
+  for (const FrontPairs::Pair& pair : pairs)
+  {
+    rays_[firsts_[pair.reference + 1]++] = pair.ray;
+  }
+  last_.assign(rays, bodies);
 }
 
 void FrontCast::LocalRays::need(std::uint32_t room)

@@ -2,6 +2,7 @@
 #ifndef irradiance_FrontCast_h
 #define irradiance_FrontCast_h
 
+#include "Scene/FrontPairs.h"
 #include "Scene/FrontSearch.h"
 #include "Scene/Scene.h"
 #include "Scene/SurfaceRecords.h"
@@ -27,9 +28,9 @@ struct FrontRays
  * Casts all rays of a front together. What it finds is what Scene::cast() finds for rays with these
  * origins and directions, bit for bit; with hits given, what Scene::castDynamic() and castStatic() do.
  *
- * First the dynamic bodies, one after the other, with the rays that may touch them; then the static
- * tree, up to what was found. Where a scene has flattened objects, or so many bodies that they stand in
- * a tree, the dynamic ones are left to Scene.
+ * Beside few dynamic bodies it goes from one to the next with the rays that may touch it, then to the
+ * static tree, up to what was found. Beside many, or flattened objects, the static tree comes first; a
+ * tree over bodies, or over flattened triangles, then tells which ray may touch what before its hit.
  *
  * Owns the memory of its stages: keep one for each thread.
  */
@@ -38,15 +39,35 @@ class FrontCast
 public:
   /// `records`: of the scene's objects in this frame.
   void cast(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  /// The dynamic objects alone.
+  void castDynamic(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  /// Those marked as moved, see Scene::commit().
+  void castMoved(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  /// Sets distances and weights to those at which rays hit the triangles in `rays.hit`. The distance is
+  /// infinite if a ray misses its triangle, or has none.
+  void findDistances(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
 
 private:
+  /// Up to so many bodies it is faster to go from one to the next.
+  static constexpr std::size_t kFewBodies = 16;
+  static bool areMany(const Scene::Group& group);
+
   void castStatic(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  void castGroup(const Scene& scene, const Scene::Group& group, const SurfaceRecords& records,
+    const FrontRays& rays);
+  void castMixed(const Scene& scene, const Scene::MixedTree& mixed, const SurfaceRecords& records,
+    const FrontRays& rays);
   void castBody(
     const Scene& scene, std::uint32_t index, const SurfaceRecords& records, const FrontRays& rays);
+  void castBodies(const Scene& scene, const Scene::Group& group, const SurfaceRecords& records,
+    const FrontRays& rays);
+  void castPicked(const Scene& scene, std::uint32_t index, const SurfaceRecords& records,
+    const FrontRays& rays, std::uint32_t count);
   void takeToBody(
     const Scene& scene, std::uint32_t object, const FrontRays& rays, std::uint32_t count);
   void giveBack(const FrontRays& rays, std::uint32_t count);
-  void castDynamicByScene(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  void addTest(const Scene& scene, std::uint32_t ray, std::uint32_t number, const TriangleId& id);
+  void runTests(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
 
   /// The rays that may touch a body, in its space.
   struct LocalRays
@@ -60,10 +81,44 @@ private:
     TreeRays columns(std::uint32_t count, std::uint32_t first, std::uint32_t triangles);
   };
 
+  /// Rays, body by body; each at most once.
+  class RaysOfBodies
+  {
+  public:
+    /// `pairs`: of rays, fewer than `rays`, and bodies, fewer than `bodies`.
+    void set(const std::vector<FrontPairs::Pair>& pairs, std::uint32_t rays, std::uint32_t bodies);
+    /// Calls visit(ray) for each ray of the body. To be called once for each.
+    template <class Visit>
+    void forEach(std::uint32_t body, const Visit& visit)
+    {
+      for (std::uint32_t place = firsts_[body]; place < firsts_[body + 1]; ++place)
+      {
+        const std::uint32_t ray = rays_[place];
+        if (last_[ray] != body)
+        {
+          last_[ray] = body;
+          visit(ray);
+        }
+      }
+    }
+
+  private:
+    std::vector<std::uint32_t> firsts_, rays_;
+    std::vector<std::uint32_t> last_; ///< by ray, the body of the last visit
+  };
+
+  /// A triangle to be tested in its own space.
+  struct Test
+  {
+    std::uint32_t ray, number;
+  };
+
   FrontSearch search_;
+  FrontPairs pairs_;
   LocalRays local_;
-  std::vector<Ray> rays_; ///< for Scene
-  std::vector<Hit> hits_;
+  RaysOfBodies raysOfBodies_;
+  std::vector<Test> tests_;
+  Column<std::uint32_t> candidate_, start_;
 };
 
 }

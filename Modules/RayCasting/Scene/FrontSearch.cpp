@@ -2,7 +2,7 @@
 #include "Scene/FrontSearch.h"
 
 #include "Kernels/IntersectionLanes.h"
-#include "Scene/FrontTimes.h"
+#include "Progress/StageTimes.h"
 
 #include <algorithm>
 
@@ -71,10 +71,10 @@ void FrontSearch::run(const RigidObject& body, const TreeRays& rays, const Corne
 
 void FrontSearch::search(const CornerRows& corners)
 {
-  FrontClock clock;
+  StageClock clock;
   PreparedQueries prepared{ queries_.data(), 0, others_.data(), 0 };
   prepareFront(body_->tree(), rays_, prepared);
-  clock.ends(FrontStage::Prepare);
+  clock.ends(Stage::Prepare);
 
   std::fill_n(candidate_.data(), TreeRays::roomFor(rays_.count), TreeRays::kNone);
   FrontSearches searches{ &body_->tree(), prepared.queries, prepared.count, candidate_.data(),
@@ -87,11 +87,11 @@ void FrontSearch::search(const CornerRows& corners)
     OtherRays others(*this, prepared.otherCount);
     runQueries(others);
   }
-  clock.ends(FrontStage::Search);
+  clock.ends(Stage::Search);
 
   confirmFront(rays_, candidate_.data(), corners);
   confirmFurther(searches.furtherCount);
-  clock.ends(FrontStage::Confirm);
+  clock.ends(Stage::Confirm);
 }
 
 void FrontSearch::confirmFurther(std::uint32_t count)
@@ -109,7 +109,8 @@ void FrontSearch::confirmFurther(std::uint32_t count)
     for (unsigned lane = 0; lane < some; ++lane)
     {
       const auto& [ray, reference] = further_[first + lane];
-      keep(ray, reference, lanes.distance[lane], lanes.weightB[lane], lanes.weightC[lane]);
+      rays_.keepCloser(ray, rays_.first + reference, lanes.distance[lane], lanes.weightB[lane],
+        lanes.weightC[lane]);
     }
   }
 }
@@ -121,22 +122,7 @@ void FrontSearch::test(std::uint32_t ray, std::uint32_t reference)
   if (ShearedRay(origin(ray), direction(ray))
         .intersects(body_->mesh()[reference], distance, &weights))
   {
-    keep(ray, reference, distance, weights[1], weights[2]);
-  }
-}
-
-/// The distance is NaN if the ray misses.
-void FrontSearch::keep(
-  std::uint32_t ray, std::uint32_t reference, double distance, double weightB, double weightC) const
-{
-  const std::uint32_t number = rays_.first + reference;
-  double& best = rays_.distance[ray];
-  if (distance > 0 && (distance < best || (distance == best && number < rays_.hit[ray])))
-  {
-    best = distance;
-    rays_.hit[ray] = number;
-    rays_.weight[0][ray] = static_cast<float>(weightB);
-    rays_.weight[1][ray] = static_cast<float>(weightC);
+    rays_.keepCloser(ray, rays_.first + reference, distance, weights[1], weights[2]);
   }
 }
 

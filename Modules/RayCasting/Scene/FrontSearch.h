@@ -30,8 +30,6 @@ private:
   void search(const CornerRows& corners);
   void confirmFurther(std::uint32_t count);
   void test(std::uint32_t ray, std::uint32_t reference) override;
-  void keep(std::uint32_t ray, std::uint32_t reference, double distance, double weightB,
-    double weightC) const;
   Vector3 origin(std::uint32_t ray) const
   {
     return { rays_.origin[0][ray], rays_.origin[1][ray], rays_.origin[2][ray] };

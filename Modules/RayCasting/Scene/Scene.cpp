@@ -312,46 +312,6 @@ SurfacePoint Scene::surfaceOf(const Hit& hit, bool isFront) const
   return point;
 }
 
-double Scene::distanceTo(const Ray& ray, const TriangleId& id) const
-{
-  double distance = kInfinity;
-  intersects(ray, id, distance, nullptr);
-  return distance;
-}
-
-void Scene::findDistances(const Ray* rays, std::size_t count, Hit* hits) const
-{
-  constexpr std::size_t kAhead = 16;
-  IntersectionLanes lanes;
-  for (std::size_t first = 0; first < count; first += IntersectionLanes::kSize)
-  {
-    const std::size_t end = std::min(first + IntersectionLanes::kSize, count);
-    for (std::size_t i = first; i < end; ++i)
-    {
-      if (i + kAhead < count && hits[i + kAhead])
-      {
-        const TriangleId& soon = hits[i + kAhead].id;
-        bodyOf(soon.object).mesh().prefetch(soon.triangle);
-      }
-      if (hits[i])
-      {
-        const LocalRay local = localRay(rays[i], hits[i].id.object);
-        lanes.set(static_cast<unsigned>(i - first), local.origin, local.direction,
-          localTriangle(hits[i].id));
-      }
-    }
-    intersectAll(lanes);
-    for (std::size_t i = first; i < end; ++i)
-    {
-      if (hits[i])
-      {
-        const double distance = lanes.distance[i - first];
-        hits[i].distance = distance > 0 ? distance : kInfinity;
-      }
-    }
-  }
-}
-
 /// A map makes triangles slenderer by at most its condition squared: edges grow by at most the
 /// largest singular value, areas shrink by at most the product of the two smallest.
 double Scene::clearance() const
@@ -380,10 +340,9 @@ double Scene::clearance() const
 
 EllipsoidBound Scene::shadowBound(std::uint32_t index, double blur) const
 {
-  const Placed& placed = placed_[index];
-  const PlacedBody& object = placed.object;
+  const PlacedBody& object = placed_[index].object;
   return EllipsoidBound(object.body->ellipsoid(), object.body->mesh().bounds(),
-    object.worldFromObject, placed.roundTrip + placed.slack + blur);
+    object.worldFromObject, shadowPad(index, blur));
 }
 
 }

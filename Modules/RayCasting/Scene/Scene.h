@@ -72,18 +72,17 @@ public:
   SurfacePoint surfaceOf(const Hit& hit, bool isFront) const;
   /// The hit of a ray on this triangle, even if something lies before it.
   Hit hitOf(const Ray& ray, const TriangleId& id) const;
-  /// The distance at which a ray hits this triangle; infinite if it misses.
-  double distanceTo(const Ray& ray, const TriangleId& id) const;
-  /// Sets the distances of hits to those at which their rays hit these triangles, many side by side.
-  /// Rays that hit nothing keep theirs.
-  void findDistances(const Ray* rays, std::size_t count, Hit* hits) const;
-
   /// No walk continues farther than this from where it hit, in world units (see SurfacePoint).
   double clearance() const;
 
   /// Contains all that a moved object can hide from a segment: the object, widened by the error of
   /// the distance of a grazing hit, and by `blur`, the position error of the segment.
   EllipsoidBound shadowBound(std::uint32_t index, double blur = 0) const;
+  /// By how much that bound is wider than the object, in world units.
+  double shadowPad(std::uint32_t index, double blur = 0) const
+  {
+    return placed_[index].roundTrip + placed_[index].slack + blur;
+  }
 
 private:
   struct Placed

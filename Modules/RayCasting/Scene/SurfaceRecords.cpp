@@ -2,6 +2,7 @@
 #include "Scene/SurfaceRecords.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace irradiance
 {
@@ -14,17 +15,20 @@ void SurfaceRecords::update(const std::shared_ptr<const RigidObject>& staticBody
   {
     origins.push_back({ object.body, object.worldFromObject, 0 });
   }
-  first_ = { 0 };
-  for (Origin& origin : origins)
+  std::vector<std::size_t> sizes;
+  sizes.reserve(origins.size());
+  for (const Origin& origin : origins)
   {
-    origin.first = first_.back();
-    first_.push_back(origin.first + static_cast<std::uint32_t>(origin.body->mesh().size()));
+    sizes.push_back(origin.body->mesh().size());
   }
-  rows_.resize(size());
+  TriangleNumbers numbers(sizes);
+  rows_.resize(std::max(numbers.size(), 1u));
+  numbers_ = std::move(numbers);
   origins_.resize(origins.size());
   ThrottledCancelPoint pace(cancelPoint);
-  for (std::size_t object = 0; object < origins.size(); ++object)
+  for (std::uint32_t object = 0; object < origins.size(); ++object)
   {
+    origins[object].first = numbers_.first(object);
     if (!(origins_[object] == origins[object]))
     {
       origins_[object] = {}; // for the case that the work is cancelled
@@ -43,17 +47,6 @@ void SurfaceRecords::fill(const Origin& origin, bool isStatic, ThrottledCancelPo
       SurfaceRecord(isStatic ? mesh[i] : transformed(origin.worldFromObject, mesh[i]));
     pace.step();
   }
-}
-
-TriangleId SurfaceRecords::idOf(std::uint32_t number) const
-{
-  if (number == kNone)
-  {
-    return {};
-  }
-  const auto after = std::upper_bound(first_.begin(), first_.end(), number);
-  const auto object = static_cast<std::uint32_t>(after - first_.begin() - 1);
-  return { object, number - first_[object] };
 }
 
 }

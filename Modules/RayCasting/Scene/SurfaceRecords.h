@@ -2,10 +2,10 @@
 #ifndef irradiance_SurfaceRecords_h
 #define irradiance_SurfaceRecords_h
 
-#include "Geometry/Ray.h"
 #include "Meshes/SurfaceRecord.h"
 #include "Progress/CancelPoint.h"
 #include "Scene/PlacedBody.h"
+#include "Scene/TriangleNumbers.h"
 
 #include <memory>
 #include <vector>
@@ -14,33 +14,28 @@ namespace irradiance
 {
 
 /**
- * The surface records of all triangles of a scene in world space, object after object. So each triangle
- * has one number: that of the first triangle of its object, plus its own. Object 0, the static one, comes
- * first. The order of numbers is the order of ids, by which ties of hits are broken.
+ * The surface records of all triangles of a scene in world space, by number.
  *
- * A body that is not there in a frame keeps its numbers.
+ * A body that is not there in a frame keeps its numbers and its records.
  */
 class SurfaceRecords
 {
 public:
-  static constexpr std::uint32_t kNone = TriangleId::kNone;
-
   /// Makes the records of what is new, and makes those of objects anew whose body or pose is another.
+  /// If it throws, the next one makes up for it.
   void update(const std::shared_ptr<const RigidObject>& staticBody,
     const std::vector<PlacedBody>& dynamicObjects, const CancelPoint& cancelPoint = {});
 
-  std::uint32_t size() const { return first_.back(); }
+  const TriangleNumbers& numbers() const { return numbers_; }
+  std::uint32_t size() const { return numbers_.size(); }
+  /// At least one, which has no meaning if there are no triangles.
   const SurfaceRecord* rows() const { return rows_.data(); }
   const SurfaceRecord& operator[](std::uint32_t number) const { return rows_[number]; }
-  /// The number of the object's first triangle.
-  std::uint32_t first(std::uint32_t object) const { return first_[object]; }
-
-  /// Of an id that is none, kNone.
-  std::uint32_t numberOf(const TriangleId& id) const
+  /// Of its memory.
+  std::size_t bytes() const
   {
-    return id.object == TriangleId::kNone ? kNone : first_[id.object] + id.triangle;
+    return rows_.capacity() * sizeof(SurfaceRecord) + origins_.capacity() * sizeof(Origin);
   }
-  TriangleId idOf(std::uint32_t number) const;
 
 private:
   /// What the records of an object were made of.
@@ -58,9 +53,9 @@ private:
 
   void fill(const Origin& origin, bool isStatic, ThrottledCancelPoint& pace);
 
-  std::vector<Origin> origins_;              ///< by object; without a body where nothing is known
-  std::vector<std::uint32_t> first_ = { 0 }; ///< by object, and the number of all
-  std::vector<SurfaceRecord> rows_;
+  std::vector<Origin> origins_; ///< by object; without a body where nothing is known
+  TriangleNumbers numbers_;
+  std::vector<SurfaceRecord> rows_ = std::vector<SurfaceRecord>(1);
 };
 
 }

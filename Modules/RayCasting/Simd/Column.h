@@ -3,45 +3,105 @@
 #define irradiance_Column_h
 
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
 
 namespace irradiance
 {
 
-/// Memory for lanes, at the start of a cache line. It grows and does not shrink; what it holds is not
-/// kept when it grows, and is never initialised.
+/**
+ * Values side by side, for lanes: they start at a cache line, and are never initialised. Memory grows and
+ * is not given back.
+ *
+ * Columns of one size would begin at like places of the system's pages, where the nearest cache has room for
+ * a few lines alone. So each begins some lines farther in its page than the one before.
+ */
 template <class Value>
 class Column
 {
 public:
   static_assert(std::is_trivially_copyable_v<Value>, "values have no constructor that must run");
 
+  /// Places behind the room, so that whole vectors may be read and written.
+  static constexpr std::size_t kRoomBehind = 32;
+
+  Column() = default;
+  Column(Column&& other) noexcept
+    : memory_(std::move(other.memory_))
+    , values_(std::exchange(other.values_, nullptr))
+    , room_(std::exchange(other.room_, 0))
+  {
+  }
+  Column& operator=(Column&& other) noexcept
+  {
+    memory_ = std::move(other.memory_);
+    values_ = std::exchange(other.values_, nullptr);
+    room_ = std::exchange(other.room_, 0);
+    return *this;
+  }
+
+  /// Makes room for that many values; what it holds is lost if it grows.
   void need(std::size_t count)
   {
     if (count > room_)
     {
-      values_.reset();
       room_ = 0;
-      values_.reset(static_cast<Value*>(::operator new(count * sizeof(Value), kLine)));
-      room_ = count;
+      memory_.reset(); // first, so that there are never two
+      take(memoryFor(count), count);
+    }
+  }
+  /// Makes room, and keeps the values there are.
+  void reserve(std::size_t count)
+  {
+    if (count > room_)
+    {
+      const Value* const before = values_;
+      const std::size_t kept = room_;
+      const Memory old = std::move(memory_);
+      take(memoryFor(count), count);
+      if (kept > 0)
+      {
+        std::memcpy(values_, before, kept * sizeof(Value));
+      }
     }
   }
   std::size_t room() const { return room_; }
-  Value* data() { return values_.get(); }
-  const Value* data() const { return values_.get(); }
-  Value& operator[](std::size_t i) { return values_.get()[i]; }
-  const Value& operator[](std::size_t i) const { return values_.get()[i]; }
+  Value* data() { return values_; }
+  const Value* data() const { return values_; }
+  Value& operator[](std::size_t i) { return values_[i]; }
+  const Value& operator[](std::size_t i) const { return values_[i]; }
 
 private:
-  static constexpr std::align_val_t kLine{ 64 };
+  static constexpr std::size_t kLine = 64, kPage = 4096;
   struct Free
   {
-    void operator()(Value* values) const { ::operator delete(values, kLine); }
+    void operator()(std::byte* memory) const
+    {
+      ::operator delete (memory, std::align_val_t{ kLine });
+    }
   };
+  using Memory = std::unique_ptr<std::byte, Free>;
 
-  std::unique_ptr<Value, Free> values_;
+  static Memory memoryFor(std::size_t count)
+  {
+    const std::size_t bytes = kPage + (count + kRoomBehind) * sizeof(Value);
+    return Memory(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{ kLine })));
+  }
+  void take(Memory memory, std::size_t count)
+  {
+    constexpr std::size_t kLinesApart = 5;
+    static thread_local std::size_t shift = 0;
+    shift = (shift + kLinesApart * kLine) % kPage;
+    memory_ = std::move(memory);
+    values_ = reinterpret_cast<Value*>(memory_.get() + shift);
+    room_ = count;
+  }
+
+  Memory memory_;
+  Value* values_ = nullptr;
   std::size_t room_ = 0;
 };
 

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The history by bounces beside that by walks: what it takes to store segments, to find those near
- * moved bodies, and to replace tails; and the bytes that a segment takes. Before any time counts, what
- * was stored is read back, and segments that a body may touch are looked for one by one. One thread.
+ * What it takes to store segments, to find those near moved bodies by the scan and by the index, and to
+ * replace tails; and the bytes that a segment takes. Beside the scan stands the least that any look at every
+ * segment costs, to read memory once from end to end: as many bytes as the history holds, or 24 a segment,
+ * its two ends as floats. Before any time counts, what was stored is read back, and segments that a body may
+ * touch are looked for one by one. One thread.
  *
- * Arguments: [millions of segments = 2] [rounds = 7]
+ * Arguments: [millions of segments = 8] [rounds = 7]
  */
 #include "../../PhotonWalks/BounceFront.h"
-#include "../../PhotonWalks/ShotWalk.h"
 #include "History/SegmentIndex.h"
-#include "History/SegmentScan.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Rounds.h"
+#include "Sampling/WalkPlan.h"
 #include "Scene/RigidObject.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -28,9 +30,17 @@ const Box kRoom = { Vector3(-1.7, -1.1, 0), Vector3(1.7, 1.1, 2.4) };
 constexpr std::uint32_t kWalks = WalkPlan::kWalksPerBlock;
 constexpr std::uint32_t kEvery = 32; // of that many walks one changes in a frame
 constexpr double kSurvival = 0.6;    // of a hit
+constexpr const char* kTable = "History";
 
 using Random = std::mt19937_64;
-using Walk = std::vector<test::WalkSegment>;
+
+struct StraightSegment
+{
+  Vector3 origin, direction;
+  double distance;
+  std::uint32_t triangle;
+};
+using Walk = std::vector<StraightSegment>;
 
 double uniform(Random& random)
 {
@@ -60,10 +70,9 @@ Walk makeWalk(Random& random)
   {
     wall = (wall + 1 + static_cast<std::uint32_t>(random() % (kWalls - 1))) % kWalls;
     const Vector3 to = pointOnWall(wall, random);
-    test::WalkSegment& segment = walk.emplace_back();
-    segment.ray = { from, (to - from).normalized().cast<float>().cast<double>(), {} };
-    segment.hit = { (to - from).norm(), { 0, static_cast<std::uint32_t>(random() % kTriangles) },
-      {} };
+    const Vector3 direction = (to - from).normalized().cast<float>().cast<double>();
+    walk.push_back(
+      { from, direction, (to - from).norm(), static_cast<std::uint32_t>(random() % kTriangles) });
     from = to;
   } while (uniform(random) < kSurvival);
   return walk;
@@ -132,23 +141,22 @@ struct Shot
     return made;
   }
 
-  static test::BounceSegment segmentOf(std::uint32_t walk, const test::WalkSegment& segment)
+  static test::BounceSegment segmentOf(std::uint32_t walk, const StraightSegment& segment)
   {
     test::BounceSegment stored;
-    stored.origin = segment.ray.origin;
-    stored.direction = segment.ray.direction.cast<float>();
-    stored.distance = segment.hit.distance;
+    stored.origin = segment.origin;
+    stored.direction = segment.direction.cast<float>();
+    stored.distance = segment.distance;
     stored.walk = walk;
-    stored.triangle = segment.hit.id.triangle;
+    stored.triangle = segment.triangle;
     return stored;
   }
 };
 
-/// Both histories of the same walks. Few walks are repeated in all blocks, so that they are in the
-/// caches as what was just shot is.
-struct Histories
+/// Few walks are repeated in all blocks, so that they are in the caches as what was just shot is.
+struct History
 {
-  explicit Histories(std::size_t atLeast)
+  explicit History(std::size_t atLeast)
     : arena(BounceBlock::pageBytes(1))
   {
     constexpr std::size_t kDifferent = 2;
@@ -175,14 +183,14 @@ struct Histories
   const Shot& shotOf(std::size_t block) const { return shot[block % shot.size()]; }
   Shot& shotOf(std::size_t block) { return shot[block % shot.size()]; }
 
-  void storeByBounces()
+  void store()
   {
-    byBounces.clear(); // its memory is used again
-    byBounces.reserve(blocks);
+    stored.clear(); // its memory is used again
+    stored.reserve(blocks);
     for (std::size_t b = 0; b < blocks; ++b)
     {
       Shot& block = shotOf(b);
-      BounceBlock& stored = byBounces.emplace_back(arena, 0, kWalks, 1, grid, Power{});
+      BounceBlock& own = stored.emplace_back(arena, 0, kWalks, 1, grid, Power{});
       const Front* before = nullptr;
       for (Front& front : block.fronts)
       {
@@ -190,54 +198,35 @@ struct Histories
         {
           front.parents[i] = before->slots[front.before[i]];
         }
-        stored.append(front.columns, 0, front.slots.size(), front.slots.data());
+        own.append(front.columns, 0, front.slots.size(), front.slots.data());
         before = &front;
       }
     }
   }
 
-  void storeByWalks()
-  {
-    byWalks.clear();
-    byWalks.reserve(blocks);
-    std::vector<std::uint32_t> sizes(kWalks);
-    for (std::size_t b = 0; b < blocks; ++b)
-    {
-      const Shot& block = shotOf(b);
-      WalkBlock& stored = byWalks.emplace_back(0, kWalks, 1, frame, Power{});
-      std::transform(block.walks.begin(), block.walks.end(), sizes.begin(),
-        [](const Walk& walk) { return static_cast<std::uint32_t>(walk.size()); });
-      stored.makeRoom(sizes);
-      for (std::uint32_t i = 0; i < kWalks; ++i)
-      {
-        test::replaceTail(stored, { i, 0 }, block.walks[i], frame);
-      }
-    }
-  }
-
-  void replaceByBounces()
+  void replaceTails()
   {
     for (std::size_t b = 0; b < blocks; ++b)
     {
-      BounceBlock& stored = byBounces[b];
+      BounceBlock& own = stored[b];
       for (std::uint32_t i = 0; i < kWalks; i += kEvery)
       {
-        stored.prefetch(i);
+        own.prefetch(i);
       }
       std::vector<std::uint32_t>& tails = scratch;
       tails.clear();
       for (std::uint32_t i = 0; i < kWalks; i += kEvery)
       {
-        const std::uint32_t second = stored.next(stored.begin(i));
+        const std::uint32_t second = own.next(own.begin(i));
         if (second != BounceBlock::kNone)
         {
           tails.push_back(second);
-          stored.prefetch(second);
+          own.prefetch(second);
         }
       }
       for (const std::uint32_t second : tails)
       {
-        stored.removeFrom(second);
+        own.removeFrom(second);
       }
       const Front* before = nullptr;
       for (Front& front : shotOf(b).tails)
@@ -246,34 +235,16 @@ struct Histories
         {
           front.parents[i] = before ? before->slots[front.before[i]] : front.before[i];
         }
-        stored.append(front.columns, 0, front.slots.size(), front.slots.data());
+        own.append(front.columns, 0, front.slots.size(), front.slots.data());
         before = &front;
       }
     }
   }
 
-  void replaceByWalks()
-  {
-    Walk tail;
-    for (std::size_t b = 0; b < blocks; ++b)
-    {
-      for (std::uint32_t i = 0; i < kWalks; i += kEvery)
-      {
-        const Walk& walk = shotOf(b).walks[i];
-        if (walk.size() > 1)
-        {
-          tail.assign(walk.begin() + 1, walk.end());
-          test::replaceTail(byWalks[b], { i, 1 }, tail, frame);
-        }
-      }
-    }
-  }
-
-  template <class Block>
-  static double bytesOf(const std::vector<Block>& blocks)
+  double bytes() const
   {
     double bytes = 0;
-    for (const Block& block : blocks)
+    for (const BounceBlock& block : stored)
     {
       bytes += static_cast<double>(block.bytes());
     }
@@ -281,28 +252,26 @@ struct Histories
   }
 
   PointGrid grid = PointGrid(kRoom);
-  UnitFrame frame = UnitFrame(kRoom);
   BlockArena arena;
   std::vector<Shot> shot;
-  std::vector<BounceBlock> byBounces;
-  std::vector<WalkBlock> byWalks;
+  std::vector<BounceBlock> stored;
   std::vector<std::uint32_t> scratch;
   std::size_t blocks = 0, segments = 0, tailSegments = 0;
 };
 
 /// What was stored must be there.
-void checkStored(const Histories& histories)
+void checkStored(const History& history)
 {
-  for (std::size_t b = 0; b < histories.blocks; ++b)
+  for (std::size_t b = 0; b < history.blocks; ++b)
   {
-    const BounceBlock& stored = histories.byBounces[b];
+    const BounceBlock& stored = history.stored[b];
     for (std::uint32_t i = 0; i < kWalks; ++i)
     {
-      const Walk& walk = histories.shotOf(b).walks[i];
+      const Walk& walk = history.shotOf(b).walks[i];
       std::uint32_t slot = stored.begin(i);
-      for (const test::WalkSegment& segment : walk)
+      for (const StraightSegment& segment : walk)
       {
-        if (slot == BounceBlock::kNone || stored.triangle(slot) != segment.hit.id.triangle ||
+        if (slot == BounceBlock::kNone || stored.triangle(slot) != segment.triangle ||
           stored.walkOf(slot) != i)
         {
           throw std::runtime_error("A segment is not where it was stored");
@@ -360,9 +329,9 @@ Bodies makeBodies(const RigidObject& body, std::size_t count, double size)
   return bodies;
 }
 
-BounceScan scanByBounces(const Histories& histories, const Bodies& bodies)
+BounceScan makeScan(const History& history, const Bodies& bodies)
 {
-  BounceScan scan(histories.grid);
+  BounceScan scan(history.grid);
   for (std::size_t i = 0; i < bodies.bounds.size(); ++i)
   {
     scan.addBody(bodies.bounds[i], &bodies.boxes[i]);
@@ -371,19 +340,7 @@ BounceScan scanByBounces(const Histories& histories, const Bodies& bodies)
   return scan;
 }
 
-SegmentScan scanByWalks(const Histories& histories, const Bodies& bodies)
-{
-  SegmentScan scan(histories.frame, 1);
-  for (const EllipsoidBound& bound : bodies.bounds)
-  {
-    scan.addBody(bound);
-  }
-  scan.addMoved(1);
-  return scan;
-}
-
-template <class Block, class Scan>
-std::size_t countFound(const std::vector<Block>& blocks, const Scan& scan)
+std::size_t countFound(const std::vector<BounceBlock>& blocks, const BounceScan& scan)
 {
   static std::vector<std::uint32_t> found;
   std::size_t count = 0;
@@ -398,15 +355,14 @@ std::size_t countFound(const std::vector<Block>& blocks, const Scan& scan)
 /// Each of some blocks; what follows is theirs.
 struct Indexes
 {
-  explicit Indexes(const Histories& histories)
+  explicit Indexes(const History& history)
   {
-    for (std::size_t first = 0; first < histories.blocks; first += SegmentIndex::kBlocks)
+    for (std::size_t first = 0; first < history.blocks; first += SegmentIndex::kBlocks)
     {
       SegmentIndex::Blocks& some = blocks.emplace_back();
-      for (std::size_t b = first; b < std::min(first + SegmentIndex::kBlocks, histories.blocks);
-           ++b)
+      for (std::size_t b = first; b < std::min(first + SegmentIndex::kBlocks, history.blocks); ++b)
       {
-        some.push_back(&histories.byBounces[b]);
+        some.push_back(&history.stored[b]);
       }
       all.emplace_back(some);
     }
@@ -442,9 +398,9 @@ struct Indexes
 };
 
 /// What comes into the box of a body must be found: sought at many places along each segment.
-void checkScan(const Histories& histories, const Bodies& bodies, const BounceScan& scan)
+void checkScan(const History& history, const Bodies& bodies, const BounceScan& scan)
 {
-  const BounceBlock& block = histories.byBounces.front();
+  const BounceBlock& block = history.stored.front();
   std::vector<std::uint32_t> found;
   scan.find(block, block, found);
   const auto isInside = [&](const Vector3& point) {
@@ -456,13 +412,13 @@ void checkScan(const Histories& histories, const Bodies& bodies, const BounceSca
   for (std::uint32_t i = 0; i < kWalks; ++i)
   {
     std::uint32_t slot = block.begin(i);
-    for (const test::WalkSegment& segment : histories.shot.front().walks[i])
+    for (const StraightSegment& segment : history.shot.front().walks[i])
     {
       bool touches = false;
       for (double share = 0; share <= 1; share += 1.0 / 64)
       {
-        touches = touches ||
-          isInside(segment.ray.origin + share * segment.hit.distance * segment.ray.direction);
+        touches =
+          touches || isInside(segment.origin + share * segment.distance * segment.direction);
       }
       if (touches && !std::binary_search(found.begin(), found.end(), slot))
       {
@@ -483,80 +439,76 @@ struct Case
 constexpr Case kCases[] = { { "scan, 1 body", 1, 0.3 }, { "scan, 4 bodies", 4, 0.15 },
   { "scan, 64 bodies", 64, 0.05 } };
 
-/// Seconds as ns a segment, beside those of today's history.
-void reportPair(const std::string& row, double segments, const std::vector<double>& own,
-  const std::vector<double>& other)
+/// Reads memory from end to end.
+std::uint64_t read(const std::vector<std::uint64_t>& words)
 {
-  const auto nanoseconds = [&](std::vector<double> seconds) {
-    for (double& value : seconds)
-    {
-      value *= 1e9 / segments;
-    }
-    return seconds;
-  };
-  report("BounceHistory", row, "ns a segment", nanoseconds(own));
-  report("BounceHistory", row, "ns a segment, by walks", nanoseconds(other));
-  report("BounceHistory", row, "time / by walks", ratios(own, other));
+  return std::accumulate(words.begin(), words.end(), std::uint64_t{ 0 });
+}
+
+void reportTime(
+  const std::string& row, const char* quantity, double segments, const std::vector<double>& seconds)
+{
+  report(kTable, row, quantity, ratios(1, ratios(1e-9 * segments, seconds)));
 }
 
 }
 
 void run(const Arguments& arguments)
 {
-  const double millions = arguments.number(0, 2.0);
+  const double millions = arguments.number(0, 8.0);
   const int rounds = arguments.number(1, 7);
-  Histories histories(static_cast<std::size_t>(1e6 * millions));
-  histories.storeByBounces();
-  histories.storeByWalks();
-  checkStored(histories);
-  const double bytes = Histories::bytesOf(histories.byBounces);
-  const double bytesByWalks = Histories::bytesOf(histories.byWalks);
-  histories.replaceByBounces();
-  checkStored(histories);
+  History history(static_cast<std::size_t>(1e6 * millions));
+  history.store();
+  checkStored(history);
+  const double bytes = history.bytes();
+  history.replaceTails();
+  checkStored(history);
+  history.store();
 
+  constexpr std::size_t kEnds = 6 * sizeof(float);
+  const auto segments = static_cast<double>(history.segments);
+  const std::vector<std::uint64_t> asHistory(
+    static_cast<std::size_t>(bytes) / sizeof(std::uint64_t), 1),
+    ends(kEnds * history.segments / sizeof(std::uint64_t), 1);
+  volatile std::uint64_t used = 0; // so that nothing is optimized away
+  std::vector<std::function<void()>> jobs = { [&] { used = used + read(asHistory); },
+    [&] { used = used + read(ends); }, [&] { history.store(); } };
+  const std::size_t first = jobs.size();
   const RigidObject body = makeCube();
-  volatile std::size_t used = 0; // so that nothing is optimized away
-  std::vector<std::function<void()>> jobs;
-  const Indexes indexes(histories);
+  const Indexes indexes(history);
   for (const Case& one : kCases)
   {
     const Bodies bodies = makeBodies(body, one.bodies, one.size);
-    const BounceScan scan = scanByBounces(histories, bodies);
-    const SegmentScan scanOfWalks = scanByWalks(histories, bodies);
-    checkScan(histories, bodies, scan);
-    jobs.push_back([&, scan] { used = used + countFound(histories.byBounces, scan); });
-    jobs.push_back([&, scanOfWalks] { used = used + countFound(histories.byWalks, scanOfWalks); });
-    jobs.push_back([&, scan] { used = used + indexes.countFound(scan); });
-    if (indexes.countFound(scan) != countFound(histories.byBounces, scan))
+    const BounceScan scan = makeScan(history, bodies);
+    checkScan(history, bodies, scan);
+    const std::size_t found = countFound(history.stored, scan);
+    if (indexes.countFound(scan) != found)
     {
       throw std::runtime_error("The index does not find what the scan finds");
     }
-    const auto all = static_cast<double>(histories.segments);
-    report("BounceHistory", one.name, "share found",
-      static_cast<double>(countFound(histories.byBounces, scan)) / all);
-    report("BounceHistory", one.name, "share found, by walks",
-      static_cast<double>(countFound(histories.byWalks, scanOfWalks)) / all);
+    report(kTable, one.name, "share found", static_cast<double>(found) / segments);
+    jobs.push_back([&, scan] { used = used + countFound(history.stored, scan); });
+    jobs.push_back([&, scan] { used = used + indexes.countFound(scan); });
   }
-  jobs.push_back([&] { histories.replaceByBounces(); });
-  jobs.push_back([&] { histories.replaceByWalks(); });
-  jobs.push_back([&] { used = used + Indexes(histories).all.size(); });
-  jobs.push_back([&] { histories.storeByBounces(); });
-  jobs.push_back([&] { histories.storeByWalks(); });
+  jobs.push_back([&] { used = used + Indexes(history).all.size(); });
+  jobs.push_back([&] { history.replaceTails(); });
   const std::vector<std::vector<double>> seconds = timeInTurns(jobs, rounds);
 
-  const auto segments = static_cast<double>(histories.segments);
-  const std::size_t cases = std::size(kCases);
-  for (std::size_t i = 0; i < cases; ++i)
+  report("HistoryScan", kCases[0].name, "time / reading the history once",
+    ratios(seconds[first], seconds[0]), { 0.5, 0.2 });
+  for (std::size_t i = 0; i < std::size(kCases); ++i)
   {
-    reportPair(kCases[i].name, segments, seconds[3 * i], seconds[3 * i + 1]);
-    report("BounceHistory", kCases[i].name, "ns a segment, by index",
-      ratios(1, ratios(1e-9 * segments, seconds[3 * i + 2])));
+    const std::vector<double>&scan = seconds[first + 2 * i], &index = seconds[first + 2 * i + 1];
+    reportTime(kCases[i].name, "ns a segment", segments, scan);
+    reportTime(kCases[i].name, "by the index, ns a segment", segments, index);
+    report(kTable, kCases[i].name, "time / reading the history once", ratios(scan, seconds[0]));
+    report(kTable, kCases[i].name, "time / reading 24 bytes a segment", ratios(scan, seconds[1]));
   }
-  const auto* const rest = seconds.data() + 3 * cases;
-  reportPair("replace tails", static_cast<double>(histories.tailSegments), rest[0], rest[1]);
-  report("BounceHistory", "index", "ns a segment", ratios(1, ratios(1e-9 * segments, rest[2])));
-  report("BounceHistory", "index", "bytes a segment", indexes.bytes() / segments);
-  reportPair("store", segments, rest[3], rest[4]);
-  report("BounceHistory", "memory", "bytes a segment", bytes / segments, { 38, 34 });
-  report("BounceHistory", "memory", "bytes a segment, by walks", bytesByWalks / segments);
+  const std::vector<double>* const rest = seconds.data() + first + 2 * std::size(kCases);
+  reportTime("make an index", "ns a segment", segments, rest[0]);
+  reportTime("replace tails", "ns a segment", static_cast<double>(history.tailSegments), rest[1]);
+  reportTime("store", "ns a segment", segments, seconds[2]);
+  reportTime("read the history once", "ns a segment", segments, seconds[0]);
+  report("HistoryBytes", "history", "bytes a segment", bytes / segments, { 38, 34 });
+  report("HistoryBytes", "index", "bytes a segment", indexes.bytes() / segments);
 }

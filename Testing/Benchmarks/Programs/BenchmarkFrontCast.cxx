@@ -11,10 +11,10 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Rounds.h"
+#include "Measuring/TimedStages.h"
 #include "Rivals/EmbreeRays.h"
 #include "Rivals/OurCaster.h"
 #include "Scene/FrontCast.h"
-#include "Scene/FrontTimes.h"
 #include "Scenes/BenchmarkScene.h"
 #include "Scenes/PlainRoom.h"
 
@@ -55,8 +55,8 @@ std::vector<Ray> photonRays(
     // Fronts face the room.
     const SurfacePoint point = surfacePoint(triangles[number], { 1 - s, s * (1 - t), s * t });
     // A point of a ball that touches the surface: cosine-distributed.
-    rays.push_back(test::asInFront(
-      { point.clearPosition(), point.normal + random.direction(), records.idOf(number) }));
+    rays.push_back(test::asInFront({ point.clearPosition(), point.normal + random.direction(),
+      records.numbers().idOf(number) }));
   }
   return rays;
 }
@@ -108,7 +108,7 @@ void castByScene(const Scene& scene, const SurfaceRecords& records, Fronts& fron
     {
       rays[k] = { { front.origin[0][k], front.origin[1][k], front.origin[2][k] },
         { front.direction[0][k], front.direction[1][k], front.direction[2][k] },
-        records.idOf(front.start[k]) };
+        records.numbers().idOf(front.start[k]) };
     }
     scene.cast(rays.data(), rays.size(), fronts.hits[i].data());
   }
@@ -176,12 +176,8 @@ void run(const Arguments& arguments)
       const double single =
         perRay * threadCpuSecondsOf([&] { castByScene(*scene, records, fronts); });
       check(fronts, embree);
-      FrontTimes times{};
-#ifdef VTKIRRADIANCE_COUNT_QUERIES
-      frontTimes() = &times;
+      const TimedStages times;
       castFronts(cast, *scene, records, fronts);
-      frontTimes() = nullptr;
-#endif
       if (round < 0)
       {
         continue;
@@ -190,11 +186,12 @@ void run(const Arguments& arguments)
       report(kTable, "Scene::cast" + name, "ns a ray", single);
       report(kTable, "front" + name, "speed / Scene::cast", single / front);
       report(kTable, "front" + name, "speed / rtcIntersect16", embreeTime / front);
-      const char* const stages[] = { "pre-test", "prepare", "search", "confirm" };
-      for (std::size_t stage = 0; stage < times.size(); ++stage)
+      const std::pair<const char*, Stage> stages[] = { { "pre-test", Stage::PreTest },
+        { "prepare", Stage::Prepare }, { "search", Stage::Search }, { "confirm", Stage::Confirm } };
+      for (const auto& [stageName, stage] : stages)
       {
-        report(kTable, "front" + name, std::string(stages[stage]) + ", ns a ray",
-          times[stage] / static_cast<double>(rays.size()));
+        report(kTable, "front" + name, std::string(stageName) + ", ns a ray",
+          times.of(stage) / static_cast<double>(rays.size()));
       }
     }
     if (round >= 0)

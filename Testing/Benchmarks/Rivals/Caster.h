@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-/// QueryBatch the rays that it was made for: sets hits[i] for the i-th. This is timed. Only the distances of
+/// Casts the rays that it was made for: sets hits[i] for the i-th. This is timed. Only the distances of
 /// hits are compared; what the numbers in an id mean is the rival's own affair.
 using Cast = std::function<void(std::vector<irradiance::Hit>& hits)>;
 

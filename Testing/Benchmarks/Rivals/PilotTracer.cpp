@@ -48,10 +48,13 @@ void PilotTracer::shootAll(const SceneObjects& objects)
 {
   objects_ = objects;
   scene_ = makeScene(objects);
+  triangles_.update(objects);
   sums_ = CellSums(objects, 1);
   balance_ = {};
-  history_ = WalkHistory(plan_, UnitFrame(scene_->bounds()), objects.staticObject.material->bands,
-    Power{ { lights_.quantaPerWalk() } });
+  const int bands = objects.staticObject.material->bands;
+  history_ = WalkHistory(plan_, PointGrid(scene_->bounds()), triangles_.numbers(), bands,
+    Power{ { lights_.quantaPerWalk() } },
+    std::make_shared<BlockArena>(BounceBlock::pageBytes(bands)));
   for (std::size_t block = 0; block < plan_.rounds().back().endBlock; ++block)
   {
     history_.append();
@@ -83,25 +86,38 @@ std::uint32_t PilotTracer::groupOf(std::uint32_t walk) const
 
 void PilotTracer::shoot(const Walks& walks)
 {
-  constexpr std::size_t kBatchSize = 1024;
-  const WalkTracer tracer(*scene_, objects_, lights_, samples_);
+  constexpr std::size_t kBatchSize = WalkFront::kUsualSize;
+  const WalkTracer tracer(*scene_, objects_, triangles_, lights_, samples_);
+  const int bands = history_.bands();
   for (std::size_t first = 0; first < walks.size(); first += kBatchSize)
   {
-    WalkBatch batch(tracer, &history_.frame());
-    const auto begin = walks.begin() + static_cast<std::ptrdiff_t>(first);
-    batch.shoot(
-      { begin, begin + static_cast<std::ptrdiff_t>(std::min(kBatchSize, walks.size() - first)) });
-    WalkTally tally(sums_, balance_);
-    batch.run(tally, [] { return false; });
-    for (const WalkBatch::Tail& tail : batch.tails())
+    const std::size_t count = std::min(kBatchSize, walks.size() - first);
+    batch_.begin(tracer, &history_, false);
+    WalkFront& front = batch_.front();
+    front.reserve(count, bands);
+    front.size = count;
+    old_.size = 0;
+    Power starting;
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const WalkBlock& block = history_.blockOf(tail.first.walk);
-      if (block.size(tail.first.walk) > 0)
+      const std::uint32_t walk = walks[first + i];
+      const std::size_t number = history_.indexOf(walk);
+      front.walk[i] = walk;
+      front.block[i] = static_cast<std::uint32_t>(number);
+      const BounceBlock& block = history_.block(number);
+      const std::uint32_t slot = block.begin(walk);
+      if (slot != BounceBlock::kNone)
       {
-        tally.remove(block, tail.first);
+        starting += block.power(slot);
+        history_.removeFrom(
+          { number, slot }, [&](std::uint32_t each) { addStored(block, each, bands, old_); });
       }
     }
-    batch.store(history_);
+    FrontTally tally(triangles_, sums_, balance_, tracer.sampler().powerPerWalk(), 4 * count);
+    tally.remove(old_, starting);
+    tally.unemit(starting);
+    batch_.start(tally);
+    batch_.run(tally, [] { return false; });
   }
 }
 
@@ -110,6 +126,7 @@ std::size_t PilotTracer::update(const SceneObjects& objects, double share, doubl
   const double start = threadCpuSeconds();
   objects_ = objects;
   scene_ = makeScene(objects);
+  triangles_.update(objects);
   // The pilots of a group are some of its walks in a row, from frame to frame the next ones.
   Walks pilots;
   std::vector<bool> isPilot(plan_.most());
@@ -174,19 +191,16 @@ std::vector<std::size_t> PilotTracer::flag(
 
 std::uint64_t PilotTracer::signatureOf(std::uint32_t walk) const
 {
-  const WalkBlock& block = history_.blockOf(walk);
+  const BounceBlock& block = history_.block(history_.indexOf(walk));
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (std::uint32_t bounce = 0; bounce < block.size(walk); ++bounce)
-  {
-    const Hit hit = block.hit({ walk, bounce });
-    mixIn(hash, hit.id.object);
-    mixIn(hash, hit.id.triangle);
-    for (const auto weight : hit.weights)
+  block.forEachFrom(block.begin(walk), [&](std::uint32_t slot) {
+    mixIn(hash, block.triangle(slot));
+    for (const auto weight : block.weights(slot))
     {
       mixIn(hash, weight);
     }
-    mixIn(hash, block.power({ walk, bounce })[0]);
-  }
+    mixIn(hash, block.power(slot)[0]);
+  });
   return hash;
 }
 

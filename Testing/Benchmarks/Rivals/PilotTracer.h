@@ -3,9 +3,8 @@
 #define PilotTracer_h
 
 #include "Scenes/TradeScene.h"
+#include "Shooting/StoredRays.h"
 #include "Shooting/WalkBatch.h"
-#include "Shooting/WalkTracer.h"
-#include "Tally/WalkTally.h"
 
 /**
  * The rival of verification: selective photon tracing (Dmitriev, Brabec, Myszkowski, Seidel 2002).
@@ -55,9 +54,12 @@ private:
   irradiance::LightTable lights_;
   irradiance::SobolSequence samples_;
   std::shared_ptr<const irradiance::Scene> scene_;
+  irradiance::SceneTriangles triangles_;
   irradiance::CellSums sums_;
   irradiance::PowerBalance balance_;
   irradiance::WalkHistory history_;
+  irradiance::WalkBatch batch_;
+  irradiance::WalkFront old_; ///< segments that are taken back
   std::vector<Walks> groups_;
   std::vector<std::uint32_t> groupOfWalk_;
   std::size_t frame_ = 0;

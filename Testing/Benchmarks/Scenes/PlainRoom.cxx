@@ -49,12 +49,11 @@ SceneObject makeRing(double size)
   });
 }
 
-SceneObject makeBall(double size)
+SceneObject makeBall(double size, int aroundIt = 32, int upIt = 16)
 {
-  constexpr int kAround = 32, kUp = 16;
-  return makeMesh(kAround, kUp, [&](int i, int j) {
-    const bool isPole = j == 0 || j == kUp;
-    const double around = isPole ? 0 : 2 * M_PI * (i % kAround) / kAround, up = M_PI * j / kUp;
+  return makeMesh(aroundIt, upIt, [&](int i, int j) {
+    const bool isPole = j == 0 || j == upIt;
+    const double around = isPole ? 0 : 2 * M_PI * (i % aroundIt) / aroundIt, up = M_PI * j / upIt;
     const double radius = 0.5 * size * (0.85 + 0.15 * std::cos(3 * around) * std::sin(up));
     const double across = isPole ? 0 : std::sin(up);
     return Vector3(
@@ -114,6 +113,28 @@ MovingScene makePlainRoom(double size)
             };
             placed.dynamicObjects[1].worldFromObject = test::shift({ 3.2, 1, 0.6 });
           } };
+}
+
+MovingScene makeRoomOfMovers(int movers, double size)
+{
+  test::RandomVectors random(7);
+  const SceneObject ball = painted(makeBall(size, 20, 9), random);
+  SceneObjects objects{ painted(makeRoom(), random), {} };
+  objects.dynamicObjects.assign(static_cast<std::size_t>(movers), ball);
+  return { std::to_string(movers) + " movers", std::move(objects),
+    [](SceneObjects& placed, double time) {
+      // Each on a circle of its own, 2 cm a frame.
+      int i = 0;
+      for (SceneObject& object : placed.dynamicObjects)
+      {
+        const auto at = [&](double step) { return std::fmod(step * ++i, 1.0); };
+        const Vector3 middle(
+          0.5 + 3 * at(0.8191725134), 0.5 + 3 * at(0.6710436067), 0.2 + 2.5 * at(0.5497004779));
+        const double angle = 2 * M_PI * at(0.4301597090) + 5 * time;
+        object.worldFromObject =
+          test::shift(middle + 0.24 * Vector3(std::cos(angle), std::sin(angle), 0));
+      }
+    } };
 }
 
 MovingScene makeGlossyRoom(double share, double size)

@@ -10,6 +10,10 @@
 /// the ball is .8 m.
 MovingScene makePlainRoom(double size = 0.8);
 
+/// The same walls and lamp, with so many balls of 320 triangles, which are cells. All of them move. `size`:
+/// m, across.
+MovingScene makeRoomOfMovers(int movers, double size);
+
 /// The same room, in which that share of the cells, chosen at random, also reflects half of what it would
 /// absorb, in lobes with an exponent of 50.
 MovingScene makeGlossyRoom(double share, double size = 0.8);

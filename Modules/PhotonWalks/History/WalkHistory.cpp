@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History/WalkHistory.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace irradiance
+{
+
+WalkHistory::WalkHistory(const WalkPlan& plan, const PointGrid& grid,
+  const TriangleNumbers& numbers, int bands, const Power& power, std::shared_ptr<BlockArena> arena,
+  const DealtBlocks& dealt)
+  : plan_(plan)
+  , grid_(grid)
+  , numbers_(numbers)
+  , bands_(bands)
+  , power_(power)
+  , dealt_(dealt)
+  , arena_(std::move(arena))
+{
+}
+
+WalkHistory& WalkHistory::operator=(WalkHistory&& other) noexcept
+{
+  blocks_ = std::move(other.blocks_); // first, as those of before are pages of the arena of before
+  plan_ = std::move(other.plan_);
+  grid_ = other.grid_;
+  numbers_ = std::move(other.numbers_);
+  kinds_ = std::move(other.kinds_);
+  bands_ = other.bands_;
+  power_ = other.power_;
+  dealt_ = other.dealt_;
+  arena_ = std::move(other.arena_);
+  hidden_ = std::move(other.hidden_);
+  indices_ = std::move(other.indices_);
+  return *this;
+}
+
+void WalkHistory::makeKinds()
+{
+  kinds_.clear();
+  for (std::uint32_t object = 0; object < numbers_.objects(); ++object)
+  {
+    kinds_.resize(numbers_.first(object + 1), BounceTag::kindOf(object));
+  }
+}
+
+void WalkHistory::append()
+{
+  if (blocks_.empty())
+  {
+    makeKinds();
+  }
+  const std::size_t number = dealt_[blocks_.size()];
+  blocks_.emplace_back(
+    *arena_, plan_.firstWalkOf(number), plan_.walksIn(number), bands_, grid_, power_);
+  hidden_.emplace_back();
+  indices_.clear();
+}
+
+void WalkHistory::removeLast()
+{
+  blocks_.pop_back();
+  hidden_.pop_back();
+  indices_.clear();
+}
+
+void WalkHistory::renumber(const TriangleNumbers& numbers)
+{
+  if (numbers == numbers_)
+  {
+    return;
+  }
+  // The numbers of static triangles, which come first, stay; so hidden hits do.
+  for (BounceBlock& block : blocks_)
+  {
+    block.renumber(
+      [&](std::uint32_t triangle) { return numbers.numberOf(numbers_.idOf(triangle)); });
+  }
+  numbers_ = numbers;
+  makeKinds();
+}
+
+void WalkHistory::setKinds(
+  const std::uint32_t* triangles, std::size_t count, std::uint8_t* kinds) const
+{
+  const std::uint32_t known = numbers_.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    kinds[i] = triangles[i] < known ? kinds_[triangles[i]] : std::uint8_t{ 0 };
+  }
+}
+
+void WalkHistory::append(std::size_t block, const BounceColumns& front, std::size_t first,
+  std::size_t count, std::uint32_t* slots)
+{
+  blocks_[block].append(front, first, count, slots);
+  const std::size_t unit = block / kTogether;
+  if (!indices_.empty() && indices_[unit])
+  {
+    indices_[unit]->add(together(unit), block % kTogether, slots, count);
+  }
+}
+
+SegmentIndex::Blocks WalkHistory::together(std::size_t unit) const
+{
+  SegmentIndex::Blocks blocks;
+  const std::size_t end = std::min((unit + 1) * kTogether, blocks_.size());
+  for (std::size_t block = unit * kTogether; block < end; ++block)
+  {
+    blocks.push_back(&blocks_[block]);
+  }
+  return blocks;
+}
+
+void WalkHistory::prepareToFind(std::size_t bodies)
+{
+  if (bodies < SegmentIndex::kFromBodies)
+  {
+    indices_.clear(); // it would have to follow what is stored
+    return;
+  }
+  indices_.resize((blocks_.size() + kTogether - 1) / kTogether);
+}
+
+void WalkHistory::find(const BounceScan& scan, std::size_t first, std::size_t end,
+  std::vector<std::vector<std::uint32_t>>& slots)
+{
+  slots.resize(std::max(slots.size(), end - first));
+  if (indices_.empty())
+  {
+    for (std::size_t block = first; block < end; ++block)
+    {
+      scan.find(blocks_[block], blocks_[std::min(block + 1, end - 1)], slots[block - first]);
+    }
+    return;
+  }
+  std::unique_ptr<SegmentIndex>& index = indices_[first / kTogether];
+  const SegmentIndex::Blocks blocks = together(first / kTogether);
+  if (!index || index->isWorn())
+  {
+    index = std::make_unique<SegmentIndex>(blocks);
+  }
+  index->find(blocks, scan, slots);
+}
+
+void WalkHistory::forgetHiddenHits()
+{
+  for (HiddenHits& hidden : hidden_)
+  {
+    hidden.forgetAll();
+  }
+}
+
+std::size_t WalkHistory::bytes() const
+{
+  std::size_t bytes = kinds_.capacity();
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+  {
+    bytes += blocks_[i].bytes() + hidden_[i].bytes();
+  }
+  for (const auto& index : indices_)
+  {
+    bytes += index ? index->bytes() : 0;
+  }
+  return bytes;
+}
+
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shooting/StoredRays.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::size_t kAhead = 16; // rows between a request to memory and its use
+
+void copyOrigin(const WalkFront& from, std::size_t row, WalkFront& to, std::size_t place)
+{
+  to.originX[place] = from.originX[row];
+  to.originY[place] = from.originY[row];
+  to.originZ[place] = from.originZ[row];
+}
+
+void copyRay(const WalkFront& from, std::size_t row, WalkFront& to, std::size_t place)
+{
+  copyOrigin(from, row, to, place);
+  to.directionX[place] = from.directionX[row];
+  to.directionY[place] = from.directionY[row];
+  to.directionZ[place] = from.directionZ[row];
+  to.start[place] = from.start[row];
+  to.side[place] = from.side[row];
+}
+
+}
+
+void addStored(const BounceBlock& block, std::uint32_t slot, int bands, WalkFront& front)
+{
+  const std::size_t row = front.size++;
+  if (front.walk.room() < front.size || front.bands < bands)
+  {
+    front.reserve(2 * front.size, bands);
+  }
+  front.walk[row] = block.walkOf(slot);
+  front.hit[row] = block.triangle(slot);
+  front.hitSide[row] = block.isFront(slot) ? 1 : 0;
+  if (bands > 1)
+  {
+    front.setPower(row, bands, block.power(slot));
+  }
+}
+
+void StoredRays::find(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front)
+{
+  find(tracer, history, front, false);
+  for (std::size_t row = 0; row < front.size; ++row)
+  {
+    const BounceBlock& block = history.block(front.block[row]);
+    const std::uint32_t slot = front.slot[row];
+    const std::array<float, 2> weights = block.weights(slot);
+    front.hit[row] = block.triangle(slot);
+    front.weightB[row] = weights[0];
+    front.weightC[row] = weights[1];
+    front.hitSide[row] = block.isFront(slot) ? 1 : 0;
+  }
+}
+
+void StoredRays::find(
+  const WalkTracer& tracer, const WalkHistory& history, WalkFront& front, bool isOnlyOrigins)
+{
+  readStarts(tracer, history, front);
+  if (tracer.triangles().hasGlossy())
+  {
+    std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
+    if (!isOnlyOrigins)
+    {
+      findSpecular(tracer, history, front);
+    }
+  }
+  tracer.stages().leave(front, true);
+  findFirst(tracer, front);
+}
+
+/// What walks leave: the hits of the segments before.
+void StoredRays::readStarts(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front)
+{
+  firstRows_.clear();
+  for (std::size_t row = 0; row < front.size; ++row)
+  {
+    if (row + kAhead < front.size) // its link has been read by whoever chose it
+    {
+      const BounceBlock& block = history.block(front.block[row + kAhead]);
+      const std::uint32_t before = block.previous(front.slot[row + kAhead]);
+      if (before != BounceBlock::kNone)
+      {
+        block.prefetchHit(before);
+      }
+    }
+    const BounceBlock& block = history.block(front.block[row]);
+    const std::uint32_t slot = front.slot[row], parent = block.previous(slot);
+    front.walk[row] = block.walkOf(slot);
+    front.parent[row] = parent;
+    front.bounce[row] = block.bounceOf(slot);
+    front.start[row] = WalkFront::kNone;
+    front.weightB[row] = front.weightC[row] = 0;
+    front.side[row] = 1;
+    if (parent == BounceBlock::kNone)
+    {
+      firstRows_.push_back(static_cast<std::uint32_t>(row));
+      continue;
+    }
+    const std::array<float, 2> weights = block.weights(parent);
+    front.start[row] = block.triangle(parent);
+    front.weightB[row] = weights[0];
+    front.weightC[row] = weights[1];
+    front.side[row] = block.isFront(parent) ? 1 : 0;
+  }
+  static_cast<void>(tracer);
+}
+
+/// Those that leave specularly need to know whence the light came.
+void StoredRays::findSpecular(
+  const WalkTracer& tracer, const WalkHistory& history, WalkFront& front)
+{
+  const SceneTriangles& triangles = tracer.triangles();
+  specularRows_.clear();
+  for (std::size_t row = 0; row < front.size; ++row)
+  {
+    if (front.bounce[row] == 0 || !triangles.looks()[front.start[row]].isGlossy())
+    {
+      continue;
+    }
+    const Power incoming = history.power(SegmentPlace{ front.block[row], front.parent[row] });
+    const Reflection reflection = tracer.sampler().reflectionAt(
+      triangles.idOf(front.start[row]), front.walk[row], front.bounce[row], incoming);
+    if (reflection == Reflection::Specular)
+    {
+      front.isSpecular[row] = 1;
+      specularRows_.push_back(static_cast<std::uint32_t>(row));
+    }
+  }
+  before_.reserve(specularRows_.size(), 1);
+  before_.size = specularRows_.size();
+  for (std::size_t i = 0; i < specularRows_.size(); ++i)
+  {
+    before_.block[i] = front.block[specularRows_[i]];
+    before_.slot[i] = front.parent[specularRows_[i]];
+  }
+  const std::vector<std::uint32_t> firstRows = firstRows_; // of the front, not of those before
+  find(tracer, history, before_, true);
+  firstRows_ = firstRows;
+  for (std::size_t i = 0; i < specularRows_.size(); ++i)
+  {
+    copyOrigin(before_, i, front, specularRows_[i]);
+  }
+}
+
+/// The first rays of walks.
+void StoredRays::findFirst(const WalkTracer& tracer, WalkFront& front)
+{
+  first_.reserve(firstRows_.size(), tracer.sampler().bands());
+  first_.size = firstRows_.size();
+  for (std::size_t i = 0; i < firstRows_.size(); ++i)
+  {
+    first_.walk[i] = front.walk[firstRows_[i]];
+  }
+  tracer.stages().start(first_);
+  for (std::size_t i = 0; i < firstRows_.size(); ++i)
+  {
+    copyRay(first_, i, front, firstRows_[i]);
+  }
+}
+
+void StoredRays::name(const WalkHistory& history, const Segments& segments, WalkFront& front)
+{
+  front.reserve(segments.size(), 1);
+  front.size = segments.size();
+  for (std::size_t row = 0; row < segments.size(); ++row)
+  {
+    const SegmentPlace place = history.placeOf(segments[row]);
+    front.block[row] = static_cast<std::uint32_t>(place.block);
+    front.slot[row] = place.slot;
+  }
+}
+
+void StoredRays::find(
+  const WalkTracer& tracer, const WalkHistory& history, const Segments& segments, Ray* rays)
+{
+  name(history, segments, named_);
+  find(tracer, history, named_);
+  for (std::size_t row = 0; row < segments.size(); ++row)
+  {
+    rays[row] = tracer.rayOf(named_, row);
+  }
+}
+
+void StoredRays::findArrivals(const WalkTracer& tracer, const WalkHistory& history,
+  const Segments& segments, SurfacePoint* points, Vector3* directions)
+{
+  name(history, segments, named_);
+  find(tracer, history, named_, true);
+  for (std::size_t row = 0; row < segments.size(); ++row)
+  {
+    const BounceBlock& block = history.block(named_.block[row]);
+    const Hit hit = history.hit(SegmentPlace{ named_.block[row], named_.slot[row] });
+    points[row] = surfacePoint(tracer.scene().worldTriangle(hit.id), weightsOf(hit));
+    points[row].turn(block.isFront(named_.slot[row]));
+    directions[row] = incomingDirection(
+      points[row], { named_.originX[row], named_.originY[row], named_.originZ[row] });
+  }
+}
+
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_FrontPairs_h
+#define irradiance_FrontPairs_h
+
+#include "Kernels/FrontStages.h"
+#include "Simd/Column.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * What rays may hit in a tree whose triangles, or bodies, are tested elsewhere: pairs of a ray and a
+ * reference, found by the stages of FrontSearch.
+ *
+ * Owns the memory of the stages, which is used again from call to call.
+ */
+class FrontPairs final : private FrontTester
+{
+public:
+  using Pair = FurtherCandidate;
+
+  /// The pairs, in no order; one may occur more than once. Nothing is sought behind the rays' best hits.
+  /// `rays`: with directions in floats.
+  const std::vector<Pair>& find(const TriangleTree& tree, const TreeRays& rays);
+
+private:
+  class OtherRays;
+
+  void search(const TriangleTree& tree, const TreeRays& rays);
+  void test(std::uint32_t ray, std::uint32_t reference) override
+  {
+    pairs_.push_back({ ray, reference });
+  }
+
+  std::vector<Pair> pairs_;
+  Column<PreparedQuery> queries_;
+  Column<std::uint32_t> others_, candidate_;
+  Column<FurtherCandidate> further_;
+};
+
+}
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../RayCasting/RandomVectors.h"
+#include "../RayCasting/TestSimdLevels.h"
+#include "FrontWorld.h"
+#include "MovingScene.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+// Law: the rays that walks were shot with are found again, bit for bit, from what a history stores, whatever
+// stands beside them in a front.
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::FrontWorld;
+using test::MovingScene;
+
+/// Each front before its rays were cast, one after the other.
+WalkFront shotRows(const FrontWorld& world, int sides)
+{
+  WalkFront rows;
+  CellSums sums(world.objects(), sides, world.plan());
+  PowerBalance balance;
+  FrontTally tally(
+    world.triangles(), sums, balance, world.sampler().powerPerWalk(), world.plan().most());
+  world.shoot(world.plan().rounds().front().firstWalk, world.plan().endWalk(), 1000, tally,
+    [&](const WalkFront& front) { rows.take(front, 0, front.size); });
+  return rows;
+}
+
+void clearRay(WalkFront& front, std::size_t i)
+{
+  front.originX[i] = front.originY[i] = front.originZ[i] = -1;
+  front.directionX[i] = front.directionY[i] = front.directionZ[i] = -1;
+}
+
+void expectSameRay(const WalkFront& front, std::size_t i, const WalkFront& rows, std::size_t row)
+{
+  ASSERT_EQ(front.walk[i], rows.walk[row]);
+  ASSERT_EQ(front.bounce[i], rows.bounce[row]);
+  ASSERT_EQ(front.start[i], rows.start[row]);
+  ASSERT_EQ(front.side[i], rows.side[row]);
+  ASSERT_EQ(front.weightB[i], rows.weightB[row]);
+  ASSERT_EQ(front.weightC[i], rows.weightC[row]);
+  ASSERT_EQ(front.originX[i], rows.originX[row]);
+  ASSERT_EQ(front.originY[i], rows.originY[row]);
+  ASSERT_EQ(front.originZ[i], rows.originZ[row]);
+  ASSERT_EQ(front.directionX[i], rows.directionX[row]);
+  ASSERT_EQ(front.directionY[i], rows.directionY[row]);
+  ASSERT_EQ(front.directionZ[i], rows.directionZ[row]);
+}
+
+/// Rows in an order that mixes walks and bounces, some of them not at all.
+std::vector<std::size_t> someRows(const WalkFront& rows, bool areFirst)
+{
+  test::RandomVectors random(17);
+  std::vector<std::size_t> chosen;
+  for (std::size_t row = 0; row < rows.size; ++row)
+  {
+    if ((rows.bounce[row] == 0) == areFirst && random.engine() % 8 != 0)
+    {
+      chosen.push_back(row);
+    }
+  }
+  std::shuffle(chosen.begin(), chosen.end(), random.engine);
+  return chosen;
+}
+
+/// Specular walks leave as they came: from the segment before.
+void setArrivals(WalkFront& front, const WalkFront& rows)
+{
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> rowOf;
+  for (std::size_t row = 0; row < rows.size; ++row)
+  {
+    rowOf[{ rows.walk[row], rows.bounce[row] }] = row;
+  }
+  for (std::size_t i = 0; i < front.size; ++i)
+  {
+    const std::size_t before = rowOf.at({ front.walk[i], front.bounce[i] - 1 });
+    front.originX[i] = rows.originX[before];
+    front.originY[i] = rows.originY[before];
+    front.originZ[i] = rows.originZ[before];
+  }
+}
+
+/// Calls test(world, rows) on each instruction set for several scenes.
+template <class Test>
+void onAll(const Test& test)
+{
+  const std::uint32_t walks = test::scaled(10000);
+  for (const std::uint32_t replicates : { 1u, 16u })
+  {
+    for (int kind = 0; kind < 6; ++kind)
+    {
+      const int bands = kind / 2 == 1 ? 3 : 1, sides = 1 + kind % 2;
+      const bool isGlossy = kind / 2 == 2;
+      const MovingScene scene(bands, kind == 0, 2, isGlossy);
+      const FrontWorld world(scene.objects(), WalkPlan(walks, walks, replicates, 300), 1);
+      const WalkFront rows = shotRows(world, sides);
+      for (const SimdLevel level : test::simdLevels())
+      {
+        const test::SimdLimit limit(level);
+        test(world, rows);
+      }
+    }
+  }
+}
+
+}
+
+// Of areas and of a point in the air.
+TEST(FrontRays, FirstRaysAreFoundAgainForAnyListOfWalks)
+{
+  onAll([](const FrontWorld& world, const WalkFront& rows) {
+    const std::vector<std::size_t> chosen = someRows(rows, true);
+    WalkFront front;
+    front.reserve(chosen.size(), world.sampler().bands());
+    front.size = chosen.size();
+    std::size_t inAir = 0;
+    for (std::size_t i = 0; i < front.size; ++i)
+    {
+      front.walk[i] = rows.walk[chosen[i]];
+      clearRay(front, i);
+      inAir += rows.start[chosen[i]] == WalkFront::kNone ? 1 : 0;
+    }
+    EXPECT_GT(inAir, 0u);
+    EXPECT_LT(inAir, front.size);
+    world.stages().start(front);
+    for (std::size_t i = 0; i < front.size; ++i)
+    {
+      ASSERT_NO_FATAL_FAILURE(expectSameRay(front, i, rows, chosen[i]));
+      ASSERT_EQ(front.parent[i], WalkFront::kNone);
+      if (front.bands > 1)
+      {
+        ASSERT_EQ(front.powerAt(i, front.bands), world.lights().power(front.candidate[i]));
+      }
+    }
+  });
+}
+
+TEST(FrontRays, LaterRaysAreFoundAgainWhateverTheirBounces)
+{
+  onAll([](const FrontWorld& world, const WalkFront& rows) {
+    const std::vector<std::size_t> chosen = someRows(rows, false);
+    WalkFront front;
+    for (const std::size_t row : chosen)
+    {
+      front.take(rows, row, 1);
+      clearRay(front, front.size - 1);
+    }
+    if (world.triangles().hasGlossy())
+    {
+      setArrivals(front, rows);
+    }
+    world.stages().leave(front, true);
+    for (std::size_t i = 0; i < front.size; ++i)
+    {
+      ASSERT_NO_FATAL_FAILURE(expectSameRay(front, i, rows, chosen[i]));
+    }
+  });
+}
+
+}

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrontWorld.h"
+#include "MovingScene.h"
+
+#include "../RayCasting/RandomVectors.h"
+
+#include <gtest/gtest.h>
+
+// Law: what is taken back leaves no trace.
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::FrontWorld;
+using test::MovingScene;
+
+struct Kind
+{
+  int bands, sides;
+  bool isGlossy;
+  WalkPlan plan;
+};
+
+std::vector<Kind> someKinds()
+{
+  return { { 1, 1, false, WalkPlan(6000, 6000, 1) }, { 1, 2, false, WalkPlan(6000, 6000, 16) },
+    { 1, 2, true, WalkPlan(700, 6000, 3, 500) }, // several rounds
+    { 3, 1, true, WalkPlan(6000, 6000, 16) }, { 3, 2, false, WalkPlan(1500, 6000, 2) } };
+}
+
+/// As a history would store them: all segments of all walks, and from where on each walk is to be removed.
+class Shot
+{
+public:
+  Shot(const FrontWorld& world, int sides)
+    : world_(world)
+    , sums_(world.objects(), sides, world.plan(), world.plan().rounds().size())
+  {
+    FrontTally tally = tallyFor(sums_, balance_, 100000);
+    world.shoot(firstWalk(), world.plan().endWalk(), 1000, tally, {},
+      [&](const WalkFront& front) { all_.take(front, 0, front.size); });
+  }
+
+  const CellSums& sums() const { return sums_; }
+  const PowerBalance& balance() const { return balance_; }
+  const WalkFront& all() const { return all_; }
+  std::uint32_t firstWalk() const { return world_.plan().rounds().front().firstWalk; }
+
+  FrontTally tallyFor(CellSums& sums, PowerBalance& balance, std::size_t expected) const
+  {
+    return FrontTally(world_.triangles(), sums, balance, world_.sampler().powerPerWalk(), expected);
+  }
+  Power carriedBy(std::size_t row) const
+  {
+    return all_.bands == 1 ? world_.sampler().powerPerWalk() : all_.powerAt(row, all_.bands);
+  }
+
+private:
+  const FrontWorld& world_;
+  CellSums sums_;
+  PowerBalance balance_;
+  WalkFront all_;
+};
+
+/// Some rows of what was shot, in any order: of each walk those from a bounce on.
+struct Tails
+{
+  WalkFront segments; ///< all
+  WalkFront others;   ///< but for the first ones
+  Power starting;
+
+  /// `isWhole`: all of all walks.
+  Tails(const Shot& shot, bool isWhole, unsigned seed)
+  {
+    test::RandomVectors random(seed);
+    const WalkFront& all = shot.all();
+    std::vector<std::uint32_t> firsts(2 * all.size);
+    for (std::uint32_t& first : firsts)
+    {
+      first = isWhole ? 0 : static_cast<std::uint32_t>(random.engine() % 6);
+    }
+    std::vector<std::size_t> rows(all.size);
+    std::iota(rows.begin(), rows.end(), std::size_t{ 0 });
+    std::shuffle(rows.begin(), rows.end(), random.engine);
+    segments.reserve(1, all.bands);
+    others.reserve(1, all.bands);
+    isTaken.resize(all.size);
+    for (const std::size_t row : rows)
+    {
+      const std::uint32_t first = firsts[all.walk[row] - shot.firstWalk()];
+      isTaken[row] = all.bounce[row] >= first;
+      if (isTaken[row])
+      {
+        segments.take(all, row, 1);
+      }
+      if (all.bounce[row] > first)
+      {
+        others.take(all, row, 1);
+      }
+      if (all.bounce[row] == first)
+      {
+        starting += shot.carriedBy(row);
+      }
+    }
+  }
+
+  std::vector<bool> isTaken; ///< by row
+};
+
+void expectEqual(const CellSums& sums, const CellSums& expected)
+{
+  expected.numbers().forEach([&](const SceneCell& cell) {
+    for (int side = 0; side < expected.sides(); ++side)
+    {
+      for (int band = 0; band < expected.bands(); ++band)
+      {
+        for (std::uint32_t replicate = 0; replicate < expected.plan().replicates().count();
+             ++replicate)
+        {
+          for (std::size_t rounds = 1; rounds <= expected.rounds(); ++rounds)
+          {
+            ASSERT_EQ(sums.sum({ cell, side }, band, replicate, rounds),
+              expected.sum({ cell, side }, band, replicate, rounds));
+          }
+        }
+      }
+    }
+  });
+}
+
+void expectEqual(const PowerBalance& balance, const PowerBalance& expected)
+{
+  EXPECT_EQ(balance.emitted, expected.emitted);
+  EXPECT_EQ(balance.absorbed, expected.absorbed);
+  EXPECT_EQ(balance.escaped, expected.escaped);
+  EXPECT_EQ(balance.segments, expected.segments);
+  EXPECT_EQ(balance.received, expected.received);
+}
+
+/// Calls test(world, shot, expected) for each kind, and each way to count photons.
+template <class Test>
+void onAll(const Test& test)
+{
+  for (const Kind& kind : someKinds())
+  {
+    const MovingScene scene(kind.bands, false, 2, kind.isGlossy);
+    const FrontWorld world(scene.objects(), kind.plan, 1);
+    const Shot shot(world, kind.sides);
+    for (const std::size_t expected : { std::size_t{ 1 }, std::size_t{ 1000000 } })
+    {
+      test(world, shot, expected);
+    }
+  }
+}
+
+}
+
+TEST(FrontTally, WalksThatAreRemovedLeaveNoTrace)
+{
+  onAll([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
+    CellSums sums(world.objects(), shot.sums().sides(), world.plan(), world.plan().rounds().size());
+    const CellSums none(world.objects(), sums.sides(), world.plan(), world.plan().rounds().size());
+    sums.add(shot.sums(), {});
+    PowerBalance balance = shot.balance();
+    const Tails all(shot, true, 1);
+    ASSERT_EQ(all.starting, balance.emitted);
+    {
+      FrontTally tally = shot.tallyFor(sums, balance, expected);
+      tally.remove(all.segments, all.starting);
+    }
+    expectEqual(sums, none);
+    PowerBalance left;
+    left.emitted = shot.balance().emitted;
+    expectEqual(balance, left);
+    shot.tallyFor(sums, balance, expected).unemit(all.starting);
+    expectEqual(balance, {});
+  });
+}
+
+TEST(FrontTally, WhatStaysIsWhatTheOtherSegmentsBrought)
+{
+  onAll([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
+    const std::size_t rounds = world.plan().rounds().size();
+    CellSums sums(world.objects(), shot.sums().sides(), world.plan(), rounds),
+      others(world.objects(), shot.sums().sides(), world.plan(), rounds);
+    sums.add(shot.sums(), {});
+    PowerBalance balance = shot.balance();
+    const WalkFront& all = shot.all();
+    const Tails tails(shot, false, 2);
+    {
+      FrontTally tally = shot.tallyFor(sums, balance, expected);
+      tally.remove(tails.segments, tails.starting);
+    }
+    std::vector<Deposit> deposits;
+    Power escaped;
+    double received = 0;
+    for (std::size_t row = 0; row < all.size; ++row)
+    {
+      const Power carried = shot.carriedBy(row);
+      if (!tails.isTaken[row] && all.hit[row] == WalkFront::kNone)
+      {
+        escaped += carried;
+      }
+      else if (!tails.isTaken[row])
+      {
+        const SceneCell cell = others.cellOf(world.triangles().idOf(all.hit[row]));
+        const bool isFront = others.sides() == 1 || all.hitSide[row] != 0;
+        others.collect(others.slotOf(all.walk[row], cell), isFront, carried, 1, deposits);
+        received += carried.total();
+      }
+    }
+    others.add(deposits);
+    expectEqual(sums, others);
+    EXPECT_EQ(balance.escaped, escaped);
+    EXPECT_EQ(balance.received, received);
+    EXPECT_EQ(balance.segments, static_cast<std::int64_t>(all.size - tails.segments.size));
+    Power arrived = balance.absorbed; // and the rest is under way
+    arrived += balance.escaped;
+    arrived += tails.starting;
+    EXPECT_EQ(balance.emitted, arrived);
+  });
+}
+
+// Removed and shot again, each in one tally, as a repair does that finds the same walks again.
+TEST(FrontTally, TailsThatComeBackRestoreAll)
+{
+  onAll([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
+    CellSums sums(world.objects(), shot.sums().sides(), world.plan(), world.plan().rounds().size());
+    sums.add(shot.sums(), {});
+    PowerBalance balance = shot.balance();
+    for (unsigned seed = 3; seed < 6; ++seed)
+    {
+      const Tails tails(shot, false, seed);
+      FrontTally tally = shot.tallyFor(sums, balance, expected);
+      tally.remove(tails.segments, tails.starting);
+      tally.receive(tails.segments);
+      tally.release(tails.others);
+    }
+    expectEqual(sums, shot.sums());
+    expectEqual(balance, shot.balance());
+  });
+}
+
+}
