@@ -38,22 +38,21 @@ public:
     struct Suspects
     {
       WalkFront rows;
-      std::vector<HiddenHit>
-        known; ///< of each row: the hit of before, or the static one that was hidden
+      /// Of each row: the static hit that a dynamic object hides, or would hide.
+      std::vector<HiddenHit> known;
     };
-
-    Suspects blocked, lost, uncovered;
 
     void clear();
     void reserve(std::size_t more, int bands);
-    std::vector<std::vector<std::uint32_t>> slots;
-    std::vector<std::uint32_t> firstStale; ///< bounce, by walk
-    std::vector<WalkFront::Row> chosen;
-
     std::array<const WalkFront*, 3> fronts() const
     {
       return { &blocked.rows, &lost.rows, &uncovered.rows };
     }
+
+    Suspects blocked, lost, uncovered;
+    std::vector<std::vector<std::uint32_t>> slots; ///< that the scan flagged, by block
+    std::vector<std::uint32_t> firstStale;         ///< bounce, by walk
+    std::vector<WalkFront::Row> chosen;
     StoredRays rays;
     FrontCast cast;
   };

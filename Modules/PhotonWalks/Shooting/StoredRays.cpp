@@ -64,7 +64,7 @@ void StoredRays::find(const WalkTracer& tracer, const WalkHistory& history, Walk
 void StoredRays::find(
   const WalkTracer& tracer, const WalkHistory& history, WalkFront& front, bool isOnlyOrigins)
 {
-  readStarts(tracer, history, front);
+  readStarts(history, front);
   if (tracer.triangles().hasGlossy())
   {
     std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
@@ -78,7 +78,7 @@ void StoredRays::find(
 }
 
 /// What walks leave: the hits of the segments before.
-void StoredRays::readStarts(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front)
+void StoredRays::readStarts(const WalkHistory& history, WalkFront& front)
 {
   firstRows_.clear();
   for (std::size_t row = 0; row < front.size; ++row)
@@ -111,7 +111,6 @@ void StoredRays::readStarts(const WalkTracer& tracer, const WalkHistory& history
     front.weightC[row] = weights[1];
     front.side[row] = block.isFront(parent) ? 1 : 0;
   }
-  static_cast<void>(tracer);
 }
 
 /// Those that leave specularly need to know whence the light came.

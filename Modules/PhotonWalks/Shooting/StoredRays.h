@@ -39,7 +39,7 @@ private:
   /// Only origins are of use if `isOnlyOrigins`: no directions of specular reflections are computed.
   void find(
     const WalkTracer& tracer, const WalkHistory& history, WalkFront& front, bool isOnlyOrigins);
-  void readStarts(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front);
+  void readStarts(const WalkHistory& history, WalkFront& front);
   void findSpecular(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front);
   void findFirst(const WalkTracer& tracer, WalkFront& front);
   void name(const WalkHistory& history, const Segments& segments, WalkFront& front);
