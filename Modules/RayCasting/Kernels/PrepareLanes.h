@@ -160,14 +160,22 @@ private:
     return plane->axis;
   }
 
+  /// A row as its floats, from the first on.
+  __attribute__((always_inline)) static float* floatsOf(PreparedQuery& row)
+  {
+    static_assert(offsetof(PreparedQuery, limit) == 3 * sizeof(float));
+    static_assert(offsetof(PreparedQuery, skipped) == 15 * sizeof(float));
+    return reinterpret_cast<float*>(&row);
+  }
+
   /// Writes the three columns and the fourth, of four lanes, to each row from a float on.
   __attribute__((always_inline)) static void turn(const float (&columns)[3][kSize],
     const float* fourth, unsigned group, PreparedQuery (&rows)[4], unsigned to)
   {
     const float* const from[] = { columns[0] + group, columns[1] + group, columns[2] + group,
       fourth + group };
-    float* const into[] = { rows[0].origin + to, rows[1].origin + to, rows[2].origin + to,
-      rows[3].origin + to };
+    float* const into[] = { floatsOf(rows[0]) + to, floatsOf(rows[1]) + to, floatsOf(rows[2]) + to,
+      floatsOf(rows[3]) + to };
     transpose4<float>(from, into);
   }
 
