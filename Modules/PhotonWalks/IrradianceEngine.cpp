@@ -104,7 +104,10 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   statistics_ = { {}, statistics_.historyBytes };
   ProgressSpan beginning(execution, 0, 0);
   cells_.update(objects_, cancelPointOf(beginning, 0));
-  triangles_.update(objects_, cancelPointOf(beginning, 0));
+  if (change != FrameChange::Still) // else they are those of before
+  {
+    triangles_.update(objects_, cancelPointOf(beginning, 0));
+  }
   surfaces_.forgetOthers(objects_);
   walks_.setSettings(settings_);
   if (change == FrameChange::Replace)

@@ -7,11 +7,11 @@
 namespace irradiance::test
 {
 
-/// The direction in which a walk leaves a diffuse surface.
+/// Unit vector on the hemisphere around the unit vector `normal`, density cos(theta) / pi per steradian, in
+/// double. `u`: a point of the unit square.
 inline Vector3 sampleCosineHemisphere(const Vector3& normal, const std::array<double, 2>& u)
 {
-  const CosineDirection direction(normal[0], normal[1], normal[2], u[0], u[1]);
-  return { direction.x, direction.y, direction.z };
+  return directionAround(normal, std::sqrt(1 - u[0]), std::sqrt(u[0]), u[1]);
 }
 
 }

@@ -124,18 +124,18 @@ TEST(PointGrid, HoldsWhatIsThere)
 {
   // Only far things: these are what matters.
   Room far;
-  far.still = {};
+  far.still = test::ObjectBuilder();
   far.addBall(kAway, 0.3, 6);
   EXPECT_TRUE(isSame(far.grid(), PointGrid(far.bounds())));
   // No surface.
   Room lights;
-  lights.still = {};
+  lights.still = test::ObjectBuilder();
   EXPECT_TRUE(isSame(lights.grid(), PointGrid(Box())));
   lights.lights.add(kAway);
   EXPECT_TRUE(isSame(lights.grid(), PointGrid(lights.lights)));
   // A floor, and a far light above it.
   Room floor;
-  floor.still = {};
+  floor.still = test::ObjectBuilder();
   floor.still.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 1, 1, grey(0.5));
   EXPECT_TRUE(isSame(floor.grid(), PointGrid(floor.bounds())));
   floor.lights.add(Vector3(1, 1, 1e4));

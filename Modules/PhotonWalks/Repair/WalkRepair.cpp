@@ -93,10 +93,6 @@ void WalkRepair::verifyAndRepair(Execution& execution)
       figures_.repairSeconds += stopwatch.seconds();
       return isDone;
     });
-  if (state_.tails)
-  {
-    std::sort(state_.tails->begin(), state_.tails->end());
-  }
 }
 
 void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
@@ -157,10 +153,6 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
     stale.forgetRepaired(block);
-  }
-  if (state_.tails)
-  {
-    std::sort(state_.tails->begin(), state_.tails->end());
   }
 }
 

@@ -51,7 +51,7 @@ public:
     PowerBalance& balance;
     Pool<RepairWork>& pool;
     PhotonChanges* changes; ///< receives the photons that go and come; null: not asked for
-    /// Receives the first segment of each tail that was shot, by walk; null: likewise.
+    /// Receives the first segment of each tail that was shot, in any order; null: likewise.
     std::vector<SegmentRef>* tails;
   };
   /// What was done.

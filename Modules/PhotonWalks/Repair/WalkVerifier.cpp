@@ -31,7 +31,7 @@ WalkVerifier::WalkVerifier(const WalkTracer& tracer, WalkHistory& history,
 
 void WalkVerifier::Memory::clear()
 {
-  for (Suspects* const suspects : { &blocked, &lost, &uncovered })
+  for (Suspects* const suspects : all())
   {
     suspects->rows.size = 0;
     suspects->known.clear();
@@ -41,7 +41,7 @@ void WalkVerifier::Memory::clear()
 /// Any of them may get all.
 void WalkVerifier::Memory::reserve(std::size_t more, int bands)
 {
-  for (Suspects* const suspects : { &blocked, &lost, &uncovered })
+  for (Suspects* const suspects : all())
   {
     suspects->rows.reserve(suspects->rows.size + more, bands);
   }
@@ -50,7 +50,9 @@ void WalkVerifier::Memory::reserve(std::size_t more, int bands)
 template <class IsChosen>
 void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, StaleFront& stale) const
 {
-  const std::array<const WalkFront*, 3> fronts = memory.fronts();
+  const std::array<Suspects*, 3> suspects = memory.all();
+  const std::array<const WalkFront*, 3> fronts{ &suspects[0]->rows, &suspects[1]->rows,
+    &suspects[2]->rows };
   std::array<std::size_t, 3> next{};
   const auto blockAt = [&](std::size_t i) {
     return next[i] < fronts[i]->size ? fronts[i]->block[next[i]] : WalkFront::kNone;
@@ -76,7 +78,6 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, StaleFront& 
     }
   }
   stale.rows.pick(fronts, memory.chosen);
-  const Suspects* const suspects[] = { &memory.blocked, &memory.lost, &memory.uncovered };
   for (std::size_t i = 0; cachesStaticHits_ && i < memory.chosen.size(); ++i)
   {
     const Suspects& from = *suspects[memory.chosen[i].front];
@@ -105,9 +106,7 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
   suspects_ += static_cast<std::int64_t>(
     memory.blocked.rows.size + memory.lost.rows.size + memory.uncovered.rows.size);
   clock.ends(Stage::Rays);
-  castBlocked(memory, false);
-  castLost(memory);
-  castUncovered(memory);
+  cast(memory, false);
   clock.restarts(); // the cast has a clock of its own
   noteFirst(first, memory);
   choose(
@@ -130,16 +129,21 @@ void WalkVerifier::castAgain(
       place.block, place.slot, isDynamic(history_.block(place.block).triangle(place.slot)), memory);
   }
   findRays(memory);
-  castBlocked(memory, true);
-  castLost(memory);
-  castUncovered(memory);
+  cast(memory, true);
   choose(
     memory, [](const WalkFront&, std::size_t) { return true; }, stale);
 }
 
+void WalkVerifier::cast(Memory& memory, bool byAllDynamic) const
+{
+  castBlocked(memory, byAllDynamic);
+  castLost(memory);
+  castUncovered(memory);
+}
+
 void WalkVerifier::findRays(Memory& memory) const
 {
-  for (Suspects* const suspects : { &memory.blocked, &memory.lost, &memory.uncovered })
+  for (Suspects* const suspects : memory.all())
   {
     memory.rays.find(tracer_, history_, suspects->rows);
   }

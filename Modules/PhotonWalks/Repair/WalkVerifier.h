@@ -44,10 +44,7 @@ public:
 
     void clear();
     void reserve(std::size_t more, int bands);
-    std::array<const WalkFront*, 3> fronts() const
-    {
-      return { &blocked.rows, &lost.rows, &uncovered.rows };
-    }
+    std::array<Suspects*, 3> all() { return { &blocked, &lost, &uncovered }; }
 
     Suspects blocked, lost, uncovered;
     std::vector<std::vector<std::uint32_t>> slots; ///< that the scan flagged, by block
@@ -84,6 +81,8 @@ private:
   void add(std::size_t number, std::uint32_t slot, bool isLost, Memory& memory) const;
   bool isTouching(const BounceBlock& block, std::uint32_t slot) const;
   void findRays(Memory& memory) const;
+  /// `byAllDynamic`: a blocked ray may hit any dynamic object, not only those that moved.
+  void cast(Memory& memory, bool byAllDynamic) const;
   void castBlocked(Memory& memory, bool byAllDynamic) const;
   void castLost(Memory& memory) const;
   void castUncovered(Memory& memory) const;

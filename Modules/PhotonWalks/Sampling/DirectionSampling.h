@@ -34,18 +34,6 @@ struct DirectionAround
   }
 };
 
-/// Unit vector on the hemisphere around the unit vector `normal`, density cos(theta) / pi per
-/// steradian.
-struct CosineDirection : DirectionAround
-{
-  /// `u`, `v`: a point of the unit square.
-  __attribute__((always_inline))
-  CosineDirection(double normalX, double normalY, double normalZ, double u, double v)
-    : DirectionAround(normalX, normalY, normalZ, __builtin_sqrt(1 - u), __builtin_sqrt(u), v)
-  {
-  }
-};
-
 inline Vector3 directionAround(const Vector3& axis, double height, double radius, double turns)
 {
   const DirectionAround direction(axis[0], axis[1], axis[2], height, radius, turns);

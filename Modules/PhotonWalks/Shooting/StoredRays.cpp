@@ -2,6 +2,7 @@
 #include "Shooting/StoredRays.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace irradiance
 {
@@ -10,6 +11,17 @@ namespace
 {
 
 constexpr std::size_t kAhead = 16; // rows between a request to memory and its use
+
+/// What is stored of a hit, to a row and two columns of the front.
+void readHit(const BounceBlock& block, std::uint32_t slot, WalkFront& front, std::size_t row,
+  Column<std::uint32_t>& triangles, Column<std::uint8_t>& sides)
+{
+  const std::array<float, 2> weights = block.weights(slot);
+  triangles[row] = block.triangle(slot);
+  front.weightB[row] = weights[0];
+  front.weightC[row] = weights[1];
+  sides[row] = block.isFront(slot) ? 1 : 0;
+}
 
 void copyOrigin(const WalkFront& from, std::size_t row, WalkFront& to, std::size_t place)
 {
@@ -51,13 +63,7 @@ void StoredRays::find(const WalkTracer& tracer, const WalkHistory& history, Walk
   find(tracer, history, front, false);
   for (std::size_t row = 0; row < front.size; ++row)
   {
-    const BounceBlock& block = history.block(front.block[row]);
-    const std::uint32_t slot = front.slot[row];
-    const std::array<float, 2> weights = block.weights(slot);
-    front.hit[row] = block.triangle(slot);
-    front.weightB[row] = weights[0];
-    front.weightC[row] = weights[1];
-    front.hitSide[row] = block.isFront(slot) ? 1 : 0;
+    readHit(history.block(front.block[row]), front.slot[row], front, row, front.hit, front.hitSide);
   }
 }
 
@@ -105,11 +111,7 @@ void StoredRays::readStarts(const WalkHistory& history, WalkFront& front)
       firstRows_.push_back(static_cast<std::uint32_t>(row));
       continue;
     }
-    const std::array<float, 2> weights = block.weights(parent);
-    front.start[row] = block.triangle(parent);
-    front.weightB[row] = weights[0];
-    front.weightC[row] = weights[1];
-    front.side[row] = block.isFront(parent) ? 1 : 0;
+    readHit(block, parent, front, row, front.start, front.side);
   }
 }
 
@@ -141,9 +143,9 @@ void StoredRays::findSpecular(
     before_.block[i] = front.block[specularRows_[i]];
     before_.slot[i] = front.parent[specularRows_[i]];
   }
-  const std::vector<std::uint32_t> firstRows = firstRows_; // of the front, not of those before
+  std::vector<std::uint32_t> firstRows = std::move(firstRows_); // of the front, not of those before
   find(tracer, history, before_, true);
-  firstRows_ = firstRows;
+  firstRows_ = std::move(firstRows);
   for (std::size_t i = 0; i < specularRows_.size(); ++i)
   {
     copyOrigin(before_, i, front, specularRows_[i]);

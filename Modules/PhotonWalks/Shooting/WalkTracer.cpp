@@ -25,19 +25,13 @@ void WalkTracer::cast(WalkFront& front, FrontCast& cast) const
   std::fill_n(front.distance.data(), front.size, kInfinity);
   std::fill_n(front.hit.data(), front.size, WalkFront::kNone);
   cast.cast(scene_, triangles_.surfaces(), raysOf(front));
-  for (std::size_t row = 0; hasContacts() && row < front.size; ++row)
-  {
-    resolveContact(front, row);
-  }
+  resolveContacts(front);
 }
 
 void WalkTracer::castDynamic(WalkFront& front, FrontCast& cast) const
 {
   cast.castDynamic(scene_, triangles_.surfaces(), raysOf(front));
-  for (std::size_t row = 0; hasContacts() && row < front.size; ++row)
-  {
-    resolveContact(front, row);
-  }
+  resolveContacts(front);
 }
 
 void WalkTracer::castMoved(WalkFront& front, FrontCast& cast) const
@@ -56,6 +50,14 @@ void WalkTracer::castMoved(WalkFront& front, FrontCast& cast) const
 void WalkTracer::findDistances(WalkFront& front, FrontCast& cast) const
 {
   cast.findDistances(scene_, triangles_.surfaces(), raysOf(front));
+}
+
+void WalkTracer::resolveContacts(WalkFront& front) const
+{
+  for (std::size_t row = 0; hasContacts() && row < front.size; ++row)
+  {
+    resolveContact(front, row);
+  }
 }
 
 void WalkTracer::resolveContact(WalkFront& front, std::size_t row) const

@@ -64,6 +64,7 @@ public:
   }
 
 private:
+  void resolveContacts(WalkFront& front) const;
   void resolveContact(WalkFront& front, std::size_t row) const;
 
   const Scene& scene_;

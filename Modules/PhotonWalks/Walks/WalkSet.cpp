@@ -205,6 +205,7 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
     repair.repair(*stale_, budget ? &*budget : nullptr, rest);
     statistics_.repairSeconds = budget ? budget->elapsed() : repairing.seconds();
   }
+  std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
   statistics_.invalidWalks = repair.figures().invalidWalks;
   statistics_.repairedSegments = repair.figures().repairedSegments;

@@ -2,8 +2,7 @@
 #ifndef irradiance_FrontPairs_h
 #define irradiance_FrontPairs_h
 
-#include "Kernels/FrontStages.h"
-#include "Simd/Column.h"
+#include "Scene/FrontDescent.h"
 
 #include <vector>
 
@@ -12,9 +11,9 @@ namespace irradiance
 
 /**
  * What rays may hit in a tree whose triangles, or bodies, are tested elsewhere: pairs of a ray and a
- * reference, found by the stages of FrontSearch.
+ * reference.
  *
- * Owns the memory of the stages, which is used again from call to call.
+ * Owns its memory, which is used again from call to call.
  */
 class FrontPairs final : private FrontTester
 {
@@ -26,18 +25,13 @@ public:
   const std::vector<Pair>& find(const TriangleTree& tree, const TreeRays& rays);
 
 private:
-  class OtherRays;
-
-  void search(const TriangleTree& tree, const TreeRays& rays);
   void test(std::uint32_t ray, std::uint32_t reference) override
   {
     pairs_.push_back({ ray, reference });
   }
 
   std::vector<Pair> pairs_;
-  Column<PreparedQuery> queries_;
-  Column<std::uint32_t> others_, candidate_;
-  Column<FurtherCandidate> further_;
+  FrontDescent descent_;
 };
 
 }
