@@ -69,8 +69,8 @@ public:
   {
     OneTree = 0,    ///< one tree over all triangles, rebuilt whenever something moves
     Sequential = 1, ///< the dynamic trees, then the static one up to the hit found
-    Parallel = 2    ///< static and dynamic trees by turns, each hit shortening the other searches;
-                    ///< with four objects or more the static tree, then the objects before its hit
+    Parallel = 2    ///< likewise, but beside many or flattened objects the static tree first, then
+                    ///< what is before its hit
   };
 
   /// From which photons the irradiance of a cell is estimated.

@@ -4,6 +4,7 @@
 
 #include "ByteReader.h"
 
+#include "../RayCasting/TestFronts.h"
 #include "../RayCasting/TestRays.h"
 #include "../RayCasting/TestScenes.h"
 #include "../RayCasting/TestSimdLevels.h"
@@ -158,6 +159,8 @@ void compareWithBruteForce(const test::NamedScene& scene, const std::vector<Ray>
   {
     moved[i] = chosen[i + 1] = true;
   }
+  SurfaceRecords records;
+  records.update(scene.still, scene.objects);
   std::vector<Hit> closest, closestMoved;
   for (const Ray& ray : rays)
   {
@@ -172,9 +175,10 @@ void compareWithBruteForce(const test::NamedScene& scene, const std::vector<Ray>
     for (const SimdLevel level : test::simdLevels())
     {
       const test::SimdLimit limit(level);
-      std::vector<Hit> hits(rays.size()), movedHits(rays.size());
+      std::vector<Hit> hits(rays.size());
       made.cast(rays.data(), rays.size(), hits.data());
-      made.castMoved(rays.data(), rays.size(), movedHits.data());
+      const std::vector<Hit> movedHits =
+        test::hitsOf(made, records, &FrontCast::castMoved, rays, std::vector<Hit>(rays.size()));
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         compare(scene, names[static_cast<int>(mode)], level, rays[i], hits[i], closest[i]);

@@ -10,7 +10,7 @@
 
 #include <cstring>
 
-// Law: the casts of a front find what those of Scene find, bit for bit.
+// Law: the casts of a front find what brute force finds, bit for bit.
 
 namespace irradiance
 {
@@ -50,7 +50,31 @@ RaySource raysAt(const NamedScene& named, const SurfaceRecords& records, unsigne
   return RaySource(triangles, seed, ids);
 }
 
-using CastFunction = void (FrontCast::*)(const Scene&, const SurfaceRecords&, const FrontRays&);
+using test::CastFunction;
+
+/// Without trees, the closest hits; if hits are given, those that stay the closest.
+std::vector<Hit> bruteForce(const NamedScene& named, const std::vector<Ray>& rays,
+  const std::vector<bool>& chosen, const std::vector<Hit>& given = {})
+{
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    hits.push_back(test::bruteForce(named, rays[i], chosen, given.empty() ? Hit{} : given[i]));
+  }
+  return hits;
+}
+
+std::vector<bool> allOf(const NamedScene& named)
+{
+  return std::vector<bool>(named.objects.size() + 1, true);
+}
+
+/// The number of rays that so many ray/triangle tests allow.
+int raysFor(const SurfaceRecords& records, int tests)
+{
+  constexpr int kLeast = 120, kMost = 8000;
+  return std::max(kLeast, std::min(kMost, tests / static_cast<int>(records.size())) / kFewer);
+}
 
 /// Casts the rays as fronts with these hits given; expects these others.
 void expectHits(const NamedScene& named, const Scene& scene, CastFunction function,
@@ -130,43 +154,41 @@ class FrontLaw : public testing::TestWithParam<NamedScene>
 {
 };
 
-TEST_P(FrontLaw, FindsWhatSceneFinds)
+TEST_P(FrontLaw, FindsWhatBruteForceFinds)
 {
   constexpr unsigned kSeed = 21;
-  constexpr int kRays = 8000 / kFewer;
   const SurfaceRecords records = recordsOf(GetParam());
   if (records.size() == 0)
   {
     return;
   }
+  const int count = raysFor(records, 500000);
   RaySource source = raysAt(GetParam(), records, kSeed);
-  const Scene scene = GetParam().scene(TraversalMode::Parallel);
   int hits = 0;
   for (const test::RayKind kind : kRayKinds)
   {
     std::vector<Ray> rays;
-    for (int i = 0; i < kRays; ++i)
+    for (int i = 0; i < count; ++i)
     {
       rays.push_back(test::asInFront(source.next(kind)));
     }
-    std::vector<Hit> expected(rays.size());
-    scene.cast(rays.data(), rays.size(), expected.data());
+    const std::vector<Hit> expected = bruteForce(GetParam(), rays, allOf(GetParam()));
     for (const Hit& hit : expected)
     {
       hits += hit ? 1 : 0;
     }
     expectHits(GetParam(), rays, std::vector<Hit>(rays.size()), expected, nameOf(kind));
   }
-  EXPECT_GT(hits, kRays);
+  EXPECT_GT(hits, count);
 }
 
 /// Rays of all kinds.
 std::vector<Ray> mixedRays(const NamedScene& named, const SurfaceRecords& records, unsigned seed)
 {
-  constexpr std::size_t kRays = 3000 / kFewer;
+  const auto count = static_cast<std::size_t>(raysFor(records, 1000000));
   RaySource source = raysAt(named, records, seed);
   std::vector<Ray> rays;
-  for (std::size_t i = 0; i < kRays; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     rays.push_back(test::asInFront(source.next(kRayKinds[i % kRayKinds.size()])));
   }
@@ -203,15 +225,17 @@ TEST_P(FrontLaw, KeepsCloserHits)
     return;
   }
   const std::vector<Ray> rays = mixedRays(GetParam(), records, 22);
-  for (const TraversalMode mode : { TraversalMode::Parallel, TraversalMode::OneTree })
+  for (const TraversalMode mode :
+    { TraversalMode::Parallel, TraversalMode::Sequential, TraversalMode::OneTree })
   {
     const Scene scene = GetParam().scene(mode);
     const std::vector<Hit> given = givenHits(scene, records, rays);
-    std::vector<Hit> expected = given;
-    scene.castDynamic(rays.data(), rays.size(), expected.data());
-    expectHits(GetParam(), scene, &FrontCast::castDynamic, rays, given, expected, "dynamic");
-    scene.castStatic(rays.data(), rays.size(), expected.data());
-    expectHits(GetParam(), scene, &FrontCast::cast, rays, given, expected,
+    std::vector<bool> dynamic = allOf(GetParam());
+    dynamic[0] = false;
+    expectHits(GetParam(), scene, &FrontCast::castDynamic, rays, given,
+      bruteForce(GetParam(), rays, dynamic, given), "dynamic");
+    expectHits(GetParam(), scene, &FrontCast::cast, rays, given,
+      bruteForce(GetParam(), rays, allOf(GetParam()), given),
       mode == TraversalMode::OneTree ? "one tree" : "with hits given");
   }
 }
@@ -224,18 +248,17 @@ TEST_P(FrontLaw, CastsToMovedObjects)
     return;
   }
   const std::vector<Ray> rays = mixedRays(GetParam(), records, 27);
-  std::vector<bool> moved(GetParam().objects.size());
+  std::vector<bool> moved(GetParam().objects.size()), chosen(moved.size() + 1);
   for (const std::size_t step : { 1, 2, 3 })
   {
     for (std::size_t i = 0; i < moved.size(); ++i)
     {
-      moved[i] = i % step == 0;
+      moved[i] = chosen[i + 1] = i % step == 0;
     }
     const Scene scene = GetParam().scene(TraversalMode::Parallel, moved);
     const std::vector<Hit> given = givenHits(scene, records, rays);
-    std::vector<Hit> expected = given;
-    scene.castMoved(rays.data(), rays.size(), expected.data());
-    expectHits(GetParam(), scene, &FrontCast::castMoved, rays, given, expected, "moved");
+    expectHits(GetParam(), scene, &FrontCast::castMoved, rays, given,
+      bruteForce(GetParam(), rays, chosen, given), "moved");
   }
 }
 
@@ -287,16 +310,14 @@ TEST(FrontCast, ManyTrianglesAtOneDistance)
   const SurfaceRecords records = recordsOf(scene);
   test::RandomVectors random(23);
   std::vector<Ray> rays;
-  std::vector<Hit> expected;
   for (int i = 0; i < 500; ++i)
   {
     const Ray ray{ Vector3(0.3, 0.3, 2) + 0.2 * random.inCube(), { 0, 0, -1 },
       records.numbers().idOf(static_cast<std::uint32_t>(i) % records.size()) };
     rays.push_back(
       test::asInFront({ ray.origin, ray.direction + 0.1 * random.inCube(), ray.start }));
-    expected.push_back(scene.scene(TraversalMode::Sequential).cast(rays.back()));
   }
-  expectHits(scene, rays, std::vector<Hit>(rays.size()), expected, "");
+  expectHits(scene, rays, std::vector<Hit>(rays.size()), bruteForce(scene, rays, allOf(scene)), "");
 }
 
 // A ray may begin so far away that the scene looks like a point.
@@ -314,9 +335,7 @@ TEST(FrontCast, CastsFromVeryFar)
       rays.push_back({ random.inCube() + distance * away, -away, {} });
     }
   }
-  std::vector<Hit> expected(rays.size());
-  scene.scene(TraversalMode::Parallel).cast(rays.data(), rays.size(), expected.data());
-  expectHits(scene, rays, std::vector<Hit>(rays.size()), expected, "");
+  expectHits(scene, rays, std::vector<Hit>(rays.size()), bruteForce(scene, rays, allOf(scene)), "");
 }
 
 // An object that is not there keeps its numbers.
@@ -334,9 +353,8 @@ TEST(FrontCast, WhatIsNotThereIsNotHit)
     ray.start = {};
     rays.push_back(ray);
   }
-  std::vector<Hit> expected(rays.size());
-  scene.scene(TraversalMode::Parallel).cast(rays.data(), rays.size(), expected.data());
-  expectHits(scene, rays, std::vector<Hit>(rays.size()), expected, "");
+  expectHits(scene, rays, std::vector<Hit>(rays.size()),
+    bruteForce(scene, rays, { true, true, false, true }), "");
 }
 
 }

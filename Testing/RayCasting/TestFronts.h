@@ -26,12 +26,13 @@ inline Ray asInFront(const Ray& ray)
     { roundedToFloat(unit[0]), roundedToFloat(unit[1]), roundedToFloat(unit[2]) }, ray.start };
 }
 
-/// Rays, whose directions must be floats, and their hits, as the columns of a front.
+/// Rays and their hits, as the columns of a front. Directions must be floats unless they stay exact.
 class TestFront
 {
 public:
-  explicit TestFront(const SurfaceRecords& records)
+  explicit TestFront(const SurfaceRecords& records, bool isExact = false)
     : records_(records)
+    , isExact_(isExact)
   {
   }
 
@@ -45,6 +46,7 @@ public:
     {
       origin_[axis].assign(room, none);
       direction_[axis].assign(room, static_cast<float>(none));
+      exactDirection_[axis].assign(room, none);
     }
     start_.assign(room, 0);
     distance_.assign(room, none);
@@ -57,6 +59,7 @@ public:
       {
         origin_[axis][i] = rays[i].origin[axis];
         direction_[axis][i] = static_cast<float>(rays[i].direction[axis]);
+        exactDirection_[axis][i] = rays[i].direction[axis];
       }
       start_[i] = records_.numbers().numberOf(rays[i].start);
       distance_[i] = hits[i].distance;
@@ -68,9 +71,15 @@ public:
 
   FrontRays columns()
   {
-    return { count_, { origin_[0].data(), origin_[1].data(), origin_[2].data() },
-      { direction_[0].data(), direction_[1].data(), direction_[2].data() }, start_.data(),
-      distance_.data(), hit_.data(), { weight_[0].data(), weight_[1].data() } };
+    FrontRays rays{ count_, { origin_[0].data(), origin_[1].data(), origin_[2].data() },
+      { nullptr, nullptr, nullptr }, start_.data(), distance_.data(), hit_.data(),
+      { weight_[0].data(), weight_[1].data() } };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rays.direction[axis] = isExact_ ? nullptr : direction_[axis].data();
+      rays.exactDirection[axis] = isExact_ ? exactDirection_[axis].data() : nullptr;
+    }
+    return rays;
   }
 
   Hit hit(std::size_t i) const
@@ -80,11 +89,36 @@ public:
 
 private:
   const SurfaceRecords& records_;
+  bool isExact_;
   std::uint32_t count_ = 0;
-  std::vector<double> origin_[3], distance_;
+  std::vector<double> origin_[3], exactDirection_[3], distance_;
   std::vector<float> direction_[3], weight_[2];
   std::vector<std::uint32_t> start_, hit_;
 };
+
+using CastFunction = void (FrontCast::*)(const Scene&, const FrontTriangles&, const FrontRays&);
+
+/// Casts rays of any direction with these hits given.
+inline std::vector<Hit> hitsOf(const Scene& scene, const SurfaceRecords& records,
+  CastFunction function, const std::vector<Ray>& rays, const std::vector<Hit>& given)
+{
+  TestFront front(records, true);
+  front.set(rays, given);
+  FrontCast cast;
+  (cast.*function)(scene, records, front.columns());
+  std::vector<Hit> found;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    found.push_back(front.hit(i));
+  }
+  return found;
+}
+
+inline Hit hitOf(const Scene& scene, const SurfaceRecords& records, CastFunction function,
+  const Ray& ray, const Hit& given)
+{
+  return hitsOf(scene, records, function, { ray }, { given })[0];
+}
 
 }
 

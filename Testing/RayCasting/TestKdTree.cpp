@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
-#include "SingleRays.h"
+#include "TestFronts.h"
 #include "TestMeshes.h"
 #include "TestRays.h"
 #include "TestSimdLevels.h"
@@ -113,35 +113,17 @@ TEST_P(KdTreeLaw, FindsWhatBruteForceFinds)
   EXPECT_GT(hits, numberOfRays());
 }
 
-// `from` may be any distance up to the hit.
-TEST_P(KdTreeLaw, MayStartAnywhereBeforeTheHit)
-{
-  constexpr unsigned kSeed = 2;
-  RaySource source(GetParam().triangles, kSeed);
-  for (const RayKind kind : kRayKinds)
-  {
-    for (int i = 0; i < numberOfRays() / 8; ++i)
-    {
-      const Ray ray = source.next(kind);
-      const Hit expected = bruteForce(body->mesh(), ray);
-      const double known = expected ? expected.distance : source.random().powerOfTwo(-10, 10);
-      for (const double from : { known, known * source.random().uniform(0, 1) })
-      {
-        const Hit found = test::castStatic(scene, ray, {}, from);
-        ASSERT_TRUE(haveSameBits(found, expected))
-          << nameOf(kind) << " ray " << i << " from " << from << describe(ray, expected, found);
-      }
-    }
-  }
-}
-
 // A known hit is replaced only by a closer one, or by one with a smaller number at a tie.
 TEST_P(KdTreeLaw, KeepsABetterHit)
 {
   constexpr unsigned kSeed = 3;
   RaySource source(GetParam().triangles, kSeed);
+  SurfaceRecords records;
+  records.update(body, {});
   for (const RayKind kind : kRayKinds)
   {
+    std::vector<Ray> rays;
+    std::vector<Hit> given, expected;
     for (int i = 0; i < numberOfRays() / 8; ++i)
     {
       const Ray ray = source.next(kind);
@@ -151,12 +133,17 @@ TEST_P(KdTreeLaw, KeepsABetterHit)
         { Hit{ distance, { 1, 0 } }, Hit{ distance * source.random().uniform(0.5, 2), { 1, 0 } },
           Hit{ std::nextafter(distance, 0.0), { 1, 0 } } })
       {
-        const Hit expected = isCloser(nearest, best) ? nearest : best;
-        const Hit found = test::castStatic(scene, ray, best);
-        ASSERT_TRUE(haveSameBits(found, expected))
-          << nameOf(kind) << " ray " << i << ' ' << describe(ray, nearest, {}) << "\n  found "
-          << exactly(found) << " with " << exactly(best);
+        rays.push_back(ray);
+        given.push_back(best);
+        expected.push_back(isCloser(nearest, best) ? nearest : best);
       }
+    }
+    const auto found = test::hitsOf(scene, records, &FrontCast::cast, rays, given);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      ASSERT_TRUE(haveSameBits(found[i], expected[i]))
+        << nameOf(kind) << " ray " << i << ' ' << exactly(rays[i]) << "\n  found "
+        << exactly(found[i]) << " with " << exactly(given[i]);
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
-#include "SingleRays.h"
+#include "TestFronts.h"
 #include "TestRays.h"
 #include "TestScenes.h"
 #include "TestSimdLevels.h"
@@ -31,6 +31,13 @@ constexpr TraversalMode kModes[] = { TraversalMode::OneTree, TraversalMode::Sequ
 bool haveSameBits(const Hit& a, const Hit& b)
 {
   return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id;
+}
+
+SurfaceRecords recordsOf(const NamedScene& scene)
+{
+  SurfaceRecords records;
+  records.update(scene.still, scene.objects);
+  return records;
 }
 
 class SceneLaw : public testing::TestWithParam<NamedScene>
@@ -130,27 +137,37 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
   }
   RaySource source = rays(kSeed);
   const Scene scene = GetParam().scene(TraversalMode::Sequential, moved, source.originBounds());
+  const SurfaceRecords records = recordsOf(GetParam());
+  const TriangleId first = records.numbers().idOf(0);
   int hits = 0;
   for (const RayKind kind : kRayKinds)
   {
+    std::vector<Ray> batch;
+    std::vector<Hit> given, inDynamic, inMoved;
     for (int i = 0; i < kRays; ++i)
     {
       const Ray ray = source.next(kind);
       const Hit all = bruteForceAll(ray);
       const Hit nearest = bruteForce(GetParam(), ray, chosen);
       // The last one is just behind the hit, so that a bound that is too tight is noticed.
-      for (const Hit& best : { Hit{}, all, Hit{ all ? 1.5 * all.distance : 1.0, { 0, 0 } },
-             Hit{ std::nextafter(nearest.distance, kInfinity), { 0, 0 } } })
+      for (const Hit& best : { Hit{}, all, Hit{ all ? 1.5 * all.distance : 1.0, first },
+             Hit{ std::nextafter(nearest.distance, kInfinity), first } })
       {
-        const std::string text = nameOf(kind) + (" ray " + std::to_string(i)) + ": " +
-          exactly(ray) + " with " + exactly(best);
-        const Hit inDynamic = bruteForce(GetParam(), ray, dynamic, best);
-        ASSERT_TRUE(haveSameBits(test::castDynamic(scene, ray, best), inDynamic)) << text;
-        const Hit inMoved = bruteForce(GetParam(), ray, chosen, best);
-        ASSERT_TRUE(haveSameBits(test::castMoved(scene, ray, best), inMoved)) << text;
-        const bool isCloser = inMoved != best;
-        hits += isCloser ? 1 : 0;
+        batch.push_back(ray);
+        given.push_back(best);
+        inDynamic.push_back(bruteForce(GetParam(), ray, dynamic, best));
+        inMoved.push_back(bruteForce(GetParam(), ray, chosen, best));
+        hits += inMoved.back() != best ? 1 : 0;
       }
+    }
+    const auto foundDynamic = test::hitsOf(scene, records, &FrontCast::castDynamic, batch, given);
+    const auto foundMoved = test::hitsOf(scene, records, &FrontCast::castMoved, batch, given);
+    for (std::size_t i = 0; i < batch.size(); ++i)
+    {
+      const std::string text = nameOf(kind) + (" ray " + std::to_string(i)) + ": " +
+        exactly(batch[i]) + " with " + exactly(given[i]);
+      ASSERT_TRUE(haveSameBits(foundDynamic[i], inDynamic[i])) << text;
+      ASSERT_TRUE(haveSameBits(foundMoved[i], inMoved[i])) << text;
     }
   }
   EXPECT_GT(hits, kRays / 4);
@@ -162,7 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Scene, WithoutMovedObjectsNothingIsHit)
 {
   const Scene scene = test::hardMaps().scene(TraversalMode::Parallel);
-  EXPECT_FALSE(test::castMoved(scene, { { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
+  EXPECT_FALSE(test::hitOf(scene, recordsOf(test::hardMaps()), &FrontCast::castMoved,
+    { { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
 }
 
 // The bounds of a body beyond the range of doubles are unknown. The bounds of the others must still count.
@@ -212,6 +230,34 @@ TEST(Scene, CastsFromVeryFar)
   }
 }
 
+// A direction may have any length, also such that floats cannot follow it.
+TEST(Scene, DirectionsHaveAnyLength)
+{
+  const NamedScene named = test::hardMaps();
+  const std::vector<bool> all(named.objects.size() + 1, true);
+  for (const TraversalMode mode : kModes)
+  {
+    const Scene scene = named.scene(mode);
+    RaySource source(named.still->mesh().triangles(), 8);
+    int hits = 0;
+    for (const double length : { 0x1p-200, 0x1p-61, 0x1p-59, 1e-3, 0x1p59, 0x1p61, 0x1p200 })
+    {
+      for (const RayKind kind : kRayKinds)
+      {
+        for (int i = 0; i < 60; ++i)
+        {
+          Ray ray = source.next(kind);
+          ray.direction *= length;
+          const Hit expected = bruteForce(named, ray, all);
+          hits += expected ? 1 : 0;
+          ASSERT_TRUE(haveSameBits(scene.cast(ray), expected)) << nameOf(kind) << exactly(ray);
+        }
+      }
+    }
+    EXPECT_GT(hits, 1000);
+  }
+}
+
 // Of two triangles at the same distance the one with the smaller number is hit, in all modes.
 TEST(Scene, BreaksTiesByObjectAndTriangle)
 {
@@ -225,11 +271,16 @@ TEST(Scene, BreaksTiesByObjectAndTriangle)
     for (const TraversalMode mode : kModes)
     {
       const Scene scene = both.scene(mode, { true, true });
+      const SurfaceRecords records = recordsOf(both);
+      const auto moved = [&](const Ray& ray, const Hit& given) {
+        return test::hitOf(scene, records, &FrontCast::castMoved, ray, given);
+      };
       Ray ray{ { 0.2, 0.3, 2 }, { 0, 0, -1 }, {} };
       EXPECT_EQ(scene.cast(ray), (Hit{ 2, { 0, 0 } }));
-      EXPECT_EQ(test::castDynamic(scene, ray, {}), (Hit{ 2, { 1, 0 } }));
-      EXPECT_EQ(test::castMoved(scene, ray, Hit{ 2, { 1, 1 } }), (Hit{ 2, { 1, 0 } }));
-      EXPECT_EQ(test::castMoved(scene, ray, Hit{ 2, { 0, 1 } }), (Hit{ 2, { 0, 1 } }));
+      EXPECT_EQ(
+        test::hitOf(scene, records, &FrontCast::castDynamic, ray, {}), (Hit{ 2, { 1, 0 } }));
+      EXPECT_EQ(moved(ray, Hit{ 2, { 1, 1 } }), (Hit{ 2, { 1, 0 } }));
+      EXPECT_EQ(moved(ray, Hit{ 2, { 0, 1 } }), (Hit{ 2, { 0, 1 } }));
       ray.start = { 0, 0 };
       EXPECT_EQ(scene.cast(ray), (Hit{ 2, { 0, 1 } }));
     }

@@ -63,10 +63,12 @@ inline Hit bruteForce(
     for (std::uint32_t i = 0; i < body.mesh().size(); ++i)
     {
       Hit hit{ 0, { object, i } };
-      if (sheared.intersects(body.mesh()[i], hit.distance) && hit.id != ray.start &&
+      Vector3 weights;
+      if (sheared.intersects(body.mesh()[i], hit.distance, &weights) && hit.id != ray.start &&
         isCloser(hit, best))
       {
         best = hit;
+        best.weights = { static_cast<float>(weights[1]), static_cast<float>(weights[2]) };
       }
     }
   }

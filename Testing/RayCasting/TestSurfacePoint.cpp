@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
-#include "SingleRays.h"
 #include "TestMeshes.h"
 #include "TestRays.h"
 
@@ -78,7 +77,7 @@ TEST_P(SpawnedRays, StayInAClosedMesh)
     SurfacePoint point = surfacePoint(body->mesh()[start.triangle], randomWeights(random));
     point.normal = -point.normal; // fronts are outside
     const Ray ray{ point.clearPosition(), randomDirection(point.normal, random), start };
-    const Hit hit = test::castStatic(scene, ray, {});
+    const Hit hit = scene.cast(ray);
     const bool isLeak = !hit;
     const bool isLoss = hit && scene.surfaceAt(ray.direction, hit).isFront; // hit from outside
     leaks += isLeak ? 1 : 0;

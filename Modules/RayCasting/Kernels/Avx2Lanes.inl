@@ -49,31 +49,6 @@ struct Avx2Lanes
       _mm_shuffle_epi8(place, _mm_load_si128(reinterpret_cast<const __m128i*>(order)));
     return static_cast<unsigned>(_mm_movemask_epi8(_mm_shuffle_epi8(bytes, places)));
   }
-
-  /// Three coordinates, the first of them twice.
-  using Triple = __m256d;
-
-  static Triple triple(double value) { return _mm256_set1_pd(value); }
-  /// Reads eight bytes beyond the vector.
-  static Triple load(const Vector3& vector)
-  {
-    return _mm256_permute4x64_pd(_mm256_loadu_pd(vector.data()), 0x24);
-  }
-  static Triple absolute(Triple x) { return _mm256_andnot_pd(triple(-0.0), x); }
-  static Triple least(Triple a, Triple b) { return _mm256_min_pd(a, b); }
-  static Triple most(Triple a, Triple b) { return _mm256_max_pd(a, b); }
-  static double leastOf(Triple x)
-  {
-    const __m128d two = _mm_min_pd(_mm256_castpd256_pd128(x), _mm256_extractf128_pd(x, 1));
-    return _mm_cvtsd_f64(_mm_min_sd(two, _mm_unpackhi_pd(two, two)));
-  }
-  static double mostOf(Triple x)
-  {
-    const __m128d two = _mm_max_pd(_mm256_castpd256_pd128(x), _mm256_extractf128_pd(x, 1));
-    return _mm_cvtsd_f64(_mm_max_sd(two, _mm_unpackhi_pd(two, two)));
-  }
-  static unsigned octantOf(Triple x) { return static_cast<unsigned>(_mm256_movemask_pd(x)) & 7u; }
-  static void storeFloats(float* floats, Triple x) { _mm_store_ps(floats, _mm256_cvtpd_ps(x)); }
 };
 
 }

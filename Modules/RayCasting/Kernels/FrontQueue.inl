@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: each kernel includes it once, after WideQuery.inl.
+// No include guard: a part of WideQuery.inl.
 
 namespace irradiance
 {
 namespace
 {
 
-/// Searches that PrepareLanes has prepared: see RequestQueue.
-template <class Lanes>
+/// The searches that PrepareLanes has prepared, one after the other, and where they leave what they find.
 class FrontQueue
 {
 public:
-  static constexpr bool kSharesLimits = false;
-
   explicit FrontQueue(FrontSearches& front)
     : front_(front)
   {
-    common_.tree = front.tree;
-    common_.setMargins(0);
-    common_.isForFloats = true;
-    common_.isShared = false;
+    common_.setTree(*front.tree);
   }
 
+  /// The next search; false if there is none.
   __attribute__((always_inline)) bool next(TreeQuery& query)
   {
     if (next_ == front_.count)
@@ -38,6 +33,7 @@ public:
     query.limit = prepared.limit;
     query.pad = prepared.pad;
     query.slack = common_.slack;
+    // Half a pad for the entry of a box, two for its order; see Documentation/Theory.md.
     query.margin = common_.slack + 3 * prepared.pad;
     query.edgeBlur = common_.edgeBlur;
     query.leastBlur = common_.leastBlur;
@@ -47,7 +43,7 @@ public:
     query.behindSign = __builtin_copysignf(0.0F, prepared.direction[prepared.behindAxis]);
     query.octant = signOf(prepared.direction[0]) | signOf(prepared.direction[1]) << 1 |
       signOf(prepared.direction[2]) << 2;
-    query.job = prepared.ray;
+    query.ray = prepared.ray;
     return true;
   }
 
@@ -58,17 +54,20 @@ public:
     {
       return;
     }
-    front_.candidate[query.job] = references[0];
+    front_.candidate[query.ray] = references[0];
     const char* const row = front_.rows + references[0] * front_.rowBytes;
     prefetchLine(row);
     prefetchLine(row + front_.cornerBytes - 1);
     if (__builtin_expect(count > 1, 0))
     {
-      addFurther(query.job, references, count);
+      addFurther(query.ray, references, count);
     }
   }
 
-  void test(TreeQuery& query, std::uint32_t reference) { front_.tester.test(query.job, reference); }
+  void test(const TreeQuery& query, std::uint32_t reference)
+  {
+    front_.tester.test(query.ray, reference);
+  }
 
 private:
   __attribute__((always_inline)) static unsigned signOf(float x)

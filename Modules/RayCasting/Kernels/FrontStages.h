@@ -8,7 +8,7 @@
 namespace irradiance
 {
 
-/// Tests triangles at once, in double: few, where there is no room for more candidates.
+/// Tests triangles at once, in double: few, where there is no room for more candidates or floats do not serve.
 class FrontTester
 {
 public:
@@ -54,6 +54,9 @@ struct CornerRows
 std::uint32_t pickFront(const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
 void prepareFront(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
 void searchFront(FrontSearches& searches);
+/// Searches for one of the rays that floats cannot follow, all in double. The tree must not be empty.
+void searchExactly(
+  const TriangleTree& tree, const TreeRays& rays, std::uint32_t ray, FrontTester& tester);
 /// Tests the triangle `candidate[i]`, unless it is kNone, for each ray i, and keeps the closer hits.
 void confirmFront(const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners);
 

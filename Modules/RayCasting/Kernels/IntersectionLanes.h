@@ -3,7 +3,6 @@
 #define irradiance_IntersectionLanes_h
 
 #include "Geometry/TriangleIntersection.h"
-#include "Geometry/VectorLanes.h"
 
 #include <cmath>
 #include <limits>
@@ -16,8 +15,16 @@ struct IntersectionLanes
 {
   static constexpr unsigned kSize = 8;
 
-  struct Points : VectorLanes<kSize>
+  struct alignas(64) Points
   {
+    double x[kSize] = {}, y[kSize] = {}, z[kSize] = {};
+
+    void set(unsigned lane, const Vector3& point)
+    {
+      x[lane] = point[0];
+      y[lane] = point[1];
+      z[lane] = point[2];
+    }
     /// In the order of RayAxes.
     __attribute__((always_inline)) Intersection::Point ordered(
       unsigned lane, int axis, bool isFlipped) const

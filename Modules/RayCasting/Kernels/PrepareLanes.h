@@ -6,6 +6,7 @@
 #include "Kernels/TreeQuery.h"
 #include "Kernels/TreeRays.h"
 #include "Simd/Transpose4.h"
+#include "Trees/KdBounds.h"
 
 #include <cstddef>
 
@@ -17,14 +18,14 @@ struct PreparedQueries
 {
   PreparedQuery* queries; ///< room for TreeRays::roomFor(count)
   std::uint32_t count;
-  std::uint32_t* others; ///< rays that must be prepared in double, or searched so; as much room
+  std::uint32_t* others; ///< rays that floats cannot follow, for searchExactly(); as much room
   std::uint32_t otherCount;
 };
 
 /**
  * Prepares searches of 16 rays side by side. It is in double until a ray begins near the tree's box;
- * from there on numbers are about 1, and floats are as good as in prepare(), which does all of it in
- * double. Documentation/Theory.md, section 3, shows that no ray begins too late.
+ * from there on numbers are about 1, and floats do. Documentation/Theory.md, section 3, shows that no ray
+ * begins too late.
  */
 template <class Real>
 struct PrepareLanes
@@ -144,7 +145,7 @@ struct PrepareLanes
   }
 
 private:
-  /// As TreeQuery::setBehind(). Returns the axis.
+  /// Sets what is behind the ray that leaves this plane, if any; returns the axis.
   __attribute__((always_inline)) std::int32_t setBehind(unsigned lane, const AxisPlane* plane)
   {
     if (!plane)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "Kernels/BallLanes.h"
 #include "Kernels/ConfirmLanes.h"
 #include "Kernels/FrontStages.h"
 #include "Kernels/IntersectionLanes.h"
@@ -18,18 +17,11 @@
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
 
 #include "Kernels/Avx2Lanes.inl"
-#include "Kernels/WideQuery.inl"
-
-#include "Kernels/FrontQueue.inl"
 #include "Kernels/FrontStages.inl"
+#include "Kernels/WideQuery.inl"
 
 namespace irradiance
 {
-
-void runQueriesAvx2(QuerySource& source)
-{
-  runSource<Avx2Lanes, Avx2Lanes>(source);
-}
 
 std::uint32_t pickFrontAvx2(
   const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
@@ -44,8 +36,7 @@ void prepareFrontAvx2(const TriangleTree& tree, const TreeRays& rays, PreparedQu
 
 void searchFrontAvx2(FrontSearches& searches)
 {
-  FrontQueue<Avx2Lanes> queue(searches);
-  runQueue<Avx2Lanes, Avx2Lanes>(queue);
+  runSearches<Avx2Lanes, Avx2Lanes>(searches);
 }
 
 void confirmFrontAvx2(
@@ -57,11 +48,6 @@ void confirmFrontAvx2(
 void intersectAllAvx2(IntersectionLanes& lanes)
 {
   lanes.intersect();
-}
-
-unsigned passingOfAvx2(const BallLanes& lanes, const Ball& ball)
-{
-  return lanes.passing(ball);
 }
 
 }

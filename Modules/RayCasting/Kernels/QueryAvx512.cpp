@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "Kernels/BallLanes.h"
 #include "Kernels/ConfirmLanes.h"
 #include "Kernels/FrontStages.h"
 #include "Kernels/IntersectionLanes.h"
@@ -18,10 +17,8 @@
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
 
 #include "Kernels/Avx2Lanes.inl"
-#include "Kernels/WideQuery.inl"
-
-#include "Kernels/FrontQueue.inl"
 #include "Kernels/FrontStages.inl"
+#include "Kernels/WideQuery.inl"
 
 namespace irradiance
 {
@@ -55,11 +52,6 @@ struct Avx512Boxes
 
 }
 
-void runQueriesAvx512(QuerySource& source)
-{
-  runSource<Avx512Boxes, Avx2Lanes>(source);
-}
-
 std::uint32_t pickFrontAvx512(
   const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
 {
@@ -73,8 +65,7 @@ void prepareFrontAvx512(const TriangleTree& tree, const TreeRays& rays, Prepared
 
 void searchFrontAvx512(FrontSearches& searches)
 {
-  FrontQueue<Avx2Lanes> queue(searches);
-  runQueue<Avx512Boxes, Avx2Lanes>(queue);
+  runSearches<Avx512Boxes, Avx2Lanes>(searches);
 }
 
 void confirmFrontAvx512(
@@ -86,11 +77,6 @@ void confirmFrontAvx512(
 void intersectAllAvx512(IntersectionLanes& lanes)
 {
   lanes.intersect();
-}
-
-unsigned passingOfAvx512(const BallLanes& lanes, const Ball& ball)
-{
-  return lanes.passing(ball);
 }
 
 }

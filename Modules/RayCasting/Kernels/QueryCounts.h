@@ -10,15 +10,13 @@ namespace irradiance
 /// What searches did, in numbers.
 struct QueryCounts
 {
-  std::uint64_t treelets = 0;  ///< entered
-  std::uint64_t blocks = 0;    ///< of eight triangles, tested in float
-  std::uint64_t triangles = 0; ///< tested in double
+  std::uint64_t treelets = 0; ///< entered
+  std::uint64_t blocks = 0;   ///< of eight triangles, tested in float
 
   QueryCounts& operator+=(const QueryCounts& other)
   {
     treelets += other.treelets;
     blocks += other.blocks;
-    triangles += other.triangles;
     return *this;
   }
 };

@@ -10,10 +10,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "Kernels/WideQuery.inl"
-
-#include "Kernels/FrontQueue.inl"
 #include "Kernels/FrontStages.inl"
+#include "Kernels/WideQuery.inl"
 
 namespace irradiance
 {
@@ -70,34 +68,8 @@ struct PlainLanes
     }
     return places;
   }
-
-  using Triple = Eigen::Array3d;
-
-  static Triple triple(double value) { return Triple::Constant(value); }
-  static Triple load(const Vector3& vector) { return vector.array(); }
-  static Triple absolute(const Triple& x) { return x.abs(); }
-  static Triple least(const Triple& a, const Triple& b) { return a.min(b); }
-  static Triple most(const Triple& a, const Triple& b) { return a.max(b); }
-  static double leastOf(const Triple& x) { return x.minCoeff(); }
-  static double mostOf(const Triple& x) { return x.maxCoeff(); }
-  static unsigned octantOf(const Triple& x)
-  {
-    return (x[0] < 0 ? 1u : 0u) | (x[1] < 0 ? 2u : 0u) | (x[2] < 0 ? 4u : 0u);
-  }
-  static void storeFloats(float* floats, const Triple& x)
-  {
-    floats[0] = static_cast<float>(x[0]);
-    floats[1] = static_cast<float>(x[1]);
-    floats[2] = static_cast<float>(x[2]);
-    floats[3] = 0;
-  }
 };
 
-}
-
-void runQueriesPlain(QuerySource& source)
-{
-  runSource<PlainLanes, PlainLanes>(source);
 }
 
 std::uint32_t pickFrontPlain(
@@ -113,8 +85,7 @@ void prepareFrontPlain(const TriangleTree& tree, const TreeRays& rays, PreparedQ
 
 void searchFrontPlain(FrontSearches& searches)
 {
-  FrontQueue<PlainLanes> queue(searches);
-  runQueue<PlainLanes, PlainLanes>(queue);
+  runSearches<PlainLanes, PlainLanes>(searches);
 }
 
 void confirmFrontPlain(

@@ -2,6 +2,8 @@
 #ifndef irradiance_TreeRays_h
 #define irradiance_TreeRays_h
 
+#include "Geometry/Vector.h"
+
 #include <cstdint>
 
 namespace irradiance
@@ -53,6 +55,19 @@ struct TreeRays
     }
   }
 };
+
+inline Vector3 originOf(const TreeRays& rays, std::uint32_t ray)
+{
+  return { rays.origin[0][ray], rays.origin[1][ray], rays.origin[2][ray] };
+}
+
+inline Vector3 directionOf(const TreeRays& rays, std::uint32_t ray)
+{
+  return rays.direction[0]
+    ? Vector3(rays.direction[0][ray], rays.direction[1][ray], rays.direction[2][ray])
+    : Vector3(
+        rays.exactDirection[0][ray], rays.exactDirection[1][ray], rays.exactDirection[2][ray]);
+}
 
 }
 

@@ -1,88 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No include guard: each kernel includes it once, between the marks of its target, after
 // "Kernels/TreeQuery.h" and the other headers it uses. Kernels name their lanes twice: `Boxes` for
-// the boxes of a treelet, `Lanes` for triangles and for single rays.
+// the boxes of a treelet, `Lanes` for triangles.
 
+#include "Kernels/FrontQueue.inl"
 #include "Kernels/WideBlock.inl"
-#include "Kernels/WidePrepare.inl"
 
 namespace irradiance
 {
 namespace
 {
-
-/// Searches that a QuerySource asks for, several at a time. WideSearch takes them from here, or from
-/// another class with these functions (FrontQueue), which are then no virtual calls.
-template <class Lanes>
-class RequestQueue
-{
-public:
-  /// Whether the searches of a ray tell each other of lower limits.
-  static constexpr bool kSharesLimits = true;
-
-  explicit RequestQueue(QuerySource& source)
-    : source_(source)
-  {
-  }
-
-  /// The next search that floats can follow; false if there is none. Runs those that they cannot on
-  /// the way.
-  __attribute__((always_inline)) bool next(TreeQuery& query)
-  {
-    if (!take(query))
-    {
-      return false;
-    }
-    if (query.isShared)
-    {
-      source_.begin(query);
-    }
-    return true;
-  }
-  __attribute__((always_inline)) void finish(
-    const TreeQuery& query, const std::uint32_t* references, unsigned count)
-  {
-    source_.finish(query, references, count);
-  }
-  __attribute__((always_inline)) void test(TreeQuery& query, std::uint32_t reference)
-  {
-    source_.test(query, reference);
-  }
-  __attribute__((always_inline)) void narrow(const TreeQuery& query) { source_.narrow(query); }
-
-private:
-  static constexpr std::size_t kMost = 16;
-
-  bool take(TreeQuery& query)
-  {
-    for (;;)
-    {
-      if (next_ == count_)
-      {
-        next_ = 0;
-        count_ = source_.next(requests_, kMost);
-        if (count_ == 0)
-        {
-          return false;
-        }
-      }
-      const QueryRequest& request = requests_[next_++];
-      if (request.tree->isEmpty() || !prepare<Lanes>(request, query))
-      {
-        continue;
-      }
-      if (query.isForFloats)
-      {
-        return true;
-      }
-      runQueryExact(source_, request);
-    }
-  }
-
-  QuerySource& source_;
-  std::size_t next_ = 0, count_ = 0;
-  QueryRequest requests_[kMost];
-};
 
 /// Offsets, in the bounds of a treelet, of the faces at which a ray enters and leaves boxes.
 struct BoxFaces
@@ -137,7 +64,7 @@ inline unsigned enter(
 
 /// A running search. Its steps are inlined even if the compiler would rather not: calls cost a tenth of a
 /// frame's shooting.
-template <class Boxes, class Lanes, class Queue, bool isCounted>
+template <class Boxes, class Lanes, bool isCounted>
 struct WideSearch
 {
   /// The children of a treelet that are still to be searched.
@@ -158,7 +85,7 @@ struct WideSearch
   Left stack[KdTree::kMaxDepth + 3];
 
   /// Takes the next search; false if there is none.
-  __attribute__((always_inline)) bool start(Queue& queue)
+  __attribute__((always_inline)) bool start(FrontQueue& queue)
   {
     if (!queue.next(query))
     {
@@ -174,7 +101,7 @@ struct WideSearch
   }
 
   /// Searches one treelet or leaf; false at the end.
-  __attribute__((always_inline)) bool step(Queue& queue)
+  __attribute__((always_inline)) bool step(FrontQueue& queue)
   {
     if ((child & Treelet::kLeaf) == 0)
     {
@@ -204,7 +131,7 @@ private:
   /// Continues with the nearest child that is left in the top of the stack, at `depth`; false if the
   /// search ends before it.
   __attribute__((always_inline)) bool descend(
-    Queue& queue, Left& top, const Treelet* treelet, unsigned lanes)
+    FrontQueue& queue, Left& top, const Treelet* treelet, unsigned lanes)
   {
     if (lanes == 0)
     {
@@ -238,7 +165,7 @@ private:
     }
   }
 
-  __attribute__((always_inline)) void testLeaf(Queue& queue, const TriangleBlock* block)
+  __attribute__((always_inline)) void testLeaf(FrontQueue& queue, const TriangleBlock* block)
   {
     for (bool hasMore = true; hasMore; ++block)
     {
@@ -259,7 +186,7 @@ private:
     }
   }
 
-  void testAll(Queue& queue, const TriangleBlock& block, unsigned found)
+  void testAll(FrontQueue& queue, const TriangleBlock& block, unsigned found)
   {
     for (; found != 0; found &= found - 1)
     {
@@ -268,7 +195,7 @@ private:
   }
 
   void take(
-    Queue& queue, const TriangleBlock& block, unsigned first, const BlockResult<Lanes>& result)
+    FrontQueue& queue, const TriangleBlock& block, unsigned first, const BlockResult<Lanes>& result)
   {
     alignas(32) float distances[Lanes::kCount], sizes[Lanes::kCount], blurs[Lanes::kCount];
     Lanes::store(distances, result.distance);
@@ -286,29 +213,19 @@ private:
       candidates.sizes[candidates.count++] = sizes[lane] + blurs[lane];
       if ((result.certain >> lane & 1) != 0)
       {
-        lower((distances[lane] + blurs[lane]) / (sizes[lane] - blurs[lane]), queue);
+        lower((distances[lane] + blurs[lane]) / (sizes[lane] - blurs[lane]));
       }
     }
   }
 
   /// Lowers the limit: something is hit at this distance or before.
-  void lower(float distance, Queue& queue)
+  void lower(float distance)
   {
     const float limit = distance * (1 + 0x1p-20F) + query.margin;
-    if (limit < query.limit)
-    {
-      query.limit = limit;
-      if constexpr (Queue::kSharesLimits)
-      {
-        if (query.isShared)
-        {
-          queue.narrow(query);
-        }
-      }
-    }
+    query.limit = limit < query.limit ? limit : query.limit;
   }
 
-  void makeRoom(Queue& queue)
+  void makeRoom(FrontQueue& queue)
   {
     candidates.sift(query.limit);
     for (; candidates.count == Candidates::kMost; candidates.count = 0)
@@ -321,7 +238,7 @@ private:
   }
 
   /// Ends the search and hands over its candidates.
-  bool finish(Queue& queue)
+  bool finish(FrontQueue& queue)
   {
     if (candidates.count > 1)
     {
@@ -334,11 +251,11 @@ private:
 
 /// Runs several searches in turns: while one waits for memory, or for the result of a long chain of
 /// operations, the others compute.
-template <class Boxes, class Lanes, class Queue, bool isCounted>
-void runInTurns(Queue& queue)
+template <class Boxes, class Lanes, bool isCounted>
+void runInTurns(FrontQueue& queue)
 {
   constexpr unsigned kSearches = 4;
-  WideSearch<Boxes, Lanes, Queue, isCounted> searches[kSearches];
+  WideSearch<Boxes, Lanes, isCounted> searches[kSearches];
   unsigned running = 0;
   while (running < kSearches && searches[running].start(queue))
   {
@@ -369,26 +286,19 @@ void runInTurns(Queue& queue)
   }
 }
 
-/// Counts if this thread's searches are counted.
-template <class Boxes, class Lanes, class Queue>
-void runQueue(Queue& queue)
+/// Runs all searches. Counts if this thread's searches are counted.
+template <class Boxes, class Lanes>
+void runSearches(FrontSearches& searches)
 {
+  FrontQueue queue(searches);
 #ifdef VTKIRRADIANCE_COUNT_QUERIES
   if (queryCounts())
   {
-    runInTurns<Boxes, Lanes, Queue, true>(queue);
+    runInTurns<Boxes, Lanes, true>(queue);
     return;
   }
 #endif
-  runInTurns<Boxes, Lanes, Queue, false>(queue);
-}
-
-/// Runs all searches of a source.
-template <class Boxes, class Lanes>
-void runSource(QuerySource& source)
-{
-  RequestQueue<Lanes> queue(source);
-  runQueue<Boxes, Lanes>(queue);
+  runInTurns<Boxes, Lanes, false>(queue);
 }
 
 }

@@ -16,14 +16,15 @@ namespace
 TreeRays inWorld(const FrontRays& rays, std::uint32_t triangles)
 {
   return { rays.count, { rays.origin[0], rays.origin[1], rays.origin[2] },
-    { rays.direction[0], rays.direction[1], rays.direction[2] }, { nullptr, nullptr, nullptr },
-    rays.start, 0, triangles, rays.distance, rays.hit, { rays.weight[0], rays.weight[1] } };
+    { rays.direction[0], rays.direction[1], rays.direction[2] },
+    { rays.exactDirection[0], rays.exactDirection[1], rays.exactDirection[2] }, rays.start, 0,
+    triangles, rays.distance, rays.hit, { rays.weight[0], rays.weight[1] } };
 }
 
 Ray rayOf(const FrontRays& rays, std::uint32_t ray)
 {
-  return { { rays.origin[0][ray], rays.origin[1][ray], rays.origin[2][ray] },
-    { rays.direction[0][ray], rays.direction[1][ray], rays.direction[2][ray] }, {} };
+  const TreeRays world = inWorld(rays, 0);
+  return { originOf(world, ray), directionOf(world, ray), {} };
 }
 
 /// Documentation/Theory.md, section 3, derives the constants.
@@ -51,89 +52,130 @@ EllipsoidFilter filterOf(const EllipsoidBound& bound)
   return filter;
 }
 
-CornerRows rowsOf(const SurfaceRecords& records)
-{
-  return { records.rows()->a, sizeof(SurfaceRecord) / sizeof(double) };
-}
-
 CornerRows rowsOf(const TriangleMesh& mesh)
 {
   static_assert(sizeof(Triangle) == 9 * sizeof(double));
-  return { mesh.triangles().data()->a.data(), 9 };
+  return { reinterpret_cast<const double*>(mesh.triangles().data()), 9 };
 }
 
 }
 
-void FrontCast::cast(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+FrontTriangles::FrontTriangles(const SurfaceRecords& records)
+  : numbers(records.numbers())
+  , corners{ records.rows()->a, sizeof(SurfaceRecord) / sizeof(double) }
+{
+}
+
+FrontTriangles::FrontTriangles(const TriangleNumbers& all, const TriangleMesh& still)
+  : numbers(all)
+  , corners(rowsOf(still))
+{
+}
+
+void FrontCast::cast(const Scene& scene, const Ray* rays, std::size_t count, Hit* hits)
+{
+  constexpr std::size_t kTogether = 1024;
+  for (std::size_t first = 0; first < count; first += kTogether)
+  {
+    castSome(scene, rays + first, static_cast<std::uint32_t>(std::min(count - first, kTogether)),
+      hits + first);
+  }
+}
+
+void FrontCast::castSome(const Scene& scene, const Ray* rays, std::uint32_t count, Hit* hits)
+{
+  const TriangleNumbers& numbers = scene.numbers_;
+  own_.need(TreeRays::roomFor(count));
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      own_.origin[axis][i] = rays[i].origin[axis];
+      own_.direction[axis][i] = rays[i].direction[axis];
+    }
+    own_.start[i] = numbers.numberOf(rays[i].start);
+    own_.distance[i] = kInfinity;
+    own_.hit[i] = TreeRays::kNone;
+    own_.weight[0][i] = own_.weight[1][i] = 0;
+  }
+  const TreeRays own = own_.columns(count, 0, 0);
+  cast(scene, { numbers, scene.static_->mesh() },
+    { count, { own.origin[0], own.origin[1], own.origin[2] }, { nullptr, nullptr, nullptr },
+      own.start, own.distance, own.hit, { own.weight[0], own.weight[1] },
+      { own.exactDirection[0], own.exactDirection[1], own.exactDirection[2] } });
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    hits[i] = { own.distance[i], numbers.idOf(own.hit[i]), { own.weight[0][i], own.weight[1][i] } };
+  }
+}
+
+void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
   if (scene.mode_ == TraversalMode::OneTree && !scene.placed_.empty())
   {
-    return castMixed(scene, scene.oneTree_, records, rays);
+    return castMixed(scene, scene.oneTree_, triangles, rays);
   }
   // Once a static hit is known, few of many bodies are before it.
-  const bool isStaticFirst = scene.dynamic_.flattened || areMany(scene.dynamic_);
+  const bool isStaticFirst = scene.mode_ == TraversalMode::Parallel &&
+    (scene.dynamic_.flattened || !scene.dynamic_.bodies.isEmpty());
   if (isStaticFirst)
   {
-    castStatic(scene, records, rays);
+    castStatic(scene, triangles, rays);
   }
-  castDynamic(scene, records, rays);
+  castDynamic(scene, triangles, rays);
   if (!isStaticFirst)
   {
-    castStatic(scene, records, rays);
+    castStatic(scene, triangles, rays);
   }
 }
 
 void FrontCast::castDynamic(
-  const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
-  castGroup(scene, scene.dynamic_, records, rays);
+  castGroup(scene, scene.dynamic_, triangles, rays);
 }
 
-void FrontCast::castMoved(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+void FrontCast::castMoved(
+  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
-  castGroup(scene, scene.moved_, records, rays);
+  castGroup(scene, scene.moved_, triangles, rays);
 }
 
 void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
-  const SurfaceRecords& records, const FrontRays& rays)
+  const FrontTriangles& triangles, const FrontRays& rays)
 {
   if (group.flattened)
   {
-    castMixed(scene, *group.flattened, records, rays);
+    castMixed(scene, *group.flattened, triangles, rays);
   }
-  if (areMany(group))
+  if (!group.bodies.isEmpty())
   {
-    return castBodies(scene, group, records, rays);
+    return castBodies(scene, group, triangles, rays);
   }
   for (const std::uint32_t index : group.instanced)
   {
-    castBody(scene, index, records, rays);
+    castBody(scene, index, triangles, rays);
   }
 }
 
-bool FrontCast::areMany(const Scene::Group& group)
+void FrontCast::castStatic(
+  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
-  return group.instanced.size() > kFewBodies && !group.bodies.isEmpty();
-}
-
-void FrontCast::castStatic(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
-{
-  const auto triangles = static_cast<std::uint32_t>(scene.static_->mesh().size());
-  if (triangles == 0)
+  const auto count = static_cast<std::uint32_t>(scene.static_->mesh().size());
+  if (count > 0)
   {
-    return;
+    search_.run(*scene.static_, inWorld(rays, count), triangles.corners);
   }
-  search_.run(*scene.static_, inWorld(rays, triangles), rowsOf(records));
 }
 
 void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
-  const SurfaceRecords& records, const FrontRays& rays)
+  const FrontTriangles& triangles, const FrontRays& rays)
 {
   StageClock clock;
   start_.need(TreeRays::roomFor(rays.count));
   for (std::uint32_t ray = 0; ray < rays.count; ++ray)
   {
-    start_[ray] = mixed.referenceTo(records.numbers().idOf(rays.start[ray]));
+    start_[ray] = mixed.referenceTo(triangles.numbers.idOf(rays.start[ray]));
   }
   TreeRays world = inWorld(rays, static_cast<std::uint32_t>(mixed.ids.size()));
   world.start = start_.data();
@@ -142,24 +184,31 @@ void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
   for (const auto& [ray, reference] : pairs_.find(mixed.tree, world))
   {
     const TriangleId& id = mixed.ids[reference];
-    addTest(scene, ray, records.numbers().numberOf(id), id);
+    addTest(scene, ray, triangles.numbers.numberOf(id), id);
   }
-  runTests(scene, records, rays);
+  runTests(scene, triangles, rays);
 }
 
 void FrontCast::castBody(
-  const Scene& scene, std::uint32_t index, const SurfaceRecords& records, const FrontRays& rays)
+  const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const FrontRays& rays)
 {
   StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
-  const EllipsoidFilter filter = filterOf(scene.placed_[index].bound);
-  const std::uint32_t count = pickFront(inWorld(rays, 0), filter, local_.ray.data());
+  std::uint32_t count = 0;
+  if (rays.direction[0])
+  {
+    count = pickFront(inWorld(rays, 0), filterOf(scene.placed_[index].bound), local_.ray.data());
+  }
+  for (std::uint32_t ray = 0; !rays.direction[0] && ray < rays.count; ++ray)
+  {
+    count = pick(scene, index, rays, ray, count);
+  }
   clock.ends(Stage::PreTest);
-  castPicked(scene, index, records, rays, count);
+  castPicked(scene, index, triangles, rays, count);
 }
 
 void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
-  const SurfaceRecords& records, const FrontRays& rays)
+  const FrontTriangles& triangles, const FrontRays& rays)
 {
   const auto bodies = static_cast<std::uint32_t>(group.instanced.size());
   const std::vector<FrontPairs::Pair>& pairs = pairs_.find(group.bodies, inWorld(rays, 0));
@@ -170,20 +219,25 @@ void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
   {
     const std::uint32_t index = group.instanced[body];
     std::uint32_t count = 0;
-    raysOfBodies_.forEach(body, [&](std::uint32_t ray) {
-      if (scene.mayTouch(scene.placed_[index], rayOf(rays, ray), rays.distance[ray]))
-      {
-        local_.ray[count++] = ray;
-      }
-    });
+    raysOfBodies_.forEach(
+      body, [&](std::uint32_t ray) { count = pick(scene, index, rays, ray, count); });
     clock.ends(Stage::PreTest);
-    castPicked(scene, index, records, rays, count);
+    castPicked(scene, index, triangles, rays, count);
     clock = {};
   }
 }
 
+/// Adds the ray to `local_.ray`, which holds so many, if it may touch the body; returns how many it holds.
+std::uint32_t FrontCast::pick(const Scene& scene, std::uint32_t index, const FrontRays& rays,
+  std::uint32_t ray, std::uint32_t count)
+{
+  local_.ray[count] = ray;
+  return count +
+    (scene.mayTouch(scene.placed_[index], rayOf(rays, ray), rays.distance[ray]) ? 1 : 0);
+}
+
 /// Casts the rays in `local_.ray`, so many, to a body.
-void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const SurfaceRecords& records,
+void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
   const FrontRays& rays, std::uint32_t count)
 {
   if (count == 0)
@@ -196,7 +250,7 @@ void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const Surfac
   clock.ends(Stage::PreTest);
   const TriangleMesh& mesh = scene.meshOf(object);
   search_.run(scene.bodyOf(object),
-    local_.columns(count, records.numbers().first(object), static_cast<std::uint32_t>(mesh.size())),
+    local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
     rowsOf(mesh));
   giveBack(rays, count);
 }
@@ -236,10 +290,10 @@ void FrontCast::giveBack(const FrontRays& rays, std::uint32_t count)
 }
 
 void FrontCast::findDistances(
-  const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
   StageClock clock;
-  const auto triangles = static_cast<std::uint32_t>(scene.static_->mesh().size());
+  const auto statics = static_cast<std::uint32_t>(scene.static_->mesh().size());
   const std::uint32_t room = TreeRays::roomFor(rays.count);
   candidate_.need(room);
   std::fill_n(candidate_.data() + rays.count, room - rays.count, TreeRays::kNone);
@@ -248,19 +302,19 @@ void FrontCast::findDistances(
   for (std::uint32_t ray = 0; ray < rays.count; ++ray)
   {
     const std::uint32_t hit = rays.hit[ray];
-    const bool isStatic = hit < triangles;
+    const bool isStatic = hit < statics;
     candidate_[ray] = isStatic ? hit : TreeRays::kNone;
     if (!isStatic && hit != TreeRays::kNone)
     {
-      addTest(scene, ray, hit, records.numbers().idOf(hit));
+      addTest(scene, ray, hit, triangles.numbers.idOf(hit));
     }
   }
-  if (triangles > 0)
+  if (statics > 0)
   {
-    confirmFront(inWorld(rays, triangles), candidate_.data(), rowsOf(records));
+    confirmFront(inWorld(rays, statics), candidate_.data(), triangles.corners);
   }
   clock.ends(Stage::Confirm);
-  runTests(scene, records, rays);
+  runTests(scene, triangles, rays);
 }
 
 /// Prefetches the triangle.
@@ -272,7 +326,7 @@ void FrontCast::addTest(
 }
 
 /// Tests what was added, and keeps the closer hits.
-void FrontCast::runTests(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays)
+void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
   StageClock clock;
   const TreeRays columns = inWorld(rays, 0);
@@ -283,7 +337,7 @@ void FrontCast::runTests(const Scene& scene, const SurfaceRecords& records, cons
     for (unsigned lane = 0; lane < some; ++lane)
     {
       const auto& [ray, number] = tests_[first + lane];
-      const TriangleId id = records.numbers().idOf(number);
+      const TriangleId id = triangles.numbers.idOf(number);
       const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), id.object);
       lanes.set(lane, local.origin, local.direction, scene.localTriangle(id));
     }

@@ -16,60 +16,71 @@ struct FrontRays
 {
   std::uint32_t count;
   const double* origin[3];
-  const float* direction[3];  ///< of length 1, up to rounding
+  const float* direction[3];  ///< of length 1, up to rounding; null if there are exact ones
   const std::uint32_t* start; ///< the number of the triangle that each leaves, or kNone
   /// In: the best hit so far, or infinite and kNone. Out: that or a closer one, by (distance, number).
   double* distance;
   std::uint32_t* hit;
-  float* weight[2]; ///< of the second and third corner
+  float* weight[2];                     ///< of the second and third corner
+  const double* exactDirection[3] = {}; ///< of any length
+};
+
+/// How a cast knows the triangles of a scene.
+struct FrontTriangles
+{
+  const TriangleNumbers& numbers;
+  CornerRows corners; ///< of the static ones
+
+  /// From the records of the scene's objects in this frame, which those who use the hits read as well.
+  FrontTriangles(const SurfaceRecords& records);
+  FrontTriangles(const TriangleNumbers& all, const TriangleMesh& still);
 };
 
 /**
- * Casts all rays of a front together. What it finds is what Scene::cast() finds for rays with these
- * origins and directions, bit for bit; with hits given, what Scene::castDynamic() and castStatic() do.
+ * Casts all rays of a front together. What it finds is what brute force finds, bit for bit.
  *
  * Beside few dynamic bodies it goes from one to the next with the rays that may touch it, then to the
- * static tree, up to what was found. Beside many, or flattened objects, the static tree comes first; a
- * tree over bodies, or over flattened triangles, then tells which ray may touch what before its hit.
+ * static tree, up to what was found. Beside many, or flattened objects, the static tree comes first
+ * (not if TraversalMode::Sequential); a tree over bodies, or over flattened triangles, then tells which ray may touch what before its hit.
  *
  * Owns the memory of its stages: keep one for each thread.
  */
 class FrontCast
 {
 public:
-  /// `records`: of the scene's objects in this frame.
-  void cast(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  /// The closest hits of rays among all triangles, from none on.
+  void cast(const Scene& scene, const Ray* rays, std::size_t count, Hit* hits);
+  void cast(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
   /// The dynamic objects alone.
-  void castDynamic(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  void castDynamic(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
   /// Those marked as moved, see Scene::commit().
-  void castMoved(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  void castMoved(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
   /// Sets distances and weights to those at which rays hit the triangles in `rays.hit`. The distance is
   /// infinite if a ray misses its triangle, or has none.
-  void findDistances(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  void findDistances(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
 
 private:
-  /// Up to so many bodies it is faster to go from one to the next.
-  static constexpr std::size_t kFewBodies = 16;
-  static bool areMany(const Scene::Group& group);
-
-  void castStatic(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
-  void castGroup(const Scene& scene, const Scene::Group& group, const SurfaceRecords& records,
+  void castSome(const Scene& scene, const Ray* rays, std::uint32_t count, Hit* hits);
+  void castStatic(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
+  void castGroup(const Scene& scene, const Scene::Group& group, const FrontTriangles& triangles,
     const FrontRays& rays);
-  void castMixed(const Scene& scene, const Scene::MixedTree& mixed, const SurfaceRecords& records,
+  void castMixed(const Scene& scene, const Scene::MixedTree& mixed, const FrontTriangles& triangles,
     const FrontRays& rays);
-  void castBody(
-    const Scene& scene, std::uint32_t index, const SurfaceRecords& records, const FrontRays& rays);
-  void castBodies(const Scene& scene, const Scene::Group& group, const SurfaceRecords& records,
+  void castBody(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
     const FrontRays& rays);
-  void castPicked(const Scene& scene, std::uint32_t index, const SurfaceRecords& records,
+  void castBodies(const Scene& scene, const Scene::Group& group, const FrontTriangles& triangles,
+    const FrontRays& rays);
+  std::uint32_t pick(const Scene& scene, std::uint32_t index, const FrontRays& rays,
+    std::uint32_t ray, std::uint32_t count);
+  void castPicked(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
     const FrontRays& rays, std::uint32_t count);
   void takeToBody(
     const Scene& scene, std::uint32_t object, const FrontRays& rays, std::uint32_t count);
   void giveBack(const FrontRays& rays, std::uint32_t count);
   void addTest(const Scene& scene, std::uint32_t ray, std::uint32_t number, const TriangleId& id);
-  void runTests(const Scene& scene, const SurfaceRecords& records, const FrontRays& rays);
+  void runTests(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
 
-  /// The rays that may touch a body, in its space.
+  /// Rays with exact directions: those that may touch a body, in its space.
   struct LocalRays
   {
     Column<std::uint32_t> ray; ///< which of the front
@@ -115,7 +126,7 @@ private:
 
   FrontSearch search_;
   FrontPairs pairs_;
-  LocalRays local_;
+  LocalRays local_, own_; ///< own: rays that come in no columns
   RaysOfBodies raysOfBodies_;
   std::vector<Test> tests_;
   Column<std::uint32_t> candidate_, start_;

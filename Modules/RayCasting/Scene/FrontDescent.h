@@ -2,30 +2,16 @@
 #ifndef irradiance_FrontDescent_h
 #define irradiance_FrontDescent_h
 
-#include "Geometry/Vector.h"
 #include "Kernels/FrontStages.h"
 #include "Simd/Column.h"
 
 namespace irradiance
 {
 
-inline Vector3 originOf(const TreeRays& rays, std::uint32_t ray)
-{
-  return { rays.origin[0][ray], rays.origin[1][ray], rays.origin[2][ray] };
-}
-
-inline Vector3 directionOf(const TreeRays& rays, std::uint32_t ray)
-{
-  return rays.direction[0]
-    ? Vector3(rays.direction[0][ray], rays.direction[1][ray], rays.direction[2][ray])
-    : Vector3(
-        rays.exactDirection[0][ray], rays.exactDirection[1][ray], rays.exactDirection[2][ray]);
-}
-
 /**
  * The first stages of a cast in one tree, each a loop over all rays: prepare and search. The first reference that
- * a search finds goes to a column, others, which are few, to a list. Rays that the preparation leaves to
- * others are searched by the kernels of single rays. What is found is for the caller to confirm.
+ * a search finds goes to a column, others, which are few, to a list. Rays that floats
+ * cannot follow are searched in double, one by one. What is found is for the caller to confirm.
  *
  * Owns the memory of the stages, which is used again from call to call.
  */
@@ -49,8 +35,6 @@ public:
   std::uint32_t furtherCount() const { return furtherCount_; }
 
 private:
-  class OtherRays;
-
   Column<PreparedQuery> queries_;
   Column<std::uint32_t> others_, candidate_;
   Column<FurtherCandidate> further_;

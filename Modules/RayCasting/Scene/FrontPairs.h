@@ -21,7 +21,6 @@ public:
   using Pair = FurtherCandidate;
 
   /// The pairs, in no order; one may occur more than once. Nothing is sought behind the rays' best hits.
-  /// `rays`: with directions in floats.
   const std::vector<Pair>& find(const TriangleTree& tree, const TreeRays& rays);
 
 private:

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
-#include "Kernels/IntersectionLanes.h"
-#include "Scene/QueryBatch.h"
-#include "Scene/RayOrder.h"
+#include "Scene/FrontCast.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -25,11 +23,15 @@ double roundTripError(const AffineMap& map, double condition, double magnitude)
   return 0x1p-44 * condition * (magnitude + map.translation.cwiseAbs().maxCoeff());
 }
 
-/// Fewer instanced objects than this are tried one after the other.
-constexpr std::size_t kManyObjects = 4;
+double conditionOf(const Matrix3& linear, const Matrix3& inverse)
+{
+  return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
+}
+
+}
 
 /// The ball around the ellipsoid or the ball around its box, whichever is smaller.
-Ball ballAround(const EllipsoidBound& bound)
+Scene::Ball Scene::ballAround(const EllipsoidBound& bound)
 {
   const Box& box = bound.worldBox();
   if (box.isEmpty())
@@ -51,13 +53,6 @@ Ball ballAround(const EllipsoidBound& bound)
   return aroundEllipsoid.squaredRadius < aroundBox.squaredRadius ? aroundEllipsoid : aroundBox;
 }
 
-double conditionOf(const Matrix3& linear, const Matrix3& inverse)
-{
-  return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
-}
-
-}
-
 Scene::Scene()
   : static_(std::make_shared<RigidObject>(TriangleMesh()))
 {
@@ -76,12 +71,13 @@ void Scene::setDynamic(const std::vector<PlacedBody>& objects)
 void Scene::commit(const std::vector<bool>& moved, const CancelPoint& cancelPoint)
 {
   bounds_ = static_->mesh().bounds();
-  treeBytes_ = static_->tree().bytes();
+  std::vector<std::size_t> sizes = { static_->mesh().size() };
   for (const PlacedBody& object : objects_)
   {
-    treeBytes_ += object.isPresent ? object.body->tree().bytes() : 0;
+    sizes.push_back(object.body->mesh().size());
     bounds_.add(object.worldBounds());
   }
+  numbers_ = TriangleNumbers(sizes);
   place(std::max(bounds_.magnitude(), pointSources_.magnitude()));
   dynamic_ = {};
   dynamic_ = group(std::vector<bool>(objects_.size(), true), cancelPoint);
@@ -167,7 +163,7 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
   {
     group.flattened = std::make_shared<MixedTree>(mix(flattened, cancelPoint));
   }
-  if (boxes.size() >= kManyObjects)
+  if (boxes.size() > kFewBodies)
   {
     group.bodies = TriangleTree(boxes, slack, cancelPoint);
   }
@@ -219,83 +215,10 @@ bool Scene::mayTouch(const Placed& placed, const Ray& ray, double distance) cons
   return !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
 }
 
-std::vector<std::uint32_t> Scene::orderOf(const Ray* rays, std::size_t count) const
-{
-  // Trees larger than the processor's cache, and enough rays that some are near each other.
-  constexpr std::size_t kLargeTrees = 1u << 22, kManyRays = 1u << 15;
-  return treeBytes_ > kLargeTrees && count > kManyRays
-    ? coherentOrder(rays, static_cast<std::uint32_t>(count), bounds_)
-    : std::vector<std::uint32_t>();
-}
-
-void Scene::castStatic(const Ray* rays, std::size_t count, Hit* best, const double* from) const
-{
-  QueryBatch(*this, rays, best, from)
-    .runAllStatic(static_cast<std::uint32_t>(count), orderOf(rays, count));
-}
-
-void Scene::castDynamic(const Ray* rays, std::size_t count, Hit* best) const
-{
-  castGroup(dynamic_, rays, count, best);
-}
-
-void Scene::castMoved(const Ray* rays, std::size_t count, Hit* best) const
-{
-  castGroup(moved_, rays, count, best);
-}
-
-void Scene::castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const
-{
-  const std::vector<std::uint32_t> order = orderOf(rays, count);
-  QueryBatch batch(*this, rays, best);
-  const bool isAllBehindBodies = !group.flattened && !group.bodies.isEmpty();
-  const auto end = static_cast<std::uint32_t>(isAllBehindBodies ? 0 : count);
-  for (std::uint32_t first = 0; first < end; first += BallLanes::kSize)
-  {
-    batch.addGroup(group, first, std::min(first + BallLanes::kSize, end), order, nullptr);
-    batch.runIfMany();
-  }
-  batch.run();
-  if (!group.bodies.isEmpty())
-  {
-    batch.runAllBodies(group, static_cast<std::uint32_t>(count), order);
-  }
-}
-
 void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
 {
-  std::fill_n(hits, count, Hit{});
-  if (placed_.empty())
-  {
-    return castStatic(rays, count, hits);
-  }
-  if (mode_ == TraversalMode::Sequential)
-  {
-    castDynamic(rays, count, hits);
-    return castStatic(rays, count, hits);
-  }
-  if (mode_ == TraversalMode::Parallel && !dynamic_.bodies.isEmpty())
-  {
-    // Once a static hit is known, few of many bodies are before it and have to be searched.
-    castStatic(rays, count, hits);
-    return castDynamic(rays, count, hits);
-  }
-  const std::vector<std::uint32_t> order = orderOf(rays, count);
-  QueryBatch batch(*this, rays, hits);
-  std::vector<std::uint32_t> alone; // rays that touch nothing dynamic
-  const auto end = static_cast<std::uint32_t>(count);
-  for (std::uint32_t first = 0; first < end; first += BallLanes::kSize)
-  {
-    const std::uint32_t next = std::min(first + BallLanes::kSize, end);
-    mode_ == TraversalMode::OneTree ? batch.add(oneTree_, first, next, order)
-                                    : batch.addGroup(dynamic_, first, next, order, &alone);
-    batch.runIfMany();
-  }
-  batch.run();
-  if (!alone.empty())
-  {
-    QueryBatch(*this, rays, hits).runAllStatic(static_cast<std::uint32_t>(alone.size()), alone);
-  }
+  static thread_local FrontCast cast; // for its memory
+  cast.cast(*this, rays, count, hits);
 }
 
 SurfacePoint Scene::surfaceAt(const Vector3& direction, const Hit& hit) const

@@ -5,9 +5,9 @@
 #include "Ellipsoids/EllipsoidBound.h"
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
-#include "Kernels/BallLanes.h"
 #include "Meshes/SurfacePoint.h"
 #include "Scene/PlacedBody.h"
+#include "Scene/TriangleNumbers.h"
 
 #include <memory>
 #include <vector>
@@ -20,7 +20,7 @@ enum class TraversalMode
 {
   OneTree,    ///< all triangles in one tree, which every commit() rebuilds
   Sequential, ///< first the dynamic trees, then the static one up to the hit found
-  Parallel    ///< both by turns, sharing limits; static first if there are many bodies
+  Parallel    ///< likewise, but the static tree first beside many bodies or flattened objects
 };
 
 /**
@@ -28,7 +28,7 @@ enum class TraversalMode
  * (1, 2, ...). These are instanced (searched in their own trees behind their ellipsoids) or
  * flattened (triangle by triangle in a tree that every commit() rebuilds). A triangle of a dynamic
  * object is always tested in its own model space, whichever tree led to it, so that all modes find
- * the same bits. Rays are cast in batches: the searches of a batch run side by side.
+ * the same bits. FrontCast casts its rays.
  */
 class Scene
 {
@@ -40,21 +40,12 @@ public:
   void setDynamic(const std::vector<PlacedBody>& objects);
   /// Rays may also start within these bounds, off all surfaces.
   void setPointSources(const Box& bounds) { pointSources_ = bounds; }
-  /// Rebuilds the trees that depend on poses. `moved[i]` says whether castMoved() searches dynamic
-  /// object i; empty means none. Call after any of the above and before any cast.
+  /// Rebuilds the trees that depend on poses. `moved[i]` says whether FrontCast::castMoved() searches
+  /// dynamic object i; empty means none. Call after any of the above and before any cast.
   void commit(const std::vector<bool>& moved, const CancelPoint& cancelPoint = {});
 
   /// The closest hits among all triangles.
   void cast(const Ray* rays, std::size_t count, Hit* hits) const;
-  /// For each ray the closest hit in the static tree if it is closer than `best`, else `best`. No
-  /// hit of ray i may come before `from[i]`, if `from` is given.
-  void castStatic(
-    const Ray* rays, std::size_t count, Hit* best, const double* from = nullptr) const;
-  /// The same for all dynamic objects.
-  void castDynamic(const Ray* rays, std::size_t count, Hit* best) const;
-  /// The same for the objects marked as moved.
-  void castMoved(const Ray* rays, std::size_t count, Hit* best) const;
-
   Hit cast(const Ray& ray) const
   {
     Hit hit;
@@ -85,6 +76,12 @@ public:
   }
 
 private:
+  struct Ball
+  {
+    Vector3 center;
+    double squaredRadius;
+  };
+
   struct Placed
   {
     PlacedBody object;
@@ -111,17 +108,20 @@ private:
     }
   };
 
+  /// Up to so many bodies it is faster to go from one to the next.
+  static constexpr std::size_t kFewBodies = 16;
+
   /// Some of the dynamic objects.
   struct Group
   {
     std::shared_ptr<const MixedTree> flattened; ///< null if there are none
     std::vector<std::uint32_t> instanced;       ///< indices in placed_
-    TriangleTree bodies;                        ///< over the instanced ones, if they are many
+    TriangleTree bodies;                        ///< over the instanced ones, beyond kFewBodies
   };
 
-  class QueryBatch;
   friend class FrontCast;
 
+  static Ball ballAround(const EllipsoidBound& bound);
   void place(double magnitude);
   MixedTree mix(const std::vector<std::uint32_t>& objects, const CancelPoint& cancelPoint) const;
   Group group(const std::vector<bool>& chosen, const CancelPoint& cancelPoint) const;
@@ -159,9 +159,6 @@ private:
   double reachOf(const Ray& ray) const;
   /// False if the ray certainly misses the object up to a hit at `distance`, which may be infinite.
   bool mayTouch(const Placed& placed, const Ray& ray, double distance) const;
-  /// The order in which to search the rays of a batch; empty means as they are.
-  std::vector<std::uint32_t> orderOf(const Ray* rays, std::size_t count) const;
-  void castGroup(const Group& group, const Ray* rays, std::size_t count, Hit* best) const;
 
   TraversalMode mode_ = TraversalMode::Parallel;
   std::shared_ptr<const RigidObject> static_;
@@ -169,7 +166,7 @@ private:
   std::vector<Placed> placed_;
   Box pointSources_;
   Box bounds_;
-  std::size_t treeBytes_ = 0; ///< of all bodies
+  TriangleNumbers numbers_; ///< whether objects are present or not
   Group dynamic_;
   Group moved_;
   MixedTree oneTree_;

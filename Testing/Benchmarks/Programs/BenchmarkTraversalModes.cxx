@@ -45,7 +45,6 @@ void reportSteps(
   };
   reportEach("treelets entered", counts.treelets);
   reportEach("blocks tested", counts.blocks);
-  reportEach("triangles tested in double", counts.triangles);
 }
 
 void timeScene(const BenchmarkScene& scene, std::uint32_t count, int rounds)

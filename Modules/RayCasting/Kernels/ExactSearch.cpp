@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Kernels/FrontStages.h"
 #include "Kernels/QueryCounts.h"
-#include "Kernels/TreeQuery.h"
 #include "Trees/KdTree.h"
 #include "Trees/PaddedRay.h"
 
@@ -16,23 +16,29 @@ namespace
 class ExactSearch
 {
 public:
-  ExactSearch(QuerySource& source, const QueryRequest& request)
-    : source_(source)
-    , tree_(*request.tree)
-    , query_(exactQuery(request))
-    , from_(query_.from(request))
-    , ray_(tree_.bounds(), tree_.frame()(request.origin), request.direction / largestOf(request))
-    , octant_(ray_.axes[0].nearChild | ray_.axes[1].nearChild << 1 | ray_.axes[2].nearChild << 2)
+  ExactSearch(
+    const TriangleTree& tree, const TreeRays& rays, std::uint32_t ray, FrontTester& tester)
+    : tree_(tree)
+    , tester_(tester)
+    , ray_(ray)
+    , skipped_(rays.skipped(ray, TriangleBlock::kNone))
+    , best_(rays.distance[ray])
+    , rate_(largestOf(rays, ray) * tree.frame().scale)
+    , padded_(tree.bounds(), tree.frame()(originOf(rays, ray)),
+        directionOf(rays, ray) / largestOf(rays, ray))
+    , octant_(
+        padded_.axes[0].nearChild | padded_.axes[1].nearChild << 1 | padded_.axes[2].nearChild << 2)
   {
   }
 
   void run()
   {
-    push(tree_.root(), std::max(from_, ray_.from), ray_.to);
+    setLimit();
+    push(tree_.root(), std::max(0.0, padded_.from), padded_.to);
     while (depth_ > 0)
     {
       const Entry entry = stack_[--depth_];
-      if (entry.from <= query_.exactLimit)
+      if (entry.from <= limit_)
       {
         (entry.child & Treelet::kLeaf) == 0
           ? stepInto(tree_.treelets()[entry.child])
@@ -65,11 +71,11 @@ private:
   {
     ++counts_.treelets;
     double from[Treelet::kSize], to[Treelet::kSize];
-    std::fill_n(from, Treelet::kSize, from_);
-    std::fill_n(to, Treelet::kSize, query_.exactLimit);
+    std::fill_n(from, Treelet::kSize, 0.0);
+    std::fill_n(to, Treelet::kSize, limit_);
     for (int i = 0; i < 3; ++i)
     {
-      const PaddedRay::Axis& axis = ray_.axes[i];
+      const PaddedRay::Axis& axis = padded_.axes[i];
       const float* near = treelet.bounds[axis.nearChild][i];
       const float* far = treelet.bounds[1 - axis.nearChild][i];
       for (unsigned lane = 0; lane < Treelet::kSize; ++lane)
@@ -96,33 +102,29 @@ private:
       ++counts_.blocks;
       for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
       {
-        if (block->reference(lane) != TriangleBlock::kNone &&
-          block->reference(lane) != query_.skipped)
+        if (block->reference(lane) != TriangleBlock::kNone && block->reference(lane) != skipped_)
         {
-          source_.test(query_, block->reference(lane));
+          tester_.test(ray_, block->reference(lane));
+          setLimit();
         }
       }
     }
   }
 
-  static double largestOf(const QueryRequest& request)
+  void setLimit() { limit_ = best_ * rate_ + tree_.slack(); }
+
+  static double largestOf(const TreeRays& rays, std::uint32_t ray)
   {
-    return request.direction.cwiseAbs().maxCoeff();
-  }
-  static TreeQuery exactQuery(const QueryRequest& request)
-  {
-    TreeQuery query;
-    query.set(request, largestOf(request));
-    query.isForFloats = false;
-    query.setBound(request.bound);
-    return query;
+    return directionOf(rays, ray).cwiseAbs().maxCoeff();
   }
 
-  QuerySource& source_;
   const TriangleTree& tree_;
-  TreeQuery query_;
-  double from_; ///< no hit comes before it
-  PaddedRay ray_;
+  FrontTester& tester_;
+  std::uint32_t ray_, skipped_;
+  const double& best_; ///< the distance of the best hit so far
+  double rate_;        ///< length in the frame, by the largest component, of one unit of distance
+  double limit_ = 0;   ///< nothing behind it matters, in the frame
+  PaddedRay padded_;
   unsigned octant_;
   QueryCounts counts_;
   int depth_ = 0;
@@ -131,9 +133,10 @@ private:
 
 }
 
-void runQueryExact(QuerySource& source, const QueryRequest& request)
+void searchExactly(
+  const TriangleTree& tree, const TreeRays& rays, std::uint32_t ray, FrontTester& tester)
 {
-  ExactSearch(source, request).run();
+  ExactSearch(tree, rays, ray, tester).run();
 }
 
 }
