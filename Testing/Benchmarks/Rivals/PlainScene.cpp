@@ -19,24 +19,31 @@ PlainScene::Vector floats(const Vector3& point)
 void add(const SceneObject& object, PlainScene& scene)
 {
   const Material& material = *object.material;
-  if (material.bands != 1 || (object.emission && !object.emission->points.empty()))
+  if (material.bands != 1)
   {
-    throw std::invalid_argument("the plain tracer knows only grey scenes without point lights");
+    throw std::invalid_argument("the plain rivals know only grey scenes");
   }
   const TriangleMesh& mesh = object.body->mesh();
   for (std::uint32_t i = 0; i < mesh.size(); ++i)
   {
     const Triangle world = transformed(object.worldFromObject, mesh[i]);
     const std::uint32_t cell = material.cellOfTriangle[i];
-    const PlainScene::Triangle triangle{ floats(world.a), floats(world.b), floats(world.c) };
-    scene.triangles.push_back(triangle);
+    scene.triangles.push_back({ floats(world.a), floats(world.b), floats(world.c) });
     scene.surfaces.push_back({ static_cast<float>(material.reflectanceOf(i, 0)),
       static_cast<std::uint32_t>(scene.numberOfCells + cell) });
     const double* const exitance = object.exitanceOf(cell);
     const double flux = exitance ? *exitance * world.area() : 0;
     if (flux > 0)
     {
-      scene.lights.push_back({ triangle, flux });
+      scene.lights.push_back({ static_cast<std::uint32_t>(scene.triangles.size() - 1), flux });
+    }
+  }
+  if (object.emission)
+  {
+    for (const PointSource& light : object.emission->points)
+    {
+      scene.pointLights.push_back(
+        { floats(object.worldFromObject(light.position)), light.flux[0] });
     }
   }
   scene.numberOfCells += material.numberOfCells;

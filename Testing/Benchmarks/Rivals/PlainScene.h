@@ -33,8 +33,13 @@ struct PlainScene
   /// A triangle that emits from its front.
   struct Light
   {
-    Triangle triangle;
-    double flux; ///< W
+    std::uint32_t triangle; ///< which of all
+    double flux;            ///< W
+  };
+  struct PointLight
+  {
+    Vector position; ///< m
+    double flux;     ///< W
   };
 
   /// W
@@ -45,17 +50,24 @@ struct PlainScene
     {
       sum += light.flux;
     }
+    for (const PointLight& light : pointLights)
+    {
+      sum += light.flux;
+    }
     return sum;
   }
+  /// m, from a surface to the origin of a ray that leaves it, to not hit it again
+  float offset() const { return 1e-5f * extent; }
 
   std::vector<Triangle> triangles;
   std::vector<Surface> surfaces; ///< of each triangle
   std::vector<Light> lights;
+  std::vector<PointLight> pointLights;
   std::size_t numberOfCells = 0;
   float extent = 0; ///< m, the longest edge of the bounding box
 };
 
-/// Throws std::invalid_argument for what a plain tracer does not know: colours and point lights.
+/// Throws std::invalid_argument for what a plain tracer does not know: colours.
 PlainScene makePlainScene(const irradiance::SceneObjects& objects);
 
 #endif

@@ -3,9 +3,8 @@
 #define PlainTracer_h
 
 #include "Rivals/AliasTable.h"
-#include "Rivals/PlainScene.h"
-
-#include <embree3/rtcore.h>
+#include "Rivals/PlainEmbree.h"
+#include "Rivals/PlainSource.h"
 
 #include <vector>
 
@@ -26,9 +25,6 @@ public:
   };
 
   explicit PlainTracer(const PlainScene& scene, Packets packets = Packets::Best);
-  ~PlainTracer();
-  PlainTracer(const PlainTracer&) = delete;
-  PlainTracer& operator=(const PlainTracer&) = delete;
 
   struct Tally
   {
@@ -44,24 +40,13 @@ private:
   template <class Packet>
   friend class PlainWavefront;
 
-  /// A triangle from which walks start: origin + s u + t v for 0 <= t <= s <= 1.
-  struct Source
-  {
-    PlainScene::Vector origin; ///< the first corner, a little off the surface
-    PlainScene::Vector u, v;   ///< from the first corner to the second, from there to the third
-    PlainScene::Vector normal; ///< to the front, of unit length
-  };
-
-  Source makeSource(const PlainScene::Light& light) const;
-
   std::vector<PlainScene::Surface>
     surfaces_; ///< one more than triangles: what a ray hits that escapes
   std::size_t numberOfCells_;
-  std::vector<Source> sources_;
+  std::vector<PlainSource> sources_;
   AliasTable choice_; ///< of sources, by flux
-  float offset_; ///< m, from a surface to the origin of a ray that leaves it, to not hit it again
-  RTCDevice device_;
-  RTCScene embree_;
+  float offset_;      ///< m, see PlainScene::offset()
+  PlainEmbree embree_;
   int width_;
 };
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PlainEmbree_h
+#define PlainEmbree_h
+
+#include "Rivals/PlainScene.h"
+
+#include <embree3/rtcore.h>
+
+/// The triangles of a plain scene in one tree of Embree's high quality, for one thread.
+class PlainEmbree
+{
+public:
+  explicit PlainEmbree(const PlainScene& scene);
+  ~PlainEmbree();
+  PlainEmbree(const PlainEmbree&) = delete;
+  PlainEmbree& operator=(const PlainEmbree&) = delete;
+
+  RTCScene scene() const { return scene_; }
+  /// Whether Embree has packets of 16 rays in instructions of the machine.
+  bool hasPacketsOf16() const;
+
+private:
+  RTCDevice device_;
+  RTCScene scene_;
+};
+
+#endif
