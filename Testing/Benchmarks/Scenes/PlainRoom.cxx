@@ -61,28 +61,90 @@ SceneObject makeBall(double size, int aroundIt = 32, int upIt = 16)
   });
 }
 
-SceneObject makeRoom()
+constexpr int kCells = 14; // along a wall
+
+void addWalls(test::ObjectBuilder& room)
 {
-  constexpr int kCells = 14;
-  constexpr double kCell = 4.0 / kCells;
-  test::ObjectBuilder room;
   room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 3 }), kCells, {}, true);
+}
+
+void addLamp(test::ObjectBuilder& room)
+{
+  constexpr double kCell = 4.0 / kCells;
   room.addQuad(
     { 5 * kCell, 6 * kCell, 2.95 }, { 0, kCell, 0 }, { 4 * kCell, 0, 0 }, 1, 4, test::grey(0, 100));
+}
+
+void addPointLights(test::ObjectBuilder& room)
+{
+  for (const Vector3& place :
+    { Vector3(1, 1, 2.8), Vector3(3, 1, 2.5), Vector3(1, 3, 2), Vector3(3, 3, 0.3) })
+  {
+    room.addPointLight(place, 8);
+  }
+}
+
+/// The first `count` squares of n x n, below the ceiling.
+void addPanels(test::ObjectBuilder& room, int n, int count, double edge)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const int column = i % n, row = i / n;
+    const double x = 4 * (column + 0.5) / n, y = 4 * (row + 0.5) / n;
+    room.addQuad({ x - edge / 2, y - edge / 2, 2.98 }, { 0, edge, 0 }, { edge, 0, 0 }, 1, 1,
+      test::grey(0, 100));
+  }
+}
+
+/// 5 cm wide, 5 cm over the floor, on which it shines.
+void addSmallLamp(test::ObjectBuilder& room, double watts)
+{
+  room.addQuad(
+    { 2.6, 2.6, 0.05 }, { 0, 0.05, 0 }, { 0.05, 0, 0 }, 1, 1, test::grey(0, watts / (0.05 * 0.05)));
+}
+
+/// 5 cm from a wall, on which it shines.
+void addStrip(test::ObjectBuilder& room, double watts)
+{
+  room.addQuad(
+    { 0.2, 0.05, 2 }, { 3.6, 0, 0 }, { 0, 0, 0.03 }, 1, 1, test::grey(0, watts / (3.6 * 0.03)));
+}
+
+SceneObject makeRoom()
+{
+  test::ObjectBuilder room;
+  addWalls(room);
+  addLamp(room);
   return room.build();
 }
 
-/// With a reflectance at random for each cell.
-SceneObject painted(const SceneObject& object, test::RandomVectors& random)
+/// `reflectance(cell)` of each cell.
+template <class Reflectance>
+SceneObject reflecting(const SceneObject& object, const Reflectance& reflectance)
 {
   Material material = *object.material;
-  for (double& reflectance : material.reflectance)
+  for (std::size_t cell = 0; cell < material.reflectance.size(); ++cell)
   {
-    reflectance = random.uniform(0.05, 0.9);
+    material.reflectance[cell] = reflectance(cell);
   }
   SceneObject own = object;
   own.material = std::make_shared<Material>(std::move(material));
   return own;
+}
+
+/// With a reflectance at random for each cell.
+SceneObject painted(
+  const SceneObject& object, test::RandomVectors& random, double lower = 0.05, double upper = 0.9)
+{
+  return reflecting(object, [&](std::size_t) { return random.uniform(lower, upper); });
+}
+
+/// Each wall of a room, the floor, the ceiling, and all that hangs in it have a reflectance each.
+double reflectanceOfReal(std::size_t cell)
+{
+  constexpr double kSides[] = { 0.6, 0.6, 0.5, 0.5, 0.3, 0.8 };
+  const std::size_t side = cell / (kCells * kCells);
+  return side < 6 ? kSides[side] : 0.5;
 }
 
 /// With a lobe on that share of the cells.
@@ -113,6 +175,50 @@ MovingScene makePlainRoom(double size)
             };
             placed.dynamicObjects[1].worldFromObject = test::shift({ 3.2, 1, 0.6 });
           } };
+}
+
+std::vector<MovingScene> makeGatheringRooms()
+{
+  const auto lit = [](const std::string& name, const auto& addLights) {
+    test::RandomVectors random(5);
+    test::ObjectBuilder room;
+    addWalls(room);
+    addLights(room);
+    MovingScene scene = makePlainRoom();
+    scene.name = name;
+    scene.objects.staticObject = painted(room.build(), random);
+    return scene;
+  };
+  const auto between = [](const std::string& name, double lower, double upper) {
+    test::RandomVectors random(5);
+    MovingScene scene = makePlainRoom();
+    scene.name = name;
+    scene.objects.staticObject = painted(scene.objects.staticObject, random, lower, upper);
+    for (SceneObject& object : scene.objects.dynamicObjects)
+    {
+      object = painted(object, random, lower, upper);
+    }
+    return scene;
+  };
+  MovingScene real = makePlainRoom();
+  real.name = "real";
+  real.objects.staticObject = reflecting(real.objects.staticObject, reflectanceOfReal);
+  for (SceneObject& object : real.objects.dynamicObjects)
+  {
+    object = reflecting(object, [](std::size_t) { return 0.5; });
+  }
+  return { makePlainRoom(), real, between("bright", 0.7, 0.9), between("dark", 0.1, 0.3),
+    lit("points", addPointLights),
+    lit("lamps64",
+      [](test::ObjectBuilder& room) {
+        addPanels(room, 8, 64, 0.15);
+        addSmallLamp(room, 2.25);
+      }),
+    lit("lamps16", [](test::ObjectBuilder& room) {
+      addPanels(room, 4, 14, 0.25);
+      addSmallLamp(room, 6.25);
+      addStrip(room, 6.25);
+    }) };
 }
 
 MovingScene makeRoomOfMovers(int movers, double size)
