@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef HalvedTruth_h
+#define HalvedTruth_h
+
+#include "Measuring/CellSet.h"
+
+#include <vector>
+
+/// The right answer as two estimates that are independent of each other and of all that is compared with
+/// them: where differences from the two are multiplied, their noise has no part on the average.
+struct HalvedTruth
+{
+  /// Of these cells: the mean square difference from the truth over the area, in units of the square of
+  /// the mean irradiance. May come out negative where it is small beside the noise.
+  double squaredError(const CellField& field, const CellField& areas, const CellSet& set) const;
+
+  CellField first, second; ///< W/m2
+};
+
+/// How the mean of some runs agrees with the truth, on some cells.
+struct Agreement
+{
+  double ratio; ///< of the mean irradiance
+  double
+    systematic; ///< RMS over the area / mean irradiance: what noise does not explain; negative: its square is
+};
+
+/// Throws std::runtime_error if the mean irradiance, or the irradiance of cells, differs by more than noise
+/// explains; a thousandth is allowed, which is more than floats miss at edges. `runs`: at least two.
+Agreement requireAgreement(const std::string& who, const std::vector<CellField>& runs,
+  const HalvedTruth& truth, const CellField& areas, const CellSet& set);
+
+#endif
