@@ -87,6 +87,8 @@ private:
     Lanes points, normals;              ///< on surfaces; on the side of the path, of unit length
     alignas(64) float survival[kWidth]; ///< with what probability; what does not exist has 0
     alignas(64) float sides[kWidth];    ///< to which the path may leave, 1 or 2
+    alignas(64) float weight[kWidth]; ///< of a path that leaves: 2 if it began on one of two sides
+    alignas(64) float reflected[kWidth];    ///< what counts of the light of lamps
     alignas(64) std::uint32_t cell[kWidth]; ///< that the path began on, from firstCell_ on
   };
   /// Uniform in [0, 1), for one light and one direction.
@@ -104,7 +106,7 @@ private:
     {
       const bool exists = static_cast<std::size_t>(k) < left;
       const std::size_t path = first + (exists ? static_cast<std::size_t>(k) : 0);
-      vertices.survival[k] = exists ? 1.f : 0.f;
+      vertices.survival[k] = vertices.reflected[k] = exists ? 1.f : 0.f;
       drawStart(static_cast<std::uint32_t>(path / pathsPerCell_), path % pathsPerCell_, k, vertices,
         numbers);
     }
@@ -128,7 +130,7 @@ private:
     // Half of the turns are for the back.
     const float turn = on.isOpen ? 2 * number(6) : number(6);
     numbers.turn[k] = turn < 1 ? turn : turn - 1;
-    vertices.sides[k] = on.isOpen ? 2 : 1;
+    vertices.sides[k] = vertices.weight[k] = on.isOpen ? 2 : 1;
     vertices.cell[k] = cell;
     setPoint(on, number(0), number(1), turn < 1 ? 1.f : -1.f, k, vertices);
   }
@@ -174,6 +176,8 @@ private:
         vertices.survival[k] = gatherer_.surfaces_[packet_.hit.primID[k]].reflectance;
         vertices.cell[k] = i < count ? cells_[i] : 0;
         vertices.sides[k] = 1;
+        vertices.weight[k] = i < count ? weights_[i] : 0;
+        vertices.reflected[k] = vertices.weight[k] * vertices.survival[k];
       }
       countLamps(first, vertices, tally);
       Numbers numbers;
@@ -212,7 +216,7 @@ private:
       const float own = 0.5f * length / (kPi * sides); // the length is 2 x the cosine
       const float byShadow = density * ray.tfar[k] * ray.tfar[k] * square / down;
       tally.irradiance[vertices.cell[k]] +=
-        sides * density * gatherer_.totalFlux_ * weightOf(own, byShadow);
+        vertices.weight[k] * density * gatherer_.totalFlux_ * weightOf(own, byShadow);
     }
   }
 
@@ -268,7 +272,7 @@ private:
     {
       return 0;
     }
-    const float watts = vertices.survival[k] * gatherer_.totalFlux_ * along / kPi;
+    const float watts = vertices.reflected[k] * gatherer_.totalFlux_ * along / kPi;
     if (isPoint)
     {
       return 0.25f * watts / (square * distance);
@@ -299,6 +303,7 @@ private:
       directions_.set(kept, directions, k);
       cells_[kept] = vertices.cell[k];
       sides_[kept] = vertices.sides[k];
+      weights_[kept] = vertices.weight[k];
       kept += chance[k] < vertices.survival[k];
     }
   }
@@ -313,7 +318,7 @@ private:
   XorShift<kWidth> random_;
   Column origins_{}, directions_{};
   std::uint32_t cells_[Column::kBatch + kWidth];
-  float sides_[Column::kBatch + kWidth];
+  float sides_[Column::kBatch + kWidth], weights_[Column::kBatch + kWidth];
 };
 
 namespace
