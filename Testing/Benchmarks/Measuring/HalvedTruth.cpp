@@ -38,6 +38,21 @@ double HalvedTruth::squaredError(
   return meanOf(set.of((field - first) * (field - second)), set.of(areas)) / (mean * mean);
 }
 
+HalvedTruth combined(const HalvedTruth& a, const HalvedTruth& b, const CellField& areas,
+  const std::vector<CellSet>& sets)
+{
+  HalvedTruth both = a;
+  for (const CellSet& set : sets)
+  {
+    const double noiseOfA = meanOf(set.of((a.first - a.second).square()), set.of(areas));
+    const double noiseOfB = meanOf(set.of((b.first - b.second).square()), set.of(areas));
+    const double share = noiseOfA / (noiseOfA + noiseOfB);
+    both.first.segment(set.first, set.count) += share * set.of(b.first - a.first);
+    both.second.segment(set.first, set.count) += share * set.of(b.second - a.second);
+  }
+  return both;
+}
+
 Agreement requireAgreement(const std::string& who, const std::vector<CellField>& runs,
   const HalvedTruth& truth, const CellField& areas, const CellSet& set)
 {
@@ -49,9 +64,10 @@ Agreement requireAgreement(const std::string& who, const std::vector<CellField>&
   const double ratioError =
     std::sqrt((weights.square() * (varianceOf(a, b) + varianceOf(t, u))).sum()) / mean;
 
-  // Without a systematic difference each product is 0 on the average, and so its square is its variance.
-  const CellField products = weights * (a - t) * (b - u) / (mean * mean);
-  const double square = products.sum(), squareError = std::sqrt(products.square().sum());
+  const double square = (weights * (a - t) * (b - u)).sum() / (mean * mean);
+  // The variance of such a product by noise alone; if anything too large, as each cell's is from two values.
+  const CellField noise = weights * 2 * (varianceOf(a, b) + varianceOf(t, u)) / (mean * mean);
+  const double squareError = std::sqrt(noise.square().sum());
   const double systematic = std::copysign(std::sqrt(std::abs(square)), square);
   if (!(std::abs(ratio - 1) <= kSigmas * ratioError + kAllowed &&
         square <= kSigmas * squareError + kAllowed * kAllowed))

@@ -17,6 +17,11 @@ struct HalvedTruth
   CellField first, second; ///< W/m2
 };
 
+/// Two ways to the truth in one: each half the mean of both, on each set of cells with weights by their noise there.
+/// The sets must not overlap.
+HalvedTruth combined(const HalvedTruth& a, const HalvedTruth& b, const CellField& areas,
+  const std::vector<CellSet>& sets);
+
 /// How the mean of some runs agrees with the truth, on some cells.
 struct Agreement
 {
