@@ -272,6 +272,21 @@ TEST(SphericalTriangle, TinyAndFlatOnesAreChosenFromByArea)
   }
 }
 
+TEST(SphericalTriangle, FromItsCornersNothingIsSeen)
+{
+  test::RandomVectors random(8);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Triangle triangle = randomTriangle(random);
+    for (const Vector3& corner : { triangle.a, triangle.b, triangle.c })
+    {
+      const SphericalTriangle seen(triangle, corner);
+      ASSERT_EQ(seen.solidAngle(), 0);
+      ASSERT_TRUE(areWeights(seen.sample({ 0.3, 0.6 })));
+    }
+  }
+}
+
 // On and by corners, edges and the plane, of all sizes and far from the origin.
 TEST(SphericalTriangle, WeightsAreValidEverywhere)
 {
