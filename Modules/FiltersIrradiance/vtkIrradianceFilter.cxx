@@ -158,6 +158,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.verify = filter->GetUpdateMode() == vtkIrradianceFilter::Verify;
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
+  settings.gathersDirectLight = filter->GetDirectLight() == vtkIrradianceFilter::Gathered;
   settings.repairTimeBudget = budget;
   settings.cellEstimate = static_cast<irradiance::CellEstimate>(filter->GetCellEstimate());
   settings.spreadPhotons =
@@ -599,8 +600,14 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
       filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
     inputs.Static, inputs.Dynamic);
-  settings.allOnEachRank =
-    irradiance::arePhotonsRequested(request) || irradiance::needsPhotons(settings.cellEstimate);
+  if (settings.gathersDirectLight && walksWriter.isAsked())
+  {
+    throw irradiance::InputError("DirectLight Gathered and NumberOfOutputWalks exclude each other: "
+                                 "walks then start where light arrived, not at the lights");
+  }
+  // Who asks for photons that are not kept says so itself, and this output serves all others.
+  settings.allOnEachRank = irradiance::needsPhotons(settings.cellEstimate) ||
+    (irradiance::arePhotonsRequested(request) && !settings.gathersDirectLight);
   settings.keepPhotons = settings.allOnEachRank || walksWriter.isAsked();
   settings.listRepaired = walksWriter.isAsked();
   ranks.expectSame(walksWriter.hash(), "other output walks than on the first process");
@@ -701,6 +708,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UpdateMode: " << this->UpdateMode << "\n"
      << indent << "CacheStaticHits: " << this->CacheStaticHits << "\n"
      << indent << "SeparateSides: " << this->SeparateSides << "\n"
+     << indent << "DirectLight: " << this->DirectLight << "\n"
      << indent << "CellEstimate: " << this->CellEstimate << "\n"
      << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"

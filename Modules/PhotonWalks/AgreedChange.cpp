@@ -17,6 +17,7 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(walks.seed);
   hash.add(walks.verify);
   hash.add(walks.separateSides);
+  hash.add(walks.gathersDirectLight);
   hash.add(walks.keepPhotons);
   hash.add(walks.allOnEachRank);
   hash.add(walks.listRepaired);

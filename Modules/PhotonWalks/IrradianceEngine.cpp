@@ -43,7 +43,8 @@ FrameChange IrradianceEngine::changeTo(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
   const WalkPlan plan = WalkSets::planOf(settings);
-  const bool samePlan = plan == WalkSets::planOf(settings_);
+  const bool samePlan = plan == WalkSets::planOf(settings_) &&
+    settings.gathersDirectLight == settings_.gathersDirectLight;
   // A wall that a point light touches may have moved.
   bool sameLights =
     isValid_ && samePlan && areLightsUnchanged(objects, objects_) && walks_.boundsInAir().isEmpty();
@@ -52,6 +53,10 @@ FrameChange IrradianceEngine::changeTo(
     const bool wasValid = std::exchange(isValid_, false);
     std::vector<WalkSource> sources =
       sourcesOf(objects, plan, LightWalls(objects, solidSides_, cancelPointOf(execution, 0)));
+    if (settings.gathersDirectLight)
+    {
+      sources = gatheredSourcesOf(objects, sources);
+    }
     isValid_ = wasValid;
     sameLights = isValid_ && walks_.hasSources(sources);
     if (!sameLights)
@@ -159,7 +164,7 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
   forgetPhotons(); // they are collected again, with this round
-  walks_.shootRound(round, keepsPhotons(), space(), execution);
+  walks_.shootRound(round, storesWalks(), space(), execution);
 }
 
 void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)

@@ -90,11 +90,12 @@ public:
   /// Walks stay inside, except where they escape.
   Box walkBounds() const { return walks_.bounds(scene_); }
   const EngineSettings& settings() const { return settings_; }
-  /// Whether the following can be asked for.
-  bool keepsPhotons() const
+  bool storesWalks() const
   {
     return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
   }
+  /// Whether the following can be asked for. Where direct light is gathered, walks are not all photons.
+  bool keepsPhotons() const { return storesWalks() && !settings_.gathersDirectLight; }
   WalkSpace space() const { return { scene_, objects_, triangles_, contacts_ }; }
   /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
   /// before; then updates keep it up to date. Throws Interrupted.

@@ -67,6 +67,20 @@ inline void ChangeEstimate(Trial& t)
   t.Apply();
 }
 
+/// Gathered light ends what it excludes.
+inline void ChangeDirectLight(Trial& t)
+{
+  t.Set().DirectLight = t.Random.Below(2);
+  if (t.Set().DirectLight == vtkIrradianceFilter::Gathered)
+  {
+    t.Set().CellEstimate = vtkIrradianceFilter::Sums;
+    t.Set().TargetRelativeError = t.Set().RepairTimeBudget = 0;
+    t.Set().NumberOfOutputWalks = 0;
+    t.Given.Look.HasEye = t.Given.Look.HasSensors = false;
+  }
+  t.Apply();
+}
+
 inline void ChangeTarget(Trial& t)
 {
   static const int replicates[] = { 2, 5, 16, 40 };
@@ -127,6 +141,7 @@ inline void AbortAView(Trial& t)
     meddler->Change = [view] { view->SetAbortExecute(1); };
     const auto tag = view->AddObserver(vtkCommand::ProgressEvent, meddler);
     t.LimitGloss();
+    t.ShootWhatIsLookedAt();
     t.Look();
     view->RemoveObserver(tag);
     view->Modified(); // else it keeps the empty output
@@ -336,11 +351,12 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ChangeBlocks", ChangeBlocks, 3 }, { "AddConnection", AddConnection, 4 },
   { "RemoveConnection", RemoveConnection, 3 }, { "ChangeSamples", ChangeSamples, 1 },
   { "ChangeModes", ChangeModes, 3 }, { "ChangeOutput", ChangeOutput, 2 },
-  { "ChangeEstimate", ChangeEstimate, 4 }, { "ChangeTarget", ChangeTarget, 2 },
-  { "ChangeReflectances", ChangeReflectances, 1 }, { "ChangeBudget", ChangeBudget, 6 },
-  { "ChangeWalks", ChangeWalks, 4 }, { "MoveTheEye", MoveTheEye, 3 },
-  { "ChangeTheSensors", ChangeTheSensors, 3 }, { "PutSensorsOnCells", PutSensorsOnCells, 3 },
-  { "AbortAView", AbortAView, 2 }, { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
+  { "ChangeEstimate", ChangeEstimate, 4 }, { "ChangeDirectLight", ChangeDirectLight, 6 },
+  { "ChangeTarget", ChangeTarget, 2 }, { "ChangeReflectances", ChangeReflectances, 1 },
+  { "ChangeBudget", ChangeBudget, 6 }, { "ChangeWalks", ChangeWalks, 4 },
+  { "MoveTheEye", MoveTheEye, 3 }, { "ChangeTheSensors", ChangeTheSensors, 3 },
+  { "PutSensorsOnCells", PutSensorsOnCells, 3 }, { "AbortAView", AbortAView, 2 },
+  { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
   { "MeddleWhileItRuns", MeddleWhileItRuns, 4 }, { "SpoilAPoint", SpoilAPoint, 1 },
   { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilAPose", SpoilAPose, 1 },
   { "SpoilALeaf", SpoilALeaf, 1 }, { "SpoilASetting", SpoilASetting, 1 } };

@@ -84,8 +84,9 @@ inline void Print(const Counts& counts)
             << counts.Compared << " comparisons, " << counts.Stale << " of them stale, "
             << counts.Errors << " errors, " << counts.Aborts << " aborts, " << counts.Meddlings
             << " changes while it ran, " << counts.Looks << " looks at its photons, "
-            << counts.Shown << " comparisons of walks; digest of the answers " << std::hex
-            << counts.Digest << std::dec << '\n';
+            << counts.Shown << " comparisons of walks, " << counts.Gathered
+            << " of gathered light; digest of the answers " << std::hex << counts.Digest << std::dec
+            << '\n';
 }
 
 }

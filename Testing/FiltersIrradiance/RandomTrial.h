@@ -66,7 +66,7 @@ struct Leaf
 struct Counts
 {
   int Operations = 0, Compared = 0, Repairs = 0, Stale = 0, Errors = 0, Aborts = 0, Meddlings = 0,
-      Looks = 0, Shown = 0;
+      Looks = 0, Shown = 0, Gathered = 0;
   std::uint64_t Digest = 0; ///< of all that fresh filters computed
 
   void Digested(std::uint64_t digest) { this->Digest = 3 * this->Digest + digest; }
@@ -163,6 +163,7 @@ struct Trial
   void LimitGloss();
   void KeepCellOfWalks();
   void DropBudgetOfLook();
+  void ShootWhatIsLookedAt();
   void UpdateAndCheck();
   void Compare();
   void Look();
@@ -172,6 +173,7 @@ struct Trial
   Model Given;
   Counts& Done;
   bool MustCompare = true;
+  bool HasLooked = false; ///< at photons, now or before
   vtkNew<vtkIrradianceFilter> Filter;
   vtkSmartPointer<ErrorObserver> Reports = ErrorObserver::Watch(this->Filter);
   vtkSmartPointer<Meddler> Observer = vtkSmartPointer<Meddler>::New();
@@ -211,12 +213,23 @@ inline void Trial::KeepCellOfWalks()
   }
 }
 
-/// Several processes look at photons or have a budget.
+/// Several processes look at photons or have a budget. The pipeline does not forget that photons were asked for.
 inline void Trial::DropBudgetOfLook()
 {
-  if (this->IsShared() && this->Given.Look.IsUsed() && this->Set().RepairTimeBudget > 0)
+  this->HasLooked = this->HasLooked || this->Given.Look.IsUsed();
+  if (this->IsShared() && this->HasLooked && this->Set().RepairTimeBudget > 0)
   {
     this->Set().RepairTimeBudget = 0;
+    this->Apply();
+  }
+}
+
+/// Gathered light keeps no photons to look at.
+inline void Trial::ShootWhatIsLookedAt()
+{
+  if (this->Given.Look.IsUsed() && this->Set().DirectLight != vtkIrradianceFilter::Shot)
+  {
+    this->Set().DirectLight = vtkIrradianceFilter::Shot;
     this->Apply();
   }
 }
@@ -226,6 +239,7 @@ inline void Trial::UpdateAndCheck()
   this->LimitGloss();
   this->KeepCellOfWalks();
   this->DropBudgetOfLook();
+  this->ShootWhatIsLookedAt();
   this->Reports->Clear();
   if (this->Given.Look.IsUsed() && Chance(this->Random, 4))
   {
@@ -314,6 +328,7 @@ inline void Trial::Compare()
   }
   EXPECT_TRUE(IsSame(OutputBits(this->Filter), OutputBits(fresh)));
   EXPECT_TRUE(IsSame(ShownWalks::LastingBits(this->Filter), ShownWalks::LastingBits(fresh)));
+  this->Done.Gathered += fresh->GetDirectLight() == vtkIrradianceFilter::Gathered;
   this->Done.Shown += fresh->GetWalksOutput()->GetNumberOfCells() > 0;
   this->CompareViews(fresh, !waits);
 }

@@ -94,6 +94,15 @@ TEST(Pieces, TheWholeIsPieceZero)
   ExpectEachCellOnce(filter);
 }
 
+TEST(Pieces, TheWholeOfGatheredLightIsPieceZero)
+{
+  const auto filter = MakeColouredFilter();
+  filter->SetDirectLightToGathered();
+  filter->SeparateSidesOn();
+  filter->ComputeStandardErrorOn();
+  ExpectEachCellOnce(filter);
+}
+
 TEST(Pieces, OthersShootNothingAndHaveNoFigures)
 {
   const auto filter = MakeColouredFilter();

@@ -83,10 +83,13 @@ void ExpectScaled(vtkIrradianceFilter* original, vtkIrradianceFilter* scaled, in
 }
 
 /// The first frame and two updates.
-void CompareFrames(const Scene& scene, int k, int type, int irradianceExponent, int powerExponent)
+void CompareFrames(const Scene& scene, int k, int type, int irradianceExponent, int powerExponent,
+  int directLight = vtkIrradianceFilter::Shot)
 {
   const Scene original = Scaled(scene, 0, type), scaled = Scaled(scene, k, type);
   const auto one = MakeFilter(original, 3000), other = MakeFilter(scaled, 3000);
+  one->SetDirectLight(directLight);
+  other->SetDirectLight(directLight);
   for (int frame = 0; frame < 3; ++frame)
   {
     SCOPED_TRACE("k " + std::to_string(k) + ", frame " + std::to_string(frame));
@@ -123,6 +126,15 @@ TEST_P(Scale, DividesTheIrradianceUnderALightOfGivenFluxByTheSquare)
 {
   const auto [k, type] = GetParam();
   CompareFrames(MakeTurnedScene(MakePointLight({ 1.5, 1.5, 2.5 }, { 60 })), k, type, -2 * k, 0);
+}
+
+TEST_P(Scale, KeepsTheBitsOfGatheredLight)
+{
+  const auto [k, type] = GetParam();
+  CompareFrames(MakeTurnedScene(MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 })), k, type, 0, 2 * k,
+    vtkIrradianceFilter::Gathered);
+  CompareFrames(MakeTurnedScene(MakePointLight({ 1.5, 1.5, 2.5 }, { 60 })), k, type, -2 * k, 0,
+    vtkIrradianceFilter::Gathered);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfAllLengths, Scale,

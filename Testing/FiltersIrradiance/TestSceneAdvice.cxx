@@ -88,8 +88,12 @@ TEST(LampAdvice, ClosedLampTurnedInsideOut)
   lift->Update();
   scene.Fixed[1] = Copy(lift->GetOutput());
   SetCellValues(scene.Fixed[1], "RadiantExitance", { 100 });
-  ExpectOnlyWarning(
-    MakeFilter(scene, NumberOfWalks), { "input port 0, connection 1", "150 W", "front" });
+  const auto gathered = MakeFilter(scene, NumberOfWalks);
+  gathered->SetDirectLightToGathered(); // it is not known for sure that nothing escapes
+  for (const auto& filter : { MakeFilter(scene, NumberOfWalks), gathered })
+  {
+    ExpectOnlyWarning(filter, { "input port 0, connection 1", "150 W", "front" });
+  }
   scene.Fixed[1] = Reversed(scene.Fixed[1]);
   ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
 }

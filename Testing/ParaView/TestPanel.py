@@ -29,8 +29,8 @@ class Panel(unittest.TestCase):
         with open(f"{plugin.FOLDER}/defaults.txt", encoding="utf-8") as file:
             text = file.read()  # as the C++ filter prints itself
         for name in ("NumberOfWalks", "Seed", "TraversalMode", "UpdateMode", "CacheStaticHits", "SeparateSides",
-                     "CellEstimate", "NumberOfSpreadPhotons", "ComputeStandardError", "NumberOfReplicates",
-                     "MaximumNumberOfWalks", "DefaultDiffuseReflectance"):
+                     "DirectLight", "CellEstimate", "NumberOfSpreadPhotons", "ComputeStandardError",
+                     "NumberOfReplicates", "MaximumNumberOfWalks", "DefaultDiffuseReflectance"):
             value = source.SMProxy.GetProperty(name).GetElement(0)
             self.assertIn(f"  {name}: {value}\n", text)
 
@@ -51,6 +51,16 @@ class Panel(unittest.TestCase):
         self.assertEqual(plugin.figure(source, "NumberOfShotWalks"), 20000)
         source.RadiantExitanceArray = "None"
         self.assertIn("no light", plugin.messages_of(source.UpdatePipeline))
+
+    def test_direct_light_is_gathered(self):
+        source = plugin.make_scene(NumberOfWalks=5000)
+        shot = plugin.bits(plugin.fetch(source))["1 Irradiance"]
+        source.DirectLight = "Gathered"
+        self.assertNotEqual(plugin.bits(plugin.fetch(source))["1 Irradiance"], shot)
+        probe = plugin.paraview.simple.IrradianceProbe(Sensors=Sphere(Center=[0, 0, 0], Radius=0.01), Source=source)
+        self.assertIn("DirectLight Gathered", plugin.messages_of(probe.UpdatePipeline))
+        source.DirectLight = "Shot"
+        self.assertEqual(plugin.bits(plugin.fetch(source))["1 Irradiance"], shot)
 
     def test_parts_come_and_go(self):
         source = plugin.make_scene(NumberOfWalks=1000)

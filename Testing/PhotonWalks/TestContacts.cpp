@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 
 namespace irradiance
 {
@@ -154,13 +155,17 @@ TEST(Contacts, AShutterBeforeALampInACeiling)
   SceneObjects objects{ room.build(), { shutter.build(), plate.build() } };
   EngineSettings settings;
   settings.numberOfWalks = test::scaled(5000);
-  IrradianceEngine engine;
   Execution one;
-  for (const double x : { 5.0, 0.0, 5.0, 1.0, 5.0 })
+  for (const bool isGathered : { false, true })
   {
-    objects.dynamicObjects[0].worldFromObject = test::shift({ x, 0, 0 });
-    engine.update(objects, settings, one);
-    ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+    settings.gathersDirectLight = isGathered;
+    IrradianceEngine engine;
+    for (const double x : { 5.0, 0.0, 5.0, 1.0, 5.0 })
+    {
+      objects.dynamicObjects[0].worldFromObject = test::shift({ x, 0, 0 });
+      engine.update(objects, settings, one);
+      ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+    }
   }
 }
 
@@ -172,8 +177,10 @@ TEST(Contacts, NoLightGetsInside)
   settings.numberOfWalks = test::scaled(100000);
   settings.separateSides = true;
   Execution one;
-  for (const double angle : { 0.0, 0.3, 1.1 })
+  for (const auto& [angle, isGathered] : { std::pair(0.0, false), std::pair(0.3, false),
+         std::pair(1.1, false), std::pair(0.0, true), std::pair(0.3, true), std::pair(1.1, true) })
   {
+    settings.gathersDirectLight = isGathered;
     const Eigen::AngleAxisd turn(angle, Vector3::UnitZ());
     objects.dynamicObjects[0].worldFromObject = { turn.toRotationMatrix(), Vector3(-0.3, -0.2, 0) };
     IrradianceEngine engine;

@@ -80,6 +80,14 @@ TEST(Ranks, ShareWalksOfSeveralSets)
   expectSameAsAlone(3, settingsOf(5000), true);
 }
 
+TEST(Ranks, ShareCellsThatGather)
+{
+  EngineSettings settings = settingsOf(5000);
+  settings.gathersDirectLight = true;
+  expectSameAsAlone(2, settings, false);
+  expectSameAsAlone(3, settings, true);
+}
+
 // More ranks than blocks: some have nothing to do.
 TEST(Ranks, MayHaveNoWalks)
 {

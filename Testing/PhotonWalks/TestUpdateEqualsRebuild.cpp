@@ -113,6 +113,24 @@ TEST(UpdateEqualsRebuild, OverRandomFramesWithGlossyWallsInColourWithSides)
   compareOverFrames(settings, 3, false, 25, true);
 }
 
+TEST(UpdateEqualsRebuild, OverRandomFramesWithGatheredLight)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = scaled(3000);
+  settings.gathersDirectLight = true;
+  compareOverFrames(settings, 1, false, 26);
+}
+
+TEST(UpdateEqualsRebuild, OverRandomFramesWithGatheredLightInColourWithSidesAndReplicates)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = scaled(1000);
+  settings.gathersDirectLight = true;
+  settings.separateSides = true;
+  settings.replicates = 3;
+  compareOverFrames(settings, 3, false, 27, true);
+}
+
 // 10,000 frames out and the same 10,000 back: nothing drifts, nothing is left behind.
 TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
 {

@@ -76,6 +76,18 @@ TEST(Ranks, BringTheBitsOfOne)
   });
 }
 
+// Each process gathers all direct light, and adds that of its own cells; it shoots its part of the walks.
+TEST(Ranks, GatherTheLightOfOne)
+{
+  ExpectBitsOfOne([](vtkIrradianceFilter* filter) { filter->SetDirectLightToGathered(); });
+  ExpectBitsOfOne([](vtkIrradianceFilter* filter) {
+    filter->SetDirectLightToGathered();
+    filter->SetNumberOfWalks(20000);
+    filter->SetComputeStandardError(true);
+    filter->SetSeparateSides(true);
+  });
+}
+
 TEST(Ranks, ReachATargetTogether)
 {
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {

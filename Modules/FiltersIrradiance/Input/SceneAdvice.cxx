@@ -70,7 +70,10 @@ double SceneAdvice::emitted() const
 
 double SceneAdvice::escaped() const
 {
-  return engine_.watts(sum(engine_.balance().escaped, scene_.bands()));
+  // Gathered light is an estimate: what so little of it says may be noise.
+  constexpr double kNoise = 0.05;
+  const double watts = engine_.watts(sum(engine_.balance().escaped, scene_.bands()));
+  return engine_.settings().gathersDirectLight && watts < kNoise * emitted() ? 0 : watts;
 }
 
 std::vector<std::string> SceneAdvice::warnings() const

@@ -26,8 +26,11 @@ bool needsPhotons(CellEstimate estimate)
   return estimate == CellEstimate::Nearest;
 }
 
+namespace
+{
+
 /// The nearest photons are others in each replicate and round.
-std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)
+std::string conflictOfNearest(const EstimateSettings& settings, const WalkSettings& walks)
 {
   const char* other = walks.targetRelativeError > 0 ? "TargetRelativeError"
     : walks.replicates > 1                          ? "ComputeStandardError"
@@ -37,6 +40,28 @@ std::string conflictOf(const EstimateSettings& settings, const WalkSettings& wal
     ? std::string("CellEstimate Nearest and ") + other +
       " exclude each other: what is known of the error is known of sums, also spread ones"
     : std::string();
+}
+
+/// What was gathered is no photons, and not shot round by round.
+std::string conflictOfGathered(const EstimateSettings& settings, const WalkSettings& walks)
+{
+  const char* other = walks.targetRelativeError > 0  ? "TargetRelativeError"
+    : walks.repairTimeBudget > 0                     ? "RepairTimeBudget"
+    : walks.keepPhotons                              ? "what needs photons of walks"
+    : settings.cellEstimate == CellEstimate::Spread  ? "CellEstimate Spread"
+    : settings.cellEstimate == CellEstimate::Nearest ? "CellEstimate Nearest"
+                                                     : nullptr;
+  return other && walks.gathersDirectLight
+    ? std::string("DirectLight Gathered and ") + other + " exclude each other"
+    : std::string();
+}
+
+}
+
+std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)
+{
+  const std::string nearest = conflictOfNearest(settings, walks);
+  return nearest.empty() ? conflictOfGathered(settings, walks) : nearest;
 }
 
 }

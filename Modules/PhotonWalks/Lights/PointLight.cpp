@@ -13,21 +13,49 @@ namespace irradiance
 namespace
 {
 
+std::vector<Vector3>::const_iterator firstBehind(
+  const std::vector<Vector3>& openSides, const Vector3& direction)
+{
+  return std::find_if(openSides.begin(), openSides.end(),
+    [&](const Vector3& side) { return side.dot(direction) < 0; });
+}
+
+constexpr int kMostMirrors = 256; // walls at an acute angle take several
+
+Vector3 mirroredAt(const Vector3& normal, const Vector3& direction)
+{
+  return direction - 2 * normal.dot(direction) * normal;
+}
+
 /// Mirrors a direction at walls until it points to the open side of all; false if it never does.
 bool mirrorInto(const std::vector<Vector3>& openSides, Vector3& direction)
 {
-  constexpr int kMostMirrors = 256; // walls at an acute angle take several
   for (int i = 0; i < kMostMirrors; ++i)
   {
-    const auto wall = std::find_if(openSides.begin(), openSides.end(),
-      [&](const Vector3& side) { return side.dot(direction) < 0; });
+    const auto wall = firstBehind(openSides, direction);
     if (wall == openSides.end())
     {
       return true;
     }
-    direction -= 2 * wall->dot(direction) * *wall;
+    direction = mirroredAt(*wall, direction);
   }
   return false;
+}
+
+/// How many directions mirrorInto() takes to this one, itself among them.
+int numberMirroredInto(
+  const std::vector<Vector3>& openSides, const Vector3& direction, int mirrors = 0)
+{
+  int number = 1;
+  for (auto wall = openSides.begin(); wall != openSides.end() && mirrors < kMostMirrors; ++wall)
+  {
+    const Vector3 before = mirroredAt(*wall, direction);
+    if (firstBehind(openSides, before) == wall)
+    {
+      number += numberMirroredInto(openSides, before, mirrors + 1);
+    }
+  }
+  return number;
 }
 
 }
@@ -55,6 +83,14 @@ Ray PointLight::leaving(const std::array<double, 2>& u) const
   Vector3 shining = sampleSphere(u);
   mirrorInto(openSides_, shining);
   return { position_, shining, {} };
+}
+
+double PointLight::density(const Vector3& direction) const
+{
+  constexpr double kSphere = 4 * 3.14159265358979323846;
+  return firstBehind(openSides_, direction) == openSides_.end()
+    ? numberMirroredInto(openSides_, direction) / kSphere
+    : 0;
 }
 
 }

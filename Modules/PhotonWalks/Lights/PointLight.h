@@ -22,6 +22,9 @@ public:
   Box bounds() const { return { position_, position_ }; }
   /// The ray that leaves in the direction that a point of the unit square chooses.
   Ray leaving(const std::array<double, 2>& u) const;
+  const Vector3& position() const { return position_; }
+  /// Of the directions in which light leaves, per steradian: 1 / (4 pi) without walls.
+  double density(const Vector3& direction) const;
 
   friend bool operator==(const PointLight& a, const PointLight& b)
   {

@@ -209,9 +209,8 @@ bool WalkVerifier::isTouching(const BounceBlock& block, std::uint32_t slot) cons
     return false;
   }
   const std::uint32_t hit = block.triangle(slot), parent = block.previous(slot);
-  const std::uint32_t start = parent == BounceBlock::kNone
-    ? tracer_.triangles().numberOf(tracer_.sampler().lightOf(block.walkOf(slot)).triangle())
-    : block.triangle(parent);
+  const std::uint32_t start =
+    parent == BounceBlock::kNone ? tracer_.startOf(block.walkOf(slot)) : block.triangle(parent);
   return tracer_.hasContact(hit) || tracer_.isContact(start, hit);
 }
 

@@ -3,6 +3,7 @@
 #define irradiance_SobolSequence_h
 
 #include "Sampling/SobolPoint.h"
+#include "Sampling/SplitMix.h"
 #include "Sampling/WalkPlan.h"
 
 #include <array>
@@ -39,7 +40,7 @@ public:
   {
     for (std::uint32_t replicate = 0; replicate < replicates.count(); ++replicate)
     {
-      seeds_.push_back(replicate == 0 ? seed : mix(mix(seed) + replicate));
+      seeds_.push_back(replicate == 0 ? seed : splitMix(splitMix(seed) + replicate));
       for (std::uint32_t i = 0; i < kUses * kKnownBounces; ++i)
       {
         keys_.push_back(keysOf(seeds_.back(), i / kUses, i % kUses));
@@ -72,19 +73,10 @@ private:
 
   static SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, std::uint32_t use)
   {
-    const std::uint64_t key = mix(seed ^ mix(std::uint64_t{ bounce } << 32 | use));
-    const std::uint64_t scrambles = mix(key);
+    const std::uint64_t key = splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 32 | use));
+    const std::uint64_t scrambles = splitMix(key);
     return { static_cast<std::uint32_t>(key),
       { static_cast<std::uint32_t>(scrambles), static_cast<std::uint32_t>(scrambles >> 32) } };
-  }
-
-  /// SplitMix64's finalizer (Steele, Lea and Flood 2014).
-  static std::uint64_t mix(std::uint64_t x)
-  {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-    return x ^ x >> 31;
   }
 
   Replicates replicates_;

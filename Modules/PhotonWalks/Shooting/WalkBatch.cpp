@@ -25,7 +25,8 @@ void WalkBatch::start(FrontTally& tally)
 {
   StageClock clock;
   tracer_->stages().start(now_);
-  tally.emit(now_);
+  // What was received directly was taken for absorbed.
+  tracer_->hasStarts() ? tally.release(now_) : tally.emit(now_);
   clock.ends(Stage::Start);
 }
 

@@ -25,7 +25,7 @@ public:
   /// To be filled: with walks and their blocks, to be started; or with walks whose rays and hits are known,
   /// to go on.
   WalkFront& front() { return now_; }
-  /// All walks of the front leave their lights.
+  /// All walks of the front leave their lights, or the cells where direct light was gathered.
   void start(FrontTally& tally);
   /// All walks of the front go on. `notesPlaces`: see places().
   void resume(bool notesPlaces);

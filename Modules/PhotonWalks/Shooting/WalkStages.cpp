@@ -50,11 +50,12 @@ Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
 }
 
 WalkStages::WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles,
-  const LightTable& lights, const SobolSequence& samples)
+  const LightTable& lights, const SobolSequence& samples, const WalkStarts* starts)
   : sampler_(sampler)
   , triangles_(triangles)
   , lights_(lights)
   , samples_(samples)
+  , starts_(starts)
   , lightKeys_(samples, SampleUse::Light, 1)
   , positionKeys_(samples, SampleUse::Position, 1)
   , survivalKeys_(samples, SampleUse::Survival)
@@ -73,9 +74,14 @@ void WalkStages::start(WalkFront& front) const
   {
     return;
   }
-  assert(!lights_.isEmpty());
   std::fill_n(front.bounce.data(), front.size, 0u);
   std::fill_n(front.parent.data(), front.size, WalkFront::kNone);
+  starts_ ? startAtCells(front) : startAtLights(front);
+}
+
+void WalkStages::startAtLights(WalkFront& front) const
+{
+  assert(!lights_.isEmpty());
   front.pad();
   runStart({ front, lightKeys_, positionKeys_, lights_.cumulativeFlux(), triangleOfLight_.data(),
     front.candidate.data() });
@@ -89,6 +95,29 @@ void WalkStages::start(WalkFront& front) const
   {
     startInAir(front);
   }
+}
+
+void WalkStages::startAtCells(WalkFront& front) const
+{
+  for (std::size_t i = 0; i < front.size; ++i)
+  {
+    const WalkStarts::Start& start = (*starts_)[front.walk[i]];
+    const GatherSample& sample = starts_->sampleOf(start);
+    front.start[i] = sample.triangle;
+    front.weightB[i] = sample.weightB;
+    front.weightC[i] = sample.weightC;
+    front.side[i] = sample.isFront ? 1 : 0;
+    if (triangles_.hasGlossy())
+    {
+      front.isSpecular[i] = start.isSpecular ? 1 : 0;
+      setOrigin(front, i, sample.from);
+    }
+    if (sampler_.bands() > 1)
+    {
+      front.setPower(i, sampler_.bands(), start.power);
+    }
+  }
+  leave(front, true);
 }
 
 /// Such lights are few, and each has walls of its own.

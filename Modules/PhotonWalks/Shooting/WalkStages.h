@@ -2,6 +2,7 @@
 #ifndef irradiance_WalkStages_h
 #define irradiance_WalkStages_h
 
+#include "Gathering/WalkStarts.h"
 #include "Sampling/BounceKeys.h"
 #include "Shooting/FrontTally.h"
 #include "Shooting/WalkFront.h"
@@ -27,9 +28,9 @@ namespace irradiance
 class WalkStages
 {
 public:
-  /// The arguments must outlive the stages.
+  /// The arguments must outlive the stages. `starts`: where walks start instead of at the lights; or null.
   WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles, const LightTable& lights,
-    const SobolSequence& samples);
+    const SobolSequence& samples, const WalkStarts* starts = nullptr);
 
   /// Walks leave their lights, areas or points in the air. Reads walk, for which any numbers of the plan will
   /// do; writes bounce, parent, the ray with side, the weights of its place on `start`, candidate, isSpecular
@@ -60,6 +61,8 @@ private:
   /// Several bands: whether a walk survives depends on its powers, which change.
   void decideByPowers(WalkFront& front) const;
   void chooseReflections(WalkFront& front) const;
+  void startAtLights(WalkFront& front) const;
+  void startAtCells(WalkFront& front) const;
   void startInAir(WalkFront& front) const;
   void setPowers(WalkFront& front) const;
   /// A walk that leaves specularly: its row, whence the light came, and the point that it leaves.
@@ -76,6 +79,7 @@ private:
   const SceneTriangles& triangles_;
   const LightTable& lights_;
   const SobolSequence& samples_;
+  const WalkStarts* starts_;
   BounceKeys lightKeys_, positionKeys_, survivalKeys_, directionKeys_;
   std::vector<std::uint32_t> triangleOfLight_;
   bool hasLightsInAir_ = false;

@@ -15,13 +15,16 @@ class WalkTracer
 {
 public:
   /// The arguments must outlive the tracer. `contacts`: null if nothing coincides with a lamp.
+  /// `starts`: see WalkStages.
   WalkTracer(const Scene& scene, const SceneObjects& objects, const SceneTriangles& triangles,
-    const LightTable& lights, const SobolSequence& samples, const Contacts* contacts = nullptr)
+    const LightTable& lights, const SobolSequence& samples, const Contacts* contacts = nullptr,
+    const WalkStarts* starts = nullptr)
     : scene_(scene)
     , triangles_(triangles)
     , sampler_(objects, lights, samples)
-    , stages_(sampler_, triangles, lights, samples)
+    , stages_(sampler_, triangles, lights, samples, starts)
     , contacts_(contacts)
+    , starts_(starts)
   {
   }
   WalkTracer(const WalkTracer&) = delete;
@@ -56,6 +59,14 @@ public:
   {
     return hasContacts() && contacts_->has(triangles_.idOf(triangle));
   }
+  /// Whether walks start where direct light was gathered.
+  bool hasStarts() const { return starts_ != nullptr; }
+  /// The number of the triangle that a walk leaves first, or kNone.
+  std::uint32_t startOf(std::uint32_t walk) const
+  {
+    return starts_ ? starts_->sampleOf((*starts_)[walk]).triangle
+                   : triangles_.numberOf(sampler_.lightOf(walk).triangle());
+  }
   Ray rayOf(const WalkFront& front, std::size_t row) const
   {
     return { { front.originX[row], front.originY[row], front.originZ[row] },
@@ -72,6 +83,7 @@ private:
   WalkSampler sampler_;
   WalkStages stages_;
   const Contacts* contacts_;
+  const WalkStarts* starts_;
 };
 
 }

@@ -38,6 +38,22 @@ public:
   /// Whether the triangle touches another and one of the two is dynamic.
   bool hasDynamic(const TriangleId& id) const;
 
+  /// Calls visit(id) for each lamp that coincides with a triangle, in order.
+  template <class Visit>
+  void forEachLampAt(const TriangleId& id, const Visit& visit) const
+  {
+    if (has(id))
+    {
+      for (const ContactTriangle& partner : contacts_.at(key(id)).partners)
+      {
+        if (partner.isLamp)
+        {
+          visit(partner.id);
+        }
+      }
+    }
+  }
+
   /// The hit of a ray whose closest hit among all triangles is `closest`. Its distance is 0 where
   /// the ray cannot leave its start.
   Hit resolveContact(const Scene& scene, const Ray& ray, const Hit& closest) const;

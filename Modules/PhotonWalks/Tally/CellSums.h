@@ -50,6 +50,11 @@ public:
   {
     return slot(groupOf(walk), { cell });
   }
+  /// Where what a replicate brings to a side of a cell in the first round is added.
+  std::size_t slotOf(const CellSide& cell, std::uint32_t replicate) const
+  {
+    return slot({ 0, replicate }, cell);
+  }
   /// How slots are numbered: by round, then cell, side, replicate and band.
   std::size_t slotsPerRound() const { return roundSize_; }
   std::size_t slotsPerCell() const { return static_cast<std::size_t>(sides_) * sideSize(); }

@@ -4,6 +4,7 @@
 #include "Execution/ProgressSpan.h"
 #include "Execution/SlicedPass.h"
 #include "Execution/Stopwatch.h"
+#include "Shooting/StoredRays.h"
 
 #include <algorithm>
 #include <numeric>
@@ -33,7 +34,7 @@ void WalkSet::setSettings(const WalkSettings& settings)
 
 void WalkSet::start(const WalkSpace& space, Execution& execution)
 {
-  sums_ = CellSums(space.objects, sides(), plan(), 0);
+  sums_ = CellSums(space.objects, sides(), source_.plan, 0);
   balance_ = {};
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   while (history_.size() > 0) // freeing many walks takes a while
@@ -42,6 +43,7 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
     cancelPoint();
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
+  gather(space, execution);
   const int bands = space.objects.staticObject.material->bands;
   history_ = {};
   history_ =
@@ -49,6 +51,22 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
       bands, Power{ { lights().quantaPerWalk() } }, arenaFor(bands), blocks_);
   stale_.reset();
   repaired_ = {};
+}
+
+void WalkSet::gather(const WalkSpace& space, Execution& execution)
+{
+  gathered_.reset();
+  plan_ = source_.plan;
+  if (source_.cells && !lights().isEmpty())
+  {
+    ProgressSpan beginning(execution, 0, 0);
+    gathered_ = std::make_unique<GatheredLight>(
+      GatherSpace{ space.scene, space.triangles, space.contacts }, space.objects, lights(),
+      GatheredLight::Settings{ *source_.cells, plan_.most(), plan_.replicates().count(),
+        source_.firstWalk, settings_.seed },
+      beginning);
+    plan_ = gathered_->plan();
+  }
 }
 
 std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
@@ -74,6 +92,10 @@ void WalkSet::shootRound(
   const Stopwatch stopwatch;
   const WalkRound& walks = plan().rounds()[round];
   sums_.setRounds(round + 1, cancelPointOf(execution, 0));
+  if (gathered_)
+  {
+    gathered_->addTo(sums_, balance_, blocks_, cancelPointOf(execution, 0));
+  }
   while (isStored && history_.size() < blocks_.before(walks.endBlock))
   {
     history_.append();
@@ -124,12 +146,16 @@ void WalkSet::fill(WalkBatch& batch, std::size_t first, std::size_t end, int ban
   WalkFront& front = batch.front();
   for (std::size_t i = first; i < end; ++i)
   {
+    const std::uint32_t firstWalk = plan().firstWalkOf(blocks_[i]);
     const std::uint32_t count = plan().walksIn(blocks_[i]);
     front.reserve(front.size + count, bands);
-    std::iota(front.walk.data() + front.size, front.walk.data() + front.size + count,
-      plan().firstWalkOf(blocks_[i]));
-    std::fill_n(front.block.data() + front.size, count, static_cast<std::uint32_t>(i));
-    front.size += count;
+    std::uint32_t* const begin = front.walk.data() + front.size;
+    std::iota(begin, begin + count, firstWalk);
+    const auto isUnborn = [&](std::uint32_t walk) { return !gathered_->starts().isBorn(walk); };
+    const auto born = static_cast<std::size_t>(
+      (gathered_ ? std::remove_if(begin, begin + count, isUnborn) : begin + count) - begin);
+    std::fill_n(front.block.data() + front.size, born, static_cast<std::uint32_t>(i));
+    front.size += born;
   }
 }
 
@@ -161,6 +187,15 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
   Execution& execution)
 {
   const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
+  if (gathered_ && hasMotion && source_.cells == CellPart::Dynamic)
+  {
+    startAgain(space, execution);
+    return;
+  }
+  const Stopwatch gathering;
+  const std::vector<std::uint32_t> born =
+    gathered_ && hasMotion ? followGathered(moved, space, execution) : std::vector<std::uint32_t>();
+  const double gatherSeconds = gathered_ && hasMotion ? gathering.seconds() : 0;
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(space, samples);
   const BounceScan scan = scanOf(moved, space);
@@ -205,10 +240,104 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
     repair.repair(*stale_, budget ? &*budget : nullptr, rest);
     statistics_.repairSeconds = budget ? budget->elapsed() : repairing.seconds();
   }
+  if (gathered_)
+  {
+    const Stopwatch bearing;
+    shootBorn(born, space, execution);
+    statistics_.verifySeconds += gatherSeconds;
+    statistics_.repairSeconds += bearing.seconds();
+  }
   std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
   statistics_.invalidWalks = repair.figures().invalidWalks;
-  statistics_.repairedSegments = repair.figures().repairedSegments;
+  statistics_.repairedSegments += repair.figures().repairedSegments;
+}
+
+void WalkSet::startAgain(const WalkSpace& space, Execution& execution)
+{
+  const Stopwatch stopwatch;
+  const bool isStored = history_.size() > 0;
+  start(space, execution);
+  shootRound(0, isStored, space, execution);
+  statistics_.repairedSegments = balance_.segments;
+  statistics_.shootSeconds = 0;
+  statistics_.repairSeconds = stopwatch.seconds();
+}
+
+std::vector<std::uint32_t> WalkSet::followGathered(
+  const std::vector<bool>& moved, const WalkSpace& space, Execution& execution)
+{
+  std::vector<Box> boxes;
+  for (std::uint32_t i = 0; i < moved.size(); ++i)
+  {
+    Box box = space.objects.dynamicObjects[i].worldBounds();
+    if (moved[i] && !box.isEmpty())
+    {
+      box.inflate(space.scene.shadowPad(i, space.scene.clearance()));
+      boxes.push_back(box);
+    }
+  }
+  ProgressSpan beginning(execution, 0, 0);
+  const std::vector<std::uint32_t> samples =
+    gathered_->follow({ space.scene, space.triangles, space.contacts }, boxes, beginning);
+  gathered_->change(samples, sums_, balance_, blocks_);
+  std::vector<std::uint32_t> born, gone;
+  for (const std::uint32_t walk : gathered_->starts().walksOf(samples))
+  {
+    if (has(walk))
+    {
+      (gathered_->starts().isBorn(walk) ? born : gone).push_back(walk);
+    }
+  }
+  takeBack(gone, space.triangles);
+  return born;
+}
+
+void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles)
+{
+  WalkFront old;
+  Power starting;
+  for (const std::uint32_t walk : walks)
+  {
+    const SegmentPlace place = history_.placeOf({ walk, 0 });
+    starting += history_.power(place);
+    history_.removeFrom(place, [&](std::uint32_t slot) {
+      addStored(history_.block(place.block), slot, history_.bands(), old);
+    });
+  }
+  FrontTally tally(triangles, sums_, balance_, Power{ { lights().quantaPerWalk() } }, old.size);
+  tally.remove(old, starting);
+  balance_.absorbed += starting; // where it was received directly
+}
+
+void WalkSet::shootBorn(
+  const std::vector<std::uint32_t>& walks, const WalkSpace& space, Execution& execution)
+{
+  const SobolSequence samples = this->samples();
+  const WalkTracer tracer = this->tracer(space, samples);
+  std::unique_ptr<WalkBatch> batch = batches_->take();
+  for (std::size_t first = 0; first < walks.size(); first += WalkFront::kUsualSize)
+  {
+    const std::size_t count = std::min(WalkFront::kUsualSize, walks.size() - first);
+    FrontTally tally(space.triangles, sums_, balance_, tracer.sampler().powerPerWalk(), 4 * count);
+    batch->begin(tracer, &history_, sides() == 2);
+    WalkFront& front = batch->front();
+    front.reserve(count, tracer.sampler().bands());
+    front.size = count;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      front.walk[i] = walks[first + i];
+      front.block[i] = static_cast<std::uint32_t>(history_.indexOf(walks[first + i]));
+    }
+    batch->start(tally);
+    const CancelPoint cancelPoint = cancelPointOf(execution, 1);
+    batch->run(tally, [&] {
+      cancelPoint();
+      return false;
+    });
+    statistics_.repairedSegments += batch->numberOfSegments();
+  }
+  batches_->giveBack(std::move(batch));
 }
 
 BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const WalkSpace& space) const

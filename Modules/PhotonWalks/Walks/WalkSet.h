@@ -39,7 +39,11 @@ class WalkSet
 {
 public:
   /// Before the start.
-  void setSource(WalkSource source) { source_ = std::move(source); }
+  void setSource(WalkSource source)
+  {
+    gathered_.reset(); // it refers to the lights of before
+    source_ = std::move(source);
+  }
   /// For what is done next. Between two starts they may differ only in what is kept, and in the budget.
   void setSettings(const WalkSettings& settings);
   /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its blocks.
@@ -62,7 +66,8 @@ public:
 
   const WalkSource& source() const { return source_; }
   const LightTable& lights() const { return source_.lights; }
-  const WalkPlan& plan() const { return source_.plan; }
+  /// Of the walks that are stored.
+  const WalkPlan& plan() const { return plan_; }
   const WalkHistory& history() const { return history_; }
   /// Whether it has the walks that are this rank's: a part of them, or all.
   bool isOf(const Ranks& ranks, bool all) const { return blocks_ == dealt(ranks, all); }
@@ -87,7 +92,8 @@ public:
   /// The arguments must outlive it.
   WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const
   {
-    return { space.scene, space.objects, space.triangles, lights(), samples, &space.contacts };
+    return { space.scene, space.objects, space.triangles, lights(), samples, &space.contacts,
+      gathered_ ? &gathered_->starts() : nullptr };
   }
   /// Walks stay inside, except where they escape.
   Box bounds(const Scene& scene) const;
@@ -103,6 +109,16 @@ private:
     const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution);
   /// Fills a batch with the walks of blocks [first, end) of this rank.
   void fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const;
+  void gather(const WalkSpace& space, Execution& execution);
+  /// Gathers anew and shoots again; for dynamic cells of which some moved.
+  void startAgain(const WalkSpace& space, Execution& execution);
+  /// Follows what a motion changes of the direct light. Takes back the walks that no longer start; returns
+  /// those that start now.
+  std::vector<std::uint32_t> followGathered(
+    const std::vector<bool>& moved, const WalkSpace& space, Execution& execution);
+  void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles);
+  void shootBorn(
+    const std::vector<std::uint32_t>& walks, const WalkSpace& space, Execution& execution);
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const WalkSpace& space) const;
   /// An arena for pages of so many bands: the one of before, if it will do.
@@ -110,9 +126,11 @@ private:
 
   WalkSettings settings_;
   WalkSource source_;
-  DealtBlocks blocks_;                ///< of this rank
-  std::shared_ptr<BlockArena> arena_; ///< kept over fresh starts
-  WalkHistory history_;               ///< empty unless walks are stored
+  WalkPlan plan_;
+  std::unique_ptr<GatheredLight> gathered_; ///< null: walks start at the lights
+  DealtBlocks blocks_;                      ///< of this rank
+  std::shared_ptr<BlockArena> arena_;       ///< kept over fresh starts
+  WalkHistory history_;                     ///< empty unless walks are stored
   CellSums sums_;
   PowerBalance balance_;
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget

@@ -46,6 +46,10 @@ void WalkSets::setSources(std::vector<WalkSource> sources)
   std::uint32_t first = 0, most = 0;
   for (const WalkSource& source : sources)
   {
+    if (source.cells == CellPart::Dynamic)
+    {
+      continue; // the same light as of the static cells
+    }
     flux_ += source.lights.flux();
     quanta += static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1);
     first += source.plan.walksAfter(1);

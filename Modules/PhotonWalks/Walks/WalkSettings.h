@@ -15,6 +15,9 @@ struct WalkSettings
   bool verify = true; ///< false: all walks of every frame are shot again
   bool cacheStaticHits = false;
   bool separateSides = false;
+  /// Whether cells gather the light that comes straight from the lights, and walks start where it arrived;
+  /// else walks start at the lights.
+  bool gathersDirectLight = false;
   /// Whether walks are stored even if nothing can move, for filters that need their photons.
   bool keepPhotons = false;
   /// Whether each rank shoots and keeps all walks, for filters that read their photons there; else the ranks

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -75,6 +76,29 @@ std::vector<WalkSource> sourcesOf(
     deal(sources, plan);
   }
   return sources;
+}
+
+std::vector<WalkSource> gatheredSourcesOf(
+  const SceneObjects& objects, const std::vector<WalkSource>& sources)
+{
+  std::vector<WalkSource> gathered;
+  const bool hasDynamic = !objects.dynamicObjects.empty();
+  const auto count = static_cast<std::uint32_t>(sources.size() * (hasDynamic ? 2 : 1));
+  for (const WalkSource& source : sources)
+  {
+    for (const CellPart part : { CellPart::Static, CellPart::Dynamic })
+    {
+      if (part == CellPart::Static || hasDynamic)
+      {
+        // How many walks are born is not known yet: numbers are shared evenly.
+        const auto number = static_cast<std::uint32_t>(gathered.size());
+        gathered.push_back(source);
+        gathered.back().cells = part;
+        gathered.back().firstWalk = number * (std::numeric_limits<std::uint32_t>::max() / count);
+      }
+    }
+  }
+  return gathered;
 }
 
 }

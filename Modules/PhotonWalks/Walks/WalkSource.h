@@ -2,9 +2,11 @@
 #ifndef irradiance_WalkSource_h
 #define irradiance_WalkSource_h
 
+#include "Gathering/GatheredLight.h"
 #include "Lights/LightTable.h"
 #include "Sampling/WalkPlan.h"
 
+#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -14,11 +16,15 @@ namespace irradiance
 struct WalkSource
 {
   LightTable lights;
-  WalkPlan plan;
+  WalkPlan plan; ///< of the walks that divide the flux of the lights
+  /// The cells where direct light is gathered and walks start; none: they start at the lights.
+  std::optional<CellPart> cells;
+  std::uint32_t firstWalk = 0; ///< the number of the first of these walks
 
   friend bool operator==(const WalkSource& a, const WalkSource& b)
   {
-    return a.plan == b.plan && a.lights == b.lights;
+    return a.plan == b.plan && a.lights == b.lights && a.cells == b.cells &&
+      a.firstWalk == b.firstWalk;
   }
 };
 
@@ -33,6 +39,10 @@ struct WalkSource
  */
 std::vector<WalkSource> sourcesOf(
   const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
+
+/// Of each source two, with walks that start at static cells and at dynamic ones; one if nothing is dynamic.
+std::vector<WalkSource> gatheredSourcesOf(
+  const SceneObjects& objects, const std::vector<WalkSource>& sources);
 
 }
 

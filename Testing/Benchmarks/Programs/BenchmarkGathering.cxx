@@ -114,6 +114,8 @@ std::vector<Contestant> makeContestants(const Room& room, const Sizes& sizes)
 {
   EngineSettings settings;
   settings.numberOfWalks = sizes.walks;
+  EngineSettings gathering = settings;
+  gathering.gathersDirectLight = true;
   return { { "plain tracer",
              [&room, settings](
                std::uint64_t seed) { return room.shootPlain(withSeed(settings, seed)); },
@@ -122,6 +124,9 @@ std::vector<Contestant> makeContestants(const Room& room, const Sizes& sizes)
       [&room, sizes](std::uint64_t seed) { return room.gatherPlain(sizes.paths, seed); }, {} },
     { "ours, shot",
       [&room, settings](std::uint64_t seed) { return room.shootOurs(withSeed(settings, seed)); },
+      {} },
+    { "ours, gathered",
+      [&room, gathering](std::uint64_t seed) { return room.shootOurs(withSeed(gathering, seed)); },
       {} } };
 }
 

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/CellSampler.h"
+
+#include "Sampling/DirectionSampling.h"
+#include "Sampling/SphericalTriangle.h"
+#include "Sampling/SplitMix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Whether one of a pair is so large, as seen from the other, that its point is chosen by solid angle.
+bool isWide(double radius, double other, const Vector3& between)
+{
+  constexpr double kWide = 0.25; // radius / distance
+  return radius >= other && radius * radius > kWide * kWide * between.squaredNorm();
+}
+
+SampleKeys keysOf(std::uint64_t seed)
+{
+  const std::uint64_t key = splitMix(seed), scrambles = splitMix(key);
+  return { static_cast<std::uint32_t>(key),
+    { static_cast<std::uint32_t>(scrambles), static_cast<std::uint32_t>(scrambles >> 32) } };
+}
+
+/// The weights of the point of a triangle nearest to a place in its plane; none beside the triangle.
+std::optional<Vector3> weightsAt(const Triangle& triangle, const Vector3& place)
+{
+  const Vector3 areaVector = triangle.areaVector();
+  const double square = areaVector.squaredNorm();
+  const auto share = [&](const Vector3& from, const Vector3& to) {
+    return areaVector.dot((to - from).cross(place - from)) / square;
+  };
+  const double b = share(triangle.c, triangle.a), c = share(triangle.a, triangle.b);
+  return b >= 0 && c >= 0 && b + c <= 1 ? std::optional<Vector3>({ 1 - b - c, b, c })
+                                        : std::nullopt;
+}
+
+std::array<double, 2> netPoint(std::uint32_t number, const SampleKeys& keys)
+{
+  const SobolPoint point(number, keys.shuffle, keys.scrambles[0], keys.scrambles[1]);
+  return { SobolPoint::toUnit(point.x), SobolPoint::toUnit(point.y) };
+}
+
+}
+
+CellSampler::CellSampler(const CellShapes& cells, const GatherSpace& space,
+  const LightTable& lights, const GatherPlan& plan, std::uint64_t seed)
+  : cells_(cells)
+  , space_(space)
+  , lights_(lights)
+  , plan_(plan)
+  , seed_(seed)
+  , shapes_(lights.lights().begin(), lights.lights().end())
+  , choice_(lights)
+{
+  for (std::uint32_t i = 0; i < lights.lights().size() && !space.contacts.isEmpty(); ++i)
+  {
+    lightOf_.emplace(space.triangles.numberOf(lights[i].triangle()), i);
+  }
+}
+
+void CellSampler::setCell(std::size_t cell)
+{
+  cell_ = cell;
+  choice_.weigh(cells_[cell]);
+  parts_.clear();
+  double area = 0;
+  std::for_each(cells_.begin(cell), cells_.end(cell), [&](std::uint32_t number) {
+    const Triangle triangle = triangleOf(space_.triangles, number);
+    parts_.push_back({ number, triangle, triangle.area(), area, lightsAt(number) });
+    area += parts_.back().area;
+  });
+  // By its first sample: objects that are away have cells in a frame that follows others, but never samples.
+  const std::uint64_t seed = splitMix(seed_ ^ splitMix(plan_.first(cell)));
+  cellKeys_ = keysOf(seed);
+  lightKeys_ = keysOf(seed + 1);
+}
+
+/// Of the table; lights of other groups may coincide as well.
+std::vector<std::uint32_t> CellSampler::lightsAt(std::uint32_t triangle) const
+{
+  std::vector<std::uint32_t> lights;
+  space_.contacts.forEachLampAt(space_.triangles.idOf(triangle), [&](const TriangleId& id) {
+    const auto found = lightOf_.find(space_.triangles.numberOf(id));
+    if (found != lightOf_.end())
+    {
+      lights.push_back(found->second);
+    }
+  });
+  return lights;
+}
+
+GatherSample CellSampler::sample(std::uint32_t number) const
+{
+  Square onCell = netPoint(number, cellKeys_), onLight = netPoint(number, lightKeys_);
+  const Part& part = choosePart(onCell[0]);
+  GatherSample sample{};
+  sample.triangle = part.number;
+  double share = 1;
+  if (!part.touching.empty())
+  {
+    // Half of the samples ask the lights that coincide, half all others.
+    share = 0.5;
+    const bool asksTouching = onLight[0] < share;
+    onLight[0] = asksTouching ? 2 * onLight[0] : 2 * onLight[0] - 1;
+    asksTouching ? gatherTouching(part, onCell, sample) : gather(part, onCell, onLight, sample);
+  }
+  else
+  {
+    gather(part, onCell, onLight, sample);
+  }
+  sample.part = std::max(0.0, sample.part) / (share * plan_.samplesOf(cell_));
+  return sample;
+}
+
+const CellSampler::Part& CellSampler::choosePart(double& u) const
+{
+  const double area = u * (parts_.back().areaBefore + parts_.back().area);
+  const auto after = std::upper_bound(parts_.begin() + 1, parts_.end(), area,
+    [](double value, const Part& part) { return value < part.areaBefore; });
+  const Part& part = *std::prev(after);
+  // In (0, 1), as coordinates are.
+  u = std::clamp((area - part.areaBefore) / part.area, 0x1p-53, 1 - 0x1p-53);
+  return part;
+}
+
+void CellSampler::gather(
+  const Part& part, Square onCell, Square onLight, GatherSample& sample) const
+{
+  const LampChoice::Choice choice = choice_.choose(onLight[0]);
+  onLight[0] = choice.rest;
+  sample.light = choice.light;
+  const Light& light = lights_[choice.light];
+  const auto* const area = std::get_if<AreaLight>(&light.kind);
+  area ? gatherFrom(*area, part, onCell, onLight, sample)
+       : gatherFrom(std::get<PointLight>(light.kind), part, onCell, sample);
+  const bool isTouching =
+    std::find(part.touching.begin(), part.touching.end(), choice.light) != part.touching.end();
+  sample.part = isTouching ? 0 : sample.part / choice.probability;
+}
+
+SurfacePoint CellSampler::cellPoint(const Part& part, const Vector3& weights, GatherSample& sample)
+{
+  // The walks that start there know it by these.
+  sample.weightB = static_cast<float>(weights[1]);
+  sample.weightC = static_cast<float>(weights[2]);
+  const double b = sample.weightB, c = sample.weightC;
+  return surfacePoint(part.triangle, { std::max(0.0, 1 - b - c), b, c });
+}
+
+double CellSampler::Ends::leaving() const
+{
+  return light.normal.dot(cell.position - light.position) / distance();
+}
+
+/// Closer to a plane, rounding would tell the side; what lies in the plane of a light gets nothing of it.
+bool CellSampler::Ends::areClear() const
+{
+  const Vector3 between = cell.position - light.position;
+  return light.normal.dot(between) > 4 * light.clearance &&
+    std::abs(cell.normal.dot(between)) > 4 * cell.clearance;
+}
+
+double CellSampler::Ends::arriving() const
+{
+  return std::abs(cell.normal.dot(light.position - cell.position)) / distance();
+}
+
+void CellSampler::gatherFrom(const AreaLight& light, const Part& part, Square onCell,
+  Square onLight, GatherSample& sample) const
+{
+  const CellShape& cell = cells_[cell_];
+  const LampShape& shape = shapes_[sample.light];
+  const Vector3 between = cell.center - shape.center;
+  Ends ends{};
+  if (isWide(shape.radius, cell.radius, between))
+  {
+    ends.cell = cellPoint(part, sampleTriangle(onCell), sample);
+    const SphericalTriangle seen(light.triangle, ends.cell.position);
+    ends.light = surfacePoint(light.triangle, seen.sample(onLight));
+    sample.part = cell.area * ends.arriving() * seen.solidAngle() / light.triangle.area();
+  }
+  else if (isWide(cell.radius, shape.radius, between))
+  {
+    ends.light = surfacePoint(light.triangle, sampleTriangle(onLight));
+    const SphericalTriangle seen(part.triangle, ends.light.position);
+    ends.cell = cellPoint(part, seen.sample(onCell), sample);
+    sample.part = ends.leaving() * seen.solidAngle() * cell.area / part.area;
+  }
+  else
+  {
+    ends.cell = cellPoint(part, sampleTriangle(onCell), sample);
+    ends.light = surfacePoint(light.triangle, sampleTriangle(onLight));
+    const double distance = ends.distance();
+    sample.part = cell.area * ends.leaving() * ends.arriving() / (distance * distance);
+  }
+  sample.part *= ends.areClear() ? 1 / kPi : 0;
+  sample.from = ends.light.clearPosition();
+  arrive(ends.cell, sample);
+}
+
+void CellSampler::gatherFrom(
+  const PointLight& light, const Part& part, Square onCell, GatherSample& sample) const
+{
+  sample.from = light.position();
+  const SphericalTriangle seen(part.triangle, light.position());
+  const SurfacePoint point = cellPoint(part, seen.sample(onCell), sample);
+  const Vector3 towards = (point.position - light.position()).normalized();
+  sample.part = light.density(towards) * seen.solidAngle() * cells_[cell_].area / part.area;
+  arrive(point, sample);
+}
+
+/// The ray crosses the gap that is not there, along the light's normal.
+void CellSampler::gatherTouching(const Part& part, Square onCell, GatherSample& sample) const
+{
+  const SurfacePoint point = cellPoint(part, sampleTriangle(onCell), sample);
+  for (const std::uint32_t number : part.touching)
+  {
+    const Triangle& light = std::get<AreaLight>(lights_[number].kind).triangle;
+    if (const std::optional<Vector3> weights = weightsAt(light, point.position))
+    {
+      const SurfacePoint start = surfacePoint(light, *weights);
+      sample.light = number;
+      sample.part = cells_[cell_].area / light.area();
+      sample.from = start.clearPosition();
+      sample.to = sample.from + start.normal;
+      sample.isFront = point.normal.dot(start.normal) < 0;
+      return;
+    }
+  }
+}
+
+void CellSampler::arrive(SurfacePoint point, GatherSample& sample)
+{
+  point.turn(point.normal.dot(sample.from - point.position) >= 0);
+  sample.isFront = point.isFront;
+  sample.to = point.clearPosition();
+}
+
+}

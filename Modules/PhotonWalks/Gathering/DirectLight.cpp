@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/DirectLight.h"
+
+#include "Execution/SlicedPass.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Cells whose rays are cast together: some thousand rays.
+constexpr std::size_t kCellsTogether = 128;
+
+/// Samples that are looked at together after a motion.
+constexpr std::uint32_t kSamplesTogether = 8192;
+
+/// Whether a sample's way to its light may touch a box. Roundings are far below the widths of boxes.
+bool mayTouch(const GatherSample& sample, const Box& box)
+{
+  const Vector3 along = sample.to - sample.from;
+  double first = 0, last = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double inverse = 1 / along[axis]; // infinite: both ends are inside, or none
+    double enter = (box.lower[axis] - sample.from[axis]) * inverse;
+    double leave = (box.upper[axis] - sample.from[axis]) * inverse;
+    if (enter > leave)
+    {
+      std::swap(enter, leave);
+    }
+    // What is not a number, on a face of the box, cuts nothing off.
+    first = enter > first ? enter : first;
+    last = leave < last ? leave : last;
+  }
+  return first <= last;
+}
+
+}
+
+DirectLight::DirectLight(
+  const CellShapes& cells, const LightTable& lights, const GatherPlan& plan, std::uint64_t seed)
+  : cells_(cells)
+  , lights_(lights)
+  , plan_(plan)
+  , seed_(seed)
+  , samples_(plan.size())
+  , views_(plan.size(), View::Never)
+{
+}
+
+void DirectLight::gather(const GatherSpace& space, Execution& execution)
+{
+  const std::size_t units = (cells_.size() + kCellsTogether - 1) / kCellsTogether;
+  SlicedPass pass{ units, [&](std::size_t unit, const Deadline&) {
+                    const std::size_t first = unit * kCellsTogether;
+                    gatherCells(space, first, std::min(first + kCellsTogether, cells_.size()));
+                    return true;
+                  } };
+  pass.run(execution);
+}
+
+void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::size_t end)
+{
+  CellSampler sampler(cells_, space, lights_, plan_, seed_);
+  GatherSample* next = samples_.data() + plan_.first(first);
+  for (std::size_t cell = first; cell < end; ++cell)
+  {
+    if (plan_.samplesOf(cell) > 0)
+    {
+      sampler.setCell(cell);
+    }
+    for (std::uint32_t i = 0; i < plan_.samplesOf(cell); ++i)
+    {
+      *next++ = sampler.sample(i);
+    }
+  }
+  std::vector<std::uint32_t> numbers(plan_.first(end) - plan_.first(first));
+  std::iota(numbers.begin(), numbers.end(), plan_.first(first));
+  const std::vector<View> views = viewsOf(space, numbers);
+  std::copy(views.begin(), views.end(), views_.begin() + plan_.first(first));
+}
+
+/// A ray ends where its length is 1.
+std::vector<DirectLight::View> DirectLight::viewsOf(
+  const GatherSpace& space, const std::vector<std::uint32_t>& samples) const
+{
+  std::vector<View> views(samples.size(), View::Never);
+  std::vector<Ray> rays;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const GatherSample& sample = samples_[samples[i]];
+    if (sample.part > 0)
+    {
+      rays.push_back({ sample.from, sample.to - sample.from, lights_[sample.light].triangle() });
+      places.push_back(i);
+    }
+  }
+  std::vector<Hit> hits(rays.size());
+  space.scene.cast(rays.data(), rays.size(), hits.data());
+  for (std::size_t ray = 0; ray < rays.size(); ++ray)
+  {
+    views[places[ray]] = viewOf(space, samples_[samples[places[ray]]], rays[ray], hits[ray]);
+  }
+  return views;
+}
+
+DirectLight::View DirectLight::viewOf(
+  const GatherSpace& space, const GatherSample& sample, const Ray& ray, const Hit& closest) const
+{
+  const TriangleId cell = space.triangles.idOf(sample.triangle);
+  const Contacts& contacts = space.contacts;
+  if (contacts.has(ray.start) || contacts.has(cell))
+  {
+    const Hit hit = contacts.resolveContact(space.scene, ray, closest);
+    const bool mayChange =
+      hit.id.isDynamic() || contacts.hasDynamic(ray.start) || contacts.hasDynamic(cell);
+    return hit.id == cell ? View::Free : mayChange ? View::Hidden : View::Never;
+  }
+  // What is hit beyond the end hides nothing.
+  const bool isFree = closest.distance >= 1 || closest.id == cell;
+  return isFree ? View::Free : closest.id.isDynamic() ? View::Hidden : View::Never;
+}
+
+std::vector<std::uint32_t> DirectLight::follow(
+  const GatherSpace& space, const std::vector<Box>& moved, Execution& execution)
+{
+  const auto all = static_cast<std::uint32_t>(samples_.size());
+  const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
+  std::vector<std::vector<std::uint32_t>> flipped(units);
+  SlicedPass pass{ units, {} };
+  pass.work = [&](std::size_t unit, const Deadline&) {
+    const auto first = static_cast<std::uint32_t>(unit) * kSamplesTogether;
+    std::vector<std::uint32_t> suspects;
+    for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
+    {
+      const auto isNear = [&](const Box& box) { return mayTouch(samples_[i], box); };
+      if (views_[i] == View::Hidden ||
+        (views_[i] == View::Free && std::any_of(moved.begin(), moved.end(), isNear)))
+      {
+        suspects.push_back(i);
+      }
+    }
+    const std::vector<View> views = viewsOf(space, suspects);
+    for (std::size_t i = 0; i < suspects.size(); ++i)
+    {
+      const bool wasFree = isVisible(suspects[i]);
+      views_[suspects[i]] = views[i];
+      if (isVisible(suspects[i]) != wasFree)
+      {
+        flipped[unit].push_back(suspects[i]);
+      }
+    }
+    return true;
+  };
+  pass.run(execution);
+  std::vector<std::uint32_t> together;
+  for (const std::vector<std::uint32_t>& some : flipped)
+  {
+    together.insert(together.end(), some.begin(), some.end());
+  }
+  return together;
+}
+
+Power DirectLight::powerOf(const GatherSample& sample, double quantaPerWatt) const
+{
+  Power power;
+  for (std::size_t band = 0; band < power.quanta.size(); ++band)
+  {
+    power.quanta[band] =
+      nearestQuanta(sample.part * lights_[sample.light].flux[band] * quantaPerWatt);
+  }
+  return power;
+}
+
+}

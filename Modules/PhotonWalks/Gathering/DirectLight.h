@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_DirectLight_h
+#define irradiance_DirectLight_h
+
+#include "Execution/Execution.h"
+#include "Gathering/CellSampler.h"
+#include "Tally/CellSums.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The light that comes straight from the lights of a table to the cells of a frame, gathered by each cell
+ * with the samples of a plan.
+ */
+class DirectLight
+{
+public:
+  /// The arguments must outlive it.
+  DirectLight(
+    const CellShapes& cells, const LightTable& lights, const GatherPlan& plan, std::uint64_t seed);
+
+  /// Makes all samples, and looks which of them see their lights.
+  void gather(const GatherSpace& space, Execution& execution);
+  /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples that
+  /// what moved may hide now, and at those that dynamic objects hid. Returns which see their lights now and did
+  /// not before, or the other way round, in order. `moved`: where the moved objects are now.
+  std::vector<std::uint32_t> follow(
+    const GatherSpace& space, const std::vector<Box>& moved, Execution& execution);
+
+  const GatherPlan& plan() const { return plan_; }
+  /// By number; those of a cell that is not there are none.
+  const std::vector<GatherSample>& samples() const { return samples_; }
+  bool isVisible(std::uint32_t sample) const { return views_[sample] == View::Free; }
+  /// What a sample brings if it sees its light, by band.
+  Power powerOf(const GatherSample& sample, double quantaPerWatt) const;
+
+private:
+  /// What stands between a sample and its light.
+  enum class View : std::uint8_t
+  {
+    Never,  ///< static objects, for ever; or no light can come
+    Hidden, ///< dynamic objects
+    Free
+  };
+
+  void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
+  /// Those of samples, in order.
+  std::vector<View> viewsOf(
+    const GatherSpace& space, const std::vector<std::uint32_t>& samples) const;
+  View viewOf(
+    const GatherSpace& space, const GatherSample& sample, const Ray& ray, const Hit& closest) const;
+
+  const CellShapes& cells_;
+  const LightTable& lights_;
+  const GatherPlan& plan_;
+  std::uint64_t seed_;
+  std::vector<GatherSample> samples_;
+  std::vector<View> views_; ///< by sample
+};
+
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_GatherPlan_h
+#define irradiance_GatherPlan_h
+
+#include "Gathering/LampChoice.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * How many samples each cell takes to gather its direct light, numbered through all cells.
+ *
+ * A cell takes as many as the power that it may receive calls for, beside the power of a walk: samples stand
+ * where walks would arrive, and grow in number with the walks. What stands in between has no part in it. The
+ * numbers are the number of replicates times a power of two; each replicate has samples that follow each
+ * other, so that they are a net of their own.
+ */
+class GatherPlan
+{
+public:
+  /// `walks`: among which the flux of the lights is divided.
+  GatherPlan(const CellShapes& cells, const LightTable& lights, std::uint32_t walks,
+    std::uint32_t replicates, const CancelPoint& cancelPoint = {});
+
+  std::size_t numberOfCells() const { return firsts_.size() - 1; }
+  /// Of a cell that is not there, none.
+  std::uint32_t samplesOf(std::size_t cell) const { return firsts_[cell + 1] - firsts_[cell]; }
+  std::uint32_t first(std::size_t cell) const { return firsts_[cell]; }
+  std::uint32_t size() const { return firsts_.back(); }
+  std::size_t cellOf(std::uint32_t sample) const
+  {
+    return static_cast<std::size_t>(
+      std::upper_bound(firsts_.begin(), firsts_.end(), sample) - firsts_.begin() - 1);
+  }
+  /// `sample`: among the samples of the cell.
+  std::uint32_t replicateOf(std::size_t cell, std::uint32_t sample) const
+  {
+    return replicates_ == 1 ? 0 : sample / (samplesOf(cell) / replicates_);
+  }
+  std::uint32_t replicates() const { return replicates_; }
+
+private:
+  /// Walks that a cell may receive for each of its samples.
+  static constexpr double kWalksPerSample = 32;
+  static constexpr std::uint32_t kFewest = 4, kMost = 1024;
+
+  std::uint32_t numberFor(double walks) const;
+
+  std::uint32_t replicates_;
+  std::vector<std::uint32_t> firsts_; ///< by cell, and the number of all
+};
+
+}
+
+#endif

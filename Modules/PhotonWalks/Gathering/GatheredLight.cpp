@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/GatheredLight.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+CellShapes shapesOf(const SceneObjects& objects, const SceneTriangles& triangles, CellPart part,
+  const CancelPoint& cancelPoint)
+{
+  const bool isStatic = part == CellPart::Static;
+  return { objects, triangles, isStatic ? 0u : 1u, isStatic ? 1u : objects.size(), cancelPoint };
+}
+
+DirectLight& gathered(DirectLight& light, const GatherSpace& space, Execution& execution)
+{
+  light.gather(space, execution);
+  return light;
+}
+
+}
+
+GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objects,
+  const LightTable& lights, const Settings& settings, Execution& execution)
+  : settings_(settings)
+  , triangles_(space.triangles)
+  , lights_(lights)
+  , quantaPerWatt_(static_cast<double>(lights.quantaPerWalk()) * settings.walks / lights.flux())
+  , cells_(shapesOf(objects, triangles_, settings.part, cancelPointOf(execution, 0)))
+  , plan_(cells_, lights, settings.walks, settings.replicates, cancelPointOf(execution, 0))
+  , light_(cells_, lights, plan_, settings.seed)
+  , starts_(gathered(light_, space, execution), objects, triangles_, quantaPerWatt_,
+      lights.quantaPerWalk(), settings.firstWalk, settings.seed, cancelPointOf(execution, 0))
+{
+}
+
+WalkPlan GatheredLight::plan() const
+{
+  return { starts_.size(), starts_.size(), settings_.replicates, settings_.firstWalk };
+}
+
+void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt,
+  const CancelPoint& cancelPoint) const
+{
+  if (settings_.part == CellPart::Static && dealt.contains(0))
+  {
+    for (const Light& light : lights_.lights())
+    {
+      for (std::size_t band = 0; band < light.flux.size(); ++band)
+      {
+        const std::int64_t quanta = nearestQuanta(light.flux[band] * quantaPerWatt_);
+        balance.emitted.quanta[band] += quanta;
+        balance.escaped.quanta[band] += quanta;
+      }
+    }
+  }
+  std::vector<Deposit> deposits;
+  ThrottledCancelPoint pace(cancelPoint);
+  for (std::size_t cell = 0; cell < plan_.numberOfCells(); ++cell)
+  {
+    for (std::uint32_t i = 0; i < plan_.samplesOf(cell) && dealt.contains(cell); ++i)
+    {
+      if (light_.isVisible(plan_.first(cell) + i))
+      {
+        deposit(cell, plan_.first(cell) + i, 1, sums, deposits, balance);
+      }
+    }
+    pace.step();
+  }
+  sums.add(deposits);
+}
+
+void GatheredLight::change(const std::vector<std::uint32_t>& samples, CellSums& sums,
+  PowerBalance& balance, const DealtBlocks& dealt) const
+{
+  std::vector<Deposit> deposits;
+  for (const std::uint32_t sample : samples)
+  {
+    const std::size_t cell = plan_.cellOf(sample);
+    if (dealt.contains(cell))
+    {
+      deposit(cell, sample, light_.isVisible(sample) ? 1 : -1, sums, deposits, balance);
+    }
+  }
+  sums.add(deposits);
+}
+
+void GatheredLight::deposit(std::size_t cell, std::uint32_t number, int sign, CellSums& sums,
+  std::vector<Deposit>& deposits, PowerBalance& balance) const
+{
+  const GatherSample& sample = light_.samples()[number];
+  const Power power = sign * light_.powerOf(sample, quantaPerWatt_);
+  const SceneCell of = sums.cellOf(triangles_.idOf(sample.triangle));
+  const std::uint32_t replicate = plan_.replicateOf(cell, number - plan_.first(cell));
+  sums.collect(sums.slotOf({ of, 0 }, replicate), sample.isFront, power, 1, deposits);
+  balance.absorbed += power;
+  balance.escaped -= power;
+  balance.received += power.total();
+}
+
+}

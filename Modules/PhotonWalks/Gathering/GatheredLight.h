@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_GatheredLight_h
+#define irradiance_GatheredLight_h
+
+#include "Gathering/WalkStarts.h"
+#include "Sampling/DealtBlocks.h"
+#include "Tally/PowerBalance.h"
+
+namespace irradiance
+{
+
+/// Which cells gather.
+enum class CellPart
+{
+  Static,
+  Dynamic
+};
+
+/**
+ * The direct light of the cells of one part of the scene, from the lights of one group, and the walks that
+ * start where it arrived. It follows motions as long as none of its own cells moves.
+ *
+ * The balance takes all that the lights emit for received directly, or escaped, by the estimate of the
+ * samples. What reflects the walks that are born is no longer absorbed; they are in the balance as others.
+ */
+class GatheredLight
+{
+public:
+  struct Settings
+  {
+    CellPart part;
+    std::uint32_t walks; ///< among which the flux of the lights is divided
+    std::uint32_t replicates;
+    std::uint32_t firstWalk; ///< the number of the first walk that may be born
+    std::uint64_t seed;
+  };
+
+  /// Gathers. The arguments must outlive it.
+  GatheredLight(const GatherSpace& space, const SceneObjects& objects, const LightTable& lights,
+    const Settings& settings, Execution& execution);
+  GatheredLight(const GatheredLight&) = delete;
+  GatheredLight& operator=(const GatheredLight&) = delete;
+
+  const WalkStarts& starts() const { return starts_; }
+  /// Of the walks that may be born.
+  WalkPlan plan() const;
+
+  /// Adds what was gathered. Of several ranks each adds it for the cells that are dealt to it as blocks are.
+  void addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt,
+    const CancelPoint& cancelPoint) const;
+
+  /// The samples that a motion of other objects changed. See DirectLight::follow().
+  std::vector<std::uint32_t> follow(
+    const GatherSpace& space, const std::vector<Box>& moved, Execution& execution)
+  {
+    return light_.follow(space, moved, execution);
+  }
+  /// Adds what these samples bring now, or takes away what they brought.
+  void change(const std::vector<std::uint32_t>& samples, CellSums& sums, PowerBalance& balance,
+    const DealtBlocks& dealt) const;
+
+private:
+  void deposit(std::size_t cell, std::uint32_t sample, int sign, CellSums& sums,
+    std::vector<Deposit>& deposits, PowerBalance& balance) const;
+
+  Settings settings_;
+  const SceneTriangles& triangles_;
+  const LightTable& lights_;
+  double quantaPerWatt_;
+  CellShapes cells_;
+  GatherPlan plan_;
+  DirectLight light_;
+  WalkStarts starts_;
+};
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_CellShapes_h
+#define irradiance_CellShapes_h
+
+#include "Surfaces/SceneCells.h"
+#include "Surfaces/SceneTriangles.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/// A cell from afar, in world space.
+struct CellShape
+{
+  Vector3 center = Vector3::Zero(); ///< of the area
+  double radius = 0;                ///< all corners are within it of the center
+  Vector3 normal = Vector3::Zero(); ///< mean over the area: shorter than 1 if the cell is not flat
+  double area = 0;                  ///< m2; 0 if the cell is not there
+};
+
+/// The shapes of cells of a frame, and their triangles. Cells are numbered through all objects.
+class CellShapes
+{
+public:
+  /// Of objects [first, end); the cells of others are as if they were not there.
+  CellShapes(const SceneObjects& objects, const SceneTriangles& triangles, std::uint32_t first,
+    std::uint32_t end, const CancelPoint& cancelPoint = {});
+
+  const CellNumbers& numbers() const { return numbers_; }
+  std::size_t size() const { return shapes_.size(); }
+  const CellShape& operator[](std::size_t cell) const { return shapes_[cell]; }
+  /// The numbers of the triangles of a cell.
+  const std::uint32_t* begin(std::size_t cell) const { return triangles_.data() + firsts_[cell]; }
+  const std::uint32_t* end(std::size_t cell) const { return triangles_.data() + firsts_[cell + 1]; }
+
+private:
+  void sortTriangles(const SceneObjects& objects, const SceneTriangles& triangles,
+    std::uint32_t firstObject, std::uint32_t endObject);
+  CellShape shapeOf(std::size_t cell, const SceneTriangles& triangles) const;
+
+  CellNumbers numbers_;
+  std::vector<std::size_t> firsts_; ///< in triangles_, by cell
+  std::vector<std::uint32_t> triangles_;
+  std::vector<CellShape> shapes_;
+};
+
+/// A triangle of a frame in world space.
+Triangle triangleOf(const SceneTriangles& triangles, std::uint32_t number);
+
+}
+
+#endif
