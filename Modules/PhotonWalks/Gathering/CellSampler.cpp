@@ -53,17 +53,17 @@ std::array<double, 2> netPoint(std::uint32_t number, const SampleKeys& keys)
 
 }
 
-CellSampler::CellSampler(const CellShapes& cells, const GatherSpace& space,
-  const LightTable& lights, const GatherPlan& plan, std::uint64_t seed)
+CellSampler::CellSampler(const CellShapes& cells, const GatherSpace& space, const LampPieces& lamps,
+  const GatherPlan& plan, std::uint64_t seed)
   : cells_(cells)
   , space_(space)
-  , lights_(lights)
+  , lamps_(lamps)
   , plan_(plan)
   , seed_(seed)
-  , shapes_(lights.lights().begin(), lights.lights().end())
-  , choice_(lights)
+  , choice_(lamps)
 {
-  for (std::uint32_t i = 0; i < lights.lights().size() && !space.contacts.isEmpty(); ++i)
+  const std::vector<Light>& lights = lamps.lights().lights();
+  for (std::uint32_t i = 0; i < lights.size() && !space.contacts.isEmpty(); ++i)
   {
     lightOf_.emplace(space.triangles.numberOf(lights[i].triangle()), i);
   }
@@ -139,14 +139,14 @@ void CellSampler::gather(
 {
   const LampChoice::Choice choice = choice_.choose(onLight[0]);
   onLight[0] = choice.rest;
-  sample.light = choice.light;
-  const Light& light = lights_[choice.light];
-  const auto* const area = std::get_if<AreaLight>(&light.kind);
-  area ? gatherFrom(*area, part, onCell, onLight, sample)
-       : gatherFrom(std::get<PointLight>(light.kind), part, onCell, sample);
+  const LampPiece& lamp = lamps_[choice.piece];
+  sample.light = lamp.light;
+  const auto* const point = std::get_if<PointLight>(&lamps_.lights()[lamp.light].kind);
+  point ? gatherFrom(*point, part, onCell, sample)
+        : gatherFrom(lamp, part, onCell, onLight, sample);
   const bool isTouching =
-    std::find(part.touching.begin(), part.touching.end(), choice.light) != part.touching.end();
-  sample.part = isTouching ? 0 : sample.part / choice.probability;
+    std::find(part.touching.begin(), part.touching.end(), lamp.light) != part.touching.end();
+  sample.part = isTouching ? 0 : lamp.share * sample.part / choice.probability;
 }
 
 SurfacePoint CellSampler::cellPoint(const Part& part, const Vector3& weights, GatherSample& sample)
@@ -176,23 +176,22 @@ double CellSampler::Ends::arriving() const
   return std::abs(cell.normal.dot(light.position - cell.position)) / distance();
 }
 
-void CellSampler::gatherFrom(const AreaLight& light, const Part& part, Square onCell,
-  Square onLight, GatherSample& sample) const
+void CellSampler::gatherFrom(const LampPiece& lamp, const Part& part, Square onCell, Square onLight,
+  GatherSample& sample) const
 {
   const CellShape& cell = cells_[cell_];
-  const LampShape& shape = shapes_[sample.light];
-  const Vector3 between = cell.center - shape.center;
+  const Vector3 between = cell.center - lamp.center;
   Ends ends{};
-  if (isWide(shape.radius, cell.radius, between))
+  if (isWide(lamp.radius, cell.radius, between))
   {
     ends.cell = cellPoint(part, sampleTriangle(onCell), sample);
-    const SphericalTriangle seen(light.triangle, ends.cell.position);
-    ends.light = surfacePoint(light.triangle, seen.sample(onLight));
-    sample.part = cell.area * ends.arriving() * seen.solidAngle() / light.triangle.area();
+    const SphericalTriangle seen(lamp.triangle, ends.cell.position);
+    ends.light = surfacePoint(lamp.triangle, seen.sample(onLight));
+    sample.part = cell.area * ends.arriving() * seen.solidAngle() / lamp.triangle.area();
   }
-  else if (isWide(cell.radius, shape.radius, between))
+  else if (isWide(cell.radius, lamp.radius, between))
   {
-    ends.light = surfacePoint(light.triangle, sampleTriangle(onLight));
+    ends.light = surfacePoint(lamp.triangle, sampleTriangle(onLight));
     const SphericalTriangle seen(part.triangle, ends.light.position);
     ends.cell = cellPoint(part, seen.sample(onCell), sample);
     sample.part = ends.leaving() * seen.solidAngle() * cell.area / part.area;
@@ -200,7 +199,7 @@ void CellSampler::gatherFrom(const AreaLight& light, const Part& part, Square on
   else
   {
     ends.cell = cellPoint(part, sampleTriangle(onCell), sample);
-    ends.light = surfacePoint(light.triangle, sampleTriangle(onLight));
+    ends.light = surfacePoint(lamp.triangle, sampleTriangle(onLight));
     const double distance = ends.distance();
     sample.part = cell.area * ends.leaving() * ends.arriving() / (distance * distance);
   }
@@ -226,7 +225,7 @@ void CellSampler::gatherTouching(const Part& part, Square onCell, GatherSample& 
   const SurfacePoint point = cellPoint(part, sampleTriangle(onCell), sample);
   for (const std::uint32_t number : part.touching)
   {
-    const Triangle& light = std::get<AreaLight>(lights_[number].kind).triangle;
+    const Triangle& light = std::get<AreaLight>(lamps_.lights()[number].kind).triangle;
     if (const std::optional<Vector3> weights = weightsAt(light, point.position))
     {
       const SurfacePoint start = surfacePoint(light, *weights);

@@ -41,7 +41,7 @@ class CellSampler
 {
 public:
   /// The arguments must outlive it.
-  CellSampler(const CellShapes& cells, const GatherSpace& space, const LightTable& lights,
+  CellSampler(const CellShapes& cells, const GatherSpace& space, const LampPieces& lamps,
     const GatherPlan& plan, std::uint64_t seed);
 
   /// For the samples that are made next.
@@ -82,7 +82,7 @@ private:
   static void arrive(SurfacePoint point, GatherSample& sample);
   // Each sets all of the sample but the triangle; `part` as if it were the only sample.
   void gather(const Part& part, Square onCell, Square onLight, GatherSample& sample) const;
-  void gatherFrom(const AreaLight& light, const Part& part, Square onCell, Square onLight,
+  void gatherFrom(const LampPiece& lamp, const Part& part, Square onCell, Square onLight,
     GatherSample& sample) const;
   void gatherFrom(
     const PointLight& light, const Part& part, Square onCell, GatherSample& sample) const;
@@ -91,10 +91,9 @@ private:
 
   const CellShapes& cells_;
   const GatherSpace& space_;
-  const LightTable& lights_;
+  const LampPieces& lamps_;
   const GatherPlan& plan_;
   std::uint64_t seed_;
-  std::vector<LampShape> shapes_; ///< of the lights
   LampChoice choice_;
   std::size_t cell_ = 0;
   std::vector<Part> parts_; ///< of the cell

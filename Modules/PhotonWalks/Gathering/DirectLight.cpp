@@ -43,9 +43,9 @@ bool mayTouch(const GatherSample& sample, const Box& box)
 }
 
 DirectLight::DirectLight(
-  const CellShapes& cells, const LightTable& lights, const GatherPlan& plan, std::uint64_t seed)
+  const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan, std::uint64_t seed)
   : cells_(cells)
-  , lights_(lights)
+  , lamps_(lamps)
   , plan_(plan)
   , seed_(seed)
   , samples_(plan.size())
@@ -66,7 +66,7 @@ void DirectLight::gather(const GatherSpace& space, Execution& execution)
 
 void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::size_t end)
 {
-  CellSampler sampler(cells_, space, lights_, plan_, seed_);
+  CellSampler sampler(cells_, space, lamps_, plan_, seed_);
   GatherSample* next = samples_.data() + plan_.first(first);
   for (std::size_t cell = first; cell < end; ++cell)
   {
@@ -97,7 +97,8 @@ std::vector<DirectLight::View> DirectLight::viewsOf(
     const GatherSample& sample = samples_[samples[i]];
     if (sample.part > 0)
     {
-      rays.push_back({ sample.from, sample.to - sample.from, lights_[sample.light].triangle() });
+      rays.push_back(
+        { sample.from, sample.to - sample.from, lamps_.lights()[sample.light].triangle() });
       places.push_back(i);
     }
   }
@@ -173,7 +174,7 @@ Power DirectLight::powerOf(const GatherSample& sample, double quantaPerWatt) con
   for (std::size_t band = 0; band < power.quanta.size(); ++band)
   {
     power.quanta[band] =
-      nearestQuanta(sample.part * lights_[sample.light].flux[band] * quantaPerWatt);
+      nearestQuanta(sample.part * lamps_.lights()[sample.light].flux[band] * quantaPerWatt);
   }
   return power;
 }

@@ -21,7 +21,7 @@ class DirectLight
 public:
   /// The arguments must outlive it.
   DirectLight(
-    const CellShapes& cells, const LightTable& lights, const GatherPlan& plan, std::uint64_t seed);
+    const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan, std::uint64_t seed);
 
   /// Makes all samples, and looks which of them see their lights.
   void gather(const GatherSpace& space, Execution& execution);
@@ -55,7 +55,7 @@ private:
     const GatherSpace& space, const GatherSample& sample, const Ray& ray, const Hit& closest) const;
 
   const CellShapes& cells_;
-  const LightTable& lights_;
+  const LampPieces& lamps_;
   const GatherPlan& plan_;
   std::uint64_t seed_;
   std::vector<GatherSample> samples_;

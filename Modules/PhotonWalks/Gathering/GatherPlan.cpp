@@ -6,12 +6,12 @@
 namespace irradiance
 {
 
-GatherPlan::GatherPlan(const CellShapes& cells, const LightTable& lights, std::uint32_t walks,
+GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, std::uint32_t walks,
   std::uint32_t replicates, const CancelPoint& cancelPoint)
   : replicates_(replicates)
 {
-  LampChoice lamps(lights);
-  const double walksPerWatt = walks / lights.flux();
+  LampChoice choice(lamps);
+  const double walksPerWatt = walks / lamps.lights().flux();
   firsts_ = { 0 };
   ThrottledCancelPoint pace(cancelPoint);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
@@ -19,8 +19,8 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LightTable& lights, std::u
     std::uint32_t samples = 0;
     if (cells[cell].area > 0)
     {
-      lamps.weigh(cells[cell]);
-      samples = numberFor(lamps.expectedPower() * walksPerWatt);
+      choice.weigh(cells[cell]);
+      samples = numberFor(choice.expectedPower() * walksPerWatt);
     }
     if (firsts_.back() + samples < firsts_.back())
     {

@@ -23,7 +23,7 @@ class GatherPlan
 {
 public:
   /// `walks`: among which the flux of the lights is divided.
-  GatherPlan(const CellShapes& cells, const LightTable& lights, std::uint32_t walks,
+  GatherPlan(const CellShapes& cells, const LampPieces& lamps, std::uint32_t walks,
     std::uint32_t replicates, const CancelPoint& cancelPoint = {});
 
   std::size_t numberOfCells() const { return firsts_.size() - 1; }

@@ -30,9 +30,10 @@ GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objec
   , triangles_(space.triangles)
   , lights_(lights)
   , quantaPerWatt_(static_cast<double>(lights.quantaPerWalk()) * settings.walks / lights.flux())
+  , lamps_(lights)
   , cells_(shapesOf(objects, triangles_, settings.part, cancelPointOf(execution, 0)))
-  , plan_(cells_, lights, settings.walks, settings.replicates, cancelPointOf(execution, 0))
-  , light_(cells_, lights, plan_, settings.seed)
+  , plan_(cells_, lamps_, settings.walks, settings.replicates, cancelPointOf(execution, 0))
+  , light_(cells_, lamps_, plan_, settings.seed)
   , starts_(gathered(light_, space, execution), objects, triangles_, quantaPerWatt_,
       lights.quantaPerWalk(), settings.firstWalk, settings.seed, cancelPointOf(execution, 0))
 {

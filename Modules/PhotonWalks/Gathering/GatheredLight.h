@@ -67,6 +67,7 @@ private:
   const SceneTriangles& triangles_;
   const LightTable& lights_;
   double quantaPerWatt_;
+  LampPieces lamps_;
   CellShapes cells_;
   GatherPlan plan_;
   DirectLight light_;

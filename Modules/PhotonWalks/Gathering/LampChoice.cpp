@@ -13,7 +13,7 @@ namespace
 constexpr double kPi = 3.14159265358979323846;
 
 /// W that a lamp would bring to a cell.
-double powerBetween(const LampShape& lamp, const CellShape& cell)
+double powerBetween(const LampPiece& lamp, const CellShape& cell)
 {
   const Vector3 between = cell.center - lamp.center;
   const double sizes = std::max(lamp.radius, cell.radius);
@@ -35,28 +35,10 @@ double powerBetween(const LampShape& lamp, const CellShape& cell)
 
 }
 
-LampShape::LampShape(const Light& light)
-  : flux(light.totalFlux())
-{
-  const Box bounds = light.bounds();
-  center = bounds.center();
-  if (const auto* const area = std::get_if<AreaLight>(&light.kind))
-  {
-    const Triangle& triangle = area->triangle;
-    center = (triangle.a + triangle.b + triangle.c) / 3;
-    normal = triangle.areaVector().normalized();
-    for (const Vector3& corner : { triangle.a, triangle.b, triangle.c })
-    {
-      radius = std::max(radius, (corner - center).norm());
-    }
-  }
-}
-
-LampChoice::LampChoice(const LightTable& lights)
-  : lamps_(lights.lights().begin(), lights.lights().end())
-  , flux_(lights.flux())
-  , weights_(lamps_.size())
-  , cumulative_(lamps_.size())
+LampChoice::LampChoice(const LampPieces& lamps)
+  : lamps_(lamps)
+  , weights_(lamps.size())
+  , cumulative_(lamps.size())
 {
 }
 
@@ -69,7 +51,7 @@ void LampChoice::weigh(const CellShape& cell)
     expected_ += weights_[i];
   }
   const double byPower = expected_ > 0 ? (1 - kByFlux) / expected_ : 0;
-  const double byFlux = (expected_ > 0 ? kByFlux : 1) / flux_;
+  const double byFlux = (expected_ > 0 ? kByFlux : 1) / lamps_.lights().flux();
   double sum = 0;
   for (std::size_t i = 0; i < lamps_.size(); ++i)
   {

@@ -2,7 +2,7 @@
 #ifndef irradiance_LampChoice_h
 #define irradiance_LampChoice_h
 
-#include "Lights/LightTable.h"
+#include "Gathering/LampPieces.h"
 #include "Surfaces/CellShapes.h"
 
 #include <vector>
@@ -10,26 +10,16 @@
 namespace irradiance
 {
 
-/// A light from afar. A light in the air has no normal and shines alike in all directions.
-struct LampShape
-{
-  explicit LampShape(const Light& light);
-
-  Vector3 center = Vector3::Zero();
-  double radius = 0;
-  Vector3 normal = Vector3::Zero(); ///< unit, or zero
-  double flux = 0;                  ///< W, in all bands
-};
-
 /**
- * Which light a sample of a cell asks. The weights follow what each light would bring to the cell if nothing
+ * Which lamp a sample of a cell asks. The weights follow what each would bring to the cell if nothing
  * stood between them: its flux, the cosines, with slack for the sizes of both, and the distance. A small part
- * goes by flux alone, so that no light that reaches the cell is left out.
+ * goes by flux alone, so that no lamp that reaches the cell is left out.
  */
 class LampChoice
 {
 public:
-  explicit LampChoice(const LightTable& lights);
+  /// The argument must outlive it.
+  explicit LampChoice(const LampPieces& lamps);
 
   /// For this cell.
   void weigh(const CellShape& cell);
@@ -38,7 +28,7 @@ public:
 
   struct Choice
   {
-    std::uint32_t light;
+    std::uint32_t piece;
     double probability;
     double rest; ///< in [0, 1): what the choice left of the sample
   };
@@ -49,11 +39,10 @@ private:
   /// The part of the samples that goes by flux alone.
   static constexpr double kByFlux = 0.05;
 
-  std::vector<LampShape> lamps_;
-  double flux_ = 0;
+  const LampPieces& lamps_;
   double expected_ = 0;
-  std::vector<double> weights_;    ///< by light
-  std::vector<double> cumulative_; ///< up to and including each light; the last is 1
+  std::vector<double> weights_;    ///< by piece
+  std::vector<double> cumulative_; ///< up to and including each piece; the last is 1
 };
 
 }

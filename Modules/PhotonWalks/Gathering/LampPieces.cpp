@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/LampPieces.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Squared longest edge / area up to which a triangle is not cut; that of half a square is 4.
+constexpr double kLong = 12;
+constexpr int kMostCuts = 8; ///< of a triangle, and of what they leave of it
+
+/// The corners from the end of the longest edge on.
+Triangle turnedToLongest(const Triangle& t)
+{
+  const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(),
+               ca = (t.a - t.c).squaredNorm();
+  return ab >= bc && ab >= ca ? t
+    : bc >= ca                ? Triangle{ t.b, t.c, t.a }
+                              : Triangle{ t.c, t.a, t.b };
+}
+
+/// The sizes of a piece from its triangle.
+LampPiece measured(LampPiece piece)
+{
+  const Triangle& triangle = piece.triangle;
+  piece.center = (triangle.a + triangle.b + triangle.c) / 3;
+  piece.radius = 0;
+  for (const Vector3& corner : { triangle.a, triangle.b, triangle.c })
+  {
+    piece.radius = std::max(piece.radius, (corner - piece.center).norm());
+  }
+  return piece;
+}
+
+}
+
+LampPieces::LampPieces(const LightTable& lights)
+  : lights_(lights)
+{
+  for (std::uint32_t i = 0; i < lights.lights().size(); ++i)
+  {
+    LampPiece piece{ i, 1, lights[i].totalFlux(), {}, lights[i].bounds().center() };
+    if (const auto* const area = std::get_if<AreaLight>(&lights[i].kind))
+    {
+      piece.triangle = area->triangle;
+      piece.normal = area->triangle.areaVector().normalized();
+      cut(piece, 0);
+    }
+    else
+    {
+      pieces_.push_back(piece);
+    }
+  }
+}
+
+void LampPieces::cut(const LampPiece& piece, int times)
+{
+  const Triangle turned = turnedToLongest(piece.triangle);
+  if (times == kMostCuts || (turned.b - turned.a).squaredNorm() <= kLong * turned.area())
+  {
+    pieces_.push_back(measured(piece));
+    return;
+  }
+  const Vector3 middle = 0.5 * (turned.a + turned.b);
+  LampPiece half = piece;
+  half.share /= 2;
+  half.flux /= 2;
+  for (const Triangle& triangle :
+    { Triangle{ turned.a, middle, turned.c }, Triangle{ middle, turned.b, turned.c } })
+  {
+    half.triangle = triangle;
+    cut(half, times + 1);
+  }
+}
+
+}
