@@ -249,7 +249,7 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
   }
   std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
-  statistics_.invalidWalks = repair.figures().invalidWalks;
+  statistics_.invalidWalks += repair.figures().invalidWalks;
   statistics_.repairedSegments += repair.figures().repairedSegments;
 }
 
@@ -257,11 +257,26 @@ void WalkSet::startAgain(const WalkSpace& space, Execution& execution)
 {
   const Stopwatch stopwatch;
   const bool isStored = history_.size() > 0;
+  statistics_.invalidWalks = numberStored();
   start(space, execution);
   shootRound(0, isStored, space, execution);
   statistics_.repairedSegments = balance_.segments;
   statistics_.shootSeconds = 0;
   statistics_.repairSeconds = stopwatch.seconds();
+}
+
+std::int64_t WalkSet::numberStored() const
+{
+  std::int64_t number = 0;
+  for (std::size_t i = 0; i < history_.size(); ++i)
+  {
+    const BounceBlock& block = history_.block(i);
+    for (std::uint32_t walk = block.firstWalk(); walk < block.endWalk(); ++walk)
+    {
+      number += block.begin(walk) != BounceBlock::kNone ? 1 : 0;
+    }
+  }
+  return number;
 }
 
 std::vector<std::uint32_t> WalkSet::followGathered(
@@ -290,6 +305,7 @@ std::vector<std::uint32_t> WalkSet::followGathered(
     }
   }
   takeBack(gone, space.triangles);
+  statistics_.invalidWalks = static_cast<std::int64_t>(gone.size());
   return born;
 }
 

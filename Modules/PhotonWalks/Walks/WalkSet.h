@@ -116,6 +116,7 @@ private:
   /// those that start now.
   std::vector<std::uint32_t> followGathered(
     const std::vector<bool>& moved, const WalkSpace& space, Execution& execution);
+  std::int64_t numberStored() const; ///< of walks
   void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles);
   void shootBorn(
     const std::vector<std::uint32_t>& walks, const WalkSpace& space, Execution& execution);

@@ -38,7 +38,7 @@ struct WalkSettings
 struct WalkStatistics
 {
   std::int64_t suspectSegments = 0; ///< for which the verification cast a ray
-  std::int64_t invalidWalks = 0;    ///< found by the verification
+  std::int64_t invalidWalks = 0;    ///< found by the verification, or started where no light is now
   std::int64_t repairedSegments = 0;
   double shootSeconds = 0;
   double verifySeconds = 0;

@@ -270,6 +270,10 @@ void run(const Arguments& arguments)
   {
     timeFramesOfRing(which, settings, rounds, frames);
   }
+  EngineSettings gathering = settings;
+  gathering.gathersDirectLight = true;
+  timeFrames("2 % of the walks changed, direct light gathered",
+    makePlainRoom(findRingSize(0.02, settings)), gathering, rounds, frames, { 15, 28 });
   timeFrames("64 movers", makeRoomOfMovers(64, 0.13), settings, rounds, frames, { 3, 5 });
   timeFrames("200 movers", makeRoomOfMovers(200, 0.085), settings, rounds, frames, { 2.5, 4 });
   measureHistory(room.at(0), settings, rounds);
