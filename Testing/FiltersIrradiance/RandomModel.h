@@ -3,6 +3,7 @@
 #define RandomModel_h
 
 #include "RandomGloss.h"
+#include "RandomPoses.h"
 #include "RandomRide.h"
 #include "RandomView.h"
 
@@ -238,7 +239,7 @@ inline void MoveRandomly(RandomNumbers& random, vtkTransform* pose)
         random.Between(-0.3, 0.3), random.Between(-0.3, 0.3), random.Between(-0.3, 0.3));
       break;
     case 1:
-      pose->RotateWXYZ(random.Between(0, 360), random.Between(-1, 1), random.Between(-1, 1), 1);
+      TurnAtRandom(random, pose);
       break;
     case 2:
       pose->Identity();

@@ -5,6 +5,7 @@
 #include "ExposureScenes.h"
 #include "OutputBits.h"
 #include "OutputChecks.h"
+#include "RandomPoses.h"
 #include "TestScenes.h"
 
 #include "vtkIrradianceProbeFilter.h"
@@ -329,20 +330,17 @@ void Step(RandomNumbers& random, MovingObject& moving, const Mesh& model)
     case 0: // stays
       break;
     case 1:
-      pose->Translate(
-        random.Between(-0.2, 0.2), random.Between(-0.2, 0.2), random.Between(-0.2, 0.2));
+      ShiftALittle(random, pose);
       break;
     case 2:
-      pose->RotateWXYZ(random.Between(0, 360), random.Between(-1, 1), random.Between(-1, 1), 1);
+      TurnAtRandom(random, pose);
       break;
     case 3: // leaves, or comes back
       moving.Model->GetNumberOfCells() > 0 ? moving.Model->ShallowCopy(Mesh::New())
                                            : moving.Model->ShallowCopy(model);
       break;
     default:
-      pose->Identity();
-      pose->Translate(
-        random.Between(-0.2, 3.2), random.Between(-0.2, 3.2), random.Between(-0.2, 3.2));
+      PlaceInTheRoom(random, pose);
       pose->Scale(1, random.Below(2) == 0 ? 1 : -0.7, 1.3);
   }
 }

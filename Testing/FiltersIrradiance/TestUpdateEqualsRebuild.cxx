@@ -2,6 +2,7 @@
 // Law 1: after any sequence of frames, an updated filter has the bits of a new one.
 
 #include "OutputBits.h"
+#include "RandomPoses.h"
 #include "TestScenes.h"
 
 #include "vtkSMPTools.h"
@@ -42,32 +43,26 @@ Scene MakeDifficultScene(int bands)
 /// One step of one object.
 void Step(RandomNumbers& random, vtkTransform* pose)
 {
-  const auto place = [&] {
-    pose->Identity();
-    pose->Translate(
-      random.Between(-0.2, 3.2), random.Between(-0.2, 3.2), random.Between(-0.2, 3.2));
-  };
   switch (random.Below(8))
   {
     case 0: // stays
       break;
     case 1:
-      pose->Translate(
-        random.Between(-0.2, 0.2), random.Between(-0.2, 0.2), random.Between(-0.2, 0.2));
+      ShiftALittle(random, pose);
       break;
     case 2:
-      pose->RotateWXYZ(random.Between(0, 360), random.Between(-1, 1), random.Between(-1, 1), 1);
+      TurnAtRandom(random, pose);
       break;
     case 3: // shear
     {
       const double shear[16] = { 1, random.Between(-1, 1), 0, 0, 0, 1, random.Between(-1, 1), 0, 0,
         0, 1, 0, 0, 0, 0, 1 };
-      place();
+      PlaceInTheRoom(random, pose);
       pose->Concatenate(shear);
       break;
     }
     case 4: // reflection
-      place();
+      PlaceInTheRoom(random, pose);
       pose->Scale(-1, random.Between(0.5, 1.5), random.Between(0.5, 1.5));
       break;
     case 5: // leaves the room
@@ -75,7 +70,7 @@ void Step(RandomNumbers& random, vtkTransform* pose)
       pose->Translate(random.Between(50, 100), 0, -30);
       break;
     default:
-      place();
+      PlaceInTheRoom(random, pose);
   }
 }
 

@@ -25,13 +25,6 @@ bool isWide(double radius, double other, const Vector3& between)
   return radius >= other && radius * radius > kWide * kWide * between.squaredNorm();
 }
 
-SampleKeys keysOf(std::uint64_t seed)
-{
-  const std::uint64_t key = splitMix(seed), scrambles = splitMix(key);
-  return { static_cast<std::uint32_t>(key),
-    { static_cast<std::uint32_t>(scrambles), static_cast<std::uint32_t>(scrambles >> 32) } };
-}
-
 /// The weights of the point of a triangle nearest to a place in its plane; none beside the triangle.
 std::optional<Vector3> weightsAt(const Triangle& triangle, const Vector3& place)
 {
@@ -45,12 +38,6 @@ std::optional<Vector3> weightsAt(const Triangle& triangle, const Vector3& place)
                                         : std::nullopt;
 }
 
-std::array<double, 2> netPoint(std::uint32_t number, const SampleKeys& keys)
-{
-  const SobolPoint point(number, keys.shuffle, keys.scrambles[0], keys.scrambles[1]);
-  return { SobolPoint::toUnit(point.x), SobolPoint::toUnit(point.y) };
-}
-
 }
 
 CellSampler::CellSampler(const CellShapes& cells, const GatherSpace& space, const LampPieces& lamps,
@@ -62,11 +49,6 @@ CellSampler::CellSampler(const CellShapes& cells, const GatherSpace& space, cons
   , seed_(seed)
   , choice_(lamps)
 {
-  const std::vector<Light>& lights = lamps.lights().lights();
-  for (std::uint32_t i = 0; i < lights.size() && !space.contacts.isEmpty(); ++i)
-  {
-    lightOf_.emplace(space.triangles.numberOf(lights[i].triangle()), i);
-  }
 }
 
 void CellSampler::setCell(std::size_t cell)
@@ -82,8 +64,8 @@ void CellSampler::setCell(std::size_t cell)
   });
   // By its first sample: objects that are away have cells in a frame that follows others, but never samples.
   const std::uint64_t seed = splitMix(seed_ ^ splitMix(plan_.first(cell)));
-  cellKeys_ = keysOf(seed);
-  lightKeys_ = keysOf(seed + 1);
+  cellKeys_ = SampleKeys(splitMix(seed));
+  lightKeys_ = SampleKeys(splitMix(seed + 1));
 }
 
 /// Of the table; lights of other groups may coincide as well.
@@ -91,10 +73,9 @@ std::vector<std::uint32_t> CellSampler::lightsAt(std::uint32_t triangle) const
 {
   std::vector<std::uint32_t> lights;
   space_.contacts.forEachLampAt(space_.triangles.idOf(triangle), [&](const TriangleId& id) {
-    const auto found = lightOf_.find(space_.triangles.numberOf(id));
-    if (found != lightOf_.end())
+    if (const std::optional<std::uint32_t> light = lamps_.lightOn(id))
     {
-      lights.push_back(found->second);
+      lights.push_back(*light);
     }
   });
   return lights;
@@ -102,23 +83,16 @@ std::vector<std::uint32_t> CellSampler::lightsAt(std::uint32_t triangle) const
 
 GatherSample CellSampler::sample(std::uint32_t number) const
 {
-  Square onCell = netPoint(number, cellKeys_), onLight = netPoint(number, lightKeys_);
+  Square onCell = SobolPoint::inUnitSquare(number, cellKeys_);
+  Square onLight = SobolPoint::inUnitSquare(number, lightKeys_);
   const Part& part = choosePart(onCell[0]);
   GatherSample sample{};
   sample.triangle = part.number;
-  double share = 1;
-  if (!part.touching.empty())
-  {
-    // Half of the samples ask the lights that coincide, half all others.
-    share = 0.5;
-    const bool asksTouching = onLight[0] < share;
-    onLight[0] = asksTouching ? 2 * onLight[0] : 2 * onLight[0] - 1;
-    asksTouching ? gatherTouching(part, onCell, sample) : gather(part, onCell, onLight, sample);
-  }
-  else
-  {
-    gather(part, onCell, onLight, sample);
-  }
+  // Half of the samples ask the lights that coincide, if any do, half all others.
+  const double share = part.touching.empty() ? 1 : 0.5;
+  const bool asksTouching = share < 1 && onLight[0] < share;
+  onLight[0] = share < 1 && !asksTouching ? 2 * onLight[0] - 1 : onLight[0];
+  asksTouching ? gatherTouching(part, onCell, sample) : gather(part, onCell, onLight, sample);
   sample.part = std::max(0.0, sample.part) / (share * plan_.samplesOf(cell_));
   return sample;
 }

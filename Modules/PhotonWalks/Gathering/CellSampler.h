@@ -8,7 +8,6 @@
 #include "Sampling/SobolPoint.h"
 
 #include <array>
-#include <unordered_map>
 #include <vector>
 
 namespace irradiance
@@ -97,8 +96,6 @@ private:
   LampChoice choice_;
   std::size_t cell_ = 0;
   std::vector<Part> parts_; ///< of the cell
-  /// By the number of its triangle; empty unless something coincides with lights.
-  std::unordered_map<std::uint32_t, std::uint32_t> lightOf_;
   SampleKeys cellKeys_{}, lightKeys_{};
 };
 

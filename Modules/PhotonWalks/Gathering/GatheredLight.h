@@ -20,8 +20,8 @@ enum class CellPart
  * The direct light of the cells of one part of the scene, from the lights of one group, and the walks that
  * start where it arrived. It follows motions as long as none of its own cells moves.
  *
- * The balance takes all that the lights emit for received directly, or escaped, by the estimate of the
- * samples. What reflects the walks that are born is no longer absorbed; they are in the balance as others.
+ * In the balance all that the lights emit is absorbed where the samples say that it arrives, or escapes. The power
+ * of a walk that starts is taken from what is absorbed; from there on it counts as other walks do.
  */
 class GatheredLight
 {

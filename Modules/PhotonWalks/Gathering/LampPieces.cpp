@@ -2,6 +2,7 @@
 #include "Gathering/LampPieces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace irradiance
 {
@@ -48,6 +49,7 @@ LampPieces::LampPieces(const LightTable& lights)
     {
       piece.triangle = area->triangle;
       piece.normal = area->triangle.areaVector().normalized();
+      areas_.push_back(i);
       cut(piece, 0);
     }
     else
@@ -55,6 +57,18 @@ LampPieces::LampPieces(const LightTable& lights)
       pieces_.push_back(piece);
     }
   }
+}
+
+std::optional<std::uint32_t> LampPieces::lightOn(const TriangleId& triangle) const
+{
+  const auto key = [](const TriangleId& id) { return std::pair(id.object, id.triangle); };
+  const auto found = std::lower_bound(
+    areas_.begin(), areas_.end(), triangle, [&](std::uint32_t light, const TriangleId& id) {
+      return key(lights_[light].triangle()) < key(id);
+    });
+  return found != areas_.end() && lights_[*found].triangle() == triangle
+    ? std::optional<std::uint32_t>(*found)
+    : std::nullopt;
 }
 
 void LampPieces::cut(const LampPiece& piece, int times)

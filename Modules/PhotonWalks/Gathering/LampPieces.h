@@ -4,6 +4,7 @@
 
 #include "Lights/LightTable.h"
 
+#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -34,13 +35,15 @@ public:
   const LightTable& lights() const { return lights_; }
   std::size_t size() const { return pieces_.size(); }
   const LampPiece& operator[](std::size_t piece) const { return pieces_[piece]; }
-  const std::vector<LampPiece>& all() const { return pieces_; }
+  /// The light of a triangle, if it is one of the table.
+  std::optional<std::uint32_t> lightOn(const TriangleId& triangle) const;
 
 private:
   void cut(const LampPiece& piece, int times);
 
   const LightTable& lights_;
   std::vector<LampPiece> pieces_;
+  std::vector<std::uint32_t> areas_; ///< the lights on triangles, which a table has in order
 };
 
 }

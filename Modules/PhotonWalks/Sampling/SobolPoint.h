@@ -2,6 +2,9 @@
 #ifndef irradiance_SobolPoint_h
 #define irradiance_SobolPoint_h
 
+#include "Sampling/SplitMix.h"
+
+#include <array>
 #include <cstdint>
 
 namespace irradiance
@@ -12,6 +15,16 @@ struct SampleKeys
 {
   std::uint32_t shuffle;      ///< of the index
   std::uint32_t scrambles[2]; ///< of the coordinates
+
+  SampleKeys() = default;
+  /// From a hash.
+  explicit SampleKeys(std::uint64_t hash)
+    : shuffle(static_cast<std::uint32_t>(hash))
+  {
+    const std::uint64_t both = splitMix(hash);
+    scrambles[0] = static_cast<std::uint32_t>(both);
+    scrambles[1] = static_cast<std::uint32_t>(both >> 32);
+  }
 };
 
 /// A randomized point of the first two Sobol' dimensions, in units of 2^-32. Without branches, so
@@ -27,6 +40,12 @@ struct SobolPoint
     // The first dimension reverses the bits of the index; scrambling reverses them once more.
     x = reversed(permuted(shuffled, scrambleX));
     y = reversed(permuted(pascal(shuffled), scrambleY));
+  }
+
+  static std::array<double, 2> inUnitSquare(std::uint32_t index, const SampleKeys& keys)
+  {
+    const SobolPoint point(index, keys.shuffle, keys.scrambles[0], keys.scrambles[1]);
+    return { toUnit(point.x), toUnit(point.y) };
   }
 
   /// A coordinate as a number in (0, 1): a multiple of 2^-32 plus 2^-33.

@@ -3,7 +3,6 @@
 #define irradiance_SobolSequence_h
 
 #include "Sampling/SobolPoint.h"
-#include "Sampling/SplitMix.h"
 #include "Sampling/WalkPlan.h"
 
 #include <array>
@@ -50,9 +49,7 @@ public:
 
   std::array<double, 2> sample(std::uint32_t walk, std::uint32_t bounce, SampleUse use) const
   {
-    const SampleKeys keys = keysOf(walk, bounce, use);
-    const SobolPoint point(indexOf(walk), keys.shuffle, keys.scrambles[0], keys.scrambles[1]);
-    return { SobolPoint::toUnit(point.x), SobolPoint::toUnit(point.y) };
+    return SobolPoint::inUnitSquare(indexOf(walk), keysOf(walk, bounce, use));
   }
 
   const Replicates& replicates() const { return replicates_; }
@@ -73,10 +70,7 @@ private:
 
   static SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, std::uint32_t use)
   {
-    const std::uint64_t key = splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 32 | use));
-    const std::uint64_t scrambles = splitMix(key);
-    return { static_cast<std::uint32_t>(key),
-      { static_cast<std::uint32_t>(scrambles), static_cast<std::uint32_t>(scrambles >> 32) } };
+    return SampleKeys(splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 32 | use)));
   }
 
   Replicates replicates_;

@@ -2,6 +2,7 @@
 #include "Shooting/WalkStages.h"
 
 #include "Shooting/FrontLoops.h"
+#include "Surfaces/CellShapes.h"
 
 #include <algorithm>
 #include <cassert>
@@ -262,10 +263,7 @@ void WalkStages::leaveSpecularly(WalkFront& front, const std::vector<Specular>& 
 {
   for (const auto& [i, from, weights] : specular)
   {
-    const SurfaceRecord& record = triangles_.records()[front.start[i]];
-    const auto corner = [](const double* x) { return Vector3(x[0], x[1], x[2]); };
-    SurfacePoint point =
-      surfacePoint({ corner(record.a), corner(record.b), corner(record.c) }, weights);
+    SurfacePoint point = surfacePoint(triangleOf(triangles_, front.start[i]), weights);
     point.turn(front.side[i] != 0);
     const Vector3 direction = sampler_.specularDirection(
       point, triangles_.idOf(front.start[i]), from, front.walk[i], front.bounce[i]);

@@ -243,7 +243,7 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
   if (gathered_)
   {
     const Stopwatch bearing;
-    shootBorn(born, space, execution);
+    shootBorn(born, tracer, execution);
     statistics_.verifySeconds += gatherSeconds;
     statistics_.repairSeconds += bearing.seconds();
   }
@@ -327,15 +327,14 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
 }
 
 void WalkSet::shootBorn(
-  const std::vector<std::uint32_t>& walks, const WalkSpace& space, Execution& execution)
+  const std::vector<std::uint32_t>& walks, const WalkTracer& tracer, Execution& execution)
 {
-  const SobolSequence samples = this->samples();
-  const WalkTracer tracer = this->tracer(space, samples);
   std::unique_ptr<WalkBatch> batch = batches_->take();
   for (std::size_t first = 0; first < walks.size(); first += WalkFront::kUsualSize)
   {
     const std::size_t count = std::min(WalkFront::kUsualSize, walks.size() - first);
-    FrontTally tally(space.triangles, sums_, balance_, tracer.sampler().powerPerWalk(), 4 * count);
+    FrontTally tally(
+      tracer.triangles(), sums_, balance_, tracer.sampler().powerPerWalk(), 4 * count);
     batch->begin(tracer, &history_, sides() == 2);
     WalkFront& front = batch->front();
     front.reserve(count, tracer.sampler().bands());

@@ -119,7 +119,7 @@ private:
   std::int64_t numberStored() const; ///< of walks
   void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles);
   void shootBorn(
-    const std::vector<std::uint32_t>& walks, const WalkSpace& space, Execution& execution);
+    const std::vector<std::uint32_t>& walks, const WalkTracer& tracer, Execution& execution);
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const WalkSpace& space) const;
   /// An arena for pages of so many bands: the one of before, if it will do.
