@@ -278,7 +278,7 @@ public:
    * See DirectLights, and "Shot or gathered" in the Guide. Both have the same mean. Gathered is less noisy in the
    * same time where cells are many and the lights shine freely on them, the more so the less is reflected. Lamps very
    * near to large cells want Shot. An update still equals a new filter's result, bit for bit. Gathered keeps no photons
-   * of direct light: it excludes TargetRelativeError, RepairTimeBudget, CellEstimate Spread and Nearest,
+   * of direct light: it excludes CellEstimate Spread and Nearest,
    * NumberOfOutputWalks, and the filters that read photons, vtkIrradianceProbeFilter and vtkOutgoingRadianceFilter. An
    * error says so.
    *

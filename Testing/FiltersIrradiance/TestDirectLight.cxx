@@ -106,10 +106,6 @@ TEST(DirectLight, WhatItExcludes)
     const char* Name;
     Setting Set, Unset;
   } others[] = {
-    { "TargetRelativeError", [](auto* f) { f->SetTargetRelativeError(0.1); },
-      [](auto* f) { f->SetTargetRelativeError(0); } },
-    { "RepairTimeBudget", [](auto* f) { f->SetRepairTimeBudget(1); },
-      [](auto* f) { f->SetRepairTimeBudget(0); } },
     { "CellEstimate Spread", [](auto* f) { f->SetCellEstimateToSpread(); },
       [](auto* f) { f->SetCellEstimateToSums(); } },
     { "CellEstimate Nearest", [](auto* f) { f->SetCellEstimateToNearest(); },

@@ -12,11 +12,13 @@ namespace irradiance::test
 
 constexpr double kNoTime = 1e-9; ///< s; a budget that is over when it begins
 
+/// Walks.
 inline std::size_t numberOfStale(const IrradianceEngine& engine)
 {
   std::size_t count = 0;
   for (const WalkSet& set : engine.walks().sets())
   {
+    count += set.stale() ? set.stale()->numberOfUnborn() : 0;
     for (std::size_t block = 0; set.stale() && block < set.stale()->numberOfBlocks(); ++block)
     {
       count += set.stale()->marks(block).size();

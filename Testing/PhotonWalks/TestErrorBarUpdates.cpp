@@ -115,10 +115,15 @@ TEST(ErrorBarUpdates, SameBitsWhateverTheWay)
 }
 
 // The number of rounds rises and falls from frame to frame; earlier frames leave no trace.
-TEST(ErrorBarUpdates, UpdateEqualsRebuildWithATarget)
+class ErrorBarUpdatesInModes : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(ErrorBarUpdatesInModes, UpdateEqualsRebuildWithATarget)
 {
   ShadedRoom room;
   EngineSettings settings = withErrors(3001);
+  settings.gathersDirectLight = GetParam();
   settings.targetRelativeError = 0.2;
   settings.maximumNumberOfWalks = 100000;
   IrradianceEngine engine;
@@ -145,10 +150,11 @@ TEST(ErrorBarUpdates, UpdateEqualsRebuildWithATarget)
 }
 
 // While walks wait for repair the number of rounds stays; afterwards it is as in a new engine.
-TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
+TEST_P(ErrorBarUpdatesInModes, ATargetWaitsWhileWalksAreStale)
 {
   ShadedRoom room;
   EngineSettings settings = withErrors(3001);
+  settings.gathersDirectLight = GetParam();
   settings.targetRelativeError = 0.2;
   settings.maximumNumberOfWalks = 100000;
   settings.repairTimeBudget = 20 * test::TickingExecution::kTick;
@@ -160,7 +166,7 @@ TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
   {
     const SceneObjects& objects = room.at(height);
     engine.update(objects, settings, clock);
-    for (; test::onlySet(engine).stale() && !test::onlySet(engine).stale()->isEmpty(); ++waits)
+    for (; engine.walks().hasStale(); ++waits)
     {
       ASSERT_TRUE(std::isnan(engine.reachedRelativeError()));
       ASSERT_EQ(engine.numberOfWalks(), before);
@@ -177,11 +183,12 @@ TEST(ErrorBarUpdates, ATargetWaitsWhileWalksAreStale)
 }
 
 // A new target continues from the existing walks, and the old target returns to them.
-TEST(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
+TEST_P(ErrorBarUpdatesInModes, TurningTheDialEqualsAFreshStart)
 {
   ShadedRoom room;
   const SceneObjects& objects = room.at(1);
   EngineSettings settings = withErrors(1000);
+  settings.gathersDirectLight = GetParam();
   settings.maximumNumberOfWalks = 64000;
   IrradianceEngine engine;
   Execution execution;
@@ -207,10 +214,11 @@ TEST(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
 }
 
 // With any number of rounds, the power is what the lights emit, and balances to the last quantum.
-TEST(ErrorBarUpdates, PowerIsThatOfTheScene)
+TEST_P(ErrorBarUpdatesInModes, PowerIsThatOfTheScene)
 {
   ShadedRoom room;
   EngineSettings settings = withErrors(1000);
+  settings.gathersDirectLight = GetParam();
   settings.maximumNumberOfWalks = 50000;
   IrradianceEngine engine;
   Execution execution;
@@ -225,7 +233,7 @@ TEST(ErrorBarUpdates, PowerIsThatOfTheScene)
 }
 
 // A tenth of the area is the inside of a box that no light can reach.
-TEST(ErrorBarUpdates, DarkCellsDoNotMakeTheDialRunForever)
+TEST_P(ErrorBarUpdatesInModes, DarkCellsDoNotMakeTheDialRunForever)
 {
   test::ObjectBuilder room;
   room.addBox(test::box({ -2, -2, -2 }, { 2, 2, 2 }), 2, test::grey(0.3), true);
@@ -236,6 +244,7 @@ TEST(ErrorBarUpdates, DarkCellsDoNotMakeTheDialRunForever)
   settings.numberOfWalks = 1000;
   settings.maximumNumberOfWalks = 4000000;
   settings.replicates = 16;
+  settings.gathersDirectLight = GetParam();
   settings.targetRelativeError = test::kIsSanitized ? 0.5 : 0.2;
   IrradianceEngine engine;
   Execution execution;
@@ -244,6 +253,8 @@ TEST(ErrorBarUpdates, DarkCellsDoNotMakeTheDialRunForever)
   EXPECT_LT(engine.numberOfWalks(), settings.maximumNumberOfWalks);
   std::printf("%u walks\n", engine.numberOfWalks());
 }
+
+INSTANTIATE_TEST_SUITE_P(ShotAndGathered, ErrorBarUpdatesInModes, testing::Bool());
 
 // Law 7: one number for each cell, side and band; with error bars, one for each replicate.
 TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)

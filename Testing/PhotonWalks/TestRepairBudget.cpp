@@ -54,7 +54,7 @@ void converge(EngineSettings settings, int bands, unsigned threads, unsigned see
       ASSERT_LT(numberOfStale(engine), left) << "every call repairs something";
       left = numberOfStale(engine);
     }
-    ASSERT_TRUE(!isLifted || !test::onlySet(engine).stale());
+    ASSERT_TRUE(!isLifted || !engine.walks().staleSums());
     partial += numberOfStale(engine) > 0;
     if (numberOfStale(engine) == 0)
     {
@@ -89,6 +89,16 @@ TEST(RepairBudget, ConvergesToTheExactState)
       }
     }
   }
+}
+
+TEST(RepairBudget, ConvergesToTheExactStateWithGatheredLight)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = scaled(4000);
+  settings.gathersDirectLight = true;
+  converge(settings, 1, 4, 51);
+  settings.separateSides = true;
+  converge(settings, 3, 1, 52);
 }
 
 // An object moves out and back while walks wait, among them walks whose prefix it crosses on the

@@ -42,12 +42,10 @@ std::string conflictOfNearest(const EstimateSettings& settings, const WalkSettin
     : std::string();
 }
 
-/// What was gathered is no photons, and not shot round by round.
+/// What was gathered is no photons.
 std::string conflictOfGathered(const EstimateSettings& settings, const WalkSettings& walks)
 {
-  const char* other = walks.targetRelativeError > 0  ? "TargetRelativeError"
-    : walks.repairTimeBudget > 0                     ? "RepairTimeBudget"
-    : walks.keepPhotons                              ? "what needs photons of walks"
+  const char* other = walks.keepPhotons              ? "what needs photons of walks"
     : settings.cellEstimate == CellEstimate::Spread  ? "CellEstimate Spread"
     : settings.cellEstimate == CellEstimate::Nearest ? "CellEstimate Nearest"
                                                      : nullptr;

@@ -39,12 +39,7 @@ GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objec
 {
 }
 
-WalkPlan GatheredLight::plan() const
-{
-  return { starts_.size(), starts_.size(), settings_.replicates, settings_.firstWalk };
-}
-
-void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt,
+void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,
   const CancelPoint& cancelPoint) const
 {
   if (settings_.part == CellPart::Static && dealt.contains(0))
@@ -53,7 +48,7 @@ void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBloc
     {
       for (std::size_t band = 0; band < light.flux.size(); ++band)
       {
-        const std::int64_t quanta = nearestQuanta(light.flux[band] * quantaPerWatt_);
+        const std::int64_t quanta = sign * nearestQuanta(light.flux[band] * quantaPerWatt_);
         balance.emitted.quanta[band] += quanta;
         balance.escaped.quanta[band] += quanta;
       }
@@ -67,7 +62,7 @@ void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBloc
     {
       if (light_.isVisible(plan_.first(cell) + i))
       {
-        deposit(cell, plan_.first(cell) + i, 1, sums, deposits, balance);
+        deposit(cell, plan_.first(cell) + i, sign, sums, deposits, balance);
       }
     }
     pace.step();
@@ -97,7 +92,8 @@ void GatheredLight::deposit(std::size_t cell, std::uint32_t number, int sign, Ce
   const Power power = sign * light_.powerOf(sample, quantaPerWatt_);
   const SceneCell of = sums.cellOf(triangles_.idOf(sample.triangle));
   const std::uint32_t replicate = plan_.replicateOf(cell, number - plan_.first(cell));
-  sums.collect(sums.slotOf({ of, 0 }, replicate), sample.isFront, power, 1, deposits);
+  sums.collect(
+    sums.slotOf({ of, 0 }, replicate, settings_.round), sample.isFront, power, 1, deposits);
   balance.absorbed += power;
   balance.escaped -= power;
   balance.received += power.total();

@@ -33,6 +33,7 @@ public:
     std::uint32_t replicates;
     std::uint32_t firstWalk; ///< the number of the first walk that may be born
     std::uint64_t seed;
+    std::size_t round; ///< of the sums to which it adds
   };
 
   /// Gathers. The arguments must outlive it.
@@ -42,11 +43,9 @@ public:
   GatheredLight& operator=(const GatheredLight&) = delete;
 
   const WalkStarts& starts() const { return starts_; }
-  /// Of the walks that may be born.
-  WalkPlan plan() const;
 
-  /// Adds what was gathered. Of several ranks each adds it for the cells that are dealt to it as blocks are.
-  void addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt,
+  /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each adds it for the cells that are dealt to it as blocks are.
+  void addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,
     const CancelPoint& cancelPoint) const;
 
   /// The samples that a motion of other objects changed. See DirectLight::follow().

@@ -66,6 +66,8 @@ public:
   /// The number of segments of a walk.
   std::uint32_t size(std::uint32_t walk) const { return blocks_[indexOf(walk)].size(walk); }
 
+  /// Changes to a plan that has more rounds.
+  void extend(const WalkPlan& plan) { plan_ = plan; }
   /// Adds the next block, whose walks have no segments yet.
   void append();
   void removeLast();

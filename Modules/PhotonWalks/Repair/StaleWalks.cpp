@@ -37,8 +37,9 @@ StaleWalks::StaleWalks(
 
 bool StaleWalks::isEmpty() const
 {
-  return std::all_of(
-    blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
+  return numberOfUnborn_ == 0 &&
+    std::all_of(
+      blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
 }
 
 std::vector<PowerClass> StaleWalks::classes(std::size_t enough) const
@@ -116,6 +117,31 @@ void StaleWalks::forgetRepaired(std::size_t block)
     marks.end());
 }
 
+void StaleWalks::forget(const WalkHistory& history, std::uint32_t walk)
+{
+  const std::size_t block = history.indexOf(walk);
+  for (StaleMark& mark : blocks_[block].marks)
+  {
+    if (mark.walk == walk)
+    {
+      std::vector<Deposit> deposits;
+      repair(block, history, mark, deposits);
+      take(deposits);
+    }
+  }
+  forgetRepaired(block);
+}
+
+void StaleWalks::countUnborn(std::uint32_t walk, const Power& power)
+{
+  unbornPower_ += power;
+  const std::int64_t gain = bound_.isKnown() ? bound_(walk, 0, power) : 0;
+  for (int band = 0; band < Power::kMaxBands; ++band)
+  {
+    unbornGain_[band] += power[band] > 0 ? gain : 0; // a band without power gains none
+  }
+}
+
 void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end,
   int sign, std::vector<Deposit>& deposits) const
 {
@@ -135,7 +161,7 @@ void StaleWalks::count(Block& block, const WalkHistory& history, const StaleMark
 
 Power StaleWalks::power() const
 {
-  Power sum;
+  Power sum = unbornPower_;
   for (const Block& block : blocks_)
   {
     sum += block.power;
@@ -145,7 +171,7 @@ Power StaleWalks::power() const
 
 Power StaleWalks::gainBound() const
 {
-  Power gain;
+  Power gain = unbornGain_;
   for (const Block& block : blocks_)
   {
     gain += block.gain;

@@ -7,6 +7,8 @@
 #include "Repair/TailBound.h"
 #include "Tally/CellSums.h"
 
+#include <vector>
+
 namespace irradiance
 {
 
@@ -34,7 +36,7 @@ public:
   StaleMarks& marks(std::size_t block) { return blocks_[block].marks; }
   const StaleMarks& marks(std::size_t block) const { return blocks_[block].marks; }
 
-  /// All stale walks, the strongest first; each class but the last has at least `enough`.
+  /// All marked walks, the strongest first; each class but the last has at least `enough`.
   std::vector<PowerClass> classes(std::size_t enough) const;
 
   /// Marks the first stale segments of walks of a block, ordered by walk, as a verification found them. It
@@ -45,13 +47,31 @@ public:
     std::size_t block, const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits);
   void forgetRepaired(std::size_t block);
 
+  /// Takes out a walk that is about to be removed, if it is marked.
+  void forget(const WalkHistory& history, std::uint32_t walk);
+
+  /// Walks that are to start and are not stored yet.
+  std::size_t numberOfUnborn() const { return numberOfUnborn_; }
+  /// Notes which these are. `powerOf(walk)`: with which it will start.
+  template <class PowerOf>
+  void setUnborn(const std::vector<std::uint32_t>& walks, const PowerOf& powerOf)
+  {
+    numberOfUnborn_ = walks.size();
+    unbornPower_ = unbornGain_ = {};
+    for (const std::uint32_t walk : walks)
+    {
+      countUnborn(walk, powerOf(walk));
+    }
+  }
+
   /// The power that the stale tails brought to the cells.
   const CellSums& sums() const { return sums_; }
   /// Adds the deposits that repair() collected.
   void take(const std::vector<Deposit>& deposits) { sums_.add(deposits); }
-  /// The power that the first stale segments carry.
+  /// The power that the first stale segments carry, and the first segments of walks that are not stored yet.
   Power power() const;
-  /// Upper bound of the quanta that all cells together receive from the repaired tails, if it is known.
+  /// Upper bound of the quanta that all cells together receive from the repaired tails and those walks, if it
+  /// is known.
   Power gainBound() const;
   bool isBoundKnown() const { return bound_.isKnown(); }
   std::size_t bytes() const;
@@ -67,10 +87,13 @@ private:
   /// Collects the deposits of the segments from the mark to `end`.
   void tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end, int sign,
     std::vector<Deposit>& deposits) const;
+  void countUnborn(std::uint32_t walk, const Power& power);
   static void count(Block& block, const WalkHistory& history, const StaleMark& mark, int sign);
 
   std::vector<Block> blocks_;
   CellSums sums_;
+  std::size_t numberOfUnborn_ = 0;
+  Power unbornPower_, unbornGain_;
   TailBound bound_;
 };
 

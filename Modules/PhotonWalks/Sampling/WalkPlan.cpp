@@ -10,16 +10,18 @@ WalkPlan::WalkPlan(
   std::uint32_t first, std::uint32_t most, std::uint32_t replicates, std::uint32_t firstWalk)
   : replicates_(replicates, firstWalk)
 {
-  WalkRound round{ firstWalk, firstWalk, 0, 0 };
-  for (std::uint64_t walks = first; round.endWalk - firstWalk < most; walks *= 2)
+  for (std::uint64_t walks = first; endWalk() - firstWalk < most; walks *= 2)
   {
-    round.firstWalk = round.endWalk;
-    round.endWalk = firstWalk + static_cast<std::uint32_t>(std::min<std::uint64_t>(walks, most));
-    round.firstBlock = round.endBlock;
-    round.endBlock +=
-      (std::size_t{ round.endWalk - round.firstWalk } + kWalksPerBlock - 1) / kWalksPerBlock;
-    rounds_.push_back(round);
+    const auto all = static_cast<std::uint32_t>(std::min<std::uint64_t>(walks, most));
+    addRound(firstWalk + all - endWalk());
   }
+}
+
+void WalkPlan::addRound(std::uint32_t walks)
+{
+  const std::size_t firstBlock = rounds_.empty() ? 0 : rounds_.back().endBlock;
+  rounds_.push_back({ endWalk(), endWalk() + walks, firstBlock,
+    firstBlock + (std::size_t{ walks } + kWalksPerBlock - 1) / kWalksPerBlock });
 }
 
 std::size_t WalkPlan::blockOf(std::uint32_t walk) const

@@ -39,6 +39,15 @@ public:
   /// 1 <= `first` <= `most` walks, numbered from `firstWalk` on. With `first` == `most` there is one round.
   WalkPlan(
     std::uint32_t first, std::uint32_t most, std::uint32_t replicates, std::uint32_t firstWalk = 0);
+  /// Has no rounds yet.
+  explicit WalkPlan(const Replicates& replicates)
+    : replicates_(replicates)
+  {
+  }
+
+  /// Of 1 walk or more; with several replicates, of as many of each.
+  void addRound(std::uint32_t walks);
+  void dropRounds(std::size_t kept) { rounds_.resize(kept); }
 
   const std::vector<WalkRound>& rounds() const { return rounds_; }
   std::uint32_t most() const { return walksAfter(rounds_.size()); }
@@ -48,7 +57,10 @@ public:
     return rounds_[rounds - 1].endWalk - rounds_.front().firstWalk;
   }
   /// One more than the number of the last walk.
-  std::uint32_t endWalk() const { return rounds_.back().endWalk; }
+  std::uint32_t endWalk() const
+  {
+    return rounds_.empty() ? replicates_.firstWalk() : rounds_.back().endWalk;
+  }
   const Replicates& replicates() const { return replicates_; }
 
   std::size_t roundOf(std::uint32_t walk) const

@@ -34,6 +34,8 @@ public:
   void receive(const WalkFront& front) { change(front, 1); }
   /// Of what arrived, this front leaves again.
   void release(const WalkFront& front) { balance_.absorbed -= powerOf(front); }
+  /// Walks that had left where light arrived are no more, as unemit().
+  void unrelease(const Power& started) { balance_.absorbed += started; }
   /**
    * Takes back what tails of walks brought: all their segments, in any order, as receive() took them, with
    * the sides that were hit and, with several bands, their powers. `starting`: what the first segments of

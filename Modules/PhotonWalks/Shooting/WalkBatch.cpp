@@ -26,7 +26,7 @@ void WalkBatch::start(FrontTally& tally)
   StageClock clock;
   tracer_->stages().start(now_);
   // What was received directly was taken for absorbed.
-  tracer_->hasStarts() ? tally.release(now_) : tally.emit(now_);
+  tracer_->startsAtCells() ? tally.release(now_) : tally.emit(now_);
   clock.ends(Stage::Start);
 }
 

@@ -51,12 +51,12 @@ Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
 }
 
 WalkStages::WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles,
-  const LightTable& lights, const SobolSequence& samples, const WalkStarts* starts)
+  const LightTable& lights, const SobolSequence& samples, const GatheredRounds* gathered)
   : sampler_(sampler)
   , triangles_(triangles)
   , lights_(lights)
   , samples_(samples)
-  , starts_(starts)
+  , gathered_(gathered)
   , lightKeys_(samples, SampleUse::Light, 1)
   , positionKeys_(samples, SampleUse::Position, 1)
   , survivalKeys_(samples, SampleUse::Survival)
@@ -77,7 +77,7 @@ void WalkStages::start(WalkFront& front) const
   }
   std::fill_n(front.bounce.data(), front.size, 0u);
   std::fill_n(front.parent.data(), front.size, WalkFront::kNone);
-  starts_ ? startAtCells(front) : startAtLights(front);
+  gathered_ ? startAtCells(front) : startAtLights(front);
 }
 
 void WalkStages::startAtLights(WalkFront& front) const
@@ -102,8 +102,9 @@ void WalkStages::startAtCells(WalkFront& front) const
 {
   for (std::size_t i = 0; i < front.size; ++i)
   {
-    const WalkStarts::Start& start = (*starts_)[front.walk[i]];
-    const GatherSample& sample = starts_->sampleOf(start);
+    const WalkStarts& starts = gathered_->startsOf(front.walk[i]);
+    const WalkStarts::Start& start = starts[front.walk[i]];
+    const GatherSample& sample = starts.sampleOf(start);
     front.start[i] = sample.triangle;
     front.weightB[i] = sample.weightB;
     front.weightC[i] = sample.weightC;

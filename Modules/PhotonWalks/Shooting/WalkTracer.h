@@ -15,16 +15,16 @@ class WalkTracer
 {
 public:
   /// The arguments must outlive the tracer. `contacts`: null if nothing coincides with a lamp.
-  /// `starts`: see WalkStages.
+  /// `gathered`: see WalkStages.
   WalkTracer(const Scene& scene, const SceneObjects& objects, const SceneTriangles& triangles,
     const LightTable& lights, const SobolSequence& samples, const Contacts* contacts = nullptr,
-    const WalkStarts* starts = nullptr)
+    const GatheredRounds* gathered = nullptr)
     : scene_(scene)
     , triangles_(triangles)
     , sampler_(objects, lights, samples)
-    , stages_(sampler_, triangles, lights, samples, starts)
+    , stages_(sampler_, triangles, lights, samples, gathered)
     , contacts_(contacts)
-    , starts_(starts)
+    , gathered_(gathered)
   {
   }
   WalkTracer(const WalkTracer&) = delete;
@@ -60,12 +60,12 @@ public:
     return hasContacts() && contacts_->has(triangles_.idOf(triangle));
   }
   /// Whether walks start where direct light was gathered.
-  bool hasStarts() const { return starts_ != nullptr; }
+  bool startsAtCells() const { return gathered_ != nullptr; }
   /// The number of the triangle that a walk leaves first, or kNone.
   std::uint32_t startOf(std::uint32_t walk) const
   {
-    return starts_ ? starts_->sampleOf((*starts_)[walk]).triangle
-                   : triangles_.numberOf(sampler_.lightOf(walk).triangle());
+    return gathered_ ? gathered_->sampleOf(walk).triangle
+                     : triangles_.numberOf(sampler_.lightOf(walk).triangle());
   }
   Ray rayOf(const WalkFront& front, std::size_t row) const
   {
@@ -83,7 +83,7 @@ private:
   WalkSampler sampler_;
   WalkStages stages_;
   const Contacts* contacts_;
-  const WalkStarts* starts_;
+  const GatheredRounds* gathered_;
 };
 
 }

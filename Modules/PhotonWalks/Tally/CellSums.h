@@ -42,6 +42,12 @@ public:
   void replace(const SceneObjects& objects, const CancelPoint& cancelPoint = {});
   /// Makes room for further rounds, or drops the last ones.
   void setRounds(std::size_t rounds, const CancelPoint& cancelPoint = {});
+  /// Likewise, for a plan with as many rounds, which differs from the one of before in these alone.
+  void setRounds(const WalkPlan& plan, const CancelPoint& cancelPoint = {})
+  {
+    plan_ = plan;
+    setRounds(plan.rounds().size(), cancelPoint);
+  }
   std::size_t rounds() const { return rounds_; }
   std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
 
@@ -50,10 +56,10 @@ public:
   {
     return slot(groupOf(walk), { cell });
   }
-  /// Where what a replicate brings to a side of a cell in the first round is added.
-  std::size_t slotOf(const CellSide& cell, std::uint32_t replicate) const
+  /// Where what a replicate brings to a side of a cell in a round is added.
+  std::size_t slotOf(const CellSide& cell, std::uint32_t replicate, std::size_t round) const
   {
-    return slot({ 0, replicate }, cell);
+    return slot({ round, replicate }, cell);
   }
   /// How slots are numbered: by round, then cell, side, replicate and band.
   std::size_t slotsPerRound() const { return roundSize_; }

@@ -7,6 +7,7 @@
 #include "Shooting/StoredRays.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -34,7 +35,6 @@ void WalkSet::setSettings(const WalkSettings& settings)
 
 void WalkSet::start(const WalkSpace& space, Execution& execution)
 {
-  sums_ = CellSums(space.objects, sides(), source_.plan, 0);
   balance_ = {};
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   while (history_.size() > 0) // freeing many walks takes a while
@@ -43,30 +43,21 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
     cancelPoint();
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
-  gather(space, execution);
+  gathered_.reset();
+  if (source_.cells && !lights().isEmpty())
+  {
+    gathered_ = std::make_unique<GatheredRounds>(GatheredRounds::Settings{ *source_.cells,
+      Replicates(source_.plan.replicates().count(), source_.firstWalk), settings_.seed });
+  }
+  sums_ = CellSums(space.objects, sides(), plan(), 0);
   const int bands = space.objects.staticObject.material->bands;
   history_ = {};
   history_ =
     WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene)), space.triangles.numbers(),
       bands, Power{ { lights().quantaPerWalk() } }, arenaFor(bands), blocks_);
   stale_.reset();
+  unborn_.clear();
   repaired_ = {};
-}
-
-void WalkSet::gather(const WalkSpace& space, Execution& execution)
-{
-  gathered_.reset();
-  plan_ = source_.plan;
-  if (source_.cells && !lights().isEmpty())
-  {
-    ProgressSpan beginning(execution, 0, 0);
-    gathered_ = std::make_unique<GatheredLight>(
-      GatherSpace{ space.scene, space.triangles, space.contacts }, space.objects, lights(),
-      GatheredLight::Settings{ *source_.cells, plan_.most(), plan_.replicates().count(),
-        source_.firstWalk, settings_.seed },
-      beginning);
-    plan_ = gathered_->plan();
-  }
 }
 
 std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
@@ -74,7 +65,7 @@ std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
   constexpr std::size_t kUsualBytes = std::size_t{ 4 } * 34; // of a walk
   const std::size_t pageBytes = BounceBlock::pageBytes(bands);
   const std::size_t expected =
-    kUsualBytes * blocks_.before(plan().rounds().front().endBlock) * WalkPlan::kWalksPerBlock;
+    kUsualBytes * blocks_.before(source_.plan.rounds().front().endBlock) * WalkPlan::kWalksPerBlock;
   if (!arena_ || arena_->pageBytes() < pageBytes || arena_->pageBytes() >= 2 * pageBytes)
   {
     arena_ = std::make_shared<BlockArena>(pageBytes);
@@ -90,18 +81,33 @@ void WalkSet::shootRound(
   std::size_t round, bool isStored, const WalkSpace& space, Execution& execution)
 {
   const Stopwatch stopwatch;
-  const WalkRound& walks = plan().rounds()[round];
-  sums_.setRounds(round + 1, cancelPointOf(execution, 0));
+  beginRound(isStored, space, execution);
+  shootBlocks(plan().rounds()[round], isStored, space, execution);
+  statistics_.shootSeconds += stopwatch.seconds();
+}
+
+void WalkSet::beginRound(bool isStored, const WalkSpace& space, Execution& execution)
+{
+  const std::size_t round = sums_.rounds();
+  ProgressSpan beginning(execution, 0, 0);
+  const CancelPoint cancelPoint = cancelPointOf(beginning, 0);
   if (gathered_)
   {
-    gathered_->addTo(sums_, balance_, blocks_, cancelPointOf(execution, 0));
+    const WalkRound& walks = source_.plan.rounds()[round];
+    gathered_->append({ space.scene, space.triangles, space.contacts }, space.objects, lights(),
+      walks.endWalk - walks.firstWalk, beginning);
+    history_.extend(plan());
+    sums_.setRounds(plan(), cancelPoint);
+    gathered_->addTo(totals(), round, cancelPoint);
   }
-  while (isStored && history_.size() < blocks_.before(walks.endBlock))
+  else
+  {
+    sums_.setRounds(round + 1, cancelPoint);
+  }
+  while (isStored && history_.size() < blocks_.before(plan().rounds()[round].endBlock))
   {
     history_.append();
   }
-  shootBlocks(walks, isStored, space, execution);
-  statistics_.shootSeconds += stopwatch.seconds();
 }
 
 void WalkSet::shootBlocks(
@@ -151,7 +157,7 @@ void WalkSet::fill(WalkBatch& batch, std::size_t first, std::size_t end, int ban
     front.reserve(front.size + count, bands);
     std::uint32_t* const begin = front.walk.data() + front.size;
     std::iota(begin, begin + count, firstWalk);
-    const auto isUnborn = [&](std::uint32_t walk) { return !gathered_->starts().isBorn(walk); };
+    const auto isUnborn = [&](std::uint32_t walk) { return !gathered_->isBorn(walk); };
     const auto born = static_cast<std::size_t>(
       (gathered_ ? std::remove_if(begin, begin + count, isUnborn) : begin + count) - begin);
     std::fill_n(front.block.data() + front.size, born, static_cast<std::uint32_t>(i));
@@ -176,9 +182,13 @@ void WalkSet::dropRounds(
     });
     FrontTally tally(triangles, sums_, balance_, Power{ { lights().quantaPerWalk() } }, old.size);
     tally.remove(old, starting);
-    tally.unemit(starting);
+    gathered_ ? tally.unrelease(starting) : tally.unemit(starting);
     history_.removeLast();
     cancelPoint();
+  }
+  if (gathered_)
+  {
+    gathered_->drop(kept, totals(), cancelPoint);
   }
   sums_.setRounds(kept, cancelPoint);
 }
@@ -187,15 +197,24 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
   Execution& execution)
 {
   const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
-  if (gathered_ && hasMotion && source_.cells == CellPart::Dynamic)
+  const Stopwatch stopwatch;
+  bool startsAgain = false;
+  if (gathered_ && hasMotion)
   {
-    startAgain(space, execution);
-    return;
+    startsAgain = source_.cells == CellPart::Dynamic;
+    startsAgain ? startAgain(space, execution) : followGathered(moved, space, execution);
   }
-  const Stopwatch gathering;
-  const std::vector<std::uint32_t> born =
-    gathered_ && hasMotion ? followGathered(moved, space, execution) : std::vector<std::uint32_t>();
-  const double gatherSeconds = gathered_ && hasMotion ? gathering.seconds() : 0;
+  const double gatherSeconds = stopwatch.seconds();
+  // Walks that start again know all that moved.
+  followWalks(
+    startsAgain ? std::vector<bool>(moved.size(), false) : moved, space, changes, execution);
+  statistics_.verifySeconds += gathered_ && hasMotion ? gatherSeconds : 0;
+}
+
+void WalkSet::followWalks(const std::vector<bool>& moved, const WalkSpace& space,
+  PhotonChanges* changes, Execution& execution)
+{
+  const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(space, samples);
   const BounceScan scan = scanOf(moved, space);
@@ -221,11 +240,17 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
       statistics_.verifySeconds = share * stopwatch.seconds();
       statistics_.repairSeconds = (1 - share) * stopwatch.seconds();
     }
+    const Stopwatch bearing;
+    ProgressSpan rest(execution, hasMotion ? 1 : 0, 1);
+    shootBorn(tracer, nullptr, rest);
+    statistics_.repairSeconds += bearing.seconds();
   }
   else
   {
-    const double verified = hasMotion ? 0.5 : 0; // progress between verification and repair
-    ProgressSpan verification(execution, 0, verified), rest(execution, verified, 1);
+    // Progress between verification, births and repair.
+    const double verified = hasMotion ? 0.5 : 0, born = unborn_.empty() ? verified : 0.75;
+    ProgressSpan verification(execution, 0, verified), bearing(execution, verified, born),
+      rest(execution, born, 1);
     if (hasMotion)
     {
       repair.verifyAndMark(*stale_, verification);
@@ -237,15 +262,10 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
       budget.emplace(execution, settings_.repairTimeBudget);
     }
     const Stopwatch repairing;
+    shootBorn(tracer, budget ? &*budget : nullptr, bearing);
     repair.repair(*stale_, budget ? &*budget : nullptr, rest);
+    stale_->setUnborn(unborn_, [&](std::uint32_t walk) { return gathered_->powerOf(walk); });
     statistics_.repairSeconds = budget ? budget->elapsed() : repairing.seconds();
-  }
-  if (gathered_)
-  {
-    const Stopwatch bearing;
-    shootBorn(born, tracer, execution);
-    statistics_.verifySeconds += gatherSeconds;
-    statistics_.repairSeconds += bearing.seconds();
   }
   std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
@@ -255,14 +275,31 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
 
 void WalkSet::startAgain(const WalkSpace& space, Execution& execution)
 {
-  const Stopwatch stopwatch;
-  const bool isStored = history_.size() > 0;
+  const std::size_t rounds = sums_.rounds();
   statistics_.invalidWalks = numberStored();
   start(space, execution);
-  shootRound(0, isStored, space, execution);
-  statistics_.repairedSegments = balance_.segments;
-  statistics_.shootSeconds = 0;
-  statistics_.repairSeconds = stopwatch.seconds();
+  while (sums_.rounds() < rounds)
+  {
+    beginRound(true, space, execution); // else there is nothing to follow
+  }
+  unborn_ = bornWalks();
+}
+
+std::vector<std::uint32_t> WalkSet::bornWalks() const
+{
+  std::vector<std::uint32_t> born;
+  for (std::size_t i = 0; i < history_.size(); ++i)
+  {
+    const BounceBlock& block = history_.block(i);
+    for (std::uint32_t walk = block.firstWalk(); walk < block.endWalk(); ++walk)
+    {
+      if (gathered_->isBorn(walk))
+      {
+        born.push_back(walk);
+      }
+    }
+  }
+  return born;
 }
 
 std::int64_t WalkSet::numberStored() const
@@ -279,7 +316,7 @@ std::int64_t WalkSet::numberStored() const
   return number;
 }
 
-std::vector<std::uint32_t> WalkSet::followGathered(
+void WalkSet::followGathered(
   const std::vector<bool>& moved, const WalkSpace& space, Execution& execution)
 {
   std::vector<Box> boxes;
@@ -293,20 +330,25 @@ std::vector<std::uint32_t> WalkSet::followGathered(
     }
   }
   ProgressSpan beginning(execution, 0, 0);
-  const std::vector<std::uint32_t> samples =
-    gathered_->follow({ space.scene, space.triangles, space.contacts }, boxes, beginning);
-  gathered_->change(samples, sums_, balance_, blocks_);
   std::vector<std::uint32_t> born, gone;
-  for (const std::uint32_t walk : gathered_->starts().walksOf(samples))
+  for (const std::uint32_t walk :
+    gathered_->follow({ space.scene, space.triangles, space.contacts }, boxes, totals(), beginning))
   {
     if (has(walk))
     {
-      (gathered_->starts().isBorn(walk) ? born : gone).push_back(walk);
+      (gathered_->isBorn(walk) ? born : gone).push_back(walk);
     }
   }
-  takeBack(gone, space.triangles);
-  statistics_.invalidWalks = static_cast<std::int64_t>(gone.size());
-  return born;
+  // Those that are still to be born are not stored.
+  std::vector<std::uint32_t> stored, waiting;
+  std::set_difference(
+    gone.begin(), gone.end(), unborn_.begin(), unborn_.end(), std::back_inserter(stored));
+  std::set_difference(
+    unborn_.begin(), unborn_.end(), gone.begin(), gone.end(), std::back_inserter(waiting));
+  unborn_.clear();
+  std::merge(waiting.begin(), waiting.end(), born.begin(), born.end(), std::back_inserter(unborn_));
+  takeBack(stored, space.triangles);
+  statistics_.invalidWalks = static_cast<std::int64_t>(stored.size());
 }
 
 void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles)
@@ -315,6 +357,10 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
   Power starting;
   for (const std::uint32_t walk : walks)
   {
+    if (stale_)
+    {
+      stale_->forget(history_, walk);
+    }
     const SegmentPlace place = history_.placeOf({ walk, 0 });
     starting += history_.power(place);
     history_.removeFrom(place, [&](std::uint32_t slot) {
@@ -323,36 +369,28 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
   }
   FrontTally tally(triangles, sums_, balance_, Power{ { lights().quantaPerWalk() } }, old.size);
   tally.remove(old, starting);
-  balance_.absorbed += starting; // where it was received directly
+  tally.unrelease(starting);
 }
 
-void WalkSet::shootBorn(
-  const std::vector<std::uint32_t>& walks, const WalkTracer& tracer, Execution& execution)
+void WalkSet::shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution& execution)
 {
-  std::unique_ptr<WalkBatch> batch = batches_->take();
-  for (std::size_t first = 0; first < walks.size(); first += WalkFront::kUsualSize)
+  if (unborn_.empty())
   {
-    const std::size_t count = std::min(WalkFront::kUsualSize, walks.size() - first);
-    FrontTally tally(
-      tracer.triangles(), sums_, balance_, tracer.sampler().powerPerWalk(), 4 * count);
-    batch->begin(tracer, &history_, sides() == 2);
-    WalkFront& front = batch->front();
-    front.reserve(count, tracer.sampler().bands());
-    front.size = count;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      front.walk[i] = walks[first + i];
-      front.block[i] = static_cast<std::uint32_t>(history_.indexOf(walks[first + i]));
-    }
-    batch->start(tally);
-    const CancelPoint cancelPoint = cancelPointOf(execution, 1);
-    batch->run(tally, [&] {
-      cancelPoint();
-      return false;
-    });
-    statistics_.repairedSegments += batch->numberOfSegments();
+    return;
   }
-  batches_->giveBack(std::move(batch));
+  WalkBirths births({ tracer, history_, sums_, balance_, *batches_ });
+  const std::vector<std::uint32_t> shot = births.shoot(unborn_, budget, execution);
+  statistics_.repairedSegments += births.numberOfSegments();
+  if (settings_.listRepaired)
+  {
+    std::transform(shot.begin(), shot.end(), std::back_inserter(repaired_), [](std::uint32_t walk) {
+      return SegmentRef{ walk, 0 };
+    });
+  }
+  std::vector<std::uint32_t> left;
+  std::set_difference(
+    unborn_.begin(), unborn_.end(), shot.begin(), shot.end(), std::back_inserter(left));
+  unborn_ = std::move(left);
 }
 
 BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const WalkSpace& space) const

@@ -5,6 +5,7 @@
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
 #include "Repair/StaleWalks.h"
+#include "Repair/WalkBirths.h"
 #include "Repair/WalkRepair.h"
 #include "Surfaces/Contacts.h"
 #include "Tally/CellSums.h"
@@ -67,7 +68,7 @@ public:
   const WalkSource& source() const { return source_; }
   const LightTable& lights() const { return source_.lights; }
   /// Of the walks that are stored.
-  const WalkPlan& plan() const { return plan_; }
+  const WalkPlan& plan() const { return gathered_ ? gathered_->plan() : source_.plan; }
   const WalkHistory& history() const { return history_; }
   /// Whether it has the walks that are this rank's: a part of them, or all.
   bool isOf(const Ranks& ranks, bool all) const { return blocks_ == dealt(ranks, all); }
@@ -93,7 +94,7 @@ public:
   WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const
   {
     return { space.scene, space.objects, space.triangles, lights(), samples, &space.contacts,
-      gathered_ ? &gathered_->starts() : nullptr };
+      gathered_.get() };
   }
   /// Walks stay inside, except where they escape.
   Box bounds(const Scene& scene) const;
@@ -105,21 +106,27 @@ private:
   }
   int sides() const { return settings_.separateSides ? 2 : 1; }
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
+  /// What it takes before the walks of the next round are shot: gathered light, and room.
+  void beginRound(bool isStored, const WalkSpace& space, Execution& execution);
   void shootBlocks(
     const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution);
   /// Fills a batch with the walks of blocks [first, end) of this rank.
   void fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const;
-  void gather(const WalkSpace& space, Execution& execution);
-  /// Gathers anew and shoots again; for dynamic cells of which some moved.
+  /// Gathers anew; for dynamic cells of which some moved. All walks are still to be born.
   void startAgain(const WalkSpace& space, Execution& execution);
-  /// Follows what a motion changes of the direct light. Takes back the walks that no longer start; returns
-  /// those that start now.
-  std::vector<std::uint32_t> followGathered(
-    const std::vector<bool>& moved, const WalkSpace& space, Execution& execution);
+  /// Follows what a motion changes of the direct light: takes back the walks that no longer start, and notes
+  /// which are to be born.
+  void followGathered(const std::vector<bool>& moved, const WalkSpace& space, Execution& execution);
   std::int64_t numberStored() const; ///< of walks
   void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles);
-  void shootBorn(
-    const std::vector<std::uint32_t>& walks, const WalkTracer& tracer, Execution& execution);
+  /// Of this rank, in order.
+  std::vector<std::uint32_t> bornWalks() const;
+  /// Shoots walks that are to be born, as far as the budget goes; null: all.
+  void shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution& execution);
+  /// The rest of follow(): what was gathered is up to date.
+  void followWalks(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
+    Execution& execution);
+  GatheredRounds::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const WalkSpace& space) const;
   /// An arena for pages of so many bands: the one of before, if it will do.
@@ -127,14 +134,14 @@ private:
 
   WalkSettings settings_;
   WalkSource source_;
-  WalkPlan plan_;
-  std::unique_ptr<GatheredLight> gathered_; ///< null: walks start at the lights
-  DealtBlocks blocks_;                      ///< of this rank
-  std::shared_ptr<BlockArena> arena_;       ///< kept over fresh starts
-  WalkHistory history_;                     ///< empty unless walks are stored
+  std::unique_ptr<GatheredRounds> gathered_; ///< null: walks start at the lights
+  DealtBlocks blocks_;                       ///< of this rank
+  std::shared_ptr<BlockArena> arena_;        ///< kept over fresh starts
+  WalkHistory history_;                      ///< empty unless walks are stored
   CellSums sums_;
   PowerBalance balance_;
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
+  std::vector<std::uint32_t> unborn_; ///< walks that are to be born, in order
   std::vector<SegmentRef> repaired_;
   WalkStatistics statistics_;
   // What threads work with, kept for the next frames.

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_GatheredRounds_h
+#define irradiance_GatheredRounds_h
+
+#include "Gathering/GatheredLight.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// What the cells of a part of the scene gather, round by round. Each round has samples and walks of its own,
+/// so what rounds bring adds up, as with walks that start at the lights.
+class GatheredRounds
+{
+public:
+  struct Settings
+  {
+    CellPart part;
+    Replicates replicates; ///< of the walks that may be born, with the number of the first
+    std::uint64_t seed;
+  };
+  /// In which all is counted. Must outlive the call.
+  struct Totals
+  {
+    CellSums& sums; ///< with room for the rounds
+    PowerBalance& balance;
+    const DealtBlocks& dealt; ///< what this rank adds, see GatheredLight
+  };
+
+  explicit GatheredRounds(const Settings& settings)
+    : settings_(settings)
+    , plan_(settings.replicates)
+  {
+  }
+
+  /// Gathers for a further round, in which so many `walks` divide the flux of the lights.
+  void append(const GatherSpace& space, const SceneObjects& objects, const LightTable& lights,
+    std::uint32_t walks, Execution& execution);
+  /// Adds what was gathered for a round.
+  void addTo(const Totals& totals, std::size_t round, const CancelPoint& cancelPoint) const;
+  /// Takes away what all but the first `kept` rounds gathered. Their walks must have been taken back.
+  void drop(std::size_t kept, const Totals& totals, const CancelPoint& cancelPoint);
+  /// Follows a motion, see GatheredLight::follow(), and changes the totals. Returns the walks, in order, that
+  /// are born now and were not before, or the other way round.
+  std::vector<std::uint32_t> follow(const GatherSpace& space, const std::vector<Box>& moved,
+    const Totals& totals, Execution& execution);
+
+  /// Of the walks that may be born in the rounds so far.
+  const WalkPlan& plan() const { return plan_; }
+  const std::vector<std::unique_ptr<GatheredLight>>& rounds() const { return rounds_; }
+  const WalkStarts& startsOf(std::uint32_t walk) const
+  {
+    return rounds_[plan_.roundOf(walk)]->starts();
+  }
+  bool isBorn(std::uint32_t walk) const { return startsOf(walk).isBorn(walk); }
+  /// With which it starts.
+  const Power& powerOf(std::uint32_t walk) const { return startsOf(walk)[walk].power; }
+  const GatherSample& sampleOf(std::uint32_t walk) const
+  {
+    const WalkStarts& starts = startsOf(walk);
+    return starts.sampleOf(starts[walk]);
+  }
+
+private:
+  Settings settings_;
+  WalkPlan plan_;
+  std::vector<std::unique_ptr<GatheredLight>> rounds_;
+};
+
+}
+
+#endif
