@@ -285,8 +285,8 @@ public:
    * Standard errors are those of both parts; where a cell takes fewer than 64 samples for its direct light, the
    * intervals are a little too wide (98 to 99 % of them hold the truth). `EmittedPower` is that of the lights and
    * equals `AbsorbedPower` + `EscapedPower`, but how these divide is then an estimate as well: in a closed scene
-   * `EscapedPower` is zero only within the noise, and may be negative. `NumberOfWalks` remains the number among
-   * which the power of the lights is divided; fewer walks are shot. Changing it shoots everything again.
+   * `EscapedPower` is zero only within the noise, and may be negative. About `NumberOfWalks` walks
+   * start, if the light falls on cells that reflect as static ones do on average. Changing it shoots everything again.
    * Default Shot.
    */
   vtkSetClampMacro(DirectLight, int, Shot, Gathered);

@@ -35,7 +35,7 @@ GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objec
   , plan_(cells_, lamps_, settings.walks, settings.replicates, cancelPointOf(execution, 0))
   , light_(cells_, lamps_, plan_, settings.seed)
   , starts_(gathered(light_, space, execution), objects, triangles_, quantaPerWatt_,
-      lights.quantaPerWalk(), settings.firstWalk, settings.seed, cancelPointOf(execution, 0))
+      settings.quantaPerWalk, settings.firstWalk, settings.seed, cancelPointOf(execution, 0))
 {
 }
 

@@ -18,7 +18,8 @@ public:
   struct Settings
   {
     CellPart part;
-    Replicates replicates; ///< of the walks that may be born, with the number of the first
+    Replicates replicates;      ///< of the walks that may be born, with the number of the first
+    std::int64_t quantaPerWalk; ///< of each of these, in all bands together
     std::uint64_t seed;
   };
   /// In which all is counted. Must outlive the call.
@@ -49,6 +50,7 @@ public:
 
   /// Of the walks that may be born in the rounds so far.
   const WalkPlan& plan() const { return plan_; }
+  std::int64_t quantaPerWalk() const { return settings_.quantaPerWalk; }
   const std::vector<std::unique_ptr<GatheredLight>>& rounds() const { return rounds_; }
   const WalkStarts& startsOf(std::uint32_t walk) const
   {

@@ -108,8 +108,8 @@ bool WalkBirths::run(Unit& unit, bool isNew, const Deadline& deadline)
   PowerBalance balance;
   bool isDone = true;
   {
-    FrontTally tally(state_.tracer.triangles(), state_.sums, balance,
-      state_.tracer.sampler().powerPerWalk(), 4 * unit.begun);
+    FrontTally tally(state_.tracer.triangles(), state_.sums, balance, state_.tracer.powerPerWalk(),
+      4 * unit.begun);
     if (isNew)
     {
       unit.open->start(tally);

@@ -311,8 +311,8 @@ bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
   bool isDone = true;
   {
     constexpr std::size_t kUsualTail = 8; // photons that go and come
-    FrontTally tally(state_.tracer.triangles(), state_.sums, balance,
-      state_.tracer.sampler().powerPerWalk(), kUsualTail * work.stale.rows.size);
+    FrontTally tally(state_.tracer.triangles(), state_.sums, balance, state_.tracer.powerPerWalk(),
+      kUsualTail * work.stale.rows.size);
     if (!std::exchange(work.hasBegun, true))
     {
       removeOld(work, tally);

@@ -59,6 +59,11 @@ public:
   {
     return hasContacts() && contacts_->has(triangles_.idOf(triangle));
   }
+  /// The power of every walk, if there is one band.
+  Power powerPerWalk() const
+  {
+    return gathered_ ? Power{ { gathered_->quantaPerWalk() } } : sampler_.powerPerWalk();
+  }
   /// Whether walks start where direct light was gathered.
   bool startsAtCells() const { return gathered_ != nullptr; }
   /// The number of the triangle that a walk leaves first, or kNone.

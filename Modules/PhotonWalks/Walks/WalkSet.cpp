@@ -47,14 +47,14 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
   if (source_.cells && !lights().isEmpty())
   {
     gathered_ = std::make_unique<GatheredRounds>(GatheredRounds::Settings{ *source_.cells,
-      Replicates(source_.plan.replicates().count(), source_.firstWalk), settings_.seed });
+      Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
+      settings_.seed });
   }
   sums_ = CellSums(space.objects, sides(), plan(), 0);
   const int bands = space.objects.staticObject.material->bands;
   history_ = {};
-  history_ =
-    WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene)), space.triangles.numbers(),
-      bands, Power{ { lights().quantaPerWalk() } }, arenaFor(bands), blocks_);
+  history_ = WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene)),
+    space.triangles.numbers(), bands, powerPerWalk(), arenaFor(bands), blocks_);
   stale_.reset();
   unborn_.clear();
   repaired_ = {};
@@ -125,8 +125,7 @@ void WalkSet::shootBlocks(
     bool isDone = true;
     {
       constexpr std::size_t kUsualPhotons = 4 * WalkFront::kUsualSize;
-      FrontTally tally(
-        space.triangles, sums_, balance, tracer.sampler().powerPerWalk(), kUsualPhotons);
+      FrontTally tally(space.triangles, sums_, balance, tracer.powerPerWalk(), kUsualPhotons);
       if (!open[unit])
       {
         open[unit] = batches_->take();
@@ -180,7 +179,7 @@ void WalkSet::dropRounds(
       addStored(last, slot, bands, old);
       starting += slot < last.numberOfWalks() ? last.power(slot) : Power{};
     });
-    FrontTally tally(triangles, sums_, balance_, Power{ { lights().quantaPerWalk() } }, old.size);
+    FrontTally tally(triangles, sums_, balance_, powerPerWalk(), old.size);
     tally.remove(old, starting);
     gathered_ ? tally.unrelease(starting) : tally.unemit(starting);
     history_.removeLast();
@@ -367,7 +366,7 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
       addStored(history_.block(place.block), slot, history_.bands(), old);
     });
   }
-  FrontTally tally(triangles, sums_, balance_, Power{ { lights().quantaPerWalk() } }, old.size);
+  FrontTally tally(triangles, sums_, balance_, powerPerWalk(), old.size);
   tally.remove(old, starting);
   tally.unrelease(starting);
 }
@@ -435,6 +434,18 @@ std::size_t WalkSet::bytes() const
 {
   return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
     history_.bytes();
+}
+
+std::array<double, Power::kMaxBands> WalkSet::largestStart() const
+{
+  std::array<double, Power::kMaxBands> largest = lights().largestStart();
+  if (gathered_) // what is reflected may be of one band
+  {
+    std::transform(largest.begin(), largest.end(), largest.begin(), [&](double ofLight) {
+      return ofLight > 0 ? static_cast<double>(source_.quantaPerStart) : 0.0;
+    });
+  }
+  return largest;
 }
 
 Box WalkSet::bounds(const Scene& scene) const

@@ -67,6 +67,8 @@ public:
 
   const WalkSource& source() const { return source_; }
   const LightTable& lights() const { return source_.lights; }
+  /// Quanta with which a walk may start at most, in each band.
+  std::array<double, Power::kMaxBands> largestStart() const;
   /// Of the walks that are stored.
   const WalkPlan& plan() const { return gathered_ ? gathered_->plan() : source_.plan; }
   const WalkHistory& history() const { return history_; }
@@ -104,6 +106,8 @@ private:
   {
     return all ? DealtBlocks() : DealtBlocks(ranks.rank(), ranks.count());
   }
+  /// Of each walk, if there is one band.
+  Power powerPerWalk() const { return { { source_.quantaPerWalk() } }; }
   int sides() const { return settings_.separateSides ? 2 : 1; }
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   /// What it takes before the walks of the next round are shot: gathered light, and room.

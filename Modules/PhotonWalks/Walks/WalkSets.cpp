@@ -42,7 +42,7 @@ WalkPlan WalkSets::planOf(const WalkSettings& settings)
 void WalkSets::setSources(std::vector<WalkSource> sources)
 {
   flux_ = 0;
-  double quanta = 0;
+  double quanta = 0, starting = 0;
   std::uint32_t first = 0, most = 0;
   for (const WalkSource& source : sources)
   {
@@ -52,10 +52,12 @@ void WalkSets::setSources(std::vector<WalkSource> sources)
     }
     flux_ += source.lights.flux();
     quanta += static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1);
+    starting += static_cast<double>(source.quantaPerWalk()) * source.plan.walksAfter(1);
     first += source.plan.walksAfter(1);
     most += source.plan.most();
   }
-  quantaPerWalk_ = std::llround(quanta / first);
+  quantaOfFlux_ = std::llround(quanta / first);
+  quantaPerWalk_ = std::llround(starting / first);
   plan_ = WalkPlan(first, most, sources.front().plan.replicates().count());
   total_.reset();
   sets_.resize(sources.size());
@@ -229,7 +231,7 @@ std::array<double, Power::kMaxBands> WalkSets::largestStart() const
   std::array<double, Power::kMaxBands> largest{};
   for (const WalkSet& set : sets_)
   {
-    const auto its = set.lights().largestStart();
+    const auto its = set.largestStart();
     std::transform(its.begin(), its.end(), largest.begin(), largest.begin(),
       [](double a, double b) { return std::max(a, b); });
   }

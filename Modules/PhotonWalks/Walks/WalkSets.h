@@ -66,7 +66,7 @@ public:
   std::array<double, Power::kMaxBands> largestStart() const;
   double watts(double quanta) const
   {
-    return flux_ * (quanta / (static_cast<double>(quantaPerWalk_) * numberOfWalks()));
+    return flux_ * (quanta / (static_cast<double>(quantaOfFlux_) * numberOfWalks()));
   }
 
   WalkHistories histories() const;
@@ -114,8 +114,9 @@ private:
   std::vector<WalkSet> sets_ = std::vector<WalkSet>(1);
   std::optional<Total> total_; ///< of several
   WalkPlan plan_;
-  double flux_ = 0; ///< W
-  std::int64_t quantaPerWalk_ = 1;
+  double flux_ = 0;               ///< W
+  std::int64_t quantaOfFlux_ = 1, ///< divided by the number of walks
+    quantaPerWalk_ = 1;
 };
 
 }

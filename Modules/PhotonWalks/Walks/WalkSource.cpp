@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSource.h"
 
+#include "Surfaces/MeanReflectance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -84,6 +86,9 @@ std::vector<WalkSource> gatheredSourcesOf(
   std::vector<WalkSource> gathered;
   const bool hasDynamic = !objects.dynamicObjects.empty();
   const auto count = static_cast<std::uint32_t>(sources.size() * (hasDynamic ? 2 : 1));
+  // Where little is reflected, many weak walks are of no use.
+  constexpr double kLeast = 0.0625;
+  const double reflected = std::clamp(meanReflectance(objects.staticObject), kLeast, 1.0);
   for (const WalkSource& source : sources)
   {
     for (const CellPart part : { CellPart::Static, CellPart::Dynamic })
@@ -94,6 +99,8 @@ std::vector<WalkSource> gatheredSourcesOf(
         const auto number = static_cast<std::uint32_t>(gathered.size());
         gathered.push_back(source);
         gathered.back().cells = part;
+        gathered.back().quantaPerStart = std::max<std::int64_t>(
+          1, std::llround(reflected * static_cast<double>(source.lights.quantaPerWalk())));
         gathered.back().firstWalk = number * (std::numeric_limits<std::uint32_t>::max() / count);
       }
     }

@@ -20,11 +20,16 @@ struct WalkSource
   /// The cells where direct light is gathered and walks start; none: they start at the lights.
   std::optional<CellPart> cells;
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
+  /// With which a walk starts at cells, in all bands together.
+  std::int64_t quantaPerStart = 0;
+
+  /// With which a walk starts, in all bands together.
+  std::int64_t quantaPerWalk() const { return cells ? quantaPerStart : lights.quantaPerWalk(); }
 
   friend bool operator==(const WalkSource& a, const WalkSource& b)
   {
     return a.plan == b.plan && a.lights == b.lights && a.cells == b.cells &&
-      a.firstWalk == b.firstWalk;
+      a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart;
   }
 };
 
@@ -40,7 +45,8 @@ struct WalkSource
 std::vector<WalkSource> sourcesOf(
   const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
 
-/// Of each source two, with walks that start at static cells and at dynamic ones; one if nothing is dynamic.
+/// Of each source two, with walks that start at static cells and at dynamic ones; one if nothing is dynamic. About as
+/// many walks start as the plan has, if the light falls on static cells that reflect as all of them on average.
 std::vector<WalkSource> gatheredSourcesOf(
   const SceneObjects& objects, const std::vector<WalkSource>& sources);
 
