@@ -62,8 +62,7 @@ inline void ChooseArray(vtkIrradianceFilter* filter, int index, const std::strin
 /// Whether nothing is wanted that gathered light excludes.
 inline bool MayGather(const Settings& settings)
 {
-  return settings.TargetRelativeError == 0 && settings.RepairTimeBudget == 0 &&
-    settings.CellEstimate == vtkIrradianceFilter::Sums && settings.NumberOfOutputWalks == 0;
+  return settings.TargetRelativeError == 0 && settings.RepairTimeBudget == 0;
 }
 
 inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)

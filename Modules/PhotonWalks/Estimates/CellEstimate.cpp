@@ -42,15 +42,12 @@ std::string conflictOfNearest(const EstimateSettings& settings, const WalkSettin
     : std::string();
 }
 
-/// What was gathered is no photons, and not shot round by round.
-std::string conflictOfGathered(const EstimateSettings& settings, const WalkSettings& walks)
+/// What was gathered is not shot round by round.
+std::string conflictOfGathered(const WalkSettings& walks)
 {
-  const char* other = walks.targetRelativeError > 0  ? "TargetRelativeError"
-    : walks.repairTimeBudget > 0                     ? "RepairTimeBudget"
-    : walks.keepPhotons                              ? "what needs photons of walks"
-    : settings.cellEstimate == CellEstimate::Spread  ? "CellEstimate Spread"
-    : settings.cellEstimate == CellEstimate::Nearest ? "CellEstimate Nearest"
-                                                     : nullptr;
+  const char* other = walks.targetRelativeError > 0 ? "TargetRelativeError"
+    : walks.repairTimeBudget > 0                    ? "RepairTimeBudget"
+                                                    : nullptr;
   return other && walks.gathersDirectLight
     ? std::string("DirectLight Gathered and ") + other + " exclude each other"
     : std::string();
@@ -61,7 +58,7 @@ std::string conflictOfGathered(const EstimateSettings& settings, const WalkSetti
 std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)
 {
   const std::string nearest = conflictOfNearest(settings, walks);
-  return nearest.empty() ? conflictOfGathered(settings, walks) : nearest;
+  return nearest.empty() ? conflictOfGathered(walks) : nearest;
 }
 
 }

@@ -41,6 +41,9 @@ public:
   GatheredLight(const GatheredLight&) = delete;
   GatheredLight& operator=(const GatheredLight&) = delete;
 
+  /// What each sample brings, and whether it does.
+  const DirectLight& light() const { return light_; }
+  double quantaPerWatt() const { return quantaPerWatt_; }
   const WalkStarts& starts() const { return starts_; }
   /// Of the walks that may be born.
   WalkPlan plan() const;

@@ -88,6 +88,16 @@ public:
   /// Memory held.
   std::size_t bytes() const;
 
+  /// Calls visit(gathered light) for all direct light that cells gathered.
+  template <class Visit>
+  void forEachGathered(const Visit& visit) const
+  {
+    if (gathered_)
+    {
+      visit(*gathered_);
+    }
+  }
+
   SobolSequence samples() const { return SobolSequence(settings_.seed, plan().replicates()); }
   /// The arguments must outlive it.
   WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const
