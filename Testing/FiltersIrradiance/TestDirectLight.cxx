@@ -491,8 +491,9 @@ TEST(DirectLight, SensorsAgree)
 {
   RandomModels::View view = MakeView();
   view.HasEye = false;
+  view.NumberOfPhotons = 100;
   const auto measure = [&](int directLight, int firstSeed) {
-    const auto filter = MakeFilter(MakeSmallScene(), 20000);
+    const auto filter = MakeFilter(MakeSmallScene(), 100000);
     filter->SetDirectLight(directLight);
     ViewFilters views(filter);
     views.Apply(view);
@@ -514,7 +515,7 @@ TEST(DirectLight, RadianceAgrees)
   for (const unsigned int moving : { 0u, 1u })
   {
     const auto measure = [&](int directLight, int firstSeed) {
-      const auto filter = MakeFilter(MakeGlossyScene(), 5000);
+      const auto filter = MakeFilter(MakeGlossyScene(), 50000);
       filter->SetDirectLight(directLight);
       ViewFilters views(filter);
       views.Apply(view);

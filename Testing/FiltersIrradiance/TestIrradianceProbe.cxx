@@ -171,7 +171,7 @@ TEST(IrradianceProbe, AgreesWithTheClosedFormAtEdgesAndCornersToo)
 }
 
 // Gathered at the very point: no mean over a radius, not even in the corners. 64 samples by solid angle are off by
-// less than .2 % here.
+// .7 % at most here.
 TEST(IrradianceProbe, GatheredLightIsThatOfThePoint)
 {
   std::vector<Vector> positions;

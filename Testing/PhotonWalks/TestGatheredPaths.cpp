@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace irradiance
@@ -125,6 +126,53 @@ TEST(GatheredPaths, FewAreSpreadAndStay)
   std::set_intersection(
     before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(both));
   EXPECT_GT(both.size(), 85u);
+}
+
+// Of static cells: what stands before the first repaired point is as it was, and nothing else was shot again but the
+// walks that were born.
+TEST(GatheredPaths, SayWhatWasRepaired)
+{
+  MovingScene scene(1, true, 35, true);
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(scene.objects(), settingsOf(3000), serial);
+  const auto shown = [&] {
+    const WalkPaths paths(engine);
+    std::map<std::uint32_t, WalkPath> all;
+    for (const WalkPath& path : paths.paths(paths.first(kAll), serial))
+    {
+      if (path.walk < engine.walks().sets()[0].plan().endWalk())
+      {
+        all.emplace(path.walk, path);
+      }
+    }
+    return all;
+  };
+  const auto before = shown();
+  scene.nextFrame();
+  engine.update(scene.objects(), settingsOf(3000), serial);
+  std::size_t again = 0, repaired = 0, born = 0;
+  for (const auto& [walk, path] : shown())
+  {
+    const auto old = before.find(walk);
+    if (old == before.end())
+    {
+      again += path.points.size() - 2;
+      ++born;
+      continue;
+    }
+    const auto kept = static_cast<std::ptrdiff_t>(path.firstRepaired);
+    ASSERT_GE(old->second.points.size(), path.firstRepaired);
+    EXPECT_TRUE(
+      std::equal(path.points.begin(), path.points.begin() + kept, old->second.points.begin()));
+    EXPECT_TRUE(path.firstRepaired < path.points.size() || path.points == old->second.points);
+    again += path.points.size() - path.firstRepaired;
+    repaired += path.firstRepaired < path.points.size() ? 1 : 0;
+  }
+  EXPECT_GT(repaired, 20u);
+  EXPECT_GT(born, 20u);
+  EXPECT_EQ(
+    static_cast<std::int64_t>(again), engine.walks().sets()[0].statistics().repairedSegments);
 }
 
 // Those that touch a cell are those whose points lie on it.

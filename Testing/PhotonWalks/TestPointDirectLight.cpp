@@ -142,6 +142,19 @@ TEST(PointDirectLight, FromManyLamps)
   expectMean("many lamps", truth, [&](auto number) { return scene.inAir(place, up, number); });
 }
 
+// A strip is chosen from in pieces.
+TEST(PointDirectLight, AlongAStrip)
+{
+  ObjectBuilder builder;
+  const std::vector<Vector3> strip{ { 0, 0, 0.05 }, { 0.02, 0, 0.05 }, { 0.02, 3.6, 0.05 },
+    { 0, 3.6, 0.05 } };
+  builder.addQuad(strip[0], { 0, 3.6, 0 }, { 0.02, 0, 0 }, 1, 1, grey(0, 100));
+  const LitScene scene(builder);
+  const Vector3 place(0.03, 3.3, 0), up(0, 0, 1);
+  expectMean("strip", 100 * test::lambertIrradiance(place, up, strip),
+    [&](auto number) { return scene.inAir(place, up, number); });
+}
+
 // A point light has one point: there is no noise. In a corner of the floor walls touch the point and hide nothing.
 TEST(PointDirectLight, OfAPointLightIsExact)
 {
