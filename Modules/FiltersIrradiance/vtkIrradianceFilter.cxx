@@ -600,14 +600,8 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
       filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
     inputs.Static, inputs.Dynamic);
-  if (settings.gathersDirectLight && walksWriter.isAsked())
-  {
-    throw irradiance::InputError("DirectLight Gathered and NumberOfOutputWalks exclude each other: "
-                                 "walks then start where light arrived, not at the lights");
-  }
-  // Who asks for photons that are not kept says so itself, and this output serves all others.
-  settings.allOnEachRank = irradiance::needsPhotons(settings.cellEstimate) ||
-    (irradiance::arePhotonsRequested(request) && !settings.gathersDirectLight);
+  settings.allOnEachRank =
+    irradiance::needsPhotons(settings.cellEstimate) || irradiance::arePhotonsRequested(request);
   settings.keepPhotons = settings.allOnEachRank || walksWriter.isAsked();
   settings.listRepaired = walksWriter.isAsked();
   ranks.expectSame(walksWriter.hash(), "other output walks than on the first process");

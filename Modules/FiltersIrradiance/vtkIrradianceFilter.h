@@ -277,10 +277,8 @@ public:
   /**
    * See DirectLights, and "Shot or gathered" in the Guide. Both have the same mean. Gathered is less noisy in the
    * same time where cells are many and the lights shine freely on them, the more so the less is reflected. Lamps very
-   * near to large cells want Shot. An update still equals a new filter's result, bit for bit. Gathered keeps no photons
-   * of direct light: it excludes CellEstimate Spread and Nearest,
-   * NumberOfOutputWalks, and the filters that read photons, vtkIrradianceProbeFilter and vtkOutgoingRadianceFilter. An
-   * error says so.
+   * near to large cells want Shot. An update still equals a new filter's result, bit for bit. Photons are then those of
+   * indirect light: what reads them adds the direct light that cells, or sensors, gather.
    *
    * Standard errors are those of both parts; where a cell takes fewer than 64 samples for its direct light, the
    * intervals are a little too wide (98 to 99 % of them hold the truth). `EmittedPower` is that of the lights and

@@ -12,6 +12,7 @@
 #include "Pipeline/PieceRequest.h"
 #include "Progress/InputError.h"
 #include "Time/TimeKeys.h"
+#include "Views/SensorDirectLight.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -88,13 +89,15 @@ public:
   {
   }
 
+  /// `direct`: W/m2 beside that of the photons.
   void Set(vtkIdType point, const irradiance::NearestEstimate& estimate,
-    const irradiance::IrradianceEngine& engine)
+    const irradiance::PointDirectLight::Bands& direct, const irradiance::IrradianceEngine& engine)
   {
     for (int band = 0; band < this->Irradiances->GetNumberOfComponents(); ++band)
     {
       this->Irradiances->SetTypedComponent(point, band,
-        estimate.area > 0 ? engine.watts(estimate.power[band]) / estimate.area
+        estimate.area > 0 ? direct[static_cast<std::size_t>(band)] +
+            engine.watts(estimate.power[band]) / estimate.area
                           : std::numeric_limits<double>::quiet_NaN());
     }
     this->Counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
@@ -247,6 +250,7 @@ void vtkIrradianceProbeFilter::Compute(
     this->MaximumRadius > 0 ? this->MaximumRadius : irradiance::usualRadius(nearest, count);
   output->ShallowCopy(input);
   SensorArrays arrays(output, engine.objects().staticObject.material->bands);
+  const irradiance::SensorDirectLight directLight(engine);
   std::vector<char> areLost(sensors.size());
   constexpr std::size_t unitSize = 64;
   irradiance::SlicedPass pass{ (sensors.size() + unitSize - 1) / unitSize, {} };
@@ -258,7 +262,9 @@ void vtkIrradianceProbeFilter::Compute(
         ? irradiance::nearestEstimate(nearest, *foot, count, maximumRadius)
         : irradiance::NearestEstimate{ {}, 0, std::numeric_limits<double>::quiet_NaN(), 0 };
       areLost[i] = foot ? 0 : 1;
-      arrays.Set(static_cast<vtkIdType>(i), estimate, engine);
+      const auto direct =
+        foot ? directLight.irradiance(*foot, i) : irradiance::PointDirectLight::Bands{};
+      arrays.Set(static_cast<vtkIdType>(i), estimate, direct, engine);
     }
     return true;
   };

@@ -42,6 +42,9 @@
  * Which photons are found does not depend on threads or trees, and after an update a new filter
  * would find the same. Documentation/Theory.md, section 5.4.
  *
+ * With DirectLight Gathered the photons are those of indirect light. What comes straight from the lights is that of
+ * the surface at the very point to which the sensor is moved, from 64 rays: it is not blurred, and is added to `Irradiance`. Documentation/Theory.md, section 1.3.
+ *
  * While walks are stale (RepairTimeBudget), the irradiance rests on them.
  *
  * @section ProbeTime Time

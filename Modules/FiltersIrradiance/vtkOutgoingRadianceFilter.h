@@ -23,7 +23,8 @@
  *   sides together: switch it on for sheets that are lit from both sides.
  * - Specular: the sum over the photons on the cell, on the side that the eye sees, of power times
  *   BRDF over the area. The larger the PhongExponent, the fewer photons a lobe has, and the noisier
- *   the sum; what is smaller than a cell is averaged away.
+ *   the sum; what is smaller than a cell is averaged away. With DirectLight Gathered the samples with which the
+ *   cell gathered it count as photons, too.
  * - Mirrors (infinite PhongExponent): what rays see in them, at NumberOfMirrorSamples points of a
  *   cell, through at most 64 further mirrors.
  *

@@ -87,7 +87,7 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   // Rounds of walks that were not stored cannot be taken back.
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
-    (!settings.keepPhotons || keepsPhotons()) && settings.seed == settings_.seed &&
+    (!settings.keepPhotons || storesWalks()) && settings.seed == settings_.seed &&
     settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
 }
 
@@ -153,6 +153,10 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
   {
     return;
   }
+  if (settings_.gathersDirectLight)
+  {
+    forgetPhotons(); // walks that are born are not among the changes
+  }
   PhotonChanges changes;
   walks_.follow(change.moved, space(), photons_.isEmpty() ? nullptr : &changes, execution);
   const Stopwatch stopwatch;
@@ -200,7 +204,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     estimate(rounds, still);
     reached_ = errorEstimate().relativeErrorOfMostArea(cells_, still);
   } while (reached_ > settings_.targetRelativeError && rounds < plan.size());
-  if (keepsPhotons() && sums().rounds() > rounds)
+  if (storesWalks() && sums().rounds() > rounds)
   {
     forgetPhotons();
   }

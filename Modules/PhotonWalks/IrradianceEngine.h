@@ -94,15 +94,16 @@ public:
   {
     return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
   }
-  /// Whether the following can be asked for. Where direct light is gathered, walks are not all photons.
-  bool keepsPhotons() const { return storesWalks() && !settings_.gathersDirectLight; }
   WalkSpace space() const { return { scene_, objects_, triangles_, contacts_ }; }
+  /// What cells of this frame gather light in.
+  GatherSpace gatherSpace() const { return { scene_, triangles_, contacts_ }; }
   /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
-  /// before; then updates keep it up to date. Throws Interrupted.
+  /// before; then updates keep it up to date, or forget it where direct light is gathered. Those are then
+  /// photons of indirect light alone. Needs stored walks. Throws Interrupted.
   template <class Store>
   void collect(Execution& execution)
   {
-    assert(keepsPhotons());
+    assert(storesWalks());
     photons_.collect<Store>(objects_, walks_.histories(), execution);
   }
   /// What was collected.

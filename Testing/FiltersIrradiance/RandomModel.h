@@ -25,7 +25,7 @@ struct Settings
   int Seed = 1, NumberOfReplicates = 16;
   int TraversalMode = vtkIrradianceFilter::Parallel, UpdateMode = vtkIrradianceFilter::Verify;
   int CellEstimate = vtkIrradianceFilter::Sums, NumberOfSpreadPhotons = 250;
-  int DirectLight = vtkIrradianceFilter::Shot; ///< what the other settings exclude is not applied
+  int DirectLight = vtkIrradianceFilter::Shot;
   bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
   double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
   std::string ReflectanceArray = "DiffuseReflectance", SpecularArray = "SpecularReflectance";
@@ -59,15 +59,9 @@ inline void ChooseArray(vtkIrradianceFilter* filter, int index, const std::strin
   }
 }
 
-/// Whether nothing is wanted that gathered light excludes.
-inline bool MayGather(const Settings& settings)
-{
-  return settings.CellEstimate == vtkIrradianceFilter::Sums && settings.NumberOfOutputWalks == 0;
-}
-
 inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
 {
-  filter->SetDirectLight(MayGather(settings) ? settings.DirectLight : vtkIrradianceFilter::Shot);
+  filter->SetDirectLight(settings.DirectLight);
   filter->SetNumberOfWalks(settings.NumberOfWalks);
   filter->SetMaximumNumberOfWalks(settings.MaximumNumberOfWalks);
   filter->SetSeed(settings.Seed);

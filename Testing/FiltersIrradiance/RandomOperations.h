@@ -66,17 +66,9 @@ inline void ChangeEstimate(Trial& t)
   t.Apply();
 }
 
-/// Gathered light ends what it excludes.
 inline void ChangeDirectLight(Trial& t)
 {
   t.Set().DirectLight = t.Random.Below(2);
-  if (t.Set().DirectLight == vtkIrradianceFilter::Gathered)
-  {
-    t.Set().CellEstimate = vtkIrradianceFilter::Sums;
-    t.Set().TargetRelativeError = t.Set().RepairTimeBudget = 0;
-    t.Set().NumberOfOutputWalks = 0;
-    t.Given.Look.HasEye = t.Given.Look.HasSensors = false;
-  }
   t.Apply();
 }
 
@@ -140,7 +132,6 @@ inline void AbortAView(Trial& t)
     meddler->Change = [view] { view->SetAbortExecute(1); };
     const auto tag = view->AddObserver(vtkCommand::ProgressEvent, meddler);
     t.LimitGloss();
-    t.ShootWhatIsLookedAt();
     t.Look();
     view->RemoveObserver(tag);
     view->Modified(); // else it keeps the empty output

@@ -163,7 +163,6 @@ struct Trial
   void LimitGloss();
   void KeepCellOfWalks();
   void DropBudgetOfLook();
-  void ShootWhatIsLookedAt();
   void UpdateAndCheck();
   void Compare();
   void Look();
@@ -224,22 +223,11 @@ inline void Trial::DropBudgetOfLook()
   }
 }
 
-/// Gathered light keeps no photons to look at.
-inline void Trial::ShootWhatIsLookedAt()
-{
-  if (this->Given.Look.IsUsed() && this->Set().DirectLight != vtkIrradianceFilter::Shot)
-  {
-    this->Set().DirectLight = vtkIrradianceFilter::Shot;
-    this->Apply();
-  }
-}
-
 inline void Trial::UpdateAndCheck()
 {
   this->LimitGloss();
   this->KeepCellOfWalks();
   this->DropBudgetOfLook();
-  this->ShootWhatIsLookedAt();
   this->Reports->Clear();
   if (this->Given.Look.IsUsed() && Chance(this->Random, 4))
   {

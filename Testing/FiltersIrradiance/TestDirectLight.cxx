@@ -6,10 +6,10 @@
 #include "OutputBits.h"
 #include "OutputChecks.h"
 #include "RandomPoses.h"
+#include "ShownWalks.h"
 #include "TestScenes.h"
+#include "ViewFilters.h"
 
-#include "vtkIrradianceProbeFilter.h"
-#include "vtkOutgoingRadianceFilter.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -71,6 +71,29 @@ Scene MakeTouchingScene()
     { MakeMoving(MakeBox(0.5, 0.5, 0.5), { 1, 1, 0.75 }) } };
 }
 
+/// An eye, and sensors on the floor and near a ball.
+RandomModels::View MakeView()
+{
+  RandomModels::View view;
+  view.HasEye = view.HasSensors = true;
+  view.Eye = { 2.5, 0.4, 1.8 };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (int i = 0; i < 40; ++i)
+  {
+    const double x = 0.2 + 0.3 * (i % 8), y = 0.3 + 0.5 * (i / 8);
+    points->InsertNextPoint(x, y, i % 3 == 0 ? 1.1 : 0);
+    normals->InsertNextTuple3(0, i % 3 == 0 ? 0.5 : 0, 1);
+  }
+  view.Sensors = Mesh::New();
+  view.Sensors->SetPoints(points);
+  view.Sensors->GetPointData()->SetNormals(normals);
+  view.NumberOfPhotons = 20;
+  return view;
+}
+
 std::string ErrorName(const std::string& side)
 {
   return "Irradiance" + side + "StandardError";
@@ -98,47 +121,9 @@ TEST(DirectLight, DefaultsAndRange)
   EXPECT_GT(filter->GetMTime(), before);
 }
 
-// Each is one error that names both; without it the filter goes on.
-TEST(DirectLight, WhatItExcludes)
-{
-  const struct
-  {
-    const char* Name;
-    Setting Set, Unset;
-  } others[] = {
-    { "CellEstimate Spread", [](auto* f) { f->SetCellEstimateToSpread(); },
-      [](auto* f) { f->SetCellEstimateToSums(); } },
-    { "CellEstimate Nearest", [](auto* f) { f->SetCellEstimateToNearest(); },
-      [](auto* f) { f->SetCellEstimateToSums(); } },
-    { "NumberOfOutputWalks", [](auto* f) { f->SetNumberOfOutputWalks(3); },
-      [](auto* f) { f->SetNumberOfOutputWalks(0); } },
-  };
-  const auto filter = MakeGathered(MakeSmallScene(), 1000);
-  filter->Update();
-  const OutputBits expected(filter);
-  for (const auto& other : others)
-  {
-    SCOPED_TRACE(other.Name);
-    other.Set(filter);
-    const std::string error = OnlyErrorOf(filter);
-    EXPECT_NE(error.find("DirectLight Gathered and " + std::string(other.Name) + " exclude"),
-      std::string::npos)
-      << error;
-    other.Unset(filter);
-    filter->Update();
-    EXPECT_TRUE(IsSame(OutputBits(filter), expected));
-  }
-  // What was wrong with gathered light is right with shot light.
-  filter->SetNumberOfOutputWalks(3);
-  filter->SetDirectLightToShot();
-  const auto observer = ErrorObserver::Watch(filter);
-  filter->Update();
-  EXPECT_TRUE(observer->Errors.empty());
-  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 3);
-}
-
-// The filter itself serves all others; who reads photons says why there are none.
-TEST(DirectLight, FiltersThatReadPhotonsSaySo)
+// Who reads photons has them, also where nothing can move and the filter had not kept any. That changes nothing
+// of the filter's output.
+TEST(DirectLight, FiltersThatReadPhotonsMayCome)
 {
   for (const bool isStill : { true, false })
   {
@@ -147,29 +132,16 @@ TEST(DirectLight, FiltersThatReadPhotonsSaySo)
     const auto filter = MakeGathered(scene, 1000);
     filter->Update();
     const OutputBits expected(filter);
-    vtkNew<vtkOutgoingRadianceFilter> radiance;
-    radiance->SetInputConnection(filter->GetOutputPort());
-    vtkNew<vtkIrradianceProbeFilter> probe;
-    probe->SetInputDataObject(MakeBall(0.1, 6));
-    probe->SetSourceConnection(filter->GetOutputPort());
-    const auto ofFilter = ErrorObserver::Watch(filter);
-    for (vtkAlgorithm* reader :
-      { static_cast<vtkAlgorithm*>(radiance), static_cast<vtkAlgorithm*>(probe) })
+    ViewFilters views(filter);
+    views.Apply(MakeView());
+    views.Update();
+    views.ExpectSound();
+    EXPECT_TRUE(IsSame(OutputBits(filter), expected));
+    for (const vtkIdType count : { 3, 0 })
     {
-      const auto observer = ErrorObserver::Watch(reader);
-      reader->Update();
-      ASSERT_EQ(observer->Errors.size(), 1u);
-      EXPECT_NE(
-        observer->Errors[0].find("DirectLight Gathered, which keeps no photons"), std::string::npos)
-        << observer->Errors[0];
-      EXPECT_TRUE(ofFilter->Errors.empty());
-      EXPECT_TRUE(IsSame(OutputBits(filter), expected));
-      filter->SetDirectLightToShot();
-      observer->Clear();
-      reader->Update();
-      EXPECT_TRUE(observer->Errors.empty());
-      filter->SetDirectLightToGathered();
+      filter->SetNumberOfOutputWalks(count);
       filter->Update();
+      EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), count);
       EXPECT_TRUE(IsSame(OutputBits(filter), expected));
     }
   }
@@ -402,6 +374,131 @@ TEST(DirectLight, UpdateEqualsRebuildWhereThingsTouch)
 {
   ExpectUpdatesOfNew(
     MakeTouchingScene(), 30, 3000, [](vtkIrradianceFilter* filter) { filter->SeparateSidesOn(); });
+}
+
+// Law 1 for all that reads photons and walks.
+TEST(DirectLight, UpdateEqualsRebuildForAllThatReadsPhotons)
+{
+  for (const int estimate : { vtkIrradianceFilter::Spread, vtkIrradianceFilter::Nearest })
+  {
+    const Scene scene = MakeGlossyScene();
+    const auto make = [&] {
+      const auto filter = MakeGathered(scene, 2000);
+      filter->SetCellEstimate(estimate);
+      filter->SetNumberOfSpreadPhotons(30);
+      filter->SetNumberOfOutputWalks(50);
+      filter->SeparateSidesOn();
+      return filter;
+    };
+    const auto updated = make();
+    ViewFilters ofUpdated(updated);
+    ofUpdated.Apply(MakeView());
+    RandomNumbers random(31);
+    for (int frame = 0; frame < 8; ++frame)
+    {
+      const auto fresh = make();
+      ViewFilters ofFresh(fresh);
+      ofFresh.Apply(MakeView());
+      ofUpdated.Update();
+      ofFresh.Update();
+      ASSERT_NO_FATAL_FAILURE(ofFresh.ExpectSound());
+      ASSERT_TRUE(IsSame(ofUpdated, ofFresh)) << "estimate " << estimate << ", frame " << frame;
+      ASSERT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh))) << "frame " << frame;
+      ASSERT_TRUE(IsSame(ShownWalks::LastingBits(updated), ShownWalks::LastingBits(fresh)));
+      EXPECT_EQ(fresh->GetWalksOutput()->GetNumberOfCells(), 50);
+      EXPECT_EQ(Field(updated, "ShootSeconds") > 0, frame == 0) << "frame " << frame;
+      for (const MovingObject& moving : scene.Moving)
+      {
+        PlaceInTheRoom(random, moving.Pose);
+      }
+    }
+  }
+}
+
+namespace
+{
+
+/// The means over some seeds of what a filter gives as one number, and their standard errors.
+struct SeedMean
+{
+  double Mean = 0, Error = 0;
+
+  template <class Measure>
+  SeedMean(vtkIrradianceFilter* filter, int firstSeed, const Measure& measure)
+  {
+    constexpr int seeds = 24;
+    double squares = 0;
+    for (int i = 0; i < seeds; ++i)
+    {
+      filter->SetSeed(firstSeed + i);
+      const double value = measure();
+      this->Mean += value / seeds;
+      squares += value * value / seeds;
+    }
+    this->Error = std::sqrt((squares - this->Mean * this->Mean) / (seeds - 1));
+  }
+};
+
+/// Of two means with 23 degrees of freedom each: by chance once in 20,000.
+void ExpectSameMean(const SeedMean& shot, const SeedMean& gathered, double within)
+{
+  std::cout << shot.Mean << " +- " << shot.Error << " shot, " << gathered.Mean << " +- "
+            << gathered.Error << " gathered\n";
+  EXPECT_NEAR(gathered.Mean, shot.Mean, 4.5 * std::hypot(shot.Error, gathered.Error));
+  EXPECT_LT(std::hypot(shot.Error, gathered.Error), within * shot.Mean) << "a test of nothing";
+}
+
+}
+
+// At a place where light changes little from there to the nearest photons.
+TEST(DirectLight, SensorsAgree)
+{
+  RandomModels::View view = MakeView();
+  view.HasEye = false;
+  view.NumberOfPhotons = 100;
+  const auto measure = [&](int directLight, int firstSeed) {
+    const auto filter = MakeFilter(MakeSmallScene(), 100000);
+    filter->SetDirectLight(directLight);
+    ViewFilters views(filter);
+    views.Apply(view);
+    return SeedMean(filter, firstSeed, [&] {
+      views.Update();
+      vtkDataArray* values = views.Probe->GetOutput()->GetPointData()->GetArray("Irradiance");
+      return values->GetComponent(1, 0) + values->GetComponent(7, 0); // on the floor
+    });
+  };
+  ExpectSameMean(
+    measure(vtkIrradianceFilter::Shot, 1), measure(vtkIrradianceFilter::Gathered, 101), 0.04);
+}
+
+// What the glossy ball, and the box, a mirror, show of a room with two lights.
+TEST(DirectLight, RadianceAgrees)
+{
+  RandomModels::View view = MakeView();
+  view.HasSensors = false;
+  for (const unsigned int moving : { 0u, 1u })
+  {
+    const auto measure = [&](int directLight, int firstSeed) {
+      const auto filter = MakeFilter(MakeGlossyScene(), 50000);
+      filter->SetDirectLight(directLight);
+      ViewFilters views(filter);
+      views.Apply(view);
+      return SeedMean(filter, firstSeed, [&] {
+        views.Update();
+        vtkPolyData* leaf =
+          OutputOf(vtkMultiBlockDataSet::SafeDownCast(views.Radiance->GetOutput()), 1, moving);
+        double sum = 0;
+        for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell)
+        {
+          sum +=
+            AreaOf(leaf, cell) * leaf->GetCellData()->GetArray("Radiance")->GetComponent(cell, 1);
+        }
+        return sum;
+      });
+    };
+    ExpectSameMean(
+      measure(vtkIrradianceFilter::Shot, 1), measure(vtkIrradianceFilter::Gathered, 101), 0.03);
+  }
 }
 
 // Lamps, settings and the way in which light is known may change at any time.

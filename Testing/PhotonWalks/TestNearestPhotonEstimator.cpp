@@ -72,11 +72,13 @@ std::vector<double> allIrradiances(const IrradianceEngine& engine)
 
 TEST(NearestPhotonEstimator, UpdateEqualsRebuild)
 {
-  for (const int bands : { 1, 3 })
+  for (const auto& [bands, isGathered] :
+    { std::pair(1, false), std::pair(3, false), std::pair(1, true), std::pair(3, true) })
   {
     MovingScene scene(bands, bands == 3, 101, bands == 1);
     EngineSettings settings = nearestSettings(test::scaled(600), 40);
     settings.separateSides = bands == 3;
+    settings.gathersDirectLight = isGathered;
     IrradianceEngine engine;
     test::ThreadExecution threads(2);
     const int frames = test::kIsSanitized ? 5 : bands == 1 ? 100 : 20;
@@ -88,9 +90,48 @@ TEST(NearestPhotonEstimator, UpdateEqualsRebuild)
       Execution execution;
       fresh.update(scene.objects(), settings, execution);
       ASSERT_EQ(allIrradiances(engine), allIrradiances(fresh))
-        << bands << " bands, frame " << frame;
+        << bands << " bands, frame " << frame << ", gathered " << isGathered;
     }
   }
+}
+
+// In a black scene no photon flies, and each cell has what it gathered.
+TEST(NearestPhotonEstimator, AddsWhatWasGathered)
+{
+  ObjectBuilder floor;
+  floor.addQuad({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 10, 10, test::grey(0));
+  floor.addPointLight({ 0, 0, 1 }, 1);
+  EngineSettings settings = nearestSettings(20000, 30);
+  settings.gathersDirectLight = true;
+  IrradianceEngine nearest, plain;
+  Execution execution;
+  nearest.update({ floor.build(), {} }, settings, execution);
+  settings.cellEstimate = CellEstimate::Sums;
+  plain.update({ floor.build(), {} }, settings, execution);
+  const std::vector<double> expected = allIrradiances(plain);
+  EXPECT_EQ(allIrradiances(nearest), expected);
+  EXPECT_GT(*std::min_element(expected.begin(), expected.end()), 0);
+}
+
+// E = M / (1 - rho) in a furnace of 216 cells, of which each draws on 3,000 photons of indirect light, .6 of all,
+// and gathers the rest with 32 samples. Each is off by 3.5 % (seen); .18 is over 5 times that.
+TEST(NearestPhotonEstimator, IsThatOfAFurnaceWithGatheredLight)
+{
+  ObjectBuilder room;
+  room.addBox(box({ 0, 0, 0 }, { 1, 1, 1 }), 6, test::grey(0.6, 0.4), true);
+  EngineSettings settings = nearestSettings(test::scaled(200000), test::scaled(3000));
+  settings.gathersDirectLight = true;
+  settings.separateSides = true;
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update({ room.build(), {} }, settings, execution);
+  double mean = 0;
+  for (std::size_t cell = 0; cell < 216; ++cell)
+  {
+    EXPECT_NEAR(engine.irradiance({ 0, cell }, 0), 1, test::kIsSanitized ? 0.6 : 0.18) << cell;
+    mean += engine.irradiance({ 0, cell }, 0) / 216;
+  }
+  EXPECT_NEAR(mean, 1, test::kIsSanitized ? 0.1 : 0.03);
 }
 
 // A board of 0.2 m moves over a black floor of 1,600 cells: what its shadow has not touched stays.

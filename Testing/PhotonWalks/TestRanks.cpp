@@ -246,7 +246,10 @@ std::vector<double> numbersOf(const std::vector<WalkPath>& paths)
   return numbers;
 }
 
-TEST(Ranks, ShowTheWalksOfOne)
+namespace
+{
+
+void expectWalksOfOne(bool isGathered)
 {
   test::MovingScene scene(1, true, 5);
   const SceneObjects first = test::inTwoGroups(scene.objects());
@@ -254,6 +257,7 @@ TEST(Ranks, ShowTheWalksOfOne)
   const SceneObjects second = test::inTwoGroups(scene.objects());
   EngineSettings settings = settingsOf(5000);
   settings.keepPhotons = settings.listRepaired = true;
+  settings.gathersDirectLight = isGathered;
   const auto numbers = [&](Execution& execution) {
     IrradianceEngine engine;
     engine.update(first, settings, execution);
@@ -273,6 +277,43 @@ TEST(Ranks, ShowTheWalksOfOne)
     const std::vector<double> shown = numbers(rank);
     const std::lock_guard<std::mutex> lock(mutex);
     EXPECT_EQ(shown, expected);
+  });
+  EXPECT_EQ(errors, std::vector<std::string>(3));
+}
+
+}
+
+TEST(Ranks, ShowTheWalksOfOne)
+{
+  expectWalksOfOne(false);
+  expectWalksOfOne(true);
+}
+
+// Each has what all cells gathered, and spreads the light of all walks.
+TEST(Ranks, SpreadTheLightOfOneWithGatheredLight)
+{
+  test::MovingScene scene(1, true, 6);
+  const SceneObjects first = scene.objects();
+  scene.nextFrame();
+  EngineSettings settings = settingsOf(5000);
+  settings.cellEstimate = CellEstimate::Spread;
+  settings.gathersDirectLight = true;
+  const auto irradiances = [&](Execution& execution) {
+    IrradianceEngine engine;
+    engine.update(first, settings, execution);
+    engine.update(scene.objects(), settings, execution);
+    std::vector<double> all;
+    engine.cells().numbers().forEach(
+      [&](const SceneCell& cell) { all.push_back(engine.irradiance({ cell }, 0)); });
+    return all;
+  };
+  Execution alone;
+  const std::vector<double> expected = irradiances(alone);
+  std::mutex mutex;
+  const std::vector<std::string> errors = ThreadRanks(3).run([&](ThreadRanks::Rank& rank) {
+    const std::vector<double> values = irradiances(rank);
+    const std::lock_guard<std::mutex> lock(mutex);
+    EXPECT_EQ(values, expected);
   });
   EXPECT_EQ(errors, std::vector<std::string>(3));
 }

@@ -36,11 +36,13 @@ EngineSettings spreading(std::uint32_t walks, double photons)
 // Law 1, with error bars, all kinds of motion and of sides.
 TEST(CellSpread, UpdateEqualsRebuild)
 {
-  for (const int bands : { 1, 3 })
+  for (const auto& [bands, isGathered] :
+    { std::pair(1, false), std::pair(3, false), std::pair(1, true), std::pair(3, true) })
   {
     MovingScene scene(bands, bands == 3, 71);
     EngineSettings settings = spreading(10007, 400);
     settings.separateSides = bands == 3;
+    settings.gathersDirectLight = isGathered;
     settings.replicates = 4;
     IrradianceEngine engine;
     test::ThreadExecution threads(2);
@@ -49,10 +51,96 @@ TEST(CellSpread, UpdateEqualsRebuild)
       engine.update(scene.objects(), settings, threads);
       ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
         test::freshShownAnswer(scene.objects(), settings))
-        << bands << " bands, frame " << frame;
+        << bands << " bands, frame " << frame << ", gathered " << isGathered;
       EXPECT_EQ(engine.statistics().shootSeconds > 0, frame == 0);
     }
   }
+}
+
+namespace
+{
+
+/// W/m2 of all cells and sides, with the standard errors.
+std::vector<double> allValues(const IrradianceEngine& engine)
+{
+  std::vector<double> all;
+  const ErrorEstimate errors = engine.errorEstimate();
+  engine.cells().numbers().forEach([&](const SceneCell& cell) {
+    for (int side = 0; side < engine.sums().sides(); ++side)
+    {
+      all.push_back(engine.irradiance({ cell, side }, 0));
+      all.push_back(errors.standardError({ cell, side }, 0));
+    }
+  });
+  return all;
+}
+
+/// The power of an object, W.
+double wattsOf(const IrradianceEngine& engine, std::uint32_t object)
+{
+  double watts = 0;
+  for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
+  {
+    watts += engine.irradiance({ object, cell }, 0) * engine.cells().area({ object, cell });
+  }
+  return watts;
+}
+
+}
+
+// In a black scene all light is gathered: nothing is blurred, and the error bars are those of the sums.
+TEST(CellSpread, LeavesGatheredLightWhereItIs)
+{
+  ObjectBuilder room, ball;
+  room.addBox(box({ 0, 0, 0 }, { 3, 3, 3 }), 8, grey(0), true);
+  room.addPointLight({ 1, 2, 2.8 }, 20);
+  ball.addSphere({ 0, 0, 0 }, 0.5, 6, grey(0));
+  const SceneObjects objects{ room.build(), { ball.build(test::shift({ 1.5, 1.5, 1 })) } };
+  EngineSettings settings = spreading(100000, 1000);
+  settings.gathersDirectLight = true;
+  settings.separateSides = true;
+  settings.replicates = 4;
+  IrradianceEngine spread, plain;
+  Execution execution;
+  spread.update(objects, settings, execution);
+  settings.cellEstimate = CellEstimate::Sums;
+  plain.update(objects, settings, execution);
+  const std::vector<double> expected = allValues(plain);
+  EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 1);
+  const std::vector<double> values = allValues(spread);
+  ASSERT_EQ(values.size(), expected.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_TRUE(values[i] == expected[i] || std::isnan(expected[i])) << "value " << i;
+  }
+}
+
+// Indirect light is blurred, and no power is lost.
+TEST(CellSpread, ConservesThePowerOfGatheredAndShotLight)
+{
+  const MovingScene scene(1, true, 77);
+  EngineSettings settings = spreading(20000, 300);
+  settings.gathersDirectLight = true;
+  IrradianceEngine engine;
+  Execution execution;
+  engine.update(scene.objects(), settings, execution);
+  std::size_t blurred = 0, all = 0;
+  for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
+  {
+    const std::size_t cells = engine.cells().numbers().sizeOf(object);
+    const double sum = test::wattsOn(engine, object, 0, cells);
+    EXPECT_NEAR(wattsOf(engine, object), sum, 1e-9 * sum) << "object " << object;
+    for (std::size_t cell = 0; cell < cells; ++cell, ++all)
+    {
+      const double own = engine.watts(engine.sums().sum({ { object, cell } }, 0));
+      blurred +=
+        std::abs(engine.irradiance({ object, cell }, 0) * engine.cells().area({ object, cell }) -
+          own) > 1e-6 * own
+        ? 1
+        : 0;
+    }
+  }
+  EXPECT_GT(blurred, all / 4) << "large cells keep what they have";
 }
 
 TEST(CellSpread, UpdateEqualsRebuildWithATarget)

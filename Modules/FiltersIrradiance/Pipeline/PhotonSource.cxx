@@ -102,14 +102,7 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what)
     throw InputError(std::string(what) +
       " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
   }
-  if (engine_->settings().gathersDirectLight)
-  {
-    throw InputError(std::string(what) +
-      " was computed with DirectLight Gathered, which keeps no photons to read: set DirectLight of "
-      "the "
-      "vtkIrradianceFilter to Shot");
-  }
-  if (!engine_->keepsPhotons())
+  if (!engine_->storesWalks())
   {
     throw InputError(std::string(what) +
       " was computed without keeping the photons, as nothing can move: connect the "

@@ -26,11 +26,8 @@ bool needsPhotons(CellEstimate estimate)
   return estimate == CellEstimate::Nearest;
 }
 
-namespace
-{
-
 /// The nearest photons are others in each replicate and round.
-std::string conflictOfNearest(const EstimateSettings& settings, const WalkSettings& walks)
+std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)
 {
   const char* other = walks.targetRelativeError > 0 ? "TargetRelativeError"
     : walks.replicates > 1                          ? "ComputeStandardError"
@@ -40,26 +37,6 @@ std::string conflictOfNearest(const EstimateSettings& settings, const WalkSettin
     ? std::string("CellEstimate Nearest and ") + other +
       " exclude each other: what is known of the error is known of sums, also spread ones"
     : std::string();
-}
-
-/// What was gathered is no photons.
-std::string conflictOfGathered(const EstimateSettings& settings, const WalkSettings& walks)
-{
-  const char* other = walks.keepPhotons              ? "what needs photons of walks"
-    : settings.cellEstimate == CellEstimate::Spread  ? "CellEstimate Spread"
-    : settings.cellEstimate == CellEstimate::Nearest ? "CellEstimate Nearest"
-                                                     : nullptr;
-  return other && walks.gathersDirectLight
-    ? std::string("DirectLight Gathered and ") + other + " exclude each other"
-    : std::string();
-}
-
-}
-
-std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)
-{
-  const std::string nearest = conflictOfNearest(settings, walks);
-  return nearest.empty() ? conflictOfGathered(settings, walks) : nearest;
 }
 
 }

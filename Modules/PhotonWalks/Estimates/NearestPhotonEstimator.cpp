@@ -182,7 +182,7 @@ std::vector<char> NearestPhotonEstimator::updateCentroids(
 /// Returns the sides of cells that received few photons themselves, and sets the largest radius.
 std::vector<CellSide> NearestPhotonEstimator::findSmall()
 {
-  const CellSums& sums = source().walks.sums();
+  const CellSums& sums = sumsOfWalks();
   const auto quantaPerWalk =
     static_cast<double>(source().walks.quantaPerWalk()); // in all bands together
   std::vector<CellSide> small;
@@ -252,6 +252,7 @@ void NearestPhotonEstimator::update(std::size_t rounds, Execution& execution)
   if (!isUpToDate())
   {
     const EstimateSource& from = source();
+    separate_ = separateSums(from.walks, from.space.objects, rounds, execution);
     estimateSmallCells(NearestPhotons(from.photons.get<LeafPhotons>(), from.surfaces,
                          from.space.objects, from.walks.histories()),
       execution);
@@ -313,7 +314,12 @@ NearestPhotonEstimator::Estimate NearestPhotonEstimator::estimate(
 double NearestPhotonEstimator::irradiance(const CellSide& cell, int band) const
 {
   const double density = this->density(cell, band);
-  return std::isnan(density) ? SumEstimator::irradiance(cell, band) : source().walks.watts(density);
+  if (std::isnan(density))
+  {
+    return SumEstimator::irradiance(cell, band);
+  }
+  const double direct = separate_ ? perArea(separate_->direct.sum(cell, band), cell) : 0.0;
+  return direct + source().walks.watts(density);
 }
 
 double NearestPhotonEstimator::density(const CellSide& cell, int band) const

@@ -2,11 +2,13 @@
 #ifndef irradiance_NearestPhotonEstimator_h
 #define irradiance_NearestPhotonEstimator_h
 
+#include "Estimates/SeparateSums.h"
 #include "Estimates/SumEstimator.h"
 #include "Photons/NearestEstimate.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -16,7 +18,7 @@ namespace irradiance
  * The irradiance of small cells from the photons nearest to their centroids (section 4.1 of the paper).
  * A cell that received as many photons keeps its sum. Photons come from at most some
  * twice as far as the scene has them on the average, so that dark places do not draw on light from
- * elsewhere.
+ * elsewhere. Direct light that cells gathered is no photons: it is added to what the photons say.
  *
  * After a motion, cells are estimated again if photons came or went, or objects moved, within the sphere
  * that their photons are from. All others would get the same bits.
@@ -70,7 +72,12 @@ private:
 
   bool isUpToDate() const;
   void estimateSmallCells(const NearestPhotons& photons, Execution& execution);
-  /// Quanta per m2 on a side of a cell, as in CellSums; NaN if that is to come from its sum.
+  /// What walks brought.
+  const CellSums& sumsOfWalks() const
+  {
+    return separate_ ? separate_->indirect : source().walks.sums();
+  }
+  /// Quanta per m2 that photons bring to a side of a cell, as in CellSums; NaN if that is to come from its sum.
   double density(const CellSide& cell, int band) const;
   static std::vector<Centroid> centroidsOf(
     const NearestPhotons& photons, std::uint32_t object, const CancelPoint& cancelPoint);
@@ -96,6 +103,7 @@ private:
   SceneObjects objects_;  ///< of the last update
   PhotonChanges changes_; ///< since then
   CellNumbers numbers_;
+  std::optional<SeparateSums> separate_;
   std::vector<std::vector<Centroid>> centroids_; ///< by object
   std::vector<Estimate> estimates_;              ///< of the front and of the back of each cell
 };

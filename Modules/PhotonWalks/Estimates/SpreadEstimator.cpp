@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/SpreadEstimator.h"
 
+#include "Estimates/SeparateSums.h"
+
 #include <algorithm>
+#include <optional>
 
 namespace irradiance
 {
@@ -10,9 +13,16 @@ void SpreadEstimator::update(std::size_t rounds, Execution& execution)
 {
   const SceneObjects& objects = source().space.objects;
   const WalkSets& walks = source().walks;
+  const std::optional<SeparateSums> separate = separateSums(walks, objects, rounds, execution);
+  const CellSums& shot = separate ? separate->indirect : walks.sums();
+  const std::size_t shotRounds = separate ? 1 : rounds;
   spread_.update(
-    objects, walks.sums(), rounds, photons_, static_cast<double>(walks.quantaPerWalk()), execution);
-  sums_ = spread_.spread(objects, walks.sums(), rounds, execution);
+    objects, shot, shotRounds, photons_, static_cast<double>(walks.quantaPerWalk()), execution);
+  sums_ = spread_.spread(objects, shot, shotRounds, execution);
+  if (separate)
+  {
+    sums_.add(separate->direct, cancelPointOf(execution, 1));
+  }
   if (const CellSums* stale = walks.staleSums())
   {
     staleSums_ = spread_.spread(objects, *stale, 1, execution);

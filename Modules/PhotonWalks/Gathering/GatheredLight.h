@@ -43,6 +43,9 @@ public:
   GatheredLight(const GatheredLight&) = delete;
   GatheredLight& operator=(const GatheredLight&) = delete;
 
+  /// What each sample brings, and whether it does.
+  const DirectLight& light() const { return light_; }
+  double quantaPerWatt() const { return quantaPerWatt_; }
   const WalkStarts& starts() const { return starts_; }
 
   /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each adds it for the cells that are dealt to it as blocks are.

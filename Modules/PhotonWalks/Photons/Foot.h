@@ -2,6 +2,7 @@
 #ifndef irradiance_Foot_h
 #define irradiance_Foot_h
 
+#include "Geometry/Ray.h"
 #include "Meshes/SolidSides.h"
 #include "Photons/Sensor.h"
 
@@ -14,11 +15,13 @@ namespace irradiance
  */
 struct Foot
 {
-  Sensor sensor;   ///< moved to that point
-  Vector3 normal;  ///< world, unit vector, of the surface; to the side that receives
-  bool isInside;   ///< that side is inside of a body
-  double distance; ///< from there to the sensor, world
-  double size;     ///< of the object, world
+  Sensor sensor;       ///< moved to that point
+  Vector3 normal;      ///< world, unit vector, of the surface; to the side that receives
+  bool isInside;       ///< that side is inside of a body
+  double distance;     ///< from there to the sensor, world
+  double size;         ///< of the object, world
+  TriangleId id{};     ///< on which the sensor stands now
+  bool isFront = true; ///< the front of that receives
 };
 
 /// Whether a side (1: front, -1: back, in the world) of a triangle is inside of a body. Where a pose

@@ -128,7 +128,7 @@ Foot FootSearch::on(const TriangleId& id, int side) const
     placed.facing(sensor_).areaVector(objects_[id.object].body->mesh()[id.triangle]).normalized();
   return { { sensor_.position + closest, sensor_.normal }, Vector3(side * front),
     isInside(surfaces_.of(id.object).solidSide(id.triangle), side, placed.isMirrored()),
-    closest.norm(), placed.size() };
+    closest.norm(), placed.size(), id, side > 0 };
 }
 
 }

@@ -4,7 +4,6 @@
 #include "Execution/SlicedPass.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
-#include "Walks/StoredWalks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,23 +77,55 @@ void OutgoingRadiance::preparePhotons(Execution& execution)
       {
         return true;
       }
-      const std::vector<SegmentRef> segments = photons.sorted({ object, cell });
-      std::vector<SurfacePoint> points(segments.size());
-      std::vector<Vector3> directions(segments.size());
-      walks.arrivalsOf(segments, points.data(), directions.data());
-      std::vector<GlossyPhotons::Arrival> arrivals;
-      for (std::size_t i = 0; i < segments.size(); ++i)
-      {
-        const WalkHistory& history = walks.historyOf(segments[i].walk);
-        const Power power = history.power(segments[i]);
-        arrivals.push_back({ history.hit(segments[i]).id.triangle, points[i], -directions[i],
-          { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) } });
-      }
       photons_[numberOf({ object, cell })] =
-        GlossyPhotons(material.lobeOf(cell), std::move(arrivals), bands_);
+        GlossyPhotons(material.lobeOf(cell), arrivalsOn({ object, cell }, walks), bands_);
       return true;
     };
     pass.run(execution);
+  }
+}
+
+std::vector<GlossyPhotons::Arrival> OutgoingRadiance::arrivalsOn(
+  const SceneCell& cell, const StoredWalks& walks) const
+{
+  const std::vector<SegmentRef> segments = engine_.photons<CellPhotonSets>().sorted(cell);
+  std::vector<SurfacePoint> points(segments.size());
+  std::vector<Vector3> directions(segments.size());
+  walks.arrivalsOf(segments, points.data(), directions.data());
+  std::vector<GlossyPhotons::Arrival> arrivals;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const WalkHistory& history = walks.historyOf(segments[i].walk);
+    arrivals.push_back({ history.hit(segments[i]).id.triangle, points[i], -directions[i],
+      wattsOf(history.power(segments[i])) });
+  }
+  for (const WalkSet& set : engine_.walks().sets())
+  {
+    set.forEachGathered([&](const GatheredLight& light) { addGathered(cell, light, arrivals); });
+  }
+  return arrivals;
+}
+
+void OutgoingRadiance::addGathered(const SceneCell& cell, const GatheredLight& light,
+  std::vector<GlossyPhotons::Arrival>& arrivals) const
+{
+  const DirectLight& direct = light.light();
+  const std::size_t number = numberOf(cell);
+  const bool isKnown = number < direct.plan().numberOfCells(); // else it came later
+  const std::uint32_t count = isKnown ? direct.plan().samplesOf(number) : 0;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const std::uint32_t place = direct.plan().first(number) + i;
+    const GatherSample& sample = direct.samples()[place];
+    if (direct.isVisible(place))
+    {
+      const TriangleId id = engine_.gatherSpace().triangles.idOf(sample.triangle);
+      const double b = sample.weightB, c = sample.weightC;
+      SurfacePoint point = surfacePoint(engine_.scene().worldTriangle(id), { 1 - b - c, b, c });
+      point.turn(sample.isFront);
+      arrivals.push_back({ id.triangle, point, -incomingDirection(point, sample.from),
+        wattsOf(direct.powerOf(sample, light.quantaPerWatt())) });
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "IrradianceEngine.h"
 #include "Views/GlossyPhotons.h"
+#include "Walks/StoredWalks.h"
 
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace irradiance
  * light and of the direction to the eye. What stands between is not looked at.
  *
  * The specular part is the sum over photons of power times BRDF, over the area, so it is as noisy as
- * the photons in a lobe are few. Mirrors have no such sum: at some points of a mirror a ray shows
+ * the photons in a lobe are few. What a cell gathered are photons to it: each sample that sees its light is one. Mirrors have no such sum: at some points of a mirror a ray shows
  * what is seen there. Where SeparateSides is off, diffuse light is the light of both sides.
  */
 class OutgoingRadiance
@@ -44,6 +45,15 @@ private:
   };
   void addCells(std::uint32_t object);
   void preparePhotons(Execution& execution);
+  /// What walks brought to a cell, in order, and then what it gathered.
+  std::vector<GlossyPhotons::Arrival> arrivalsOn(
+    const SceneCell& cell, const StoredWalks& walks) const;
+  void addGathered(const SceneCell& cell, const GatheredLight& light,
+    std::vector<GlossyPhotons::Arrival>& arrivals) const;
+  Bands wattsOf(const Power& power) const
+  {
+    return { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) };
+  }
   Bands diffuse(const SceneCell& cell, const Eye& eye) const;
   /// Emitted, and reflected diffusely, by one side.
   Bands diffuseOf(const SceneCell& cell, bool isFront) const;

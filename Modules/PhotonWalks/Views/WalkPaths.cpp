@@ -33,38 +33,82 @@ WalkPaths::WalkPaths(const IrradianceEngine& engine)
   , walks_(engine.walks(), engine.space())
   , bounds_(engine.walkBounds())
 {
-  assert(engine.keepsPhotons());
+  assert(engine.storesWalks());
   const double diagonal = bounds_.isEmpty() ? 0.0 : bounds_.extent().norm();
   bounds_.inflate(diagonal > 0 ? diagonal / 8 : 1.0); // a point light alone has no size
 }
 
 std::vector<std::uint32_t> WalkPaths::first(std::size_t most) const
 {
-  return engine_.walks().first(most);
+  const std::vector<WalkSet>& sets = engine_.walks().sets();
+  const bool hasGathered = std::any_of(
+    sets.begin(), sets.end(), [](const WalkSet& set) { return set.gathered() != nullptr; });
+  return hasGathered ? firstBorn(most) : engine_.walks().first(most);
+}
+
+/// Those whose numbers, read backwards as fractions, are the smallest: every second, fourth or eighth.
+std::vector<std::uint32_t> WalkPaths::firstBorn(std::size_t most) const
+{
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> walks; // with what they are ordered by
+  for (const WalkSet& set : engine_.walks().sets())
+  {
+    const std::uint32_t first = set.plan().rounds().front().firstWalk;
+    const std::uint32_t all =
+      set.lights().isEmpty() ? 0 : set.plan().walksAfter(set.sums().rounds());
+    for (std::uint32_t i = 0; i < all; ++i)
+    {
+      if (!set.gathered() || set.history().size(first + i) > 0)
+      {
+        walks.emplace_back(SobolPoint::reversed(i), first + i);
+      }
+    }
+  }
+  const std::size_t count = std::min(most, walks.size());
+  std::partial_sort(walks.begin(), walks.begin() + static_cast<std::ptrdiff_t>(count), walks.end());
+  std::vector<std::uint32_t> chosen(count);
+  std::transform(walks.begin(), walks.begin() + static_cast<std::ptrdiff_t>(count), chosen.begin(),
+    [](const auto& walk) { return walk.second; });
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+const WalkStarts* WalkPaths::startsOf(const WalkSet& set, std::uint32_t walk)
+{
+  return set.gathered() ? &set.gathered()->startsOf(walk) : nullptr;
+}
+
+bool WalkPaths::beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_t walk) const
+{
+  if (const WalkStarts* starts = startsOf(set, walk))
+  {
+    const GatherSample& sample = starts->sampleOf((*starts)[walk]);
+    const TriangleId id = engine_.gatherSpace().triangles.idOf(sample.triangle);
+    return engine_.sums().cellOf(id) == cell || set.lights()[sample.light].cell == cell;
+  }
+  return emits(cell) && walks_.sampler(walk).lightOf(walk).cell == cell;
 }
 
 std::vector<std::uint32_t> WalkPaths::touching(
   const SceneCell& cell, std::size_t most, Execution& execution) const
 {
-  const bool isLight = emits(cell);
-  std::vector<std::pair<const WalkHistory*, std::size_t>> blocks;
+  std::vector<std::pair<const WalkSet*, std::size_t>> blocks;
   for (const WalkSet& set : engine_.walks().sets())
   {
     for (std::size_t i = 0; i < set.history().size() && engine_.hasLights(); ++i)
     {
-      blocks.emplace_back(&set.history(), i);
+      blocks.emplace_back(&set, i);
     }
   }
   std::vector<std::vector<std::uint32_t>> found(blocks.size());
   SlicedPass pass{ found.size(), {} };
   pass.work = [&](std::size_t number, const Deadline&) {
-    const auto& [history, index] = blocks[number];
-    const BounceBlock& block = history->block(index);
-    const WalkSampler& sampler = walks_.sampler(block.firstWalk());
+    const auto& [set, index] = blocks[number];
+    const BounceBlock& block = set->history().block(index);
     for (std::uint32_t walk = block.firstWalk();
          walk < block.endWalk() && found[number].size() < most; ++walk)
     {
-      if (isHit(*history, index, walk, cell) || (isLight && sampler.lightOf(walk).cell == cell))
+      const bool isBorn = block.begin(walk) != BounceBlock::kNone;
+      if (isBorn && (isHit(set->history(), index, walk, cell) || beginsOn(cell, *set, walk)))
       {
         found[number].push_back(walk);
       }
@@ -151,8 +195,7 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
   for (std::size_t i = 0; i < count; ++i)
   {
     paths[i].walk = walks[i];
-    paths[i].power = walks_.sampler(walks[i]).powerOf(walks[i]);
-    paths[i].points.push_back(rays[i].origin);
+    addStart(rays[i], paths[i]);
     addHits(paths[i]);
   }
   for (std::size_t i = 0; i < escaping.size(); ++i)
@@ -163,6 +206,24 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
   {
     addMarks(paths[i]);
   }
+}
+
+void WalkPaths::addStart(const Ray& first, WalkPath& path) const
+{
+  const WalkStarts* starts = startsOf(walks_.setOf(path.walk), path.walk);
+  if (!starts)
+  {
+    path.power = walks_.sampler(path.walk).powerOf(path.walk);
+    path.points.push_back(first.origin);
+    return;
+  }
+  const WalkStarts::Start& start = (*starts)[path.walk];
+  const GatherSample& sample = starts->sampleOf(start);
+  const double b = sample.weightB, c = sample.weightC;
+  path.power = start.power;
+  path.points.push_back(sample.from);
+  path.points.push_back(
+    surfacePoint(engine_.scene().worldTriangle(first.start), { 1 - b - c, b, c }).position);
 }
 
 void WalkPaths::addHits(WalkPath& path) const
@@ -182,7 +243,8 @@ void WalkPaths::addMarks(WalkPath& path) const
   const std::vector<SegmentRef>& repaired = set.repaired();
   const auto tail = std::lower_bound(repaired.begin(), repaired.end(), SegmentRef{ path.walk, 0 });
   const bool isRepaired = tail != repaired.end() && tail->walk == path.walk;
-  path.firstRepaired = isRepaired ? std::size_t{ tail->bounce } + 1 : path.points.size();
+  const std::size_t before = startsOf(set, path.walk) ? 2 : 1; // points before the first hit
+  path.firstRepaired = isRepaired ? tail->bounce + before : path.points.size();
   constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
   const std::size_t block = set.history().indexOf(path.walk);
   path.isStale = set.stale() && block < set.stale()->numberOfBlocks() &&

@@ -23,8 +23,10 @@ class WalkPaths
 public:
   explicit WalkPaths(const IrradianceEngine& engine);
 
-  /// The first `most` walks, or all. As samples are a quasi-random sequence, any number of first
-  /// walks is spread evenly over lights, places and directions; every tenth walk would not be.
+  /// `most` walks, or all. Of walks that start at lights the first ones: as samples are a quasi-random sequence,
+  /// any number of these is spread evenly over lights, places and directions; every tenth walk would not be. Walks
+  /// that start where direct light was gathered are numbered cell by cell: of these some from everywhere, the same
+  /// ones as long as they are born.
   std::vector<std::uint32_t> first(std::size_t most) const;
   /// The first `most` walks that start on a cell or hit it, or all of these. All ranks ask together. Throws
   /// Interrupted.
@@ -34,6 +36,13 @@ public:
   std::vector<WalkPath> paths(const std::vector<std::uint32_t>& all, Execution& execution) const;
 
 private:
+  std::vector<std::uint32_t> firstBorn(std::size_t most) const;
+  /// The starts of a walk of a set; null if it starts at a light.
+  static const WalkStarts* startsOf(const WalkSet& set, std::uint32_t walk);
+  /// Whether the first light of a walk comes from a cell, or it starts there.
+  bool beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_t walk) const;
+  /// Power, and the points before the first hit of a stored segment.
+  void addStart(const Ray& first, WalkPath& path) const;
   bool emits(const SceneCell& cell) const;
   bool isHit(
     const WalkHistory& history, std::size_t block, std::uint32_t walk, const SceneCell& cell) const;

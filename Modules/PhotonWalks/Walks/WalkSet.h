@@ -91,6 +91,18 @@ public:
   /// Memory held.
   std::size_t bytes() const;
 
+  /// Where walks start; null: at the lights.
+  const GatheredRounds* gathered() const { return gathered_.get(); }
+  /// Calls visit(GatheredLight) for each round of direct light that cells gathered.
+  template <class Visit>
+  void forEachGathered(const Visit& visit) const
+  {
+    for (std::size_t round = 0; gathered_ && round < gathered_->rounds().size(); ++round)
+    {
+      visit(*gathered_->rounds()[round]);
+    }
+  }
+
   SobolSequence samples() const { return SobolSequence(settings_.seed, plan().replicates()); }
   /// The arguments must outlive it.
   WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const

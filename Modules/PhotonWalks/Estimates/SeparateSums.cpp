@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Estimates/SeparateSums.h"
+
+namespace irradiance
+{
+
+std::optional<SeparateSums> separateSums(
+  const WalkSets& walks, const SceneObjects& objects, std::size_t rounds, Execution& execution)
+{
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  const CellSums& all = walks.sums();
+  const std::uint32_t replicates = all.plan().replicates().count();
+  const auto sums = [&](const WalkPlan& plan, std::size_t ofRounds) {
+    return CellSums(objects, all.sides(), plan, ofRounds);
+  };
+  std::optional<CellSums> gathered;
+  PowerBalance balance; // is known already
+  for (const WalkSet& set : walks.sets())
+  {
+    set.forEachGathered([&](const GatheredLight& light) {
+      gathered ? void() : void(gathered = sums(all.plan(), all.rounds()));
+      light.addTo(*gathered, balance, DealtBlocks(), 1, cancelPoint);
+    });
+  }
+  if (!gathered)
+  {
+    return std::nullopt;
+  }
+  const std::uint32_t count = walks.plan().walksAfter(rounds);
+  const WalkPlan plan(count, count, replicates);
+  SeparateSums separate{ sums(plan, 1), sums(plan, 1) };
+  ThrottledCancelPoint pace(cancelPoint);
+  all.numbers().forEach([&](const SceneCell& cell) {
+    for (int side = 0; side < all.sides(); ++side)
+    {
+      for (int band = 0; band < all.bands(); ++band)
+      {
+        for (std::uint32_t i = 0; i < replicates; ++i)
+        {
+          const CellSide part{ cell, side };
+          const std::int64_t direct = gathered->sum(part, band, i, rounds);
+          separate.direct.set(part, band, i, direct);
+          separate.indirect.set(part, band, i, all.sum(part, band, i, rounds) - direct);
+        }
+      }
+    }
+    pace.step();
+  });
+  return separate;
+}
+
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_LitPoint_h
+#define irradiance_LitPoint_h
+
+#include "Geometry/Ray.h"
+#include "Geometry/Triangle.h"
+
+namespace irradiance
+{
+
+/// A point that receives light from one side.
+struct LitPoint
+{
+  Vector3 position; ///< world; clear of the surface on which it stands
+  Vector3 normal;   ///< unit vector, to the side that receives
+  TriangleId on{};  ///< the triangle on which it stands; none in the air
+
+  /// On a side of a triangle, at the point nearest to a place in its plane, roughly.
+  static LitPoint onTriangle(
+    const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place);
+};
+
+/// The barycentric weights of a place in the plane of a triangle; some are negative beside the triangle.
+Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place);
+
+}
+
+#endif

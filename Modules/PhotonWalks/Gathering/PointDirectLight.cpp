@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/PointDirectLight.h"
+
+#include "Meshes/SurfacePoint.h"
+#include "Sampling/SobolPoint.h"
+#include "Sampling/SphericalTriangle.h"
+#include "Sampling/SplitMix.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The area with which a point is weighed, m2: so small that no light seems to give it all of its flux.
+constexpr double kNoArea = 0x1p-200;
+
+}
+
+PointDirectLight::PointDirectLight(
+  const GatherSpace& space, const LightTable& lights, std::uint64_t seed)
+  : space_(space)
+  , lamps_(lights)
+  , seed_(seed)
+{
+}
+
+PointDirectLight::Bands PointDirectLight::irradiance(
+  const LitPoint& point, std::uint64_t number) const
+{
+  std::vector<Arrival> arrivals;
+  const std::vector<std::uint32_t> touching = lightsAt(point);
+  addTouching(point, touching, arrivals);
+  addSamples(point, number, touching, arrivals);
+  std::vector<Ray> rays(arrivals.size());
+  std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
+    [](const Arrival& arrival) { return arrival.ray; });
+  std::vector<Hit> hits(rays.size());
+  space_.scene.cast(rays.data(), rays.size(), hits.data());
+  Bands sum{};
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  {
+    const double perWatt = arrives(arrivals[i], point, hits[i]) ? arrivals[i].perWatt : 0;
+    for (std::size_t band = 0; band < sum.size(); ++band)
+    {
+      sum[band] += perWatt * lamps_.lights()[arrivals[i].light].flux[band];
+    }
+  }
+  return sum;
+}
+
+/// Of the table.
+std::vector<std::uint32_t> PointDirectLight::lightsAt(const LitPoint& point) const
+{
+  std::vector<std::uint32_t> lights;
+  space_.contacts.forEachLampAt(point.on, [&](const TriangleId& id) {
+    if (const std::optional<std::uint32_t> light = lamps_.lightOn(id))
+    {
+      lights.push_back(*light);
+    }
+  });
+  return lights;
+}
+
+/// Rays cross the gap that is not there, along the normals of the lights.
+void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
+  std::vector<Arrival>& arrivals) const
+{
+  for (const std::uint32_t light : lights)
+  {
+    const AreaLight& area = std::get<AreaLight>(lamps_.lights()[light].kind);
+    const Vector3 weights = weightsInPlane(area.triangle, point.position);
+    const SurfacePoint start = surfacePoint(area.triangle, weights.cwiseMax(0));
+    if (weights.minCoeff() >= 0 && point.normal.dot(start.normal) < 0)
+    {
+      arrivals.push_back(
+        { { start.clearPosition(), start.normal, area.id }, light, 1 / area.triangle.area() });
+    }
+  }
+}
+
+void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
+  const std::vector<std::uint32_t>& touching, std::vector<Arrival>& arrivals) const
+{
+  LampChoice choice(lamps_);
+  CellShape shape;
+  shape.center = point.position;
+  shape.normal = point.normal;
+  shape.area = kNoArea;
+  choice.weigh(shape);
+  const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
+  for (std::uint32_t i = 0; i < kSamples; ++i)
+  {
+    const std::array<double, 2> u = SobolPoint::inUnitSquare(i, keys);
+    const LampChoice::Choice chosen = choice.choose(u[0]);
+    const LampPiece& lamp = lamps_[chosen.piece];
+    if (std::find(touching.begin(), touching.end(), lamp.light) == touching.end())
+    {
+      Arrival arrival = from(lamp, point, { chosen.rest, u[1] });
+      arrival.perWatt /= chosen.probability * kSamples;
+      if (arrival.perWatt > 0)
+      {
+        arrivals.push_back(arrival);
+      }
+    }
+  }
+}
+
+PointDirectLight::Arrival PointDirectLight::from(
+  const LampPiece& lamp, const LitPoint& point, const std::array<double, 2>& onLamp) const
+{
+  const Light& light = lamps_.lights()[lamp.light];
+  if (const auto* const inAir = std::get_if<PointLight>(&light.kind))
+  {
+    const Vector3 along = point.position - inAir->position();
+    const double square = along.squaredNorm();
+    const double arriving = -point.normal.dot(along) / std::sqrt(square);
+    const double perWatt = arriving > 0 ? inAir->density(along) * arriving / square : 0;
+    return { { inAir->position(), along, {} }, lamp.light, perWatt };
+  }
+  const SphericalTriangle seen(lamp.triangle, point.position);
+  const SurfacePoint start = surfacePoint(lamp.triangle, seen.sample(onLamp));
+  const Vector3 between = point.position - start.position;
+  // Closer to its plane, rounding would tell the side.
+  const bool isInFront = start.normal.dot(between) > 4 * start.clearance;
+  const double arriving = -point.normal.dot(between) / between.norm();
+  const double perWatt =
+    isInFront ? arriving * seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area()) : 0;
+  const Vector3 origin = start.clearPosition();
+  return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt };
+}
+
+/// As for the samples of cells, see DirectLight.
+bool PointDirectLight::arrives(
+  const Arrival& arrival, const LitPoint& point, const Hit& closest) const
+{
+  const Contacts& contacts = space_.contacts;
+  if (contacts.has(point.on))
+  {
+    return contacts.resolveContact(space_.scene, arrival.ray, closest).id == point.on;
+  }
+  const Hit hit = contacts.has(arrival.ray.start)
+    ? contacts.resolveContact(space_.scene, arrival.ray, closest)
+    : closest;
+  return hit.distance >= 1 || (hit && hit.id == point.on);
+}
+
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PointDirectLight_h
+#define irradiance_PointDirectLight_h
+
+#include "Gathering/GatherSpace.h"
+#include "Gathering/LampChoice.h"
+#include "Gathering/LitPoint.h"
+
+#include <array>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The light that comes straight from the lights of a table to single points, on surfaces or in the air: the value
+ * at the point, no mean over a cell.
+ *
+ * Each sample asks a light that LampChoice chooses, at a point chosen by solid angle; so none brings much more
+ * than others, however near a light is. Of a light in the same place as the point, what it emits there arrives. All
+ * is a pure function of the scene, the seed, the point and its number. Theory.md, 1.3.
+ */
+class PointDirectLight
+{
+public:
+  using Bands = std::array<double, Power::kMaxBands>;
+
+  /// What the arguments refer to must outlive it.
+  PointDirectLight(const GatherSpace& space, const LightTable& lights, std::uint64_t seed);
+  PointDirectLight(const PointDirectLight&) = delete;
+  PointDirectLight& operator=(const PointDirectLight&) = delete;
+
+  /// W/m2. `number`: of the point; it chooses the samples. May be called by several threads.
+  Bands irradiance(const LitPoint& point, std::uint64_t number) const;
+
+private:
+  static constexpr std::uint32_t kSamples = 64;
+
+  /// Light on its way to a point.
+  struct Arrival
+  {
+    Ray ray; ///< its length is 1 at the point
+    std::uint32_t light;
+    double perWatt; ///< irradiance, W/m2, for each W of the light's flux if nothing stands between
+  };
+
+  std::vector<std::uint32_t> lightsAt(const LitPoint& point) const;
+  /// What the lights emit that coincide with the point.
+  void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
+    std::vector<Arrival>& arrivals) const;
+  void addSamples(const LitPoint& point, std::uint64_t number,
+    const std::vector<std::uint32_t>& touching, std::vector<Arrival>& arrivals) const;
+  Arrival from(
+    const LampPiece& lamp, const LitPoint& point, const std::array<double, 2>& onLamp) const;
+  bool arrives(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
+
+  GatherSpace space_;
+  LampPieces lamps_;
+  std::uint64_t seed_;
+};
+
+}
+
+#endif

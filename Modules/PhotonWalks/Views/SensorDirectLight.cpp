@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/SensorDirectLight.h"
+
+namespace irradiance
+{
+
+SensorDirectLight::SensorDirectLight(const IrradianceEngine& engine)
+  : scene_(engine.scene())
+{
+  for (const WalkSet& set : engine.walks().sets())
+  {
+    // The sets of dynamic cells have the same lights.
+    if (set.source().cells == CellPart::Static && !set.lights().isEmpty())
+    {
+      groups_.emplace_back(
+        engine.gatherSpace(), set.lights(), engine.settings().seed + groups_.size());
+    }
+  }
+}
+
+PointDirectLight::Bands SensorDirectLight::irradiance(const Foot& foot, std::uint64_t number) const
+{
+  const LitPoint point = LitPoint::onTriangle(
+    scene_.worldTriangle(foot.id), foot.id, foot.isFront, foot.sensor.position);
+  PointDirectLight::Bands sum{};
+  for (const PointDirectLight& lights : groups_)
+  {
+    const PointDirectLight::Bands part = lights.irradiance(point, number);
+    for (std::size_t band = 0; band < sum.size(); ++band)
+    {
+      sum[band] += part[band];
+    }
+  }
+  return sum;
+}
+
+}
