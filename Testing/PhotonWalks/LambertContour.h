@@ -29,6 +29,29 @@ inline double lambertIrradiance(
   return std::abs(sum) / (2 * M_PI);
 }
 
+/// The part of a convex polygon that lies above the horizon of a normal at a point; none of one that lies in it.
+inline std::vector<Vector3> aboveHorizon(
+  const std::vector<Vector3>& polygon, const Vector3& point, const Vector3& normal)
+{
+  std::vector<Vector3> above;
+  bool isAny = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Vector3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double heightA = normal.dot(a - point), heightB = normal.dot(b - point);
+    isAny = isAny || heightA > 0;
+    if (heightA >= 0)
+    {
+      above.push_back(a);
+    }
+    if ((heightA > 0 && heightB < 0) || (heightA < 0 && heightB > 0))
+    {
+      above.push_back(a + (b - a) * (heightA / (heightA - heightB)));
+    }
+  }
+  return isAny ? above : std::vector<Vector3>();
+}
+
 /// Mean of f over a rectangle by the midpoint rule on n x n points.
 template <class Function>
 double meanOverRectangle(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
+#include "BothModes.h"
 #include "LambertContour.h"
 #include "TestScenes.h"
 
@@ -20,28 +20,15 @@ using test::meanOverRectangle;
 // fixed.
 constexpr int kSeeds = 16;
 
-/// Calls `use(engine)` for each seed.
-template <class Use>
-void overSeeds(const SceneObjects& objects, std::uint32_t walks, const Use& use)
+class Cie171 : public test::BothModes
 {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
-  {
-    EngineSettings settings;
-    settings.numberOfWalks = walks;
-    settings.seed = seed;
-    settings.verify = false;
-    IrradianceEngine engine;
-    Execution execution;
-    engine.update(objects, settings, execution);
-    use(engine);
-  }
-}
+};
 
 }
 
 // CIE 171:2006, 5.3: 1 x 1 m of exitance 1000 pi in the ceiling of a black room. A strip of 0.5 x
 // 0.25 m around each point is compared with the mean of Lambert's formula over the strip.
-TEST(Cie171, AreaSource53)
+TEST_P(Cie171, AreaSource53)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25, 0.75, 0.25 };
   const double published[] = { 32.677, 75.194, 81.323, 69.061, 53.404, 40.002 };
@@ -58,7 +45,7 @@ TEST(Cie171, AreaSource53)
     return 1000 * M_PI * lambertIrradiance(p, inward, source);
   };
   std::vector<test::ReplicateMean> estimates(6);
-  overSeeds({ room.build(), {} }, test::scaled(65536), [&](const IrradianceEngine& engine) {
+  overSeeds({ room.build(), {} }, kSeeds, test::scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
       estimates[i].add(engine.irradiance({ 0, i }, 0));
@@ -74,25 +61,68 @@ TEST(Cie171, AreaSource53)
   }
 }
 
-// 5.4: no flux is lost in a black room.
-TEST(Cie171, FluxConservation54)
+// 5.4: no flux is lost in a black room. What is gathered is an estimate.
+TEST_P(Cie171, FluxConservation54)
 {
   test::ObjectBuilder room;
   room.addBox(box({ -2, -2, 0 }, { 2, 2, 3 }), 4, grey(0), true);
   room.addPointLight({ 0.3, -0.2, 2.5 }, 1234.5);
   room.addQuad({ -1, -1, 2 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 250));
   const SceneObjects objects{ room.build(), {} };
-  overSeeds(objects, 10007, [&](const IrradianceEngine& engine) {
-    const double received =
-      test::wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells);
-    EXPECT_NEAR(received / 1484.5, 1, 1e-12);
-    EXPECT_TRUE(engine.balance().escaped.isZero());
+  test::ReplicateMean received;
+  overSeeds(objects, kSeeds, 10007, [&](const IrradianceEngine& engine) {
+    received.add(test::wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells));
+    EXPECT_TRUE(isGathered() || engine.balance().escaped.isZero());
   });
+  received.print("5.4", 1484.5);
+  EXPECT_LE(std::abs(received.t(1484.5)), 3);
+  EXPECT_NEAR(received.mean() / 1484.5, 1, isGathered() ? 5e-3 : 1e-12);
+}
+
+// As 5.6: a floor patch of 1 x 1 m, which reflects 0.8, shines on the upper part of a black wall. A lamp between
+// them, whose back is to the wall, lights the patch; what the wall receives is Lambert's formula twice.
+TEST_P(Cie171, DiffuseReflection56)
+{
+  const double heights[] = { 2.75, 2.25, 1.75, 1.25 };
+  const Vector3 up(0, 0, 1), inward(-1, 0, 0), along(0, 1, 0), high(0, 0, 0.25);
+  test::ObjectBuilder room;
+  for (const double z : heights)
+  {
+    room.addQuad(Vector3(2, 0.5, z - 0.125), -along, high, 1, 1, grey(0));
+  }
+  room.addQuad({ -0.5, -0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 3, 3, grey(0.8));
+  const std::vector<Vector3> lamp = { { 1, -0.4, 0.05 }, { 1, -0.4, 0.3 }, { 1, 0.4, 0.3 },
+    { 1, 0.4, 0.05 } };
+  room.addQuad(lamp[0], lamp[1] - lamp[0], lamp[3] - lamp[0], 1, 1, grey(0, 1000));
+  const auto onWall = [&](const Vector3& p) {
+    return meanOverRectangle(
+      { -0.5, -0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 24, [&](const Vector3& q) {
+        const Vector3 to = p - q;
+        const double square = to.squaredNorm();
+        return 0.8 * 1000 * lambertIrradiance(q, up, lamp) * to[2] * -inward.dot(to) /
+          (M_PI * square * square);
+      });
+  };
+  std::vector<test::ReplicateMean> estimates(4);
+  overSeeds(
+    { room.build(), {} }, kSeeds, test::scaled(262144), [&](const IrradianceEngine& engine) {
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        estimates[i].add(engine.irradiance({ 0, i }, 0));
+      }
+    });
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const double truth =
+      meanOverRectangle({ 2, -0.5, heights[i] - 0.125 }, along, high, 12, onWall);
+    estimates[i].print("5.6", truth);
+    EXPECT_LE(std::abs(estimates[i].t(truth)), 3) << "z " << heights[i];
+  }
 }
 
 // 5.7: a shining wall, of which only the part above the line of sight over an obstruction counts.
 // Strips of 4 x 0.5 m of the opposite wall are compared with the mean of Lambert's formula.
-TEST(Cie171, DiffuseReflectionWithObstruction57)
+TEST_P(Cie171, DiffuseReflectionWithObstruction57)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25, 0.75, 0.25 };
   const double published[] = { 16.071, 16.330, 15.399, 13.322, 10.317, 7.079 }; // %
@@ -114,7 +144,7 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
   test::ReplicateMean wall;
   double wallTruth = 0;
   const SceneObjects objects{ room.build(), { obstruction.build() } };
-  overSeeds(objects, test::scaled(65536), [&](const IrradianceEngine& engine) {
+  overSeeds(objects, kSeeds, test::scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
       estimates[i].add(engine.irradiance({ 0, i }, 0));
@@ -137,7 +167,7 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
 // 5.8: the internal reflected component in a 4 m cube. The mean has a closed form; the centre of a
 // wall is compared with values of an independent program. The direct part, which has the same bits
 // at reflectance 0, is subtracted.
-TEST(Cie171, InternalReflectedComponent58)
+TEST_P(Cie171, InternalReflectedComponent58)
 {
   constexpr int kCells = 15;
   constexpr double kCellArea = 16.0 / (kCells * kCells);
@@ -169,15 +199,15 @@ TEST(Cie171, InternalReflectedComponent58)
     std::size_t next = 0;
     if (center > 0)
     {
-      overSeeds(room(0), walks,
+      overSeeds(room(0), kSeeds, walks,
         [&](const IrradianceEngine& engine) { direct[next++] = meanAndCenter(engine); });
     }
     test::ReplicateMean meanEstimate, centerEstimate;
-    overSeeds(room(reflectance), walks, [&](const IrradianceEngine& engine) {
+    overSeeds(room(reflectance), kSeeds, walks, [&](const IrradianceEngine& engine) {
       const auto [all, atCenter] = meanAndCenter(engine);
       const auto& [directAll, directCenter] =
         direct[static_cast<std::size_t>(meanEstimate.count())];
-      EXPECT_NEAR(directAll, 10000.0 / 96, 1e-9);
+      EXPECT_NEAR(directAll, 10000.0 / 96, isGathered() ? 1e-2 : 1e-9);
       meanEstimate.add(all - directAll);
       centerEstimate.add(atCenter - directCenter);
     });
@@ -194,5 +224,7 @@ TEST(Cie171, InternalReflectedComponent58)
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(DirectLight, Cie171, testing::Bool(), test::nameOfMode);
 
 }

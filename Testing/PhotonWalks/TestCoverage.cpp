@@ -29,6 +29,7 @@ struct KnownScene
 {
   SceneObjects objects;
   std::vector<std::vector<double>> truth; ///< of each object's cells
+  bool isExact = false;                   ///< where it is gathered
 };
 
 /// Adds a side of n x n cells with its truth, the mean of `exact` over each cell.
@@ -144,7 +145,44 @@ KnownScene pointInRoom()
     }
   }
   room.addPointLight(light, 1000);
+  scene.isExact = true;
   scene.objects = { room.build(), {} };
+  return scene;
+}
+
+/// A room with a lamp and a ball, where half of the light is reflected. The truth are 16 long runs, which leave a
+/// gathered estimate's own seeds alone; with it an interval holds it by .2 % less often.
+KnownScene litRoom()
+{
+  ObjectBuilder room, ball;
+  room.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), 4, grey(0.5), true);
+  room.addQuad({ 1.5, 1, 4.8 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0.5, 100));
+  ball.addSphere({ 0, 0, 0 }, 0.8, 5, grey(0.7));
+  KnownScene scene;
+  scene.objects = { room.build(), { ball.build(test::shift({ 1.5, 1.2, 2 })) } };
+  for (std::uint32_t object = 0; object < 2; ++object)
+  {
+    scene.truth.emplace_back(scene.objects[object].material->numberOfCells, 0.0);
+  }
+  constexpr int kRuns = 16;
+  for (int run = 0; run < kRuns; ++run)
+  {
+    EngineSettings settings;
+    settings.numberOfWalks = test::scaled(400000);
+    settings.seed = 1000 + static_cast<std::uint64_t>(run);
+    settings.gathersDirectLight = true;
+    settings.verify = false;
+    IrradianceEngine engine;
+    Execution execution;
+    engine.update(scene.objects, settings, execution);
+    for (std::uint32_t object = 0; object < 2; ++object)
+    {
+      for (std::size_t cell = 0; cell < scene.truth[object].size(); ++cell)
+      {
+        scene.truth[object][cell] += engine.irradiance({ { object, cell }, 0 }, 0) / kRuns;
+      }
+    }
+  }
   return scene;
 }
 
@@ -179,20 +217,22 @@ void forEachCell(const IrradianceEngine& engine, const KnownScene& scene, const 
   }
 }
 
-}
-
-// 20 seeds of 100 to 216 lit cells: the share of intervals that hold the truth scatters by 0.3 to
-// 0.5 % and must lie within 2 % of 95 %. If it is exactly 95 %, less than 10^-4 of all choices of
-// seeds raise a false alarm; at 94.5 %, 0.2 %.
-TEST_P(Coverage, IntervalsHoldTheTruth)
+/// Of lit cells, of cells whose errors are known, and of intervals that hold the truth.
+struct Held
 {
-  const KnownScene scene = GetParam().make();
+  double cells = 0, known = 0, held = 0, knownArea = 0, heldArea = 0;
+  double above = 0; ///< intervals that lie above the truth
+};
+
+Held countHeld(const KnownScene& scene, bool isGathered)
+{
   EngineSettings settings;
   settings.numberOfWalks = test::scaled(60000);
   settings.replicates = 16;
   settings.verify = false;
+  settings.gathersDirectLight = isGathered;
   const double factor = ErrorEstimate::confidenceFactor(settings.replicates);
-  double cells = 0, known = 0, held = 0, knownArea = 0, heldArea = 0, above = 0;
+  Held all;
   for (int seed = 1; seed <= kSeeds; ++seed)
   {
     settings.seed = static_cast<std::uint64_t>(seed);
@@ -200,28 +240,50 @@ TEST_P(Coverage, IntervalsHoldTheTruth)
     Execution execution;
     engine.update(scene.objects, settings, execution);
     forEachCell(engine, scene, [&](double estimate, double error, double truth, double area) {
-      cells += truth > 0 ? 1 : 0;
+      all.cells += truth > 0 ? 1 : 0;
       if (!std::isnan(error))
       {
-        const bool holds = std::abs(estimate - truth) <= factor * error;
-        known += 1;
-        held += holds ? 1 : 0;
-        above += !holds && estimate > truth ? 1 : 0;
-        knownArea += area;
-        heldArea += holds ? area : 0;
+        // What is gathered from a point is known to rounding.
+        const bool holds = std::abs(estimate - truth) <= factor * error + 1e-6 * truth;
+        all.known += 1;
+        all.held += holds ? 1 : 0;
+        all.above += !holds && estimate > truth ? 1 : 0;
+        all.knownArea += area;
+        all.heldArea += holds ? area : 0;
       }
     });
   }
-  std::printf(
-    "%s: %.2f %% of %.0f intervals hold the truth, %.2f %% by area; %.2f %% are above it, "
-    "%.2f %% below; known in %.1f %% of the lit cells\n",
-    GetParam().name, 100 * held / known, known, 100 * heldArea / knownArea, 100 * above / known,
-    100 * (known - held - above) / known, 100 * known / cells);
-  if (!test::kIsSanitized) // with sanitizers there are too few walks to know much
+  return all;
+}
+
+}
+
+// 20 seeds of 100 to 216 lit cells: the share of intervals that hold the truth scatters by 0.3 to
+// 0.5 % and must lie within 2 % of 95 %. If it is exactly 95 %, less than 10^-4 of all choices of
+// seeds raise a false alarm; at 94.5 %, 0.2 %. Samples of a net are closer to the truth than the scatter of its
+// blocks says, so gathered intervals hold it more often: 96 to 99 %, which scatter by 0.2 to 0.4 %, and always where
+// the light of a point is known to rounding.
+TEST_P(Coverage, IntervalsHoldTheTruth)
+{
+  const KnownScene scene = GetParam().make();
+  for (const bool isGathered : { false, true })
   {
-    EXPECT_GE(known, 0.9 * cells);
-    EXPECT_NEAR(held / known, 0.95, 0.02);
-    EXPECT_NEAR(heldArea / knownArea, 0.95, 0.02);
+    const Held held = countHeld(scene, isGathered);
+    std::printf(
+      "%s, %s: %.2f %% of %.0f intervals hold the truth, %.2f %% by area; %.2f %% are above it, "
+      "%.2f %% below; known in %.1f %% of the lit cells\n",
+      GetParam().name, isGathered ? "gathered" : "shot", 100 * held.held / held.known, held.known,
+      100 * held.heldArea / held.knownArea, 100 * held.above / held.known,
+      100 * (held.known - held.held - held.above) / held.known, 100 * held.known / held.cells);
+    if (!test::kIsSanitized) // with sanitizers there are too few walks to know much
+    {
+      EXPECT_GE(held.known, 0.9 * held.cells);
+      for (const double share : { held.held / held.known, held.heldArea / held.knownArea })
+      {
+        EXPECT_GE(share, isGathered ? 0.94 : 0.93);
+        EXPECT_LE(share, !isGathered ? 0.97 : scene.isExact ? 1 : 0.995);
+      }
+    }
   }
 }
 
@@ -273,7 +335,8 @@ TEST_P(Coverage, TargetIsReachedOnMostOfTheArea)
 INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
   testing::Values(NamedScene{ "Furnace", furnace },
     NamedScene{ "PerpendicularSquares", perpendicularSquares },
-    NamedScene{ "Obstruction", obstruction }, NamedScene{ "PointInRoom", pointInRoom }),
+    NamedScene{ "Obstruction", obstruction }, NamedScene{ "PointInRoom", pointInRoom },
+    NamedScene{ "LitRoom", litRoom }),
   [](const auto& info) { return std::string(info.param.name); });
 
 }

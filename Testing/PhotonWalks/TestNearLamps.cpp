@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lamps where they are hard to gather from: near a surface, long, in a corner, on what they light, around all of it.
+
+#include "BothModes.h"
+#include "LambertContour.h"
+#include "TestScenes.h"
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::box;
+using test::grey;
+using test::ObjectBuilder;
+using test::ReplicateMean;
+
+// |t| > 3.5 with 63 degrees of freedom happens by chance in 0.09 % of the comparisons.
+constexpr int kSeeds = 64;
+constexpr double kFlux = 10;
+
+class NearLamps : public test::BothModes
+{
+protected:
+  /// What the cells of the static object receive, W, of so many walks.
+  static std::vector<ReplicateMean> received(const SceneObjects& objects, std::uint32_t walks)
+  {
+    std::vector<ReplicateMean> cells(objects.staticObject.material->numberOfCells);
+    overSeeds(objects, kSeeds, walks, [&](const IrradianceEngine& engine) {
+      for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      {
+        cells[cell].add(test::wattsOn(engine, 0, cell, cell + 1));
+      }
+    });
+    return cells;
+  }
+};
+
+/// The black room in which lamps are, the floor at z = 0.
+ObjectBuilder blackRoom()
+{
+  ObjectBuilder room;
+  room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 6, grey(0), true);
+  return room;
+}
+
+/// Watts on each cell of a static object, from those on each triangle.
+template <class Watts>
+std::vector<double> onCells(const SceneObject& object, const Watts& watts)
+{
+  std::vector<double> cells(object.material->numberOfCells, 0.0);
+  for (std::size_t i = 0; i < object.mesh().size(); ++i)
+  {
+    cells[object.material->cellOfTriangle[i]] += watts(object.mesh()[i]);
+  }
+  return cells;
+}
+
+/// Of a triangle, see van Oosterom and Strackee (1983).
+double solidAngle(const Triangle& triangle, const Vector3& from)
+{
+  const Vector3 a = (triangle.a - from).normalized(), b = (triangle.b - from).normalized(),
+                c = (triangle.c - from).normalized();
+  return std::abs(2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a)));
+}
+
+/// Student's t. What is gathered from a point is known to rounding; lights are clear of surfaces by 2^-33 of the
+/// coordinates.
+double tOf(const ReplicateMean& estimate, double truth)
+{
+  return std::abs(estimate.mean() / truth - 1) < 1e-6 ? 0 : estimate.t(truth);
+}
+
+/// Cells of which 100 walks or more would hit one, of all seeds together, one by one and together: chance exceeds
+/// the limit once in 10^4 (cells taken as independent).
+void expectCells(
+  const std::vector<ReplicateMean>& cells, const std::vector<double>& truth, std::uint32_t walks)
+{
+  double chiSquare = 0, count = 0, worst = 0, sum = 0, expected = 0;
+  for (std::size_t cell = 0; cell < truth.size(); ++cell)
+  {
+    sum += cells[cell].mean();
+    expected += truth[cell];
+    if (truth[cell] == 0)
+    {
+      EXPECT_EQ(cells[cell].mean(), 0) << "cell " << cell;
+    }
+    else if (truth[cell] / kFlux * walks * kSeeds > 100)
+    {
+      const double t = tOf(cells[cell], truth[cell]);
+      chiSquare += t * t;
+      worst = std::max(worst, std::abs(t));
+      ++count;
+    }
+  }
+  const double freedom = kSeeds - 1;
+  std::printf("%.0f cells: chi-square %.1f, largest |t| %.2f; %.6g of %.6g W arrive\n", count,
+    chiSquare * (freedom - 2) / freedom, worst, sum, expected);
+  EXPECT_GT(count, 5);
+  EXPECT_LE(chiSquare * (freedom - 2) / freedom, 1.1 * test::chiSquareLimit(count, 3.72));
+  EXPECT_NEAR(sum, expected, 0.01 * expected);
+}
+
+struct Rectangle
+{
+  Vector3 corner, u, v;
+};
+
+}
+
+// By reciprocity a cell receives what Lambert's formula says at the lamp's points, in the mean.
+TEST_P(NearLamps, ByLambertsFormula)
+{
+  const struct
+  {
+    const char* name;
+    Rectangle lamp;
+    int nu, nv; ///< points of the mean
+  } lamps[] = { { ".05 m over the floor", { { 1.5, 1.5, 0.05 }, { 0, 0.05, 0 }, { 0.05, 0, 0 } }, 9,
+                  9 },
+    { ".01 m over the floor", { { 1.5, 1.5, 0.01 }, { 0, 0.05, 0 }, { 0.05, 0, 0 } }, 5, 5 },
+    { "strip along a wall", { { 0.05, 0.2, 1.47 }, { 0, 0, 0.02 }, { 0, 3.6, 0 } }, 7, 160 },
+    { "in the plane of the ceiling", { { 1.5, 1.5, 3 }, { 0, 1, 0 }, { 1, 0, 0 } }, 12, 12 },
+    { "a panel", { { 1.5, 1.5, 2 }, { 0, 1, 0 }, { 1, 0, 0 } }, 12, 12 } };
+  for (const auto& [name, lamp, nu, nv] : lamps)
+  {
+    SCOPED_TRACE(name);
+    std::printf("%s\n", name);
+    ObjectBuilder room = blackRoom();
+    const Vector3 normal = lamp.u.cross(lamp.v), unit = normal.normalized();
+    const SceneObject walls = room.build();
+    const std::vector<double> truth =
+      onCells(walls, [&, nu = nu, nv = nv, &lamp = lamp](const Triangle& triangle) {
+        double sum = 0;
+        for (int k = 0; k < nu * nv; ++k)
+        {
+          const Vector3 point =
+            lamp.corner + lamp.u * ((k % nu + 0.5) / nu) + lamp.v * ((k / nu + 0.5) / nv);
+          sum += test::lambertIrradiance(
+            point, unit, test::aboveHorizon({ triangle.a, triangle.b, triangle.c }, point, unit));
+        }
+        return kFlux * sum / (nu * nv);
+      });
+    room.addQuad(lamp.corner, lamp.u, lamp.v, 1, 1, grey(0, kFlux / normal.norm()));
+    const std::uint32_t walks = test::scaled(100000);
+    expectCells(received({ room.build(), {} }, walks), truth, walks);
+  }
+}
+
+// A cell receives its solid angle; in a corner, of the eighth of a sphere that is open.
+TEST_P(NearLamps, PointLights)
+{
+  const struct
+  {
+    Vector3 position;
+    double sphere; ///< sr
+  } lights[] = { { { 1, 3, 0.5 }, 4 * M_PI }, { { 1, 3, 0.01 }, 4 * M_PI },
+    { { 1, 0, 0.5 }, 2 * M_PI }, { { 0, 0, 3 }, 0.5 * M_PI } };
+  for (const auto& [position, sphere] : lights)
+  {
+    SCOPED_TRACE(testing::Message() << "at " << position.transpose());
+    ObjectBuilder room = blackRoom();
+    const std::vector<double> truth =
+      onCells(room.build(), [&, &position = position, sphere = sphere](const Triangle& triangle) {
+        const double height = triangle.areaVector().normalized().dot(position - triangle.a);
+        return std::abs(height) < 1e-9 ? 0 : kFlux * solidAngle(triangle, position) / sphere;
+      });
+    room.addPointLight(position, kFlux);
+    const std::uint32_t walks = test::scaled(30000);
+    expectCells(received({ room.build(), {} }, walks), truth, walks);
+  }
+}
+
+// A black box of 1 x 1 m stands on a light table of 3 x 3 m. Its bottom receives what the table emits; a row of its
+// sides what Lambert's formula says of the part of the table before it.
+TEST_P(NearLamps, APartOnALightTable)
+{
+  ObjectBuilder table, part;
+  table.addQuad({ -1.5, -1.5, 0 }, { 3, 0, 0 }, { 0, 3, 0 }, 3, 3, grey(0, 2));
+  part.addBox(box({ -0.5, -0.5, 0 }, { 0.5, 0.5, 1 }), 2, grey(0));
+  const std::vector<Vector3> before{ { 0.5, -1.5, 0 }, { 1.5, -1.5, 0 }, { 1.5, 1.5, 0 },
+    { 0.5, 1.5, 0 } };
+  double rows[2] = { 0, 0 }; // of cells, lower and upper
+  for (int row = 0; row < 2; ++row)
+  {
+    rows[row] = 2 *
+      test::meanOverRectangle(
+        { 0.5, -0.5, 0.5 * row }, { 0, 0.5, 0 }, { 0, 0, 0.5 }, 200, [&](const Vector3& p) {
+          return test::lambertIrradiance(p, { 1, 0, 0 }, before);
+        });
+  }
+  const SceneObject standing = part.build();
+  std::vector<double> heights(24, 0); // of each cell's highest corner
+  for (std::size_t i = 0; i < standing.mesh().size(); ++i)
+  {
+    const Triangle triangle = standing.mesh()[i];
+    double& height = heights[standing.material->cellOfTriangle[i]];
+    height = std::max({ height, triangle.a[2], triangle.b[2], triangle.c[2] });
+  }
+  ReplicateMean bottom, lower, upper, top;
+  overSeeds({ table.build(), { standing } }, kSeeds, test::scaled(30000),
+    [&](const IrradianceEngine& engine) {
+      double onSides[2] = { 0, 0 };
+      for (std::size_t cell = 0; cell < 16; ++cell)
+      {
+        onSides[heights[cell] > 0.5 ? 1 : 0] += engine.irradiance({ { 1, cell } }, 0) / 8;
+      }
+      lower.add(onSides[0]);
+      upper.add(onSides[1]);
+      bottom.add(test::wattsOn(engine, 1, 16, 20));
+      top.add(test::wattsOn(engine, 1, 20, 24));
+    });
+  bottom.print("bottom", 2);
+  lower.print("lower half of the sides", rows[0]);
+  upper.print("upper half of the sides", rows[1]);
+  EXPECT_LE(std::abs(tOf(bottom, 2)), 3.5);
+  EXPECT_LE(std::abs(lower.t(rows[0])), 3.5);
+  EXPECT_LE(std::abs(upper.t(rows[1])), 3.5);
+  EXPECT_EQ(top.mean(), 0);
+}
+
+// E = M / (1 - rho) in every cell: a lamp of the whole inside of a box, that reflects its own light.
+TEST_P(NearLamps, InAClosedBodyLightStaysInside)
+{
+  ObjectBuilder room, body;
+  room.addBox(box({ -3, -3, -3 }, { 3, 3, 3 }), 3, grey(0.5), true);
+  body.addBox(box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }), 2, grey(0.6, 1), true);
+  ReplicateMean all;
+  std::vector<ReplicateMean> cells(24);
+  overSeeds({ room.build(), { body.build() } }, kSeeds, test::scaled(30000),
+    [&](const IrradianceEngine& engine) {
+      EXPECT_EQ(test::wattsOn(engine, 0, 0, 54), 0);
+      for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      {
+        cells[cell].add(engine.irradiance({ { 1, cell } }, 0));
+      }
+      all.add(test::wattsOn(engine, 1, 0, 24) / 6);
+    });
+  for (const ReplicateMean& cell : cells)
+  {
+    cell.print("inside", 2.5);
+    EXPECT_LE(std::abs(cell.t(2.5)), 3.5);
+  }
+  all.print("all", 2.5);
+  EXPECT_LE(std::abs(all.t(2.5)), 3.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(DirectLight, NearLamps, testing::Bool(), test::nameOfMode);
+
+}
