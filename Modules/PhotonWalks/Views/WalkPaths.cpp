@@ -57,7 +57,7 @@ std::vector<std::uint32_t> WalkPaths::firstBorn(std::size_t most) const
       set.lights().isEmpty() ? 0 : set.plan().walksAfter(set.sums().rounds());
     for (std::uint32_t i = 0; i < all; ++i)
     {
-      if (!set.gathered() || set.history().size(first + i) > 0)
+      if (!set.gathered() || set.gathered()->isBorn(first + i))
       {
         walks.emplace_back(SobolPoint::reversed(i), first + i);
       }

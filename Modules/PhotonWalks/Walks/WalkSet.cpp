@@ -333,7 +333,7 @@ void WalkSet::followGathered(
   for (const std::uint32_t walk :
     gathered_->follow({ space.scene, space.triangles, space.contacts }, boxes, totals(), beginning))
   {
-    if (has(walk))
+    if (isDealt(walk))
     {
       (gathered_->isBorn(walk) ? born : gone).push_back(walk);
     }

@@ -13,6 +13,7 @@
 #include "Walks/WalkSettings.h"
 #include "Walks/WalkSource.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -76,7 +77,10 @@ public:
   bool isOf(const Ranks& ranks, bool all) const { return blocks_ == dealt(ranks, all); }
   /// Whether other ranks have walks of it.
   bool isShared() const { return !(blocks_ == DealtBlocks()); }
-  bool has(std::uint32_t walk) const { return blocks_.contains(plan().blockOf(walk)); }
+  bool has(std::uint32_t walk) const
+  {
+    return isDealt(walk) && !std::binary_search(unborn_.begin(), unborn_.end(), walk);
+  }
   /// What arrived in the cells themselves.
   const CellSums& sums() const { return sums_; }
   const PowerBalance& balance() const { return balance_; }
@@ -120,6 +124,8 @@ private:
   }
   /// Of each walk, if there is one band.
   Power powerPerWalk() const { return { { source_.quantaPerWalk() } }; }
+  /// Whether it is a walk of this rank.
+  bool isDealt(std::uint32_t walk) const { return blocks_.contains(plan().blockOf(walk)); }
   int sides() const { return settings_.separateSides ? 2 : 1; }
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   /// What it takes before the walks of the next round are shot: gathered light, and room.
