@@ -95,8 +95,8 @@ TEST(NearestPhotonEstimator, UpdateEqualsRebuild)
   }
 }
 
-// In a black scene no photon flies, and each cell has what it gathered.
-TEST(NearestPhotonEstimator, AddsWhatWasGathered)
+// In a black scene no walk is born: there is no photon to look for, and each cell has what it gathered.
+TEST(NearestPhotonEstimator, WithoutAPhotonCellsHaveWhatTheyGathered)
 {
   ObjectBuilder floor;
   floor.addQuad({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 10, 10, test::grey(0));
