@@ -31,6 +31,7 @@ struct Inputs
   bool SeparateSides = false;
   double DefaultDiffuseReflectance = 0.5;
   int CellEstimate = 0;
+  int DirectLight = 0;
   int NumberOfSpreadPhotons = 250;
   vtkIdType NumberOfOutputWalks = 0;
   vtkIdType OutputWalksCell = -1;
@@ -57,6 +58,13 @@ void ReadSettings(ByteReader& bytes, Inputs& inputs)
   inputs.Seed = bytes.byte();
   inputs.NumberOfOutputWalks = inputs.Seed % 3 == 0 ? 0 : inputs.Seed;
   inputs.OutputWalksCell = inputs.Seed % 16 == 1 ? 0 : -1; // no such cell is an error
+  inputs.DirectLight =
+    inputs.Seed % 4 == 3 ? vtkIrradianceFilter::Gathered : vtkIrradianceFilter::Shot;
+  if (inputs.DirectLight == vtkIrradianceFilter::Gathered) // what it excludes
+  {
+    inputs.CellEstimate = 0;
+    inputs.NumberOfOutputWalks = 0;
+  }
   inputs.TraversalMode = bytes.below(3);
   inputs.CacheStaticHits = bytes.below(2) == 0;
   inputs.SeparateSides = bytes.oneIn(4);
@@ -105,6 +113,7 @@ void Apply(vtkIrradianceFilter* filter, const Inputs& inputs)
   filter->SetSeparateSides(inputs.SeparateSides);
   filter->SetDefaultDiffuseReflectance(inputs.DefaultDiffuseReflectance);
   filter->SetCellEstimate(inputs.CellEstimate);
+  filter->SetDirectLight(inputs.DirectLight);
   filter->SetNumberOfSpreadPhotons(inputs.NumberOfSpreadPhotons);
   filter->SetNumberOfOutputWalks(inputs.NumberOfOutputWalks);
   filter->SetOutputWalksPort(inputs.Seed % 2);
@@ -200,7 +209,10 @@ bool CheckNumbers(vtkIrradianceFilter* filter)
     const double emitted = TestScenes::Field(filter, "EmittedPower", band);
     const double absorbed = TestScenes::Field(filter, "AbsorbedPower", band);
     const double escaped = TestScenes::Field(filter, "EscapedPower", band);
-    if (!std::isfinite(emitted) || emitted != absorbed + escaped)
+    // Of gathered light either may be more than what is emitted; then the sum of two doubles loses a bit.
+    const double rounding =
+      filter->GetDirectLight() == vtkIrradianceFilter::Gathered ? 1e-15 * std::abs(escaped) : 0;
+    if (!std::isfinite(emitted) || !(std::abs(emitted - (absorbed + escaped)) <= rounding))
     {
       Fail("emitted " + std::to_string(emitted) + ", absorbed " + std::to_string(absorbed) +
         ", escaped " + std::to_string(escaped));
