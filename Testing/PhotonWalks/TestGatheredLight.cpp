@@ -62,7 +62,7 @@ constexpr int kSeeds = test::kIsSanitized ? 64 : 16384;
 }
 
 // Lambert's formula for a cell of 1 mm across and along a lamp of 1 x 1 m, 1 m (C-11's distance) and .1 m
-// away. Four samples of each seed are all there are for so small a cell.
+// away. Two samples of each seed are all there are for so small a cell.
 TEST(GatheredLight, ASmallCellBesideALargeLamp)
 {
   const std::vector<Vector3> lamp{ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
@@ -149,6 +149,30 @@ TEST(GatheredLight, AllPowerArrives)
       received.add(test::wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells));
     });
     expectMean(received, flux, 0.02, name); // near lamps make much noise
+  }
+}
+
+// Lights near to what may move are gathered, however near they are.
+TEST(GatheredLight, AllPowerArrivesOnAFloorThatMayMove)
+{
+  const Box walls = box({ 0, 0, 0 }, { 4, 4, 3 });
+  for (const double height : { 0.05, 0.01 })
+  {
+    ObjectBuilder room, floor;
+    for (const int side : { 0, 1, 2, 3, 5 })
+    {
+      room.addSide(walls, side, 6, grey(0), true);
+    }
+    floor.addSide(walls, 4, 6, grey(0), true);
+    room.addQuad({ 1.5, 1.5, height }, { 0, 0.05, 0 }, { 0.05, 0, 0 }, 1, 1, grey(0, 1000));
+    const SceneObjects objects{ room.build(), { floor.build() } };
+    ReplicateMean received;
+    overSeeds(objects, 64, test::scaled(100000), [&](const IrradianceEngine& engine) {
+      EXPECT_EQ(engine.walks().sets().size(), 2u);
+      received.add(test::wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells) +
+        test::wattsOn(engine, 1, 0, 36));
+    });
+    expectMean(received, 2.5, 0.02, "lamp over the floor");
   }
 }
 

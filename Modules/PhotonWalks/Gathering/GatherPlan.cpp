@@ -16,11 +16,10 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, std::ui
   ThrottledCancelPoint pace(cancelPoint);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
-    std::uint32_t samples = 0;
-    if (cells[cell].area > 0)
+    std::uint32_t samples = cells[cell].area > 0 ? numberFor(0) : 0;
+    if (samples > 0 && numberFor(choice.mostPower(cells[cell]) * walksPerWatt) > samples)
     {
-      choice.weigh(cells[cell]);
-      samples = numberFor(choice.expectedPower() * walksPerWatt);
+      samples = numberFor(choice.expectedPower(cells[cell]) * walksPerWatt);
     }
     if (firsts_.back() + samples < firsts_.back())
     {

@@ -21,10 +21,12 @@ public:
   /// The argument must outlive it.
   explicit LampChoice(const LampPieces& lamps);
 
+  /// W that a cell would receive if nothing stood between; roughly.
+  double expectedPower(const CellShape& cell);
+  /// Not less than that, and sooner known; infinite among the lamps.
+  double mostPower(const CellShape& cell) const;
   /// For this cell.
   void weigh(const CellShape& cell);
-  /// W that the cell would receive if nothing stood between; roughly.
-  double expectedPower() const { return expected_; }
 
   struct Choice
   {
@@ -40,9 +42,9 @@ private:
   static constexpr double kByFlux = 0.05;
 
   const LampPieces& lamps_;
-  double expected_ = 0;
+  Box centers_;                    ///< of the pieces
   std::vector<double> weights_;    ///< by piece
-  std::vector<double> cumulative_; ///< up to and including each piece; the last is 1
+  std::vector<double> cumulative_; ///< up to and including each piece
 };
 
 }

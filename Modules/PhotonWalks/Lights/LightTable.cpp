@@ -30,6 +30,20 @@ LightTable::LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
   setQuantaPerWalk(quantaPerWalk_);
 }
 
+LightTable LightTable::only(const std::vector<bool>& chosen) const
+{
+  LightTable some;
+  for (std::size_t i = 0; i < lights_.size(); ++i)
+  {
+    if (chosen[i])
+    {
+      some.add(lights_[i]);
+    }
+  }
+  some.setQuantaPerWalk(quantaPerWalk_);
+  return some;
+}
+
 void LightTable::setQuantaPerWalk(std::int64_t quanta)
 {
   quantaPerWalk_ = quanta;

@@ -22,6 +22,9 @@ public:
   LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {},
     std::uint32_t group = 0);
 
+  /// Those lights alone for which `chosen` holds, with the same quanta.
+  LightTable only(const std::vector<bool>& chosen) const;
+
   bool isEmpty() const { return lights_.empty(); }
   const std::vector<Light>& lights() const { return lights_; }
   /// Bounds of the lights in the air, which no triangle bounds.

@@ -28,9 +28,11 @@ bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Fun
 
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
 {
-  return isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
-    return !(a.emits() || b.emits()) || (isSameThing(a, b) && !hasMoved(a, b));
-  });
+  // Which lights are near static cells is known of them as well.
+  return now.staticObject.body == before.staticObject.body &&
+    isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
+      return !(a.emits() || b.emits()) || (isSameThing(a, b) && !hasMoved(a, b));
+    });
 }
 
 bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSource.h"
 
+#include "Gathering/NearLights.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
@@ -36,23 +37,41 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan)
   const std::uint32_t times = std::uint32_t{ 1 } << std::ilogb(plan.most() / first);
   const double flux = std::accumulate(sources.begin(), sources.end(), 0.0,
     [](double sum, const WalkSource& source) { return sum + source.lights.flux(); });
-  std::vector<std::uint32_t> walks;
-  std::uint32_t firstWalk = 0;
+  std::uint32_t firstWalk = plan.replicates().firstWalk();
   for (WalkSource& source : sources)
   {
-    const double share = source.lights.flux() / flux * first / replicates;
-    walks.push_back(replicates * std::max(1u, static_cast<std::uint32_t>(share)));
-    source.plan = WalkPlan(walks.back(), walks.back() * times, replicates, firstWalk);
-    firstWalk += walks.back() * times;
+    LightTable& lights = source.lights;
+    const double share = lights.flux() / flux * first;
+    const std::uint32_t walks =
+      replicates * std::max(1u, static_cast<std::uint32_t>(share / replicates));
+    source.plan = WalkPlan(walks, walks * times, replicates, firstWalk);
+    firstWalk += walks * times;
+    lights.setQuantaPerWalk(std::max<std::int64_t>(
+      1, std::llround(static_cast<double>(lights.quantaPerWalk()) * (share / walks))));
   }
-  const double all = std::accumulate(walks.begin(), walks.end(), 0.0);
-  for (std::size_t i = 0; i < sources.size(); ++i)
+}
+
+/// Parts a source in two, with the lights that are near static cells and with all others; no part that is
+/// worth less than a walk of each replicate.
+std::vector<WalkSource> partedByNearness(const SceneObjects& objects, const WalkSource& source)
+{
+  std::vector<bool> chosen = findNearLights(objects, source.lights);
+  std::vector<WalkSource> parts{ { source.lights.only(chosen), source.plan },
+    { {}, source.plan, CellPart::Static } };
+  chosen.flip();
+  parts[1].lights = source.lights.only(chosen);
+  const double least =
+    source.lights.flux() / source.plan.walksAfter(1) * source.plan.replicates().count();
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    LightTable& lights = sources[i].lights;
-    const double quanta =
-      static_cast<double>(lights.quantaPerWalk()) * (lights.flux() / flux) * (all / walks[i]);
-    lights.setQuantaPerWalk(std::max<std::int64_t>(1, std::llround(quanta)));
+    if (parts[i].lights.flux() <= least)
+    {
+      parts[1 - i].lights = source.lights;
+      return { parts[1 - i] };
+    }
   }
+  deal(parts, source.plan);
+  return parts;
 }
 
 }
@@ -83,29 +102,40 @@ std::vector<WalkSource> sourcesOf(
 std::vector<WalkSource> gatheredSourcesOf(
   const SceneObjects& objects, const std::vector<WalkSource>& sources)
 {
-  std::vector<WalkSource> gathered;
-  const bool hasDynamic = !objects.dynamicObjects.empty();
-  const auto count = static_cast<std::uint32_t>(sources.size() * (hasDynamic ? 2 : 1));
+  std::vector<WalkSource> gathered, all;
+  std::uint32_t end = 0; // of the numbers of walks that start at lights
   // Where little is reflected, many weak walks are of no use.
   constexpr double kLeast = 0.0625;
   const double reflected = std::clamp(meanReflectance(objects.staticObject), kLeast, 1.0);
   for (const WalkSource& source : sources)
   {
+    for (WalkSource& part : partedByNearness(objects, source))
+    {
+      end = part.cells ? end : part.plan.endWalk();
+      (part.cells ? gathered : all).push_back(std::move(part));
+    }
+  }
+  const bool hasDynamic = !objects.dynamicObjects.empty();
+  const auto count = static_cast<std::uint32_t>(gathered.size() * (hasDynamic ? 2 : 1));
+  const std::uint32_t share =
+    (std::numeric_limits<std::uint32_t>::max() - end) / std::max(1u, count);
+  for (const WalkSource& source : gathered)
+  {
     for (const CellPart part : { CellPart::Static, CellPart::Dynamic })
     {
       if (part == CellPart::Static || hasDynamic)
       {
+        all.push_back(source);
+        all.back().cells = part;
         // How many walks are born is not known yet: numbers are shared evenly.
-        const auto number = static_cast<std::uint32_t>(gathered.size());
-        gathered.push_back(source);
-        gathered.back().cells = part;
-        gathered.back().quantaPerStart = std::max<std::int64_t>(
+        all.back().quantaPerStart = std::max<std::int64_t>(
           1, std::llround(reflected * static_cast<double>(source.lights.quantaPerWalk())));
-        gathered.back().firstWalk = number * (std::numeric_limits<std::uint32_t>::max() / count);
+        all.back().firstWalk = end;
+        end += share;
       }
     }
   }
-  return gathered;
+  return all;
 }
 
 }

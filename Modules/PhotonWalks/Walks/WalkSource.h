@@ -45,8 +45,12 @@ struct WalkSource
 std::vector<WalkSource> sourcesOf(
   const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
 
-/// Of each source two, with walks that start at static cells and at dynamic ones; one if nothing is dynamic. About as
-/// many walks start as the plan has, if the light falls on static cells that reflect as all of them on average.
+/**
+ * Where cells gather direct light: for each source one whose walks start at static cells, and one at dynamic
+ * cells if any object may move. Lights that shine mostly on near static cells have a source of their own, whose
+ * walks start at the lights, see findNearLights(). Walks are shared as among groups. About as many
+ * walks start at cells as the plan has, if the light falls on static cells that reflect as all of them on average.
+ */
 std::vector<WalkSource> gatheredSourcesOf(
   const SceneObjects& objects, const std::vector<WalkSource>& sources);
 

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/NearLights.h"
+
+#include "EngineRun.h"
+#include "StaleLight.h"
+#include "TestScenes.h"
+#include "ThreadExecution.h"
+#include "TwoGroups.h"
+
+#include <gtest/gtest.h>
+
+// Lights that shine mostly on static cells near to them are shot where all others are gathered.
+
+namespace irradiance
+{
+namespace
+{
+
+using test::box;
+using test::grey;
+using test::ObjectBuilder;
+
+constexpr double kReflectance = 0.5;
+
+/// Walls of 4 x 4 x 3 units, in cells of .67 x .67 and .67 x .5.
+void addWalls(ObjectBuilder& room, double unit = 1)
+{
+  room.addBox(box({ 0, 0, 0 }, { 4 * unit, 4 * unit, 3 * unit }), 6, grey(kReflectance), true);
+}
+
+/// A square that shines down; 2 triangles.
+void addLamp(ObjectBuilder& room, double height, double edge, double watts, double unit = 1)
+{
+  room.addQuad(unit * Vector3(1.5, 1.5, height), { 0, unit * edge, 0 }, { unit * edge, 0, 0 }, 1, 1,
+    grey(0, watts / (unit * unit * edge * edge)));
+}
+
+/// Along the wall y = 0, to which it shines.
+void addStrip(ObjectBuilder& room, double watts)
+{
+  room.addQuad({ 0.2, 0.05, 2 }, { 3.6, 0, 0 }, { 0, 0, 0.03 }, 1, 1, grey(0, watts / 0.108));
+}
+
+/// A panel, a strip along a wall, a lamp over the floor, and a ball that may move.
+SceneObjects nearAndFar()
+{
+  ObjectBuilder room, ball;
+  addWalls(room);
+  addLamp(room, 2.5, 1, 8);
+  addLamp(room, 0.05, 0.05, 3);
+  addStrip(room, 3);
+  ball.addSphere({ 0, 0, 0 }, 0.2, 4, grey(kReflectance));
+  SceneObjects objects{ room.build(), { ball.build() } };
+  objects.dynamicObjects[0].worldFromObject = test::shift({ 0.4, 1.55, 0.25 });
+  return objects;
+}
+
+EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks, bool isGathered = true)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(walks);
+  settings.seed = seed;
+  settings.replicates = 16;
+  settings.gathersDirectLight = isGathered;
+  return settings;
+}
+
+std::vector<bool> nearLightsOf(const SceneObjects& objects)
+{
+  return findNearLights(objects, LightTable(objects, 1000));
+}
+
+std::vector<WalkSource> gatheredOf(const SceneObjects& objects, const WalkPlan& plan)
+{
+  return gatheredSourcesOf(objects, sourcesOf(objects, plan));
+}
+
+double quantaPerWatt(const WalkSource& source)
+{
+  return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
+    source.lights.flux();
+}
+
+TEST(NearLights, AreFoundByWhatTheyShineOn)
+{
+  for (const double unit : { 1.0, 0x1p-20, 0x1p30 })
+  {
+    ObjectBuilder room;
+    addWalls(room, unit);
+    addLamp(room, 0.05, 0.05, 1, unit);
+    addLamp(room, 0.4, 0.05, 1, unit); // farther than half of a cell
+    addLamp(room, 2.95, 1, 1, unit);   // near to the ceiling behind it alone
+    room.addPointLight(unit * Vector3(2, 2, 0.05), 1);
+    EXPECT_EQ(nearLightsOf({ room.build(), {} }),
+      (std::vector<bool>{ true, true, false, false, false, false, false }))
+      << "unit " << unit;
+  }
+  const std::vector<bool> near = nearLightsOf(nearAndFar());
+  EXPECT_EQ(near, (std::vector<bool>{ false, false, true, true, true, true }));
+}
+
+TEST(NearLights, NeverDependOnWhatMayMove)
+{
+  ObjectBuilder room, floor, lamp;
+  addWalls(room);
+  addLamp(room, 2.5, 1, 8);
+  floor.addQuad({ 0, 0, 2.45 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kReflectance));
+  EXPECT_EQ(nearLightsOf({ room.build(), { floor.build() } }), std::vector<bool>(2, false));
+  // A lamp itself may be of a dynamic object.
+  addLamp(lamp, 0.05, 0.05, 1);
+  EXPECT_EQ(nearLightsOf({ room.build(), { lamp.build() } }),
+    (std::vector<bool>{ false, false, true, true }));
+}
+
+/// A lamp that lies on a wall and shines into it lights just what it covers; samples know that exactly.
+TEST(NearLights, AreNotThoseThatTouch)
+{
+  ObjectBuilder room;
+  addWalls(room);
+  addLamp(room, 0, 0.05, 1);
+  EXPECT_EQ(nearLightsOf({ room.build(), {} }), std::vector<bool>(2, false));
+}
+
+TEST(NearLights, HaveASourceOfTheirOwn)
+{
+  const WalkPlan plan(10030, 7 * 10030, 16);
+  const SceneObjects objects = nearAndFar();
+  const std::vector<WalkSource> sources = gatheredOf(objects, plan);
+  ASSERT_EQ(sources.size(), 3u);
+  EXPECT_FALSE(sources[0].cells.has_value());
+  EXPECT_EQ(sources[0].lights.lights().size(), 4u);
+  EXPECT_NEAR(sources[0].lights.flux(), 6, 1e-9);
+  EXPECT_EQ(sources[1].cells, CellPart::Static);
+  EXPECT_EQ(sources[2].cells, CellPart::Dynamic);
+  for (const std::size_t i : { 1, 2 })
+  {
+    EXPECT_EQ(sources[i].lights.lights().size(), 2u);
+    EXPECT_NEAR(sources[i].lights.flux(), 8, 1e-9);
+    EXPECT_TRUE(sources[i].plan == sources[1].plan);
+    EXPECT_NEAR(quantaPerWatt(sources[i]) / quantaPerWatt(sources[0]), 1, 1e-6);
+  }
+  // Numbers of walks differ, as far as that many walks can be born.
+  EXPECT_LE(sources[0].plan.endWalk(), sources[1].firstWalk);
+  EXPECT_GT(sources[2].firstWalk - sources[1].firstWalk, 1u << 30);
+  EXPECT_GT(0xffffffffu - sources[2].firstWalk, 1u << 30);
+  EXPECT_EQ(sources[0].plan.rounds().size(), sources[1].plan.rounds().size());
+  EXPECT_NEAR(sources[0].plan.walksAfter(1), 10030.0 * 6 / 14, 16);
+  EXPECT_NEAR(sources[1].plan.walksAfter(1), 10030.0 * 8 / 14, 16);
+}
+
+TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
+{
+  const WalkPlan plan(10000, 10000, 16);
+  ObjectBuilder near, far, weak;
+  addWalls(near);
+  addStrip(near, 3);
+  const SceneObjects allNear{ near.build(), {} };
+  EXPECT_TRUE(gatheredOf(allNear, plan) == sourcesOf(allNear, plan));
+
+  addWalls(far);
+  addLamp(far, 2.5, 1, 8);
+  const SceneObjects allFar{ far.build(), {} };
+  std::vector<WalkSource> expected = sourcesOf(allFar, plan);
+  expected[0].cells = CellPart::Static;
+  EXPECT_TRUE(gatheredOf(allFar, plan) == expected);
+
+  addStrip(far, 0.99 * 8 * 16 / 10000); // less than a walk of each replicate
+  const SceneObjects withWeak{ far.build(), {} };
+  const std::vector<WalkSource> sources = gatheredOf(withWeak, plan);
+  ASSERT_EQ(sources.size(), 1u);
+  EXPECT_EQ(sources[0].cells, CellPart::Static);
+  EXPECT_EQ(sources[0].lights.lights().size(), 4u);
+  EXPECT_TRUE(sources[0].plan == plan);
+}
+
+TEST(NearLights, OfEachGroupHaveQuantaOfTheSameWorth)
+{
+  SceneObjects objects = nearAndFar();
+  ObjectBuilder room;
+  addWalls(room);
+  addLamp(room, 2.5, 1, 8);
+  addLamp(room, 0.05, 0.05, 3);
+  room.addPointLight({ 3, 3, 2 }, 5);
+  objects.staticObject = room.build();
+  const std::vector<WalkSource> sources =
+    gatheredOf(test::inTwoGroups(objects), { 10030, 10030, 16 });
+  ASSERT_EQ(sources.size(), 5u);
+  for (const WalkSource& source : sources)
+  {
+    EXPECT_NEAR(quantaPerWatt(source) / quantaPerWatt(sources[0]), 1, 1e-6);
+  }
+}
+
+/// Of some 270 cells with an error bar, one is off by more than 5.5 standard errors (Student's t of 15
+/// degrees of freedom) in one run of 60.
+TEST(NearLights, BringWhatShootingBrings)
+{
+  const SceneObjects objects = nearAndFar();
+  IrradianceEngine shot, gathered;
+  Execution serial;
+  shot.update(objects, settingsOf(3, 400000, false), serial);
+  gathered.update(objects, settingsOf(4, 400000), serial);
+  ASSERT_EQ(gathered.walks().sets().size(), 3u);
+  test::expectBalance(gathered);
+  EXPECT_NEAR(gathered.watts(gathered.balance().emitted.total()), 14, 1e-5);
+  const ErrorEstimate shotError = shot.errorEstimate(), error = gathered.errorEstimate();
+  int compared = 0;
+  shot.cells().numbers().forEach([&](const SceneCell& cell) {
+    const CellSide side{ cell };
+    const double bar = std::hypot(shot.watts(shotError.standardError(side, 0)),
+                         gathered.watts(error.standardError(side, 0))) /
+      shot.cells().area(cell);
+    if (!std::isnan(bar))
+    {
+      EXPECT_NEAR(gathered.irradiance(side, 0), shot.irradiance(side, 0), 5.5 * bar)
+        << "cell " << cell.cell << " of object " << cell.object;
+      ++compared;
+    }
+  });
+  EXPECT_GT(compared, test::kIsSanitized ? 50 : 200);
+}
+
+/// The ball passes over the lamp, through it, and through the light of it.
+TEST(NearLights, FollowAMoverToTheBitsOfAFreshStart)
+{
+  EngineSettings settings = settingsOf(5, 40000);
+  IrradianceEngine engine;
+  test::ThreadExecution threads(2);
+  SceneObjects objects = nearAndFar();
+  engine.update(objects, settings, threads);
+  std::int64_t repaired = 0;
+  for (int frame = 1; frame <= 8; ++frame)
+  {
+    objects.dynamicObjects[0].worldFromObject.translation[0] += 0.3;
+    engine.update(objects, settings, threads);
+    repaired += engine.walks().sets()[0].statistics().repairedSegments;
+    ASSERT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings))
+      << "frame " << frame;
+    test::expectBalance(engine);
+  }
+  EXPECT_GT(repaired, 0);
+}
+
+/// The lamp itself stays; what it shines on comes near to it.
+TEST(NearLights, FollowAnotherStaticObject)
+{
+  const auto withFloor = [](double height) {
+    ObjectBuilder room;
+    addWalls(room);
+    room.addQuad({ 0, 0, height }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kReflectance));
+    return room.build();
+  };
+  ObjectBuilder lamp;
+  addLamp(lamp, 1.05, 0.05, 3);
+  SceneObjects objects{ withFloor(0.2), { lamp.build() } };
+  EngineSettings settings = settingsOf(6, 10000);
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  EXPECT_EQ(engine.walks().sets().size(), 2u);
+  objects.staticObject = withFloor(1);
+  engine.update(objects, settings, serial);
+  EXPECT_EQ(engine.walks().sets().size(), 1u);
+  EXPECT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings));
+}
+
+}
+}
