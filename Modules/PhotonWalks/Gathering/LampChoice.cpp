@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace irradiance
 {
@@ -41,43 +42,63 @@ double powerBetween(const LampPiece& lamp, const CellShape& cell)
 }
 
 LampChoice::LampChoice(const LampPieces& lamps)
-  : lamps_(lamps)
-  , weights_(lamps.size())
-  , cumulative_(lamps.size())
+  : tree_(lamps.tree())
+  , centers_(lamps.centers())
 {
-  for (std::size_t i = 0; i < lamps.size(); ++i)
+}
+
+LampChoice::Group LampChoice::groupOf(std::uint32_t node, const CellShape& cell) const
+{
+  const LampTree::Node& lamps = tree_.nodes()[node];
+  const double power = powerBetween(lamps.lamp, cell);
+  const double squared = (cell.center - lamps.lamp.center).squaredNorm();
+  const double radius = lamps.lamp.radius * lamps.lamp.radius;
+  const bool isWide = !lamps.isLeaf() && radius > kTogether * kTogether * squared;
+  return { node, power,
+    isWide ? std::max(power, kByFlux * lamps.lamp.flux) * radius / std::max(radius, squared) : 0 };
+}
+
+/// Those with the widest spread are halved first.
+void LampChoice::findGroups(const CellShape& cell)
+{
+  groups_.assign(1, groupOf(0, cell));
+  while (groups_.size() < kMost && groups_.front().spread > 0)
   {
-    centers_.add(lamps[i].center);
+    std::pop_heap(groups_.begin(), groups_.end());
+    const std::uint32_t children = tree_.nodes()[groups_.back().node].children;
+    groups_.pop_back();
+    for (const std::uint32_t child : { children, children + 1 })
+    {
+      groups_.push_back(groupOf(child, cell));
+      std::push_heap(groups_.begin(), groups_.end());
+    }
   }
 }
 
 double LampChoice::expectedPower(const CellShape& cell)
 {
-  double expected = 0;
-  for (std::size_t i = 0; i < lamps_.size(); ++i)
-  {
-    weights_[i] = powerBetween(lamps_[i], cell);
-    expected += weights_[i];
-  }
-  return expected;
+  findGroups(cell);
+  return std::accumulate(groups_.begin(), groups_.end(), 0.0,
+    [](double sum, const Group& group) { return sum + group.power; });
 }
 
 double LampChoice::mostPower(const CellShape& cell) const
 {
   const Vector3 nearest = cell.center.cwiseMax(centers_.lower).cwiseMin(centers_.upper);
-  return lamps_.lights().flux() * cell.area / (kPi * (cell.center - nearest).squaredNorm());
+  return tree_.flux() * cell.area / (kPi * (cell.center - nearest).squaredNorm());
 }
 
 void LampChoice::weigh(const CellShape& cell)
 {
   const double expected = expectedPower(cell);
   const double byPower = expected > 0 ? (1 - kByFlux) / expected : 0;
-  const double byFlux = (expected > 0 ? kByFlux : 1) / lamps_.lights().flux();
+  const double byFlux = (expected > 0 ? kByFlux : 1) / tree_.flux();
+  cumulative_.clear();
   double sum = 0;
-  for (std::size_t i = 0; i < lamps_.size(); ++i)
+  for (const Group& group : groups_)
   {
-    sum += byPower * weights_[i] + byFlux * lamps_[i].flux;
-    cumulative_[i] = sum;
+    sum += byPower * group.power + byFlux * tree_.nodes()[group.node].lamp.flux;
+    cumulative_.push_back(sum);
   }
 }
 
@@ -87,8 +108,11 @@ LampChoice::Choice LampChoice::choose(double sample) const
   const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, place);
   const double before = found == cumulative_.begin() ? 0 : *(found - 1);
   const double own = *found - before;
-  return { static_cast<std::uint32_t>(found - cumulative_.begin()), own / sum,
-    std::clamp((place - before) / own, 0.0, 1 - 0x1p-53) };
+  const LampTree::Node& node =
+    tree_.nodes()[groups_[static_cast<std::size_t>(found - cumulative_.begin())].node];
+  const LampTree::Share share =
+    tree_.choose(node, std::clamp((place - before) / own, 0.0, 1 - 0x1p-53));
+  return { share.piece, own / sum * share.probability, share.rest };
 }
 
 }

@@ -12,8 +12,9 @@ namespace irradiance
 
 /**
  * Which lamp a sample of a cell asks. The weights follow what each would bring to the cell if nothing
- * stood between them: its flux, the cosines, with slack for the sizes of both, and the distance. A small part
- * goes by flux alone, so that no lamp that reaches the cell is left out.
+ * stood between them: its flux, the cosines, with slack for the sizes of both, and the distance. Lamps that are
+ * near each other, as seen from the cell, have one weight, and share it by flux; so do those that bring least, where
+ * lamps are many. A small part goes by flux alone, so that no lamp that reaches the cell is left out.
  */
 class LampChoice
 {
@@ -40,11 +41,27 @@ public:
 private:
   /// The part of the samples that goes by flux alone.
   static constexpr double kByFlux = 0.05;
+  /// Lamps that are together within this part of their distance have one weight.
+  static constexpr double kTogether = 0.125;
+  /// Weights of a cell at most.
+  static constexpr std::size_t kMost = 96;
 
-  const LampPieces& lamps_;
-  Box centers_;                    ///< of the pieces
-  std::vector<double> weights_;    ///< by piece
-  std::vector<double> cumulative_; ///< up to and including each piece
+  /// A node of the tree that is looked at.
+  struct Group
+  {
+    std::uint32_t node;
+    double power;  ///< W that it would bring
+    double spread; ///< what may be gained by looking at its halves; 0 if nothing
+    friend bool operator<(const Group& a, const Group& b) { return a.spread < b.spread; }
+  };
+  Group groupOf(std::uint32_t node, const CellShape& cell) const;
+  /// Groups that have all lamps together.
+  void findGroups(const CellShape& cell);
+
+  const LampTree& tree_;
+  Box centers_;                    ///< of the lamps
+  std::vector<Group> groups_;      ///< of the cell
+  std::vector<double> cumulative_; ///< weights up to and including each group
 };
 
 }

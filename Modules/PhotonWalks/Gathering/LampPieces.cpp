@@ -57,6 +57,11 @@ LampPieces::LampPieces(const LightTable& lights)
       pieces_.push_back(piece);
     }
   }
+  tree_ = LampTree(pieces_);
+  for (const LampPiece& piece : pieces_)
+  {
+    centers_.add(piece.center);
+  }
 }
 
 std::optional<std::uint32_t> LampPieces::lightOn(const TriangleId& triangle) const

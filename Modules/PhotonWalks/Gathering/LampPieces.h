@@ -2,6 +2,7 @@
 #ifndef irradiance_LampPieces_h
 #define irradiance_LampPieces_h
 
+#include "Gathering/LampTree.h"
 #include "Lights/LightTable.h"
 
 #include <optional>
@@ -9,18 +10,6 @@
 
 namespace irradiance
 {
-
-/// A light, or a piece of its triangle, from afar. A light in the air has no normal and shines alike in all
-/// directions.
-struct LampPiece
-{
-  std::uint32_t light;
-  double share;                             ///< of the light's area
-  double flux;                              ///< W, in all bands
-  Triangle triangle;                        ///< of an area light
-  Vector3 center, normal = Vector3::Zero(); ///< the normal is a unit vector, or zero
-  double radius = 0;                        ///< all corners are within it of the center
-};
 
 /**
  * The lights of a table as cells look for them. Long triangles are cut: of a strip along a wall a cell is to
@@ -35,6 +24,9 @@ public:
   const LightTable& lights() const { return lights_; }
   std::size_t size() const { return pieces_.size(); }
   const LampPiece& operator[](std::size_t piece) const { return pieces_[piece]; }
+  const LampTree& tree() const { return tree_; }
+  /// Of the centers.
+  const Box& centers() const { return centers_; }
   /// The light of a triangle, if it is one of the table.
   std::optional<std::uint32_t> lightOn(const TriangleId& triangle) const;
 
@@ -43,6 +35,8 @@ private:
 
   const LightTable& lights_;
   std::vector<LampPiece> pieces_;
+  LampTree tree_;
+  Box centers_;
   std::vector<std::uint32_t> areas_; ///< the lights on triangles, which a table has in order
 };
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_LampTree_h
+#define irradiance_LampTree_h
+
+#include "Gathering/LampPiece.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * A binary tree over the pieces of lamps. A node stands for all pieces below it, which follow each other in an
+ * order of the tree; seen from afar it is one lamp in the air. So a cell looks at few nodes, however many
+ * lamps there are.
+ */
+class LampTree
+{
+public:
+  struct Node
+  {
+    LampPiece lamp;           ///< the piece of a leaf; else what stands for all below
+    std::uint32_t first, end; ///< of its pieces, by the order of the tree
+    std::uint32_t children;   ///< the number of the first of two; 0 for a leaf
+
+    bool isLeaf() const { return children == 0; }
+  };
+
+  LampTree() = default;
+  explicit LampTree(const std::vector<LampPiece>& pieces);
+
+  /// At least one node, the root, if there are pieces.
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// W, of all pieces.
+  double flux() const { return fluxBefore_.back(); }
+
+  struct Share
+  {
+    std::uint32_t piece;
+    double probability;
+    double rest; ///< in [0, 1): what the choice left of the part
+  };
+  /// The piece on which a part, in [0, 1), of the flux of a node falls.
+  Share choose(const Node& node, double part) const;
+
+private:
+  void split(std::uint32_t number, const std::vector<LampPiece>& pieces);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<double> fluxBefore_; ///< W, of the pieces before a place of the order; and of all
+};
+
+}
+
+#endif

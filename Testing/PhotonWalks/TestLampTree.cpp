@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/LampChoice.h"
+
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A square of `edge` x `edge` lamps in the ceiling, of 1 to 10 W/m2, and a point light.
+LightTable manyLights(int edge)
+{
+  test::ObjectBuilder room;
+  for (int i = 0; i < edge * edge; ++i)
+  {
+    room.addQuad({ 0.1 * (i % edge), 0.1 * (i / edge), 3 }, { 0, 0.1, 0 }, { 0.1, 0, 0 }, 1, 1,
+      test::grey(0, 1 + i % 10));
+  }
+  room.addPointLight({ 1, 1, 1 }, 0.5);
+  return LightTable({ room.build(), {} }, 1000);
+}
+
+CellShape cellAt(const Vector3& center, double radius)
+{
+  CellShape cell;
+  cell.center = center;
+  cell.radius = radius;
+  cell.normal = Vector3(0, 0, 1);
+  cell.area = radius * radius;
+  return cell;
+}
+
+}
+
+// Over evenly spaced samples each lamp is chosen as often as its probability says, and the probabilities of all
+// lamps are 1 together: what makes the estimate unbiased.
+TEST(LampTree, EachLampIsChosenAsOftenAsItsProbability)
+{
+  for (const int edge : { 1, 4, 20 })
+  {
+    const LightTable lights = manyLights(edge);
+    const LampPieces lamps(lights);
+    LampChoice choice(lamps);
+    for (const Vector3& center : { Vector3(0.5, 0.5, 2.9), Vector3(1, 1, 0), Vector3(1, 1, 1) })
+    {
+      choice.weigh(cellAt(center, 0.05));
+      constexpr int kSamples = 200000;
+      std::map<std::uint32_t, std::pair<double, int>> chosen; // probability, count
+      for (int i = 0; i < kSamples; ++i)
+      {
+        const LampChoice::Choice one = choice.choose((i + 0.5) / kSamples);
+        ASSERT_GE(one.rest, 0);
+        ASSERT_LT(one.rest, 1);
+        const auto known = chosen.emplace(one.piece, std::pair(one.probability, 0)).first;
+        ASSERT_EQ(known->second.first, one.probability);
+        ++known->second.second;
+      }
+      double sum = 0;
+      for (const auto& [piece, counted] : chosen)
+      {
+        EXPECT_NEAR(counted.second, counted.first * kSamples, 1.01) << "piece " << piece;
+        sum += counted.first;
+      }
+      EXPECT_EQ(chosen.size(), lamps.size());
+      EXPECT_NEAR(sum, 1, 1e-9) << edge << " x " << edge << " lamps";
+    }
+  }
+}
+
+// A cell just below one of 400 lamps asks that lamp mostly.
+TEST(LampTree, ACellFindsTheLampsThatAreNear)
+{
+  const LightTable lights = manyLights(20);
+  const LampPieces lamps(lights);
+  LampChoice choice(lamps);
+  choice.weigh(cellAt({ 0.55, 0.55, 2.98 }, 0.01));
+  int near = 0;
+  constexpr int kSamples = 10000;
+  for (int i = 0; i < kSamples; ++i)
+  {
+    const LampPiece& lamp = lamps[choice.choose((i + 0.5) / kSamples).piece];
+    near += (lamp.center - Vector3(0.55, 0.55, 3)).norm() < 0.2 ? 1 : 0;
+  }
+  EXPECT_GT(near, 0.7 * kSamples);
+}
+
+}
