@@ -115,10 +115,13 @@ TEST(NearLights, NeverDependOnWhatMayMove)
 /// A lamp that lies on a wall and shines into it lights just what it covers; samples know that exactly.
 TEST(NearLights, AreNotThoseThatTouch)
 {
-  ObjectBuilder room;
-  addWalls(room);
-  addLamp(room, 0, 0.05, 1);
-  EXPECT_EQ(nearLightsOf({ room.build(), {} }), std::vector<bool>(2, false));
+  for (const double height : { 0.0, 3e-10 }) // rays start beyond the wall, or just before it
+  {
+    ObjectBuilder room;
+    addWalls(room);
+    addLamp(room, height, 0.05, 1);
+    EXPECT_EQ(nearLightsOf({ room.build(), {} }), std::vector<bool>(2, false));
+  }
 }
 
 TEST(NearLights, HaveASourceOfTheirOwn)
