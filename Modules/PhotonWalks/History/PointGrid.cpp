@@ -2,9 +2,11 @@
 #include "History/PointGrid.h"
 
 #include "Surfaces/SceneObjects.h"
+#include "Surfaces/Touching.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace irradiance
@@ -12,21 +14,6 @@ namespace irradiance
 
 namespace
 {
-
-/// Calls visit(triangle, area) for each triangle in the world.
-template <class Visit>
-void forEachTriangle(const SceneObjects& objects, const Visit& visit)
-{
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    for (const Triangle& own : objects[object].mesh().triangles())
-    {
-      const Triangle triangle =
-        object == 0 ? own : transformed(objects[object].worldFromObject, own);
-      visit(triangle, triangle.area());
-    }
-  }
-}
 
 /// Spread evenly over the triangle, by the sequence of Roberts.
 Vector3 pointOn(const Triangle& triangle, std::size_t number)
@@ -42,12 +29,26 @@ Vector3 pointOn(const Triangle& triangle, std::size_t number)
   return triangle.a + b * (triangle.b - triangle.a) + c * (triangle.c - triangle.a);
 }
 
+/// Of all triangles in the world, object by object.
+std::vector<double> areasOf(const SceneObjects& objects)
+{
+  std::vector<double> areas;
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (const Triangle& own : objects[object].mesh().triangles())
+    {
+      areas.push_back(transformed(objects[object].worldFromObject, own).area());
+    }
+  }
+  return areas;
+}
+
 /// Some points, evenly spread over all surfaces; none if their area is no number to count with.
 std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects)
 {
   constexpr std::size_t kPoints = 512;
-  double all = 0;
-  forEachTriangle(objects, [&](const Triangle&, double area) { all += area; });
+  const std::vector<double> areas = areasOf(objects);
+  const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
   std::vector<Vector3> points;
   if (!(all > 0) || !std::isfinite(all))
   {
@@ -55,13 +56,18 @@ std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects)
   }
   const double each = all / kPoints;
   double before = 0;
-  forEachTriangle(objects, [&](const Triangle& triangle, double area) {
-    before += area;
-    while (points.size() < kPoints && (static_cast<double>(points.size()) + 0.5) * each < before)
+  auto area = areas.begin();
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    for (std::uint32_t i = 0; i < objects[object].mesh().size(); ++i)
     {
-      points.push_back(pointOn(triangle, points.size()));
+      before += *area++;
+      while (points.size() < kPoints && (static_cast<double>(points.size()) + 0.5) * each < before)
+      {
+        points.push_back(pointOn(worldTriangle(objects, { object, i }), points.size()));
+      }
     }
-  });
+  }
   return points;
 }
 

@@ -6,6 +6,7 @@
 #include "Progress/CancelPoint.h"
 #include "Scene/PlacedBody.h"
 #include "Scene/TriangleNumbers.h"
+#include "Simd/LargePages.h"
 
 #include <memory>
 #include <vector>
@@ -55,7 +56,7 @@ private:
 
   std::vector<Origin> origins_; ///< by object; without a body where nothing is known
   TriangleNumbers numbers_;
-  std::vector<SurfaceRecord> rows_ = std::vector<SurfaceRecord>(1);
+  std::vector<SurfaceRecord, LargePages<SurfaceRecord>> rows_{ SurfaceRecord{} };
 };
 
 }

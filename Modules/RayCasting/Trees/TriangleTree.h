@@ -5,6 +5,7 @@
 #include "Geometry/Triangle.h"
 #include "Geometry/UnitFrame.h"
 #include "Progress/CancelPoint.h"
+#include "Simd/LargePages.h"
 #include "Trees/AxisPlanes.h"
 #include "Trees/Treelet.h"
 
@@ -85,8 +86,8 @@ private:
   bool isIllConditioned_ = false;
   AxisPlanes planes_;
   std::uint32_t root_ = Treelet::kEmpty;
-  std::vector<Treelet> treelets_;
-  std::vector<TriangleBlock> blocks_;
+  std::vector<Treelet, LargePages<Treelet>> treelets_;
+  std::vector<TriangleBlock, LargePages<TriangleBlock>> blocks_;
 };
 
 /// Builds the tree of a mesh in the mesh's own space.
