@@ -72,6 +72,9 @@ measure()
   [[ $1 != BenchmarkParaView ]] ||
     program=(env VTK_SMP_BACKEND_IN_USE=STDThread "PV_PLUGIN_PATH=$(echo "$build"/paraview/lib/paraview-*/plugins)"
       "$home/Utilities/run-under-xvfb.sh" "$sdk/usr/bin/pvpython" "${program[@]:2}")
+  # One thread, and a display for the picture.
+  [[ $1 != BenchmarkDirectLight ]] ||
+    program=(env VTK_SMP_BACKEND_IN_USE=Sequential "$home/Utilities/run-under-xvfb.sh" "${program[@]}")
   # As root in a container, without a shell to other machines.
   [[ $1 != BenchmarkRanks ]] ||
     program=(env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
@@ -115,9 +118,10 @@ if [[ $part != accuracy ]]; then
   write_page Performance Benchmark{RayCasting,TraversalModes,FrontCast,Stages,BounceHistory,FarAndMany,Signs,Shooting,Gathering,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
+  measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png" "2"
   measure BenchmarkAccuracy "" "65536 1"
   measure BenchmarkPilotPhotons "" "8192 2"
   measure BenchmarkStaleError "" "8192 2"
   measure BenchmarkCellEstimates "" "100000 1 400000"
-  write_page SpeedAndAccuracy Benchmark{Accuracy,PilotPhotons,StaleError,CellEstimates}.csv
+  write_page SpeedAndAccuracy Benchmark{DirectLight,Accuracy,PilotPhotons,StaleError,CellEstimates}.csv
 fi

@@ -123,8 +123,9 @@ TEST(ExtremeGloss, AHallOfMirrors)
   for (int frame = 0; frame < 3; ++frame)
   {
     ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene, false));
-    EXPECT_EQ(Field(filter, "AbsorbedPower"), 0);
-    EXPECT_EQ(Field(filter, "EscapedPower"), Field(filter, "EmittedPower"));
+    // Of 1 W. What is gathered is an estimate, and so is how many walks start there.
+    const bool isGathered = filter->GetDirectLight() == vtkIrradianceFilter::Gathered;
+    EXPECT_NEAR(Field(filter, "AbsorbedPower"), 0, isGathered ? 0.02 : 0);
     scene.Moving[0].Pose->Translate(-0.05, 0.01, 0);
   }
 }

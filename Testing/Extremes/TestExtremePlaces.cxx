@@ -27,6 +27,7 @@ TEST(ExtremePlaces, CoincidentFaces)
 {
   const Scene alone{ { MakeFurnace(1, { 0, 0, 0 }) }, {} };
   const auto expected = MakeFilter(alone, NumberOfWalks);
+  expected->SetDirectLight(DirectLightOfThisRun());
   expected->Update();
   Mesh copy = Placed(MakeRoom(1, 3), 1, { 0, 0, 0 });
   SetCellValues(copy, "DiffuseReflectance", { 0.9 });

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Direct light shot beside gathered, in the same CPU time of one thread: errors in the penumbra under a ball and
+elsewhere, and, where there is a display, two pictures of a lit room in one file.
+
+    BenchmarkDirectLight.py [SEEDS [PICTURE.png]]
+
+The room is that of Examples/LitRoom, with a lamp of 1 m2, or its floor alone in 8 x 8 cells. The truth are 12 long runs
+of both ways with other seeds.
+"""
+import os
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from vtkmodules.numpy_interface.dataset_adapter import WrapDataObject
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+
+import vtkIrradiance
+
+sys.path.append(str(Path(__file__).resolve().parents[3] / "Examples/LitRoom"))
+import LitRoom
+
+WAYS = ("shot", "gathered")
+
+
+def make_floor():
+    floor = vtkPlaneSource()
+    floor.SetOrigin(-2, -2, 0)
+    floor.SetPoint1(2, -2, 0)
+    floor.SetPoint2(-2, 2, 0)
+    floor.SetResolution(8, 8)
+    return floor
+
+
+def make_lamp():
+    """One metre square."""
+    lamp = LitRoom.make_lamp()
+    points = WrapDataObject(lamp).Points
+    points[:, :2] *= 0.5
+    lamp.GetPoints().Modified()
+    return lamp
+
+
+def make_filter(surface, ball=True):
+    ball_source = vtkSphereSource()
+    ball_source.SetThetaResolution(32)
+    ball_source.SetPhiResolution(32)
+    pose = vtkTransform()
+    pose.Translate(0, 0, 1.2)
+    irradiance = vtkIrradiance.vtkIrradianceFilter()
+    irradiance.AddInputConnection(0, surface.GetOutputPort())
+    irradiance.AddInputDataObject(0, make_lamp())
+    if ball:
+        irradiance.AddInputConnection(1, ball_source.GetOutputPort())
+        irradiance.SetDynamicTransform(0, pose)
+    irradiance.SetUpdateModeToRebuild()
+    return irradiance
+
+
+def executed(irradiance, way, walks, seed):
+    """Seconds of all threads."""
+    irradiance.SetDirectLight(WAYS.index(way))
+    irradiance.SetNumberOfWalks(walks)
+    irradiance.SetSeed(seed)
+    start = time.process_time()
+    vtkIrradiance.update(irradiance)
+    return time.process_time() - start
+
+
+def surface_of(irradiance):
+    return np.array(WrapDataObject(irradiance.GetOutput()).CellData["Irradiance"].Arrays[0])
+
+
+def walks_in(irradiance, way, seconds):
+    """How many walks take that long."""
+    walks = 20000
+    for _ in range(4):
+        taken = np.median([executed(irradiance, way, walks, seed) for seed in (1, 2, 3)])
+        walks = int(np.clip(walks * seconds / taken, walks / 8, walks * 8))
+    return walks
+
+
+def mean_of(irradiance, way, walks, seeds):
+    fields = []
+    for seed in seeds:
+        executed(irradiance, way, walks, seed)
+        fields.append(surface_of(irradiance))
+    return np.mean(fields, axis=0)
+
+
+def report(table, row, quantity, value, bar="nan", aim="nan"):
+    print(f'"{table}","{row}","{quantity}",{value:.6g},{bar},{aim}')
+
+
+def measure(table, name, irradiance, truth, sets, seeds, seconds, goal=("nan", "nan")):
+    """The errors of sets of cells of one size, in units of their means, in this time."""
+    errors = {}
+    for way in WAYS:
+        walks = walks_in(irradiance, way, seconds)
+        times, squares = [], []
+        for seed in range(1, seeds + 1):
+            times.append(executed(irradiance, way, walks, seed))
+            squares.append((surface_of(irradiance) - truth) ** 2)
+        report(table, f"{name}, {way}", "CPU time, s", np.median(times))
+        report(table, f"{name}, {way}", "walks", walks)
+        for cells, mask in sets.items():
+            errors[way, cells] = np.sqrt(np.mean(squares, axis=0)[mask].mean()) / truth[mask].mean()
+            report(table, f"{name}, {way}", f"RMS error {cells}, %", 100 * errors[way, cells])
+    for cells in sets:
+        report(table, f"{name}, gathered", f"error {cells} / shot",
+               errors["gathered", cells] / errors["shot", cells], *goal)
+
+
+def penumbra_of(surface):
+    """The cells that receive from 5 to 95 % of the direct light that they would receive without the ball."""
+    direct = []
+    for ball in (True, False):
+        irradiance = make_filter(surface, ball)
+        irradiance.SetDefaultDiffuseReflectance(0)
+        direct.append(mean_of(irradiance, "gathered", 4000000, (1001, 1002)))
+    return (direct[0] > 0.05 * direct[1]) & (direct[0] < 0.95 * direct[1])
+
+
+def truth_of(irradiance):
+    """Of both ways, which must have the same mean."""
+    means = [mean_of(irradiance, way, 2000000, range(1001, 1007)) for way in WAYS]
+    off = abs(means[0].mean() / means[1].mean() - 1)
+    if off > 0.005:
+        sys.exit(f"the means of all cells, shot and gathered, are {100 * off:.2g} % apart")
+    return (means[0] + means[1]) / 2
+
+
+def measure_all(seeds):
+    floor = make_filter(make_floor())
+    measure("Penumbra", "8 x 8 cells", floor, truth_of(floor), {"in the penumbra": penumbra_of(make_floor())},
+            seeds, 0.05, (0.25, 0.15))
+    room = make_filter(LitRoom.make_room())
+    penumbra = penumbra_of(LitRoom.make_room())
+    for reflectance in (0.2, 0.5, 0.8):
+        room.SetDefaultDiffuseReflectance(reflectance)
+        measure("DirectLight", f"room, reflectance {reflectance}", room, truth_of(room),
+                {"in the penumbra": penumbra, "elsewhere": ~penumbra}, seeds, 0.25)
+
+
+def draw(name, seconds=0.05):
+    """A room where a fifth of the light is reflected, in the same colours."""
+    from vtkmodules.vtkFiltersCore import vtkImageAppend
+    from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+    irradiance = make_filter(LitRoom.make_room())
+    irradiance.SetDefaultDiffuseReflectance(0.2)
+    both = vtkImageAppend()
+    executed(irradiance, "gathered", 4000000, 9)
+    brightest = surface_of(irradiance).max()
+    LitRoom.most_of = lambda _: brightest
+    for way in WAYS:
+        walks = walks_in(irradiance, way, seconds)
+        taken = executed(irradiance, way, walks, 1)
+        print(f"picture: {way}, {walks} walks, {taken:.3f} s", file=sys.stderr)
+        LitRoom.write_picture(WrapDataObject(irradiance.GetOutput()), name)
+        reader = vtkPNGReader()
+        reader.SetFileName(name)
+        reader.Update()
+        both.AddInputConnection(reader.GetOutputPort())
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(both.GetOutputPort())
+    writer.SetFileName(name)
+    writer.Write()
+
+
+def main(seeds="15", picture=""):
+    measure_all(int(seeds))
+    if picture and os.environ.get("DISPLAY"):
+        draw(picture)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
