@@ -157,6 +157,7 @@ TEST(GatheredPaths, SayWhatWasRepaired)
     const auto old = before.find(walk);
     if (old == before.end())
     {
+      EXPECT_EQ(path.firstRepaired, 2u); // after the lamp and the cell
       again += path.points.size() - 2;
       ++born;
       continue;
