@@ -69,14 +69,12 @@ TEST(ExtremeLight, LampsWithoutArea)
   {
     ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
     EXPECT_NEAR(Field(filter, "EmittedPower"), 4, 1e-5); // points are floats
-    EXPECT_NEAR(Received(filter, 0, 0), 4,
-      0.1); // gathered, it is known to 1 %; the white box gets it at first
+    EXPECT_NEAR(Received(filter, 0, 0), 4, 0.1);         // gathered, an estimate
     scene.Moving[0].Pose->Translate(0, 0, 0.1);
   }
 }
 
-// Lamps a million times as long as wide, beside and through each other, of which one crosses the room in the plane of
-// its floor's cells.
+// Lamps a million times as long as wide, and one of a thousand; the last hangs a millimetre over the floor.
 TEST(ExtremeLight, LampsOfAspect1e6)
 {
   const auto strip = [](double x, double y, double z, double width) {
@@ -96,8 +94,8 @@ TEST(ExtremeLight, LampsOfAspect1e6)
   {
     ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
     EXPECT_NEAR(Field(filter, "EmittedPower"), 3.2, 1e-6);
-    EXPECT_NEAR(Received(filter, 0, 0), 3.2,
-      0.4); // of which the lowest strip brings a quarter, with much noise
+    // The lowest strip brings a quarter, which is much noise where it is gathered.
+    EXPECT_NEAR(Received(filter, 0, 0), 3.2, 0.4);
     scene.Moving[0].Pose->Translate(0.05, 0, 0.1);
   }
 }

@@ -86,7 +86,7 @@ inline void ExpectAgreement(const TestScenes::Scene& scene, bool sides)
   const double sigma = mean * std::sqrt(2 * (n - 1) / (n - 4) * cells);
   std::cout << distance.Squares << " of " << cells << " cells, " << mean * cells << " +- " << sigma
             << " expected; errors are " << distance.ErrorPart / distance.Power << "\n";
-  EXPECT_GT(cells, 60);
+  EXPECT_GT(cells, 50);
   EXPECT_LT(distance.Squares, mean * cells + 5 * sigma);
   EXPECT_GT(distance.Squares, 0.3 * cells) << "the errors are too large";
   EXPECT_LT(distance.ErrorPart, 0.05 * distance.Power) << "else a test of nothing";
