@@ -58,6 +58,13 @@ void expectFreshBits(const EngineSettings& settings, int frames, int every, unsi
   EXPECT_GT(repaired, 0);
 }
 
+TEST(WalkSets, TwoThatGatherFollowMotionsToTheBitsOfAFreshStart)
+{
+  EngineSettings settings = settingsOf(4, 6000);
+  settings.gathersDirectLight = true;
+  expectFreshBits(settings, 20, 5, 9);
+}
+
 TEST(WalkSets, TwoFollowMotionsToTheBitsOfAFreshStart)
 {
   expectFreshBits(settingsOf(11, 40000), static_cast<int>(test::scaled(100)), 25, 11);
