@@ -3,6 +3,7 @@
 
 #include "EngineRun.h"
 #include "StaleLight.h"
+#include "Surfaces/MeanReflectance.h"
 #include "TestScenes.h"
 #include "ThreadExecution.h"
 #include "TwoGroups.h"
@@ -165,6 +166,10 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   const SceneObjects allFar{ far.build(), {} };
   std::vector<WalkSource> expected = sourcesOf(allFar, plan);
   expected[0].cells = CellPart::Static;
+  // The mean reflectance of the walls is a part of a shot walk's power.
+  expected[0].quantaPerStart = gatheredOf(allFar, plan)[0].quantaPerStart;
+  EXPECT_NEAR(double(expected[0].quantaPerStart),
+    meanReflectance(allFar.staticObject) * double(expected[0].lights.quantaPerWalk()), 1);
   EXPECT_TRUE(gatheredOf(allFar, plan) == expected);
 
   addStrip(far, 0.99 * 8 * 16 / 10000); // less than a walk of each replicate

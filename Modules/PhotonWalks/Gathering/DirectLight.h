@@ -35,11 +35,6 @@ public:
   /// By number; those of a cell that is not there are none.
   const std::vector<GatherSample>& samples() const { return samples_; }
   bool isVisible(std::uint32_t sample) const { return views_[sample] == View::Free; }
-  /// Memory held.
-  std::size_t bytes() const
-  {
-    return samples_.capacity() * sizeof(GatherSample) + views_.capacity() * sizeof(View);
-  }
   /// What a sample brings if it sees its light, by band.
   Power powerOf(const GatherSample& sample, double quantaPerWatt) const;
 

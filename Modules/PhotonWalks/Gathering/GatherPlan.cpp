@@ -32,11 +32,8 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, std::ui
 
 std::uint32_t GatherPlan::numberFor(double walks) const
 {
-  // The fourth is soon worth its time: a net of two knows little of a shadow.
-  constexpr double kWalksOfFour = 24;
   std::uint32_t samples = replicates_;
-  const double wanted = std::max(walks / kWalksPerSample, walks > kWalksOfFour ? 4.0 : 0.0);
-  while (samples < kFewest || (samples < wanted && samples < kMost))
+  while (samples < kFewest || (samples < walks / kWalksPerSample && samples < kMost))
   {
     samples *= 2;
   }

@@ -45,8 +45,8 @@ public:
 
 private:
   /// Walks that a cell may receive for each of its samples.
-  static constexpr double kWalksPerSample = 48;
-  static constexpr std::uint32_t kFewest = 2, kMost = 65536;
+  static constexpr double kWalksPerSample = 24;
+  static constexpr std::uint32_t kFewest = 4, kMost = 65536;
 
   std::uint32_t numberFor(double walks) const;
 

@@ -47,8 +47,6 @@ public:
   const DirectLight& light() const { return light_; }
   double quantaPerWatt() const { return quantaPerWatt_; }
   const WalkStarts& starts() const { return starts_; }
-  /// Memory held for each sample and walk.
-  std::size_t bytes() const { return light_.bytes() + starts_.bytes(); }
 
   /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each adds it for the cells that are dealt to it as blocks are.
   void addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,

@@ -19,7 +19,8 @@ double powerBetween(const LampPiece& lamp, const CellShape& cell)
   const Vector3 between = cell.center - lamp.center;
   const double leaving = lamp.normal.dot(between), arriving = cell.normal.dot(between);
   const double cosine = lamp.normal.dot(cell.normal), radius = cell.radius;
-  if (leaving < 0 && leaving * leaving >= radius * radius * (1 - cosine * cosine))
+  const bool isOne = lamp.share > 0; // of several some may be in front of others
+  if (isOne && leaving < 0 && leaving * leaving >= radius * radius * (1 - cosine * cosine))
   {
     return 0; // it is behind the lamp, as ceilings are behind their panels
   }
@@ -61,6 +62,18 @@ LampChoice::Group LampChoice::groupOf(std::uint32_t node, const CellShape& cell)
 /// Those with the widest spread are halved first.
 void LampChoice::findGroups(const CellShape& cell)
 {
+  if (isFew())
+  {
+    groups_.clear();
+    for (std::uint32_t node = 0; node < tree_.nodes().size(); ++node)
+    {
+      if (tree_.nodes()[node].isLeaf())
+      {
+        groups_.push_back(groupOf(node, cell));
+      }
+    }
+    return;
+  }
   groups_.assign(1, groupOf(0, cell));
   while (groups_.size() < kMost && groups_.front().spread > 0)
   {

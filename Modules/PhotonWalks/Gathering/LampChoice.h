@@ -44,7 +44,7 @@ private:
   /// Lamps that are together within this part of their distance have one weight.
   static constexpr double kTogether = 0.125;
   /// Weights of a cell at most.
-  static constexpr std::size_t kMost = 96;
+  static constexpr std::size_t kMost = 256;
 
   /// A node of the tree that is looked at.
   struct Group
@@ -54,6 +54,8 @@ private:
     double spread; ///< what may be gained by looking at its halves; 0 if nothing
     friend bool operator<(const Group& a, const Group& b) { return a.spread < b.spread; }
   };
+  /// Whether each lamp has a weight of its own.
+  bool isFew() const { return tree_.nodes().size() <= 2 * kMost; }
   Group groupOf(std::uint32_t node, const CellShape& cell) const;
   /// Groups that have all lamps together.
   void findGroups(const CellShape& cell);

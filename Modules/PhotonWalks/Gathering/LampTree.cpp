@@ -10,6 +10,9 @@ namespace irradiance
 namespace
 {
 
+/// Lamps whose mean normal is longer than this have one normal together.
+constexpr double kAlike = 0.95;
+
 Box boundsOf(const LampPiece& piece)
 {
   Box box;
@@ -54,10 +57,12 @@ void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
   }
   Box bounds;
   double flux = 0;
+  Vector3 normals = Vector3::Zero();
   for (std::uint32_t place = first; place < end; ++place)
   {
     bounds.add(boundsOf(pieces[order_[place]]));
     flux += pieces[order_[place]].flux;
+    normals += pieces[order_[place]].normal;
   }
   Eigen::Index axis = 0;
   bounds.extent().maxCoeff(&axis);
@@ -69,6 +74,7 @@ void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
   });
   LampPiece& lamp = nodes_[number].lamp;
   lamp.flux = flux;
+  lamp.normal = normals.norm() > kAlike * (end - first) ? normals.normalized() : Vector3::Zero();
   lamp.center = bounds.center();
   lamp.radius = bounds.extent().norm() / 2;
   nodes_[number].children = static_cast<std::uint32_t>(nodes_.size());

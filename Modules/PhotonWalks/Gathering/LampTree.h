@@ -20,7 +20,7 @@ class LampTree
 public:
   struct Node
   {
-    LampPiece lamp;           ///< the piece of a leaf; else what stands for all below
+    LampPiece lamp; ///< the piece of a leaf; else what stands for all below, of the share 0
     std::uint32_t first, end; ///< of its pieces, by the order of the tree
     std::uint32_t children;   ///< the number of the first of two; 0 for a leaf
 

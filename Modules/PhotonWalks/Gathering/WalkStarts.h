@@ -46,11 +46,6 @@ public:
   {
     return starts_[startOfWalk_[walk - firstWalk_]];
   }
-  /// Memory held.
-  std::size_t bytes() const
-  {
-    return starts_.capacity() * sizeof(Start) + startOfWalk_.capacity() * sizeof(std::uint32_t);
-  }
   const GatherSample& sampleOf(const Start& start) const { return light_.samples()[start.sample]; }
 
 private:

@@ -432,10 +432,8 @@ void WalkSet::forgetBudget()
 
 std::size_t WalkSet::bytes() const
 {
-  std::size_t bytes = (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
-    unborn_.capacity() * sizeof(std::uint32_t) + history_.bytes();
-  forEachGathered([&](const GatheredLight& light) { bytes += light.bytes(); });
-  return bytes;
+  return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
+    history_.bytes();
 }
 
 std::array<double, Power::kMaxBands> WalkSet::largestStart() const
