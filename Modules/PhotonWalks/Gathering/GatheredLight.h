@@ -48,7 +48,8 @@ public:
   double quantaPerWatt() const { return quantaPerWatt_; }
   const WalkStarts& starts() const { return starts_; }
 
-  /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each adds it for the cells that are dealt to it as blocks are.
+  /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each does so for the cells that
+  /// are dealt to it as blocks are.
   void addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,
     const CancelPoint& cancelPoint) const;
 

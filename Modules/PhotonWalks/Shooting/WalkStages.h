@@ -52,8 +52,9 @@ public:
   /**
    * Walks leave the points of `start` that the weights name. Reads walk, bounce, start, weights and either
    * side, if known, or the direction of arrival. Writes the ray and side. Of a stored segment the hit and
-   * the side that was hit are `start`, weights and side of the segment after it, which has one bounce more. Where cells are glossy it also
-   * reads isSpecular, and for walks for which it is set the origin of the ray that came and its direction.
+   * the side that was hit are `start`, weights and side of the segment after it, which has one bounce more.
+   * Where cells are glossy it also reads isSpecular, and for walks for which it is set the origin of the ray that
+   * came and its direction.
    */
   void leave(WalkFront& front, bool areSidesKnown) const;
 
