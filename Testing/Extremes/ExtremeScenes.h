@@ -35,11 +35,11 @@ inline int DirectLightOfThisRun()
                                               : vtkIrradianceFilter::Shot;
 }
 
-/// How far a mean of a furnace may be off. Where all cells shine, gathered light has up to four times the noise of shot
-/// light: each is near to lamps.
+/// How far a mean of a furnace may be off. Where all cells shine, and walks are few, gathered light has up to twelve times
+/// the noise of shot light: each cell is near to lamps, and asks four times which.
 inline double InThisRun(double allowed)
 {
-  return DirectLightOfThisRun() == vtkIrradianceFilter::Gathered ? 4 * allowed : allowed;
+  return DirectLightOfThisRun() == vtkIrradianceFilter::Gathered ? 12 * allowed : allowed;
 }
 
 /// In double: scaled first, then shifted.

@@ -62,6 +62,7 @@ inline void ChangeEstimate(Trial& t)
   if (t.Set().CellEstimate == vtkIrradianceFilter::Nearest)
   {
     t.Set().ComputeStandardError = false;
+    t.Set().TargetRelativeError = t.Set().RepairTimeBudget = 0;
   }
   t.Apply();
 }
