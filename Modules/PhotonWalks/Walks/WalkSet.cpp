@@ -225,6 +225,7 @@ void WalkSet::followWalks(const std::vector<bool>& moved, const WalkSpace& space
   if (hasBudget() && !stale_)
   {
     stale_ = std::make_unique<StaleWalks>(space.objects, sides(), history_.size(), samples);
+    staleRounds_ = sums_.rounds();
   }
   const Stopwatch stopwatch;
   if (!stale_)
@@ -424,7 +425,8 @@ void WalkSet::replaceCells(
 
 void WalkSet::forgetBudget()
 {
-  if (stale_ && stale_->isEmpty() && (!hasBudget() || stale_->numberOfBlocks() != history_.size()))
+  // All ranks agree on the rounds, but not on how many blocks they have.
+  if (stale_ && stale_->isEmpty() && (!hasBudget() || staleRounds_ != sums_.rounds()))
   {
     stale_.reset();
   }

@@ -163,6 +163,7 @@ private:
   CellSums sums_;
   PowerBalance balance_;
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
+  std::size_t staleRounds_ = 0;       ///< for which that is
   std::vector<std::uint32_t> unborn_; ///< walks that are to be born, in order
   std::vector<SegmentRef> repaired_;
   WalkStatistics statistics_;
