@@ -131,6 +131,10 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   scene_.commit(moved, cancelPoint);
   contacts_.update(objects_, solidSides_, cancelPoint);
+  if (settings_.gathersDirectLight)
+  {
+    solidSides_.find(objects_, cancelPoint);
+  }
 }
 
 void IrradianceEngine::start(Execution& execution)

@@ -94,9 +94,9 @@ public:
   {
     return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
   }
-  WalkSpace space() const { return { scene_, objects_, triangles_, contacts_ }; }
+  WalkSpace space() const { return { scene_, objects_, triangles_, contacts_, solidSides_ }; }
   /// What cells of this frame gather light in.
-  GatherSpace gatherSpace() const { return { scene_, triangles_, contacts_ }; }
+  GatherSpace gatherSpace() const { return space().gatherSpace(); }
   /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
   /// before; then updates keep it up to date, or forget it where direct light is gathered. Those are then
   /// photons of indirect light alone. Needs stored walks. Throws Interrupted.

@@ -66,6 +66,7 @@ void CellSampler::setCell(std::size_t cell)
   const std::uint64_t seed = splitMix(seed_ ^ splitMix(plan_.first(cell)));
   cellKeys_ = SampleKeys(splitMix(seed));
   lightKeys_ = SampleKeys(splitMix(seed + 1));
+  net_ = SobolNet(seed);
 }
 
 /// Of the table; lights of other groups may coincide as well.
@@ -81,10 +82,20 @@ std::vector<std::uint32_t> CellSampler::lightsAt(std::uint32_t triangle) const
   return lights;
 }
 
+CellSampler::Squares CellSampler::squares(std::uint32_t number) const
+{
+  if (plan_.samplesOf(cell_) < kOneNet)
+  {
+    return { SobolPoint::inUnitSquare(number, cellKeys_),
+      SobolPoint::inUnitSquare(number, lightKeys_) };
+  }
+  const SobolNet::Point point = net_.inUnitCube(number);
+  return { { point[0], point[1] }, { point[2], point[3] } };
+}
+
 GatherSample CellSampler::sample(std::uint32_t number) const
 {
-  Square onCell = SobolPoint::inUnitSquare(number, cellKeys_);
-  Square onLight = SobolPoint::inUnitSquare(number, lightKeys_);
+  auto [onCell, onLight] = squares(number);
   const Part& part = choosePart(onCell[0]);
   GatherSample sample{};
   sample.triangle = part.number;
@@ -93,7 +104,9 @@ GatherSample CellSampler::sample(std::uint32_t number) const
   const bool asksTouching = share < 1 && onLight[0] < share;
   onLight[0] = share < 1 && !asksTouching ? 2 * onLight[0] - 1 : onLight[0];
   asksTouching ? gatherTouching(part, onCell, sample) : gather(part, onCell, onLight, sample);
-  sample.part = std::max(0.0, sample.part) / (share * plan_.samplesOf(cell_));
+  const CellShape& cell = cells_[cell_];
+  const bool isDark = sample.isFront ? cell.isFrontDark : cell.isBackDark;
+  sample.part = isDark ? 0 : std::max(0.0, sample.part) / (share * plan_.samplesOf(cell_));
   return sample;
 }
 

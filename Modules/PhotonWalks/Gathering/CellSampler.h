@@ -5,7 +5,7 @@
 #include "Gathering/GatherPlan.h"
 #include "Gathering/GatherSpace.h"
 #include "Meshes/SurfacePoint.h"
-#include "Sampling/SobolPoint.h"
+#include "Sampling/SobolNet.h"
 
 #include <array>
 #include <vector>
@@ -73,6 +73,15 @@ private:
     std::vector<std::uint32_t> touching; ///< lights that coincide with it
   };
 
+  /// Samples of a cell from which on one net is better than two.
+  static constexpr std::uint32_t kOneNet = 64;
+
+  /// The coordinates of a sample.
+  struct Squares
+  {
+    Square onCell, onLight;
+  };
+  Squares squares(std::uint32_t number) const;
   /// The triangle that a coordinate chooses by area. The coordinate becomes what the choice left of it.
   const Part& choosePart(double& u) const;
   std::vector<std::uint32_t> lightsAt(std::uint32_t triangle) const;
@@ -96,6 +105,8 @@ private:
   LampChoice choice_;
   std::size_t cell_ = 0;
   std::vector<Part> parts_; ///< of the cell
+  // Of the cell: one net where it has many samples, else two that are shuffled against each other.
+  SobolNet net_;
   SampleKeys cellKeys_{}, lightKeys_{};
 };
 

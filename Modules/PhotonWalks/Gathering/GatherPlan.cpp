@@ -6,20 +6,22 @@
 namespace irradiance
 {
 
-GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, std::uint32_t walks,
-  std::uint32_t replicates, const CancelPoint& cancelPoint)
-  : replicates_(replicates)
+GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const Settings& settings,
+  const CancelPoint& cancelPoint)
+  : replicates_(settings.replicates)
 {
   LampChoice choice(lamps);
-  const double walksPerWatt = walks / lamps.lights().flux();
+  const double samplesPerWatt = settings.walks / (lamps.lights().flux() * settings.walksPerSample);
   firsts_ = { 0 };
   ThrottledCancelPoint pace(cancelPoint);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
-    std::uint32_t samples = cells[cell].area > 0 ? numberFor(0) : 0;
-    if (samples > 0 && numberFor(choice.mostPower(cells[cell]) * walksPerWatt) > samples)
+    const CellShape& shape = cells[cell];
+    const bool isDark = shape.isFrontDark && shape.isBackDark;
+    std::uint32_t samples = shape.area > 0 && !isDark ? numberFor(0) : 0;
+    if (samples > 0 && numberFor(choice.mostPower(shape) * samplesPerWatt) > samples)
     {
-      samples = numberFor(choice.expectedPower(cells[cell]) * walksPerWatt);
+      samples = numberFor(choice.expectedPower(shape) * samplesPerWatt);
     }
     if (firsts_.back() + samples < firsts_.back())
     {
@@ -30,14 +32,14 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, std::ui
   }
 }
 
-std::uint32_t GatherPlan::numberFor(double walks) const
+std::uint32_t GatherPlan::numberFor(double samples) const
 {
-  std::uint32_t samples = replicates_;
-  while (samples < kFewest || (samples < walks / kWalksPerSample && samples < kMost))
+  std::uint32_t number = replicates_;
+  while (number < kFewest || (number < samples && number < kMost))
   {
-    samples *= 2;
+    number *= 2;
   }
-  return samples;
+  return number;
 }
 
 }

@@ -22,12 +22,18 @@ namespace irradiance
 class GatherPlan
 {
 public:
-  /// `walks`: among which the flux of the lights is divided.
-  GatherPlan(const CellShapes& cells, const LampPieces& lamps, std::uint32_t walks,
-    std::uint32_t replicates, const CancelPoint& cancelPoint = {});
+  struct Settings
+  {
+    std::uint32_t walks;   ///< among which the flux of the lights is divided
+    double walksPerSample; ///< that a cell may receive for each of its samples
+    std::uint32_t replicates;
+  };
+
+  GatherPlan(const CellShapes& cells, const LampPieces& lamps, const Settings& settings,
+    const CancelPoint& cancelPoint = {});
 
   std::size_t numberOfCells() const { return firsts_.size() - 1; }
-  /// Of a cell that is not there, none.
+  /// None of a cell that is not there, or dark on both sides.
   std::uint32_t samplesOf(std::size_t cell) const { return firsts_[cell + 1] - firsts_[cell]; }
   std::uint32_t first(std::size_t cell) const { return firsts_[cell]; }
   std::uint32_t size() const { return firsts_.back(); }
@@ -44,11 +50,10 @@ public:
   std::uint32_t replicates() const { return replicates_; }
 
 private:
-  /// Walks that a cell may receive for each of its samples.
-  static constexpr double kWalksPerSample = 24;
   static constexpr std::uint32_t kFewest = 4, kMost = 65536;
 
-  std::uint32_t numberFor(double walks) const;
+  /// At least so many.
+  std::uint32_t numberFor(double samples) const;
 
   std::uint32_t replicates_;
   std::vector<std::uint32_t> firsts_; ///< by cell, and the number of all

@@ -4,6 +4,7 @@
 
 #include "Scene/Scene.h"
 #include "Surfaces/Contacts.h"
+#include "Surfaces/ObjectSides.h"
 #include "Surfaces/SceneTriangles.h"
 
 namespace irradiance
@@ -15,6 +16,7 @@ struct GatherSpace
   const Scene& scene;
   const SceneTriangles& triangles;
   const Contacts& contacts;
+  const ObjectSides& sides; ///< of dynamic objects
 };
 
 }

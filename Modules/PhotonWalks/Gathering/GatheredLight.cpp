@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/GatheredLight.h"
 
+#include "Gathering/DarkSides.h"
+
 #include <algorithm>
 
 namespace irradiance
@@ -9,11 +11,17 @@ namespace irradiance
 namespace
 {
 
-CellShapes shapesOf(const SceneObjects& objects, const SceneTriangles& triangles, CellPart part,
-  const CancelPoint& cancelPoint)
+CellShapes shapesOf(const GatherSpace& space, const SceneObjects& objects, const LightTable& lights,
+  CellPart part, const CancelPoint& cancelPoint)
 {
   const bool isStatic = part == CellPart::Static;
-  return { objects, triangles, isStatic ? 0u : 1u, isStatic ? 1u : objects.size(), cancelPoint };
+  CellShapes shapes(
+    objects, space.triangles, isStatic ? 0u : 1u, isStatic ? 1u : objects.size(), cancelPoint);
+  if (!isStatic)
+  {
+    markDarkSides(shapes, space, objects, lights);
+  }
+  return shapes;
 }
 
 DirectLight& gathered(DirectLight& light, const GatherSpace& space, Execution& execution)
@@ -31,8 +39,9 @@ GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objec
   , lights_(lights)
   , quantaPerWatt_(static_cast<double>(lights.quantaPerWalk()) * settings.walks / lights.flux())
   , lamps_(lights)
-  , cells_(shapesOf(objects, triangles_, settings.part, cancelPointOf(execution, 0)))
-  , plan_(cells_, lamps_, settings.walks, settings.replicates, cancelPointOf(execution, 0))
+  , cells_(shapesOf(space, objects, lights, settings.part, cancelPointOf(execution, 0)))
+  , plan_(cells_, lamps_, { settings.walks, settings.walksPerSample, settings.replicates },
+      cancelPointOf(execution, 0))
   , light_(cells_, lamps_, plan_, settings.seed)
   , starts_(gathered(light_, space, execution), objects, triangles_, quantaPerWatt_,
       settings.quantaPerWalk, settings.firstWalk, settings.seed, cancelPointOf(execution, 0))

@@ -36,7 +36,10 @@ double powerBetween(const LampPiece& lamp, const CellShape& cell)
   const bool isInAir = lamp.normal.isZero(0);
   const double emitted = isInAir ? 0.25 : std::clamp(leaving * inverse + slack, 0.0, 1.0);
   const double curved = 1 - std::min(1.0, cell.normal.norm()); // normals in all directions
-  const double received = std::min(1.0, std::abs(arriving) * inverse + curved + slack);
+  const double facing = cell.isBackDark ? -arriving
+    : cell.isFrontDark                  ? arriving
+                                        : std::abs(arriving);
+  const double received = std::clamp(facing * inverse + curved + slack, 0.0, 1.0);
   return std::min(lamp.flux, lamp.flux * emitted * received * cell.area / kPi * inverse * inverse);
 }
 

@@ -77,7 +77,6 @@ struct SobolPoint
     return x ^ (x & 0xffff0000u) >> 16;
   }
 
-private:
   /// A permutation in which a bit depends only on lower ones: a nested scramble of reversed bits.
   __attribute__((always_inline)) static std::uint32_t permuted(std::uint32_t x, std::uint32_t seed)
   {

@@ -17,6 +17,8 @@ struct CellShape
   double radius = 0;                ///< all corners are within it of the center
   Vector3 normal = Vector3::Zero(); ///< mean over the area: shorter than 1 if the cell is not flat
   double area = 0;                  ///< m2; 0 if the cell is not there
+  // Whether no light can come straight from the lights to a side.
+  bool isFrontDark = false, isBackDark = false;
 };
 
 /// The shapes of cells of a frame, and their triangles. Cells are numbered through all objects.
@@ -30,6 +32,11 @@ public:
   const CellNumbers& numbers() const { return numbers_; }
   std::size_t size() const { return shapes_.size(); }
   const CellShape& operator[](std::size_t cell) const { return shapes_[cell]; }
+  void setDark(std::size_t cell, bool isFront, bool isBack)
+  {
+    shapes_[cell].isFrontDark = isFront;
+    shapes_[cell].isBackDark = isBack;
+  }
   /// The numbers of the triangles of a cell.
   const std::uint32_t* begin(std::size_t cell) const { return triangles_.data() + firsts_[cell]; }
   const std::uint32_t* end(std::size_t cell) const { return triangles_.data() + firsts_[cell + 1]; }

@@ -60,6 +60,17 @@ struct Material
       static_cast<std::size_t>(band)];
   }
 
+  /// Diffusely and specularly, the mean over the bands.
+  double reflectedOf(std::uint32_t triangle) const
+  {
+    double sum = 0;
+    for (int band = 0; band < bands; ++band)
+    {
+      sum += reflectanceOf(triangle, band) + (isSpecular() ? specularOf(triangle, band) : 0);
+    }
+    return sum / bands;
+  }
+
   std::uint32_t partOfCell(std::size_t cell) const
   {
     return static_cast<std::uint32_t>(

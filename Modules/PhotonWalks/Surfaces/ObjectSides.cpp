@@ -29,4 +29,12 @@ const SolidSides& ObjectSides::of(
   return known.sides;
 }
 
+void ObjectSides::find(const SceneObjects& objects, const CancelPoint& cancelPoint)
+{
+  for (std::uint32_t object = 1; object < objects.size(); ++object)
+  {
+    of(objects, object, cancelPoint);
+  }
+}
+
 }

@@ -22,6 +22,11 @@ public:
   const SolidSides& of(
     const SceneObjects& objects, std::uint32_t object, const CancelPoint& cancelPoint);
 
+  /// Those of the dynamic objects, for the operator below.
+  void find(const SceneObjects& objects, const CancelPoint& cancelPoint);
+  /// Must be known.
+  const SolidSides& operator[](std::uint32_t object) const { return known_[object].sides; }
+
 private:
   struct Known
   {

@@ -48,7 +48,7 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
   {
     gathered_ = std::make_unique<GatheredRounds>(GatheredRounds::Settings{ *source_.cells,
       Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
-      settings_.seed });
+      source_.walksPerSample, settings_.seed });
   }
   sums_ = CellSums(space.objects, sides(), plan(), 0);
   const int bands = space.objects.staticObject.material->bands;
@@ -94,8 +94,8 @@ void WalkSet::beginRound(bool isStored, const WalkSpace& space, Execution& execu
   if (gathered_)
   {
     const WalkRound& walks = source_.plan.rounds()[round];
-    gathered_->append({ space.scene, space.triangles, space.contacts }, space.objects, lights(),
-      walks.endWalk - walks.firstWalk, beginning);
+    gathered_->append(
+      space.gatherSpace(), space.objects, lights(), walks.endWalk - walks.firstWalk, beginning);
     history_.extend(plan());
     sums_.setRounds(plan(), cancelPoint);
     gathered_->addTo(totals(), round, cancelPoint);
@@ -332,7 +332,7 @@ void WalkSet::followGathered(
   ProgressSpan beginning(execution, 0, 0);
   std::vector<std::uint32_t> born, gone;
   for (const std::uint32_t walk :
-    gathered_->follow({ space.scene, space.triangles, space.contacts }, boxes, totals(), beginning))
+    gathered_->follow(space.gatherSpace(), boxes, totals(), beginning))
   {
     if (isDealt(walk))
     {

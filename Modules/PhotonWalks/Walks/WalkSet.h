@@ -28,6 +28,9 @@ struct WalkSpace
   const SceneObjects& objects;
   const SceneTriangles& triangles;
   const Contacts& contacts;
+  const ObjectSides& sides; ///< known where cells gather direct light
+
+  GatherSpace gatherSpace() const { return { scene, triangles, contacts, sides }; }
 };
 
 /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSource.h"
 
-#include "Gathering/NearLights.h"
+#include "Gathering/FirstHits.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ std::uint32_t numberOfGroups(const SceneObjects& objects)
   return groups;
 }
 
-/// Shares the walks of a plan.
-void deal(std::vector<WalkSource>& sources, const WalkPlan& plan)
+/// Shares the walks of a plan by flux; those that start at lights are `atLights` times as many.
+void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLights = 1)
 {
   const std::uint32_t first = plan.walksAfter(1), replicates = plan.replicates().count();
   const std::uint32_t times = std::uint32_t{ 1 } << std::ilogb(plan.most() / first);
@@ -42,8 +42,9 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan)
   {
     LightTable& lights = source.lights;
     const double share = lights.flux() / flux * first;
+    const double number = source.cells ? share : share * atLights;
     const std::uint32_t walks =
-      replicates * std::max(1u, static_cast<std::uint32_t>(share / replicates));
+      replicates * std::max(1u, static_cast<std::uint32_t>(number / replicates));
     source.plan = WalkPlan(walks, walks * times, replicates, firstWalk);
     firstWalk += walks * times;
     lights.setQuantaPerWalk(std::max<std::int64_t>(
@@ -51,13 +52,38 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan)
   }
 }
 
-/// Parts a source in two, with the lights that are near static cells and with all others; no part that is
-/// worth less than a walk of each replicate.
-std::vector<WalkSource> partedByNearness(const SceneObjects& objects, const WalkSource& source)
+/// Where little of the light returns, what is gathered is nearly all light, and deserves most of the work.
+double walksPerSample(double returned)
 {
-  std::vector<bool> chosen = findNearLights(objects, source.lights);
+  constexpr double kUsual = 36, kFewest = 3, kMuch = 0.25;
+  return std::clamp(kUsual * returned / kMuch, kFewest, kUsual);
+}
+
+/// Where little is reflected, many weak walks are of no use.
+double powerOfStart(double reflected)
+{
+  return std::clamp(reflected, 0.0625, 1.0);
+}
+
+/// How many times as many walks those near lights shoot, beside which others start at cells: with as little power,
+/// as the noise of both is to cost alike.
+double timesAtLights(double reflected, const WalkPlan& plan)
+{
+  constexpr double kLeast = 0.25;
+  constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
+  return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
+}
+
+/// Parts a source in two, with the lights that are near static cells and with all others; no part that is
+/// worth less than a walk of each replicate. `reflected`: the mean part of static cells.
+std::vector<WalkSource> partedByNearness(
+  const SceneObjects& objects, const WalkSource& source, double reflected)
+{
+  const FirstHits hits(objects, source.lights);
+  std::vector<bool> chosen = hits.nearLights();
   std::vector<WalkSource> parts{ { source.lights.only(chosen), source.plan },
     { {}, source.plan, CellPart::Static } };
+  parts[1].walksPerSample = walksPerSample(hits.returned());
   chosen.flip();
   parts[1].lights = source.lights.only(chosen);
   const double least =
@@ -70,7 +96,7 @@ std::vector<WalkSource> partedByNearness(const SceneObjects& objects, const Walk
       return { parts[1 - i] };
     }
   }
-  deal(parts, source.plan);
+  deal(parts, source.plan, timesAtLights(reflected, source.plan));
   return parts;
 }
 
@@ -104,14 +130,17 @@ std::vector<WalkSource> gatheredSourcesOf(
 {
   std::vector<WalkSource> gathered, all;
   std::uint32_t end = 0; // of the numbers of walks that start at lights
-  // Where little is reflected, many weak walks are of no use.
-  constexpr double kLeast = 0.0625;
-  const double reflected = std::clamp(meanReflectance(objects.staticObject), kLeast, 1.0);
+  const double reflected = meanReflectance(objects.staticObject);
   for (const WalkSource& source : sources)
   {
-    for (WalkSource& part : partedByNearness(objects, source))
+    for (WalkSource& part : partedByNearness(objects, source, reflected))
     {
-      end = part.cells ? end : part.plan.endWalk();
+      if (!part.cells)
+      {
+        const WalkPlan& plan = part.plan;
+        part.plan = WalkPlan(plan.walksAfter(1), plan.most(), plan.replicates().count(), end);
+        end = part.plan.endWalk();
+      }
       (part.cells ? gathered : all).push_back(std::move(part));
     }
   }
@@ -128,8 +157,9 @@ std::vector<WalkSource> gatheredSourcesOf(
         all.push_back(source);
         all.back().cells = part;
         // How many walks are born is not known yet: numbers are shared evenly.
-        all.back().quantaPerStart = std::max<std::int64_t>(
-          1, std::llround(reflected * static_cast<double>(source.lights.quantaPerWalk())));
+        all.back().quantaPerStart = std::max<std::int64_t>(1,
+          std::llround(
+            powerOfStart(reflected) * static_cast<double>(source.lights.quantaPerWalk())));
         all.back().firstWalk = end;
         end += share;
       }

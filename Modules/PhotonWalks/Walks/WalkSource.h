@@ -22,6 +22,8 @@ struct WalkSource
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
   std::int64_t quantaPerStart = 0;
+  /// Of the walks that a cell would receive, how many there are for each of its samples.
+  double walksPerSample = 0;
 
   /// With which a walk starts, in all bands together.
   std::int64_t quantaPerWalk() const { return cells ? quantaPerStart : lights.quantaPerWalk(); }
@@ -29,7 +31,8 @@ struct WalkSource
   friend bool operator==(const WalkSource& a, const WalkSource& b)
   {
     return a.plan == b.plan && a.lights == b.lights && a.cells == b.cells &&
-      a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart;
+      a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart &&
+      a.walksPerSample == b.walksPerSample;
   }
 };
 
@@ -48,7 +51,7 @@ std::vector<WalkSource> sourcesOf(
 /**
  * Where cells gather direct light: for each source one whose walks start at static cells, and one at dynamic
  * cells if any object may move. Lights that shine mostly on near static cells have a source of their own, whose
- * walks start at the lights, see findNearLights(). Walks are shared as among groups. About as many
+ * walks start at the lights, see FirstHits. Walks are shared as among groups. About as many
  * walks start at cells as the plan has, if the light falls on static cells that reflect as all of them on average.
  */
 std::vector<WalkSource> gatheredSourcesOf(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gathering/NearLights.h"
+#include "Gathering/FirstHits.h"
 
 #include "EngineRun.h"
 #include "StaleLight.h"
@@ -68,7 +68,7 @@ EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks, bool isGather
 
 std::vector<bool> nearLightsOf(const SceneObjects& objects)
 {
-  return findNearLights(objects, LightTable(objects, 1000));
+  return FirstHits(objects, LightTable(objects, 1000)).nearLights();
 }
 
 std::vector<WalkSource> gatheredOf(const SceneObjects& objects, const WalkPlan& plan)
@@ -125,6 +125,43 @@ TEST(NearLights, AreNotThoseThatTouch)
   }
 }
 
+/// What arrives at static cells and leaves them.
+TEST(FirstHits, KnowHowMuchReturns)
+{
+  const auto returnedOf = [](const SceneObjects& objects) {
+    return FirstHits(objects, LightTable(objects, 1000)).returned();
+  };
+  for (const double unit : { 1.0, 0x1p-20, 0x1p30 })
+  {
+    ObjectBuilder room, floor, lamp, upwards;
+    addWalls(room, unit);
+    addLamp(room, 2.5, 1, 8, unit);
+    room.addPointLight(unit * Vector3(2, 2, 1), 3);
+    EXPECT_NEAR(returnedOf({ room.build(), {} }), kReflectance, 0.05) << "unit " << unit;
+    // The lamp's own back takes some.
+    EXPECT_LE(returnedOf({ room.build(), {} }), kReflectance * (1 + 1e-12)) << "unit " << unit;
+    floor.addQuad({ 0, 0, 0 }, { 4 * unit, 0, 0 }, { 0, 4 * unit, 0 }, 6, 6, grey(kReflectance));
+    addLamp(lamp, 2.5, 1, 8, unit);
+    EXPECT_EQ(returnedOf({ floor.build(), { lamp.build() } }), 0) << "unit " << unit;
+    upwards.addQuad(unit * Vector3(1, 1, 1), { unit, 0, 0 }, { 0, unit, 0 }, 1, 1, grey(0, 1));
+    EXPECT_EQ(returnedOf({ floor.build(), { upwards.build() } }), 1) << "unit " << unit;
+  }
+}
+
+/// A floor alone gathers more samples than one in a room.
+TEST(FirstHits, DecideHowManySamplesThereAre)
+{
+  ObjectBuilder room, floor, lamp;
+  addWalls(room);
+  floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kReflectance));
+  addLamp(lamp, 2.5, 1, 8);
+  const WalkPlan plan(10000, 10000, 16);
+  const double inRoom = gatheredOf({ room.build(), { lamp.build() } }, plan)[0].walksPerSample;
+  const double alone = gatheredOf({ floor.build(), { lamp.build() } }, plan)[0].walksPerSample;
+  EXPECT_GT(inRoom, 8 * alone);
+  EXPECT_GE(alone, 1);
+}
+
 TEST(NearLights, HaveASourceOfTheirOwn)
 {
   const WalkPlan plan(10030, 7 * 10030, 16);
@@ -148,7 +185,9 @@ TEST(NearLights, HaveASourceOfTheirOwn)
   EXPECT_GT(sources[2].firstWalk - sources[1].firstWalk, 1u << 30);
   EXPECT_GT(0xffffffffu - sources[2].firstWalk, 1u << 30);
   EXPECT_EQ(sources[0].plan.rounds().size(), sources[1].plan.rounds().size());
-  EXPECT_NEAR(sources[0].plan.walksAfter(1), 10030.0 * 6 / 14, 16);
+  // As weak as walks that start at cells.
+  const double reflected = meanReflectance(objects.staticObject);
+  EXPECT_NEAR(sources[0].plan.walksAfter(1), 10030.0 * 6 / 14 / reflected, 16);
   EXPECT_NEAR(sources[1].plan.walksAfter(1), 10030.0 * 8 / 14, 16);
 }
 
@@ -168,6 +207,7 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   expected[0].cells = CellPart::Static;
   // The mean reflectance of the walls is a part of a shot walk's power.
   expected[0].quantaPerStart = gatheredOf(allFar, plan)[0].quantaPerStart;
+  expected[0].walksPerSample = gatheredOf(allFar, plan)[0].walksPerSample;
   EXPECT_NEAR(double(expected[0].quantaPerStart),
     meanReflectance(allFar.staticObject) * double(expected[0].lights.quantaPerWalk()), 1);
   EXPECT_TRUE(gatheredOf(allFar, plan) == expected);
@@ -196,6 +236,18 @@ TEST(NearLights, OfEachGroupHaveQuantaOfTheSameWorth)
   for (const WalkSource& source : sources)
   {
     EXPECT_NEAR(quantaPerWatt(source) / quantaPerWatt(sources[0]), 1, 1e-6);
+  }
+  // No two walks that may be shot have the same number.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> numbers;
+  for (const WalkSource& source : sources)
+  {
+    numbers.emplace_back(source.cells ? source.firstWalk : source.plan.replicates().firstWalk(),
+      source.cells ? source.firstWalk + 1 : source.plan.endWalk());
+  }
+  std::sort(numbers.begin(), numbers.end());
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+  {
+    EXPECT_LE(numbers[i - 1].second, numbers[i].first);
   }
 }
 

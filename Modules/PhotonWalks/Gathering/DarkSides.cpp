@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/DarkSides.h"
+
+#include "Surfaces/Touching.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// By object, whether any light lies within its bounds, or touches them. The static object is not looked at.
+std::vector<bool> haveLights(const SceneObjects& objects, const LightTable& lights)
+{
+  std::vector<bool> have(objects.size(), true);
+  for (std::uint32_t i = 1; i < objects.size(); ++i)
+  {
+    Box bounds = objects.dynamicObjects[i - 1].worldBounds();
+    bounds.inflate(8 * kTouching * bounds.magnitude());
+    have[i] = std::any_of(lights.lights().begin(), lights.lights().end(),
+      [&](const Light& light) { return !bounds.intersection(light.bounds()).isEmpty(); });
+  }
+  return have;
+}
+
+/// Whether a box is nowhere in front of a plane.
+bool isBehind(const Box& box, const Vector3& point, const Vector3& normal)
+{
+  const Vector3 half = 0.5 * box.extent();
+  return normal.dot(box.center() - point) + normal.cwiseAbs().dot(half) <= 0;
+}
+
+}
+
+void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const LightTable& lights)
+{
+  const std::vector<bool> haveLight = haveLights(objects, lights);
+  Box bounds;
+  for (const Light& light : lights.lights())
+  {
+    bounds.add(light.bounds());
+  }
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const auto isSolid = [&](SolidSide side) {
+      return std::all_of(cells.begin(cell), cells.end(cell), [&](std::uint32_t number) {
+        const TriangleId id = space.triangles.idOf(number);
+        return !haveLight[id.object] && space.sides[id.object].of[id.triangle] == side;
+      });
+    };
+    const CellShape& shape = cells[cell];
+    if (cells.begin(cell) == cells.end(cell))
+    {
+      continue;
+    }
+    const bool isFront = isSolid(SolidSide::InFront), isBack = isSolid(SolidSide::Behind);
+    constexpr double kFlat = 1 - 1e-12;
+    const Vector3 outwards = isFront ? Vector3(-shape.normal) : shape.normal;
+    const bool isAway = shape.normal.norm() >= kFlat && isBehind(bounds, shape.center, outwards);
+    cells.setDark(cell, isFront || (isBack && isAway), isBack || (isFront && isAway));
+  }
+}
+
+}

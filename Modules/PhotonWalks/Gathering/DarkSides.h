@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_DarkSides_h
+#define irradiance_DarkSides_h
+
+#include "Gathering/GatherSpace.h"
+#include "Lights/LightTable.h"
+#include "Surfaces/CellShapes.h"
+
+namespace irradiance
+{
+
+/**
+ * Marks the sides of cells to which no light can come straight from the lights of a table, whatever stands where:
+ * the inner sides of closed dynamic objects whose bounds have no light in them, and the outer ones of their flat cells
+ * that turn away from all lights.
+ */
+void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const LightTable& lights);
+
+}
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/FirstHits.h"
+
+#include "Sampling/DirectionSampling.h"
+#include "Sampling/SobolPoint.h"
+#include "Scene/Scene.h"
+#include "Surfaces/Touching.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::uint32_t kRays = 16; ///< from each light
+using Rays = std::array<Ray, kRays>;
+using Hits = std::array<Hit, kRays>;
+
+/// Near is what is hit within so many edges of a square of two such triangles: from there on samples do as well.
+constexpr double kNear = 0.5;
+
+/// The same points of low discrepancy for all lights.
+std::array<double, 2> pointOf(std::uint32_t ray, std::uint64_t use)
+{
+  return SobolPoint::inUnitSquare(ray, SampleKeys(splitMix(use)));
+}
+
+Ray diffuseRay(const SurfacePoint& point, const TriangleId& start, const std::array<double, 2>& u)
+{
+  return { point.clearPosition(),
+    directionAround(point.normal, std::sqrt(1 - u[0]), std::sqrt(u[0]), u[1]), start };
+}
+
+/// As light leaves the light.
+Rays raysFrom(const Light& light)
+{
+  Rays rays;
+  for (std::uint32_t i = 0; i < kRays; ++i)
+  {
+    if (const auto* const area = std::get_if<AreaLight>(&light.kind))
+    {
+      const TriangleId start = area->id.isDynamic() ? TriangleId{} : area->id; // it is not there
+      const Vector3 weights = sampleTriangle(pointOf(i, 1));
+      rays[i] = diffuseRay(surfacePoint(area->triangle, weights), start, pointOf(i, 2));
+    }
+    else
+    {
+      rays[i] = light.leaving(pointOf(i, 2));
+    }
+  }
+  return rays;
+}
+
+/// Not if it touches the light: then it receives exactly what the light emits at its place.
+bool isNear(const Scene& scene, const Hit& hit)
+{
+  const Triangle triangle = scene.worldTriangle(hit.id);
+  return hit.distance < kNear * std::sqrt(2 * triangle.area()) &&
+    hit.distance > 8 * kTouching * triangle.bounds().magnitude();
+}
+
+/// The sum over hits of what is reflected and arrives again, for each of what arrives.
+double returnedOf(const Scene& scene, const Material& material, const Rays& rays, const Hits& hits)
+{
+  Rays onwards;
+  std::array<double, kRays> parts{};
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < kRays; ++i)
+  {
+    if (hits[i])
+    {
+      SurfacePoint point = surfacePoint(scene.worldTriangle(hits[i].id), weightsOf(hits[i]));
+      point.turn(point.normal.dot(rays[i].direction) < 0);
+      onwards[count] = diffuseRay(point, hits[i].id, pointOf(i, 3));
+      parts[count++] = material.reflectedOf(hits[i].id.triangle);
+    }
+  }
+  Hits again;
+  scene.cast(onwards.data(), count, again.data());
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    sum += again[i] ? parts[i] : 0;
+  }
+  return sum;
+}
+
+}
+
+FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
+{
+  Scene scene;
+  scene.setStatic(objects.staticObject.body);
+  scene.commit({});
+  double arrived = 0, returned = 0;
+  for (const Light& light : lights.lights())
+  {
+    const Rays rays = raysFrom(light);
+    Hits hits;
+    scene.cast(rays.data(), kRays, hits.data());
+    const bool isArea = std::holds_alternative<AreaLight>(light.kind);
+    const auto near = std::count_if(
+      hits.begin(), hits.end(), [&](const Hit& hit) { return hit && isNear(scene, hit); });
+    nearLights_.push_back(isArea && 2 * near > kRays);
+    arrived += light.totalFlux() *
+      static_cast<double>(std::count_if(
+        hits.begin(), hits.end(), [](const Hit& hit) { return static_cast<bool>(hit); }));
+    returned += light.totalFlux() * returnedOf(scene, *objects.staticObject.material, rays, hits);
+  }
+  returned_ = arrived > 0 ? returned / arrived : 1;
+}
+
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gathering/DarkSides.h"
+
+#include "EngineRun.h"
+#include "TestScenes.h"
+
+#include <gtest/gtest.h>
+
+// Sides of cells that no light can reach straight from the lights, and the cells that gather nothing.
+
+namespace irradiance
+{
+namespace
+{
+
+using test::box;
+using test::grey;
+using test::ObjectBuilder;
+
+/// A room with a panel of 1 W below the ceiling.
+ObjectBuilder roomWithPanel()
+{
+  ObjectBuilder room;
+  room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5), true);
+  room.addQuad({ 1.5, 1.5, 2.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
+  return room;
+}
+
+SceneObjects withMover(const ObjectBuilder& mover)
+{
+  return { roomWithPanel().build(), { mover.build() } };
+}
+
+/// Of dynamic cells: those dark on the front, on the back, and on both sides.
+struct Counts
+{
+  std::size_t front = 0, back = 0, both = 0, all = 0;
+  friend bool operator==(const Counts& a, const Counts& b)
+  {
+    return a.front == b.front && a.back == b.back && a.both == b.both && a.all == b.all;
+  }
+};
+
+CellShapes shapesOf(const SceneObjects& objects)
+{
+  IrradianceEngine engine;
+  EngineSettings settings;
+  settings.numberOfWalks = 100;
+  settings.gathersDirectLight = true;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  CellShapes shapes(objects, engine.gatherSpace().triangles, 0, objects.size());
+  markDarkSides(shapes, engine.gatherSpace(), objects, LightTable(objects, 100));
+  return shapes;
+}
+
+Counts countsOf(const SceneObjects& objects)
+{
+  const CellShapes shapes = shapesOf(objects);
+  Counts counts;
+  shapes.numbers().forEach([&](const SceneCell& cell) {
+    const CellShape& shape = shapes[shapes.numbers()[cell]];
+    counts.all += cell.object > 0 ? 1 : 0;
+    counts.front += shape.isFrontDark ? 1 : 0;
+    counts.back += shape.isBackDark ? 1 : 0;
+    counts.both += shape.isFrontDark && shape.isBackDark ? 1 : 0;
+  });
+  return counts;
+}
+
+TEST(DarkSides, AreInsideAClosedBodyAndBelowIt)
+{
+  ObjectBuilder cube;
+  cube.addBox(box({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2 }), 2, grey(0.5));
+  // Walls stand below the edges of the panel's bounds, so they turn away from all of it.
+  EXPECT_EQ(countsOf(withMover(cube)), (Counts{ 20, 24, 20, 24 }));
+  // The other way round.
+  ObjectBuilder turned;
+  turned.addBox(box({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2 }), 2, grey(0.5), true);
+  EXPECT_EQ(countsOf(withMover(turned)), (Counts{ 24, 20, 20, 24 }));
+  // A smaller one: walls see the panel, the floor does not.
+  ObjectBuilder small;
+  small.addBox(box({ 1.8, 1.8, 1 }, { 2.2, 2.2, 1.4 }), 2, grey(0.5));
+  EXPECT_EQ(countsOf(withMover(small)), (Counts{ 4, 24, 4, 24 }));
+}
+
+TEST(DarkSides, AreNotWhereALightIsInsideOrNear)
+{
+  ObjectBuilder cube, lantern, lampshade;
+  cube.addBox(box({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2.95 }), 2, grey(0.5)); // about the panel
+  EXPECT_EQ(countsOf(withMover(cube)), (Counts{ 0, 0, 0, 24 }));
+  lantern.addBox(box({ 1, 1, 1 }, { 2, 2, 2 }), 1, grey(0.5));
+  lantern.addPointLight({ 1.5, 1.5, 1.5 }, 1);
+  EXPECT_EQ(countsOf(withMover(lantern)), (Counts{ 0, 0, 0, 6 }));
+  lampshade.addBox(box({ 1, 1, 1 }, { 2, 2, 2 }), 1, grey(0.5, 1)); // it shines itself
+  EXPECT_EQ(countsOf(withMover(lampshade)), (Counts{ 0, 0, 0, 6 }));
+}
+
+TEST(DarkSides, AreNotOfSheetsNorOfStaticBodies)
+{
+  ObjectBuilder sheet;
+  sheet.addQuad({ 1, 1, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 2, 2, grey(0.5));
+  EXPECT_EQ(countsOf(withMover(sheet)), (Counts{ 0, 0, 0, 4 }));
+  ObjectBuilder room = roomWithPanel();
+  room.addBox(box({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2 }), 2, grey(0.5));
+  EXPECT_EQ(countsOf({ room.build(), {} }), (Counts{ 0, 0, 0, 0 }));
+}
+
+/// Light that comes by way of walls arrives all the same, and a lamp that enters the body is seen.
+TEST(DarkSides, FollowALampThatEntersTheBody)
+{
+  ObjectBuilder cube, lamp;
+  cube.addBox(box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }), 2, grey(0.5));
+  lamp.addPointLight({ 0, 0, 0 }, 1);
+  SceneObjects objects{ roomWithPanel().build(), { cube.build(), lamp.build() } };
+  objects.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 1 });
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(20000);
+  settings.gathersDirectLight = true;
+  settings.separateSides = true;
+  IrradianceEngine engine;
+  Execution serial;
+  for (const double x : { 3.2, 2.4, 2.0, 1.2 })
+  {
+    objects.dynamicObjects[1].worldFromObject = test::shift({ x, 2, 1 });
+    engine.update(objects, settings, serial);
+    ASSERT_EQ(test::answerOf(engine, objects, true), test::freshAnswer(objects, settings))
+      << "x = " << x;
+    const bool isInside = x > 1.5 && x < 2.5;
+    double inner = 0, outer = 0; // W/m2, of 24 cells
+    for (std::uint32_t cell = 0; cell < 24; ++cell)
+    {
+      outer += engine.irradiance({ { 1, cell }, 0 }, 0);
+      inner += engine.irradiance({ { 1, cell }, 1 }, 0);
+    }
+    EXPECT_GT(outer, 0.1);
+    if (isInside)
+    {
+      EXPECT_GT(inner, 1);
+    }
+    else
+    {
+      EXPECT_EQ(inner, 0);
+    }
+  }
+}
+
+}
+}
