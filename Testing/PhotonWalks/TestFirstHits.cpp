@@ -237,6 +237,23 @@ TEST(NearLights, OfEachGroupHaveQuantaOfTheSameWorth)
   {
     EXPECT_NEAR(quantaPerWatt(source) / quantaPerWatt(sources[0]), 1, 1e-6);
   }
+}
+
+/// Each of two groups has near lights, which shoot more walks than their share.
+TEST(NearLights, OfEachGroupHaveWalksOfTheirOwn)
+{
+  ObjectBuilder room;
+  addWalls(room);
+  addLamp(room, 2.5, 1, 3);
+  addLamp(room, 0.05, 0.05, 8);
+  addStrip(room, 8);
+  room.addPointLight({ 3, 3, 2 }, 3);
+  SceneObjects objects = test::inTwoGroups({ room.build(), {} });
+  Emission emission = *objects.staticObject.emission;
+  emission.groups[objects.staticObject.material->numberOfCells - 1] = 1; // the strip
+  objects.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
+  const std::vector<WalkSource> sources = gatheredOf(objects, { 10030, 4 * 10030, 16 });
+  ASSERT_EQ(sources.size(), 4u);
   // No two walks that may be shot have the same number.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> numbers;
   for (const WalkSource& source : sources)

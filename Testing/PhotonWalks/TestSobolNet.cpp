@@ -25,13 +25,13 @@ int sharedDigits(double u, double v)
 }
 
 /// Scrambling keeps how many leading digits two points share. The points are those of Joe and Kuo's page, in the
-/// order of Gray's code; the fourth coordinate follows from their direction numbers 1, 3, 1.
+/// order of Gray's code; the fourth coordinate follows from their direction numbers 1, 3, 1, 5.
 TEST(SobolNet, HasThePointsOfJoeAndKuo)
 {
   const std::vector<SobolNet::Point> published = { { 0, 0, 0, 0 }, { 0.5, 0.5, 0.5, 0.5 },
     { 0.75, 0.25, 0.25, 0.25 }, { 0.25, 0.75, 0.75, 0.75 }, { 0.375, 0.375, 0.625, 0.875 },
-    { 0.875, 0.875, 0.125, 0.375 }, { 0.625, 0.125, 0.875, 0.625 },
-    { 0.125, 0.625, 0.375, 0.125 } };
+    { 0.875, 0.875, 0.125, 0.375 }, { 0.625, 0.125, 0.875, 0.625 }, { 0.125, 0.625, 0.375, 0.125 },
+    { 0.1875, 0.3125, 0.9375, 0.4375 }, { 0.6875, 0.8125, 0.4375, 0.9375 } };
   const auto gray = [](std::uint32_t i) { return i ^ i >> 1; };
   for (std::uint64_t seed = 0; seed < 8; ++seed)
   {
