@@ -71,7 +71,7 @@ double SceneAdvice::emitted() const
 double SceneAdvice::escaped() const
 {
   // Gathered light is an estimate: what so little of it says may be noise.
-  constexpr double kNoise = 0.05;
+  constexpr double kNoise = 0.1;
   const double watts = engine_.watts(sum(engine_.balance().escaped, scene_.bands()));
   return engine_.settings().gathersDirectLight && watts < kNoise * emitted() ? 0 : watts;
 }
