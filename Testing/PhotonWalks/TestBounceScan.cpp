@@ -425,6 +425,44 @@ TEST(BounceScan, TheOwnBoxOfABodyFlagsFewer)
   EXPECT_LT(all.flagged, 0.8 * all.touching);
 }
 
+// Of bodies that are small beside the grid, balls are tested first; there may be larger ones as well.
+TEST(BounceScan, ManyBodiesFlagWhatEachFlagsAlone)
+{
+  test::RandomVectors random(11);
+  const auto ball = test::bodyOf(test::icosphere(1));
+  const PointGrid grid(boxAround({ 1, 2, 3 }, { 2, 0.7, 1 }));
+  std::size_t count = 0;
+  for (int round = 0; round < 20; ++round)
+  {
+    BounceFront front;
+    for (int i = 0; i < 1024; ++i)
+    {
+      const Vector3 from(1 + 2 * random.uniform(), 2, 3), to(1, 2 + 0.7 * random.uniform(), 3);
+      addWalk(front, aimed(from + 0.7 * random.inCube(), to + random.inCube(), i % 5 == 0));
+    }
+    Stored stored(front, grid);
+    BounceScan all(grid);
+    std::set<std::uint32_t> any;
+    for (int body = 0; body < 30; ++body)
+    {
+      const Vector3 lengths(1, random.powerOfTwo(-3, 0), random.powerOfTwo(-3, 0));
+      const AffineMap pose{ random.powerOfTwo(-6, round % 2 == 0 ? -4 : -1) * random.rotation() *
+          lengths.asDiagonal(),
+        Vector3(1, 2, 3) + 0.6 * random.inCube() };
+      const OwnBox own = boxOf(*ball, pose);
+      BounceScan alone(grid);
+      alone.addBody(boundOf(*ball, pose), &own);
+      all.addBody(boundOf(*ball, pose), &own);
+      const Slots its = stored.flaggedBy(alone);
+      any.insert(its.begin(), its.end());
+    }
+    const Slots found = stored.flaggedBy(all);
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), any.begin(), any.end())) << round;
+    count += found.size();
+  }
+  EXPECT_GT(count, 1000u);
+}
+
 // What is not whole within the grid is flagged for a body that is not.
 TEST(BounceScan, BodiesOutsideTheGrid)
 {
@@ -518,12 +556,23 @@ TEST(BounceScan, AllAreFlaggedWhereFloatsTellTooLittle)
 namespace
 {
 
+/// A body in two ways: that of a ball counts if it is small.
+struct TestedBody
+{
+  GridBody body;
+  GridBall ball = {};
+};
+
 /// Whether a segment alone in a page is flagged for a body.
-bool isFlagged(const BouncePage& page, const GridBody& body)
+bool isFlagged(const BouncePage& page, const TestedBody& tested)
 {
   const BouncePage* const pages[] = { &page };
+  constexpr std::uint32_t kFirst = 0;
+  constexpr float kStretch[] = { 1, 0.7F, 0.1F };
   std::uint16_t flagged[PageScan::kGroups];
-  const PageScan scan{ pages, 1, nullptr, {}, &body, 1, flagged };
+  NearBody near[1];
+  const PageScan scan{ pages, 1, nullptr, {},
+    { &tested.body, &tested.ball, &kFirst, 1, tested.ball.isSmall(), kStretch }, near, flagged };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   return (flagged[0] & 1) != 0;
 }
@@ -598,19 +647,26 @@ TEST(BounceScan, EveryInstructionSetRoundsTheSame)
     GridBody body = randomBody(random);
     expectSame(page, [&](float radius) {
       body.squaredRadius = radius;
-      return body;
+      return TestedBody{ body };
     });
     body.squaredRadius = kInfinity;
+    GridBall ball;
+    std::generate_n(
+      ball.center, 3, [&] { return static_cast<float>(PointGrid::kReach * random.uniform()); });
+    expectSame(page, [&](float radius) {
+      ball.squaredRadius = radius;
+      return TestedBody{ body, ball };
+    });
     body.hasBox = true;
     std::fill_n(body.slack, 3, 1e30f);
     expectSame(page, [&](float face) {
       std::fill_n(body.face, 3, face);
-      return body;
+      return TestedBody{ body };
     });
     std::fill_n(body.face, 3, 1e30f);
     expectSame(page, [&](float slack) {
       std::fill_n(body.slack, 3, slack);
-      return body;
+      return TestedBody{ body };
     });
   }
 }

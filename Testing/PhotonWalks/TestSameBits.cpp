@@ -102,16 +102,18 @@ TEST(SameBits, WhateverTheInstructions)
   }
 }
 
-// So many that what they may change is looked for in an index, which is worn and made anew on the way.
-TEST(SameBits, AmongManyThatMoveWhateverTheInstructions)
+namespace
 {
-  constexpr int kMovers = 24, kFrames = 8;
-  static_assert(kMovers >= static_cast<int>(SegmentIndex::kFromBodies));
+
+/// On all instruction sets.
+void checkManyThatMove(int movers, double radius, int frames)
+{
   test::ObjectBuilder room, grain;
   room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 3, test::grey(0.7), true);
   room.addPointLight({ 2, 2, 2 }, 3);
-  grain.addSphere({ 0, 0, 0 }, 0.2, 4, test::grey(0.5));
-  SceneObjects objects{ room.build(), std::vector<SceneObject>(kMovers, grain.build()) };
+  grain.addSphere({ 0, 0, 0 }, radius, 4, test::grey(0.5));
+  SceneObjects objects{ room.build(),
+    std::vector<SceneObject>(static_cast<std::size_t>(movers), grain.build()) };
   EngineSettings settings;
   settings.numberOfWalks = test::scaled(20000);
   for (const SimdLevel level : test::simdLevels())
@@ -119,9 +121,9 @@ TEST(SameBits, AmongManyThatMoveWhateverTheInstructions)
     const test::SimdLimit limit(level);
     IrradianceEngine engine;
     test::ThreadExecution threads(2);
-    for (int frame = 0; frame < kFrames; ++frame)
+    for (int frame = 0; frame < frames; ++frame)
     {
-      for (int i = 0; i < kMovers; ++i)
+      for (int i = 0; i < movers; ++i)
       {
         const auto at = [&](double step) { return 0.5 + 3 * std::fmod(step * (i + 1), 1.0); };
         objects.dynamicObjects[static_cast<std::size_t>(i)].worldFromObject =
@@ -133,6 +135,26 @@ TEST(SameBits, AmongManyThatMoveWhateverTheInstructions)
         << "SIMD level " << static_cast<int>(level) << ", frame " << frame;
     }
   }
+}
+
+}
+
+TEST(SameBits, AmongManyThatMoveWhateverTheInstructions)
+{
+  checkManyThatMove(24, 0.2, 4);
+}
+
+TEST(SameBits, AmongManySmallOnesThatMoveWhateverTheInstructions)
+{
+  checkManyThatMove(40, 0.05, 4);
+}
+
+// So many that what they may change is looked for in an index, which is worn and made anew on the way.
+TEST(SameBits, AmongVeryManyThatMoveWhateverTheInstructions)
+{
+  constexpr int kMovers = 264;
+  static_assert(kMovers >= static_cast<int>(SegmentIndex::kFromBodies));
+  checkManyThatMove(kMovers, 0.05, 5);
 }
 
 TEST(SameBits, SidesAddUpToTheSum)

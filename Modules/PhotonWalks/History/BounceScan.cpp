@@ -10,6 +10,10 @@ BounceScan::BounceScan(const PointGrid& grid)
   : grid_(grid)
 {
   tags_.add(BounceTag::kAlways);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    stretch_[axis] = static_cast<float>(grid.step[axis] / grid.step.maxCoeff());
+  }
 }
 
 void BounceScan::addBody(const EllipsoidBound& bound, const OwnBox* own)
@@ -34,7 +38,10 @@ void BounceScan::addBody(const EllipsoidBound& bound, const OwnBox* own)
   {
     addOwnBox(grid_, *own, *body);
   }
+  every_.push_back(static_cast<std::uint32_t>(bodies_.size()));
   bodies_.push_back(*body);
+  balls_.push_back(ballOnGrid(grid_, bound));
+  areSmall_ = areSmall_ || balls_.back().isSmall();
 }
 
 void BounceScan::find(
@@ -46,10 +53,12 @@ void BounceScan::find(
     return;
   }
   static thread_local std::vector<std::uint16_t> flagged;
+  static thread_local std::vector<NearBody> near;
+  near.resize(bodies_.size() + 1);
   flagged.resize(block.pages().size() * PageScan::kGroups);
   const BouncePage* const after = next.pages().empty() ? nullptr : next.pages().front();
-  const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies_.data(),
-    bodies_.size(), flagged.data() };
+  const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies(),
+    near.data(), flagged.data() };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   listFlagged(flagged, slots);
 }

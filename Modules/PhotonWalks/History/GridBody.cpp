@@ -4,6 +4,7 @@
 #include "History/GridSegments.h"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,26 @@ std::optional<GridBody> bodyOnGrid(const PointGrid& grid, const EllipsoidBound& 
   body.groupRadius = static_cast<float>((radius + 2 * kRoundings * kRoundoff * farthest) * kMore);
   body.stretch = static_cast<float>(stretch * kMore);
   return body;
+}
+
+GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound)
+{
+  const EllipsoidBound::Ball round = bound.ball();
+  const double unit = grid.step.maxCoeff();
+  const Vector3 center = (round.center - grid.center) / unit;
+  const double stretch = 1 / Eigen::JacobiSVD<Matrix3>(round.roundFromWorld).singularValues()[2];
+  const double farthest = std::sqrt(3.0) * PointGrid::kReach + center.norm();
+  constexpr double kRoundings = 64, kSmall = 0x1p-4 * PointGrid::kReach;
+  const double rounding = kRoundings * kRoundoff * farthest;
+  const double radius = (round.radius * stretch / unit + std::sqrt(3.0) * kHalf + rounding) * kMore;
+  GridBall ball;
+  if (radius < kSmall && farthest < 4 * PointGrid::kReach)
+  {
+    Eigen::Map<Eigen::Vector3f>(ball.center) = center.cast<float>();
+    ball.squaredRadius = static_cast<float>(radius * radius * kMore);
+    ball.groupRadius = static_cast<float>((radius + 2 * rounding) * kMore);
+  }
+  return ball;
 }
 
 void addOwnBox(const PointGrid& grid, const OwnBox& own, GridBody& body)

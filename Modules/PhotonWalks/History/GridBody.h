@@ -5,6 +5,7 @@
 #include "Ellipsoids/EllipsoidBound.h"
 #include "History/PointGrid.h"
 
+#include <limits>
 #include <optional>
 
 namespace irradiance
@@ -26,6 +27,21 @@ struct GridBody
   float slack[3]; ///< times the 1-norm of a segment: widens the cube across each axis
 };
 
+/**
+ * The ball around a moved object that is small beside the grid, in the grid stretched to equal steps along
+ * all axes, of at most 1. To test it takes a third of what its GridBody takes, and most segments miss it.
+ */
+struct GridBall
+{
+  float center[3] = {};
+  /// Infinite if the object is not small.
+  float squaredRadius = std::numeric_limits<float>::infinity();
+  /// For groups of segments, as in GridBody with a stretch of 1.
+  float groupRadius = std::numeric_limits<float>::infinity();
+
+  bool isSmall() const { return squaredRadius < std::numeric_limits<float>::infinity(); }
+};
+
 /// The box of a moved object in its own space, and where it is.
 struct OwnBox
 {
@@ -37,6 +53,7 @@ struct OwnBox
 /// Widened by all that rounding may do to a segment on the grid and to its test in floats, see
 /// Documentation/Theory.md. Nothing if floats would tell too little.
 std::optional<GridBody> bodyOnGrid(const PointGrid& grid, const EllipsoidBound& bound);
+GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound);
 /// Adds the object's own box to its body, unless floats would tell too little.
 void addOwnBox(const PointGrid& grid, const OwnBox& own, GridBody& body);
 

@@ -2,7 +2,7 @@
 #ifndef irradiance_IndexScan_h
 #define irradiance_IndexScan_h
 
-#include "History/GridBody.h"
+#include "History/PageScan.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,12 +28,11 @@ struct IndexScan
   /// Segments in no order, with no groups.
   IndexColumns tail;
   std::size_t numberInTail; ///< a multiple of kFanout
-  const GridBody* bodies;
-  std::uint32_t numberOfBodies;
-  const std::uint32_t* everyBody; ///< 0, 1, ...
-  // For numberOfBodies each, of no meaning outside.
+  GridBodies bodies;
+  // For each body, of no meaning outside.
   std::uint16_t *nearTops, *nearGroups;
   std::uint32_t *bodiesOfTop, *bodiesOfGroup;
+  NearBody* near;
   /// The segments that may touch a body: by number, first those with groups, then those of the tail.
   std::uint32_t* found;
 };

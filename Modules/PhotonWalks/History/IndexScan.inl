@@ -23,14 +23,24 @@ inline unsigned nearGroups(const IndexScan& scan, const IndexColumns& groups, st
   unsigned any = 0;
   for (std::uint32_t k = 0; k < bodies.size; ++k)
   {
-    const GridBody& body = scan.bodies[bodies.first[k]];
+    const GridBody& body = scan.bodies.bodies[bodies.first[k]];
+    const GridBall& ball = scan.bodies.balls[bodies.first[k]];
     unsigned near = 0;
     for (std::size_t i = 0; i < IndexScan::kFanout; i += Lanes::kCount)
     {
       const GridEnds<Lanes> ends(groups.ends, at + i);
-      const auto reach = Lanes::add(
-        Lanes::multiply(Lanes::loadFloats(groups.radius + at + i), Lanes::all(body.stretch)),
-        Lanes::all(body.groupRadius));
+      const auto radius = Lanes::loadFloats(groups.radius + at + i);
+      if (ball.isSmall())
+      {
+        const StretchedEnds<Lanes> stretched(ends, scan.bodies.stretch);
+        const auto reach = Lanes::add(radius, Lanes::all(ball.groupRadius));
+        near |=
+          Lanes::notAbove(squaredDistance<Lanes>(stretched, ball), Lanes::multiply(reach, reach))
+          << i;
+        continue;
+      }
+      const auto reach =
+        Lanes::add(Lanes::multiply(radius, Lanes::all(body.stretch)), Lanes::all(body.groupRadius));
       near |= Lanes::notAbove(squaredDistance<Lanes>(ends, body), Lanes::multiply(reach, reach))
         << i;
     }
@@ -62,12 +72,7 @@ inline unsigned nearSegments(
   for (std::size_t i = 0; i < IndexScan::kFanout; i += Lanes::kCount)
   {
     const GridEnds<Lanes> ends(segments.ends, at + i);
-    unsigned near = 0;
-    for (std::uint32_t k = 0; k < bodies.size; ++k)
-    {
-      near |= flagNear<Lanes>(ends, scan.bodies[bodies.first[k]]);
-    }
-    any |= near << i;
+    any |= flagNearAny<Lanes>(ends, scan.bodies, bodies.first, bodies.size, scan.near) << i;
   }
   return any;
 }
@@ -102,7 +107,7 @@ template <class Lanes>
 inline std::size_t scanIndex(const IndexScan& scan)
 {
   constexpr std::size_t kFanout = IndexScan::kFanout;
-  const BodyList all{ scan.everyBody, scan.numberOfBodies };
+  const BodyList all{ scan.bodies.every, scan.bodies.count };
   std::uint32_t* found = scan.found;
   for (std::size_t at = 0; at < scan.numberOfTops; at += kFanout)
   {

@@ -29,6 +29,24 @@ struct TagSet
   }
 };
 
+/// Moved bodies, by number.
+struct GridBodies
+{
+  const GridBody* bodies;
+  const GridBall* balls;
+  const std::uint32_t* every; ///< 0, 1, ...
+  std::uint32_t count;
+  bool areSmall;        ///< some are, so balls are worth testing
+  const float* stretch; ///< of the grid along each axis, see GridBall
+};
+
+/// A body, and which of some segments come near its ball, a bit for each.
+struct NearBody
+{
+  std::uint32_t body;
+  unsigned lanes;
+};
+
 /// What the loops of a BounceScan work on: they test each segment of some pages once.
 struct PageScan
 {
@@ -39,8 +57,8 @@ struct PageScan
   std::size_t numberOfPages;
   const BouncePage* next; ///< is scanned afterwards, to be prefetched; may be null
   TagSet tags;
-  const GridBody* bodies;
-  std::size_t numberOfBodies;
+  GridBodies bodies;
+  NearBody* near; ///< room for each body; of no meaning outside
   /// A bit for each slot, kGroups words for each page: set if a segment is stored there that may touch
   /// a body, or whose tag is in `tags`. The same on every machine.
   std::uint16_t* flagged;

@@ -77,6 +77,40 @@ struct GridEnds
   }
 };
 
+/// Segments on a grid that is stretched to equal steps along all axes, each of at most 1.
+template <class Lanes>
+struct StretchedEnds
+{
+  Triple<Lanes> begin, along;
+  typename Lanes::Floats perSquare; ///< 1 / their squared lengths
+
+  StretchedEnds(const GridEnds<Lanes>& ends, const float* stretch)
+    : begin(stretched(ends.begin, stretch))
+    , along(stretched(ends.along, stretch))
+    , perSquare(Lanes::divide(Lanes::all(1), dot<Lanes>(along, along)))
+  {
+  }
+
+  static Triple<Lanes> stretched(const Triple<Lanes>& a, const float* stretch)
+  {
+    return { Lanes::multiply(a.x, Lanes::all(stretch[0])),
+      Lanes::multiply(a.y, Lanes::all(stretch[1])), Lanes::multiply(a.z, Lanes::all(stretch[2])) };
+  }
+};
+
+/// Squared, from the middle of a ball there.
+template <class Lanes>
+inline typename Lanes::Floats squaredDistance(
+  const StretchedEnds<Lanes>& ends, const GridBall& ball)
+{
+  const Triple<Lanes> p = minus<Lanes>(ends.begin,
+    { Lanes::all(ball.center[0]), Lanes::all(ball.center[1]), Lanes::all(ball.center[2]) });
+  const auto place = Lanes::multiply(dot<Lanes>(p, ends.along), ends.perSquare);
+  const auto t = Lanes::least(Lanes::most(place, Lanes::all(0)), Lanes::all(1)); // NaN becomes 0
+  const Triple<Lanes> nearest = minus<Lanes>(p, times<Lanes>(t, ends.along));
+  return dot<Lanes>(nearest, nearest);
+}
+
 /// Squared, from the middle of the body's ball to the nearest point of each segment. With p and p - q the
 /// ends in the body's frame, p - t q is nearest for t = p.q / q.q.
 template <class Lanes>
@@ -134,20 +168,48 @@ inline unsigned flagNear(const GridEnds<Lanes>& ends, const GridBody& body)
   return near != 0 && body.hasBox ? near & flagNearBox<Lanes>(ends, body) : near;
 }
 
+/// Likewise for any of some bodies, by number, after their balls. `near`: room for all.
+template <class Lanes>
+inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all,
+  const std::uint32_t* bodies, std::uint32_t count, NearBody* near)
+{
+  const StretchedEnds<Lanes> stretched(ends, all.stretch);
+  std::uint32_t numberNear = 0;
+  for (std::uint32_t k = 0; k < count; ++k)
+  {
+    // Few are near, and it cannot be foreseen which: there is no branch.
+    const GridBall& ball = all.balls[bodies[k]];
+    const unsigned lanes =
+      Lanes::notAbove(squaredDistance<Lanes>(stretched, ball), Lanes::all(ball.squaredRadius));
+    near[numberNear] = { bodies[k], lanes };
+    numberNear += lanes != 0 ? 1 : 0;
+  }
+  unsigned flagged = 0;
+  for (std::uint32_t k = 0; k < numberNear; ++k)
+  {
+    flagged |= flagNear<Lanes>(ends, all.bodies[near[k].body]) & near[k].lanes;
+  }
+  return flagged;
+}
+
 /// Flags which of kGroupSize segments are to be flagged, from `place` of a page on.
 template <class Lanes>
 inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageScan& scan)
 {
   unsigned flagged = Lanes::tagged(page.tags + place, scan.tags);
-  for (std::size_t i = 0; i < PageScan::kGroupSize && scan.numberOfBodies > 0; i += Lanes::kCount)
+  const GridBodies& all = scan.bodies;
+  for (std::size_t i = 0; i < PageScan::kGroupSize && all.count > 0; i += Lanes::kCount)
   {
     const GridEnds<Lanes> ends(page.ends, place + i);
-    unsigned near = 0;
-    for (std::size_t body = 0; body < scan.numberOfBodies; ++body)
+    if (all.areSmall)
     {
-      near |= flagNear<Lanes>(ends, scan.bodies[body]);
+      flagged |= flagNearAny<Lanes>(ends, all, all.every, all.count, scan.near) << i;
+      continue;
     }
-    flagged |= near << i;
+    for (std::uint32_t body = 0; body < all.count; ++body)
+    {
+      flagged |= flagNear<Lanes>(ends, all.bodies[body]) << i;
+    }
   }
   return flagged & Lanes::stored(page.tags + place);
 }
@@ -176,7 +238,8 @@ inline void scanPages(const PageScan& scan)
     {
       if (next != nullptr)
       {
-        prefetchShare(next, group);
+        scan.bodies.count > 0 ? prefetchShare(next, group)
+                              : prefetchLine(next->tags + group * PageScan::kGroupSize);
       }
       flagged[group] =
         static_cast<std::uint16_t>(flagGroup<Lanes>(page, group * PageScan::kGroupSize, scan));

@@ -74,6 +74,20 @@ void sortByKey(std::vector<std::uint64_t>& keys)
   }
 }
 
+/// Overwrites them; by halves, as lanes can do it.
+template <std::size_t kCount>
+float largestOf(float (&numbers)[kCount])
+{
+  for (std::size_t half = kCount / 2; half > 0; half /= 2)
+  {
+    for (std::size_t i = 0; i < half; ++i)
+    {
+      numbers[i] = numbers[i] > numbers[half + i] ? numbers[i] : numbers[half + i];
+    }
+  }
+  return numbers[0];
+}
+
 }
 
 void SegmentIndex::Columns::resize(std::size_t size)
@@ -118,66 +132,59 @@ std::vector<std::uint64_t> SegmentIndex::sortedKeys(const Blocks& blocks) const
   return keys;
 }
 
-SegmentIndex::SegmentIndex(const Blocks& blocks)
-{
-  assert(blocks.size() <= kBlocks);
-  const std::vector<std::uint64_t> keys = sortedKeys(blocks);
-  sorted_.resize(roundedUp(keys.size(), kTop * kFanout));
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    const auto reference = static_cast<std::uint32_t>(keys[i]);
-    const std::uint32_t slot = reference & ((1u << kSlotBits) - 1);
-    const BouncePage& page = *blocks[reference >> kSlotBits]->pages()[slot / BouncePage::kSize];
-    sorted_.references[i] = reference;
-    for (int column = 0; column < 6; ++column)
-    {
-      sorted_.ends[column][i] = page.ends[column][slot % BouncePage::kSize];
-    }
-  }
-  groups_ = groupsOf(sorted_, kFanout);
-  tops_ = groupsOf(sorted_, kTop);
-}
-
-/// Entries that hold nothing are not in their group; a group of these alone is at 0.
-SegmentIndex::Columns SegmentIndex::groupsOf(const Columns& members, std::size_t count)
+template <std::size_t kCount>
+SegmentIndex::Columns SegmentIndex::groupsOf(const Columns& members)
 {
   Columns groups;
-  const std::size_t size = members.references.size() / count;
+  const std::size_t size = members.references.size() / kCount;
   groups.resize(size);
   groups.references = {};
   groups.radius.resize(size);
   for (std::size_t group = 0; group < size; ++group)
   {
-    const std::size_t first = group * count;
-    const auto isThere = members.references.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = std::find(isThere, isThere + static_cast<std::ptrdiff_t>(count), kNothing);
-    const auto there = end - isThere;
-    if (there == 0)
-    {
-      continue;
-    }
-    std::array<double, kTop> squares[2];
-    std::fill_n(squares[0].begin(), there, 0.0);
-    std::fill_n(squares[1].begin(), there, 0.0);
+    float squares[2][kCount] = {}; // of the distances of both ends
     for (int column = 0; column < 6; ++column)
     {
-      const auto begin = members.ends[column].begin() + static_cast<std::ptrdiff_t>(first);
-      const auto [least, most] = std::minmax_element(begin, begin + there);
-      const int middle = (*least + *most) / 2;
-      groups.ends[column][group] = static_cast<std::int16_t>(middle);
-      for (std::ptrdiff_t i = 0; i < there; ++i)
+      const std::int16_t* const ends = members.ends[column].data() + group * kCount;
+      std::int16_t least = ends[0], most = ends[0];
+      for (std::size_t i = 0; i < kCount; ++i)
       {
-        const double off = begin[i] - middle;
-        squares[column / 3][static_cast<std::size_t>(i)] += off * off;
+        least = std::min(least, ends[i]);
+        most = std::max(most, ends[i]);
+      }
+      const int middle = (least + most) / 2;
+      groups.ends[column][group] = static_cast<std::int16_t>(middle);
+      for (std::size_t i = 0; i < kCount; ++i)
+      {
+        const auto off = static_cast<float>(ends[i] - middle);
+        squares[column / 3][i] += off * off;
       }
     }
-    const double square =
-      std::max(*std::max_element(squares[0].begin(), squares[0].begin() + there),
-        *std::max_element(squares[1].begin(), squares[1].begin() + there));
-    constexpr double kMore = 1 + 0x1p-20; // pays for the rounding to floats
-    groups.radius[group] = static_cast<float>(std::sqrt(square) * kMore);
+    constexpr float kMore = 1 + 0x1p-20F; // pays for the rounding
+    groups.radius[group] =
+      std::sqrt(std::max(largestOf<kCount>(squares[0]), largestOf<kCount>(squares[1]))) * kMore;
   }
   return groups;
+}
+
+SegmentIndex::SegmentIndex(const Blocks& blocks)
+{
+  assert(blocks.size() <= kBlocks);
+  const std::vector<std::uint64_t> keys = sortedKeys(blocks);
+  sorted_.resize(keys.empty() ? 0 : roundedUp(keys.size(), kTop * kFanout));
+  for (std::size_t i = 0; i < sorted_.references.size(); ++i)
+  {
+    const auto reference = static_cast<std::uint32_t>(keys[std::min(i, keys.size() - 1)]);
+    const std::uint32_t slot = reference & ((1u << kSlotBits) - 1);
+    const BouncePage& page = *blocks[reference >> kSlotBits]->pages()[slot / BouncePage::kSize];
+    sorted_.references[i] = i < keys.size() ? reference : kNothing;
+    for (int column = 0; column < 6; ++column)
+    {
+      sorted_.ends[column][i] = page.ends[column][slot % BouncePage::kSize];
+    }
+  }
+  groups_ = groupsOf<kFanout>(sorted_);
+  tops_ = groupsOf<kTop>(sorted_);
 }
 
 void SegmentIndex::add(
@@ -211,7 +218,7 @@ void SegmentIndex::flagEntry(
   bool isSame = page.tags[place] != BounceTag::kFree;
   for (int column = 0; column < 6; ++column)
   {
-    isSame = isSame && page.ends[column][place] == entries.ends[column][entry];
+    isSame = isSame & (page.ends[column][place] == entries.ends[column][entry]);
   }
   std::uint16_t& word = flagged[block][slot / PageScan::kGroupSize];
   word = static_cast<std::uint16_t>(word | (isSame ? 1u : 0u) << slot % PageScan::kGroupSize);
@@ -246,7 +253,7 @@ void SegmentIndex::flagTags(const Blocks& blocks, const BounceScan& scan, Flags&
   {
     const auto& pages = blocks[b]->pages();
     flagged[b].resize(pages.size() * PageScan::kGroups);
-    const PageScan tags{ pages.data(), pages.size(), nullptr, scan.tags(), nullptr, 0,
+    const PageScan tags{ pages.data(), pages.size(), nullptr, scan.tags(), {}, nullptr,
       flagged[b].data() };
     IRRADIANCE_CALL_BEST(scanPages, tags);
   }
@@ -254,15 +261,15 @@ void SegmentIndex::flagTags(const Blocks& blocks, const BounceScan& scan, Flags&
 
 void SegmentIndex::flagNear(const Blocks& blocks, const BounceScan& scan, Flags& flagged) const
 {
-  const std::size_t bodies = scan.bodies().size();
-  std::vector<std::uint32_t> every(bodies), ofTop(bodies + 1), ofGroup(bodies + 1);
-  std::iota(every.begin(), every.end(), 0);
+  const std::size_t bodies = scan.bodies().count;
+  std::vector<std::uint32_t> ofTop(bodies + 1), ofGroup(bodies + 1);
+  std::vector<NearBody> near(bodies + 1);
   std::vector<std::uint16_t> nearTops(bodies), nearGroups(bodies);
   static thread_local std::vector<std::uint32_t> found;
   found.resize(sorted_.references.size() + tail_.references.size());
   const IndexScan search{ sorted_.view(), groups_.view(), tops_.view(), tops_.radius.size(),
-    tail_.view(), tail_.references.size(), scan.bodies().data(), static_cast<std::uint32_t>(bodies),
-    every.data(), nearTops.data(), nearGroups.data(), ofTop.data(), ofGroup.data(), found.data() };
+    tail_.view(), tail_.references.size(), scan.bodies(), nearTops.data(), nearGroups.data(),
+    ofTop.data(), ofGroup.data(), near.data(), found.data() };
   const std::size_t count = IRRADIANCE_CALL_BEST(scanIndex, search);
   for (std::size_t i = 0; i < count; ++i)
   {

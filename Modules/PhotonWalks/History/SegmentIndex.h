@@ -14,8 +14,8 @@ namespace irradiance
 /**
  * An index over the stored segments of up to 64 blocks, for scenes of many moved bodies: what a
  * BounceScan takes for each segment and body is taken for each group of like segments first. It finds
- * the same segments. A scene of fewer than kFromBodies bodies should have none: from some 10 on a search
- * takes less than a scan, with 64 a third; to build it takes as long as to scan for some 70 bodies.
+ * the same segments. A scene of fewer than kFromBodies bodies should have none: a scan has tested the balls
+ * of some hundred bodies before an index is built and kept.
  *
  * Segments are sorted by where both their ends are, then grouped by 16, and by 256. A group is known by a
  * segment in its middle and by how far from that one's ends those of the others are.
@@ -27,7 +27,7 @@ class SegmentIndex
 {
 public:
   static constexpr std::size_t kBlocks = 64;
-  static constexpr std::size_t kFromBodies = 16;
+  static constexpr std::size_t kFromBodies = 256;
 
   using Blocks = std::vector<const BounceBlock*>; ///< up to kBlocks, always the same ones
 
@@ -65,13 +65,15 @@ private:
   static constexpr std::uint32_t kNothing = 0xffffffffu; // where a group is not full
 
   std::vector<std::uint64_t> sortedKeys(const Blocks& blocks) const;
-  static Columns groupsOf(const Columns& members, std::size_t count);
+  template <std::size_t kCount>
+  static Columns groupsOf(const Columns& members);
   void flagTags(const Blocks& blocks, const BounceScan& scan, Flags& flagged) const;
   void flagNear(const Blocks& blocks, const BounceScan& scan, Flags& flagged) const;
   void flagEntry(
     const Blocks& blocks, const Columns& entries, std::size_t entry, Flags& flagged) const;
 
-  Columns sorted_, groups_, tops_;
+  Columns sorted_, groups_,
+    tops_;       ///< `sorted_` is filled up with copies of the last, without references
   Columns tail_; ///< to a multiple of 16
   std::size_t inTail_ = 0;
 };

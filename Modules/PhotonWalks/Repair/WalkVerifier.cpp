@@ -22,11 +22,14 @@ WalkVerifier::WalkVerifier(const WalkTracer& tracer, WalkHistory& history,
   const std::vector<bool>& moved, const BounceScan& scan, bool cachesStaticHits)
   : tracer_(tracer)
   , history_(history)
-  , moved_(moved)
   , scan_(scan)
   , cachesStaticHits_(cachesStaticHits)
   , firstDynamic_(history.numbers().objects() > 1 ? history.numbers().first(1) : WalkFront::kNone)
 {
+  for (std::uint32_t i = 0; i < moved.size(); ++i)
+  {
+    hasMoved_.resize(history.numbers().first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);
+  }
 }
 
 void WalkVerifier::Memory::clear()

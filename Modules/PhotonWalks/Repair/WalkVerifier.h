@@ -69,7 +69,7 @@ private:
 
   bool hasMoved(std::uint32_t triangle) const
   {
-    return isDynamic(triangle) && moved_[history_.numbers().objectOf(triangle) - 1];
+    return triangle - firstDynamic_ < hasMoved_.size() && hasMoved_[triangle - firstDynamic_] != 0;
   }
   bool isDynamic(std::uint32_t triangle) const
   {
@@ -96,10 +96,10 @@ private:
 
   const WalkTracer& tracer_;
   WalkHistory& history_; ///< its indices may grow
-  const std::vector<bool>& moved_;
   const BounceScan& scan_;
   bool cachesStaticHits_;
-  std::uint32_t firstDynamic_; ///< triangle
+  std::uint32_t firstDynamic_;         ///< triangle
+  std::vector<std::uint8_t> hasMoved_; ///< by dynamic triangle
   mutable std::atomic<std::int64_t> suspects_{ 0 };
 };
 
