@@ -192,23 +192,28 @@ inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all,
   return flagged;
 }
 
-/// Flags which of kGroupSize segments are to be flagged, from `place` of a page on.
-template <class Lanes>
+/// Flags which of kGroupSize segments are to be flagged, from `place` of a page on. `kAreSmall`: see GridBodies; beside
+/// few large bodies their balls would cost registers.
+template <class Lanes, bool kAreSmall>
 inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageScan& scan)
 {
   unsigned flagged = Lanes::tagged(page.tags + place, scan.tags);
   const GridBodies& all = scan.bodies;
   for (std::size_t i = 0; i < PageScan::kGroupSize && all.count > 0; i += Lanes::kCount)
   {
-    const GridEnds<Lanes> ends(page.ends, place + i);
-    if (all.areSmall)
+    const GridEnds<Lanes> ends(page.ends, place + i); // stays in registers
+    if constexpr (kAreSmall)
     {
       flagged |= flagNearAny<Lanes>(ends, all, all.every, all.count, scan.near) << i;
-      continue;
     }
-    for (std::uint32_t body = 0; body < all.count; ++body)
+    else
     {
-      flagged |= flagNear<Lanes>(ends, all.bodies[body]) << i;
+      unsigned near = 0;
+      for (std::uint32_t body = 0; body < all.count; ++body)
+      {
+        near |= flagNear<Lanes>(ends, all.bodies[body]);
+      }
+      flagged |= near << i;
     }
   }
   return flagged & Lanes::stored(page.tags + place);
@@ -226,8 +231,8 @@ inline void prefetchShare(const BouncePage* page, std::size_t group)
   }
 }
 
-template <class Lanes>
-inline void scanPages(const PageScan& scan)
+template <class Lanes, bool kAreSmall>
+inline void scanAll(const PageScan& scan)
 {
   for (std::size_t i = 0; i < scan.numberOfPages; ++i)
   {
@@ -241,10 +246,16 @@ inline void scanPages(const PageScan& scan)
         scan.bodies.count > 0 ? prefetchShare(next, group)
                               : prefetchLine(next->tags + group * PageScan::kGroupSize);
       }
-      flagged[group] =
-        static_cast<std::uint16_t>(flagGroup<Lanes>(page, group * PageScan::kGroupSize, scan));
+      flagged[group] = static_cast<std::uint16_t>(
+        flagGroup<Lanes, kAreSmall>(page, group * PageScan::kGroupSize, scan));
     }
   }
+}
+
+template <class Lanes>
+inline void scanPages(const PageScan& scan)
+{
+  scan.bodies.areSmall ? scanAll<Lanes, true>(scan) : scanAll<Lanes, false>(scan);
 }
 
 }
