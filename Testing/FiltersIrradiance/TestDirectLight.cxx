@@ -472,6 +472,23 @@ TEST(DirectLight, OtherChangesStartAnew)
   }
 }
 
+// How many walks start depends on how much static cells reflect, also where nothing static shines.
+TEST(DirectLight, ReflectanceStartsAnewWhereOnlyAMovingLampShines)
+{
+  const Scene scene{ { MakeRoom(3, 3) },
+    { MakeMoving(MakeLamp({ 0, 0, 0 }, 0.75, { 100 }), { 1.5, 1.5, 2.5 }) } };
+  const auto updated = MakeGathered(scene, 3000);
+  for (const double reflectance : { 0.5, 0.2, 0.8 })
+  {
+    SetCellValues(scene.Fixed[0], "DiffuseReflectance", { reflectance });
+    scene.Fixed[0]->Modified();
+    const auto fresh = MakeGathered(scene, 3000);
+    updated->Update();
+    fresh->Update();
+    ASSERT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh))) << "reflectance " << reflectance;
+  }
+}
+
 TEST(DirectLight, PowerBalances)
 {
   const struct
