@@ -290,6 +290,27 @@ TEST(DirectLight, UpdateEqualsRebuildWhereThingsTouch)
     MakeTouchingScene(), 30, 3000, [](vtkIrradianceFilter* filter) { filter->SeparateSidesOn(); });
 }
 
+// A body comes to the lamp, and with it contacts. Then another rule decides which of two faces of the floor the light
+// meets, far from the body. (Found by random programs.)
+TEST(DirectLight, UpdateEqualsRebuildWhereABodyComesToTheLamp)
+{
+  const Scene scene{ { MakeRoom(3, 3), MakeLamp({ 1.5, 1.5, 2.75 }, 0.75, { 100 }),
+                       MakeRectangle({ 0.25, 0, 0 }, { 2, 0, 0 }, { 0, 0.5, 0 }, 3) },
+    { MakeMoving(MakeBox(0.25, 0.5, 0.25), { 1.5, 2.7, 2.5 }) } };
+  const auto updated = MakeGathered(scene, 3000);
+  updated->Update();
+  for (const double y : { 1.5, 2.7, 1.25 })
+  {
+    scene.Moving[0].Pose->Identity();
+    scene.Moving[0].Pose->Translate(1.5, y, 2.625); // its top lies in the lamp
+    const auto fresh = MakeGathered(scene, 3000);
+    updated->Update();
+    fresh->Update();
+    ASSERT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh))) << "y " << y;
+    EXPECT_EQ(Field(updated, "ShootSeconds"), 0);
+  }
+}
+
 // Law 1 for all that reads photons and walks.
 TEST(DirectLight, UpdateEqualsRebuildForAllThatReadsPhotons)
 {
@@ -448,6 +469,23 @@ TEST(DirectLight, OtherChangesStartAnew)
     updated->Update();
     fresh->Update();
     ASSERT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh))) << "after change " << i;
+  }
+}
+
+// How many walks start depends on how much static cells reflect, also where nothing static shines.
+TEST(DirectLight, ReflectanceStartsAnewWhereOnlyAMovingLampShines)
+{
+  const Scene scene{ { MakeRoom(3, 3) },
+    { MakeMoving(MakeLamp({ 0, 0, 0 }, 0.75, { 100 }), { 1.5, 1.5, 2.5 }) } };
+  const auto updated = MakeGathered(scene, 3000);
+  for (const double reflectance : { 0.5, 0.2, 0.8 })
+  {
+    SetCellValues(scene.Fixed[0], "DiffuseReflectance", { reflectance });
+    scene.Fixed[0]->Modified();
+    const auto fresh = MakeGathered(scene, 3000);
+    updated->Update();
+    fresh->Update();
+    ASSERT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh))) << "reflectance " << reflectance;
   }
 }
 

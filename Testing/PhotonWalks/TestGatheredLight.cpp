@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Gathered light alone; TestNearLamps.cpp has what holds for shot light as well.
+
 #include "EngineRun.h"
 #include "LambertContour.h"
 #include "TestScenes.h"
@@ -88,70 +90,6 @@ TEST(GatheredLight, ASmallCellBesideALargeLamp)
   }
 }
 
-// All that lamps of any kind emit arrives in a closed black room, however near they are to a wall.
-TEST(GatheredLight, AllPowerArrives)
-{
-  const struct
-  {
-    const char* name;
-    void (*add)(ObjectBuilder&);
-    double flux;
-  } lamps[] = {
-    { "panel",
-      [](ObjectBuilder& room) {
-        room.addQuad({ 1.5, 1.5, 2 }, { 0, 1, 0 }, { 1, 0, 0 }, 2, 2, grey(0, 10));
-      },
-      10 },
-    { "lamp .05 m over the floor",
-      [](ObjectBuilder& room) {
-        room.addQuad({ 1.5, 1.5, 0.05 }, { 0, 0.05, 0 }, { 0.05, 0, 0 }, 1, 1, grey(0, 1000));
-      },
-      2.5 },
-    { "lamp .01 m over the floor",
-      [](ObjectBuilder& room) {
-        room.addQuad({ 1.5, 1.5, 0.01 }, { 0, 0.05, 0 }, { 0.05, 0, 0 }, 1, 1, grey(0, 1000));
-      },
-      2.5 },
-    { "strip along a wall",
-      [](ObjectBuilder& room) {
-        room.addQuad({ 0.05, 0.2, 1.5 }, { 0, 0, 0.02 }, { 0, 3.6, 0 }, 1, 1, grey(0, 100));
-      },
-      7.2 },
-    { "point light",
-      [](ObjectBuilder& room) {
-        room.addPointLight({ 1, 3, 0.5 }, 5);
-      },
-      5 },
-    { "point light in a wall",
-      [](ObjectBuilder& room) {
-        room.addPointLight({ 1, 0, 0.5 }, 5);
-      },
-      5 },
-    { "point light in a corner",
-      [](ObjectBuilder& room) {
-        room.addPointLight({ 0, 0, 3 }, 5);
-      },
-      5 },
-    { "lamp in the plane of a wall",
-      [](ObjectBuilder& room) {
-        room.addQuad({ 1.5, 1.5, 3 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 10));
-      },
-      10 },
-  };
-  for (const auto& [name, add, flux] : lamps)
-  {
-    ObjectBuilder room;
-    room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 6, grey(0), true);
-    add(room);
-    const SceneObjects objects{ room.build(), {} };
-    ReplicateMean received;
-    overSeeds(objects, 64, test::scaled(100000), [&](const IrradianceEngine& engine) {
-      received.add(test::wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells));
-    });
-    expectMean(received, flux, 0.02, name); // near lamps make much noise
-  }
-}
-
 // Lights near to what may move are gathered, however near they are.
 TEST(GatheredLight, AllPowerArrivesOnAFloorThatMayMove)
 {
@@ -173,27 +111,6 @@ TEST(GatheredLight, AllPowerArrivesOnAFloorThatMayMove)
         test::wattsOn(engine, 1, 0, 36));
     });
     expectMean(received, 2.5, 0.02, "lamp over the floor");
-  }
-}
-
-// E = M / (1 - rho) in every cell: a lamp of the whole inside of a box, that reflects its own light.
-TEST(GatheredLight, InAClosedBodyLightStaysInside)
-{
-  ObjectBuilder room, body;
-  room.addBox(box({ -3, -3, -3 }, { 3, 3, 3 }), 3, grey(0.5), true);
-  body.addBox(box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }), 2, grey(0.6, 1), true);
-  const SceneObjects objects{ room.build(), { body.build() } };
-  std::vector<ReplicateMean> cells(24);
-  overSeeds(objects, 64, test::scaled(30000), [&](const IrradianceEngine& engine) {
-    EXPECT_EQ(test::wattsOn(engine, 0, 0, 54), 0);
-    for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    {
-      cells[cell].add(engine.irradiance({ { 1, cell } }, 0));
-    }
-  });
-  for (const ReplicateMean& cell : cells)
-  {
-    expectMean(cell, 1 / 0.4, 0.02, "inside");
   }
 }
 

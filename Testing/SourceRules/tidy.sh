@@ -3,6 +3,10 @@
 #
 #   tidy.sh BUILD_DIR [CLANG_TIDY]      BUILD_DIR holds compile_commands.json
 #
+# The sources of a room are read as if they were one: most of the time goes to the headers of Eigen and C++, for each
+# source anew. Sources for one instruction set are read with their like. Where names clash, the group is read in halves,
+# in the end each source alone.
+#
 # It leaves out EnclosingEllipsoid.cpp and PolygonTriangulation.cpp: reading CGAL takes longer than all
 # the rest together.
 set -euo pipefail
@@ -19,11 +23,58 @@ if [[ ! -e $build/compile_commands.json ]]; then
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
+
 mapfile -t files < <(find Modules/RayCasting Modules/PhotonWalks -name '*.cpp' \
   ! -name EnclosingEllipsoid.cpp ! -name PolygonTriangulation.cpp | sort)
 if ((${#files[@]} == 0)); then
   echo "tidy.sh: no source file found"
   exit 1
 fi
-printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" "$clang_tidy" -p "$build" --quiet
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# options SOURCE: those of the compiler that say what the source means, not those for optimising
+options()
+{
+  grep -F " -c $PWD/$1\"" "$build/compile_commands.json" | head -n 1 |
+    grep -oE -- '-isystem [^ ]+|-I[^ ]+|-D[^ ]+|-std=[^ ]+' | tr ' ' '\n'
+}
+
+# tidy SOURCE...: looks at the sources as if they were one, or, where that does not compile, at each half
+tidy()
+{
+  local one=$scratch/$BASHPID-$RANDOM.cpp output status=0 arguments
+  printf "#include \"$PWD/%s\" // NOLINT(bugprone-suspicious-include)\n" "$@" >"$one"
+  mapfile -t arguments < <(options "$1")
+  output=$("$clang_tidy" --quiet --config-file=.clang-tidy "$one" -- "${arguments[@]}" 2>&1) || status=$?
+  if ((status == 0)); then
+    return 0
+  fi
+  if (($# > 1)) && grep -q 'clang-diagnostic-error' <<<"$output"; then
+    status=0
+    tidy "${@:1:$#/2}" || status=1
+    tidy "${@:$#/2+1}" || status=1
+    return "$status"
+  fi
+  echo "$output"
+  return 1
+}
+
+# group SOURCE: its room, and the instruction set that it repeats the room's loops for
+group()
+{
+  local set=${1##*/}
+  set=$(grep -oE '(Plain|Avx2|Avx512)\.cpp$' <<<"$set" || true)
+  echo "${1%/*} $set"
+}
+
+export build clang_tidy scratch
+export -f options tidy
+# A line for each group of sources.
+declare -A groups
+for file in "${files[@]}"; do
+  groups[$(group "$file")]+="$file "
+done
+printf '%s\n' "${groups[@]}" | awk '{ print NF, $0 }' | sort -rn | cut -d ' ' -f 2- |
+  xargs -P "$(nproc)" -d '\n' -n 1 bash -c 'IFS=" " read -ra sources <<<"$1"; tidy "${sources[@]}"' tidy
 echo "${#files[@]} sources"

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "Estimates/CellDiffusion.inl"
+#include "Geometry/Pi.h"
 
 namespace irradiance
 {
@@ -21,7 +22,7 @@ namespace
 /// the area is a square's / (exp(-x) I0(x))^2, x = 4 t / square, to within a tenth.
 double diffusionTime(double area, double width)
 {
-  return std::max(0.0, std::min(2.2 * (width - area), width + M_PI / 2 * area)) / (8 * M_PI);
+  return std::max(0.0, std::min(2.2 * (width - area), width + kPi / 2 * area)) / (8 * kPi);
 }
 
 constexpr int kFewest = 4, kMost = 256; // steps, powers of two

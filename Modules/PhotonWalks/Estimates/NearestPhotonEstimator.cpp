@@ -2,6 +2,7 @@
 #include "Estimates/NearestPhotonEstimator.h"
 
 #include "Execution/SlicedPass.h"
+#include "Geometry/Pi.h"
 #include "Photons/PhotonTree.h"
 #include "Trees/BoxQuery.h"
 
@@ -204,7 +205,7 @@ std::vector<CellSide> NearestPhotonEstimator::findSmall()
       }
     }
   });
-  maximumRadius_ = received > 0 ? radiusFor(4 * count_ * area / received / M_PI) : 0;
+  maximumRadius_ = received > 0 ? radiusFor(4 * count_ * area / received / kPi) : 0;
   return small;
 }
 

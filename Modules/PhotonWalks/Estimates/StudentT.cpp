@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/StudentT.h"
 
+#include "Geometry/Pi.h"
+
 #include <cmath>
 
 namespace irradiance
@@ -18,7 +20,7 @@ double studentProbability(double t, int freedom)
     sum += term;
     term *= cosine * cosine * (i + 1) / (i + 2);
   }
-  return isOdd ? 2 / M_PI * (angle + sine * sum) : sine * sum;
+  return isOdd ? 2 / kPi * (angle + sine * sum) : sine * sum;
 }
 
 double studentQuantile(double probability, int freedom)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/CellSampler.h"
 
+#include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SphericalTriangle.h"
 #include "Sampling/SplitMix.h"
@@ -15,8 +16,6 @@ namespace irradiance
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Whether one of a pair is so large, as seen from the other, that its point is chosen by solid angle.
 bool isWide(double radius, double other, const Vector3& between)

@@ -85,6 +85,15 @@ void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::
   std::copy(views.begin(), views.end(), views_.begin() + plan_.first(first));
 }
 
+/// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is decided otherwise
+/// than before, also far from what moved.
+bool DirectLight::touchesDynamic(const GatherSpace& space, const GatherSample& sample) const
+{
+  return sample.part > 0 &&
+    (space.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
+      space.contacts.hasDynamic(space.triangles.idOf(sample.triangle)));
+}
+
 /// A ray ends where its length is 1.
 std::vector<DirectLight::View> DirectLight::viewsOf(
   const GatherSpace& space, const std::vector<std::uint32_t>& samples) const
@@ -142,7 +151,8 @@ std::vector<std::uint32_t> DirectLight::follow(
     {
       const auto isNear = [&](const Box& box) { return mayTouch(samples_[i], box); };
       if (views_[i] == View::Hidden ||
-        (views_[i] == View::Free && std::any_of(moved.begin(), moved.end(), isNear)))
+        (views_[i] == View::Free &&
+          (touchesDynamic(space, samples_[i]) || std::any_of(moved.begin(), moved.end(), isNear))))
       {
         suspects.push_back(i);
       }

@@ -26,8 +26,9 @@ public:
   /// Makes all samples, and looks which of them see their lights.
   void gather(const GatherSpace& space, Execution& execution);
   /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples that
-  /// what moved may hide now, and at those that dynamic objects hid. Returns which see their lights now and did
-  /// not before, or the other way round, in order. `moved`: where the moved objects are now.
+  /// what moved may hide now, at those whose light or cell a dynamic object touches, and at those that dynamic
+  /// objects hid. Returns which see their lights now and did not before, or the other way round, in order.
+  /// `moved`: where the moved objects are now.
   std::vector<std::uint32_t> follow(
     const GatherSpace& space, const std::vector<Box>& moved, Execution& execution);
 
@@ -48,6 +49,7 @@ private:
   };
 
   void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
+  bool touchesDynamic(const GatherSpace& space, const GatherSample& sample) const;
   /// Those of samples, in order.
   std::vector<View> viewsOf(
     const GatherSpace& space, const std::vector<std::uint32_t>& samples) const;

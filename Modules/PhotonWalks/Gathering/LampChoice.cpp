@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/LampChoice.h"
 
+#include "Geometry/Pi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,8 +12,6 @@ namespace irradiance
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// W that a lamp would bring to a cell.
 double powerBetween(const LampPiece& lamp, const CellShape& cell)

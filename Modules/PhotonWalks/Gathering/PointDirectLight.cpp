@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/PointDirectLight.h"
 
+#include "Geometry/Pi.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/SobolPoint.h"
 #include "Sampling/SphericalTriangle.h"
@@ -13,8 +14,6 @@ namespace irradiance
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// The area with which a point is weighed, m2: so small that no light seems to give it all of its flux.
 constexpr double kNoArea = 0x1p-200;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/PointLight.h"
 
+#include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
 
 #include <algorithm>
@@ -87,7 +88,7 @@ Ray PointLight::leaving(const std::array<double, 2>& u) const
 
 double PointLight::density(const Vector3& direction) const
 {
-  constexpr double kSphere = 4 * 3.14159265358979323846;
+  constexpr double kSphere = 4 * kPi;
   return firstBehind(openSides_, direction) == openSides_.end()
     ? numberMirroredInto(openSides_, direction) / kSphere
     : 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/NearestEstimate.h"
 
+#include "Geometry/Pi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -56,7 +58,7 @@ double usualRadius(const NearestPhotons& photons, std::uint32_t count)
     area = std::accumulate(areas.begin(), areas.end(), area);
   }
   const auto all = static_cast<double>(photons.numberOfPhotons());
-  return std::min(4 * std::sqrt(count * area / all / M_PI), 0.25 * sizeOf(photons.bounds()));
+  return std::min(4 * std::sqrt(count * area / all / kPi), 0.25 * sizeOf(photons.bounds()));
 }
 
 /// Points of a ball stray from its triangles by a hundredth of its size if its circles have 16 sides, and it

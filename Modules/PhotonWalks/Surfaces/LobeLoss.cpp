@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/LobeLoss.h"
 
+#include "Geometry/Pi.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@ namespace irradiance::LobeLoss
 namespace
 {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kRowsOfOctave = 4;
 constexpr int kOctaves = 16; ///< a lobe that is narrower loses as much as the narrowest of these
 constexpr int kRows = kRowsOfOctave * kOctaves + 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/PhongLobe.h"
 
+#include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/PowUnit.h"
 #include "Surfaces/LobeLoss.h"
@@ -10,13 +11,6 @@
 
 namespace irradiance
 {
-
-namespace
-{
-
-constexpr double kPi = 3.14159265358979323846;
-
-}
 
 PhongLobe::PhongLobe(double exponent)
   : exponent_(exponent)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/GlossyPhotons.h"
 
+#include "Geometry/Pi.h"
 #include "Sampling/PowUnit.h"
 
 #include <algorithm>
@@ -10,13 +11,6 @@
 
 namespace irradiance
 {
-
-namespace
-{
-
-constexpr double kPi = 3.14159265358979323846;
-
-}
 
 /// The first term of the lobe, without the cosines.
 struct GlossyPhotons::Lobe

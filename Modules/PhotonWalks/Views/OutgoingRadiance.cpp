@@ -2,6 +2,7 @@
 #include "Views/OutgoingRadiance.h"
 
 #include "Execution/SlicedPass.h"
+#include "Geometry/Pi.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
 
@@ -15,8 +16,6 @@ namespace irradiance
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void add(OutgoingRadiance::Bands& sum, const OutgoingRadiance::Bands& part, double factor = 1)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes/SolidSides.h"
 
+#include "Geometry/Pi.h"
 #include "Meshes/MeshEdges.h"
 
 #include <algorithm>
@@ -196,7 +197,7 @@ private:
     }
     for (auto& [angle, edge] : around)
     {
-      angle = angle > M_PI - kSameAngle ? -M_PI : std::max(angle, -M_PI);
+      angle = angle > kPi - kSameAngle ? -kPi : std::max(angle, -kPi);
     }
     std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) {
       return std::make_pair(a.first, !a.second.isForward) <
