@@ -196,4 +196,29 @@ TEST(Contacts, NoLightGetsInside)
   }
 }
 
+// A closed lamp stands in the middle of a floor that is one cell. A third of what arrives directly on the floor comes from
+// under the lamp; its samples have to find that. In 40 runs the sum of all samples had a standard deviation of 1.6 %
+// (17 % with points chosen on the floor alone); 5 of these are exceeded in 1 of 10^6 runs.
+TEST(Contacts, ALargeCellFindsTheSmallLampThatStandsOnIt)
+{
+  ObjectBuilder room;
+  room.addBox(test::box({ 0, 0, 0 }, { 3, 3, 3 }), 1, test::grey(0.5), true);
+  room.addBox(test::box({ 1.25, 1.25, 0 }, { 1.75, 1.75, 0.5 }), 1, test::grey(0.5, 10));
+  const SceneObjects objects{ room.build(), {} };
+  constexpr double kWatts = 6 * 0.25 * 10;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+  {
+    EngineSettings settings;
+    settings.numberOfWalks = test::scaled(20000);
+    settings.seed = seed;
+    settings.gathersDirectLight = true;
+    Execution one;
+    IrradianceEngine engine;
+    engine.update(objects, settings, one);
+    EXPECT_NEAR(
+      engine.watts(engine.balance().escaped.total()), 0, (test::kIsSanitized ? 0.3 : 0.08) * kWatts)
+      << "seed " << seed;
+  }
+}
+
 }

@@ -23,7 +23,6 @@ if [[ ! -e $build/compile_commands.json ]]; then
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-
 mapfile -t files < <(find Modules/RayCasting Modules/PhotonWalks -name '*.cpp' \
   ! -name EnclosingEllipsoid.cpp ! -name PolygonTriangulation.cpp | sort)
 if ((${#files[@]} == 0)); then

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/CellSampler.h"
 
+#include "Gathering/LitPoint.h"
 #include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SphericalTriangle.h"
@@ -24,17 +25,11 @@ bool isWide(double radius, double other, const Vector3& between)
   return radius >= other && radius * radius > kWide * kWide * between.squaredNorm();
 }
 
-/// The weights of the point of a triangle nearest to a place in its plane; none beside the triangle.
+/// The weights of a place in the plane of a triangle; none beside the triangle.
 std::optional<Vector3> weightsAt(const Triangle& triangle, const Vector3& place)
 {
-  const Vector3 areaVector = triangle.areaVector();
-  const double square = areaVector.squaredNorm();
-  const auto share = [&](const Vector3& from, const Vector3& to) {
-    return areaVector.dot((to - from).cross(place - from)) / square;
-  };
-  const double b = share(triangle.c, triangle.a), c = share(triangle.a, triangle.b);
-  return b >= 0 && c >= 0 && b + c <= 1 ? std::optional<Vector3>({ 1 - b - c, b, c })
-                                        : std::nullopt;
+  const Vector3 weights = weightsInPlane(triangle, place);
+  return weights.minCoeff() >= 0 ? std::optional<Vector3>(weights) : std::nullopt;
 }
 
 }
@@ -101,8 +96,12 @@ GatherSample CellSampler::sample(std::uint32_t number) const
   // Half of the samples ask the lights that coincide, if any do, half all others.
   const double share = part.touching.empty() ? 1 : 0.5;
   const bool asksTouching = share < 1 && onLight[0] < share;
-  onLight[0] = share < 1 && !asksTouching ? 2 * onLight[0] - 1 : onLight[0];
-  asksTouching ? gatherTouching(part, onCell, sample) : gather(part, onCell, onLight, sample);
+  if (share < 1)
+  {
+    onLight[0] = asksTouching ? 2 * onLight[0] : 2 * onLight[0] - 1;
+  }
+  asksTouching ? gatherTouching(part, onCell, onLight[0], sample)
+               : gather(part, onCell, onLight, sample);
   const CellShape& cell = cells_[cell_];
   const bool isDark = sample.isFront ? cell.isFrontDark : cell.isBackDark;
   sample.part = isDark ? 0 : std::max(0.0, sample.part) / (share * plan_.samplesOf(cell_));
@@ -205,24 +204,59 @@ void CellSampler::gatherFrom(
   arrive(point, sample);
 }
 
-/// The ray crosses the gap that is not there, along the light's normal.
-void CellSampler::gatherTouching(const Part& part, Square onCell, GatherSample& sample) const
+/// The point is chosen on the cell, or on the lights if these are smaller: else hardly a sample would find them.
+void CellSampler::gatherTouching(
+  const Part& part, const Square& u, double uLight, GatherSample& sample) const
 {
-  const SurfacePoint point = cellPoint(part, sampleTriangle(onCell), sample);
+  const CellShape& cell = cells_[cell_];
+  const auto areaOf = [&](std::uint32_t number) { return touchingTriangle(number).area(); };
+  double all = 0;
   for (const std::uint32_t number : part.touching)
   {
-    const Triangle& light = std::get<AreaLight>(lamps_.lights()[number].kind).triangle;
+    all += areaOf(number);
+  }
+  if (all < part.area)
+  {
+    double left = uLight * all;
+    const auto chosen = std::find_if(part.touching.begin(), part.touching.end() - 1,
+      [&](std::uint32_t number) { return (left -= areaOf(number)) < 0; });
+    const Triangle& light = touchingTriangle(*chosen);
+    const Vector3 weights = sampleTriangle(u);
+    if (const std::optional<Vector3> onCell =
+          weightsAt(part.triangle, surfacePoint(light, weights).position))
+    {
+      cross(*chosen, weights, cellPoint(part, *onCell, sample), sample);
+      sample.part = cell.area / part.area * (all / light.area());
+    }
+    return;
+  }
+  const SurfacePoint point = cellPoint(part, sampleTriangle(u), sample);
+  for (const std::uint32_t number : part.touching)
+  {
+    const Triangle& light = touchingTriangle(number);
     if (const std::optional<Vector3> weights = weightsAt(light, point.position))
     {
-      const SurfacePoint start = surfacePoint(light, *weights);
-      sample.light = number;
-      sample.part = cells_[cell_].area / light.area();
-      sample.from = start.clearPosition();
-      sample.to = sample.from + start.normal;
-      sample.isFront = point.normal.dot(start.normal) < 0;
+      cross(number, *weights, point, sample);
+      sample.part = cell.area / light.area();
       return;
     }
   }
+}
+
+const Triangle& CellSampler::touchingTriangle(std::uint32_t light) const
+{
+  return std::get<AreaLight>(lamps_.lights()[light].kind).triangle;
+}
+
+/// The ray crosses the gap that is not there, along the light's normal.
+void CellSampler::cross(std::uint32_t light, const Vector3& weights, const SurfacePoint& onCell,
+  GatherSample& sample) const
+{
+  const SurfacePoint start = surfacePoint(touchingTriangle(light), weights);
+  sample.light = light;
+  sample.from = start.clearPosition();
+  sample.to = sample.from + start.normal;
+  sample.isFront = onCell.normal.dot(start.normal) < 0;
 }
 
 void CellSampler::arrive(SurfacePoint point, GatherSample& sample)

@@ -94,8 +94,12 @@ private:
     GatherSample& sample) const;
   void gatherFrom(
     const PointLight& light, const Part& part, Square onCell, GatherSample& sample) const;
-  /// From the light that coincides with the triangle at the point.
-  void gatherTouching(const Part& part, Square onCell, GatherSample& sample) const;
+  /// From a light that coincides with the triangle at a point. `uLight`: chooses the light.
+  void gatherTouching(const Part& part, const Square& u, double uLight, GatherSample& sample) const;
+  const Triangle& touchingTriangle(std::uint32_t light) const;
+  /// Sets the ray from the point of a light that coincides with the cell there.
+  void cross(std::uint32_t light, const Vector3& weights, const SurfacePoint& onCell,
+    GatherSample& sample) const;
 
   const CellShapes& cells_;
   const GatherSpace& space_;

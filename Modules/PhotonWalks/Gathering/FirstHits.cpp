@@ -16,7 +16,10 @@ namespace irradiance
 namespace
 {
 
-constexpr std::uint32_t kRays = 16; ///< from each light
+constexpr std::uint32_t kRays = 16; ///< from each light at most
+/// From each of many lights: fewer, as all together tell how much returns.
+constexpr std::uint32_t kFewestRays = 4;
+constexpr std::size_t kRaysOfAll = 4096;
 using Rays = std::array<Ray, kRays>;
 using Hits = std::array<Hit, kRays>;
 
@@ -36,10 +39,10 @@ Ray diffuseRay(const SurfacePoint& point, const TriangleId& start, const std::ar
 }
 
 /// As light leaves the light.
-Rays raysFrom(const Light& light)
+Rays raysFrom(const Light& light, std::uint32_t count)
 {
   Rays rays;
-  for (std::uint32_t i = 0; i < kRays; ++i)
+  for (std::uint32_t i = 0; i < count; ++i)
   {
     if (const auto* const area = std::get_if<AreaLight>(&light.kind))
     {
@@ -64,12 +67,13 @@ bool isNear(const Scene& scene, const Hit& hit)
 }
 
 /// The sum over hits of what is reflected and arrives again, for each of what arrives.
-double returnedOf(const Scene& scene, const Material& material, const Rays& rays, const Hits& hits)
+double returnedOf(const Scene& scene, const Material& material, const Rays& rays, const Hits& hits,
+  std::uint32_t raysOfLight)
 {
   Rays onwards;
   std::array<double, kRays> parts{};
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < kRays; ++i)
+  for (std::uint32_t i = 0; i < raysOfLight; ++i)
   {
     if (hits[i])
     {
@@ -96,20 +100,23 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
   Scene scene;
   scene.setStatic(objects.staticObject.body);
   scene.commit({});
+  const auto count = static_cast<std::uint32_t>(std::clamp(
+    kRaysOfAll / (lights.lights().size() + 1), std::size_t{ kFewestRays }, std::size_t{ kRays }));
   double arrived = 0, returned = 0;
   for (const Light& light : lights.lights())
   {
-    const Rays rays = raysFrom(light);
+    const Rays rays = raysFrom(light, count);
     Hits hits;
-    scene.cast(rays.data(), kRays, hits.data());
+    scene.cast(rays.data(), count, hits.data());
     const bool isArea = std::holds_alternative<AreaLight>(light.kind);
     const auto near = std::count_if(
       hits.begin(), hits.end(), [&](const Hit& hit) { return hit && isNear(scene, hit); });
-    nearLights_.push_back(isArea && 2 * near > kRays);
-    arrived += light.totalFlux() *
+    nearLights_.push_back(isArea && 2 * near > count);
+    const double fluxOfRay = light.totalFlux() / count;
+    arrived += fluxOfRay *
       static_cast<double>(std::count_if(
         hits.begin(), hits.end(), [](const Hit& hit) { return static_cast<bool>(hit); }));
-    returned += light.totalFlux() * returnedOf(scene, *objects.staticObject.material, rays, hits);
+    returned += fluxOfRay * returnedOf(scene, *objects.staticObject.material, rays, hits, count);
   }
   returned_ = arrived > 0 ? returned / arrived : 1;
 }

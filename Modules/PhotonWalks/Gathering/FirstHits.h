@@ -25,7 +25,7 @@ public:
   /// the light of a cell with less work than samples of the cell do.
   const std::vector<bool>& nearLights() const { return nearLights_; }
   /// The part of what arrives at static triangles that they reflect and that arrives at some again, 0..1; 1 if
-  /// nothing arrives. Roughly: a standard error of 0.05 if there is but one light.
+  /// nothing arrives. Roughly: a standard error of 0.1 at most.
   double returned() const { return returned_; }
 
 private:

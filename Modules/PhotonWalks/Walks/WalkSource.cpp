@@ -55,7 +55,7 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLight
 /// Where little of the light returns, what is gathered is nearly all light, and deserves most of the work.
 double walksPerSample(double returned)
 {
-  constexpr double kUsual = 36, kFewest = 3, kMuch = 0.25;
+  constexpr double kUsual = 36, kFewest = 3, kMuch = 0.5;
   return std::clamp(kUsual * returned / kMuch, kFewest, kUsual);
 }
 
