@@ -7,6 +7,7 @@
 #include "ShownAnswer.h"
 #include "ThreadExecution.h"
 #include "ThreadRanks.h"
+#include "TickingExecution.h"
 
 #include "../RayCasting/TestSimdLevels.h"
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <tuple>
 
 namespace irradiance
 {
@@ -545,6 +547,104 @@ TEST(GatherEstimator, BiasShrinksWithTheCellsThatRaysHit)
   }
   EXPECT_GT(biases[0], 0.03) << "the scene shows it";
   EXPECT_LT(biases[1], 0.5 * biases[0]);
+}
+
+// Law 1 where parts leave and come back: cells are known by their number among those that gather.
+TEST(GatherEstimator, UpdateEqualsRebuildWhilePartsComeAndGo)
+{
+  MovingScene scene(1, true, 79);
+  test::RandomVectors random(79);
+  EngineSettings settings = gathering(10000);
+  settings.replicates = 3;
+  IrradianceEngine engine;
+  Execution serial;
+  for (int frame = 0; frame < 8; ++frame, scene.nextFrame())
+  {
+    SceneObjects objects = scene.objects();
+    for (SceneObject& object : objects.dynamicObjects)
+    {
+      object.isPresent = random.engine() % 3 != 0;
+    }
+    settings.separateSides = frame % 4 == 3;
+    settings.gatherRays = frame % 2 == 0 ? 32 : 7;
+    engine.update(objects, settings, serial);
+    ASSERT_TRUE(
+      test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings))
+      << "frame " << frame;
+    EXPECT_EQ(engine.statistics().shootSeconds > 0, frame == 0);
+  }
+}
+
+// What rests on stale walks is a part of the whole, the full update takes no more than that away, and in the end nothing
+// is stale.
+TEST(GatherEstimator, KnowsWhatIsStale)
+{
+  MovingScene scene(1, true, 76);
+  EngineSettings settings = gathering(20000);
+  settings.repairTimeBudget = 10 * test::TickingExecution::kTick;
+  EngineSettings full = settings;
+  full.repairTimeBudget = 0;
+  IrradianceEngine engine, exact;
+  test::TickingExecution clock;
+  engine.update(scene.objects(), settings, clock);
+  scene.nextFrame();
+  engine.update(scene.objects(), settings, clock);
+  exact.update(scene.objects(), full, clock);
+  int waits = 0, stale = 0;
+  for (; engine.walks().hasStale(); ++waits)
+  {
+    engine.cells().numbers().forEach([&](const SceneCell& cell) {
+      const double all = engine.irradiance({ cell }, 0), part = engine.staleIrradiance({ cell }, 0);
+      EXPECT_GE(part, 0);
+      EXPECT_LE(part, all);
+      EXPECT_GE(exact.irradiance({ cell }, 0), (all - part) * (1 - 1e-9));
+      stale += part > 0 ? 1 : 0;
+    });
+    engine.update(scene.objects(), settings, clock);
+  }
+  EXPECT_GE(waits, 2);
+  EXPECT_GT(stale, 100);
+  EXPECT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
+    test::freshShownAnswer(scene.objects(), settings));
+}
+
+// A lamp close over the floor, tilted to it: its walks start at it and bring the direct light with all other. Small cells
+// have to get its direct light once; in a black room it is all there is. Limits as above.
+TEST(GatherEstimator, SmallCellsGatherTheLightOfANearLamp)
+{
+  ObjectBuilder room, ball;
+  room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0), true);
+  room.addQuad({ 0.5, 1.2, 0.04 }, { 0, 1.6, 0 }, { 0.08, 0, 0.08 }, 1, 1, grey(0, 100));
+  ball.addSphere({ 0, 0, 0 }, 0.6, 6, grey(0));
+  const SceneObjects objects{ room.build(), { ball.build(test::shift({ 1.9, 2, 0.5 })) } };
+  const std::size_t first = 6 * 16 + 1;
+  EngineSettings settings = gathering(60000);
+  {
+    IrradianceEngine engine;
+    Execution serial;
+    engine.update(objects, settings, serial);
+    ASSERT_EQ(numberOfSmall(engine, settings), 72u) << "the ball";
+    ASSERT_FALSE(engine.walks().sets().front().source().cells) << "walks start at the lamp";
+  }
+  const SeedMeans shot = shotMeans(objects, 16, 300000);
+  const SeedMeans gathered = gatheredMeans(objects, 16, settings);
+  double chiSquare = 0, all = 0, found = 0, count = 0;
+  for (std::size_t i = first; i < gathered.cells().size(); ++i)
+  {
+    const test::ReplicateMean &x = gathered.cells()[i], &y = shot.cells()[i];
+    all += y.mean();
+    found += x.mean();
+    if (y.mean() > 10 * y.standardError()) // else too few photons tell
+    {
+      chiSquare += std::pow(x.mean() - y.mean(), 2) /
+        (std::pow(x.standardError(), 2) + std::pow(y.standardError(), 2));
+      ++count;
+    }
+  }
+  std::printf("chi-square of %.0f cells: %.1f; %.4f of the light\n", count, chiSquare, found / all);
+  EXPECT_GT(count, 20);
+  EXPECT_LT(chiSquare * 28 / 30, 1.1 * test::chiSquareLimit(count, 3.72));
+  EXPECT_NEAR(found / all, 1, test::kIsSanitized ? 0.05 : 0.01);
 }
 
 TEST(GatherEstimator, IsRefusedWhereItCannotBeRight)
