@@ -28,10 +28,11 @@ using test::grey;
 using test::MovingScene;
 using test::ObjectBuilder;
 
+/// As many walks with sanitizers: they decide which cells are small.
 EngineSettings gathering(std::uint32_t walks, std::uint64_t seed = 1)
 {
   EngineSettings settings;
-  settings.numberOfWalks = test::scaled(walks);
+  settings.numberOfWalks = walks;
   settings.seed = seed;
   settings.gathersDirectLight = true;
   settings.cellEstimate = CellEstimate::Gathered;
@@ -434,7 +435,7 @@ TEST(GatherEstimator, NoLightLeaksToWhatIsBuried)
 TEST(GatherEstimator, ErrorBarsHoldTheTruth)
 {
   const SceneObjects objects = roomWithBall(8);
-  const SeedMeans truth = shotMeans(objects, 8, 2000000);
+  const SeedMeans truth = shotMeans(objects, 8, 1000000);
   EngineSettings settings = gathering(100000);
   settings.replicates = 16;
   settings.verify = false;
@@ -482,8 +483,7 @@ TEST(GatherEstimator, ErrorBarsKnowTheNoiseOfWhatIsRead)
   ball.addSphere({ 0, 0, 0 }, 0.5, 4, {});
   const SceneObjects objects{ furnace(room, 0.8, false),
     { furnace(ball, 0.5, false, test::shift({ 4, 4, 4 })) } };
-  EngineSettings settings = gathering(0);
-  settings.numberOfWalks = 4000;
+  EngineSettings settings = gathering(4000);
   settings.replicates = 16;
   settings.verify = false;
   double squares = 0; // of differences, in standard errors
@@ -581,7 +581,7 @@ TEST(GatherEstimator, KnowsWhatIsStale)
 {
   MovingScene scene(1, true, 76);
   EngineSettings settings = gathering(20000);
-  settings.repairTimeBudget = 10 * test::TickingExecution::kTick;
+  settings.repairTimeBudget = 40 * test::TickingExecution::kTick;
   EngineSettings full = settings;
   full.repairTimeBudget = 0;
   IrradianceEngine engine, exact;
