@@ -137,7 +137,7 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
 
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
-  constexpr vtkIdType mostSpreadPhotons = 1000000;
+  constexpr vtkIdType mostSpreadPhotons = 1000000, mostGatherRays = 4096;
   const double budget = filter->GetRepairTimeBudget();
   if (!(budget >= 0))
   {
@@ -163,6 +163,8 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.cellEstimate = static_cast<irradiance::CellEstimate>(filter->GetCellEstimate());
   settings.spreadPhotons =
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
+  settings.gatherRays =
+    Checked("NumberOfGatherRays", filter->GetNumberOfGatherRays(), 1, mostGatherRays);
   if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
   {
     throw irradiance::InputError(conflict);
@@ -705,6 +707,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DirectLight: " << this->DirectLight << "\n"
      << indent << "CellEstimate: " << this->CellEstimate << "\n"
      << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
+     << indent << "NumberOfGatherRays: " << this->NumberOfGatherRays << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"

@@ -83,9 +83,11 @@ public:
   /// From which photons the irradiance of a cell is estimated.
   enum CellEstimates
   {
-    Sums = 0,   ///< the photons that arrived in it
-    Spread = 1, ///< small cells: also the photons in the cells around it
-    Nearest = 2 ///< small cells: the photons nearest to their middles
+    Sums = 0,    ///< the photons that arrived in it
+    Spread = 1,  ///< small cells: also the photons in the cells around it
+    Nearest = 2, ///< small cells: the photons nearest to their middles
+    FinalGather =
+      3 ///< "Gathered". Small cells: what rays from them find on the cells that they hit
   };
 
   /// What happens when dynamic objects have moved; the result is the same.
@@ -297,14 +299,17 @@ public:
   /**
    * See CellEstimates, and "Small cells" in the Guide. Spread conserves the power on each connection and
    * trades noise for blur. Nearest excludes ComputeStandardError, TargetRelativeError and
-   * RepairTimeBudget. Changing it shoots no walks, except
-   * if UpdateMode is Rebuild, or with a target where nothing is dynamic. Default Sums.
+   * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
+   * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. Changing it
+   * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to
+   * Gathered without SeparateSides. Default Sums.
    */
-  vtkSetClampMacro(CellEstimate, int, Sums, Nearest);
+  vtkSetClampMacro(CellEstimate, int, Sums, FinalGather);
   vtkGetMacro(CellEstimate, int);
   void SetCellEstimateToSums() { this->SetCellEstimate(Sums); }
   void SetCellEstimateToSpread() { this->SetCellEstimate(Spread); }
   void SetCellEstimateToNearest() { this->SetCellEstimate(Nearest); }
+  void SetCellEstimateToGathered() { this->SetCellEstimate(FinalGather); }
   ///@}
 
   ///@{
@@ -315,6 +320,17 @@ public:
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);
   vtkGetMacro(NumberOfSpreadPhotons, int);
+  ///@}
+
+  ///@{
+  /**
+   * With CellEstimate Gathered, how many rays look for the indirect light of each side of a small cell, 1 to
+   * 4096; with error bars rounded up to a multiple of NumberOfReplicates. A cell is small if it would receive fewer
+   * than two photons for each ray when NumberOfWalks walks arrived evenly over all area. The noise falls with the root of
+   * the number, or faster; the time grows with it. Changing it is like changing CellEstimate. Default 32.
+   */
+  vtkSetMacro(NumberOfGatherRays, int);
+  vtkGetMacro(NumberOfGatherRays, int);
   ///@}
 
   ///@{
@@ -449,6 +465,7 @@ protected:
   int DirectLight = Shot;
   int CellEstimate = Sums;
   int NumberOfSpreadPhotons = 250;
+  int NumberOfGatherRays = 32;
   vtkTypeBool ComputeStandardError = 0;
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;

@@ -27,6 +27,7 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(walks.repairTimeBudget);
   hash.add(static_cast<int>(estimate.cellEstimate));
   hash.add(estimate.spreadPhotons);
+  hash.add(estimate.gatherRays);
   return hash.value();
 }
 

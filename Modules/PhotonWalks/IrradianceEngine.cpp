@@ -13,6 +13,30 @@
 namespace irradiance
 {
 
+namespace
+{
+
+bool keepsSides(const EngineSettings& settings)
+{
+  return settings.separateSides || needsSides(settings.cellEstimate);
+}
+
+/// Of the walks that these settings ask for.
+WalkSettings walkSettingsOf(const EngineSettings& settings)
+{
+  WalkSettings walks = settings;
+  walks.separateSides = keepsSides(settings);
+  return walks;
+}
+
+/// Whether the same estimator does for both.
+bool haveSameEstimator(const EngineSettings& a, const EngineSettings& b)
+{
+  return isSameEstimate(a, b) && a.separateSides == b.separateSides && a.seed == b.seed;
+}
+
+}
+
 void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
@@ -88,7 +112,7 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || storesWalks()) && settings.seed == settings_.seed &&
-    settings.separateSides == settings_.separateSides && differsOnlyByMotion(objects, objects_);
+    keepsSides(settings) == keepsSides(settings_) && differsOnlyByMotion(objects, objects_);
 }
 
 void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,
@@ -99,9 +123,10 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   const bool isFresh = change == FrameChange::Fresh;
   const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
   const bool allOnEachRank = settings.allOnEachRank || (!isFresh && settings_.allOnEachRank);
-  if (!estimator_ || !isSameEstimate(settings, settings_))
+  if (!estimator_ || !haveSameEstimator(settings, settings_))
   {
-    estimator_ = makeCellEstimator(settings, { space(), cells_, walks_, photons_, surfaces_ });
+    estimator_ =
+      makeCellEstimator(settings, settings, { space(), cells_, walks_, photons_, surfaces_ });
   }
   settings_ = settings;
   settings_.keepPhotons = keepsPhotons;
@@ -114,7 +139,7 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
     triangles_.update(objects_, cancelPointOf(beginning, 0));
   }
   surfaces_.forgetOthers(objects_);
-  walks_.setSettings(settings_);
+  walks_.setSettings(walkSettingsOf(settings_));
   if (change == FrameChange::Replace)
   {
     walks_.replaceCells(objects_, triangles_.numbers(), beginning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The estimates of the irradiance of cells, as the user of the filter sees them.
 
+#include "ErrorObserver.h"
 #include "OutputBits.h"
 #include "OutputChecks.h"
 #include "TestScenes.h"
@@ -62,12 +63,18 @@ TEST(CellEstimate, DefaultsAndRange)
   filter->SetCellEstimateToSums();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Sums);
   filter->SetCellEstimate(99);
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Nearest) << "clamped";
+  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::FinalGather) << "clamped";
+  filter->SetCellEstimateToNearest();
+  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Nearest);
+  filter->SetCellEstimateToGathered();
+  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::FinalGather);
+  EXPECT_EQ(filter->GetNumberOfGatherRays(), 32);
   filter->SetCellEstimateToSpread();
   std::ostringstream text;
   filter->Print(text);
   EXPECT_NE(text.str().find("CellEstimate: 1\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfSpreadPhotons: 250\n"), std::string::npos);
+  EXPECT_NE(text.str().find("NumberOfGatherRays: 32\n"), std::string::npos);
 }
 
 // Nothing is shot, walls keep their bits, and the fine ball keeps its power but not its noise.
@@ -136,6 +143,72 @@ TEST(CellEstimate, UpdateEqualsRebuild)
       scene.Moving[0].Pose->Scale(1, 1.2, 0.7);
     }
   }
+}
+
+namespace
+{
+
+vtkSmartPointer<vtkIrradianceFilter> MakeGathering(const Scene& scene)
+{
+  auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->SetDirectLightToGathered();
+  filter->SetCellEstimateToGathered();
+  return filter;
+}
+
+}
+
+// Error bars and motion, sides together and apart; each frame equals a new filter, bit for bit.
+TEST(CellEstimate, GatheredUpdateEqualsRebuild)
+{
+  Scene scene = MakeFineScene();
+  const auto make = [&](int frame) {
+    auto filter = MakeGathering(scene);
+    filter->ComputeStandardErrorOn();
+    filter->SetNumberOfReplicates(4);
+    filter->SetSeparateSides(frame % 3 == 2);
+    return filter;
+  };
+  const auto updated = make(0);
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    updated->SetSeparateSides(frame % 3 == 2);
+    updated->Update();
+    EXPECT_EQ(Field(updated, "ShootSeconds") > 0, frame == 0) << "sides are counted anyway";
+    const auto fresh = make(frame);
+    fresh->Update();
+    ASSERT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh))) << "frame " << frame;
+    scene.Moving[0].Pose->Translate(0.07, 0.03, 0);
+    scene.Moving[0].Pose->RotateY(20);
+  }
+}
+
+// As much light as photons bring, with less noise.
+TEST(CellEstimate, GatheredFindsTheLightOfSmallCells)
+{
+  const auto sums = MakeFilter(MakeFineScene(), 50 * NumberOfWalks);
+  sums->SetDirectLightToGathered();
+  sums->Update();
+  const auto gathered = MakeGathering(MakeFineScene());
+  gathered->Update();
+  EXPECT_NEAR(PowerOn(gathered, 1, 0) / PowerOn(sums, 1, 0), 1, 0.02);
+  sums->SetNumberOfWalks(NumberOfWalks);
+  sums->Update();
+  EXPECT_LT(Roughness(gathered), 0.5 * Roughness(sums));
+}
+
+TEST(CellEstimate, GatheredSaysWhatItNeeds)
+{
+  const auto filter = MakeGathering(MakeFineScene());
+  filter->SetDirectLightToShot();
+  EXPECT_NE(OnlyErrorOf(filter).find("CellEstimate Gathered needs DirectLight Gathered"),
+    std::string::npos);
+  filter->SetDirectLightToGathered();
+  filter->SetNumberOfGatherRays(0);
+  EXPECT_NE(OnlyErrorOf(filter).find("NumberOfGatherRays is 0; 1 to 4096"), std::string::npos);
+  filter->SetNumberOfGatherRays(8);
+  filter->Update();
+  EXPECT_GT(PowerOn(filter, 1, 0), 0);
 }
 
 // Parts of a static surface that come through several connections are one surface.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/CellEstimate.h"
 
+#include "Estimates/GatherEstimator.h"
 #include "Estimates/NearestPhotonEstimator.h"
 #include "Estimates/SpreadEstimator.h"
 
@@ -8,7 +9,7 @@ namespace irradiance
 {
 
 std::unique_ptr<CellEstimator> makeCellEstimator(
-  const EstimateSettings& settings, const EstimateSource& source)
+  const EstimateSettings& settings, const WalkSettings& walks, const EstimateSource& source)
 {
   switch (settings.cellEstimate)
   {
@@ -16,6 +17,9 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
       return std::make_unique<SpreadEstimator>(source, settings.spreadPhotons);
     case CellEstimate::Nearest:
       return std::make_unique<NearestPhotonEstimator>(source, settings.spreadPhotons);
+    case CellEstimate::Gathered:
+      return std::make_unique<GatherEstimator>(
+        source, GatherEstimator::Settings{ settings.gatherRays, walks.separateSides, walks.seed });
     default:
       return std::make_unique<SumEstimator>(source);
   }
@@ -26,9 +30,19 @@ bool needsPhotons(CellEstimate estimate)
   return estimate == CellEstimate::Nearest;
 }
 
-/// The nearest photons are others in each replicate and round.
+bool needsSides(CellEstimate estimate)
+{
+  return estimate == CellEstimate::Gathered;
+}
+
 std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)
 {
+  if (settings.cellEstimate == CellEstimate::Gathered && !walks.gathersDirectLight)
+  {
+    return "CellEstimate Gathered needs DirectLight Gathered: what walks bring is else direct and "
+           "indirect light in one sum";
+  }
+  // The nearest photons are others in each replicate and round.
   const char* other = walks.targetRelativeError > 0 ? "TargetRelativeError"
     : walks.replicates > 1                          ? "ComputeStandardError"
     : walks.repairTimeBudget > 0                    ? "RepairTimeBudget"

@@ -2,6 +2,7 @@
 #ifndef irradiance_CellEstimate_h
 #define irradiance_CellEstimate_h
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -15,9 +16,10 @@ struct WalkSettings;
 /// From which photons the irradiance of a cell is estimated.
 enum class CellEstimate
 {
-  Sums,   ///< those that arrived in it
-  Spread, ///< small cells: also the photons of the cells around it, see CellSpread
-  Nearest ///< small cells: the photons nearest to their middles, see NearestPhotonEstimator
+  Sums,    ///< those that arrived in it
+  Spread,  ///< small cells: also the photons of the cells around it, see CellSpread
+  Nearest, ///< small cells: the photons nearest to their middles, see NearestPhotonEstimator
+  Gathered ///< small cells: those of what their rays hit, see GatherEstimator
 };
 
 struct EstimateSettings
@@ -25,19 +27,25 @@ struct EstimateSettings
   CellEstimate cellEstimate = CellEstimate::Sums;
   /// On how many photons a small cell draws if not on its sum alone, on average; > 0.
   double spreadPhotons = 250;
+  /// With Gathered, of each side of a small cell, which expects fewer than two photons for each; >= 1.
+  std::uint32_t gatherRays = 32;
 };
 
 /// Whether both are met by the same estimator.
 inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
 {
-  return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons;
+  return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons &&
+    a.gatherRays == b.gatherRays;
 }
 
 std::unique_ptr<CellEstimator> makeCellEstimator(
-  const EstimateSettings& settings, const EstimateSource& source);
+  const EstimateSettings& settings, const WalkSettings& walks, const EstimateSource& source);
 
 /// Whether it searches the photons of stored walks.
 bool needsPhotons(CellEstimate estimate);
+
+/// Whether it needs the sums of both sides of cells, even if these are not told apart.
+bool needsSides(CellEstimate estimate);
 
 /// What excludes each other, in the words of the filter's properties; empty if nothing does.
 std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks);

@@ -3,6 +3,7 @@
 #define irradiance_CellSpread_h
 
 #include "Estimates/CellDiffusion.h"
+#include "Estimates/PhotonShares.h"
 #include "Execution/Execution.h"
 #include "Tally/CellSums.h"
 
@@ -20,7 +21,7 @@ namespace irradiance
  * Light does not flow across creases, to other objects, or from one side of a cell to the other if
  * sides are kept apart. See CellNeighbours, CellDiffusion and Documentation/Theory.md, 5.3.
  */
-class CellSpread
+class CellSpread : public PhotonShares
 {
 public:
   /// Finds the weights for a scene and its sums. They are a function of these alone; where nothing
@@ -36,10 +37,9 @@ public:
   CellSums spread(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
     Execution& execution) const;
 
-  /// A photon's effective part in a sum that was spread: if the cells around expect equally many
-  /// photons for their area, the estimate draws on 1 / this for each of the cell's own. Known
-  /// to within a third or so, and only if the sums of the update had replicates.
-  double photonShare(const CellSide& cell) const;
+  /// If the cells around expect equally many photons for their area. Known to within a third or so, and only if
+  /// the sums of the update had replicates.
+  double photonShare(const CellSide& cell) const override;
 
 private:
   /// The cells of an object, and how power flows between them.

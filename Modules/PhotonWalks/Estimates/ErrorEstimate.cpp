@@ -32,9 +32,9 @@ double quantileOfArea(std::vector<std::pair<double, double>> errorsWithAreas, do
 }
 
 ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-  const std::array<double, Power::kMaxBands>& quantaPerWalk, const CellSpread* spread)
+  const std::array<double, Power::kMaxBands>& quantaPerWalk, const PhotonShares* shares)
   : sums_(sums)
-  , spread_(spread)
+  , shares_(shares)
   , rounds_(rounds)
   , walks_(plan.walksAfter(rounds))
   , quantaPerWalk_(quantaPerWalk)

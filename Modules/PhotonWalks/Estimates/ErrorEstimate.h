@@ -2,8 +2,9 @@
 #ifndef irradiance_ErrorEstimate_h
 #define irradiance_ErrorEstimate_h
 
-#include "Estimates/CellSpread.h"
+#include "Estimates/PhotonShares.h"
 #include "Execution/Execution.h"
+#include "Tally/CellSums.h"
 
 #include <algorithm>
 #include <array>
@@ -27,11 +28,12 @@ public:
   /// reach a target.
   static constexpr double kConfidence = 0.95;
 
-  /// `quantaPerWalk`: of the most powerful walk at its start, in each band. `spread`: what has
-  /// spread the sums, if they are; the errors are of the spread sums, which are not the truth
-  /// where they blur it. `sums` and `spread` must outlive the estimate.
+  /// `quantaPerWalk`: of the most powerful walk at its start, in each band. `shares`: what made the sums, if
+  /// they are not what arrived; the errors are of the sums as they are, which are not the truth where these
+  /// are biased. `sums` and `shares` must outlive the estimate.
   ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-    const std::array<double, Power::kMaxBands>& quantaPerWalk, const CellSpread* spread = nullptr);
+    const std::array<double, Power::kMaxBands>& quantaPerWalk,
+    const PhotonShares* shares = nullptr);
 
   /// The variance of what n replicates tell, from their spread. What they tell comes in steps, as photons do,
   /// so replicates may agree by chance: the variance within a step is the least that can be claimed.
@@ -57,7 +59,7 @@ public:
   double quantaPerPhoton(const CellSide& cell, int band) const
   {
     return quantaPerWalk_[static_cast<std::size_t>(band)] *
-      (spread_ ? spread_->photonShare(cell) : 1.0);
+      (shares_ ? shares_->photonShare(cell) : 1.0);
   }
 
   /// The least e for which kConfidence of the area is known to within e times its own irradiance,
@@ -86,7 +88,7 @@ private:
   static double relativeError(const Received& received, double average, double factor);
 
   const CellSums& sums_;
-  const CellSpread* spread_;
+  const PhotonShares* shares_;
   std::size_t rounds_;
   std::uint32_t walks_;
   std::array<double, Power::kMaxBands> quantaPerWalk_;

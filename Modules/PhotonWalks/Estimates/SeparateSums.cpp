@@ -4,31 +4,37 @@
 namespace irradiance
 {
 
-std::optional<SeparateSums> separateSums(
-  const WalkSets& walks, const SceneObjects& objects, std::size_t rounds, Execution& execution)
+std::optional<CellSums> gatheredSums(
+  const WalkSets& walks, const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   const CellSums& all = walks.sums();
-  const std::uint32_t replicates = all.plan().replicates().count();
-  const auto sums = [&](const WalkPlan& plan, std::size_t ofRounds) {
-    return CellSums(objects, all.sides(), plan, ofRounds);
-  };
   std::optional<CellSums> gathered;
   PowerBalance balance; // is known already
   for (const WalkSet& set : walks.sets())
   {
     set.forEachGathered([&](const GatheredLight& light) {
-      gathered ? void() : void(gathered = sums(all.plan(), all.rounds()));
+      gathered ? void() : void(gathered.emplace(objects, all.sides(), all.plan(), all.rounds()));
       light.addTo(*gathered, balance, DealtBlocks(), 1, cancelPoint);
     });
   }
+  return gathered;
+}
+
+std::optional<SeparateSums> separateSums(
+  const WalkSets& walks, const SceneObjects& objects, std::size_t rounds, Execution& execution)
+{
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  const std::optional<CellSums> gathered = gatheredSums(walks, objects, cancelPoint);
   if (!gathered)
   {
     return std::nullopt;
   }
+  const CellSums& all = walks.sums();
+  const std::uint32_t replicates = all.plan().replicates().count();
   const std::uint32_t count = walks.plan().walksAfter(rounds);
   const WalkPlan plan(count, count, replicates);
-  SeparateSums separate{ sums(plan, 1), sums(plan, 1) };
+  SeparateSums separate{ CellSums(objects, all.sides(), plan),
+    CellSums(objects, all.sides(), plan) };
   ThrottledCancelPoint pace(cancelPoint);
   all.numbers().forEach([&](const SceneCell& cell) {
     for (int side = 0; side < all.sides(); ++side)

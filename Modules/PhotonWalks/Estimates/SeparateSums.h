@@ -16,6 +16,10 @@ struct SeparateSums
   CellSums indirect; ///< brought by walks
 };
 
+/// What cells gathered in all rounds; nothing if no cell gathers. All ranks have the same.
+std::optional<CellSums> gatheredSums(
+  const WalkSets& walks, const SceneObjects& objects, const CancelPoint& cancelPoint);
+
 /// Of the first `rounds` rounds; nothing if no cell gathers. All ranks have the same.
 std::optional<SeparateSums> separateSums(
   const WalkSets& walks, const SceneObjects& objects, std::size_t rounds, Execution& execution);

@@ -12,15 +12,15 @@ namespace
 {
 
 /// By object, whether any light lies within its bounds, or touches them. The static object is not looked at.
-std::vector<bool> haveLights(const SceneObjects& objects, const LightTable& lights)
+std::vector<bool> haveLights(const SceneObjects& objects, const std::vector<Box>& lights)
 {
   std::vector<bool> have(objects.size(), true);
   for (std::uint32_t i = 1; i < objects.size(); ++i)
   {
     Box bounds = objects.dynamicObjects[i - 1].worldBounds();
     bounds.inflate(8 * kTouching * bounds.magnitude());
-    have[i] = std::any_of(lights.lights().begin(), lights.lights().end(),
-      [&](const Light& light) { return !bounds.intersection(light.bounds()).isEmpty(); });
+    have[i] = std::any_of(lights.begin(), lights.end(),
+      [&](const Box& light) { return !bounds.intersection(light).isEmpty(); });
   }
   return have;
 }
@@ -32,17 +32,22 @@ bool isBehind(const Box& box, const Vector3& point, const Vector3& normal)
   return normal.dot(box.center() - point) + normal.cwiseAbs().dot(half) <= 0;
 }
 
-}
-
-void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
-  const LightTable& lights)
+std::vector<Box> boundsOf(const LightTable& lights)
 {
-  const std::vector<bool> haveLight = haveLights(objects, lights);
-  Box bounds;
+  std::vector<Box> bounds;
   for (const Light& light : lights.lights())
   {
-    bounds.add(light.bounds());
+    bounds.push_back(light.bounds());
   }
+  return bounds;
+}
+
+}
+
+void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const std::vector<Box>& lights)
+{
+  const std::vector<bool> haveLight = haveLights(objects, lights);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     const auto isSolid = [&](SolidSide side) {
@@ -51,15 +56,31 @@ void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjec
         return !haveLight[id.object] && space.sides[id.object].of[id.triangle] == side;
       });
     };
-    const CellShape& shape = cells[cell];
-    if (cells.begin(cell) == cells.end(cell))
+    if (cells.begin(cell) != cells.end(cell))
     {
-      continue;
+      cells.setDark(cell, isSolid(SolidSide::InFront), isSolid(SolidSide::Behind));
     }
-    const bool isFront = isSolid(SolidSide::InFront), isBack = isSolid(SolidSide::Behind);
+  }
+}
+
+void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const LightTable& lights)
+{
+  const std::vector<Box> each = boundsOf(lights);
+  markInnerSides(cells, space, objects, each);
+  Box bounds;
+  for (const Box& light : each)
+  {
+    bounds.add(light);
+  }
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const CellShape& shape = cells[cell];
+    const bool isFront = shape.isFrontDark, isBack = shape.isBackDark;
     constexpr double kFlat = 1 - 1e-12;
     const Vector3 outwards = isFront ? Vector3(-shape.normal) : shape.normal;
-    const bool isAway = shape.normal.norm() >= kFlat && isBehind(bounds, shape.center, outwards);
+    const bool isAway = (isFront || isBack) && shape.normal.norm() >= kFlat &&
+      isBehind(bounds, shape.center, outwards);
     cells.setDark(cell, isFront || (isBack && isAway), isBack || (isFront && isAway));
   }
 }

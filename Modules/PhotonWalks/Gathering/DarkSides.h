@@ -6,8 +6,17 @@
 #include "Lights/LightTable.h"
 #include "Surfaces/CellShapes.h"
 
+#include <vector>
+
 namespace irradiance
 {
+
+/**
+ * Marks the sides of cells to which no light can come at all: the inner sides of closed dynamic objects whose
+ * bounds have no light in them. `lights`: the bounds of each.
+ */
+void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const std::vector<Box>& lights);
 
 /**
  * Marks the sides of cells to which no light can come straight from the lights of a table, whatever stands where:

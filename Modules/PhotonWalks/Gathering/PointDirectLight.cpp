@@ -21,10 +21,11 @@ constexpr double kNoArea = 0x1p-200;
 }
 
 PointDirectLight::PointDirectLight(
-  const GatherSpace& space, const LightTable& lights, std::uint64_t seed)
+  const GatherSpace& space, const LightTable& lights, std::uint64_t seed, std::uint32_t samples)
   : space_(space)
   , lamps_(lights)
   , seed_(seed)
+  , samples_(samples)
 {
 }
 
@@ -92,7 +93,7 @@ void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
   shape.area = kNoArea;
   choice.weigh(shape);
   const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
-  for (std::uint32_t i = 0; i < kSamples; ++i)
+  for (std::uint32_t i = 0; i < samples_; ++i)
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, keys);
     const LampChoice::Choice chosen = choice.choose(u[0]);
@@ -100,7 +101,7 @@ void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
     if (std::find(touching.begin(), touching.end(), lamp.light) == touching.end())
     {
       Arrival arrival = from(lamp, point, { chosen.rest, u[1] });
-      arrival.perWatt /= chosen.probability * kSamples;
+      arrival.perWatt /= chosen.probability * samples_;
       if (arrival.perWatt > 0)
       {
         arrivals.push_back(arrival);

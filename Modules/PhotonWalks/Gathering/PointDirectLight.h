@@ -25,8 +25,9 @@ class PointDirectLight
 public:
   using Bands = std::array<double, Power::kMaxBands>;
 
-  /// What the arguments refer to must outlive it.
-  PointDirectLight(const GatherSpace& space, const LightTable& lights, std::uint64_t seed);
+  /// What the arguments refer to must outlive it. `samples`: for each point; a power of two.
+  PointDirectLight(const GatherSpace& space, const LightTable& lights, std::uint64_t seed,
+    std::uint32_t samples = 64);
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 
@@ -34,8 +35,6 @@ public:
   Bands irradiance(const LitPoint& point, std::uint64_t number) const;
 
 private:
-  static constexpr std::uint32_t kSamples = 64;
-
   /// Light on its way to a point.
   struct Arrival
   {
@@ -57,6 +56,7 @@ private:
   GatherSpace space_;
   LampPieces lamps_;
   std::uint64_t seed_;
+  std::uint32_t samples_;
 };
 
 }

@@ -7,7 +7,6 @@
 namespace
 {
 
-constexpr double kAllowed = 1e-3;
 constexpr double kSigmas = 6;
 
 /// Of the runs from `first` on, every other one.
@@ -54,7 +53,7 @@ HalvedTruth combined(const HalvedTruth& a, const HalvedTruth& b, const CellField
 }
 
 Agreement requireAgreement(const std::string& who, const std::vector<CellField>& runs,
-  const HalvedTruth& truth, const CellField& areas, const CellSet& set)
+  const HalvedTruth& truth, const CellField& areas, const CellSet& set, double allowed)
 {
   const CellField a = set.of(meanOfHalf(runs, 0)), b = set.of(meanOfHalf(runs, 1));
   const CellField t = set.of(truth.first), u = set.of(truth.second);
@@ -69,8 +68,8 @@ Agreement requireAgreement(const std::string& who, const std::vector<CellField>&
   const CellField noise = weights * 2 * (varianceOf(a, b) + varianceOf(t, u)) / (mean * mean);
   const double squareError = std::sqrt(noise.square().sum());
   const double systematic = std::copysign(std::sqrt(std::abs(square)), square);
-  if (!(std::abs(ratio - 1) <= kSigmas * ratioError + kAllowed &&
-        square <= kSigmas * squareError + kAllowed * kAllowed))
+  if (!(std::abs(ratio - 1) <= kSigmas * ratioError + allowed &&
+        square <= kSigmas * squareError + allowed * allowed))
   {
     throw std::runtime_error(who + " differs from the truth on " + set.name +
       ": the mean irradiance is " + std::to_string(ratio) + " of it, where noise explains " +

@@ -31,8 +31,8 @@ struct Agreement
 };
 
 /// Throws std::runtime_error if the mean irradiance, or the irradiance of cells, differs by more than noise
-/// explains; a thousandth is allowed, which is more than floats miss at edges. `runs`: at least two.
+/// explains and what is allowed: a thousandth is more than floats miss at edges. `runs`: at least two.
 Agreement requireAgreement(const std::string& who, const std::vector<CellField>& runs,
-  const HalvedTruth& truth, const CellField& areas, const CellSet& set);
+  const HalvedTruth& truth, const CellField& areas, const CellSet& set, double allowed = 1e-3);
 
 #endif

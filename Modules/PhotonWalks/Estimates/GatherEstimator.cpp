@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Estimates/GatherEstimator.h"
+
+#include "Estimates/SeparateSums.h"
+#include "FinalGather/NearLampLight.h"
+#include "Gathering/DarkSides.h"
+#include "Progress/InputError.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+template <class Visit>
+void forEachLight(const WalkSets& walks, const Visit& visit)
+{
+  for (const WalkSet& set : walks.sets())
+  {
+    for (const Light& light : set.lights().lights())
+    {
+      visit(light);
+    }
+  }
+}
+
+/// On a point of a near cell: the ray that hits it is one of many.
+constexpr std::uint32_t kSamplesOfPoint = 4;
+
+std::deque<PointDirectLight> lightsOf(const EstimateSource& source, std::uint64_t seed)
+{
+  std::deque<PointDirectLight> lights;
+  for (const WalkSet& set : source.walks.sets())
+  {
+    // The sets of dynamic cells have the same lights.
+    if (set.source().cells != CellPart::Dynamic && !set.lights().isEmpty())
+    {
+      lights.emplace_back(
+        source.space.gatherSpace(), set.lights(), seed + lights.size(), kSamplesOfPoint);
+    }
+  }
+  return lights;
+}
+
+CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint)
+{
+  const SceneObjects& objects = source.space.objects;
+  std::vector<Box> lights;
+  forEachLight(source.walks, [&](const Light& light) { lights.push_back(light.bounds()); });
+  CellShapes shapes(objects, source.space.triangles, 0, objects.size(), cancelPoint);
+  markInnerSides(shapes, source.space.gatherSpace(), objects, lights);
+  return shapes;
+}
+
+}
+
+void GatherEstimator::update(std::size_t rounds, Execution& execution)
+{
+  checkLights();
+  const EstimateSource& from = source();
+  const SceneObjects& objects = from.space.objects;
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  const CellSums& all = from.walks.sums();
+  std::optional<CellSums> direct = gatheredSums(from.walks, objects, cancelPoint);
+  if (!direct) // all lights are near ones
+  {
+    direct.emplace(objects, all.sides(), all.plan(), all.rounds());
+  }
+  roles_.emplace(
+    from.cells, from.walks.plan().walksAfter(rounds), from.walks.isEmpty() ? 0 : settings_.rays);
+  const CellShapes shapes = shapesOf(from, cancelPoint);
+  const std::deque<PointDirectLight> lights = lightsOf(from, settings_.seed);
+  const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
+    { all, *direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
+    1 / from.walks.watts(1.0), settings_.seed };
+  for (const WalkSet& set : from.walks.sets())
+  {
+    if (!set.source().cells && !set.lights().isEmpty())
+    {
+      addNearLampLight(scene, set, rounds, *direct, execution);
+    }
+  }
+  putTogether(scene, FinalGather(scene, execution), cancelPoint);
+}
+
+/// A path meets no point, and the sums of walks do not tell what came by way of which reflection.
+void GatherEstimator::checkLights() const
+{
+  forEachLight(source().walks, [&](const Light& light) {
+    if (source().space.triangles.hasGlossy() && std::holds_alternative<PointLight>(light.kind))
+    {
+      throw InputError(
+        "CellEstimate Gathered does not know how specular cells reflect the light of "
+        "points: make them area lights, or choose another estimate");
+    }
+  });
+}
+
+void GatherEstimator::putTogether(
+  const GatherScene& scene, const FinalGather& gather, const CancelPoint& cancelPoint)
+{
+  const KnownLight& known = scene.known;
+  const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
+  const std::uint32_t replicates = known.all.plan().replicates().count();
+  sums_ = CellSums(scene.objects, sides(), WalkPlan(count, count, replicates));
+  staleSums_ = CellSums(scene.objects, sides(), {}, known.stale ? 1 : 0);
+  ThrottledCancelPoint pace(cancelPoint);
+  known.all.numbers().forEach([&](const SceneCell& cell) {
+    const bool gathers = roles_->gathers(cell);
+    const CellSums& own = gathers ? known.direct : known.all;
+    for (int side = 0; side < sides(); ++side)
+    {
+      for (int band = 0; band < known.all.bands(); ++band)
+      {
+        for (std::uint32_t i = 0; i < replicates; ++i)
+        {
+          sums_.set({ cell, side }, band, i, sumOf({ cell, side }, [&](const CellSide& part) {
+            return own.sum(part, band, i, known.rounds) +
+              (gathers ? gather.indirect().sum(part, band, i, 1) : 0);
+          }));
+        }
+        if (known.stale)
+        {
+          const CellSums& stale = gathers ? gather.stale() : *known.stale;
+          staleSums_.set({ cell, side }, band, 0,
+            sumOf({ cell, side }, [&](const CellSide& part) { return stale.sum(part, band); }));
+        }
+      }
+    }
+    pace.step();
+  });
+}
+
+/// Of one side, or of both if they are not told apart.
+template <class Quanta>
+std::int64_t GatherEstimator::sumOf(const CellSide& cell, const Quanta& quanta) const
+{
+  return settings_.separatesSides ? quanta(cell) : quanta({ cell, 0 }) + quanta({ cell, 1 });
+}
+
+std::uint32_t GatherEstimator::numberOfRays() const
+{
+  const std::uint32_t replicates = source().walks.plan().replicates().count();
+  return (settings_.rays + replicates - 1) / replicates * replicates;
+}
+
+double GatherEstimator::staleIrradiance(const CellSide& cell, int band) const
+{
+  // Both are rounded, so the part may come out larger than the whole.
+  return source().walks.staleSums()
+    ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
+    : 0.0;
+}
+
+/// Each ray reads a cell that expects fewestToRead() photons at least.
+double GatherEstimator::photonShare(const CellSide& cell) const
+{
+  const double drawn = roles_->fewestToRead() * numberOfRays();
+  return roles_->gathers(cell)
+    ? std::min(1.0, roles_->expectedOn(source().cells.area(cell)) / drawn)
+    : 1.0;
+}
+
+}

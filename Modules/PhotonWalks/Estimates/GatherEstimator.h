@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_GatherEstimator_h
+#define irradiance_GatherEstimator_h
+
+#include "Estimates/CellEstimator.h"
+#include "Estimates/PhotonShares.h"
+#include "FinalGather/FinalGather.h"
+
+#include <optional>
+
+namespace irradiance
+{
+
+/**
+ * Small cells: from their direct light, which they gathered, and a final gather of the indirect light, see GatherPaths.
+ * All others: from their own sums. Needs gathered direct light, and sums by side. All is made anew in each update.
+ *
+ * The sums that rays read are means over the cells that they hit: this is a bias, which shrinks with the size of
+ * these. See Documentation/Theory.md, 5.7.
+ */
+class GatherEstimator
+  : public CellEstimator
+  , private PhotonShares
+{
+public:
+  struct Settings
+  {
+    std::uint32_t rays;  ///< of each side of a cell; rounded up to a multiple of the replicates
+    bool separatesSides; ///< else irradiance() is that of both
+    std::uint64_t seed;
+  };
+
+  GatherEstimator(const EstimateSource& source, const Settings& settings)
+    : CellEstimator(source)
+    , settings_(settings)
+  {
+  }
+
+  /// Throws InputError where a point light shines on specular cells.
+  void update(std::size_t rounds, Execution& execution) override;
+  double irradiance(const CellSide& cell, int band) const override
+  {
+    return perArea(sums_.sum(cell, band), cell);
+  }
+  /// Linear in what the walks of the cells hit have stale; of direct light nothing is stale.
+  double staleIrradiance(const CellSide& cell, int band) const override;
+  ErrorEstimate errorEstimate() const override
+  {
+    return { sums_, sums_.plan(), 1, source().walks.largestStart(), this };
+  }
+
+private:
+  double photonShare(const CellSide& cell) const override;
+  void checkLights() const;
+  std::uint32_t numberOfRays() const;
+  int sides() const { return settings_.separatesSides ? 2 : 1; }
+  /// From what cells have themselves, and what was gathered for them.
+  void putTogether(
+    const GatherScene& scene, const FinalGather& gather, const CancelPoint& cancelPoint);
+  template <class Quanta>
+  std::int64_t sumOf(const CellSide& cell, const Quanta& quanta) const;
+
+  Settings settings_;
+  std::optional<CellRoles> roles_; ///< of the last update
+  CellSums sums_, staleSums_;      ///< with the sides of the settings
+};
+
+}
+
+#endif

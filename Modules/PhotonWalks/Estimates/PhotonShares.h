@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PhotonShares_h
+#define irradiance_PhotonShares_h
+
+#include "Surfaces/SceneCell.h"
+
+namespace irradiance
+{
+
+/// What knows on how many photons estimates of cells draw that are not the cells' own sums.
+class PhotonShares
+{
+public:
+  virtual ~PhotonShares() = default;
+  /// A photon's effective part in the estimate of a cell, 0..1: the estimate draws on 1 / this for each photon
+  /// that the cell expects.
+  virtual double photonShare(const CellSide& cell) const = 0;
+
+protected:
+  PhotonShares() = default;
+  PhotonShares(const PhotonShares&) = default;
+  PhotonShares& operator=(const PhotonShares&) = default;
+};
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_CellRoles_h
+#define irradiance_CellRoles_h
+
+#include "Surfaces/SceneCells.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace irradiance
+{
+
+/**
+ * Which cells of a frame gather their indirect light, and which ones the rays of others read. It follows from how
+ * many photons a cell would receive if walks arrived evenly over all area: from areas and the number of walks
+ * alone, never from what did arrive. So the choice is not biased by noise.
+ */
+class CellRoles
+{
+public:
+  /// Photons from which on the sum of a cell is read. Fewer would do, as a ray of many reads it; but with several
+  /// replicates each reads its own part.
+  static constexpr double kFewestToRead = 25;
+
+  /// Cells gather that expect fewer photons for each of their rays. The noise of n photons is about 1 / sqrt(n), that
+  /// of n rays less, as each brings a mean of many photons.
+  static constexpr double kPhotonsPerRay = 2;
+
+  /// `walks`: of all area. `rays`: of each side of a cell that gathers; 0: none does.
+  CellRoles(const SceneCells& cells, double walks, std::uint32_t rays);
+
+  /// Photons that a cell of this area, m2, expects.
+  double expectedOn(double area) const { return area * walksPerArea_; }
+  bool gathers(const SceneCell& cell) const
+  {
+    const double area = cells_.area(cell);
+    return area > 0 && expectedOn(area) < photons_;
+  }
+  bool isRead(const SceneCell& cell) const
+  {
+    return expectedOn(cells_.area(cell)) >= fewestToRead();
+  }
+  double fewestToRead() const { return std::min(kFewestToRead, photons_); }
+
+private:
+  const SceneCells& cells_;
+  double photons_;          ///< cells that expect fewer gather
+  double walksPerArea_ = 0; ///< 1/m2
+};
+
+}
+
+#endif

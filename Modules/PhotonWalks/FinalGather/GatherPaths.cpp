@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/GatherPaths.h"
+
+#include "Sampling/DirectionSampling.h"
+#include "Sampling/SobolPoint.h"
+#include "Shooting/WalkSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A path that needs more is in a closed part of the scene that absorbs nothing: it would never end.
+constexpr std::uint32_t kMostBounces = 1u << 20;
+
+enum class Use : std::uint64_t
+{
+  Position,
+  Direction,
+  Survival,
+  Acceptance,
+  Compensation
+};
+
+SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
+{
+  return SampleKeys(
+    splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
+}
+
+/// With the density cos(theta) / pi.
+Vector3 diffuseDirection(const Vector3& normal, const std::array<double, 2>& u)
+{
+  return directionAround(normal, std::sqrt(1 - u[0]), std::sqrt(u[0]), u[1]);
+}
+
+/// Points that fill the area of a cell evenly.
+class CellPoints
+{
+public:
+  CellPoints(const GatherScene& scene, std::size_t cell)
+  {
+    std::for_each(scene.shapes.begin(cell), scene.shapes.end(cell), [&](std::uint32_t number) {
+      const Triangle triangle = triangleOf(scene.space.triangles, number);
+      parts_.push_back({ triangle, triangle.area(), scene.space.triangles.idOf(number) });
+      area_ += parts_.back().area;
+    });
+  }
+
+  struct Point
+  {
+    SurfacePoint place; ///< on the front
+    TriangleId id;
+  };
+  Point at(std::array<double, 2> u) const
+  {
+    double before = u[0] * area_;
+    auto part = parts_.begin();
+    while (before >= part->area && part + 1 != parts_.end())
+    {
+      before -= part->area;
+      ++part;
+    }
+    // What the choice left of it. Rounding may lead to a last triangle without area.
+    u[0] = part->area > 0 ? std::clamp(before / part->area, 0x1p-53, 1 - 0x1p-53) : 0.5;
+    return { surfacePoint(part->triangle, sampleTriangle(u)), part->id };
+  }
+
+private:
+  struct Part
+  {
+    Triangle triangle;
+    double area; ///< m2
+    TriangleId id;
+  };
+  std::vector<Part> parts_;
+  double area_ = 0; ///< m2
+};
+
+double largestOf(const GatherPaths::Bands& weight)
+{
+  return *std::max_element(weight.begin(), weight.end());
+}
+
+/// The part of the largest weight that is left; of one band exactly its reflectance.
+double reflectedPart(const GatherPaths::Bands& weight, const double* reflectances, int bands)
+{
+  GatherPaths::Bands reflected{};
+  for (int band = 0; band < bands; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    reflected[i] = weight[i] * reflectances[i];
+  }
+  return bands == 1 ? reflectances[0] : std::min(1.0, largestOf(reflected) / largestOf(weight));
+}
+
+}
+
+void GatherPaths::begin(const GatherScene& scene)
+{
+  replicates_ = scene.known.all.plan().replicates().count();
+  bands_ = scene.known.all.bands();
+  bounce_ = 0;
+  sums_.clear();
+  staleSums_.clear();
+  paths_.clear();
+  rays_.clear();
+}
+
+void GatherPaths::addSide(
+  const GatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number)
+{
+  const std::uint64_t seed = splitMix(scene.seed ^ splitMix(number));
+  const SampleKeys places = keysOf(seed, 0, Use::Position),
+                   directions = keysOf(seed, 0, Use::Direction);
+  const CellPoints points(scene, cell);
+  const std::uint32_t raysEach = scene.rays / replicates_;
+  const auto first = static_cast<std::uint32_t>(sums_.size());
+  Bands weight{};
+  std::fill_n(weight.begin(), bands_, 1.0 / raysEach);
+  for (std::uint32_t i = 0; i < scene.rays; ++i)
+  {
+    auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
+    point.turn(isFront);
+    rays_.push_back({ point.clearPosition(),
+      diffuseDirection(point.normal, SobolPoint::inUnitSquare(i, directions)), id });
+    paths_.push_back({ weight, seed, i, first + i / raysEach, false });
+  }
+  sums_.resize(sums_.size() + replicates_);
+  staleSums_.emplace_back();
+}
+
+void GatherPaths::run(const GatherScene& scene)
+{
+  while (!paths_.empty())
+  {
+    cast(scene);
+    if (++bounce_ > kMostBounces)
+    {
+      throw std::runtime_error("a path of the final gather does not end: the light cannot leave a "
+                               "part of the scene that absorbs nothing (reflectance 1)");
+    }
+    next_.clear();
+    nextRays_.clear();
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+    {
+      if (const Hit& hit = hits_[i])
+      {
+        const Arrival arrival = arrivalOf(scene, rays_[i], hit);
+        arrival.isNear ? bringFromLights(scene, paths_[i], arrival)
+                       : bring(scene, paths_[i], arrival);
+        goOn(scene, paths_[i], rays_[i], arrival);
+      }
+    }
+    paths_.swap(next_);
+    rays_.swap(nextRays_);
+  }
+}
+
+void GatherPaths::cast(const GatherScene& scene)
+{
+  const Contacts& contacts = scene.space.contacts;
+  hits_.assign(rays_.size(), {});
+  scene.space.scene.cast(rays_.data(), rays_.size(), hits_.data());
+  for (std::size_t i = 0; !contacts.isEmpty() && i < rays_.size(); ++i)
+  {
+    if (contacts.has(rays_[i].start) || contacts.has(hits_[i].id))
+    {
+      hits_[i] = contacts.resolveContact(scene.space.scene, rays_[i], hits_[i]);
+    }
+  }
+}
+
+GatherPaths::Arrival GatherPaths::arrivalOf(
+  const GatherScene& scene, const Ray& ray, const Hit& hit)
+{
+  const SceneTriangles& triangles = scene.space.triangles;
+  const std::size_t cell = scene.objects[hit.id.object].material->cellOfTriangle[hit.id.triangle];
+  const Vector3 normal = triangleOf(triangles, triangles.numberOf(hit.id)).areaVector();
+  const int side = normal.dot(ray.direction) < 0 ? 0 : 1;
+  Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false, hit };
+  arrival.area = scene.cells.area(arrival.side);
+  const bool isRead = scene.roles.isRead(arrival.side);
+  arrival.isNear = isRead && hit.distance * hit.distance < arrival.area;
+  arrival.isKnown = isRead && !arrival.isNear;
+  return arrival;
+}
+
+void GatherPaths::bring(const GatherScene& scene, const Path& path, const Arrival& arrival)
+{
+  const SceneObject& object = scene.objects[arrival.side.object];
+  const KnownLight& known = scene.known;
+  const CellSums& sums = arrival.isKnown ? known.all : known.direct;
+  const std::uint32_t replicate = path.sum % replicates_;
+  for (int band = 0; band < bands_; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    const double reflected =
+      path.weight[i] * object.material->reflectanceOf(arrival.hit.id.triangle, band) / arrival.area;
+    sums_[path.sum][i] +=
+      reflected * static_cast<double>(sums.sum(arrival.side, band, replicate, known.rounds));
+    if (arrival.isKnown && known.stale)
+    {
+      staleSums_[path.sum / replicates_][i] +=
+        reflected / replicates_ * static_cast<double>(known.stale->sum(arrival.side, band));
+    }
+  }
+  addEmission(scene, path, arrival);
+}
+
+void GatherPaths::bringFromLights(
+  const GatherScene& scene, const Path& path, const Arrival& arrival)
+{
+  const SceneObject& object = scene.objects[arrival.side.object];
+  const std::uint64_t number =
+    splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
+  const SurfacePoint at = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
+  const LitPoint point{ at.clearPosition(), at.normal, arrival.hit.id };
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    const PointDirectLight::Bands arriving = lights.irradiance(point, number);
+    for (int band = 0; band < bands_; ++band)
+    {
+      const auto i = static_cast<std::size_t>(band);
+      sums_[path.sum][i] += path.weight[i] *
+        object.material->reflectanceOf(arrival.hit.id.triangle, band) * arriving[i] *
+        quantaPerWatt(scene);
+    }
+  }
+  addEmission(scene, path, arrival);
+}
+
+/// What no sum knows of, and no other sample looks for.
+void GatherPaths::addEmission(const GatherScene& scene, const Path& path, const Arrival& arrival)
+{
+  const double* const exitance = path.isSpecular && arrival.isFront()
+    ? scene.objects[arrival.side.object].exitanceOf(arrival.side.cell)
+    : nullptr;
+  for (int band = 0; exitance && band < bands_; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    sums_[path.sum][i] += path.weight[i] * exitance[i] * quantaPerWatt(scene);
+  }
+}
+
+void GatherPaths::goOn(
+  const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
+{
+  const Material& material = *scene.objects[arrival.side.object].material;
+  const std::size_t cell = arrival.side.cell;
+  const bool isSpecular = material.isSpecular(cell);
+  if (arrival.isKnown && !isSpecular)
+  {
+    return; // all that it reflects is known
+  }
+  const std::size_t first = cell * static_cast<std::size_t>(bands_);
+  const double* const diffuse = &material.reflectance[first];
+  const double* const specular = isSpecular ? &material.specularReflectance[first] : nullptr;
+  SurvivalProbabilities survival{ reflectedPart(path.weight, diffuse, bands_),
+    specular ? reflectedPart(path.weight, specular, bands_) : 0.0 };
+  const double scale = std::max(1.0, survival.total()); // of several bands, see Absorption.h
+  survival.diffuse /= scale;
+  survival.specular /= scale;
+  const auto sample = [&](Use use) {
+    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
+  };
+  const double chance = sample(Use::Survival)[0];
+  if (!(chance < survival.total()))
+  {
+    return;
+  }
+  const Reflection reflection = survival.chosenBy(chance);
+  const bool isDiffuse = reflection == Reflection::Diffuse;
+  if (isDiffuse && arrival.isKnown)
+  {
+    return;
+  }
+  Path next = path;
+  next.isSpecular = !isDiffuse;
+  for (int band = 0; bands_ > 1 && band < bands_; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    next.weight[i] *= (isDiffuse ? diffuse : specular)[i] / survival.of(reflection);
+  }
+  const SurfacePoint point = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
+  const Vector3 direction = isDiffuse
+    ? diffuseDirection(point.normal, sample(Use::Direction))
+    : material.lobeOf(cell).sample(point.normal, incomingDirection(point, ray.origin),
+        { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
+  nextRays_.push_back({ point.clearPosition(), direction, arrival.hit.id });
+  next_.push_back(next);
+}
+
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/NearLampLight.h"
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// As in a room, see GatherPlan.
+constexpr double kWalksPerSample = 36;
+
+/// All sides of cells that do not gather count as dark: they take no samples.
+CellShapes gatheringAlone(const GatherScene& scene)
+{
+  CellShapes shapes = scene.shapes;
+  scene.cells.numbers().forEach([&](const SceneCell& cell) {
+    if (!scene.roles.gathers(cell))
+    {
+      shapes.setDark(scene.cells.numbers()[cell], true, true);
+    }
+  });
+  return shapes;
+}
+
+}
+
+void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t rounds,
+  CellSums& sums, Execution& execution)
+{
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  const LightTable& lights = set.lights();
+  const std::uint32_t walks = set.source().plan.walksAfter(rounds);
+  const std::uint32_t replicates = sums.plan().replicates().count();
+  const double quantaPerWatt = static_cast<double>(lights.quantaPerWalk()) * walks / lights.flux();
+  const LampPieces lamps(lights);
+  const CellShapes shapes = gatheringAlone(scene);
+  const GatherPlan plan(shapes, lamps, { walks, kWalksPerSample, replicates }, cancelPoint);
+  DirectLight light(shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk));
+  light.gather(scene.space, execution);
+  std::vector<Deposit> deposits;
+  for (std::size_t cell = 0; cell < plan.numberOfCells(); ++cell)
+  {
+    for (std::uint32_t i = 0; i < plan.samplesOf(cell); ++i)
+    {
+      const GatherSample& sample = light.samples()[plan.first(cell) + i];
+      if (light.isVisible(plan.first(cell) + i))
+      {
+        const SceneCell of = sums.cellOf(scene.space.triangles.idOf(sample.triangle));
+        sums.collect(sums.slotOf({ of, 0 }, plan.replicateOf(cell, i), 0), sample.isFront,
+          light.powerOf(sample, quantaPerWatt), 1, deposits);
+      }
+    }
+  }
+  sums.add(deposits);
+}
+
+}
