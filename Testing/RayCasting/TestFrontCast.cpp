@@ -137,15 +137,20 @@ std::vector<NamedScene> frontScenes()
       }
       scenes.push_back(some);
     }
-    NamedScene many{ scene.name + ", 40", scene.still, {} };
-    test::RandomVectors random(26);
-    for (std::size_t i = 0; i < 40; ++i)
+    // So many that all their balls are tested, and so many that there is a tree over them.
+    for (const std::size_t count : { 40, 140 })
     {
-      many.objects.push_back(scene.objects[i % scene.objects.size()]);
-      many.objects.back().isFlattened = i == 7 && scene.objects.size() > 6;
-      many.objects.back().worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
+      NamedScene many{ scene.name + ", " + std::to_string(count), scene.still, {} };
+      test::RandomVectors random(26);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        many.objects.push_back(scene.objects[i % scene.objects.size()]);
+        PlacedBody& object = many.objects.back();
+        object.isFlattened = i == 7 && scene.objects.size() > 6;
+        object.worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
+      }
+      scenes.push_back(many);
     }
-    scenes.push_back(many);
   }
   return scenes;
 }

@@ -40,6 +40,9 @@ struct Avx2GridLanes : WideTags
   static Floats add(Floats a, Floats b) { return _mm256_add_ps(a, b); }
   static Floats subtract(Floats a, Floats b) { return _mm256_sub_ps(a, b); }
   static Floats multiply(Floats a, Floats b) { return _mm256_mul_ps(a, b); }
+  static Floats mulAdd(Floats a, Floats b, Floats c) { return _mm256_fmadd_ps(a, b, c); }
+  static Floats mulSubtract(Floats a, Floats b, Floats c) { return _mm256_fmsub_ps(a, b, c); }
+  static Floats squareRoot(Floats a) { return _mm256_sqrt_ps(a); }
   static Floats divide(Floats a, Floats b) { return _mm256_div_ps(a, b); }
   static Floats least(Floats a, Floats b) { return _mm256_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm256_max_ps(a, b); }

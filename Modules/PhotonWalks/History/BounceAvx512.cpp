@@ -40,6 +40,9 @@ struct Avx512GridLanes : WideTags
   static Floats add(Floats a, Floats b) { return _mm512_add_ps(a, b); }
   static Floats subtract(Floats a, Floats b) { return _mm512_sub_ps(a, b); }
   static Floats multiply(Floats a, Floats b) { return _mm512_mul_ps(a, b); }
+  static Floats mulAdd(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
+  static Floats mulSubtract(Floats a, Floats b, Floats c) { return _mm512_fmsub_ps(a, b, c); }
+  static Floats squareRoot(Floats a) { return _mm512_sqrt_ps(a); }
   static Floats divide(Floats a, Floats b) { return _mm512_div_ps(a, b); }
   static Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }

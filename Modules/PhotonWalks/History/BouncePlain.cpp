@@ -29,6 +29,9 @@ struct PlainGridLanes
   static Floats add(Floats a, Floats b) { return a + b; }
   static Floats subtract(Floats a, Floats b) { return a - b; }
   static Floats multiply(Floats a, Floats b) { return a * b; }
+  static Floats mulAdd(Floats a, Floats b, Floats c) { return a * b + c; }
+  static Floats mulSubtract(Floats a, Floats b, Floats c) { return a * b - c; }
+  static Floats squareRoot(Floats a) { return std::sqrt(a); }
   static Floats divide(Floats a, Floats b) { return a / b; }
   static Floats least(Floats a, Floats b) { return a < b ? a : b; }
   static Floats most(Floats a, Floats b) { return a > b ? a : b; }

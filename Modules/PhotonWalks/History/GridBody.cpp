@@ -77,6 +77,9 @@ GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound)
   {
     Eigen::Map<Eigen::Vector3f>(ball.center) = center.cast<float>();
     ball.squaredRadius = static_cast<float>(radius * radius * kMore);
+    constexpr double kLineRoundings = 64;
+    ball.power = static_cast<float>(center.squaredNorm() - static_cast<double>(ball.squaredRadius) -
+      kLineRoundings * kRoundoff * farthest * farthest);
     ball.groupRadius = static_cast<float>((radius + 2 * rounding) * kMore);
   }
   return ball;

@@ -38,6 +38,9 @@ struct GridBall
   float squaredRadius = std::numeric_limits<float>::infinity();
   /// For groups of segments, as in GridBody with a stretch of 1.
   float groupRadius = std::numeric_limits<float>::infinity();
+  /// For lines: of the grid's centre, the square of its distance from the middle less that of the radius, less
+  /// what pays for rounding.
+  float power = -std::numeric_limits<float>::infinity();
 
   bool isSmall() const { return squaredRadius < std::numeric_limits<float>::infinity(); }
 };

@@ -40,7 +40,7 @@ struct GridBodies
   const float* stretch; ///< of the grid along each axis, see GridBall
 };
 
-/// A body, and which of some segments come near its ball, a bit for each.
+/// A body, and which of some segments may come near its ball, a bit for each.
 struct NearBody
 {
   std::uint32_t body;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No include guard: each kernel of the scan includes this once, between the marks of its target.
-// Products and sums are rounded one by one, so that all kernels flag the same segments.
+// Products and sums are rounded one by one, so that all kernels flag the same segments; they are fused only where
+// no more is at stake than which are tested further.
 
 namespace irradiance
 {
@@ -111,6 +112,39 @@ inline typename Lanes::Floats squaredDistance(
   return dot<Lanes>(nearest, nearest);
 }
 
+/// The lines of these segments.
+template <class Lanes>
+struct StretchedLines
+{
+  Triple<Lanes> begin;           ///< times -2
+  Triple<Lanes> along;           ///< of length 1
+  typename Lanes::Floats square; ///< of the distance where they begin
+  typename Lanes::Floats way;    ///< to there from where they are closest to 0
+
+  explicit StretchedLines(const StretchedEnds<Lanes>& ends)
+    : begin(times<Lanes>(Lanes::all(-2), ends.begin))
+    , along(times<Lanes>(Lanes::squareRoot(ends.perSquare), ends.along))
+    , square(dot<Lanes>(ends.begin, ends.begin))
+    , way(dot<Lanes>(ends.begin, along))
+  {
+  }
+};
+
+/// Flags the lines that may pass through a ball, with half of the operations that segments take: all whose
+/// segments come near it, and others, which need not be the same on every machine.
+template <class Lanes>
+inline unsigned flagLines(const StretchedLines<Lanes>& lines, const GridBall& ball)
+{
+  const auto x = Lanes::all(ball.center[0]), y = Lanes::all(ball.center[1]),
+             z = Lanes::all(ball.center[2]);
+  const auto along = Lanes::mulAdd(x, lines.along.x,
+    Lanes::mulAdd(y, lines.along.y, Lanes::mulSubtract(z, lines.along.z, lines.way)));
+  const auto square = Lanes::mulAdd(x, lines.begin.x,
+    Lanes::mulAdd(y, lines.begin.y,
+      Lanes::mulAdd(z, lines.begin.z, Lanes::add(lines.square, Lanes::all(ball.power)))));
+  return Lanes::notAbove(square, Lanes::multiply(along, along));
+}
+
 /// Squared, from the middle of the body's ball to the nearest point of each segment. With p and p - q the
 /// ends in the body's frame, p - t q is nearest for t = p.q / q.q.
 template <class Lanes>
@@ -168,26 +202,29 @@ inline unsigned flagNear(const GridEnds<Lanes>& ends, const GridBody& body)
   return near != 0 && body.hasBox ? near & flagNearBox<Lanes>(ends, body) : near;
 }
 
-/// Likewise for any of some bodies, by number, after their balls. `near`: room for all.
+/// Likewise for any of some bodies, by number, after their balls, and before these the lines. `near`: room
+/// for all.
 template <class Lanes>
 inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all,
   const std::uint32_t* bodies, std::uint32_t count, NearBody* near)
 {
   const StretchedEnds<Lanes> stretched(ends, all.stretch);
+  const StretchedLines<Lanes> lines(stretched);
   std::uint32_t numberNear = 0;
   for (std::uint32_t k = 0; k < count; ++k)
   {
     // Few are near, and it cannot be foreseen which: there is no branch.
-    const GridBall& ball = all.balls[bodies[k]];
-    const unsigned lanes =
-      Lanes::notAbove(squaredDistance<Lanes>(stretched, ball), Lanes::all(ball.squaredRadius));
+    const unsigned lanes = flagLines<Lanes>(lines, all.balls[bodies[k]]);
     near[numberNear] = { bodies[k], lanes };
     numberNear += lanes != 0 ? 1 : 0;
   }
   unsigned flagged = 0;
   for (std::uint32_t k = 0; k < numberNear; ++k)
   {
-    flagged |= flagNear<Lanes>(ends, all.bodies[near[k].body]) & near[k].lanes;
+    const GridBall& ball = all.balls[near[k].body];
+    const unsigned lanes = near[k].lanes &
+      Lanes::notAbove(squaredDistance<Lanes>(stretched, ball), Lanes::all(ball.squaredRadius));
+    flagged |= lanes != 0 ? lanes & flagNear<Lanes>(ends, all.bodies[near[k].body]) : 0;
   }
   return flagged;
 }

@@ -138,6 +138,8 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
   std::vector<std::uint32_t> flattened;
   std::vector<Box> boxes;
   double slack = 0;
+  std::vector<Vector3> centers;
+  std::vector<double> squaredRadii;
   for (std::uint32_t i = 0; i < chosen.size(); ++i)
   {
     if (!chosen[i] || placed_[i].object.isEmpty())
@@ -153,6 +155,8 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
       group.instanced.push_back(i);
       boxes.push_back(placed_[i].bound.worldBox());
       slack = std::max(slack, placed_[i].slack);
+      centers.push_back(placed_[i].ball.center);
+      squaredRadii.push_back(placed_[i].ball.squaredRadius);
     }
   }
   if (dynamic_.flattened && dynamic_.flattened->objects == flattened)
@@ -163,9 +167,13 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
   {
     group.flattened = std::make_shared<MixedTree>(mix(flattened, cancelPoint));
   }
-  if (boxes.size() > kFewBodies)
+  if (boxes.size() > kManyBodies)
   {
     group.bodies = TriangleTree(boxes, slack, cancelPoint);
+  }
+  else if (group.isMany())
+  {
+    group.balls = BodyBalls(centers, squaredRadii);
   }
   return group;
 }

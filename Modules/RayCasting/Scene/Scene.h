@@ -5,6 +5,7 @@
 #include "Ellipsoids/EllipsoidBound.h"
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
+#include "Kernels/BodyBalls.h"
 #include "Meshes/SurfacePoint.h"
 #include "Scene/PlacedBody.h"
 #include "Scene/TriangleNumbers.h"
@@ -110,13 +111,19 @@ private:
 
   /// Up to so many bodies it is faster to go from one to the next.
   static constexpr std::size_t kFewBodies = 16;
+  /// Up to so many it is faster to test all their balls than to descend a tree.
+  static constexpr std::size_t kManyBodies = 128;
 
   /// Some of the dynamic objects.
   struct Group
   {
     std::shared_ptr<const MixedTree> flattened; ///< null if there are none
     std::vector<std::uint32_t> instanced;       ///< indices in placed_
-    TriangleTree bodies;                        ///< over the instanced ones, beyond kFewBodies
+    // Of the instanced ones.
+    BodyBalls balls;     ///< beyond kFewBodies
+    TriangleTree bodies; ///< beyond kManyBodies
+
+    bool isMany() const { return instanced.size() > kFewBodies; }
   };
 
   friend class FrontCast;
