@@ -137,8 +137,10 @@ std::vector<NamedScene> frontScenes()
       }
       scenes.push_back(some);
     }
-    // So many that all their balls are tested, and so many that there is a tree over them.
-    for (const std::size_t count : { 40, 140 })
+    // So many that all their balls are tested, and, of small ones, so many that there is a tree over them.
+    constexpr std::size_t kMostTriangles = 20000;
+    std::size_t triangles = 0;
+    for (const std::size_t count : { 40, 260 })
     {
       NamedScene many{ scene.name + ", " + std::to_string(count), scene.still, {} };
       test::RandomVectors random(26);
@@ -148,8 +150,12 @@ std::vector<NamedScene> frontScenes()
         PlacedBody& object = many.objects.back();
         object.isFlattened = i == 7 && scene.objects.size() > 6;
         object.worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
+        triangles += object.body->mesh().size();
       }
-      scenes.push_back(many);
+      if (count == 40 || triangles < kMostTriangles)
+      {
+        scenes.push_back(many);
+      }
     }
   }
   return scenes;

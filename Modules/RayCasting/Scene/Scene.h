@@ -81,6 +81,7 @@ private:
   {
     Vector3 center;
     double squaredRadius;
+    bool isTight; ///< the bound would reject hardly more
   };
 
   struct Placed
@@ -111,8 +112,6 @@ private:
 
   /// Up to so many bodies it is faster to go from one to the next.
   static constexpr std::size_t kFewBodies = 16;
-  /// Up to so many it is faster to test all their balls than to descend a tree.
-  static constexpr std::size_t kManyBodies = 128;
 
   /// Some of the dynamic objects.
   struct Group
@@ -121,7 +120,7 @@ private:
     std::vector<std::uint32_t> instanced;       ///< indices in placed_
     // Of the instanced ones.
     BodyBalls balls;     ///< beyond kFewBodies
-    TriangleTree bodies; ///< beyond kManyBodies
+    TriangleTree bodies; ///< in place of the balls, beyond many
 
     bool isMany() const { return instanced.size() > kFewBodies; }
   };
