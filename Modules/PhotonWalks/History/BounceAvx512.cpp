@@ -25,8 +25,24 @@ namespace irradiance
 namespace
 {
 
+struct Avx512ShortLanes
+{
+  static constexpr std::size_t kCount = 32;
+
+  static __m512i all(std::uint32_t twice) { return _mm512_set1_epi32(static_cast<int>(twice)); }
+  static __m512i load(const std::int16_t* values) { return _mm512_load_si512(values); }
+  /// Divided by 2^15.
+  static __m512i multiply(__m512i a, __m512i b) { return _mm512_mulhrs_epi16(a, b); }
+  static __m512i add(__m512i a, __m512i b) { return _mm512_add_epi16(a, b); }
+  static __m512i subtract(__m512i a, __m512i b) { return _mm512_sub_epi16(a, b); }
+  static __m512i most(__m512i a, __m512i b) { return _mm512_max_epi16(a, b); }
+  static __m512i absolute(__m512i a) { return _mm512_abs_epi16(a); }
+  static unsigned notAbove(__m512i a, __m512i b) { return _mm512_cmple_epi16_mask(a, b); }
+};
+
 struct Avx512GridLanes : WideTags
 {
+  using Shorts = Avx512ShortLanes;
   using Floats = __m512;
   static constexpr std::size_t kCount = 16;
 
@@ -40,9 +56,6 @@ struct Avx512GridLanes : WideTags
   static Floats add(Floats a, Floats b) { return _mm512_add_ps(a, b); }
   static Floats subtract(Floats a, Floats b) { return _mm512_sub_ps(a, b); }
   static Floats multiply(Floats a, Floats b) { return _mm512_mul_ps(a, b); }
-  static Floats mulAdd(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
-  static Floats mulSubtract(Floats a, Floats b, Floats c) { return _mm512_fmsub_ps(a, b, c); }
-  static Floats squareRoot(Floats a) { return _mm512_sqrt_ps(a); }
   static Floats divide(Floats a, Floats b) { return _mm512_div_ps(a, b); }
   static Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }
