@@ -137,15 +137,26 @@ std::vector<NamedScene> frontScenes()
       }
       scenes.push_back(some);
     }
-    NamedScene many{ scene.name + ", 40", scene.still, {} };
-    test::RandomVectors random(26);
-    for (std::size_t i = 0; i < 40; ++i)
+    // So many that all their balls are tested, and, of small ones, so many that there is a tree over them.
+    constexpr std::size_t kMostTriangles = 20000;
+    std::size_t triangles = 0;
+    for (const std::size_t count : { 40, 260 })
     {
-      many.objects.push_back(scene.objects[i % scene.objects.size()]);
-      many.objects.back().isFlattened = i == 7 && scene.objects.size() > 6;
-      many.objects.back().worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
+      NamedScene many{ scene.name + ", " + std::to_string(count), scene.still, {} };
+      test::RandomVectors random(26);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        many.objects.push_back(scene.objects[i % scene.objects.size()]);
+        PlacedBody& object = many.objects.back();
+        object.isFlattened = i == 7 && scene.objects.size() > 6;
+        object.worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
+        triangles += object.body->mesh().size();
+      }
+      if (count == 40 || triangles < kMostTriangles)
+      {
+        scenes.push_back(many);
+      }
     }
-    scenes.push_back(many);
   }
   return scenes;
 }

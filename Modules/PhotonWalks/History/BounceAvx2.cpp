@@ -25,8 +25,34 @@ namespace irradiance
 namespace
 {
 
+struct Avx2ShortLanes
+{
+  static constexpr std::size_t kCount = 16;
+
+  static __m256i all(std::uint32_t twice) { return _mm256_set1_epi32(static_cast<int>(twice)); }
+  static __m256i load(const std::int16_t* values)
+  {
+    return _mm256_load_si256(reinterpret_cast<const __m256i*>(values));
+  }
+  /// Divided by 2^15.
+  static __m256i multiply(__m256i a, __m256i b) { return _mm256_mulhrs_epi16(a, b); }
+  static __m256i add(__m256i a, __m256i b) { return _mm256_add_epi16(a, b); }
+  static __m256i subtract(__m256i a, __m256i b) { return _mm256_sub_epi16(a, b); }
+  static __m256i most(__m256i a, __m256i b) { return _mm256_max_epi16(a, b); }
+  static __m256i absolute(__m256i a) { return _mm256_abs_epi16(a); }
+  static unsigned notAbove(__m256i a, __m256i b)
+  {
+    const __m256i above = _mm256_cmpgt_epi16(a, b);
+    constexpr unsigned kAll = 0xffff;
+    return kAll ^
+      static_cast<unsigned>(_mm_movemask_epi8(
+        _mm_packs_epi16(_mm256_castsi256_si128(above), _mm256_extracti128_si256(above, 1))));
+  }
+};
+
 struct Avx2GridLanes : WideTags
 {
+  using Shorts = Avx2ShortLanes;
   using Floats = __m256;
   static constexpr std::size_t kCount = 8;
 

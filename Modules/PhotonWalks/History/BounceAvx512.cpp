@@ -25,8 +25,24 @@ namespace irradiance
 namespace
 {
 
+struct Avx512ShortLanes
+{
+  static constexpr std::size_t kCount = 32;
+
+  static __m512i all(std::uint32_t twice) { return _mm512_set1_epi32(static_cast<int>(twice)); }
+  static __m512i load(const std::int16_t* values) { return _mm512_load_si512(values); }
+  /// Divided by 2^15.
+  static __m512i multiply(__m512i a, __m512i b) { return _mm512_mulhrs_epi16(a, b); }
+  static __m512i add(__m512i a, __m512i b) { return _mm512_add_epi16(a, b); }
+  static __m512i subtract(__m512i a, __m512i b) { return _mm512_sub_epi16(a, b); }
+  static __m512i most(__m512i a, __m512i b) { return _mm512_max_epi16(a, b); }
+  static __m512i absolute(__m512i a) { return _mm512_abs_epi16(a); }
+  static unsigned notAbove(__m512i a, __m512i b) { return _mm512_cmple_epi16_mask(a, b); }
+};
+
 struct Avx512GridLanes : WideTags
 {
+  using Shorts = Avx512ShortLanes;
   using Floats = __m512;
   static constexpr std::size_t kCount = 16;
 

@@ -22,6 +22,18 @@ std::uint8_t tagOf(std::uint8_t kind, GridSegments::State state)
                                       : kTooFar;
 }
 
+/// In a frame most runs have one row, for which a call would take longer.
+template <class Value>
+void copySome(const Value* from, std::size_t count, Value* to)
+{
+  if (count == 1)
+  {
+    *to = *from;
+    return;
+  }
+  std::copy_n(from, count, to);
+}
+
 /// From a slot to the end of its page.
 std::uint32_t placesFrom(std::uint32_t slot)
 {
@@ -179,16 +191,16 @@ void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
   const std::uint32_t place = slot % BouncePage::kSize;
   for (int column = 0; column < 6; ++column)
   {
-    std::copy_n(segments.ends[column] + at, count, page.ends[column] + place);
+    copySome(segments.ends[column] + at, count, page.ends[column] + place);
   }
   for (std::size_t i = 0; i < count; ++i)
   {
     page.records[place + i] = recordOf(front, row + i);
     page.tags[place + i] =
       tagOf(front.kinds[row + i], static_cast<GridSegments::State>(segments.states[at + i]));
+    page.children[place + i] = kEnd;
+    page.bounces[place + i] = 0;
   }
-  std::fill_n(page.children + place, count, kEnd);
-  std::fill_n(page.bounces + place, count, std::uint8_t{ 0 });
   for (std::size_t i = 0; i < count; ++i)
   {
     const auto stored = slot + static_cast<std::uint32_t>(i);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 #include "History/GridSegments.inl"
@@ -18,8 +19,24 @@ namespace irradiance
 namespace
 {
 
+struct PlainShortLanes
+{
+  static constexpr std::size_t kCount = 1;
+
+  static int all(std::uint32_t twice) { return static_cast<std::int16_t>(twice & 0xffffu); }
+  static int load(const std::int16_t* value) { return *value; }
+  /// Divided by 2^15.
+  static int multiply(int a, int b) { return (a * b + 0x4000) >> 15; }
+  static int add(int a, int b) { return a + b; }
+  static int subtract(int a, int b) { return a - b; }
+  static int most(int a, int b) { return a > b ? a : b; }
+  static int absolute(int a) { return std::abs(a); }
+  static unsigned notAbove(int a, int b) { return a > b ? 0 : 1; }
+};
+
 struct PlainGridLanes
 {
+  using Shorts = PlainShortLanes;
   using Floats = float;
   static constexpr std::size_t kCount = 1;
 

@@ -54,7 +54,7 @@ void BounceScan::find(
   }
   static thread_local std::vector<std::uint16_t> flagged;
   static thread_local std::vector<NearBody> near;
-  near.resize(bodies_.size() + 1);
+  near.resize(PageScan::kMostParts * bodies_.size() + 1);
   flagged.resize(block.pages().size() * PageScan::kGroups);
   const BouncePage* const after = next.pages().empty() ? nullptr : next.pages().front();
   const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies(),

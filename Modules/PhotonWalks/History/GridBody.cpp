@@ -34,6 +34,25 @@ double largestOfCube(const Matrix3& matrix)
   return largest;
 }
 
+LineBall lineBall(const Vector3& center, double radius)
+{
+  constexpr double kFarthest = 36000; // so that all sums fit in 16 bits
+  constexpr double kRounding = 4;     // of a line and the ball, in units
+  LineBall ball;
+  if (center.cwiseAbs().maxCoeff() < kFarthest)
+  {
+    const auto twice = [](double value) {
+      return 0x10001u * static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(value)));
+    };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ball.center[axis] = twice(center[axis] / LineBall::kUnit);
+    }
+    ball.radius = twice(std::ceil(radius / LineBall::kUnit + kRounding));
+  }
+  return ball;
+}
+
 }
 
 std::optional<GridBody> bodyOnGrid(const PointGrid& grid, const EllipsoidBound& bound)
@@ -77,6 +96,7 @@ GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound)
   {
     Eigen::Map<Eigen::Vector3f>(ball.center) = center.cast<float>();
     ball.squaredRadius = static_cast<float>(radius * radius * kMore);
+    ball.line = lineBall(center, std::sqrt(static_cast<double>(ball.squaredRadius)));
     ball.groupRadius = static_cast<float>((radius + 2 * rounding) * kMore);
   }
   return ball;

@@ -5,6 +5,7 @@
 #include "Ellipsoids/EllipsoidBound.h"
 #include "History/PointGrid.h"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -27,6 +28,16 @@ struct GridBody
   float slack[3]; ///< times the 1-norm of a segment: widens the cube across each axis
 };
 
+/// The ball of a GridBall in whole numbers, for lines: see SegmentLines. Each number stands in both halves of its 32 bits,
+/// as lanes take it.
+struct LineBall
+{
+  static constexpr float kUnit = 4; ///< steps
+
+  std::uint32_t center[3] = {};
+  std::uint32_t radius = 0x7fff7fff; ///< of an object that is not small: all lines are near
+};
+
 /**
  * The ball around a moved object that is small beside the grid, in the grid stretched to equal steps along
  * all axes, of at most 1. To test it takes a third of what its GridBody takes, and most segments miss it.
@@ -38,6 +49,7 @@ struct GridBall
   float squaredRadius = std::numeric_limits<float>::infinity();
   /// For groups of segments, as in GridBody with a stretch of 1.
   float groupRadius = std::numeric_limits<float>::infinity();
+  LineBall line;
 
   bool isSmall() const { return squaredRadius < std::numeric_limits<float>::infinity(); }
 };

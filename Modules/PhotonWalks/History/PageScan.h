@@ -40,7 +40,7 @@ struct GridBodies
   const float* stretch; ///< of the grid along each axis, see GridBall
 };
 
-/// A body, and which of some segments come near its ball, a bit for each.
+/// A body, and which of some segments may come near its ball, a bit for each.
 struct NearBody
 {
   std::uint32_t body;
@@ -51,6 +51,7 @@ struct NearBody
 struct PageScan
 {
   static constexpr std::uint32_t kGroupSize = 16; ///< segments to a word of `flagged`
+  static constexpr std::size_t kMostParts = 2;    ///< groups whose lines are tested together
   static constexpr std::uint32_t kGroups = BouncePage::kSize / kGroupSize;
 
   const BouncePage* const* pages;
@@ -58,7 +59,7 @@ struct PageScan
   const BouncePage* next; ///< is scanned afterwards, to be prefetched; may be null
   TagSet tags;
   GridBodies bodies;
-  NearBody* near; ///< room for each body; of no meaning outside
+  NearBody* near; ///< room for kMostParts times as many; of no meaning outside
   /// A bit for each slot, kGroups words for each page: set if a segment is stored there that may touch
   /// a body, or whose tag is in `tags`. The same on every machine.
   std::uint16_t* flagged;

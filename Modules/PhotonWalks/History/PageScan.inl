@@ -2,6 +2,8 @@
 // No include guard: each kernel of the scan includes this once, between the marks of its target.
 // Products and sums are rounded one by one, so that all kernels flag the same segments.
 
+#include "History/SegmentLines.inl"
+
 namespace irradiance
 {
 namespace
@@ -168,6 +170,23 @@ inline unsigned flagNear(const GridEnds<Lanes>& ends, const GridBody& body)
   return near != 0 && body.hasBox ? near & flagNearBox<Lanes>(ends, body) : near;
 }
 
+/// Likewise for some of these segments, each near the lines of a ball: after these balls.
+template <class Lanes>
+inline unsigned flagNearListed(
+  const GridEnds<Lanes>& ends, const GridBodies& all, const NearBody* near, std::uint32_t count)
+{
+  const StretchedEnds<Lanes> stretched(ends, all.stretch);
+  unsigned flagged = 0;
+  for (std::uint32_t k = 0; k < count; ++k)
+  {
+    const GridBall& ball = all.balls[near[k].body];
+    const unsigned lanes = near[k].lanes &
+      Lanes::notAbove(squaredDistance<Lanes>(stretched, ball), Lanes::all(ball.squaredRadius));
+    flagged |= lanes != 0 ? lanes & flagNear<Lanes>(ends, all.bodies[near[k].body]) : 0;
+  }
+  return flagged;
+}
+
 /// Likewise for any of some bodies, by number, after their balls. `near`: room for all.
 template <class Lanes>
 inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all,
@@ -192,31 +211,23 @@ inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all,
   return flagged;
 }
 
-/// Flags which of kGroupSize segments are to be flagged, from `place` of a page on. `kAreSmall`: see GridBodies; beside
-/// few large bodies their balls would cost registers.
-template <class Lanes, bool kAreSmall>
-inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageScan& scan)
+/// Flags which of kGroupSize segments come near a body, from `place` of a page on. Beside few large bodies their
+/// balls would cost registers.
+template <class Lanes>
+inline unsigned flagGroup(const BouncePage& page, std::size_t place, const GridBodies& all)
 {
-  unsigned flagged = Lanes::tagged(page.tags + place, scan.tags);
-  const GridBodies& all = scan.bodies;
+  unsigned flagged = 0;
   for (std::size_t i = 0; i < PageScan::kGroupSize && all.count > 0; i += Lanes::kCount)
   {
     const GridEnds<Lanes> ends(page.ends, place + i); // stays in registers
-    if constexpr (kAreSmall)
+    unsigned near = 0;
+    for (std::uint32_t body = 0; body < all.count; ++body)
     {
-      flagged |= flagNearAny<Lanes>(ends, all, all.every, all.count, scan.near) << i;
+      near |= flagNear<Lanes>(ends, all.bodies[body]);
     }
-    else
-    {
-      unsigned near = 0;
-      for (std::uint32_t body = 0; body < all.count; ++body)
-      {
-        near |= flagNear<Lanes>(ends, all.bodies[body]);
-      }
-      flagged |= near << i;
-    }
+    flagged |= near << i;
   }
-  return flagged & Lanes::stored(page.tags + place);
+  return flagged;
 }
 
 /// Pages are scattered, so the hardware does not foresee where the scan continues: each group requests
@@ -231,6 +242,38 @@ inline void prefetchShare(const BouncePage* page, std::size_t group)
   }
 }
 
+/// Likewise all of a page, after the balls of the bodies, and before these by lines. `flagged`: 0 at first.
+template <class Lanes>
+inline void flagAfterLines(
+  const BouncePage& page, const BouncePage* next, const PageScan& scan, std::uint16_t* flagged)
+{
+  constexpr std::size_t kSize = PageScan::kGroupSize, kLines = Lanes::Shorts::kCount,
+                        kParts = kLines / Lanes::kCount;
+  static_assert(kParts <= PageScan::kMostParts);
+  SegmentLines lines;
+  findLines(page, scan.bodies.stretch, lines);
+  for (std::size_t place = 0; place < BouncePage::kSize; place += kLines)
+  {
+    for (std::size_t group = place / kSize; next != nullptr && group * kSize < place + kLines;
+         ++group)
+    {
+      prefetchShare(next, group);
+    }
+    std::uint32_t counts[kParts]{};
+    listNearLines<typename Lanes::Shorts>(lines, place, scan.bodies, scan.near, counts);
+    for (std::size_t part = 0; part < kParts; ++part)
+    {
+      if (counts[part] > 0)
+      {
+        const std::size_t at = place + part * Lanes::kCount;
+        const unsigned near = flagNearListed<Lanes>(
+          { page.ends, at }, scan.bodies, scan.near + part * scan.bodies.count, counts[part]);
+        flagged[at / kSize] = static_cast<std::uint16_t>(flagged[at / kSize] | near << at % kSize);
+      }
+    }
+  }
+}
+
 template <class Lanes, bool kAreSmall>
 inline void scanAll(const PageScan& scan)
 {
@@ -239,15 +282,22 @@ inline void scanAll(const PageScan& scan)
     const BouncePage& page = *scan.pages[i];
     const BouncePage* const next = i + 1 < scan.numberOfPages ? scan.pages[i + 1] : scan.next;
     std::uint16_t* const flagged = scan.flagged + i * PageScan::kGroups;
+    if constexpr (kAreSmall)
+    {
+      std::fill_n(flagged, PageScan::kGroups, std::uint16_t{ 0 });
+      flagAfterLines<Lanes>(page, next, scan, flagged);
+    }
     for (std::size_t group = 0; group < PageScan::kGroups; ++group)
     {
-      if (next != nullptr)
+      if (!kAreSmall && next != nullptr)
       {
         scan.bodies.count > 0 ? prefetchShare(next, group)
                               : prefetchLine(next->tags + group * PageScan::kGroupSize);
       }
+      const std::size_t place = group * PageScan::kGroupSize;
+      const unsigned near = kAreSmall ? flagged[group] : flagGroup<Lanes>(page, place, scan.bodies);
       flagged[group] = static_cast<std::uint16_t>(
-        flagGroup<Lanes, kAreSmall>(page, group * PageScan::kGroupSize, scan));
+        (near | Lanes::tagged(page.tags + place, scan.tags)) & Lanes::stored(page.tags + place));
     }
   }
 }

@@ -11,6 +11,11 @@ std::uint32_t pickFront(const TreeRays& rays, const EllipsoidFilter& filter, std
   return IRRADIANCE_CALL_BEST(pickFront, rays, filter, picked);
 }
 
+std::uint32_t findNear(const TreeRays& rays, const BodyBalls& balls, NearRays* found)
+{
+  return IRRADIANCE_CALL_BEST(findNear, rays, balls, found);
+}
+
 void prepareFront(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
 {
   IRRADIANCE_CALL_BEST(prepareFront, tree, rays, queries);

@@ -2,6 +2,7 @@
 #ifndef irradiance_FrontStages_h
 #define irradiance_FrontStages_h
 
+#include "Kernels/BallLanes.h"
 #include "Kernels/EllipsoidLanes.h"
 #include "Kernels/PrepareLanes.h"
 
@@ -52,6 +53,9 @@ struct CornerRows
 /// the same, bit for bit.
 /// Writes the rays that may touch the ellipsoid to `picked`, with room for all; returns their number.
 std::uint32_t pickFront(const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
+/// Writes which rays may touch which ball to `found`, with room for as many for every kLeastLanes rays as there
+/// are balls; returns their number. More may be near than the ellipsoids let pass.
+std::uint32_t findNear(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
 void prepareFront(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
 void searchFront(FrontSearches& searches);
 /// Searches for one of the rays that floats cannot follow, all in double. The tree must not be empty.
@@ -66,6 +70,9 @@ std::uint32_t pickFrontAvx2(
   const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
 std::uint32_t pickFrontAvx512(
   const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
+std::uint32_t findNearPlain(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
+std::uint32_t findNearAvx2(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
+std::uint32_t findNearAvx512(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
 void prepareFrontPlain(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
 void prepareFrontAvx2(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
 void prepareFrontAvx512(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);

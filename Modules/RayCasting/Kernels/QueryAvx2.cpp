@@ -29,6 +29,11 @@ std::uint32_t pickFrontAvx2(
   return pickRays(rays, filter, picked);
 }
 
+std::uint32_t findNearAvx2(const TreeRays& rays, const BodyBalls& balls, NearRays* found)
+{
+  return findNearRays<Avx2Lanes>(rays, balls, found);
+}
+
 void prepareFrontAvx2(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
 {
   prepareRays(tree, rays, queries);

@@ -35,6 +35,7 @@ struct Avx512Boxes
   static Floats all(float value) { return _mm512_set1_ps(value); }
   static Floats load(const float* values) { return _mm512_load_ps(values); }
   static void store(float* values, Floats x) { _mm512_store_ps(values, x); }
+  static Floats mulAdd(Floats a, Floats b, Floats c) { return _mm512_fmadd_ps(a, b, c); }
   static Floats mulSubtract(Floats a, Floats b, Floats c) { return _mm512_fmsub_ps(a, b, c); }
   static Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }
@@ -42,6 +43,7 @@ struct Avx512Boxes
   static Mask isLess(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
   static Mask isAtMost(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
   static Mask both(Mask a, Mask b) { return _kand_mask16(a, b); }
+  static unsigned bits(Mask mask) { return mask; }
   static unsigned ordered(const Mask (&passed)[1], const std::uint8_t* order)
   {
     const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(order));
@@ -56,6 +58,11 @@ std::uint32_t pickFrontAvx512(
   const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
 {
   return pickRays(rays, filter, picked);
+}
+
+std::uint32_t findNearAvx512(const TreeRays& rays, const BodyBalls& balls, NearRays* found)
+{
+  return findNearRays<Avx512Boxes>(rays, balls, found);
 }
 
 void prepareFrontAvx512(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)

@@ -78,6 +78,11 @@ std::uint32_t pickFrontPlain(
   return pickRays(rays, filter, picked);
 }
 
+std::uint32_t findNearPlain(const TreeRays& rays, const BodyBalls& balls, NearRays* found)
+{
+  return findNearRays<PlainLanes>(rays, balls, found);
+}
+
 void prepareFrontPlain(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
 {
   prepareRays(tree, rays, queries);

@@ -116,8 +116,8 @@ void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const 
     return castMixed(scene, scene.oneTree_, triangles, rays);
   }
   // Once a static hit is known, few of many bodies are before it.
-  const bool isStaticFirst = scene.mode_ == TraversalMode::Parallel &&
-    (scene.dynamic_.flattened || !scene.dynamic_.bodies.isEmpty());
+  const bool isStaticFirst =
+    scene.mode_ == TraversalMode::Parallel && (scene.dynamic_.flattened || scene.dynamic_.isMany());
   if (isStaticFirst)
   {
     castStatic(scene, triangles, rays);
@@ -148,7 +148,7 @@ void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
   {
     castMixed(scene, *group.flattened, triangles, rays);
   }
-  if (!group.bodies.isEmpty())
+  if (group.isMany())
   {
     return castBodies(scene, group, triangles, rays);
   }
@@ -211,7 +211,9 @@ void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
   const FrontTriangles& triangles, const FrontRays& rays)
 {
   const auto bodies = static_cast<std::uint32_t>(group.instanced.size());
-  const std::vector<FrontPairs::Pair>& pairs = pairs_.find(group.bodies, inWorld(rays, 0));
+  const std::vector<FrontPairs::Pair>& pairs = group.balls.isEmpty()
+    ? pairs_.find(group.bodies, inWorld(rays, 0))
+    : pairs_.find(group.balls, inWorld(rays, 0));
   StageClock clock;
   raysOfBodies_.set(pairs, rays.count, bodies);
   local_.need(TreeRays::roomFor(rays.count));

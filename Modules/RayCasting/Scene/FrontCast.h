@@ -41,8 +41,8 @@ struct FrontTriangles
  *
  * Beside few dynamic bodies it goes from one to the next with the rays that may touch it, then to the
  * static tree, up to what was found. Beside many, or flattened objects, the static tree comes first
- * (not if TraversalMode::Sequential); a tree over bodies, or over flattened triangles, then tells which ray
- * may touch what before its hit.
+ * (not if TraversalMode::Sequential); the balls of bodies or a tree over them, or a tree over flattened
+ * triangles, then tell which ray may touch what before its hit.
  *
  * Owns the memory of its stages: keep one for each thread.
  */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontPairs.h"
 
+#include "Progress/StageTimes.h"
+
 namespace irradiance
 {
 
@@ -22,6 +24,24 @@ const std::vector<FrontPairs::Pair>& FrontPairs::find(
     }
   }
   pairs_.insert(pairs_.end(), descent_.further(), descent_.further() + descent_.furtherCount());
+  return pairs_;
+}
+
+const std::vector<FrontPairs::Pair>& FrontPairs::find(const BodyBalls& balls, const TreeRays& rays)
+{
+  StageClock clock;
+  near_.need(std::size_t{ TreeRays::roomFor(rays.count) } / NearRays::kLeastLanes * balls.size());
+  const std::uint32_t count = findNear(rays, balls, near_.data());
+  pairs_.clear();
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    for (unsigned lanes = near_[i].lanes; lanes != 0; lanes &= lanes - 1)
+    {
+      pairs_.push_back(
+        { near_[i].first + static_cast<std::uint32_t>(__builtin_ctz(lanes)), near_[i].body });
+    }
+  }
+  clock.ends(Stage::PreTest);
   return pairs_;
 }
 

@@ -22,6 +22,8 @@ public:
 
   /// The pairs, in no order; one may occur more than once. Nothing is sought behind the rays' best hits.
   const std::vector<Pair>& find(const TriangleTree& tree, const TreeRays& rays);
+  /// Of bodies, by their balls, which see no hits. No pair occurs twice.
+  const std::vector<Pair>& find(const BodyBalls& balls, const TreeRays& rays);
 
 private:
   void test(std::uint32_t ray, std::uint32_t reference) override
@@ -31,6 +33,7 @@ private:
 
   std::vector<Pair> pairs_;
   FrontDescent descent_;
+  Column<NearRays> near_;
 };
 
 }

@@ -23,6 +23,9 @@ double roundTripError(const AffineMap& map, double condition, double magnitude)
   return 0x1p-44 * condition * (magnitude + map.translation.cwiseAbs().maxCoeff());
 }
 
+/// Up to so many bodies it is faster to test all their balls than to descend a tree.
+constexpr std::size_t kManyBodies = 256;
+
 double conditionOf(const Matrix3& linear, const Matrix3& inverse)
 {
   return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
@@ -36,11 +39,11 @@ Scene::Ball Scene::ballAround(const EllipsoidBound& bound)
   const Box& box = bound.worldBox();
   if (box.isEmpty())
   {
-    return { Vector3::Zero(), 0 };
+    return { Vector3::Zero(), 0, true };
   }
   // Pays for all rounding, which is far below the widening of the bound.
   constexpr double kWider = 1 + 0x1p-20;
-  Ball aroundBox{ box.center(), 0.25 * box.extent().squaredNorm() * kWider };
+  Ball aroundBox{ box.center(), 0.25 * box.extent().squaredNorm() * kWider, false };
   const EllipsoidBound::Ball round = bound.ball();
   constexpr double kVanished = 0x1p-10; // about 1 unless numbers are too small to be squared
   if (round.radius < kVanished)
@@ -49,7 +52,9 @@ Scene::Ball Scene::ballAround(const EllipsoidBound& bound)
   }
   const Vector3 stretches = Eigen::JacobiSVD<Matrix3>(round.roundFromWorld).singularValues();
   const double longest = round.radius / stretches[2];
-  const Ball aroundEllipsoid{ round.center, longest * longest * kWider };
+  constexpr double kTight = 1.25;
+  const Ball aroundEllipsoid{ round.center, longest * longest * kWider,
+    stretches[0] < kTight * stretches[2] };
   return aroundEllipsoid.squaredRadius < aroundBox.squaredRadius ? aroundEllipsoid : aroundBox;
 }
 
@@ -138,6 +143,8 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
   std::vector<std::uint32_t> flattened;
   std::vector<Box> boxes;
   double slack = 0;
+  std::vector<Vector3> centers;
+  std::vector<double> squaredRadii;
   for (std::uint32_t i = 0; i < chosen.size(); ++i)
   {
     if (!chosen[i] || placed_[i].object.isEmpty())
@@ -153,6 +160,8 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
       group.instanced.push_back(i);
       boxes.push_back(placed_[i].bound.worldBox());
       slack = std::max(slack, placed_[i].slack);
+      centers.push_back(placed_[i].ball.center);
+      squaredRadii.push_back(placed_[i].ball.squaredRadius);
     }
   }
   if (dynamic_.flattened && dynamic_.flattened->objects == flattened)
@@ -163,9 +172,13 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
   {
     group.flattened = std::make_shared<MixedTree>(mix(flattened, cancelPoint));
   }
-  if (boxes.size() > kFewBodies)
+  if (boxes.size() > kManyBodies)
   {
     group.bodies = TriangleTree(boxes, slack, cancelPoint);
+  }
+  else if (group.isMany())
+  {
+    group.balls = BodyBalls(centers, squaredRadii);
   }
   return group;
 }
@@ -212,7 +225,7 @@ bool Scene::mayTouch(const Placed& placed, const Ray& ray, double distance) cons
   {
     return false;
   }
-  return !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
+  return placed.ball.isTight || !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
 }
 
 void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const

@@ -5,6 +5,7 @@
 #include "Ellipsoids/EllipsoidBound.h"
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
+#include "Kernels/BodyBalls.h"
 #include "Meshes/SurfacePoint.h"
 #include "Scene/PlacedBody.h"
 #include "Scene/TriangleNumbers.h"
@@ -80,6 +81,7 @@ private:
   {
     Vector3 center;
     double squaredRadius;
+    bool isTight; ///< the bound would reject hardly more
   };
 
   struct Placed
@@ -116,7 +118,11 @@ private:
   {
     std::shared_ptr<const MixedTree> flattened; ///< null if there are none
     std::vector<std::uint32_t> instanced;       ///< indices in placed_
-    TriangleTree bodies;                        ///< over the instanced ones, beyond kFewBodies
+    // Of the instanced ones.
+    BodyBalls balls;     ///< beyond kFewBodies
+    TriangleTree bodies; ///< in place of the balls, beyond many
+
+    bool isMany() const { return instanced.size() > kFewBodies; }
   };
 
   friend class FrontCast;

@@ -6,7 +6,8 @@
  * stages are not timed, which takes turns and has to have the same answer. One thread, by the clock on the
  * wall.
  *
- * Arguments: [walks = 1000000] [rounds = 5] [frames = 8] [size of the ring, m = 0.73]
+ * Arguments: [walks = 1000000] [rounds = 5] [frames = 8] [size of the ring, or of a mover, m = 0.73]
+ *   [movers, in place of the ring = 0]
  */
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
@@ -120,7 +121,9 @@ void run(const Arguments& arguments)
   settings.numberOfWalks = arguments.number(0, 1000000u);
   const int rounds = arguments.number(1, 5);
   const int frames = arguments.number(2, 8);
-  const MovingScene room = makePlainRoom(arguments.number(3, 0.73));
+  const double size = arguments.number(3, 0.73);
+  const int movers = arguments.number(4, 0);
+  const MovingScene room = movers > 0 ? makeRoomOfMovers(movers, size) : makePlainRoom(size);
   Pair(settings).update(room.at(0)); // warms up
   for (int round = 0; round < rounds; ++round)
   {
