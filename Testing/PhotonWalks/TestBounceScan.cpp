@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 // Law: however far the ends of a segment and the body are from each other and from the grid, a segment
@@ -706,14 +707,20 @@ std::vector<std::uint16_t> flaggedIn(
   const BouncePage& page, const GridBall& ball, const Vector3& stretch)
 {
   const BouncePage* const pages[] = { &page };
-  GridBody body{}; // has no own say
+  // The same one so often that lines are tested; but for its ball it has no say.
+  constexpr std::uint32_t kBodies = 16;
+  GridBody body{};
   body.squaredRadius = kInfinity;
-  const std::uint32_t every = 0;
+  const std::vector<GridBody> bodies(kBodies, body);
+  const std::vector<GridBall> balls(kBodies, ball);
   const Eigen::Vector3f stretches = stretch.cast<float>();
+  std::vector<std::uint32_t> every(kBodies);
+  std::iota(every.begin(), every.end(), 0u);
   std::vector<std::uint16_t> flagged(PageScan::kGroups);
-  NearBody near[PageScan::kMostParts];
+  NearBody near[PageScan::kMostParts * kBodies];
   const PageScan scan{ pages, 1, nullptr, {},
-    { &body, &ball, &every, 1, ball.isSmall(), stretches.data() }, near, flagged.data() };
+    { bodies.data(), balls.data(), every.data(), kBodies, ball.isSmall(), stretches.data() }, near,
+    flagged.data() };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   return flagged;
 }

@@ -211,15 +211,28 @@ inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all,
   return flagged;
 }
 
-/// Flags which of kGroupSize segments come near a body, from `place` of a page on. Beside few large bodies their
-/// balls would cost registers.
-template <class Lanes>
-inline unsigned flagGroup(const BouncePage& page, std::size_t place, const GridBodies& all)
+/// How a scan tests bodies: few large ones at once, as their balls would cost registers; after their balls; after lines.
+enum class Tests
 {
+  Bodies,
+  Balls,
+  Lines
+};
+
+/// Flags which of kGroupSize segments come near a body, from `place` of a page on.
+template <class Lanes, Tests kTests>
+inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageScan& scan)
+{
+  const GridBodies& all = scan.bodies;
   unsigned flagged = 0;
   for (std::size_t i = 0; i < PageScan::kGroupSize && all.count > 0; i += Lanes::kCount)
   {
     const GridEnds<Lanes> ends(page.ends, place + i); // stays in registers
+    if constexpr (kTests == Tests::Balls)
+    {
+      flagged |= flagNearAny<Lanes>(ends, all, all.every, all.count, scan.near) << i;
+      continue;
+    }
     unsigned near = 0;
     for (std::uint32_t body = 0; body < all.count; ++body)
     {
@@ -274,7 +287,7 @@ inline void flagAfterLines(
   }
 }
 
-template <class Lanes, bool kAreSmall>
+template <class Lanes, Tests kTests>
 inline void scanAll(const PageScan& scan)
 {
   for (std::size_t i = 0; i < scan.numberOfPages; ++i)
@@ -282,20 +295,22 @@ inline void scanAll(const PageScan& scan)
     const BouncePage& page = *scan.pages[i];
     const BouncePage* const next = i + 1 < scan.numberOfPages ? scan.pages[i + 1] : scan.next;
     std::uint16_t* const flagged = scan.flagged + i * PageScan::kGroups;
-    if constexpr (kAreSmall)
+    constexpr bool isByLines = kTests == Tests::Lines;
+    if constexpr (isByLines)
     {
       std::fill_n(flagged, PageScan::kGroups, std::uint16_t{ 0 });
       flagAfterLines<Lanes>(page, next, scan, flagged);
     }
     for (std::size_t group = 0; group < PageScan::kGroups; ++group)
     {
-      if (!kAreSmall && next != nullptr)
+      if (!isByLines && next != nullptr)
       {
         scan.bodies.count > 0 ? prefetchShare(next, group)
                               : prefetchLine(next->tags + group * PageScan::kGroupSize);
       }
       const std::size_t place = group * PageScan::kGroupSize;
-      const unsigned near = kAreSmall ? flagged[group] : flagGroup<Lanes>(page, place, scan.bodies);
+      const unsigned near =
+        isByLines ? flagged[group] : flagGroup<Lanes, kTests>(page, place, scan);
       flagged[group] = static_cast<std::uint16_t>(
         (near | Lanes::tagged(page.tags + place, scan.tags)) & Lanes::stored(page.tags + place));
     }
@@ -305,7 +320,12 @@ inline void scanAll(const PageScan& scan)
 template <class Lanes>
 inline void scanPages(const PageScan& scan)
 {
-  scan.bodies.areSmall ? scanAll<Lanes, true>(scan) : scanAll<Lanes, false>(scan);
+  constexpr std::uint32_t kFewestForLines =
+    8; // to find the lines takes as long as to test some balls
+  const GridBodies& all = scan.bodies;
+  !all.areSmall                   ? scanAll<Lanes, Tests::Bodies>(scan)
+    : all.count < kFewestForLines ? scanAll<Lanes, Tests::Balls>(scan)
+                                  : scanAll<Lanes, Tests::Lines>(scan);
 }
 
 }
