@@ -297,26 +297,8 @@ std::size_t firstOfBall(int n)
   return static_cast<std::size_t>(6 * n * n + 1);
 }
 
-/// From seeds of shot walks, in which nothing is gathered.
-SeedMeans shotMeans(
-  const SceneObjects& objects, int seeds, std::uint32_t walks, std::uint64_t firstSeed = 1001)
-{
-  SeedMeans means;
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(walks);
-  settings.verify = false;
-  for (int i = 0; i < seeds; ++i)
-  {
-    settings.seed = firstSeed + static_cast<std::uint64_t>(i);
-    IrradianceEngine engine;
-    test::ThreadExecution two(2);
-    engine.update(objects, settings, two);
-    means.add(engine);
-  }
-  return means;
-}
-
-SeedMeans gatheredMeans(
+/// From so many seeds.
+SeedMeans meansOf(
   const SceneObjects& objects, int seeds, EngineSettings settings, std::uint64_t firstSeed = 1)
 {
   SeedMeans means;
@@ -330,6 +312,15 @@ SeedMeans gatheredMeans(
     means.add(engine);
   }
   return means;
+}
+
+/// Of shot walks, in which nothing is gathered.
+SeedMeans shotMeans(
+  const SceneObjects& objects, int seeds, std::uint32_t walks, std::uint64_t firstSeed = 1001)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = test::scaled(walks);
+  return meansOf(objects, seeds, settings, firstSeed);
 }
 
 /// Of the cells from `first` on: chi-square of the differences of two means.
@@ -353,7 +344,7 @@ TEST(GatherEstimator, SmallCellsAgreeWithShotWalks)
 {
   const SceneObjects objects = roomWithBall(8);
   const SeedMeans shot = shotMeans(objects, 16, 500000);
-  const SeedMeans gathered = gatheredMeans(objects, 16, gathering(100000));
+  const SeedMeans gathered = meansOf(objects, 16, gathering(100000));
   const std::size_t first = firstOfBall(8);
   const double count = static_cast<double>(gathered.cells().size() - first);
   ASSERT_EQ(count, 128);
@@ -537,7 +528,7 @@ TEST(GatherEstimator, BiasShrinksWithTheCellsThatRaysHit)
     for (int half = 0; half < 2; ++half)
     {
       const auto seed = static_cast<std::uint64_t>(4 * half);
-      gathered[half] = gatheredMeans(objects, 2, settings, 1 + seed);
+      gathered[half] = meansOf(objects, 2, settings, 1 + seed);
       shot[half] = shotMeans(objects, 3, 400000, 1001 + seed);
     }
     const double square = systematicSquare(gathered, shot, firstOfBall(n));
@@ -630,7 +621,7 @@ TEST(GatherEstimator, SmallCellsGatherTheLightOfANearLamp)
     ASSERT_FALSE(engine.walks().sets().front().source().cells) << "walks start at the lamp";
   }
   const SeedMeans shot = shotMeans(objects, 16, 300000);
-  const SeedMeans gathered = gatheredMeans(objects, 16, settings);
+  const SeedMeans gathered = meansOf(objects, 16, settings);
   double chiSquare = 0, all = 0, found = 0, count = 0;
   for (std::size_t i = first; i < gathered.cells().size(); ++i)
   {

@@ -6,7 +6,6 @@
 #include "Shooting/WalkSampler.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace irradiance
@@ -31,12 +30,6 @@ SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
 {
   return SampleKeys(
     splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
-}
-
-/// With the density cos(theta) / pi.
-Vector3 diffuseDirection(const Vector3& normal, const std::array<double, 2>& u)
-{
-  return directionAround(normal, std::sqrt(1 - u[0]), std::sqrt(u[0]), u[1]);
 }
 
 /// Points that fill the area of a cell evenly.
@@ -128,7 +121,7 @@ void GatherPaths::addSide(
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
     rays_.push_back({ point.clearPosition(),
-      diffuseDirection(point.normal, SobolPoint::inUnitSquare(i, directions)), id });
+      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id });
     paths_.push_back({ weight, seed, i, first + i / raysEach, false });
   }
   sums_.resize(sums_.size() + replicates_);
@@ -289,7 +282,7 @@ void GatherPaths::goOn(
   }
   const SurfacePoint point = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
   const Vector3 direction = isDiffuse
-    ? diffuseDirection(point.normal, sample(Use::Direction))
+    ? sampleHemisphere(point.normal, sample(Use::Direction))
     : material.lobeOf(cell).sample(point.normal, incomingDirection(point, ray.origin),
         { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
   nextRays_.push_back({ point.clearPosition(), direction, arrival.hit.id });

@@ -34,8 +34,7 @@ std::array<double, 2> pointOf(std::uint32_t ray, std::uint64_t use)
 
 Ray diffuseRay(const SurfacePoint& point, const TriangleId& start, const std::array<double, 2>& u)
 {
-  return { point.clearPosition(),
-    directionAround(point.normal, std::sqrt(1 - u[0]), std::sqrt(u[0]), u[1]), start };
+  return { point.clearPosition(), sampleHemisphere(point.normal, u), start };
 }
 
 /// As light leaves the light.

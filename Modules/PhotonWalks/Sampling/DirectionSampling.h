@@ -49,6 +49,12 @@ inline Vector3 sampleSphere(const std::array<double, 2>& u)
   return { radius * turn.cosine, radius * turn.sine, z };
 }
 
+/// Unit vector on the normal's side, density cos(theta) / pi per steradian.
+inline Vector3 sampleHemisphere(const Vector3& normal, const std::array<double, 2>& u)
+{
+  return directionAround(normal, std::sqrt(1 - u[0]), std::sqrt(u[0]), u[1]);
+}
+
 /// Barycentric weights of a point that is uniform over the area of a triangle.
 inline Vector3 sampleTriangle(const std::array<double, 2>& u)
 {
