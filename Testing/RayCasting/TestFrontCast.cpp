@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontCast.h"
 
+#include "SceneTest.h"
 #include "TestFronts.h"
 #include "TestRays.h"
-#include "TestScenes.h"
 #include "TestSimdLevels.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <functional>
+#include <iterator>
 
 // Law: the casts of a front find what brute force finds, bit for bit.
 
@@ -22,6 +25,7 @@ using test::kFewer;
 using test::kRayKinds;
 using test::NamedScene;
 using test::RaySource;
+using test::SceneMaker;
 
 bool haveSameBits(const Hit& a, const Hit& b)
 {
@@ -120,61 +124,71 @@ void expectHits(const NamedScene& named, const std::vector<Ray>& rays,
     named, named.scene(TraversalMode::Parallel), &FrontCast::cast, rays, given, expected, what);
 }
 
-/// The scenes of all tests; each with one, two and three of its objects, all instanced; and with many.
-std::vector<NamedScene> frontScenes()
+/// Some of the scene's objects, all instanced.
+NamedScene withSome(const NamedScene& scene, std::size_t count)
 {
-  std::vector<NamedScene> scenes = test::testScenes();
-  for (const NamedScene& scene : test::testScenes())
+  NamedScene some{ scene.name + ", " + std::to_string(count), scene.still, {} };
+  for (std::size_t i = 0; i < count; ++i)
   {
+    // Different ones each time.
+    some.objects.push_back(scene.objects[(3 * count + 2 * i) % scene.objects.size()]);
+    some.objects.back().isFlattened = false;
+  }
+  return some;
+}
+
+/// Copies of the scene's objects that have no more triangles than these, here and there.
+NamedScene withMany(const NamedScene& scene, std::size_t count, std::size_t mostTriangles)
+{
+  std::vector<PlacedBody> objects;
+  std::copy_if(scene.objects.begin(), scene.objects.end(), std::back_inserter(objects),
+    [&](const PlacedBody& object) { return object.body->mesh().size() <= mostTriangles; });
+  NamedScene many{ scene.name + ", " + std::to_string(count), scene.still, {} };
+  test::RandomVectors random(26);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    many.objects.push_back(objects[i % objects.size()]);
+    PlacedBody& object = many.objects.back();
+    object.isFlattened = i == 7 && objects.size() > 6;
+    object.worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
+  }
+  return many;
+}
+
+/// The scenes of all tests; each with none to three of its objects; and with so many that all their balls
+/// are tested, or, of small ones, that there is a tree over them.
+std::vector<SceneMaker> frontScenes()
+{
+  std::vector<SceneMaker> scenes = test::sceneMakers();
+  for (const SceneMaker& scene : test::sceneMakers())
+  {
+    const auto add = [&](std::size_t count, const std::function<NamedScene()>& make) {
+      scenes.push_back({ scene.name + ", " + std::to_string(count), make });
+    };
     for (std::size_t count = 0; count < 4; ++count)
     {
-      // Different ones each time.
-      NamedScene some{ scene.name + ", " + std::to_string(count), scene.still, {} };
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        some.objects.push_back(scene.objects[(3 * count + 2 * i) % scene.objects.size()]);
-        some.objects.back().isFlattened = false;
-      }
-      scenes.push_back(some);
+      add(count, [make = scene.make, count] { return withSome(make(), count); });
     }
-    // So many that all their balls are tested, and, of small ones, so many that there is a tree over them.
-    constexpr std::size_t kMostTriangles = 20000;
-    std::size_t triangles = 0;
-    for (const std::size_t count : { 40, 260 })
-    {
-      NamedScene many{ scene.name + ", " + std::to_string(count), scene.still, {} };
-      test::RandomVectors random(26);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        many.objects.push_back(scene.objects[i % scene.objects.size()]);
-        PlacedBody& object = many.objects.back();
-        object.isFlattened = i == 7 && scene.objects.size() > 6;
-        object.worldFromObject.translation += (i % 3 == 0 ? 0.0 : 0.3) * random.inCube();
-        triangles += object.body->mesh().size();
-      }
-      if (count == 40 || triangles < kMostTriangles)
-      {
-        scenes.push_back(many);
-      }
-    }
+    add(40, [make = scene.make] { return withMany(make(), 40, 1000); });
+    add(260, [make = scene.make] { return withMany(make(), 260, 80); });
   }
   return scenes;
 }
 
-class FrontLaw : public testing::TestWithParam<NamedScene>
+class FrontLaw : public test::SceneTest
 {
 };
 
 TEST_P(FrontLaw, FindsWhatBruteForceFinds)
 {
   constexpr unsigned kSeed = 21;
-  const SurfaceRecords records = recordsOf(GetParam());
+  const SurfaceRecords records = recordsOf(named_);
   if (records.size() == 0)
   {
     return;
   }
   const int count = raysFor(records, 500000);
-  RaySource source = raysAt(GetParam(), records, kSeed);
+  RaySource source = raysAt(named_, records, kSeed);
   int hits = 0;
   for (const test::RayKind kind : kRayKinds)
   {
@@ -183,12 +197,12 @@ TEST_P(FrontLaw, FindsWhatBruteForceFinds)
     {
       rays.push_back(test::asInFront(source.next(kind)));
     }
-    const std::vector<Hit> expected = bruteForce(GetParam(), rays, allOf(GetParam()));
+    const std::vector<Hit> expected = bruteForce(named_, rays, allOf(named_));
     for (const Hit& hit : expected)
     {
       hits += hit ? 1 : 0;
     }
-    expectHits(GetParam(), rays, std::vector<Hit>(rays.size()), expected, nameOf(kind));
+    expectHits(named_, rays, std::vector<Hit>(rays.size()), expected, nameOf(kind));
   }
   EXPECT_GT(hits, count);
 }
@@ -230,59 +244,59 @@ std::vector<Hit> givenHits(
 // Hits that are known are kept unless something is closer, also at the very same distance.
 TEST_P(FrontLaw, KeepsCloserHits)
 {
-  const SurfaceRecords records = recordsOf(GetParam());
+  const SurfaceRecords records = recordsOf(named_);
   if (records.size() == 0)
   {
     return;
   }
-  const std::vector<Ray> rays = mixedRays(GetParam(), records, 22);
+  const std::vector<Ray> rays = mixedRays(named_, records, 22);
   for (const TraversalMode mode :
     { TraversalMode::Parallel, TraversalMode::Sequential, TraversalMode::OneTree })
   {
-    const Scene scene = GetParam().scene(mode);
+    const Scene scene = named_.scene(mode);
     const std::vector<Hit> given = givenHits(scene, records, rays);
-    std::vector<bool> dynamic = allOf(GetParam());
+    std::vector<bool> dynamic = allOf(named_);
     dynamic[0] = false;
-    expectHits(GetParam(), scene, &FrontCast::castDynamic, rays, given,
-      bruteForce(GetParam(), rays, dynamic, given), "dynamic");
-    expectHits(GetParam(), scene, &FrontCast::cast, rays, given,
-      bruteForce(GetParam(), rays, allOf(GetParam()), given),
+    expectHits(named_, scene, &FrontCast::castDynamic, rays, given,
+      bruteForce(named_, rays, dynamic, given), "dynamic");
+    expectHits(named_, scene, &FrontCast::cast, rays, given,
+      bruteForce(named_, rays, allOf(named_), given),
       mode == TraversalMode::OneTree ? "one tree" : "with hits given");
   }
 }
 
 TEST_P(FrontLaw, CastsToMovedObjects)
 {
-  const SurfaceRecords records = recordsOf(GetParam());
+  const SurfaceRecords records = recordsOf(named_);
   if (records.size() == 0)
   {
     return;
   }
-  const std::vector<Ray> rays = mixedRays(GetParam(), records, 27);
-  std::vector<bool> moved(GetParam().objects.size()), chosen(moved.size() + 1);
+  const std::vector<Ray> rays = mixedRays(named_, records, 27);
+  std::vector<bool> moved(named_.objects.size()), chosen(moved.size() + 1);
   for (const std::size_t step : { 1, 2, 3 })
   {
     for (std::size_t i = 0; i < moved.size(); ++i)
     {
       moved[i] = chosen[i + 1] = i % step == 0;
     }
-    const Scene scene = GetParam().scene(TraversalMode::Parallel, moved);
+    const Scene scene = named_.scene(TraversalMode::Parallel, moved);
     const std::vector<Hit> given = givenHits(scene, records, rays);
-    expectHits(GetParam(), scene, &FrontCast::castMoved, rays, given,
-      bruteForce(GetParam(), rays, chosen, given), "moved");
+    expectHits(named_, scene, &FrontCast::castMoved, rays, given,
+      bruteForce(named_, rays, chosen, given), "moved");
   }
 }
 
 // Known hits have the distances and the weights with which they were found; others are missed.
 TEST_P(FrontLaw, FindsTheDistancesOfKnownHits)
 {
-  const SurfaceRecords records = recordsOf(GetParam());
+  const SurfaceRecords records = recordsOf(named_);
   if (records.size() == 0)
   {
     return;
   }
-  const std::vector<Ray> rays = mixedRays(GetParam(), records, 28);
-  const Scene scene = GetParam().scene(TraversalMode::Parallel);
+  const std::vector<Ray> rays = mixedRays(named_, records, 28);
+  const Scene scene = named_.scene(TraversalMode::Parallel);
   std::vector<Hit> expected(rays.size());
   scene.cast(rays.data(), rays.size(), expected.data());
   std::vector<Hit> given = expected;
@@ -304,7 +318,7 @@ TEST_P(FrontLaw, FindsTheDistancesOfKnownHits)
     }
   }
   EXPECT_GT(missed, 20);
-  expectHits(GetParam(), scene, &FrontCast::findDistances, rays, given, expected, "distances");
+  expectHits(named_, scene, &FrontCast::findDistances, rays, given, expected, "distances");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FrontLaw, testing::ValuesIn(frontScenes()), test::NameOfMesh());

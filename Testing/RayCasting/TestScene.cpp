@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
+#include "SceneTest.h"
 #include "TestFronts.h"
 #include "TestRays.h"
-#include "TestScenes.h"
 #include "TestSimdLevels.h"
 
 #include <gtest/gtest.h>
@@ -40,21 +40,21 @@ SurfaceRecords recordsOf(const NamedScene& scene)
   return records;
 }
 
-class SceneLaw : public testing::TestWithParam<NamedScene>
+class SceneLaw : public test::SceneTest
 {
 protected:
-  std::size_t numberOfObjects() const { return GetParam().objects.size(); }
+  std::size_t numberOfObjects() const { return named_.objects.size(); }
 
   /// Rays aimed at the triangles of all objects, in world space.
   RaySource rays(unsigned seed) const
   {
-    const Scene scene = GetParam().scene(TraversalMode::Parallel);
+    const Scene scene = named_.scene(TraversalMode::Parallel);
     std::vector<Triangle> triangles;
     std::vector<TriangleId> ids;
     for (std::uint32_t object = 0; object <= numberOfObjects(); ++object)
     {
       const std::size_t size =
-        (object == 0 ? GetParam().still : GetParam().objects[object - 1].body)->mesh().size();
+        (object == 0 ? named_.still : named_.objects[object - 1].body)->mesh().size();
       for (std::uint32_t i = 0; i < size; ++i)
       {
         ids.push_back({ object, i });
@@ -66,7 +66,7 @@ protected:
 
   Hit bruteForceAll(const Ray& ray) const
   {
-    return bruteForce(GetParam(), ray, std::vector<bool>(numberOfObjects() + 1, true));
+    return bruteForce(named_, ray, std::vector<bool>(numberOfObjects() + 1, true));
   }
 };
 
@@ -75,7 +75,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
   constexpr unsigned kSeed = 1;
   constexpr int kRays = 8000 / kFewer;
   // The last ones swap flattened and instanced objects.
-  NamedScene other = GetParam();
+  NamedScene other = named_;
   for (PlacedBody& object : other.objects)
   {
     object.isFlattened = !object.isFlattened;
@@ -84,7 +84,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
   for (const TraversalMode mode : kModes)
   {
     const std::string name = std::to_string(static_cast<int>(mode));
-    scenes.emplace_back("mode " + name, GetParam().scene(mode));
+    scenes.emplace_back("mode " + name, named_.scene(mode));
     scenes.emplace_back("flattened for instanced, mode " + name, other.scene(mode));
   }
   RaySource source = rays(kSeed);
@@ -136,8 +136,8 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
     chosen[i + 1] = moved[i] = true;
   }
   RaySource source = rays(kSeed);
-  const Scene scene = GetParam().scene(TraversalMode::Sequential, moved, source.originBounds());
-  const SurfaceRecords records = recordsOf(GetParam());
+  const Scene scene = named_.scene(TraversalMode::Sequential, moved, source.originBounds());
+  const SurfaceRecords records = recordsOf(named_);
   const TriangleId first = records.numbers().idOf(0);
   int hits = 0;
   for (const RayKind kind : kRayKinds)
@@ -148,15 +148,15 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
     {
       const Ray ray = source.next(kind);
       const Hit all = bruteForceAll(ray);
-      const Hit nearest = bruteForce(GetParam(), ray, chosen);
+      const Hit nearest = bruteForce(named_, ray, chosen);
       // The last one is just behind the hit, so that a bound that is too tight is noticed.
       for (const Hit& best : { Hit{}, all, Hit{ all ? 1.5 * all.distance : 1.0, first },
              Hit{ std::nextafter(nearest.distance, kInfinity), first } })
       {
         batch.push_back(ray);
         given.push_back(best);
-        inDynamic.push_back(bruteForce(GetParam(), ray, dynamic, best));
-        inMoved.push_back(bruteForce(GetParam(), ray, chosen, best));
+        inDynamic.push_back(bruteForce(named_, ray, dynamic, best));
+        inMoved.push_back(bruteForce(named_, ray, chosen, best));
         hits += inMoved.back() != best ? 1 : 0;
       }
     }
@@ -174,7 +174,7 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Scenes, SceneLaw, testing::ValuesIn(test::testScenes()), test::NameOfMesh());
+  Scenes, SceneLaw, testing::ValuesIn(test::sceneMakers()), test::NameOfMesh());
 
 TEST(Scene, WithoutMovedObjectsNothingIsHit)
 {

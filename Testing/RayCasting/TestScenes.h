@@ -6,6 +6,7 @@
 
 #include "TestMeshes.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -150,6 +151,16 @@ inline NamedScene coincidentBoxes(const Matrix3& common, const char* name)
   return scene;
 }
 
+inline NamedScene straightCoincidentBoxes()
+{
+  return coincidentBoxes(Matrix3::Identity(), "coincident boxes");
+}
+
+inline NamedScene turnedCoincidentBoxes()
+{
+  return coincidentBoxes(RandomVectors(14).rotation(), "coincident boxes, turned");
+}
+
 inline NamedScene withoutStatic()
 {
   NamedScene scene = hardMaps();
@@ -226,12 +237,35 @@ inline NamedScene crumbsInAHall()
   return scene;
 }
 
+/// Makes a scene when a test asks for it: each process of tests lists all scenes, and their trees take time.
+struct SceneMaker
+{
+  std::string name;
+  std::function<NamedScene()> make;
+};
+
+inline void PrintTo(const SceneMaker& maker, std::ostream* out)
+{
+  *out << maker.name;
+}
+
+inline std::vector<SceneMaker> sceneMakers()
+{
+  return { { "hard maps", hardMaps }, { "nearly flat", nearlyFlat },
+    { "all but singular", allButSingular }, { "many objects", manyObjects },
+    { "crumbs in a hall", crumbsInAHall }, { "coincident boxes", straightCoincidentBoxes },
+    { "coincident boxes, turned", turnedCoincidentBoxes }, { "without static", withoutStatic },
+    { "far away", farAway } };
+}
+
 inline std::vector<NamedScene> testScenes()
 {
-  return { hardMaps(), nearlyFlat(), allButSingular(), manyObjects(), crumbsInAHall(),
-    coincidentBoxes(Matrix3::Identity(), "coincident boxes"),
-    coincidentBoxes(RandomVectors(14).rotation(), "coincident boxes, turned"), withoutStatic(),
-    farAway() };
+  std::vector<NamedScene> scenes;
+  for (const SceneMaker& maker : sceneMakers())
+  {
+    scenes.push_back(maker.make());
+  }
+  return scenes;
 }
 
 }
