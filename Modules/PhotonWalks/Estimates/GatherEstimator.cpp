@@ -73,7 +73,7 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   const CellShapes shapes = shapesOf(from, cancelPoint);
   const std::deque<PointDirectLight> lights = lightsOf(from, settings_.seed);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
-    { all, *direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
+    { all, &*direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
     1 / from.walks.watts(1.0), settings_.seed };
   for (const WalkSet& set : from.walks.sets())
   {
@@ -109,7 +109,7 @@ void GatherEstimator::putTogether(
   ThrottledCancelPoint pace(cancelPoint);
   known.all.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
-    const CellSums& own = gathers ? known.direct : known.all;
+    const CellSums& own = gathers ? *known.direct : known.all;
     for (int side = 0; side < sides(); ++side)
     {
       for (int band = 0; band < known.all.bands(); ++band)

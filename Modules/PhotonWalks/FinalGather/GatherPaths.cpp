@@ -32,6 +32,12 @@ SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
     splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
 }
 
+/// Of a side or a point.
+std::uint64_t seedOf(const GatherScene& scene, std::uint64_t number)
+{
+  return splitMix(scene.seed ^ splitMix(number));
+}
+
 /// Points that fill the area of a cell evenly.
 class CellPoints
 {
@@ -108,20 +114,41 @@ void GatherPaths::begin(const GatherScene& scene)
 void GatherPaths::addSide(
   const GatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number)
 {
-  const std::uint64_t seed = splitMix(scene.seed ^ splitMix(number));
+  const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
   const CellPoints points(scene, cell);
+  addStart(scene, seed, 1, [&](std::uint32_t i) {
+    auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
+    point.turn(isFront);
+    return Ray{ point.clearPosition(),
+      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id };
+  });
+}
+
+void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number)
+{
+  const std::uint64_t seed = seedOf(scene, number);
+  const SampleKeys directions = keysOf(seed, 0, Use::Direction);
+  // Radiance is radiosity / pi, and 4 pi / pi = 4.
+  addStart(scene, seed, point.hasNormal() ? 1 : 4, [&](std::uint32_t i) {
+    const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
+    return Ray{ point.position,
+      point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u), point.on };
+  });
+}
+
+template <class RayOf>
+void GatherPaths::addStart(
+  const GatherScene& scene, std::uint64_t seed, double perRay, const RayOf& rayOf)
+{
   const std::uint32_t raysEach = scene.rays / replicates_;
   const auto first = static_cast<std::uint32_t>(sums_.size());
   Bands weight{};
-  std::fill_n(weight.begin(), bands_, 1.0 / raysEach);
+  std::fill_n(weight.begin(), bands_, perRay / raysEach);
   for (std::uint32_t i = 0; i < scene.rays; ++i)
   {
-    auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
-    point.turn(isFront);
-    rays_.push_back({ point.clearPosition(),
-      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id });
+    rays_.push_back(rayOf(i));
     paths_.push_back({ weight, seed, i, first + i / raysEach, false });
   }
   sums_.resize(sums_.size() + replicates_);
@@ -145,8 +172,8 @@ void GatherPaths::run(const GatherScene& scene)
       if (const Hit& hit = hits_[i])
       {
         const Arrival arrival = arrivalOf(scene, rays_[i], hit);
-        arrival.isNear ? bringFromLights(scene, paths_[i], arrival)
-                       : bring(scene, paths_[i], arrival);
+        arrival.isUnknown ? bringFromLights(scene, paths_[i], arrival)
+                          : bring(scene, paths_[i], arrival);
         goOn(scene, paths_[i], rays_[i], arrival);
       }
     }
@@ -179,8 +206,9 @@ GatherPaths::Arrival GatherPaths::arrivalOf(
   Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false, hit };
   arrival.area = scene.cells.area(arrival.side);
   const bool isRead = scene.roles.isRead(arrival.side);
-  arrival.isNear = isRead && hit.distance * hit.distance < arrival.area;
-  arrival.isKnown = isRead && !arrival.isNear;
+  const bool isNear = hit.distance * hit.distance < arrival.area;
+  arrival.isKnown = isRead && !isNear;
+  arrival.isUnknown = isRead ? isNear : !scene.known.direct;
   return arrival;
 }
 
@@ -188,7 +216,7 @@ void GatherPaths::bring(const GatherScene& scene, const Path& path, const Arriva
 {
   const SceneObject& object = scene.objects[arrival.side.object];
   const KnownLight& known = scene.known;
-  const CellSums& sums = arrival.isKnown ? known.all : known.direct;
+  const CellSums& sums = arrival.isKnown ? known.all : *known.direct;
   const std::uint32_t replicate = path.sum % replicates_;
   for (int band = 0; band < bands_; ++band)
   {

@@ -32,11 +32,12 @@ struct GatherScene
 };
 
 /**
- * Paths that look for the indirect light of some sides of cells: backwards along the ways of light. Each begins as a ray
- * from a point of its side, in a direction with the density cos(theta) / pi. Where it hits a cell that is read,
- * it brings what that side of the cell received, times its reflectance. On any other cell it brings what came to it
- * straight from the lights, and goes on as a walk does: it survives with probability = reflectance. So it does
- * on a cell that is nearer than wide, whose mean says little of the point that is hit: there it looks for the lights.
+ * Paths that look for the indirect light of some sides of cells, or of single points: backwards along the ways of
+ * light. Each begins as a ray from a point of its side, in a direction with the density cos(theta) / pi. Where it hits
+ * a cell that is read, it brings what that side of the cell received, times its reflectance. On any other cell it brings
+ * what came to it straight from the lights, and goes on as a walk does: it survives with probability = reflectance.
+ * So it does on a cell of which nothing is known, or that is nearer than wide, whose mean says little of the point that is
+ * hit: there it looks for the lights.
  *
  * A lamp that it meets brings nothing: that light is direct. Only behind a specular reflection it counts, as
  * no sum knows of it.
@@ -49,10 +50,13 @@ public:
   /// Irradiance, in quanta/m2.
   using Bands = std::array<double, Power::kMaxBands>;
 
-  /// Forgets all sides.
+  /// Forgets all sides and points.
   void begin(const GatherScene& scene);
   /// Adds a side, numbered in order from 0 on. `cell`: of the shapes. `number`: chooses its samples.
   void addSide(const GatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number);
+  /// Adds a point, numbered in the same order. Of one that receives from all directions the fluence rate is found,
+  /// by rays of the density 1 / (4 pi).
+  void addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number);
   /// Follows all paths to their ends. Throws std::runtime_error for one that does not end.
   void run(const GatherScene& scene);
 
@@ -78,14 +82,17 @@ private:
   struct Arrival
   {
     CellSide side;
-    double area;  ///< of the cell, m2
-    bool isKnown; ///< what the side received is read
-    bool isNear;  ///< nothing of it is
+    double area;    ///< of the cell, m2
+    bool isKnown;   ///< what the side received is read
+    bool isUnknown; ///< nothing of it is
     Hit hit;
 
     bool isFront() const { return side.side == 0; }
   };
 
+  /// `perRay`: the irradiance for each radiosity that a ray meets. `rayOf(i)`: the ray of this number.
+  template <class RayOf>
+  void addStart(const GatherScene& scene, std::uint64_t seed, double perRay, const RayOf& rayOf);
   void cast(const GatherScene& scene);
   static Arrival arrivalOf(const GatherScene& scene, const Ray& ray, const Hit& hit);
   void bring(const GatherScene& scene, const Path& path, const Arrival& arrival);

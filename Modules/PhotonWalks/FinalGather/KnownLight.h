@@ -11,8 +11,9 @@ namespace irradiance
 /// stick into each other.
 struct KnownLight
 {
-  const CellSums& all;    ///< of cells that are read
-  const CellSums& direct; ///< what came straight from the lights, of all others
+  const CellSums& all; ///< of cells that are read
+  /// What came straight from the lights, of all others; null: nothing of these is known.
+  const CellSums* direct;
   const CellSums* stale; ///< the part of `all` that rests on stale walks, in one replicate; or null
   std::size_t rounds;    ///< of `all` and `direct` that count
 };

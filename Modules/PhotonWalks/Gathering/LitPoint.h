@@ -8,12 +8,14 @@
 namespace irradiance
 {
 
-/// A point that receives light from one side.
+/// A point that receives light, from one side or from all directions.
 struct LitPoint
 {
   Vector3 position; ///< world; clear of the surface on which it stands
-  Vector3 normal;   ///< unit vector, to the side that receives
+  Vector3 normal;   ///< unit vector, to the side that receives; 0: it receives from all directions
   TriangleId on{};  ///< the triangle on which it stands; none in the air
+
+  bool hasNormal() const { return !normal.isZero(0); }
 
   /// On a side of a triangle, at the point nearest to a place in its plane, roughly.
   static LitPoint onTriangle(
