@@ -234,6 +234,10 @@ TEST(GatherEstimator, SmallCellsOfAFurnaceReceiveOneWatt)
   for (const auto& [bands, isGlossy] :
     { std::pair(1, false), std::pair(1, true), std::pair(3, true) })
   {
+    if (test::kIsSanitized && bands == 1)
+    {
+      continue; // goes where three bands go
+    }
     ObjectBuilder room(bands), ball(bands), boxes(bands);
     room.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), 2, {}, true);
     ball.addSphere({ 0, 0, 0 }, 0.5, 6, {});
@@ -522,7 +526,7 @@ TEST(GatherEstimator, BiasShrinksWithTheCellsThatRaysHit)
   for (const int n : { 4, 12 })
   {
     const SceneObjects objects = roomWithSpot(n);
-    EngineSettings settings = gathering(200000);
+    EngineSettings settings = gathering(test::scaled(200000));
     settings.gatherRays = test::scaled(1024);
     SeedMeans gathered[2], shot[2];
     for (int half = 0; half < 2; ++half)

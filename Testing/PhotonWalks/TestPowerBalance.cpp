@@ -175,7 +175,7 @@ TEST(PowerBalance, NothingEscapesFromAClosedRoom)
 TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
 {
   EngineSettings settings;
-  settings.numberOfWalks = 100000;
+  settings.numberOfWalks = test::scaled(100000);
   IrradianceEngine engine;
   Execution execution;
   try
