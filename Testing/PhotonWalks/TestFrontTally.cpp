@@ -17,14 +17,14 @@ namespace
 using test::FrontWorld;
 using test::MovingScene;
 
-struct Kind
+struct TallyKind
 {
   int bands, sides;
   bool isGlossy;
   WalkPlan plan;
 };
 
-std::vector<Kind> someKinds()
+std::vector<TallyKind> someTallies()
 {
   return { { 1, 1, false, WalkPlan(6000, 6000, 1) }, { 1, 2, false, WalkPlan(6000, 6000, 16) },
     { 1, 2, true, WalkPlan(700, 6000, 3, 500) }, // several rounds
@@ -144,7 +144,7 @@ void expectEqual(const PowerBalance& balance, const PowerBalance& expected)
 template <class Test>
 void onAll(const Test& test)
 {
-  for (const Kind& kind : someKinds())
+  for (const TallyKind& kind : someTallies())
   {
     const MovingScene scene(kind.bands, false, 2, kind.isGlossy);
     const FrontWorld world(scene.objects(), kind.plan, 1);

@@ -18,7 +18,7 @@ using test::grey;
 using test::ObjectBuilder;
 using test::ReplicateMean;
 
-constexpr std::uint64_t kSeeds = 24;
+constexpr std::uint64_t kBiasSeeds = 24;
 
 /// Every cell reflects another part of the light, from .05 to .9.
 SceneObject textured(ObjectBuilder builder, test::RandomVectors& random, const Vector3& place)
@@ -52,7 +52,7 @@ struct Means
 
   Means(const SceneObjects& objects, bool isGathered)
   {
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+    for (std::uint64_t seed = 1; seed <= kBiasSeeds; ++seed)
     {
       EngineSettings settings;
       settings.numberOfWalks = test::scaled(200000);

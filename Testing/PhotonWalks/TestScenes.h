@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_TestScenes_h
-#define irradiance_test_TestScenes_h
+#ifndef irradiance_test_WalkScenes_h
+#define irradiance_test_WalkScenes_h
 
 #include "Surfaces/SceneObjects.h"
 

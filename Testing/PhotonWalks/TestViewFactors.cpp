@@ -16,8 +16,8 @@ using test::ReplicateMean;
 
 // 16 seeds of 65,536 walks: 10^6 in all. |t| > 3 with 15 degrees of freedom happens by chance in
 // 0.9 % of the comparisons; seeds are fixed, so a test that passed once always passes.
-constexpr int kSeeds = 16;
-constexpr std::uint32_t kWalks = test::scaled(65536);
+constexpr int kViewSeeds = 16;
+constexpr std::uint32_t kViewWalks = test::scaled(65536);
 
 class ViewFactors : public test::BothModes
 {
@@ -27,7 +27,7 @@ protected:
   static std::array<ReplicateMean, 2> viewFactors(const SceneObjects& objects, double emitterArea)
   {
     std::array<ReplicateMean, 2> estimates;
-    overSeeds(objects, kSeeds, kWalks, [&](const IrradianceEngine& engine) {
+    overSeeds(objects, kViewSeeds, kViewWalks, [&](const IrradianceEngine& engine) {
       for (std::uint32_t object = 0; object < 2; ++object)
       {
         const std::size_t cells = objects[object].material->numberOfCells;
@@ -48,7 +48,7 @@ void expectWithinBounds(
   EXPECT_LE(std::abs(estimate.t(truth)), test::kIsSanitized ? 4 : 3) << name;
   if (!test::kIsSanitized)
   {
-    const double plain = std::sqrt(truth * (1 - truth) / kSeeds / kWalks);
+    const double plain = std::sqrt(truth * (1 - truth) / kViewSeeds / kViewWalks);
     EXPECT_NEAR(
       estimate.mean(), truth, isGathered ? 0.1 * truth : std::max(0.01 * truth, 3 * plain))
       << name;

@@ -42,7 +42,7 @@ bool haveSameBits(const Vector3& a, const Vector3& b)
 }
 
 /// Weights that are often at or near an edge, and sum up to 1 roughly.
-Vector3 randomWeights(test::RandomVectors& random)
+Vector3 weightsInside(test::RandomVectors& random)
 {
   const double s = random.uniform(0, 1), t = random.uniform(0, 1) * (1 - s);
   Vector3 weights(1 - s - t, s, t);
@@ -59,7 +59,7 @@ void expectSamePoints(const Triangle& triangle, test::RandomVectors& random)
   const SurfaceRecord record(triangle);
   for (int i = 0; i < 5; ++i)
   {
-    const Vector3 weights = randomWeights(random);
+    const Vector3 weights = weightsInside(random);
     const SurfacePoint point = pointOf(record, weights), expected = surfacePoint(triangle, weights);
     ASSERT_TRUE(haveSameBits(point.position, expected.position)) << exactly(triangle);
     ASSERT_TRUE(haveSameBits(point.normal, expected.normal)) << exactly(triangle);

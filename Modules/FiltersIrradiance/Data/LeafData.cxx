@@ -14,7 +14,7 @@ namespace irradiance
 namespace
 {
 
-void forEachLeaf(vtkDataObjectTree* tree, bool withEmpty, const VisitLeaf& visit)
+void visitLeaves(vtkDataObjectTree* tree, bool withEmpty, const VisitLeaf& visit)
 {
   const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
   leaves->VisitOnlyLeavesOn();
@@ -57,7 +57,7 @@ std::string leafName(vtkDataObjectTreeIterator* leaf)
 
 void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit)
 {
-  forEachLeaf(tree, false, visit);
+  visitLeaves(tree, false, visit);
 }
 
 std::vector<LeafData> leavesOf(vtkDataObject* data)
@@ -68,7 +68,7 @@ std::vector<LeafData> leavesOf(vtkDataObject* data)
     return { { "the input", 0, dataSetOf("all", data) } };
   }
   std::vector<LeafData> leaves;
-  forEachLeaf(tree, true, [&](vtkDataObjectTreeIterator* leaf) {
+  visitLeaves(tree, true, [&](vtkDataObjectTreeIterator* leaf) {
     const std::string name = leafName(leaf);
     leaves.push_back(
       { name, leaf->GetCurrentFlatIndex(), dataSetOf(name, leaf->GetCurrentDataObject()) });
@@ -100,7 +100,7 @@ void fillLeaves(vtkDataObject* input, vtkDataObject* output, const MakeLeaf& mak
   filled->CopyStructure(tree);
   filled->GetFieldData()->PassData(tree->GetFieldData());
   std::size_t i = 0;
-  forEachLeaf(tree, true, [&](vtkDataObjectTreeIterator* place) {
+  visitLeaves(tree, true, [&](vtkDataObjectTreeIterator* place) {
     if (const auto leaf = make(i++))
     {
       filled->SetDataSet(place, leaf);

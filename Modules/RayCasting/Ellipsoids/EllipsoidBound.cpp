@@ -14,9 +14,9 @@ namespace
 {
 
 constexpr double kUnitRoundoff = 0x1p-53;
-constexpr double kThinnest = 0x1p-20;        // of the longest semi-axis, see roundingMap
-constexpr double kLargestRadius = 16.0;      // it is about 1
-constexpr double kSmallestLength = 0x1p-500; // pays for products that underflow
+constexpr double kThinnest = 0x1p-20;         // of the longest semi-axis, see roundingMap
+constexpr double kLargestRadius = 16.0;       // it is about 1
+constexpr double kUnderflowLength = 0x1p-500; // pays for products that underflow
 
 Box allOfSpace()
 {
@@ -60,7 +60,7 @@ MovedEllipsoid moved(const EnclosingEllipsoid& ellipsoid, const AffineMap& world
     (2.0 * relativeInverseError(ellipsoid.shape, inverseShape) + 8.0 * kUnitRoundoff) *
     linear.norm() * inverseShape.norm();
   return { worldFromObject(ellipsoid.center), linear * inverseShape,
-    centerError + axesError + kSmallestLength };
+    centerError + axesError + kUnderflowLength };
 }
 
 /// Lengthens axes shorter than `pad` or much shorter than the longest. Compared with the
