@@ -32,7 +32,8 @@ WalkSettings walkSettingsOf(const EngineSettings& settings)
 /// Whether the same estimator does for both.
 bool haveSameEstimator(const EngineSettings& a, const EngineSettings& b)
 {
-  return isSameEstimate(a, b) && a.separateSides == b.separateSides && a.seed == b.seed;
+  return isSameEstimate(a, b) && a.separateSides == b.separateSides && a.seed == b.seed &&
+    a.verify == b.verify;
 }
 
 }

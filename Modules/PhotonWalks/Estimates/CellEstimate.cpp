@@ -18,8 +18,9 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
     case CellEstimate::Nearest:
       return std::make_unique<NearestPhotonEstimator>(source, settings.spreadPhotons);
     case CellEstimate::Gathered:
-      return std::make_unique<GatherEstimator>(
-        source, GatherEstimator::Settings{ settings.gatherRays, walks.separateSides, walks.seed });
+      return std::make_unique<GatherEstimator>(source,
+        GatherEstimator::Settings{
+          settings.gatherRays, walks.separateSides, walks.seed, walks.verify });
     default:
       return std::make_unique<SumEstimator>(source);
   }

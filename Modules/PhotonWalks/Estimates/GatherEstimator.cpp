@@ -74,7 +74,8 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   const std::deque<PointDirectLight> lights = lightsOf(from, settings_.seed);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, &*direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
-    1 / from.walks.watts(1.0), settings_.seed };
+    1 / from.walks.watts(1.0), settings_.seed,
+    settings_.keepsPaths && !objects.dynamicObjects.empty() };
   for (const WalkSet& set : from.walks.sets())
   {
     if (!set.source().cells && !set.lights().isEmpty())
@@ -82,7 +83,8 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
       addNearLampLight(scene, set, rounds, *direct, execution);
     }
   }
-  putTogether(scene, FinalGather(scene, execution), cancelPoint);
+  gather_.update(scene, execution);
+  putTogether(scene, cancelPoint);
 }
 
 /// A path meets no point, and the sums of walks do not tell what came by way of which reflection.
@@ -98,8 +100,7 @@ void GatherEstimator::checkLights() const
   });
 }
 
-void GatherEstimator::putTogether(
-  const GatherScene& scene, const FinalGather& gather, const CancelPoint& cancelPoint)
+void GatherEstimator::putTogether(const GatherScene& scene, const CancelPoint& cancelPoint)
 {
   const KnownLight& known = scene.known;
   const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
@@ -118,12 +119,12 @@ void GatherEstimator::putTogether(
         {
           sums_.set({ cell, side }, band, i, sumOf({ cell, side }, [&](const CellSide& part) {
             return own.sum(part, band, i, known.rounds) +
-              (gathers ? gather.indirect().sum(part, band, i, 1) : 0);
+              (gathers ? gather_.indirect().sum(part, band, i, 1) : 0);
           }));
         }
         if (known.stale)
         {
-          const CellSums& stale = gathers ? gather.stale() : *known.stale;
+          const CellSums& stale = gathers ? gather_.stale() : *known.stale;
           staleSums_.set({ cell, side }, band, 0,
             sumOf({ cell, side }, [&](const CellSide& part) { return stale.sum(part, band); }));
         }

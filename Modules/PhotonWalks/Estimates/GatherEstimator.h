@@ -13,7 +13,8 @@ namespace irradiance
 
 /**
  * Small cells: from their direct light, which they gathered, and a final gather of the indirect light, see GatherPaths.
- * All others: from their own sums. Needs gathered direct light, and sums by side. All is made anew in each update.
+ * All others: from their own sums. Needs gathered direct light, and sums by side. Paths are kept from
+ * update to update, see FinalGather; all else is made anew.
  *
  * The sums that rays read are means over the cells that they hit: this is a bias, which shrinks with the size of
  * these. See Documentation/Theory.md, 5.7.
@@ -28,6 +29,7 @@ public:
     std::uint32_t rays;  ///< of each side of a cell; rounded up to a multiple of the replicates
     bool separatesSides; ///< else irradiance() is that of both
     std::uint64_t seed;
+    bool keepsPaths; ///< for frames in which things have moved
   };
 
   GatherEstimator(const EstimateSource& source, const Settings& settings)
@@ -55,12 +57,12 @@ private:
   std::uint32_t numberOfRays() const;
   int sides() const { return settings_.separatesSides ? 2 : 1; }
   /// From what cells have themselves, and what was gathered for them.
-  void putTogether(
-    const GatherScene& scene, const FinalGather& gather, const CancelPoint& cancelPoint);
+  void putTogether(const GatherScene& scene, const CancelPoint& cancelPoint);
   template <class Quanta>
   std::int64_t sumOf(const CellSide& cell, const Quanta& quanta) const;
 
   Settings settings_;
+  FinalGather gather_;
   std::optional<CellRoles> roles_; ///< of the last update
   CellSums sums_, staleSums_;      ///< with the sides of the settings
 };

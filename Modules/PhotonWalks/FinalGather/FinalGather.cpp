@@ -2,9 +2,11 @@
 #include "FinalGather/FinalGather.h"
 
 #include "Execution/SlicedPass.h"
+#include "Repair/SceneChange.h"
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace irradiance
@@ -16,26 +18,33 @@ namespace
 /// Rays of each side that are cast together.
 constexpr std::size_t kRaysTogether = 4096;
 
+std::size_t gatherersTogether(const GatherScene& scene)
+{
+  return std::max<std::size_t>(1, kRaysTogether / scene.rays);
 }
 
-FinalGather::FinalGather(const GatherScene& scene, Execution& execution)
-  : indirect_(scene.objects, 2, scene.known.all.plan(), 1)
-  , stale_(scene.objects, 2, {}, scene.known.stale ? 1 : 0)
+}
+
+void FinalGather::update(const GatherScene& scene, Execution& execution)
 {
-  const CellNumbers& numbers = scene.cells.numbers();
-  numbers.forEach([&](const SceneCell& cell) {
-    if (scene.roles.gathers(cell))
-    {
-      gatherers_.push_back({ cell, numbers[cell] });
-    }
-  });
+  indirect_ = CellSums(scene.objects, 2, scene.known.all.plan(), 1);
+  stale_ = CellSums(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
+  findGatherers(scene);
   Ranks& ranks = execution.ranks();
-  const std::size_t together = std::max<std::size_t>(1, kRaysTogether / scene.rays);
-  SlicedPass pass{ (gatherers_.size() + together - 1) / together, {} };
+  Origin origin = originOf(scene, ranks);
+  const std::optional<GatherMotion> motion = motionTo(scene, origin);
+  origin_.reset(); // until the end is reached
+  const std::size_t together = gatherersTogether(scene);
+  const std::size_t units = (gatherers_.size() + together - 1) / together;
+  if (!motion)
+  {
+    units_ = std::vector<Unit>(units);
+  }
+  SlicedPass pass{ units, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
     if (unit % ranks.count() == ranks.rank())
     {
-      gather(scene, unit * together, std::min((unit + 1) * together, gatherers_.size()));
+      gather(scene, motion ? &*motion : nullptr, unit);
     }
     return true;
   };
@@ -45,38 +54,145 @@ FinalGather::FinalGather(const GatherScene& scene, Execution& execution)
     indirect_.sumOver(ranks, cancelPointOf(execution, 1));
     stale_.sumOver(ranks, cancelPointOf(execution, 1));
   }
+  if (scene.keepsPaths)
+  {
+    origin_ = std::move(origin);
+  }
+  else
+  {
+    units_.clear();
+  }
 }
 
-void FinalGather::gather(const GatherScene& scene, std::size_t first, std::size_t end)
+std::size_t FinalGather::bytes() const
 {
-  std::unique_ptr<GatherPaths> paths = paths_.take();
-  paths->begin(scene);
-  std::vector<CellSide> sides;
-  for (std::size_t i = first; i < end; ++i)
+  return std::accumulate(units_.begin(), units_.end(), std::size_t{ 0 },
+    [](std::size_t sum, const Unit& unit) { return sum + unit.paths.bytes(); });
+}
+
+void FinalGather::findGatherers(const GatherScene& scene)
+{
+  gatherers_.clear();
+  const CellNumbers& numbers = scene.cells.numbers();
+  numbers.forEach([&](const SceneCell& cell) {
+    if (scene.roles.gathers(cell))
+    {
+      gatherers_.push_back({ cell, numbers[cell] });
+    }
+  });
+}
+
+FinalGather::Origin FinalGather::originOf(const GatherScene& scene, const Ranks& ranks) const
+{
+  Origin origin{ scene.objects, scene.seed, scene.rays, scene.replicates(), ranks.rank(),
+    ranks.count(), {}, {} };
+  for (const Gatherer& gatherer : gatherers_)
+  {
+    origin.gatherers.push_back(gatherer.cell);
+  }
+  scene.cells.numbers().forEach([&](const SceneCell& cell) {
+    if (scene.roles.isRead(cell))
+    {
+      origin.readCells.push_back(cell);
+    }
+  });
+  return origin;
+}
+
+std::optional<GatherMotion> FinalGather::motionTo(
+  const GatherScene& scene, const Origin& origin) const
+{
+  if (!origin_ || origin.seed != origin_->seed || origin.rays != origin_->rays ||
+    origin.replicates != origin_->replicates || origin.rank != origin_->rank ||
+    origin.ranks != origin_->ranks || origin.gatherers != origin_->gatherers ||
+    origin.readCells != origin_->readCells || hasReplaced(origin.objects, origin_->objects) ||
+    !differsOnlyByMotion(origin.objects, origin_->objects) ||
+    !areLightsUnchanged(origin.objects, origin_->objects))
+  {
+    return {};
+  }
+  return GatherMotion(scene, findMoved(origin.objects, origin_->objects));
+}
+
+std::vector<FinalGather::Side> FinalGather::sidesOf(
+  const GatherScene& scene, std::size_t unit) const
+{
+  const std::size_t together = gatherersTogether(scene);
+  const std::size_t end = std::min((unit + 1) * together, gatherers_.size());
+  std::vector<Side> sides;
+  for (std::size_t i = unit * together; i < end; ++i)
   {
     const CellShape& shape = scene.shapes[gatherers_[i].shape];
     for (const int side : { 0, 1 })
     {
       if (!(side == 0 ? shape.isFrontDark : shape.isBackDark))
       {
-        // Numbered among those that gather: cells that are away have numbers of their own in a frame that
-        // follows others.
-        paths->addSide(
-          scene, gatherers_[i].shape, side == 0, 2 * i + static_cast<std::size_t>(side));
-        sides.push_back({ gatherers_[i].cell, side });
+        sides.push_back({ i, side });
       }
     }
   }
-  paths->run(scene);
-  for (std::size_t i = 0; i < sides.size(); ++i)
+  return sides;
+}
+
+void FinalGather::gather(const GatherScene& scene, const GatherMotion* motion, std::size_t number)
+{
+  Unit& unit = units_[number];
+  std::vector<Side> sides = sidesOf(scene, number);
+  const bool isKept = motion && sides == unit.sides;
+  unit.sides = std::move(sides);
+  if (!isKept || !motion->isNone())
   {
-    store(scene, *paths, i, sides[i]);
+    follow(scene, isKept ? motion : nullptr, unit);
   }
+  PathLight light;
+  light.read(scene, unit.paths, unit.sides.size(), GatherPaths::kPerRayOfSide);
+  for (std::size_t i = 0; i < unit.sides.size(); ++i)
+  {
+    store(scene, light, i, { gatherers_[unit.sides[i].gatherer].cell, unit.sides[i].side });
+  }
+}
+
+void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit)
+{
+  std::unique_ptr<GatherPaths> paths = paths_.take();
+  paths->begin(scene);
+  std::vector<bool> isAnew;
+  std::vector<std::uint32_t> rays;
+  for (std::size_t i = 0; i < unit.sides.size(); ++i)
+  {
+    const Side& side = unit.sides[i];
+    const Gatherer& gatherer = gatherers_[side.gatherer];
+    rays.clear();
+    for (std::uint32_t ray = 0; ray < scene.rays; ++ray)
+    {
+      isAnew.push_back(!motion || motion->hasMoved(gatherer.cell.object) ||
+        motion->mayChange(unit.paths[i * scene.rays + ray]));
+      if (isAnew.back())
+      {
+        rays.push_back(ray);
+      }
+    }
+    if (!rays.empty())
+    {
+      // Numbered among those that gather: cells that are away have numbers of their own in a frame that
+      // follows others.
+      paths->addSide(scene, gatherer.shape, side.side == 0,
+        2 * side.gatherer + static_cast<std::size_t>(side.side), rays);
+    }
+  }
+  paths->run(scene);
+  FollowedPaths merged;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < isAnew.size(); ++i)
+  {
+    isAnew[i] ? merged.addPath(paths->followed(), next++) : merged.addPath(unit.paths, i);
+  }
+  unit.paths = std::move(merged);
   paths_.giveBack(std::move(paths));
 }
 
 void FinalGather::store(
-  const GatherScene& scene, const GatherPaths& paths, std::size_t number, const CellSide& side)
+  const GatherScene& scene, const PathLight& light, std::size_t number, const CellSide& side)
 {
   const double area = scene.cells.area(side);
   for (int band = 0; band < indirect_.bands(); ++band)
@@ -84,11 +200,11 @@ void FinalGather::store(
     const auto i = static_cast<std::size_t>(band);
     for (std::uint32_t k = 0; k < indirect_.plan().replicates().count(); ++k)
     {
-      indirect_.set(side, band, k, nearestQuanta(area * paths.found(number, k)[i]));
+      indirect_.set(side, band, k, nearestQuanta(area * light.found(number, k)[i]));
     }
     if (scene.known.stale)
     {
-      stale_.set(side, band, 0, nearestQuanta(area * paths.stale(number)[i]));
+      stale_.set(side, band, 0, nearestQuanta(area * light.stale(number)[i]));
     }
   }
 }

@@ -4,26 +4,36 @@
 
 #include "Execution/Execution.h"
 #include "Execution/Pool.h"
+#include "FinalGather/GatherMotion.h"
 #include "FinalGather/GatherPaths.h"
+#include "FinalGather/PathLight.h"
 
+#include <optional>
 #include <vector>
 
 namespace irradiance
 {
 
-/// The indirect light of all cells that gather, by side, in quanta. It is a pure function of the scene, the
-/// seed and what is known: each replicate's rays read that replicate's own sums. All threads and ranks share the
-/// work.
+/**
+ * The indirect light of all cells that gather, by side, in quanta. It is a pure function of the scene, the
+ * seed and what is known: each replicate's rays read that replicate's own sums. All threads and ranks share the
+ * work.
+ *
+ * Paths are kept: in a frame in which things have moved those are followed anew that start on what moved, hit it, or
+ * that it may hide; and the light of all others is read again.
+ */
 class FinalGather
 {
 public:
-  /// Throws Interrupted, and what GatherPaths::run() throws.
-  FinalGather(const GatherScene& scene, Execution& execution);
+  /// To a frame. Throws Interrupted, and what GatherPaths::run() throws; after that nothing is kept.
+  void update(const GatherScene& scene, Execution& execution);
 
   /// Of replicates as those of the sums that are known, in one round; the same on all ranks.
   const CellSums& indirect() const { return indirect_; }
   /// The part that rests on stale walks, in one replicate; nothing if none are known.
   const CellSums& stale() const { return stale_; }
+  /// Of the paths that are kept.
+  std::size_t bytes() const;
 
 private:
   struct Gatherer
@@ -31,12 +41,50 @@ private:
     SceneCell cell;
     std::size_t shape;
   };
-  void gather(const GatherScene& scene, std::size_t first, std::size_t end);
+
+  struct Side
+  {
+    std::size_t gatherer;
+    int side;
+
+    bool operator==(const Side& other) const
+    {
+      return gatherer == other.gatherer && side == other.side;
+    }
+  };
+
+  /// Sides of gatherers that follow each other, whose rays are cast together, and their paths.
+  struct Unit
+  {
+    std::vector<Side> sides;
+    FollowedPaths paths;
+  };
+
+  /// What paths depend on besides poses.
+  struct Origin
+  {
+    SceneObjects objects;
+    std::uint64_t seed;
+    std::uint32_t rays, replicates;
+    std::size_t rank, ranks; ///< which follows them
+    std::vector<SceneCell> gatherers, readCells;
+  };
+
+  void findGatherers(const GatherScene& scene);
+  Origin originOf(const GatherScene& scene, const Ranks& ranks) const;
+  /// What moved since; nothing if no path can be kept.
+  std::optional<GatherMotion> motionTo(const GatherScene& scene, const Origin& origin) const;
+  std::vector<Side> sidesOf(const GatherScene& scene, std::size_t unit) const;
+  void gather(const GatherScene& scene, const GatherMotion* motion, std::size_t unit);
+  /// Follows anew the paths that may have changed, all if nothing is kept.
+  void follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit);
   void store(
-    const GatherScene& scene, const GatherPaths& paths, std::size_t number, const CellSide& side);
+    const GatherScene& scene, const PathLight& light, std::size_t number, const CellSide& side);
 
   std::vector<Gatherer> gatherers_;
-  Pool<GatherPaths> paths_; ///< what threads work with
+  std::vector<Unit> units_;
+  std::optional<Origin> origin_; ///< of the paths that are kept
+  Pool<GatherPaths> paths_;      ///< what threads work with
   CellSums indirect_, stale_;
 };
 

@@ -6,6 +6,8 @@
 #include "Shooting/WalkSampler.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 
 namespace irradiance
@@ -81,6 +83,11 @@ private:
   double area_ = 0; ///< m2
 };
 
+std::array<float, 3> inFloats(const Vector3& v)
+{
+  return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
+}
+
 double largestOf(const GatherPaths::Bands& weight)
 {
   return *std::max_element(weight.begin(), weight.end());
@@ -102,23 +109,23 @@ double reflectedPart(const GatherPaths::Bands& weight, const double* reflectance
 
 void GatherPaths::begin(const GatherScene& scene)
 {
-  replicates_ = scene.known.all.plan().replicates().count();
   bands_ = scene.known.all.bands();
   bounce_ = 0;
-  sums_.clear();
-  staleSums_.clear();
+  numberOfPaths_ = 0;
   paths_.clear();
   rays_.clear();
+  steps_.clear();
+  values_.clear();
 }
 
-void GatherPaths::addSide(
-  const GatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number)
+void GatherPaths::addSide(const GatherScene& scene, std::size_t cell, bool isFront,
+  std::uint64_t number, const std::vector<std::uint32_t>& rays)
 {
   const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
   const CellPoints points(scene, cell);
-  addStart(scene, seed, 1, [&](std::uint32_t i) {
+  addStart(scene, seed, kPerRayOfSide, rays, [&](std::uint32_t i) {
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
     return Ray{ point.clearPosition(),
@@ -130,29 +137,27 @@ void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std:
 {
   const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys directions = keysOf(seed, 0, Use::Direction);
-  // Radiance is radiosity / pi, and 4 pi / pi = 4.
-  addStart(scene, seed, point.hasNormal() ? 1 : 4, [&](std::uint32_t i) {
-    const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
-    return Ray{ point.position,
-      point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u), point.on };
-  });
+  std::vector<std::uint32_t> all(scene.rays);
+  std::iota(all.begin(), all.end(), 0u);
+  addStart(
+    scene, seed, point.hasNormal() ? kPerRayOfSide : kPerRayOfPoint, all, [&](std::uint32_t i) {
+      const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
+      return Ray{ point.position,
+        point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u), point.on };
+    });
 }
 
-template <class RayOf>
+template <class Rays, class RayOf>
 void GatherPaths::addStart(
-  const GatherScene& scene, std::uint64_t seed, double perRay, const RayOf& rayOf)
+  const GatherScene& scene, std::uint64_t seed, double perRay, const Rays& rays, const RayOf& rayOf)
 {
-  const std::uint32_t raysEach = scene.rays / replicates_;
-  const auto first = static_cast<std::uint32_t>(sums_.size());
   Bands weight{};
-  std::fill_n(weight.begin(), bands_, perRay / raysEach);
-  for (std::uint32_t i = 0; i < scene.rays; ++i)
+  std::fill_n(weight.begin(), bands_, perRay / scene.raysOfReplicate());
+  for (const std::uint32_t i : rays)
   {
     rays_.push_back(rayOf(i));
-    paths_.push_back({ weight, seed, i, first + i / raysEach, false });
+    paths_.push_back({ weight, seed, i, numberOfPaths_++, false });
   }
-  sums_.resize(sums_.size() + replicates_);
-  staleSums_.emplace_back();
 }
 
 void GatherPaths::run(const GatherScene& scene)
@@ -172,13 +177,47 @@ void GatherPaths::run(const GatherScene& scene)
       if (const Hit& hit = hits_[i])
       {
         const Arrival arrival = arrivalOf(scene, rays_[i], hit);
-        arrival.isUnknown ? bringFromLights(scene, paths_[i], arrival)
-                          : bring(scene, paths_[i], arrival);
+        record(scene, paths_[i], rays_[i], arrival);
         goOn(scene, paths_[i], rays_[i], arrival);
+      }
+      else
+      {
+        recordMiss(scene, paths_[i], rays_[i]);
       }
     }
     paths_.swap(next_);
     rays_.swap(nextRays_);
+  }
+  sortSteps();
+}
+
+void GatherPaths::sortSteps()
+{
+  std::vector<std::uint32_t> ends(numberOfPaths_ + 1), order(steps_.size());
+  for (const Step& step : steps_)
+  {
+    ++ends[step.path + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+  for (std::uint32_t i = 0; i < steps_.size(); ++i)
+  {
+    order[next[steps_[i].path]++] = i;
+  }
+  followed_.clear();
+  for (std::uint32_t path = 0; path < numberOfPaths_; ++path)
+  {
+    for (std::uint32_t i = ends[path]; i < ends[path + 1]; ++i)
+    {
+      const std::uint32_t step = order[i];
+      followed_.addSegment(steps_[step].segment);
+      const std::size_t end = step + 1 < steps_.size() ? steps_[step + 1].value : values_.size();
+      for (std::size_t value = steps_[step].value; value < end; ++value)
+      {
+        followed_.addValue(values_[value]);
+      }
+    }
+    followed_.endPath();
   }
 }
 
@@ -212,60 +251,55 @@ GatherPaths::Arrival GatherPaths::arrivalOf(
   return arrival;
 }
 
-void GatherPaths::bring(const GatherScene& scene, const Path& path, const Arrival& arrival)
+void GatherPaths::record(
+  const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
 {
-  const SceneObject& object = scene.objects[arrival.side.object];
-  const KnownLight& known = scene.known;
-  const CellSums& sums = arrival.isKnown ? known.all : *known.direct;
-  const std::uint32_t replicate = path.sum % replicates_;
-  for (int band = 0; band < bands_; ++band)
+  const Contacts& contacts = scene.space.contacts;
+  const bool touchesMover = contacts.hasDynamic(ray.start) || contacts.hasDynamic(arrival.hit.id);
+  steps_.push_back({ path.place,
+    { inFloats(ray.origin), inFloats(ray.origin + arrival.hit.distance * ray.direction),
+      scene.space.triangles.numberOf(arrival.hit.id), arrival.isFront(), path.isSpecular,
+      arrival.isKnown, arrival.isUnknown, touchesMover },
+    values_.size() });
+  if (bands_ > 1)
   {
-    const auto i = static_cast<std::size_t>(band);
-    const double reflected =
-      path.weight[i] * object.material->reflectanceOf(arrival.hit.id.triangle, band) / arrival.area;
-    sums_[path.sum][i] +=
-      reflected * static_cast<double>(sums.sum(arrival.side, band, replicate, known.rounds));
-    if (arrival.isKnown && known.stale)
-    {
-      staleSums_[path.sum / replicates_][i] +=
-        reflected / replicates_ * static_cast<double>(known.stale->sum(arrival.side, band));
-    }
+    values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
   }
-  addEmission(scene, path, arrival);
+  if (arrival.isUnknown)
+  {
+    askLights(scene, path, arrival);
+  }
 }
 
-void GatherPaths::bringFromLights(
-  const GatherScene& scene, const Path& path, const Arrival& arrival)
+void GatherPaths::recordMiss(const GatherScene& scene, const Path& path, const Ray& ray)
 {
-  const SceneObject& object = scene.objects[arrival.side.object];
+  GatherSegment segment{};
+  segment.from = inFloats(ray.origin);
+  segment.to = inFloats(ray.direction);
+  segment.triangle = GatherSegment::kNone;
+  segment.touchesMover = scene.space.contacts.hasDynamic(ray.start);
+  steps_.push_back({ path.place, segment, values_.size() });
+}
+
+void GatherPaths::askLights(const GatherScene& scene, const Path& path, const Arrival& arrival)
+{
+  const Material& material = *scene.objects[arrival.side.object].material;
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
   const SurfacePoint at = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
   const LitPoint point{ at.clearPosition(), at.normal, arrival.hit.id };
+  Bands arriving{};
   for (const PointDirectLight& lights : scene.lights)
   {
-    const PointDirectLight::Bands arriving = lights.irradiance(point, number);
-    for (int band = 0; band < bands_; ++band)
-    {
-      const auto i = static_cast<std::size_t>(band);
-      sums_[path.sum][i] += path.weight[i] *
-        object.material->reflectanceOf(arrival.hit.id.triangle, band) * arriving[i] *
-        quantaPerWatt(scene);
-    }
+    const PointDirectLight::Bands more = lights.irradiance(point, number);
+    std::transform(
+      more.begin(), more.end(), arriving.begin(), arriving.begin(), std::plus<double>());
   }
-  addEmission(scene, path, arrival);
-}
-
-/// What no sum knows of, and no other sample looks for.
-void GatherPaths::addEmission(const GatherScene& scene, const Path& path, const Arrival& arrival)
-{
-  const double* const exitance = path.isSpecular && arrival.isFront()
-    ? scene.objects[arrival.side.object].exitanceOf(arrival.side.cell)
-    : nullptr;
-  for (int band = 0; exitance && band < bands_; ++band)
+  for (int band = 0; band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    sums_[path.sum][i] += path.weight[i] * exitance[i] * quantaPerWatt(scene);
+    values_.push_back(
+      path.weight[i] * material.reflectanceOf(arrival.hit.id.triangle, band) * arriving[i]);
   }
 }
 

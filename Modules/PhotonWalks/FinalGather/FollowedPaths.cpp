@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/FollowedPaths.h"
+
+namespace irradiance
+{
+
+void FollowedPaths::clear()
+{
+  segments_.clear();
+  values_.clear();
+  ends_.clear();
+}
+
+void FollowedPaths::addPath(const FollowedPaths& from, std::size_t path)
+{
+  const Path added = from[path];
+  segments_.insert(segments_.end(), added.begin, added.end);
+  values_.insert(values_.end(), added.values, from.values_.data() + from.ends_[path].value);
+  endPath();
+}
+
+std::size_t FollowedPaths::bytes() const
+{
+  return segments_.capacity() * sizeof(GatherSegment) + values_.capacity() * sizeof(double) +
+    ends_.capacity() * sizeof(End);
+}
+
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_FollowedPaths_h
+#define irradiance_FollowedPaths_h
+
+#include "Geometry/Vector.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace irradiance
+{
+
+/// A segment of a path, from one hit to the next.
+struct GatherSegment
+{
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  std::array<float, 3> from;
+  std::array<float, 3> to; ///< where it hits; where it hits nothing, its direction
+  std::uint32_t triangle;  ///< the number of what it hits, or kNone
+  bool isFront : 1;        ///< which side it hits
+  bool isSpecular : 1;     ///< how it left its start
+  bool isKnown : 1;        ///< what the side received is read
+  bool isUnknown : 1;      ///< nothing of it is: the lights were asked
+  bool touchesMover : 1; ///< its start or its hit, which is there or not depending on what is solid
+};
+
+/**
+ * Paths of a final gather as they were followed, one behind the other: segments, and the numbers that belong to
+ * these. What they bring is no part of it: PathLight reads that from the sums of a frame.
+ */
+class FollowedPaths
+{
+public:
+  /// A path's part.
+  struct Path
+  {
+    const GatherSegment* begin;
+    const GatherSegment* end;
+    const double* values;
+  };
+
+  std::size_t size() const { return ends_.size(); }
+  Path operator[](std::size_t path) const
+  {
+    const End first = path == 0 ? End{ 0, 0 } : ends_[path - 1];
+    return { segments_.data() + first.segment, segments_.data() + ends_[path].segment,
+      values_.data() + first.value };
+  }
+  void clear();
+  /// To the path that endPath() ends.
+  void addSegment(const GatherSegment& segment) { segments_.push_back(segment); }
+  /// With several bands the weights of each segment; and what the lights brought where they were asked.
+  void addValue(double value) { values_.push_back(value); }
+  void endPath() { ends_.push_back({ segments_.size(), values_.size() }); }
+  void addPath(const FollowedPaths& from, std::size_t path);
+  /// Of its memory.
+  std::size_t bytes() const;
+
+private:
+  struct End
+  {
+    std::size_t segment, value;
+  };
+
+  std::vector<GatherSegment> segments_;
+  std::vector<double> values_;
+  std::vector<End> ends_;
+};
+
+}
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/GatherMotion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Contains the box, whose coordinates are no floats.
+Eigen::AlignedBox3f floatBoxAround(const Box& box)
+{
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  Eigen::AlignedBox3f around(box.lower.cast<float>(), box.upper.cast<float>());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    around.min()[axis] = std::nextafter(around.min()[axis], -kFar);
+    around.max()[axis] = std::nextafter(around.max()[axis], kFar);
+  }
+  return around;
+}
+
+}
+
+GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& moved)
+  : moved_(moved)
+  , isAny_(std::find(moved.begin(), moved.end(), true) != moved.end())
+{
+  if (!isAny_)
+  {
+    return;
+  }
+  const TriangleNumbers& numbers = scene.space.triangles.numbers();
+  firstDynamic_ = numbers.first(1);
+  const Scene& space = scene.space.scene;
+  reach_ = space.bounds().extent().norm();
+  // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
+  const double blur = (space.bounds().magnitude() + reach_) * 0x1p-23 +
+    double{ std::numeric_limits<float>::denorm_min() };
+  for (std::uint32_t i = 0; i < moved.size(); ++i)
+  {
+    hasMoved_.resize(numbers.first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);
+    if (moved[i] && !scene.objects.dynamicObjects[i].isEmpty())
+    {
+      // What touches a segment's start may lie behind it.
+      const EllipsoidBound bound = space.shadowBound(i, blur + space.clearance());
+      bodies_.push_back({ bound, floatBoxAround(bound.worldBox()) });
+    }
+  }
+}
+
+bool GatherMotion::mayChange(const GatherSegment& segment) const
+{
+  const bool isHit = segment.triangle != GatherSegment::kNone;
+  if (segment.touchesMover || segment.isUnknown ||
+    (isHit && segment.triangle >= firstDynamic_ &&
+      hasMoved_[segment.triangle - firstDynamic_] != 0))
+  {
+    return true;
+  }
+  const Eigen::Vector3f from(segment.from.data());
+  const Vector3 end = isHit
+    ? Vector3(Eigen::Vector3f(segment.to.data()).cast<double>())
+    : Vector3(from.cast<double>() + reach_ * Eigen::Vector3f(segment.to.data()).cast<double>());
+  const Eigen::Vector3f to = end.cast<float>();
+  const Eigen::AlignedBox3f box(from.cwiseMin(to), from.cwiseMax(to));
+  return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+    // Numbers that are none pass.
+    const bool isApart = (box.min().array() > body.box.max().array()).any() ||
+      (box.max().array() < body.box.min().array()).any();
+    return !isApart && !body.bound.rejects(from.cast<double>(), end);
+  });
+}
+
+}

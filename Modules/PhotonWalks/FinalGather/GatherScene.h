@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_GatherScene_h
+#define irradiance_GatherScene_h
+
+#include "FinalGather/CellRoles.h"
+#include "FinalGather/KnownLight.h"
+#include "Gathering/PointDirectLight.h"
+#include "Surfaces/CellShapes.h"
+
+#include <cstdint>
+#include <deque>
+
+namespace irradiance
+{
+
+/// What the paths of a final gather go through.
+struct GatherScene
+{
+  GatherSpace space;
+  const SceneObjects& objects;
+  const SceneCells& cells;
+  const CellShapes& shapes;
+  CellRoles roles;
+  KnownLight known;
+  const std::deque<PointDirectLight>& lights; ///< what shines, for points on near cells
+  std::uint32_t rays;   ///< of each side of a cell, dealt to the replicates in blocks of equal size
+  double quantaPerWatt; ///< of the light of all replicates
+  std::uint64_t seed;
+  bool keepsPaths; ///< for frames to come
+
+  std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
+  std::uint32_t raysOfReplicate() const { return rays / replicates(); }
+};
+
+}
+
+#endif

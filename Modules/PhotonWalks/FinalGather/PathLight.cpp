@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/PathLight.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+void PathLight::read(
+  const GatherScene& scene, const FollowedPaths& paths, std::size_t starts, double perRay)
+{
+  replicates_ = scene.replicates();
+  bands_ = scene.known.all.bands();
+  sums_.assign(starts * replicates_, {});
+  stale_.assign(starts, {});
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    const std::size_t start = i / scene.rays;
+    const auto replicate = static_cast<std::uint32_t>(i % scene.rays / scene.raysOfReplicate());
+    add(scene, paths[i], perRay, replicate, sums_[start * replicates_ + replicate], stale_[start]);
+  }
+}
+
+void PathLight::add(const GatherScene& scene, const FollowedPaths::Path& path, double perRay,
+  std::uint32_t replicate, Bands& sum, Bands& stale) const
+{
+  const double* value = path.values;
+  Bands weight{ perRay / scene.raysOfReplicate() };
+  const double quantaPerWatt = scene.quantaPerWatt / replicates_;
+  for (const GatherSegment* segment = path.begin; segment != path.end; ++segment)
+  {
+    if (segment->triangle == GatherSegment::kNone)
+    {
+      return;
+    }
+    if (bands_ > 1)
+    {
+      std::copy_n(value, bands_, weight.begin());
+      value += bands_;
+    }
+    if (!segment->isUnknown)
+    {
+      addKnown(scene, *segment, weight, replicate, sum, stale);
+    }
+    for (int band = 0; segment->isUnknown && band < bands_; ++band)
+    {
+      sum[static_cast<std::size_t>(band)] += *value++ * quantaPerWatt;
+    }
+    if (segment->isSpecular && segment->isFront)
+    {
+      const TriangleId id = scene.space.triangles.idOf(segment->triangle);
+      const SceneObject& object = scene.objects[id.object];
+      const double* const exitance =
+        object.exitanceOf(object.material->cellOfTriangle[id.triangle]);
+      for (int band = 0; exitance && band < bands_; ++band)
+      {
+        const auto i = static_cast<std::size_t>(band);
+        sum[i] += weight[i] * exitance[i] * quantaPerWatt;
+      }
+    }
+  }
+}
+
+void PathLight::addKnown(const GatherScene& scene, const GatherSegment& segment,
+  const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale) const
+{
+  const TriangleId id = scene.space.triangles.idOf(segment.triangle);
+  const Material& material = *scene.objects[id.object].material;
+  const CellSide side{ { id.object, material.cellOfTriangle[id.triangle] },
+    segment.isFront ? 0 : 1 };
+  const KnownLight& known = scene.known;
+  const CellSums& sums = segment.isKnown ? known.all : *known.direct;
+  const double area = scene.cells.area(side);
+  for (int band = 0; band < bands_; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    const double reflected = weight[i] * material.reflectanceOf(id.triangle, band) / area;
+    sum[i] += reflected * static_cast<double>(sums.sum(side, band, replicate, known.rounds));
+    if (segment.isKnown && known.stale)
+    {
+      stale[i] += reflected / replicates_ * static_cast<double>(known.stale->sum(side, band));
+    }
+  }
+}
+
+}
