@@ -56,10 +56,11 @@ void IrradianceEngine::update(
   hasTarget && !walks_.hasStale() ? reachTarget(shooting) : shootOnce(isFresh, shooting);
   walks_.forgetBudget();
   statistics_ += walks_.statistics();
+  statistics_.followedPaths = estimator_->followedPaths();
   // To count the bytes takes longer than all else where nothing has moved.
   if (change.kind != FrameChange::Still || walks_.numberOfBlocks() != blocks)
   {
-    statistics_.historyBytes = walks_.bytes();
+    statistics_.historyBytes = walks_.bytes() + estimator_->bytes();
   }
   isValid_ = true;
 }
@@ -132,7 +133,7 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   settings_ = settings;
   settings_.keepPhotons = keepsPhotons;
   settings_.allOnEachRank = allOnEachRank;
-  statistics_ = { {}, statistics_.historyBytes };
+  statistics_ = { {}, statistics_.historyBytes, 0 };
   ProgressSpan beginning(execution, 0, 0);
   cells_.update(objects_, cancelPointOf(beginning, 0));
   if (change != FrameChange::Still) // else they are those of before

@@ -28,7 +28,8 @@ struct EngineSettings
 /// updating the stores of photons.
 struct EngineStatistics : WalkStatistics
 {
-  std::size_t historyBytes = 0;
+  std::size_t historyBytes = 0;   ///< of all that is kept for frames to come
+  std::int64_t followedPaths = 0; ///< of the final gather
 };
 
 /**

@@ -50,6 +50,11 @@ public:
   /// them.
   virtual ErrorEstimate errorEstimate() const = 0;
 
+  /// What it keeps for frames to come.
+  virtual std::size_t bytes() const { return 0; }
+  /// Paths that the last update followed, if it has any.
+  virtual std::int64_t followedPaths() const { return 0; }
+
 protected:
   const EstimateSource& source() const { return source_; }
   /// W/m2 of a sum on a cell.

@@ -51,6 +51,9 @@ public:
     return { sums_, sums_.plan(), 1, source().walks.largestStart(), this };
   }
 
+  std::size_t bytes() const override { return gather_.bytes(); }
+  std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
+
 private:
   double photonShare(const CellSide& cell) const override;
   void checkLights() const;

@@ -29,6 +29,7 @@ void FinalGather::update(const GatherScene& scene, Execution& execution)
 {
   indirect_ = CellSums(scene.objects, 2, scene.known.all.plan(), 1);
   stale_ = CellSums(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
+  followed_ = 0;
   findGatherers(scene);
   Ranks& ranks = execution.ranks();
   Origin origin = originOf(scene, ranks);
@@ -144,11 +145,11 @@ void FinalGather::gather(const GatherScene& scene, const GatherMotion* motion, s
   {
     follow(scene, isKept ? motion : nullptr, unit);
   }
-  PathLight light;
-  light.read(scene, unit.paths, unit.sides.size(), GatherPaths::kPerRayOfSide);
+  PathSums brought;
+  brought.read(scene, unit.paths, unit.sides.size());
   for (std::size_t i = 0; i < unit.sides.size(); ++i)
   {
-    store(scene, light, i, { gatherers_[unit.sides[i].gatherer].cell, unit.sides[i].side });
+    store(scene, brought, i, { gatherers_[unit.sides[i].gatherer].cell, unit.sides[i].side });
   }
 }
 
@@ -181,6 +182,7 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
     }
   }
   paths->run(scene);
+  followed_ += static_cast<std::int64_t>(paths->followed().size());
   FollowedPaths merged;
   std::size_t next = 0;
   for (std::size_t i = 0; i < isAnew.size(); ++i)
@@ -192,7 +194,7 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
 }
 
 void FinalGather::store(
-  const GatherScene& scene, const PathLight& light, std::size_t number, const CellSide& side)
+  const GatherScene& scene, const PathSums& brought, std::size_t number, const CellSide& side)
 {
   const double area = scene.cells.area(side);
   for (int band = 0; band < indirect_.bands(); ++band)
@@ -200,11 +202,11 @@ void FinalGather::store(
     const auto i = static_cast<std::size_t>(band);
     for (std::uint32_t k = 0; k < indirect_.plan().replicates().count(); ++k)
     {
-      indirect_.set(side, band, k, nearestQuanta(area * light.found(number, k)[i]));
+      indirect_.set(side, band, k, nearestQuanta(area * brought.found(number, k)[i]));
     }
     if (scene.known.stale)
     {
-      stale_.set(side, band, 0, nearestQuanta(area * light.stale(number)[i]));
+      stale_.set(side, band, 0, nearestQuanta(area * brought.stale(number)[i]));
     }
   }
 }

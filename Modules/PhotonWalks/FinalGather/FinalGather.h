@@ -6,8 +6,10 @@
 #include "Execution/Pool.h"
 #include "FinalGather/GatherMotion.h"
 #include "FinalGather/GatherPaths.h"
-#include "FinalGather/PathLight.h"
+#include "FinalGather/PathSums.h"
 
+#include <atomic>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -34,6 +36,8 @@ public:
   const CellSums& stale() const { return stale_; }
   /// Of the paths that are kept.
   std::size_t bytes() const;
+  /// Paths that the last update followed.
+  std::int64_t numberFollowed() const { return followed_; }
 
 private:
   struct Gatherer
@@ -79,12 +83,13 @@ private:
   /// Follows anew the paths that may have changed, all if nothing is kept.
   void follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit);
   void store(
-    const GatherScene& scene, const PathLight& light, std::size_t number, const CellSide& side);
+    const GatherScene& scene, const PathSums& brought, std::size_t number, const CellSide& side);
 
   std::vector<Gatherer> gatherers_;
   std::vector<Unit> units_;
   std::optional<Origin> origin_; ///< of the paths that are kept
   Pool<GatherPaths> paths_;      ///< what threads work with
+  std::atomic<std::int64_t> followed_{ 0 };
   CellSums indirect_, stale_;
 };
 

@@ -29,7 +29,7 @@ struct GatherSegment
 
 /**
  * Paths of a final gather as they were followed, one behind the other: segments, and the numbers that belong to
- * these. What they bring is no part of it: PathLight reads that from the sums of a frame.
+ * these. What they bring is no part of it: PathSums reads that from the sums of a frame.
  */
 class FollowedPaths
 {

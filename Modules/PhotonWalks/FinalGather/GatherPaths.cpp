@@ -125,7 +125,7 @@ void GatherPaths::addSide(const GatherScene& scene, std::size_t cell, bool isFro
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
   const CellPoints points(scene, cell);
-  addStart(scene, seed, kPerRayOfSide, rays, [&](std::uint32_t i) {
+  addStart(scene, seed, rays, [&](std::uint32_t i) {
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
     return Ray{ point.clearPosition(),
@@ -139,20 +139,19 @@ void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std:
   const SampleKeys directions = keysOf(seed, 0, Use::Direction);
   std::vector<std::uint32_t> all(scene.rays);
   std::iota(all.begin(), all.end(), 0u);
-  addStart(
-    scene, seed, point.hasNormal() ? kPerRayOfSide : kPerRayOfPoint, all, [&](std::uint32_t i) {
-      const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
-      return Ray{ point.position,
-        point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u), point.on };
-    });
+  addStart(scene, seed, all, [&](std::uint32_t i) {
+    const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
+    return Ray{ point.position,
+      point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u), point.on };
+  });
 }
 
 template <class Rays, class RayOf>
 void GatherPaths::addStart(
-  const GatherScene& scene, std::uint64_t seed, double perRay, const Rays& rays, const RayOf& rayOf)
+  const GatherScene& scene, std::uint64_t seed, const Rays& rays, const RayOf& rayOf)
 {
   Bands weight{};
-  std::fill_n(weight.begin(), bands_, perRay / scene.raysOfReplicate());
+  std::fill_n(weight.begin(), bands_, 1.0 / scene.raysOfReplicate());
   for (const std::uint32_t i : rays)
   {
     rays_.push_back(rayOf(i));

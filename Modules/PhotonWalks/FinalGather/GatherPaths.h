@@ -18,7 +18,7 @@ namespace irradiance
  * of light. Each begins as a ray from a point of its side, in a direction with the density cos(theta) / pi, and ends where
  * it hits a cell that is read. On any other cell it goes on as a walk does: it survives with probability = reflectance.
  * So it does on a cell of which nothing is known, or that is nearer than wide, whose mean says little of the point that is
- * hit: there the lights are asked. What they bring, see PathLight.
+ * hit: there the lights are asked. What they bring, see PathSums.
  *
  * Owns the memory that this takes: keep one for each thread.
  */
@@ -27,18 +27,14 @@ class GatherPaths
 public:
   using Bands = std::array<double, Power::kMaxBands>;
 
-  // The irradiance, or the fluence rate, for each radiosity that a ray meets: radiance is radiosity / pi, and the density
-  // of rays cos(theta) / pi or 1 / (4 pi).
-  static constexpr double kPerRayOfSide = 1, kPerRayOfPoint = 4;
-
   /// Forgets all sides and points.
   void begin(const GatherScene& scene);
   /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples. `rays`: by
   /// number, below scene.rays.
   void addSide(const GatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
     const std::vector<std::uint32_t>& rays);
-  /// Adds all paths of a point. From one that receives from all directions, rays have the density 1 / (4 pi): they find
-  /// the fluence rate.
+  /// Adds all paths of a point. From one that receives from all directions, rays have the density 1 / (4 pi): four times
+  /// what they bring is the fluence rate.
   void addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number);
   /// Follows all paths to their ends. Throws std::runtime_error for one that does not end.
   void run(const GatherScene& scene);
@@ -76,10 +72,9 @@ private:
     bool isFront() const { return side.side == 0; }
   };
 
-  /// `perRay`: the irradiance for each radiosity that a ray meets. `rayOf(i)`: the ray of this number.
+  /// `rayOf(i)`: the ray of this number.
   template <class Rays, class RayOf>
-  void addStart(const GatherScene& scene, std::uint64_t seed, double perRay, const Rays& rays,
-    const RayOf& rayOf);
+  void addStart(const GatherScene& scene, std::uint64_t seed, const Rays& rays, const RayOf& rayOf);
   void cast(const GatherScene& scene);
   static Arrival arrivalOf(const GatherScene& scene, const Ray& ray, const Hit& hit);
   void record(const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);

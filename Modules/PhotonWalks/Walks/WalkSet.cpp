@@ -434,8 +434,10 @@ void WalkSet::forgetBudget()
 
 std::size_t WalkSet::bytes() const
 {
+  std::size_t samples = 0;
+  forEachGathered([&](const GatheredLight& light) { samples += light.light().samples().size(); });
   return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
-    history_.bytes();
+    history_.bytes() + samples * sizeof(GatherSample);
 }
 
 std::array<double, Power::kMaxBands> WalkSet::largestStart() const

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FinalGather/PathLight.h"
+#include "FinalGather/PathSums.h"
 
 #include <algorithm>
 
 namespace irradiance
 {
 
-void PathLight::read(
-  const GatherScene& scene, const FollowedPaths& paths, std::size_t starts, double perRay)
+void PathSums::read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts)
 {
   replicates_ = scene.replicates();
   bands_ = scene.known.all.bands();
@@ -17,15 +16,15 @@ void PathLight::read(
   {
     const std::size_t start = i / scene.rays;
     const auto replicate = static_cast<std::uint32_t>(i % scene.rays / scene.raysOfReplicate());
-    add(scene, paths[i], perRay, replicate, sums_[start * replicates_ + replicate], stale_[start]);
+    add(scene, paths[i], replicate, sums_[start * replicates_ + replicate], stale_[start]);
   }
 }
 
-void PathLight::add(const GatherScene& scene, const FollowedPaths::Path& path, double perRay,
+void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
   std::uint32_t replicate, Bands& sum, Bands& stale) const
 {
   const double* value = path.values;
-  Bands weight{ perRay / scene.raysOfReplicate() };
+  Bands weight{ 1.0 / scene.raysOfReplicate() };
   const double quantaPerWatt = scene.quantaPerWatt / replicates_;
   for (const GatherSegment* segment = path.begin; segment != path.end; ++segment)
   {
@@ -61,8 +60,8 @@ void PathLight::add(const GatherScene& scene, const FollowedPaths::Path& path, d
   }
 }
 
-void PathLight::addKnown(const GatherScene& scene, const GatherSegment& segment,
-  const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale) const
+void PathSums::addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
+  std::uint32_t replicate, Bands& sum, Bands& stale) const
 {
   const TriangleId id = scene.space.triangles.idOf(segment.triangle);
   const Material& material = *scene.objects[id.object].material;

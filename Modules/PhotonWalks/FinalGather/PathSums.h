@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PathLight_h
-#define irradiance_PathLight_h
+#ifndef irradiance_PathSums_h
+#define irradiance_PathSums_h
 
 #include "FinalGather/FollowedPaths.h"
 #include "FinalGather/GatherScene.h"
@@ -18,15 +18,14 @@ namespace irradiance
  * from the lights. A lamp that is met brings nothing, as that light is direct; but behind a specular reflection it
  * counts, as no sum knows of it.
  */
-class PathLight
+class PathSums
 {
 public:
-  /// Irradiance, or fluence rate, in quanta/m2.
+  /// Irradiance, in quanta/m2.
   using Bands = std::array<double, Power::kMaxBands>;
 
-  /// `starts`: each has scene.rays of the paths, in order. `perRay`: see GatherPaths.
-  void read(
-    const GatherScene& scene, const FollowedPaths& paths, std::size_t starts, double perRay);
+  /// `starts`: each has scene.rays of the paths, in order.
+  void read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts);
 
   /// What a replicate found.
   const Bands& found(std::size_t start, std::uint32_t replicate) const
@@ -37,8 +36,8 @@ public:
   const Bands& stale(std::size_t start) const { return stale_[start]; }
 
 private:
-  void add(const GatherScene& scene, const FollowedPaths::Path& path, double perRay,
-    std::uint32_t replicate, Bands& sum, Bands& stale) const;
+  void add(const GatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate,
+    Bands& sum, Bands& stale) const;
   void addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
     std::uint32_t replicate, Bands& sum, Bands& stale) const;
 

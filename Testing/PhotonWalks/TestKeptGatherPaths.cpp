@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The paths of a final gather that are kept over motions: those that nothing touches, and no other.
+
+#include "MovingScene.h"
+#include "ShownAnswer.h"
+#include "ThreadExecution.h"
+
+#include "../RayCasting/RandomVectors.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::box;
+using test::grey;
+using test::ObjectBuilder;
+
+/// A room of large cells with a lamp on its floor, a statue of small cells, and a fine and a coarse part that move.
+SceneObjects roomWithStatue(const Vector3& corner, int bands = 1)
+{
+  const AffineMap place{ Matrix3::Identity(), corner };
+  ObjectBuilder room(bands), coarse(bands), fine(bands);
+  const auto at = [&](const Vector3& lower, const Vector3& upper) {
+    return box(place(lower), place(upper));
+  };
+  test::Look shiny = grey(0.3);
+  shiny.specular = { 0.3, 0.2, 0.1 };
+  shiny.exponent = 10;
+  room.addBox(at({ 0, 0, 0 }, { 4, 3, 4 }), 6, grey(0.6), true);
+  room.addBox(at({ 0.5, 0.5, 0 }, { 1, 1, 0.25 }), 1, grey(0.5, 6));
+  room.addBox(at({ 2, 1, 0.5 }, { 2.5, 1.5, 1.5 }), 4, bands > 1 ? shiny : grey(0.5));
+  coarse.addBox(box({ -0.25, -0.25, 0 }, { 0.25, 0.25, 0.5 }), 1, grey(0.4));
+  fine.addSphere({ 0, 0, 0 }, 0.3, 4, grey(0.7));
+  return { room.build(),
+    { coarse.build(test::shift(place({ 3, 2, 1 }))),
+      fine.build(test::shift(place({ 1, 2, 3 }))) } };
+}
+
+EngineSettings gathering()
+{
+  EngineSettings settings;
+  settings.numberOfWalks = 30000;
+  settings.gathersDirectLight = true;
+  settings.cellEstimate = CellEstimate::Gathered;
+  settings.gatherRays = 32;
+  return settings;
+}
+
+void expectFresh(
+  const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
+{
+  EXPECT_TRUE(
+    test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
+}
+
+}
+
+// Where floats tell millimetres, and where they tell eighths of the room.
+TEST(KeptGatherPaths, AreThoseThatNothingTouches)
+{
+  for (const auto& [bands, offset] :
+    { std::pair(1, 0.0), std::pair(3, 0.0), std::pair(1, 1e5), std::pair(1, 1e7) })
+  {
+    const Vector3 corner(offset, -offset, 0.5 * offset);
+    SceneObjects objects = roomWithStatue(corner, bands);
+    const EngineSettings settings = gathering();
+    IrradianceEngine engine;
+    Execution serial;
+    engine.update(objects, settings, serial);
+    const std::int64_t all = engine.statistics().followedPaths;
+    EXPECT_GT(all, 2 * 32 * 6 * 16);
+    engine.update(objects, settings, serial);
+    EXPECT_EQ(engine.statistics().followedPaths, 0) << "nothing has moved";
+    test::RandomVectors random(91);
+    const int frames = test::kIsSanitized ? 4 : 8;
+    std::int64_t followed = 0;
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      // Here and there; touching the statue; on the lamp; and away by little.
+      AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
+      const Vector3 places[] = { Vector3(2, 1.5, 2) +
+          Vector3(1.5, 1, 1.5).cwiseProduct(random.inCube()),
+        { 2.75, 1.25, 0.75 }, { 0.75, 0.75, 0.25 } };
+      pose.translation = frame % 4 == 3 ? Vector3(pose.translation + Vector3(0, 0, 1e-3))
+                                        : Vector3(corner + places[frame % 4]);
+      pose.linear = frame % 4 == 0 ? random.rotation() : Matrix3::Identity();
+      engine.update(objects, settings, serial);
+      followed += engine.statistics().followedPaths;
+      expectFresh(engine, objects, settings);
+    }
+    EXPECT_GT(followed, 0);
+    std::printf("%.0f m off: %.3f of the paths a frame\n", offset,
+      static_cast<double>(followed) / static_cast<double>(all * frames));
+    EXPECT_LT(followed, (offset > 1e6 ? 1.0 : 0.25) * static_cast<double>(all * frames)) << offset;
+    objects.dynamicObjects[1].worldFromObject.translation += Vector3(0.1, 0, 0);
+    engine.update(objects, settings, serial);
+    EXPECT_LT(engine.statistics().followedPaths, all);
+    EXPECT_GT(engine.statistics().followedPaths, 32) << "what moves gathers anew";
+    expectFresh(engine, objects, settings);
+  }
+}
+
+// What paths depend on besides poses.
+TEST(KeptGatherPaths, AreForgottenWhenAnythingElseChanges)
+{
+  SceneObjects objects = roomWithStatue(Vector3::Zero());
+  EngineSettings settings = gathering();
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  const auto expectAnew = [&](const char* what) {
+    engine.update(objects, settings, serial);
+    EXPECT_GE(engine.statistics().followedPaths, 2 * 24 * 6 * 16) << what;
+    expectFresh(engine, objects, settings);
+  };
+  settings.gatherRays = 24;
+  expectAnew("rays");
+  settings.seed = 2;
+  expectAnew("seed");
+  settings.replicates = 4;
+  expectAnew("replicates");
+  settings.numberOfWalks = 60000; // other cells are large
+  expectAnew("walks");
+  const SceneObjects others = roomWithStatue({ 0, 0, 0.5 });
+  objects.staticObject = others.staticObject;
+  expectAnew("static geometry");
+  objects.dynamicObjects[1].isPresent = false;
+  expectAnew("cells that gather");
+  objects.dynamicObjects[1].isPresent = true;
+  expectAnew("cells that gather");
+  settings.verify = false;
+  expectAnew("nothing is to be kept");
+  expectAnew("nothing is to be kept");
+}
+
+TEST(KeptGatherPaths, OutliveNoInterruption)
+{
+  SceneObjects objects = roomWithStatue(Vector3::Zero());
+  const EngineSettings settings = gathering();
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  bool isInterrupted = true;
+  int interruptions = 0;
+  for (int stopAt = 0; isInterrupted; stopAt += 1 + stopAt / 4)
+  {
+    objects.dynamicObjects[0].worldFromObject.translation += Vector3(-1e-2, 0, 0);
+    isInterrupted = false;
+    try
+    {
+      test::StoppingExecution stopping(stopAt);
+      engine.update(objects, settings, stopping);
+    }
+    catch (const Interrupted&)
+    {
+      isInterrupted = true;
+      ++interruptions;
+    }
+    objects.dynamicObjects[0].worldFromObject.translation += Vector3(0, 1e-2, 0);
+    engine.update(objects, settings, serial);
+    expectFresh(engine, objects, settings);
+  }
+  EXPECT_GT(interruptions, 3);
+}
+
+}
