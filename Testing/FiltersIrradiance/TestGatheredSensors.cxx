@@ -128,13 +128,16 @@ TEST(GatheredSensors, AVolumeGetsItsFluenceRate)
   EXPECT_NEAR(mean, 4, 0.08);
 }
 
-// What the pipeline above makes of the extents of images is not what the sensors are.
-TEST(GatheredSensors, AVolumeComesWholeForAnyPiece)
+// Sensors are numbered in the whole volume, whatever part of it is asked for.
+TEST(GatheredSensors, AVolumeComesWhole)
 {
   vtkNew<vtkRTAnalyticSource> source;
   source->SetWholeExtent(-2, 2, -2, 2, 0, 3);
   Pipeline pipeline(MakeFurnace(), 1000, nullptr);
   pipeline.Probe->SetInputConnection(source->GetOutputPort());
+  const int part[6] = { -2, 0, -1, 1, 1, 2 };
+  pipeline.Probe->UpdateExtent(part);
+  EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 100);
   pipeline.Probe->UpdatePiece(0, 3, 0);
   EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 100);
   ASSERT_TRUE(pipeline.Array("FluenceRate"));
