@@ -4,13 +4,13 @@
  * @brief   irradiance or fluence rate at sensor points in a vtkIrradianceFilter's scene
  *
  * Two estimates:
+ * - `Gathered`: for sensors anywhere, on surfaces or in the air. What comes straight from all lights is asked for
+ *   at the very point, by NumberOfRays rays; as many look for the indirect light, and read what large cells
+ *   received. Nothing is blurred over the surroundings of a sensor.
  * - `Nearest`: for sensors on surfaces. Of the photons that vtkIrradianceFilter has stored in the leaf cells
  *   of its ray-casting trees the nearest are found. Their power over the area of the surface on which they arrived is the
  *   irradiance. Section 4.1 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through
  *   Verification of Shooting Walks" (SCCG 2003).
- * - `Gathered`: for sensors anywhere, on surfaces or in the air. What comes straight from all lights is asked for
- *   at the very point, by NumberOfRays rays; as many look for the indirect light, and read what large cells
- *   received. Nothing is blurred over the surroundings of a sensor.
  *
  * Neither depends on the size of the cell on which a sensor stands.
  *
@@ -120,7 +120,7 @@ public:
 
   ///@{
   /**
-   * See Estimates. Default Nearest.
+   * See Estimates. Default Gathered: on surfaces, too, it is less noisy in the same time, and blurs less.
    */
   vtkSetClampMacro(Estimate, int, Nearest, Gathered);
   vtkGetMacro(Estimate, int);
@@ -177,7 +177,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 
-  int Estimate = Nearest;
+  int Estimate = Gathered;
   int NumberOfRays = 64;
   int NumberOfPhotons = 50;
   double MaximumRadius = 0;

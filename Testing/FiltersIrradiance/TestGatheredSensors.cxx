@@ -64,7 +64,6 @@ struct Pipeline
   {
     this->Probe->SetInputData(sensors);
     this->Probe->SetSourceConnection(this->Irradiance->GetOutputPort());
-    this->Probe->SetEstimateToGathered();
     this->Probe->SetNumberOfRays(16);
   }
   vtkDataArray* Array(const char* name)
