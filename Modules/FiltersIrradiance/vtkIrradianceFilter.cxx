@@ -602,8 +602,9 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
       filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
     inputs.Static, inputs.Dynamic);
-  settings.allOnEachRank =
-    irradiance::needsPhotons(settings.cellEstimate) || irradiance::arePhotonsRequested(request);
+  settings.allOnEachRank = irradiance::needsPhotons(settings.cellEstimate) ||
+    irradiance::arePhotonsRequested(request) ||
+    (irradiance::areSidesRequested(request) && !settings.keepsSides());
   settings.keepPhotons = settings.allOnEachRank || walksWriter.isAsked();
   settings.listRepaired = walksWriter.isAsked();
   ranks.expectSame(walksWriter.hash(), "other output walks than on the first process");

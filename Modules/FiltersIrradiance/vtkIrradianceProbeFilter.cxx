@@ -1,34 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
-#include "Data/ArrayNames.h"
-#include "Data/NamedArray.h"
-#include "Execution/SlicedPass.h"
+#include "Input/SensorReader.h"
 #include "Output/EmptyPiece.h"
-#include "Photons/NearestEstimate.h"
+#include "Output/GatheredSensors.h"
+#include "Output/NearestSensors.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/PieceRequest.h"
 #include "Progress/InputError.h"
 #include "Time/TimeKeys.h"
-#include "Views/SensorDirectLight.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPointSet.h"
-#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -37,85 +27,20 @@ vtkStandardNewMacro(vtkIrradianceProbeFilter);
 namespace
 {
 
-[[noreturn]] void Fail(vtkIdType point, const char* what, const irradiance::Vector3& value)
+/// Throws InputError where Estimate Nearest needs normals that are not there.
+vtkDataArray* NormalsFor(vtkIrradianceProbeFilter* filter, vtkDataSet* input)
 {
-  std::ostringstream message;
-  message << "the sensors, point " << point << ": the " << what << " (" << value[0] << ", "
-          << value[1] << ", " << value[2] << ") is ";
-  message << (value.allFinite() ? "of length 0" : "not finite");
-  throw irradiance::InputError(message.str());
-}
-
-std::vector<irradiance::Sensor> ReadSensors(vtkPointSet* input)
-{
-  vtkDataArray* normals = input->GetPointData()->GetNormals();
-  normals = normals ? normals : input->GetPointData()->GetArray("Normals");
-  const vtkIdType count = input->GetNumberOfPoints();
-  if (count > 0 &&
-    (!normals || normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != count))
+  vtkDataArray* normals = irradiance::sensorNormals(input);
+  if (filter->GetEstimate() == vtkIrradianceProbeFilter::Nearest && !normals &&
+    input->GetNumberOfPoints() > 0)
   {
     throw irradiance::InputError(
-      "the sensors have no point normals of three components: a sensor needs the direction from "
-      "which it receives light (vtkPolyDataNormals computes normals of surfaces)");
+      "the sensors have no point normals: with Estimate Nearest a sensor needs the direction from "
+      "which it receives light (vtkPolyDataNormals computes normals of surfaces). Estimate "
+      "Gathered finds the fluence rate, from all directions, without them");
   }
-  std::vector<irradiance::Sensor> sensors(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    irradiance::Sensor& sensor = sensors[static_cast<std::size_t>(i)];
-    input->GetPoint(i, sensor.position.data());
-    normals->GetTuple(i, sensor.normal.data());
-    if (!sensor.position.allFinite())
-    {
-      Fail(i, "position", sensor.position);
-    }
-    const double length = sensor.normal.stableNorm();
-    if (!(length > 0) || !std::isfinite(length))
-    {
-      Fail(i, "normal", sensor.normal);
-    }
-    sensor.normal /= length;
-  }
-  return sensors;
+  return normals;
 }
-
-/// What is known at the sensors, in point arrays of the output.
-class SensorArrays
-{
-public:
-  SensorArrays(vtkPointSet* output, int bands)
-    : Irradiances(Add<vtkDoubleArray>(output, irradiance::irradianceName(), bands))
-    , Counts(Add<vtkIdTypeArray>(output, irradiance::kNumberOfPhotons, 1))
-    , Radii(Add<vtkDoubleArray>(output, irradiance::kSearchRadius, 1))
-  {
-  }
-
-  /// `direct`: W/m2 beside that of the photons.
-  void Set(vtkIdType point, const irradiance::NearestEstimate& estimate,
-    const irradiance::PointDirectLight::Bands& direct, const irradiance::IrradianceEngine& engine)
-  {
-    for (int band = 0; band < this->Irradiances->GetNumberOfComponents(); ++band)
-    {
-      this->Irradiances->SetTypedComponent(point, band,
-        estimate.area > 0 ? direct[static_cast<std::size_t>(band)] +
-            engine.watts(estimate.power[band]) / estimate.area
-                          : std::numeric_limits<double>::quiet_NaN());
-    }
-    this->Counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
-    this->Radii->SetTypedComponent(point, 0, estimate.radius);
-  }
-
-private:
-  template <class Array>
-  static vtkSmartPointer<Array> Add(vtkPointSet* output, const std::string& name, int components)
-  {
-    return irradiance::addArray<Array>(
-      output->GetPointData(), name, components, output->GetNumberOfPoints());
-  }
-
-  vtkSmartPointer<vtkDoubleArray> Irradiances;
-  vtkSmartPointer<vtkIdTypeArray> Counts;
-  vtkSmartPointer<vtkDoubleArray> Radii;
-};
 
 /// No property but 0, which stands for a default, may be other than positive.
 void CheckPositive(const char* name, double value)
@@ -127,34 +52,8 @@ void CheckPositive(const char* name, double value)
   }
 }
 
-/// Says which sensors are off all surface.
-std::string TextOfLost(
-  const std::vector<irradiance::Sensor>& sensors, const std::vector<char>& areLost, double distance)
-{
-  const auto first = static_cast<std::size_t>(
-    std::find(areLost.begin(), areLost.end(), char{ 1 }) - areLost.begin());
-  const irradiance::Vector3& position = sensors[first].position;
-  std::ostringstream message;
-  message
-    << std::count(areLost.begin(), areLost.end(), char{ 1 }) << " of " << sensors.size()
-    << " sensors lie farther than " << distance
-    << " m from a surface that faces as they do: the first is point " << first << " at ("
-    << position[0] << ", " << position[1] << ", " << position[2]
-    << "). Their Irradiance is NaN, as sensors in the air cannot be measured. MaximumDistance "
-       "says how far from a surface sensors may lie";
-  return message.str();
-}
-
-/// Without points, see PieceRequest.h.
-void WriteEmpty(vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
-{
-  irradiance::copyEmptyArrays(input, output);
-  SensorArrays(output, irradiance::bandsOf(scene));
-  output->GetPointData()->SetActiveScalars(irradiance::irradianceName().c_str());
-}
-
 /// The executive would take the time of the sensors, which may not change with time.
-void SetDataTime(vtkInformation* info, vtkPointSet* output)
+void SetDataTime(vtkInformation* info, vtkDataSet* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (info->Has(Pipeline::TIME_RANGE()) && info->Has(Pipeline::UPDATE_TIME_STEP()))
@@ -188,22 +87,12 @@ vtkDataObject* vtkIrradianceProbeFilter::GetSource()
 
 int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  // What follows the first type is refused by this filter itself, in words that help.
   auto* const key = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
-  info->Set(key, port == 0 ? "vtkPointSet" : "vtkMultiBlockDataSet");
-  info->Append(key, port == 0 ? "vtkDataSet" : "vtkDataObject");
-  return 1;
-}
-
-int vtkIrradianceProbeFilter::RequestDataObject(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  if (vtkPointSet::GetData(inputs[0]))
+  info->Set(key, port == 0 ? "vtkDataSet" : "vtkMultiBlockDataSet");
+  if (port == 1)
   {
-    return this->Superclass::RequestDataObject(request, inputs, outputs);
+    info->Append(key, "vtkDataObject"); // this filter itself refuses it, in words that help
   }
-  vtkNew<vtkPolyData> output; // it stays empty, see RequestData()
-  outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
   return 1;
 }
 
@@ -217,79 +106,72 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
   {
-    irradiance::requestPhotons(inputs[1]->GetInformationObject(0));
+    vtkInformation* source = inputs[1]->GetInformationObject(0);
+    this->Estimate == Gathered ? irradiance::requestSides(source)
+                               : irradiance::requestPhotons(source);
     // All sensors belong to piece 0, as the whole scene does.
     irradiance::requestWhole(inputs[0]->GetInformationObject(0));
   }
   return result;
 }
 
-void vtkIrradianceProbeFilter::Compute(
-  vtkPointSet* input, vtkDataObject* scene, vtkPointSet* output)
+void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, vtkDataSet* output)
 {
-  if (!input)
-  {
-    throw irradiance::InputError(std::string("the sensors are a ") +
-      this->GetInputDataObject(0, 0)->GetClassName() +
-      "; vtkPolyData or another vtkPointSet is needed, with point normals (vtkGeometryFilter, in "
-      "ParaView Extract Surface, and then vtkPolyDataNormals make them)");
-  }
   CheckPositive("MaximumRadius", this->MaximumRadius);
   CheckPositive("MaximumDistance", this->MaximumDistance);
-  const std::vector<irradiance::Sensor> sensors = ReadSensors(input);
-  const irradiance::PhotonSource source(scene, "the source");
-  irradiance::IrradianceEngine& engine = *source.engine();
+  vtkDataArray* normals = NormalsFor(this, input);
+  const std::vector<irradiance::Sensor> sensors = irradiance::readSensors(input, normals);
+  const bool gathers = this->Estimate == Gathered;
+  using Need = irradiance::PhotonSource::Need;
+  const irradiance::PhotonSource source(scene, "the source", gathers ? Need::Sides : Need::Photons);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
-  engine.collect<irradiance::LeafPhotons>(execution);
-  engine.prepareSurfaces(execution);
-  const irradiance::NearestPhotons nearest = engine.nearestPhotons();
-  const auto count = static_cast<std::uint32_t>(this->NumberOfPhotons);
-  const double maximumDistance =
-    this->MaximumDistance > 0 ? this->MaximumDistance : irradiance::usualDistance(nearest);
-  const double maximumRadius =
-    this->MaximumRadius > 0 ? this->MaximumRadius : irradiance::usualRadius(nearest, count);
   output->ShallowCopy(input);
-  SensorArrays arrays(output, engine.objects().staticObject.material->bands);
-  const irradiance::SensorDirectLight directLight(engine);
-  std::vector<char> areLost(sensors.size());
-  constexpr std::size_t unitSize = 64;
-  irradiance::SlicedPass pass{ (sensors.size() + unitSize - 1) / unitSize, {} };
-  pass.work = [&](std::size_t unit, const irradiance::Deadline&) {
-    for (std::size_t i = unit * unitSize; i < std::min((unit + 1) * unitSize, sensors.size()); ++i)
-    {
-      const std::optional<irradiance::Foot> foot = nearest.footOf(sensors[i], maximumDistance);
-      const irradiance::NearestEstimate estimate = foot
-        ? irradiance::nearestEstimate(nearest, *foot, count, maximumRadius)
-        : irradiance::NearestEstimate{ {}, 0, std::numeric_limits<double>::quiet_NaN(), 0 };
-      areLost[i] = foot ? 0 : 1;
-      const auto direct =
-        foot ? directLight.irradiance(*foot, i) : irradiance::PointDirectLight::Bands{};
-      arrays.Set(static_cast<vtkIdType>(i), estimate, direct, engine);
-    }
-    return true;
-  };
-  pass.run(execution);
-  output->GetPointData()->SetActiveScalars(irradiance::irradianceName().c_str());
-  if (std::find(areLost.begin(), areLost.end(), char{ 1 }) != areLost.end())
+  const irradiance::SensorRun run{ sensors, *source.engine(), execution, output };
+  const std::string warning = gathers
+    ? irradiance::GatheredSensors(
+        output, run.bands(), normals != nullptr, irradiance::haveErrors(scene))
+        .measure(run, static_cast<std::uint32_t>(this->NumberOfRays))
+    : irradiance::NearestSensors(output, run.bands())
+        .measure(run,
+          { static_cast<std::uint32_t>(this->NumberOfPhotons), this->MaximumRadius,
+            this->MaximumDistance });
+  if (!warning.empty())
   {
-    vtkWarningMacro(<< TextOfLost(sensors, areLost, maximumDistance));
+    vtkWarningMacro(<< warning);
+  }
+}
+
+/// Without points, see PieceRequest.h.
+void vtkIrradianceProbeFilter::WriteEmpty(
+  vtkDataSet* input, vtkDataObject* scene, vtkDataSet* output)
+{
+  irradiance::copyEmptyArrays(input, output);
+  const int bands = irradiance::bandsOf(scene);
+  if (this->Estimate == Gathered)
+  {
+    const bool haveNormals = irradiance::sensorNormals(input) != nullptr;
+    irradiance::GatheredSensors(output, bands, haveNormals, irradiance::haveErrors(scene));
+  }
+  else
+  {
+    irradiance::NearestSensors(output, bands);
   }
 }
 
 int vtkIrradianceProbeFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPointSet* output = vtkPointSet::GetData(outputs);
-  vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkDataObject* scene = vtkDataObject::GetData(inputs[1], 0);
   vtkInformation* info = outputs->GetInformationObject(0);
   return irradiance::runFilter(this, output, [&] {
     // What could not be computed has no blocks: that is an error on all processes.
     auto* blocks = vtkMultiBlockDataSet::SafeDownCast(scene);
     const bool isComputed = blocks && blocks->GetNumberOfBlocks() > 0;
-    if (input && isComputed && irradiance::isEmptyPieceRequested(info))
+    if (isComputed && irradiance::isEmptyPieceRequested(info))
     {
-      WriteEmpty(input, scene, output);
+      this->WriteEmpty(input, scene, output);
     }
     else
     {
@@ -302,7 +184,9 @@ int vtkIrradianceProbeFilter::RequestData(
 void vtkIrradianceProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfPhotons: " << this->NumberOfPhotons << "\n"
+  os << indent << "Estimate: " << this->Estimate << "\n"
+     << indent << "NumberOfRays: " << this->NumberOfRays << "\n"
+     << indent << "NumberOfPhotons: " << this->NumberOfPhotons << "\n"
      << indent << "MaximumRadius: " << this->MaximumRadius << "\n"
      << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
 }

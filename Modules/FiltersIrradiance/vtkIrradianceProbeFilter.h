@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkIrradianceProbeFilter
- * @brief   irradiance at sensor points on the surfaces of a vtkIrradianceFilter's scene
+ * @brief   irradiance or fluence rate at sensor points in a vtkIrradianceFilter's scene
  *
- * For each sensor the nearest photons are found, among those that vtkIrradianceFilter has stored in
- * the leaf cells of its ray-casting trees. Their power over the area of the surface on which they
- * arrived is the irradiance. So it does not depend on the size of cells.
+ * Two estimates:
+ * - `Gathered`: for sensors anywhere, on surfaces or in the air. What comes straight from all lights is asked for
+ *   at the very point, by NumberOfRays rays; as many look for the indirect light, and read what large cells
+ *   received. Nothing is blurred over the surroundings of a sensor.
+ * - `Nearest`: for sensors on surfaces. Of the photons that vtkIrradianceFilter has stored in the leaf cells
+ *   of its ray-casting trees the nearest are found. Their power over the area of the surface on which they arrived is the
+ *   irradiance. Section 4.1 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through
+ *   Verification of Shooting Walks" (SCCG 2003).
  *
- * Section 4.1 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of
- * Shooting Walks" (SCCG 2003).
+ * Neither depends on the size of the cell on which a sensor stands.
  *
  * @section ProbeInputs Inputs
- * - Port 0: sensors, a vtkPointSet with point normals (the active ones, or else the array
- *   `Normals`). A normal is the direction from which the sensor receives light; its length does not
- *   matter. Sensors lie on surfaces of the scene, or nearly: each is moved to the closest point of the
- *   surface that faces as it does, no farther than MaximumDistance. Sensors in the air, such as in
- *   a working plane, cannot be measured: give them a surface, a sheet of reflectance 0 among the inputs,
- *   which then also casts a shadow.
- * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. A filter that did
- *   not keep its photons, as nothing can move, executes again.
+ * - Port 0: sensors, the points of any vtkDataSet; a volume of vtkImageData, too. Point normals (the active ones, or
+ *   else the array `Normals`) are the directions from which sensors receive light; their length does not matter.
+ *   Nearest needs them. Without them Gathered finds the fluence rate.
+ *   With Nearest sensors lie on surfaces of the scene, or nearly: each is moved to the closest point of the
+ *   surface that faces as it does, no farther than MaximumDistance.
+ *   With Gathered a sensor stays where it is, but for 2^-20 of the scene's largest coordinate (4 um of 4 m): so far it is
+ *   taken along its normal, or without normals towards the middle of the scene. So a sensor whose coordinates are rounded
+ *   is not behind its own surface, and the outermost points of a grid that fills a room are in the room. It does not move
+ *   with the surfaces of the scene: move it as they move.
+ * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. One that did
+ *   not keep its photons, as nothing can move, executes again, once. Gathered needs no photons if sums are kept by side
+ *   (SeparateSides or CellEstimate Gathered), which takes less memory.
  *
  * @section ProbeOutput Output
- * A shallow copy of the sensors with the point arrays
+ * A copy of the sensors, of the same type, that shares their arrays, with point arrays.
+ *
+ * With Nearest
  * - `Irradiance` (double, W/m2, as many components as in the source): NaN where there is no
  *   surface within MaximumDistance that faces as the sensor does, and farther than a million sizes of the
  *   scene away from it, where nothing can be told. One warning says how many such sensors there are, and
@@ -31,6 +41,17 @@
  * - `SearchRadius` (double, m): the distance of the farthest of them; MaximumRadius if there are fewer,
  *   NaN where the irradiance is. Distances across the sensor's plane count eight times.
  *
+ * With Gathered
+ * - `Irradiance` (double, W/m2, likewise) on the plane across the normal: NaN only farther than a million sizes of the scene
+ *   away, with a warning; 0 inside of closed bodies;
+ * - without normals instead `FluenceRate` (double, W/m2): what arrives from all directions, the integral of the
+ *   radiance over the sphere. It is also known as scalar irradiance; of a beam it is the irradiance on a plane across it, and
+ *   where all directions are alike four times the irradiance of a plane;
+ * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has standard errors
+ *   (ComputeStandardError): from its replicates, each with rays of its own that read its own sums. NaN where nothing
+ *   arrived. What reading means over cells biases is not in it.
+ *
+ * @section ProbeNearest Nearest
  * With k photons the relative standard error is about 1 / sqrt(k). More photons come from farther
  * away: what is known is the mean over the surface within the SearchRadius, so shadow edges are
  * blurred, and at an edge of a surface across which light changes the mean is one-sided. Photons count, and so does surface, if
@@ -43,16 +64,25 @@
  * would find the same. Documentation/Theory.md, section 5.4.
  *
  * With DirectLight Gathered the photons are those of indirect light. What comes straight from the lights is that of
- * the surface at the very point to which the sensor is moved, from 64 rays: it is not blurred, and is added to `Irradiance`. Documentation/Theory.md, section 1.3.
+ * the surface at the very point to which the sensor is moved, from 64 rays: it is not blurred, and is added to
+ * `Irradiance`. Documentation/Theory.md, section 1.3.
  *
- * While walks are stale (RepairTimeBudget), the irradiance rests on them.
+ * @section ProbeGathered Gathered
+ * Rays that hit a cell which expects 25 photons or more, and is farther than wide, read what its side received; elsewhere
+ * they ask the lights and go on. So light that changes within such a cell is read as its mean, which is a bias;
+ * it shrinks with the cells. The samples follow from the seed of the source and the number of the point, so the result is
+ * the same on any threads, and after an update that of a new filter, bit for bit. All is gathered
+ * anew in each update. A point light beside cells with a SpecularReflectance is an error.
+ * Documentation/Theory.md, section 5.8.
+ *
+ * While walks are stale (RepairTimeBudget), both estimates rest on them.
  *
  * @section ProbeTime Time
  * TIME_STEPS and TIME_RANGE unite the times of the source and of the sensors. The requested time goes to
  * both.
  *
  * @section ProbeErrors Errors
- * A source that is no such output, that is out of date, or a part of one; sensors without normals; a
+ * A source that is no such output, that is out of date, or a part of one; with Nearest sensors without normals; a
  * point or normal that is not finite, or a normal of length 0: one error that names the point, and an
  * empty output. Progress and AbortExecute as in vtkIrradianceFilter.
  */
@@ -60,17 +90,24 @@
 #ifndef vtkIrradianceProbeFilter_h
 #define vtkIrradianceProbeFilter_h
 
+#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersIrradianceModule.h" // For export macro
-#include "vtkPointSetAlgorithm.h"
 
-class vtkMultiBlockDataSet;
+class vtkDataSet;
 
-class VTKFILTERSIRRADIANCE_EXPORT vtkIrradianceProbeFilter : public vtkPointSetAlgorithm
+class VTKFILTERSIRRADIANCE_EXPORT vtkIrradianceProbeFilter : public vtkDataSetAlgorithm
 {
 public:
   static vtkIrradianceProbeFilter* New();
-  vtkTypeMacro(vtkIrradianceProbeFilter, vtkPointSetAlgorithm);
+  vtkTypeMacro(vtkIrradianceProbeFilter, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// From what the light at a sensor is estimated.
+  enum Estimates
+  {
+    Nearest = 0, ///< the nearest photons on the surface on which it stands
+    Gathered = 1 ///< rays to the lights, and others that read what the cells they hit received
+  };
 
   ///@{
   /**
@@ -83,7 +120,27 @@ public:
 
   ///@{
   /**
-   * From how many photons the irradiance is estimated, 2 to 1,000,000. Default 50.
+   * See Estimates. Default Gathered: on surfaces, too, it is less noisy in the same time, and blurs less.
+   */
+  vtkSetClampMacro(Estimate, int, Nearest, Gathered);
+  vtkGetMacro(Estimate, int);
+  void SetEstimateToNearest() { this->SetEstimate(Nearest); }
+  void SetEstimateToGathered() { this->SetEstimate(Gathered); }
+  ///@}
+
+  ///@{
+  /**
+   * With Gathered, how many rays look for indirect light at each sensor, and how many for the lights, 1 to
+   * 1,000,000; rounded up to a multiple of the source's replicates. The noise falls with the root of the number, or
+   * faster; the time grows with it. Default 64.
+   */
+  vtkSetClampMacro(NumberOfRays, int, 1, 1000000);
+  vtkGetMacro(NumberOfRays, int);
+  ///@}
+
+  ///@{
+  /**
+   * With Nearest, from how many photons the irradiance is estimated, 2 to 1,000,000. Default 50.
    */
   vtkSetClampMacro(NumberOfPhotons, int, 2, 1000000);
   vtkGetMacro(NumberOfPhotons, int);
@@ -91,7 +148,7 @@ public:
 
   ///@{
   /**
-   * Photons farther away do not count, m; >= 0, may be infinite. With 0, the default, it is four times the
+   * With Nearest, photons farther away do not count, m; >= 0, may be infinite. With 0, the default, it is four times the
    * radius that NumberOfPhotons photons fill on the average of the scene, but at most a quarter of the
    * scene's largest extent: so dark places do not draw on light from elsewhere, and have fewer photons.
    */
@@ -101,14 +158,14 @@ public:
 
   ///@{
   /**
-   * Sensors farther from a surface that faces as they do have no irradiance, m; >= 0, may be infinite.
+   * With Nearest, sensors farther from a surface that faces as they do have no irradiance, m; >= 0, may be infinite.
    * With 0, the default, it is 1/128 of the scene's largest extent (3 cm in a room of 4 m).
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
-  /// Asks the source for its photons, and unites the times of both inputs.
+  /// Asks the source for what it has to keep, and unites the times of both inputs.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -117,11 +174,11 @@ protected:
   ~vtkIrradianceProbeFilter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 
+  int Estimate = Gathered;
+  int NumberOfRays = 64;
   int NumberOfPhotons = 50;
   double MaximumRadius = 0;
   double MaximumDistance = 0;
@@ -130,7 +187,8 @@ private:
   vtkIrradianceProbeFilter(const vtkIrradianceProbeFilter&) = delete;
   void operator=(const vtkIrradianceProbeFilter&) = delete;
 
-  void Compute(vtkPointSet* sensors, vtkDataObject* source, vtkPointSet* output);
+  void Compute(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
+  void WriteEmpty(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
 };
 
 #endif

@@ -16,16 +16,11 @@ namespace irradiance
 namespace
 {
 
-bool keepsSides(const EngineSettings& settings)
-{
-  return settings.separateSides || needsSides(settings.cellEstimate);
-}
-
 /// Of the walks that these settings ask for.
 WalkSettings walkSettingsOf(const EngineSettings& settings)
 {
   WalkSettings walks = settings;
-  walks.separateSides = keepsSides(settings);
+  walks.separateSides = settings.keepsSides();
   return walks;
 }
 
@@ -114,7 +109,7 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || storesWalks()) && settings.seed == settings_.seed &&
-    keepsSides(settings) == keepsSides(settings_) && differsOnlyByMotion(objects, objects_);
+    settings.keepsSides() == settings_.keepsSides() && differsOnlyByMotion(objects, objects_);
 }
 
 void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,

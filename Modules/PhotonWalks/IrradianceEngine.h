@@ -22,6 +22,9 @@ struct EngineSettings
   , EstimateSettings
 {
   TraversalMode traversalMode = TraversalMode::Parallel;
+
+  /// Whether sums tell the sides of cells apart.
+  bool keepsSides() const { return separateSides || needsSides(cellEstimate); }
 };
 
 /// What a frame cost. Verification includes rebuilding the trees over dynamic objects, repair includes

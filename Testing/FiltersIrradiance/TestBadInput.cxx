@@ -383,10 +383,12 @@ TEST(BadInputKind, IsOneErrorOfTheOtherFiltersToo)
   const auto irradiance = MakeFilter(MakeGoodScene(), NumberOfWalks);
   vtkNew<vtkPolyData> mesh;
   vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
   vtkNew<vtkIrradianceProbeFilter> probe;
+  probe->SetEstimateToNearest();
   probe->SetInputData(image);
   probe->SetSourceConnection(irradiance->GetOutputPort());
-  EXPECT_NE(errorOf(probe).find("sensors are a vtkImageData; vtkPolyData"), std::string::npos);
+  EXPECT_NE(errorOf(probe).find("the sensors have no point normals"), std::string::npos);
   EXPECT_EQ(probe->GetOutput()->GetNumberOfPoints(), 0);
   vtkNew<vtkOutgoingRadianceFilter> radiance;
   for (vtkDataObject* other : std::initializer_list<vtkDataObject*>{ mesh, image })

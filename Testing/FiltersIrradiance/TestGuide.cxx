@@ -4,6 +4,7 @@
 #include "ErrorObserver.h"
 #include "TestScenes.h"
 
+#include "vtkImageData.h"
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkKeyFramedPose.h"
 #include "vtkOutgoingRadianceFilter.h"
@@ -30,6 +31,7 @@ protected:
     up->FillComponent(1, 0);
     up->FillComponent(2, 1);
     sensors->GetPointData()->SetNormals(up);
+    volume->SetDimensions(3, 3, 3);
     vtkOutputWindow::GetInstance()->AddObserver(vtkCommand::ErrorEvent, errors);
   }
 
@@ -43,6 +45,7 @@ protected:
   vtkSmartPointer<vtkIrradianceFilter> irradiance = MakeFilter(MakeSmallScene(), 5000);
   vtkNew<vtkSphereSource> part;
   vtkNew<vtkPolyData> sensors;
+  vtkNew<vtkImageData> volume;
   vtkNew<vtkRenderer> renderer;
   vtkNew<ErrorObserver> errors;
 };

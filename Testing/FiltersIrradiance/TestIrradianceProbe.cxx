@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Irradiance at sensor points.
+// Irradiance at sensor points from the nearest photons.
 
 #include "ErrorObserver.h"
 #include "TestScenes.h"
@@ -49,6 +49,7 @@ struct Pipeline
   {
     this->Probe->SetInputData(sensors);
     this->Probe->SetSourceConnection(this->Irradiance->GetOutputPort());
+    this->Probe->SetEstimateToNearest();
   }
   double Value(const char* name, vtkIdType point)
   {

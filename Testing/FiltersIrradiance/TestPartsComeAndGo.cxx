@@ -135,9 +135,11 @@ struct Views
     this->Eye->SetEyePosition(0.2, 0.3, 2.5);
     this->Probe->SetSourceConnection(filter->GetOutputPort());
     this->Probe->SetInputData(points);
+    this->Probe->SetEstimateToNearest();
     this->Probe->SetNumberOfPhotons(30);
     this->Far->SetSourceConnection(filter->GetOutputPort());
     this->Far->SetInputData(points);
+    this->Far->SetEstimateToNearest();
     this->Far->SetNumberOfPhotons(1000000); // all there are, on the area of all there is
     this->Far->SetMaximumRadius(std::numeric_limits<double>::infinity());
     this->Far->SetMaximumDistance(std::numeric_limits<double>::infinity());

@@ -19,6 +19,7 @@ public:
   {
     this->Radiance->SetInputConnection(filter->GetOutputPort());
     this->Probe->SetSourceConnection(filter->GetOutputPort());
+    this->Probe->SetEstimateToNearest();
   }
 
   void Apply(const RandomModels::View& view)

@@ -76,6 +76,7 @@ public:
   {
     this->Radiance->SetInputConnection(filter->GetOutputPort());
     this->Probe->SetSourceConnection(filter->GetOutputPort());
+    this->Probe->SetEstimateToNearest();
   }
 
   /// Only if the filter has an output: both end in one error, or in sound numbers.

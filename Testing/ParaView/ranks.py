@@ -82,7 +82,8 @@ def tell_what_looks(name, source):
     radiance = plugin.paraview.simple.OutgoingRadiance(Input=source, EyePosition=[0, -1.9, 1.5])
     tell_result(f"{name} radiance", radiance, "CellData", "Radiance")
     probe = plugin.paraview.simple.IrradianceProbe(
-        Sensors=Sphere(Radius=1, Center=[0, 0, 1]), Source=source, MaximumDistance=100)
+        Sensors=Sphere(Radius=1, Center=[0, 0, 1]), Source=source, Estimate="Nearest",
+        MaximumDistance=100)
     tell_result(f"{name} sensors", probe, "PointData", "SearchRadius")
 
 

@@ -48,6 +48,7 @@ inline std::string photonName(const std::string& suffix)
 }
 
 constexpr const char* kRadiance = "Radiance";
+constexpr const char* kFluenceRate = "FluenceRate";
 constexpr const char* kNumberOfPhotons = "NumberOfPhotons";
 constexpr const char* kSearchRadius = "SearchRadius";
 

@@ -9,7 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <optional>
+#include <string>
 
 namespace irradiance
 {
@@ -46,26 +46,48 @@ vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData)
   return empty;
 }
 
-int bandsOf(vtkDataObject* data)
+namespace
 {
+
+/// The first polydata of a tree, or the polydata itself; null if there is none.
+vtkPolyData* firstPolyData(vtkDataObject* data)
+{
+  vtkPolyData* first = vtkPolyData::SafeDownCast(data);
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
-    std::optional<int> bands;
     forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
-      bands = bands ? bands : bandsOf(leaf->GetCurrentDataObject());
+      first = first ? first : vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject());
     });
-    return bands.value_or(1);
   }
-  vtkPolyData* polyData = vtkPolyData::SafeDownCast(data);
+  return first;
+}
+
+/// Its array of the irradiance, or of what `nameOf` makes of that name; null if there is none.
+template <class NameOf>
+vtkDataArray* findArray(vtkDataObject* data, const NameOf& nameOf)
+{
+  vtkPolyData* polyData = firstPolyData(data);
+  vtkDataArray* found = nullptr;
   for (const char* suffix : kSideSuffixes)
   {
-    if (vtkDataArray* array =
-          polyData ? polyData->GetCellData()->GetArray(irradianceName(suffix).c_str()) : nullptr)
-    {
-      return array->GetNumberOfComponents();
-    }
+    found = found || !polyData
+      ? found
+      : polyData->GetCellData()->GetArray(nameOf(irradianceName(suffix)).c_str());
   }
-  return 1;
+  return found;
+}
+
+}
+
+int bandsOf(vtkDataObject* data)
+{
+  vtkDataArray* array = findArray(data, [](const std::string& name) { return name; });
+  return array ? array->GetNumberOfComponents() : 1;
+}
+
+bool haveErrors(vtkDataObject* data)
+{
+  return findArray(data, standardErrorName) != nullptr;
 }
 
 }

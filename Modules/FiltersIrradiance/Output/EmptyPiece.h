@@ -24,6 +24,8 @@ vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData);
 
 /// Number of components that the irradiance has in polydata, or in the first leaf of a tree of them; else 1.
 int bandsOf(vtkDataObject* data);
+/// Whether there are standard errors of the irradiance.
+bool haveErrors(vtkDataObject* data);
 
 }
 

@@ -8,6 +8,17 @@
 namespace irradiance
 {
 
+namespace
+{
+
+vtkInformationIntegerKey* sideRequest()
+{
+  static auto* const key = new UpstreamRequest("SIDES_NEEDED", "SIDES_KEPT");
+  return key;
+}
+
+}
+
 vtkInformationIntegerKey* photonRequest()
 {
   static auto* const key = new UpstreamRequest("PHOTONS_NEEDED", "PHOTONS_KEPT");
@@ -22,6 +33,16 @@ void requestPhotons(vtkInformation* input)
 bool arePhotonsRequested(vtkInformation* output)
 {
   return output->Has(photonRequest()) != 0;
+}
+
+void requestSides(vtkInformation* input)
+{
+  input->Set(sideRequest(), 1);
+}
+
+bool areSidesRequested(vtkInformation* output)
+{
+  return output->Has(sideRequest()) != 0;
 }
 
 }

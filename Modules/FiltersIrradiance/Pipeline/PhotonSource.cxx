@@ -85,7 +85,7 @@ bool PhotonSource::isIn(vtkDataObject* data)
   return referenceIn(data) != nullptr;
 }
 
-PhotonSource::PhotonSource(vtkDataObject* data, const char* what)
+PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)
   : what_(what)
 {
   EngineReference* reference = referenceIn(data);
@@ -102,7 +102,8 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what)
     throw InputError(std::string(what) +
       " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
   }
-  if (!engine_->storesWalks())
+  const bool hasSides = engine_->settings().keepsSides();
+  if (!engine_->storesWalks() && !(need == Need::Sides && hasSides))
   {
     throw InputError(std::string(what) +
       " was computed without keeping the photons, as nothing can move: connect the "

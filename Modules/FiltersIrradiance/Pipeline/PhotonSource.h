@@ -30,9 +30,15 @@ public:
   /// Whether data refer to an engine.
   static bool isIn(vtkDataObject* data);
 
+  /// What the filter that reads it needs, see PhotonRequest.h.
+  enum class Need
+  {
+    Photons,
+    Sides
+  };
   /// `what`: the input, as errors name it. Throws InputError if the data refers to no engine, if the
-  /// engine has gone on since, or if it did not keep the photons.
-  PhotonSource(vtkDataObject* data, const char* what);
+  /// engine has gone on since, or if it did not keep what is needed.
+  PhotonSource(vtkDataObject* data, const char* what, Need need = Need::Photons);
 
   const std::shared_ptr<IrradianceEngine>& engine() const { return engine_; }
 

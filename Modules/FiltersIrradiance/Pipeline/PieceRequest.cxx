@@ -2,6 +2,7 @@
 #include "Pipeline/PieceRequest.h"
 
 #include "vtkInformation.h"
+#include "vtkInformationIntegerVectorKey.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 namespace irradiance
@@ -18,6 +19,11 @@ void requestWhole(vtkInformation* input)
   input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
   input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (auto* const whole = vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(); input->Has(whole))
+  {
+    input->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input->Get(whole), whole->Length(input));
+  }
 }
 
 void requestPiece(vtkInformation* input, const Ranks& ranks)

@@ -3,8 +3,8 @@
 
 #include "Estimates/SeparateSums.h"
 #include "FinalGather/NearLampLight.h"
+#include "FinalGather/PathLights.h"
 #include "Gathering/DarkSides.h"
-#include "Progress/InputError.h"
 
 #include <algorithm>
 
@@ -14,35 +14,8 @@ namespace irradiance
 namespace
 {
 
-template <class Visit>
-void forEachLight(const WalkSets& walks, const Visit& visit)
-{
-  for (const WalkSet& set : walks.sets())
-  {
-    for (const Light& light : set.lights().lights())
-    {
-      visit(light);
-    }
-  }
-}
-
 /// On a point of a near cell: the ray that hits it is one of many.
 constexpr std::uint32_t kSamplesOfPoint = 4;
-
-std::deque<PointDirectLight> lightsOf(const EstimateSource& source, std::uint64_t seed)
-{
-  std::deque<PointDirectLight> lights;
-  for (const WalkSet& set : source.walks.sets())
-  {
-    // The sets of dynamic cells have the same lights.
-    if (set.source().cells != CellPart::Dynamic && !set.lights().isEmpty())
-    {
-      lights.emplace_back(
-        source.space.gatherSpace(), set.lights(), seed + lights.size(), kSamplesOfPoint);
-    }
-  }
-  return lights;
-}
 
 CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint)
 {
@@ -58,8 +31,8 @@ CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint
 
 void GatherEstimator::update(std::size_t rounds, Execution& execution)
 {
-  checkLights();
   const EstimateSource& from = source();
+  checkLights(from.walks, from.space.triangles, "CellEstimate");
   const SceneObjects& objects = from.space.objects;
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   const CellSums& all = from.walks.sums();
@@ -71,7 +44,8 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   roles_.emplace(
     from.cells, from.walks.plan().walksAfter(rounds), from.walks.isEmpty() ? 0 : settings_.rays);
   const CellShapes shapes = shapesOf(from, cancelPoint);
-  const std::deque<PointDirectLight> lights = lightsOf(from, settings_.seed);
+  const std::deque<PointDirectLight> lights =
+    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfPoint);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, &*direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
     1 / from.walks.watts(1.0), settings_.seed,
@@ -85,19 +59,6 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   }
   gather_.update(scene, execution);
   putTogether(scene, cancelPoint);
-}
-
-/// A path meets no point, and the sums of walks do not tell what came by way of which reflection.
-void GatherEstimator::checkLights() const
-{
-  forEachLight(source().walks, [&](const Light& light) {
-    if (source().space.triangles.hasGlossy() && std::holds_alternative<PointLight>(light.kind))
-    {
-      throw InputError(
-        "CellEstimate Gathered does not know how specular cells reflect the light of "
-        "points: make them area lights, or choose another estimate");
-    }
-  });
 }
 
 void GatherEstimator::putTogether(const GatherScene& scene, const CancelPoint& cancelPoint)

@@ -56,7 +56,6 @@ public:
 
 private:
   double photonShare(const CellSide& cell) const override;
-  void checkLights() const;
   std::uint32_t numberOfRays() const;
   int sides() const { return settings_.separatesSides ? 2 : 1; }
   /// From what cells have themselves, and what was gathered for them.

@@ -34,6 +34,21 @@ SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
     splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
 }
 
+/// What rounding does to rays is bounded for those that start near the scene: one that comes from afar starts again
+/// where it is as near as the scene is wide.
+Vector3 nearestOrigin(const Box& bounds, const Vector3& origin, const Vector3& direction)
+{
+  double along = 0;
+  for (int axis = 0; !bounds.isEmpty() && axis < 3; ++axis)
+  {
+    const double pad = bounds.extent().maxCoeff();
+    const double gap = std::max(bounds.lower[axis] - pad - origin[axis], 0.0) +
+      std::min(bounds.upper[axis] + pad - origin[axis], 0.0);
+    along = gap * direction[axis] > 0 ? std::max(along, gap / direction[axis]) : along;
+  }
+  return origin + along * direction;
+}
+
 /// Of a side or a point.
 std::uint64_t seedOf(const GatherScene& scene, std::uint64_t number)
 {
@@ -141,8 +156,10 @@ void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std:
   std::iota(all.begin(), all.end(), 0u);
   addStart(scene, seed, all, [&](std::uint32_t i) {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
-    return Ray{ point.position,
-      point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u), point.on };
+    const Vector3 direction =
+      point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u);
+    return Ray{ nearestOrigin(scene.space.scene.bounds(), point.position, direction), direction,
+      point.on };
   });
 }
 

@@ -18,6 +18,12 @@ namespace
 /// The area with which a point is weighed, m2: so small that no light seems to give it all of its flux.
 constexpr double kNoArea = 0x1p-200;
 
+/// With which light that comes along a vector counts.
+double arrivingPart(const LitPoint& point, const Vector3& along, double length)
+{
+  return point.hasNormal() ? -point.normal.dot(along) / length : 1;
+}
+
 }
 
 PointDirectLight::PointDirectLight(
@@ -32,25 +38,32 @@ PointDirectLight::PointDirectLight(
 PointDirectLight::Bands PointDirectLight::irradiance(
   const LitPoint& point, std::uint64_t number) const
 {
+  std::vector<Bands> all(1, Bands{});
+  add(point, number, all);
+  return all.front();
+}
+
+void PointDirectLight::add(
+  const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates) const
+{
   std::vector<Arrival> arrivals;
   const std::vector<std::uint32_t> touching = lightsAt(point);
-  addTouching(point, touching, arrivals);
-  addSamples(point, number, touching, arrivals);
+  addTouching(point, touching, replicates.size(), arrivals);
+  addSamples(point, number, touching, replicates.size(), arrivals);
   std::vector<Ray> rays(arrivals.size());
   std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
     [](const Arrival& arrival) { return arrival.ray; });
   std::vector<Hit> hits(rays.size());
   space_.scene.cast(rays.data(), rays.size(), hits.data());
-  Bands sum{};
   for (std::size_t i = 0; i < arrivals.size(); ++i)
   {
+    Bands& sum = replicates[arrivals[i].replicate];
     const double perWatt = arrives(arrivals[i], point, hits[i]) ? arrivals[i].perWatt : 0;
     for (std::size_t band = 0; band < sum.size(); ++band)
     {
       sum[band] += perWatt * lamps_.lights()[arrivals[i].light].flux[band];
     }
   }
-  return sum;
 }
 
 /// Of the table.
@@ -68,23 +81,25 @@ std::vector<std::uint32_t> PointDirectLight::lightsAt(const LitPoint& point) con
 
 /// Rays cross the gap that is not there, along the normals of the lights.
 void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
-  std::vector<Arrival>& arrivals) const
+  std::size_t replicates, std::vector<Arrival>& arrivals) const
 {
   for (const std::uint32_t light : lights)
   {
     const AreaLight& area = std::get<AreaLight>(lamps_.lights()[light].kind);
     const Vector3 weights = weightsInPlane(area.triangle, point.position);
     const SurfacePoint start = surfacePoint(area.triangle, weights.cwiseMax(0));
-    if (weights.minCoeff() >= 0 && point.normal.dot(start.normal) < 0)
+    const bool isOn = weights.minCoeff() >= 0 && point.normal.dot(start.normal) < 0;
+    for (std::size_t replicate = 0; isOn && replicate < replicates; ++replicate)
     {
-      arrivals.push_back(
-        { { start.clearPosition(), start.normal, area.id }, light, 1 / area.triangle.area() });
+      arrivals.push_back({ { start.clearPosition(), start.normal, area.id }, light,
+        1 / (area.triangle.area() * static_cast<double>(replicates)), replicate });
     }
   }
 }
 
 void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
-  const std::vector<std::uint32_t>& touching, std::vector<Arrival>& arrivals) const
+  const std::vector<std::uint32_t>& touching, std::size_t replicates,
+  std::vector<Arrival>& arrivals) const
 {
   LampChoice choice(lamps_);
   CellShape shape;
@@ -102,6 +117,7 @@ void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
     {
       Arrival arrival = from(lamp, point, { chosen.rest, u[1] });
       arrival.perWatt /= chosen.probability * samples_;
+      arrival.replicate = i * replicates / samples_;
       if (arrival.perWatt > 0)
       {
         arrivals.push_back(arrival);
@@ -118,8 +134,9 @@ PointDirectLight::Arrival PointDirectLight::from(
   {
     const Vector3 along = point.position - inAir->position();
     const double square = along.squaredNorm();
-    const double arriving = -point.normal.dot(along) / std::sqrt(square);
-    const double perWatt = arriving > 0 ? inAir->density(along) * arriving / square : 0;
+    const double arriving = arrivingPart(point, along, std::sqrt(square));
+    const double perWatt =
+      arriving > 0 && square > 0 ? inAir->density(along) * arriving / square : 0;
     return { { inAir->position(), along, {} }, lamp.light, perWatt };
   }
   const SphericalTriangle seen(lamp.triangle, point.position);
@@ -127,7 +144,7 @@ PointDirectLight::Arrival PointDirectLight::from(
   const Vector3 between = point.position - start.position;
   // Closer to its plane, rounding would tell the side.
   const bool isInFront = start.normal.dot(between) > 4 * start.clearance;
-  const double arriving = -point.normal.dot(between) / between.norm();
+  const double arriving = arrivingPart(point, between, between.norm());
   const double perWatt =
     isInFront ? arriving * seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area()) : 0;
   const Vector3 origin = start.clearPosition();

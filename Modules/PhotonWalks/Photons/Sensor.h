@@ -21,7 +21,7 @@ struct Sensor
   static constexpr double kFlattening = 8;
 
   Vector3 position; ///< world
-  Vector3 normal;   ///< world, unit vector to the side from which light comes
+  Vector3 normal; ///< world, unit vector to the side from which light comes; 0: from all directions
 
   /// World units. No less than the plain one.
   double squaredDistance(const Vector3& point) const

@@ -21,11 +21,11 @@
 #include "Photons/NearestEstimate.h"
 #include "Rivals/PhotonLocator.h"
 #include "Scenes/PlainRoom.h"
+#include "Scenes/SurfaceSensors.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 
 using namespace irradiance;
@@ -46,33 +46,6 @@ std::vector<Vector3> photonPoints(const IrradianceEngine& engine)
       object.worldFromObject(modelPoint(object.body->mesh(), photon.id.triangle, photon.weights)));
   }
   return points;
-}
-
-/// Uniform over the area, on the front.
-std::vector<Sensor> makeSensors(const SceneObjects& objects, std::size_t count)
-{
-  std::vector<Triangle> triangles;
-  std::vector<double> areas;
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    for (const Triangle& triangle : objects[object].body->mesh().triangles())
-    {
-      triangles.push_back(transformed(objects[object].worldFromObject, triangle));
-      areas.push_back(triangles.back().area());
-    }
-  }
-  std::mt19937_64 random(3);
-  std::discrete_distribution<std::size_t> choose(areas.begin(), areas.end());
-  std::uniform_real_distribution<double> unit;
-  std::vector<Sensor> sensors;
-  while (sensors.size() < count)
-  {
-    const Triangle& triangle = triangles[choose(random)];
-    const double s = std::sqrt(unit(random)), t = s * unit(random);
-    sensors.push_back({ (1 - s) * triangle.a + (s - t) * triangle.b + t * triangle.c,
-      triangle.areaVector().normalized() });
-  }
-  return sensors;
 }
 
 /// Whether a locator finds what a search of all photons, one by one, finds.
@@ -234,7 +207,7 @@ void run(const Arguments& arguments)
   Frames frames(settings);
   const SceneObjects objects = frames.scene.inFrame(0);
   const std::vector<Sensor> sensors =
-    makeSensors(objects, arguments.number(2, std::size_t{ 30000 }));
+    makeSurfaceSensors(objects, arguments.number(2, std::size_t{ 30000 }));
   const std::vector<Contestant> contestants = makeContestants(frames);
   for (const Contestant& contestant : contestants)
   {

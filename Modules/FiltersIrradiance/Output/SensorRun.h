@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_SensorRun_h
+#define irradiance_SensorRun_h
+
+#include "Data/NamedArray.h"
+#include "Execution/SlicedPass.h"
+#include "IrradianceEngine.h"
+#include "Photons/Sensor.h"
+
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Sensors that are to be measured, and where the values go: to point arrays of the output.
+struct SensorRun
+{
+  const std::vector<Sensor>& sensors;
+  IrradianceEngine& engine; ///< of the scene, up to date
+  Execution& execution;
+  vtkDataSet* output; ///< with a point for each sensor
+
+  int bands() const { return engine.objects().staticObject.material->bands; }
+  /// Calls measure(first, end) for all sensors, some at a time, on all threads. Throws Interrupted.
+  template <class Measure>
+  void forEachUnit(Execution& part, const Measure& measure) const
+  {
+    constexpr std::size_t kUnit = 64;
+    SlicedPass pass{ (sensors.size() + kUnit - 1) / kUnit, {} };
+    pass.work = [&](std::size_t unit, const Deadline&) {
+      measure(unit * kUnit, std::min((unit + 1) * kUnit, sensors.size()));
+      return true;
+    };
+    pass.run(part);
+  }
+  /// "2 of 5 sensors lie farther than `where`: the first is point 1 at (...). Their `what`"; empty if none is lost.
+  std::string textOfLost(
+    const std::vector<char>& areLost, const std::string& where, const std::string& what) const;
+};
+
+/// Adds a point array, whose values are to be set.
+template <class Array>
+vtkSmartPointer<Array> addPointArray(vtkDataSet* data, const std::string& name, int components)
+{
+  return addArray<Array>(data->GetPointData(), name, components, data->GetNumberOfPoints());
+}
+
+}
+
+#endif

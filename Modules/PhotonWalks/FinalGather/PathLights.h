@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PathLights_h
+#define irradiance_PathLights_h
+
+#include "Gathering/PointDirectLight.h"
+#include "Walks/WalkSets.h"
+
+#include <deque>
+
+namespace irradiance
+{
+
+/// Calls visit(Light) for each light of each set of walks.
+template <class Visit>
+void forEachLight(const WalkSets& walks, const Visit& visit)
+{
+  for (const WalkSet& set : walks.sets())
+  {
+    for (const Light& light : set.lights().lights())
+    {
+      visit(light);
+    }
+  }
+}
+
+/// All lights, whether walks start there or cells gather what they send, for points that ask them by themselves.
+/// The arguments must outlive what is returned. `samples`: of each point, for each group of lights.
+std::deque<PointDirectLight> lightsOf(
+  const WalkSets& walks, const GatherSpace& space, std::uint64_t seed, std::uint32_t samples);
+
+/// Throws InputError, which names the property `estimate`, where a point light shines on specular cells: a path meets no
+/// point, and the sums of walks do not tell what came by way of which reflection.
+void checkLights(const WalkSets& walks, const SceneTriangles& triangles, const char* estimate);
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_SensorGather_h
+#define irradiance_SensorGather_h
+
+#include "Estimates/SideSums.h"
+#include "Execution/Pool.h"
+#include "FinalGather/GatherPaths.h"
+#include "FinalGather/PathLights.h"
+#include "FinalGather/PathSums.h"
+#include "IrradianceEngine.h"
+#include "Photons/Sensor.h"
+
+#include <deque>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * What sensors receive, on surfaces or in the air: irradiance, or of a sensor that receives from all directions the
+ * fluence rate. The direct light of all lights is asked for at the very point, see PointDirectLight. Indirect
+ * light comes by a final gather from there, see GatherPaths: rays read the sums of large cells, by side; where these
+ * say nothing they ask the lights and go on. Theory.md, 5.8.
+ *
+ * All is a pure function of the scene, the seed, the sums, and the place and number of a sensor.
+ */
+class SensorGather
+{
+public:
+  using Bands = PointDirectLight::Bands;
+
+  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or tells sides
+  /// apart. `rays`: to lights and for indirect light each; rounded up to a multiple of the replicates.
+  /// Throws Interrupted, and InputError where a point light shines on specular cells.
+  SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution);
+
+  /// W/m2.
+  struct Light
+  {
+    Bands value; ///< NaN of a sensor that is too far away, see sensorPlace()
+    /// From the variance between replicates; NaN without these, or if none of them received anything.
+    Bands standardError;
+  };
+  /// At sensors [first, end): their numbers choose the samples. Throws std::runtime_error for a path that does
+  /// not end. May be called by several threads.
+  std::vector<Light> at(
+    const std::vector<Sensor>& sensors, std::size_t first, std::size_t end) const;
+
+private:
+  /// What came by paths, to the `start`-th start, and straight from the lights.
+  std::vector<Bands> replicatesOf(
+    const PathSums& brought, std::size_t start, const LitPoint& point, std::size_t number) const;
+  Light lightOf(const std::vector<Bands>& replicates) const;
+
+  const IrradianceEngine& engine_;
+  std::uint32_t replicates_;
+  SideSums sums_;
+  CellShapes noShapes_;
+  std::deque<PointDirectLight>
+    direct_, ///< for the points themselves; each sample is of one replicate
+    lights_; ///< for paths
+  GatherScene scene_;
+  mutable Pool<GatherPaths> paths_; ///< what threads work with
+};
+
+}
+
+#endif

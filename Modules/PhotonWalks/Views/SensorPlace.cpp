@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/SensorPlace.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// In sizes of the scene.
+constexpr double kFarthest = 0x1p20;
+
+/// Towards the middle of the bounds: 1 along each axis at their faces and beyond.
+Vector3 inwards(const Box& bounds, const Vector3& position)
+{
+  const Vector3 half = 0.5 * bounds.extent(), away = bounds.center() - position;
+  Vector3 direction = Vector3::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    direction[axis] = half[axis] > 0 ? std::clamp(away[axis] / half[axis], -1.0, 1.0) : 0;
+  }
+  return direction;
+}
+
+}
+
+std::optional<LitPoint> sensorPlace(const Box& bounds, const Sensor& sensor)
+{
+  LitPoint place{ sensor.position, sensor.normal };
+  if (bounds.isEmpty())
+  {
+    return place;
+  }
+  const Vector3 away = (bounds.lower - sensor.position).cwiseMax(sensor.position - bounds.upper);
+  if (away.maxCoeff() > kFarthest * bounds.extent().maxCoeff())
+  {
+    return std::nullopt;
+  }
+  const Vector3 off = place.hasNormal() ? sensor.normal : inwards(bounds, sensor.position);
+  place.position += 0x1p-20 * bounds.magnitude() * off;
+  return place;
+}
+
+}

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What sensors in the air cost: 5,000 little sheets with two sides, so 10,000 sensors, at random places and turns in
+ * rooms. The rival is the plain program with Embree that gathers (Rivals/PlainGatherer.h): for it the sheets are
+ * black triangles of half a millimetre in the room, which hide nothing that matters. Both find the sum of both sides;
+ * the truth is the rival's, twice, and ours must agree with it before any time counts, but for the bias of cells as
+ * patches that rays read. Ours reads the sums of walks, which are shot once for all sensors: their time is reported by
+ * itself. Of the fluence rate at the same places the noise is that between seeds.
+ *
+ * One thread, CPU time, in turns. "To 2 %": times the square of the error over .02. Building Embree's scene is
+ * not counted.
+ *
+ * Arguments: [walks = 100000] [rounds = 4] [sheets = 5000] [paths of half the truth = 2048] [rooms = all]
+ */
+#include "../../PhotonWalks/TestScenes.h"
+#include "../../RayCasting/RandomVectors.h"
+#include "Measuring/EngineTiming.h"
+#include "Measuring/HalvedTruth.h"
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "Photons/NearestEstimate.h"
+#include "Rivals/Contest.h"
+#include "Rivals/EmbreeScene.h"
+#include "Rivals/PlainGatherer.h"
+#include "Scenes/PlainRoom.h"
+#include "Scenes/SurfaceSensors.h"
+#include "Views/SensorDirectLight.h"
+#include "Views/SensorGather.h"
+
+#include <cmath>
+
+using namespace irradiance;
+
+namespace
+{
+
+const std::string kTable = "Sensors";
+const std::string kRatios = "SensorsRatios";
+constexpr double kError = 0.02;
+
+struct Sizes
+{
+  std::uint32_t walks, truthPaths;
+  int rounds, sheets;
+};
+
+struct Sheet
+{
+  Vector3 place, normal;
+};
+
+std::vector<Sheet> makeSheets(int count)
+{
+  test::RandomVectors random(11);
+  std::vector<Sheet> sheets;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 place = Vector3(2, 2, 1.5) + random.inCube().cwiseProduct(Vector3(1.9, 1.9, 1.4));
+    sheets.push_back({ place, random.inCube().normalized() });
+  }
+  return sheets;
+}
+
+SceneObject sheetsAsObject(const std::vector<Sheet>& sheets)
+{
+  constexpr double kEdge = 5e-4;
+  test::ObjectBuilder builder;
+  for (const Sheet& sheet : sheets)
+  {
+    const Vector3 u = kEdge * sheet.normal.unitOrthogonal(), v = sheet.normal.cross(u);
+    const Vector3 corner = sheet.place - (u + v) / 3;
+    builder.addCell({ { corner, corner + u, corner + v } }, test::grey(0));
+  }
+  return builder.build();
+}
+
+/// What is found, and the time for it without that of the walks.
+struct Run
+{
+  CellField values;
+  double seconds, walks = 0;
+};
+
+struct Contestant
+{
+  std::string name;
+  std::function<Run(std::uint64_t seed)> run;
+  std::vector<Run> runs = {};
+};
+
+class Room
+{
+public:
+  Room(const SceneObjects& objects, const std::vector<Sheet>& sheets)
+    : objects_(objects)
+    , sheets_(sheets)
+    , gatherer_(makePlainScene(withSheets(objects, sheets)))
+    , firstSheet_(static_cast<std::uint32_t>(areasOf(objects).size()))
+  {
+  }
+
+  Run gatherPlain(std::uint32_t paths, std::uint64_t seed) const
+  {
+    PlainGatherer::Tally tally;
+    const double seconds = threadCpuSecondsOf([&] {
+      tally = gatherer_.gather(
+        firstSheet_, firstSheet_ + static_cast<std::uint32_t>(sheets_.size()), paths, seed);
+    });
+    return { Eigen::Map<const CellField>(
+               tally.irradiance.data(), static_cast<Eigen::Index>(sheets_.size())),
+      seconds };
+  }
+  /// Of both sides together; or the fluence rate.
+  Run gatherOurs(const EngineSettings& settings, std::uint32_t rays, bool isFluence) const
+  {
+    std::vector<Sensor> sensors;
+    for (const Sheet& sheet : sheets_)
+    {
+      sensors.push_back({ sheet.place, isFluence ? Vector3(Vector3::Zero()) : sheet.normal });
+      sensors.push_back(
+        { sheet.place, isFluence ? Vector3(Vector3::Zero()) : Vector3(-sheet.normal) });
+    }
+    IrradianceEngine engine;
+    CpuTime execution;
+    Run run{ CellField(sheets_.size()), 0, timeUpdate(engine, objects_, settings).whole };
+    run.seconds = threadCpuSecondsOf([&] {
+      const SensorGather gather(engine, rays, execution);
+      constexpr std::size_t kUnit = 64;
+      for (std::size_t first = 0; first < sensors.size(); first += kUnit)
+      {
+        const std::size_t end = std::min(first + kUnit, sensors.size());
+        const std::vector<SensorGather::Light> found = gather.at(sensors, first, end);
+        for (std::size_t i = first; i < end; i += 2)
+        {
+          run.values[static_cast<Eigen::Index>(i / 2)] =
+            found[i - first].value[0] + (isFluence ? 0 : found[i + 1 - first].value[0]);
+        }
+      }
+    });
+    return run;
+  }
+
+private:
+  static SceneObjects withSheets(SceneObjects objects, const std::vector<Sheet>& sheets)
+  {
+    objects.dynamicObjects.push_back(sheetsAsObject(sheets));
+    return objects;
+  }
+
+  SceneObjects objects_;
+  std::vector<Sheet> sheets_;
+  PlainGatherer gatherer_;
+  std::uint32_t firstSheet_;
+};
+
+void reportError(const std::string& row, const Contestant& contestant, double squaredError)
+{
+  std::vector<double> seconds, walks;
+  for (const Run& run : contestant.runs)
+  {
+    seconds.push_back(run.seconds);
+    walks.push_back(run.walks);
+  }
+  const std::string who = row + ", " + contestant.name;
+  report(kTable, who, "RMS error, %", 100 * std::sqrt(squaredError));
+  report(kTable, who, "s", seconds);
+  report(kTable, who, "walks, s", walks);
+  report(kTable, who, "s to 2 %", medianOf(seconds) * squaredError / (kError * kError));
+}
+
+/// Sensors on surfaces, which the nearest photons know, too. The truth is gathered by paths alone: of so few walks
+/// no sums are read.
+class Walls
+{
+public:
+  Walls(const SceneObjects& objects, int sensors)
+    : objects_(objects)
+    , sensors_(makeSurfaceSensors(objects, static_cast<std::size_t>(sensors)))
+  {
+  }
+
+  Run gather(const EngineSettings& settings, std::uint32_t rays) const
+  {
+    return measure(
+      settings, [&](IrradianceEngine& engine, Execution& execution, CellField& values) {
+        const SensorGather gather(engine, rays, execution);
+        constexpr std::size_t kUnit = 64;
+        for (std::size_t first = 0; first < sensors_.size(); first += kUnit)
+        {
+          const std::size_t end = std::min(first + kUnit, sensors_.size());
+          const std::vector<SensorGather::Light> found = gather.at(sensors_, first, end);
+          for (std::size_t i = first; i < end; ++i)
+          {
+            values[static_cast<Eigen::Index>(i)] = found[i - first].value[0];
+          }
+        }
+      });
+  }
+  Run findNearest(EngineSettings settings, std::uint32_t photons) const
+  {
+    settings.keepPhotons = true;
+    return measure(
+      settings, [&](IrradianceEngine& engine, Execution& execution, CellField& values) {
+        engine.collect<LeafPhotons>(execution);
+        engine.prepareSurfaces(execution);
+        const NearestPhotons nearest = engine.nearestPhotons();
+        const SensorDirectLight direct(engine);
+        for (std::size_t i = 0; i < sensors_.size(); ++i)
+        {
+          const std::optional<Foot> foot = nearest.footOf(sensors_[i], usualDistance(nearest));
+          const NearestEstimate estimate =
+            nearestEstimate(nearest, foot.value(), photons, usualRadius(nearest, photons));
+          values[static_cast<Eigen::Index>(i)] =
+            engine.watts(estimate.power[0]) / estimate.area + direct.irradiance(*foot, i)[0];
+        }
+      });
+  }
+
+private:
+  template <class Measure>
+  Run measure(const EngineSettings& settings, const Measure& measure) const
+  {
+    IrradianceEngine engine;
+    CpuTime execution;
+    Run run{ CellField(sensors_.size()), 0, timeUpdate(engine, objects_, settings).whole };
+    run.seconds = threadCpuSecondsOf([&] { measure(engine, execution, run.values); });
+    return run;
+  }
+
+  SceneObjects objects_;
+  std::vector<Sensor> sensors_;
+};
+
+void compareOnWalls(const std::string& name, const Walls& walls, const Sizes& sizes)
+{
+  EngineSettings few, settings;
+  few.numberOfWalks = 100;
+  few.separateSides = settings.separateSides = true;
+  const HalvedTruth truth{ walls.gather(withSeed(few, 100000), sizes.truthPaths).values,
+    walls.gather(withSeed(few, 100001), sizes.truthPaths).values };
+  std::vector<Contestant> contestants;
+  for (const bool gathersDirectLight : { false, true })
+  {
+    settings.gathersDirectLight = gathersDirectLight;
+    settings.numberOfWalks = 10 * sizes.walks;
+    const std::string light = gathersDirectLight ? ", direct light gathered" : ", shot";
+    contestants.push_back({ "nearest 50" + light, [&walls, settings](std::uint64_t seed) {
+                             return walls.findNearest(withSeed(settings, seed), 50);
+                           } });
+    settings.numberOfWalks = sizes.walks;
+    contestants.push_back({ "gathered, 64 rays" + light, [&walls, settings](std::uint64_t seed) {
+                             return walls.gather(withSeed(settings, seed), 64);
+                           } });
+  }
+  const CellField even = CellField::Ones(truth.first.size());
+  const CellSet all{ "sensors", 0, truth.first.size() };
+  for (int round = 0; round < sizes.rounds; ++round)
+  {
+    for (Contestant& contestant : contestants)
+    {
+      contestant.runs.push_back(contestant.run(static_cast<std::uint64_t>(round) + 1));
+    }
+  }
+  for (const Contestant& contestant : contestants)
+  {
+    Mean error;
+    for (const Run& run : contestant.runs)
+    {
+      error.add(truth.squaredError(run.values, even, all));
+    }
+    reportError(name + ", on surfaces", contestant, error.value());
+  }
+}
+
+void compare(const std::string& name, const Room& room, const Sizes& sizes)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = sizes.walks;
+  settings.separateSides = settings.gathersDirectLight = true;
+  std::vector<Contestant> contestants{ { "plain gatherer, 32 paths",
+    [&](std::uint64_t seed) { return room.gatherPlain(32, seed); } } };
+  for (const std::uint32_t rays : { 16u, 32u, 64u })
+  {
+    contestants.push_back(
+      { "ours, " + std::to_string(rays) + " rays", [&, rays](std::uint64_t seed) {
+         return room.gatherOurs(withSeed(settings, seed), rays, false);
+       } });
+  }
+  const std::uint64_t truthSeed = 100000;
+  const HalvedTruth truth{ room.gatherPlain(sizes.truthPaths, truthSeed).values,
+    room.gatherPlain(sizes.truthPaths, truthSeed + 1).values };
+  std::vector<Run> fluence[2];
+  for (int round = 0; round < sizes.rounds; ++round)
+  {
+    const auto seed = static_cast<std::uint64_t>(round) + 1;
+    for (Contestant& contestant : contestants)
+    {
+      contestant.runs.push_back(contestant.run(seed));
+    }
+    for (const int half : { 0, 1 })
+    {
+      fluence[half].push_back(room.gatherOurs(
+        withSeed(settings, seed + 1000 * static_cast<std::uint64_t>(half + 1)), 64, true));
+    }
+  }
+  const CellField even = CellField::Ones(truth.first.size());
+  const CellSet all{ "sensors", 0, truth.first.size() };
+  std::vector<double> costs;
+  for (const Contestant& contestant : contestants)
+  {
+    std::vector<CellField> fields;
+    Mean error;
+    std::vector<double> seconds;
+    for (const Run& run : contestant.runs)
+    {
+      fields.push_back(run.values);
+      error.add(truth.squaredError(run.values, even, all));
+      seconds.push_back(run.seconds);
+    }
+    const Agreement agreement =
+      requireAgreement(contestant.name + ", " + name, fields, truth, even, all, 0.03);
+    report(kTable, name + ", " + contestant.name, "mean / truth", agreement.ratio);
+    report(kTable, name + ", " + contestant.name, "systematic RMS, %", 100 * agreement.systematic);
+    reportError(name, contestant, error.value());
+    costs.push_back(medianOf(seconds) * error.value());
+  }
+  for (std::size_t i = 1; i < costs.size(); ++i)
+  {
+    report(kRatios, name + ", " + contestants[i].name, "efficiency / plain gatherer",
+      costs[0] / costs[i]);
+  }
+  Contestant ours{ "ours, fluence rate, 64 rays", {} };
+  Mean variance;
+  for (std::size_t i = 0; i < fluence[0].size(); ++i)
+  {
+    const CellField &a = fluence[0][i].values, &b = fluence[1][i].values;
+    variance.add(0.5 * (a - b).square().mean() / std::pow(0.5 * (a.mean() + b.mean()), 2));
+    ours.runs.push_back(fluence[0][i]);
+  }
+  reportError(name, ours, variance.value());
+}
+
+}
+
+void run(const Arguments& arguments)
+{
+  Sizes sizes{};
+  sizes.walks = arguments.number(0, 100000u);
+  sizes.rounds = std::max(2, arguments.number(1, 4));
+  sizes.sheets = arguments.number(2, 5000);
+  sizes.truthPaths = arguments.number(3, 2048u);
+  flushDenormals();
+  const std::vector<MovingScene> rooms = makeGatheringRooms();
+  const std::size_t count = std::min(rooms.size(), arguments.number(4, rooms.size()));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    compare(rooms[i].name, Room(rooms[i].at(0), makeSheets(sizes.sheets)), sizes);
+    compareOnWalls(rooms[i].name, Walls(rooms[i].at(0), sizes.sheets), sizes);
+  }
+}
