@@ -165,6 +165,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   settings.gatherRays =
     Checked("NumberOfGatherRays", filter->GetNumberOfGatherRays(), 1, mostGatherRays);
+  settings.gatherOn = static_cast<irradiance::GatherOn>(filter->GetGatherOn());
   if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
   {
     throw irradiance::InputError(conflict);
@@ -709,6 +710,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "CellEstimate: " << this->CellEstimate << "\n"
      << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "NumberOfGatherRays: " << this->NumberOfGatherRays << "\n"
+     << indent << "GatherOn: " << this->GatherOn << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"

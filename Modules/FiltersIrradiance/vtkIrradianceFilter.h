@@ -90,6 +90,14 @@ public:
       3 ///< "Gathered". Small cells: what rays from them find on the cells that they hit
   };
 
+  /// Which cells look for their indirect light with the estimate Gathered.
+  enum GatheringCells
+  {
+    SmallCells = 0,   ///< those that expect few photons
+    DynamicCells = 1, ///< these, and all of dynamic inputs
+    AllCells = 2
+  };
+
   /// What happens when dynamic objects have moved; the result is the same.
   enum UpdateModes
   {
@@ -335,6 +343,19 @@ public:
 
   ///@{
   /**
+   * With CellEstimate Gathered, which cells find their indirect light by rays, see GatheringCells. On large cells it is
+   * less noisy than their photons where each surface has one reflectance, and takes the time of their rays. Changing it
+   * is like changing CellEstimate. Default SmallCells.
+   */
+  vtkSetClampMacro(GatherOn, int, SmallCells, AllCells);
+  vtkGetMacro(GatherOn, int);
+  void SetGatherOnToSmallCells() { this->SetGatherOn(SmallCells); }
+  void SetGatherOnToDynamicCells() { this->SetGatherOn(DynamicCells); }
+  void SetGatherOnToAllCells() { this->SetGatherOn(AllCells); }
+  ///@}
+
+  ///@{
+  /**
    * Whether the standard error of the irradiance is estimated: the cell array
    * `IrradianceStandardError` (`IrradianceFrontStandardError`, `IrradianceBackStandardError`; W/m2). The
    * 95 % interval is the irradiance +- this times the field `ConfidenceFactor`. It is NaN where it is not
@@ -466,6 +487,7 @@ protected:
   int CellEstimate = Sums;
   int NumberOfSpreadPhotons = 250;
   int NumberOfGatherRays = 32;
+  int GatherOn = SmallCells;
   vtkTypeBool ComputeStandardError = 0;
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;

@@ -69,12 +69,18 @@ TEST(CellEstimate, DefaultsAndRange)
   filter->SetCellEstimateToGathered();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::FinalGather);
   EXPECT_EQ(filter->GetNumberOfGatherRays(), 32);
+  EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::SmallCells);
+  filter->SetGatherOnToDynamicCells();
+  EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::DynamicCells);
+  filter->SetGatherOn(99);
+  EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::AllCells) << "clamped";
   filter->SetCellEstimateToSpread();
   std::ostringstream text;
   filter->Print(text);
   EXPECT_NE(text.str().find("CellEstimate: 1\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfSpreadPhotons: 250\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfGatherRays: 32\n"), std::string::npos);
+  EXPECT_NE(text.str().find("GatherOn: 2\n"), std::string::npos);
 }
 
 // Nothing is shot, walls keep their bits, and the fine ball keeps its power but not its noise.

@@ -29,8 +29,8 @@ class Panel(unittest.TestCase):
         with open(f"{plugin.FOLDER}/defaults.txt", encoding="utf-8") as file:
             text = file.read()  # as the C++ filter prints itself
         for name in ("NumberOfWalks", "Seed", "TraversalMode", "UpdateMode", "CacheStaticHits", "SeparateSides",
-                     "DirectLight", "CellEstimate", "NumberOfSpreadPhotons", "NumberOfGatherRays", "ComputeStandardError",
-                     "NumberOfReplicates", "MaximumNumberOfWalks", "DefaultDiffuseReflectance"):
+                     "DirectLight", "CellEstimate", "NumberOfSpreadPhotons", "NumberOfGatherRays", "GatherOn",
+                     "ComputeStandardError", "NumberOfReplicates", "MaximumNumberOfWalks", "DefaultDiffuseReflectance"):
             value = source.SMProxy.GetProperty(name).GetElement(0)
             self.assertIn(f"  {name}: {value}\n", text)
 

@@ -42,7 +42,8 @@ EngineSettings gathering(std::uint32_t walks, std::uint64_t seed = 1)
 /// The number of cells that gather in a frame.
 std::size_t numberOfSmall(const IrradianceEngine& engine, const EngineSettings& settings)
 {
-  const CellRoles roles(engine.cells(), settings.numberOfWalks, settings.gatherRays);
+  const CellRoles roles(
+    engine.cells(), settings.numberOfWalks, settings.gatherRays, settings.gatherOn);
   std::size_t count = 0;
   engine.cells().numbers().forEach(
     [&](const SceneCell& cell) { count += roles.gathers(cell) ? 1 : 0; });
@@ -74,6 +75,30 @@ TEST(GatherEstimator, UpdateEqualsRebuild)
     const std::size_t small = numberOfSmall(engine, settings);
     EXPECT_GT(small, 50u);
     EXPECT_LT(small, engine.cells().numbers().size()) << "some are read";
+  }
+}
+
+// Law 1 where large cells gather too, and are read by the rays of others.
+TEST(GatherEstimator, UpdateEqualsRebuildWhoeverGathers)
+{
+  MovingScene scene(1, true, 72);
+  EngineSettings settings = gathering(20000);
+  IrradianceEngine engine;
+  Execution serial;
+  std::size_t fewer = 0;
+  for (const GatherOn on : { GatherOn::Small, GatherOn::Dynamic, GatherOn::All })
+  {
+    settings.gatherOn = on;
+    for (int frame = 0; frame < 2; ++frame, scene.nextFrame())
+    {
+      engine.update(scene.objects(), settings, serial);
+      ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
+        test::freshShownAnswer(scene.objects(), settings))
+        << static_cast<int>(on) << ", frame " << frame;
+    }
+    const std::size_t count = numberOfSmall(engine, settings);
+    EXPECT_GT(count, fewer);
+    fewer = count;
   }
 }
 
@@ -275,6 +300,35 @@ TEST(GatherEstimator, SmallCellsOfAFurnaceReceiveOneWatt)
       mean.print(isGlossy ? "glossy furnace, small cells" : "furnace, small cells", 1);
       EXPECT_LT(std::abs(mean.t(1)), 5);
     }
+  }
+}
+
+// One radiance everywhere, so each ray of each cell, of walls too, reads it: no noise but of the sums that are read.
+TEST(GatherEstimator, AllCellsOfAFurnaceReceiveOneWatt)
+{
+  ObjectBuilder room(1), ball(1);
+  room.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), 2, {}, true);
+  ball.addSphere({ 0, 0, 0 }, 0.5, 6, {});
+  const SceneObjects objects{ furnace(room, 0.5, false),
+    { furnace(ball, 0.7, false, test::shift({ 1, 1.5, 2 })) } };
+  std::vector<test::ReplicateMean> walls(24);
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
+    EngineSettings settings = gathering(12000, seed);
+    settings.gatherOn = GatherOn::All;
+    IrradianceEngine engine;
+    Execution serial;
+    engine.update(objects, settings, serial);
+    for (std::size_t cell = 0; cell < walls.size(); ++cell)
+    {
+      walls[cell].add(engine.irradiance({ { 0, cell }, 0 }, 0));
+    }
+  }
+  for (const test::ReplicateMean& wall : walls)
+  {
+    // |t| > 7 of 11 degrees of freedom: once in 40,000 for each of 24.
+    EXPECT_LT(std::abs(wall.t(1)), 7) << wall.mean();
+    EXPECT_LT(wall.standardError(), 0.02);
   }
 }
 

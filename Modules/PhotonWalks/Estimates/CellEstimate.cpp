@@ -20,7 +20,7 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
     case CellEstimate::Gathered:
       return std::make_unique<GatherEstimator>(source,
         GatherEstimator::Settings{
-          settings.gatherRays, walks.separateSides, walks.seed, walks.verify });
+          settings.gatherRays, settings.gatherOn, walks.separateSides, walks.seed, walks.verify });
     default:
       return std::make_unique<SumEstimator>(source);
   }

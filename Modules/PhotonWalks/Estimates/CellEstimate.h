@@ -2,6 +2,8 @@
 #ifndef irradiance_CellEstimate_h
 #define irradiance_CellEstimate_h
 
+#include "FinalGather/GatherOn.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -19,7 +21,7 @@ enum class CellEstimate
   Sums,    ///< those that arrived in it
   Spread,  ///< small cells: also the photons of the cells around it, see CellSpread
   Nearest, ///< small cells: the photons nearest to their middles, see NearestPhotonEstimator
-  Gathered ///< small cells: those of what their rays hit, see GatherEstimator
+  Gathered ///< small cells, or more of them: those of what their rays hit, see GatherEstimator
 };
 
 struct EstimateSettings
@@ -27,15 +29,16 @@ struct EstimateSettings
   CellEstimate cellEstimate = CellEstimate::Sums;
   /// On how many photons a small cell draws if not on its sum alone, on average; > 0.
   double spreadPhotons = 250;
-  /// With Gathered, of each side of a small cell, which expects fewer than two photons for each; >= 1.
+  /// With Gathered, of each side of a cell that gathers; a small one expects fewer than two photons for each; >= 1.
   std::uint32_t gatherRays = 32;
+  GatherOn gatherOn = GatherOn::Small;
 };
 
 /// Whether both are met by the same estimator.
 inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
 {
   return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons &&
-    a.gatherRays == b.gatherRays;
+    a.gatherRays == b.gatherRays && a.gatherOn == b.gatherOn;
 }
 
 std::unique_ptr<CellEstimator> makeCellEstimator(

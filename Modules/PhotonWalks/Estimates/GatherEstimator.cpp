@@ -41,8 +41,8 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   {
     direct.emplace(objects, all.sides(), all.plan(), all.rounds());
   }
-  roles_.emplace(
-    from.cells, from.walks.plan().walksAfter(rounds), from.walks.isEmpty() ? 0 : settings_.rays);
+  roles_.emplace(from.cells, from.walks.plan().walksAfter(rounds),
+    from.walks.isEmpty() ? 0 : settings_.rays, settings_.on);
   const CellShapes shapes = shapesOf(from, cancelPoint);
   const std::deque<PointDirectLight> lights =
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfPoint);

@@ -26,7 +26,8 @@ class GatherEstimator
 public:
   struct Settings
   {
-    std::uint32_t rays;  ///< of each side of a cell; rounded up to a multiple of the replicates
+    std::uint32_t rays; ///< of each side of a cell; rounded up to a multiple of the replicates
+    GatherOn on;
     bool separatesSides; ///< else irradiance() is that of both
     std::uint64_t seed;
     bool keepsPaths; ///< for frames in which things have moved

@@ -4,8 +4,9 @@
 namespace irradiance
 {
 
-CellRoles::CellRoles(const SceneCells& cells, double walks, std::uint32_t rays)
+CellRoles::CellRoles(const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on)
   : cells_(cells)
+  , on_(on)
   , photons_(kPhotonsPerRay * rays)
 {
   double area = 0;

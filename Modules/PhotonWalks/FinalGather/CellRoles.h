@@ -2,6 +2,7 @@
 #ifndef irradiance_CellRoles_h
 #define irradiance_CellRoles_h
 
+#include "FinalGather/GatherOn.h"
 #include "Surfaces/SceneCells.h"
 
 #include <algorithm>
@@ -22,19 +23,20 @@ public:
   /// replicates each reads its own part.
   static constexpr double kFewestToRead = 25;
 
-  /// Cells gather that expect fewer photons for each of their rays. The noise of n photons is about 1 / sqrt(n), that
+  /// Small cells expect fewer photons for each of their rays. The noise of n photons is about 1 / sqrt(n), that
   /// of n rays less, as each brings a mean of many photons.
   static constexpr double kPhotonsPerRay = 2;
 
   /// `walks`: of all area. `rays`: of each side of a cell that gathers; 0: none does.
-  CellRoles(const SceneCells& cells, double walks, std::uint32_t rays);
+  CellRoles(const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on);
 
   /// Photons that a cell of this area, m2, expects.
   double expectedOn(double area) const { return area * walksPerArea_; }
   bool gathers(const SceneCell& cell) const
   {
     const double area = cells_.area(cell);
-    return area > 0 && expectedOn(area) < photons_;
+    const bool asked = on_ == GatherOn::All || (on_ == GatherOn::Dynamic && cell.object > 0);
+    return area > 0 && photons_ > 0 && (asked || expectedOn(area) < photons_);
   }
   bool isRead(const SceneCell& cell) const
   {
@@ -44,7 +46,8 @@ public:
 
 private:
   const SceneCells& cells_;
-  double photons_;          ///< cells that expect fewer gather
+  GatherOn on_;
+  double photons_;          ///< small cells expect fewer
   double walksPerArea_ = 0; ///< 1/m2
 };
 

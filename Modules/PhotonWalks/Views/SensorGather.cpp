@@ -43,7 +43,8 @@ SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, E
       engine.walks(), engine.gatherSpace(), engine.settings().seed, roundedUp(rays, replicates_)))
   , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, kSamplesOfHit))
   , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), noShapes_,
-    CellRoles(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0),
+    CellRoles(
+      engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small),
     { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
     roundedUp(rays, replicates_), 1 / engine.watts(1.0), engine.settings().seed, false }
 {
