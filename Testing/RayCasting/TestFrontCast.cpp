@@ -140,7 +140,7 @@ std::vector<NamedScene> frontScenes()
     // So many that all their balls are tested, and, of small ones, so many that there is a tree over them.
     constexpr std::size_t kMostTriangles = 20000;
     std::size_t triangles = 0;
-    for (const std::size_t count : { 40, 260 })
+    for (const std::size_t count : { 40, 520 })
     {
       NamedScene many{ scene.name + ", " + std::to_string(count), scene.still, {} };
       test::RandomVectors random(26);

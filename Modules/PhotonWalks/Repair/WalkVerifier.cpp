@@ -18,7 +18,7 @@ HiddenHit hitOf(const WalkFront& rows, std::size_t row)
 
 }
 
-WalkVerifier::WalkVerifier(const WalkTracer& tracer, WalkHistory& history,
+WalkVerifier::WalkVerifier(const WalkTracer& tracer, const WalkHistory& history,
   const std::vector<bool>& moved, const BounceScan& scan, bool cachesStaticHits)
   : tracer_(tracer)
   , history_(history)
