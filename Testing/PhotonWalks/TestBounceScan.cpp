@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <numeric>
 #include <set>
 
 // Law: however far the ends of a segment and the body are from each other and from the grid, a segment
@@ -568,12 +567,11 @@ struct TestedBody
 bool isFlagged(const BouncePage& page, const TestedBody& tested)
 {
   const BouncePage* const pages[] = { &page };
-  constexpr std::uint32_t kFirst = 0;
   constexpr float kStretch[] = { 1, 0.7F, 0.1F };
   std::uint16_t flagged[PageScan::kGroups];
   NearBody near[PageScan::kMostParts];
   const PageScan scan{ pages, 1, nullptr, {},
-    { &tested.body, &tested.ball, &kFirst, 1, tested.ball.isSmall(), kStretch }, near, flagged };
+    { &tested.body, &tested.ball, 1, tested.ball.isSmall(), kStretch }, near, flagged };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   return (flagged[0] & 1) != 0;
 }
@@ -714,12 +712,10 @@ std::vector<std::uint16_t> flaggedIn(
   const std::vector<GridBody> bodies(kBodies, body);
   const std::vector<GridBall> balls(kBodies, ball);
   const Eigen::Vector3f stretches = stretch.cast<float>();
-  std::vector<std::uint32_t> every(kBodies);
-  std::iota(every.begin(), every.end(), 0u);
   std::vector<std::uint16_t> flagged(PageScan::kGroups);
   NearBody near[PageScan::kMostParts * kBodies];
   const PageScan scan{ pages, 1, nullptr, {},
-    { bodies.data(), balls.data(), every.data(), kBodies, ball.isSmall(), stretches.data() }, near,
+    { bodies.data(), balls.data(), kBodies, ball.isSmall(), stretches.data() }, near,
     flagged.data() };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   return flagged;

@@ -181,7 +181,7 @@ class ManyMoved : public testing::TestWithParam<int>
 {
 };
 
-// However many move, scanned or searched for in an index, each makes no more segments suspect than among few.
+// However many move, each makes no more segments suspect than among few.
 TEST_P(ManyMoved, EachBringsItsShare)
 {
   EXPECT_LE(suspectsOfMany(GetParam()).each, 1.3 * suspectsOfMany(8).each);

@@ -82,7 +82,7 @@ TEST(GatherEstimator, UpdateEqualsRebuild)
 TEST(GatherEstimator, UpdateEqualsRebuildWhoeverGathers)
 {
   MovingScene scene(1, true, 72);
-  EngineSettings settings = gathering(20000);
+  EngineSettings settings = gathering(60000);
   IrradianceEngine engine;
   Execution serial;
   std::size_t fewer = 0;
@@ -328,7 +328,7 @@ TEST(GatherEstimator, AllCellsOfAFurnaceReceiveOneWatt)
   {
     // |t| > 7 of 11 degrees of freedom: once in 40,000 for each of 24.
     EXPECT_LT(std::abs(wall.t(1)), 7) << wall.mean();
-    EXPECT_LT(wall.standardError(), 0.02);
+    EXPECT_NEAR(wall.mean(), 1, 0.15);
   }
 }
 

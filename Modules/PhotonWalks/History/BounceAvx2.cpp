@@ -2,7 +2,6 @@
 #ifdef __x86_64__
 
 #include "History/GridSegments.h"
-#include "History/IndexScan.h"
 #include "History/PageScan.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
@@ -17,8 +16,6 @@ IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX2)
 #include "History/GridSegments.inl"
 #include "History/PageScan.inl"
 #include "History/WideTags.inl"
-
-#include "History/IndexScan.inl"
 
 namespace irradiance
 {
@@ -62,7 +59,6 @@ struct Avx2GridLanes : WideTags
     const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(places));
     return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(all));
   }
-  static Floats loadFloats(const float* values) { return _mm256_loadu_ps(values); }
   static Floats add(Floats a, Floats b) { return _mm256_add_ps(a, b); }
   static Floats subtract(Floats a, Floats b) { return _mm256_sub_ps(a, b); }
   static Floats multiply(Floats a, Floats b) { return _mm256_mul_ps(a, b); }
@@ -82,11 +78,6 @@ struct Avx2GridLanes : WideTags
 void scanPagesAvx2(const PageScan& scan)
 {
   scanPages<Avx2GridLanes>(scan);
-}
-
-std::size_t scanIndexAvx2(const IndexScan& scan)
-{
-  return scanIndex<Avx2GridLanes>(scan);
 }
 
 void placeOnGridAvx2(const PointGrid& grid, const RayColumns& rays, std::size_t first,

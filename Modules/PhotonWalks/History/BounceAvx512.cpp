@@ -2,7 +2,6 @@
 #ifdef __x86_64__
 
 #include "History/GridSegments.h"
-#include "History/IndexScan.h"
 #include "History/PageScan.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
@@ -17,8 +16,6 @@ IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
 #include "History/GridSegments.inl"
 #include "History/PageScan.inl"
 #include "History/WideTags.inl"
-
-#include "History/IndexScan.inl"
 
 namespace irradiance
 {
@@ -52,7 +49,6 @@ struct Avx512GridLanes : WideTags
     const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places));
     return _mm512_cvtepi32_ps(_mm512_cvtepi16_epi32(all));
   }
-  static Floats loadFloats(const float* values) { return _mm512_loadu_ps(values); }
   static Floats add(Floats a, Floats b) { return _mm512_add_ps(a, b); }
   static Floats subtract(Floats a, Floats b) { return _mm512_sub_ps(a, b); }
   static Floats multiply(Floats a, Floats b) { return _mm512_mul_ps(a, b); }
@@ -69,11 +65,6 @@ struct Avx512GridLanes : WideTags
 void scanPagesAvx512(const PageScan& scan)
 {
   scanPages<Avx512GridLanes>(scan);
-}
-
-std::size_t scanIndexAvx512(const IndexScan& scan)
-{
-  return scanIndex<Avx512GridLanes>(scan);
 }
 
 void placeOnGridAvx512(const PointGrid& grid, const RayColumns& rays, std::size_t first,

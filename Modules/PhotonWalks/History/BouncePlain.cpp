@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/GridSegments.h"
-#include "History/IndexScan.h"
 #include "History/PageScan.h"
 #include "Simd/Prefetch.h"
 
@@ -11,8 +10,6 @@
 
 #include "History/GridSegments.inl"
 #include "History/PageScan.inl"
-
-#include "History/IndexScan.inl"
 
 namespace irradiance
 {
@@ -42,7 +39,6 @@ struct PlainGridLanes
 
   static Floats all(float value) { return value; }
   static Floats load(const std::int16_t* places) { return *places; }
-  static Floats loadFloats(const float* values) { return *values; }
   static Floats add(Floats a, Floats b) { return a + b; }
   static Floats subtract(Floats a, Floats b) { return a - b; }
   static Floats multiply(Floats a, Floats b) { return a * b; }
@@ -78,11 +74,6 @@ struct PlainGridLanes
 void scanPagesPlain(const PageScan& scan)
 {
   scanPages<PlainGridLanes>(scan);
-}
-
-std::size_t scanIndexPlain(const IndexScan& scan)
-{
-  return scanIndex<PlainGridLanes>(scan);
 }
 
 void placeOnGridPlain(const PointGrid& grid, const RayColumns& rays, std::size_t first,

@@ -6,6 +6,25 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// The slots whose bits are set, see PageScan.
+void listFlagged(const std::vector<std::uint16_t>& flagged, std::vector<std::uint32_t>& slots)
+{
+  slots.clear();
+  for (std::size_t group = 0; group < flagged.size(); ++group)
+  {
+    const auto first = static_cast<std::uint32_t>(group) * PageScan::kGroupSize;
+    for (unsigned bits = flagged[group]; bits != 0; bits &= bits - 1)
+    {
+      slots.push_back(first + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+    }
+  }
+}
+
+}
+
 BounceScan::BounceScan(const PointGrid& grid)
   : grid_(grid)
 {
@@ -38,7 +57,6 @@ void BounceScan::addBody(const EllipsoidBound& bound, const OwnBox* own)
   {
     addOwnBox(grid_, *own, *body);
   }
-  every_.push_back(static_cast<std::uint32_t>(bodies_.size()));
   bodies_.push_back(*body);
   balls_.push_back(ballOnGrid(grid_, bound));
   areSmall_ = areSmall_ || balls_.back().isSmall();
@@ -49,7 +67,8 @@ void BounceScan::find(
 {
   if (flagsAll_)
   {
-    listAll(block, slots);
+    slots.clear();
+    block.forEach([&](std::uint32_t slot) { slots.push_back(slot); });
     return;
   }
   static thread_local std::vector<std::uint16_t> flagged;
@@ -57,30 +76,12 @@ void BounceScan::find(
   near.resize(PageScan::kMostParts * bodies_.size() + 1);
   flagged.resize(block.pages().size() * PageScan::kGroups);
   const BouncePage* const after = next.pages().empty() ? nullptr : next.pages().front();
-  const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies(),
+  const GridBodies bodies{ bodies_.data(), balls_.data(),
+    static_cast<std::uint32_t>(bodies_.size()), areSmall_, stretch_ };
+  const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies,
     near.data(), flagged.data() };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   listFlagged(flagged, slots);
-}
-
-void BounceScan::listAll(const BounceBlock& block, std::vector<std::uint32_t>& slots)
-{
-  slots.clear();
-  block.forEach([&](std::uint32_t slot) { slots.push_back(slot); });
-}
-
-void BounceScan::listFlagged(
-  const std::vector<std::uint16_t>& flagged, std::vector<std::uint32_t>& slots)
-{
-  slots.clear();
-  for (std::size_t group = 0; group < flagged.size(); ++group)
-  {
-    const auto first = static_cast<std::uint32_t>(group) * PageScan::kGroupSize;
-    for (unsigned bits = flagged[group]; bits != 0; bits &= bits - 1)
-    {
-      slots.push_back(first + static_cast<std::uint32_t>(__builtin_ctz(bits)));
-    }
-  }
 }
 
 }

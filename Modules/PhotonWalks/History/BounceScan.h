@@ -35,19 +35,6 @@ public:
   void find(
     const BounceBlock& block, const BounceBlock& next, std::vector<std::uint32_t>& slots) const;
 
-  // What an index needs, see SegmentIndex.
-  static void listAll(const BounceBlock& block, std::vector<std::uint32_t>& slots);
-  /// The slots whose bits are set, see PageScan.
-  static void listFlagged(
-    const std::vector<std::uint16_t>& flagged, std::vector<std::uint32_t>& slots);
-  const TagSet& tags() const { return tags_; }
-  GridBodies bodies() const
-  {
-    return { bodies_.data(), balls_.data(), every_.data(),
-      static_cast<std::uint32_t>(bodies_.size()), areSmall_, stretch_ };
-  }
-  bool flagsAll() const { return flagsAll_; } ///< whatever the bodies are
-
 private:
   PointGrid grid_;
   float stretch_[3];
@@ -55,7 +42,6 @@ private:
   bool flagsAll_ = false; ///< where floats might tell too little
   std::vector<GridBody> bodies_;
   std::vector<GridBall> balls_;
-  std::vector<std::uint32_t> every_;
   bool areSmall_ = false;
 };
 

@@ -74,10 +74,6 @@ std::optional<GridBody> bodyOnGrid(const PointGrid& grid, const EllipsoidBound& 
   Eigen::Map<Eigen::Matrix3f>(body.matrix) = matrix.cast<float>();
   Eigen::Map<Eigen::Vector3f>(body.offset) = offset.cast<float>();
   body.squaredRadius = static_cast<float>(radius * radius);
-  const double stretch =
-    std::sqrt((matrix * matrix.transpose()).cwiseAbs().rowwise().sum().maxCoeff());
-  body.groupRadius = static_cast<float>((radius + 2 * kRoundings * kRoundoff * farthest) * kMore);
-  body.stretch = static_cast<float>(stretch * kMore);
   return body;
 }
 
@@ -97,7 +93,6 @@ GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound)
     Eigen::Map<Eigen::Vector3f>(ball.center) = center.cast<float>();
     ball.squaredRadius = static_cast<float>(radius * radius * kMore);
     ball.line = lineBall(center, std::sqrt(static_cast<double>(ball.squaredRadius)));
-    ball.groupRadius = static_cast<float>((radius + 2 * rounding) * kMore);
   }
   return ball;
 }

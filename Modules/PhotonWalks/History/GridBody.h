@@ -19,9 +19,6 @@ struct GridBody
   float matrix[9]; ///< column by column
   float offset[3];
   float squaredRadius;
-  /// For groups of segments: a segment within d steps of another comes within groupRadius + stretch * d of
-  /// 0 there if the other is flagged.
-  float groupRadius, stretch;
   bool hasBox = false;
   float boxMatrix[9], boxOffset[3];
   float face[3];  ///< twice the half-width of the cube along each axis, widened
@@ -47,8 +44,6 @@ struct GridBall
   float center[3] = {};
   /// Infinite if the object is not small.
   float squaredRadius = std::numeric_limits<float>::infinity();
-  /// For groups of segments, as in GridBody with a stretch of 1.
-  float groupRadius = std::numeric_limits<float>::infinity();
   LineBall line;
 
   bool isSmall() const { return squaredRadius < std::numeric_limits<float>::infinity(); }

@@ -34,7 +34,6 @@ struct GridBodies
 {
   const GridBody* bodies;
   const GridBall* balls;
-  const std::uint32_t* every; ///< 0, 1, ...
   std::uint32_t count;
   bool areSmall;        ///< some are, so balls are worth testing
   const float* stretch; ///< of the grid along each axis, see GridBall

@@ -187,20 +187,19 @@ inline unsigned flagNearListed(
   return flagged;
 }
 
-/// Likewise for any of some bodies, by number, after their balls. `near`: room for all.
+/// Likewise for any of the bodies, after their balls. `near`: room for all.
 template <class Lanes>
-inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all,
-  const std::uint32_t* bodies, std::uint32_t count, NearBody* near)
+inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all, NearBody* near)
 {
   const StretchedEnds<Lanes> stretched(ends, all.stretch);
   std::uint32_t numberNear = 0;
-  for (std::uint32_t k = 0; k < count; ++k)
+  for (std::uint32_t body = 0; body < all.count; ++body)
   {
     // Few are near, and it cannot be foreseen which: there is no branch.
-    const GridBall& ball = all.balls[bodies[k]];
+    const GridBall& ball = all.balls[body];
     const unsigned lanes =
       Lanes::notAbove(squaredDistance<Lanes>(stretched, ball), Lanes::all(ball.squaredRadius));
-    near[numberNear] = { bodies[k], lanes };
+    near[numberNear] = { body, lanes };
     numberNear += lanes != 0 ? 1 : 0;
   }
   unsigned flagged = 0;
@@ -230,7 +229,7 @@ inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageS
     const GridEnds<Lanes> ends(page.ends, place + i); // stays in registers
     if constexpr (kTests == Tests::Balls)
     {
-      flagged |= flagNearAny<Lanes>(ends, all, all.every, all.count, scan.near) << i;
+      flagged |= flagNearAny<Lanes>(ends, all, scan.near) << i;
       continue;
     }
     unsigned near = 0;

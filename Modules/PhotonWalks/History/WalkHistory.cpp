@@ -2,7 +2,6 @@
 #include "History/WalkHistory.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace irradiance
@@ -33,7 +32,6 @@ WalkHistory& WalkHistory::operator=(WalkHistory&& other) noexcept
   dealt_ = other.dealt_;
   arena_ = std::move(other.arena_);
   hidden_ = std::move(other.hidden_);
-  indices_ = std::move(other.indices_);
   return *this;
 }
 
@@ -56,14 +54,12 @@ void WalkHistory::append()
   blocks_.emplace_back(
     *arena_, plan_.firstWalkOf(number), plan_.walksIn(number), bands_, grid_, power_);
   hidden_.emplace_back();
-  indices_.clear();
 }
 
 void WalkHistory::removeLast()
 {
   blocks_.pop_back();
   hidden_.pop_back();
-  indices_.clear();
 }
 
 void WalkHistory::renumber(const TriangleNumbers& numbers)
@@ -96,53 +92,16 @@ void WalkHistory::append(std::size_t block, const BounceColumns& front, std::siz
   std::size_t count, std::uint32_t* slots)
 {
   blocks_[block].append(front, first, count, slots);
-  const std::size_t unit = block / kTogether;
-  if (!indices_.empty() && indices_[unit])
-  {
-    indices_[unit]->add(together(unit), block % kTogether, slots, count);
-  }
-}
-
-SegmentIndex::Blocks WalkHistory::together(std::size_t unit) const
-{
-  SegmentIndex::Blocks blocks;
-  const std::size_t end = std::min((unit + 1) * kTogether, blocks_.size());
-  for (std::size_t block = unit * kTogether; block < end; ++block)
-  {
-    blocks.push_back(&blocks_[block]);
-  }
-  return blocks;
-}
-
-void WalkHistory::prepareToFind(std::size_t bodies)
-{
-  if (bodies < SegmentIndex::kFromBodies)
-  {
-    indices_.clear(); // it would have to follow what is stored
-    return;
-  }
-  indices_.resize((blocks_.size() + kTogether - 1) / kTogether);
 }
 
 void WalkHistory::find(const BounceScan& scan, std::size_t first, std::size_t end,
-  std::vector<std::vector<std::uint32_t>>& slots)
+  std::vector<std::vector<std::uint32_t>>& slots) const
 {
   slots.resize(std::max(slots.size(), end - first));
-  if (indices_.empty())
+  for (std::size_t block = first; block < end; ++block)
   {
-    for (std::size_t block = first; block < end; ++block)
-    {
-      scan.find(blocks_[block], blocks_[std::min(block + 1, end - 1)], slots[block - first]);
-    }
-    return;
+    scan.find(blocks_[block], blocks_[std::min(block + 1, end - 1)], slots[block - first]);
   }
-  std::unique_ptr<SegmentIndex>& index = indices_[first / kTogether];
-  const SegmentIndex::Blocks blocks = together(first / kTogether);
-  if (!index || index->isWorn())
-  {
-    index = std::make_unique<SegmentIndex>(blocks);
-  }
-  index->find(blocks, scan, slots);
 }
 
 void WalkHistory::forgetHiddenHits()
@@ -159,10 +118,6 @@ std::size_t WalkHistory::bytes() const
   for (std::size_t i = 0; i < blocks_.size(); ++i)
   {
     bytes += blocks_[i].bytes() + hidden_[i].bytes();
-  }
-  for (const auto& index : indices_)
-  {
-    bytes += index ? index->bytes() : 0;
   }
   return bytes;
 }

@@ -7,12 +7,10 @@
 #include "History/Contribution.h"
 #include "History/HiddenHits.h"
 #include "History/Photon.h"
-#include "History/SegmentIndex.h"
 #include "Sampling/DealtBlocks.h"
 #include "Sampling/WalkPlan.h"
 #include "Scene/TriangleNumbers.h"
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -35,9 +33,6 @@ struct SegmentPlace
 class WalkHistory
 {
 public:
-  /// Blocks that one thread at a time may search and change: an index is over so many.
-  static constexpr std::size_t kTogether = SegmentIndex::kBlocks;
-
   /// Stores nothing.
   WalkHistory() = default;
   /// `numbers`: of the triangles. `arena`: with pages for so many `bands`. `grid`, `power`: see BounceBlock.
@@ -93,13 +88,9 @@ public:
     });
   }
 
-  /// Before find(): for scans of so many bodies.
-  void prepareToFind(std::size_t bodies);
-  bool isIndexed() const { return !indices_.empty(); }
-  /// Lists for each block of [first, end) the slots of segments that the scan flags, in order. Blocks that
-  /// stand in one unit of kTogether are one thread's.
+  /// Lists for each block of [first, end) the slots of segments that the scan flags, in order.
   void find(const BounceScan& scan, std::size_t first, std::size_t end,
-    std::vector<std::vector<std::uint32_t>>& slots);
+    std::vector<std::vector<std::uint32_t>>& slots) const;
 
   HiddenHits& hidden(std::size_t block) { return hidden_[block]; }
   const HiddenHits& hidden(std::size_t block) const { return hidden_[block]; }
@@ -179,7 +170,6 @@ private:
     return hit;
   }
   void makeKinds();
-  SegmentIndex::Blocks together(std::size_t unit) const;
 
   WalkPlan plan_;
   PointGrid grid_;
@@ -190,8 +180,7 @@ private:
   DealtBlocks dealt_;
   std::shared_ptr<BlockArena> arena_; ///< outlives the blocks
   std::vector<BounceBlock> blocks_;
-  std::vector<HiddenHits> hidden_;                     ///< by block
-  std::vector<std::unique_ptr<SegmentIndex>> indices_; ///< by unit; empty unless bodies are many
+  std::vector<HiddenHits> hidden_; ///< by block
 };
 
 }

@@ -25,19 +25,18 @@ std::vector<std::uint32_t> WalkBirths::shoot(
   return shot;
 }
 
-/// Blocks, or those of one index, are one thread's. Walks of several are shot together, as long as that leaves
+/// A block is one thread's. Walks of several are shot together, as long as that leaves
 /// enough units for all threads.
 std::vector<WalkBirths::Unit> WalkBirths::unitsOf(const std::vector<std::uint32_t>& walks) const
 {
   constexpr std::size_t kUnits = 32;
   const std::size_t together =
     std::clamp<std::size_t>(walks.size() / kUnits, 256, WalkFront::kUsualSize);
-  const std::size_t blocks = state_.history.isIndexed() ? WalkHistory::kTogether : 1;
   std::vector<Unit> units;
   std::size_t last = 0;
   for (std::size_t i = 0; i < walks.size(); ++i)
   {
-    const std::size_t place = state_.history.indexOf(walks[i]) / blocks;
+    const std::size_t place = state_.history.indexOf(walks[i]);
     if (units.empty() || (place != last && i - units.back().first >= together))
     {
       units.push_back({ i, i, i, nullptr });

@@ -18,22 +18,15 @@ namespace
 constexpr std::size_t kUnits = 32; // at least, if there are as many marked walks; for all threads
 constexpr std::size_t kBatchSize = 512;
 
-/// Blocks whose walks are verified and repaired together, in a row for a thread.
-std::size_t blocksPerUnit(const WalkHistory& history)
-{
-  constexpr std::size_t kUsual = 32;
-  static_assert(WalkHistory::kTogether % kUsual == 0);
-  return history.isIndexed() ? WalkHistory::kTogether : kUsual;
-}
-
 /// A pass over all blocks: work(first, end, unit, deadline) on those of a unit.
 template <class Work>
 void passOver(const WalkHistory& history, Execution& execution, const Work& work)
 {
-  const std::size_t step = blocksPerUnit(history), all = history.size();
-  SlicedPass pass{ (all + step - 1) / step, {} };
+  constexpr std::size_t kBlocks = 32; // verified and repaired together
+  const std::size_t all = history.size();
+  SlicedPass pass{ (all + kBlocks - 1) / kBlocks, {} };
   pass.work = [&](std::size_t unit, const Deadline& deadline) {
-    return work(unit * step, std::min((unit + 1) * step, all), unit, deadline);
+    return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, deadline);
   };
   pass.run(execution);
 }
@@ -173,9 +166,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
   std::vector<Unit> units;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    // Blocks of one index are one thread's.
-    const bool mayBegin = !state_.history.isIndexed() || block % WalkHistory::kTogether == 0;
-    if (units.empty() || (mayBegin && units.back().items.size() >= together))
+    if (units.empty() || units.back().items.size() >= together)
     {
       units.emplace_back();
     }

@@ -18,7 +18,7 @@ HiddenHit hitOf(const WalkFront& rows, std::size_t row)
 
 }
 
-WalkVerifier::WalkVerifier(const WalkTracer& tracer, WalkHistory& history,
+WalkVerifier::WalkVerifier(const WalkTracer& tracer, const WalkHistory& history,
   const std::vector<bool>& moved, const BounceScan& scan, bool cachesStaticHits)
   : tracer_(tracer)
   , history_(history)
@@ -97,8 +97,16 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
   clock.ends(Stage::Scan);
   memory.firstStale.assign((end - first) * WalkPlan::kWalksPerBlock, BounceBlock::kNone);
   memory.clear();
+  const auto prefetchHits = [&](std::size_t block) {
+    for (std::size_t i = 0; block < end && i < memory.slots[block - first].size(); ++i)
+    {
+      history_.block(block).prefetchHit(memory.slots[block - first][i]);
+    }
+  };
+  prefetchHits(first);
   for (std::size_t block = first; block < end; ++block)
   {
+    prefetchHits(block + 1);
     std::uint32_t* const firstStale =
       memory.firstStale.data() + (block - first) * WalkPlan::kWalksPerBlock;
     sort(block, memory.slots[block - first], known.empty() ? nullptr : known[block], firstStale,
@@ -157,10 +165,6 @@ void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& sl
   const StaleMarks* known, std::uint32_t* firstStale, Memory& memory) const
 {
   const BounceBlock& block = history_.block(number);
-  for (const std::uint32_t slot : slots)
-  {
-    block.prefetchHit(slot);
-  }
   const auto isKnown = [&](std::uint32_t slot) {
     return known && irradiance::isStale(*known, block.segmentAt(slot));
   };
@@ -197,7 +201,10 @@ void WalkVerifier::add(std::size_t number, std::uint32_t slot, bool isLost, Memo
   const std::size_t row = suspects.rows.size++;
   suspects.rows.block[row] = static_cast<std::uint32_t>(number);
   suspects.rows.slot[row] = slot;
-  suspects.known.push_back(hidden);
+  if (cachesStaticHits_)
+  {
+    suspects.known.push_back(hidden);
+  }
 }
 
 /// Whether contacts affect the stored hit.

@@ -26,7 +26,7 @@ class WalkVerifier
 public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
   /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHits.
-  WalkVerifier(const WalkTracer& tracer, WalkHistory& history, const std::vector<bool>& moved,
+  WalkVerifier(const WalkTracer& tracer, const WalkHistory& history, const std::vector<bool>& moved,
     const BounceScan& scan, bool cachesStaticHits);
 
   /// The memory of one thread.
@@ -54,8 +54,7 @@ public:
     FrontCast cast;
   };
 
-  /// Of the blocks [first, end), which stand in one unit of WalkHistory::kTogether: at most one segment of
-  /// each walk. Walks `known` to be stale (by block; null: none) are verified up to their marks.
+  /// Of the blocks [first, end): at most one segment of each walk. Walks `known` to be stale (by block; null: none) are verified up to their marks.
   void find(std::size_t first, std::size_t end, const std::vector<const StaleMarks*>& known,
     Memory& memory, StaleFront& stale) const;
   /// The same for segments that are known to be stale, by block: their hits in the new frame. A hit that was
@@ -95,7 +94,7 @@ private:
   void choose(Memory& memory, const IsChosen& isChosen, StaleFront& stale) const;
 
   const WalkTracer& tracer_;
-  WalkHistory& history_; ///< its indices may grow
+  const WalkHistory& history_;
   const BounceScan& scan_;
   bool cachesStaticHits_;
   std::uint32_t firstDynamic_;         ///< triangle

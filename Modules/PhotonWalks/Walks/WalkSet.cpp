@@ -217,7 +217,6 @@ void WalkSet::followWalks(const std::vector<bool>& moved, const WalkSpace& space
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(space, samples);
   const BounceScan scan = scanOf(moved, space);
-  history_.prepareToFind(scan.bodies().count);
   const WalkVerifier verifier(tracer, history_, moved, scan, settings_.cacheStaticHits);
   repaired_ = {};
   WalkRepair repair({ tracer, verifier, history_, sums_, balance_, *repairs_, changes,

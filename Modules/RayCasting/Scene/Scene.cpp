@@ -24,7 +24,7 @@ double roundTripError(const AffineMap& map, double condition, double magnitude)
 }
 
 /// Up to so many bodies it is faster to test all their balls than to descend a tree.
-constexpr std::size_t kManyBodies = 256;
+constexpr std::size_t kManyBodies = 512;
 
 double conditionOf(const Matrix3& linear, const Matrix3& inverse)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What it takes to store segments, to find those near moved bodies by the scan and by the index, and to
- * replace tails; and the bytes that a segment takes. Beside the scan stands the least that any look at every
+ * What it takes to store segments, to find those near moved bodies by the scan, and to replace
+ * tails; and the bytes that a segment takes. Beside the scan stands the least that any look at every
  * segment costs, to read memory once from end to end: as many bytes as the history holds, or 24 a segment,
  * its two ends as floats. Before any time counts, what was stored is read back, and segments that a body may
  * touch are looked for one by one. One thread.
@@ -9,7 +9,7 @@
  * Arguments: [millions of segments = 8] [rounds = 7]
  */
 #include "../../PhotonWalks/BounceFront.h"
-#include "History/SegmentIndex.h"
+#include "History/BounceScan.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Rounds.h"
@@ -352,51 +352,6 @@ std::size_t countFound(const std::vector<BounceBlock>& blocks, const BounceScan&
   return count;
 }
 
-/// Each of some blocks; what follows is theirs.
-struct Indexes
-{
-  explicit Indexes(const History& history)
-  {
-    for (std::size_t first = 0; first < history.blocks; first += SegmentIndex::kBlocks)
-    {
-      SegmentIndex::Blocks& some = blocks.emplace_back();
-      for (std::size_t b = first; b < std::min(first + SegmentIndex::kBlocks, history.blocks); ++b)
-      {
-        some.push_back(&history.stored[b]);
-      }
-      all.emplace_back(some);
-    }
-  }
-
-  std::size_t countFound(const BounceScan& scan) const
-  {
-    static std::vector<std::vector<std::uint32_t>> found;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      all[i].find(blocks[i], scan, found);
-      for (std::size_t b = 0; b < blocks[i].size(); ++b)
-      {
-        count += found[b].size();
-      }
-    }
-    return count;
-  }
-
-  double bytes() const
-  {
-    double bytes = 0;
-    for (const SegmentIndex& index : all)
-    {
-      bytes += static_cast<double>(index.bytes());
-    }
-    return bytes;
-  }
-
-  std::vector<SegmentIndex::Blocks> blocks;
-  std::vector<SegmentIndex> all;
-};
-
 /// What comes into the box of a body must be found: sought at many places along each segment.
 void checkScan(const History& history, const Bodies& bodies, const BounceScan& scan)
 {
@@ -475,22 +430,15 @@ void run(const Arguments& arguments)
     [&] { used = used + read(ends); }, [&] { history.store(); } };
   const std::size_t first = jobs.size();
   const RigidObject body = makeCube();
-  const Indexes indexes(history);
   for (const Case& one : kCases)
   {
     const Bodies bodies = makeBodies(body, one.bodies, one.size);
     const BounceScan scan = makeScan(history, bodies);
     checkScan(history, bodies, scan);
     const std::size_t found = countFound(history.stored, scan);
-    if (indexes.countFound(scan) != found)
-    {
-      throw std::runtime_error("The index does not find what the scan finds");
-    }
     report(kTable, one.name, "share found", static_cast<double>(found) / segments);
     jobs.push_back([&, scan] { used = used + countFound(history.stored, scan); });
-    jobs.push_back([&, scan] { used = used + indexes.countFound(scan); });
   }
-  jobs.push_back([&] { used = used + Indexes(history).all.size(); });
   jobs.push_back([&] { history.replaceTails(); });
   const std::vector<std::vector<double>> seconds = timeInTurns(jobs, rounds);
 
@@ -498,17 +446,14 @@ void run(const Arguments& arguments)
     ratios(seconds[first], seconds[0]), { 0.5, 0.2 });
   for (std::size_t i = 0; i < std::size(kCases); ++i)
   {
-    const std::vector<double>&scan = seconds[first + 2 * i], &index = seconds[first + 2 * i + 1];
+    const std::vector<double>& scan = seconds[first + i];
     reportTime(kCases[i].name, "ns a segment", segments, scan);
-    reportTime(kCases[i].name, "by the index, ns a segment", segments, index);
     report(kTable, kCases[i].name, "time / reading the history once", ratios(scan, seconds[0]));
     report(kTable, kCases[i].name, "time / reading 24 bytes a segment", ratios(scan, seconds[1]));
   }
-  const std::vector<double>* const rest = seconds.data() + first + 2 * std::size(kCases);
-  reportTime("make an index", "ns a segment", segments, rest[0]);
-  reportTime("replace tails", "ns a segment", static_cast<double>(history.tailSegments), rest[1]);
+  reportTime("replace tails", "ns a segment", static_cast<double>(history.tailSegments),
+    seconds[first + std::size(kCases)]);
   reportTime("store", "ns a segment", segments, seconds[2]);
   reportTime("read the history once", "ns a segment", segments, seconds[0]);
   report("HistoryBytes", "history", "bytes a segment", bytes / segments, { 38, 34 });
-  report("HistoryBytes", "index", "bytes a segment", indexes.bytes() / segments);
 }
