@@ -6,6 +6,7 @@
 #include "MovingScene.h"
 #include "Progress/InputError.h"
 #include "ThreadExecution.h"
+#include "ThreadRanks.h"
 #include "Views/SensorGather.h"
 #include "Views/SensorPlace.h"
 
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <mutex>
 #include <tuple>
 
 namespace irradiance
@@ -362,6 +364,31 @@ TEST(SensorGather, UpdateEqualsRebuildOnAnyThreadsAndInstructions)
       const test::SimdLimit limit(level);
       EXPECT_TRUE(areSame(gathered(scene.objects(), settings, sensors), expected));
     }
+  }
+}
+
+// Law 2 with ranks: those that share the walks have sums by side in common; else each has all walks, and counts.
+TEST(SensorGather, IsTheSameOnAnyRanks)
+{
+  const MovingScene scene(1, true, 93);
+  const std::vector<Sensor> sensors = randomSensors(20);
+  for (const bool separates : { true, false })
+  {
+    EngineSettings settings = settingsOf(5000, separates);
+    settings.replicates = 3;
+    settings.separateSides = separates;
+    settings.keepPhotons = settings.allOnEachRank = !separates;
+    const auto expected = gathered(scene.objects(), settings, sensors);
+    test::ThreadRanks all(3);
+    std::mutex mutex;
+    const std::vector<std::string> errors = all.run([&](test::ThreadRanks::Rank& rank) {
+      IrradianceEngine engine;
+      engine.update(scene.objects(), settings, rank);
+      const auto found = gathered(engine, sensors);
+      const std::lock_guard<std::mutex> lock(mutex);
+      EXPECT_TRUE(areSame(found, expected)) << "rank " << rank.rank();
+    });
+    EXPECT_EQ(errors, std::vector<std::string>(3));
   }
 }
 
