@@ -16,6 +16,7 @@
 
 #include <cstring>
 #include <mutex>
+#include <numeric>
 #include <tuple>
 
 namespace irradiance
@@ -48,7 +49,9 @@ std::vector<SensorGather::Light> gathered(
   const IrradianceEngine& engine, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
 {
   Execution serial;
-  return SensorGather(engine, rays, serial).at(sensors, 0, sensors.size());
+  std::vector<std::size_t> numbers(sensors.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
+  return SensorGather(engine, rays, serial).at(sensors, numbers);
 }
 
 /// By a new engine.
@@ -354,7 +357,7 @@ TEST(SensorGather, UpdateEqualsRebuildOnAnyThreadsAndInstructions)
       std::vector<SensorGather::Light> single;
       for (std::size_t i = 0; i < sensors.size(); ++i)
       {
-        single.push_back(gather.at(sensors, i, i + 1).front());
+        single.push_back(gather.at(sensors, { i }).front());
       }
       ASSERT_TRUE(areSame(single, found)) << frame;
     }
