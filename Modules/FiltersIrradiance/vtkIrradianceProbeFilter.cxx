@@ -65,10 +65,19 @@ void SetDataTime(vtkInformation* info, vtkDataSet* output)
 
 }
 
+class vtkIrradianceProbeFilter::vtkInternals
+{
+public:
+  irradiance::GatheredSensors::Kept Gathered;
+};
+
 vtkIrradianceProbeFilter::vtkIrradianceProbeFilter()
+  : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
 }
+
+vtkIrradianceProbeFilter::~vtkIrradianceProbeFilter() = default;
 
 void vtkIrradianceProbeFilter::SetSourceConnection(vtkAlgorithmOutput* output)
 {
@@ -126,11 +135,11 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   const irradiance::PhotonSource source(scene, "the source", gathers ? Need::Sides : Need::Photons);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   output->ShallowCopy(input);
-  const irradiance::SensorRun run{ sensors, *source.engine(), execution, output };
+  const irradiance::SensorRun run{ sensors, source.engine(), execution, output };
   const std::string warning = gathers
     ? irradiance::GatheredSensors(
         output, run.bands(), normals != nullptr, irradiance::haveErrors(scene))
-        .measure(run, static_cast<std::uint32_t>(this->NumberOfRays))
+        .measure(run, static_cast<std::uint32_t>(this->NumberOfRays), this->Internals->Gathered)
     : irradiance::NearestSensors(output, run.bands())
         .measure(run,
           { static_cast<std::uint32_t>(this->NumberOfPhotons), this->MaximumRadius,

@@ -71,8 +71,8 @@
  * Rays that hit a cell which expects 25 photons or more, and is farther than wide, read what its side received; elsewhere
  * they ask the lights and go on. So light that changes within such a cell is read as its mean, which is a bias;
  * it shrinks with the cells. The samples follow from the seed of the source and the number of the point, so the result is
- * the same on any threads, and after an update that of a new filter, bit for bit. All is gathered
- * anew in each update. A point light beside cells with a SpecularReflectance is an error.
+ * the same on any threads, and after an update that of a new filter, bit for bit. When the source
+ * executes, all sensors gather anew; when sensors change, those alone. A point light beside cells with a SpecularReflectance is an error.
  * Documentation/Theory.md, section 5.8.
  *
  * While walks are stale (RepairTimeBudget), both estimates rest on them.
@@ -92,6 +92,8 @@
 
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersIrradianceModule.h" // For export macro
+
+#include <memory>
 
 class vtkDataSet;
 
@@ -171,7 +173,7 @@ public:
 
 protected:
   vtkIrradianceProbeFilter();
-  ~vtkIrradianceProbeFilter() override = default;
+  ~vtkIrradianceProbeFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
@@ -184,11 +186,15 @@ protected:
   double MaximumDistance = 0;
 
 private:
+  class vtkInternals;
+
   vtkIrradianceProbeFilter(const vtkIrradianceProbeFilter&) = delete;
   void operator=(const vtkIrradianceProbeFilter&) = delete;
 
   void Compute(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
   void WriteEmpty(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
+
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "OutputBits.h"
 #include "TestScenes.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkIrradianceProbeFilter.h"
@@ -16,6 +17,7 @@
 #include <cstring>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 using namespace TestScenes;
 
@@ -256,6 +258,45 @@ TEST(GatheredSensors, SayWhatCannotBeMeasured)
   pipeline.Probe->Print(text);
   EXPECT_NE(text.str().find("Estimate: 0\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfRays: 16\n"), std::string::npos);
+}
+
+// Of sensors that move some gather anew, and find what a new filter finds; those that stay keep their bits. Progress tells:
+// where all stay there is nothing to do.
+TEST(GatheredSensors, ThoseThatStayKeepWhatTheyFound)
+{
+  const Scene scene = MakeSmallScene();
+  Mesh sensors = WithNormals(MakePlanes(), { 0, 0, 1 });
+  Pipeline pipeline(scene, 3000, sensors);
+  int reports = 0;
+  const auto count = [](vtkObject*, unsigned long, void* data, void*) {
+    ++*static_cast<int*>(data);
+  };
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetCallback(count);
+  counter->SetClientData(&reports);
+  const std::vector<double> first = pipeline.Update("Irradiance");
+  pipeline.Probe->AddObserver(vtkCommand::ProgressEvent, counter);
+  pipeline.Probe->Modified();
+  EXPECT_TRUE(HaveSameBits(pipeline.Update("Irradiance"), first));
+  EXPECT_EQ(std::exchange(reports, 0), 2) << "the executive's own, at the begin and the end";
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    sensors = Copy(sensors);
+    for (const vtkIdType moved : { 3, 40, 41 })
+    {
+      double place[3];
+      sensors->GetPoint(moved, place);
+      sensors->GetPoints()->SetPoint(moved, place[0] + 0.1, place[1], place[2] + 0.01);
+    }
+    sensors = frame == 1 ? Join({ sensors, sensors }) : sensors;
+    frame == 2 ? pipeline.Probe->SetNumberOfRays(17) : void();
+    frame == 3 ? scene.Moving[0].Pose->Translate(0.1, 0, 0) : void();
+    pipeline.Probe->SetInputData(sensors);
+    Pipeline fresh(scene, 3000, sensors);
+    fresh.Probe->SetNumberOfRays(pipeline.Probe->GetNumberOfRays());
+    EXPECT_TRUE(HaveSameBits(pipeline.Update("Irradiance"), fresh.Update("Irradiance"))) << frame;
+    EXPECT_GT(std::exchange(reports, 0), 2);
+  }
 }
 
 // What is half done is not left behind, and the next update is whole.

@@ -23,7 +23,7 @@ NearestSensors::NearestSensors(vtkDataSet* output, int bands)
 std::string NearestSensors::measure(const SensorRun& run, const Settings& settings)
 {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  IrradianceEngine& engine = run.engine;
+  IrradianceEngine& engine = *run.engine;
   engine.collect<LeafPhotons>(run.execution);
   engine.prepareSurfaces(run.execution);
   const NearestPhotons nearest = engine.nearestPhotons();
@@ -33,7 +33,7 @@ std::string NearestSensors::measure(const SensorRun& run, const Settings& settin
     settings.maximumRadius > 0 ? settings.maximumRadius : usualRadius(nearest, settings.photons);
   const SensorDirectLight directLight(engine);
   std::vector<char> areLost(run.sensors.size());
-  run.forEachUnit(run.execution, [&](std::size_t first, std::size_t end) {
+  run.forEachUnit(run.sensors.size(), run.execution, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i)
     {
       const auto point = static_cast<vtkIdType>(i);

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,19 +22,19 @@ namespace irradiance
 struct SensorRun
 {
   const std::vector<Sensor>& sensors;
-  IrradianceEngine& engine; ///< of the scene, up to date
+  std::shared_ptr<IrradianceEngine> engine; ///< of the scene, up to date
   Execution& execution;
   vtkDataSet* output; ///< with a point for each sensor
 
-  int bands() const { return engine.objects().staticObject.material->bands; }
-  /// Calls measure(first, end) for all sensors, some at a time, on all threads. Throws Interrupted.
+  int bands() const { return engine->objects().staticObject.material->bands; }
+  /// Calls measure(first, end) for so many sensors, some at a time, on all threads. Throws Interrupted.
   template <class Measure>
-  void forEachUnit(Execution& part, const Measure& measure) const
+  void forEachUnit(std::size_t count, Execution& part, const Measure& measure) const
   {
     constexpr std::size_t kUnit = 64;
-    SlicedPass pass{ (sensors.size() + kUnit - 1) / kUnit, {} };
+    SlicedPass pass{ (count + kUnit - 1) / kUnit, {} };
     pass.work = [&](std::size_t unit, const Deadline&) {
-      measure(unit * kUnit, std::min((unit + 1) * kUnit, sensors.size()));
+      measure(unit * kUnit, std::min((unit + 1) * kUnit, count));
       return true;
     };
     pass.run(part);

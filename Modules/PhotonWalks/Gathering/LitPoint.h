@@ -16,6 +16,11 @@ struct LitPoint
   TriangleId on{};  ///< the triangle on which it stands; none in the air
 
   bool hasNormal() const { return !normal.isZero(0); }
+  /// How much of a beam along a vector it receives: the cosine, not positive from behind; 1 without a normal.
+  double partOf(const Vector3& along) const
+  {
+    return hasNormal() ? -normal.dot(along) / along.norm() : 1;
+  }
 
   /// On a side of a triangle, at the point nearest to a place in its plane, roughly.
   static LitPoint onTriangle(

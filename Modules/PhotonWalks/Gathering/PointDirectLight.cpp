@@ -4,27 +4,12 @@
 #include "Geometry/Pi.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/SobolPoint.h"
-#include "Sampling/SphericalTriangle.h"
 #include "Sampling/SplitMix.h"
 
 #include <algorithm>
 
 namespace irradiance
 {
-
-namespace
-{
-
-/// The area with which a point is weighed, m2: so small that no light seems to give it all of its flux.
-constexpr double kNoArea = 0x1p-200;
-
-/// With which light that comes along a vector counts.
-double arrivingPart(const LitPoint& point, const Vector3& along, double length)
-{
-  return point.hasNormal() ? -point.normal.dot(along) / length : 1;
-}
-
-}
 
 PointDirectLight::PointDirectLight(
   const GatherSpace& space, const LightTable& lights, std::uint64_t seed, std::uint32_t samples)
@@ -101,21 +86,16 @@ void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
   const std::vector<std::uint32_t>& touching, std::size_t replicates,
   std::vector<Arrival>& arrivals) const
 {
-  LampChoice choice(lamps_);
-  CellShape shape;
-  shape.center = point.position;
-  shape.normal = point.normal;
-  shape.area = kNoArea;
-  choice.weigh(shape);
+  const PointLampChoice choice(lamps_, point, samples_);
   const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
-  for (std::uint32_t i = 0; i < samples_; ++i)
+  for (std::uint32_t i = 0; i < samples_ && !choice.isEmpty(); ++i)
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, keys);
     const LampChoice::Choice chosen = choice.choose(u[0]);
     const LampPiece& lamp = lamps_[chosen.piece];
     if (std::find(touching.begin(), touching.end(), lamp.light) == touching.end())
     {
-      Arrival arrival = from(lamp, point, { chosen.rest, u[1] });
+      Arrival arrival = from(lamp, choice.seen(chosen.piece), point, { chosen.rest, u[1] });
       arrival.perWatt /= chosen.probability * samples_;
       arrival.replicate = i * replicates / samples_;
       if (arrival.perWatt > 0)
@@ -126,27 +106,22 @@ void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
   }
 }
 
-PointDirectLight::Arrival PointDirectLight::from(
-  const LampPiece& lamp, const LitPoint& point, const std::array<double, 2>& onLamp) const
+PointDirectLight::Arrival PointDirectLight::from(const LampPiece& lamp,
+  const SphericalTriangle& seen, const LitPoint& point, const std::array<double, 2>& onLamp) const
 {
   const Light& light = lamps_.lights()[lamp.light];
   if (const auto* const inAir = std::get_if<PointLight>(&light.kind))
   {
-    const Vector3 along = point.position - inAir->position();
-    const double square = along.squaredNorm();
-    const double arriving = arrivingPart(point, along, std::sqrt(square));
-    const double perWatt =
-      arriving > 0 && square > 0 ? inAir->density(along) * arriving / square : 0;
-    return { { inAir->position(), along, {} }, lamp.light, perWatt };
+    return { { inAir->position(), point.position - inAir->position(), {} }, lamp.light,
+      PointLampChoice::perWatt(*inAir, point) };
   }
-  const SphericalTriangle seen(lamp.triangle, point.position);
   const SurfacePoint start = surfacePoint(lamp.triangle, seen.sample(onLamp));
   const Vector3 between = point.position - start.position;
   // Closer to its plane, rounding would tell the side.
   const bool isInFront = start.normal.dot(between) > 4 * start.clearance;
-  const double arriving = arrivingPart(point, between, between.norm());
-  const double perWatt =
-    isInFront ? arriving * seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area()) : 0;
+  const double perWatt = isInFront
+    ? point.partOf(between) * seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area())
+    : 0;
   const Vector3 origin = start.clearPosition();
   return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt };
 }

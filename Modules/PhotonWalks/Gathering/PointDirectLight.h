@@ -3,8 +3,7 @@
 #define irradiance_PointDirectLight_h
 
 #include "Gathering/GatherSpace.h"
-#include "Gathering/LampChoice.h"
-#include "Gathering/LitPoint.h"
+#include "Gathering/PointLampChoice.h"
 
 #include <array>
 #include <vector>
@@ -17,7 +16,7 @@ namespace irradiance
  * at the point, no mean over a cell. It is the irradiance, or of a point that receives from all directions the
  * fluence rate.
  *
- * Each sample asks a light that LampChoice chooses, at a point chosen by solid angle; so none brings much more
+ * Each sample asks a light that PointLampChoice chooses, at a point chosen by solid angle; so none brings much more
  * than others, however near a light is. Of a light in the same place as the face on which the point stands, what it emits
  * there arrives; of a point light at the very point nothing, though it would be infinite. All
  * is a pure function of the scene, the seed, the point and its number. Theory.md, 1.3.
@@ -56,8 +55,9 @@ private:
   void addSamples(const LitPoint& point, std::uint64_t number,
     const std::vector<std::uint32_t>& touching, std::size_t replicates,
     std::vector<Arrival>& arrivals) const;
-  Arrival from(
-    const LampPiece& lamp, const LitPoint& point, const std::array<double, 2>& onLamp) const;
+  /// `seen`: its triangle.
+  Arrival from(const LampPiece& lamp, const SphericalTriangle& seen, const LitPoint& point,
+    const std::array<double, 2>& onLamp) const;
   bool arrives(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
 
   GatherSpace space_;

@@ -23,6 +23,11 @@ struct Sensor
   Vector3 position; ///< world
   Vector3 normal; ///< world, unit vector to the side from which light comes; 0: from all directions
 
+  friend bool operator==(const Sensor& a, const Sensor& b)
+  {
+    return a.position == b.position && a.normal == b.normal;
+  }
+
   /// World units. No less than the plain one.
   double squaredDistance(const Vector3& point) const
   {

@@ -52,17 +52,17 @@ SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, E
 }
 
 std::vector<SensorGather::Light> SensorGather::at(
-  const std::vector<Sensor>& sensors, std::size_t first, std::size_t end) const
+  const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const
 {
   std::unique_ptr<GatherPaths> paths = paths_.take();
   paths->begin(scene_);
   std::vector<std::optional<LitPoint>> places;
-  for (std::size_t i = first; i < end; ++i)
+  for (const std::size_t number : numbers)
   {
-    places.push_back(sensorPlace(scene_.space.scene.bounds(), sensors[i]));
+    places.push_back(sensorPlace(scene_.space.scene.bounds(), sensors[number]));
     if (places.back())
     {
-      paths->addPoint(scene_, *places.back(), i);
+      paths->addPoint(scene_, *places.back(), number);
     }
   }
   paths->run(scene_);
@@ -71,10 +71,10 @@ std::vector<SensorGather::Light> SensorGather::at(
   brought.read(scene_, paths->followed(), numberOfPlaces);
   std::vector<Light> found;
   std::size_t start = 0;
-  for (std::size_t i = first; i < end; ++i)
+  for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    const std::optional<LitPoint>& place = places[i - first];
-    found.push_back(place ? lightOf(replicatesOf(brought, start++, *place, i)) : unknownLight());
+    found.push_back(
+      places[i] ? lightOf(replicatesOf(brought, start++, *places[i], numbers[i])) : unknownLight());
   }
   paths_.giveBack(std::move(paths));
   return found;

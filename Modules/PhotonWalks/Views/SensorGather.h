@@ -41,10 +41,10 @@ public:
     /// From the variance between replicates; NaN without these, or if none of them received anything.
     Bands standardError;
   };
-  /// At sensors [first, end): their numbers choose the samples. Throws std::runtime_error for a path that does
+  /// At the sensors of these numbers, which choose the samples. Throws std::runtime_error for a path that does
   /// not end. May be called by several threads.
   std::vector<Light> at(
-    const std::vector<Sensor>& sensors, std::size_t first, std::size_t end) const;
+    const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const;
 
 private:
   /// What came by paths, to the `start`-th start, and straight from the lights.
