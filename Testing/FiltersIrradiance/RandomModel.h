@@ -26,6 +26,7 @@ struct Settings
   int TraversalMode = vtkIrradianceFilter::Parallel, UpdateMode = vtkIrradianceFilter::Verify;
   int CellEstimate = vtkIrradianceFilter::Sums, NumberOfSpreadPhotons = 250;
   int DirectLight = vtkIrradianceFilter::Shot;
+  int NumberOfGatherRays = 4, GatherOn = vtkIrradianceFilter::SmallCells;
   bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
   double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
   std::string ReflectanceArray = "DiffuseReflectance", SpecularArray = "SpecularReflectance";
@@ -70,6 +71,8 @@ inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
   filter->SetUpdateMode(settings.UpdateMode);
   filter->SetCellEstimate(settings.CellEstimate);
   filter->SetNumberOfSpreadPhotons(settings.NumberOfSpreadPhotons);
+  filter->SetNumberOfGatherRays(settings.NumberOfGatherRays);
+  filter->SetGatherOn(settings.GatherOn);
   filter->SetCacheStaticHits(settings.CacheStaticHits);
   filter->SetSeparateSides(settings.SeparateSides);
   filter->SetComputeStandardError(settings.ComputeStandardError);

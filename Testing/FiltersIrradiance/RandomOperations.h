@@ -57,8 +57,10 @@ inline void ChangeOutput(Trial& t)
 /// An estimate from the nearest photons ends what it excludes.
 inline void ChangeEstimate(Trial& t)
 {
-  t.Set().CellEstimate = t.Random.Below(3);
+  t.Set().CellEstimate = t.Random.Below(4);
   t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
+  t.Set().NumberOfGatherRays = 1 << t.Random.Below(6);
+  t.Set().GatherOn = t.Random.Below(3);
   if (t.Set().CellEstimate == vtkIrradianceFilter::Nearest)
   {
     t.Set().ComputeStandardError = false;
@@ -133,6 +135,7 @@ inline void AbortAView(Trial& t)
     meddler->Change = [view] { view->SetAbortExecute(1); };
     const auto tag = view->AddObserver(vtkCommand::ProgressEvent, meddler);
     t.LimitGloss();
+    t.DropFinalGather();
     t.Look();
     view->RemoveObserver(tag);
     view->Modified(); // else it keeps the empty output

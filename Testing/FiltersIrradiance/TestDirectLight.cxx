@@ -568,11 +568,13 @@ TEST(DirectLight, NoHistoryWithoutMotion)
   EXPECT_GT(stored, 0);
   filter->SetUpdateModeToRebuild();
   filter->Update();
-  EXPECT_LT(Field(filter, "HistoryBytes"), 0.05 * stored); // the sums of static and dynamic cells
+  const double rebuilt =
+    Field(filter, "HistoryBytes"); // samples, and the sums of static and dynamic cells
+  EXPECT_LT(rebuilt, 0.5 * stored);
   scene.Moving.clear();
   const auto still = MakeGathered(scene, 1000);
   still->Update();
-  EXPECT_EQ(Field(still, "HistoryBytes"), 0);
+  EXPECT_LT(Field(still, "HistoryBytes"), rebuilt) << "samples alone";
 }
 
 // Without light, without surfaces, and with nothing at all.
