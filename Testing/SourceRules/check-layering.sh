@@ -37,11 +37,9 @@ reject_matches()
 {
   local pattern=$1 reason=$2 file number
   shift 2
-  for file in "$@"; do
-    while IFS=: read -r number _; do
-      reject "$file" "$number" "$reason"
-    done < <(grep -nE "$pattern" "$file" || true)
-  done
+  while IFS=: read -r file number _; do
+    reject "$file" "$number" "$reason"
+  done < <((($# == 0)) || grep -nHE "$pattern" "$@" || true)
 }
 
 # includes FILE: line number and included path of every #include
@@ -51,12 +49,13 @@ includes()
     sed -nE 's/^([0-9]+):[^"<]*["<]([^">]*)[">].*$/\1 \2/p' || true
 }
 
-# room_of FILE: the number of the room that a file of Modules/ lies in; nothing if there is no such room
-room_of()
+# find_room FILE: sets `room` to the number of the room that a file of Modules/ lies in; empty if there is no such room
+find_room()
 {
   local folder=${1%/*} i
+  room=
   for i in "${!rooms[@]}"; do
-    [[ $folder == "${rooms[i]}" ]] && echo "$i" && return
+    [[ $folder == "${rooms[i]}" ]] && room=$i && return
   done
   true
 }
@@ -71,9 +70,15 @@ top_of()
   echo "$top"
 }
 
-# included PATH FOLDER: the file that PATH means where a file in FOLDER includes it, relative to Modules/;
-# nothing if it is none of ours
-included()
+# One of the files of each name, relative to Modules/.
+declare -A named
+while read -r file; do
+  named[${file##*/}]=${file#Modules/}
+done < <([[ ! -d Modules ]] || find Modules -type f)
+
+# find_included PATH FOLDER: sets `used` to the file that PATH means where a file in FOLDER includes it, relative to
+# Modules/; empty if it is none of ours
+find_included()
 {
   local path=$1 folder=$2 module candidate
   path=${path##*../}
@@ -81,15 +86,13 @@ included()
   for module in "${modules[@]}"; do
     for candidate in "$module/$path" "${path#Modules/}"; do
       if [[ $candidate == "$module"/* && -e Modules/$candidate ]]; then
-        echo "$candidate"
+        used=$candidate
         return
       fi
     done
   done
   # By its name alone, in any folder.
-  candidate=$(find Modules -type f -name "${path##*/}" | head -n 1)
-  [[ $candidate ]] && echo "${candidate#Modules/}"
-  true
+  used=${named[${path##*/}]-}
 }
 
 source_files()
@@ -109,13 +112,14 @@ for i in "${!modules[@]}"; do
     for file in "${files[@]}"; do
       own_room=$(top_of "$module") # a test may use all rooms of its module
       if [[ $file == Modules/* ]]; then
-        own_room=$(room_of "${file#Modules/}")
+        find_room "${file#Modules/}"
+        own_room=$room
         [[ $own_room ]] || reject "$file" 1 "this folder is no room of the list in check-layering.sh"
       fi
       while read -r number path; do
-        used=$(included "$path" "$(dirname "$file")")
+        find_included "$path" "${file%/*}"
         [[ $used && $own_room ]] || continue
-        room=$(room_of "$used")
+        find_room "$used"
         if [[ $room ]] && ((room > own_room)); then
           reject "$file" "$number" "${rooms[own_room]} may not use ${rooms[room]} ($path)"
         fi
@@ -132,30 +136,23 @@ if ((checked == 0)); then
   exit 1
 fi
 
-mapfile -t files < <(source_files Modules; source_files Examples)
-for file in "${files[@]}"; do
-  [[ $file == Modules/RayCasting/Ellipsoids/EnclosingEllipsoid.cpp ||
-    $file == Modules/RayCasting/Meshes/PolygonTriangulation.cpp ]] && continue
-  reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]CGAL/|(^|[^[:alnum:]_])CGAL::' \
-    "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone" "$file"
-done
+mapfile -t files < <({ source_files Modules; source_files Examples; } | grep -vxE \
+  'Modules/RayCasting/(Ellipsoids/EnclosingEllipsoid|Meshes/PolygonTriangulation)\.cpp')
+reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]CGAL/|(^|[^[:alnum:]_])CGAL::' \
+  "CGAL is for EnclosingEllipsoid.cpp and PolygonTriangulation.cpp alone" "${files[@]}"
 
 mapfile -t files < <(source_files Modules; source_files Examples; for module in "${modules[@]}"; do source_files "Testing/$module"; done)
-for file in "${files[@]}"; do
-  reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]embree' \
-    "Embree is for Testing/Benchmarks alone" "$file"
-done
+reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/]embree' \
+  "Embree is for Testing/Benchmarks alone" "${files[@]}"
 
-for file in Modules/Python/*.py Modules/Python/*.py.in; do
-  reject_matches '^[[:space:]]*(from|import)[[:space:]]+(numpy|matplotlib|paraview|vtk)([[:space:].]|$)' \
-    "the Python package needs vtkmodules and Python's own library alone" "$file"
-done
+reject_matches '^[[:space:]]*(from|import)[[:space:]]+(numpy|matplotlib|paraview|vtk)([[:space:].]|$)' \
+  "the Python package needs vtkmodules and Python's own library alone" Modules/Python/*.py Modules/Python/*.py.in
 
 for file in Modules/FiltersIrradiance/vtk*.h; do
   reject_matches '^[[:space:]]*#[[:space:]]*include.*[<"/](Eigen|CGAL|boost)/|(^|[^[:alnum:]_])(Eigen|CGAL)::' \
     "a public header may not show Eigen or CGAL" "$file"
   while read -r number path; do
-    used=$(included "$path" Modules/FiltersIrradiance)
+    find_included "$path" Modules/FiltersIrradiance
     if [[ $used == RayCasting/* || $used == PhotonWalks/* ]]; then
       reject "$file" "$number" "a public header may not show the engine ($path)"
     elif [[ $used && ${used##*/} != vtk* ]]; then
