@@ -21,6 +21,8 @@ TEST(RandomPrograms, UpdatesEqualFreshFilters)
     if (program % 3 == 2) // else few gather for long
     {
       trial.Set().DirectLight = vtkIrradianceFilter::Gathered;
+      trial.Set().CellEstimate =
+        program % 2 == 1 ? vtkIrradianceFilter::FinalGather : vtkIrradianceFilter::Sums;
       trial.Given.Look.HasEye = trial.Given.Look.HasSensors = false;
       trial.Apply();
     }
