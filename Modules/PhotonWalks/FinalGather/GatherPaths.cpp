@@ -163,9 +163,9 @@ void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std:
   });
 }
 
-template <class Rays, class RayOf>
-void GatherPaths::addStart(
-  const GatherScene& scene, std::uint64_t seed, const Rays& rays, const RayOf& rayOf)
+template <class RayOf>
+void GatherPaths::addStart(const GatherScene& scene, std::uint64_t seed,
+  const std::vector<std::uint32_t>& rays, const RayOf& rayOf)
 {
   Bands weight{};
   std::fill_n(weight.begin(), bands_, 1.0 / scene.raysOfReplicate());

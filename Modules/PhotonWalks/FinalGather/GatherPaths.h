@@ -73,8 +73,9 @@ private:
   };
 
   /// `rayOf(i)`: the ray of this number.
-  template <class Rays, class RayOf>
-  void addStart(const GatherScene& scene, std::uint64_t seed, const Rays& rays, const RayOf& rayOf);
+  template <class RayOf>
+  void addStart(const GatherScene& scene, std::uint64_t seed,
+    const std::vector<std::uint32_t>& rays, const RayOf& rayOf);
   void cast(const GatherScene& scene);
   static Arrival arrivalOf(const GatherScene& scene, const Ray& ray, const Hit& hit);
   void record(const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
