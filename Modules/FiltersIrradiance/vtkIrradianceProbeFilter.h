@@ -23,7 +23,8 @@
  *   With Gathered a sensor stays where it is, but for 2^-20 of the scene's largest coordinate (4 um of 4 m): so far it is
  *   taken along its normal, or without normals towards the middle of the scene. So a sensor whose coordinates are rounded
  *   is not behind its own surface, and the outermost points of a grid that fills a room are in the room. It does not move
- *   with the surfaces of the scene: move it as they move.
+ *   with the surfaces of the scene: move it as they move. On a face that touches a lamp, as the underside of a box on a light
+ *   table, it comes to be behind the lamp's face and finds 0; Nearest knows what the lamp emits there.
  * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. One that did
  *   not keep its photons, as nothing can move, executes again, once. Gathered needs no photons if sums are kept by side
  *   (SeparateSides or CellEstimate Gathered), which takes less memory.
