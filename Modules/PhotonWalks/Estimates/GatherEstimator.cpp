@@ -14,9 +14,6 @@ namespace irradiance
 namespace
 {
 
-/// On a point of a near cell: the ray that hits it is one of many.
-constexpr std::uint32_t kSamplesOfPoint = 4;
-
 CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint)
 {
   const SceneObjects& objects = source.space.objects;
@@ -45,7 +42,7 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on);
   const CellShapes shapes = shapesOf(from, cancelPoint);
   const std::deque<PointDirectLight> lights =
-    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfPoint);
+    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, &*direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
     1 / from.walks.watts(1.0), settings_.seed,
@@ -104,8 +101,7 @@ std::int64_t GatherEstimator::sumOf(const CellSide& cell, const Quanta& quanta) 
 
 std::uint32_t GatherEstimator::numberOfRays() const
 {
-  const std::uint32_t replicates = source().walks.plan().replicates().count();
-  return (settings_.rays + replicates - 1) / replicates * replicates;
+  return dealtRays(settings_.rays, source().walks.plan().replicates().count());
 }
 
 double GatherEstimator::staleIrradiance(const CellSide& cell, int band) const

@@ -13,6 +13,12 @@
 namespace irradiance
 {
 
+/// As many, rounded up so that each replicate has as many as the others.
+inline std::uint32_t dealtRays(std::uint32_t rays, std::uint32_t replicates)
+{
+  return (rays + replicates - 1) / replicates * replicates;
+}
+
 /// What the paths of a final gather go through.
 struct GatherScene
 {

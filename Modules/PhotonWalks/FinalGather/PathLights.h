@@ -5,10 +5,14 @@
 #include "Gathering/PointDirectLight.h"
 #include "Walks/WalkSets.h"
 
+#include <cstdint>
 #include <deque>
 
 namespace irradiance
 {
+
+/// Of a point that a path hits, see lightsOf(): the path is one of many.
+constexpr std::uint32_t kSamplesOfHit = 4;
 
 /// Calls visit(Light) for each light of each set of walks.
 template <class Visit>

@@ -14,9 +14,6 @@ namespace irradiance
 namespace
 {
 
-/// On a point that a path hits: the path is one of many.
-constexpr std::uint32_t kSamplesOfHit = 4;
-
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 SensorGather::Light unknownLight()
@@ -27,11 +24,6 @@ SensorGather::Light unknownLight()
   return light;
 }
 
-std::uint32_t roundedUp(std::uint32_t rays, std::uint32_t replicates)
-{
-  return (rays + replicates - 1) / replicates * replicates;
-}
-
 }
 
 SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution)
@@ -40,13 +32,13 @@ SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, E
   , sums_(engine.walks(), engine.objects(), execution)
   , noShapes_(engine.objects(), engine.space().triangles, 0, 0)
   , direct_(lightsOf(
-      engine.walks(), engine.gatherSpace(), engine.settings().seed, roundedUp(rays, replicates_)))
+      engine.walks(), engine.gatherSpace(), engine.settings().seed, dealtRays(rays, replicates_)))
   , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, kSamplesOfHit))
   , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), noShapes_,
     CellRoles(
       engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small),
     { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
-    roundedUp(rays, replicates_), 1 / engine.watts(1.0), engine.settings().seed, false }
+    dealtRays(rays, replicates_), 1 / engine.watts(1.0), engine.settings().seed, false }
 {
   checkLights(engine.walks(), engine.space().triangles, "Estimate");
 }
