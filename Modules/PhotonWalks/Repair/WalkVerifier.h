@@ -54,7 +54,8 @@ public:
     FrontCast cast;
   };
 
-  /// Of the blocks [first, end): at most one segment of each walk. Walks `known` to be stale (by block; null: none) are verified up to their marks.
+  /// Of the blocks [first, end): at most one segment of each walk. Walks `known` to be stale (by block; null: none)
+  /// are verified up to their marks.
   void find(std::size_t first, std::size_t end, const std::vector<const StaleMarks*>& known,
     Memory& memory, StaleFront& stale) const;
   /// The same for segments that are known to be stale, by block: their hits in the new frame. A hit that was
