@@ -310,7 +310,7 @@ public:
    * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
    * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. Changing it
    * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to
-   * Gathered without SeparateSides. Default Sums.
+   * Gathered. Default Sums.
    */
   vtkSetClampMacro(CellEstimate, int, Sums, FinalGather);
   vtkGetMacro(CellEstimate, int);
@@ -335,7 +335,8 @@ public:
    * With CellEstimate Gathered, how many rays look for the indirect light of each side of a small cell, 1 to
    * 4096; with error bars rounded up to a multiple of NumberOfReplicates. A cell is small if it would receive fewer
    * than two photons for each ray when NumberOfWalks walks arrived evenly over all area. The noise falls with the root of
-   * the number, or faster; the time grows with it. Changing it is like changing CellEstimate. Default 32.
+   * the number, or faster; the time grows with it. Each cell gathers its direct light with half as many samples at least.
+   * So changing it shoots all walks. Default 32.
    */
   vtkSetMacro(NumberOfGatherRays, int);
   vtkGetMacro(NumberOfGatherRays, int);
@@ -343,9 +344,10 @@ public:
 
   ///@{
   /**
-   * With CellEstimate Gathered, which cells find their indirect light by rays, see GatheringCells. On large cells it is
-   * less noisy than their photons where each surface has one reflectance, and takes the time of their rays. Changing it
-   * is like changing CellEstimate. Default SmallCells.
+   * With CellEstimate Gathered, which cells find their indirect light by rays, see GatheringCells. Large cells
+   * take four times as many rays, and samples of direct light, as small ones. That is less noisy than their photons by far
+   * where each surface has one reflectance, and a tenth of the walks then serves as well. Changing it shoots all walks
+   * where the numbers of samples change, else none. Default SmallCells.
    */
   vtkSetClampMacro(GatherOn, int, SmallCells, AllCells);
   vtkGetMacro(GatherOn, int);

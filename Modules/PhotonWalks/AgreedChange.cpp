@@ -18,6 +18,8 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(walks.verify);
   hash.add(walks.separateSides);
   hash.add(walks.gathersDirectLight);
+  hash.add(walks.fewestSamples.small);
+  hash.add(walks.fewestSamples.large);
   hash.add(walks.keepPhotons);
   hash.add(walks.allOnEachRank);
   hash.add(walks.listRepaired);
@@ -28,6 +30,7 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(static_cast<int>(estimate.cellEstimate));
   hash.add(estimate.spreadPhotons);
   hash.add(estimate.gatherRays);
+  hash.add(static_cast<int>(estimate.gatherOn));
   return hash.value();
 }
 

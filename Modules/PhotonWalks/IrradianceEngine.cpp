@@ -21,6 +21,7 @@ WalkSettings walkSettingsOf(const EngineSettings& settings)
 {
   WalkSettings walks = settings;
   walks.separateSides = settings.keepsSides();
+  walks.fewestSamples = fewestSamplesOf(settings, settings);
   return walks;
 }
 
@@ -65,7 +66,8 @@ FrameChange IrradianceEngine::changeTo(
 {
   const WalkPlan plan = WalkSets::planOf(settings);
   const bool samePlan = plan == WalkSets::planOf(settings_) &&
-    settings.gathersDirectLight == settings_.gathersDirectLight;
+    settings.gathersDirectLight == settings_.gathersDirectLight &&
+    fewestSamplesOf(settings, settings) == fewestSamplesOf(settings_, settings_);
   // A wall that a point light touches may have moved.
   bool sameLights =
     isValid_ && samePlan && areLightsUnchanged(objects, objects_) && walks_.boundsInAir().isEmpty();
@@ -76,7 +78,7 @@ FrameChange IrradianceEngine::changeTo(
       sourcesOf(objects, plan, LightWalls(objects, solidSides_, cancelPointOf(execution, 0)));
     if (settings.gathersDirectLight)
     {
-      sources = gatheredSourcesOf(objects, sources);
+      sources = gatheredSourcesOf(objects, sources, fewestSamplesOf(settings, settings));
     }
     isValid_ = wasValid;
     sameLights = isValid_ && walks_.hasSources(sources);

@@ -73,7 +73,7 @@ std::vector<bool> nearLightsOf(const SceneObjects& objects)
 
 std::vector<WalkSource> gatheredOf(const SceneObjects& objects, const WalkPlan& plan)
 {
-  return gatheredSourcesOf(objects, sourcesOf(objects, plan));
+  return gatheredSourcesOf(objects, sourcesOf(objects, plan), {});
 }
 
 double quantaPerWatt(const WalkSource& source)
@@ -156,8 +156,10 @@ TEST(FirstHits, DecideHowManySamplesThereAre)
   floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kReflectance));
   addLamp(lamp, 2.5, 1, 8);
   const WalkPlan plan(10000, 10000, 16);
-  const double inRoom = gatheredOf({ room.build(), { lamp.build() } }, plan)[0].walksPerSample;
-  const double alone = gatheredOf({ floor.build(), { lamp.build() } }, plan)[0].walksPerSample;
+  const double inRoom =
+    gatheredOf({ room.build(), { lamp.build() } }, plan)[0].density.walksPerSample;
+  const double alone =
+    gatheredOf({ floor.build(), { lamp.build() } }, plan)[0].density.walksPerSample;
   EXPECT_GT(inRoom, 8 * alone);
   EXPECT_GE(alone, 1);
 }
@@ -207,7 +209,7 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   expected[0].cells = CellPart::Static;
   // The mean reflectance of the walls is a part of a shot walk's power.
   expected[0].quantaPerStart = gatheredOf(allFar, plan)[0].quantaPerStart;
-  expected[0].walksPerSample = gatheredOf(allFar, plan)[0].walksPerSample;
+  expected[0].density = gatheredOf(allFar, plan)[0].density;
   EXPECT_NEAR(double(expected[0].quantaPerStart),
     meanReflectance(allFar.staticObject) * double(expected[0].lights.quantaPerWalk()), 1);
   EXPECT_TRUE(gatheredOf(allFar, plan) == expected);

@@ -5,6 +5,8 @@
 #include "Estimates/NearestPhotonEstimator.h"
 #include "Estimates/SpreadEstimator.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -34,6 +36,18 @@ bool needsPhotons(CellEstimate estimate)
 bool needsSides(CellEstimate estimate)
 {
   return estimate == CellEstimate::Gathered;
+}
+
+FewestSamples fewestSamplesOf(const EstimateSettings& settings, const WalkSettings& walks)
+{
+  FewestSamples fewest = walks.fewestSamples;
+  if (settings.cellEstimate == CellEstimate::Gathered)
+  {
+    fewest.small = std::max(fewest.small, settings.gatherRays / 2);
+    fewest.large = std::max(fewest.large,
+      settings.gatherOn == GatherOn::All ? CellRoles::kTimesOfLarge * fewest.small : fewest.small);
+  }
+  return fewest;
 }
 
 std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)

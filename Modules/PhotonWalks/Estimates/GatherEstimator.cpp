@@ -115,7 +115,7 @@ double GatherEstimator::staleIrradiance(const CellSide& cell, int band) const
 /// Each ray reads a cell that expects fewestToRead() photons at least.
 double GatherEstimator::photonShare(const CellSide& cell) const
 {
-  const double drawn = roles_->fewestToRead() * numberOfRays();
+  const double drawn = roles_->fewestToRead() * numberOfRays() * roles_->timesOf(cell);
   return roles_->gathers(cell)
     ? std::min(1.0, roles_->expectedOn(source().cells.area(cell)) / drawn)
     : 1.0;

@@ -27,17 +27,21 @@ public:
   /// of n rays less, as each brings a mean of many photons.
   static constexpr double kPhotonsPerRay = 2;
 
-  /// `walks`: of all area. `rays`: of each side of a cell that gathers; 0: none does.
+  /// Large cells that gather take so many times as many rays: most of the area is theirs.
+  static constexpr std::uint32_t kTimesOfLarge = 4;
+
+  /// `walks`: of all area. `rays`: of each side of a small cell; 0: none does.
   CellRoles(const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on);
 
   /// Photons that a cell of this area, m2, expects.
   double expectedOn(double area) const { return area * walksPerArea_; }
   bool gathers(const SceneCell& cell) const
   {
-    const double area = cells_.area(cell);
     const bool asked = on_ == GatherOn::All || (on_ == GatherOn::Dynamic && cell.object > 0);
-    return area > 0 && photons_ > 0 && (asked || expectedOn(area) < photons_);
+    return cells_.area(cell) > 0 && photons_ > 0 && (asked || isSmall(cell));
   }
+  /// How many times the rays of the settings each side of a cell takes that gathers.
+  std::uint32_t timesOf(const SceneCell& cell) const { return isSmall(cell) ? 1 : kTimesOfLarge; }
   bool isRead(const SceneCell& cell) const
   {
     return expectedOn(cells_.area(cell)) >= fewestToRead();
@@ -45,6 +49,8 @@ public:
   double fewestToRead() const { return std::min(kFewestToRead, photons_); }
 
 private:
+  bool isSmall(const SceneCell& cell) const { return expectedOn(cells_.area(cell)) < photons_; }
+
   const SceneCells& cells_;
   GatherOn on_;
   double photons_;          ///< small cells expect fewer

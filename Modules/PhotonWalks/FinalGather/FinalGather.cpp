@@ -128,7 +128,7 @@ std::vector<FinalGather::Side> FinalGather::sidesOf(
     {
       if (!(side == 0 ? shape.isFrontDark : shape.isBackDark))
       {
-        sides.push_back({ i, side });
+        sides.push_back({ i, side, scene.roles.timesOf(gatherers_[i].cell) });
       }
     }
   }
@@ -146,10 +146,12 @@ void FinalGather::gather(const GatherScene& scene, const GatherMotion* motion, s
     follow(scene, isKept ? motion : nullptr, unit);
   }
   PathSums brought;
-  brought.read(scene, unit.paths, unit.sides.size());
-  for (std::size_t i = 0; i < unit.sides.size(); ++i)
+  brought.read(scene, unit.paths, unit.paths.size() / scene.rays);
+  std::size_t start = 0;
+  for (const Side& side : unit.sides)
   {
-    store(scene, brought, i, { gatherers_[unit.sides[i].gatherer].cell, unit.sides[i].side });
+    store(scene, brought, start, side);
+    start += side.starts;
   }
 }
 
@@ -159,15 +161,14 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
   paths->begin(scene);
   std::vector<bool> isAnew;
   std::vector<std::uint32_t> rays;
-  for (std::size_t i = 0; i < unit.sides.size(); ++i)
+  for (const Side& side : unit.sides)
   {
-    const Side& side = unit.sides[i];
     const Gatherer& gatherer = gatherers_[side.gatherer];
     rays.clear();
-    for (std::uint32_t ray = 0; ray < scene.rays; ++ray)
+    for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
     {
       isAnew.push_back(!motion || motion->hasMoved(gatherer.cell.object) ||
-        motion->mayChange(unit.paths[i * scene.rays + ray]));
+        motion->mayChange(unit.paths[isAnew.size()]));
       if (isAnew.back())
       {
         rays.push_back(ray);
@@ -183,30 +184,45 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
   }
   paths->run(scene);
   followed_ += static_cast<std::int64_t>(paths->followed().size());
-  FollowedPaths merged;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < isAnew.size(); ++i)
+  if (motion)
   {
-    isAnew[i] ? merged.addPath(paths->followed(), next++) : merged.addPath(unit.paths, i);
+    FollowedPaths merged;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < isAnew.size(); ++i)
+    {
+      isAnew[i] ? merged.addPath(paths->followed(), next++) : merged.addPath(unit.paths, i);
+    }
+    unit.paths = std::move(merged);
   }
-  unit.paths = std::move(merged);
+  else
+  {
+    unit.paths = paths->takeFollowed();
+  }
   paths_.giveBack(std::move(paths));
 }
 
 void FinalGather::store(
-  const GatherScene& scene, const PathSums& brought, std::size_t number, const CellSide& side)
+  const GatherScene& scene, const PathSums& brought, std::size_t start, const Side& side)
 {
-  const double area = scene.cells.area(side);
+  const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
+  const double areaOfStart = scene.cells.area(cell) / side.starts;
   for (int band = 0; band < indirect_.bands(); ++band)
   {
-    const auto i = static_cast<std::size_t>(band);
+    const auto sumOf = [&](const auto& found) {
+      double sum = 0;
+      for (std::size_t i = start; i < start + side.starts; ++i)
+      {
+        sum += found(i)[static_cast<std::size_t>(band)];
+      }
+      return nearestQuanta(areaOfStart * sum);
+    };
     for (std::uint32_t k = 0; k < indirect_.plan().replicates().count(); ++k)
     {
-      indirect_.set(side, band, k, nearestQuanta(area * brought.found(number, k)[i]));
+      indirect_.set(cell, band, k, sumOf([&](std::size_t i) { return brought.found(i, k); }));
     }
     if (scene.known.stale)
     {
-      stale_.set(side, band, 0, nearestQuanta(area * brought.stale(number)[i]));
+      stale_.set(cell, band, 0, sumOf([&](std::size_t i) { return brought.stale(i); }));
     }
   }
 }

@@ -50,10 +50,11 @@ private:
   {
     std::size_t gatherer;
     int side;
+    std::uint32_t starts; ///< each with scene.rays paths
 
     bool operator==(const Side& other) const
     {
-      return gatherer == other.gatherer && side == other.side;
+      return gatherer == other.gatherer && side == other.side && starts == other.starts;
     }
   };
 
@@ -82,8 +83,9 @@ private:
   void gather(const GatherScene& scene, const GatherMotion* motion, std::size_t unit);
   /// Follows anew the paths that may have changed, all if nothing is kept.
   void follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit);
+  /// `start`: the first of the side's.
   void store(
-    const GatherScene& scene, const PathSums& brought, std::size_t number, const CellSide& side);
+    const GatherScene& scene, const PathSums& brought, std::size_t start, const Side& side);
 
   std::vector<Gatherer> gatherers_;
   std::vector<Unit> units_;

@@ -11,6 +11,13 @@ void FollowedPaths::clear()
   ends_.clear();
 }
 
+void FollowedPaths::reserve(std::size_t paths, std::size_t segments, std::size_t values)
+{
+  segments_.reserve(segments);
+  values_.reserve(values);
+  ends_.reserve(paths);
+}
+
 void FollowedPaths::addPath(const FollowedPaths& from, std::size_t path)
 {
   const Path added = from[path];

@@ -50,6 +50,7 @@ public:
       values_.data() + first.value };
   }
   void clear();
+  void reserve(std::size_t paths, std::size_t segments, std::size_t values);
   /// To the path that endPath() ends.
   void addSegment(const GatherSegment& segment) { segments_.push_back(segment); }
   /// With several bands the weights of each segment; and what the lights brought where they were asked.

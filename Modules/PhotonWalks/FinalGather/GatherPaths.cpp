@@ -221,6 +221,7 @@ void GatherPaths::sortSteps()
     order[next[steps_[i].path]++] = i;
   }
   followed_.clear();
+  followed_.reserve(numberOfPaths_, steps_.size(), values_.size());
   for (std::uint32_t path = 0; path < numberOfPaths_; ++path)
   {
     for (std::uint32_t i = ends[path]; i < ends[path + 1]; ++i)

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -30,7 +31,7 @@ public:
   /// Forgets all sides and points.
   void begin(const GatherScene& scene);
   /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples. `rays`: by
-  /// number, below scene.rays.
+  /// number; each scene.rays of them are a start.
   void addSide(const GatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
     const std::vector<std::uint32_t>& rays);
   /// Adds all paths of a point. From one that receives from all directions, rays have the density 1 / (4 pi): four times
@@ -41,6 +42,7 @@ public:
 
   /// In the order in which they were added.
   const FollowedPaths& followed() const { return followed_; }
+  FollowedPaths takeFollowed() { return std::exchange(followed_, {}); }
 
 private:
   struct Path

@@ -29,7 +29,7 @@ struct GatherScene
   CellRoles roles;
   KnownLight known;
   const std::deque<PointDirectLight>& lights; ///< what shines, for points on near cells
-  std::uint32_t rays;   ///< of each side of a cell, dealt to the replicates in blocks of equal size
+  std::uint32_t rays;   ///< of a start, dealt to the replicates in blocks of equal size
   double quantaPerWatt; ///< of the light of all replicates
   std::uint64_t seed;
   bool keepsPaths; ///< for frames to come

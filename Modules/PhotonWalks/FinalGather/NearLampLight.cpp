@@ -35,7 +35,8 @@ void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t 
   const double quantaPerWatt = static_cast<double>(lights.quantaPerWalk()) * walks / lights.flux();
   const LampPieces lamps(lights);
   const CellShapes shapes = gatheringAlone(scene);
-  const GatherPlan plan(shapes, lamps, { walks, kWalksPerSample, replicates }, cancelPoint);
+  const GatherPlan plan(shapes, lamps,
+    { walks, { kWalksPerSample, { scene.rays, scene.rays } }, replicates }, cancelPoint);
   DirectLight light(shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk));
   light.gather(scene.space, execution);
   std::vector<Deposit> deposits;

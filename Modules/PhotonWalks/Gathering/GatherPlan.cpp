@@ -9,9 +9,10 @@ namespace irradiance
 GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const Settings& settings,
   const CancelPoint& cancelPoint)
   : replicates_(settings.replicates)
+  , density_(settings.density)
 {
   LampChoice choice(lamps);
-  const double samplesPerWatt = settings.walks / (lamps.lights().flux() * settings.walksPerSample);
+  const double walksPerWatt = settings.walks / lamps.lights().flux();
   firsts_ = { 0 };
   ThrottledCancelPoint pace(cancelPoint);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
@@ -19,9 +20,9 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
     const CellShape& shape = cells[cell];
     const bool isDark = shape.isFrontDark && shape.isBackDark;
     std::uint32_t samples = shape.area > 0 && !isDark ? numberFor(0) : 0;
-    if (samples > 0 && numberFor(choice.mostPower(shape) * samplesPerWatt) > samples)
+    if (samples > 0 && numberFor(choice.mostPower(shape) * walksPerWatt) > samples)
     {
-      samples = numberFor(choice.expectedPower(shape) * samplesPerWatt);
+      samples = numberFor(choice.expectedPower(shape) * walksPerWatt);
     }
     if (firsts_.back() + samples < firsts_.back())
     {
@@ -32,10 +33,14 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
   }
 }
 
-std::uint32_t GatherPlan::numberFor(double samples) const
+std::uint32_t GatherPlan::numberFor(double walks) const
 {
+  const FewestSamples& fewest = density_.fewest;
+  const bool isLarge = walks >= 4.0 * fewest.small;
+  const double samples =
+    std::max<double>(isLarge ? fewest.large : fewest.small, walks / density_.walksPerSample);
   std::uint32_t number = replicates_;
-  while (number < kFewest || (number < samples && number < kMost))
+  while (number < samples && number < kMost)
   {
     number *= 2;
   }

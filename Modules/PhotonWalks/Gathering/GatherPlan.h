@@ -2,6 +2,7 @@
 #ifndef irradiance_GatherPlan_h
 #define irradiance_GatherPlan_h
 
+#include "Gathering/FewestSamples.h"
 #include "Gathering/LampChoice.h"
 
 #include <algorithm>
@@ -14,18 +15,28 @@ namespace irradiance
 /**
  * How many samples each cell takes to gather its direct light, numbered through all cells.
  *
- * A cell takes as many as the power that it may receive calls for, beside the power of a walk: samples stand
- * where walks would arrive, and grow in number with the walks. What stands in between has no part in it. The
+ * A cell takes as many as the power that it may receive calls for, beside the power of a walk, if it is more than the
+ * fewest: samples stand where walks would arrive, and grow in number with the walks. What stands in between has no part in it. The
  * numbers are the number of replicates times a power of two; each replicate has samples that follow each
  * other, so that they are a net of their own.
  */
 class GatherPlan
 {
 public:
+  struct Density
+  {
+    double walksPerSample = 0; ///< that a cell may receive for each of its samples
+    FewestSamples fewest;
+
+    friend bool operator==(const Density& a, const Density& b)
+    {
+      return a.walksPerSample == b.walksPerSample && a.fewest == b.fewest;
+    }
+  };
   struct Settings
   {
-    std::uint32_t walks;   ///< among which the flux of the lights is divided
-    double walksPerSample; ///< that a cell may receive for each of its samples
+    std::uint32_t walks; ///< among which the flux of the lights is divided
+    Density density;
     std::uint32_t replicates;
   };
 
@@ -50,12 +61,13 @@ public:
   std::uint32_t replicates() const { return replicates_; }
 
 private:
-  static constexpr std::uint32_t kFewest = 4, kMost = 65536;
+  static constexpr std::uint32_t kMost = 65536;
 
-  /// At least so many.
-  std::uint32_t numberFor(double samples) const;
+  /// Of a cell that may receive so many walks.
+  std::uint32_t numberFor(double walks) const;
 
   std::uint32_t replicates_;
+  Density density_;
   std::vector<std::uint32_t> firsts_; ///< by cell, and the number of all
 };
 

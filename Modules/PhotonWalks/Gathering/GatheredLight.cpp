@@ -40,7 +40,7 @@ GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objec
   , quantaPerWatt_(static_cast<double>(lights.quantaPerWalk()) * settings.walks / lights.flux())
   , lamps_(lights)
   , cells_(shapesOf(space, objects, lights, settings.part, cancelPointOf(execution, 0)))
-  , plan_(cells_, lamps_, { settings.walks, settings.walksPerSample, settings.replicates },
+  , plan_(cells_, lamps_, { settings.walks, settings.density, settings.replicates },
       cancelPointOf(execution, 0))
   , light_(cells_, lamps_, plan_, settings.seed)
   , starts_(gathered(light_, space, execution), objects, triangles_, quantaPerWatt_,

@@ -32,8 +32,8 @@ public:
     std::uint32_t walks; ///< among which the flux of the lights is divided
     std::uint32_t replicates;
     std::int64_t quantaPerWalk; ///< with which a walk starts, in all bands together
-    double walksPerSample;      ///< see GatherPlan
-    std::uint32_t firstWalk;    ///< the number of the first walk that may be born
+    GatherPlan::Density density;
+    std::uint32_t firstWalk; ///< the number of the first walk that may be born
     std::uint64_t seed;
     std::size_t round; ///< of the sums to which it adds
   };

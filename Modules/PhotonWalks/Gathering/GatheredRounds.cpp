@@ -12,7 +12,7 @@ void GatheredRounds::append(const GatherSpace& space, const SceneObjects& object
   const std::size_t round = rounds_.size();
   const std::uint64_t seed = round == 0 ? settings_.seed : splitMix(settings_.seed + round);
   const GatheredLight::Settings its{ settings_.part, walks, plan_.replicates().count(),
-    settings_.quantaPerWalk, settings_.walksPerSample, plan_.endWalk(), seed, round };
+    settings_.quantaPerWalk, settings_.density, plan_.endWalk(), seed, round };
   rounds_.push_back(std::make_unique<GatheredLight>(space, objects, lights, its, execution));
   plan_.addRound(rounds_.back()->starts().size());
 }

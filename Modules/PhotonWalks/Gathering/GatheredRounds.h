@@ -20,7 +20,7 @@ public:
     CellPart part;
     Replicates replicates;      ///< of the walks that may be born, with the number of the first
     std::int64_t quantaPerWalk; ///< of each of these, in all bands together
-    double walksPerSample;      ///< see GatherPlan
+    GatherPlan::Density density;
     std::uint64_t seed;
   };
   /// In which all is counted. Must outlive the call.

@@ -48,7 +48,7 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
   {
     gathered_ = std::make_unique<GatheredRounds>(GatheredRounds::Settings{ *source_.cells,
       Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
-      source_.walksPerSample, settings_.seed });
+      source_.density, settings_.seed });
   }
   sums_ = CellSums(space.objects, sides(), plan(), 0);
   const int bands = space.objects.staticObject.material->bands;

@@ -2,6 +2,8 @@
 #ifndef irradiance_WalkSettings_h
 #define irradiance_WalkSettings_h
 
+#include "Gathering/FewestSamples.h"
+
 #include <cstdint>
 
 namespace irradiance
@@ -18,6 +20,7 @@ struct WalkSettings
   /// Whether cells gather the light that comes straight from the lights, and walks start where it arrived;
   /// else walks start at the lights.
   bool gathersDirectLight = false;
+  FewestSamples fewestSamples; ///< with which cells gather it
   /// Whether walks are stored even if nothing can move, for filters that need their photons.
   bool keepPhotons = false;
   /// Whether each rank shoots and keeps all walks, for filters that read their photons there; else the ranks

@@ -76,14 +76,14 @@ double timesAtLights(double reflected, const WalkPlan& plan)
 
 /// Parts a source in two, with the lights that are near static cells and with all others; no part that is
 /// worth less than a walk of each replicate. `reflected`: the mean part of static cells.
-std::vector<WalkSource> partedByNearness(
-  const SceneObjects& objects, const WalkSource& source, double reflected)
+std::vector<WalkSource> partedByNearness(const SceneObjects& objects, const WalkSource& source,
+  double reflected, const FewestSamples& fewestSamples)
 {
   const FirstHits hits(objects, source.lights);
   std::vector<bool> chosen = hits.nearLights();
   std::vector<WalkSource> parts{ { source.lights.only(chosen), source.plan },
     { {}, source.plan, CellPart::Static } };
-  parts[1].walksPerSample = walksPerSample(hits.returned());
+  parts[1].density = { walksPerSample(hits.returned()), fewestSamples };
   chosen.flip();
   parts[1].lights = source.lights.only(chosen);
   const double least =
@@ -125,15 +125,15 @@ std::vector<WalkSource> sourcesOf(
   return sources;
 }
 
-std::vector<WalkSource> gatheredSourcesOf(
-  const SceneObjects& objects, const std::vector<WalkSource>& sources)
+std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
+  const std::vector<WalkSource>& sources, const FewestSamples& fewestSamples)
 {
   std::vector<WalkSource> gathered, all;
   std::uint32_t end = 0; // of the numbers of walks that start at lights
   const double reflected = meanReflectance(objects.staticObject);
   for (const WalkSource& source : sources)
   {
-    for (WalkSource& part : partedByNearness(objects, source, reflected))
+    for (WalkSource& part : partedByNearness(objects, source, reflected, fewestSamples))
     {
       if (!part.cells)
       {

@@ -22,8 +22,7 @@ struct WalkSource
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
   std::int64_t quantaPerStart = 0;
-  /// Of the walks that a cell would receive, how many there are for each of its samples.
-  double walksPerSample = 0;
+  GatherPlan::Density density; ///< of the samples of cells
 
   /// With which a walk starts, in all bands together.
   std::int64_t quantaPerWalk() const { return cells ? quantaPerStart : lights.quantaPerWalk(); }
@@ -31,8 +30,7 @@ struct WalkSource
   friend bool operator==(const WalkSource& a, const WalkSource& b)
   {
     return a.plan == b.plan && a.lights == b.lights && a.cells == b.cells &&
-      a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart &&
-      a.walksPerSample == b.walksPerSample;
+      a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart && a.density == b.density;
   }
 };
 
@@ -54,8 +52,8 @@ std::vector<WalkSource> sourcesOf(
  * walks start at the lights, see FirstHits. Walks are shared as among groups. About as many
  * walks start at cells as the plan has, if the light falls on static cells that reflect as all of them on average.
  */
-std::vector<WalkSource> gatheredSourcesOf(
-  const SceneObjects& objects, const std::vector<WalkSource>& sources);
+std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
+  const std::vector<WalkSource>& sources, const FewestSamples& fewestSamples);
 
 }
 

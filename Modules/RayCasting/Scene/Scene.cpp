@@ -217,15 +217,20 @@ double Scene::reachOf(const Ray& ray) const
 bool Scene::mayTouch(const Placed& placed, const Ray& ray, double distance) const
 {
   const double squaredLength = ray.direction.squaredNorm();
-  const double end =
-    distance < kInfinity ? distance + placed.slack / std::sqrt(squaredLength) : reachOf(ray);
+  const bool isBounded = distance < kInfinity;
+  double end = isBounded ? distance + placed.slack / std::sqrt(squaredLength) : kInfinity;
   const Vector3 toCenter = placed.ball.center - ray.origin;
   const double nearest = std::min(std::max(toCenter.dot(ray.direction) / squaredLength, 0.0), end);
   if ((toCenter - nearest * ray.direction).squaredNorm() > placed.ball.squaredRadius)
   {
     return false;
   }
-  return placed.ball.isTight || !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
+  if (placed.ball.isTight)
+  {
+    return true;
+  }
+  end = isBounded ? end : reachOf(ray);
+  return !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
 }
 
 void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
