@@ -145,10 +145,8 @@ std::vector<Contestant> makeContestants(const Room& room, const Sizes& sizes)
       oursWith("1/" + std::to_string(part) + ", small cells too", room, settings));
     contestants.back().bias = 0.03;
   }
-  settings.numberOfWalks = std::max(1u, sizes.walks / 20);
-  settings.gatherRays = 64;
   settings.gatherOn = GatherOn::All;
-  contestants.push_back(oursWith("1/20, all cells, 64 rays", room, settings));
+  contestants.push_back(oursWith("1/10, all cells", room, settings));
   contestants.back().bias = 0.03;
   return contestants;
 }
