@@ -166,6 +166,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.gatherRays =
     Checked("NumberOfGatherRays", filter->GetNumberOfGatherRays(), 1, mostGatherRays);
   settings.gatherOn = static_cast<irradiance::GatherOn>(filter->GetGatherOn());
+  settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
   if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
   {
     throw irradiance::InputError(conflict);
@@ -711,6 +712,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "NumberOfGatherRays: " << this->NumberOfGatherRays << "\n"
      << indent << "GatherOn: " << this->GatherOn << "\n"
+     << indent << "UnbiasedGather: " << this->UnbiasedGather << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"

@@ -356,6 +356,17 @@ public:
 
   ///@{
   /**
+   * With CellEstimate Gathered, whether rays take nothing from the cells that they hit: they go on, and look for the
+   * lights wherever they hit (path tracing). The irradiance is then without bias, however large cells are, with more
+   * noise; and when something moves, all is traced anew. Changing it is like changing CellEstimate. Default off.
+   */
+  vtkSetMacro(UnbiasedGather, vtkTypeBool);
+  vtkGetMacro(UnbiasedGather, vtkTypeBool);
+  vtkBooleanMacro(UnbiasedGather, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the standard error of the irradiance is estimated: the cell array
    * `IrradianceStandardError` (`IrradianceFrontStandardError`, `IrradianceBackStandardError`; W/m2). The
    * 95 % interval is the irradiance +- this times the field `ConfidenceFactor`. It is NaN where it is not
@@ -488,6 +499,7 @@ protected:
   int NumberOfSpreadPhotons = 250;
   int NumberOfGatherRays = 32;
   int GatherOn = SmallCells;
+  vtkTypeBool UnbiasedGather = 0;
   vtkTypeBool ComputeStandardError = 0;
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;

@@ -74,6 +74,8 @@ TEST(CellEstimate, DefaultsAndRange)
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::DynamicCells);
   filter->SetGatherOn(99);
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::AllCells) << "clamped";
+  EXPECT_EQ(filter->GetUnbiasedGather(), 0);
+  filter->UnbiasedGatherOn();
   filter->SetCellEstimateToSpread();
   std::ostringstream text;
   filter->Print(text);
@@ -81,6 +83,7 @@ TEST(CellEstimate, DefaultsAndRange)
   EXPECT_NE(text.str().find("NumberOfSpreadPhotons: 250\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfGatherRays: 32\n"), std::string::npos);
   EXPECT_NE(text.str().find("GatherOn: 2\n"), std::string::npos);
+  EXPECT_NE(text.str().find("UnbiasedGather: 1\n"), std::string::npos);
 }
 
 // Nothing is shot, walls keep their bits, and the fine ball keeps its power but not its noise.
@@ -173,12 +176,14 @@ TEST(CellEstimate, GatheredUpdateEqualsRebuild)
     filter->ComputeStandardErrorOn();
     filter->SetNumberOfReplicates(4);
     filter->SetSeparateSides(frame % 3 == 2);
+    filter->SetUnbiasedGather(frame >= 4);
     return filter;
   };
   const auto updated = make(0);
   for (int frame = 0; frame < 6; ++frame)
   {
     updated->SetSeparateSides(frame % 3 == 2);
+    updated->SetUnbiasedGather(frame >= 4);
     updated->Update();
     EXPECT_EQ(Field(updated, "ShootSeconds") > 0, frame == 0) << "sides are counted anyway";
     const auto fresh = make(frame);

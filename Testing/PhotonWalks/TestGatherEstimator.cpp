@@ -78,7 +78,7 @@ TEST(GatherEstimator, UpdateEqualsRebuild)
   }
 }
 
-// Law 1 where large cells gather too, and are read by the rays of others.
+// Law 1 where large cells gather too, and are read by the rays of others, or not.
 TEST(GatherEstimator, UpdateEqualsRebuildWhoeverGathers)
 {
   MovingScene scene(1, true, 72);
@@ -89,8 +89,9 @@ TEST(GatherEstimator, UpdateEqualsRebuildWhoeverGathers)
   for (const GatherOn on : { GatherOn::Small, GatherOn::Dynamic, GatherOn::All })
   {
     settings.gatherOn = on;
-    for (int frame = 0; frame < 2; ++frame, scene.nextFrame())
+    for (int frame = 0; frame < 3; ++frame, scene.nextFrame())
     {
+      settings.unbiasedGather = frame == 2;
       engine.update(scene.objects(), settings, serial);
       ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
         test::freshShownAnswer(scene.objects(), settings))

@@ -39,13 +39,13 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
     direct.emplace(objects, all.sides(), all.plan(), all.rounds());
   }
   roles_.emplace(from.cells, from.walks.plan().walksAfter(rounds),
-    from.walks.isEmpty() ? 0 : settings_.rays, settings_.on);
+    from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
   const CellShapes shapes = shapesOf(from, cancelPoint);
   const std::deque<PointDirectLight> lights =
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
-    { all, &*direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
-    1 / from.walks.watts(1.0), settings_.seed,
+    { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds }, lights,
+    numberOfRays(), 1 / from.walks.watts(1.0), settings_.seed,
     settings_.keepsPaths && !objects.dynamicObjects.empty() };
   for (const WalkSet& set : from.walks.sets())
   {
@@ -55,10 +55,11 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
     }
   }
   gather_.update(scene, execution);
-  putTogether(scene, cancelPoint);
+  putTogether(scene, *direct, cancelPoint);
 }
 
-void GatherEstimator::putTogether(const GatherScene& scene, const CancelPoint& cancelPoint)
+void GatherEstimator::putTogether(
+  const GatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint)
 {
   const KnownLight& known = scene.known;
   const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
@@ -68,7 +69,7 @@ void GatherEstimator::putTogether(const GatherScene& scene, const CancelPoint& c
   ThrottledCancelPoint pace(cancelPoint);
   known.all.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
-    const CellSums& own = gathers ? *known.direct : known.all;
+    const CellSums& own = gathers ? direct : known.all;
     for (int side = 0; side < sides(); ++side)
     {
       for (int band = 0; band < known.all.bands(); ++band)

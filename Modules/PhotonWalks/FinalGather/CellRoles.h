@@ -27,8 +27,10 @@ public:
   /// of n rays less, as each brings a mean of many photons.
   static constexpr double kPhotonsPerRay = 2;
 
-  /// `walks`: of all area. `rays`: of each side of a cell that gathers; 0: none does.
-  CellRoles(const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on);
+  /// `walks`: of all area. `rays`: of each side of a cell that gathers; 0: none does. `readsCells`: else no cell is
+  /// read.
+  CellRoles(
+    const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on, bool readsCells = true);
 
   /// Photons that a cell of this area, m2, expects.
   double expectedOn(double area) const { return area * walksPerArea_; }
@@ -40,13 +42,14 @@ public:
   }
   bool isRead(const SceneCell& cell) const
   {
-    return expectedOn(cells_.area(cell)) >= fewestToRead();
+    return readsCells_ && expectedOn(cells_.area(cell)) >= fewestToRead();
   }
   double fewestToRead() const { return std::min(kFewestToRead, photons_); }
 
 private:
   const SceneCells& cells_;
   GatherOn on_;
+  bool readsCells_;
   double photons_;          ///< small cells expect fewer
   double walksPerArea_ = 0; ///< 1/m2
 };
