@@ -308,7 +308,9 @@ public:
    * See CellEstimates, and "Small cells" in the Guide. Spread conserves the power on each connection and
    * trades noise for blur. Nearest excludes ComputeStandardError, TargetRelativeError and
    * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
-   * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. Changing it
+   * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. With ComputeStandardError the
+   * fields `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the cells that gather is
+   * expected to be too large, as rays take cells for evenly lit. Changing it
    * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to
    * Gathered without SeparateSides. Default Sums.
    */

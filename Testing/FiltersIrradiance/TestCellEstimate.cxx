@@ -208,6 +208,30 @@ TEST(CellEstimate, GatheredFindsTheLightOfSmallCells)
   EXPECT_LT(Roughness(gathered), 0.5 * Roughness(sums));
 }
 
+// With its error bars, as long as it reads sums.
+TEST(CellEstimate, GatheredStatesItsBias)
+{
+  const auto filter = MakeGathering(MakeFineScene());
+  filter->Update();
+  const auto has = [&](const char* name) {
+    return filter->GetOutput()->GetFieldData()->GetArray(name) != nullptr;
+  };
+  EXPECT_FALSE(has("GatheringBias"));
+  filter->ComputeStandardErrorOn();
+  filter->Update();
+  EXPECT_LT(std::abs(Field(filter, "GatheringBias")), 0.2);
+  EXPECT_GT(Field(filter, "GatheringBiasStandardError"), 0);
+  filter->UnbiasedGatherOn();
+  filter->Update();
+  EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
+  EXPECT_EQ(Field(filter, "GatheringBias"), 0);
+  EXPECT_EQ(Field(filter, "GatheringBiasStandardError"), 0);
+  filter->SetCellEstimateToSums();
+  filter->Update();
+  EXPECT_FALSE(has("GatheringBias"));
+  EXPECT_FALSE(has("GatheringBiasStandardError"));
+}
+
 TEST(CellEstimate, GatheredSaysWhatItNeeds)
 {
   const auto filter = MakeGathering(MakeFineScene());

@@ -46,7 +46,7 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds }, lights,
     numberOfRays(), 1 / from.walks.watts(1.0), settings_.seed,
-    settings_.keepsPaths && !objects.dynamicObjects.empty() };
+    settings_.keepsPaths && !objects.dynamicObjects.empty(), all.plan().replicates().count() > 1 };
   for (const WalkSet& set : from.walks.sets())
   {
     if (!set.source().cells && !set.lights().isEmpty())
@@ -66,6 +66,7 @@ void GatherEstimator::putTogether(
   const std::uint32_t replicates = known.all.plan().replicates().count();
   sums_ = CellSums(scene.objects, sides(), WalkPlan(count, count, replicates));
   staleSums_ = CellSums(scene.objects, sides(), {}, known.stale ? 1 : 0);
+  received_ = 0;
   ThrottledCancelPoint pace(cancelPoint);
   known.all.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
@@ -81,6 +82,7 @@ void GatherEstimator::putTogether(
               (gathers ? gather_.indirect().sum(part, band, i, 1) : 0);
           }));
         }
+        received_ += gathers ? static_cast<double>(sums_.sum({ cell, side }, band)) : 0;
         if (known.stale)
         {
           const CellSums& stale = gathers ? gather_.stale() : *known.stale;
@@ -111,6 +113,12 @@ double GatherEstimator::staleIrradiance(const CellSide& cell, int band) const
   return source().walks.staleSums()
     ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
     : 0.0;
+}
+
+GatheringBias GatherEstimator::gatheringBias() const
+{
+  const std::vector<std::int64_t>& excess = gather_.excess();
+  return gatheringBiasOf({ excess.begin(), excess.end() }, received_);
 }
 
 /// Each ray reads a cell that expects fewestToRead() photons at least.

@@ -53,6 +53,7 @@ public:
     return { sums_, sums_.plan(), 1, source().walks.largestStart(), this };
   }
 
+  GatheringBias gatheringBias() const override;
   std::size_t bytes() const override { return gather_.bytes(); }
   std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
 
@@ -70,6 +71,7 @@ private:
   FinalGather gather_;
   std::optional<CellRoles> roles_; ///< of the last update
   CellSums sums_, staleSums_;      ///< with the sides of the settings
+  double received_ = 0;            ///< of the cells that gather, quanta of all bands together
 };
 
 }
