@@ -3,6 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Execution/ProgressSpan.h"
+#include "FinalGather/PathLights.h"
 #include "Input/ChosenArrays.h"
 #include "Input/SceneAdvice.h"
 #include "Output/OutputWriter.h"
@@ -194,6 +195,19 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, i);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+  }
+}
+
+/// Throws InputError.
+void CheckLights(const irradiance::SceneReader& scene,
+  const std::vector<irradiance::InputConnection>& statics,
+  const std::vector<irradiance::InputConnection>& dynamics)
+{
+  if (const auto unseen = irradiance::unseenLight(scene.objects()))
+  {
+    throw irradiance::InputError(
+      unseen->message("CellEstimate", scene.nameOf(unseen->light, statics, dynamics),
+        scene.nameOf(unseen->specular, statics, dynamics)));
   }
 }
 
@@ -632,6 +646,10 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   for (const std::string& warning : this->Scene.takeWarnings())
   {
     vtkWarningWithObjectMacro(filter, << warning);
+  }
+  if (settings.cellEstimate == irradiance::CellEstimate::Gathered)
+  {
+    CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
   }
   this->Engine->update(this->Scene.objects(), settings, execution);
   if (this->Engine->reachedRelativeError() > settings.targetRelativeError)

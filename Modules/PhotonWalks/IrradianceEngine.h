@@ -53,7 +53,8 @@ public:
   IrradianceEngine(const IrradianceEngine&) = delete;
   IrradianceEngine& operator=(const IrradianceEngine&) = delete;
 
-  /// All objects need a body and a material, with the same number of bands. No conflictOf() the settings.
+  /// All objects need a body and a material, with the same number of bands. No conflictOf() the settings. Throws
+  /// Interrupted, and InputError for lights that the cell estimate does not know, see checkLights().
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
   /// W/m2, by the cell estimate of the settings; 0 for a cell without area.

@@ -246,6 +246,28 @@ TEST(CellEstimate, GatheredSaysWhatItNeeds)
   EXPECT_GT(PowerOn(filter, 1, 0), 0);
 }
 
+// Before anything is shot, which with so many walks would take minutes.
+TEST(CellEstimate, GatheredNamesWhatItDoesNotKnow)
+{
+  Scene scene = MakeFineScene();
+  scene.Fixed.push_back(MakePointLight({ 1, 1, 1 }, { 20 }));
+  vtkNew<vtkDoubleArray> specular;
+  specular->SetName("SpecularReflectance");
+  specular->SetNumberOfValues(scene.Moving[1].Model->GetNumberOfCells());
+  specular->FillValue(0);
+  specular->SetValue(3, 0.25);
+  scene.Moving[1].Model->GetCellData()->AddArray(specular);
+  const auto filter = MakeGathering(scene);
+  filter->SetNumberOfWalks(2000000000);
+  const std::string light = "input port 0, connection " + std::to_string(scene.Fixed.size() - 1);
+  const std::string error = OnlyErrorOf(filter);
+  EXPECT_NE(error.find(light +
+              ", cell 0: a point light of 20 W, and input port 1, connection 1, cell 3 has the "
+              "specular reflectance 0.25: CellEstimate Gathered does not know"),
+    std::string::npos)
+    << error;
+}
+
 // Parts of a static surface that come through several connections are one surface.
 TEST(CellEstimate, SpreadsAcrossStaticConnections)
 {

@@ -29,7 +29,6 @@ CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint
 void GatherEstimator::update(std::size_t rounds, Execution& execution)
 {
   const EstimateSource& from = source();
-  checkLights(from.walks, from.space.triangles, "CellEstimate");
   const SceneObjects& objects = from.space.objects;
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   const CellSums& all = from.walks.sums();

@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /// Throws InputError where a point light shines on specular cells.
+  /// There must be no unseenLight().
   void update(std::size_t rounds, Execution& execution) override;
   double irradiance(const CellSide& cell, int band) const override
   {
