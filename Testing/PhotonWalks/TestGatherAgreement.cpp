@@ -8,6 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <memory>
+#include <string>
+
 namespace irradiance
 {
 
@@ -135,6 +139,99 @@ TEST(GatherAgreement, StatedBiasShrinksWithTheCellsThatAreRead)
   {
     EXPECT_LT(coarse.bias.mean() + 4 * coarse.claimed.mean() / std::sqrt(3), 0) << "there is one";
     EXPECT_LT(noise, 0.25 * std::abs(coarse.bias.mean())) << "else a test of nothing";
+  }
+}
+
+namespace
+{
+
+/// Of the cells of dynamic objects: how many intervals there are, are known, and hold the truth.
+struct Held
+{
+  double all = 0, known = 0, plain = 0;
+  double widened = 0; ///< by the bias that is stated
+};
+
+/// `truth`: of all cells; its own noise counts as well. `bias`: relative.
+void countHeld(
+  const IrradianceEngine& engine, const test::SeedMeans& truth, double bias, Held& held)
+{
+  const double factor = ErrorEstimate::confidenceFactor(16);
+  const ErrorEstimate errors = engine.errorEstimate();
+  std::size_t number = 0;
+  engine.cells().numbers().forEach([&](const SceneCell& cell) {
+    const ReplicateMean& right = truth.cells()[number++];
+    if (cell.object == 0)
+    {
+      return;
+    }
+    const double found = engine.irradiance({ cell }, 0);
+    const double error =
+      engine.watts(errors.standardError({ cell }, 0)) / engine.cells().area(cell);
+    held.all += 1;
+    if (!std::isnan(error))
+    {
+      const double off = std::abs(found - right.mean());
+      const double reach = factor * std::hypot(error, right.standardError());
+      held.known += 1;
+      held.plain += off <= reach ? 1 : 0;
+      held.widened += off <= reach + std::abs(bias) * found ? 1 : 0;
+    }
+  });
+}
+
+}
+
+// 95 % are asked for; with the few samples of a net to a replicate intervals are wider, see Theory.md, 5.7. Some 370 of
+// them, which hold the truth in 98 % and scatter by .8 %, and by twice that as those of a seed read the same sums: below 93 %
+// by chance once in 10^3. VTKIRRADIANCE_TEST_EFFORT=2 takes all scenes and twice the seeds.
+TEST(GatherAgreement, IntervalsAndBiasHoldTheTruth)
+{
+  const int seeds = 4 * test::effort();
+  EngineSettings settings = gathering(20000);
+  settings.verify = false;
+  std::map<std::uint32_t, Held> held; // by rays
+  for (const GatherTestScene& scene : test::gatherScenes())
+  {
+    const std::string name = scene.name;
+    const bool isQuick =
+      name == "area lamp" || name == "corner" || name == "points" || name == "sheet";
+    if (!isQuick && (test::effort() == 1 || name == "furnace" || name == "bands"))
+    {
+      continue;
+    }
+    EngineSettings unbiased = settings;
+    unbiased.unbiasedGather = true;
+    unbiased.gatherRays = 128 * static_cast<std::uint32_t>(test::effort());
+    const test::SeedMeans truth = test::meansOf(scene.objects, seeds, unbiased, 1001);
+    for (const std::uint32_t rays : { 16u, 32u })
+    {
+      settings.gatherRays = rays;
+      settings.replicates = 16;
+      std::vector<std::unique_ptr<IrradianceEngine>> engines;
+      ReplicateMean bias;
+      for (settings.seed = 1; settings.seed <= static_cast<std::uint64_t>(seeds); ++settings.seed)
+      {
+        engines.push_back(std::make_unique<IrradianceEngine>());
+        test::ThreadExecution two(2);
+        engines.back()->update(scene.objects, settings, two);
+        bias.add(engines.back()->gatheringBias().mean);
+      }
+      for (const auto& engine : engines)
+      {
+        countHeld(*engine, truth, bias.mean(), held[rays]);
+      }
+    }
+  }
+  for (const auto& [rays, of] : held)
+  {
+    const double plain = of.plain / of.known, widened = of.widened / of.known;
+    std::printf(
+      "%u rays: %.0f of %.0f intervals known, %.1f %% hold the truth, %.1f %% with the bias\n",
+      rays, of.known, of.all, 100 * plain, 100 * widened);
+    EXPECT_GT(of.known, 0.8 * of.all);
+    EXPECT_GT(widened, 0.93);
+    EXPECT_GE(widened, plain);
   }
 }
 

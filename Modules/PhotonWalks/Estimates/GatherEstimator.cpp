@@ -120,10 +120,10 @@ GatheringBias GatherEstimator::gatheringBias() const
   return gatheringBiasOf({ excess.begin(), excess.end() }, received_);
 }
 
-/// Each ray reads a cell that expects fewestToRead() photons at least.
+/// Each ray reads a cell that expects fewestToRead() photons at least; one that reads none is worth one.
 double GatherEstimator::photonShare(const CellSide& cell) const
 {
-  const double drawn = roles_->fewestToRead() * numberOfRays();
+  const double drawn = (settings_.isUnbiased ? 1 : roles_->fewestToRead()) * numberOfRays();
   return roles_->gathers(cell)
     ? std::min(1.0, roles_->expectedOn(source().cells.area(cell)) / drawn)
     : 1.0;
