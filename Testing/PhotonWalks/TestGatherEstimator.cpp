@@ -603,6 +603,11 @@ TEST(GatherEstimator, IsRefusedWhereItCannotBeRight)
   const MovingScene matte(1, true, 5);
   engine.update(matte.objects(), gathering(1000), serial);
   EXPECT_TRUE(engine.isValid());
+  // Before anything is shot: what was known stays.
+  const std::uint64_t state = engine.state();
+  EXPECT_THROW(engine.update(glossy.objects(), gathering(1000), serial), InputError);
+  EXPECT_TRUE(engine.isValid());
+  EXPECT_EQ(engine.state(), state);
 }
 
 }

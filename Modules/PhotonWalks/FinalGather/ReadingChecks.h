@@ -23,7 +23,7 @@ namespace irradiance
 class ReadingChecks
 {
 public:
-  /// One path of so many is checked: this takes a tenth of the time of all or less.
+  /// One path of so many is checked: this takes some tenth of the time of all.
   static constexpr std::uint32_t kPeriod = 64;
 
   explicit ReadingChecks(const GatherScene& scene)
