@@ -3,6 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Execution/ProgressSpan.h"
+#include "FinalGather/PathLights.h"
 #include "Input/ChosenArrays.h"
 #include "Input/SceneAdvice.h"
 #include "Output/OutputWriter.h"
@@ -166,6 +167,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.gatherRays =
     Checked("NumberOfGatherRays", filter->GetNumberOfGatherRays(), 1, mostGatherRays);
   settings.gatherOn = static_cast<irradiance::GatherOn>(filter->GetGatherOn());
+  settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
   if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
   {
     throw irradiance::InputError(conflict);
@@ -193,6 +195,19 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, i);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+  }
+}
+
+/// Throws InputError.
+void CheckLights(const irradiance::SceneReader& scene,
+  const std::vector<irradiance::InputConnection>& statics,
+  const std::vector<irradiance::InputConnection>& dynamics)
+{
+  if (const auto unseen = irradiance::unseenLight(scene.objects()))
+  {
+    throw irradiance::InputError(
+      unseen->message("CellEstimate", scene.nameOf(unseen->light, statics, dynamics),
+        scene.nameOf(unseen->specular, statics, dynamics)));
   }
 }
 
@@ -632,6 +647,10 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   {
     vtkWarningWithObjectMacro(filter, << warning);
   }
+  if (settings.cellEstimate == irradiance::CellEstimate::Gathered)
+  {
+    CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
+  }
   this->Engine->update(this->Scene.objects(), settings, execution);
   if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
   {
@@ -711,6 +730,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "NumberOfGatherRays: " << this->NumberOfGatherRays << "\n"
      << indent << "GatherOn: " << this->GatherOn << "\n"
+     << indent << "UnbiasedGather: " << this->UnbiasedGather << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"

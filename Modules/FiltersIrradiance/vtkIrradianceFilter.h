@@ -308,7 +308,9 @@ public:
    * See CellEstimates, and "Small cells" in the Guide. Spread conserves the power on each connection and
    * trades noise for blur. Nearest excludes ComputeStandardError, TargetRelativeError and
    * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
-   * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. Changing it
+   * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. With ComputeStandardError the
+   * fields `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the cells that gather is
+   * expected to be too large, as rays take cells for evenly lit. Changing it
    * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to
    * Gathered. Default Sums.
    */
@@ -354,6 +356,17 @@ public:
   void SetGatherOnToSmallCells() { this->SetGatherOn(SmallCells); }
   void SetGatherOnToDynamicCells() { this->SetGatherOn(DynamicCells); }
   void SetGatherOnToAllCells() { this->SetGatherOn(AllCells); }
+  ///@}
+
+  ///@{
+  /**
+   * With CellEstimate Gathered, whether rays take nothing from the cells that they hit: they go on, and look for the
+   * lights wherever they hit (path tracing). The irradiance is then without bias, however large cells are, with more
+   * noise; and when something moves, all is traced anew. Changing it is like changing CellEstimate. Default off.
+   */
+  vtkSetMacro(UnbiasedGather, vtkTypeBool);
+  vtkGetMacro(UnbiasedGather, vtkTypeBool);
+  vtkBooleanMacro(UnbiasedGather, vtkTypeBool);
   ///@}
 
   ///@{
@@ -490,6 +503,7 @@ protected:
   int NumberOfSpreadPhotons = 250;
   int NumberOfGatherRays = 32;
   int GatherOn = SmallCells;
+  vtkTypeBool UnbiasedGather = 0;
   vtkTypeBool ComputeStandardError = 0;
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;

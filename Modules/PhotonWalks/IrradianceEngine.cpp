@@ -4,6 +4,7 @@
 #include "AgreedChange.h"
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
+#include "FinalGather/PathLights.h"
 
 #include <algorithm>
 #include <cassert>
@@ -38,6 +39,10 @@ void IrradianceEngine::update(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
   assert(conflictOf(settings, settings).empty());
+  if (settings.cellEstimate == CellEstimate::Gathered)
+  {
+    checkLights(objects, "CellEstimate"); // before anything is shot
+  }
   const FrameChange change = agreedChange(changeTo(objects, settings, execution),
     { objects, objects_, settings, settings }, execution.ranks());
   const bool isFresh = change.kind == FrameChange::Fresh;

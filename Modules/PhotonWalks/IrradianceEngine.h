@@ -53,7 +53,8 @@ public:
   IrradianceEngine(const IrradianceEngine&) = delete;
   IrradianceEngine& operator=(const IrradianceEngine&) = delete;
 
-  /// All objects need a body and a material, with the same number of bands. No conflictOf() the settings.
+  /// All objects need a body and a material, with the same number of bands. No conflictOf() the settings. Throws
+  /// Interrupted, and InputError for lights that the cell estimate does not know, see checkLights().
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
   /// W/m2, by the cell estimate of the settings; 0 for a cell without area.
@@ -63,6 +64,8 @@ public:
   }
   /// The errors of irradiance(), see CellEstimator; valid until the next update.
   ErrorEstimate errorEstimate() const { return estimator_->errorEstimate(); }
+  /// Of the cell estimate, see CellEstimator; valid until the next update.
+  GatheringBias gatheringBias() const { return estimator_->gatheringBias(); }
   double watts(double quanta) const { return walks_.watts(quanta); }
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
   std::uint32_t numberOfWalks() const { return walks_.numberOfWalks(); }

@@ -27,6 +27,7 @@ struct Settings
   int CellEstimate = vtkIrradianceFilter::Sums, NumberOfSpreadPhotons = 250;
   int DirectLight = vtkIrradianceFilter::Shot;
   int NumberOfGatherRays = 4, GatherOn = vtkIrradianceFilter::SmallCells;
+  bool UnbiasedGather = false;
   bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
   double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
   std::string ReflectanceArray = "DiffuseReflectance", SpecularArray = "SpecularReflectance";
@@ -73,6 +74,7 @@ inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
   filter->SetNumberOfSpreadPhotons(settings.NumberOfSpreadPhotons);
   filter->SetNumberOfGatherRays(settings.NumberOfGatherRays);
   filter->SetGatherOn(settings.GatherOn);
+  filter->SetUnbiasedGather(settings.UnbiasedGather);
   filter->SetCacheStaticHits(settings.CacheStaticHits);
   filter->SetSeparateSides(settings.SeparateSides);
   filter->SetComputeStandardError(settings.ComputeStandardError);

@@ -74,6 +74,8 @@ TEST(CellEstimate, DefaultsAndRange)
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::DynamicCells);
   filter->SetGatherOn(99);
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::AllCells) << "clamped";
+  EXPECT_EQ(filter->GetUnbiasedGather(), 0);
+  filter->UnbiasedGatherOn();
   filter->SetCellEstimateToSpread();
   std::ostringstream text;
   filter->Print(text);
@@ -81,6 +83,7 @@ TEST(CellEstimate, DefaultsAndRange)
   EXPECT_NE(text.str().find("NumberOfSpreadPhotons: 250\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfGatherRays: 32\n"), std::string::npos);
   EXPECT_NE(text.str().find("GatherOn: 2\n"), std::string::npos);
+  EXPECT_NE(text.str().find("UnbiasedGather: 1\n"), std::string::npos);
 }
 
 // Nothing is shot, walls keep their bits, and the fine ball keeps its power but not its noise.
@@ -173,12 +176,14 @@ TEST(CellEstimate, GatheredUpdateEqualsRebuild)
     filter->ComputeStandardErrorOn();
     filter->SetNumberOfReplicates(4);
     filter->SetSeparateSides(frame % 3 == 2);
+    filter->SetUnbiasedGather(frame >= 4);
     return filter;
   };
   const auto updated = make(0);
   for (int frame = 0; frame < 6; ++frame)
   {
     updated->SetSeparateSides(frame % 3 == 2);
+    updated->SetUnbiasedGather(frame >= 4);
     updated->Update();
     EXPECT_EQ(Field(updated, "ShootSeconds") > 0, frame == 0) << "sides are counted anyway";
     const auto fresh = make(frame);
@@ -203,6 +208,30 @@ TEST(CellEstimate, GatheredFindsTheLightOfSmallCells)
   EXPECT_LT(Roughness(gathered), 0.5 * Roughness(sums));
 }
 
+// With its error bars, as long as it reads sums.
+TEST(CellEstimate, GatheredStatesItsBias)
+{
+  const auto filter = MakeGathering(MakeFineScene());
+  filter->Update();
+  const auto has = [&](const char* name) {
+    return filter->GetOutput()->GetFieldData()->GetArray(name) != nullptr;
+  };
+  EXPECT_FALSE(has("GatheringBias"));
+  filter->ComputeStandardErrorOn();
+  filter->Update();
+  EXPECT_LT(std::abs(Field(filter, "GatheringBias")), 0.2);
+  EXPECT_GT(Field(filter, "GatheringBiasStandardError"), 0);
+  filter->UnbiasedGatherOn();
+  filter->Update();
+  EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
+  EXPECT_EQ(Field(filter, "GatheringBias"), 0);
+  EXPECT_EQ(Field(filter, "GatheringBiasStandardError"), 0);
+  filter->SetCellEstimateToSums();
+  filter->Update();
+  EXPECT_FALSE(has("GatheringBias"));
+  EXPECT_FALSE(has("GatheringBiasStandardError"));
+}
+
 TEST(CellEstimate, GatheredSaysWhatItNeeds)
 {
   const auto filter = MakeGathering(MakeFineScene());
@@ -215,6 +244,28 @@ TEST(CellEstimate, GatheredSaysWhatItNeeds)
   filter->SetNumberOfGatherRays(8);
   filter->Update();
   EXPECT_GT(PowerOn(filter, 1, 0), 0);
+}
+
+// Before anything is shot, which with so many walks would take minutes.
+TEST(CellEstimate, GatheredNamesWhatItDoesNotKnow)
+{
+  Scene scene = MakeFineScene();
+  scene.Fixed.push_back(MakePointLight({ 1, 1, 1 }, { 20 }));
+  vtkNew<vtkDoubleArray> specular;
+  specular->SetName("SpecularReflectance");
+  specular->SetNumberOfValues(scene.Moving[1].Model->GetNumberOfCells());
+  specular->FillValue(0);
+  specular->SetValue(3, 0.25);
+  scene.Moving[1].Model->GetCellData()->AddArray(specular);
+  const auto filter = MakeGathering(scene);
+  filter->SetNumberOfWalks(2000000000);
+  const std::string light = "input port 0, connection " + std::to_string(scene.Fixed.size() - 1);
+  const std::string error = OnlyErrorOf(filter);
+  EXPECT_NE(error.find(light +
+              ", cell 0: a point light of 20 W, and input port 1, connection 1, cell 3 has the "
+              "specular reflectance 0.25: CellEstimate Gathered does not know"),
+    std::string::npos)
+    << error;
 }
 
 // Parts of a static surface that come through several connections are one surface.

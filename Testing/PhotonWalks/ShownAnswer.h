@@ -9,8 +9,8 @@
 namespace irradiance::test
 {
 
-/// The engine's whole answer, and the bits of all that it says of cells: irradiance, stale irradiance and
-/// standard errors.
+/// The engine's whole answer, and the bits of all that it says of cells: irradiance, stale irradiance, standard
+/// errors and bias.
 inline Answer shownAnswer(
   const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
 {
@@ -37,6 +37,8 @@ inline Answer shownAnswer(
     }
   }
   add(engine.reachedRelativeError());
+  add(engine.gatheringBias().mean);
+  add(engine.gatheringBias().standardError);
   add(engine.watts(engine.balance().emitted[0]));
   answer.push_back(engine.numberOfWalks());
   return answer;

@@ -2,6 +2,7 @@
 // The engine with the cell estimate Gathered: laws, what is known by closed forms, error bars, what it refuses.
 
 #include "Estimates/GatherEstimator.h"
+#include "GatheringRuns.h"
 #include "MovingScene.h"
 #include "Progress/InputError.h"
 #include "ShownAnswer.h"
@@ -24,20 +25,13 @@ namespace
 {
 
 using test::box;
+using test::furnace;
+using test::gathering;
 using test::grey;
+using test::meansOf;
 using test::MovingScene;
 using test::ObjectBuilder;
-
-/// As many walks with sanitizers: they decide which cells are small.
-EngineSettings gathering(std::uint32_t walks, std::uint64_t seed = 1)
-{
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  settings.seed = seed;
-  settings.gathersDirectLight = true;
-  settings.cellEstimate = CellEstimate::Gathered;
-  return settings;
-}
+using test::SeedMeans;
 
 /// The number of cells that gather in a frame.
 std::size_t numberOfSmall(const IrradianceEngine& engine, const EngineSettings& settings)
@@ -78,7 +72,7 @@ TEST(GatherEstimator, UpdateEqualsRebuild)
   }
 }
 
-// Law 1 where large cells gather too, and are read by the rays of others.
+// Law 1 where large cells gather too, and are read by the rays of others, or not.
 TEST(GatherEstimator, UpdateEqualsRebuildWhoeverGathers)
 {
   MovingScene scene(1, true, 72);
@@ -89,8 +83,9 @@ TEST(GatherEstimator, UpdateEqualsRebuildWhoeverGathers)
   for (const GatherOn on : { GatherOn::Small, GatherOn::Dynamic, GatherOn::All })
   {
     settings.gatherOn = on;
-    for (int frame = 0; frame < 2; ++frame, scene.nextFrame())
+    for (int frame = 0; frame < 3; ++frame, scene.nextFrame())
     {
+      settings.unbiasedGather = frame == 2;
       engine.update(scene.objects(), settings, serial);
       ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
         test::freshShownAnswer(scene.objects(), settings))
@@ -174,83 +169,6 @@ TEST(GatherEstimator, IsTheSameOnAnyRanks)
   EXPECT_EQ(errors, std::vector<std::string>(3));
 }
 
-namespace
-{
-
-/// What seeds find of each cell, in one band.
-class SeedMeans
-{
-public:
-  void add(const IrradianceEngine& engine, int band = 0)
-  {
-    std::size_t i = 0;
-    engine.cells().numbers().forEach([&](const SceneCell& cell) {
-      means_.resize(std::max(means_.size(), i + 1));
-      means_[i++].add(engine.irradiance({ cell }, band));
-    });
-  }
-  const std::vector<test::ReplicateMean>& cells() const { return means_; }
-
-  /// Chi-square of the t of cells [first, end), with the variance n / (n - 2) of Student's t, over the value that
-  /// chance exceeds once in 10^4; cells are taken as independent, for which a tenth is added.
-  double chiSquareBesideLimit(std::size_t first, std::size_t end, double truth) const
-  {
-    double sum = 0;
-    for (std::size_t i = first; i < end; ++i)
-    {
-      sum += std::pow(means_[i].t(truth), 2);
-    }
-    const double freedom = means_[first].count() - 1.0;
-    return sum * (freedom - 2) / freedom / (1.1 * test::chiSquareLimit(double(end - first), 3.72));
-  }
-
-private:
-  std::vector<test::ReplicateMean> means_;
-};
-
-/// W on the cells of an object, as estimated.
-double wattsOf(const IrradianceEngine& engine, std::uint32_t object, int band)
-{
-  double watts = 0;
-  for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
-  {
-    watts += engine.irradiance({ { object, cell } }, band) * engine.cells().area({ object, cell });
-  }
-  return watts;
-}
-
-double areaOf(const IrradianceEngine& engine, std::uint32_t object)
-{
-  double area = 0;
-  for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
-  {
-    area += engine.cells().area({ object, cell });
-  }
-  return area;
-}
-
-/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere. With a mirror in part if `isGlossy`.
-SceneObject furnace(
-  ObjectBuilder builder, double reflectance, bool isGlossy, const AffineMap& pose = {})
-{
-  Material& material = builder.material();
-  std::fill(material.reflectance.begin(), material.reflectance.end(), reflectance);
-  std::vector<double>& exitance = builder.emission().exitance;
-  std::fill(exitance.begin(), exitance.end(), 1 - reflectance);
-  SceneObject object = builder.build(pose);
-  if (isGlossy)
-  {
-    Material glossy = *object.material;
-    std::fill(glossy.reflectance.begin(), glossy.reflectance.end(), 0.4 * reflectance);
-    glossy.setSpecular(std::vector<double>(glossy.reflectance.size(), 0.6 * reflectance),
-      std::vector<double>(glossy.numberOfCells, 5.0));
-    object.material = std::make_shared<Material>(glossy);
-  }
-  return object;
-}
-
-}
-
 // One radiance everywhere: what rays read has no bias, so each small cell finds 1 W/m2. The ball sees itself
 // nowhere, the boxes see each other. A false alarm once in 10^4 for each of 5 x 2 groups of cells; the means over
 // both, |t| > 5 of 11 degrees, once in 2,500 for each of five.
@@ -285,8 +203,9 @@ TEST(GatherEstimator, SmallCellsOfAFurnaceReceiveOneWatt)
       {
         const auto i = static_cast<std::size_t>(band);
         found[i].add(engine, band);
-        means[i].add((wattsOf(engine, 1, band) + wattsOf(engine, 2, band)) /
-          (areaOf(engine, 1) + areaOf(engine, 2)));
+        means[i].add(
+          (test::estimatedWattsOn(engine, 1, band) + test::estimatedWattsOn(engine, 2, band)) /
+          (test::areaOf(engine, 1) + test::areaOf(engine, 2)));
       }
       ASSERT_EQ(numberOfSmall(engine, settings), 72u + 72u);
     }
@@ -355,23 +274,6 @@ std::size_t firstOfBall(int n)
   return static_cast<std::size_t>(6 * n * n + 1);
 }
 
-/// From so many seeds.
-SeedMeans meansOf(
-  const SceneObjects& objects, int seeds, EngineSettings settings, std::uint64_t firstSeed = 1)
-{
-  SeedMeans means;
-  settings.verify = false;
-  for (int i = 0; i < seeds; ++i)
-  {
-    settings.seed = firstSeed + static_cast<std::uint64_t>(i);
-    IrradianceEngine engine;
-    test::ThreadExecution two(2);
-    engine.update(objects, settings, two);
-    means.add(engine);
-  }
-  return means;
-}
-
 /// Of shot walks, in which nothing is gathered.
 SeedMeans shotMeans(
   const SceneObjects& objects, int seeds, std::uint32_t walks, std::uint64_t firstSeed = 1001)
@@ -379,19 +281,6 @@ SeedMeans shotMeans(
   EngineSettings settings;
   settings.numberOfWalks = test::scaled(walks);
   return meansOf(objects, seeds, settings, firstSeed);
-}
-
-/// Of the cells from `first` on: chi-square of the differences of two means.
-double chiSquareOf(const SeedMeans& a, const SeedMeans& b, std::size_t first)
-{
-  double sum = 0;
-  for (std::size_t i = first; i < a.cells().size(); ++i)
-  {
-    const test::ReplicateMean &x = a.cells()[i], &y = b.cells()[i];
-    sum += std::pow(x.mean() - y.mean(), 2) /
-      (std::pow(x.standardError(), 2) + std::pow(y.standardError(), 2));
-  }
-  return sum;
 }
 
 }
@@ -745,6 +634,11 @@ TEST(GatherEstimator, IsRefusedWhereItCannotBeRight)
   const MovingScene matte(1, true, 5);
   engine.update(matte.objects(), gathering(1000), serial);
   EXPECT_TRUE(engine.isValid());
+  // Before anything is shot: what was known stays.
+  const std::uint64_t state = engine.state();
+  EXPECT_THROW(engine.update(glossy.objects(), gathering(1000), serial), InputError);
+  EXPECT_TRUE(engine.isValid());
+  EXPECT_EQ(engine.state(), state);
 }
 
 }

@@ -61,6 +61,7 @@ constexpr const char* kStaleGainBound = "StaleGainBound";
 constexpr const char* kNumberOfWalks = "NumberOfWalks";
 constexpr const char* kNumberOfSegments = "NumberOfSegments";
 constexpr const char* kConfidenceFactor = "ConfidenceFactor";
+constexpr const char* kGatheringBias = "GatheringBias";
 constexpr const char* kReachedRelativeError = "ReachedRelativeError";
 constexpr const char* kNumberOfInvalidWalks = "NumberOfInvalidWalks";
 constexpr const char* kNumberOfRepairedSegments = "NumberOfRepairedSegments";

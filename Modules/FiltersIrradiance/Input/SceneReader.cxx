@@ -243,6 +243,18 @@ void SceneReader::warn(const std::string& warning)
   }
 }
 
+std::string SceneReader::nameOf(const SceneCell& cell,
+  const std::vector<InputConnection>& staticConnections,
+  const std::vector<InputConnection>& dynamicConnections) const
+{
+  const bool isStatic = cell.object == 0;
+  const std::size_t part =
+    isStatic ? objects_.staticObject.material->partOfCell(cell.cell) - 1 : cell.object - 1;
+  const std::size_t first = isStatic ? firstCell_[part] : 0;
+  return partsOf(isStatic ? staticConnections : dynamicConnections)[part]->name + ", cell " +
+    std::to_string(cell.cell - first);
+}
+
 std::vector<std::string> SceneReader::takeWarnings()
 {
   return std::exchange(warnings_, {});

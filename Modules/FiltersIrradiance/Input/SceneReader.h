@@ -38,6 +38,9 @@ public:
     const std::vector<InputConnection>& dynamicConnections);
   /// Number of the first cell of a static part among the cells of object 0.
   std::size_t firstCellOfStatic(std::size_t part) const { return firstCell_[part]; }
+  /// What messages call a cell, as in "input port 0, connection 1, cell 3". The connections are those that were read.
+  std::string nameOf(const SceneCell& cell, const std::vector<InputConnection>& staticConnections,
+    const std::vector<InputConnection>& dynamicConnections) const;
   /// New warnings since the last call, about inputs that can be computed all the same.
   std::vector<std::string> takeWarnings();
   /// Whether anything but poses has changed since forgetNews(): cells, materials, parts that are there.

@@ -340,6 +340,12 @@ void OutputWriter::addStatistics(vtkFieldData* fields) const
   {
     addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));
   }
+  if (withErrors_ && settings_.cellEstimate == CellEstimate::Gathered)
+  {
+    const GatheringBias bias = engine_.gatheringBias();
+    addNumber(kGatheringBias, bias.mean);
+    addNumber(standardErrorName(kGatheringBias).c_str(), bias.standardError);
+  }
   if (settings_.targetRelativeError > 0)
   {
     addNumber(kReachedRelativeError, engine_.reachedRelativeError());

@@ -33,13 +33,16 @@ struct EstimateSettings
   /// With Gathered, of each side of a cell that gathers; a small one expects fewer than two photons for each; >= 1.
   std::uint32_t gatherRays = 32;
   GatherOn gatherOn = GatherOn::Small;
+  /// With Gathered: no sums are read; paths ask the lights wherever they hit.
+  bool unbiasedGather = false;
 };
 
 /// Whether both are met by the same estimator.
 inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
 {
   return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons &&
-    a.gatherRays == b.gatherRays && a.gatherOn == b.gatherOn;
+    a.gatherRays == b.gatherRays && a.gatherOn == b.gatherOn &&
+    a.unbiasedGather == b.unbiasedGather;
 }
 
 std::unique_ptr<CellEstimator> makeCellEstimator(

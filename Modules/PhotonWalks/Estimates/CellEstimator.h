@@ -3,6 +3,7 @@
 #define irradiance_CellEstimator_h
 
 #include "Estimates/ErrorEstimate.h"
+#include "FinalGather/GatheringBias.h"
 #include "Photons/PhotonStores.h"
 #include "Photons/Surfaces.h"
 #include "Walks/WalkSets.h"
@@ -49,6 +50,9 @@ public:
   /// The errors of irradiance(), from the variance between replicates; what the estimate blurs is not in
   /// them.
   virtual ErrorEstimate errorEstimate() const = 0;
+
+  /// Of cells that gather by reading others; unknown if none does, or there are no replicates.
+  virtual GatheringBias gatheringBias() const { return {}; }
 
   /// What it keeps for frames to come.
   virtual std::size_t bytes() const { return 0; }

@@ -29,7 +29,6 @@ CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint
 void GatherEstimator::update(std::size_t rounds, Execution& execution)
 {
   const EstimateSource& from = source();
-  checkLights(from.walks, from.space.triangles, "CellEstimate");
   const SceneObjects& objects = from.space.objects;
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   const CellSums& all = from.walks.sums();
@@ -39,14 +38,14 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
     direct.emplace(objects, all.sides(), all.plan(), all.rounds());
   }
   roles_.emplace(from.cells, from.walks.plan().walksAfter(rounds),
-    from.walks.isEmpty() ? 0 : settings_.rays, settings_.on);
+    from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
   const CellShapes shapes = shapesOf(from, cancelPoint);
   const std::deque<PointDirectLight> lights =
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
-    { all, &*direct, from.walks.staleSums(), rounds }, lights, numberOfRays(),
-    1 / from.walks.watts(1.0), settings_.seed,
-    settings_.keepsPaths && !objects.dynamicObjects.empty() };
+    { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds }, lights,
+    numberOfRays(), 1 / from.walks.watts(1.0), settings_.seed,
+    settings_.keepsPaths && !objects.dynamicObjects.empty(), all.plan().replicates().count() > 1 };
   for (const WalkSet& set : from.walks.sets())
   {
     if (!set.source().cells && !set.lights().isEmpty())
@@ -55,20 +54,22 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
     }
   }
   gather_.update(scene, execution);
-  putTogether(scene, cancelPoint);
+  putTogether(scene, *direct, cancelPoint);
 }
 
-void GatherEstimator::putTogether(const GatherScene& scene, const CancelPoint& cancelPoint)
+void GatherEstimator::putTogether(
+  const GatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint)
 {
   const KnownLight& known = scene.known;
   const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
   const std::uint32_t replicates = known.all.plan().replicates().count();
   sums_ = CellSums(scene.objects, sides(), WalkPlan(count, count, replicates));
   staleSums_ = CellSums(scene.objects, sides(), {}, known.stale ? 1 : 0);
+  received_ = 0;
   ThrottledCancelPoint pace(cancelPoint);
   known.all.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
-    const CellSums& own = gathers ? *known.direct : known.all;
+    const CellSums& own = gathers ? direct : known.all;
     for (int side = 0; side < sides(); ++side)
     {
       for (int band = 0; band < known.all.bands(); ++band)
@@ -80,6 +81,7 @@ void GatherEstimator::putTogether(const GatherScene& scene, const CancelPoint& c
               (gathers ? gather_.indirect().sum(part, band, i, 1) : 0);
           }));
         }
+        received_ += gathers ? static_cast<double>(sums_.sum({ cell, side }, band)) : 0;
         if (known.stale)
         {
           const CellSums& stale = gathers ? gather_.stale() : *known.stale;
@@ -112,10 +114,17 @@ double GatherEstimator::staleIrradiance(const CellSide& cell, int band) const
     : 0.0;
 }
 
-/// Each ray reads a cell that expects fewestToRead() photons at least.
+GatheringBias GatherEstimator::gatheringBias() const
+{
+  const std::vector<std::int64_t>& excess = gather_.excess();
+  return gatheringBiasOf({ excess.begin(), excess.end() }, received_);
+}
+
+/// Each ray reads a cell that expects fewestToRead() photons at least; one that reads none is worth one.
 double GatherEstimator::photonShare(const CellSide& cell) const
 {
-  const double drawn = roles_->fewestToRead() * numberOfRays() * roles_->timesOf(cell);
+  const double eachDraws = settings_.isUnbiased ? 1 : roles_->fewestToRead();
+  const double drawn = eachDraws * numberOfRays() * roles_->timesOf(cell);
   return roles_->gathers(cell)
     ? std::min(1.0, roles_->expectedOn(source().cells.area(cell)) / drawn)
     : 1.0;

@@ -17,7 +17,7 @@ namespace irradiance
  * update to update, see FinalGather; all else is made anew.
  *
  * The sums that rays read are means over the cells that they hit: this is a bias, which shrinks with the size of
- * these. See Documentation/Theory.md, 5.7.
+ * these. Unbiased estimates read none. See Documentation/Theory.md, 5.7.
  */
 class GatherEstimator
   : public CellEstimator
@@ -28,6 +28,7 @@ public:
   {
     std::uint32_t rays; ///< of each side of a cell; rounded up to a multiple of the replicates
     GatherOn on;
+    bool isUnbiased;     ///< no sums are read
     bool separatesSides; ///< else irradiance() is that of both
     std::uint64_t seed;
     bool keepsPaths; ///< for frames in which things have moved
@@ -39,7 +40,7 @@ public:
   {
   }
 
-  /// Throws InputError where a point light shines on specular cells.
+  /// There must be no unseenLight().
   void update(std::size_t rounds, Execution& execution) override;
   double irradiance(const CellSide& cell, int band) const override
   {
@@ -52,6 +53,7 @@ public:
     return { sums_, sums_.plan(), 1, source().walks.largestStart(), this };
   }
 
+  GatheringBias gatheringBias() const override;
   std::size_t bytes() const override { return gather_.bytes(); }
   std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
 
@@ -60,7 +62,8 @@ private:
   std::uint32_t numberOfRays() const;
   int sides() const { return settings_.separatesSides ? 2 : 1; }
   /// From what cells have themselves, and what was gathered for them.
-  void putTogether(const GatherScene& scene, const CancelPoint& cancelPoint);
+  void putTogether(
+    const GatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint);
   template <class Quanta>
   std::int64_t sumOf(const CellSide& cell, const Quanta& quanta) const;
 
@@ -68,6 +71,7 @@ private:
   FinalGather gather_;
   std::optional<CellRoles> roles_; ///< of the last update
   CellSums sums_, staleSums_;      ///< with the sides of the settings
+  double received_ = 0;            ///< of the cells that gather, quanta of all bands together
 };
 
 }

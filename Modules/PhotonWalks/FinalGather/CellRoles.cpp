@@ -4,9 +4,11 @@
 namespace irradiance
 {
 
-CellRoles::CellRoles(const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on)
+CellRoles::CellRoles(
+  const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on, bool readsCells)
   : cells_(cells)
   , on_(on)
+  , readsCells_(readsCells)
   , photons_(kPhotonsPerRay * rays)
 {
   double area = 0;

@@ -30,8 +30,9 @@ public:
   /// Large cells that gather take so many times as many rays: most of the area is theirs.
   static constexpr std::uint32_t kTimesOfLarge = 4;
 
-  /// `walks`: of all area. `rays`: of each side of a small cell; 0: none does.
-  CellRoles(const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on);
+  /// `walks`: of all area. `rays`: of each side of a small cell; 0: none gathers. `readsCells`: else no cell is read.
+  CellRoles(
+    const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on, bool readsCells = true);
 
   /// Photons that a cell of this area, m2, expects.
   double expectedOn(double area) const { return area * walksPerArea_; }
@@ -44,7 +45,7 @@ public:
   std::uint32_t timesOf(const SceneCell& cell) const { return isSmall(cell) ? 1 : kTimesOfLarge; }
   bool isRead(const SceneCell& cell) const
   {
-    return expectedOn(cells_.area(cell)) >= fewestToRead();
+    return readsCells_ && expectedOn(cells_.area(cell)) >= fewestToRead();
   }
   double fewestToRead() const { return std::min(kFewestToRead, photons_); }
 
@@ -53,6 +54,7 @@ private:
 
   const SceneCells& cells_;
   GatherOn on_;
+  bool readsCells_;
   double photons_;          ///< small cells expect fewer
   double walksPerArea_ = 0; ///< 1/m2
 };

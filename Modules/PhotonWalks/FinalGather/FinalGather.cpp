@@ -2,6 +2,7 @@
 #include "FinalGather/FinalGather.h"
 
 #include "Execution/SlicedPass.h"
+#include "FinalGather/ReadingChecks.h"
 #include "Repair/SceneChange.h"
 
 #include <algorithm>
@@ -29,6 +30,7 @@ void FinalGather::update(const GatherScene& scene, Execution& execution)
 {
   indirect_ = CellSums(scene.objects, 2, scene.known.all.plan(), 1);
   stale_ = CellSums(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
+  excess_.assign(scene.checksReadings ? scene.replicates() : 0, 0);
   followed_ = 0;
   findGatherers(scene);
   Ranks& ranks = execution.ranks();
@@ -54,6 +56,7 @@ void FinalGather::update(const GatherScene& scene, Execution& execution)
   {
     indirect_.sumOver(ranks, cancelPointOf(execution, 1));
     stale_.sumOver(ranks, cancelPointOf(execution, 1));
+    ranks.sum(excess_.data(), excess_.size());
   }
   if (scene.keepsPaths)
   {
@@ -153,6 +156,32 @@ void FinalGather::gather(const GatherScene& scene, const GatherMotion* motion, s
     store(scene, brought, start, side);
     start += side.starts;
   }
+  if (scene.checksReadings)
+  {
+    check(scene, unit);
+  }
+}
+
+void FinalGather::check(const GatherScene& scene, const Unit& unit)
+{
+  ReadingChecks checks(scene);
+  std::size_t first = 0; // of the paths of a start
+  for (const Side& side : unit.sides)
+  {
+    const double area = scene.cells.area(gatherers_[side.gatherer].cell) / side.starts;
+    for (std::uint64_t start = 0; start < side.starts; ++start, first += scene.rays)
+    {
+      checks.add(unit.paths, first, start << 40 | numberOf(side), area);
+    }
+  }
+  std::unique_ptr<GatherPaths> paths = paths_.take();
+  const std::vector<double> excess = checks.excess(*paths);
+  paths_.giveBack(std::move(paths));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (std::size_t k = 0; k < excess.size(); ++k)
+  {
+    excess_[k] += nearestQuanta(excess[k]);
+  }
 }
 
 void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit)
@@ -176,10 +205,7 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
     }
     if (!rays.empty())
     {
-      // Numbered among those that gather: cells that are away have numbers of their own in a frame that
-      // follows others.
-      paths->addSide(scene, gatherer.shape, side.side == 0,
-        2 * side.gatherer + static_cast<std::size_t>(side.side), rays);
+      paths->addSide(scene, gatherer.shape, side.side == 0, numberOf(side), rays);
     }
   }
   paths->run(scene);

@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,9 @@ public:
   const CellSums& indirect() const { return indirect_; }
   /// The part that rests on stale walks, in one replicate; nothing if none are known.
   const CellSums& stale() const { return stale_; }
+  /// What all cells receive too much in each replicate, see ReadingChecks; quanta of all bands together. Nothing if
+  /// nothing is checked.
+  const std::vector<std::int64_t>& excess() const { return excess_; }
   /// Of the paths that are kept.
   std::size_t bytes() const;
   /// Paths that the last update followed.
@@ -83,6 +87,12 @@ private:
   void gather(const GatherScene& scene, const GatherMotion* motion, std::size_t unit);
   /// Follows anew the paths that may have changed, all if nothing is kept.
   void follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit);
+  /// Numbered among those that gather: cells that are away have numbers of their own in a frame that follows others.
+  static std::uint64_t numberOf(const Side& side)
+  {
+    return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
+  }
+  void check(const GatherScene& scene, const Unit& unit);
   /// `start`: the first of the side's.
   void store(
     const GatherScene& scene, const PathSums& brought, std::size_t start, const Side& side);
@@ -93,6 +103,8 @@ private:
   Pool<GatherPaths> paths_;      ///< what threads work with
   std::atomic<std::int64_t> followed_{ 0 };
   CellSums indirect_, stale_;
+  std::mutex mutex_;
+  std::vector<std::int64_t> excess_; ///< guarded by it while threads work
 };
 
 }

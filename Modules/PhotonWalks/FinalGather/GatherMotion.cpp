@@ -45,8 +45,8 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
     hasMoved_.resize(numbers.first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);
     if (moved[i] && !scene.objects.dynamicObjects[i].isEmpty())
     {
-      // What touches a segment's start may lie behind it.
-      const EllipsoidBound bound = space.shadowBound(i, blur + space.clearance());
+      // What touches a segment's start may lie behind it, by less than 2^-31 of the coordinates (Contacts).
+      const EllipsoidBound bound = space.shadowBound(i, blur);
       bodies_.push_back({ bound, floatBoxAround(bound.worldBox()) });
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/GatherPaths.h"
 
+#include "FinalGather/CellPoints.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolPoint.h"
 #include "Shooting/WalkSampler.h"
@@ -55,49 +56,6 @@ std::uint64_t seedOf(const GatherScene& scene, std::uint64_t number)
   return splitMix(scene.seed ^ splitMix(number));
 }
 
-/// Points that fill the area of a cell evenly.
-class CellPoints
-{
-public:
-  CellPoints(const GatherScene& scene, std::size_t cell)
-  {
-    std::for_each(scene.shapes.begin(cell), scene.shapes.end(cell), [&](std::uint32_t number) {
-      const Triangle triangle = triangleOf(scene.space.triangles, number);
-      parts_.push_back({ triangle, triangle.area(), scene.space.triangles.idOf(number) });
-      area_ += parts_.back().area;
-    });
-  }
-
-  struct Point
-  {
-    SurfacePoint place; ///< on the front
-    TriangleId id;
-  };
-  Point at(std::array<double, 2> u) const
-  {
-    double before = u[0] * area_;
-    auto part = parts_.begin();
-    while (before >= part->area && part + 1 != parts_.end())
-    {
-      before -= part->area;
-      ++part;
-    }
-    // What the choice left of it. Rounding may lead to a last triangle without area.
-    u[0] = part->area > 0 ? std::clamp(before / part->area, 0x1p-53, 1 - 0x1p-53) : 0.5;
-    return { surfacePoint(part->triangle, sampleTriangle(u)), part->id };
-  }
-
-private:
-  struct Part
-  {
-    Triangle triangle;
-    double area; ///< m2
-    TriangleId id;
-  };
-  std::vector<Part> parts_;
-  double area_ = 0; ///< m2
-};
-
 std::array<float, 3> inFloats(const Vector3& v)
 {
   return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
@@ -150,11 +108,17 @@ void GatherPaths::addSide(const GatherScene& scene, std::size_t cell, bool isFro
 
 void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number)
 {
-  const std::uint64_t seed = seedOf(scene, number);
-  const SampleKeys directions = keysOf(seed, 0, Use::Direction);
   std::vector<std::uint32_t> all(scene.rays);
   std::iota(all.begin(), all.end(), 0u);
-  addStart(scene, seed, all, [&](std::uint32_t i) {
+  addPoint(scene, point, number, all);
+}
+
+void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number,
+  const std::vector<std::uint32_t>& rays)
+{
+  const std::uint64_t seed = seedOf(scene, number);
+  const SampleKeys directions = keysOf(seed, 0, Use::Direction);
+  addStart(scene, seed, rays, [&](std::uint32_t i) {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
     const Vector3 direction =
       point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u);

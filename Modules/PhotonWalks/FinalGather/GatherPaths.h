@@ -37,6 +37,9 @@ public:
   /// Adds all paths of a point. From one that receives from all directions, rays have the density 1 / (4 pi): four times
   /// what they bring is the fluence rate.
   void addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number);
+  /// Of some rays alone.
+  void addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number,
+    const std::vector<std::uint32_t>& rays);
   /// Follows all paths to their ends. Throws std::runtime_error for one that does not end.
   void run(const GatherScene& scene);
 

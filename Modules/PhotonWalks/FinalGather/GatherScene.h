@@ -32,7 +32,8 @@ struct GatherScene
   std::uint32_t rays;   ///< of a start, dealt to the replicates in blocks of equal size
   double quantaPerWatt; ///< of the light of all replicates
   std::uint64_t seed;
-  bool keepsPaths; ///< for frames to come
+  bool keepsPaths;             ///< for frames to come
+  bool checksReadings = false; ///< see ReadingChecks
 
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }

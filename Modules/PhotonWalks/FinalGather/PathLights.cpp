@@ -3,7 +3,8 @@
 
 #include "Progress/InputError.h"
 
-#include <string>
+#include <algorithm>
+#include <numeric>
 
 namespace irradiance
 {
@@ -23,16 +24,55 @@ std::deque<PointDirectLight> lightsOf(
   return lights;
 }
 
-void checkLights(const WalkSets& walks, const SceneTriangles& triangles, const char* estimate)
+std::optional<UnseenLight> unseenLight(const SceneObjects& objects)
 {
-  forEachLight(walks, [&](const Light& light) {
-    if (triangles.hasGlossy() && std::holds_alternative<PointLight>(light.kind))
+  std::optional<UnseenLight> light, specular;
+  for (std::uint32_t i = 0; i < objects.size() && !(light && specular); ++i)
+  {
+    const SceneObject& object = objects[i];
+    if (!light && object.emits() && !object.emission->points.empty())
     {
-      throw InputError(std::string(estimate) +
-        " Gathered does not know how specular cells reflect the light of points: make them area "
-        "lights, or choose another estimate");
+      const PointSource& point = object.emission->points.front();
+      light = { { i, point.cell }, {}, std::accumulate(point.flux.begin(), point.flux.end(), 0.0),
+        0 };
     }
-  });
+    const Material& material = *object.material;
+    for (std::size_t cell = 0;
+         !specular && !object.isEmpty() && material.isSpecular() && cell < material.numberOfCells;
+         ++cell)
+    {
+      if (material.isSpecular(cell))
+      {
+        const auto first =
+          material.specularReflectance.begin() + static_cast<std::ptrdiff_t>(cell) * material.bands;
+        specular = { {}, { i, cell }, 0, *std::max_element(first, first + material.bands) };
+      }
+    }
+  }
+  return light && specular ? std::optional<UnseenLight>({ light->light, specular->specular,
+                               light->flux, specular->reflectance })
+                           : std::nullopt;
+}
+
+std::string UnseenLight::message(
+  const std::string& estimate, const std::string& lightName, const std::string& specularName) const
+{
+  return lightName + ": a point light of " + text(flux) + " W, and " + specularName +
+    " has the specular reflectance " + text(reflectance) + ": " + estimate +
+    " Gathered does not know how specular cells reflect the light of points: make them area "
+    "lights, "
+    "or choose another estimate";
+}
+
+void checkLights(const SceneObjects& objects, const std::string& estimate)
+{
+  const auto nameOf = [](const SceneCell& cell) {
+    return "object " + std::to_string(cell.object) + ", cell " + std::to_string(cell.cell);
+  };
+  if (const std::optional<UnseenLight> unseen = unseenLight(objects))
+  {
+    throw InputError(unseen->message(estimate, nameOf(unseen->light), nameOf(unseen->specular)));
+  }
 }
 
 }

@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
+#include <string>
 
 namespace irradiance
 {
@@ -32,9 +34,24 @@ void forEachLight(const WalkSets& walks, const Visit& visit)
 std::deque<PointDirectLight> lightsOf(
   const WalkSets& walks, const GatherSpace& space, std::uint64_t seed, std::uint32_t samples);
 
-/// Throws InputError, which names the property `estimate`, where a point light shines on specular cells: a path meets no
-/// point, and the sums of walks do not tell what came by way of which reflection.
-void checkLights(const WalkSets& walks, const SceneTriangles& triangles, const char* estimate);
+/// A point light that specular cells reflect. A path meets no point, and the sums of walks do not tell what came by way
+/// of which reflection: so no final gather knows that light.
+struct UnseenLight
+{
+  SceneCell light, specular;
+  double flux;        ///< of the light, W, all bands together
+  double reflectance; ///< specular, of the most reflecting band
+
+  /// What is wrong, and what may be done. `estimate`: the property. The cells are named as they are here.
+  std::string message(const std::string& estimate, const std::string& lightName,
+    const std::string& specularName) const;
+};
+
+/// The first ones; nothing if there are none.
+std::optional<UnseenLight> unseenLight(const SceneObjects& objects);
+
+/// Throws InputError for an unseenLight().
+void checkLights(const SceneObjects& objects, const std::string& estimate);
 
 }
 

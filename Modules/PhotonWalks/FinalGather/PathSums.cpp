@@ -9,7 +9,6 @@ namespace irradiance
 void PathSums::read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts)
 {
   replicates_ = scene.replicates();
-  bands_ = scene.known.all.bands();
   sums_.assign(starts * replicates_, {});
   stale_.assign(starts, {});
   for (std::size_t i = 0; i < paths.size(); ++i)
@@ -21,47 +20,42 @@ void PathSums::read(const GatherScene& scene, const FollowedPaths& paths, std::s
 }
 
 void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
-  std::uint32_t replicate, Bands& sum, Bands& stale) const
+  std::uint32_t replicate, Bands& sum, Bands& stale)
 {
-  const double* value = path.values;
-  Bands weight{ 1.0 / scene.raysOfReplicate() };
-  const double quantaPerWatt = scene.quantaPerWatt / replicates_;
-  for (const GatherSegment* segment = path.begin; segment != path.end; ++segment)
-  {
-    if (segment->triangle == GatherSegment::kNone)
-    {
-      return;
-    }
-    if (bands_ > 1)
-    {
-      std::copy_n(value, bands_, weight.begin());
-      value += bands_;
-    }
-    if (!segment->isUnknown)
-    {
-      addKnown(scene, *segment, weight, replicate, sum, stale);
-    }
-    for (int band = 0; segment->isUnknown && band < bands_; ++band)
-    {
-      sum[static_cast<std::size_t>(band)] += *value++ * quantaPerWatt;
-    }
-    if (segment->isSpecular && segment->isFront)
-    {
-      const TriangleId id = scene.space.triangles.idOf(segment->triangle);
-      const SceneObject& object = scene.objects[id.object];
-      const double* const exitance =
-        object.exitanceOf(object.material->cellOfTriangle[id.triangle]);
-      for (int band = 0; exitance && band < bands_; ++band)
+  const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
+  forEachHit(
+    scene, path, [&](const GatherSegment& segment, const Bands& weight, const double* fromLights) {
+      if (!fromLights)
       {
-        const auto i = static_cast<std::size_t>(band);
-        sum[i] += weight[i] * exitance[i] * quantaPerWatt;
+        addKnown(scene, segment, weight, replicate, sum, stale);
       }
-    }
+      for (int band = 0; fromLights && band < scene.known.all.bands(); ++band)
+      {
+        sum[static_cast<std::size_t>(band)] += fromLights[band] * quantaPerWatt;
+      }
+      if (segment.isSpecular && segment.isFront)
+      {
+        addExitance(scene, segment, weight, sum);
+      }
+    });
+}
+
+void PathSums::addExitance(
+  const GatherScene& scene, const GatherSegment& segment, const Bands& weight, Bands& sum)
+{
+  const TriangleId id = scene.space.triangles.idOf(segment.triangle);
+  const SceneObject& object = scene.objects[id.object];
+  const double* const exitance = object.exitanceOf(object.material->cellOfTriangle[id.triangle]);
+  const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
+  for (int band = 0; exitance && band < scene.known.all.bands(); ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    sum[i] += weight[i] * exitance[i] * quantaPerWatt;
   }
 }
 
 void PathSums::addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
-  std::uint32_t replicate, Bands& sum, Bands& stale) const
+  std::uint32_t replicate, Bands& sum, Bands& stale)
 {
   const TriangleId id = scene.space.triangles.idOf(segment.triangle);
   const Material& material = *scene.objects[id.object].material;
@@ -70,14 +64,15 @@ void PathSums::addKnown(const GatherScene& scene, const GatherSegment& segment, 
   const KnownLight& known = scene.known;
   const CellSums& sums = segment.isKnown ? known.all : *known.direct;
   const double area = scene.cells.area(side);
-  for (int band = 0; band < bands_; ++band)
+  for (int band = 0; band < known.all.bands(); ++band)
   {
     const auto i = static_cast<std::size_t>(band);
     const double reflected = weight[i] * material.reflectanceOf(id.triangle, band) / area;
     sum[i] += reflected * static_cast<double>(sums.sum(side, band, replicate, known.rounds));
     if (segment.isKnown && known.stale)
     {
-      stale[i] += reflected / replicates_ * static_cast<double>(known.stale->sum(side, band));
+      stale[i] +=
+        reflected / scene.replicates() * static_cast<double>(known.stale->sum(side, band));
     }
   }
 }

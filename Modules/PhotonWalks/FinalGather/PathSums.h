@@ -5,6 +5,7 @@
 #include "FinalGather/FollowedPaths.h"
 #include "FinalGather/GatherScene.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -27,6 +28,19 @@ public:
   /// `starts`: each has scene.rays of the paths, in order.
   void read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts);
 
+  /// What a path of a replicate brings.
+  static Bands broughtBy(
+    const GatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate)
+  {
+    Bands sum{}, stale{};
+    add(scene, path, replicate, sum, stale);
+    return sum;
+  }
+  /// Calls visit(segment, weight, what the lights brought there or null) for all that hit something.
+  template <class Visit>
+  static void forEachHit(
+    const GatherScene& scene, const FollowedPaths::Path& path, const Visit& visit);
+
   /// What a replicate found.
   const Bands& found(std::size_t start, std::uint32_t replicate) const
   {
@@ -36,15 +50,36 @@ public:
   const Bands& stale(std::size_t start) const { return stale_[start]; }
 
 private:
-  void add(const GatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate,
-    Bands& sum, Bands& stale) const;
-  void addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
-    std::uint32_t replicate, Bands& sum, Bands& stale) const;
+  static void add(const GatherScene& scene, const FollowedPaths::Path& path,
+    std::uint32_t replicate, Bands& sum, Bands& stale);
+  static void addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
+    std::uint32_t replicate, Bands& sum, Bands& stale);
+  static void addExitance(
+    const GatherScene& scene, const GatherSegment& segment, const Bands& weight, Bands& sum);
 
   std::uint32_t replicates_ = 1;
-  int bands_ = 1;
   std::vector<Bands> sums_, stale_;
 };
+
+template <class Visit>
+void PathSums::forEachHit(
+  const GatherScene& scene, const FollowedPaths::Path& path, const Visit& visit)
+{
+  const int bands = scene.known.all.bands();
+  const double* value = path.values;
+  Bands weight{ 1.0 / scene.raysOfReplicate() };
+  for (const GatherSegment* segment = path.begin;
+       segment != path.end && segment->triangle != GatherSegment::kNone; ++segment)
+  {
+    if (bands > 1)
+    {
+      std::copy_n(value, bands, weight.begin());
+      value += bands;
+    }
+    visit(*segment, weight, segment->isUnknown ? value : nullptr);
+    value += segment->isUnknown ? bands : 0;
+  }
+}
 
 }
 

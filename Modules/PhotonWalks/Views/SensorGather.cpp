@@ -16,6 +16,13 @@ namespace
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+/// Before anything is counted.
+const IrradianceEngine& checked(const IrradianceEngine& engine)
+{
+  checkLights(engine.objects(), "Estimate");
+  return engine;
+}
+
 SensorGather::Light unknownLight()
 {
   SensorGather::Light light{};
@@ -27,7 +34,7 @@ SensorGather::Light unknownLight()
 }
 
 SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution)
-  : engine_(engine)
+  : engine_(checked(engine))
   , replicates_(engine.walks().plan().replicates().count())
   , sums_(engine.walks(), engine.objects(), execution)
   , noShapes_(engine.objects(), engine.space().triangles, 0, 0)
@@ -40,7 +47,6 @@ SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, E
     { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
     dealtRays(rays, replicates_), 1 / engine.watts(1.0), engine.settings().seed, false }
 {
-  checkLights(engine.walks(), engine.space().triangles, "Estimate");
 }
 
 std::vector<SensorGather::Light> SensorGather::at(
