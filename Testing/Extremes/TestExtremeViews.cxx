@@ -133,7 +133,7 @@ struct WatchedFurnace
   WatchedFurnace()
   {
     this->Filter->SeparateSidesOn();
-    this->Look.NumberOfMirrorSamples = 16;
+    this->Look.NumberOfSpecularSamples = 16;
   }
   void See(const Vector& eye, bool isFar = false)
   {

@@ -33,6 +33,8 @@ struct GatherScene
   double quantaPerWatt; ///< of the light of all replicates
   std::uint64_t seed;
   bool keepsPaths; ///< for frames to come
+  /// Where light is reflected along a lobe the lights are asked, points too; else a lamp counts where a path meets it.
+  bool asksOnLobes = false;
 
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }

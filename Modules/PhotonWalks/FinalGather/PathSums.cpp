@@ -37,14 +37,15 @@ void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
       std::copy_n(value, bands_, weight.begin());
       value += bands_;
     }
-    if (!segment->isUnknown)
+    if (segment->isKnown || segment->isDirectKnown)
     {
       addKnown(scene, *segment, weight, replicate, sum, stale);
     }
-    for (int band = 0; segment->isUnknown && band < bands_; ++band)
+    for (int band = 0; segment->asksLights && band < bands_; ++band)
     {
       sum[static_cast<std::size_t>(band)] += *value++ * quantaPerWatt;
     }
+    const double lampWeight = segment->hasLampWeight ? *value++ : 1;
     if (segment->isSpecular && segment->isFront)
     {
       const TriangleId id = scene.space.triangles.idOf(segment->triangle);
@@ -54,7 +55,7 @@ void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
       for (int band = 0; exitance && band < bands_; ++band)
       {
         const auto i = static_cast<std::size_t>(band);
-        sum[i] += weight[i] * exitance[i] * quantaPerWatt;
+        sum[i] += lampWeight * weight[i] * exitance[i] * quantaPerWatt;
       }
     }
   }

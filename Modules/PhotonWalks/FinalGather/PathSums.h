@@ -16,7 +16,7 @@ namespace irradiance
  *
  * From a cell that is read: what its side received, times its reflectance. From any other cell: what came to it straight
  * from the lights. A lamp that is met brings nothing, as that light is direct; but behind a specular reflection it
- * counts, as no sum knows of it.
+ * counts, as no sum knows of it; with a weight if it was asked there as well.
  */
 class PathSums
 {

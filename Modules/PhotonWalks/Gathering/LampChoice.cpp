@@ -131,4 +131,17 @@ LampChoice::Choice LampChoice::choose(double sample) const
   return { share.piece, own / sum * share.probability, share.rest };
 }
 
+double LampChoice::probabilityOf(std::uint32_t piece) const
+{
+  double probability = 0, before = 0;
+  for (std::size_t i = 0; i < groups_.size(); ++i)
+  {
+    const LampTree::Node& node = tree_.nodes()[groups_[i].node];
+    probability +=
+      (cumulative_[i] - before) / cumulative_.back() * tree_.probabilityOf(node, piece);
+    before = cumulative_[i];
+  }
+  return probability;
+}
+
 }

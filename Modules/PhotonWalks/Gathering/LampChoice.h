@@ -37,6 +37,8 @@ public:
   };
   /// `sample`: in (0, 1).
   Choice choose(double sample) const;
+  /// With which a piece is chosen.
+  double probabilityOf(std::uint32_t piece) const;
 
 private:
   /// The part of the samples that goes by flux alone.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_AreaPoints_h
+#define irradiance_AreaPoints_h
+
+#include "Meshes/SurfacePoint.h"
+#include "Surfaces/CellShapes.h"
+
+#include <array>
+#include <vector>
+
+namespace irradiance
+{
+
+/// Points that fill the area of a cell evenly.
+class AreaPoints
+{
+public:
+  /// `cell`: of the shapes; it has an area.
+  AreaPoints(const CellShapes& shapes, const SceneTriangles& triangles, std::size_t cell);
+
+  struct Point
+  {
+    SurfacePoint place; ///< on the front
+    TriangleId id;
+  };
+  /// `u`: of the unit square.
+  Point at(std::array<double, 2> u) const;
+
+private:
+  struct Part
+  {
+    Triangle triangle;
+    double area; ///< m2
+    TriangleId id;
+  };
+  std::vector<Part> parts_;
+  double area_ = 0; ///< m2
+};
+
+}
+
+#endif
