@@ -328,10 +328,11 @@ void GatherPaths::askLights(
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
   const LitPoint point{ at.place.clearPosition(), at.place.normal, at.id };
+  const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell);
   Bands arriving{}, onLobe{};
   for (const PointDirectLight& lights : scene.lights)
   {
-    const Bands more = arrival.isUnknown ? lights.irradiance(point, number) : Bands{};
+    const Bands more = asksDiffuse ? lights.irradiance(point, number) : Bands{};
     std::transform(
       more.begin(), more.end(), arriving.begin(), arriving.begin(), std::plus<double>());
   }

@@ -45,9 +45,10 @@ double powerBetween(const LampPiece& lamp, const CellShape& cell)
 
 }
 
-LampChoice::LampChoice(const LampPieces& lamps)
+LampChoice::LampChoice(const LampPieces& lamps, std::size_t most)
   : tree_(lamps.tree())
   , centers_(lamps.centers())
+  , most_(most)
 {
 }
 
@@ -78,7 +79,7 @@ void LampChoice::findGroups(const CellShape& cell)
     return;
   }
   groups_.assign(1, groupOf(0, cell));
-  while (groups_.size() < kMost && groups_.front().spread > 0)
+  while (groups_.size() < most_ && groups_.front().spread > 0)
   {
     std::pop_heap(groups_.begin(), groups_.end());
     const std::uint32_t children = tree_.nodes()[groups_.back().node].children;

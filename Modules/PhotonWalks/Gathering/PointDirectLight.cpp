@@ -12,12 +12,13 @@
 namespace irradiance
 {
 
-PointDirectLight::PointDirectLight(
-  const GatherSpace& space, const LightTable& lights, std::uint64_t seed, std::uint32_t samples)
+PointDirectLight::PointDirectLight(const GatherSpace& space, const LightTable& lights,
+  std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights)
   : space_(space)
   , lamps_(lights)
   , seed_(seed)
   , samples_(samples)
+  , mostWeights_(mostWeights)
 {
 }
 
@@ -59,7 +60,7 @@ double PointDirectLight::density(
   {
     return 0;
   }
-  const PointLampChoice choice(lamps_, point, samples_);
+  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
   const std::uint32_t piece = lamps_.pieceAt(*light, place);
   const double samples = samples_ * choice.probabilityOf(piece);
   return samples > 0 ? samples / choice.seen(piece).solidAngle() : 0;
@@ -119,7 +120,7 @@ void PointDirectLight::addSamples(const LitPoint& point, const Part& part, std::
   std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
   std::vector<Arrival>& arrivals) const
 {
-  const PointLampChoice choice(lamps_, point, samples_);
+  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
   const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
   for (std::uint32_t i = 0; i < samples_ && !choice.isEmpty(); ++i)
   {

@@ -27,9 +27,10 @@ class PointDirectLight
 public:
   using Bands = std::array<double, Power::kMaxBands>;
 
-  /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two.
+  /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two. `mostWeights`: see
+  /// LampChoice.
   PointDirectLight(const GatherSpace& space, const LightTable& lights, std::uint64_t seed,
-    std::uint32_t samples = 64);
+    std::uint32_t samples = 64, std::size_t mostWeights = LampChoice::kMost);
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 
@@ -80,6 +81,7 @@ private:
   LampPieces lamps_;
   std::uint64_t seed_;
   std::uint32_t samples_;
+  std::size_t mostWeights_;
 };
 
 }

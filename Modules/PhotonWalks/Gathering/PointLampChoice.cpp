@@ -36,11 +36,11 @@ double meanPart(const LitPoint& point, const LampPiece& lamp)
 }
 
 PointLampChoice::PointLampChoice(
-  const LampPieces& lamps, const LitPoint& point, std::uint32_t samples)
+  const LampPieces& lamps, const LitPoint& point, std::uint32_t samples, std::size_t most)
   : lamps_(lamps)
   , point_(point)
   , isRough_(lamps.size() > samples)
-  , rough_(lamps)
+  , rough_(lamps, most)
 {
   if (isRough_)
   {

@@ -19,8 +19,9 @@ namespace irradiance
 class PointLampChoice
 {
 public:
-  /// The lamps must outlive it.
-  PointLampChoice(const LampPieces& lamps, const LitPoint& point, std::uint32_t samples);
+  /// The lamps must outlive it. `most`: weights, of groups of lamps.
+  PointLampChoice(const LampPieces& lamps, const LitPoint& point, std::uint32_t samples,
+    std::size_t most = LampChoice::kMost);
 
   /// Whether no light can come.
   bool isEmpty() const { return !isRough_ && !(sum_ > 0); }

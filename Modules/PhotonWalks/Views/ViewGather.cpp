@@ -6,11 +6,22 @@
 namespace irradiance
 {
 
+namespace
+{
+
+// Lobes are many, and rays find what these neglect.
+constexpr std::uint32_t kSamplesOnLobe = 2;
+constexpr std::size_t kWeightsOnLobe = 16;
+
+}
+
 ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
   bool asksOnLobes, Execution& execution)
   : engine_(engine)
   , sums_(engine.walks(), engine.objects(), execution)
-  , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, kSamplesOfHit))
+  , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
+      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit,
+      asksOnLobes ? kWeightsOnLobe : LampChoice::kMost))
   , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes,
     CellRoles(
       engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small),
