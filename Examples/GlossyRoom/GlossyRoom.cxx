@@ -53,6 +53,7 @@ struct Options
 {
   int Walks;
   int Frames;
+  int Samples;
   int Width, Height; // pixels
   std::string Output;
   bool Help = false;
@@ -64,6 +65,7 @@ std::vector<movingteapot::Option> OptionsOf(Options& o)
   return {
     { "--walks", "N", "1000000", "photon walks", Count(o.Walks, 1) },
     { "--frames", "N", "60", "frames, the first one included", Count(o.Frames, 1) },
+    { "--samples", "N", "64", "rays of each glossy cell", Count(o.Samples, 1) },
     { "--size", "WxH", "960x720", "size of the pictures in pixels", Size(o.Width, o.Height) },
     { "--output", "FOLDER", "./GlossyRoom-output", "where all results go", Text(o.Output) },
     { "--help", "", "", "this text", Switch(o.Help, true) },
@@ -155,8 +157,9 @@ void MakeScene(vtkIrradianceFilter* light, vtkTransform* worldFromTeapot)
   }
   light->AddInputDataObject(1, teapot);
   light->SetDynamicTransform(0, worldFromTeapot);
-  light->SetCellEstimateToSpread(); // the teapot's cells are small
-  light->SeparateSidesOn();         // an eye sees one side
+  light->SetDirectLightToGathered();
+  light->SetCellEstimateToGathered(); // the teapot's cells are small
+  light->SeparateSidesOn();           // an eye sees one side
 }
 
 /** Where everything is at a time from 0 to 1. */
@@ -320,6 +323,7 @@ void Run(const Options& options)
   vtkNew<vtkOutgoingRadianceFilter> radiance;
   radiance->SetInputConnection(light->GetOutputPort());
   radiance->SetCamera(pictures.GetCamera());
+  radiance->SetNumberOfSpecularSamples(options.Samples);
   movingteapot::ProgressBar progress(options.Frames + 1);
   for (int frame = 0; frame < options.Frames; ++frame)
   {
@@ -335,6 +339,7 @@ void Run(const Options& options)
   vtkNew<vtkOutgoingRadianceFilter> freshRadiance;
   freshRadiance->SetInputConnection(fresh->GetOutputPort());
   freshRadiance->SetCamera(pictures.GetCamera());
+  freshRadiance->SetNumberOfSpecularSamples(options.Samples);
   freshRadiance->Update();
   progress.Finish();
   if (!IsSame(radiance->GetOutput(), freshRadiance->GetOutput()))

@@ -33,19 +33,18 @@ class vtkOutgoingRadianceFilter::vtkInternals
 {
 public:
   const irradiance::OutgoingRadiance& RadianceOf(
-    const irradiance::PhotonSource& source, int mirrorSamples, irradiance::Execution& execution)
+    const irradiance::PhotonSource& source, int samples, irradiance::Execution& execution)
   {
     const std::shared_ptr<irradiance::IrradianceEngine>& engine = source.engine();
     if (!this->Radiance || this->Engine != engine || this->State != engine->state() ||
-      this->MirrorSamples != mirrorSamples)
+      this->Samples != samples)
     {
       this->Radiance.reset();
-      engine->collect<irradiance::CellPhotonSets>(execution);
       this->Radiance = std::make_unique<irradiance::OutgoingRadiance>(
-        *engine, static_cast<std::uint32_t>(mirrorSamples), execution);
+        *engine, static_cast<std::uint32_t>(samples), execution);
       this->Engine = engine;
       this->State = engine->state();
-      this->MirrorSamples = mirrorSamples;
+      this->Samples = samples;
     }
     return *this->Radiance;
   }
@@ -54,7 +53,7 @@ private:
   std::unique_ptr<irradiance::OutgoingRadiance> Radiance;
   std::shared_ptr<irradiance::IrradianceEngine> Engine;
   std::uint64_t State = 0;
-  int MirrorSamples = 0;
+  int Samples = 0;
 };
 
 namespace
@@ -81,13 +80,39 @@ irradiance::Eye EyeOf(vtkOutgoingRadianceFilter* filter)
   return eye;
 }
 
-vtkSmartPointer<vtkDoubleArray> AddRadiance(vtkPolyData* output, int bands)
+/// What a part gets.
+struct Arrays
 {
-  auto radiance = irradiance::addArray<vtkDoubleArray>(
-    output->GetCellData(), irradiance::kRadiance, bands, output->GetNumberOfCells());
-  output->GetCellData()->SetActiveScalars(irradiance::kRadiance);
-  return radiance;
-}
+  vtkSmartPointer<vtkDoubleArray> Radiance, Errors; // the errors may be null
+
+  Arrays(vtkPolyData* output, int bands, bool haveErrors)
+    : Radiance(Add(output, irradiance::kRadiance, bands))
+    , Errors(haveErrors ? Add(output, irradiance::standardErrorName(irradiance::kRadiance), bands)
+                        : nullptr)
+  {
+    output->GetCellData()->SetActiveScalars(irradiance::kRadiance);
+  }
+  void Set(vtkIdType cell, const irradiance::OutgoingRadiance::Light& light) const
+  {
+    for (int band = 0; band < this->Radiance->GetNumberOfComponents(); ++band)
+    {
+      const auto i = static_cast<std::size_t>(band);
+      this->Radiance->SetTypedComponent(cell, band, light.value[i]);
+      if (this->Errors)
+      {
+        this->Errors->SetTypedComponent(cell, band, light.standardError[i]);
+      }
+    }
+  }
+
+private:
+  static vtkSmartPointer<vtkDoubleArray> Add(
+    vtkPolyData* output, const std::string& name, int bands)
+  {
+    return irradiance::addArray<vtkDoubleArray>(
+      output->GetCellData(), name, bands, output->GetNumberOfCells());
+  }
+};
 
 /// Clones the polydata of a tree: their cells and arrays stay shared.
 void CloneLeaves(vtkMultiBlockDataSet* output)
@@ -104,11 +129,11 @@ void CloneLeaves(vtkMultiBlockDataSet* output)
 void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   output->ShallowCopy(input);
-  irradiance::forEachLeaf(output, [output](vtkDataObjectTreeIterator* leaf) {
+  irradiance::forEachLeaf(output, [input, output](vtkDataObjectTreeIterator* leaf) {
     if (auto* polyData = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
     {
       const auto empty = irradiance::withoutCells(polyData);
-      AddRadiance(empty, irradiance::bandsOf(empty));
+      Arrays(empty, irradiance::bandsOf(empty), irradiance::haveErrors(input));
       output->SetDataSet(leaf, empty);
     }
   });
@@ -117,22 +142,23 @@ void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 /// Some cells of a part.
 struct Unit
 {
-  vtkDoubleArray* radiance;
+  Arrays arrays;
   irradiance::PartCells cells;
   vtkIdType begin, end; ///< of the part
 };
 
-std::vector<Unit> MakeUnits(
-  const irradiance::PhotonSource& source, int bands, vtkMultiBlockDataSet* output)
+/// `size`: cells of each.
+std::vector<Unit> MakeUnits(const irradiance::PhotonSource& source, vtkIdType size, bool haveErrors,
+  vtkMultiBlockDataSet* output)
 {
-  constexpr vtkIdType size = 8; // cells with mirrors take long
+  const int bands = source.engine()->objects().staticObject.material->bands;
   std::vector<Unit> units;
   source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
-    const auto radiance = AddRadiance(polyData, bands);
+    const Arrays arrays(polyData, bands, haveErrors);
     for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
     {
       units.push_back(
-        { radiance, cells, begin, std::min(begin + size, polyData->GetNumberOfCells()) });
+        { arrays, cells, begin, std::min(begin + size, polyData->GetNumberOfCells()) });
     }
   });
   return units;
@@ -178,31 +204,35 @@ int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* inf
 int vtkOutgoingRadianceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  irradiance::requestPhotons(inputs[0]->GetInformationObject(0));
+  irradiance::requestSides(inputs[0]->GetInformationObject(0));
   return 1;
 }
 
 void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   const irradiance::Eye eye = EyeOf(this);
-  const irradiance::PhotonSource source(input, "the input");
+  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sides);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::OutgoingRadiance& radiance =
-    this->Internals->RadianceOf(source, this->NumberOfMirrorSamples, execution);
+    this->Internals->RadianceOf(source, this->NumberOfSpecularSamples, execution);
   output->ShallowCopy(input);
   CloneLeaves(output);
-  const int bands = source.engine()->objects().staticObject.material->bands;
-  const std::vector<Unit> units = MakeUnits(source, bands, output);
+  constexpr int raysTogether = 4096;
+  const vtkIdType cellsTogether = std::max(1, raysTogether / this->NumberOfSpecularSamples);
+  const std::vector<Unit> units =
+    MakeUnits(source, cellsTogether, irradiance::haveErrors(input), output);
   irradiance::SlicedPass pass{ units.size(), {} };
   pass.work = [&](std::size_t i, const irradiance::Deadline&) {
     const Unit& unit = units[i];
+    std::vector<irradiance::SceneCell> cells;
     for (vtkIdType cell = unit.begin; cell < unit.end; ++cell)
     {
-      const auto towardsEye = radiance(unit.cells[cell], eye);
-      for (int band = 0; band < bands; ++band)
-      {
-        unit.radiance->SetTypedComponent(cell, band, towardsEye[static_cast<std::size_t>(band)]);
-      }
+      cells.push_back(unit.cells[cell]);
+    }
+    vtkIdType cell = unit.begin;
+    for (const irradiance::OutgoingRadiance::Light& light : radiance.at(cells, eye))
+    {
+      unit.arrays.Set(cell++, light);
     }
     return true;
   };
@@ -231,6 +261,6 @@ void vtkOutgoingRadianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "EyePosition: " << this->EyePosition[0] << " " << this->EyePosition[1] << " "
      << this->EyePosition[2] << "\n"
-     << indent << "NumberOfMirrorSamples: " << this->NumberOfMirrorSamples << "\n"
+     << indent << "NumberOfSpecularSamples: " << this->NumberOfSpecularSamples << "\n"
      << indent << "Camera: " << this->Camera.Get() << "\n";
 }

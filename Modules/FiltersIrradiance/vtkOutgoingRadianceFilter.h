@@ -4,29 +4,29 @@
  * @brief   radiance that leaves the cells of a vtkIrradianceFilter's scene towards an eye
  *
  * Adds what an eye sees of each cell: light that the cell emits, and light that it reflects
- * diffusely and specularly. The photons that vtkIrradianceFilter stores do not depend on the view,
+ * diffusely and specularly. What vtkIrradianceFilter knows does not depend on the view,
  * so when the camera moves this filter alone executes.
  *
- * Section 4.2 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of
- * Shooting Walks" (SCCG 2003).
- *
  * @section RadianceInput Input
- * The whole output of a vtkIrradianceFilter, or a shallow copy. The photons come with it. A filter
- * that did not keep them, as nothing can move, executes again.
+ * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells received comes with it.
+ * With SeparateSides or CellEstimate Gathered the filter knows that; else it is counted from the photons, and a filter
+ * that did not keep these, as nothing can move, executes again.
  *
  * @section RadianceOutput Output
  * A shallow copy of the input with the cell array `Radiance` (double, W/m2/sr, as many components as
- * `Irradiance`): the mean over the area of the cell of the radiance towards the eye. It is active.
+ * `Irradiance`): the mean over the area of the cell of the radiance towards the eye. It is active. If the input has
+ * standard errors, so has the radiance: `RadianceStandardError`, NaN where it is not known. Emitted light has none.
  * - Emitted: RadiantExitance / pi, if the eye is in front.
  * - Diffuse: DiffuseReflectance times irradiance / pi. With SeparateSides of the
  *   vtkIrradianceFilter the irradiance of the side that the eye sees counts, else of both
  *   sides together: switch it on for sheets that are lit from both sides.
- * - Specular: the sum over the photons on the cell, on the side that the eye sees, of power times
- *   BRDF over the area. The larger the PhongExponent, the fewer photons a lobe has, and the noisier
- *   the sum; what is smaller than a cell is averaged away. With DirectLight Gathered the samples with which the
- *   cell gathered it count as photons, too.
- * - Mirrors (infinite PhongExponent): what rays see in them, at NumberOfMirrorSamples points of a
- *   cell, through at most 64 further mirrors.
+ * - Specular: what rays find that leave NumberOfSpecularSamples points of the cell along the lobe around the mirrored
+ *   direction to the eye, or along that direction from a mirror (infinite PhongExponent). They read
+ *   the irradiance of large cells where they hit, of the side that they hit; at small or near ones they ask the lights and go
+ *   on, also by way of other lobes and mirrors. Lobes ask the lights as well as their rays; so narrow ones, and
+ *   small lamps, have little noise. What is smaller than a cell is averaged away.
+ *
+ * A mirror cannot see a point light; nor does a lobe see what a point light sends it by way of a mirror.
  *
  * What stands between eye and cell is not looked at: a renderer knows what is hidden. So an eye may
  * be anywhere, also inside a body, of whose cells it sees the back. At a cell's own place it sees
@@ -78,10 +78,11 @@ public:
 
   ///@{
   /**
-   * At how many points of a cell that is a mirror a ray looks into it, 1 to 4096. Default 16.
+   * From how many points of a specular cell a ray looks for what it reflects, 1 to 4096, rounded up to a multiple
+   * of the replicates if there are error bars. The noise goes as 1 / sqrt(NumberOfSpecularSamples), or less. Default 16.
    */
-  vtkSetClampMacro(NumberOfMirrorSamples, int, 1, 4096);
-  vtkGetMacro(NumberOfMirrorSamples, int);
+  vtkSetClampMacro(NumberOfSpecularSamples, int, 1, 4096);
+  vtkGetMacro(NumberOfSpecularSamples, int);
   ///@}
 
   /// Includes the camera.
@@ -98,7 +99,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 
   double EyePosition[3] = { 0, 0, 0 };
-  int NumberOfMirrorSamples = 16;
+  int NumberOfSpecularSamples = 16;
   vtkSmartPointer<vtkCamera> Camera;
 
 private:

@@ -85,8 +85,8 @@ Mesh MakeGlossyBox()
   return Glossy(White(MakeBox(0.3, 0.2, 0.25)), 0.4, Exponents);
 }
 
-/// A glossy furnace and a glossy box that moves in it, watched from inside and by sensors. Of 30 seeds
-/// the mean radiance has a standard deviation of 0.002, the sensors' mean 0.0093: tolerances are 5.5
+/// A glossy furnace and a glossy box that moves in it, watched from inside and by sensors. From the scatter of its cells
+/// the mean radiance has a standard deviation of 0.0036, of 30 seeds the sensors' mean 0.0093: tolerances are 5.5
 /// of them, a false alarm in 20 million.
 void ExpectFurnace(double size, const Vector& offset)
 {
@@ -97,6 +97,7 @@ void ExpectFurnace(double size, const Vector& offset)
   view.Eye = { offset[0] + 0.5 * size, offset[1] + 0.4 * size, offset[2] + 0.3 * size };
   view.Sensors = MakeSensorsOn(scene.Fixed[0]);
   view.NumberOfPhotons = 200;
+  view.NumberOfSpecularSamples = 64;
   const auto filter = MakeFilter(scene, NumberOfWalks);
   ViewFilters views(filter);
   views.Apply(view);
@@ -114,7 +115,7 @@ void ExpectFurnace(double size, const Vector& offset)
                  measured = MeanOf(Measured(views, "Irradiance"));
     std::printf("size %g, offset %g, frame %d: radiance %.4f / pi, sensors %.4f W/m2\n", size,
       offset[0], frame, seen, measured);
-    EXPECT_NEAR(seen, 1, 0.011);
+    EXPECT_NEAR(seen, 1, 0.02);
     EXPECT_NEAR(measured, 1, 0.052);
     scene.Moving[0].Pose->RotateWXYZ(25, 1, 2, 3);
     scene.Moving[0].Pose->Translate(0.05 * size, 0.1 * size, -0.1 * size);
@@ -133,7 +134,7 @@ struct WatchedFurnace
   WatchedFurnace()
   {
     this->Filter->SeparateSidesOn();
-    this->Look.NumberOfMirrorSamples = 16;
+    this->Look.NumberOfSpecularSamples = 16;
   }
   void See(const Vector& eye, bool isFar = false)
   {

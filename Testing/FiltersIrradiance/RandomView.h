@@ -20,7 +20,7 @@ struct View
   bool HasEye = false, HasSensors = false;
   Vector Eye{ 1, 2, 3 };
   bool IsFar = false; ///< the eye is infinitely far away in the direction of Eye
-  int NumberOfMirrorSamples = 4;
+  int NumberOfSpecularSamples = 4;
   Mesh Sensors;
   int NumberOfPhotons = 50;
   double MaximumRadius = 0;
@@ -99,7 +99,7 @@ inline void MoveEye(RandomNumbers& random, View& view)
 {
   view.Eye = RandomPlace(random);
   view.IsFar = Chance(random, 4);
-  view.NumberOfMirrorSamples = 1 + random.Below(8);
+  view.NumberOfSpecularSamples = 1 + random.Below(8);
 }
 
 inline void ChangeSensors(RandomNumbers& random, View& view)

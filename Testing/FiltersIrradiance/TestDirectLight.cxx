@@ -341,7 +341,8 @@ TEST(DirectLight, UpdateEqualsRebuildForAllThatReadsPhotons)
       ASSERT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh))) << "frame " << frame;
       ASSERT_TRUE(IsSame(ShownWalks::LastingBits(updated), ShownWalks::LastingBits(fresh)));
       EXPECT_EQ(fresh->GetWalksOutput()->GetNumberOfCells(), 50);
-      EXPECT_EQ(Field(updated, "ShootSeconds") > 0, frame == 0) << "frame " << frame;
+      // At first some ask for photons, others do not: the source executes twice, and shoots once.
+      EXPECT_TRUE(frame == 0 || Field(updated, "ShootSeconds") == 0) << "frame " << frame;
       for (const MovingObject& moving : scene.Moving)
       {
         PlaceInTheRoom(random, moving.Pose);

@@ -374,7 +374,7 @@ TEST(PartsComeAndGo, EyesAndSensorsFollow)
     const auto fresh = hall.MakeNew();
     const Views expected(fresh, points);
     ExpectSameViews(now, expected, "step " + std::to_string(step));
-    EXPECT_EQ(Field(hall.Filter, "ShootSeconds") > 0, step == 0);
+    EXPECT_TRUE(step == 0 || Field(hall.Filter, "ShootSeconds") == 0);
     ++step;
   }
 }

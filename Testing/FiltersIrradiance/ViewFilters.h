@@ -30,7 +30,7 @@ public:
     this->Camera->ParallelProjectionOn();
     this->Radiance->SetCamera(view.IsFar ? this->Camera.Get() : nullptr);
     this->Radiance->SetEyePosition(view.Eye.data());
-    this->Radiance->SetNumberOfMirrorSamples(view.NumberOfMirrorSamples);
+    this->Radiance->SetNumberOfSpecularSamples(view.NumberOfSpecularSamples);
     this->Probe->SetInputData(view.Sensors);
     this->Probe->SetNumberOfPhotons(view.NumberOfPhotons);
     this->Probe->SetMaximumRadius(view.MaximumRadius);

@@ -30,7 +30,7 @@ struct View
 {
   bool HasEye = false, HasSensors = false;
   TestScenes::Vector Eye{ 0, 0, 0 };
-  int NumberOfMirrorSamples = 1;
+  int NumberOfSpecularSamples = 1;
   TestScenes::Mesh Sensors = TestScenes::Mesh::New();
   int NumberOfPhotons = 4;
   double MaximumRadius = 1; ///< and MaximumDistance
@@ -48,7 +48,7 @@ inline void Read(ByteReader& bytes, View& view)
 {
   const bool isTame = !bytes.oneIn(16);
   view.Eye = ReadVector(bytes, isTame);
-  view.NumberOfMirrorSamples = 1 + bytes.below(4);
+  view.NumberOfSpecularSamples = 1 + bytes.below(4);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> normals;
@@ -83,7 +83,7 @@ public:
   void Update(const View& view)
   {
     this->Radiance->SetEyePosition(view.Eye.data());
-    this->Radiance->SetNumberOfMirrorSamples(view.NumberOfMirrorSamples);
+    this->Radiance->SetNumberOfSpecularSamples(view.NumberOfSpecularSamples);
     this->Probe->SetInputData(view.Sensors);
     this->Probe->SetNumberOfPhotons(view.NumberOfPhotons);
     this->Probe->SetMaximumRadius(view.MaximumRadius);

@@ -285,7 +285,7 @@ SeedMeans shotMeans(
 
 }
 
-// Walls are lit on one side, the lamp on both; the ball is closed. Most of the area is of large cells, which take four times
+// Nothing is outside of the walls; the lamp is lit on both sides; the ball is closed. Most of the area is of large cells, which take four times
 // as many rays if they gather. Direct light takes a sample for two rays.
 TEST(GatherEstimator, SamplesFollowTheRays)
 {
@@ -310,8 +310,11 @@ TEST(GatherEstimator, SamplesFollowTheRays)
         }
       });
     }
-    EXPECT_EQ(*std::min_element(samples.begin(), samples.begin() + 96), isAll ? 64u : 16u);
-    EXPECT_EQ(*std::min_element(samples.end() - 128, samples.end()), 16u);
+    // A lower half of the ball sees no lamp, and walls that see little of it may receive few walks.
+    EXPECT_EQ(*std::min_element(samples.begin(), samples.begin() + 96), 16u);
+    const auto between = std::count_if(samples.begin(), samples.begin() + 96,
+      [](std::uint32_t number) { return number > 16 && number < 64; });
+    EXPECT_EQ(between == 0, isAll) << between;
     EXPECT_EQ(*std::max_element(samples.end() - 128, samples.end()), 16u);
   }
 }

@@ -29,7 +29,6 @@ Answer viewsOf(IrradianceEngine& engine)
 {
   Execution execution;
   const SceneObjects& objects = engine.objects();
-  engine.collect<CellPhotonSets>(execution);
   const OutgoingRadiance radiance(engine, 2, execution);
   engine.collect<LeafPhotons>(execution); // for estimates from the nearest photons
   Answer answer;
@@ -37,7 +36,7 @@ Answer viewsOf(IrradianceEngine& engine)
   {
     for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
     {
-      for (const double value : radiance({ object, cell }, { { 0.1, 0.2, 0.3 } }))
+      for (const double value : radiance.at({ object, cell }, { { 0.1, 0.2, 0.3 } }).value)
       {
         add(answer, value);
       }

@@ -21,6 +21,7 @@ CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint
   forEachLight(source.walks, [&](const Light& light) { lights.push_back(light.bounds()); });
   CellShapes shapes(objects, source.space.triangles, 0, objects.size(), cancelPoint);
   markInnerSides(shapes, source.space.gatherSpace(), objects, lights);
+  markOuterSides(shapes, source.walks.bounds(source.space.scene));
   return shapes;
 }
 

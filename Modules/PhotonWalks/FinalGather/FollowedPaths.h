@@ -23,7 +23,9 @@ struct GatherSegment
   bool isFront : 1;        ///< which side it hits
   bool isSpecular : 1;     ///< how it left its start
   bool isKnown : 1;        ///< what the side received is read
-  bool isUnknown : 1;      ///< nothing of it is: the lights were asked
+  bool isDirectKnown : 1;  ///< what it received straight from the lights is read
+  bool asksLights : 1;     ///< the lights were asked for what is not read
+  bool hasLampWeight : 1;  ///< it leads to a lamp, which was also asked
   bool touchesMover : 1; ///< its start or its hit, which is there or not depending on what is solid
 };
 
@@ -53,7 +55,8 @@ public:
   void reserve(std::size_t paths, std::size_t segments, std::size_t values);
   /// To the path that endPath() ends.
   void addSegment(const GatherSegment& segment) { segments_.push_back(segment); }
-  /// With several bands the weights of each segment; and what the lights brought where they were asked.
+  /// With several bands the weights of each segment; what the lights brought where they were asked; the weight of a
+  /// lamp.
   void addValue(double value) { values_.push_back(value); }
   void endPath() { ends_.push_back({ segments_.size(), values_.size() }); }
   void addPath(const FollowedPaths& from, std::size_t path);

@@ -55,7 +55,7 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
 bool GatherMotion::mayChange(const GatherSegment& segment) const
 {
   const bool isHit = segment.triangle != GatherSegment::kNone;
-  if (segment.touchesMover || segment.isUnknown ||
+  if (segment.touchesMover || segment.asksLights ||
     (isHit && segment.triangle >= firstDynamic_ &&
       hasMoved_[segment.triangle - firstDynamic_] != 0))
   {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/GatherPaths.h"
 
-#include "FinalGather/CellPoints.h"
+#include "FinalGather/AreaPoints.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolPoint.h"
 #include "Shooting/WalkSampler.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 
@@ -97,7 +99,7 @@ void GatherPaths::addSide(const GatherScene& scene, std::size_t cell, bool isFro
   const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
-  const CellPoints points(scene, cell);
+  const AreaPoints points(scene.shapes, scene.space.triangles, cell);
   addStart(scene, seed, rays, [&](std::uint32_t i) {
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
@@ -127,16 +129,45 @@ void GatherPaths::addPoint(const GatherScene& scene, const LitPoint& point, std:
   });
 }
 
+void GatherPaths::addSpecular(
+  const GatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye)
+{
+  const std::uint64_t seed = seedOf(scene, number);
+  const SampleKeys places = keysOf(seed, 0, Use::Position);
+  const AreaPoints points(scene.shapes, scene.space.triangles, cell);
+  for (std::uint32_t i = 0; i < scene.rays; ++i)
+  {
+    const Path path = startOf(scene, seed, i);
+    auto [place, id] = points.at(SobolPoint::inUnitSquare(i, places));
+    const Vector3 eye = toEye(place.position);
+    place.turn(eye.dot(place.normal) >= 0);
+    const Material& material = *scene.objects[id.object].material;
+    const PhongLobe& lobe = material.lobeOf(material.cellOfTriangle[id.triangle]);
+    if (lobe.isMirror() ? !eye.isZero(0) : eye.dot(place.normal) > 0)
+    {
+      const PathVertex vertex{ place, id, -eye };
+      lobe.isMirror() ? void() : recordStart(scene, path, vertex, lobe);
+      goOnSpecularly(scene, path, vertex, lobe, paths_, rays_);
+    }
+  }
+}
+
+GatherPaths::Path GatherPaths::startOf(
+  const GatherScene& scene, std::uint64_t seed, std::uint32_t ray)
+{
+  Path path{ {}, seed, ray, numberOfPaths_++, false, kInfinity };
+  std::fill_n(path.weight.begin(), bands_, 1.0 / scene.raysOfReplicate());
+  return path;
+}
+
 template <class RayOf>
 void GatherPaths::addStart(const GatherScene& scene, std::uint64_t seed,
   const std::vector<std::uint32_t>& rays, const RayOf& rayOf)
 {
-  Bands weight{};
-  std::fill_n(weight.begin(), bands_, 1.0 / scene.raysOfReplicate());
   for (const std::uint32_t i : rays)
   {
     rays_.push_back(rayOf(i));
-    paths_.push_back({ weight, seed, i, numberOfPaths_++, false });
+    paths_.push_back(startOf(scene, seed, i));
   }
 }
 
@@ -220,10 +251,14 @@ GatherPaths::Arrival GatherPaths::arrivalOf(
   const GatherScene& scene, const Ray& ray, const Hit& hit)
 {
   const SceneTriangles& triangles = scene.space.triangles;
-  const std::size_t cell = scene.objects[hit.id.object].material->cellOfTriangle[hit.id.triangle];
+  const Material& material = *scene.objects[hit.id.object].material;
+  const std::size_t cell = material.cellOfTriangle[hit.id.triangle];
   const Vector3 normal = triangleOf(triangles, triangles.numberOf(hit.id)).areaVector();
   const int side = normal.dot(ray.direction) < 0 ? 0 : 1;
-  Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false, hit };
+  const bool asksLobe =
+    scene.asksOnLobes && material.isSpecular(cell) && !material.lobeOf(cell).isMirror();
+  Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false,
+    asksLobe ? &material.lobeOf(cell) : nullptr, hit };
   arrival.area = scene.cells.area(arrival.side);
   const bool isRead = scene.roles.isRead(arrival.side);
   const bool isNear = hit.distance * hit.distance < arrival.area;
@@ -232,23 +267,54 @@ GatherPaths::Arrival GatherPaths::arrivalOf(
   return arrival;
 }
 
+PathVertex GatherPaths::vertexOf(const GatherScene& scene, const Ray& ray, const Arrival& arrival)
+{
+  const SurfacePoint place = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
+  return { place, arrival.hit.id, incomingDirection(place, ray.origin) };
+}
+
 void GatherPaths::record(
   const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
 {
   const Contacts& contacts = scene.space.contacts;
-  const bool touchesMover = contacts.hasDynamic(ray.start) || contacts.hasDynamic(arrival.hit.id);
-  steps_.push_back({ path.place,
-    { inFloats(ray.origin), inFloats(ray.origin + arrival.hit.distance * ray.direction),
-      scene.space.triangles.numberOf(arrival.hit.id), arrival.isFront(), path.isSpecular,
-      arrival.isKnown, arrival.isUnknown, touchesMover },
-    values_.size() });
-  if (bands_ > 1)
+  const TriangleId& id = arrival.hit.id;
+  const Vector3 to = ray.origin + arrival.hit.distance * ray.direction;
+  const bool asksLights = arrival.isUnknown || arrival.lobe;
+  const bool hasLampWeight = path.isSpecular && !std::isinf(path.density) && arrival.isFront() &&
+    scene.objects[id.object].isLamp(id.triangle);
+  addStep(path,
+    { inFloats(ray.origin), inFloats(to), scene.space.triangles.numberOf(id), arrival.isFront(),
+      path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,
+      hasLampWeight, contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) });
+  if (asksLights)
+  {
+    askLights(scene, path, vertexOf(scene, ray, arrival), arrival);
+  }
+  if (hasLampWeight)
+  {
+    values_.push_back(lampWeight(scene, ray, path.density, id, to));
+  }
+}
+
+void GatherPaths::recordStart(
+  const GatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe)
+{
+  GatherSegment segment{};
+  segment.from = segment.to = inFloats(from.place.position);
+  segment.triangle = scene.space.triangles.numberOf(from.id);
+  segment.asksLights = true;
+  addStep(path, segment);
+  const Bands light = lobeLight(scene, from, lobe, path.seed, path.number);
+  std::transform(light.begin(), light.begin() + bands_, path.weight.begin(),
+    std::back_inserter(values_), std::multiplies<double>());
+}
+
+void GatherPaths::addStep(const Path& path, const GatherSegment& segment)
+{
+  steps_.push_back({ path.place, segment, values_.size() });
+  if (bands_ > 1 && segment.triangle != GatherSegment::kNone)
   {
     values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
-  }
-  if (arrival.isUnknown)
-  {
-    askLights(scene, path, arrival);
   }
 }
 
@@ -259,28 +325,37 @@ void GatherPaths::recordMiss(const GatherScene& scene, const Path& path, const R
   segment.to = inFloats(ray.direction);
   segment.triangle = GatherSegment::kNone;
   segment.touchesMover = scene.space.contacts.hasDynamic(ray.start);
-  steps_.push_back({ path.place, segment, values_.size() });
+  addStep(path, segment);
 }
 
-void GatherPaths::askLights(const GatherScene& scene, const Path& path, const Arrival& arrival)
+void GatherPaths::askLights(
+  const GatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival)
 {
-  const Material& material = *scene.objects[arrival.side.object].material;
+  const Material& material = *scene.objects[at.id.object].material;
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
-  const SurfacePoint at = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
-  const LitPoint point{ at.clearPosition(), at.normal, arrival.hit.id };
-  Bands arriving{};
+  const LitPoint point{ at.place.clearPosition(), at.place.normal, at.id };
+  const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell);
+  Bands arriving{}, onLobe{};
   for (const PointDirectLight& lights : scene.lights)
   {
-    const PointDirectLight::Bands more = lights.irradiance(point, number);
+    const Bands more = asksDiffuse ? lights.irradiance(point, number) : Bands{};
     std::transform(
       more.begin(), more.end(), arriving.begin(), arriving.begin(), std::plus<double>());
+  }
+  if (arrival.lobe)
+  {
+    onLobe = lobeLight(scene, at, *arrival.lobe, splitMix(number), 0);
   }
   for (int band = 0; band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    values_.push_back(
-      path.weight[i] * material.reflectanceOf(arrival.hit.id.triangle, band) * arriving[i]);
+    double reflected = material.reflectanceOf(at.id.triangle, band) * arriving[i];
+    if (arrival.lobe)
+    {
+      reflected += material.specularOf(at.id.triangle, band) * onLobe[i];
+    }
+    values_.push_back(path.weight[i] * reflected);
   }
 }
 
@@ -317,19 +392,38 @@ void GatherPaths::goOn(
     return;
   }
   Path next = path;
-  next.isSpecular = !isDiffuse;
+  next.isSpecular = false;
   for (int band = 0; bands_ > 1 && band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
     next.weight[i] *= (isDiffuse ? diffuse : specular)[i] / survival.of(reflection);
   }
-  const SurfacePoint point = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
-  const Vector3 direction = isDiffuse
-    ? sampleHemisphere(point.normal, sample(Use::Direction))
-    : material.lobeOf(cell).sample(point.normal, incomingDirection(point, ray.origin),
-        { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
-  nextRays_.push_back({ point.clearPosition(), direction, arrival.hit.id });
+  const PathVertex vertex = vertexOf(scene, ray, arrival);
+  if (!isDiffuse)
+  {
+    goOnSpecularly(scene, next, vertex, material.lobeOf(cell), next_, nextRays_);
+    return;
+  }
+  nextRays_.push_back({ vertex.place.clearPosition(),
+    sampleHemisphere(vertex.place.normal, sample(Use::Direction)), vertex.id });
   next_.push_back(next);
+}
+
+void GatherPaths::goOnSpecularly(const GatherScene& scene, Path path, const PathVertex& from,
+  const PhongLobe& lobe, std::vector<Path>& paths, std::vector<Ray>& rays) const
+{
+  const auto sample = [&](Use use) {
+    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
+  };
+  const Vector3& normal = from.place.normal;
+  const Vector3 direction = lobe.sample(normal, from.incoming,
+    { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
+  path.isSpecular = true;
+  path.density = scene.asksOnLobes && !lobe.isMirror()
+    ? lobe.value(normal, direction, -from.incoming) * direction.dot(normal)
+    : kInfinity;
+  paths.push_back(path);
+  rays.push_back({ from.place.clearPosition(), direction, from.id });
 }
 
 }

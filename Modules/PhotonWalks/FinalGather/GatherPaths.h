@@ -4,10 +4,12 @@
 
 #include "FinalGather/FollowedPaths.h"
 #include "FinalGather/GatherScene.h"
+#include "FinalGather/LobeLight.h"
 #include "Surfaces/Absorption.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +42,11 @@ public:
   /// Of some rays alone.
   void addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number,
     const std::vector<std::uint32_t>& rays);
+  /// Adds the paths of what a specular cell reflects to an eye: pi times its radiance for a specular reflectance of 1 is
+  /// what they bring, the mean over the area. `toEye`: the unit vector from a point; 0: nothing is seen of it.
+  using ToEye = std::function<Vector3(const Vector3& point)>;
+  void addSpecular(
+    const GatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye);
   /// Follows all paths to their ends. Throws std::runtime_error for one that does not end.
   void run(const GatherScene& scene);
 
@@ -55,6 +62,7 @@ private:
     std::uint32_t number; ///< of the ray among those of its start
     std::uint32_t place;  ///< in the order of all paths
     bool isSpecular;      ///< how it left its last hit
+    double density; ///< of its direction if it left along a lobe, 1/sr; infinite from a mirror
   };
 
   /// A segment, and its numbers, of a path at this place.
@@ -69,26 +77,38 @@ private:
   struct Arrival
   {
     CellSide side;
-    double area;    ///< of the cell, m2
-    bool isKnown;   ///< what the side received is read
-    bool isUnknown; ///< nothing of it is
+    double area;           ///< of the cell, m2
+    bool isKnown;          ///< what the side received is read
+    bool isUnknown;        ///< nothing of it is
+    const PhongLobe* lobe; ///< along which the lights are asked, or null
     Hit hit;
 
     bool isFront() const { return side.side == 0; }
   };
 
+  Path startOf(const GatherScene& scene, std::uint64_t seed, std::uint32_t ray);
   /// `rayOf(i)`: the ray of this number.
   template <class RayOf>
   void addStart(const GatherScene& scene, std::uint64_t seed,
     const std::vector<std::uint32_t>& rays, const RayOf& rayOf);
+  /// Asks the lights on the lobe of a start.
+  void recordStart(
+    const GatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe);
   void cast(const GatherScene& scene);
   static Arrival arrivalOf(const GatherScene& scene, const Ray& ray, const Hit& hit);
+  static PathVertex vertexOf(const GatherScene& scene, const Ray& ray, const Arrival& arrival);
   void record(const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
   void recordMiss(const GatherScene& scene, const Path& path, const Ray& ray);
-  void askLights(const GatherScene& scene, const Path& path, const Arrival& arrival);
+  /// Appends the numbers with which each step begins.
+  void addStep(const Path& path, const GatherSegment& segment);
+  void askLights(
+    const GatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival);
   void sortSteps();
   /// Appends what goes on.
   void goOn(const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
+  /// Appends the path to `paths` and its ray to `rays`.
+  void goOnSpecularly(const GatherScene& scene, Path path, const PathVertex& from,
+    const PhongLobe& lobe, std::vector<Path>& paths, std::vector<Ray>& rays) const;
 
   std::uint32_t bounce_ = 0, numberOfPaths_ = 0;
   int bands_ = 1;

@@ -34,6 +34,8 @@ struct GatherScene
   std::uint64_t seed;
   bool keepsPaths;             ///< for frames to come
   bool checksReadings = false; ///< see ReadingChecks
+  /// Where light is reflected along a lobe the lights are asked, points too; else a lamp counts where a path meets it.
+  bool asksOnLobes = false;
 
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }

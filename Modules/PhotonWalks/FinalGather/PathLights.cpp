@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-std::deque<PointDirectLight> lightsOf(
-  const WalkSets& walks, const GatherSpace& space, std::uint64_t seed, std::uint32_t samples)
+std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& space,
+  std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights)
 {
   std::deque<PointDirectLight> lights;
   for (const WalkSet& set : walks.sets())
@@ -18,7 +18,7 @@ std::deque<PointDirectLight> lightsOf(
     // The sets of dynamic cells have the same lights.
     if (set.source().cells != CellPart::Dynamic && !set.lights().isEmpty())
     {
-      lights.emplace_back(space, set.lights(), seed + lights.size(), samples);
+      lights.emplace_back(space, set.lights(), seed + lights.size(), samples, mostWeights);
     }
   }
   return lights;

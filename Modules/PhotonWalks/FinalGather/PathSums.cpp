@@ -24,24 +24,24 @@ void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
 {
   const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
   forEachHit(
-    scene, path, [&](const GatherSegment& segment, const Bands& weight, const double* fromLights) {
-      if (!fromLights)
+    scene, path, [&](const GatherSegment& segment, const Bands& weight, const Asked& asked) {
+      if (segment.isKnown || segment.isDirectKnown)
       {
         addKnown(scene, segment, weight, replicate, sum, stale);
       }
-      for (int band = 0; fromLights && band < scene.known.all.bands(); ++band)
+      for (int band = 0; asked.brought && band < scene.known.all.bands(); ++band)
       {
-        sum[static_cast<std::size_t>(band)] += fromLights[band] * quantaPerWatt;
+        sum[static_cast<std::size_t>(band)] += asked.brought[band] * quantaPerWatt;
       }
       if (segment.isSpecular && segment.isFront)
       {
-        addExitance(scene, segment, weight, sum);
+        addExitance(scene, segment, weight, asked.lampWeight, sum);
       }
     });
 }
 
-void PathSums::addExitance(
-  const GatherScene& scene, const GatherSegment& segment, const Bands& weight, Bands& sum)
+void PathSums::addExitance(const GatherScene& scene, const GatherSegment& segment,
+  const Bands& weight, double lampWeight, Bands& sum)
 {
   const TriangleId id = scene.space.triangles.idOf(segment.triangle);
   const SceneObject& object = scene.objects[id.object];
@@ -50,7 +50,7 @@ void PathSums::addExitance(
   for (int band = 0; exitance && band < scene.known.all.bands(); ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    sum[i] += weight[i] * exitance[i] * quantaPerWatt;
+    sum[i] += lampWeight * weight[i] * exitance[i] * quantaPerWatt;
   }
 }
 

@@ -17,7 +17,7 @@ namespace irradiance
  *
  * From a cell that is read: what its side received, times its reflectance. From any other cell: what came to it straight
  * from the lights. A lamp that is met brings nothing, as that light is direct; but behind a specular reflection it
- * counts, as no sum knows of it.
+ * counts, as no sum knows of it; with a weight if it was asked there as well.
  */
 class PathSums
 {
@@ -36,7 +36,13 @@ public:
     add(scene, path, replicate, sum, stale);
     return sum;
   }
-  /// Calls visit(segment, weight, what the lights brought there or null) for all that hit something.
+  /// Where a path hit something.
+  struct Asked
+  {
+    const double* brought = nullptr; ///< by the lights, W/m2 by band, if they were asked there
+    double lampWeight = 1;           ///< of a lamp that was hit, as it may have been asked as well
+  };
+  /// Calls visit(segment, weight, Asked) for all that hit something.
   template <class Visit>
   static void forEachHit(
     const GatherScene& scene, const FollowedPaths::Path& path, const Visit& visit);
@@ -54,8 +60,8 @@ private:
     std::uint32_t replicate, Bands& sum, Bands& stale);
   static void addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
     std::uint32_t replicate, Bands& sum, Bands& stale);
-  static void addExitance(
-    const GatherScene& scene, const GatherSegment& segment, const Bands& weight, Bands& sum);
+  static void addExitance(const GatherScene& scene, const GatherSegment& segment,
+    const Bands& weight, double lampWeight, Bands& sum);
 
   std::uint32_t replicates_ = 1;
   std::vector<Bands> sums_, stale_;
@@ -76,8 +82,17 @@ void PathSums::forEachHit(
       std::copy_n(value, bands, weight.begin());
       value += bands;
     }
-    visit(*segment, weight, segment->isUnknown ? value : nullptr);
-    value += segment->isUnknown ? bands : 0;
+    Asked asked;
+    if (segment->asksLights)
+    {
+      asked.brought = value;
+      value += bands;
+    }
+    if (segment->hasLampWeight)
+    {
+      asked.lampWeight = *value++;
+    }
+    visit(*segment, weight, asked);
   }
 }
 

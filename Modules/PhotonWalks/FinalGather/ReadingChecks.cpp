@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/ReadingChecks.h"
 
-#include "FinalGather/CellPoints.h"
+#include "FinalGather/AreaPoints.h"
 #include "Sampling/SobolPoint.h"
 
 namespace irradiance
@@ -19,9 +19,9 @@ void ReadingChecks::add(
     }
     std::uint64_t hits = 0;
     PathSums::forEachHit(scene_, paths[first + ray],
-      [&](const GatherSegment& segment, const PathSums::Bands& weight, const double* fromLights) {
+      [&](const GatherSegment& segment, const PathSums::Bands& weight, const PathSums::Asked&) {
         ++hits;
-        if (!fromLights)
+        if (segment.isKnown || segment.isDirectKnown)
         {
           addCheck(
             segment, ray, splitMix(seed ^ splitMix(hits << 32 | ray)), kPeriod * area, weight);
@@ -46,8 +46,8 @@ void ReadingChecks::addCheck(const GatherSegment& segment, std::uint32_t ray, st
     Eigen::Vector3f(segment.to.data()).cast<double>());
   const std::size_t cell =
     scene_.cells.numbers()[{ id.object, material.cellOfTriangle[id.triangle] }];
-  auto [place, on] =
-    CellPoints(scene_, cell).at(SobolPoint::inUnitSquare(ray, SampleKeys(splitMix(number))));
+  auto [place, on] = AreaPoints(scene_.shapes, triangles, cell)
+                       .at(SobolPoint::inUnitSquare(ray, SampleKeys(splitMix(number))));
   place.turn(segment.isFront);
   check.anywhere = { place.clearPosition(), place.normal, on };
   checks_.push_back(check);

@@ -26,10 +26,15 @@ std::vector<bool> haveLights(const SceneObjects& objects, const std::vector<Box>
 }
 
 /// Whether a box is nowhere in front of a plane.
-bool isBehind(const Box& box, const Vector3& point, const Vector3& normal)
+bool isBehind(const Box& box, const Vector3& point, const Vector3& normal, double slack = 0)
 {
   const Vector3 half = 0.5 * box.extent();
-  return normal.dot(box.center() - point) + normal.cwiseAbs().dot(half) <= 0;
+  return normal.dot(box.center() - point) + normal.cwiseAbs().dot(half) <= slack;
+}
+
+bool isFlat(const CellShape& shape)
+{
+  return shape.normal.norm() >= 1 - 1e-12;
 }
 
 std::vector<Box> boundsOf(const LightTable& lights)
@@ -63,6 +68,21 @@ void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObje
   }
 }
 
+void markOuterSides(CellShapes& cells, const Box& bounds)
+{
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const CellShape& shape = cells[cell];
+    if (isFlat(shape))
+    {
+      // For rounding; rays start clear of the surface by far more, see SurfacePoint.
+      const double slack = 0x1p-40 * shape.center.cwiseAbs().maxCoeff();
+      cells.setDark(cell, shape.isFrontDark || isBehind(bounds, shape.center, shape.normal, slack),
+        shape.isBackDark || isBehind(bounds, shape.center, -shape.normal, slack));
+    }
+  }
+}
+
 void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
   const LightTable& lights)
 {
@@ -77,10 +97,9 @@ void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjec
   {
     const CellShape& shape = cells[cell];
     const bool isFront = shape.isFrontDark, isBack = shape.isBackDark;
-    constexpr double kFlat = 1 - 1e-12;
     const Vector3 outwards = isFront ? Vector3(-shape.normal) : shape.normal;
-    const bool isAway = (isFront || isBack) && shape.normal.norm() >= kFlat &&
-      isBehind(bounds, shape.center, outwards);
+    const bool isAway =
+      (isFront || isBack) && isFlat(shape) && isBehind(bounds, shape.center, outwards);
     cells.setDark(cell, isFront || (isBack && isAway), isBack || (isFront && isAway));
   }
 }

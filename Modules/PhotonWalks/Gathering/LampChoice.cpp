@@ -45,9 +45,10 @@ double powerBetween(const LampPiece& lamp, const CellShape& cell)
 
 }
 
-LampChoice::LampChoice(const LampPieces& lamps)
+LampChoice::LampChoice(const LampPieces& lamps, std::size_t most)
   : tree_(lamps.tree())
   , centers_(lamps.centers())
+  , most_(most)
 {
 }
 
@@ -78,7 +79,7 @@ void LampChoice::findGroups(const CellShape& cell)
     return;
   }
   groups_.assign(1, groupOf(0, cell));
-  while (groups_.size() < kMost && groups_.front().spread > 0)
+  while (groups_.size() < most_ && groups_.front().spread > 0)
   {
     std::pop_heap(groups_.begin(), groups_.end());
     const std::uint32_t children = tree_.nodes()[groups_.back().node].children;
@@ -129,6 +130,19 @@ LampChoice::Choice LampChoice::choose(double sample) const
   const LampTree::Share share =
     tree_.choose(node, std::clamp((place - before) / own, 0.0, 1 - 0x1p-53));
   return { share.piece, own / sum * share.probability, share.rest };
+}
+
+double LampChoice::probabilityOf(std::uint32_t piece) const
+{
+  double probability = 0, before = 0;
+  for (std::size_t i = 0; i < groups_.size(); ++i)
+  {
+    const LampTree::Node& node = tree_.nodes()[groups_[i].node];
+    probability +=
+      (cumulative_[i] - before) / cumulative_.back() * tree_.probabilityOf(node, piece);
+    before = cumulative_[i];
+  }
+  return probability;
 }
 
 }

@@ -19,8 +19,11 @@ namespace irradiance
 class LampChoice
 {
 public:
-  /// The argument must outlive it.
-  explicit LampChoice(const LampPieces& lamps);
+  /// Weights of a cell at most.
+  static constexpr std::size_t kMost = 256;
+
+  /// The lamps must outlive it. `most`: weights of a cell.
+  explicit LampChoice(const LampPieces& lamps, std::size_t most = kMost);
 
   /// W that a cell would receive if nothing stood between; roughly.
   double expectedPower(const CellShape& cell);
@@ -37,15 +40,14 @@ public:
   };
   /// `sample`: in (0, 1).
   Choice choose(double sample) const;
+  /// With which a piece is chosen.
+  double probabilityOf(std::uint32_t piece) const;
 
 private:
   /// The part of the samples that goes by flux alone.
   static constexpr double kByFlux = 0.05;
   /// Lamps that are together within this part of their distance have one weight.
   static constexpr double kTogether = 0.125;
-  /// Weights of a cell at most.
-  static constexpr std::size_t kMost = 256;
-
   /// A node of the tree that is looked at.
   struct Group
   {
@@ -55,13 +57,14 @@ private:
     friend bool operator<(const Group& a, const Group& b) { return a.spread < b.spread; }
   };
   /// Whether each lamp has a weight of its own.
-  bool isFew() const { return tree_.nodes().size() <= 2 * kMost; }
+  bool isFew() const { return tree_.nodes().size() <= 2 * most_; }
   Group groupOf(std::uint32_t node, const CellShape& cell) const;
   /// Groups that have all lamps together.
   void findGroups(const CellShape& cell);
 
   const LampTree& tree_;
-  Box centers_;                    ///< of the lamps
+  Box centers_; ///< of the lamps
+  std::size_t most_;
   std::vector<Group> groups_;      ///< of the cell
   std::vector<double> cumulative_; ///< weights up to and including each group
 };

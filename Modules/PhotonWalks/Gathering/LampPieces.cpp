@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/LampPieces.h"
 
+#include "Gathering/LitPoint.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -74,6 +76,21 @@ std::optional<std::uint32_t> LampPieces::lightOn(const TriangleId& triangle) con
   return found != areas_.end() && lights_[*found].triangle() == triangle
     ? std::optional<std::uint32_t>(*found)
     : std::nullopt;
+}
+
+/// Rounding may leave the place beside all of them: then the nearest, roughly.
+std::uint32_t LampPieces::pieceAt(std::uint32_t light, const Vector3& place) const
+{
+  const auto first = std::lower_bound(pieces_.begin(), pieces_.end(), light,
+    [](const LampPiece& piece, std::uint32_t value) { return piece.light < value; });
+  const auto end = std::upper_bound(first, pieces_.end(), light,
+    [](std::uint32_t value, const LampPiece& piece) { return value < piece.light; });
+  const auto inside = [&](const LampPiece& piece) {
+    return weightsInPlane(piece.triangle, place).minCoeff();
+  };
+  const auto found = std::max_element(
+    first, end, [&](const LampPiece& a, const LampPiece& b) { return inside(a) < inside(b); });
+  return static_cast<std::uint32_t>(found - pieces_.begin());
 }
 
 void LampPieces::cut(const LampPiece& piece, int times)

@@ -29,6 +29,8 @@ public:
   const Box& centers() const { return centers_; }
   /// The light of a triangle, if it is one of the table.
   std::optional<std::uint32_t> lightOn(const TriangleId& triangle) const;
+  /// The piece of a light on which a place of its triangle lies.
+  std::uint32_t pieceAt(std::uint32_t light, const Vector3& place) const;
 
 private:
   void cut(const LampPiece& piece, int times);

@@ -40,8 +40,10 @@ LampTree::LampTree(const std::vector<LampPiece>& pieces)
     split(number, pieces);
   }
   fluxBefore_.push_back(0);
+  places_.resize(pieces.size());
   for (const std::uint32_t piece : order_)
   {
+    places_[piece] = static_cast<std::uint32_t>(fluxBefore_.size() - 1);
     fluxBefore_.push_back(fluxBefore_.back() + pieces[piece].flux);
   }
 }
@@ -95,6 +97,14 @@ LampTree::Share LampTree::choose(const Node& node, double part) const
   const double own = *(found + 1) - *found;
   return { order_[static_cast<std::size_t>(found - fluxBefore_.begin())], own / flux,
     std::clamp((place - *found) / own, 0.0, 1 - 0x1p-53) };
+}
+
+double LampTree::probabilityOf(const Node& node, std::uint32_t piece) const
+{
+  const std::uint32_t place = places_[piece];
+  return node.first <= place && place < node.end ? (fluxBefore_[place + 1] - fluxBefore_[place]) /
+      (fluxBefore_[node.end] - fluxBefore_[node.first])
+                                                 : 0;
 }
 
 }

@@ -43,12 +43,14 @@ public:
   };
   /// The piece on which a part, in [0, 1), of the flux of a node falls.
   Share choose(const Node& node, double part) const;
+  /// The probability with which choose() finds a piece; 0 if it is not below the node.
+  double probabilityOf(const Node& node, std::uint32_t piece) const;
 
 private:
   void split(std::uint32_t number, const std::vector<LampPiece>& pieces);
 
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> order_, places_; ///< pieces; the place of each
   std::vector<double> fluxBefore_; ///< W, of the pieces before a place of the order; and of all
 };
 

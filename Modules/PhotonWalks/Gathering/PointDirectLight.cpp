@@ -7,16 +7,18 @@
 #include "Sampling/SplitMix.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace irradiance
 {
 
-PointDirectLight::PointDirectLight(
-  const GatherSpace& space, const LightTable& lights, std::uint64_t seed, std::uint32_t samples)
+PointDirectLight::PointDirectLight(const GatherSpace& space, const LightTable& lights,
+  std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights)
   : space_(space)
   , lamps_(lights)
   , seed_(seed)
   , samples_(samples)
+  , mostWeights_(mostWeights)
 {
 }
 
@@ -34,7 +36,39 @@ void PointDirectLight::add(
   std::vector<Arrival> arrivals;
   const std::vector<std::uint32_t> touching = lightsAt(point);
   addTouching(point, touching, replicates.size(), arrivals);
-  addSamples(point, number, touching, replicates.size(), arrivals);
+  const Part cosine = [&](const Vector3& along, double) { return point.partOf(along); };
+  addSamples(point, cosine, number, 0, touching, replicates.size(), arrivals);
+  cast(point, arrivals, replicates);
+}
+
+PointDirectLight::Bands PointDirectLight::taken(
+  const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const
+{
+  std::vector<Arrival> arrivals;
+  addSamples(point, part, number, share, lightsAt(point), 1, arrivals);
+  std::vector<Bands> all(1, Bands{});
+  cast(point, arrivals, all);
+  return all.front();
+}
+
+double PointDirectLight::density(
+  const LitPoint& point, const TriangleId& lamp, const Vector3& place) const
+{
+  const std::optional<std::uint32_t> light = lamps_.lightOn(lamp);
+  const std::vector<std::uint32_t> touching = lightsAt(point);
+  if (!light || std::find(touching.begin(), touching.end(), *light) != touching.end())
+  {
+    return 0;
+  }
+  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
+  const std::uint32_t piece = lamps_.pieceAt(*light, place);
+  const double samples = samples_ * choice.probabilityOf(piece);
+  return samples > 0 ? samples / choice.seen(piece).solidAngle() : 0;
+}
+
+void PointDirectLight::cast(
+  const LitPoint& point, const std::vector<Arrival>& arrivals, std::vector<Bands>& replicates) const
+{
   std::vector<Ray> rays(arrivals.size());
   std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
     [](const Arrival& arrival) { return arrival.ray; });
@@ -82,21 +116,23 @@ void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std:
   }
 }
 
-void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
-  const std::vector<std::uint32_t>& touching, std::size_t replicates,
+void PointDirectLight::addSamples(const LitPoint& point, const Part& part, std::uint64_t number,
+  std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
   std::vector<Arrival>& arrivals) const
 {
-  const PointLampChoice choice(lamps_, point, samples_);
+  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
   const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
   for (std::uint32_t i = 0; i < samples_ && !choice.isEmpty(); ++i)
   {
-    const std::array<double, 2> u = SobolPoint::inUnitSquare(i, keys);
+    const std::array<double, 2> u = SobolPoint::inUnitSquare(share * samples_ + i, keys);
     const LampChoice::Choice chosen = choice.choose(u[0]);
     const LampPiece& lamp = lamps_[chosen.piece];
     if (std::find(touching.begin(), touching.end(), lamp.light) == touching.end())
     {
-      Arrival arrival = from(lamp, choice.seen(chosen.piece), point, { chosen.rest, u[1] });
-      arrival.perWatt /= chosen.probability * samples_;
+      const double samples = chosen.probability * samples_;
+      Arrival arrival =
+        from(lamp, choice.seen(chosen.piece), point, part, samples, { chosen.rest, u[1] });
+      arrival.perWatt /= samples;
       arrival.replicate = i * replicates / samples_;
       if (arrival.perWatt > 0)
       {
@@ -107,21 +143,24 @@ void PointDirectLight::addSamples(const LitPoint& point, std::uint64_t number,
 }
 
 PointDirectLight::Arrival PointDirectLight::from(const LampPiece& lamp,
-  const SphericalTriangle& seen, const LitPoint& point, const std::array<double, 2>& onLamp) const
+  const SphericalTriangle& seen, const LitPoint& point, const Part& part, double samples,
+  const std::array<double, 2>& onLamp) const
 {
   const Light& light = lamps_.lights()[lamp.light];
   if (const auto* const inAir = std::get_if<PointLight>(&light.kind))
   {
-    return { { inAir->position(), point.position - inAir->position(), {} }, lamp.light,
-      PointLampChoice::perWatt(*inAir, point) };
+    const Vector3 along = point.position - inAir->position();
+    const double taken = along.isZero(0) ? 0 : part(along, std::numeric_limits<double>::infinity());
+    return { { inAir->position(), along, {} }, lamp.light,
+      PointLampChoice::perWatt(*inAir, along, taken) };
   }
   const SurfacePoint start = surfacePoint(lamp.triangle, seen.sample(onLamp));
   const Vector3 between = point.position - start.position;
   // Closer to its plane, rounding would tell the side.
   const bool isInFront = start.normal.dot(between) > 4 * start.clearance;
-  const double perWatt = isInFront
-    ? point.partOf(between) * seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area())
-    : 0;
+  const double perWatt = isInFront ? part(between, samples / seen.solidAngle()) *
+      seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area())
+                                   : 0;
   const Vector3 origin = start.clearPosition();
   return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt };
 }

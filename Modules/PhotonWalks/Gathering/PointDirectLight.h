@@ -6,6 +6,7 @@
 #include "Gathering/PointLampChoice.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace irradiance
@@ -26,9 +27,10 @@ class PointDirectLight
 public:
   using Bands = std::array<double, Power::kMaxBands>;
 
-  /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two.
+  /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two. `mostWeights`: see
+  /// LampChoice.
   PointDirectLight(const GatherSpace& space, const LightTable& lights, std::uint64_t seed,
-    std::uint32_t samples = 64);
+    std::uint32_t samples = 64, std::size_t mostWeights = LampChoice::kMost);
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 
@@ -37,6 +39,17 @@ public:
   /// Adds W/m2 that together are those: to each replicate what its block of the samples finds. There are as many
   /// samples in each.
   void add(const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates) const;
+
+  /// How much a point takes of a beam along a vector, in place of the cosine. `density`: of the samples that the point
+  /// takes from there, 1/sr; infinite for a light in the air.
+  using Part = std::function<double(const Vector3& along, double density)>;
+  /// W/m2 that a point takes, without lights in the same place as its face. `number` and `share` choose the samples: those
+  /// of all shares of a number are spread evenly together.
+  Bands taken(
+    const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const;
+  /// Of the samples of taken(), 1/sr, towards a place on a lamp; 0 if it is none of these lights, or is in the same place
+  /// as the point's face.
+  double density(const LitPoint& point, const TriangleId& lamp, const Vector3& place) const;
 
 private:
   /// Light on its way to a point.
@@ -52,18 +65,23 @@ private:
   /// What the lights emit that coincide with the point.
   void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
     std::size_t replicates, std::vector<Arrival>& arrivals) const;
-  void addSamples(const LitPoint& point, std::uint64_t number,
-    const std::vector<std::uint32_t>& touching, std::size_t replicates,
+  /// `touching`: lights that are not asked.
+  void addSamples(const LitPoint& point, const Part& part, std::uint64_t number,
+    std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
     std::vector<Arrival>& arrivals) const;
-  /// `seen`: its triangle.
+  /// `seen`: its triangle. `samples`: how many ask it, on average.
   Arrival from(const LampPiece& lamp, const SphericalTriangle& seen, const LitPoint& point,
-    const std::array<double, 2>& onLamp) const;
+    const Part& part, double samples, const std::array<double, 2>& onLamp) const;
+  /// Adds what no other surface stops.
+  void cast(const LitPoint& point, const std::vector<Arrival>& arrivals,
+    std::vector<Bands>& replicates) const;
   bool arrives(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
 
   GatherSpace space_;
   LampPieces lamps_;
   std::uint64_t seed_;
   std::uint32_t samples_;
+  std::size_t mostWeights_;
 };
 
 }

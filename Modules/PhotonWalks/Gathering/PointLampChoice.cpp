@@ -36,11 +36,11 @@ double meanPart(const LitPoint& point, const LampPiece& lamp)
 }
 
 PointLampChoice::PointLampChoice(
-  const LampPieces& lamps, const LitPoint& point, std::uint32_t samples)
+  const LampPieces& lamps, const LitPoint& point, std::uint32_t samples, std::size_t most)
   : lamps_(lamps)
   , point_(point)
   , isRough_(lamps.size() > samples)
-  , rough_(lamps)
+  , rough_(lamps, most)
 {
   if (isRough_)
   {
@@ -57,19 +57,12 @@ PointLampChoice::PointLampChoice(
   }
 }
 
-double PointLampChoice::perWatt(const PointLight& light, const LitPoint& point)
-{
-  const Vector3 along = point.position - light.position();
-  const double square = along.squaredNorm();
-  const double part = square > 0 ? point.partOf(along) : 0;
-  return part > 0 ? light.density(along) * part / square : 0;
-}
-
 double PointLampChoice::weightOf(const LampPiece& lamp) const
 {
   if (const auto* const inAir = std::get_if<PointLight>(&lamps_.lights()[lamp.light].kind))
   {
-    return lamp.flux * perWatt(*inAir, point_);
+    const Vector3 along = point_.position - inAir->position();
+    return lamp.flux * perWatt(*inAir, along, point_.partOf(along));
   }
   const bool isInFront = lamp.normal.dot(point_.position - lamp.center) > 0;
   return isInFront
@@ -89,6 +82,16 @@ LampChoice::Choice PointLampChoice::choose(double sample) const
   const double own = *found - before;
   return { static_cast<std::uint32_t>(found - cumulative_.begin()), own / sum_,
     std::clamp((place - before) / own, 0.0, 1 - 0x1p-53) };
+}
+
+double PointLampChoice::probabilityOf(std::uint32_t piece) const
+{
+  if (isRough_)
+  {
+    return rough_.probabilityOf(piece);
+  }
+  const double before = piece == 0 ? 0 : cumulative_[piece - 1];
+  return isEmpty() ? 0 : (cumulative_[piece] - before) / sum_;
 }
 
 SphericalTriangle PointLampChoice::seen(std::uint32_t piece) const

@@ -19,8 +19,9 @@ namespace irradiance
 class PointLampChoice
 {
 public:
-  /// The lamps must outlive it.
-  PointLampChoice(const LampPieces& lamps, const LitPoint& point, std::uint32_t samples);
+  /// The lamps must outlive it. `most`: weights, of groups of lamps.
+  PointLampChoice(const LampPieces& lamps, const LitPoint& point, std::uint32_t samples,
+    std::size_t most = LampChoice::kMost);
 
   /// Whether no light can come.
   bool isEmpty() const { return !isRough_ && !(sum_ > 0); }
@@ -29,8 +30,16 @@ public:
   /// The triangle of a piece that was chosen, as seen from the point.
   SphericalTriangle seen(std::uint32_t piece) const;
 
-  /// W/m2 for each W of the flux of a light in the air, if nothing stands between; 0 at its very place.
-  static double perWatt(const PointLight& light, const LitPoint& point);
+  /// With which a piece is chosen; 0 if it is empty.
+  double probabilityOf(std::uint32_t piece) const;
+
+  /// W/m2 for each W of the flux of a light in the air, if nothing stands between, along a vector from it; `part`: of the
+  /// beam that the point receives. 0 at its very place.
+  static double perWatt(const PointLight& light, const Vector3& along, double part)
+  {
+    const double square = along.squaredNorm();
+    return square > 0 && part > 0 ? light.density(along) * part / square : 0;
+  }
 
 private:
   /// W/m2 that the last piece that was seen brings if nothing stands between; roughly.

@@ -28,16 +28,11 @@ struct Material
 
   /// All arrays before it must be complete.
   void setSpecular(std::vector<double> specular, std::vector<double> exponents);
+  bool reflectsDiffusely(std::size_t cell) const { return isPositive(reflectance, cell); }
   bool isSpecular() const { return !specularReflectance.empty(); }
   bool isSpecular(std::size_t cell) const
   {
-    if (!isSpecular())
-    {
-      return false;
-    }
-    const auto first = specularReflectance.begin() +
-      static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(bands));
-    return std::any_of(first, first + bands, [](double rho) { return rho > 0; });
+    return isSpecular() && isPositive(specularReflectance, cell);
   }
   /// Only if isSpecular().
   const PhongLobe& lobeOf(std::size_t cell) const { return lobes_[lobeOfCell_[cell]]; }
@@ -87,6 +82,14 @@ struct Material
   }
 
 private:
+  /// In some band.
+  bool isPositive(const std::vector<double>& reflectances, std::size_t cell) const
+  {
+    const auto first =
+      reflectances.begin() + static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(bands));
+    return std::any_of(first, first + bands, [](double rho) { return rho > 0; });
+  }
+
   std::vector<double> total_;
   std::vector<PhongLobe> lobes_; ///< one for each exponent that occurs
   std::vector<std::uint32_t> lobeOfCell_;

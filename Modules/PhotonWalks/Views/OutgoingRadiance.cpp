@@ -1,290 +1,143 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/OutgoingRadiance.h"
 
-#include "Execution/SlicedPass.h"
 #include "Geometry/Pi.h"
-#include "Meshes/SurfacePoint.h"
-#include "Sampling/DirectionSampling.h"
+#include "Views/ReplicateParts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
+#include <limits>
 
 namespace irradiance
 {
 
-namespace
-{
-
-void add(OutgoingRadiance::Bands& sum, const OutgoingRadiance::Bands& part, double factor = 1)
-{
-  for (std::size_t band = 0; band < sum.size(); ++band)
-  {
-    sum[band] += factor * part[band];
-  }
-}
-
-}
-
 OutgoingRadiance::OutgoingRadiance(
-  const IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution)
+  const IrradianceEngine& engine, std::uint32_t samples, Execution& execution)
   : engine_(engine)
-  , mirrorPoints_(0)
-  , mirrorSamples_(mirrorSamples)
-  , bands_(engine.objects().staticObject.material->bands)
+  , errors_(engine.errorEstimate())
+  , shapes_(engine.objects(), engine.space().triangles, 0, engine.objects().size())
 {
-  for (std::uint32_t object = 0; object < engine.objects().size(); ++object)
+  if (engine.space().triangles.hasGlossy())
   {
-    addCells(object);
+    gather_.emplace(engine, shapes_, samples, true, execution);
   }
-  preparePhotons(execution);
 }
 
-void OutgoingRadiance::addCells(std::uint32_t object)
+std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
+  const std::vector<SceneCell>& cells, const Eye& eye) const
 {
-  const std::vector<std::uint32_t>& cellOf = materialOf(object).cellOfTriangle;
-  Cells cells;
-  cells.triangles.resize(cellOf.size());
-  std::iota(cells.triangles.begin(), cells.triangles.end(), 0u);
-  std::stable_sort(cells.triangles.begin(), cells.triangles.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return cellOf[a] < cellOf[b]; });
-  cells.first.assign(materialOf(object).numberOfCells + 1, 0);
-  for (const std::uint32_t cell : cellOf)
+  PathSums brought;
+  if (gather_)
   {
-    ++cells.first[cell + 1];
-  }
-  std::partial_sum(cells.first.begin(), cells.first.end(), cells.first.begin());
-  objects_.push_back(std::move(cells));
-}
-
-void OutgoingRadiance::preparePhotons(Execution& execution)
-{
-  const CellPhotonSets& photons = engine_.photons<CellPhotonSets>();
-  if (photons.isEmpty())
-  {
-    return;
-  }
-  photons_.resize(engine_.cells().numbers().size());
-  const StoredWalks walks(engine_.walks(), engine_.space());
-  for (std::uint32_t object = 0; object < objects_.size(); ++object)
-  {
-    const Material& material = materialOf(object);
-    SlicedPass pass{ material.isSpecular() ? material.numberOfCells : 0, {} };
-    pass.work = [&](std::size_t cell, const Deadline&) {
-      if (!material.isSpecular(cell) || material.lobeOf(cell).isMirror())
+    brought = gather_->follow([&](GatherPaths& paths) {
+      for (const SceneCell& cell : cells)
       {
-        return true;
+        if (isSpecular(cell))
+        {
+          // Cells that are away have numbers of their own in a frame that follows others.
+          const std::uint64_t number = std::uint64_t{ cell.object } << 40 | cell.cell;
+          paths.addSpecular(gather_->scene(), engine_.cells().numbers()[cell], number,
+            [&](const Vector3& point) { return eye.directionFrom(point); });
+        }
       }
-      photons_[numberOf({ object, cell })] =
-        GlossyPhotons(material.lobeOf(cell), arrivalsOn({ object, cell }, walks), bands_);
-      return true;
-    };
-    pass.run(execution);
+    });
   }
-}
-
-std::vector<GlossyPhotons::Arrival> OutgoingRadiance::arrivalsOn(
-  const SceneCell& cell, const StoredWalks& walks) const
-{
-  const std::vector<SegmentRef> segments = engine_.photons<CellPhotonSets>().sorted(cell);
-  std::vector<SurfacePoint> points(segments.size());
-  std::vector<Vector3> directions(segments.size());
-  walks.arrivalsOf(segments, points.data(), directions.data());
-  std::vector<GlossyPhotons::Arrival> arrivals;
-  for (std::size_t i = 0; i < segments.size(); ++i)
+  std::vector<Light> lights;
+  std::size_t start = 0;
+  for (const SceneCell& cell : cells)
   {
-    const WalkHistory& history = walks.historyOf(segments[i].walk);
-    arrivals.push_back({ history.hit(segments[i]).id.triangle, points[i], -directions[i],
-      wattsOf(history.power(segments[i])) });
+    lights.push_back(lightOf(cell, eye,
+      isSpecular(cell) ? gather_->replicatesOf(brought, start++, 1) : std::vector<Bands>()));
   }
-  for (const WalkSet& set : engine_.walks().sets())
-  {
-    set.forEachGathered([&](const GatheredLight& light) { addGathered(cell, light, arrivals); });
-  }
-  return arrivals;
-}
-
-void OutgoingRadiance::addGathered(const SceneCell& cell, const GatheredLight& light,
-  std::vector<GlossyPhotons::Arrival>& arrivals) const
-{
-  const DirectLight& direct = light.light();
-  const std::size_t number = numberOf(cell);
-  const bool isKnown = number < direct.plan().numberOfCells(); // else it came later
-  const std::uint32_t count = isKnown ? direct.plan().samplesOf(number) : 0;
-  for (std::uint32_t i = 0; i < count; ++i)
-  {
-    const std::uint32_t place = direct.plan().first(number) + i;
-    const GatherSample& sample = direct.samples()[place];
-    if (direct.isVisible(place))
-    {
-      const TriangleId id = engine_.gatherSpace().triangles.idOf(sample.triangle);
-      const double b = sample.weightB, c = sample.weightC;
-      SurfacePoint point = surfacePoint(engine_.scene().worldTriangle(id), { 1 - b - c, b, c });
-      point.turn(sample.isFront);
-      arrivals.push_back({ id.triangle, point, -incomingDirection(point, sample.from),
-        wattsOf(direct.powerOf(sample, light.quantaPerWatt())) });
-    }
-  }
-}
-
-OutgoingRadiance::Bands OutgoingRadiance::operator()(const SceneCell& cell, const Eye& eye) const
-{
-  Bands radiance{};
-  if (engine_.cells().area(cell) > 0)
-  {
-    add(radiance, diffuse(cell, eye));
-    if (isSpecular(cell))
-    {
-      add(radiance, lobeOf(cell).isMirror() ? mirrored(cell, eye) : specular(cell, eye));
-    }
-  }
-  return radiance;
+  return lights;
 }
 
 /// Each triangle of the cell shows the eye one of its sides.
-OutgoingRadiance::Bands OutgoingRadiance::diffuse(const SceneCell& cell, const Eye& eye) const
+std::vector<OutgoingRadiance::SeenSide> OutgoingRadiance::sidesOf(
+  const SceneCell& cell, const Eye& eye) const
 {
-  const Cells& cells = objects_[cell.object];
+  const std::size_t number = engine_.cells().numbers()[cell];
   double front = 0, back = 0; // parts of the area
-  for (std::size_t i = cells.first[cell.cell]; i < cells.first[cell.cell + 1]; ++i)
-  {
-    const Triangle triangle = engine_.scene().worldTriangle({ cell.object, cells.triangles[i] });
+  std::for_each(shapes_.begin(number), shapes_.end(number), [&](std::uint32_t i) {
+    const Triangle triangle = triangleOf(engine_.space().triangles, i);
     const Vector3 toEye = eye.directionFrom((triangle.a + triangle.b + triangle.c) / 3);
     (toEye.dot(triangle.areaVector()) >= 0 ? front : back) += triangle.area();
-  }
-  Bands radiance{};
+  });
+  std::vector<SeenSide> sides;
   for (const bool isFront : { true, false })
   {
     if ((isFront ? front : back) > 0)
     {
-      add(radiance, diffuseOf(cell, isFront), (isFront ? front : back) / (front + back));
+      const int side = isFront || !engine_.settings().separateSides ? 0 : 1;
+      sides.push_back({ { cell, side }, isFront, (isFront ? front : back) / (front + back) });
     }
   }
-  return radiance;
+  return sides;
 }
 
-OutgoingRadiance::Bands OutgoingRadiance::diffuseOf(const SceneCell& cell, bool isFront) const
+OutgoingRadiance::Light OutgoingRadiance::lightOf(
+  const SceneCell& cell, const Eye& eye, const std::vector<Bands>& specular) const
 {
-  const Material& material = materialOf(cell.object);
-  const double* const exitance =
-    isFront ? engine_.objects()[cell.object].exitanceOf(cell.cell) : nullptr;
-  const int side = isFront || !engine_.settings().separateSides ? 0 : 1;
-  Bands radiance{};
-  for (int band = 0; band < bands_; ++band)
+  const Material& material = materialOf(cell);
+  const double* const exitance = engine_.objects()[cell.object].exitanceOf(cell.cell);
+  const std::vector<SeenSide> sides = sidesOf(cell, eye);
+  Light light;
+  for (int band = 0; band < material.bands && !sides.empty(); ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    const std::size_t slot = cell.cell * static_cast<std::size_t>(bands_) + i;
-    radiance[i] = ((exitance ? exitance[i] : 0) +
-                    material.reflectance[slot] * engine_.irradiance({ cell, side }, band)) /
-      kPi;
+    const std::size_t slot = cell.cell * static_cast<std::size_t>(material.bands) + i;
+    double leaving = 0; // W/m2
+    for (const SeenSide& side : sides)
+    {
+      leaving += side.part *
+        ((exitance && side.isFront ? exitance[i] : 0) +
+          material.reflectance[slot] * engine_.irradiance(side.sums, band));
+    }
+    for (const Bands& replicate : specular)
+    {
+      leaving += material.specularReflectance[slot] * replicate[i];
+    }
+    light.value[i] = leaving / kPi;
+    light.standardError[i] = standardErrorOf(sides, i, specular) / kPi;
   }
-  return radiance;
+  return light;
 }
 
-OutgoingRadiance::Bands OutgoingRadiance::specular(const SceneCell& cell, const Eye& eye) const
+/// Times pi. The parts are added up in each replicate before these are compared, as both may read the same sums. It is not
+/// less than the error of the irradiance, which knows of steps.
+double OutgoingRadiance::standardErrorOf(
+  const std::vector<SeenSide>& sides, std::size_t band, const std::vector<Bands>& specular) const
 {
-  const Material& material = materialOf(cell.object);
-  Bands sum = photons_[numberOf(cell)].towards(eye, lobeOf(cell));
-  const std::size_t first = cell.cell * static_cast<std::size_t>(bands_);
-  for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
+  const CellSide& cell = sides.front().sums;
+  const Material& material = materialOf(cell);
+  const std::size_t slot = cell.cell * static_cast<std::size_t>(material.bands) + band;
+  const double diffuse = material.reflectance[slot];
+  const double mirrored = specular.empty() ? 0 : material.specularReflectance[slot];
+  if (!(diffuse + mirrored > 0))
   {
-    sum[band] *= material.specularReflectance[first + band] / engine_.cells().area(cell);
+    return 0;
   }
-  return sum;
-}
-
-Ray OutgoingRadiance::mirrorRay(const SceneCell& cell, std::uint32_t sample, const Eye& eye) const
-{
-  const Cells& cells = objects_[cell.object];
-  double rest = (sample + 0.5) / mirrorSamples_ * engine_.cells().area(cell);
-  std::size_t i = cells.first[cell.cell];
-  const auto triangleAt = [&](std::size_t place) {
-    return engine_.scene().worldTriangle({ cell.object, cells.triangles[place] });
-  };
-  double area = triangleAt(i).area();
-  while (rest > area && i + 1 < cells.first[cell.cell + 1])
+  const std::uint32_t replicates = errors_.replicates();
+  std::vector<double> parts(replicates);
+  double least = 0;
+  for (const SeenSide& side : sides)
   {
-    rest -= area;
-    area = triangleAt(++i).area();
-  }
-  SurfacePoint point = surfacePoint(
-    triangleAt(i), sampleTriangle(mirrorPoints_.sample(sample, 0, SampleUse::Position)));
-  const Vector3 toEye = eye.directionFrom(point.position);
-  point.turn(toEye.dot(point.normal) >= 0);
-  return { point.clearPosition(), irradiance::mirrored(point.normal, -toEye),
-    { cell.object, cells.triangles[i] } };
-}
-
-OutgoingRadiance::Bands OutgoingRadiance::mirrored(const SceneCell& cell, const Eye& eye) const
-{
-  Bands sum{};
-  Sights sights;
-  for (std::uint32_t sample = 0; sample < mirrorSamples_; ++sample)
-  {
-    const Ray ray = mirrorRay(cell, sample, eye);
-    if (!ray.direction.isZero(0)) // the eye is not at the very point
+    const double perQuantum =
+      diffuse > 0 ? diffuse * side.part * engine_.watts(1.0) / engine_.cells().area(cell) : 0;
+    least +=
+      diffuse > 0 ? perQuantum * errors_.standardError(side.sums, static_cast<int>(band)) : 0;
+    for (std::uint32_t k = 0; k < replicates; ++k)
     {
-      sights.rays.push_back(ray);
+      parts[k] +=
+        perQuantum * errors_.ofReplicate(side.sums, static_cast<int>(band), k) / replicates;
     }
   }
-  const double share = 1.0 / mirrorSamples_;
-  sights.shares.assign(sights.rays.size(), { share, share, share });
-  for (int mirrors = 0; mirrors <= kMostMirrors && !sights.rays.empty(); ++mirrors)
+  for (std::size_t k = 0; k < specular.size(); ++k)
   {
-    look(sights, sum);
+    parts[k] += mirrored * specular[k][band];
   }
-  const std::size_t first = cell.cell * static_cast<std::size_t>(bands_);
-  for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
-  {
-    sum[band] *= materialOf(cell.object).specularReflectance[first + band];
-  }
-  return sum;
-}
-
-/// Cell by cell, as all rays to a cell read the same photons.
-void OutgoingRadiance::look(Sights& sights, Bands& sum) const
-{
-  std::vector<Hit> hits(sights.rays.size());
-  engine_.scene().cast(sights.rays.data(), sights.rays.size(), hits.data());
-  const auto cellOf = [&](std::size_t ray) { return engine_.sums().cellOf(hits[ray].id); };
-  std::vector<std::pair<std::size_t, std::size_t>> order; // number of the cell, ray
-  for (std::size_t i = 0; i < hits.size(); ++i)
-  {
-    if (hits[i])
-    {
-      order.emplace_back(numberOf(cellOf(i)), i);
-    }
-  }
-  std::sort(order.begin(), order.end());
-  Sights next;
-  for (const auto& [number, i] : order)
-  {
-    const SceneCell cell = cellOf(i);
-    const Ray& ray = sights.rays[i];
-    const SurfacePoint point = engine_.scene().surfaceAt(ray.direction, hits[i]);
-    Bands radiance = diffuseOf(cell, point.isFront), reflected = sights.shares[i];
-    const bool isMirror = isSpecular(cell) && lobeOf(cell).isMirror();
-    if (isSpecular(cell) && !isMirror)
-    {
-      add(radiance, specular(cell, { -ray.direction, true }));
-    }
-    for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band)
-    {
-      sum[band] += sights.shares[i][band] * radiance[band];
-      reflected[band] *= isMirror
-        ? materialOf(cell.object)
-            .specularReflectance[cell.cell * static_cast<std::size_t>(bands_) + band]
-        : 0;
-    }
-    if (isMirror)
-    {
-      next.rays.push_back(
-        { point.clearPosition(), irradiance::mirrored(point.normal, ray.direction), hits[i].id });
-      next.shares.push_back(reflected);
-    }
-  }
-  sights = std::move(next);
+  const double error = irradiance::standardErrorOf(parts);
+  return std::isnan(error) || std::isnan(least) ? std::nan("") : std::max(error, least);
 }
 
 }

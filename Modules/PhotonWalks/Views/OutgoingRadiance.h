@@ -2,93 +2,74 @@
 #ifndef irradiance_OutgoingRadiance_h
 #define irradiance_OutgoingRadiance_h
 
-#include "IrradianceEngine.h"
-#include "Views/GlossyPhotons.h"
-#include "Walks/StoredWalks.h"
+#include "Views/Eye.h"
+#include "Views/ViewGather.h"
 
+#include <optional>
 #include <vector>
 
 namespace irradiance
 {
 
 /**
- * The radiance, W/m2/sr, that leaves cells towards an eye: emitted, reflected diffusely (from the
- * sums) and specularly (from the photons on the cell). Means over the area of a cell, both of the
- * light and of the direction to the eye. What stands between is not looked at.
+ * The radiance, W/m2/sr, that leaves cells towards an eye: emitted, reflected diffusely (from the irradiance of the
+ * cell) and specularly. Means over the area of a cell, both of the light and of the direction to the eye. What stands
+ * between is not looked at. Where SeparateSides is off, diffuse light is the light of both sides.
  *
- * The specular part is the sum over photons of power times BRDF, over the area, so it is as noisy as
- * the photons in a lobe are few. What a cell gathered are photons to it: each sample that sees its light is one. Mirrors have no such sum: at some points of a mirror a ray shows
- * what is seen there. Where SeparateSides is off, diffuse light is the light of both sides.
+ * Specular light is gathered: from points spread over the cell rays leave along the lobe about the mirrored direction to
+ * the eye, and read what they hit as those of sensors do, see ViewGather; lamps are also asked, see LobeLight. A mirror
+ * cannot see a light without size; nor does a lobe what such a light sends it by way of a mirror. Theory.md, 1.2.
+ *
+ * All is a pure function of the scene, the seed, the sums and the eye.
  */
 class OutgoingRadiance
 {
 public:
-  using Bands = GlossyPhotons::Bands;
+  using Bands = ViewGather::Bands;
 
-  /// Prepares what does not depend on the eye, in the present state of the engine. That must have
-  /// collected its specular photons, and must not change as long as this is used. Throws Interrupted.
-  OutgoingRadiance(
-    const IrradianceEngine& engine, std::uint32_t mirrorSamples, Execution& execution);
+  /// Prepares what does not depend on the eye, in the present frame of an engine, which must not change meanwhile. If there
+  /// are specular cells, it stores all walks, or tells sides apart. `samples`: of a specular cell; rounded up to a multiple
+  /// of the replicates. Throws Interrupted.
+  OutgoingRadiance(const IrradianceEngine& engine, std::uint32_t samples, Execution& execution);
 
-  /// May be called by several threads. 0 for a cell without area.
-  Bands operator()(const SceneCell& cell, const Eye& eye) const;
+  /// Of a cell; 0 if it has no area.
+  struct Light
+  {
+    Bands value{};
+    /// From the variance between replicates; what is emitted has none. NaN where it is not known: without replicates, or
+    /// where nothing, or too little, is reflected.
+    Bands standardError{};
+  };
+  /// May be called by several threads. Throws std::runtime_error for a path that does not end.
+  std::vector<Light> at(const std::vector<SceneCell>& cells, const Eye& eye) const;
+  Light at(const SceneCell& cell, const Eye& eye) const { return at(std::vector{ cell }, eye)[0]; }
 
 private:
-  /// A mirror is followed by at most this many others.
-  static constexpr int kMostMirrors = 64;
-
-  /// The triangles of an object, cell by cell.
-  struct Cells
+  /// The part of a cell's area of which an eye sees a side.
+  struct SeenSide
   {
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::size_t> first; ///< of each cell, and the end
+    CellSide sums; ///< whose irradiance it has
+    bool isFront;
+    double part;
   };
-  void addCells(std::uint32_t object);
-  void preparePhotons(Execution& execution);
-  /// What walks brought to a cell, in order, and then what it gathered.
-  std::vector<GlossyPhotons::Arrival> arrivalsOn(
-    const SceneCell& cell, const StoredWalks& walks) const;
-  void addGathered(const SceneCell& cell, const GatheredLight& light,
-    std::vector<GlossyPhotons::Arrival>& arrivals) const;
-  Bands wattsOf(const Power& power) const
-  {
-    return { engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]) };
-  }
-  Bands diffuse(const SceneCell& cell, const Eye& eye) const;
-  /// Emitted, and reflected diffusely, by one side.
-  Bands diffuseOf(const SceneCell& cell, bool isFront) const;
-  Bands specular(const SceneCell& cell, const Eye& eye) const;
-  Bands mirrored(const SceneCell& cell, const Eye& eye) const;
-  /// Rays on their way through mirrors, with the part of what they meet that gets to the eye.
-  struct Sights
-  {
-    std::vector<Ray> rays;
-    std::vector<Bands> shares;
-  };
-  /// Adds what the rays show, and replaces them by those that mirrors reflect.
-  void look(Sights& sights, Bands& sum) const;
-  /// The ray that shows what is mirrored at a point of a cell.
-  Ray mirrorRay(const SceneCell& cell, std::uint32_t sample, const Eye& eye) const;
+  std::vector<SeenSide> sidesOf(const SceneCell& cell, const Eye& eye) const;
   bool isSpecular(const SceneCell& cell) const
   {
-    return materialOf(cell.object).isSpecular(cell.cell);
+    return engine_.cells().area(cell) > 0 && materialOf(cell).isSpecular(cell.cell);
   }
-  const PhongLobe& lobeOf(const SceneCell& cell) const
+  /// `specular`: what each replicate found for a specular reflectance of pi; empty of a cell without.
+  Light lightOf(const SceneCell& cell, const Eye& eye, const std::vector<Bands>& specular) const;
+  double standardErrorOf(
+    const std::vector<SeenSide>& sides, std::size_t band, const std::vector<Bands>& specular) const;
+  const Material& materialOf(const SceneCell& cell) const
   {
-    return materialOf(cell.object).lobeOf(cell.cell);
-  }
-  std::size_t numberOf(const SceneCell& cell) const { return engine_.cells().numbers()[cell]; }
-  const Material& materialOf(std::uint32_t object) const
-  {
-    return *engine_.objects()[object].material;
+    return *engine_.objects()[cell.object].material;
   }
 
   const IrradianceEngine& engine_;
-  SobolSequence mirrorPoints_;
-  std::uint32_t mirrorSamples_;
-  int bands_;
-  std::vector<Cells> objects_;
-  std::vector<GlossyPhotons> photons_; ///< of each cell
+  ErrorEstimate errors_;
+  CellShapes shapes_;
+  std::optional<ViewGather> gather_; ///< if there are specular cells
 };
 
 }

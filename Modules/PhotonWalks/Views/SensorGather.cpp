@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/SensorGather.h"
 
+#include "Views/ReplicateParts.h"
 #include "Views/SensorPlace.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 namespace irradiance
 {
@@ -34,39 +34,28 @@ SensorGather::Light unknownLight()
 }
 
 SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution)
-  : engine_(checked(engine))
-  , replicates_(engine.walks().plan().replicates().count())
-  , sums_(engine.walks(), engine.objects(), execution)
-  , noShapes_(engine.objects(), engine.space().triangles, 0, 0)
-  , direct_(lightsOf(
-      engine.walks(), engine.gatherSpace(), engine.settings().seed, dealtRays(rays, replicates_)))
-  , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, kSamplesOfHit))
-  , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), noShapes_,
-    CellRoles(
-      engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small),
-    { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
-    dealtRays(rays, replicates_), 1 / engine.watts(1.0), engine.settings().seed, false }
+  : noShapes_(engine.objects(), engine.space().triangles, 0, 0)
+  , gather_(checked(engine), noShapes_, rays, false, execution)
+  , direct_(
+      lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, gather_.scene().rays))
 {
 }
 
 std::vector<SensorGather::Light> SensorGather::at(
   const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const
 {
-  std::unique_ptr<GatherPaths> paths = paths_.take();
-  paths->begin(scene_);
+  const GatherScene& scene = gather_.scene();
   std::vector<std::optional<LitPoint>> places;
-  for (const std::size_t number : numbers)
-  {
-    places.push_back(sensorPlace(scene_.space.scene.bounds(), sensors[number]));
-    if (places.back())
+  const PathSums brought = gather_.follow([&](GatherPaths& paths) {
+    for (const std::size_t number : numbers)
     {
-      paths->addPoint(scene_, *places.back(), number);
+      places.push_back(sensorPlace(scene.space.scene.bounds(), sensors[number]));
+      if (places.back())
+      {
+        paths.addPoint(scene, *places.back(), number);
+      }
     }
-  }
-  paths->run(scene_);
-  const std::size_t numberOfPlaces = paths->followed().size() / scene_.rays;
-  PathSums brought;
-  brought.read(scene_, paths->followed(), numberOfPlaces);
+  });
   std::vector<Light> found;
   std::size_t start = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -74,7 +63,6 @@ std::vector<SensorGather::Light> SensorGather::at(
     found.push_back(
       places[i] ? lightOf(replicatesOf(brought, start++, *places[i], numbers[i])) : unknownLight());
   }
-  paths_.giveBack(std::move(paths));
   return found;
 }
 
@@ -82,14 +70,7 @@ std::vector<SensorGather::Bands> SensorGather::replicatesOf(
   const PathSums& brought, std::size_t start, const LitPoint& point, std::size_t number) const
 {
   // Radiance is radiosity / pi; the density of rays is cos(theta) / pi, or 1 / (4 pi).
-  const double perRay = point.hasNormal() ? 1 : 4;
-  std::vector<Bands> replicates(replicates_);
-  for (std::uint32_t k = 0; k < replicates_; ++k)
-  {
-    const PathSums::Bands& quanta = brought.found(start, k);
-    std::transform(quanta.begin(), quanta.end(), replicates[k].begin(),
-      [&](double quantaPerArea) { return engine_.watts(perRay * quantaPerArea); });
-  }
+  std::vector<Bands> replicates = gather_.replicatesOf(brought, start, point.hasNormal() ? 1 : 4);
   for (const PointDirectLight& lights : direct_)
   {
     lights.add(point, number, replicates);
@@ -97,25 +78,16 @@ std::vector<SensorGather::Bands> SensorGather::replicatesOf(
   return replicates;
 }
 
-/// Each replicate has its part of the whole.
-SensorGather::Light SensorGather::lightOf(const std::vector<Bands>& replicates) const
+SensorGather::Light SensorGather::lightOf(const std::vector<Bands>& replicates)
 {
   Light light{};
+  std::vector<double> parts(replicates.size());
   for (std::size_t band = 0; band < light.value.size(); ++band)
   {
-    double sum = 0, squares = 0;
-    for (const Bands& replicate : replicates)
-    {
-      sum += replicate[band];
-    }
-    const double count = replicates_;
-    for (const Bands& replicate : replicates)
-    {
-      squares += std::pow(count * replicate[band] - sum, 2);
-    }
-    light.value[band] = sum;
-    light.standardError[band] =
-      replicates_ > 1 && sum > 0 ? std::sqrt(squares / (count * (count - 1))) : kUnknown;
+    std::transform(replicates.begin(), replicates.end(), parts.begin(),
+      [band](const Bands& replicate) { return replicate[band]; });
+    light.value[band] = std::accumulate(parts.begin(), parts.end(), 0.0);
+    light.standardError[band] = standardErrorOf(parts);
   }
   return light;
 }

@@ -2,13 +2,8 @@
 #ifndef irradiance_SensorGather_h
 #define irradiance_SensorGather_h
 
-#include "Estimates/SideSums.h"
-#include "Execution/Pool.h"
-#include "FinalGather/GatherPaths.h"
-#include "FinalGather/PathLights.h"
-#include "FinalGather/PathSums.h"
-#include "IrradianceEngine.h"
 #include "Photons/Sensor.h"
+#include "Views/ViewGather.h"
 
 #include <deque>
 #include <vector>
@@ -19,8 +14,7 @@ namespace irradiance
 /**
  * What sensors receive, on surfaces or in the air: irradiance, or of a sensor that receives from all directions the
  * fluence rate. The direct light of all lights is asked for at the very point, see PointDirectLight. Indirect
- * light comes by a final gather from there, see GatherPaths: rays read the sums of large cells, by side; where these
- * say nothing they ask the lights and go on. Theory.md, 5.8.
+ * light comes by a final gather from there, see ViewGather. Theory.md, 5.8.
  *
  * All is a pure function of the scene, the seed, the sums, and the place and number of a sensor.
  */
@@ -50,17 +44,12 @@ private:
   /// What came by paths, to the `start`-th start, and straight from the lights.
   std::vector<Bands> replicatesOf(
     const PathSums& brought, std::size_t start, const LitPoint& point, std::size_t number) const;
-  Light lightOf(const std::vector<Bands>& replicates) const;
+  static Light lightOf(const std::vector<Bands>& replicates);
 
-  const IrradianceEngine& engine_;
-  std::uint32_t replicates_;
-  SideSums sums_;
   CellShapes noShapes_;
+  ViewGather gather_;
   std::deque<PointDirectLight>
-    direct_, ///< for the points themselves; each sample is of one replicate
-    lights_; ///< for paths
-  GatherScene scene_;
-  mutable Pool<GatherPaths> paths_; ///< what threads work with
+    direct_; ///< for the points themselves; each sample is of one replicate
 };
 
 }

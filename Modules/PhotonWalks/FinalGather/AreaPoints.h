@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellPoints_h
-#define irradiance_CellPoints_h
+#ifndef irradiance_AreaPoints_h
+#define irradiance_AreaPoints_h
 
-#include "FinalGather/GatherScene.h"
 #include "Meshes/SurfacePoint.h"
+#include "Surfaces/CellShapes.h"
 
 #include <array>
 #include <vector>
@@ -12,17 +12,18 @@ namespace irradiance
 {
 
 /// Points that fill the area of a cell evenly.
-class CellPoints
+class AreaPoints
 {
 public:
-  /// `cell`: of the shapes.
-  CellPoints(const GatherScene& scene, std::size_t cell);
+  /// `cell`: of the shapes; it has an area.
+  AreaPoints(const CellShapes& shapes, const SceneTriangles& triangles, std::size_t cell);
 
   struct Point
   {
     SurfacePoint place; ///< on the front
     TriangleId id;
   };
+  /// `u`: of the unit square.
   Point at(std::array<double, 2> u) const;
 
 private:

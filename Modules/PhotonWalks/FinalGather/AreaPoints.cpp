@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FinalGather/CellPoints.h"
+#include "FinalGather/AreaPoints.h"
 
 #include "Sampling/DirectionSampling.h"
 
@@ -8,16 +8,16 @@
 namespace irradiance
 {
 
-CellPoints::CellPoints(const GatherScene& scene, std::size_t cell)
+AreaPoints::AreaPoints(const CellShapes& shapes, const SceneTriangles& triangles, std::size_t cell)
 {
-  std::for_each(scene.shapes.begin(cell), scene.shapes.end(cell), [&](std::uint32_t number) {
-    const Triangle triangle = triangleOf(scene.space.triangles, number);
-    parts_.push_back({ triangle, triangle.area(), scene.space.triangles.idOf(number) });
+  std::for_each(shapes.begin(cell), shapes.end(cell), [&](std::uint32_t number) {
+    const Triangle triangle = triangleOf(triangles, number);
+    parts_.push_back({ triangle, triangle.area(), triangles.idOf(number) });
     area_ += parts_.back().area;
   });
 }
 
-CellPoints::Point CellPoints::at(std::array<double, 2> u) const
+AreaPoints::Point AreaPoints::at(std::array<double, 2> u) const
 {
   double before = u[0] * area_;
   auto part = parts_.begin();

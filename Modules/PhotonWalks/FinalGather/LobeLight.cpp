@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/LobeLight.h"
+
+#include "Geometry/Pi.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// The power heuristic: the weight of a sample of one density beside those of another, > 0.
+double weightBeside(double density, double other)
+{
+  const double ratio = other / density;
+  return 1 / (1 + ratio * ratio);
+}
+
+}
+
+PointDirectLight::Bands lobeLight(const GatherScene& scene, const PathVertex& from,
+  const PhongLobe& lobe, std::uint64_t number, std::uint32_t share)
+{
+  const Vector3& normal = from.place.normal;
+  const LitPoint point{ from.place.clearPosition(), normal, from.id };
+  const PointDirectLight::Part part = [&](const Vector3& along, double density) {
+    const Vector3 toLight = -along.normalized();
+    const double ofLobe = lobe.value(normal, toLight, -from.incoming) * toLight.dot(normal);
+    return ofLobe > 0 ? kPi * ofLobe * weightBeside(density, ofLobe) : 0;
+  };
+  PointDirectLight::Bands sum{};
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    const PointDirectLight::Bands more = lights.taken(point, part, number, share);
+    std::transform(more.begin(), more.end(), sum.begin(), sum.begin(), std::plus<double>());
+  }
+  return sum;
+}
+
+double lampWeight(const GatherScene& scene, const Ray& ray, double density, const TriangleId& lamp,
+  const Vector3& place)
+{
+  const Vector3 front = scene.space.scene.worldTriangle(ray.start).areaVector().normalized();
+  const Vector3 normal = front.dot(ray.direction) > 0 ? front : Vector3(-front);
+  double asked = 0;
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    asked += lights.density({ ray.origin, normal, ray.start }, lamp, place);
+  }
+  return asked > 0 ? weightBeside(density, asked) : 1;
+}
+
+}

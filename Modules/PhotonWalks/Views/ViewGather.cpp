@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/ViewGather.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+// Lobes are many, and rays find what these neglect.
+constexpr std::uint32_t kSamplesOnLobe = 2;
+constexpr std::size_t kWeightsOnLobe = 16;
+
+}
+
+ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
+  bool asksOnLobes, Execution& execution)
+  : engine_(engine)
+  , sums_(engine.walks(), engine.objects(), execution)
+  , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
+      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit,
+      asksOnLobes ? kWeightsOnLobe : LampChoice::kMost))
+  , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes,
+    CellRoles(
+      engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small),
+    { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
+    dealtRays(rays, engine.walks().plan().replicates().count()), 1 / engine.watts(1.0),
+    engine.settings().seed, false, false, asksOnLobes }
+{
+}
+
+std::vector<ViewGather::Bands> ViewGather::replicatesOf(
+  const PathSums& brought, std::size_t start, double factor) const
+{
+  std::vector<Bands> replicates(scene_.replicates());
+  for (std::uint32_t k = 0; k < replicates.size(); ++k)
+  {
+    const Bands& quanta = brought.found(start, k);
+    std::transform(quanta.begin(), quanta.end(), replicates[k].begin(),
+      [&](double quantaPerArea) { return engine_.watts(factor * quantaPerArea); });
+  }
+  return replicates;
+}
+
+}
