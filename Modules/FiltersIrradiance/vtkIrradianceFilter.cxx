@@ -630,7 +630,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
       irradiance::text(settings.repairTimeBudget) + ", but there are " +
       std::to_string(ranks.count()) +
       " processes, and each of them would repair other photons for vtkIrradianceProbeFilter or "
-      "vtkOutgoingRadianceFilter: set it to 0");
+      "vtkOutgoingRadianceFilter: set it to 0, or let SeparateSides be on if these gather");
   }
   irradiance::SmpExecution execution = irradiance::executionOf(filter, &ranks);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again

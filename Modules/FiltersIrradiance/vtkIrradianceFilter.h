@@ -249,8 +249,8 @@ public:
    * stores its part of the walks, and has the whole output, with the bits that one process alone would give.
    * All of them have to update the filter at the same time, with the same inputs and settings; else, or if one
    * fails, each has one error. HistoryBytes and the seconds are this process's own. Where single photons are
-   * read (CellEstimate Nearest, vtkIrradianceProbeFilter, vtkOutgoingRadianceFilter) each process shoots and
-   * stores all walks; with several processes that excludes a RepairTimeBudget. See "Several processes" in the
+   * read (CellEstimate Nearest; vtkIrradianceProbeFilter with Estimate Nearest; without SeparateSides and CellEstimate
+   * Gathered also its other estimate, and vtkOutgoingRadianceFilter) each process shoots and stores all walks; with several processes that excludes a RepairTimeBudget. See "Several processes" in the
    * Guide. Default: VTK's global controller when the filter is made, so this process alone unless a program,
    * such as ParaView's server, has set another.
    */
