@@ -119,7 +119,7 @@ if [[ $part != accuracy ]]; then
   write_page Performance Benchmark{RayCasting,TraversalModes,FrontCast,Stages,BounceHistory,FarAndMany,Signs,Shooting,Gathering,Sensors,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
-  measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png" "2"
+  measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
   measure BenchmarkAccuracy "" "65536 1"
   measure BenchmarkPilotPhotons "" "8192 2"
   measure BenchmarkStaleError "" "8192 2"

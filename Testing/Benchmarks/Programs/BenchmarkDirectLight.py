@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Direct light shot beside gathered, in the same CPU time of one thread: errors in the penumbra under a ball and
-elsewhere, and, where there is a display, two pictures of a lit room in one file.
+elsewhere; these and two further ways to estimate cells in the time in which all of them gather; and, where there is a
+display, a picture of a lit room for each, two and four in one file.
 
-    BenchmarkDirectLight.py [SEEDS [PICTURE.png]]
+    BenchmarkDirectLight.py [SEEDS [TWO.png FOUR.png]]
 
 The room is that of Examples/LitRoom, with a lamp of 1 m2, or its floor alone in 8 x 8 cells. The truth are 12 long runs
 with other seeds.
@@ -22,7 +23,9 @@ import vtkIrradiance
 sys.path.append(str(Path(__file__).resolve().parents[3] / "Examples/LitRoom"))
 import LitRoom
 
+# Of direct light alone, and of all light.
 WAYS = ("shot", "gathered")
+ALL_WAYS = ("shot", "shot, spread", "gathered", "all gathered")
 
 
 def make_floor():
@@ -61,7 +64,11 @@ def make_filter(surface, ball=True):
 
 def executed(irradiance, way, walks, seed):
     """Seconds of all threads."""
-    irradiance.SetDirectLight(WAYS.index(way))
+    irradiance.SetDirectLight(irradiance.Gathered if "gathered" in way else irradiance.Shot)
+    estimates = {"shot, spread": irradiance.Spread, "all gathered": irradiance.FinalGather}
+    irradiance.SetCellEstimate(estimates.get(way, irradiance.Sums))
+    irradiance.SetGatherOnToAllCells()
+    irradiance.SetNumberOfGatherRays(16)
     irradiance.SetNumberOfWalks(walks)
     irradiance.SetSeed(seed)
     start = time.process_time()
@@ -69,8 +76,8 @@ def executed(irradiance, way, walks, seed):
     return time.process_time() - start
 
 
-def surface_of(irradiance):
-    return np.array(WrapDataObject(irradiance.GetOutput()).CellData["Irradiance"].Arrays[0])
+def surface_of(irradiance, number=0):
+    return np.array(WrapDataObject(irradiance.GetOutput()).CellData["Irradiance"].Arrays[number])
 
 
 def walks_in(irradiance, way, seconds):
@@ -82,11 +89,11 @@ def walks_in(irradiance, way, seconds):
     return walks
 
 
-def mean_of(irradiance, way, walks, seeds):
+def mean_of(irradiance, way, walks, seeds, number=0):
     fields = []
     for seed in seeds:
         executed(irradiance, way, walks, seed)
-        fields.append(surface_of(irradiance))
+        fields.append(surface_of(irradiance, number))
     return np.mean(fields, axis=0)
 
 
@@ -132,6 +139,36 @@ def truth_of(irradiance):
     return means[1]
 
 
+ROOM, BALL = 0, 2  # the lamp is between them
+WALKS_OF_ALL = 300000  # so walls expect some 100 photons a cell
+
+
+def time_of_all(irradiance):
+    return np.median([executed(irradiance, "all gathered", WALKS_OF_ALL, seed) for seed in (1, 2, 3)])
+
+
+def walks_of(irradiance, way, seconds):
+    return WALKS_OF_ALL if way == "all gathered" else walks_in(irradiance, way, seconds)
+
+
+def measure_ways(room, seeds):
+    """All ways in the time that gathering on all cells takes, on the walls and on the ball."""
+    truth = {number: mean_of(room, "gathered", 4000000, range(1001, 1013), number) for number in (ROOM, BALL)}
+    seconds = time_of_all(room)
+    for way in ALL_WAYS:
+        walks = walks_of(room, way, seconds)
+        times, squares = [], {ROOM: [], BALL: []}
+        for seed in range(1, seeds + 1):
+            times.append(executed(room, way, walks, seed))
+            for number in squares:
+                squares[number].append(np.mean((surface_of(room, number) - truth[number]) ** 2))
+        report("Ways", way, "CPU time, s", np.median(times))
+        report("Ways", way, "walks", walks)
+        for number, name in ((ROOM, "walls"), (BALL, "ball")):
+            error = np.sqrt(np.mean(squares[number])) / truth[number].mean()
+            report("Ways", way, f"RMS error on the {name}, %", 100 * error)
+
+
 def measure_all(seeds):
     floor = make_filter(make_floor())
     measure("Penumbra", "8 x 8 cells", floor, truth_of(floor), {"in the penumbra": penumbra_of(make_floor())},
@@ -142,38 +179,47 @@ def measure_all(seeds):
         room.SetDefaultDiffuseReflectance(reflectance)
         measure("DirectLight", f"room, reflectance {reflectance}", room, truth_of(room),
                 {"in the penumbra": penumbra, "elsewhere": ~penumbra}, seeds, 0.25)
+    room.SetDefaultDiffuseReflectance(0.5)
+    measure_ways(room, seeds)
 
 
-def draw(name, seconds=0.05):
-    """A room where a fifth of the light is reflected, in the same colours."""
+def draw(name, reflectance, ways, seconds=None):
+    """In the same colours, two in a row. Without a time: in that of all cells that gather."""
     from vtkmodules.vtkFiltersCore import vtkImageAppend
     from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
     irradiance = make_filter(LitRoom.make_room())
-    irradiance.SetDefaultDiffuseReflectance(0.2)
-    both = vtkImageAppend()
+    irradiance.SetDefaultDiffuseReflectance(reflectance)
     executed(irradiance, "gathered", 4000000, 9)
     brightest = surface_of(irradiance).max()
     LitRoom.most_of = lambda _: brightest
-    for way in WAYS:
-        walks = walks_in(irradiance, way, seconds)
-        taken = executed(irradiance, way, walks, 1)
-        print(f"picture: {way}, {walks} walks, {taken:.3f} s", file=sys.stderr)
-        LitRoom.write_picture(WrapDataObject(irradiance.GetOutput()), name)
-        reader = vtkPNGReader()
-        reader.SetFileName(name)
-        reader.Update()
-        both.AddInputConnection(reader.GetOutputPort())
+    seconds = seconds or time_of_all(irradiance)
+    rows = vtkImageAppend()
+    rows.SetAppendAxis(1)
+    for first in range(len(ways) - 2, -1, -2):  # from below
+        row = vtkImageAppend()
+        for way in ways[first:first + 2]:
+            walks = walks_of(irradiance, way, seconds)
+            taken = executed(irradiance, way, walks, 1)
+            print(f"picture: {way}, {walks} walks, {taken:.3f} s", file=sys.stderr)
+            LitRoom.write_picture(WrapDataObject(irradiance.GetOutput()), name)
+            reader = vtkPNGReader()
+            reader.SetFileName(name)
+            reader.Update()
+            row.AddInputConnection(reader.GetOutputPort())
+        row.Update()
+        rows.AddInputConnection(row.GetOutputPort())
     writer = vtkPNGWriter()
-    writer.SetInputConnection(both.GetOutputPort())
+    writer.SetInputConnection(rows.GetOutputPort())
     writer.SetFileName(name)
     writer.Write()
 
 
-def main(seeds="15", picture=""):
+def main(seeds="15", two="", four=""):
     measure_all(int(seeds))
-    if picture and os.environ.get("DISPLAY"):
-        draw(picture)
+    if four and os.environ.get("DISPLAY"):
+        draw(two, 0.2, WAYS, 0.05)
+        draw(four, 0.5, ALL_WAYS)
 
 
 if __name__ == "__main__":
