@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 using namespace TestScenes;
@@ -121,6 +122,41 @@ TEST(OutgoingRadianceFilter, DiffuseCellsHaveReflectedAndEmittedLight)
         << "cell " << i;
     }
   }
+}
+
+// Where nothing is specular, the radiance is a multiple of the irradiance, and so is its error.
+TEST(OutgoingRadianceFilter, DiffuseCellsHaveTheErrorOfTheirIrradiance)
+{
+  Pipeline pipeline(MakeGlossyScene());
+  pipeline.Radiance->Update();
+  EXPECT_TRUE(AllValues(pipeline.Radiance->GetOutput(), "RadianceStandardError").empty());
+  pipeline.Irradiance->ComputeStandardErrorOn();
+  pipeline.Radiance->Update();
+  ASSERT_TRUE(pipeline.Errors->Errors.empty());
+  int known = 0, glossy = 0;
+  for (vtkPolyData* leaf : Leaves(pipeline.Radiance->GetOutput()))
+  {
+    vtkCellData* cells = leaf->GetCellData();
+    vtkDataArray* reflectance = cells->GetArray("DiffuseReflectance");
+    for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
+    {
+      const double expected = (reflectance ? reflectance->GetComponent(i, 0) : 0.5) /
+        vtkMath::Pi() * cells->GetArray("IrradianceStandardError")->GetComponent(i, 0);
+      const double error = cells->GetArray("RadianceStandardError")->GetComponent(i, 0);
+      if (cells->GetArray("SpecularReflectance"))
+      {
+        EXPECT_FALSE(error < expected) << "cell " << i;
+        ++glossy;
+      }
+      else if (!std::isnan(expected))
+      {
+        EXPECT_NEAR(error, expected, 1e-12 * expected) << "cell " << i;
+        ++known;
+      }
+    }
+  }
+  EXPECT_GT(known, 0);
+  EXPECT_GT(glossy, 0);
 }
 
 TEST(OutgoingRadianceFilter, AMovedEyeExecutesThisFilterAlone)

@@ -68,6 +68,33 @@ Counts countsOf(const SceneObjects& objects)
   return counts;
 }
 
+// Nothing is outside of the walls of a room, until a box comes that is in part beyond one of them.
+TEST(OuterSides, AreDarkUnlessSomethingIsInFront)
+{
+  for (const double beyond : { 4.0, 4.5 }) // in the wall at x = 4, then half a metre from it
+  {
+    ObjectBuilder mover;
+    mover.addBox(box({ beyond - 1, 1, 1 }, { beyond, 2, 2 }), 1, grey(0.5));
+    const SceneObjects objects = withMover(mover);
+    CellShapes shapes = shapesOf(objects);
+    for (std::size_t cell = 0; cell < shapes.size(); ++cell)
+    {
+      shapes.setDark(cell, false, false);
+    }
+    Box bounds = objects.staticObject.worldBounds();
+    bounds.add(objects.dynamicObjects[0].worldBounds());
+    markOuterSides(shapes, bounds);
+    constexpr std::size_t kOfWall = 16;
+    std::size_t backs = 0;
+    for (std::size_t cell = 0; cell < 6 * kOfWall; ++cell)
+    {
+      EXPECT_FALSE(shapes[cell].isFrontDark) << "walls face inwards; cell " << cell;
+      backs += shapes[cell].isBackDark ? 1 : 0;
+    }
+    EXPECT_EQ(backs, (beyond > 4 ? 5 : 6) * kOfWall);
+  }
+}
+
 TEST(DarkSides, AreInsideAClosedBodyAndBelowIt)
 {
   ObjectBuilder cube;

@@ -146,7 +146,10 @@ void GatherPaths::addSpecular(
     if (lobe.isMirror() ? !eye.isZero(0) : eye.dot(place.normal) > 0)
     {
       const PathVertex vertex{ place, id, -eye };
-      lobe.isMirror() ? void() : recordStart(scene, path, vertex, lobe);
+      if (!lobe.isMirror())
+      {
+        recordStart(scene, path, vertex, lobe);
+      }
       goOnSpecularly(scene, path, vertex, lobe, paths_, rays_);
     }
   }
