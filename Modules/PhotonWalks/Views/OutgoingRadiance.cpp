@@ -43,6 +43,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
     });
   }
   std::vector<Light> lights;
+  lights.reserve(cells.size());
   std::size_t start = 0;
   for (const SceneCell& cell : cells)
   {
