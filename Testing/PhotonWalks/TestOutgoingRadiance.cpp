@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <memory>
 
 namespace irradiance
 {
@@ -313,6 +314,24 @@ TEST(OutgoingRadiance, AMirrorShowsALampInAMirror)
   const Eye eye{ Vector3(-1, 0, 1), false };
   EXPECT_NEAR(seen({ scene.build(), {} }, settingsOf(100), { { 0, 0 } }, eye).front().value[0],
     0.7 * 5 / M_PI, 1e-12);
+}
+
+// No light, though there is an array of exitances.
+TEST(OutgoingRadiance, IsNoneWhereNothingShines)
+{
+  for (const double exponent : { 20.0, kInfinity })
+  {
+    ObjectBuilder room;
+    room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 1, glossy(0.3, 0.5, exponent), true);
+    SceneObjects objects{ room.build(), {} };
+    auto dark = std::make_shared<Emission>();
+    dark->exitance.assign(6, 0.0);
+    objects.staticObject.emission = dark;
+    for (const auto& light : seen(objects, settingsOf(100), cellsOf(objects), { { 1, 1, 0.5 } }))
+    {
+      EXPECT_EQ(light.value[0], 0);
+    }
+  }
 }
 
 // A sheet that is lit from above is dark from below, also in a mirror, and to a lobe, though its sides have one sum.
