@@ -310,7 +310,7 @@ public:
    * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
    * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. With ComputeStandardError the
    * fields `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the cells that gather is
-   * expected to be too large, as rays take cells for evenly lit. Changing it
+   * expected to be too large, as rays take cells for evenly lit; NaN where none gathers, or receives anything. Changing it
    * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to
    * Gathered. Default Sums.
    */
