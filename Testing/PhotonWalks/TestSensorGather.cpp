@@ -2,6 +2,7 @@
 // What sensors gather, on surfaces and in the air: closed forms, agreement with cells, laws, error bars.
 
 #include "EngineRun.h"
+#include "IntervalCount.h"
 #include "LambertContour.h"
 #include "MovingScene.h"
 #include "Progress/InputError.h"
@@ -401,27 +402,19 @@ TEST(SensorGather, ErrorBarsHoldTheTruth)
 {
   const std::vector<Sensor> sensors = furnaceSensors();
   const SceneObjects objects = furnace(1);
-  const double factor = ErrorEstimate::confidenceFactor(16);
-  double squares = 0;
-  int held = 0, known = 0;
+  test::IntervalCount intervals(16);
   for (std::uint64_t seed = 1; seed <= (test::kIsSanitized ? 6 : 24); ++seed)
   {
     EngineSettings settings = settingsOf(2000, seed % 2 == 0, seed);
     settings.replicates = 16;
     const auto lights = gathered(objects, settings, sensors);
-    for (std::size_t i = 0; i < sensors.size(); ++i, ++known)
+    for (std::size_t i = 0; i < sensors.size(); ++i)
     {
       const double off = lights[i].value[0] - (sensors[i].normal.isZero(0) ? 4 : 1);
-      const double error = lights[i].standardError[0];
-      ASSERT_GT(error, 0);
-      held += std::abs(off) <= factor * error ? 1 : 0;
-      squares += off * off / (error * error);
+      ASSERT_NO_FATAL_FAILURE(intervals.add(off, lights[i].standardError[0]));
     }
   }
-  std::printf("%.1f %% of the intervals hold the truth; errors are %.2f of those claimed\n",
-    100.0 * held / known, std::sqrt(squares / known));
-  EXPECT_GT(held, 0.9 * known);
-  EXPECT_GT(squares / known, 0.25) << "nor much too wide";
+  intervals.expectHonest();
 }
 
 // Where few walks make what rays read the main noise: replicates that shared it would claim too little. All walls are
