@@ -4,6 +4,8 @@
 
 #include "Kernels/TreeRays.h"
 
+#include <type_traits>
+
 namespace irradiance
 {
 
@@ -25,15 +27,18 @@ struct EllipsoidLanes
   /// Of the two squares whose difference is a squared distance; some 16 roundings of 2^-24.
   static constexpr float kCancelled = 0x1p-19F;
 
-  /// The rays from `first` on that may touch it, one bit each. Directions are floats. Is compiled once
-  /// for each instruction set.
-  __attribute__((always_inline)) static unsigned passing(
-    const TreeRays& rays, std::uint32_t first, const EllipsoidFilter& filter)
+  /// Squared lengths of directions in double; rays whose direction is shorter or longer pass.
+  static constexpr double kShortest = 0x1p-200, kLongest = 0x1p200;
+
+  /// The rays from `first` on that may touch it, one bit each. Is compiled once for each instruction set.
+  template <class Real>
+  __attribute__((always_inline)) static unsigned passing(const TreeRays& rays,
+    const Real* const (&directions)[3], std::uint32_t first, const EllipsoidFilter& filter)
   {
     const double *ox = rays.origin[0] + first, *oy = rays.origin[1] + first,
                  *oz = rays.origin[2] + first;
-    const float *dx = rays.direction[0] + first, *dy = rays.direction[1] + first,
-                *dz = rays.direction[2] + first;
+    const Real *dx = directions[0] + first, *dy = directions[1] + first,
+               *dz = directions[2] + first;
     const double centerX = filter.center[0], centerY = filter.center[1], centerZ = filter.center[2],
                  scale = filter.scale;
     const float* const w = filter.roundFromScaled;
@@ -48,7 +53,12 @@ struct EllipsoidLanes
                   z = static_cast<float>((centerZ - oz[lane]) * scale);
       const float px = w0 * x + w1 * y + w2 * z, py = w3 * x + w4 * y + w5 * z,
                   pz = w6 * x + w7 * y + w8 * z;
-      const float ex = dx[lane], ey = dy[lane], ez = dz[lane];
+      // Directions in floats have length 1.
+      const double squaredLength =
+        std::is_same_v<Real, float> ? 1.0 : dx[lane] * dx[lane] + dy[lane] * dy[lane] + dz[lane] * dz[lane];
+      const double unit = std::is_same_v<Real, float> ? 1.0 : 1 / __builtin_sqrt(squaredLength);
+      const float ex = static_cast<float>(dx[lane] * unit), ey = static_cast<float>(dy[lane] * unit),
+                  ez = static_cast<float>(dz[lane] * unit);
       const float qx = w0 * ex + w1 * ey + w2 * ez, qy = w3 * ex + w4 * ey + w5 * ez,
                   qz = w6 * ex + w7 * ey + w8 * ez;
       const float towards = px * qx + py * qy + pz * qz;
@@ -57,7 +67,8 @@ struct EllipsoidLanes
       const float reach =
         squaredRadius + byDistance * (x * x + y * y + z * z) + kCancelled * distance;
       // By Pythagoras, times the length: without a division or a root, but with cancellation.
-      gap[lane] = (distance * length - along * along) - reach * length;
+      const bool isExact = (squaredLength > kShortest) & (squaredLength < kLongest);
+      gap[lane] = isExact ? (distance * length - along * along) - reach * length : 0.0F;
     }
     unsigned bits = 0;
     for (unsigned lane = 0; lane < kSize; ++lane)

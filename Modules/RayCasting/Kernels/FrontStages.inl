@@ -6,15 +6,24 @@ namespace irradiance
 namespace
 {
 
-inline std::uint32_t pickRays(
-  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
+/// The loops over lanes are functions of their own: within others, GCC 12 makes no SIMD of them.
+template <class Real>
+__attribute__((noinline)) unsigned passingSome(const TreeRays& rays,
+  const Real* const (&directions)[3], std::uint32_t first, const EllipsoidFilter& filter)
+{
+  return EllipsoidLanes::passing(rays, directions, first, filter);
+}
+
+template <class Real>
+std::uint32_t pickAll(const TreeRays& rays, const Real* const (&directions)[3],
+  const EllipsoidFilter& filter, std::uint32_t* picked)
 {
   std::uint32_t count = 0;
   for (std::uint32_t first = 0; first < rays.count; first += TreeRays::kLanes)
   {
     const std::uint32_t left = rays.count - first;
     const unsigned isThere = left < TreeRays::kLanes ? (1u << left) - 1 : 0xffffu;
-    for (unsigned some = EllipsoidLanes::passing(rays, first, filter) & isThere; some != 0;
+    for (unsigned some = passingSome(rays, directions, first, filter) & isThere; some != 0;
          some &= some - 1)
     {
       picked[count++] = first + static_cast<std::uint32_t>(__builtin_ctz(some));
@@ -23,7 +32,13 @@ inline std::uint32_t pickRays(
   return count;
 }
 
-/// The loops over lanes are functions of their own: within others, GCC 12 makes no SIMD of them.
+inline std::uint32_t pickRays(
+  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
+{
+  return rays.direction[0] ? pickAll(rays, rays.direction, filter, picked)
+                           : pickAll(rays, rays.exactDirection, filter, picked);
+}
+
 template <class Real>
 __attribute__((noinline)) void placeSome(BallLanes& lanes, const UnitFrame& frame,
   const TreeRays& rays, const Real* const (&directions)[3], std::uint32_t first)

@@ -194,15 +194,8 @@ void FrontCast::castBody(
 {
   StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
-  std::uint32_t count = 0;
-  if (rays.direction[0])
-  {
-    count = pickFront(inWorld(rays, 0), filterOf(scene.placed_[index].bound), local_.ray.data());
-  }
-  for (std::uint32_t ray = 0; !rays.direction[0] && ray < rays.count; ++ray)
-  {
-    count = pick(scene, index, rays, ray, count);
-  }
+  const std::uint32_t count =
+    pickFront(inWorld(rays, 0), filterOf(scene.placed_[index].bound), local_.ray.data());
   clock.ends(Stage::PreTest);
   castPicked(scene, index, triangles, rays, count);
 }
