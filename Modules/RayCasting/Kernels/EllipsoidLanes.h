@@ -54,10 +54,12 @@ struct EllipsoidLanes
       const float px = w0 * x + w1 * y + w2 * z, py = w3 * x + w4 * y + w5 * z,
                   pz = w6 * x + w7 * y + w8 * z;
       // Directions in floats have length 1.
-      const double squaredLength =
-        std::is_same_v<Real, float> ? 1.0 : dx[lane] * dx[lane] + dy[lane] * dy[lane] + dz[lane] * dz[lane];
+      const double squaredLength = std::is_same_v<Real, float>
+        ? 1.0
+        : dx[lane] * dx[lane] + dy[lane] * dy[lane] + dz[lane] * dz[lane];
       const double unit = std::is_same_v<Real, float> ? 1.0 : 1 / __builtin_sqrt(squaredLength);
-      const float ex = static_cast<float>(dx[lane] * unit), ey = static_cast<float>(dy[lane] * unit),
+      const float ex = static_cast<float>(dx[lane] * unit),
+                  ey = static_cast<float>(dy[lane] * unit),
                   ez = static_cast<float>(dz[lane] * unit);
       const float qx = w0 * ex + w1 * ey + w2 * ez, qy = w3 * ex + w4 * ey + w5 * ez,
                   qz = w6 * ex + w7 * ey + w8 * ez;

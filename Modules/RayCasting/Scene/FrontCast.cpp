@@ -5,7 +5,6 @@
 #include "Progress/StageTimes.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace irradiance
 {
@@ -25,31 +24,6 @@ Ray rayOf(const FrontRays& rays, std::uint32_t ray)
 {
   const TreeRays world = inWorld(rays, 0);
   return { originOf(world, ray), directionOf(world, ray), {} };
-}
-
-/// Documentation/Theory.md, section 3, derives the constants.
-EllipsoidFilter filterOf(const EllipsoidBound& bound)
-{
-  const EllipsoidBound::Ball ball = bound.ball();
-  const double largest = ball.roundFromWorld.cwiseAbs().maxCoeff();
-  const double scale = largest > 0 && std::isfinite(largest) ? std::exp2(std::ilogb(largest)) : 1;
-  const Matrix3 map = ball.roundFromWorld / scale;
-  const double condition = map.norm() * map.inverse().norm(); // not finite if nothing is rejected
-  const double squared = ball.radius * ball.radius;
-  EllipsoidFilter filter;
-  filter.scale = scale;
-  for (int row = 0; row < 3; ++row)
-  {
-    filter.center[row] = ball.center[row];
-    for (int column = 0; column < 3; ++column)
-    {
-      filter.roundFromScaled[3 * row + column] = static_cast<float>(map(row, column));
-    }
-  }
-  filter.squaredRadius =
-    static_cast<float>(squared * (1 + 0x1p-6 + 0x1p-34 * condition * condition));
-  filter.byDistance = static_cast<float>(0x1p-32 * map.squaredNorm());
-  return filter;
 }
 
 CornerRows rowsOf(const TriangleMesh& mesh)
@@ -195,7 +169,7 @@ void FrontCast::castBody(
   StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
   const std::uint32_t count =
-    pickFront(inWorld(rays, 0), filterOf(scene.placed_[index].bound), local_.ray.data());
+    pickFront(inWorld(rays, 0), scene.placed_[index].filter, local_.ray.data());
   clock.ends(Stage::PreTest);
   castPicked(scene, index, triangles, rays, count);
 }

@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -29,6 +30,31 @@ constexpr std::size_t kManyBodies = 512;
 double conditionOf(const Matrix3& linear, const Matrix3& inverse)
 {
   return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
+}
+
+/// Documentation/Theory.md, section 3, derives the constants.
+EllipsoidFilter filterOf(const EllipsoidBound& bound)
+{
+  const EllipsoidBound::Ball ball = bound.ball();
+  const double largest = ball.roundFromWorld.cwiseAbs().maxCoeff();
+  const double scale = largest > 0 && std::isfinite(largest) ? std::exp2(std::ilogb(largest)) : 1;
+  const Matrix3 map = ball.roundFromWorld / scale;
+  const double condition = map.norm() * map.inverse().norm(); // not finite if nothing is rejected
+  const double squared = ball.radius * ball.radius;
+  EllipsoidFilter filter;
+  filter.scale = scale;
+  for (int row = 0; row < 3; ++row)
+  {
+    filter.center[row] = ball.center[row];
+    for (int column = 0; column < 3; ++column)
+    {
+      filter.roundFromScaled[3 * row + column] = static_cast<float>(map(row, column));
+    }
+  }
+  filter.squaredRadius =
+    static_cast<float>(squared * (1 + 0x1p-6 + 0x1p-34 * condition * condition));
+  filter.byDistance = static_cast<float>(0x1p-32 * map.squaredNorm());
+  return filter;
 }
 
 }
@@ -109,7 +135,8 @@ void Scene::place(double magnitude)
     const double slack = tree.slack() / tree.frame().scale * linear.norm() * condition;
     const EllipsoidBound bound(
       object.body->ellipsoid(), object.body->mesh().bounds(), object.worldFromObject, error);
-    placed_.push_back({ object, inverse, condition, error, slack, bound, ballAround(bound) });
+    placed_.push_back(
+      { object, inverse, condition, error, slack, bound, ballAround(bound), filterOf(bound) });
   }
 }
 

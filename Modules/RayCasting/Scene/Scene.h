@@ -6,6 +6,7 @@
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
 #include "Kernels/BodyBalls.h"
+#include "Kernels/EllipsoidLanes.h"
 #include "Meshes/SurfacePoint.h"
 #include "Scene/PlacedBody.h"
 #include "Scene/TriangleNumbers.h"
@@ -92,7 +93,8 @@ private:
     double roundTrip; ///< error of a world position taken to model space and back, world units
     double slack;     ///< in world units: a hit may be this much closer than its triangle
     EllipsoidBound bound;
-    Ball ball; ///< around the bound; most segments miss it
+    Ball ball;              ///< around the bound; most segments miss it
+    EllipsoidFilter filter; ///< of the bound, for lanes
   };
 
   /// Triangles of several objects in one tree, in world space.
