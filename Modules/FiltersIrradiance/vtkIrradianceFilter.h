@@ -362,7 +362,7 @@ public:
   /**
    * With CellEstimate Gathered, whether rays take nothing from the cells that they hit: they go on, and look for the
    * lights wherever they hit (path tracing). The irradiance is then without bias, however large cells are, with more
-   * noise; and when something moves, all is traced anew. Changing it is like changing CellEstimate. Default off.
+   * noise. Changing it is like changing CellEstimate. Default off.
    */
   vtkSetMacro(UnbiasedGather, vtkTypeBool);
   vtkGetMacro(UnbiasedGather, vtkTypeBool);

@@ -105,6 +105,38 @@ TEST(KeptGatherPaths, AreThoseThatNothingTouches)
   }
 }
 
+// The lights are asked at each hit. Most of their rays are of no interest to a motion either, but some arrive now, and some
+// no longer.
+TEST(KeptGatherPaths, KeepTheRaysOfLights)
+{
+  for (const int bands : { 1, 3 })
+  {
+    SceneObjects objects = roomWithStatue(Vector3::Zero(), bands);
+    EngineSettings settings = gathering();
+    settings.gatherRays = 8;
+    settings.unbiasedGather = true;
+    IrradianceEngine engine;
+    Execution serial;
+    engine.update(objects, settings, serial);
+    const std::int64_t all = engine.statistics().followedPaths;
+    std::int64_t followed = 0;
+    const std::vector<Vector3> places{ { 2, 1.2, 0.7 }, { 1.6, 0.9, 0.6 }, { 3, 2, 2 },
+      { 0.75, 0.75, 0.5 } };
+    for (const Vector3& place : places)
+    {
+      objects.dynamicObjects[0].worldFromObject = test::shift(place);
+      engine.update(objects, settings, serial);
+      EXPECT_GT(engine.statistics().followedPaths, 0);
+      followed += engine.statistics().followedPaths;
+      expectFresh(engine, objects, settings);
+    }
+    const double part =
+      static_cast<double>(followed) / static_cast<double>(all * std::int64_t(places.size()));
+    std::printf("%d bands: %.3f of the paths a frame\n", bands, part);
+    EXPECT_LT(part, 0.6);
+  }
+}
+
 // A lamp and a white sheet lie in one plane over a statue, and a block stands on the lamp, so closely that rays from below
 // come to it first. Then the lamp, which it touches, is before it; without it the sheet is before the lamp. So hits on
 // what never moves change, though the block, which is too large to gather, goes where no ray is.
@@ -118,14 +150,20 @@ TEST(KeptGatherPaths, KnowThatContactsDecide)
   block.addBox(box({ -0.3, -0.3, 0 }, { 0.3, 0.3, 0.6 }), 1, grey(0.5));
   const double below = 0.25 * kTouching;
   SceneObjects objects{ room.build(), { block.build(test::shift({ 2, 2, 2 - below })) } };
-  const EngineSettings settings = gathering();
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  objects.dynamicObjects[0].worldFromObject = test::shift({ 0.5, 0.5, 3 });
-  engine.update(objects, settings, serial);
-  EXPECT_EQ(engine.statistics().shootSeconds, 0);
-  expectFresh(engine, objects, settings);
+  const SceneObjects touching = objects;
+  for (const bool isUnbiased : { false, true })
+  {
+    EngineSettings settings = gathering();
+    settings.unbiasedGather = isUnbiased;
+    objects = touching;
+    IrradianceEngine engine;
+    Execution serial;
+    engine.update(objects, settings, serial);
+    objects.dynamicObjects[0].worldFromObject = test::shift({ 0.5, 0.5, 3 });
+    engine.update(objects, settings, serial);
+    EXPECT_EQ(engine.statistics().shootSeconds, 0);
+    expectFresh(engine, objects, settings);
+  }
 }
 
 // What paths depend on besides poses.

@@ -12,21 +12,25 @@
 namespace irradiance
 {
 
-/// A segment of a path, from one hit to the next.
+/// A segment of a path, from one hit to the next; or a ray from a light to where it was asked, behind the segment that ends
+/// there.
 struct GatherSegment
 {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   std::array<float, 3> from;
-  std::array<float, 3> to; ///< where it hits; where it hits nothing, its direction
-  std::uint32_t triangle;  ///< the number of what it hits, or kNone
-  bool isFront : 1;        ///< which side it hits
-  bool isSpecular : 1;     ///< how it left its start
-  bool isKnown : 1;        ///< what the side received is read
-  bool isDirectKnown : 1;  ///< what it received straight from the lights is read
-  bool asksLights : 1;     ///< the lights were asked for what is not read
-  bool hasLampWeight : 1;  ///< it leads to a lamp, which was also asked
+  std::array<float, 3>
+    to; ///< where it hits; where it hits nothing, its direction; of a light's ray its end
+  std::uint32_t triangle; ///< the number of what it hits, or kNone; of a light's ray what stops it
+  bool isFront : 1;       ///< which side it hits
+  bool isSpecular : 1;    ///< how it left its start
+  bool isKnown : 1;       ///< what the side received is read
+  bool isDirectKnown : 1; ///< what it received straight from the lights is read
+  bool asksLights : 1;    ///< the lights were asked for what is not read
+  bool hasLampWeight : 1; ///< it leads to a lamp, which was also asked
   bool touchesMover : 1; ///< its start or its hit, which is there or not depending on what is solid
+  bool isFromLight : 1;  ///< a light's ray
+  bool isStopped : 1;    ///< it does not arrive
 };
 
 /**

@@ -55,14 +55,18 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
 bool GatherMotion::mayChange(const GatherSegment& segment) const
 {
   const bool isHit = segment.triangle != GatherSegment::kNone;
-  if (segment.touchesMover || segment.asksLights ||
+  if (segment.touchesMover ||
     (isHit && segment.triangle >= firstDynamic_ &&
       hasMoved_[segment.triangle - firstDynamic_] != 0))
   {
     return true;
   }
+  if (segment.isStopped)
+  {
+    return false; // by what is still there
+  }
   const Eigen::Vector3f from(segment.from.data());
-  const Vector3 end = isHit
+  const Vector3 end = isHit || segment.isFromLight
     ? Vector3(Eigen::Vector3f(segment.to.data()).cast<double>())
     : Vector3(from.cast<double>() + reach_ * Eigen::Vector3f(segment.to.data()).cast<double>());
   const Eigen::Vector3f to = end.cast<float>();

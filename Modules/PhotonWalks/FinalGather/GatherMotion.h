@@ -29,7 +29,7 @@ public:
   }
 
 private:
-  /// Whether another hit may be found. Conservative: what moved is widened by all rounding, also of the segment
+  /// Whether another hit may be found, or light arrive that did not, or the other way round. Conservative: what moved is widened by all rounding, also of the segment
   /// to floats. `segment`: starts on what did not move, or is behind one that may change.
   bool mayChange(const GatherSegment& segment) const;
 

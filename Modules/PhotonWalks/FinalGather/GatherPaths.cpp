@@ -288,7 +288,9 @@ void GatherPaths::record(
   addStep(path,
     { inFloats(ray.origin), inFloats(to), scene.space.triangles.numberOf(id), arrival.isFront(),
       path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,
-      hasLampWeight, contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) });
+      hasLampWeight,
+      contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) || arrival.lobe != nullptr, false,
+      false });
   if (asksLights)
   {
     askLights(scene, path, vertexOf(scene, ray, arrival), arrival);
@@ -342,7 +344,9 @@ void GatherPaths::askLights(
   Bands arriving{}, onLobe{};
   for (const PointDirectLight& lights : scene.lights)
   {
-    const Bands more = asksDiffuse ? lights.irradiance(point, number) : Bands{};
+    const Bands more = asksDiffuse
+      ? lights.irradiance(point, number, scene.keepsPaths ? &shadows_ : nullptr)
+      : Bands{};
     std::transform(
       more.begin(), more.end(), arriving.begin(), arriving.begin(), std::plus<double>());
   }
@@ -360,6 +364,25 @@ void GatherPaths::askLights(
     }
     values_.push_back(path.weight[i] * reflected);
   }
+  recordShadows(scene, path, point);
+}
+
+void GatherPaths::recordShadows(const GatherScene& scene, const Path& path, const LitPoint& point)
+{
+  const Contacts& contacts = scene.space.contacts;
+  for (const PointDirectLight::Shadow& shadow : shadows_)
+  {
+    GatherSegment segment{};
+    segment.from = inFloats(shadow.from);
+    segment.to = inFloats(point.position);
+    segment.triangle = scene.space.triangles.numberOf(shadow.blocker);
+    segment.isFromLight = true;
+    segment.isStopped = !shadow.isFree;
+    segment.touchesMover = contacts.hasDynamic(shadow.light) || contacts.hasDynamic(point.on) ||
+      (shadow.blocker.isDynamic() && (contacts.has(shadow.light) || contacts.has(point.on)));
+    steps_.push_back({ path.place, segment, values_.size() });
+  }
+  shadows_.clear();
 }
 
 void GatherPaths::goOn(

@@ -103,6 +103,8 @@ private:
   void addStep(const Path& path, const GatherSegment& segment);
   void askLights(
     const GatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival);
+  /// The rays of the lights that were asked at a point of the path.
+  void recordShadows(const GatherScene& scene, const Path& path, const LitPoint& point);
   void sortSteps();
   /// Appends what goes on.
   void goOn(const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
@@ -117,6 +119,7 @@ private:
   std::vector<Hit> hits_;
   std::vector<Step> steps_; ///< bounce by bounce
   std::vector<double> values_;
+  std::vector<PointDirectLight::Shadow> shadows_; ///< of the point at which lights are asked
   FollowedPaths followed_;
 };
 

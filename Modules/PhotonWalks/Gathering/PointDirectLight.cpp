@@ -23,22 +23,22 @@ PointDirectLight::PointDirectLight(const GatherSpace& space, const LightTable& l
 }
 
 PointDirectLight::Bands PointDirectLight::irradiance(
-  const LitPoint& point, std::uint64_t number) const
+  const LitPoint& point, std::uint64_t number, std::vector<Shadow>* shadows) const
 {
   std::vector<Bands> all(1, Bands{});
-  add(point, number, all);
+  add(point, number, all, shadows);
   return all.front();
 }
 
-void PointDirectLight::add(
-  const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates) const
+void PointDirectLight::add(const LitPoint& point, std::uint64_t number,
+  std::vector<Bands>& replicates, std::vector<Shadow>* shadows) const
 {
   std::vector<Arrival> arrivals;
   const std::vector<std::uint32_t> touching = lightsAt(point);
   addTouching(point, touching, replicates.size(), arrivals);
   const Part cosine = [&](const Vector3& along, double) { return point.partOf(along); };
   addSamples(point, cosine, number, 0, touching, replicates.size(), arrivals);
-  cast(point, arrivals, replicates);
+  cast(point, arrivals, replicates, shadows);
 }
 
 PointDirectLight::Bands PointDirectLight::taken(
@@ -66,8 +66,8 @@ double PointDirectLight::density(
   return samples > 0 ? samples / choice.seen(piece).solidAngle() : 0;
 }
 
-void PointDirectLight::cast(
-  const LitPoint& point, const std::vector<Arrival>& arrivals, std::vector<Bands>& replicates) const
+void PointDirectLight::cast(const LitPoint& point, const std::vector<Arrival>& arrivals,
+  std::vector<Bands>& replicates, std::vector<Shadow>* shadows) const
 {
   std::vector<Ray> rays(arrivals.size());
   std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
@@ -76,11 +76,16 @@ void PointDirectLight::cast(
   space_.scene.cast(rays.data(), rays.size(), hits.data());
   for (std::size_t i = 0; i < arrivals.size(); ++i)
   {
+    const Shadow shadow = shadowOf(arrivals[i], point, hits[i]);
     Bands& sum = replicates[arrivals[i].replicate];
-    const double perWatt = arrives(arrivals[i], point, hits[i]) ? arrivals[i].perWatt : 0;
+    const double perWatt = shadow.isFree ? arrivals[i].perWatt : 0;
     for (std::size_t band = 0; band < sum.size(); ++band)
     {
       sum[band] += perWatt * lamps_.lights()[arrivals[i].light].flux[band];
+    }
+    if (shadows)
+    {
+      shadows->push_back(shadow);
     }
   }
 }
@@ -166,18 +171,16 @@ PointDirectLight::Arrival PointDirectLight::from(const LampPiece& lamp,
 }
 
 /// As for the samples of cells, see DirectLight.
-bool PointDirectLight::arrives(
+PointDirectLight::Shadow PointDirectLight::shadowOf(
   const Arrival& arrival, const LitPoint& point, const Hit& closest) const
 {
   const Contacts& contacts = space_.contacts;
-  if (contacts.has(point.on))
-  {
-    return contacts.resolveContact(space_.scene, arrival.ray, closest).id == point.on;
-  }
-  const Hit hit = contacts.has(arrival.ray.start)
-    ? contacts.resolveContact(space_.scene, arrival.ray, closest)
-    : closest;
-  return hit.distance >= 1 || (hit && hit.id == point.on);
+  const Ray& ray = arrival.ray;
+  const bool touches = contacts.has(point.on) || contacts.has(ray.start);
+  const Hit hit = touches ? contacts.resolveContact(space_.scene, ray, closest) : closest;
+  // Where the point's face touches others, it alone says whether the light arrives.
+  const bool isFree = (hit && hit.id == point.on) || (!contacts.has(point.on) && hit.distance >= 1);
+  return { ray.origin, ray.start, isFree, isFree ? TriangleId{} : hit.id };
 }
 
 }

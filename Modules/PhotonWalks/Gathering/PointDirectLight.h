@@ -34,11 +34,22 @@ public:
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 
-  /// W/m2. `number`: of the point; it chooses the samples. May be called by several threads.
-  Bands irradiance(const LitPoint& point, std::uint64_t number) const;
+  /// A ray from a light to a point.
+  struct Shadow
+  {
+    Vector3 from;
+    TriangleId light;   ///< on which it starts; none in the air
+    bool isFree;        ///< the light arrives
+    TriangleId blocker; ///< what is in the way, if it is known
+  };
+  /// W/m2. `number`: of the point; it chooses the samples. `shadows`: receives all rays; null: not asked for. May be
+  /// called by several threads.
+  Bands irradiance(
+    const LitPoint& point, std::uint64_t number, std::vector<Shadow>* shadows = nullptr) const;
   /// Adds W/m2 that together are those: to each replicate what its block of the samples finds. There are as many
   /// samples in each.
-  void add(const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates) const;
+  void add(const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates,
+    std::vector<Shadow>* shadows = nullptr) const;
 
   /// How much a point takes of a beam along a vector, in place of the cosine. `density`: of the samples that the point
   /// takes from there, 1/sr; infinite for a light in the air.
@@ -74,8 +85,8 @@ private:
     const Part& part, double samples, const std::array<double, 2>& onLamp) const;
   /// Adds what no other surface stops.
   void cast(const LitPoint& point, const std::vector<Arrival>& arrivals,
-    std::vector<Bands>& replicates) const;
-  bool arrives(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
+    std::vector<Bands>& replicates, std::vector<Shadow>* shadows = nullptr) const;
+  Shadow shadowOf(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
 
   GatherSpace space_;
   LampPieces lamps_;
