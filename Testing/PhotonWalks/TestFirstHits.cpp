@@ -173,8 +173,8 @@ TEST(NearLights, HaveASourceOfTheirOwn)
   EXPECT_FALSE(sources[0].cells.has_value());
   EXPECT_EQ(sources[0].lights.lights().size(), 4u);
   EXPECT_NEAR(sources[0].lights.flux(), 6, 1e-9);
-  EXPECT_EQ(sources[1].cells, CellPart::Static);
-  EXPECT_EQ(sources[2].cells, CellPart::Dynamic);
+  EXPECT_EQ(sources[1].cells, CellPart{});
+  EXPECT_EQ(sources[2].cells, (CellPart{ 1, 2 }));
   for (const std::size_t i : { 1, 2 })
   {
     EXPECT_EQ(sources[i].lights.lights().size(), 2u);
@@ -206,7 +206,7 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   addLamp(far, 2.5, 1, 8);
   const SceneObjects allFar{ far.build(), {} };
   std::vector<WalkSource> expected = sourcesOf(allFar, plan);
-  expected[0].cells = CellPart::Static;
+  expected[0].cells = CellPart{};
   // The mean reflectance of the walls is a part of a shot walk's power.
   expected[0].quantaPerStart = gatheredOf(allFar, plan)[0].quantaPerStart;
   expected[0].density = gatheredOf(allFar, plan)[0].density;
@@ -218,7 +218,7 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   const SceneObjects withWeak{ far.build(), {} };
   const std::vector<WalkSource> sources = gatheredOf(withWeak, plan);
   ASSERT_EQ(sources.size(), 1u);
-  EXPECT_EQ(sources[0].cells, CellPart::Static);
+  EXPECT_EQ(sources[0].cells, CellPart{});
   EXPECT_EQ(sources[0].lights.lights().size(), 4u);
   EXPECT_TRUE(sources[0].plan == plan);
 }

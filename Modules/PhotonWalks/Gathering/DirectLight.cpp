@@ -49,7 +49,7 @@ DirectLight::DirectLight(
   , plan_(plan)
   , seed_(seed)
   , samples_(plan.size())
-  , views_(plan.size(), View::Never)
+  , views_(plan.size(), kNever)
 {
 }
 
@@ -98,7 +98,7 @@ bool DirectLight::touchesDynamic(const GatherSpace& space, const GatherSample& s
 std::vector<DirectLight::View> DirectLight::viewsOf(
   const GatherSpace& space, const std::vector<std::uint32_t>& samples) const
 {
-  std::vector<View> views(samples.size(), View::Never);
+  std::vector<View> views(samples.size(), kNever);
   std::vector<Ray> rays;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -130,15 +130,29 @@ DirectLight::View DirectLight::viewOf(
     const Hit hit = contacts.resolveContact(space.scene, ray, closest);
     const bool mayChange =
       hit.id.isDynamic() || contacts.hasDynamic(ray.start) || contacts.hasDynamic(cell);
-    return hit.id == cell ? View::Free : mayChange ? View::Hidden : View::Never;
+    return hit.id == cell ? kFree : mayChange ? kTouch : kNever;
   }
   // What is hit beyond the end hides nothing.
   const bool isFree = closest.distance >= 1 || closest.id == cell;
-  return isFree ? View::Free : closest.id.isDynamic() ? View::Hidden : View::Never;
+  return isFree ? kFree : closest.id.object; // of the static one: never
+}
+
+bool DirectLight::mayChange(
+  const GatherSpace& space, const MovedObjects& moved, std::uint32_t number) const
+{
+  const View view = views_[number];
+  const GatherSample& sample = samples_[number];
+  if (view == kFree)
+  {
+    return touchesDynamic(space, sample) ||
+      std::any_of(moved.boxes.begin(), moved.boxes.end(),
+        [&](const Box& box) { return mayTouch(sample, box); });
+  }
+  return view == kTouch || (view != kNever && moved.dynamic[view - 1]);
 }
 
 std::vector<std::uint32_t> DirectLight::follow(
-  const GatherSpace& space, const std::vector<Box>& moved, Execution& execution)
+  const GatherSpace& space, const MovedObjects& moved, Execution& execution)
 {
   const auto all = static_cast<std::uint32_t>(samples_.size());
   const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
@@ -149,10 +163,7 @@ std::vector<std::uint32_t> DirectLight::follow(
     std::vector<std::uint32_t> suspects;
     for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
     {
-      const auto isNear = [&](const Box& box) { return mayTouch(samples_[i], box); };
-      if (views_[i] == View::Hidden ||
-        (views_[i] == View::Free &&
-          (touchesDynamic(space, samples_[i]) || std::any_of(moved.begin(), moved.end(), isNear))))
+      if (mayChange(space, moved, i))
       {
         suspects.push_back(i);
       }

@@ -4,6 +4,7 @@
 
 #include "Execution/Execution.h"
 #include "Gathering/CellSampler.h"
+#include "Gathering/MovedObjects.h"
 #include "Tally/CellSums.h"
 
 #include <cstdint>
@@ -26,30 +27,30 @@ public:
   /// Makes all samples, and looks which of them see their lights.
   void gather(const GatherSpace& space, Execution& execution);
   /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples that
-  /// what moved may hide now, at those whose light or cell a dynamic object touches, and at those that dynamic
-  /// objects hid. Returns which see their lights now and did not before, or the other way round, in order.
-  /// `moved`: where the moved objects are now.
+  /// what moved may hide now, or hid before, and at those whose light or cell a dynamic object touches. Returns which
+  /// see their lights now and did not before, or the other way round, in order.
   std::vector<std::uint32_t> follow(
-    const GatherSpace& space, const std::vector<Box>& moved, Execution& execution);
+    const GatherSpace& space, const MovedObjects& moved, Execution& execution);
 
   const GatherPlan& plan() const { return plan_; }
   /// By number; those of a cell that is not there are none.
   const std::vector<GatherSample>& samples() const { return samples_; }
-  bool isVisible(std::uint32_t sample) const { return views_[sample] == View::Free; }
+  bool isVisible(std::uint32_t sample) const { return views_[sample] == kFree; }
   /// What a sample brings if it sees its light, by band.
   Power powerOf(const GatherSample& sample, double quantaPerWatt) const;
 
 private:
-  /// What stands between a sample and its light.
-  enum class View : std::uint8_t
-  {
-    Never,  ///< static objects, for ever; or no light can come
-    Hidden, ///< dynamic objects
-    Free
-  };
+  /// What stands between a sample and its light: the number of a dynamic object, or one of those below.
+  using View = std::uint32_t;
+  static constexpr View kNever = 0;          ///< static objects, for ever; or no light can come
+  static constexpr View kFree = 0xffffffffu; ///< nothing
+  static constexpr View kTouch =
+    0xfffffffeu; ///< what touches either end, which may end with any motion
 
   void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
   bool touchesDynamic(const GatherSpace& space, const GatherSample& sample) const;
+  /// Whether a motion may change the view of a sample.
+  bool mayChange(const GatherSpace& space, const MovedObjects& moved, std::uint32_t sample) const;
   /// Those of samples, in order.
   std::vector<View> viewsOf(
     const GatherSpace& space, const std::vector<std::uint32_t>& samples) const;

@@ -14,10 +14,8 @@ namespace
 CellShapes shapesOf(const GatherSpace& space, const SceneObjects& objects, const LightTable& lights,
   CellPart part, const CancelPoint& cancelPoint)
 {
-  const bool isStatic = part == CellPart::Static;
-  CellShapes shapes(
-    objects, space.triangles, isStatic ? 0u : 1u, isStatic ? 1u : objects.size(), cancelPoint);
-  if (!isStatic)
+  CellShapes shapes(objects, space.triangles, part.first, part.end, cancelPoint);
+  if (!part.isStatic())
   {
     markDarkSides(shapes, space, objects, lights);
   }
@@ -51,7 +49,7 @@ GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objec
 void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,
   const CancelPoint& cancelPoint) const
 {
-  if (settings_.part == CellPart::Static && dealt.contains(0))
+  if (settings_.part.isStatic() && dealt.contains(0))
   {
     for (const Light& light : lights_.lights())
     {

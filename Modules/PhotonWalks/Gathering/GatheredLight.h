@@ -2,19 +2,13 @@
 #ifndef irradiance_GatheredLight_h
 #define irradiance_GatheredLight_h
 
+#include "Gathering/CellPart.h"
 #include "Gathering/WalkStarts.h"
 #include "Sampling/DealtBlocks.h"
 #include "Tally/PowerBalance.h"
 
 namespace irradiance
 {
-
-/// Which cells gather.
-enum class CellPart
-{
-  Static,
-  Dynamic
-};
 
 /**
  * The direct light of the cells of one part of the scene, from the lights of one group, and the walks that
@@ -56,7 +50,7 @@ public:
 
   /// The samples that a motion of other objects changed. See DirectLight::follow().
   std::vector<std::uint32_t> follow(
-    const GatherSpace& space, const std::vector<Box>& moved, Execution& execution)
+    const GatherSpace& space, const MovedObjects& moved, Execution& execution)
   {
     return light_.follow(space, moved, execution);
   }

@@ -33,8 +33,8 @@ void GatheredRounds::drop(std::size_t kept, const Totals& totals, const CancelPo
   plan_.dropRounds(kept);
 }
 
-std::vector<std::uint32_t> GatheredRounds::follow(const GatherSpace& space,
-  const std::vector<Box>& moved, const Totals& totals, Execution& execution)
+std::vector<std::uint32_t> GatheredRounds::follow(
+  const GatherSpace& space, const MovedObjects& moved, const Totals& totals, Execution& execution)
 {
   std::vector<std::uint32_t> walks;
   for (const std::unique_ptr<GatheredLight>& light : rounds_)

@@ -46,7 +46,7 @@ public:
   void drop(std::size_t kept, const Totals& totals, const CancelPoint& cancelPoint);
   /// Follows a motion, see GatheredLight::follow(), and changes the totals. Returns the walks, in order, that
   /// are born now and were not before, or the other way round.
-  std::vector<std::uint32_t> follow(const GatherSpace& space, const std::vector<Box>& moved,
+  std::vector<std::uint32_t> follow(const GatherSpace& space, const MovedObjects& moved,
     const Totals& totals, Execution& execution);
 
   /// Of the walks that may be born in the rounds so far.

@@ -10,7 +10,7 @@ SensorDirectLight::SensorDirectLight(const IrradianceEngine& engine)
   for (const WalkSet& set : engine.walks().sets())
   {
     // The sets of dynamic cells have the same lights.
-    if (set.source().cells == CellPart::Static && !set.lights().isEmpty())
+    if (set.source().cells && !set.source().isDynamic() && !set.lights().isEmpty())
     {
       groups_.emplace_back(
         engine.gatherSpace(), set.lights(), engine.settings().seed + groups_.size());

@@ -44,6 +44,7 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
   gathered_.reset();
+  areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
     gathered_ = std::make_unique<GatheredRounds>(GatheredRounds::Settings{ *source_.cells,
@@ -200,7 +201,7 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
   bool startsAgain = false;
   if (gathered_ && hasMotion)
   {
-    startsAgain = source_.cells == CellPart::Dynamic;
+    startsAgain = hasMovedCells(moved) || areCellsRenumbered_;
     startsAgain ? startAgain(space, execution) : followGathered(moved, space, execution);
   }
   const double gatherSeconds = stopwatch.seconds();
@@ -284,6 +285,13 @@ void WalkSet::startAgain(const WalkSpace& space, Execution& execution)
   unborn_ = bornWalks();
 }
 
+bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
+{
+  const auto at = [&](std::uint32_t object) { return moved.begin() + (object - 1); };
+  return source_.isDynamic() &&
+    std::find(at(source_.cells->first), at(source_.cells->end), true) != at(source_.cells->end);
+}
+
 std::vector<std::uint32_t> WalkSet::bornWalks() const
 {
   std::vector<std::uint32_t> born;
@@ -318,20 +326,20 @@ std::int64_t WalkSet::numberStored() const
 void WalkSet::followGathered(
   const std::vector<bool>& moved, const WalkSpace& space, Execution& execution)
 {
-  std::vector<Box> boxes;
+  MovedObjects objects{ moved, {} };
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     Box box = space.objects.dynamicObjects[i].worldBounds();
     if (moved[i] && !box.isEmpty())
     {
       box.inflate(space.scene.shadowPad(i, space.scene.clearance()));
-      boxes.push_back(box);
+      objects.boxes.push_back(box);
     }
   }
   ProgressSpan beginning(execution, 0, 0);
   std::vector<std::uint32_t> born, gone;
   for (const std::uint32_t walk :
-    gathered_->follow(space.gatherSpace(), boxes, totals(), beginning))
+    gathered_->follow(space.gatherSpace(), objects, totals(), beginning))
   {
     if (isDealt(walk))
     {
@@ -420,6 +428,7 @@ void WalkSet::replaceCells(
   sums_.replace(objects, cancelPoint);
   history_.renumber(numbers);
   stale_.reset(); // nothing is stale
+  areCellsRenumbered_ = source_.isDynamic();
 }
 
 void WalkSet::forgetBudget()

@@ -51,6 +51,8 @@ public:
   }
   /// For what is done next. Between two starts they may differ only in what is kept, and in the budget.
   void setSettings(const WalkSettings& settings);
+  /// Of time, for the next motion, s; > 0 if there is one in the settings.
+  void setBudget(double seconds) { settings_.repairTimeBudget = seconds; }
   /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its blocks.
   void start(const WalkSpace& space, Execution& execution);
   /// Shoots a round. With `isStored` the history holds all rounds before it.
@@ -137,7 +139,9 @@ private:
     const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution);
   /// Fills a batch with the walks of blocks [first, end) of this rank.
   void fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const;
-  /// Gathers anew; for dynamic cells of which some moved. All walks are still to be born.
+  /// Whether walks start at cells of which some moved.
+  bool hasMovedCells(const std::vector<bool>& moved) const;
+  /// Gathers anew; for cells of which some moved. All walks are still to be born.
   void startAgain(const WalkSpace& space, Execution& execution);
   /// Follows what a motion changes of the direct light: takes back the walks that no longer start, and notes
   /// which are to be born.
@@ -168,6 +172,7 @@ private:
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget
   std::size_t staleRounds_ = 0;       ///< for which that is
   std::vector<std::uint32_t> unborn_; ///< walks that are to be born, in order
+  bool areCellsRenumbered_ = false;   ///< since direct light was gathered for them
   std::vector<SegmentRef> repaired_;
   WalkStatistics statistics_;
   // What threads work with, kept for the next frames.

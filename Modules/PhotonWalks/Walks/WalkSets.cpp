@@ -46,7 +46,7 @@ void WalkSets::setSources(std::vector<WalkSource> sources)
   std::uint32_t first = 0, most = 0;
   for (const WalkSource& source : sources)
   {
-    if (source.cells == CellPart::Dynamic)
+    if (source.isDynamic())
     {
       continue; // the same light as of the static cells
     }
@@ -75,8 +75,8 @@ bool WalkSets::hasSources(const std::vector<WalkSource>& sources) const
 
 void WalkSets::setSettings(const WalkSettings& settings)
 {
+  budget_ = settings.repairTimeBudget;
   WalkSettings own = settings;
-  own.repairTimeBudget /= static_cast<double>(sets_.size());
   for (WalkSet& set : sets_)
   {
     set.setSettings(own);
@@ -114,8 +114,20 @@ void WalkSets::dropRounds(std::size_t kept, const WalkSpace& space, Execution& e
 void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
   PhotonChanges* changes, Execution& execution)
 {
-  forEach(sets_, execution,
-    [&](WalkSet& set, Execution& part) { set.follow(moved, space, changes, part); });
+  const auto count = static_cast<double>(sets_.size());
+  double left = budget_, done = 0;
+  // The last ones first: often they have less to do, and leave the others more of the budget.
+  for (std::size_t i = sets_.size(); i-- > 0; ++done)
+  {
+    ProgressSpan span(execution, done / count, (done + 1) / count);
+    if (budget_ > 0)
+    {
+      constexpr double kLeast = 1e-9; // s; 0 would be none
+      sets_[i].setBudget(std::max(left / static_cast<double>(i + 1), kLeast));
+    }
+    sets_[i].follow(moved, space, changes, span);
+    left -= sets_[i].statistics().repairSeconds;
+  }
   sumUp(space.objects, execution);
 }
 

@@ -30,7 +30,7 @@ public:
   /// Before the start: a set for each.
   void setSources(std::vector<WalkSource> sources);
   bool hasSources(const std::vector<WalkSource>& sources) const;
-  /// What follows does in each set what WalkSet says. A budget of time is shared evenly.
+  /// What follows does in each set what WalkSet says. A budget of time is shared evenly, but for what a set does not need.
   void setSettings(const WalkSettings& settings);
   void start(const WalkSpace& space, Execution& execution);
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
@@ -114,6 +114,7 @@ private:
   std::vector<WalkSet> sets_ = std::vector<WalkSet>(1);
   std::optional<Total> total_; ///< of several
   WalkPlan plan_;
+  double budget_ = 0;             ///< of time, s; 0: none
   double flux_ = 0;               ///< W
   std::int64_t quantaOfFlux_ = 1, ///< divided by the number of walks
     quantaPerWalk_ = 1;

@@ -82,7 +82,7 @@ std::vector<WalkSource> partedByNearness(const SceneObjects& objects, const Walk
   const FirstHits hits(objects, source.lights);
   std::vector<bool> chosen = hits.nearLights();
   std::vector<WalkSource> parts{ { source.lights.only(chosen), source.plan },
-    { {}, source.plan, CellPart::Static } };
+    { {}, source.plan, CellPart{} } };
   parts[1].density = { walksPerSample(hits.returned()), fewestSamples };
   chosen.flip();
   parts[1].lights = source.lights.only(chosen);
@@ -144,25 +144,22 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
       (part.cells ? gathered : all).push_back(std::move(part));
     }
   }
-  const bool hasDynamic = !objects.dynamicObjects.empty();
-  const auto count = static_cast<std::uint32_t>(gathered.size() * (hasDynamic ? 2 : 1));
-  const std::uint32_t share =
-    (std::numeric_limits<std::uint32_t>::max() - end) / std::max(1u, count);
+  // How many walks are born is not known yet: static cells have half of the numbers, the others share the rest evenly.
+  const std::vector<CellPart> parts = cellParts(objects);
+  const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(1, gathered.size()));
+  const auto dynamicParts = static_cast<std::uint32_t>(parts.size() - 1);
+  const std::uint32_t share = (std::numeric_limits<std::uint32_t>::max() - end) / groups;
   for (const WalkSource& source : gathered)
   {
-    for (const CellPart part : { CellPart::Static, CellPart::Dynamic })
+    for (const CellPart& part : parts)
     {
-      if (part == CellPart::Static || hasDynamic)
-      {
-        all.push_back(source);
-        all.back().cells = part;
-        // How many walks are born is not known yet: numbers are shared evenly.
-        all.back().quantaPerStart = std::max<std::int64_t>(1,
-          std::llround(
-            powerOfStart(reflected) * static_cast<double>(source.lights.quantaPerWalk())));
-        all.back().firstWalk = end;
-        end += share;
-      }
+      all.push_back(source);
+      all.back().cells = part;
+      all.back().quantaPerStart = std::max<std::int64_t>(1,
+        std::llround(powerOfStart(reflected) * static_cast<double>(source.lights.quantaPerWalk())));
+      all.back().firstWalk = end;
+      end +=
+        part.isStatic() && dynamicParts > 0 ? share / 2 : share / 2 / std::max(1u, dynamicParts);
     }
   }
   return all;

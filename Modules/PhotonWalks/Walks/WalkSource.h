@@ -24,6 +24,8 @@ struct WalkSource
   std::int64_t quantaPerStart = 0;
   GatherPlan::Density density; ///< of the samples of cells
 
+  /// Whether walks start at dynamic cells. Those at static ones have the same lights.
+  bool isDynamic() const { return cells && !cells->isStatic(); }
   /// With which a walk starts, in all bands together.
   std::int64_t quantaPerWalk() const { return cells ? quantaPerStart : lights.quantaPerWalk(); }
 
@@ -47,8 +49,8 @@ std::vector<WalkSource> sourcesOf(
   const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
 
 /**
- * Where cells gather direct light: for each source one whose walks start at static cells, and one at dynamic
- * cells if any object may move. Lights that shine mostly on near static cells have a source of their own, whose
+ * Where cells gather direct light: for each source one whose walks start at static cells, and one for each of the other
+ * cellParts(). Lights that shine mostly on near static cells have a source of their own, whose
  * walks start at the lights, see FirstHits. Walks are shared as among groups. About as many
  * walks start at cells as the plan has, if the light falls on static cells that reflect as all of them on average.
  */
