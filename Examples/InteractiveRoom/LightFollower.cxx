@@ -22,7 +22,9 @@ using Clock = std::chrono::steady_clock;
 constexpr double LeastBudget = 0.004; // s
 constexpr double SettleBudget = 0.05; // s
 
-// What moves has small cells, which few walks hit.
+// Where what moves has more cells than this, no step would be short in which each looks for its light by itself.
+constexpr vtkIdType MostGatheringCells = 20000;
+constexpr int GatherRays = 8;
 constexpr int SpreadPhotons = 100;
 
 // Few replicates know the error of a cell crudely, but the mean error of all cells well enough, and each of
@@ -37,6 +39,7 @@ LightFollower::LightFollower(const Room& room, int walks)
   {
     this->Filter->AddInputDataObject(0, still.Mesh);
   }
+  vtkIdType movingCells = 0;
   for (const MovingThing& moving : room.Moving)
   {
     const int thing = int(this->Poses.size());
@@ -44,11 +47,22 @@ LightFollower::LightFollower(const Room& room, int walks)
     this->Poses.back()->SetMatrix(moving.WorldFromMesh->GetMatrix());
     this->Filter->AddInputDataObject(1, moving.Mesh);
     this->Filter->SetDynamicTransform(thing, this->Poses.back());
+    movingCells += moving.Mesh->GetNumberOfCells();
   }
   this->Filter->SetNumberOfWalks(walks);
   this->Filter->SetRepairTimeBudget(SettleBudget);
-  this->Filter->SetCellEstimateToSpread();
-  this->Filter->SetNumberOfSpreadPhotons(SpreadPhotons);
+  // What moves has small cells, which few walks hit.
+  if (movingCells <= MostGatheringCells)
+  {
+    this->Filter->SetDirectLightToGathered();
+    this->Filter->SetCellEstimateToGathered();
+    this->Filter->SetNumberOfGatherRays(GatherRays);
+  }
+  else
+  {
+    this->Filter->SetCellEstimateToSpread();
+    this->Filter->SetNumberOfSpreadPhotons(SpreadPhotons);
+  }
   this->Filter->ComputeStandardErrorOn();
   this->Filter->SetNumberOfReplicates(Replicates);
   this->Filter->AddObserver(vtkCommand::ProgressEvent, this, &LightFollower::ReportProgress);
