@@ -24,7 +24,7 @@ constexpr double SettleBudget = 0.05; // s
 
 // Where what moves has more cells than this, no step would be short in which each looks for its light by itself.
 constexpr vtkIdType MostGatheringCells = 20000;
-constexpr int GatherRays = 8;
+constexpr int GatherRays = 4;
 constexpr int SpreadPhotons = 100;
 
 // Few replicates know the error of a cell crudely, but the mean error of all cells well enough, and each of

@@ -89,6 +89,10 @@ FrameChange IrradianceEngine::changeTo(
     sameLights = isValid_ && walks_.hasSources(sources);
     if (!sameLights)
     {
+      if (settings.gathersDirectLight)
+      {
+        addLamps(sources);
+      }
       walks_.setSources(std::move(sources));
     }
   }

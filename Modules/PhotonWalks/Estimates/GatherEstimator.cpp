@@ -42,7 +42,7 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
   const CellShapes shapes = shapesOf(from, cancelPoint);
   const std::deque<PointDirectLight> lights =
-    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
+    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit, kWeightsOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds }, lights,
     numberOfRays(), 1 / from.walks.watts(1.0), settings_.seed,

@@ -33,7 +33,8 @@ void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t 
   const std::uint32_t walks = set.source().plan.walksAfter(rounds);
   const std::uint32_t replicates = sums.plan().replicates().count();
   const double quantaPerWatt = static_cast<double>(lights.quantaPerWalk()) * walks / lights.flux();
-  const LampPieces lamps(lights);
+  const std::shared_ptr<const LampPieces> known = set.source().knownLamps();
+  const LampPieces& lamps = *known;
   const CellShapes shapes = gatheringAlone(scene);
   const GatherPlan plan(shapes, lamps,
     { walks, { kWalksPerSample, { scene.rays, scene.rays } }, replicates }, cancelPoint);

@@ -18,7 +18,8 @@ std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& 
     // The sets of dynamic cells have the same lights.
     if (!set.source().isDynamic() && !set.lights().isEmpty())
     {
-      lights.emplace_back(space, set.lights(), seed + lights.size(), samples, mostWeights);
+      lights.emplace_back(
+        space, set.source().knownLamps(), seed + lights.size(), samples, mostWeights);
     }
   }
   return lights;

@@ -15,6 +15,8 @@ namespace irradiance
 
 /// Of a point that a path hits, see lightsOf(): the path is one of many.
 constexpr std::uint32_t kSamplesOfHit = 4;
+/// Where lamps are many, to weigh more of them takes longer than it saves.
+constexpr std::size_t kWeightsOfHit = 64;
 
 /// Calls visit(Light) for each light of each set of walks.
 template <class Visit>

@@ -31,13 +31,13 @@ DirectLight& gathered(DirectLight& light, const GatherSpace& space, Execution& e
 }
 
 GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objects,
-  const LightTable& lights, const Settings& settings, Execution& execution)
+  const LampPieces& lamps, const Settings& settings, Execution& execution)
   : settings_(settings)
   , triangles_(space.triangles)
-  , lights_(lights)
-  , quantaPerWatt_(static_cast<double>(lights.quantaPerWalk()) * settings.walks / lights.flux())
-  , lamps_(lights)
-  , cells_(shapesOf(space, objects, lights, settings.part, cancelPointOf(execution, 0)))
+  , lamps_(lamps)
+  , quantaPerWatt_(
+      static_cast<double>(lamps.lights().quantaPerWalk()) * settings.walks / lamps.lights().flux())
+  , cells_(shapesOf(space, objects, lamps.lights(), settings.part, cancelPointOf(execution, 0)))
   , plan_(cells_, lamps_, { settings.walks, settings.density, settings.replicates },
       cancelPointOf(execution, 0))
   , light_(cells_, lamps_, plan_, settings.seed)
@@ -51,7 +51,7 @@ void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBloc
 {
   if (settings_.part.isStatic() && dealt.contains(0))
   {
-    for (const Light& light : lights_.lights())
+    for (const Light& light : lamps_.lights().lights())
     {
       for (std::size_t band = 0; band < light.flux.size(); ++band)
       {

@@ -33,7 +33,7 @@ public:
   };
 
   /// Gathers. The arguments must outlive it.
-  GatheredLight(const GatherSpace& space, const SceneObjects& objects, const LightTable& lights,
+  GatheredLight(const GatherSpace& space, const SceneObjects& objects, const LampPieces& lamps,
     const Settings& settings, Execution& execution);
   GatheredLight(const GatheredLight&) = delete;
   GatheredLight& operator=(const GatheredLight&) = delete;
@@ -64,9 +64,8 @@ private:
 
   Settings settings_;
   const SceneTriangles& triangles_;
-  const LightTable& lights_;
+  const LampPieces& lamps_;
   double quantaPerWatt_;
-  LampPieces lamps_;
   CellShapes cells_;
   GatherPlan plan_;
   DirectLight light_;

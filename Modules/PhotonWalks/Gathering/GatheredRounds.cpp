@@ -7,13 +7,13 @@ namespace irradiance
 {
 
 void GatheredRounds::append(const GatherSpace& space, const SceneObjects& objects,
-  const LightTable& lights, std::uint32_t walks, Execution& execution)
+  const LampPieces& lamps, std::uint32_t walks, Execution& execution)
 {
   const std::size_t round = rounds_.size();
   const std::uint64_t seed = round == 0 ? settings_.seed : splitMix(settings_.seed + round);
   const GatheredLight::Settings its{ settings_.part, walks, plan_.replicates().count(),
     settings_.quantaPerWalk, settings_.density, plan_.endWalk(), seed, round };
-  rounds_.push_back(std::make_unique<GatheredLight>(space, objects, lights, its, execution));
+  rounds_.push_back(std::make_unique<GatheredLight>(space, objects, lamps, its, execution));
   plan_.addRound(rounds_.back()->starts().size());
 }
 

@@ -38,7 +38,7 @@ public:
   }
 
   /// Gathers for a further round, in which so many `walks` divide the flux of the lights.
-  void append(const GatherSpace& space, const SceneObjects& objects, const LightTable& lights,
+  void append(const GatherSpace& space, const SceneObjects& objects, const LampPieces& lamps,
     std::uint32_t walks, Execution& execution);
   /// Adds what was gathered for a round.
   void addTo(const Totals& totals, std::size_t round, const CancelPoint& cancelPoint) const;

@@ -41,13 +41,14 @@ LampPiece measured(LampPiece piece)
 
 }
 
-LampPieces::LampPieces(const LightTable& lights)
-  : lights_(lights)
+LampPieces::LampPieces(LightTable lights)
+  : lights_(std::move(lights))
 {
-  for (std::uint32_t i = 0; i < lights.lights().size(); ++i)
+  for (std::uint32_t i = 0; i < lights_.lights().size(); ++i)
   {
-    LampPiece piece{ i, 1, lights[i].totalFlux(), {}, lights[i].bounds().center() };
-    if (const auto* const area = std::get_if<AreaLight>(&lights[i].kind))
+    const Light& light = lights_[i];
+    LampPiece piece{ i, 1, light.totalFlux(), {}, light.bounds().center() };
+    if (const auto* const area = std::get_if<AreaLight>(&light.kind))
     {
       piece.triangle = area->triangle;
       piece.normal = area->triangle.areaVector().normalized();

@@ -18,8 +18,7 @@ namespace irradiance
 class LampPieces
 {
 public:
-  /// The table must outlive it.
-  explicit LampPieces(const LightTable& lights);
+  explicit LampPieces(LightTable lights);
 
   const LightTable& lights() const { return lights_; }
   std::size_t size() const { return pieces_.size(); }
@@ -35,7 +34,7 @@ public:
 private:
   void cut(const LampPiece& piece, int times);
 
-  const LightTable& lights_;
+  LightTable lights_;
   std::vector<LampPiece> pieces_;
   LampTree tree_;
   Box centers_;

@@ -8,14 +8,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace irradiance
 {
 
-PointDirectLight::PointDirectLight(const GatherSpace& space, const LightTable& lights,
-  std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights)
+PointDirectLight::PointDirectLight(const GatherSpace& space,
+  std::shared_ptr<const LampPieces> lamps, std::uint64_t seed, std::uint32_t samples,
+  std::size_t mostWeights)
   : space_(space)
-  , lamps_(lights)
+  , lamps_(std::move(lamps))
   , seed_(seed)
   , samples_(samples)
   , mostWeights_(mostWeights)
@@ -54,14 +56,14 @@ PointDirectLight::Bands PointDirectLight::taken(
 double PointDirectLight::density(
   const LitPoint& point, const TriangleId& lamp, const Vector3& place) const
 {
-  const std::optional<std::uint32_t> light = lamps_.lightOn(lamp);
+  const std::optional<std::uint32_t> light = lamps_->lightOn(lamp);
   const std::vector<std::uint32_t> touching = lightsAt(point);
   if (!light || std::find(touching.begin(), touching.end(), *light) != touching.end())
   {
     return 0;
   }
-  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
-  const std::uint32_t piece = lamps_.pieceAt(*light, place);
+  const PointLampChoice choice(*lamps_, point, samples_, mostWeights_);
+  const std::uint32_t piece = lamps_->pieceAt(*light, place);
   const double samples = samples_ * choice.probabilityOf(piece);
   return samples > 0 ? samples / choice.seen(piece).solidAngle() : 0;
 }
@@ -81,7 +83,7 @@ void PointDirectLight::cast(const LitPoint& point, const std::vector<Arrival>& a
     const double perWatt = shadow.isFree ? arrivals[i].perWatt : 0;
     for (std::size_t band = 0; band < sum.size(); ++band)
     {
-      sum[band] += perWatt * lamps_.lights()[arrivals[i].light].flux[band];
+      sum[band] += perWatt * lamps_->lights()[arrivals[i].light].flux[band];
     }
     if (shadows)
     {
@@ -95,7 +97,7 @@ std::vector<std::uint32_t> PointDirectLight::lightsAt(const LitPoint& point) con
 {
   std::vector<std::uint32_t> lights;
   space_.contacts.forEachLampAt(point.on, [&](const TriangleId& id) {
-    if (const std::optional<std::uint32_t> light = lamps_.lightOn(id))
+    if (const std::optional<std::uint32_t> light = lamps_->lightOn(id))
     {
       lights.push_back(*light);
     }
@@ -109,7 +111,7 @@ void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std:
 {
   for (const std::uint32_t light : lights)
   {
-    const AreaLight& area = std::get<AreaLight>(lamps_.lights()[light].kind);
+    const AreaLight& area = std::get<AreaLight>(lamps_->lights()[light].kind);
     const Vector3 weights = weightsInPlane(area.triangle, point.position);
     const SurfacePoint start = surfacePoint(area.triangle, weights.cwiseMax(0));
     const bool isOn = weights.minCoeff() >= 0 && point.normal.dot(start.normal) < 0;
@@ -125,13 +127,13 @@ void PointDirectLight::addSamples(const LitPoint& point, const Part& part, std::
   std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
   std::vector<Arrival>& arrivals) const
 {
-  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
+  const PointLampChoice choice(*lamps_, point, samples_, mostWeights_);
   const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
   for (std::uint32_t i = 0; i < samples_ && !choice.isEmpty(); ++i)
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(share * samples_ + i, keys);
     const LampChoice::Choice chosen = choice.choose(u[0]);
-    const LampPiece& lamp = lamps_[chosen.piece];
+    const LampPiece& lamp = (*lamps_)[chosen.piece];
     if (std::find(touching.begin(), touching.end(), lamp.light) == touching.end())
     {
       const double samples = chosen.probability * samples_;
@@ -151,7 +153,7 @@ PointDirectLight::Arrival PointDirectLight::from(const LampPiece& lamp,
   const SphericalTriangle& seen, const LitPoint& point, const Part& part, double samples,
   const std::array<double, 2>& onLamp) const
 {
-  const Light& light = lamps_.lights()[lamp.light];
+  const Light& light = lamps_->lights()[lamp.light];
   if (const auto* const inAir = std::get_if<PointLight>(&light.kind))
   {
     const Vector3 along = point.position - inAir->position();

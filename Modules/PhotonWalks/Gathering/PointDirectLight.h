@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace irradiance
@@ -29,8 +30,8 @@ public:
 
   /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two. `mostWeights`: see
   /// LampChoice.
-  PointDirectLight(const GatherSpace& space, const LightTable& lights, std::uint64_t seed,
-    std::uint32_t samples = 64, std::size_t mostWeights = LampChoice::kMost);
+  PointDirectLight(const GatherSpace& space, std::shared_ptr<const LampPieces> lamps,
+    std::uint64_t seed, std::uint32_t samples = 64, std::size_t mostWeights = LampChoice::kMost);
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 
@@ -89,7 +90,7 @@ private:
   Shadow shadowOf(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
 
   GatherSpace space_;
-  LampPieces lamps_;
+  std::shared_ptr<const LampPieces> lamps_;
   std::uint64_t seed_;
   std::uint32_t samples_;
   std::size_t mostWeights_;

@@ -20,8 +20,7 @@ ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes,
   : engine_(engine)
   , sums_(engine.walks(), engine.objects(), execution)
   , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
-      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit,
-      asksOnLobes ? kWeightsOnLobe : LampChoice::kMost))
+      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit, asksOnLobes ? kWeightsOnLobe : kWeightsOfHit))
   , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes,
     CellRoles(
       engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small),

@@ -95,8 +95,8 @@ void WalkSet::beginRound(bool isStored, const WalkSpace& space, Execution& execu
   if (gathered_)
   {
     const WalkRound& walks = source_.plan.rounds()[round];
-    gathered_->append(
-      space.gatherSpace(), space.objects, lights(), walks.endWalk - walks.firstWalk, beginning);
+    gathered_->append(space.gatherSpace(), space.objects, *source_.lamps,
+      walks.endWalk - walks.firstWalk, beginning);
     history_.extend(plan());
     sums_.setRounds(plan(), cancelPoint);
     gathered_->addTo(totals(), round, cancelPoint);

@@ -165,4 +165,17 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
   return all;
 }
 
+void addLamps(std::vector<WalkSource>& sources)
+{
+  std::shared_ptr<const LampPieces> lamps;
+  for (WalkSource& source : sources)
+  {
+    if (!source.isDynamic())
+    {
+      lamps = std::make_shared<const LampPieces>(source.lights);
+    }
+    source.lamps = lamps;
+  }
+}
+
 }

@@ -6,6 +6,7 @@
 #include "Lights/LightTable.h"
 #include "Sampling/WalkPlan.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,10 +23,15 @@ struct WalkSource
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
   std::int64_t quantaPerStart = 0;
-  GatherPlan::Density density; ///< of the samples of cells
+  GatherPlan::Density density;             ///< of the samples of cells
+  std::shared_ptr<const LampPieces> lamps; ///< of the lights, if addLamps() made them
 
   /// Whether walks start at dynamic cells. Those at static ones have the same lights.
   bool isDynamic() const { return cells && !cells->isStatic(); }
+  std::shared_ptr<const LampPieces> knownLamps() const
+  {
+    return lamps ? lamps : std::make_shared<const LampPieces>(lights);
+  }
   /// With which a walk starts, in all bands together.
   std::int64_t quantaPerWalk() const { return cells ? quantaPerStart : lights.quantaPerWalk(); }
 
@@ -56,6 +62,9 @@ std::vector<WalkSource> sourcesOf(
  */
 std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
   const std::vector<WalkSource>& sources, const FewestSamples& fewestSamples);
+
+/// Makes the lights of sources known to what asks them: it takes a while, and once for all parts of the cells is enough.
+void addLamps(std::vector<WalkSource>& sources);
 
 }
 
