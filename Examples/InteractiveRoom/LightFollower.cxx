@@ -47,6 +47,7 @@ LightFollower::LightFollower(const Room& room, int walks)
   }
   this->Filter->SetNumberOfWalks(walks);
   this->Filter->SetRepairTimeBudget(SettleBudget);
+  this->Filter->SetDirectLightToShot(); // to gather again in each frame would take longer
   this->Filter->SetCellEstimateToSpread();
   this->Filter->SetNumberOfSpreadPhotons(SpreadPhotons);
   this->Filter->ComputeStandardErrorOn();

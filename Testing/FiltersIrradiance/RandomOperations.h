@@ -57,7 +57,7 @@ inline void ChangeOutput(Trial& t)
 /// An estimate from the nearest photons ends what it excludes.
 inline void ChangeEstimate(Trial& t)
 {
-  t.Set().CellEstimate = t.Random.Below(4);
+  t.Set().CellEstimate = t.Random.Below(5);
   t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
   t.Set().NumberOfGatherRays = 1 << t.Random.Below(6);
   t.Set().GatherOn = t.Random.Below(3);
@@ -72,7 +72,7 @@ inline void ChangeEstimate(Trial& t)
 
 inline void ChangeDirectLight(Trial& t)
 {
-  t.Set().DirectLight = t.Random.Below(2);
+  t.Set().DirectLight = t.Random.Below(3);
   t.Apply();
 }
 
