@@ -75,7 +75,6 @@ public:
   irradiance::DynamicPoses Poses;
   irradiance::DistributedInput Pieces;
   irradiance::SceneReader Scene;
-  irradiance::AutomaticChoice Choice;
   std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
@@ -668,7 +667,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   {
     CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
   }
-  this->Choice.make(LeftToSceneBy(filter), this->Scene.objects(), settings, settings, reading);
+  irradiance::chooseByScene(LeftToSceneBy(filter), this->Scene.objects(), settings, settings);
   KeepWhatIsRead(settings, request, walksWriter.isAsked(), ranks);
   this->Engine->update(this->Scene.objects(), settings, execution);
   if (this->Engine->reachedRelativeError() > settings.targetRelativeError)

@@ -6,6 +6,7 @@
 
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <limits>
 
 /// What else users do to a filter, and the table of all operations.
@@ -81,7 +82,8 @@ inline void ChangeTarget(Trial& t)
   static const int replicates[] = { 2, 5, 16, 40 };
   t.Set().NumberOfReplicates = replicates[t.Random.Below(4)];
   t.Set().TargetRelativeError = Chance(t.Random, 2) ? t.Random.Between(0.2, 1) : 0;
-  t.Set().MaximumNumberOfWalks = 3000 + t.Random.Below(4000);
+  t.Set().MaximumNumberOfWalks =
+    std::max<vtkIdType>(3000, t.Set().NumberOfWalks) + t.Random.Below(4000);
   ApplyBeforeEstimate(t);
 }
 

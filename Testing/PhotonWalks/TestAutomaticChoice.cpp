@@ -2,6 +2,7 @@
 // Each rule of the choice alone, at its limit.
 
 #include "Estimates/AutomaticChoice.h"
+#include "FinalGather/CellRoles.h"
 #include "TestScenes.h"
 #include "Walks/WalkSettings.h"
 
@@ -19,13 +20,12 @@ struct Settings
   EstimateSettings estimate;
 };
 
-/// That direct light may be gathered, and so many rays that a cell expects 32 photons where there are four rays a walk.
+/// That direct light may be gathered.
 Settings settingsOf(std::uint32_t walks)
 {
   Settings settings;
   settings.walks.numberOfWalks = walks;
   settings.walks.gathersDirectLight = true;
-  settings.estimate.gatherRays = 64;
   return settings;
 }
 
@@ -33,7 +33,7 @@ constexpr LeftToScene kAll{ true, true };
 
 Settings chosen(const SceneObjects& objects, Settings settings, const LeftToScene& left = kAll)
 {
-  AutomaticChoice().make(left, objects, settings.walks, settings.estimate);
+  chooseByScene(left, objects, settings.walks, settings.estimate);
   return settings;
 }
 
@@ -43,7 +43,7 @@ void expectChoice(const Settings& settings, CellEstimate estimate, bool gathersD
   EXPECT_EQ(settings.walks.gathersDirectLight, gathersDirectLight);
 }
 
-/// 54 cells of the same area. `specular`: of its cells.
+/// 54 cells. `specular`: of its cells.
 ObjectBuilder room(double specular = 0)
 {
   ObjectBuilder builder;
@@ -53,26 +53,57 @@ ObjectBuilder room(double specular = 0)
   return builder;
 }
 
-/// A rectangle of n x n cells and of this area, m2.
-SceneObject rectangle(int n, double area, const AffineMap& worldFromObject = {})
+/// n x n cells.
+SceneObject sheet(int n)
 {
   ObjectBuilder builder;
-  builder.addQuad({ 0, 0, 0 }, { area, 0, 0 }, { 0, 1, 0 }, n, n, grey(0.5));
-  return builder.build(worldFromObject);
+  builder.addQuad({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, n, n, grey(0.5));
+  return builder.build();
 }
 
 }
 
-// 2 x 64 rays a cell.
-TEST(AutomaticChoice, TakesAtMostFourRaysForEachWalk)
+// From both sides of a cell.
+TEST(AutomaticChoice, TakesAtMostOneRayForEachWalk)
 {
   const SceneObjects objects{ room().build(), {} };
-  expectChoice(chosen(objects, settingsOf(54 * 32)), CellEstimate::Gathered, true);
-  expectChoice(chosen(objects, settingsOf(54 * 32 - 1)), CellEstimate::Sums, true);
+  for (const std::uint32_t rays : { 32u, 100u })
+  {
+    Settings enough = settingsOf(54 * 2 * rays), few = settingsOf(54 * 2 * rays - 1);
+    enough.estimate.gatherRays = few.estimate.gatherRays = rays;
+    expectChoice(chosen(objects, enough), CellEstimate::Gathered, true);
+    expectChoice(chosen(objects, few), CellEstimate::Sums, true);
+  }
 }
 
-// Four samples a cell.
-TEST(AutomaticChoice, TakesAtMostFourSamplesForEachWalk)
+// However few rays there are, they have to find something to read.
+TEST(AutomaticChoice, TakesFiftyWalksForEachCell)
+{
+  const SceneObjects objects{ room().build(), {} };
+  Settings enough = settingsOf(54 * 50), few = settingsOf(54 * 50 - 1);
+  enough.estimate.gatherRays = few.estimate.gatherRays = 1;
+  expectChoice(chosen(objects, enough), CellEstimate::Gathered, true);
+  expectChoice(chosen(objects, few), CellEstimate::Sums, true);
+}
+
+// What no ray reads is at most half of the area, here of one large cell and 64 small ones.
+TEST(AutomaticChoice, ReadsHalfOfTheArea)
+{
+  const double walks = kFewestWalksOfCell * 65;
+  for (const double small : { 0.1, 0.5, 1.0, 1.01, 1.5, 10.0 })
+  {
+    ObjectBuilder builder;
+    builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, 1, grey(0.5));
+    builder.addQuad({ 0, 0, 1 }, { small, 0, 0 }, { 0, 1, 0 }, 8, 8, grey(0.5));
+    SceneCells cells;
+    cells.update({ builder.build(), {} }, {});
+    const CellRoles roles(cells, walks, 32, GatherOn::Small);
+    EXPECT_TRUE(roles.isRead({ 0, 0 }));
+    EXPECT_TRUE(roles.isRead({ 0, 1 }) || small <= 1) << small;
+  }
+}
+
+TEST(AutomaticChoice, GathersDirectLightOfAsManyCellsAsWalks)
 {
   const SceneObjects objects{ room().build(), {} };
   expectChoice(chosen(objects, settingsOf(54)), CellEstimate::Sums, true);
@@ -98,17 +129,6 @@ TEST(AutomaticChoice, KnowsPointLightsBesideGloss)
     expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)),
       specular > 0 ? CellEstimate::Sums : CellEstimate::Gathered, true);
   }
-}
-
-// A cell is read if it expects 25 photons: here one large cell, and 64 small ones that expect 23.
-TEST(AutomaticChoice, ReadsHalfOfTheArea)
-{
-  const auto objects = [](double small) {
-    return SceneObjects{ rectangle(1, 1), { rectangle(8, small) } };
-  };
-  expectChoice(chosen(objects(1), settingsOf(3000)), CellEstimate::Gathered, true);
-  expectChoice(chosen(objects(1 + 0x1p-20), settingsOf(3000)), CellEstimate::Sums, true);
-  expectChoice(chosen(objects(1 + 0x1p-20), settingsOf(3400)), CellEstimate::Gathered, true);
 }
 
 TEST(AutomaticChoice, HasNothingToReadWithoutBias)
@@ -137,11 +157,11 @@ TEST(AutomaticChoice, KeepsWhatIsAskedFor)
 // What is away has no cells, as if it had never been there.
 TEST(AutomaticChoice, CountsWhatIsThere)
 {
-  SceneObjects objects{ room().build(), { rectangle(20, 1000) } };
-  expectChoice(chosen(objects, settingsOf(2000)), CellEstimate::Sums, true);
+  SceneObjects objects{ room().build(), { sheet(20) } };
+  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Sums, true);
   expectChoice(chosen(objects, settingsOf(300)), CellEstimate::Sums, false);
   objects.dynamicObjects[0].isPresent = false;
-  expectChoice(chosen(objects, settingsOf(2000)), CellEstimate::Gathered, true);
+  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Gathered, true);
   expectChoice(chosen(objects, settingsOf(300)), CellEstimate::Sums, true);
 }
 
@@ -159,24 +179,10 @@ TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
 TEST(AutomaticChoice, IsThatOfTheWalksToBeginWith)
 {
   const SceneObjects objects{ room().build(), {} };
-  Settings settings = settingsOf(54);
+  Settings settings = settingsOf(2000);
   settings.walks.targetRelativeError = 0.05;
   settings.walks.replicates = 16;
   expectChoice(chosen(objects, settings), CellEstimate::Sums, true);
-}
-
-// Frame by frame as at first: a part that grows, and shrinks again.
-TEST(AutomaticChoice, DoesNotRememberFrames)
-{
-  AutomaticChoice choice;
-  for (const double scale : { 1.0, 1.05, 1.0, 1.05 })
-  {
-    const SceneObjects objects{ rectangle(1, 1),
-      { rectangle(8, 1, { scale * Matrix3::Identity(), { 0, 0, 1 } }) } };
-    Settings settings = settingsOf(3000);
-    choice.make(kAll, objects, settings.walks, settings.estimate);
-    expectChoice(settings, scale == 1 ? CellEstimate::Gathered : CellEstimate::Sums, true);
-  }
 }
 
 }

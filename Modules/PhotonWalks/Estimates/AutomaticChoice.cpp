@@ -5,8 +5,12 @@
 #include "FinalGather/PathLights.h"
 #include "Walks/WalkSettings.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
+
+static_assert(kFewestWalksOfCell >= 2 * CellRoles::kFewestToRead);
 
 namespace
 {
@@ -24,36 +28,22 @@ double countCells(const SceneObjects& objects)
 
 }
 
-void AutomaticChoice::make(const LeftToScene& left, const SceneObjects& objects,
-  WalkSettings& walks, EstimateSettings& estimate, const CancelPoint& cancelPoint)
+void chooseByScene(const LeftToScene& left, const SceneObjects& objects, WalkSettings& walks,
+  EstimateSettings& estimate)
 {
-  const double cells = countCells(objects), most = kMostForWalk * walks.numberOfWalks;
+  const double cells = countCells(objects);
   if (left.cellEstimate)
   {
-    // What costs most to find out comes last: no areas are measured of huge meshes.
-    const bool pays = walks.gathersDirectLight && 2.0 * estimate.gatherRays * cells <= most &&
-      !unseenLight(objects) && isToBeRead(objects, walks, estimate, cancelPoint);
+    const double walksOfCell = std::max(2.0 * estimate.gatherRays, kFewestWalksOfCell);
+    const bool pays = walks.gathersDirectLight && !estimate.unbiasedGather &&
+      cells * walksOfCell <= walks.numberOfWalks && !unseenLight(objects);
     estimate.cellEstimate = pays ? CellEstimate::Gathered : CellEstimate::Sums;
   }
   if (left.directLight)
   {
     walks.gathersDirectLight =
-      estimate.cellEstimate == CellEstimate::Gathered || walks.fewestSamples.small * cells <= most;
+      estimate.cellEstimate == CellEstimate::Gathered || cells <= walks.numberOfWalks;
   }
-}
-
-bool AutomaticChoice::isToBeRead(const SceneObjects& objects, const WalkSettings& walks,
-  const EstimateSettings& estimate, const CancelPoint& cancelPoint)
-{
-  cells_.update(objects, cancelPoint);
-  const CellRoles roles(
-    cells_, walks.numberOfWalks, estimate.gatherRays, estimate.gatherOn, !estimate.unbiasedGather);
-  double area = 0, read = 0;
-  cells_.numbers().forEach([&](const SceneCell& cell) {
-    area += cells_.area(cell);
-    read += roles.isRead(cell) ? cells_.area(cell) : 0;
-  });
-  return read >= kLeastRead * area;
 }
 
 }

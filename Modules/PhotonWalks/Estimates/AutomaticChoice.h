@@ -3,8 +3,7 @@
 #define irradiance_AutomaticChoice_h
 
 #include "Estimates/CellEstimate.h"
-#include "Progress/CancelPoint.h"
-#include "Surfaces/SceneCells.h"
+#include "Surfaces/SceneObjects.h"
 
 namespace irradiance
 {
@@ -16,39 +15,27 @@ struct LeftToScene
   bool cellEstimate = false;
 };
 
+/// Gather rays pay if the average cell expects this number of photons: cells with so few that no ray reads them, see
+/// CellRoles::isRead(), are then at most half of the area, however different cells are.
+constexpr double kFewestWalksOfCell = 50;
+
 /**
  * Chooses what is left to the scene of a frame: to gather wherever that pays.
  *
- * The cell estimate is Gathered unless one of these forbids it, and else Sums:
- * - direct light is to be shot;
- * - the rays of all cells are more than kMostForWalk for each walk: fine meshes with few walks;
- * - a point light is unseen, see unseenLight();
- * - less than kLeastRead of the area is of cells that rays can read: paths would go on for long.
+ * The cell estimate is Gathered, else Sums, if
+ * - direct light may be gathered, and rays read what walks brought (no `unbiasedGather`);
+ * - the rays of both sides of all cells are no more than the walks, so that they take about as long, and there are
+ *   kFewestWalksOfCell walks for each cell;
+ * - no point light is unseen, see unseenLight().
  *
- * Direct light is gathered if the estimate is Gathered, or if the fewest samples of all cells are at most kMostForWalk
- * for each walk.
+ * Direct light is gathered if the estimate is Gathered, or if there are no more cells than walks.
  *
- * It follows from the settings and the frame alone, never from what was shot: so an update chooses as a fresh start
- * does. Rigid motion changes none of it.
+ * This follows from the settings and the frame alone, never from what was shot: so an update chooses as a fresh start
+ * does. No motion changes it, but a part that comes or goes may. `walks` and `estimate` hold all that is asked for, and
+ * take what is chosen; `gathersDirectLight` tells whether that may be, if it is left.
  */
-class AutomaticChoice
-{
-public:
-  /// Rays, or samples, for each walk. One costs about as much as a segment of a walk.
-  static constexpr double kMostForWalk = 4;
-  static constexpr double kLeastRead = 0.5;
-
-  /// Sets what is left in `walks` and `estimate`. There `gathersDirectLight` tells whether direct light may be gathered,
-  /// or has to be.
-  void make(const LeftToScene& left, const SceneObjects& objects, WalkSettings& walks,
-    EstimateSettings& estimate, const CancelPoint& cancelPoint = {});
-
-private:
-  bool isToBeRead(const SceneObjects& objects, const WalkSettings& walks,
-    const EstimateSettings& estimate, const CancelPoint& cancelPoint);
-
-  SceneCells cells_; ///< of the last frame in which areas mattered
-};
+void chooseByScene(const LeftToScene& left, const SceneObjects& objects, WalkSettings& walks,
+  EstimateSettings& estimate);
 
 }
 
