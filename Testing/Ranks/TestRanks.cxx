@@ -74,6 +74,7 @@ TEST(Ranks, BringTheBitsOfOne)
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {
     filter->SetDirectLightToAutomatic();
     filter->SetCellEstimateToAutomatic();
+    filter->SetNumberOfWalks(11000); // enough for rays
   });
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {
     filter->SetComputeStandardError(true);
