@@ -152,6 +152,7 @@ vtkSmartPointer<vtkIrradianceFilter> MakeLight(
   light->SetDefaultDiffuseReflectance(0.2); // of the parts' coating
   light->SetNumberOfWalks(walks);
   light->ComputeStandardErrorOn();
+  light->SetDirectLightToShot(); // all parts move: each would gather anew at each time
   if (options.Spread > 0)
   {
     light->SetCellEstimateToSpread();

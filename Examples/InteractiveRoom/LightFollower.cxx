@@ -3,6 +3,7 @@
 
 #include "VtkErrors.h"
 
+#include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
@@ -22,14 +23,34 @@ using Clock = std::chrono::steady_clock;
 constexpr double LeastBudget = 0.004; // s
 constexpr double SettleBudget = 0.05; // s
 
-// Where what moves has more cells than this, no step would be short in which each looks for its light by itself.
-constexpr vtkIdType MostGatheringCells = 20000;
 constexpr int GatherRays = 4;
 constexpr int SpreadPhotons = 100;
 
 // Few replicates know the error of a cell crudely, but the mean error of all cells well enough, and each of
 // them costs time in every step.
 constexpr int Replicates = 4;
+
+// Whether small cells look for their light by themselves. Where many cells move no step would be short; and rays do
+// not know how shiny cells reflect the light of points.
+bool ShouldGather(const Room& room)
+{
+  constexpr vtkIdType most = 20000;
+  vtkIdType cells = 0;
+  bool hasPoints = false;
+  const auto look = [&](vtkPolyData* mesh) {
+    hasPoints = hasPoints || mesh->GetCellData()->HasArray("RadiantFlux");
+  };
+  for (const StillThing& still : room.Still)
+  {
+    look(still.Mesh);
+  }
+  for (const MovingThing& moving : room.Moving)
+  {
+    look(moving.Mesh);
+    cells += moving.Mesh->GetNumberOfCells();
+  }
+  return cells <= most && !hasPoints;
+}
 
 }
 
@@ -39,7 +60,6 @@ LightFollower::LightFollower(const Room& room, int walks)
   {
     this->Filter->AddInputDataObject(0, still.Mesh);
   }
-  vtkIdType movingCells = 0;
   for (const MovingThing& moving : room.Moving)
   {
     const int thing = int(this->Poses.size());
@@ -47,12 +67,11 @@ LightFollower::LightFollower(const Room& room, int walks)
     this->Poses.back()->SetMatrix(moving.WorldFromMesh->GetMatrix());
     this->Filter->AddInputDataObject(1, moving.Mesh);
     this->Filter->SetDynamicTransform(thing, this->Poses.back());
-    movingCells += moving.Mesh->GetNumberOfCells();
   }
   this->Filter->SetNumberOfWalks(walks);
   this->Filter->SetRepairTimeBudget(SettleBudget);
   // What moves has small cells, which few walks hit.
-  if (movingCells <= MostGatheringCells)
+  if (ShouldGather(room))
   {
     this->Filter->SetDirectLightToGathered();
     this->Filter->SetCellEstimateToGathered();
@@ -60,6 +79,7 @@ LightFollower::LightFollower(const Room& room, int walks)
   }
   else
   {
+    this->Filter->SetDirectLightToShot();
     this->Filter->SetCellEstimateToSpread();
     this->Filter->SetNumberOfSpreadPhotons(SpreadPhotons);
   }

@@ -170,9 +170,7 @@ int main(int argc, char*[])
   irradiance->AddInputDataObject(0, lamp);                  // cell array "RadiantExitance", W/m2
   irradiance->AddInputConnection(1, ball->GetOutputPort()); // what moves, in model coordinates
   irradiance->SetDynamicTransform(0, worldFromBall);
-  irradiance->SetDirectLightToGathered();  // each cell looks for the lamp,
-  irradiance->SetCellEstimateToGathered(); // and for indirect light by rays,
-  irradiance->SetGatherOnToAllCells();     // not only where cells are small: no grain
+  irradiance->SetGatherOnToAllCells(); // not only small cells look for indirect light: no grain
 
   // The first update shoots a million photon walks. The others shoot again only what the ball has
   // changed; their result is the same, bit for bit, as if all were shot again.

@@ -152,9 +152,7 @@ def main():
     irradiance.AddInputDataObject(0, lamp)
     irradiance.AddInputConnection(1, ball.GetOutputPort())  # what moves, in model coordinates
     irradiance.SetDynamicTransform(0, world_from_ball)
-    irradiance.SetDirectLightToGathered()  # each cell looks for the lamp,
-    irradiance.SetCellEstimateToGathered()  # and for indirect light by rays,
-    irradiance.SetGatherOnToAllCells()  # not only where cells are small: no grain
+    irradiance.SetGatherOnToAllCells()  # not only small cells look for indirect light: no grain
 
     # The first update shoots a million photon walks. The others shoot again only what the ball has changed;
     # their result is the same, bit for bit, as if all were shot again.

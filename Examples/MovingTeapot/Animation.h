@@ -43,6 +43,7 @@ public:
     this->Light->AddInputDataObject(1, scene.Teapot);
     this->Light->SetDynamicTransform(0, this->RoomFromTeapot);
     this->Light->SetNumberOfWalks(options.Walks);
+    this->Light->SetDirectLightToShot(); // as in the paper
     this->Light->SetTraversalMode(options.TraversalMode);
     this->Light->SetCacheStaticHits(cacheStaticHits);
     this->Light->AddObserver(vtkCommand::ProgressEvent, this, &Animation::ShowProgress);

@@ -246,6 +246,7 @@ void Run(const Options& options)
   light->AddInputDataObject(0, lamp);
   light->AddInputDataObject(1, teapot);
   light->SetDynamicTransform(0, worldFromTeapot);
+  light->SetDirectLightToShot();    // walks that begin at the lamp are easier to look at
   light->SetCellEstimateToSpread(); // the teapot's cells are small
   light->SetNumberOfWalks(options.Walks);
   light->SetNumberOfOutputWalks(options.Shown); // on output port 1

@@ -2,6 +2,7 @@
 #include "vtkIrradianceFilter.h"
 
 #include "Data/ArrayNames.h"
+#include "Estimates/AutomaticChoice.h"
 #include "Execution/ProgressSpan.h"
 #include "FinalGather/PathLights.h"
 #include "Input/ChosenArrays.h"
@@ -136,6 +137,13 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
   }
 }
 
+irradiance::LeftToScene LeftToSceneBy(vtkIrradianceFilter* filter)
+{
+  return { filter->GetDirectLight() == vtkIrradianceFilter::AutomaticDirectLight,
+    filter->GetCellEstimate() == vtkIrradianceFilter::AutomaticEstimate };
+}
+
+/// With what is possible where a property is left to the scene.
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
   constexpr vtkIdType mostSpreadPhotons = 1000000, mostGatherRays = 4096;
@@ -159,9 +167,11 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.verify = filter->GetUpdateMode() == vtkIrradianceFilter::Verify;
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
-  settings.gathersDirectLight = filter->GetDirectLight() == vtkIrradianceFilter::Gathered;
+  settings.gathersDirectLight = filter->GetDirectLight() != vtkIrradianceFilter::Shot;
   settings.repairTimeBudget = budget;
-  settings.cellEstimate = static_cast<irradiance::CellEstimate>(filter->GetCellEstimate());
+  settings.cellEstimate = LeftToSceneBy(filter).cellEstimate
+    ? irradiance::CellEstimate::Sums
+    : static_cast<irradiance::CellEstimate>(filter->GetCellEstimate());
   settings.spreadPhotons =
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   settings.gatherRays =
@@ -195,6 +205,25 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, i);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+  }
+}
+
+/// Has walks stored, and whole on each rank, for filters that read their photons. Throws InputError.
+void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* request,
+  bool areWalksShown, const irradiance::Ranks& ranks)
+{
+  settings.allOnEachRank = irradiance::needsPhotons(settings.cellEstimate) ||
+    irradiance::arePhotonsRequested(request) ||
+    (irradiance::areSidesRequested(request) && !settings.keepsSides());
+  settings.keepPhotons = settings.allOnEachRank || areWalksShown;
+  settings.listRepaired = areWalksShown;
+  if (settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral())
+  {
+    throw irradiance::InputError("RepairTimeBudget is " +
+      irradiance::text(settings.repairTimeBudget) + ", but there are " +
+      std::to_string(ranks.count()) +
+      " processes, and each of them would repair other photons for vtkIrradianceProbeFilter or "
+      "vtkOutgoingRadianceFilter: set it to 0, or let SeparateSides be on if these gather");
   }
 }
 
@@ -618,20 +647,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
       filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
     inputs.Static, inputs.Dynamic);
-  settings.allOnEachRank = irradiance::needsPhotons(settings.cellEstimate) ||
-    irradiance::arePhotonsRequested(request) ||
-    (irradiance::areSidesRequested(request) && !settings.keepsSides());
-  settings.keepPhotons = settings.allOnEachRank || walksWriter.isAsked();
-  settings.listRepaired = walksWriter.isAsked();
   ranks.expectSame(walksWriter.hash(), "other output walks than on the first process");
-  if (settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral())
-  {
-    throw irradiance::InputError("RepairTimeBudget is " +
-      irradiance::text(settings.repairTimeBudget) + ", but there are " +
-      std::to_string(ranks.count()) +
-      " processes, and each of them would repair other photons for vtkIrradianceProbeFilter or "
-      "vtkOutgoingRadianceFilter: set it to 0, or let SeparateSides be on if these gather");
-  }
   irradiance::SmpExecution execution = irradiance::executionOf(filter, &ranks);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
   {
@@ -651,6 +667,8 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   {
     CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
   }
+  irradiance::chooseByScene(LeftToSceneBy(filter), this->Scene.objects(), settings, settings);
+  KeepWhatIsRead(settings, request, walksWriter.isAsked(), ranks);
   this->Engine->update(this->Scene.objects(), settings, execution);
   if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
   {

@@ -76,8 +76,9 @@ public:
   /// How the light gets to be known that comes straight from the lights.
   enum DirectLights
   {
-    Shot = 0,    ///< walks start at the lights, and bring it
-    Gathered = 1 ///< each cell looks for the lights, and walks start where it sees them
+    Shot = 0,                ///< walks start at the lights, and bring it
+    Gathered = 1,            ///< each cell looks for the lights, and walks start where it sees them
+    AutomaticDirectLight = 2 ///< "Automatic": one of these, by the scene
   };
 
   /// From which photons the irradiance of a cell is estimated.
@@ -87,7 +88,8 @@ public:
     Spread = 1,  ///< small cells: also the photons in the cells around it
     Nearest = 2, ///< small cells: the photons nearest to their middles
     FinalGather =
-      3 ///< "Gathered". Small cells: what rays from them find on the cells that they hit
+      3, ///< "Gathered". Small cells: what rays from them find on the cells that they hit
+    AutomaticEstimate = 4 ///< "Automatic": "Gathered" or Sums, by the scene
   };
 
   /// Which cells look for their indirect light with the estimate Gathered.
@@ -286,8 +288,9 @@ public:
   ///@{
   /**
    * See DirectLights, and "Shot or gathered" in the Guide. Both have the same mean. Gathered is less noisy in the
-   * same time where cells are many and the lights shine freely on them, the more so the less is reflected. Lamps very
-   * near to large cells want Shot. An update still equals a new filter's result, bit for bit. Photons are then those of
+   * same time where the lights shine freely on the cells, the more so the less is reflected. Lamps very
+   * near to large cells want Shot. Automatic is Gathered with CellEstimate Gathered, and where there are no more cells than
+   * walks, else Shot; the field `DirectLight` of the output says what it is. An update still equals a new filter's result, bit for bit. Photons are then those of
    * indirect light: what reads them adds the direct light that cells, or sensors, gather.
    *
    * Standard errors are those of both parts; where a cell takes fewer than 64 samples for its direct light, the
@@ -295,12 +298,13 @@ public:
    * equals `AbsorbedPower` + `EscapedPower`, but how these divide is then an estimate as well: in a closed scene
    * `EscapedPower` is zero only within the noise, and may be negative. About `NumberOfWalks` walks
    * start, if the light falls on cells that reflect as static ones do on average. Changing it shoots everything again.
-   * Default Shot.
+   * Default Automatic.
    */
-  vtkSetClampMacro(DirectLight, int, Shot, Gathered);
+  vtkSetClampMacro(DirectLight, int, Shot, AutomaticDirectLight);
   vtkGetMacro(DirectLight, int);
   void SetDirectLightToShot() { this->SetDirectLight(Shot); }
   void SetDirectLightToGathered() { this->SetDirectLight(Gathered); }
+  void SetDirectLightToAutomatic() { this->SetDirectLight(AutomaticDirectLight); }
   ///@}
 
   ///@{
@@ -308,18 +312,21 @@ public:
    * See CellEstimates, and "Small cells" in the Guide. Spread conserves the power on each connection and
    * trades noise for blur. Nearest excludes ComputeStandardError, TargetRelativeError and
    * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
-   * DirectLight Gathered; a point light beside cells with a SpecularReflectance is an error. With ComputeStandardError the
+   * DirectLight Gathered or Automatic; a point light beside cells with a SpecularReflectance is an error. Automatic is
+   * Gathered where that pays, else Sums: it takes a DirectLight other than Shot, no such point light, no UnbiasedGather, and
+   * for each cell 50 of NumberOfWalks and two for each of NumberOfGatherRays (so 64). The field `CellEstimate` of the output says what it is. With ComputeStandardError the
    * fields `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the cells that gather is
    * expected to be too large, as rays take cells for evenly lit; NaN where none gathers, or receives anything. Changing it
    * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to
-   * Gathered. Default Sums.
+   * Gathered. Default Automatic.
    */
-  vtkSetClampMacro(CellEstimate, int, Sums, FinalGather);
+  vtkSetClampMacro(CellEstimate, int, Sums, AutomaticEstimate);
   vtkGetMacro(CellEstimate, int);
   void SetCellEstimateToSums() { this->SetCellEstimate(Sums); }
   void SetCellEstimateToSpread() { this->SetCellEstimate(Spread); }
   void SetCellEstimateToNearest() { this->SetCellEstimate(Nearest); }
   void SetCellEstimateToGathered() { this->SetCellEstimate(FinalGather); }
+  void SetCellEstimateToAutomatic() { this->SetCellEstimate(AutomaticEstimate); }
   ///@}
 
   ///@{
@@ -498,8 +505,8 @@ protected:
   int UpdateMode = Verify;
   vtkTypeBool CacheStaticHits = 0;
   vtkTypeBool SeparateSides = 0;
-  int DirectLight = Shot;
-  int CellEstimate = Sums;
+  int DirectLight = AutomaticDirectLight;
+  int CellEstimate = AutomaticEstimate;
   int NumberOfSpreadPhotons = 250;
   int NumberOfGatherRays = 32;
   int GatherOn = SmallCells;

@@ -22,7 +22,7 @@ WalkSettings walkSettingsOf(const EngineSettings& settings)
 {
   WalkSettings walks = settings;
   walks.separateSides = settings.keepsSides();
-  walks.fewestSamples = fewestSamplesOf(settings, settings);
+  walks.fewestSamples = settings.fewestOfCells();
   return walks;
 }
 
@@ -72,7 +72,7 @@ FrameChange IrradianceEngine::changeTo(
   const WalkPlan plan = WalkSets::planOf(settings);
   const bool samePlan = plan == WalkSets::planOf(settings_) &&
     settings.gathersDirectLight == settings_.gathersDirectLight &&
-    fewestSamplesOf(settings, settings) == fewestSamplesOf(settings_, settings_);
+    settings.fewestOfCells() == settings_.fewestOfCells();
   // A wall that a point light touches may have moved.
   bool sameLights =
     isValid_ && samePlan && areLightsUnchanged(objects, objects_) && walks_.boundsInAir().isEmpty();
@@ -83,7 +83,7 @@ FrameChange IrradianceEngine::changeTo(
       sourcesOf(objects, plan, LightWalls(objects, solidSides_, cancelPointOf(execution, 0)));
     if (settings.gathersDirectLight)
     {
-      sources = gatheredSourcesOf(objects, sources, fewestSamplesOf(settings, settings));
+      sources = gatheredSourcesOf(objects, sources, settings.fewestOfCells());
     }
     isValid_ = wasValid;
     sameLights = isValid_ && walks_.hasSources(sources);

@@ -25,6 +25,8 @@ struct EngineSettings
 
   /// Whether sums tell the sides of cells apart.
   bool keepsSides() const { return separateSides || needsSides(cellEstimate); }
+  /// With how many samples cells gather direct light at least.
+  FewestSamples fewestOfCells() const { return fewestSamplesOf(*this, fewestSamples); }
 };
 
 /// What a frame cost. Verification includes rebuilding the trees over dynamic objects, repair includes

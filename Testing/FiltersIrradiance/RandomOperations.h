@@ -6,6 +6,7 @@
 
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <limits>
 
 /// What else users do to a filter, and the table of all operations.
@@ -57,7 +58,7 @@ inline void ChangeOutput(Trial& t)
 /// An estimate from the nearest photons ends what it excludes.
 inline void ChangeEstimate(Trial& t)
 {
-  t.Set().CellEstimate = t.Random.Below(4);
+  t.Set().CellEstimate = t.Random.Below(5);
   t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
   t.Set().NumberOfGatherRays = 1 << t.Random.Below(6);
   t.Set().GatherOn = t.Random.Below(3);
@@ -72,7 +73,7 @@ inline void ChangeEstimate(Trial& t)
 
 inline void ChangeDirectLight(Trial& t)
 {
-  t.Set().DirectLight = t.Random.Below(2);
+  t.Set().DirectLight = t.Random.Below(3);
   t.Apply();
 }
 
@@ -81,7 +82,8 @@ inline void ChangeTarget(Trial& t)
   static const int replicates[] = { 2, 5, 16, 40 };
   t.Set().NumberOfReplicates = replicates[t.Random.Below(4)];
   t.Set().TargetRelativeError = Chance(t.Random, 2) ? t.Random.Between(0.2, 1) : 0;
-  t.Set().MaximumNumberOfWalks = 3000 + t.Random.Below(4000);
+  t.Set().MaximumNumberOfWalks =
+    std::max<vtkIdType>(3000, t.Set().NumberOfWalks) + t.Random.Below(4000);
   ApplyBeforeEstimate(t);
 }
 

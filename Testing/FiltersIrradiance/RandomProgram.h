@@ -85,9 +85,9 @@ inline void Print(const Counts& counts)
             << counts.Errors << " errors, " << counts.Aborts << " aborts, " << counts.Meddlings
             << " changes while it ran, " << counts.Looks << " looks at its photons, "
             << counts.Shown << " comparisons of walks, " << counts.Gathered
-            << " of gathered light, " << counts.FinalGathers
-            << " of the final gather; digest of the answers " << std::hex << counts.Digest
-            << std::dec << '\n';
+            << " of gathered light, " << counts.FinalGathers << " of the final gather, "
+            << counts.ChosenGathers << " of these chosen; digest of the answers " << std::hex
+            << counts.Digest << std::dec << '\n';
 }
 
 }

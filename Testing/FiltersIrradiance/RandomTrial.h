@@ -66,7 +66,7 @@ struct Leaf
 struct Counts
 {
   int Operations = 0, Compared = 0, Repairs = 0, Stale = 0, Errors = 0, Aborts = 0, Meddlings = 0,
-      Looks = 0, Shown = 0, Gathered = 0, FinalGathers = 0;
+      Looks = 0, Shown = 0, Gathered = 0, FinalGathers = 0, ChosenGathers = 0;
   std::uint64_t Digest = 0; ///< of all that fresh filters computed
 
   void Digested(std::uint64_t digest) { this->Digest = 3 * this->Digest + digest; }
@@ -228,7 +228,8 @@ inline void Trial::DropBudgetOfLook()
 /// update.
 inline void Trial::DropFinalGather()
 {
-  if (this->Set().CellEstimate != vtkIrradianceFilter::FinalGather)
+  const bool isLeft = this->Set().CellEstimate == vtkIrradianceFilter::AutomaticEstimate;
+  if (this->Set().CellEstimate != vtkIrradianceFilter::FinalGather && !isLeft)
   {
     return;
   }
@@ -243,8 +244,9 @@ inline void Trial::DropFinalGather()
       });
     }
   }
-  if (this->Set().DirectLight != vtkIrradianceFilter::Gathered ||
-    this->Set().RepairTimeBudget > 0 || (hasGloss && hasPoints))
+  const bool isBad =
+    this->Set().DirectLight == vtkIrradianceFilter::Shot || (hasGloss && hasPoints);
+  if (this->Set().RepairTimeBudget > 0 || (isBad && !isLeft))
   {
     this->Set().CellEstimate = vtkIrradianceFilter::Sums;
     this->Apply();
@@ -345,8 +347,12 @@ inline void Trial::Compare()
   }
   EXPECT_TRUE(IsSame(OutputBits(this->Filter), OutputBits(fresh)));
   EXPECT_TRUE(IsSame(ShownWalks::LastingBits(this->Filter), ShownWalks::LastingBits(fresh)));
-  this->Done.Gathered += fresh->GetDirectLight() == vtkIrradianceFilter::Gathered;
-  this->Done.FinalGathers += fresh->GetCellEstimate() == vtkIrradianceFilter::FinalGather;
+  const bool isGathered = Field(fresh, "DirectLight") == vtkIrradianceFilter::Gathered;
+  const bool isFinalGather = Field(fresh, "CellEstimate") == vtkIrradianceFilter::FinalGather;
+  this->Done.Gathered += isGathered;
+  this->Done.FinalGathers += isFinalGather;
+  this->Done.ChosenGathers +=
+    isFinalGather && this->Set().CellEstimate == vtkIrradianceFilter::AutomaticEstimate;
   this->Done.Shown += fresh->GetWalksOutput()->GetNumberOfCells() > 0;
   this->CompareViews(fresh, !waits);
 }

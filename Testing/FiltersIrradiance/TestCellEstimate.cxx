@@ -56,18 +56,20 @@ double Roughness(vtkIrradianceFilter* filter)
 TEST(CellEstimate, DefaultsAndRange)
 {
   vtkNew<vtkIrradianceFilter> filter;
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Sums);
+  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate);
   EXPECT_EQ(filter->GetNumberOfSpreadPhotons(), 250);
   filter->SetCellEstimateToSpread();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Spread);
   filter->SetCellEstimateToSums();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Sums);
   filter->SetCellEstimate(99);
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::FinalGather) << "clamped";
+  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate) << "clamped";
   filter->SetCellEstimateToNearest();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Nearest);
   filter->SetCellEstimateToGathered();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::FinalGather);
+  filter->SetCellEstimateToAutomatic();
+  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate);
   EXPECT_EQ(filter->GetNumberOfGatherRays(), 32);
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::SmallCells);
   filter->SetGatherOnToDynamicCells();

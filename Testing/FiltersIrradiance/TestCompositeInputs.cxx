@@ -88,7 +88,7 @@ TEST(CompositeInputs, BlocksShadeEachOther)
 TEST(CompositeInputs, LeavesAreAsConnections)
 {
   const Scene scene = MakeSmallScene();
-  const auto expected = MakeFilter(scene, NumberOfWalks);
+  const auto expected = MakeDefaultFilter(scene, NumberOfWalks);
   expected->RemoveAllDynamicTransforms();
   expected->Update();
 
@@ -233,7 +233,7 @@ TEST(CompositeInputs, AnEmptyOneIsNothing)
 TEST(CompositeInputs, ALeafMovesAsAPlainInput)
 {
   const Scene scene = MakeSmallScene();
-  const auto plain = MakeFilter(scene, NumberOfWalks);
+  const auto plain = MakeDefaultFilter(scene, NumberOfWalks);
   plain->Update();
   vtkNew<vtkMultiBlockDataSet> moving;
   for (unsigned int i = 0; i < 2; ++i)

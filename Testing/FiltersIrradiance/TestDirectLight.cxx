@@ -100,7 +100,7 @@ RandomModels::View MakeView()
 TEST(DirectLight, DefaultsAndRange)
 {
   vtkNew<vtkIrradianceFilter> filter;
-  EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::Shot);
+  EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::AutomaticDirectLight);
   filter->SetDirectLightToGathered();
   EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::Gathered);
   std::ostringstream text;
@@ -108,8 +108,10 @@ TEST(DirectLight, DefaultsAndRange)
   EXPECT_NE(text.str().find("DirectLight: 1\n"), std::string::npos);
   filter->SetDirectLightToShot();
   EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::Shot);
+  filter->SetDirectLightToAutomatic();
+  EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::AutomaticDirectLight);
   filter->SetDirectLight(99);
-  EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::Gathered) << "clamped";
+  EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::AutomaticDirectLight) << "clamped";
   filter->SetDirectLight(-1);
   EXPECT_EQ(filter->GetDirectLight(), vtkIrradianceFilter::Shot) << "clamped";
   const vtkMTimeType before = filter->GetMTime();

@@ -42,7 +42,7 @@ protected:
     EXPECT_EQ(irradiance->GetOutput()->GetNumberOfBlocks(), 2u) << "the block updates nothing";
   }
 
-  vtkSmartPointer<vtkIrradianceFilter> irradiance = MakeFilter(MakeSmallScene(), 5000);
+  vtkSmartPointer<vtkIrradianceFilter> irradiance = MakeDefaultFilter(MakeSmallScene(), 5000);
   vtkNew<vtkSphereSource> part;
   vtkNew<vtkPolyData> sensors;
   vtkNew<vtkImageData> volume;

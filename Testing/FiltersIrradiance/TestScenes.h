@@ -197,11 +197,21 @@ inline void Connect(vtkIrradianceFilter* filter, const Scene& scene)
   }
 }
 
-inline vtkSmartPointer<vtkIrradianceFilter> MakeFilter(const Scene& scene, vtkIdType walks)
+/// With all else as a user finds it.
+inline vtkSmartPointer<vtkIrradianceFilter> MakeDefaultFilter(const Scene& scene, vtkIdType walks)
 {
   auto filter = vtkSmartPointer<vtkIrradianceFilter>::New();
   filter->SetNumberOfWalks(walks);
   Connect(filter, scene);
+  return filter;
+}
+
+/// Walks bring all light, and cells have their sums.
+inline vtkSmartPointer<vtkIrradianceFilter> MakeFilter(const Scene& scene, vtkIdType walks)
+{
+  auto filter = MakeDefaultFilter(scene, walks);
+  filter->SetDirectLightToShot();
+  filter->SetCellEstimateToSums();
   return filter;
 }
 

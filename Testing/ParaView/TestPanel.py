@@ -53,7 +53,7 @@ class Panel(unittest.TestCase):
         self.assertIn("no light", plugin.messages_of(source.UpdatePipeline))
 
     def test_direct_light_is_gathered(self):
-        source = plugin.make_scene(NumberOfWalks=5000)
+        source = plugin.make_scene(NumberOfWalks=5000, DirectLight="Shot")
         shot = plugin.bits(plugin.fetch(source))["1 Irradiance"]
         source.DirectLight = "Gathered"
         self.assertNotEqual(plugin.bits(plugin.fetch(source))["1 Irradiance"], shot)

@@ -65,8 +65,8 @@ def tell_shares(name, source, **scripts):
 
 
 def tell_whole():
-    """All inputs are whole on each process."""
-    source = plugin.make_scene(NumberOfOutputWalks=20)
+    """All inputs are whole on each process. Shot: what is gathered is kept on all, beside the walks that they share."""
+    source = plugin.make_scene(NumberOfOutputWalks=20, DirectLight="Shot")
     tell_result("whole irradiance", source, "CellData", "Irradiance")
     tell_cells("whole", source)
     tell_walks("whole", source)
@@ -95,7 +95,8 @@ def tell_pieces():
     """Each process has a piece of each input."""
     room = in_pieces(XMLPolyDataReader(FileName=[f"{plugin.FOLDER}/room.vtp"]))
     part = plugin.make_pose(Input=in_pieces(plugin.make_pose().Input))
-    source = plugin.make_scene(Static=[room], Dynamic=[part], NumberOfOutputWalks=20, DistributedInput=1)
+    source = plugin.make_scene(
+        Static=[room], Dynamic=[part], NumberOfOutputWalks=20, DirectLight="Shot", DistributedInput=1)
     tell_result("pieces irradiance", source, "CellData", "Irradiance")
     tell_cells("pieces", source)
     tell_walks("pieces", source)

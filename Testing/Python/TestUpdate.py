@@ -24,6 +24,7 @@ from scenes import make_filter, output_bits
 
 signal.alarm(20)  # the whole run would take half an hour
 irradiance = make_filter(walks=4294967295)
+irradiance.SetDirectLightToShot()  # a lamp alone has nothing to gather
 irradiance.RemoveAllInputConnections(1)
 irradiance.RemoveAllDynamicTransforms()
 shown = []

@@ -37,6 +37,8 @@ void ExpectBitsOfOne(const Settings& set)
   {
     Connect(filter, scene);
     filter->SetNumberOfWalks(6000);
+    filter->SetDirectLightToShot();
+    filter->SetCellEstimateToSums();
     set(filter);
   }
   together->SetController(Controller);
@@ -69,6 +71,11 @@ std::string OneErrorOf(vtkIrradianceFilter* filter)
 TEST(Ranks, BringTheBitsOfOne)
 {
   ExpectBitsOfOne([](vtkIrradianceFilter*) {});
+  ExpectBitsOfOne([](vtkIrradianceFilter* filter) {
+    filter->SetDirectLightToAutomatic();
+    filter->SetCellEstimateToAutomatic();
+    filter->SetNumberOfWalks(11000); // enough for rays
+  });
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {
     filter->SetComputeStandardError(true);
     filter->SetSeparateSides(true);
@@ -217,6 +224,7 @@ TEST(Ranks, RefuseABudgetWherePhotonsAreRead)
   Connect(filter, scene);
   filter->SetController(Controller);
   filter->SetNumberOfWalks(6000);
+  filter->SetCellEstimateToSums();
   filter->SetRepairTimeBudget(1);
   vtkNew<vtkOutgoingRadianceFilter> radiance;
   radiance->SetInputConnection(filter->GetOutputPort());
@@ -238,6 +246,7 @@ TEST(Ranks, ShareTheWalksAgainForABudget)
   Connect(filter, scene);
   filter->SetController(Controller);
   filter->SetNumberOfWalks(20000);
+  filter->SetDirectLightToShot();
   filter->SetCellEstimateToNearest();
   filter->Update();
   const auto all = static_cast<double>(filter->GetHistoryBytes());

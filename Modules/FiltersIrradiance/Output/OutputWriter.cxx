@@ -336,6 +336,8 @@ void OutputWriter::addStatistics(vtkFieldData* fields) const
   const EngineStatistics& statistics = engine_.statistics();
   addCount(kNumberOfWalks, engine_.numberOfWalks());
   addCount(kNumberOfSegments, engine_.balance().segments);
+  addCount(kDirectLight, settings_.gathersDirectLight ? 1 : 0);
+  addCount(kCellEstimate, static_cast<int>(settings_.cellEstimate));
   if (withErrors_)
   {
     addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));

@@ -38,9 +38,9 @@ bool needsSides(CellEstimate estimate)
   return estimate == CellEstimate::Gathered;
 }
 
-FewestSamples fewestSamplesOf(const EstimateSettings& settings, const WalkSettings& walks)
+FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamples& asked)
 {
-  FewestSamples fewest = walks.fewestSamples;
+  FewestSamples fewest = asked;
   if (settings.cellEstimate == CellEstimate::Gathered)
   {
     fewest.small = std::max(fewest.small, settings.gatherRays / 2);

@@ -54,9 +54,9 @@ bool needsPhotons(CellEstimate estimate);
 /// Whether it needs the sums of both sides of cells, even if these are not told apart.
 bool needsSides(CellEstimate estimate);
 
-/// With how many samples a cell gathers direct light at least: where it gathers indirect light as well, the one is
-/// not to be noisier than the other.
-FewestSamples fewestSamplesOf(const EstimateSettings& settings, const WalkSettings& walks);
+/// With how many samples cells gather direct light at least, if `asked` for so many: where they gather indirect light
+/// as well, the one is not to be noisier than the other.
+FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamples& asked);
 
 /// What excludes each other, in the words of the filter's properties; empty if nothing does.
 std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks);

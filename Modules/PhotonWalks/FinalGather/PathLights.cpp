@@ -31,7 +31,7 @@ std::optional<UnseenLight> unseenLight(const SceneObjects& objects)
   for (std::uint32_t i = 0; i < objects.size() && !(light && specular); ++i)
   {
     const SceneObject& object = objects[i];
-    if (!light && object.emits() && !object.emission->points.empty())
+    if (!light && object.isPresent && object.emits() && !object.emission->points.empty())
     {
       const PointSource& point = object.emission->points.front();
       light = { { i, point.cell }, {}, std::accumulate(point.flux.begin(), point.flux.end(), 0.0),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Direct light shot beside gathered, in the same CPU time of one thread: errors in the penumbra under a ball and
-elsewhere; these and two further ways to estimate cells in the time in which all of them gather; and, where there is a
+elsewhere; these and two further ways to estimate cells in the time in which all of them gather; what a million walks
+give who chooses none of them, beside light that is shot; and, where there is a
 display, a picture of a lit room for each, two and four in one file.
 
     BenchmarkDirectLight.py [SEEDS [TWO.png FOUR.png]]
@@ -62,6 +63,13 @@ def make_filter(surface, ball=True):
     return irradiance
 
 
+def seconds_of_update(irradiance):
+    """Of all threads."""
+    start = time.process_time()
+    vtkIrradiance.update(irradiance)
+    return time.process_time() - start
+
+
 def executed(irradiance, way, walks, seed):
     """Seconds of all threads."""
     irradiance.SetDirectLight(irradiance.Gathered if "gathered" in way else irradiance.Shot)
@@ -71,9 +79,7 @@ def executed(irradiance, way, walks, seed):
     irradiance.SetNumberOfGatherRays(16)
     irradiance.SetNumberOfWalks(walks)
     irradiance.SetSeed(seed)
-    start = time.process_time()
-    vtkIrradiance.update(irradiance)
-    return time.process_time() - start
+    return seconds_of_update(irradiance)
 
 
 def surface_of(irradiance, number=0):
@@ -169,6 +175,33 @@ def measure_ways(room, seeds):
             report("Ways", way, f"RMS error on the {name}, %", 100 * error)
 
 
+def measure_defaults(name, room, seeds):
+    """A first frame of a million walks, and one after a motion, shot and without a choice."""
+    truth = {number: mean_of(room, "gathered", 4000000, range(1001, 1013), number) for number in (ROOM, BALL)}
+    room.SetUpdateModeToVerify()
+    room.SetCellEstimateToAutomatic()
+    room.SetGatherOnToSmallCells()
+    room.SetNumberOfGatherRays(32)
+    room.SetNumberOfWalks(1000000)
+    for way, direct_light in (("shot", room.Shot), ("not chosen", room.AutomaticDirectLight)):
+        room.SetDirectLight(direct_light)
+        first, later, squares = [], [], {ROOM: [], BALL: []}
+        for seed in range(1, seeds + 1):
+            room.SetSeed(seed)
+            first.append(seconds_of_update(room))
+            for number in squares:
+                squares[number].append(np.mean((surface_of(room, number) - truth[number]) ** 2))
+            room.GetDynamicTransform(0).Translate(0.02, 0, 0)
+            later.append(seconds_of_update(room))
+            room.GetDynamicTransform(0).Translate(-0.02, 0, 0)
+        row = f"{name}, {way}"
+        report("Defaults", row, "first frame, CPU time, s", np.median(first))
+        report("Defaults", row, "after a motion, CPU time, s", np.median(later))
+        for number, cells in ((ROOM, "walls"), (BALL, "ball")):
+            error = np.sqrt(np.mean(squares[number])) / truth[number].mean()
+            report("Defaults", row, f"RMS error on the {cells}, %", 100 * error)
+
+
 def measure_all(seeds):
     floor = make_filter(make_floor())
     measure("Penumbra", "8 x 8 cells", floor, truth_of(floor), {"in the penumbra": penumbra_of(make_floor())},
@@ -181,6 +214,10 @@ def measure_all(seeds):
                 {"in the penumbra": penumbra, "elsewhere": ~penumbra}, seeds, 0.25)
     room.SetDefaultDiffuseReflectance(0.5)
     measure_ways(room, seeds)
+    for reflectance in (0.2, 0.5, 0.8):
+        room = make_filter(LitRoom.make_room())
+        room.SetDefaultDiffuseReflectance(reflectance)
+        measure_defaults(f"room, reflectance {reflectance}", room, seeds)
 
 
 def draw(name, reflectance, ways, seconds=None):

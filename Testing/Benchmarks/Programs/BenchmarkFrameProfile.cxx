@@ -86,6 +86,7 @@ private:
   void connect(vtkIrradianceFilter* filter)
   {
     filter->SetNumberOfWalks(walks_);
+    filter->SetDirectLightToShot();
     filter->AddInputDataObject(0, room_);
     filter->AddInputDataObject(0, lamp_);
     for (std::size_t i = 0; i < poses_.size(); ++i)

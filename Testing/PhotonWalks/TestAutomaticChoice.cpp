@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each rule of the choice alone, at its limit.
+
+#include "Estimates/AutomaticChoice.h"
+#include "FinalGather/CellRoles.h"
+#include "TestScenes.h"
+#include "Walks/WalkSettings.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance::test
+{
+
+namespace
+{
+
+struct Settings
+{
+  WalkSettings walks;
+  EstimateSettings estimate;
+};
+
+/// That direct light may be gathered.
+Settings settingsOf(std::uint32_t walks)
+{
+  Settings settings;
+  settings.walks.numberOfWalks = walks;
+  settings.walks.gathersDirectLight = true;
+  return settings;
+}
+
+constexpr LeftToScene kAll{ true, true };
+
+Settings chosen(const SceneObjects& objects, Settings settings, const LeftToScene& left = kAll)
+{
+  chooseByScene(left, objects, settings.walks, settings.estimate);
+  return settings;
+}
+
+void expectChoice(const Settings& settings, CellEstimate estimate, bool gathersDirectLight)
+{
+  EXPECT_EQ(settings.estimate.cellEstimate, estimate);
+  EXPECT_EQ(settings.walks.gathersDirectLight, gathersDirectLight);
+}
+
+/// 54 cells. `specular`: of its cells.
+ObjectBuilder room(double specular = 0)
+{
+  ObjectBuilder builder;
+  Look look = grey(0.5);
+  look.specular[0] = specular;
+  builder.addBox(box({ 0, 0, 0 }, { 3, 3, 3 }), 3, look, true);
+  return builder;
+}
+
+/// n x n cells.
+SceneObject sheet(int n)
+{
+  ObjectBuilder builder;
+  builder.addQuad({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, n, n, grey(0.5));
+  return builder.build();
+}
+
+}
+
+// From both sides of a cell.
+TEST(AutomaticChoice, TakesAtMostOneRayForEachWalk)
+{
+  const SceneObjects objects{ room().build(), {} };
+  for (const std::uint32_t rays : { 32u, 100u })
+  {
+    Settings enough = settingsOf(54 * 2 * rays), few = settingsOf(54 * 2 * rays - 1);
+    enough.estimate.gatherRays = few.estimate.gatherRays = rays;
+    expectChoice(chosen(objects, enough), CellEstimate::Gathered, true);
+    expectChoice(chosen(objects, few), CellEstimate::Sums, true);
+  }
+}
+
+// However few rays there are, they have to find something to read.
+TEST(AutomaticChoice, TakesFiftyWalksForEachCell)
+{
+  const SceneObjects objects{ room().build(), {} };
+  Settings enough = settingsOf(54 * 50), few = settingsOf(54 * 50 - 1);
+  enough.estimate.gatherRays = few.estimate.gatherRays = 1;
+  expectChoice(chosen(objects, enough), CellEstimate::Gathered, true);
+  expectChoice(chosen(objects, few), CellEstimate::Sums, true);
+}
+
+// What no ray reads is at most half of the area, here of one large cell and 64 small ones.
+TEST(AutomaticChoice, ReadsHalfOfTheArea)
+{
+  const double walks = kFewestWalksOfCell * 65;
+  for (const double small : { 0.1, 0.5, 1.0, 1.01, 1.5, 10.0 })
+  {
+    ObjectBuilder builder;
+    builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, 1, grey(0.5));
+    builder.addQuad({ 0, 0, 1 }, { small, 0, 0 }, { 0, 1, 0 }, 8, 8, grey(0.5));
+    SceneCells cells;
+    cells.update({ builder.build(), {} }, {});
+    const CellRoles roles(cells, walks, 32, GatherOn::Small);
+    EXPECT_TRUE(roles.isRead({ 0, 0 }));
+    EXPECT_TRUE(roles.isRead({ 0, 1 }) || small <= 1) << small;
+  }
+}
+
+TEST(AutomaticChoice, GathersDirectLightOfAsManyCellsAsWalks)
+{
+  const SceneObjects objects{ room().build(), {} };
+  expectChoice(chosen(objects, settingsOf(54)), CellEstimate::Sums, true);
+  expectChoice(chosen(objects, settingsOf(53)), CellEstimate::Sums, false);
+}
+
+TEST(AutomaticChoice, ShootsWhatIsToBeShot)
+{
+  Settings settings = settingsOf(100000);
+  settings.walks.gathersDirectLight = false;
+  const SceneObjects objects{ room().build(), {} };
+  expectChoice(chosen(objects, settings, { false, true }), CellEstimate::Sums, false);
+}
+
+// No reflection of points is known to rays. Gloss alone, or a point light alone, is.
+TEST(AutomaticChoice, KnowsPointLightsBesideGloss)
+{
+  for (const double specular : { 0.0, 0.25 })
+  {
+    ObjectBuilder builder = room(specular);
+    expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)), CellEstimate::Gathered, true);
+    builder.addPointLight({ 1, 1, 1 }, 10);
+    expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)),
+      specular > 0 ? CellEstimate::Sums : CellEstimate::Gathered, true);
+  }
+}
+
+TEST(AutomaticChoice, HasNothingToReadWithoutBias)
+{
+  Settings settings = settingsOf(100000);
+  settings.estimate.unbiasedGather = true;
+  expectChoice(chosen({ room().build(), {} }, settings), CellEstimate::Sums, true);
+}
+
+TEST(AutomaticChoice, KeepsWhatIsAskedFor)
+{
+  const SceneObjects objects{ room().build(), {} };
+  Settings few = settingsOf(10);
+  for (const CellEstimate estimate :
+    { CellEstimate::Sums, CellEstimate::Spread, CellEstimate::Nearest, CellEstimate::Gathered })
+  {
+    few.estimate.cellEstimate = estimate;
+    // Rays need gathered direct light, however many cells there are.
+    expectChoice(
+      chosen(objects, few, { true, false }), estimate, estimate == CellEstimate::Gathered);
+    expectChoice(chosen(objects, few, { false, false }), estimate, true);
+  }
+  expectChoice(chosen(objects, few, { false, true }), CellEstimate::Sums, true);
+}
+
+// What is away has no cells, as if it had never been there.
+TEST(AutomaticChoice, CountsWhatIsThere)
+{
+  SceneObjects objects{ room().build(), { sheet(20) } };
+  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Sums, true);
+  expectChoice(chosen(objects, settingsOf(300)), CellEstimate::Sums, false);
+  objects.dynamicObjects[0].isPresent = false;
+  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Gathered, true);
+  expectChoice(chosen(objects, settingsOf(300)), CellEstimate::Sums, true);
+}
+
+TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
+{
+  ObjectBuilder light;
+  light.addPointLight({ 1, 1, 1 }, 10);
+  SceneObjects objects{ room(0.25).build(), { light.build() } };
+  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Sums, true);
+  objects.dynamicObjects[0].isPresent = false;
+  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Gathered, true);
+}
+
+// The walks that a target takes in the end are not known before.
+TEST(AutomaticChoice, IsThatOfTheWalksToBeginWith)
+{
+  const SceneObjects objects{ room().build(), {} };
+  Settings settings = settingsOf(2000);
+  settings.walks.targetRelativeError = 0.05;
+  settings.walks.replicates = 16;
+  expectChoice(chosen(objects, settings), CellEstimate::Sums, true);
+}
+
+}
