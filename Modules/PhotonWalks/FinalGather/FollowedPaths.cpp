@@ -26,6 +26,18 @@ void FollowedPaths::addPath(const FollowedPaths& from, std::size_t path)
   endPath();
 }
 
+FollowedPaths FollowedPaths::mergedWith(
+  const FollowedPaths& before, const std::vector<std::size_t>& places) const
+{
+  FollowedPaths merged;
+  std::size_t next = 0;
+  for (const std::size_t place : places)
+  {
+    place == kAnew ? merged.addPath(*this, next++) : merged.addPath(before, place);
+  }
+  return merged;
+}
+
 std::size_t FollowedPaths::bytes() const
 {
   return segments_.capacity() * sizeof(GatherSegment) + values_.capacity() * sizeof(double) +

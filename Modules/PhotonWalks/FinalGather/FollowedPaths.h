@@ -60,6 +60,10 @@ public:
   void addValue(double value) { values_.push_back(value); }
   void endPath() { ends_.push_back({ segments_.size(), values_.size() }); }
   void addPath(const FollowedPaths& from, std::size_t path);
+  /// These, in order, and among them some that were followed before: for each of all, its place there, or kAnew.
+  static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
+  FollowedPaths mergedWith(
+    const FollowedPaths& before, const std::vector<std::size_t>& places) const;
   /// Of its memory.
   std::size_t bytes() const;
 

@@ -54,18 +54,27 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
 
 bool GatherMotion::mayChange(const GatherSegment& segment) const
 {
-  const bool isHit = segment.triangle != GatherSegment::kNone;
-  if (segment.touchesMover || segment.asksLights ||
-    (isHit && segment.triangle >= firstDynamic_ &&
-      hasMoved_[segment.triangle - firstDynamic_] != 0))
+  if (segment.touchesMover || segment.asksLights || isMoved(segment.triangle))
   {
     return true;
   }
-  const Eigen::Vector3f from(segment.from.data());
-  const Vector3 end = isHit
-    ? Vector3(Eigen::Vector3f(segment.to.data()).cast<double>())
-    : Vector3(from.cast<double>() + reach_ * Eigen::Vector3f(segment.to.data()).cast<double>());
-  const Eigen::Vector3f to = end.cast<float>();
+  const Vector3 to = Eigen::Vector3f(segment.to.data()).cast<double>();
+  return mayMeet(segment.from,
+    segment.triangle != GatherSegment::kNone
+      ? to
+      : Vector3(Eigen::Vector3f(segment.from.data()).cast<double>() + reach_ * to));
+}
+
+bool GatherMotion::mayChange(const ShadowRay& ray) const
+{
+  return isAny_ &&
+    (ray.touchesMover || isMoved(ray.triangle) ||
+      mayMeet(ray.from, Eigen::Vector3f(ray.to.data()).cast<double>()));
+}
+
+bool GatherMotion::mayMeet(const std::array<float, 3>& start, const Vector3& end) const
+{
+  const Eigen::Vector3f from(start.data()), to = end.cast<float>();
   const Eigen::AlignedBox3f box(from.cwiseMin(to), from.cwiseMax(to));
   return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
     // Numbers that are none pass.

@@ -58,11 +58,6 @@ std::uint64_t seedOf(const GatherScene& scene, std::uint64_t number)
   return splitMix(scene.seed ^ splitMix(number));
 }
 
-std::array<float, 3> inFloats(const Vector3& v)
-{
-  return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
-}
-
 double largestOf(const GatherPaths::Bands& weight)
 {
   return *std::max_element(weight.begin(), weight.end());

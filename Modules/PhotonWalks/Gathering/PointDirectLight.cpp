@@ -33,12 +33,49 @@ PointDirectLight::Bands PointDirectLight::irradiance(
 void PointDirectLight::add(
   const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates) const
 {
+  addArriving(point, arrivalsAt(point, number, replicates.size()), replicates);
+}
+
+std::vector<PointDirectLight::Arrival> PointDirectLight::arrivalsAt(
+  const LitPoint& point, std::uint64_t number, std::size_t replicates) const
+{
   std::vector<Arrival> arrivals;
   const std::vector<std::uint32_t> touching = lightsAt(point);
-  addTouching(point, touching, replicates.size(), arrivals);
+  addTouching(point, touching, replicates, arrivals);
   const Part cosine = [&](const Vector3& along, double) { return point.partOf(along); };
-  addSamples(point, cosine, number, 0, touching, replicates.size(), arrivals);
-  cast(point, arrivals, replicates);
+  addSamples(point, cosine, number, 0, touching, replicates, arrivals);
+  return arrivals;
+}
+
+std::int64_t PointDirectLight::update(const LitPoint& point, std::uint64_t number,
+  const MayChange& mayChange, std::vector<ShadowRay>& rays, std::vector<Bands>& replicates) const
+{
+  const std::vector<Arrival> arrivals = arrivalsAt(point, number, replicates.size());
+  const bool isFirst = rays.empty();
+  rays.resize(arrivals.size());
+  std::vector<std::size_t> changed;
+  std::vector<Arrival> anew;
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  {
+    if (isFirst || mayChange(rays[i]))
+    {
+      changed.push_back(i);
+      anew.push_back(arrivals[i]);
+    }
+  }
+  const std::vector<Hit> hits = cast(point, anew);
+  for (std::size_t i = 0; i < anew.size(); ++i)
+  {
+    rays[changed[i]] = shadowRayOf(anew[i], point, hits[i]);
+  }
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  {
+    if (!rays[i].isStopped)
+    {
+      addArrival(arrivals[i], replicates);
+    }
+  }
+  return static_cast<std::int64_t>(anew.size());
 }
 
 PointDirectLight::Bands PointDirectLight::taken(
@@ -47,7 +84,7 @@ PointDirectLight::Bands PointDirectLight::taken(
   std::vector<Arrival> arrivals;
   addSamples(point, part, number, share, lightsAt(point), 1, arrivals);
   std::vector<Bands> all(1, Bands{});
-  cast(point, arrivals, all);
+  addArriving(point, arrivals, all);
   return all.front();
 }
 
@@ -66,23 +103,65 @@ double PointDirectLight::density(
   return samples > 0 ? samples / choice.seen(piece).solidAngle() : 0;
 }
 
-void PointDirectLight::cast(
+void PointDirectLight::addArriving(
   const LitPoint& point, const std::vector<Arrival>& arrivals, std::vector<Bands>& replicates) const
+{
+  const std::vector<Hit> hits = cast(point, arrivals);
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  {
+    if (arrives(hits[i], point))
+    {
+      addArrival(arrivals[i], replicates);
+    }
+  }
+}
+
+void PointDirectLight::addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const
+{
+  Bands& sum = replicates[arrival.replicate];
+  for (std::size_t band = 0; band < sum.size(); ++band)
+  {
+    sum[band] += arrival.perWatt * lights()[arrival.light].flux[band];
+  }
+}
+
+/// As for the samples of cells, see DirectLight.
+std::vector<Hit> PointDirectLight::cast(
+  const LitPoint& point, const std::vector<Arrival>& arrivals) const
 {
   std::vector<Ray> rays(arrivals.size());
   std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
     [](const Arrival& arrival) { return arrival.ray; });
   std::vector<Hit> hits(rays.size());
   space_.scene.cast(rays.data(), rays.size(), hits.data());
-  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  const Contacts& contacts = space_.contacts;
+  for (std::size_t i = 0; !contacts.isEmpty() && i < rays.size(); ++i)
   {
-    Bands& sum = replicates[arrivals[i].replicate];
-    const double perWatt = arrives(arrivals[i], point, hits[i]) ? arrivals[i].perWatt : 0;
-    for (std::size_t band = 0; band < sum.size(); ++band)
+    if (contacts.has(point.on) || contacts.has(rays[i].start))
     {
-      sum[band] += perWatt * lamps_.lights()[arrivals[i].light].flux[band];
+      hits[i] = contacts.resolveContact(space_.scene, rays[i], hits[i]);
     }
   }
+  return hits;
+}
+
+/// `hit`: what it meets; on a face with contacts it has to be that face.
+bool PointDirectLight::arrives(const Hit& hit, const LitPoint& point) const
+{
+  return (hit && hit.id == point.on) || (hit.distance >= 1 && !space_.contacts.has(point.on));
+}
+
+ShadowRay PointDirectLight::shadowRayOf(
+  const Arrival& arrival, const LitPoint& point, const Hit& hit) const
+{
+  const bool isStopped = !arrives(hit, point);
+  const Vector3& from = arrival.ray.origin;
+  const Vector3 to =
+    isStopped && hit ? from + hit.distance * arrival.ray.direction : point.position;
+  const Contacts& contacts = space_.contacts;
+  return { inFloats(from), inFloats(to),
+    isStopped && hit ? space_.triangles.numberOf(hit.id) : ShadowRay::kNone, isStopped,
+    contacts.hasDynamic(arrival.ray.start) || contacts.hasDynamic(hit.id) };
 }
 
 /// Of the table.
@@ -163,21 +242,6 @@ PointDirectLight::Arrival PointDirectLight::from(const LampPiece& lamp,
                                    : 0;
   const Vector3 origin = start.clearPosition();
   return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt };
-}
-
-/// As for the samples of cells, see DirectLight.
-bool PointDirectLight::arrives(
-  const Arrival& arrival, const LitPoint& point, const Hit& closest) const
-{
-  const Contacts& contacts = space_.contacts;
-  if (contacts.has(point.on))
-  {
-    return contacts.resolveContact(space_.scene, arrival.ray, closest).id == point.on;
-  }
-  const Hit hit = contacts.has(arrival.ray.start)
-    ? contacts.resolveContact(space_.scene, arrival.ray, closest)
-    : closest;
-  return hit.distance >= 1 || (hit && hit.id == point.on);
 }
 
 }

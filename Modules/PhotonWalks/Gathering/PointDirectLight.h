@@ -4,6 +4,7 @@
 
 #include "Gathering/GatherSpace.h"
 #include "Gathering/PointLampChoice.h"
+#include "Gathering/ShadowRay.h"
 
 #include <array>
 #include <functional>
@@ -40,6 +41,12 @@ public:
   /// samples in each.
   void add(const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates) const;
 
+  /// As add(), of a point in the air; cast are only rays of those given that something may have changed since, of the
+  /// same point in a scene with the same lights. None given: all are cast. Returns how many were cast.
+  using MayChange = std::function<bool(const ShadowRay&)>;
+  std::int64_t update(const LitPoint& point, std::uint64_t number, const MayChange& mayChange,
+    std::vector<ShadowRay>& rays, std::vector<Bands>& replicates) const;
+
   /// How much a point takes of a beam along a vector, in place of the cosine. `density`: of the samples that the point
   /// takes from there, 1/sr; infinite for a light in the air.
   using Part = std::function<double(const Vector3& along, double density)>;
@@ -50,6 +57,8 @@ public:
   /// Of the samples of taken(), 1/sr, towards a place on a lamp; 0 if it is none of these lights, or is in the same place
   /// as the point's face.
   double density(const LitPoint& point, const TriangleId& lamp, const Vector3& place) const;
+
+  const LightTable& lights() const { return lamps_.lights(); }
 
 private:
   /// Light on its way to a point.
@@ -72,10 +81,16 @@ private:
   /// `seen`: its triangle. `samples`: how many ask it, on average.
   Arrival from(const LampPiece& lamp, const SphericalTriangle& seen, const LitPoint& point,
     const Part& part, double samples, const std::array<double, 2>& onLamp) const;
+  std::vector<Arrival> arrivalsAt(
+    const LitPoint& point, std::uint64_t number, std::size_t replicates) const;
   /// Adds what no other surface stops.
-  void cast(const LitPoint& point, const std::vector<Arrival>& arrivals,
+  void addArriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
     std::vector<Bands>& replicates) const;
-  bool arrives(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
+  /// What arrivals meet.
+  std::vector<Hit> cast(const LitPoint& point, const std::vector<Arrival>& arrivals) const;
+  bool arrives(const Hit& hit, const LitPoint& point) const;
+  ShadowRay shadowRayOf(const Arrival& arrival, const LitPoint& point, const Hit& hit) const;
+  void addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const;
 
   GatherSpace space_;
   LampPieces lamps_;

@@ -7,6 +7,9 @@
  * patches that rays read. Ours reads the sums of walks, which are shot once for all sensors: their time is reported by
  * itself. Of the fluence rate at the same places the noise is that between seeds.
  *
+ * Then the ring moves, frame by frame: sensors whose rays are kept are brought up to date (StoredSensors), beside sensors
+ * that gather anew, on the same engine. Both must have the same bits.
+ *
  * One thread, CPU time, in turns. "To 2 %": times the square of the error over .02. Building Embree's scene is
  * not counted.
  *
@@ -26,8 +29,11 @@
 #include "Scenes/SurfaceSensors.h"
 #include "Views/SensorDirectLight.h"
 #include "Views/SensorGather.h"
+#include "Views/StoredSensors.h"
 
 #include <cmath>
+#include <cstring>
+#include <memory>
 #include <numeric>
 
 using namespace irradiance;
@@ -129,8 +135,7 @@ public:
                tally.irradiance.data(), static_cast<Eigen::Index>(sheets_.size())),
       seconds };
   }
-  /// Of both sides together; or the fluence rate.
-  Run gatherOurs(const EngineSettings& settings, std::uint32_t rays, bool isFluence) const
+  std::vector<Sensor> sensors(bool isFluence) const
   {
     std::vector<Sensor> sensors;
     for (const Sheet& sheet : sheets_)
@@ -139,6 +144,12 @@ public:
       sensors.push_back(
         { sheet.place, isFluence ? Vector3(Vector3::Zero()) : Vector3(-sheet.normal) });
     }
+    return sensors;
+  }
+  /// Of both sides together; or the fluence rate.
+  Run gatherOurs(const EngineSettings& settings, std::uint32_t rays, bool isFluence) const
+  {
+    const std::vector<Sensor> sensors = this->sensors(isFluence);
     IrradianceEngine engine;
     CpuTime execution;
     Run run{ CellField(sheets_.size()), 0, timeUpdate(engine, objects_, settings).whole };
@@ -292,7 +303,7 @@ void compare(const std::string& name, const Room& room, const Sizes& sizes)
   settings.separateSides = settings.gathersDirectLight = true;
   std::vector<Contestant> contestants{ { "plain gatherer, 32 paths",
     [&](std::uint64_t seed) { return room.gatherPlain(32, seed); } } };
-  for (const std::uint32_t rays : { 16u, 32u, 64u })
+  for (const std::uint32_t rays : { 16u, 32u, 64u, 128u })
   {
     contestants.push_back(
       { "ours, " + std::to_string(rays) + " rays", [&, rays](std::uint64_t seed) {
@@ -358,6 +369,40 @@ void compare(const std::string& name, const Room& room, const Sizes& sizes)
   reportError(name, ours, variance.value());
 }
 
+void compareUpdates(const MovingScene& scene, const Room& room, const Sizes& sizes)
+{
+  constexpr std::uint32_t kRays = 64;
+  EngineSettings settings;
+  settings.numberOfWalks = sizes.walks;
+  settings.separateSides = settings.gathersDirectLight = true;
+  const auto engine = std::make_shared<IrradianceEngine>();
+  const std::vector<Sensor> sensors = room.sensors(false);
+  CpuTime execution;
+  StoredSensors stored;
+  for (int frame = 0; frame <= 5 * sizes.rounds; ++frame)
+  {
+    engine->update(scene.inFrame(frame), settings, execution);
+    const double update =
+      threadCpuSecondsOf([&] { stored.update(engine, sensors, kRays, true, execution); });
+    StoredSensors fresh;
+    const double anew =
+      threadCpuSecondsOf([&] { fresh.update(engine, sensors, kRays, false, execution); });
+    if (std::memcmp(stored.lights().data(), fresh.lights().data(),
+          sensors.size() * sizeof(SensorGather::Light)) != 0)
+    {
+      throw std::runtime_error("The bits of sensors differ");
+    }
+    if (frame > 0)
+    {
+      report(kRatios, scene.name + ", a frame", "update / anew", update / anew);
+      report(kRatios, scene.name + ", a frame", "rays cast, %",
+        100 * static_cast<double>(stored.numberCast()) / static_cast<double>(fresh.numberCast()));
+      report(kRatios, scene.name + ", a frame", "kB / sensor",
+        1e-3 * static_cast<double>(stored.bytes()) / static_cast<double>(sensors.size()));
+    }
+  }
+}
+
 }
 
 void run(const Arguments& arguments)
@@ -372,7 +417,9 @@ void run(const Arguments& arguments)
   const std::size_t count = std::min(rooms.size(), arguments.number(4, std::size_t{ 4 }));
   for (std::size_t i = 0; i < count; ++i)
   {
-    compare(rooms[i].name, Room(rooms[i].at(0), makeSheets(sizes.sheets)), sizes);
+    const Room room(rooms[i].at(0), makeSheets(sizes.sheets));
+    compareUpdates(rooms[i], room, sizes);
+    compare(rooms[i].name, room, sizes);
     compareOnWalls(rooms[i].name, Walls(rooms[i].at(0), sizes.sheets), sizes);
   }
 }
