@@ -23,9 +23,31 @@ Eigen::AlignedBox3f floatBoxAround(const Box& box)
   return around;
 }
 
+/// Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
+double blurOf(const Box& bounds)
+{
+  return (bounds.magnitude() + bounds.extent().norm()) * 0x1p-23 +
+    double{ std::numeric_limits<float>::denorm_min() };
 }
 
-GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& moved)
+}
+
+std::vector<Box> GatherMotion::boundsOf(const GatherScene& scene)
+{
+  const Scene& space = scene.space.scene;
+  std::vector<Box> bounds(scene.objects.dynamicObjects.size());
+  for (std::uint32_t i = 0; i < bounds.size(); ++i)
+  {
+    if (!scene.objects.dynamicObjects[i].isEmpty())
+    {
+      bounds[i] = space.shadowBound(i, blurOf(space.bounds())).worldBox();
+    }
+  }
+  return bounds;
+}
+
+GatherMotion::GatherMotion(
+  const GatherScene& scene, const std::vector<bool>& moved, const std::vector<Box>& before)
   : moved_(moved)
   , isAny_(std::find(moved.begin(), moved.end(), true) != moved.end())
 {
@@ -37,9 +59,14 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
   firstDynamic_ = numbers.first(1);
   const Scene& space = scene.space.scene;
   reach_ = space.bounds().extent().norm();
-  // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
-  const double blur = (space.bounds().magnitude() + reach_) * 0x1p-23 +
-    double{ std::numeric_limits<float>::denorm_min() };
+  const double blur = blurOf(space.bounds());
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    for (const Light& light : lights.lights().lights())
+    {
+      lights_.add(light.bounds());
+    }
+  }
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     hasMoved_.resize(numbers.first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);
@@ -48,13 +75,19 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
       // What touches a segment's start may lie behind it, by less than 2^-31 of the coordinates (Contacts).
       const EllipsoidBound bound = space.shadowBound(i, blur);
       bodies_.push_back({ bound, floatBoxAround(bound.worldBox()) });
+      shades_.push_back(bound.worldBox());
+    }
+    if (moved[i])
+    {
+      shades_.push_back(before[i]);
     }
   }
 }
 
 bool GatherMotion::mayChange(const GatherSegment& segment) const
 {
-  if (segment.touchesMover || segment.asksLights || isMoved(segment.triangle))
+  if (segment.touchesMover || isMoved(segment.triangle) ||
+    (segment.asksLights && mayShade(segment.to)))
   {
     return true;
   }
@@ -70,6 +103,14 @@ bool GatherMotion::mayChange(const ShadowRay& ray) const
   return isAny_ &&
     (ray.touchesMover || isMoved(ray.triangle) ||
       mayMeet(ray.from, Eigen::Vector3f(ray.to.data()).cast<double>()));
+}
+
+bool GatherMotion::mayShade(const std::array<float, 3>& place) const
+{
+  Box box = lights_;
+  box.add(Vector3(Eigen::Vector3f(place.data()).cast<double>()));
+  return std::any_of(shades_.begin(), shades_.end(),
+    [&](const Box& shade) { return !box.intersection(shade).isEmpty(); });
 }
 
 bool GatherMotion::mayMeet(const std::array<float, 3>& start, const Vector3& end) const

@@ -17,8 +17,11 @@ class GatherMotion
 {
 public:
   /// `moved`: of the dynamic objects of the frame, those with another pose, or other points, than when the paths
-  /// were followed.
-  GatherMotion(const GatherScene& scene, const std::vector<bool>& moved);
+  /// were followed. `before`: their boundsOf() then.
+  GatherMotion(
+    const GatherScene& scene, const std::vector<bool>& moved, const std::vector<Box>& before);
+  /// Of each dynamic object, wider by all rounding; empty if it is not there.
+  static std::vector<Box> boundsOf(const GatherScene& scene);
 
   bool isNone() const { return !isAny_; }
   bool hasMoved(std::uint32_t object) const { return object > 0 && moved_[object - 1]; }
@@ -47,6 +50,9 @@ private:
   /// Whether something that moved may be between two places.
   bool mayMeet(const std::array<float, 3>& from, const Vector3& to) const;
 
+  /// Whether something that moved may be, or have been, between a place and any light.
+  bool mayShade(const std::array<float, 3>& place) const;
+
   struct Body
   {
     EllipsoidBound bound;
@@ -57,6 +63,8 @@ private:
   std::vector<char> hasMoved_; ///< by triangle, of dynamic objects
   std::uint32_t firstDynamic_ = 0;
   std::vector<Body> bodies_;
+  std::vector<Box> shades_; ///< of what moved, before and now
+  Box lights_;
   double reach_ = 0; ///< nothing that is hit is farther, m
   bool isAny_;
 };

@@ -8,7 +8,8 @@ namespace irradiance
 
 PathsOrigin pathsOriginOf(const GatherScene& scene)
 {
-  PathsOrigin origin{ scene.objects, scene.seed, scene.rays, scene.replicates(), {}, {} };
+  PathsOrigin origin{ scene.objects, GatherMotion::boundsOf(scene), scene.seed, scene.rays,
+    scene.replicates(), {}, {} };
   scene.cells.numbers().forEach([&](const SceneCell& cell) {
     if (scene.roles.isRead(cell))
     {
@@ -32,7 +33,7 @@ std::optional<GatherMotion> motionSince(
   {
     return {};
   }
-  return GatherMotion(scene, findMoved(now.objects, before.objects));
+  return GatherMotion(scene, findMoved(now.objects, before.objects), before.bounds);
 }
 
 }

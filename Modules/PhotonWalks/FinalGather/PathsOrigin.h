@@ -15,6 +15,7 @@ namespace irradiance
 struct PathsOrigin
 {
   SceneObjects objects;
+  std::vector<Box> bounds; ///< see GatherMotion
   std::uint64_t seed;
   std::uint32_t rays, replicates;
   std::vector<SceneCell> readCells;

@@ -43,7 +43,7 @@ std::vector<PointDirectLight::Arrival> PointDirectLight::arrivalsAt(
   const std::vector<std::uint32_t> touching = lightsAt(point);
   addTouching(point, touching, replicates, arrivals);
   const Part cosine = [&](const Vector3& along, double) { return point.partOf(along); };
-  addSamples(point, cosine, number, 0, touching, replicates, arrivals);
+  addSamples(point, SeenLamp::By::Cosine, cosine, number, 0, touching, replicates, arrivals);
   return arrivals;
 }
 
@@ -82,7 +82,7 @@ PointDirectLight::Bands PointDirectLight::taken(
   const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const
 {
   std::vector<Arrival> arrivals;
-  addSamples(point, part, number, share, lightsAt(point), 1, arrivals);
+  addSamples(point, SeenLamp::By::SolidAngle, part, number, share, lightsAt(point), 1, arrivals);
   std::vector<Bands> all(1, Bands{});
   addArriving(point, arrivals, all);
   return all.front();
@@ -97,10 +97,8 @@ double PointDirectLight::density(
   {
     return 0;
   }
-  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
-  const std::uint32_t piece = lamps_.pieceAt(*light, place);
-  const double samples = samples_ * choice.probabilityOf(piece);
-  return samples > 0 ? samples / choice.seen(piece).solidAngle() : 0;
+  const PointLampChoice choice(lamps_, point, SeenLamp::By::SolidAngle, samples_, mostWeights_);
+  return samples_ * choice.densityOf(lamps_.pieceAt(*light, place));
 }
 
 void PointDirectLight::addArriving(
@@ -195,23 +193,20 @@ void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std:
   }
 }
 
-void PointDirectLight::addSamples(const LitPoint& point, const Part& part, std::uint64_t number,
-  std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
-  std::vector<Arrival>& arrivals) const
+void PointDirectLight::addSamples(const LitPoint& point, SeenLamp::By by, const Part& part,
+  std::uint64_t number, std::uint32_t share, const std::vector<std::uint32_t>& touching,
+  std::size_t replicates, std::vector<Arrival>& arrivals) const
 {
-  const PointLampChoice choice(lamps_, point, samples_, mostWeights_);
+  const PointLampChoice choice(lamps_, point, by, samples_, mostWeights_);
   const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
   for (std::uint32_t i = 0; i < samples_ && !choice.isEmpty(); ++i)
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(share * samples_ + i, keys);
-    const LampChoice::Choice chosen = choice.choose(u[0]);
-    const LampPiece& lamp = lamps_[chosen.piece];
-    if (std::find(touching.begin(), touching.end(), lamp.light) == touching.end())
+    const PointLampChoice::Choice chosen = choice.choose(u[0]);
+    const std::uint32_t light = lamps_[chosen.piece].light;
+    if (std::find(touching.begin(), touching.end(), light) == touching.end())
     {
-      const double samples = chosen.probability * samples_;
-      Arrival arrival =
-        from(lamp, choice.seen(chosen.piece), point, part, samples, { chosen.rest, u[1] });
-      arrival.perWatt /= samples;
+      Arrival arrival = from(chosen, point, part, u[1]);
       arrival.replicate = i * replicates / samples_;
       if (arrival.perWatt > 0)
       {
@@ -221,27 +216,33 @@ void PointDirectLight::addSamples(const LitPoint& point, const Part& part, std::
   }
 }
 
-PointDirectLight::Arrival PointDirectLight::from(const LampPiece& lamp,
-  const SphericalTriangle& seen, const LitPoint& point, const Part& part, double samples,
-  const std::array<double, 2>& onLamp) const
+PointDirectLight::Arrival PointDirectLight::from(const PointLampChoice::Choice& chosen,
+  const LitPoint& point, const Part& part, double onLamp) const
 {
+  const LampPiece& lamp = lamps_[chosen.piece];
   const Light& light = lamps_.lights()[lamp.light];
+  const double samples = chosen.probability * samples_;
   if (const auto* const inAir = std::get_if<PointLight>(&light.kind))
   {
     const Vector3 along = point.position - inAir->position();
     const double taken = along.isZero(0) ? 0 : part(along, std::numeric_limits<double>::infinity());
     return { { inAir->position(), along, {} }, lamp.light,
-      PointLampChoice::perWatt(*inAir, along, taken) };
+      PointLampChoice::perWatt(*inAir, along, taken) / samples };
   }
-  const SurfacePoint start = surfacePoint(lamp.triangle, seen.sample(onLamp));
+  if (!chosen.seen)
+  {
+    return { {}, lamp.light, 0 };
+  }
+  const SeenLamp::Sample sample = chosen.seen->sample({ chosen.rest, onLamp });
+  const SurfacePoint start = surfacePoint(lamp.triangle, sample.weights);
   const Vector3 between = point.position - start.position;
   // Closer to its plane, rounding would tell the side.
   const bool isInFront = start.normal.dot(between) > 4 * start.clearance;
-  const double perWatt = isInFront ? part(between, samples / seen.solidAngle()) *
-      seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area())
+  const double perWatt = isInFront ? part(between, samples / sample.solidAngle) *
+      sample.solidAngle * lamp.share / (kPi * lamp.triangle.area())
                                    : 0;
   const Vector3 origin = start.clearPosition();
-  return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt };
+  return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt / samples };
 }
 
 }

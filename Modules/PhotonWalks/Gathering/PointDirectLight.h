@@ -18,8 +18,8 @@ namespace irradiance
  * at the point, no mean over a cell. It is the irradiance, or of a point that receives from all directions the
  * fluence rate.
  *
- * Each sample asks a light that PointLampChoice chooses, at a point chosen by solid angle; so none brings much more
- * than others, however near a light is. Of a light in the same place as the face on which the point stands, what it emits
+ * Each sample asks a light that PointLampChoice chooses, at a point chosen nearly by what
+ * it would bring; so none brings much more than others, however near a light is, and none is below the horizon. Of a light in the same place as the face on which the point stands, what it emits
  * there arrives; of a point light at the very point nothing, though it would be infinite. All
  * is a pure function of the scene, the seed, the point and its number. Theory.md, 1.3.
  */
@@ -75,12 +75,12 @@ private:
   void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
     std::size_t replicates, std::vector<Arrival>& arrivals) const;
   /// `touching`: lights that are not asked.
-  void addSamples(const LitPoint& point, const Part& part, std::uint64_t number,
+  void addSamples(const LitPoint& point, SeenLamp::By by, const Part& part, std::uint64_t number,
     std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
     std::vector<Arrival>& arrivals) const;
-  /// `seen`: its triangle. `samples`: how many ask it, on average.
-  Arrival from(const LampPiece& lamp, const SphericalTriangle& seen, const LitPoint& point,
-    const Part& part, double samples, const std::array<double, 2>& onLamp) const;
+  /// `onLamp`: in (0, 1), it and the rest of the choice are the place on it.
+  Arrival from(const PointLampChoice::Choice& chosen, const LitPoint& point, const Part& part,
+    double onLamp) const;
   std::vector<Arrival> arrivalsAt(
     const LitPoint& point, std::uint64_t number, std::size_t replicates) const;
   /// Adds what no other surface stops.
