@@ -42,7 +42,7 @@ struct Corners
     this->Normals->SetInputConnection(this->Triangles->GetOutputPort());
     this->Normals->ConsistencyOff();
     this->Inwards->SetInputConnection(this->Normals->GetOutputPort());
-    this->Inwards->SetShrinkFactor(0.999);
+    this->Inwards->SetShrinkFactor(0.9999);
     this->Probe->SetInputConnection(this->Inwards->GetOutputPort());
     this->Probe->SetSourceConnection(this->Irradiance->GetOutputPort());
   }
@@ -63,7 +63,7 @@ struct Corners
 
 }
 
-// A point light over a black floor: at each corner what the formula says. Corners lie within a thousandth of a cell of where they
+// A point light over a black floor: at each corner what the formula says. Corners lie within 1e-4 of a cell of where they
 // belong.
 TEST(PointIrradiance, UnderAPointLightIsThatOfTheFormula)
 {
