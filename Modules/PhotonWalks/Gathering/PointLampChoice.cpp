@@ -55,6 +55,9 @@ PointLampChoice::PointLampChoice(const LampPieces& lamps, const LitPoint& point,
     rough_.weigh(asCell(point));
     return;
   }
+  targets_.reserve(2 * lamps.size());
+  cumulative_.reserve(2 * lamps.size());
+  std::vector<SeenLamp> parts;
   const auto add = [&](const Target& target) {
     targets_.push_back(target);
     sum_ += weightOf(target);
@@ -67,7 +70,9 @@ PointLampChoice::PointLampChoice(const LampPieces& lamps, const LitPoint& point,
       add({ piece, {} });
       continue;
     }
-    for (const SeenLamp& seen : partsOf(piece))
+    parts.clear();
+    SeenLamp::addParts(lamps[piece].triangle, point, by, parts);
+    for (const SeenLamp& seen : parts)
     {
       add({ piece, seen });
     }
@@ -120,8 +125,9 @@ PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
     return choice;
   }
   double sum = 0;
-  std::vector<double> cumulative;
   const std::vector<SeenLamp> parts = partsOf(chosen.piece);
+  std::vector<double> cumulative;
+  cumulative.reserve(parts.size());
   for (const SeenLamp& part : parts)
   {
     cumulative.push_back(sum += part.taken());

@@ -26,7 +26,7 @@ void SeenLamp::addParts(
     { Vector3::UnitZ(), lamp.c } } };
   if (by == By::SolidAngle || !point.hasNormal())
   {
-    parts.push_back({ corners, point, by });
+    add(corners, point, by, parts);
     return;
   }
   // Along the edges, the corners above the horizon, and where an edge crosses it.
@@ -50,30 +50,38 @@ void SeenLamp::addParts(
   }
   for (std::size_t i = 2; i < count; ++i)
   {
-    parts.push_back({ { above[0], above[i - 1], above[i] }, point, by });
+    add({ above[0], above[i - 1], above[i] }, point, by, parts);
   }
 }
 
-SeenLamp::SeenLamp(const std::array<Corner, 3>& given, const LitPoint& point, By by)
-  : seen_({ given[0].place, given[1].place, given[2].place }, point.position)
+void SeenLamp::add(
+  std::array<Corner, 3> corners, const LitPoint& point, By by, std::vector<SeenLamp>& parts)
 {
-  const auto part = [&](const Vector3& place) {
+  const auto partOf = [&](const Vector3& place) {
     return std::max(0.0, point.partOf(point.position - place));
   };
-  std::array<Corner, 3> corners = given;
-  Vector3 parts(part(given[0].place), part(given[1].place), part(given[2].place));
-  meanPart_ = (parts.sum() + 3 * part((given[0].place + given[1].place + given[2].place) / 3)) / 6;
-  if (by == By::Cosine && point.hasNormal() && parts.maxCoeff() > 0)
+  Vector3 cosines(partOf(corners[0].place), partOf(corners[1].place), partOf(corners[2].place));
+  const Vector3 middle = (corners[0].place + corners[1].place + corners[2].place) / 3;
+  const double meanPart = (cosines.sum() + 3 * partOf(middle)) / 6;
+  const bool isWarped = by == By::Cosine && point.hasNormal() && cosines.maxCoeff() > 0;
+  if (isWarped)
   {
     // Towards the second corner samples are densest in the square: it is the one with the largest cosine.
     Eigen::Index largest = 0;
-    parts.maxCoeff(&largest);
+    cosines.maxCoeff(&largest);
     std::rotate(corners.begin(), corners.begin() + (largest + 2) % 3, corners.end());
-    parts = Vector3(parts[(largest + 2) % 3], parts[largest], parts[(largest + 1) % 3]);
-    seen_ =
-      SphericalTriangle({ corners[0].place, corners[1].place, corners[2].place }, point.position);
-    density_ = parts;
+    cosines = Vector3(cosines[(largest + 2) % 3], cosines[largest], cosines[(largest + 1) % 3]);
   }
+  parts.push_back(
+    SeenLamp(corners, point.position, isWarped ? cosines : Vector3(Vector3::Ones()), meanPart));
+}
+
+SeenLamp::SeenLamp(const std::array<Corner, 3>& corners, const Vector3& from,
+  const Vector3& density, double meanPart)
+  : seen_({ corners[0].place, corners[1].place, corners[2].place }, from)
+  , density_(density)
+  , meanPart_(meanPart)
+{
   weights_ << corners[0].weights, corners[1].weights, corners[2].weights;
 }
 

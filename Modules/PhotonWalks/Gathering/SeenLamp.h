@@ -48,11 +48,15 @@ private:
     Vector3 weights, place;
   };
 
-  SeenLamp(const std::array<Corner, 3>& corners, const LitPoint& point, By by);
+  static void add(
+    std::array<Corner, 3> corners, const LitPoint& point, By by, std::vector<SeenLamp>& parts);
+  /// `density`: in the corners, in some unit. `meanPart`: of LitPoint::partOf().
+  SeenLamp(const std::array<Corner, 3>& corners, const Vector3& from, const Vector3& density,
+    double meanPart);
 
   Matrix3 weights_; ///< of the lamp's corners; a column for each of the part's
   SphericalTriangle seen_;
-  Vector3 density_ = Vector3::Ones(); ///< in the corners, in some unit
+  Vector3 density_;
   double meanPart_;
 };
 

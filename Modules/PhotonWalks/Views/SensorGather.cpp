@@ -175,7 +175,7 @@ std::size_t SensorGather::Rays::bytes() const
     bytes += start.direct.capacity() * sizeof(Bands);
     for (const std::vector<ShadowRay>& group : start.shadows)
     {
-      bytes += sizeof(group) + group.capacity() * sizeof(ShadowRay);
+      bytes += sizeof(std::vector<ShadowRay>) + group.capacity() * sizeof(ShadowRay);
     }
   }
   return bytes;

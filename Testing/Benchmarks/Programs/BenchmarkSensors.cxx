@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What sensors in the air cost: 5,000 little sheets with two sides, so 10,000 sensors, at random places and turns in
+ * What sensors in the air cost: 2,500 little sheets with two sides, so 5,000 sensors, at random places and turns in
  * rooms. The rival is the plain program with Embree that gathers (Rivals/PlainGatherer.h): for it the sheets are
  * black triangles of half a millimetre in the room, which hide nothing that matters. Both find the sum of both sides;
  * ours must agree with what the rival finds with many paths, twice, before any time counts, but for the bias of cells as
@@ -14,7 +14,7 @@
  * One thread, CPU time, in turns. "To 2 %": times the square of the error over .02. Building Embree's scene is
  * not counted.
  *
- * Arguments: [walks = 100000] [rounds = 3] [sheets = 5000] [paths of half the truth = 512] [rooms = 4]
+ * Arguments: [walks = 100000] [rounds = 3] [sheets = 2500] [paths of half the truth = 512] [rooms = 4]
  */
 #include "../../PhotonWalks/TestScenes.h"
 #include "../../RayCasting/RandomVectors.h"
@@ -424,7 +424,7 @@ void run(const Arguments& arguments)
   Sizes sizes{};
   sizes.walks = arguments.number(0, 100000u);
   sizes.rounds = std::max(2, arguments.number(1, 3));
-  sizes.sheets = arguments.number(2, 5000);
+  sizes.sheets = arguments.number(2, 2500);
   sizes.truthPaths = arguments.number(3, 512u);
   flushDenormals();
   const std::vector<MovingScene> rooms = makeGatheringRooms();
