@@ -68,7 +68,7 @@ void SetDataTime(vtkInformation* info, vtkDataSet* output)
 class vtkIrradianceProbeFilter::vtkInternals
 {
 public:
-  irradiance::GatheredSensors::Kept Gathered;
+  irradiance::StoredSensors Stored;
 };
 
 vtkIrradianceProbeFilter::vtkIrradianceProbeFilter()
@@ -139,7 +139,8 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   const std::string warning = gathers
     ? irradiance::GatheredSensors(
         output, run.bands(), normals != nullptr, irradiance::haveErrors(scene))
-        .measure(run, static_cast<std::uint32_t>(this->NumberOfRays), this->Internals->Gathered)
+        .measure(run, { static_cast<std::uint32_t>(this->NumberOfRays), this->KeepRays },
+          this->Internals->Stored)
     : irradiance::NearestSensors(output, run.bands())
         .measure(run,
           { static_cast<std::uint32_t>(this->NumberOfPhotons), this->MaximumRadius,
@@ -195,6 +196,7 @@ void vtkIrradianceProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Estimate: " << this->Estimate << "\n"
      << indent << "NumberOfRays: " << this->NumberOfRays << "\n"
+     << indent << "KeepRays: " << this->KeepRays << "\n"
      << indent << "NumberOfPhotons: " << this->NumberOfPhotons << "\n"
      << indent << "MaximumRadius: " << this->MaximumRadius << "\n"
      << indent << "MaximumDistance: " << this->MaximumDistance << "\n";

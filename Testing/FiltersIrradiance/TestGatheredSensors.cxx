@@ -165,6 +165,7 @@ TEST(GatheredSensors, AfterUpdatesTheyEqualANewFilter)
       const std::vector<double> updated = pipeline.Update("Irradiance");
       Pipeline fresh(scene, 5000, planes);
       gathersDirectLight ? fresh.Irradiance->SetDirectLightToGathered() : void();
+      fresh.Probe->KeepRaysOff();
       ASSERT_TRUE(HaveSameBits(updated, fresh.Update("Irradiance"))) << "frame " << frame;
       EXPECT_FALSE(HaveSameBits(updated, before));
       before = updated;
@@ -258,6 +259,7 @@ TEST(GatheredSensors, SayWhatCannotBeMeasured)
   pipeline.Probe->Print(text);
   EXPECT_NE(text.str().find("Estimate: 0\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfRays: 16\n"), std::string::npos);
+  EXPECT_NE(text.str().find("KeepRays: 1\n"), std::string::npos);
 }
 
 // Of sensors that move some gather anew, and find what a new filter finds; those that stay keep their bits. Progress tells:

@@ -3,11 +3,12 @@
 #define irradiance_GatheredSensors_h
 
 #include "Output/SensorRun.h"
-#include "Views/SensorGather.h"
+#include "Views/StoredSensors.h"
 
 #include "vtkDoubleArray.h"
 
-#include <memory>
+#include <cstdint>
+#include <string>
 
 namespace irradiance
 {
@@ -16,22 +17,17 @@ namespace irradiance
 class GatheredSensors
 {
 public:
-  /// What was found last, for which state of which engine: sensors that stay, in a scene that stays, keep it.
-  struct Kept
-  {
-    std::weak_ptr<const IrradianceEngine> engine;
-    std::uint64_t state = 0;
-    std::uint32_t rays = 0;
-    std::vector<Sensor> sensors;
-    std::vector<SensorGather::Light> lights;
-  };
-
   /// Adds arrays to an output; with `haveErrors` one of standard errors.
   GatheredSensors(vtkDataSet* output, int bands, bool haveNormals, bool haveErrors);
 
-  /// With so many rays for each sensor; what is `kept` is used again, and updated. Returns a warning, or nothing.
-  /// Throws Interrupted, and what SensorGather throws.
-  std::string measure(const SensorRun& run, std::uint32_t rays, Kept& kept);
+  /// By rays as the settings say; what is `stored` is used again, and updated. Returns a warning, or nothing. Throws
+  /// Interrupted, and what SensorGather throws.
+  struct Settings
+  {
+    std::uint32_t rays; ///< for each sensor
+    bool keepsRays;
+  };
+  std::string measure(const SensorRun& run, const Settings& settings, StoredSensors& stored);
 
 private:
   void set(vtkIdType point, const SensorGather::Light& light);

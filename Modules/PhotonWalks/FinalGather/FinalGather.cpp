@@ -3,7 +3,6 @@
 
 #include "Execution/SlicedPass.h"
 #include "FinalGather/ReadingChecks.h"
-#include "Repair/SceneChange.h"
 
 #include <algorithm>
 #include <memory>
@@ -12,19 +11,6 @@
 
 namespace irradiance
 {
-
-namespace
-{
-
-/// Rays of each side that are cast together.
-constexpr std::size_t kRaysTogether = 4096;
-
-std::size_t gatherersTogether(const GatherScene& scene)
-{
-  return std::max<std::size_t>(1, kRaysTogether / scene.rays);
-}
-
-}
 
 void FinalGather::update(const GatherScene& scene, Execution& execution)
 {
@@ -37,7 +23,7 @@ void FinalGather::update(const GatherScene& scene, Execution& execution)
   Origin origin = originOf(scene, ranks);
   const std::optional<GatherMotion> motion = motionTo(scene, origin);
   origin_.reset(); // until the end is reached
-  const std::size_t together = gatherersTogether(scene);
+  const std::size_t together = startsTogether(scene);
   const std::size_t units = (gatherers_.size() + together - 1) / together;
   if (!motion)
   {
@@ -88,40 +74,26 @@ void FinalGather::findGatherers(const GatherScene& scene)
 
 FinalGather::Origin FinalGather::originOf(const GatherScene& scene, const Ranks& ranks) const
 {
-  Origin origin{ scene.objects, scene.seed, scene.rays, scene.replicates(), ranks.rank(),
-    ranks.count(), {}, {} };
+  Origin origin{ pathsOriginOf(scene), ranks.rank(), ranks.count(), {} };
   for (const Gatherer& gatherer : gatherers_)
   {
     origin.gatherers.push_back(gatherer.cell);
   }
-  scene.cells.numbers().forEach([&](const SceneCell& cell) {
-    if (scene.roles.isRead(cell))
-    {
-      origin.readCells.push_back(cell);
-    }
-  });
   return origin;
 }
 
 std::optional<GatherMotion> FinalGather::motionTo(
   const GatherScene& scene, const Origin& origin) const
 {
-  if (!origin_ || origin.seed != origin_->seed || origin.rays != origin_->rays ||
-    origin.replicates != origin_->replicates || origin.rank != origin_->rank ||
-    origin.ranks != origin_->ranks || origin.gatherers != origin_->gatherers ||
-    origin.readCells != origin_->readCells || hasReplaced(origin.objects, origin_->objects) ||
-    !differsOnlyByMotion(origin.objects, origin_->objects) ||
-    !areLightsUnchanged(origin.objects, origin_->objects))
-  {
-    return {};
-  }
-  return GatherMotion(scene, findMoved(origin.objects, origin_->objects));
+  const bool isSame = origin_ && origin.rank == origin_->rank && origin.ranks == origin_->ranks &&
+    origin.gatherers == origin_->gatherers;
+  return isSame ? motionSince(scene, origin.paths, origin_->paths) : std::nullopt;
 }
 
 std::vector<FinalGather::Side> FinalGather::sidesOf(
   const GatherScene& scene, std::size_t unit) const
 {
-  const std::size_t together = gatherersTogether(scene);
+  const std::size_t together = startsTogether(scene);
   const std::size_t end = std::min((unit + 1) * together, gatherers_.size());
   std::vector<Side> sides;
   for (std::size_t i = unit * together; i < end; ++i)
@@ -188,7 +160,7 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
 {
   std::unique_ptr<GatherPaths> paths = paths_.take();
   paths->begin(scene);
-  std::vector<bool> isAnew;
+  std::vector<std::size_t> from;
   std::vector<std::uint32_t> rays;
   for (const Side& side : unit.sides)
   {
@@ -196,9 +168,10 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
     rays.clear();
     for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
     {
-      isAnew.push_back(!motion || motion->hasMoved(gatherer.cell.object) ||
-        motion->mayChange(unit.paths[isAnew.size()]));
-      if (isAnew.back())
+      const bool isAnew = !motion || motion->hasMoved(gatherer.cell.object) ||
+        motion->mayChange(unit.paths[from.size()]);
+      from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
+      if (isAnew)
       {
         rays.push_back(ray);
       }
@@ -210,20 +183,7 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
   }
   paths->run(scene);
   followed_ += static_cast<std::int64_t>(paths->followed().size());
-  if (motion)
-  {
-    FollowedPaths merged;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < isAnew.size(); ++i)
-    {
-      isAnew[i] ? merged.addPath(paths->followed(), next++) : merged.addPath(unit.paths, i);
-    }
-    unit.paths = std::move(merged);
-  }
-  else
-  {
-    unit.paths = paths->takeFollowed();
-  }
+  unit.paths = motion ? paths->followed().mergedWith(unit.paths, from) : paths->takeFollowed();
   paths_.giveBack(std::move(paths));
 }
 

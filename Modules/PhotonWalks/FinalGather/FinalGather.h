@@ -4,9 +4,9 @@
 
 #include "Execution/Execution.h"
 #include "Execution/Pool.h"
-#include "FinalGather/GatherMotion.h"
 #include "FinalGather/GatherPaths.h"
 #include "FinalGather/PathSums.h"
+#include "FinalGather/PathsOrigin.h"
 
 #include <atomic>
 #include <cstdint>
@@ -72,11 +72,9 @@ private:
   /// What paths depend on besides poses.
   struct Origin
   {
-    SceneObjects objects;
-    std::uint64_t seed;
-    std::uint32_t rays, replicates;
+    PathsOrigin paths;
     std::size_t rank, ranks; ///< which follows them
-    std::vector<SceneCell> gatherers, readCells;
+    std::vector<SceneCell> gatherers;
   };
 
   void findGatherers(const GatherScene& scene);

@@ -8,6 +8,7 @@ void FollowedPaths::clear()
 {
   segments_.clear();
   values_.clear();
+  shadows_.clear();
   ends_.clear();
 }
 
@@ -23,13 +24,26 @@ void FollowedPaths::addPath(const FollowedPaths& from, std::size_t path)
   const Path added = from[path];
   segments_.insert(segments_.end(), added.begin, added.end);
   values_.insert(values_.end(), added.values, from.values_.data() + from.ends_[path].value);
+  shadows_.insert(shadows_.end(), added.shadows, added.endOfShadows);
   endPath();
+}
+
+FollowedPaths FollowedPaths::mergedWith(
+  const FollowedPaths& before, const std::vector<std::size_t>& places) const
+{
+  FollowedPaths merged;
+  std::size_t next = 0;
+  for (const std::size_t place : places)
+  {
+    place == kAnew ? merged.addPath(*this, next++) : merged.addPath(before, place);
+  }
+  return merged;
 }
 
 std::size_t FollowedPaths::bytes() const
 {
   return segments_.capacity() * sizeof(GatherSegment) + values_.capacity() * sizeof(double) +
-    ends_.capacity() * sizeof(End);
+    shadows_.capacity() * sizeof(ShadowRay) + ends_.capacity() * sizeof(End);
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef irradiance_FollowedPaths_h
 #define irradiance_FollowedPaths_h
 
-#include "Geometry/Vector.h"
+#include "Gathering/ShadowRay.h"
 
 #include <array>
 #include <cstdint>
@@ -12,30 +12,26 @@
 namespace irradiance
 {
 
-/// A segment of a path, from one hit to the next; or a ray from a light to where it was asked, behind the segment that ends
-/// there.
+/// A segment of a path, from one hit to the next.
 struct GatherSegment
 {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   std::array<float, 3> from;
-  std::array<float, 3>
-    to; ///< where it hits; where it hits nothing, its direction; of a light's ray its end
-  std::uint32_t triangle; ///< the number of what it hits, or kNone; of a light's ray what stops it
-  bool isFront : 1;       ///< which side it hits
-  bool isSpecular : 1;    ///< how it left its start
-  bool isKnown : 1;       ///< what the side received is read
-  bool isDirectKnown : 1; ///< what it received straight from the lights is read
-  bool asksLights : 1;    ///< the lights were asked for what is not read
-  bool hasLampWeight : 1; ///< it leads to a lamp, which was also asked
+  std::array<float, 3> to; ///< where it hits; where it hits nothing, its direction
+  std::uint32_t triangle;  ///< the number of what it hits, or kNone
+  bool isFront : 1;        ///< which side it hits
+  bool isSpecular : 1;     ///< how it left its start
+  bool isKnown : 1;        ///< what the side received is read
+  bool isDirectKnown : 1;  ///< what it received straight from the lights is read
+  bool asksLights : 1;     ///< the lights were asked for what is not read
+  bool hasLampWeight : 1;  ///< it leads to a lamp, which was also asked
   bool touchesMover : 1; ///< its start or its hit, which is there or not depending on what is solid
-  bool isFromLight : 1;  ///< a light's ray
-  bool isStopped : 1;    ///< it does not arrive
 };
 
 /**
- * Paths of a final gather as they were followed, one behind the other: segments, and the numbers that belong to
- * these. What they bring is no part of it: PathSums reads that from the sums of a frame.
+ * Paths of a final gather as they were followed, one behind the other: segments, the numbers that belong to these, and the
+ * rays of lights that were asked where they end. What they bring is no part of it: PathSums reads that from the sums of a frame.
  */
 class FollowedPaths
 {
@@ -46,14 +42,17 @@ public:
     const GatherSegment* begin;
     const GatherSegment* end;
     const double* values;
+    const ShadowRay* shadows;
+    const ShadowRay* endOfShadows;
   };
 
   std::size_t size() const { return ends_.size(); }
   Path operator[](std::size_t path) const
   {
-    const End first = path == 0 ? End{ 0, 0 } : ends_[path - 1];
-    return { segments_.data() + first.segment, segments_.data() + ends_[path].segment,
-      values_.data() + first.value };
+    const End first = path == 0 ? End{ 0, 0, 0 } : ends_[path - 1];
+    const End& end = ends_[path];
+    return { segments_.data() + first.segment, segments_.data() + end.segment,
+      values_.data() + first.value, shadows_.data() + first.shadow, shadows_.data() + end.shadow };
   }
   void clear();
   void reserve(std::size_t paths, std::size_t segments, std::size_t values);
@@ -62,19 +61,25 @@ public:
   /// With several bands the weights of each segment; what the lights brought where they were asked; the weight of a
   /// lamp.
   void addValue(double value) { values_.push_back(value); }
-  void endPath() { ends_.push_back({ segments_.size(), values_.size() }); }
+  void addShadow(const ShadowRay& ray) { shadows_.push_back(ray); }
+  void endPath() { ends_.push_back({ segments_.size(), values_.size(), shadows_.size() }); }
   void addPath(const FollowedPaths& from, std::size_t path);
+  /// These, in order, and among them some that were followed before: for each of all, its place there, or kAnew.
+  static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
+  FollowedPaths mergedWith(
+    const FollowedPaths& before, const std::vector<std::size_t>& places) const;
   /// Of its memory.
   std::size_t bytes() const;
 
 private:
   struct End
   {
-    std::size_t segment, value;
+    std::size_t segment, value, shadow;
   };
 
   std::vector<GatherSegment> segments_;
   std::vector<double> values_;
+  std::vector<ShadowRay> shadows_;
   std::vector<End> ends_;
 };
 

@@ -23,6 +23,13 @@ Eigen::AlignedBox3f floatBoxAround(const Box& box)
   return around;
 }
 
+/// Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
+double blurOf(const Box& bounds)
+{
+  return (bounds.magnitude() + bounds.extent().norm()) * 0x1p-23 +
+    double{ std::numeric_limits<float>::denorm_min() };
+}
+
 }
 
 GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& moved)
@@ -37,9 +44,7 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
   firstDynamic_ = numbers.first(1);
   const Scene& space = scene.space.scene;
   reach_ = space.bounds().extent().norm();
-  // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
-  const double blur = (space.bounds().magnitude() + reach_) * 0x1p-23 +
-    double{ std::numeric_limits<float>::denorm_min() };
+  const double blur = blurOf(space.bounds());
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     hasMoved_.resize(numbers.first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);
@@ -54,22 +59,29 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
 
 bool GatherMotion::mayChange(const GatherSegment& segment) const
 {
-  const bool isHit = segment.triangle != GatherSegment::kNone;
-  if (segment.touchesMover ||
-    (isHit && segment.triangle >= firstDynamic_ &&
-      hasMoved_[segment.triangle - firstDynamic_] != 0))
+  if (segment.touchesMover || isMoved(segment.triangle))
   {
     return true;
   }
-  if (segment.isStopped)
-  {
-    return false; // by what is still there
-  }
-  const Eigen::Vector3f from(segment.from.data());
-  const Vector3 end = isHit || segment.isFromLight
-    ? Vector3(Eigen::Vector3f(segment.to.data()).cast<double>())
-    : Vector3(from.cast<double>() + reach_ * Eigen::Vector3f(segment.to.data()).cast<double>());
-  const Eigen::Vector3f to = end.cast<float>();
+  const Vector3 to = Eigen::Vector3f(segment.to.data()).cast<double>();
+  return mayMeet(segment.from,
+    segment.triangle != GatherSegment::kNone
+      ? to
+      : Vector3(Eigen::Vector3f(segment.from.data()).cast<double>() + reach_ * to));
+}
+
+/// What has not moved and stops a ray goes on to do so.
+bool GatherMotion::mayChange(const ShadowRay& ray) const
+{
+  return isAny_ &&
+    (ray.touchesMover || isMoved(ray.triangle) ||
+      (ray.triangle == ShadowRay::kNone &&
+        mayMeet(ray.from, Eigen::Vector3f(ray.to.data()).cast<double>())));
+}
+
+bool GatherMotion::mayMeet(const std::array<float, 3>& start, const Vector3& end) const
+{
+  const Eigen::Vector3f from(start.data()), to = end.cast<float>();
   const Eigen::AlignedBox3f box(from.cwiseMin(to), from.cwiseMax(to));
   return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
     // Numbers that are none pass.

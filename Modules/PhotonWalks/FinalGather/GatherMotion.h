@@ -4,6 +4,7 @@
 
 #include "FinalGather/FollowedPaths.h"
 #include "FinalGather/GatherScene.h"
+#include "Gathering/ShadowRay.h"
 
 #include <algorithm>
 #include <vector>
@@ -24,14 +25,27 @@ public:
   /// Of a path that starts on what did not move.
   bool mayChange(const FollowedPaths::Path& path) const
   {
-    return std::any_of(
-      path.begin, path.end, [&](const GatherSegment& segment) { return mayChange(segment); });
+    const auto may = [&](const auto& ray) { return mayChange(ray); };
+    return isAny_ &&
+      (std::any_of(path.begin, path.end, may) || std::any_of(path.shadows, path.endOfShadows, may));
   }
+
+  /// Whether its light may arrive now if it did not, or the other way round.
+  bool mayChange(const ShadowRay& ray) const;
 
 private:
   /// Whether another hit may be found, or light arrive that did not, or the other way round. Conservative: what moved is widened by all rounding, also of the segment
   /// to floats. `segment`: starts on what did not move, or is behind one that may change.
   bool mayChange(const GatherSegment& segment) const;
+
+  /// Of its number; no triangle has not moved.
+  bool isMoved(std::uint32_t triangle) const
+  {
+    return triangle != GatherSegment::kNone && triangle >= firstDynamic_ &&
+      hasMoved_[triangle - firstDynamic_] != 0;
+  }
+  /// Whether something that moved may be between two places.
+  bool mayMeet(const std::array<float, 3>& from, const Vector3& to) const;
 
   struct Body
   {

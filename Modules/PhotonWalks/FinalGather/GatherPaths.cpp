@@ -58,11 +58,6 @@ std::uint64_t seedOf(const GatherScene& scene, std::uint64_t number)
   return splitMix(scene.seed ^ splitMix(number));
 }
 
-std::array<float, 3> inFloats(const Vector3& v)
-{
-  return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
-}
-
 double largestOf(const GatherPaths::Bands& weight)
 {
   return *std::max_element(weight.begin(), weight.end());
@@ -91,6 +86,7 @@ void GatherPaths::begin(const GatherScene& scene)
   rays_.clear();
   steps_.clear();
   values_.clear();
+  shadows_.clear();
 }
 
 void GatherPaths::addSide(const GatherScene& scene, std::size_t cell, bool isFront,
@@ -226,10 +222,16 @@ void GatherPaths::sortSteps()
     {
       const std::uint32_t step = order[i];
       followed_.addSegment(steps_[step].segment);
-      const std::size_t end = step + 1 < steps_.size() ? steps_[step + 1].value : values_.size();
+      const bool isLast = step + 1 == steps_.size();
+      const std::size_t end = isLast ? values_.size() : steps_[step + 1].value;
       for (std::size_t value = steps_[step].value; value < end; ++value)
       {
         followed_.addValue(values_[value]);
+      }
+      const std::size_t endOfShadows = isLast ? shadows_.size() : steps_[step + 1].shadow;
+      for (std::size_t shadow = steps_[step].shadow; shadow < endOfShadows; ++shadow)
+      {
+        followed_.addShadow(shadows_[shadow]);
       }
     }
     followed_.endPath();
@@ -289,8 +291,7 @@ void GatherPaths::record(
     { inFloats(ray.origin), inFloats(to), scene.space.triangles.numberOf(id), arrival.isFront(),
       path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,
       hasLampWeight,
-      contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) || arrival.lobe != nullptr, false,
-      false });
+      contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) || arrival.lobe != nullptr });
   if (asksLights)
   {
     askLights(scene, path, vertexOf(scene, ray, arrival), arrival);
@@ -316,7 +317,7 @@ void GatherPaths::recordStart(
 
 void GatherPaths::addStep(const Path& path, const GatherSegment& segment)
 {
-  steps_.push_back({ path.place, segment, values_.size() });
+  steps_.push_back({ path.place, segment, values_.size(), shadows_.size() });
   if (bands_ > 1 && segment.triangle != GatherSegment::kNone)
   {
     values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
@@ -364,25 +365,6 @@ void GatherPaths::askLights(
     }
     values_.push_back(path.weight[i] * reflected);
   }
-  recordShadows(scene, path, point);
-}
-
-void GatherPaths::recordShadows(const GatherScene& scene, const Path& path, const LitPoint& point)
-{
-  const Contacts& contacts = scene.space.contacts;
-  for (const PointDirectLight::Shadow& shadow : shadows_)
-  {
-    GatherSegment segment{};
-    segment.from = inFloats(shadow.from);
-    segment.to = inFloats(point.position);
-    segment.triangle = scene.space.triangles.numberOf(shadow.blocker);
-    segment.isFromLight = true;
-    segment.isStopped = !shadow.isFree;
-    segment.touchesMover = contacts.hasDynamic(shadow.light) || contacts.hasDynamic(point.on) ||
-      (shadow.blocker.isDynamic() && (contacts.has(shadow.light) || contacts.has(point.on)));
-    steps_.push_back({ path.place, segment, values_.size() });
-  }
-  shadows_.clear();
 }
 
 void GatherPaths::goOn(

@@ -65,12 +65,13 @@ private:
     double density; ///< of its direction if it left along a lobe, 1/sr; infinite from a mirror
   };
 
-  /// A segment, and its numbers, of a path at this place.
+  /// A segment, its numbers, and the rays of lights to its end, of a path at this place.
   struct Step
   {
     std::uint32_t path;
     GatherSegment segment;
-    std::size_t value; ///< in values_
+    std::size_t value;  ///< in values_
+    std::size_t shadow; ///< in shadows_
   };
 
   /// Where a ray ends.
@@ -103,8 +104,6 @@ private:
   void addStep(const Path& path, const GatherSegment& segment);
   void askLights(
     const GatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival);
-  /// The rays of the lights that were asked at a point of the path.
-  void recordShadows(const GatherScene& scene, const Path& path, const LitPoint& point);
   void sortSteps();
   /// Appends what goes on.
   void goOn(const GatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
@@ -119,7 +118,7 @@ private:
   std::vector<Hit> hits_;
   std::vector<Step> steps_; ///< bounce by bounce
   std::vector<double> values_;
-  std::vector<PointDirectLight::Shadow> shadows_; ///< of the point at which lights are asked
+  std::vector<ShadowRay> shadows_; ///< if paths are kept
   FollowedPaths followed_;
 };
 

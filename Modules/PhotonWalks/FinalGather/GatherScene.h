@@ -7,6 +7,7 @@
 #include "Gathering/PointDirectLight.h"
 #include "Surfaces/CellShapes.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 
@@ -40,6 +41,12 @@ struct GatherScene
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }
 };
+
+/// Starts whose rays are cast together: some thousand rays.
+inline std::size_t startsTogether(const GatherScene& scene)
+{
+  return std::max<std::size_t>(1, 4096 / scene.rays);
+}
 
 }
 

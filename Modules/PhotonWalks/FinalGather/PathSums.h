@@ -74,12 +74,9 @@ void PathSums::forEachHit(
   const int bands = scene.known.all.bands();
   const double* value = path.values;
   Bands weight{ 1.0 / scene.raysOfReplicate() };
-  for (const GatherSegment* segment = path.begin; segment != path.end; ++segment)
+  for (const GatherSegment* segment = path.begin;
+       segment != path.end && segment->triangle != GatherSegment::kNone; ++segment)
   {
-    if (segment->isFromLight || segment->triangle == GatherSegment::kNone)
-    {
-      continue; // no hit
-    }
     if (bands > 1)
     {
       std::copy_n(value, bands, weight.begin());

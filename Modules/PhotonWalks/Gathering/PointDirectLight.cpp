@@ -25,31 +25,68 @@ PointDirectLight::PointDirectLight(const GatherSpace& space,
 }
 
 PointDirectLight::Bands PointDirectLight::irradiance(
-  const LitPoint& point, std::uint64_t number, std::vector<Shadow>* shadows) const
+  const LitPoint& point, std::uint64_t number, std::vector<ShadowRay>* rays) const
 {
   std::vector<Bands> all(1, Bands{});
-  add(point, number, all, shadows);
+  add(point, number, all, rays);
   return all.front();
 }
 
 void PointDirectLight::add(const LitPoint& point, std::uint64_t number,
-  std::vector<Bands>& replicates, std::vector<Shadow>* shadows) const
+  std::vector<Bands>& replicates, std::vector<ShadowRay>* rays) const
+{
+  addArriving(point, arrivalsAt(point, number, replicates.size()), replicates, rays);
+}
+
+std::vector<PointDirectLight::Arrival> PointDirectLight::arrivalsAt(
+  const LitPoint& point, std::uint64_t number, std::size_t replicates) const
 {
   std::vector<Arrival> arrivals;
   const std::vector<std::uint32_t> touching = lightsAt(point);
-  addTouching(point, touching, replicates.size(), arrivals);
+  addTouching(point, touching, replicates, arrivals);
   const Part cosine = [&](const Vector3& along, double) { return point.partOf(along); };
-  addSamples(point, cosine, number, 0, touching, replicates.size(), arrivals);
-  cast(point, arrivals, replicates, shadows);
+  addSamples(point, SeenLamp::By::Cosine, cosine, number, 0, touching, replicates, arrivals);
+  return arrivals;
+}
+
+std::int64_t PointDirectLight::update(const LitPoint& point, std::uint64_t number,
+  const MayChange& mayChange, std::vector<ShadowRay>& rays, std::vector<Bands>& replicates) const
+{
+  const std::vector<Arrival> arrivals = arrivalsAt(point, number, replicates.size());
+  const bool isFirst = rays.empty();
+  rays.resize(arrivals.size());
+  std::vector<std::size_t> changed;
+  std::vector<Arrival> anew;
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  {
+    if (isFirst || mayChange(rays[i]))
+    {
+      changed.push_back(i);
+      anew.push_back(arrivals[i]);
+    }
+  }
+  const std::vector<Hit> hits = cast(point, anew);
+  for (std::size_t i = 0; i < anew.size(); ++i)
+  {
+    rays[changed[i]] = shadowRayOf(anew[i], point, hits[i]);
+  }
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  {
+    if (!rays[i].isStopped)
+    {
+      addArrival(arrivals[i], replicates);
+    }
+  }
+  return static_cast<std::int64_t>(anew.size());
 }
 
 PointDirectLight::Bands PointDirectLight::taken(
   const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const
 {
   std::vector<Arrival> arrivals;
-  addSamples(point, part, number, share, lightsAt(point), 1, arrivals);
+  addSamples(point, SeenLamp::By::SolidAngle, part, number, share, lightsAt(point), 1, arrivals);
   std::vector<Bands> all(1, Bands{});
-  cast(point, arrivals, all);
+  addArriving(point, arrivals, all);
   return all.front();
 }
 
@@ -62,34 +99,75 @@ double PointDirectLight::density(
   {
     return 0;
   }
-  const PointLampChoice choice(*lamps_, point, samples_, mostWeights_);
-  const std::uint32_t piece = lamps_->pieceAt(*light, place);
-  const double samples = samples_ * choice.probabilityOf(piece);
-  return samples > 0 ? samples / choice.seen(piece).solidAngle() : 0;
+  const PointLampChoice choice(*lamps_, point, SeenLamp::By::SolidAngle, samples_, mostWeights_);
+  return samples_ * choice.densityOf(lamps_->pieceAt(*light, place));
 }
 
-void PointDirectLight::cast(const LitPoint& point, const std::vector<Arrival>& arrivals,
-  std::vector<Bands>& replicates, std::vector<Shadow>* shadows) const
+void PointDirectLight::addArriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
+  std::vector<Bands>& replicates, std::vector<ShadowRay>* rays) const
+{
+  const std::vector<Hit> hits = cast(point, arrivals);
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  {
+    if (arrives(hits[i], point))
+    {
+      addArrival(arrivals[i], replicates);
+    }
+    if (rays)
+    {
+      rays->push_back(shadowRayOf(arrivals[i], point, hits[i]));
+    }
+  }
+}
+
+void PointDirectLight::addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const
+{
+  Bands& sum = replicates[arrival.replicate];
+  for (std::size_t band = 0; band < sum.size(); ++band)
+  {
+    sum[band] += arrival.perWatt * lights()[arrival.light].flux[band];
+  }
+}
+
+/// As for the samples of cells, see DirectLight.
+std::vector<Hit> PointDirectLight::cast(
+  const LitPoint& point, const std::vector<Arrival>& arrivals) const
 {
   std::vector<Ray> rays(arrivals.size());
   std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
     [](const Arrival& arrival) { return arrival.ray; });
   std::vector<Hit> hits(rays.size());
   space_.scene.cast(rays.data(), rays.size(), hits.data());
-  for (std::size_t i = 0; i < arrivals.size(); ++i)
+  const Contacts& contacts = space_.contacts;
+  for (std::size_t i = 0; !contacts.isEmpty() && i < rays.size(); ++i)
   {
-    const Shadow shadow = shadowOf(arrivals[i], point, hits[i]);
-    Bands& sum = replicates[arrivals[i].replicate];
-    const double perWatt = shadow.isFree ? arrivals[i].perWatt : 0;
-    for (std::size_t band = 0; band < sum.size(); ++band)
+    if (contacts.has(point.on) || contacts.has(rays[i].start))
     {
-      sum[band] += perWatt * lamps_->lights()[arrivals[i].light].flux[band];
-    }
-    if (shadows)
-    {
-      shadows->push_back(shadow);
+      hits[i] = contacts.resolveContact(space_.scene, rays[i], hits[i]);
     }
   }
+  return hits;
+}
+
+/// `hit`: what it meets; on a face with contacts it has to be that face.
+bool PointDirectLight::arrives(const Hit& hit, const LitPoint& point) const
+{
+  return (hit && hit.id == point.on) || (hit.distance >= 1 && !space_.contacts.has(point.on));
+}
+
+ShadowRay PointDirectLight::shadowRayOf(
+  const Arrival& arrival, const LitPoint& point, const Hit& hit) const
+{
+  const bool isStopped = !arrives(hit, point);
+  const Vector3& from = arrival.ray.origin;
+  const Vector3 to =
+    isStopped && hit ? from + hit.distance * arrival.ray.direction : point.position;
+  const Contacts& contacts = space_.contacts;
+  const bool touches = contacts.has(arrival.ray.start) || contacts.has(point.on);
+  return { inFloats(from), inFloats(to),
+    isStopped && hit ? space_.triangles.numberOf(hit.id) : ShadowRay::kNone, isStopped,
+    contacts.hasDynamic(arrival.ray.start) || contacts.hasDynamic(point.on) ||
+      contacts.hasDynamic(hit.id) || (touches && isStopped && hit.id.isDynamic()) };
 }
 
 /// Of the table.
@@ -123,23 +201,20 @@ void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std:
   }
 }
 
-void PointDirectLight::addSamples(const LitPoint& point, const Part& part, std::uint64_t number,
-  std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
-  std::vector<Arrival>& arrivals) const
+void PointDirectLight::addSamples(const LitPoint& point, SeenLamp::By by, const Part& part,
+  std::uint64_t number, std::uint32_t share, const std::vector<std::uint32_t>& touching,
+  std::size_t replicates, std::vector<Arrival>& arrivals) const
 {
-  const PointLampChoice choice(*lamps_, point, samples_, mostWeights_);
+  const PointLampChoice choice(*lamps_, point, by, samples_, mostWeights_);
   const SampleKeys keys(splitMix(seed_ ^ splitMix(number)));
   for (std::uint32_t i = 0; i < samples_ && !choice.isEmpty(); ++i)
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(share * samples_ + i, keys);
-    const LampChoice::Choice chosen = choice.choose(u[0]);
-    const LampPiece& lamp = (*lamps_)[chosen.piece];
-    if (std::find(touching.begin(), touching.end(), lamp.light) == touching.end())
+    const PointLampChoice::Choice chosen = choice.choose(u[0]);
+    const std::uint32_t light = (*lamps_)[chosen.piece].light;
+    if (std::find(touching.begin(), touching.end(), light) == touching.end())
     {
-      const double samples = chosen.probability * samples_;
-      Arrival arrival =
-        from(lamp, choice.seen(chosen.piece), point, part, samples, { chosen.rest, u[1] });
-      arrival.perWatt /= samples;
+      Arrival arrival = from(chosen, point, part, u[1]);
       arrival.replicate = i * replicates / samples_;
       if (arrival.perWatt > 0)
       {
@@ -149,40 +224,33 @@ void PointDirectLight::addSamples(const LitPoint& point, const Part& part, std::
   }
 }
 
-PointDirectLight::Arrival PointDirectLight::from(const LampPiece& lamp,
-  const SphericalTriangle& seen, const LitPoint& point, const Part& part, double samples,
-  const std::array<double, 2>& onLamp) const
+PointDirectLight::Arrival PointDirectLight::from(const PointLampChoice::Choice& chosen,
+  const LitPoint& point, const Part& part, double onLamp) const
 {
+  const LampPiece& lamp = (*lamps_)[chosen.piece];
   const Light& light = lamps_->lights()[lamp.light];
+  const double samples = chosen.probability * samples_;
   if (const auto* const inAir = std::get_if<PointLight>(&light.kind))
   {
     const Vector3 along = point.position - inAir->position();
     const double taken = along.isZero(0) ? 0 : part(along, std::numeric_limits<double>::infinity());
     return { { inAir->position(), along, {} }, lamp.light,
-      PointLampChoice::perWatt(*inAir, along, taken) };
+      PointLampChoice::perWatt(*inAir, along, taken) / samples };
   }
-  const SurfacePoint start = surfacePoint(lamp.triangle, seen.sample(onLamp));
+  if (!chosen.seen)
+  {
+    return { {}, lamp.light, 0 };
+  }
+  const SeenLamp::Sample sample = chosen.seen->sample({ chosen.rest, onLamp });
+  const SurfacePoint start = surfacePoint(lamp.triangle, sample.weights);
   const Vector3 between = point.position - start.position;
   // Closer to its plane, rounding would tell the side.
   const bool isInFront = start.normal.dot(between) > 4 * start.clearance;
-  const double perWatt = isInFront ? part(between, samples / seen.solidAngle()) *
-      seen.solidAngle() * lamp.share / (kPi * lamp.triangle.area())
+  const double perWatt = isInFront ? part(between, samples / sample.solidAngle) *
+      sample.solidAngle * lamp.share / (kPi * lamp.triangle.area())
                                    : 0;
   const Vector3 origin = start.clearPosition();
-  return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt };
-}
-
-/// As for the samples of cells, see DirectLight.
-PointDirectLight::Shadow PointDirectLight::shadowOf(
-  const Arrival& arrival, const LitPoint& point, const Hit& closest) const
-{
-  const Contacts& contacts = space_.contacts;
-  const Ray& ray = arrival.ray;
-  const bool touches = contacts.has(point.on) || contacts.has(ray.start);
-  const Hit hit = touches ? contacts.resolveContact(space_.scene, ray, closest) : closest;
-  // Where the point's face touches others, it alone says whether the light arrives.
-  const bool isFree = (hit && hit.id == point.on) || (!contacts.has(point.on) && hit.distance >= 1);
-  return { ray.origin, ray.start, isFree, isFree ? TriangleId{} : hit.id };
+  return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt / samples };
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include "Gathering/GatherSpace.h"
 #include "Gathering/PointLampChoice.h"
+#include "Gathering/ShadowRay.h"
 
 #include <array>
 #include <functional>
@@ -18,8 +19,8 @@ namespace irradiance
  * at the point, no mean over a cell. It is the irradiance, or of a point that receives from all directions the
  * fluence rate.
  *
- * Each sample asks a light that PointLampChoice chooses, at a point chosen by solid angle; so none brings much more
- * than others, however near a light is. Of a light in the same place as the face on which the point stands, what it emits
+ * Each sample asks a light that PointLampChoice chooses, at a point chosen nearly by what
+ * it would bring; so none brings much more than others, however near a light is, and none is below the horizon. Of a light in the same place as the face on which the point stands, what it emits
  * there arrives; of a point light at the very point nothing, though it would be infinite. All
  * is a pure function of the scene, the seed, the point and its number. Theory.md, 1.3.
  */
@@ -35,22 +36,20 @@ public:
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 
-  /// A ray from a light to a point.
-  struct Shadow
-  {
-    Vector3 from;
-    TriangleId light;   ///< on which it starts; none in the air
-    bool isFree;        ///< the light arrives
-    TriangleId blocker; ///< what is in the way, if it is known
-  };
-  /// W/m2. `number`: of the point; it chooses the samples. `shadows`: receives all rays; null: not asked for. May be
+  /// W/m2. `number`: of the point; it chooses the samples. `rays`: all rays are appended; null: not asked for. May be
   /// called by several threads.
   Bands irradiance(
-    const LitPoint& point, std::uint64_t number, std::vector<Shadow>* shadows = nullptr) const;
+    const LitPoint& point, std::uint64_t number, std::vector<ShadowRay>* rays = nullptr) const;
   /// Adds W/m2 that together are those: to each replicate what its block of the samples finds. There are as many
   /// samples in each.
   void add(const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates,
-    std::vector<Shadow>* shadows = nullptr) const;
+    std::vector<ShadowRay>* rays = nullptr) const;
+
+  /// As add(), of a point in the air; cast are only rays of those given that something may have changed since, of the
+  /// same point in a scene with the same lights. None given: all are cast. Returns how many were cast.
+  using MayChange = std::function<bool(const ShadowRay&)>;
+  std::int64_t update(const LitPoint& point, std::uint64_t number, const MayChange& mayChange,
+    std::vector<ShadowRay>& rays, std::vector<Bands>& replicates) const;
 
   /// How much a point takes of a beam along a vector, in place of the cosine. `density`: of the samples that the point
   /// takes from there, 1/sr; infinite for a light in the air.
@@ -62,6 +61,8 @@ public:
   /// Of the samples of taken(), 1/sr, towards a place on a lamp; 0 if it is none of these lights, or is in the same place
   /// as the point's face.
   double density(const LitPoint& point, const TriangleId& lamp, const Vector3& place) const;
+
+  const LightTable& lights() const { return lamps_->lights(); }
 
 private:
   /// Light on its way to a point.
@@ -78,16 +79,22 @@ private:
   void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
     std::size_t replicates, std::vector<Arrival>& arrivals) const;
   /// `touching`: lights that are not asked.
-  void addSamples(const LitPoint& point, const Part& part, std::uint64_t number,
+  void addSamples(const LitPoint& point, SeenLamp::By by, const Part& part, std::uint64_t number,
     std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
     std::vector<Arrival>& arrivals) const;
-  /// `seen`: its triangle. `samples`: how many ask it, on average.
-  Arrival from(const LampPiece& lamp, const SphericalTriangle& seen, const LitPoint& point,
-    const Part& part, double samples, const std::array<double, 2>& onLamp) const;
+  /// `onLamp`: in (0, 1), it and the rest of the choice are the place on it.
+  Arrival from(const PointLampChoice::Choice& chosen, const LitPoint& point, const Part& part,
+    double onLamp) const;
+  std::vector<Arrival> arrivalsAt(
+    const LitPoint& point, std::uint64_t number, std::size_t replicates) const;
   /// Adds what no other surface stops.
-  void cast(const LitPoint& point, const std::vector<Arrival>& arrivals,
-    std::vector<Bands>& replicates, std::vector<Shadow>* shadows = nullptr) const;
-  Shadow shadowOf(const Arrival& arrival, const LitPoint& point, const Hit& closest) const;
+  void addArriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
+    std::vector<Bands>& replicates, std::vector<ShadowRay>* rays = nullptr) const;
+  /// What arrivals meet.
+  std::vector<Hit> cast(const LitPoint& point, const std::vector<Arrival>& arrivals) const;
+  bool arrives(const Hit& hit, const LitPoint& point) const;
+  ShadowRay shadowRayOf(const Arrival& arrival, const LitPoint& point, const Hit& hit) const;
+  void addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const;
 
   GatherSpace space_;
   std::shared_ptr<const LampPieces> lamps_;

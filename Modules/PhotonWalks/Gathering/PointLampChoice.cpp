@@ -23,22 +23,30 @@ CellShape asCell(const LitPoint& point)
   return shape;
 }
 
-/// LitPoint::partOf() over a lamp, on average, roughly. What is below the horizon counts as 0; it is 0 if all corners are.
-double meanPart(const LitPoint& point, const LampPiece& lamp)
+/// The place in increasing sums that a part of the last one falls on, its weight, and the rest in [0, 1).
+struct Found
 {
-  const auto part = [&](const Vector3& place) {
-    return std::max(0.0, point.partOf(point.position - place));
-  };
-  const Triangle& triangle = lamp.triangle;
-  return (part(triangle.a) + part(triangle.b) + part(triangle.c) + 3 * part(lamp.center)) / 6;
+  std::size_t place;
+  double weight, rest;
+};
+
+Found findIn(const std::vector<double>& cumulative, double sample)
+{
+  const double at = sample * cumulative.back();
+  const auto found = std::upper_bound(cumulative.begin(), cumulative.end() - 1, at);
+  const double before = found == cumulative.begin() ? 0 : *(found - 1);
+  const double own = *found - before;
+  return { static_cast<std::size_t>(found - cumulative.begin()), own,
+    std::clamp((at - before) / own, 0.0, 1 - 0x1p-53) };
 }
 
 }
 
-PointLampChoice::PointLampChoice(
-  const LampPieces& lamps, const LitPoint& point, std::uint32_t samples, std::size_t most)
+PointLampChoice::PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLamp::By by,
+  std::uint32_t samples, std::size_t most)
   : lamps_(lamps)
   , point_(point)
+  , by_(by)
   , isRough_(lamps.size() > samples)
   , rough_(lamps, most)
 {
@@ -47,56 +55,106 @@ PointLampChoice::PointLampChoice(
     rough_.weigh(asCell(point));
     return;
   }
-  seen_.reserve(lamps.size());
-  cumulative_.reserve(lamps.size());
-  for (std::size_t piece = 0; piece < lamps.size(); ++piece)
-  {
-    seen_.emplace_back(lamps[piece].triangle, point.position);
-    sum_ += weightOf(lamps[piece]);
+  targets_.reserve(2 * lamps.size());
+  cumulative_.reserve(2 * lamps.size());
+  std::vector<SeenLamp> parts;
+  const auto add = [&](const Target& target) {
+    targets_.push_back(target);
+    sum_ += weightOf(target);
     cumulative_.push_back(sum_);
+  };
+  for (std::uint32_t piece = 0; piece < lamps.size(); ++piece)
+  {
+    if (isInAir(piece))
+    {
+      add({ piece, {} });
+      continue;
+    }
+    parts.clear();
+    SeenLamp::addParts(lamps[piece].triangle, point, by, parts);
+    for (const SeenLamp& seen : parts)
+    {
+      add({ piece, seen });
+    }
   }
 }
 
-double PointLampChoice::weightOf(const LampPiece& lamp) const
+bool PointLampChoice::isInAir(std::uint32_t piece) const
 {
-  if (const auto* const inAir = std::get_if<PointLight>(&lamps_.lights()[lamp.light].kind))
+  return std::holds_alternative<PointLight>(lamps_.lights()[lamps_[piece].light].kind);
+}
+
+std::vector<SeenLamp> PointLampChoice::partsOf(std::uint32_t piece) const
+{
+  std::vector<SeenLamp> parts;
+  SeenLamp::addParts(lamps_[piece].triangle, point_, by_, parts);
+  return parts;
+}
+
+double PointLampChoice::weightOf(const Target& target) const
+{
+  const LampPiece& lamp = lamps_[target.piece];
+  if (!target.seen)
   {
-    const Vector3 along = point_.position - inAir->position();
-    return lamp.flux * perWatt(*inAir, along, point_.partOf(along));
+    const auto& inAir = std::get<PointLight>(lamps_.lights()[lamp.light].kind);
+    const Vector3 along = point_.position - inAir.position();
+    return lamp.flux * perWatt(inAir, along, point_.partOf(along));
   }
   const bool isInFront = lamp.normal.dot(point_.position - lamp.center) > 0;
-  return isInFront
-    ? lamp.flux * meanPart(point_, lamp) * seen_.back().solidAngle() / (kPi * lamp.triangle.area())
-    : 0;
+  return isInFront ? lamp.flux * target.seen->taken() / (kPi * lamp.triangle.area()) : 0;
 }
 
-LampChoice::Choice PointLampChoice::choose(double sample) const
+PointLampChoice::Choice PointLampChoice::choose(double sample) const
 {
   if (isRough_)
   {
-    return rough_.choose(sample);
+    return chooseRoughly(sample);
   }
-  const double place = sample * sum_;
-  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, place);
-  const double before = found == cumulative_.begin() ? 0 : *(found - 1);
-  const double own = *found - before;
-  return { static_cast<std::uint32_t>(found - cumulative_.begin()), own / sum_,
-    std::clamp((place - before) / own, 0.0, 1 - 0x1p-53) };
+  const Found found = findIn(cumulative_, sample);
+  const Target& target = targets_[found.place];
+  return { target.piece, found.weight / sum_, found.rest, target.seen };
 }
 
-double PointLampChoice::probabilityOf(std::uint32_t piece) const
+/// A piece; then one of its parts.
+PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
 {
-  if (isRough_)
+  const LampChoice::Choice chosen = rough_.choose(sample);
+  Choice choice{ chosen.piece, chosen.probability, chosen.rest, {} };
+  if (isInAir(chosen.piece))
   {
-    return rough_.probabilityOf(piece);
+    return choice;
   }
-  const double before = piece == 0 ? 0 : cumulative_[piece - 1];
-  return isEmpty() ? 0 : (cumulative_[piece] - before) / sum_;
+  double sum = 0;
+  const std::vector<SeenLamp> parts = partsOf(chosen.piece);
+  std::vector<double> cumulative;
+  cumulative.reserve(parts.size());
+  for (const SeenLamp& part : parts)
+  {
+    cumulative.push_back(sum += part.taken());
+  }
+  if (parts.size() == 1)
+  {
+    choice.seen = parts.front();
+  }
+  else if (sum > 0)
+  {
+    const Found found = findIn(cumulative, chosen.rest);
+    choice = { chosen.piece, chosen.probability * found.weight / sum, found.rest,
+      parts[found.place] };
+  }
+  return choice;
 }
 
-SphericalTriangle PointLampChoice::seen(std::uint32_t piece) const
+double PointLampChoice::densityOf(std::uint32_t piece) const
 {
-  return isRough_ ? SphericalTriangle(lamps_[piece].triangle, point_.position) : seen_[piece];
+  if (isEmpty())
+  {
+    return 0;
+  }
+  const double before = isRough_ || piece == 0 ? 0 : cumulative_[piece - 1];
+  const double probability =
+    isRough_ ? rough_.probabilityOf(piece) : (cumulative_[piece] - before) / sum_;
+  return probability > 0 ? probability / partsOf(piece).front().solidAngle() : 0;
 }
 
 }

@@ -29,7 +29,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
   PathSums brought;
   if (gather_)
   {
-    brought = gather_->follow([&](GatherPaths& paths) {
+    brought = gather_->broughtBy(gather_->follow([&](GatherPaths& paths) {
       for (const SceneCell& cell : cells)
       {
         if (isSpecular(cell))
@@ -40,7 +40,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
             [&](const Vector3& point) { return eye.directionFrom(point); });
         }
       }
-    });
+    }));
   }
   std::vector<Light> lights;
   lights.reserve(cells.size());

@@ -5,8 +5,10 @@
 #include "Views/SensorPlace.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace irradiance
 {
@@ -21,6 +23,11 @@ const IrradianceEngine& checked(const IrradianceEngine& engine)
 {
   checkLights(engine.objects(), "Estimate");
   return engine;
+}
+
+bool contains(const Box& box, const Vector3& point)
+{
+  return (box.lower.array() <= point.array()).all() && (point.array() <= box.upper.array()).all();
 }
 
 SensorGather::Light unknownLight()
@@ -44,38 +51,134 @@ SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, E
 std::vector<SensorGather::Light> SensorGather::at(
   const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const
 {
-  const GatherScene& scene = gather_.scene();
-  std::vector<std::optional<LitPoint>> places;
-  const PathSums brought = gather_.follow([&](GatherPaths& paths) {
-    for (const std::size_t number : numbers)
-    {
-      places.push_back(sensorPlace(scene.space.scene.bounds(), sensors[number]));
-      if (places.back())
-      {
-        paths.addPoint(scene, *places.back(), number);
-      }
-    }
-  });
+  Rays rays;
+  std::int64_t cast = 0;
+  return update(sensors, numbers, nullptr, rays, cast);
+}
+
+std::vector<SensorGather::Light> SensorGather::update(const std::vector<Sensor>& sensors,
+  const std::vector<std::size_t>& numbers, const GatherMotion* motion, Rays& rays,
+  std::int64_t& cast) const
+{
+  Rays now{ startsOf(sensors, numbers, motion, rays.starts), {} };
+  now.paths = pathsOf(now.starts, numbers, motion, rays, cast);
+  rays = std::move(now);
+  const PathSums brought = gather_.broughtBy(rays.paths);
   std::vector<Light> found;
-  std::size_t start = 0;
+  std::size_t path = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    found.push_back(
-      places[i] ? lightOf(replicatesOf(brought, start++, *places[i], numbers[i])) : unknownLight());
+    Rays::Start& start = rays.starts[i];
+    if (!start.place)
+    {
+      found.push_back(unknownLight());
+      continue;
+    }
+    askLights(start, numbers[i], motion, cast);
+    // Radiance is radiosity / pi; the density of rays is cos(theta) / pi, or 1 / (4 pi).
+    std::vector<Bands> replicates =
+      gather_.replicatesOf(brought, path++, start.place->hasNormal() ? 1 : 4);
+    for (std::size_t k = 0; k < replicates.size(); ++k)
+    {
+      std::transform(replicates[k].begin(), replicates[k].end(), start.direct[k].begin(),
+        replicates[k].begin(), std::plus<double>());
+    }
+    found.push_back(lightOf(replicates));
   }
   return found;
 }
 
-std::vector<SensorGather::Bands> SensorGather::replicatesOf(
-  const PathSums& brought, std::size_t start, const LitPoint& point, std::size_t number) const
+/// Outside of the bounds paths do not start at the sensor, but where the bounds say.
+bool SensorGather::isKept(
+  const GatherMotion* motion, const Rays::Start& now, const Rays::Start& before)
 {
-  // Radiance is radiosity / pi; the density of rays is cos(theta) / pi, or 1 / (4 pi).
-  std::vector<Bands> replicates = gather_.replicatesOf(brought, start, point.hasNormal() ? 1 : 4);
-  for (const PointDirectLight& lights : direct_)
+  return motion && now.place && before.place && now.place->position == before.place->position &&
+    now.place->normal == before.place->normal &&
+    (motion->isNone() || (now.isInside && before.isInside));
+}
+
+std::vector<SensorGather::Rays::Start> SensorGather::startsOf(const std::vector<Sensor>& sensors,
+  const std::vector<std::size_t>& numbers, const GatherMotion* motion,
+  std::vector<Rays::Start>& before) const
+{
+  std::vector<Rays::Start> starts;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    lights.add(point, number, replicates);
+    const Box& bounds = scene().space.scene.bounds();
+    Rays::Start start{ sensorPlace(bounds, sensors[numbers[i]]) };
+    start.isInside = start.place && contains(bounds, start.place->position);
+    if (i < before.size() && isKept(motion, start, before[i]))
+    {
+      start.isKept = true;
+      start.shadows = std::move(before[i].shadows);
+      start.direct = std::move(before[i].direct);
+    }
+    starts.push_back(std::move(start));
   }
-  return replicates;
+  return starts;
+}
+
+FollowedPaths SensorGather::pathsOf(const std::vector<Rays::Start>& starts,
+  const std::vector<std::size_t>& numbers, const GatherMotion* motion, const Rays& before,
+  std::int64_t& cast) const
+{
+  std::vector<std::size_t> places;
+  FollowedPaths anew = gather_.follow([&](GatherPaths& paths) {
+    std::size_t first = 0; // before, of the paths of the start
+    std::vector<std::uint32_t> rays;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+    {
+      rays.clear();
+      for (std::uint32_t ray = 0; starts[i].place && ray < scene().rays; ++ray)
+      {
+        const bool isAnew = !starts[i].isKept || motion->mayChange(before.paths[first + ray]);
+        places.push_back(isAnew ? FollowedPaths::kAnew : first + ray);
+        if (isAnew)
+        {
+          rays.push_back(ray);
+        }
+      }
+      if (!rays.empty())
+      {
+        paths.addPoint(scene(), *starts[i].place, numbers[i], rays);
+      }
+      first += i < before.starts.size() && before.starts[i].place ? scene().rays : 0;
+    }
+  });
+  cast += static_cast<std::int64_t>(anew.size());
+  return anew.size() == places.size() ? anew : anew.mergedWith(before.paths, places);
+}
+
+void SensorGather::askLights(
+  Rays::Start& start, std::size_t number, const GatherMotion* motion, std::int64_t& cast) const
+{
+  const auto mayChange = [&](const ShadowRay& ray) { return motion->mayChange(ray); };
+  if (start.isKept &&
+    std::none_of(start.shadows.begin(), start.shadows.end(),
+      [&](const auto& group) { return std::any_of(group.begin(), group.end(), mayChange); }))
+  {
+    return;
+  }
+  start.shadows.resize(direct_.size());
+  start.direct.assign(scene().replicates(), Bands{});
+  for (std::size_t i = 0; i < direct_.size(); ++i)
+  {
+    cast += direct_[i].update(*start.place, number, mayChange, start.shadows[i], start.direct);
+  }
+}
+
+std::size_t SensorGather::Rays::bytes() const
+{
+  std::size_t bytes = paths.bytes() + starts.capacity() * sizeof(Start);
+  for (const Start& start : starts)
+  {
+    bytes += start.direct.capacity() * sizeof(Bands);
+    for (const std::vector<ShadowRay>& group : start.shadows)
+    {
+      bytes += sizeof(std::vector<ShadowRay>) + group.capacity() * sizeof(ShadowRay);
+    }
+  }
+  return bytes;
 }
 
 SensorGather::Light SensorGather::lightOf(const std::vector<Bands>& replicates)

@@ -2,10 +2,13 @@
 #ifndef irradiance_SensorGather_h
 #define irradiance_SensorGather_h
 
+#include "FinalGather/GatherMotion.h"
 #include "Photons/Sensor.h"
 #include "Views/ViewGather.h"
 
+#include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -40,10 +43,43 @@ public:
   std::vector<Light> at(
     const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const;
 
+  /// The rays of some sensors, which are kept for frames in which things have moved.
+  struct Rays
+  {
+    struct Start
+    {
+      std::optional<LitPoint> place; ///< none: the sensor is too far away
+      bool isInside = false; ///< in the bounds of the scene: there paths start at the very place
+      bool isKept = false;   ///< its rays are those of before, but for what moved
+      std::vector<std::vector<ShadowRay>> shadows = {}; ///< by group of lights
+      std::vector<Bands> direct = {}; ///< W/m2 that come straight from the lights, by replicate
+    };
+    std::vector<Start> starts;
+    FollowedPaths paths; ///< those of each start that has a place
+
+    /// Of its memory.
+    std::size_t bytes() const;
+  };
+  /// As at(); cast are only rays that may have changed since those that are given, and those of sensors that were
+  /// elsewhere. `numbers`: the same as then, or from the first on fewer or more. `motion`: since then; null: all are
+  /// cast. Adds to `cast` how many that were, paths and rays to lights together.
+  std::vector<Light> update(const std::vector<Sensor>& sensors,
+    const std::vector<std::size_t>& numbers, const GatherMotion* motion, Rays& rays,
+    std::int64_t& cast) const;
+  const GatherScene& scene() const { return gather_.scene(); }
+
 private:
-  /// What came by paths, to the `start`-th start, and straight from the lights.
-  std::vector<Bands> replicatesOf(
-    const PathSums& brought, std::size_t start, const LitPoint& point, std::size_t number) const;
+  static bool isKept(const GatherMotion* motion, const Rays::Start& now, const Rays::Start& before);
+  /// With what is kept of before, which is taken away.
+  std::vector<Rays::Start> startsOf(const std::vector<Sensor>& sensors,
+    const std::vector<std::size_t>& numbers, const GatherMotion* motion,
+    std::vector<Rays::Start>& before) const;
+  /// Those of before, but for those that are followed anew.
+  FollowedPaths pathsOf(const std::vector<Rays::Start>& starts,
+    const std::vector<std::size_t>& numbers, const GatherMotion* motion, const Rays& before,
+    std::int64_t& cast) const;
+  void askLights(
+    Rays::Start& start, std::size_t number, const GatherMotion* motion, std::int64_t& cast) const;
   static Light lightOf(const std::vector<Bands>& replicates);
 
   CellShapes noShapes_;

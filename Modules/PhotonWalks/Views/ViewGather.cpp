@@ -27,7 +27,8 @@ ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes,
     { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
     dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
-    engine.settings().seed, false, false, asksOnLobes }
+    engine.settings().seed, !asksOnLobes && !engine.objects().dynamicObjects.empty(), false,
+    asksOnLobes }
 {
 }
 

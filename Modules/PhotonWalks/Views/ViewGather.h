@@ -31,18 +31,24 @@ public:
     bool asksOnLobes, Execution& execution);
 
   const GatherScene& scene() const { return scene_; }
-  /// What the paths bring that addStarts(GatherPaths) adds. Throws std::runtime_error for a path that does not end. May be
+  /// The paths that addStarts(GatherPaths) adds. Throws std::runtime_error for a path that does not end. May be
   /// called by several threads.
   template <class AddStarts>
-  PathSums follow(const AddStarts& addStarts) const
+  FollowedPaths follow(const AddStarts& addStarts) const
   {
     std::unique_ptr<GatherPaths> paths = paths_.take();
     paths->begin(scene_);
     addStarts(*paths);
     paths->run(scene_);
-    PathSums brought;
-    brought.read(scene_, paths->followed(), paths->followed().size() / scene_.rays);
+    FollowedPaths followed = paths->takeFollowed();
     paths_.giveBack(std::move(paths));
+    return followed;
+  }
+  /// What paths bring, of which each start has as many as there are rays.
+  PathSums broughtBy(const FollowedPaths& paths) const
+  {
+    PathSums brought;
+    brought.read(scene_, paths, paths.size() / scene_.rays);
     return brought;
   }
   /// W/m2 that came to the `start`-th start, times a factor: each replicate's part.

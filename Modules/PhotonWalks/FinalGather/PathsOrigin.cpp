@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/PathsOrigin.h"
+
+#include "Repair/SceneChange.h"
+
+namespace irradiance
+{
+
+PathsOrigin pathsOriginOf(const GatherScene& scene)
+{
+  PathsOrigin origin{ scene.objects, scene.seed, scene.rays, scene.replicates(), {}, {} };
+  scene.cells.numbers().forEach([&](const SceneCell& cell) {
+    if (scene.roles.isRead(cell))
+    {
+      origin.readCells.push_back(cell);
+    }
+  });
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    origin.lights.push_back(lights.lights().lights());
+  }
+  return origin;
+}
+
+std::optional<GatherMotion> motionSince(
+  const GatherScene& scene, const PathsOrigin& now, const PathsOrigin& before)
+{
+  if (now.seed != before.seed || now.rays != before.rays || now.replicates != before.replicates ||
+    now.readCells != before.readCells || hasReplaced(now.objects, before.objects) ||
+    !differsOnlyByMotion(now.objects, before.objects) ||
+    !areLightsUnchanged(now.objects, before.objects) || !(now.lights == before.lights))
+  {
+    return {};
+  }
+  return GatherMotion(scene, findMoved(now.objects, before.objects));
+}
+
+}

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensors whose rays are kept: the bits of new ones after any program of changes, and how many rays are cast.
+
+#include "EngineRun.h"
+#include "MovingScene.h"
+#include "ThreadExecution.h"
+#include "Views/StoredSensors.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+#include <numeric>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::box;
+using test::grey;
+using test::MovingScene;
+using test::ObjectBuilder;
+
+std::vector<SensorGather::Light> gatheredByNewEngine(const SceneObjects& objects,
+  const EngineSettings& settings, const std::vector<Sensor>& sensors, std::uint32_t rays)
+{
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  std::vector<std::size_t> numbers(sensors.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
+  return SensorGather(engine, rays, serial).at(sensors, numbers);
+}
+
+bool areSame(const std::vector<SensorGather::Light>& a, const std::vector<SensorGather::Light>& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+/// Sensors in and around a room, some on its floor, some too far away; each change is a random one.
+class RandomSensors
+{
+public:
+  explicit RandomSensors(unsigned seed)
+    : random_(seed)
+  {
+    while (sensors_.size() < 90)
+    {
+      sensors_.push_back(next());
+    }
+  }
+  const std::vector<Sensor>& sensors() const { return sensors_; }
+  void change()
+  {
+    const std::size_t first = random_.engine() % 40, step = 1 + random_.engine() % 30;
+    for (std::size_t i = first; i < sensors_.size(); i += step)
+    {
+      sensors_[i] = next();
+    }
+    if (random_.engine() % 3 == 0)
+    {
+      sensors_.resize(50 + random_.engine() % 60, next());
+    }
+  }
+
+private:
+  Sensor next()
+  {
+    Vector3 place = Vector3(2, 2, 2) + 2.2 * random_.inCube();
+    const auto kind = random_.engine() % 8;
+    place[2] = kind == 0 ? 0 : kind == 1 ? 1e8 : place[2];
+    return { place,
+      kind < 3     ? Vector3(Vector3::UnitZ())
+        : kind < 5 ? Vector3(Vector3::Zero())
+                   : Vector3(random_.inCube().normalized()) };
+  }
+
+  test::RandomVectors random_;
+  std::vector<Sensor> sensors_;
+};
+
+}
+
+// Law 1 for random programs: things move, sensors do, come and go, settings change, in any order.
+TEST(StoredSensors, EqualNewOnesAfterRandomPrograms)
+{
+  for (const unsigned program : { 1u, 2u, 3u })
+  {
+    const int bands = program == 2 ? 3 : 1;
+    MovingScene scene(bands, program == 3, 40 + program);
+    RandomSensors sensors(program);
+    EngineSettings settings;
+    settings.numberOfWalks = 2000;
+    settings.gathersDirectLight = program != 1;
+    settings.keepPhotons = program != 3;
+    settings.separateSides = program == 3;
+    settings.replicates = program == 1 ? 1 : 4;
+    std::uint32_t rays = 16;
+    const auto engine = std::make_shared<IrradianceEngine>();
+    test::ThreadExecution two(2);
+    StoredSensors stored;
+    std::mt19937 random(program);
+    std::int64_t fewest = 1000000;
+    for (int step = 0; step < (test::kIsSanitized ? 5 : 12); ++step)
+    {
+      const auto change = random() % 8;
+      change < 6 ? scene.nextFrame() : void();
+      change > 3 ? sensors.change() : void();
+      change == 1 ? void(rays = 35 - rays) : void();
+      change == 2 ? void(++settings.seed) : void();
+      const bool keepsRays = random() % 8 != 0;
+      engine->update(scene.objects(), settings, two);
+      stored.update(engine, sensors.sensors(), rays, keepsRays, two);
+      ASSERT_TRUE(areSame(
+        stored.lights(), gatheredByNewEngine(scene.objects(), settings, sensors.sensors(), rays)))
+        << "program " << program << ", step " << step << ", change " << change;
+      EXPECT_EQ(stored.bytes() > 0, keepsRays);
+      fewest = std::min(fewest, stored.numberCast());
+    }
+    EXPECT_LT(fewest, 90 * 2 * 16 / 2) << "some rays were kept";
+  }
+}
+
+namespace
+{
+
+/// Walls that shine alike, and a ball of radius .3, 1 m from the middle.
+struct BallInFurnace
+{
+  std::shared_ptr<IrradianceEngine> engine = std::make_shared<IrradianceEngine>();
+  SceneObjects objects;
+  EngineSettings settings;
+
+  BallInFurnace()
+  {
+    ObjectBuilder room, ball;
+    room.addBox(box({ -1.5, -1.5, -1.5 }, { 1.5, 1.5, 1.5 }), 3, grey(0.5, 0.5), true);
+    ball.addSphere({ 0, 0, 0 }, 0.3, 16, grey(0.5));
+    objects = { room.build(), { ball.build(test::shift({ 1, 0, 0 })) } };
+    settings.numberOfWalks = test::scaled(24000);
+    settings.separateSides = true;
+    update();
+  }
+  void update()
+  {
+    test::ThreadExecution two(2);
+    engine->update(objects, settings, two);
+  }
+};
+
+}
+
+// Seen from the middle the ball fills the share (1 - sqrt(1 - .09)) / 2 of all directions before and after, and paths
+// as well as rays to the lights, which are all around, go evenly in all directions. 376 rays, of which chance would have it that
+// they are 20 % off in 10,000 cases; the ball's triangles fill 3 % less.
+TEST(StoredSensors, OnlyRaysThatMeetWhatMovedAreCast)
+{
+  BallInFurnace scene;
+  Execution serial;
+  StoredSensors stored;
+  const std::vector<Sensor> sensors{ { Vector3::Zero(), Vector3::Zero() } };
+  const std::uint32_t rays = 4096;
+  stored.update(scene.engine, sensors, rays, true, serial);
+  EXPECT_EQ(stored.numberCast(), 2 * rays);
+  scene.update();
+  stored.update(scene.engine, sensors, rays, true, serial);
+  EXPECT_EQ(stored.numberCast(), 0) << "nothing moved";
+  scene.objects.dynamicObjects[0].worldFromObject = test::shift({ -1, 0, 0 });
+  scene.update();
+  stored.update(scene.engine, sensors, rays, true, serial);
+  const double expected = 2 * 2 * rays * (1 - std::sqrt(1 - 0.3 * 0.3)) / 2;
+  EXPECT_NEAR(static_cast<double>(stored.numberCast()), expected, 0.2 * expected);
+}
+
+// Of two sensors one moves: it alone casts. The other keeps its light.
+TEST(StoredSensors, OnlySensorsThatMovedCast)
+{
+  const BallInFurnace scene;
+  Execution serial;
+  for (const bool keepsRays : { true, false })
+  {
+    StoredSensors stored;
+    std::vector<Sensor> sensors(2, { Vector3::Zero(), Vector3::UnitZ() });
+    stored.update(scene.engine, sensors, 64, keepsRays, serial);
+    const SensorGather::Light first = stored.lights()[0];
+    const std::int64_t all = stored.numberCast();
+    sensors[1].position = { 0.1, 0, 0 };
+    stored.update(scene.engine, sensors, 64, keepsRays, serial);
+    EXPECT_NEAR(static_cast<double>(stored.numberCast()), static_cast<double>(all) / 2, 10);
+    EXPECT_EQ(stored.lights()[0].value, first.value);
+    stored.update(scene.engine, { sensors[0] }, 64, keepsRays, serial);
+    EXPECT_EQ(stored.numberCast(), 0);
+    EXPECT_EQ(stored.lights().size(), 1u);
+  }
+}
+
+}
