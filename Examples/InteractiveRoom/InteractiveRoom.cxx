@@ -115,7 +115,7 @@ void Run(const RoomOptions& options)
   vtkSMPTools::Initialize(options.Threads);
   const Room room = MakeRoom(options);
   PrintRoom(room, options);
-  LightFollower light(room, options.Walks);
+  LightFollower light(room, options.Walks, options.GatherRays);
   const bool canDraw = movingteapot::CanDraw();
   if (canDraw)
   {

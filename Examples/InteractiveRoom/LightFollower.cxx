@@ -23,16 +23,15 @@ using Clock = std::chrono::steady_clock;
 constexpr double LeastBudget = 0.004; // s
 constexpr double SettleBudget = 0.05; // s
 
-constexpr int GatherRays = 4;
 constexpr int SpreadPhotons = 100;
 
 // Few replicates know the error of a cell crudely, but the mean error of all cells well enough, and each of
 // them costs time in every step.
 constexpr int Replicates = 4;
 
-// Whether small cells look for their light by themselves. Where many cells move no step would be short; and rays do
+// Whether small cells may look for their light by themselves. Where many cells move no step would be short; and rays do
 // not know how shiny cells reflect the light of points.
-bool ShouldGather(const Room& room)
+bool MayGather(const Room& room)
 {
   constexpr vtkIdType most = 20000;
   vtkIdType cells = 0;
@@ -54,7 +53,7 @@ bool ShouldGather(const Room& room)
 
 }
 
-LightFollower::LightFollower(const Room& room, int walks)
+LightFollower::LightFollower(const Room& room, int walks, int gatherRays)
 {
   for (const StillThing& still : room.Still)
   {
@@ -71,11 +70,11 @@ LightFollower::LightFollower(const Room& room, int walks)
   this->Filter->SetNumberOfWalks(walks);
   this->Filter->SetRepairTimeBudget(SettleBudget);
   // What moves has small cells, which few walks hit.
-  if (ShouldGather(room))
+  if (gatherRays > 0 && MayGather(room))
   {
     this->Filter->SetDirectLightToGathered();
     this->Filter->SetCellEstimateToGathered();
-    this->Filter->SetNumberOfGatherRays(GatherRays);
+    this->Filter->SetNumberOfGatherRays(gatherRays);
   }
   else
   {

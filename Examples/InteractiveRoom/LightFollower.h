@@ -22,7 +22,8 @@ namespace interactiveroom
 class LightFollower
 {
 public:
-  LightFollower(const Room& room, int walks);
+  /** `gatherRays`: from each small cell; 0: these are spread. */
+  LightFollower(const Room& room, int walks, int gatherRays);
 
   vtkIrradianceFilter* GetFilter() { return this->Filter; }
   vtkMultiBlockDataSet* GetScene() { return this->Filter->GetOutput(); }

@@ -15,6 +15,7 @@ struct RoomOptions
   std::vector<std::string> Still, Moving; // files; if there is any, in place of the preset
   double Unit;                            // m, of these files
   int Walks;
+  int GatherRays;     // of each small cell; 0: these are spread
   int Threads;        // 0: all the machine has
   double Brightest;   // W/m2, end of the colours; 0: as the light is
   int Width, Height;  // pixels

@@ -28,7 +28,7 @@ struct Shown
   explicit Shown(const std::vector<std::string>& words)
     : Options(ReadOptions(words))
     , TheRoom(MakePreset(Options.Preset))
-    , Light(TheRoom, Options.Walks)
+    , Light(TheRoom, Options.Walks, Options.GatherRays)
     , Window(TheRoom, Light, Options)
   {
     this->Window.HideFrameRate();

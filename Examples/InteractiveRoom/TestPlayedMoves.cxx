@@ -22,7 +22,7 @@ const char* const Moves = INTERACTIVEROOM_EVENTS;
 // A new filter's, with things where they are.
 OutputBits FreshBits(Shown& shown)
 {
-  LightFollower fresh(shown.TheRoom, shown.Options.Walks);
+  LightFollower fresh(shown.TheRoom, shown.Options.Walks, shown.Options.GatherRays);
   for (int i = 0; i < int(shown.TheRoom.Moving.size()); ++i)
   {
     fresh.GetPose(i)->SetMatrix(shown.Pose(i));

@@ -73,7 +73,7 @@ TEST(Presets, AreLitAndHaveThingsToMoveWithinTheirLimits)
   {
     const Room room = MakePreset(name);
     EXPECT_EQ(room.Moving.size(), 5u) << name;
-    LightFollower light(room, 20000);
+    LightFollower light(room, 20000, 8);
     light.Shoot({});
     EXPECT_GT(light.GetFilter()->GetEmittedPower(), 0) << name;
     for (std::size_t i = 0; i < room.Moving.size(); ++i)
@@ -125,7 +125,7 @@ TEST(UserMeshes, MayHaveLightsAndStrips)
   const Room room = ReadUserRoom({ file }, { file }, 1);
   ASSERT_EQ(room.Still.size(), 1u); // the light is lamp enough
   EXPECT_EQ(room.Still[0].Mesh->GetNumberOfPolys(), 2);
-  LightFollower light(room, 20000);
+  LightFollower light(room, 20000, 8);
   light.GetPose(0)->Translate(0, 0, 0.5); // else they coincide
   light.Shoot({});
   EXPECT_NEAR(light.GetFilter()->GetEmittedPower(), 200, 1e-6);

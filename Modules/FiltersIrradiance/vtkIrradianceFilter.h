@@ -344,7 +344,7 @@ public:
    * With CellEstimate Gathered, how many rays look for the indirect light of each side of a small cell, 1 to
    * 4096; with error bars rounded up to a multiple of NumberOfReplicates. A cell is small if it would receive fewer
    * than two photons for each ray when NumberOfWalks walks arrived evenly over all area. The noise falls with the root of
-   * the number, or faster; the time grows with it. Each cell gathers its direct light with half as many samples at least.
+   * the number, or faster; the time grows with it. Each cell gathers its direct light with half as many samples at least, or 8.
    * So changing it shoots all walks. Default 32.
    */
   vtkSetMacro(NumberOfGatherRays, int);

@@ -43,7 +43,9 @@ FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamp
   FewestSamples fewest = asked;
   if (settings.cellEstimate == CellEstimate::Gathered)
   {
-    fewest.small = std::max(fewest.small, settings.gatherRays / 2);
+    // Of few samples, the edges of shadows are the larger noise.
+    constexpr std::uint32_t kFewest = 8;
+    fewest.small = std::max({ fewest.small, kFewest, settings.gatherRays / 2 });
     fewest.large = std::max(fewest.large,
       settings.gatherOn == GatherOn::All ? CellRoles::kTimesOfLarge * fewest.small : fewest.small);
   }
