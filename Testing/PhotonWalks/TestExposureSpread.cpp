@@ -163,18 +163,32 @@ TEST(ExposureSpread, KeepsAUniformDose)
   }
 }
 
-// Cells that receive as many photons as they draw on keep their bits, and their errors.
+// Cells that receive as many photons as they draw on keep their bits and their errors, beside small ones too.
 TEST(ExposureSpread, LeavesCellsWithEnoughPhotons)
 {
   Dose dose(100);
-  dose.add(poisson(60, 2));
-  const std::vector<double> before = dose.exposure;
-  const double error = dose.sums.standardError(7, before[7]);
-  dose.spread(squares(10), 40);
-  EXPECT_EQ(dose.exposure, before);
-  EXPECT_EQ(dose.sums.standardError(7, before[7]), error);
-  dose.spread(squares(10), 400);
-  EXPECT_NE(dose.exposure, before);
+  dose.add(poisson(30, 2));
+  const Dose before = dose;
+  dose.spread(squares(10), 20);
+  EXPECT_EQ(dose.exposure, before.exposure);
+  ExposedSurface surface = squares(10);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    Triangle& triangle = surface.triangles[i];
+    const bool isLarge = surface.cellOfTriangle[i] < 50;
+    triangle = transformed(
+      { (isLarge ? 20.0 : 1.0) * Matrix3::Identity(), Vector3(0, 0, isLarge ? 0.0 : 1.0) },
+      triangle);
+  }
+  dose.spread(surface, 10); // a width of about 130 m2
+  for (std::size_t i = 0; i < 50; ++i)
+  {
+    EXPECT_EQ(dose.exposure[i], before.exposure[i]);
+    const auto errorOf = [i](const Dose& of) { return of.sums.standardError(i, of.exposure[i]); };
+    EXPECT_EQ(std::isnan(errorOf(dose)), std::isnan(errorOf(before))) << i;
+    EXPECT_TRUE(std::isnan(errorOf(before)) || errorOf(dose) == errorOf(before)) << i;
+  }
+  EXPECT_NE(dose.exposure[60], before.exposure[60]);
 }
 
 // Of n photons a dose is known to 1 / sqrt(n). Four surfaces of 48 * 48 / 32 neighbourhoods give the mean square to
