@@ -33,11 +33,11 @@ public:
   /// In the dark, or if all replicates are the same, nothing is known of photons, and nothing flows.
   void run(double photons, Execution& execution)
   {
-    const double received = photonsReceived();
+    const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+    const double received = photonsReceived(cancelPoint);
     const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0);
     diffusion_ = surfaceDiffusion(areas_, surface_.triangles, surface_.cellOfTriangle,
-      static_cast<int>(sides_.size()), spreadWidth(photons, area, received),
-      cancelPointOf(execution, 0));
+      static_cast<int>(sides_.size()), spreadWidth(photons, area, received), cancelPoint);
     if (diffusion_.steps() > 0)
     {
       setPhotons(photonShares(execution), received);
@@ -81,8 +81,9 @@ private:
     return ReplicateSums::varianceOfMean(energies);
   }
 
-  double photonsReceived() const
+  double photonsReceived(const CancelPoint& cancelPoint) const
   {
+    ThrottledCancelPoint pace(cancelPoint);
     double sum = 0, variances = 0;
     for (std::size_t band = 0; band < bands_; ++band)
     {
@@ -91,6 +92,7 @@ private:
     for (std::size_t node = 0; node < nodes(); ++node)
     {
       variances += variance(node);
+      pace.step();
     }
     return sum * sum / variances;
   }
