@@ -60,6 +60,7 @@ Outcome Ride(const OvenOptions& options, const std::vector<Part>& parts, int wal
   dose->SetInputConnection(light->GetOutputPort());
   dose->SetIntegrationModeToUniform();
   dose->SetNumberOfTimeSteps(options.Steps - 1);
+  dose->SetNumberOfSpreadPhotons(options.SpreadDose);
 
   using Clock = std::chrono::steady_clock;
   std::chrono::duration<double> aside{ 0 };

@@ -83,6 +83,9 @@ std::vector<Option> OptionsOf(OvenOptions& o, LampRow& row)
     { "--spread", "N", "0",
       "photons around it on which a small cell draws at each step, such as 12; 0: its own",
       Count(o.Spread, 0) },
+    { "--spread-dose", "N", "0",
+      "photons around it, of all steps, on which the dose of a small cell draws; 0: its own",
+      Count(o.SpreadDose, 0) },
     { "--accuracy", "R", "0",
       "more walks until 95 % of the area is known within +-R of its dose (**); 0: no",
       Number(o.Accuracy, 0, 10, "a number from 0 to 10") },
@@ -144,6 +147,7 @@ OvenOptions ReadOptions(const std::vector<std::string>& words)
   Require(o.LeastDose < o.MostDose,
     "--least-dose and --most-dose are the wrong way round: the least has to be below the most");
   Require(o.Spread <= 1000000, "--spread: at most 1000000 photons are expected");
+  Require(o.SpreadDose <= 1000000, "--spread-dose: at most 1000000 photons are expected");
   Require(o.Compare <= o.Steps, "--compare: there are not so many steps");
   Require(o.Walks <= o.MostWalks || o.Accuracy == 0, "--most-walks is below --walks");
   return o;

@@ -24,6 +24,7 @@ struct OvenOptions
   double LeastDose, MostDose;               // J/m2
   int Walks, MostWalks;                     // photon walks
   int Spread;           // photons at each step on which a small cell draws; 0: on its own alone
+  int SpreadDose;       // photons of all steps on which the dose of a small cell draws; 0: its own
   double Accuracy;      // see OvenOptions.cxx; 0: none asked for
   int Steps;            // times at which the light is computed
   int Compare;          // of these, how many are compared with a fresh start

@@ -151,6 +151,7 @@ TEST(OvenOptions, NamesTheOptionThatIsWrong)
   EXPECT_PRED2(Has, read({ "--steps", "1" }), "--steps: a whole number, at least 2");
   EXPECT_PRED2(Has, read({ "--walks", "0" }), "--walks");
   EXPECT_PRED2(Has, read({ "--steps", "3", "--compare", "4" }), "--compare: there are not so many");
+  EXPECT_PRED2(Has, read({ "--spread-dose", "1000001" }), "--spread-dose: at most 1000000");
   EXPECT_PRED2(Has, read({ "--accuracy", "0.1", "--most-walks", "9" }), "--most-walks is below");
   EXPECT_PRED2(Has, read({ "--limits", "9" }), "--limits: there is no such option");
 }
@@ -530,8 +531,8 @@ TEST(CuringOvenProgram, WritesPicturesTablesAndTheSceneWithTheSameNumbers)
 TEST(CuringOvenProgram, NeedsNoDisplay)
 {
   const std::string folder = testing::TempDir() + "CuringOven-bare";
-  const Ran ran = RunProgram(
-    "--part '" + Ball() + "' --cells 20 --steps 2 --walks 2000 --output '" + folder + "'",
+  const Ran ran = RunProgram("--part '" + Ball() +
+      "' --cells 20 --steps 2 --walks 2000 --spread-dose 50 --output '" + folder + "'",
     "env -u DISPLAY ");
   EXPECT_EQ(ran.Status, 0) << ran.Out;
   EXPECT_PRED2(Has, ran.Out, "No pictures: DISPLAY is not set");

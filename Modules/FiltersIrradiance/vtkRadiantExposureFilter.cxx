@@ -2,6 +2,7 @@
 #include "vtkRadiantExposureFilter.h"
 
 #include "Data/NamedArray.h"
+#include "Execution/ProgressSpan.h"
 #include "Output/EmptyPiece.h"
 #include "Pipeline/AloneRequest.h"
 #include "Pipeline/ControllerRanks.h"
@@ -15,6 +16,7 @@
 #include "Time/ErrorControlledIntegral.h"
 #include "Time/ExposureTimes.h"
 #include "Time/InputTimes.h"
+#include "Time/SpreadableLeaf.h"
 #include "Time/TimeKeys.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -48,15 +50,15 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 /// What the result depends on, except what happens upstream.
 struct Settings
 {
-  int Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps;
+  int Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps, NumberOfSpreadPhotons;
   double RelativeTolerance;
   irradiance::TimeSpan Span;
   std::array<int, 3> Piece; ///< number, of how many, ghost levels
 
   auto All() const
   {
-    return std::tie(Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps, RelativeTolerance,
-      Span.start, Span.end, Piece);
+    return std::tie(Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps, NumberOfSpreadPhotons,
+      RelativeTolerance, Span.start, Span.end, Piece);
   }
   bool operator==(const Settings& other) const { return All() == other.All(); }
 };
@@ -70,16 +72,23 @@ bool IsErrorControlled(int mode)
 Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input)
 {
   Settings settings{ filter->GetIntegrationMode(), filter->GetNumberOfTimeSteps(),
-    filter->GetMaximumNumberOfTimeSteps(), filter->GetRelativeTolerance(),
+    filter->GetMaximumNumberOfTimeSteps(), filter->GetNumberOfSpreadPhotons(),
+    filter->GetRelativeTolerance(),
     irradiance::timeSpan(input, filter->GetStartTime(), filter->GetEndTime()),
     { input->Get(Pipeline::UPDATE_PIECE_NUMBER()), input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
       input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
-  constexpr int mostSteps = 1000000;
+  constexpr int mostSteps = 1000000, mostSpreadPhotons = 1000000;
   if (settings.NumberOfTimeSteps < 1 || settings.NumberOfTimeSteps > mostSteps)
   {
     throw irradiance::InputError("NumberOfTimeSteps is " +
       std::to_string(settings.NumberOfTimeSteps) + "; 1 to " + std::to_string(mostSteps) +
       " are possible");
+  }
+  if (settings.NumberOfSpreadPhotons < 0 || settings.NumberOfSpreadPhotons > mostSpreadPhotons)
+  {
+    throw irradiance::InputError("NumberOfSpreadPhotons is " +
+      std::to_string(settings.NumberOfSpreadPhotons) + "; 0 to " +
+      std::to_string(mostSpreadPhotons) + " are possible");
   }
   if (!IsErrorControlled(settings.Mode))
   {
@@ -114,13 +123,14 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
       : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
 }
 
-/// Of all that decides which times are visited.
+/// Of all that ranks have to agree on.
 std::uint64_t HashOf(const Settings& settings, vtkInformation* input)
 {
   irradiance::Hash hash;
   hash.add(settings.Mode);
   hash.add(settings.NumberOfTimeSteps);
   hash.add(settings.MaximumNumberOfTimeSteps);
+  hash.add(settings.NumberOfSpreadPhotons);
   hash.add(settings.RelativeTolerance);
   hash.add(settings.Span.start);
   hash.add(settings.Span.end);
@@ -326,6 +336,10 @@ void vtkRadiantExposureFilter::vtkInternals::Take(
     }
     for (const auto& next : irradiance::dataOfRanks(time ? data : nullptr, this->Controller, ranks))
     {
+      if (this->Of.NumberOfSpreadPhotons > 0)
+      {
+        irradiance::expectReplicates(next);
+      }
       this->Integral->take(next);
     }
   }
@@ -361,6 +375,11 @@ void vtkRadiantExposureFilter::vtkInternals::Run(
     }
     this->UpdateProducer(filter, ranks);
     this->Take(filter, ranks);
+  }
+  if (this->Of.NumberOfSpreadPhotons > 0)
+  {
+    irradiance::ProgressSpan end(execution, 1, 1);
+    this->Integral->sums().spread(this->Of.NumberOfSpreadPhotons, end);
   }
   this->Write(filter, output);
   if (ranks.areSeveral() && irradiance::isEmptyPieceRequested(filter->GetOutputInformation(0)))
@@ -485,5 +504,6 @@ void vtkRadiantExposureFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n"
      << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n"
      << indent << "MaximumNumberOfTimeSteps: " << this->MaximumNumberOfTimeSteps << "\n"
+     << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "Controller: " << this->GetController() << "\n";
 }

@@ -46,7 +46,7 @@
  *
  * @section ExposureErrors Errors
  * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among them
- * with TimeSteps; no irradiance; irradiance that is not finite; blocks whose number of cells or whose arrays
+ * with TimeSteps; no irradiance; no replicates of it with NumberOfSpreadPhotons; irradiance that is not finite; blocks whose number of cells or whose arrays
  * differ between times; StalePower (a RepairTimeBudget upstream left walks that are no longer valid, and
  * what rests on them is not what the scene receives); an input that has other times than those asked
  * for, as files between their steps, unless IntegrationMode is Automatic and they are its steps: one error
@@ -135,6 +135,20 @@ public:
 
   ///@{
   /**
+   * On how many photons the dose of a small cell draws, on the average of its block, 1 to 1,000,000; 0: each cell
+   * stands for itself. The dose, not the irradiance of each time, is spread over neighbouring cells of a vtkPolyData,
+   * once, at the end: the noise is about 1 / the root of this, the blur grows with its root, and energy is conserved
+   * in each block, up to rounding. Other blocks stay as they are. A photon that brings light at many times counts
+   * once. Standard errors are those of the spread dose, without the blur. It needs replicates (ComputeStandardError
+   * of vtkIrradianceFilter), as the number of photons follows from them. What direct light cells gathered is spread as
+   * well. A deforming part is spread as it is at the last time with cells. Default 0.
+   */
+  vtkSetMacro(NumberOfSpreadPhotons, int);
+  vtkGetMacro(NumberOfSpreadPhotons, int);
+  ///@}
+
+  ///@{
+  /**
    * The processes that share the times, for example a vtkMPIController; null: this one alone. Each has the whole
    * pipeline and computes every n-th time; a vtkIrradianceFilter upstream computes alone then, whatever its
    * Controller. Each has the whole output, with the bits that one process alone would give; of several pieces, the
@@ -166,6 +180,7 @@ protected:
   int NumberOfTimeSteps = 20;
   double RelativeTolerance = 0.01;
   int MaximumNumberOfTimeSteps = 1000;
+  int NumberOfSpreadPhotons = 0;
 
 private:
   vtkRadiantExposureFilter(const vtkRadiantExposureFilter&) = delete;

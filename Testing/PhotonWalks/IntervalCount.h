@@ -31,6 +31,9 @@ public:
     ++known_;
   }
 
+  int known() const { return known_; }
+  double shareThatHolds() const { return double(held_) / known_; }
+
   /// At least 90 % hold it, and errors are not much smaller than claimed.
   void expectHonest() const
   {

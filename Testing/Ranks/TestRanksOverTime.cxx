@@ -111,6 +111,7 @@ TEST(RanksOverTime, BringTheBitsOfOne)
     walk.Dose->SetIntegrationModeToUniform();
     walk.Dose->SetNumberOfTimeSteps(6);
     walk.Dose->SetStartTime(0.1);
+    walk.Dose->SetNumberOfSpreadPhotons(30);
     walk.Scene.Irradiance->SetComputeStandardError(true);
     walk.Scene.Irradiance->SetSeparateSides(true);
   });

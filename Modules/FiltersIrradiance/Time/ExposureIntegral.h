@@ -31,6 +31,7 @@ public:
 
   /// The rest is asked when it is done.
   const ExposureSums& sums() const { return sums_; }
+  ExposureSums& sums() { return sums_; }
   /// All times, in order.
   const std::vector<double>& times() const { return times_; }
   /// The data of the last of them.

@@ -5,6 +5,7 @@
 #include "Data/CellValues.h"
 #include "Data/NamedArray.h"
 #include "Progress/InputError.h"
+#include "Time/SpreadableLeaf.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -291,6 +292,44 @@ void ExposureSums::append(ExposureSums next)
     }
   }
   energies_.append(next.energies_);
+}
+
+/// Front and back are spread together, as surfaces that are turned over may go on as each other; one of them alone
+/// would lose energy to the other, and stays as it is.
+void ExposureSums::spreadLeaf(Leaf& leaf, double photons, Execution& execution)
+{
+  const ExposedSurface surface = surfaceOf(leaf.name, leaf.geometry, cancelPointOf(execution, 0));
+  std::vector<ExposedSide> halves;
+  for (Side& side : leaf.sides)
+  {
+    const ExposedSide exposed{ &side.exposure, &side.replicates.value() };
+    if (side.suffix.empty())
+    {
+      spreadExposure(surface, side.bands, { exposed }, photons, execution);
+    }
+    else
+    {
+      halves.push_back(exposed);
+    }
+  }
+  if (halves.size() == 2 && halves[0].exposure->size() == halves[1].exposure->size() &&
+    halves[0].replicates->count() == halves[1].replicates->count())
+  {
+    spreadExposure(surface, leaf.sides.back().bands, halves, photons, execution);
+  }
+}
+
+void ExposureSums::spread(double photons, Execution& execution)
+{
+  for (Leaf& leaf : leaves_)
+  {
+    const bool hasReplicates = std::all_of(leaf.sides.begin(), leaf.sides.end(),
+      [](const Side& side) { return side.replicates.has_value(); });
+    if (hasReplicates && isSpreadable(leaf.geometry))
+    {
+      spreadLeaf(leaf, photons, execution);
+    }
+  }
 }
 
 /// The arrays that the output does not have; they would fill memory.

@@ -3,6 +3,7 @@
 #define irradiance_ExposureSums_h
 
 #include "Data/LeafData.h"
+#include "Execution/Execution.h"
 #include "Exposure/ReplicateSums.h"
 #include "Time/EnergySums.h"
 
@@ -32,6 +33,9 @@ public:
   void add(const TimedData& input, double weight);
   /// No more times are added; what only adding needs is released.
   void close();
+  /// Lets small cells draw on about `photons` photons, on the average of their leaf, as it was at its last time with
+  /// cells; see spreadExposure(). The last thing before write(). Leaves that are not spreadable stay as they are.
+  void spread(double photons, Execution& execution);
   /// Appends the sums over later times of the same input, whose first time is the last one of these.
   void append(ExposureSums next);
   /// Whether there was a cell at any time.
@@ -69,6 +73,7 @@ private:
   static bool isAlike(const Side& a, const Side& b);
   static void endRuns(Leaf& leaf);
   static void appendSide(Side& side, const Side& next, bool isShared);
+  static void spreadLeaf(Leaf& leaf, double photons, Execution& execution);
   static void removeInput(const Side& side, vtkDataSet* data);
   static void writeSide(const Side& side, vtkDataSet* data);
   static vtkSmartPointer<vtkDataSet> written(const Leaf& leaf, vtkDataSet* last);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/CellSpread.h"
 
-#include "Execution/SlicedPass.h"
+#include "Estimates/DiffusionShares.h"
+#include "Estimates/SpreadWidth.h"
 
 #include <Eigen/Cholesky>
 
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <mutex>
 #include <numeric>
-#include <random>
 
 namespace irradiance
 {
@@ -40,15 +40,6 @@ Matrix3 shapeOf(const Matrix3& linear)
   }
   const Eigen::LLT<Matrix3> roots(squares);
   return roots.info() == Eigen::Success ? Matrix3(roots.matrixU()) : linear;
-}
-
-/// To three bits behind the leading one, downwards.
-double rounded(double x)
-{
-  constexpr int kBits = 4;
-  int exponent;
-  const double mantissa = std::frexp(x, &exponent);
-  return std::ldexp(std::floor(std::ldexp(mantissa, kBits)), exponent - kBits);
 }
 
 }
@@ -101,36 +92,20 @@ void CellSpread::connect(
   {
     return;
   }
-  cells.diffusion = {};
   cells.photonShares.clear();
   cells.sides = 0; // until all is known
-  if (std::any_of(
-        cells.areas.begin(), cells.areas.end(), [&](double area) { return area < width; }))
-  {
-    cells.diffusion =
-      CellDiffusion(cells.areas, neighboursOf(cells, width, cancelPoint), sides, width);
-  }
-  cells.width = width;
-  cells.sides = sides;
-}
-
-std::vector<CellNeighbours> CellSpread::neighboursOf(
-  const ObjectCells& cells, double width, const CancelPoint& cancelPoint)
-{
-  // On a cylinder of radius r a photon fills a shape sqrt(1 + 30 width / r^2) times as long as wide.
-  // Of 10 to 100, no factor is better than the others by much.
-  const double normalLength = std::sqrt(30 * width);
-  const std::vector<Triangle>& model = cells.body->mesh().triangles();
   std::vector<Triangle> triangles;
-  triangles.reserve(model.size());
+  triangles.reserve(cells.body->mesh().triangles().size());
   ThrottledCancelPoint pace(cancelPoint);
-  for (const Triangle& triangle : model)
+  for (const Triangle& triangle : cells.body->mesh().triangles())
   {
     triangles.push_back(transformed({ cells.shape, Vector3::Zero() }, triangle));
     pace.step();
   }
-  return cellNeighbours(triangles, cells.material->cellOfTriangle, cells.material->numberOfCells,
-    normalLength, cancelPoint);
+  cells.diffusion = surfaceDiffusion(
+    cells.areas, triangles, cells.material->cellOfTriangle, sides, width, cancelPoint);
+  cells.width = width;
+  cells.sides = sides;
 }
 
 void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
@@ -148,8 +123,7 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
       ++cells.shift;
     }
     const double received = static_cast<double>(quanta) / quantaPerWalk;
-    const double width = received > 0 ? rounded(photons * cells.area / received) : 0.0;
-    connect(cells, width, sums.sides(), cancelPoint);
+    connect(cells, spreadWidth(photons, cells.area, received), sums.sides(), cancelPoint);
   }
   if (sums.plan().replicates().count() > 1)
   {
@@ -157,50 +131,14 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
   }
 }
 
-void CellSpread::addFields(
-  std::uint32_t object, std::uint32_t count, std::vector<Fields>& all) const
-{
-  for (std::uint32_t first = 0; first < count; first += CellDiffusion::kFields)
-  {
-    all.push_back({ object, first, std::min(count - first, CellDiffusion::kFields), {}, {} });
-  }
-}
-
-template <class Begin, class End>
-void CellSpread::diffuse(
-  std::vector<Fields>& all, const Begin& begin, const End& end, Execution& execution) const
-{
-  SlicedPass pass{ all.size(), {} };
-  pass.work = [&](std::size_t i, const Deadline& deadline) {
-    Fields& fields = all[i];
-    const CellDiffusion& diffusion = objects_[fields.object].diffusion;
-    if (fields.quanta.empty())
-    {
-      begin(fields);
-    }
-    while (fields.stepsDone < diffusion.steps())
-    {
-      diffusion.step(fields.stepsDone, fields.width(), fields.quanta, fields.before);
-      ++fields.stepsDone;
-      if (deadline.hasPassed())
-      {
-        return false;
-      }
-    }
-    end(fields);
-    fields.quanta = fields.before = {};
-    return true;
-  };
-  pass.run(execution);
-}
-
 template <class Visit>
 void CellSpread::forEachSum(
-  const Fields& fields, std::uint32_t bands, int sides, const Visit& visit) const
+  const DiffusingFields& fields, std::uint32_t bands, int sides, const Visit& visit) const
 {
   const ObjectCells& cells = objects_[fields.object];
+  const auto object = static_cast<std::uint32_t>(fields.object);
   std::size_t node = 0;
-  for (CellSide cell{ { fields.object, 0 }, 0 }; cell.cell < cells.areas.size(); ++cell.cell)
+  for (CellSide cell{ { object, 0 }, 0 }; cell.cell < cells.areas.size(); ++cell.cell)
   {
     for (cell.side = 0; cell.side < sides; ++cell.side)
     {
@@ -223,12 +161,12 @@ CellSums CellSpread::spread(
   const auto bands = static_cast<std::uint32_t>(objects.staticObject.material->bands);
   CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0);
   result.setRounds(1, cancelPointOf(execution, 0));
-  std::vector<Fields> all;
+  std::vector<DiffusingFields> all;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     addFields(object, replicates * bands, all);
   }
-  const auto begin = [&](Fields& fields) {
+  const auto begin = [&](DiffusingFields& fields) {
     const unsigned shift = objects_[fields.object].shift;
     fields.quanta.resize(objects[fields.object].material->numberOfCells *
       static_cast<std::size_t>(sums.sides()) * fields.width());
@@ -241,7 +179,7 @@ CellSums CellSpread::spread(
     forEachSum(fields, bands, sums.sides(), read);
     fields.stepsDone = isDark ? objects_[fields.object].diffusion.steps() : 0;
   };
-  const auto end = [&](const Fields& fields) {
+  const auto end = [&](const DiffusingFields& fields) {
     const unsigned shift = objects_[fields.object].shift;
     const std::int64_t lowest = (std::int64_t{ 1 } << shift) - 1;
     const auto write = [&](const CellSide& cell, int band, auto replicate, std::size_t i) {
@@ -251,85 +189,38 @@ CellSums CellSpread::spread(
     };
     forEachSum(fields, bands, sums.sides(), write);
   };
-  diffuse(all, begin, end, execution);
+  diffuse(all, diffusionOf(), begin, end, execution);
   return result;
 }
 
-/// In quanta: in proportion to the square root of area, as large as their exact sum allows, if the
-/// squares of all fields are to fit into an integer.
-std::vector<std::int64_t> CellSpread::deviationsOf(const ObjectCells& cells)
-{
-  const auto nodes = static_cast<double>(cells.areas.size()) * cells.sides;
-  const double most = std::min(0x1p28, 0x1p52 / nodes);
-  const double largest = *std::max_element(cells.areas.begin(), cells.areas.end());
-  std::vector<std::int64_t> deviations;
-  for (const double area : cells.areas)
-  {
-    deviations.insert(deviations.end(), static_cast<std::size_t>(cells.sides),
-      static_cast<std::int64_t>(most * std::sqrt(area / largest)));
-  }
-  return deviations;
-}
-
-void CellSpread::fillWithSigns(Fields& fields, const std::vector<std::int64_t>& sizes) const
-{
-  const CellDiffusion& diffusion = objects_[fields.object].diffusion;
-  fields.quanta.resize(sizes.size() * fields.width());
-  for (std::uint32_t k = 0; k < fields.count; ++k)
-  {
-    std::mt19937_64 random(fields.first + k);
-    for (std::size_t node = 0; node < sizes.size(); ++node)
-    {
-      fields.quanta[diffusion.placeOf(node) * fields.width() + k] =
-        static_cast<double>(random() % 2 == 0 ? sizes[node] : -sizes[node]);
-    }
-  }
-}
-
-/**
- * Of independent sums S_k with the variances A_k, cell i receives the sum of W_ik S_k. The variance of
- * that, in units of A_i, is the photon's share. It is measured with some fields of random signs.
- */
 void CellSpread::findPhotonShares(Execution& execution)
 {
-  constexpr std::uint32_t kFields = 16;
-  std::vector<std::vector<std::int64_t>> sizes(objects_.size()), squares(objects_.size());
-  std::vector<Fields> all;
+  std::vector<DiffusionShares> measured(objects_.size());
+  std::vector<DiffusingFields> all;
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
   {
     const ObjectCells& cells = objects_[object];
     if (cells.diffusion.steps() > 0 && cells.photonShares.empty())
     {
-      sizes[object] = deviationsOf(cells);
-      squares[object].resize(sizes[object].size());
-      addFields(object, kFields, all);
+      measured[object] = DiffusionShares(cells.areas, cells.sides);
+      addFields(object, DiffusionShares::kFields, all);
     }
   }
-  const auto begin = [&](Fields& fields) { fillWithSigns(fields, sizes[fields.object]); };
+  const auto begin = [&](DiffusingFields& fields) {
+    measured[fields.object].fill(objects_[fields.object].diffusion, fields);
+  };
   std::mutex mutex;
-  const auto end = [&](const Fields& fields) {
-    const CellDiffusion& diffusion = objects_[fields.object].diffusion;
+  const auto end = [&](const DiffusingFields& fields) {
     const std::lock_guard<std::mutex> lock(mutex);
-    std::vector<std::int64_t>& sums = squares[fields.object];
-    for (std::size_t node = 0; node < sums.size(); ++node)
-    {
-      for (std::uint32_t k = 0; k < fields.count; ++k)
-      {
-        const auto quanta =
-          static_cast<std::int64_t>(fields.quanta[diffusion.placeOf(node) * fields.width() + k]);
-        sums[node] += quanta * quanta;
-      }
-    }
+    measured[fields.object].add(objects_[fields.object].diffusion, fields);
   };
-  diffuse(all, begin, end, execution);
-  const auto share = [](std::int64_t size, std::int64_t sum) {
-    const auto variance = static_cast<double>(size * size) * kFields;
-    return size > 0 ? static_cast<float>(std::min(1.0, static_cast<double>(sum) / variance)) : 1.0F;
-  };
-  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  diffuse(all, diffusionOf(), begin, end, execution);
+  for (const DiffusingFields& fields : all)
   {
-    std::transform(sizes[object].begin(), sizes[object].end(), squares[object].begin(),
-      std::back_inserter(objects_[object].photonShares), share);
+    if (fields.first == 0)
+    {
+      objects_[fields.object].photonShares = measured[fields.object].shares();
+    }
   }
 }
 

@@ -2,9 +2,8 @@
 #ifndef irradiance_CellSpread_h
 #define irradiance_CellSpread_h
 
-#include "Estimates/CellDiffusion.h"
+#include "Estimates/DiffusingFields.h"
 #include "Estimates/PhotonShares.h"
-#include "Execution/Execution.h"
 #include "Tally/CellSums.h"
 
 #include <memory>
@@ -56,18 +55,6 @@ private:
     CellDiffusion diffusion;
     std::vector<float> photonShares; ///< of the nodes; empty: not known, or all are 1
   };
-  /// Sums of an object on their way through the diffusion, some fields side by side. Each replicate has
-  /// a field for each band.
-  struct Fields
-  {
-    std::uint32_t object;
-    std::uint32_t first;                ///< number of the first
-    unsigned count;                     ///< that are used
-    std::vector<double> quanta, before; ///< see CellDiffusion::step
-    int stepsDone = 0;
-
-    unsigned width() const { return count == 1 ? 1 : CellDiffusion::kFields; }
-  };
 
   static void measure(
     const SceneObject& object, ObjectCells& cells, const CancelPoint& cancelPoint);
@@ -75,21 +62,17 @@ private:
   std::int64_t quantaOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
     const CancelPoint& cancelPoint) const;
   static void connect(ObjectCells& cells, double width, int sides, const CancelPoint& cancelPoint);
-  static std::vector<CellNeighbours> neighboursOf(
-    const ObjectCells& cells, double width, const CancelPoint& cancelPoint);
   void findPhotonShares(Execution& execution);
-  /// The standard deviation that each node is given for this.
-  static std::vector<std::int64_t> deviationsOf(const ObjectCells& cells);
-  /// Gives each node its size with a random sign.
-  void fillWithSigns(Fields& fields, const std::vector<std::int64_t>& sizes) const;
-  void addFields(std::uint32_t object, std::uint32_t count, std::vector<Fields>& all) const;
-  /// Calls visit(cell side, band, replicate, index into the quanta) for all sums in the fields.
+  /// Calls visit(cell side, band, replicate, index into the quanta) for all sums in the fields. Each replicate of an
+  /// object has a field for each band.
   template <class Visit>
-  void forEachSum(const Fields& fields, std::uint32_t bands, int sides, const Visit& visit) const;
-  /// Takes the fields through all steps. `begin` fills some whose quanta are 0, `end` reads them.
-  template <class Begin, class End>
-  void diffuse(
-    std::vector<Fields>& all, const Begin& begin, const End& end, Execution& execution) const;
+  void forEachSum(
+    const DiffusingFields& fields, std::uint32_t bands, int sides, const Visit& visit) const;
+  auto diffusionOf() const
+  {
+    return
+      [this](std::size_t object) -> const CellDiffusion& { return objects_[object].diffusion; };
+  }
 
   std::vector<ObjectCells> objects_;
 };

@@ -90,32 +90,56 @@ void ReplicateSums::add(
   isBegun_ = true;
 }
 
+void ReplicateSums::drawOnPhotons(std::size_t i, double photon)
+{
+  photons_.resize(counts_.size());
+  photons_[i] = photon;
+}
+
+double ReplicateSums::varianceOfMean(const std::vector<double>& terms)
+{
+  const auto number = static_cast<double>(terms.size());
+  double mean = 0, squares = 0;
+  for (const double term : terms)
+  {
+    mean += term / number;
+  }
+  for (const double term : terms)
+  {
+    squares += std::pow(term - mean, 2);
+  }
+  return squares / (number * (number - 1));
+}
+
+ReplicateSums::Evidence ReplicateSums::evidenceOf(std::size_t i, double exposure) const
+{
+  constexpr double fewest = ErrorEstimate::kFewestPhotons * (1 - 1e-9); // numbers are rounded
+  if (!photons_.empty() && photons_[i] > 0)
+  {
+    return { exposure >= fewest * photons_[i], false, photons_[i] * photons_[i] };
+  }
+  const Counts& counts = counts_[i];
+  const double firstRun = counts.isOneRun ? 0 : counts.firstRun;
+  return { counts.photons >= fewest, counts.photonTime >= fewest * counts.litTime,
+    firstRun * firstRun + counts.photonSquares + counts.lastRun * counts.lastRun };
+}
+
 double ReplicateSums::standardError(std::size_t i, double exposure) const
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  constexpr double fewest = ErrorEstimate::kFewestPhotons * (1 - 1e-9); // numbers are rounded
-  const Counts& counts = counts_[i];
-  if (replicates_ < 2 || counts.photons < fewest)
+  const Evidence evidence = evidenceOf(i, exposure);
+  if (replicates_ < 2 || !evidence.maySuffice)
   {
     return unknown;
   }
-  const auto number = static_cast<double>(replicates_);
-  double mean = 0, squares = 0;
+  std::vector<double> exposures(replicates_);
   for (std::size_t r = 0; r < replicates_; ++r)
   {
-    mean += exposures_[firstOf(i) + r * bands_] / number;
+    exposures[r] = exposures_[firstOf(i) + r * bands_];
   }
-  for (std::size_t r = 0; r < replicates_; ++r)
-  {
-    squares += std::pow(exposures_[firstOf(i) + r * bands_] - mean, 2);
-  }
-  const double firstRun = counts.isOneRun ? 0 : counts.firstRun;
-  const double photonSquares =
-    firstRun * firstRun + counts.photonSquares + counts.lastRun * counts.lastRun;
-  const double variance =
-    ErrorEstimate::variance(squares / (number * (number - 1)), number * photonSquares);
-  const bool hasMany = counts.photonTime >= fewest * counts.litTime;
-  return hasMany || exposure * exposure >= ErrorEstimate::kFewestPhotons * variance
+  const double variance = ErrorEstimate::variance(
+    varianceOfMean(exposures), static_cast<double>(replicates_) * evidence.photonSquares);
+  return evidence.doesSuffice || exposure * exposure >= ErrorEstimate::kFewestPhotons * variance
     ? std::sqrt(variance)
     : unknown;
 }

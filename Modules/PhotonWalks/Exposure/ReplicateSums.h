@@ -40,6 +40,17 @@ public:
   /// Appends the sums over later times. `isShared`: their first time is the last one of these.
   void append(const ReplicateSums& next, bool isShared);
 
+  /// What a replicate finds for the i-th value, J/m2.
+  double& exposure(std::size_t i, std::size_t replicate)
+  {
+    return exposures_[firstOf(i) + replicate * bands_];
+  }
+  /// From now on the i-th value draws on the photons of others, too, and one of them effectively brings `photon` to
+  /// it, J/m2.
+  void drawOnPhotons(std::size_t i, double photon);
+
+  /// The square of the standard error of a mean, from its terms.
+  static double varianceOfMean(const std::vector<double>& terms);
   /// Of the i-th value, whose exposure is `exposure`; NaN where it is not known.
   double standardError(std::size_t i, double exposure) const;
 
@@ -61,6 +72,14 @@ private:
     void append(const Counts& next, bool isShared);
   };
 
+  /// Whether so many photons arrived that an error may be known, and none are needed beyond the scatter.
+  struct Evidence
+  {
+    bool maySuffice, doesSuffice;
+    double photonSquares; ///< sum of the squares of what a photon brings, J2/m4
+  };
+  Evidence evidenceOf(std::size_t i, double exposure) const;
+
   std::size_t firstOf(std::size_t i) const
   {
     return i / bands_ * replicates_ * bands_ + i % bands_;
@@ -69,6 +88,8 @@ private:
   std::size_t bands_ = 0, replicates_ = 0;
   std::vector<double> exposures_; ///< J/m2, in the order of the arrays
   std::vector<Counts> counts_;
+  std::vector<double>
+    photons_; ///< see drawOnPhotons(); 0: the value draws on its own; empty: all do
   bool isBegun_ = false;
   SharedValues before_; ///< replicates of the last time; null: its runs have ended
 };
