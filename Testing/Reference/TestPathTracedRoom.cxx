@@ -185,7 +185,7 @@ const std::vector<Way>& UnbiasedWays()
   return ways;
 }
 
-/// All that the final gather finds on all cells is what the tracer finds and the bias that it states, within 1 %.
+/// All that the final gather finds on all cells is what the tracer finds and the bias that it states, within 1.5 %.
 void ExpectStatedBias(vtkIrradianceFilter* filter, const Estimates& traced,
   const std::vector<CellId>& cells, const std::vector<double>& areas)
 {
@@ -210,7 +210,7 @@ void ExpectStatedBias(vtkIrradianceFilter* filter, const Estimates& traced,
     sum += traced.mean(i).sum() * areas[i];
   }
   std::cout << "gathered: off by " << found / sum - 1 << ", bias stated " << bias << "\n";
-  EXPECT_NEAR(found / sum - 1, bias, 0.01);
+  EXPECT_NEAR(found / sum - 1, bias, 0.015);
 }
 
 void ExpectSameIrradiance(vtkIrradianceFilter* filter, std::uint32_t samples)
