@@ -115,10 +115,11 @@ void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
   PhotonChanges* changes, Execution& execution)
 {
   const auto count = static_cast<double>(sets_.size());
-  double left = budget_, done = 0;
+  double left = budget_;
   // The last ones first: often they have less to do, and leave the others more of the budget.
-  for (std::size_t i = sets_.size(); i-- > 0; ++done)
+  for (std::size_t i = sets_.size(); i-- > 0;)
   {
+    const auto done = static_cast<double>(sets_.size() - 1 - i);
     ProgressSpan span(execution, done / count, (done + 1) / count);
     if (budget_ > 0)
     {
