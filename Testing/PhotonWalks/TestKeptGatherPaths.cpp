@@ -166,6 +166,26 @@ TEST(KeptGatherPaths, KnowThatContactsDecide)
   }
 }
 
+// A target that fewer rounds of walks reach than were shot: what lights bring where they are asked is of these alone.
+TEST(KeptGatherPaths, ReadNoMoreRoundsThanATargetNeeds)
+{
+  const SceneObjects objects = roomWithStatue(Vector3::Zero());
+  EngineSettings settings = gathering();
+  settings.numberOfWalks = 8000;
+  settings.maximumNumberOfWalks = 32000;
+  settings.replicates = 4;
+  settings.targetRelativeError = 1e-3;
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  EXPECT_EQ(engine.sums().rounds(), 3u);
+  settings.targetRelativeError = 0.9;
+  engine.update(objects, settings, serial);
+  EXPECT_LT(engine.sums().rounds(), 3u);
+  EXPECT_EQ(engine.statistics().shootSeconds, 0);
+  expectFresh(engine, objects, settings);
+}
+
 // What paths depend on besides poses.
 TEST(KeptGatherPaths, AreForgottenWhenAnythingElseChanges)
 {

@@ -45,7 +45,7 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit, kWeightsOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds }, lights,
-    numberOfRays(), 1 / from.walks.watts(1.0), settings_.seed,
+    numberOfRays(), 1 / from.walks.watts(1.0, rounds), settings_.seed,
     settings_.keepsPaths && !objects.dynamicObjects.empty(), all.plan().replicates().count() > 1 };
   for (const WalkSet& set : from.walks.sets())
   {

@@ -23,13 +23,6 @@ Eigen::AlignedBox3f floatBoxAround(const Box& box)
   return around;
 }
 
-/// Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
-double blurOf(const Box& bounds)
-{
-  return (bounds.magnitude() + bounds.extent().norm()) * 0x1p-23 +
-    double{ std::numeric_limits<float>::denorm_min() };
-}
-
 }
 
 GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& moved)
@@ -44,7 +37,9 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
   firstDynamic_ = numbers.first(1);
   const Scene& space = scene.space.scene;
   reach_ = space.bounds().extent().norm();
-  const double blur = blurOf(space.bounds());
+  // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
+  const double blur = (space.bounds().magnitude() + reach_) * 0x1p-23 +
+    double{ std::numeric_limits<float>::denorm_min() };
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     hasMoved_.resize(numbers.first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);

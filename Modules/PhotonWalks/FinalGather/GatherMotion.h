@@ -30,11 +30,11 @@ public:
       (std::any_of(path.begin, path.end, may) || std::any_of(path.shadows, path.endOfShadows, may));
   }
 
-  /// Whether its light may arrive now if it did not, or the other way round.
+  /// Whether its light may arrive now if it did not, or the other way round; conservative likewise.
   bool mayChange(const ShadowRay& ray) const;
 
 private:
-  /// Whether another hit may be found, or light arrive that did not, or the other way round. Conservative: what moved is widened by all rounding, also of the segment
+  /// Whether another hit may be found. Conservative: what moved is widened by all rounding, also of the segment
   /// to floats. `segment`: starts on what did not move, or is behind one that may change.
   bool mayChange(const GatherSegment& segment) const;
 

@@ -64,9 +64,11 @@ public:
   std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
   /// Quanta with which a walk may start at most, in each band.
   std::array<double, Power::kMaxBands> largestStart() const;
-  double watts(double quanta) const
+  double watts(double quanta) const { return watts(quanta, sums().rounds()); }
+  /// Of what the first rounds brought.
+  double watts(double quanta, std::size_t rounds) const
   {
-    return flux_ * (quanta / (static_cast<double>(quantaOfFlux_) * numberOfWalks()));
+    return flux_ * (quanta / (static_cast<double>(quantaOfFlux_) * plan_.walksAfter(rounds)));
   }
 
   WalkHistories histories() const;

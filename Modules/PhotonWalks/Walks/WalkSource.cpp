@@ -147,8 +147,9 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
   // How many walks are born is not known yet: static cells have half of the numbers, the others share the rest evenly.
   const std::vector<CellPart> parts = cellParts(objects);
   const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(1, gathered.size()));
-  const auto dynamicParts = static_cast<std::uint32_t>(parts.size() - 1);
+  const auto others = static_cast<std::uint32_t>(parts.size() - 1);
   const std::uint32_t share = (std::numeric_limits<std::uint32_t>::max() - end) / groups;
+  const std::uint32_t ofStatic = others > 0 ? share / 2 : share;
   for (const WalkSource& source : gathered)
   {
     for (const CellPart& part : parts)
@@ -158,8 +159,7 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
       all.back().quantaPerStart = std::max<std::int64_t>(1,
         std::llround(powerOfStart(reflected) * static_cast<double>(source.lights.quantaPerWalk())));
       all.back().firstWalk = end;
-      end +=
-        part.isStatic() && dynamicParts > 0 ? share / 2 : share / 2 / std::max(1u, dynamicParts);
+      end += part.isStatic() ? ofStatic : (share - ofStatic) / std::max(1u, others);
     }
   }
   return all;
