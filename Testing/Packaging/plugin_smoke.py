@@ -17,5 +17,5 @@ output = servermanager.Fetch(irradiance)
 emitted, absorbed, escaped = (output.GetFieldData().GetArray(name + "Power").GetValue(0)
                               for name in ("Emitted", "Absorbed", "Escaped"))
 print(f"{emitted} W emitted, {absorbed} W absorbed, {escaped} W escaped")
-if emitted != 100 or not absorbed > 0 or abs(absorbed + escaped - emitted) > 1e-9:
+if abs(emitted - 100) > 1e-9 or not absorbed > 0 or abs(absorbed + escaped - emitted) > 1e-9:
     sys.exit("the power does not balance")

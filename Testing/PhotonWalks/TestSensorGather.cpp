@@ -6,6 +6,7 @@
 #include "LambertContour.h"
 #include "MovingScene.h"
 #include "Progress/InputError.h"
+#include "SameLight.h"
 #include "ThreadExecution.h"
 #include "ThreadRanks.h"
 #include "Views/SensorGather.h"
@@ -15,7 +16,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <mutex>
 #include <numeric>
 #include <tuple>
@@ -26,6 +26,7 @@ namespace irradiance
 namespace
 {
 
+using test::areSame;
 using test::box;
 using test::grey;
 using test::MovingScene;
@@ -329,11 +330,6 @@ std::vector<Sensor> randomSensors(int count)
       i % 3 == 0 ? kNone : Vector3(random.inCube().normalized()) });
   }
   return sensors;
-}
-
-bool areSame(const std::vector<SensorGather::Light>& a, const std::vector<SensorGather::Light>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
 }

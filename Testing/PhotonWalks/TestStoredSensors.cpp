@@ -3,12 +3,12 @@
 
 #include "EngineRun.h"
 #include "MovingScene.h"
+#include "SameLight.h"
 #include "ThreadExecution.h"
 #include "Views/StoredSensors.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <memory>
 #include <numeric>
 
@@ -18,6 +18,7 @@ namespace irradiance
 namespace
 {
 
+using test::areSame;
 using test::box;
 using test::grey;
 using test::MovingScene;
@@ -32,11 +33,6 @@ std::vector<SensorGather::Light> gatheredByNewEngine(const SceneObjects& objects
   std::vector<std::size_t> numbers(sensors.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
   return SensorGather(engine, rays, serial).at(sensors, numbers);
-}
-
-bool areSame(const std::vector<SensorGather::Light>& a, const std::vector<SensorGather::Light>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
 /// Sensors in and around a room, some on its floor, some too far away; each change is a random one.
