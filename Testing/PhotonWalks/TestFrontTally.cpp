@@ -142,7 +142,7 @@ void expectEqual(const PowerBalance& balance, const PowerBalance& expected)
 
 /// Calls test(world, shot, expected) for each kind, and each way to count photons.
 template <class Test>
-void onAll(const Test& test)
+void onAllFronts(const Test& test)
 {
   for (const TallyKind& kind : someTallies())
   {
@@ -160,7 +160,7 @@ void onAll(const Test& test)
 
 TEST(FrontTally, WalksThatAreRemovedLeaveNoTrace)
 {
-  onAll([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
+  onAllFronts([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
     CellSums sums(world.objects(), shot.sums().sides(), world.plan(), world.plan().rounds().size());
     const CellSums none(world.objects(), sums.sides(), world.plan(), world.plan().rounds().size());
     sums.add(shot.sums(), {});
@@ -182,7 +182,7 @@ TEST(FrontTally, WalksThatAreRemovedLeaveNoTrace)
 
 TEST(FrontTally, WhatStaysIsWhatTheOtherSegmentsBrought)
 {
-  onAll([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
+  onAllFronts([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
     const std::size_t rounds = world.plan().rounds().size();
     CellSums sums(world.objects(), shot.sums().sides(), world.plan(), rounds),
       others(world.objects(), shot.sums().sides(), world.plan(), rounds);
@@ -227,7 +227,7 @@ TEST(FrontTally, WhatStaysIsWhatTheOtherSegmentsBrought)
 // Removed and shot again, each in one tally, as a repair does that finds the same walks again.
 TEST(FrontTally, TailsThatComeBackRestoreAll)
 {
-  onAll([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
+  onAllFronts([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
     CellSums sums(world.objects(), shot.sums().sides(), world.plan(), world.plan().rounds().size());
     sums.add(shot.sums(), {});
     PowerBalance balance = shot.balance();
