@@ -44,7 +44,7 @@ void expectChoice(const Settings& settings, CellEstimate estimate, bool gathersD
 }
 
 /// 54 cells. `specular`: of its cells.
-ObjectBuilder room(double specular = 0)
+ObjectBuilder quadRoom(double specular = 0)
 {
   ObjectBuilder builder;
   Look look = grey(0.5);
@@ -66,7 +66,7 @@ SceneObject sheet(int n)
 // From both sides of a cell.
 TEST(AutomaticChoice, TakesAtMostOneRayForEachWalk)
 {
-  const SceneObjects objects{ room().build(), {} };
+  const SceneObjects objects{ quadRoom().build(), {} };
   for (const std::uint32_t rays : { 32u, 100u })
   {
     Settings enough = settingsOf(54 * 2 * rays), few = settingsOf(54 * 2 * rays - 1);
@@ -79,7 +79,7 @@ TEST(AutomaticChoice, TakesAtMostOneRayForEachWalk)
 // However few rays there are, they have to find something to read.
 TEST(AutomaticChoice, TakesFiftyWalksForEachCell)
 {
-  const SceneObjects objects{ room().build(), {} };
+  const SceneObjects objects{ quadRoom().build(), {} };
   Settings enough = settingsOf(54 * 50), few = settingsOf(54 * 50 - 1);
   enough.estimate.gatherRays = few.estimate.gatherRays = 1;
   expectChoice(chosen(objects, enough), CellEstimate::Gathered, true);
@@ -105,7 +105,7 @@ TEST(AutomaticChoice, ReadsHalfOfTheArea)
 
 TEST(AutomaticChoice, GathersDirectLightOfAsManyCellsAsWalks)
 {
-  const SceneObjects objects{ room().build(), {} };
+  const SceneObjects objects{ quadRoom().build(), {} };
   expectChoice(chosen(objects, settingsOf(54)), CellEstimate::Sums, true);
   expectChoice(chosen(objects, settingsOf(53)), CellEstimate::Sums, false);
 }
@@ -114,7 +114,7 @@ TEST(AutomaticChoice, ShootsWhatIsToBeShot)
 {
   Settings settings = settingsOf(100000);
   settings.walks.gathersDirectLight = false;
-  const SceneObjects objects{ room().build(), {} };
+  const SceneObjects objects{ quadRoom().build(), {} };
   expectChoice(chosen(objects, settings, { false, true }), CellEstimate::Sums, false);
 }
 
@@ -123,7 +123,7 @@ TEST(AutomaticChoice, KnowsPointLightsBesideGloss)
 {
   for (const double specular : { 0.0, 0.25 })
   {
-    ObjectBuilder builder = room(specular);
+    ObjectBuilder builder = quadRoom(specular);
     expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)), CellEstimate::Gathered, true);
     builder.addPointLight({ 1, 1, 1 }, 10);
     expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)),
@@ -135,12 +135,12 @@ TEST(AutomaticChoice, HasNothingToReadWithoutBias)
 {
   Settings settings = settingsOf(100000);
   settings.estimate.unbiasedGather = true;
-  expectChoice(chosen({ room().build(), {} }, settings), CellEstimate::Sums, true);
+  expectChoice(chosen({ quadRoom().build(), {} }, settings), CellEstimate::Sums, true);
 }
 
 TEST(AutomaticChoice, KeepsWhatIsAskedFor)
 {
-  const SceneObjects objects{ room().build(), {} };
+  const SceneObjects objects{ quadRoom().build(), {} };
   Settings few = settingsOf(10);
   for (const CellEstimate estimate :
     { CellEstimate::Sums, CellEstimate::Spread, CellEstimate::Nearest, CellEstimate::Gathered })
@@ -157,7 +157,7 @@ TEST(AutomaticChoice, KeepsWhatIsAskedFor)
 // What is away has no cells, as if it had never been there.
 TEST(AutomaticChoice, CountsWhatIsThere)
 {
-  SceneObjects objects{ room().build(), { sheet(20) } };
+  SceneObjects objects{ quadRoom().build(), { sheet(20) } };
   expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Sums, true);
   expectChoice(chosen(objects, settingsOf(300)), CellEstimate::Sums, false);
   objects.dynamicObjects[0].isPresent = false;
@@ -169,7 +169,7 @@ TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
 {
   ObjectBuilder light;
   light.addPointLight({ 1, 1, 1 }, 10);
-  SceneObjects objects{ room(0.25).build(), { light.build() } };
+  SceneObjects objects{ quadRoom(0.25).build(), { light.build() } };
   expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Sums, true);
   objects.dynamicObjects[0].isPresent = false;
   expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Gathered, true);
@@ -178,7 +178,7 @@ TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
 // The walks that a target takes in the end are not known before.
 TEST(AutomaticChoice, IsThatOfTheWalksToBeginWith)
 {
-  const SceneObjects objects{ room().build(), {} };
+  const SceneObjects objects{ quadRoom().build(), {} };
   Settings settings = settingsOf(2000);
   settings.walks.targetRelativeError = 0.05;
   settings.walks.replicates = 16;
