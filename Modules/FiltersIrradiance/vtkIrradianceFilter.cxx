@@ -235,7 +235,7 @@ void CheckLights(const irradiance::SceneReader& scene,
   if (const auto unseen = irradiance::unseenLight(scene.objects()))
   {
     throw irradiance::InputError(
-      unseen->message("CellEstimate", scene.nameOf(unseen->light, statics, dynamics),
+      unseen->message("CellEstimate Gathered", scene.nameOf(unseen->light, statics, dynamics),
         scene.nameOf(unseen->specular, statics, dynamics)));
   }
 }

@@ -3,9 +3,9 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
-#include "Data/NamedArray.h"
 #include "Execution/SlicedPass.h"
 #include "Output/EmptyPiece.h"
+#include "Output/LightArrays.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
@@ -15,7 +15,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -80,69 +79,29 @@ irradiance::Eye EyeOf(vtkOutgoingRadianceFilter* filter)
   return eye;
 }
 
-/// What a part gets.
-struct Arrays
+/// Adds the arrays of a part.
+irradiance::LightArrays AddArrays(vtkPolyData* output, int bands, bool haveErrors)
 {
-  vtkSmartPointer<vtkDoubleArray> Radiance, Errors; // the errors may be null
-
-  Arrays(vtkPolyData* output, int bands, bool haveErrors)
-    : Radiance(Add(output, irradiance::kRadiance, bands))
-    , Errors(haveErrors ? Add(output, irradiance::standardErrorName(irradiance::kRadiance), bands)
-                        : nullptr)
-  {
-    output->GetCellData()->SetActiveScalars(irradiance::kRadiance);
-  }
-  void Set(vtkIdType cell, const irradiance::OutgoingRadiance::Light& light) const
-  {
-    for (int band = 0; band < this->Radiance->GetNumberOfComponents(); ++band)
-    {
-      const auto i = static_cast<std::size_t>(band);
-      this->Radiance->SetTypedComponent(cell, band, light.value[i]);
-      if (this->Errors)
-      {
-        this->Errors->SetTypedComponent(cell, band, light.standardError[i]);
-      }
-    }
-  }
-
-private:
-  static vtkSmartPointer<vtkDoubleArray> Add(
-    vtkPolyData* output, const std::string& name, int bands)
-  {
-    return irradiance::addArray<vtkDoubleArray>(
-      output->GetCellData(), name, bands, output->GetNumberOfCells());
-  }
-};
-
-/// Clones the polydata of a tree: their cells and arrays stay shared.
-void CloneLeaves(vtkMultiBlockDataSet* output)
-{
-  irradiance::forEachLeaf(output, [output](vtkDataObjectTreeIterator* leaf) {
-    vtkDataObject* data = leaf->GetCurrentDataObject();
-    const auto clone = vtk::TakeSmartPointer(data->NewInstance());
-    clone->ShallowCopy(data);
-    output->SetDataSet(leaf, clone);
-  });
+  vtkCellData* cells = output->GetCellData();
+  const irradiance::LightArrays arrays(
+    cells, irradiance::kRadiance, bands, output->GetNumberOfCells(), haveErrors);
+  cells->SetActiveScalars(irradiance::kRadiance);
+  return arrays;
 }
 
 /// Without cells, see PieceRequest.h.
 void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   output->ShallowCopy(input);
-  irradiance::forEachLeaf(output, [input, output](vtkDataObjectTreeIterator* leaf) {
-    if (auto* polyData = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
-    {
-      const auto empty = irradiance::withoutCells(polyData);
-      Arrays(empty, irradiance::bandsOf(empty), irradiance::haveErrors(input));
-      output->SetDataSet(leaf, empty);
-    }
+  irradiance::emptyLeaves(output, [input](vtkPolyData* empty) {
+    AddArrays(empty, irradiance::bandsOf(empty), irradiance::haveErrors(input));
   });
 }
 
 /// Some cells of a part.
 struct Unit
 {
-  Arrays arrays;
+  irradiance::LightArrays arrays;
   irradiance::PartCells cells;
   vtkIdType begin, end; ///< of the part
 };
@@ -154,7 +113,7 @@ std::vector<Unit> MakeUnits(const irradiance::PhotonSource& source, vtkIdType si
   const int bands = source.engine()->objects().staticObject.material->bands;
   std::vector<Unit> units;
   source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
-    const Arrays arrays(polyData, bands, haveErrors);
+    const irradiance::LightArrays arrays = AddArrays(polyData, bands, haveErrors);
     for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
     {
       units.push_back(
@@ -216,7 +175,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
   const irradiance::OutgoingRadiance& radiance =
     this->Internals->RadianceOf(source, this->NumberOfSpecularSamples, execution);
   output->ShallowCopy(input);
-  CloneLeaves(output);
+  irradiance::cloneLeaves(output);
   constexpr int raysTogether = 4096;
   const vtkIdType cellsTogether = std::max(1, raysTogether / this->NumberOfSpecularSamples);
   const std::vector<Unit> units =
@@ -232,7 +191,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
     vtkIdType cell = unit.begin;
     for (const irradiance::OutgoingRadiance::Light& light : radiance.at(cells, eye))
     {
-      unit.arrays.Set(cell++, light);
+      unit.arrays.set(cell++, light);
     }
     return true;
   };

@@ -41,7 +41,7 @@ void IrradianceEngine::update(
   assert(conflictOf(settings, settings).empty());
   if (settings.cellEstimate == CellEstimate::Gathered)
   {
-    checkLights(objects, "CellEstimate"); // before anything is shot
+    checkLights(objects, "CellEstimate Gathered"); // before anything is shot
   }
   const FrameChange change = agreedChange(changeTo(objects, settings, execution),
     { objects, objects_, settings, settings }, execution.ranks());

@@ -47,6 +47,11 @@ inline std::string photonName(const std::string& suffix)
   return irradianceName(suffix) + "OfPhoton";
 }
 
+inline std::string pointIrradianceName(const std::string& suffix = "")
+{
+  return "PointIrradiance" + suffix;
+}
+
 constexpr const char* kRadiance = "Radiance";
 constexpr const char* kFluenceRate = "FluenceRate";
 constexpr const char* kNumberOfPhotons = "NumberOfPhotons";

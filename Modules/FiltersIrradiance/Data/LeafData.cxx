@@ -85,6 +85,16 @@ vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data)
   return copy;
 }
 
+void cloneLeaves(vtkDataObjectTree* tree)
+{
+  forEachLeaf(tree, [tree](vtkDataObjectTreeIterator* leaf) {
+    vtkDataObject* data = leaf->GetCurrentDataObject();
+    const auto clone = vtk::TakeSmartPointer(data->NewInstance());
+    clone->ShallowCopy(data);
+    tree->SetDataSet(leaf, clone);
+  });
+}
+
 void fillLeaves(vtkDataObject* input, vtkDataObject* output, const MakeLeaf& make)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(input);

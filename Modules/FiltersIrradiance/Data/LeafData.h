@@ -37,6 +37,9 @@ std::vector<LeafData> leavesOf(vtkDataObject* data);
 /// fills the original again.
 vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data);
 
+/// Replaces the leaves of a tree by copies that share their cells and arrays.
+void cloneLeaves(vtkDataObjectTree* tree);
+
 /// Fills `output` with the structure of `input` and, as the i-th leaf, what `make` returns for it.
 using MakeLeaf = std::function<vtkSmartPointer<vtkDataSet>(std::size_t i)>;
 void fillLeaves(vtkDataObject* input, vtkDataObject* output, const MakeLeaf& make);

@@ -46,6 +46,18 @@ vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData)
   return empty;
 }
 
+void emptyLeaves(vtkDataObjectTree* tree, const std::function<void(vtkPolyData*)>& add)
+{
+  forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
+    {
+      const auto empty = withoutCells(polyData);
+      add(empty);
+      tree->SetDataSet(leaf, empty);
+    }
+  });
+}
+
 namespace
 {
 

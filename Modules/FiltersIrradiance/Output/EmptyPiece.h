@@ -4,7 +4,10 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
+
 class vtkDataObject;
+class vtkDataObjectTree;
 class vtkDataSet;
 class vtkPolyData;
 
@@ -21,6 +24,9 @@ void removeElements(vtkDataObject* data);
 
 /// Polydata with the arrays of another, without points and cells.
 vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData);
+
+/// Replaces the polydata of a tree by ones without cells; add() gives each further arrays.
+void emptyLeaves(vtkDataObjectTree* tree, const std::function<void(vtkPolyData*)>& add);
 
 /// Number of components that the irradiance has in polydata, or in the first leaf of a tree of them; else 1.
 int bandsOf(vtkDataObject* data);

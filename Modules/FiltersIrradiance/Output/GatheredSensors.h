@@ -2,10 +2,9 @@
 #ifndef irradiance_GatheredSensors_h
 #define irradiance_GatheredSensors_h
 
+#include "Output/LightArrays.h"
 #include "Output/SensorRun.h"
 #include "Views/StoredSensors.h"
-
-#include "vtkDoubleArray.h"
 
 #include <cstdint>
 #include <string>
@@ -30,9 +29,7 @@ public:
   std::string measure(const SensorRun& run, const Settings& settings, StoredSensors& stored);
 
 private:
-  void set(vtkIdType point, const SensorGather::Light& light);
-
-  vtkSmartPointer<vtkDoubleArray> values_, errors_; ///< or null
+  LightArrays arrays_;
 };
 
 }

@@ -56,23 +56,22 @@ std::optional<UnseenLight> unseenLight(const SceneObjects& objects)
 }
 
 std::string UnseenLight::message(
-  const std::string& estimate, const std::string& lightName, const std::string& specularName) const
+  const std::string& gather, const std::string& lightName, const std::string& specularName) const
 {
   return lightName + ": a point light of " + text(flux) + " W, and " + specularName +
-    " has the specular reflectance " + text(reflectance) + ": " + estimate +
-    " Gathered does not know how specular cells reflect the light of points: make them area "
-    "lights, "
-    "or choose another estimate";
+    " has the specular reflectance " + text(reflectance) + ": " + gather +
+    " does not know how specular cells reflect the light of points: make them area "
+    "lights, or choose another estimate";
 }
 
-void checkLights(const SceneObjects& objects, const std::string& estimate)
+void checkLights(const SceneObjects& objects, const std::string& gather)
 {
   const auto nameOf = [](const SceneCell& cell) {
     return "object " + std::to_string(cell.object) + ", cell " + std::to_string(cell.cell);
   };
   if (const std::optional<UnseenLight> unseen = unseenLight(objects))
   {
-    throw InputError(unseen->message(estimate, nameOf(unseen->light), nameOf(unseen->specular)));
+    throw InputError(unseen->message(gather, nameOf(unseen->light), nameOf(unseen->specular)));
   }
 }
 

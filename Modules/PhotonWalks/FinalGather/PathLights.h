@@ -44,16 +44,16 @@ struct UnseenLight
   double flux;        ///< of the light, W, all bands together
   double reflectance; ///< specular, of the most reflecting band
 
-  /// What is wrong, and what may be done. `estimate`: the property. The cells are named as they are here.
-  std::string message(const std::string& estimate, const std::string& lightName,
-    const std::string& specularName) const;
+  /// What is wrong, and what may be done. `gather`: what does not know the light. The cells are named as they are here.
+  std::string message(
+    const std::string& gather, const std::string& lightName, const std::string& specularName) const;
 };
 
 /// The first ones; nothing if there are none.
 std::optional<UnseenLight> unseenLight(const SceneObjects& objects);
 
 /// Throws InputError for an unseenLight().
-void checkLights(const SceneObjects& objects, const std::string& estimate);
+void checkLights(const SceneObjects& objects, const std::string& gather);
 
 }
 

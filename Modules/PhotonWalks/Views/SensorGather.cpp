@@ -21,21 +21,13 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// Before anything is counted.
 const IrradianceEngine& checked(const IrradianceEngine& engine)
 {
-  checkLights(engine.objects(), "Estimate");
+  checkLights(engine.objects(), "the final gather at points");
   return engine;
 }
 
 bool contains(const Box& box, const Vector3& point)
 {
   return (box.lower.array() <= point.array()).all() && (point.array() <= box.upper.array()).all();
-}
-
-SensorGather::Light unknownLight()
-{
-  SensorGather::Light light{};
-  light.value.fill(kUnknown);
-  light.standardError.fill(kUnknown);
-  return light;
 }
 
 }
@@ -53,10 +45,13 @@ std::vector<SensorGather::Light> SensorGather::at(
 {
   Rays rays;
   std::int64_t cast = 0;
-  return update(sensors, numbers, nullptr, rays, cast);
+  const std::vector<Replicates> found = update(sensors, numbers, nullptr, rays, cast);
+  std::vector<Light> lights(found.size());
+  std::transform(found.begin(), found.end(), lights.begin(), lightOf);
+  return lights;
 }
 
-std::vector<SensorGather::Light> SensorGather::update(const std::vector<Sensor>& sensors,
+std::vector<SensorGather::Replicates> SensorGather::update(const std::vector<Sensor>& sensors,
   const std::vector<std::size_t>& numbers, const GatherMotion* motion, Rays& rays,
   std::int64_t& cast) const
 {
@@ -64,26 +59,27 @@ std::vector<SensorGather::Light> SensorGather::update(const std::vector<Sensor>&
   now.paths = pathsOf(now.starts, numbers, motion, rays, cast);
   rays = std::move(now);
   const PathSums brought = gather_.broughtBy(rays.paths);
-  std::vector<Light> found;
+  Bands unknown{};
+  unknown.fill(kUnknown);
+  std::vector<Replicates> found;
   std::size_t path = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     Rays::Start& start = rays.starts[i];
     if (!start.place)
     {
-      found.push_back(unknownLight());
+      found.emplace_back(scene().replicates(), unknown);
       continue;
     }
     askLights(start, numbers[i], motion, cast);
     // Radiance is radiosity / pi; the density of rays is cos(theta) / pi, or 1 / (4 pi).
-    std::vector<Bands> replicates =
-      gather_.replicatesOf(brought, path++, start.place->hasNormal() ? 1 : 4);
+    Replicates replicates = gather_.replicatesOf(brought, path++, start.place->hasNormal() ? 1 : 4);
     for (std::size_t k = 0; k < replicates.size(); ++k)
     {
       std::transform(replicates[k].begin(), replicates[k].end(), start.direct[k].begin(),
         replicates[k].begin(), std::plus<double>());
     }
-    found.push_back(lightOf(replicates));
+    found.push_back(std::move(replicates));
   }
   return found;
 }
@@ -181,7 +177,7 @@ std::size_t SensorGather::Rays::bytes() const
   return bytes;
 }
 
-SensorGather::Light SensorGather::lightOf(const std::vector<Bands>& replicates)
+SensorGather::Light SensorGather::lightOf(const Replicates& replicates)
 {
   Light light{};
   std::vector<double> parts(replicates.size());

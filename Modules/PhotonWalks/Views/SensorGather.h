@@ -38,6 +38,9 @@ public:
     /// From the variance between replicates; NaN without these, or if none of them received anything.
     Bands standardError;
   };
+  /// What each replicate adds to the light of a sensor, or of several together, W/m2; NaN of one that is too far away.
+  using Replicates = std::vector<Bands>;
+  static Light lightOf(const Replicates& replicates);
   /// At the sensors of these numbers, which choose the samples. Throws std::runtime_error for a path that does
   /// not end. May be called by several threads.
   std::vector<Light> at(
@@ -63,7 +66,7 @@ public:
   /// As at(); cast are only rays that may have changed since those that are given, and those of sensors that were
   /// elsewhere. `numbers`: the same as then, or from the first on fewer or more. `motion`: since then; null: all are
   /// cast. Adds to `cast` how many that were, paths and rays to lights together.
-  std::vector<Light> update(const std::vector<Sensor>& sensors,
+  std::vector<Replicates> update(const std::vector<Sensor>& sensors,
     const std::vector<std::size_t>& numbers, const GatherMotion* motion, Rays& rays,
     std::int64_t& cast) const;
   const GatherScene& scene() const { return gather_.scene(); }
@@ -80,7 +83,6 @@ private:
     std::int64_t& cast) const;
   void askLights(
     Rays::Start& start, std::size_t number, const GatherMotion* motion, std::int64_t& cast) const;
-  static Light lightOf(const std::vector<Bands>& replicates);
 
   CellShapes noShapes_;
   ViewGather gather_;

@@ -22,7 +22,7 @@ void StoredSensors::update(const std::shared_ptr<const IrradianceEngine>& engine
     isDone[i] = i < sensors_.size() && sensors[i] == sensors_[i];
   }
   sensors_ = sensors;
-  lights_.resize(sensors.size());
+  replicates_.resize(sensors.size());
   cast_ = 0;
   if (!keepsRays)
   {
@@ -65,11 +65,11 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
     }
     SensorGather::Rays none;
     std::int64_t cast = 0;
-    const std::vector<SensorGather::Light> found = gather.update(
+    std::vector<SensorGather::Replicates> found = gather.update(
       sensors_, numbers, motion ? &*motion : nullptr, keepsRays ? units_[unit] : none, cast);
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
-      lights_[numbers[i]] = found[i];
+      replicates_[numbers[i]] = std::move(found[i]);
     }
     cast_ += cast;
     return true;
@@ -97,6 +97,13 @@ std::vector<std::size_t> StoredSensors::numbersOf(
   }
   return keepsRays && std::find(at(first), at(end), false) == at(end) ? std::vector<std::size_t>{}
                                                                       : numbers;
+}
+
+std::vector<SensorGather::Light> StoredSensors::lights() const
+{
+  std::vector<SensorGather::Light> lights(replicates_.size());
+  std::transform(replicates_.begin(), replicates_.end(), lights.begin(), SensorGather::lightOf);
+  return lights;
 }
 
 std::size_t StoredSensors::bytes() const

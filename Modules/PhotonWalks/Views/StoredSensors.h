@@ -26,7 +26,8 @@ public:
     const std::vector<Sensor>& sensors, std::uint32_t rays, bool keepsRays, Execution& execution);
 
   /// Of all sensors.
-  const std::vector<SensorGather::Light>& lights() const { return lights_; }
+  std::vector<SensorGather::Light> lights() const;
+  const std::vector<SensorGather::Replicates>& replicates() const { return replicates_; }
   /// Paths and rays to lights that the last update cast.
   std::int64_t numberCast() const { return cast_; }
   /// Of the rays that are kept.
@@ -44,7 +45,7 @@ private:
   std::uint64_t state_ = 0;
   std::uint32_t rays_ = 0;
   std::vector<Sensor> sensors_;
-  std::vector<SensorGather::Light> lights_;
+  std::vector<SensorGather::Replicates> replicates_;
   std::optional<PathsOrigin> origin_;     ///< of the rays that are kept
   std::vector<SensorGather::Rays> units_; ///< of sensors whose rays are cast together
   std::atomic<std::int64_t> cast_{ 0 };
