@@ -3,6 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
+#include "FinalGather/DarkShapes.h"
 #include "Input/PointFacets.h"
 #include "Output/EmptyPiece.h"
 #include "Output/LightArrays.h"
@@ -42,7 +43,7 @@ struct Surface
   std::vector<irradiance::PointFacet> facets;
 };
 
-/// One for the front of each facet, and behind it one for its back.
+/// One for each side of each facet to which light can come, the front before the back.
 std::vector<irradiance::Sensor> SensorsOf(const std::vector<Surface>& surfaces)
 {
   std::vector<irradiance::Sensor> sensors;
@@ -50,8 +51,14 @@ std::vector<irradiance::Sensor> SensorsOf(const std::vector<Surface>& surfaces)
   {
     for (const irradiance::PointFacet& facet : surface.facets)
     {
-      sensors.push_back(facet.front);
-      sensors.push_back({ facet.front.position, -facet.front.normal });
+      if (!facet.isFrontDark)
+      {
+        sensors.push_back(facet.front);
+      }
+      if (!facet.isBackDark)
+      {
+        sensors.push_back({ facet.front.position, -facet.front.normal });
+      }
     }
   }
   return sensors;
@@ -86,88 +93,79 @@ void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
   });
 }
 
-/// Gives points the light that their facets received.
+using Replicates = irradiance::SensorGather::Replicates;
+
+void Add(const Replicates& received, double weight, Replicates& sum)
+{
+  for (std::size_t k = 0; k < sum.size(); ++k)
+  {
+    for (std::size_t band = 0; band < sum[k].size(); ++band)
+    {
+      sum[k][band] += weight * received[k][band];
+    }
+  }
+}
+
+/// Gives points the light that their facets received: takes what is next, in the order of the sensors.
 class PointWriter
 {
 public:
-  using Replicates = irradiance::SensorGather::Replicates;
-
-  /// `received`: by the sensors, from the first of the surface on.
-  PointWriter(const Surface& surface, const Replicates* received,
-    const std::vector<irradiance::LightArrays>& arrays)
-    : Facets(surface.facets)
-    , Received(received)
-    , Arrays(arrays)
+  /// `replicates`: their number.
+  PointWriter(const std::vector<Replicates>& received, std::size_t replicates)
+    : Next(received.data())
+    , Dark(replicates)
   {
-    const irradiance::SensorGather::Light unknown =
-      LightOf(std::numeric_limits<double>::quiet_NaN());
-    for (const irradiance::LightArrays& side : arrays)
-    {
-      for (vtkIdType i = 0; i < surface.output->GetNumberOfPoints(); ++i)
-      {
-        side.set(i, unknown);
-      }
-    }
   }
 
-  void Write() const
+  void Write(const Surface& surface, const std::vector<irradiance::LightArrays>& arrays)
   {
-    for (std::size_t first = 0, end = 0; first < this->Facets.size(); first = end)
+    this->WriteUnknown(surface.output->GetNumberOfPoints(), arrays);
+    const std::vector<irradiance::PointFacet>& facets = surface.facets;
+    for (std::size_t first = 0, end = 0; first < facets.size(); first = end)
     {
-      while (end < this->Facets.size() && this->Facets[end].point == this->Facets[first].point)
+      double angle = 0;
+      for (; end < facets.size() && facets[end].point == facets[first].point; ++end)
       {
-        ++end;
+        angle += facets[end].angle;
       }
-      for (std::size_t side = 0; side < this->Arrays.size(); ++side)
+      std::vector<Replicates> means(arrays.size(), this->Dark);
+      for (std::size_t i = first; i < end; ++i)
       {
-        this->Arrays[side].set(this->Facets[first].point,
-          irradiance::SensorGather::lightOf(this->MeanOf(first, end, side)));
+        const double weight = facets[i].angle / angle;
+        this->AddNext(facets[i].isFrontDark, weight, means.front());
+        this->AddNext(facets[i].isBackDark, weight, means.back());
+      }
+      for (std::size_t side = 0; side < arrays.size(); ++side)
+      {
+        arrays[side].set(facets[first].point, irradiance::SensorGather::lightOf(means[side]));
       }
     }
   }
 
 private:
-  static irradiance::SensorGather::Light LightOf(double value)
+  static void WriteUnknown(vtkIdType points, const std::vector<irradiance::LightArrays>& arrays)
   {
-    irradiance::SensorGather::Light light{};
-    light.value.fill(value);
-    light.standardError.fill(value);
-    return light;
-  }
-
-  /// Of some facets, on one side, or on both together.
-  Replicates MeanOf(std::size_t first, std::size_t end, std::size_t side) const
-  {
-    double angle = 0;
-    for (std::size_t i = first; i < end; ++i)
+    irradiance::SensorGather::Light unknown{};
+    unknown.value.fill(std::numeric_limits<double>::quiet_NaN());
+    unknown.standardError = unknown.value;
+    for (const irradiance::LightArrays& side : arrays)
     {
-      angle += this->Facets[i].angle;
-    }
-    Replicates mean(this->Received[2 * first].size());
-    const std::size_t sides = this->Arrays.size() > 1 ? 1 : 2;
-    for (std::size_t i = 2 * first; i < 2 * end; ++i)
-    {
-      if (sides == 2 || i % 2 == side)
+      for (vtkIdType i = 0; i < points; ++i)
       {
-        Add(this->Received[i], this->Facets[i / 2].angle / angle, mean);
-      }
-    }
-    return mean;
-  }
-  static void Add(const Replicates& received, double weight, Replicates& sum)
-  {
-    for (std::size_t k = 0; k < sum.size(); ++k)
-    {
-      for (std::size_t band = 0; band < sum[k].size(); ++band)
-      {
-        sum[k][band] += weight * received[k][band];
+        side.set(i, unknown);
       }
     }
   }
+  void AddNext(bool isDark, double weight, Replicates& mean)
+  {
+    if (!isDark)
+    {
+      Add(*this->Next++, weight, mean);
+    }
+  }
 
-  const std::vector<irradiance::PointFacet>& Facets;
-  const Replicates* Received;
-  const std::vector<irradiance::LightArrays>& Arrays;
+  const Replicates* Next;
+  Replicates Dark; ///< what nothing comes to
 };
 
 }
@@ -203,23 +201,23 @@ void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBloc
   output->ShallowCopy(input);
   irradiance::cloneLeaves(output);
   const double rounding = 0x1p-20 * engine.scene().bounds().magnitude();
+  const irradiance::CellShapes shapes =
+    irradiance::darkShapesOf(engine.walks(), engine.space(), reading);
   std::vector<Surface> surfaces;
-  source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells&) {
+  source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
     surfaces.push_back({ polyData,
-      irradiance::pointFacetsOf(
-        polyData, vtkMath::RadiansFromDegrees(this->FeatureAngle), rounding, reading) });
+      irradiance::pointFacetsOf(polyData, vtkMath::RadiansFromDegrees(this->FeatureAngle), rounding,
+        cells, shapes, reading) });
   });
   irradiance::StoredSensors& stored = this->Internals->Stored;
   stored.update(source.engine(), SensorsOf(surfaces),
     static_cast<std::uint32_t>(this->NumberOfRays), this->KeepRays, execution);
-  const irradiance::SensorGather::Replicates* received = stored.replicates().data();
+  PointWriter writer(stored.replicates(), engine.walks().plan().replicates().count());
   for (const Surface& surface : surfaces)
   {
-    const std::vector<irradiance::LightArrays> arrays =
+    writer.Write(surface,
       AddArrays(surface.output, engine.objects().staticObject.material->bands,
-        irradiance::haveErrors(input), engine.settings().separateSides);
-    PointWriter(surface, received, arrays).Write();
-    received += 2 * surface.facets.size();
+        irradiance::haveErrors(input), engine.settings().separateSides));
   }
 }
 

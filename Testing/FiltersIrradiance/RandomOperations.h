@@ -123,6 +123,7 @@ inline void MoveTheEye(Trial& t)
 inline void ChangeTheSensors(Trial& t)
 {
   ChangeSensors(t.Random, t.Given.Look);
+  ChangePoints(t.Random, t.Given.Look);
 }
 
 /// With it, what it collects of the filter's photons.

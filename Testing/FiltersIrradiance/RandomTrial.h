@@ -163,6 +163,7 @@ struct Trial
   void LimitGloss();
   void KeepCellOfWalks();
   void DropBudgetOfLook();
+  bool HasUnseenLight();
   void DropFinalGather();
   void UpdateAndCheck();
   void Compare();
@@ -224,15 +225,9 @@ inline void Trial::DropBudgetOfLook()
   }
 }
 
-/// Where it is bad input, and beside a budget, with which what is stale on a cell need not fall from update to
-/// update.
-inline void Trial::DropFinalGather()
+/// Whether a gather would not know how gloss reflects a light.
+inline bool Trial::HasUnseenLight()
 {
-  const bool isLeft = this->Set().CellEstimate == vtkIrradianceFilter::AutomaticEstimate;
-  if (this->Set().CellEstimate != vtkIrradianceFilter::FinalGather && !isLeft)
-  {
-    return;
-  }
   bool hasGloss = false, hasPoints = false;
   for (const auto& port : this->Given.Ports)
   {
@@ -244,8 +239,19 @@ inline void Trial::DropFinalGather()
       });
     }
   }
-  const bool isBad =
-    this->Set().DirectLight == vtkIrradianceFilter::Shot || (hasGloss && hasPoints);
+  return hasGloss && hasPoints;
+}
+
+/// Where it is bad input, and beside a budget, with which what is stale on a cell need not fall from update to
+/// update.
+inline void Trial::DropFinalGather()
+{
+  const bool isLeft = this->Set().CellEstimate == vtkIrradianceFilter::AutomaticEstimate;
+  if (this->Set().CellEstimate != vtkIrradianceFilter::FinalGather && !isLeft)
+  {
+    return;
+  }
+  const bool isBad = this->Set().DirectLight == vtkIrradianceFilter::Shot || this->HasUnseenLight();
   if (this->Set().RepairTimeBudget > 0 || (isBad && !isLeft))
   {
     this->Set().CellEstimate = vtkIrradianceFilter::Sums;
@@ -295,6 +301,7 @@ inline void Trial::UpdateAndCheck()
 
 inline void Trial::Look()
 {
+  this->Given.Look.HasPoints = this->Given.Look.HasPoints && !this->HasUnseenLight();
   this->Views.Apply(this->Given.Look);
   RandomPrograms::Update(this->Views, this->Given.Time, this->Given.NumberOfThreads);
   ++this->Done.Looks;

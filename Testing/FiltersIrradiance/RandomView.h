@@ -17,7 +17,7 @@ namespace RandomModels
 
 struct View
 {
-  bool HasEye = false, HasSensors = false;
+  bool HasEye = false, HasSensors = false, HasPoints = false;
   Vector Eye{ 1, 2, 3 };
   bool IsFar = false; ///< the eye is infinitely far away in the direction of Eye
   int NumberOfSpecularSamples = 4;
@@ -25,8 +25,10 @@ struct View
   int NumberOfPhotons = 50;
   double MaximumRadius = 0;
   double MaximumDistance = 0;
+  int NumberOfPointRays = 2;
+  double FeatureAngle = 30;
 
-  bool IsUsed() const { return this->HasEye || this->HasSensors; }
+  bool IsUsed() const { return this->HasEye || this->HasSensors || this->HasPoints; }
 };
 
 /// Half of them on the floor or a wall of the room, the others anywhere.
@@ -115,7 +117,13 @@ inline void ChangeSensors(RandomNumbers& random, View& view)
   view.MaximumDistance = limit();
 }
 
-/// Half of all models have an eye, half have sensors.
+inline void ChangePoints(RandomNumbers& random, View& view)
+{
+  view.NumberOfPointRays = 1 + random.Below(4);
+  view.FeatureAngle = Chance(random, 2) ? 30 : random.Between(0, 180);
+}
+
+/// Half of all models have an eye, half have sensors, a third have light at points.
 inline View RandomView(RandomNumbers& random)
 {
   View view;
@@ -123,6 +131,8 @@ inline View RandomView(RandomNumbers& random)
   view.HasSensors = Chance(random, 2);
   MoveEye(random, view);
   ChangeSensors(random, view);
+  view.HasPoints = Chance(random, 3);
+  ChangePoints(random, view);
   return view;
 }
 

@@ -10,6 +10,7 @@
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkMatrixToLinearTransform.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkPointIrradianceFilter.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
@@ -391,15 +392,19 @@ TEST(BadInputKind, IsOneErrorOfTheOtherFiltersToo)
   EXPECT_NE(errorOf(probe).find("the sensors have no point normals"), std::string::npos);
   EXPECT_EQ(probe->GetOutput()->GetNumberOfPoints(), 0);
   vtkNew<vtkOutgoingRadianceFilter> radiance;
+  vtkNew<vtkPointIrradianceFilter> points;
   for (vtkDataObject* other : std::initializer_list<vtkDataObject*>{ mesh, image })
   {
     probe->SetInputData(mesh);
     probe->SetSourceData(other);
     EXPECT_NE(
       errorOf(probe).find("the source is no output of vtkIrradianceFilter"), std::string::npos);
-    radiance->SetInputData(other);
-    EXPECT_NE(
-      errorOf(radiance).find("the input is no output of vtkIrradianceFilter"), std::string::npos);
+    for (vtkAlgorithm* view : std::initializer_list<vtkAlgorithm*>{ radiance, points })
+    {
+      view->SetInputDataObject(other);
+      EXPECT_NE(
+        errorOf(view).find("the input is no output of vtkIrradianceFilter"), std::string::npos);
+    }
   }
 }
 

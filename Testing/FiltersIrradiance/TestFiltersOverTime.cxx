@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkPointIrradianceFilter.h"
 #include "vtkRadiantExposureFilter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -186,6 +187,25 @@ TEST(FiltersOverTime, RadianceFollowsItsInput)
     [](double time) {
       vtkNew<vtkOutgoingRadianceFilter> fresh;
       fresh->SetInputConnection(MakeSceneAt(time)->GetOutputPort());
+      fresh->Update();
+      return OutputBits(fresh->GetOutput());
+    });
+}
+
+TEST(FiltersOverTime, PointIrradianceFollowsItsInput)
+{
+  const auto walker = MakeWalker();
+  const auto filter = MakeMovingScene(walker);
+  vtkNew<vtkPointIrradianceFilter> points;
+  points->SetInputConnection(filter->GetOutputPort());
+  points->SetNumberOfRays(2);
+  EXPECT_EQ(StepsOf(points), WalkerTimes);
+  ExpectFollowing(
+    points, [&] { return OutputBits(points->GetOutput()); },
+    [](double time) {
+      vtkNew<vtkPointIrradianceFilter> fresh;
+      fresh->SetInputConnection(MakeSceneAt(time)->GetOutputPort());
+      fresh->SetNumberOfRays(2);
       fresh->Update();
       return OutputBits(fresh->GetOutput());
     });

@@ -11,6 +11,7 @@
 #include "vtkKeyFramedPose.h"
 #include "vtkOutgoingRadianceFilter.h"
 #include "vtkPassThrough.h"
+#include "vtkPointIrradianceFilter.h"
 #include "vtkRadiantExposureFilter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -150,6 +151,15 @@ TEST(Pieces, RadianceIsOfPieceZero)
   radiance->SetInputConnection(filter->GetOutputPort());
   radiance->SetEyePosition(0.5, 0.5, 0.5);
   ExpectEachCellOnce(radiance);
+}
+
+TEST(Pieces, PointIrradianceIsOfPieceZero)
+{
+  const auto filter = MakeColouredFilter();
+  vtkNew<vtkPointIrradianceFilter> points;
+  points->SetInputConnection(filter->GetOutputPort());
+  points->SetNumberOfRays(2);
+  ExpectEachCellOnce(points);
 }
 
 TEST(Pieces, SensorsAreOfPieceZero)

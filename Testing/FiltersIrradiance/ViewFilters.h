@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkPointIrradianceFilter.h"
 
 /// The filters behind a vtkIrradianceFilter that look at its photons.
 class ViewFilters
@@ -18,6 +19,7 @@ public:
   explicit ViewFilters(vtkIrradianceFilter* filter)
   {
     this->Radiance->SetInputConnection(filter->GetOutputPort());
+    this->Points->SetInputConnection(filter->GetOutputPort());
     this->Probe->SetSourceConnection(filter->GetOutputPort());
     this->Probe->SetEstimateToNearest();
   }
@@ -35,6 +37,8 @@ public:
     this->Probe->SetNumberOfPhotons(view.NumberOfPhotons);
     this->Probe->SetMaximumRadius(view.MaximumRadius);
     this->Probe->SetMaximumDistance(view.MaximumDistance);
+    this->Points->SetNumberOfRays(view.NumberOfPointRays);
+    this->Points->SetFeatureAngle(view.FeatureAngle);
   }
 
   /// Updates those that are used, and with them the vtkIrradianceFilter.
@@ -50,7 +54,7 @@ public:
   /// After an update, stale or not.
   void ExpectSound() const
   {
-    for (const auto& reports : { this->EyeErrors, this->SensorErrors })
+    for (const auto& reports : { this->EyeErrors, this->SensorErrors, this->PointErrors })
     {
       ASSERT_TRUE(reports->Errors.empty()) << reports->Errors.front();
     }
@@ -62,6 +66,13 @@ public:
         OutputChecks::ExpectFinite(leaf->GetCellData());
       }
     }
+    if (this->Given.HasPoints)
+    {
+      for (vtkPolyData* leaf : OutputChecks::LeavesOf(this->Points->GetOutput()))
+      {
+        ExpectSoundPoints(leaf);
+      }
+    }
     for (vtkIdType i = 0; this->Given.HasSensors && i < this->Given.Sensors->GetNumberOfPoints();
          ++i)
     {
@@ -71,19 +82,28 @@ public:
 
   friend testing::AssertionResult IsSame(const ViewFilters& a, const ViewFilters& b)
   {
-    const bool hasEye = a.Given.HasEye, hasSensors = a.Given.HasSensors;
-    const auto seen = hasEye ? IsSame(a.Seen(), b.Seen()) : testing::AssertionSuccess();
-    return seen && hasSensors ? IsSame(a.Measured(), b.Measured()) : seen;
+    auto same = testing::AssertionSuccess();
+    if (a.Given.HasEye)
+    {
+      same = IsSame(a.Seen(), b.Seen());
+    }
+    if (same && a.Given.HasSensors)
+    {
+      same = IsSame(a.Measured(), b.Measured());
+    }
+    return same && a.Given.HasPoints ? IsSame(a.AtPoints(), b.AtPoints()) : same;
   }
 
   std::uint64_t Digest() const
   {
     return (this->Given.HasEye ? this->Seen().Digest() : 0) ^
-      (this->Given.HasSensors ? this->Measured().Digest() : 0);
+      (this->Given.HasSensors ? this->Measured().Digest() : 0) ^
+      (this->Given.HasPoints ? this->AtPoints().Digest() : 0);
   }
 
   vtkNew<vtkOutgoingRadianceFilter> Radiance;
   vtkNew<vtkIrradianceProbeFilter> Probe;
+  vtkNew<vtkPointIrradianceFilter> Points;
 
 private:
   template <class UpdateView>
@@ -91,6 +111,7 @@ private:
   {
     this->EyeErrors->Clear();
     this->SensorErrors->Clear();
+    this->PointErrors->Clear();
     if (this->Given.HasEye)
     {
       updateView(this->Radiance);
@@ -99,12 +120,34 @@ private:
     {
       updateView(this->Probe);
     }
+    if (this->Given.HasPoints)
+    {
+      updateView(this->Points);
+    }
   }
 
   OutputBits Seen() const { return OutputBits(this->Radiance->GetOutput()); }
+  OutputBits AtPoints() const { return OutputBits(this->Points->GetOutput()); }
   OutputBits Measured() const
   {
     return OutputBits(vtkPolyData::SafeDownCast(this->Probe->GetOutput()));
+  }
+
+  /// Points of polygons with an area have a value; others have none.
+  static void ExpectSoundPoints(vtkPolyData* leaf)
+  {
+    const bool areSidesApart = leaf->GetCellData()->HasArray("IrradianceFront");
+    for (const char* name : { areSidesApart ? "PointIrradianceFront" : "PointIrradiance",
+           areSidesApart ? "PointIrradianceBack" : "PointIrradiance" })
+    {
+      vtkDataArray* array = leaf->GetPointData()->GetArray(name);
+      ASSERT_NE(array, nullptr) << name;
+      for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+      {
+        const double light = array->GetVariantValue(i).ToDouble();
+        ASSERT_TRUE(std::isnan(light) || (std::isfinite(light) && light >= 0)) << light;
+      }
+    }
   }
 
   /// NaN says that no surface faces as the sensor does. Less photons than asked for are all within
@@ -139,6 +182,7 @@ private:
   vtkNew<vtkCamera> Camera;
   vtkSmartPointer<ErrorObserver> EyeErrors = ErrorObserver::Watch(this->Radiance);
   vtkSmartPointer<ErrorObserver> SensorErrors = ErrorObserver::Watch(this->Probe);
+  vtkSmartPointer<ErrorObserver> PointErrors = ErrorObserver::Watch(this->Points);
 };
 
 #endif

@@ -90,7 +90,7 @@ TEST(RandomRanks, UpdatesEqualFreshFiltersAlone)
     trial.Apply();
     if (program % 2 == 0) // a look excludes budgets
     {
-      trial.Given.Look.HasEye = trial.Given.Look.HasSensors = false;
+      trial.Given.Look.HasEye = trial.Given.Look.HasSensors = trial.Given.Look.HasPoints = false;
     }
     RunProgram(program, trial, operations, isAloud && Processes::Own() == 0);
   });

@@ -9,6 +9,7 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkPointIrradianceFilter.h"
 #include "vtkPolyDataAlgorithm.h"
 
 #include <gtest/gtest.h>
@@ -213,6 +214,28 @@ TEST(Ranks, ShowTheWalksOfOne)
     EXPECT_GT(together->GetWalksOutput()->GetNumberOfCells(), 100);
     EXPECT_TRUE(
       IsSame(OutputBits(together->GetWalksOutput()), OutputBits(alone->GetWalksOutput())));
+  }
+}
+
+// Each process has the light at all points.
+TEST(Ranks, HaveTheSameLightAtPoints)
+{
+  Scene scene = MakeSmallScene();
+  const auto together = MakeFilter(scene, 6000), alone = MakeFilter(scene, 6000);
+  together->SetController(Controller);
+  alone->SetController(nullptr);
+  vtkNew<vtkPointIrradianceFilter> ofAll, ofOne;
+  ofAll->SetInputConnection(together->GetOutputPort());
+  ofOne->SetInputConnection(alone->GetOutputPort());
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    scene.Moving[0].Pose->Translate(0.1, 0.05, 0.02);
+    for (vtkPointIrradianceFilter* points : { ofAll.Get(), ofOne.Get() })
+    {
+      points->SetNumberOfRays(4);
+      points->Update();
+    }
+    EXPECT_TRUE(IsSame(OutputBits(ofAll->GetOutput()), OutputBits(ofOne->GetOutput())));
   }
 }
 

@@ -30,6 +30,7 @@ struct Corners
   Vector3 along;
   double angle;
   double width; ///< of the narrowest cell
+  bool isFrontDark, isBackDark;
 };
 
 /// Point normals that count; null if there are none.
@@ -39,17 +40,18 @@ vtkDataArray* normalsOf(vtkPolyData* surface)
   return normals && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
 }
 
-/// Calls visit(number of points, their ids) for all polygons, and for the triangles of strips.
+/// Calls visit(cell, number of points, their ids) for all polygons, and for the triangles of strips.
 template <class Visit>
 void forEachPolygon(vtkPolyData* surface, const Visit& visit)
 {
+  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines(); // these come first
   vtkIdType size;
   const vtkIdType* ids;
   auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
     cells->GetCurrentCell(size, ids);
-    visit(size, ids);
+    visit(cell++, size, ids);
   }
   cells = vtk::TakeSmartPointer(surface->GetStrips()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
@@ -59,8 +61,9 @@ void forEachPolygon(vtkPolyData* surface, const Visit& visit)
     {
       // Every second one is turned over.
       const vtkIdType triangle[3] = { ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2] };
-      visit(3, triangle);
+      visit(cell, 3, triangle);
     }
+    ++cell;
   }
 }
 
@@ -93,7 +96,7 @@ public:
     const Vector3 next = edge(i, 1), previous = edge(i, corners_.size() - 1);
     const double turn = std::atan2(normal_.dot(next.cross(previous)), next.dot(previous));
     const double angle = turn < 0 ? turn + 2 * M_PI : turn;
-    return { point, angle * normal_, next - previous, angle, width_ };
+    return { point, angle * normal_, next - previous, angle, width_, false, false };
   }
 
 private:
@@ -115,15 +118,19 @@ private:
 };
 
 /// Of all cells, sorted by point.
-std::vector<Corners> cornersOf(vtkPolyData* surface, const CancelPoint& cancelPoint)
+std::vector<Corners> cornersOf(vtkPolyData* surface, const PartCells& cells,
+  const CellShapes& shapes, const CancelPoint& cancelPoint)
 {
   std::vector<Corners> corners;
   ThrottledCancelPoint pace(cancelPoint);
-  forEachPolygon(surface, [&](vtkIdType size, const vtkIdType* ids) {
+  forEachPolygon(surface, [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids) {
     const Polygon polygon(surface, size, ids);
+    const CellShape& shape = shapes[shapes.numbers()[cells[cell]]];
     for (vtkIdType i = 0; i < size && polygon.hasArea(); ++i)
     {
       corners.push_back(polygon.at(static_cast<std::size_t>(i), ids[i]));
+      corners.back().isFrontDark = shape.isFrontDark;
+      corners.back().isBackDark = shape.isBackDark;
     }
     pace.step(static_cast<std::size_t>(size));
   });
@@ -145,6 +152,8 @@ void add(const Corners& cell, Corners& facet)
   facet.along += cell.along;
   facet.angle += cell.angle;
   facet.width = std::min(facet.width, cell.width);
+  facet.isFrontDark = facet.isFrontDark && cell.isFrontDark;
+  facet.isBackDark = facet.isBackDark && cell.isBackDark;
 }
 
 /// A normal of length 0, or one that is not finite, counts as none.
@@ -165,7 +174,7 @@ Vector3 normalOf(const Corners& facet, vtkDataArray* normals)
 PointFacet facetOf(
   vtkPolyData* surface, const Corners& corners, vtkDataArray* normals, double rounding)
 {
-  PointFacet facet{ corners.point, {}, corners.angle };
+  PointFacet facet{ corners.point, {}, corners.angle, corners.isFrontDark, corners.isBackDark };
   surface->GetPoint(corners.point, facet.front.position.data());
   facet.front.normal = normalOf(corners, normals);
   const Vector3 inwards = facet.front.normal.cross(corners.along);
@@ -180,15 +189,15 @@ PointFacet facetOf(
 
 }
 
-std::vector<PointFacet> pointFacetsOf(
-  vtkPolyData* surface, double featureAngle, double rounding, const CancelPoint& cancelPoint)
+std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, double featureAngle, double rounding,
+  const PartCells& cells, const CellShapes& shapes, const CancelPoint& cancelPoint)
 {
   vtkDataArray* const normals = normalsOf(surface);
   constexpr double kAll = -2;
   const double leastCosine = normals ? kAll : std::cos(featureAngle);
   std::vector<Corners> facets;
   std::size_t first = 0; // of the point
-  for (const Corners& cell : cornersOf(surface, cancelPoint))
+  for (const Corners& cell : cornersOf(surface, cells, shapes, cancelPoint))
   {
     first = first < facets.size() && facets[first].point == cell.point ? first : facets.size();
     const auto facet = std::find_if(facets.begin() + static_cast<std::ptrdiff_t>(first),

@@ -2,8 +2,10 @@
 #ifndef irradiance_PointFacets_h
 #define irradiance_PointFacets_h
 
+#include "Input/PartCells.h"
 #include "Photons/Sensor.h"
 #include "Progress/CancelPoint.h"
+#include "Surfaces/CellShapes.h"
 
 #include "vtkType.h"
 
@@ -21,7 +23,8 @@ struct PointFacet
   /// On the front. It lies a little way from the edges of the facet, if it has some: a wall that meets the surface there
   /// is beside it, and does not cut through its hemisphere.
   Sensor front;
-  double angle; ///< that the facet fills around the point, rad
+  double angle;                 ///< that the facet fills around the point, rad
+  bool isFrontDark, isBackDark; ///< no light can come to it at all
 };
 
 /**
@@ -31,10 +34,11 @@ struct PointFacet
  * cells belong to the first facet of the point whose normal is less than `featureAngle` (rad) from theirs, or to one of their own;
  * its normal is the mean of theirs, weighted by their angles at the point.
  *
- * `rounding`: of the coordinates, m: how far from edges sensors lie at least.
+ * `rounding`: of the coordinates, m: how far from edges sensors lie at least. `cells`: those of the surface. `shapes`: see
+ * darkShapesOf().
  */
-std::vector<PointFacet> pointFacetsOf(
-  vtkPolyData* surface, double featureAngle, double rounding, const CancelPoint& cancelPoint);
+std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, double featureAngle, double rounding,
+  const PartCells& cells, const CellShapes& shapes, const CancelPoint& cancelPoint);
 
 }
 

@@ -2,30 +2,14 @@
 #include "Estimates/GatherEstimator.h"
 
 #include "Estimates/SeparateSums.h"
+#include "FinalGather/DarkShapes.h"
 #include "FinalGather/NearLampLight.h"
 #include "FinalGather/PathLights.h"
-#include "Gathering/DarkSides.h"
 
 #include <algorithm>
 
 namespace irradiance
 {
-
-namespace
-{
-
-CellShapes shapesOf(const EstimateSource& source, const CancelPoint& cancelPoint)
-{
-  const SceneObjects& objects = source.space.objects;
-  std::vector<Box> lights;
-  forEachLight(source.walks, [&](const Light& light) { lights.push_back(light.bounds()); });
-  CellShapes shapes(objects, source.space.triangles, 0, objects.size(), cancelPoint);
-  markInnerSides(shapes, source.space.gatherSpace(), objects, lights);
-  markOuterSides(shapes, source.walks.bounds(source.space.scene));
-  return shapes;
-}
-
-}
 
 void GatherEstimator::update(std::size_t rounds, Execution& execution)
 {
@@ -40,7 +24,7 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   }
   roles_.emplace(from.cells, from.walks.plan().walksAfter(rounds),
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
-  const CellShapes shapes = shapesOf(from, cancelPoint);
+  const CellShapes shapes = darkShapesOf(from.walks, from.space, cancelPoint);
   const std::deque<PointDirectLight> lights =
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit, kWeightsOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
