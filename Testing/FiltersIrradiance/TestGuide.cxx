@@ -4,17 +4,14 @@
 #include "ErrorObserver.h"
 #include "TestScenes.h"
 
-#include "vtkCompositeDataGeometryFilter.h"
 #include "vtkImageData.h"
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkKeyFramedPose.h"
 #include "vtkOutgoingRadianceFilter.h"
 #include "vtkOutputWindow.h"
-#include "vtkPolyDataNormals.h"
+#include "vtkPointIrradianceFilter.h"
 #include "vtkRadiantExposureFilter.h"
 #include "vtkRenderer.h"
-#include "vtkShrinkFilter.h"
-#include "vtkTriangleFilter.h"
 
 #include <gtest/gtest.h>
 

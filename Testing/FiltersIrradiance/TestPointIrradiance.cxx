@@ -83,23 +83,30 @@ Mesh MakeCube()
 
 }
 
-// A point light over a black floor: at each point what the formula says. The outermost are gathered 1e-4 of a cell inwards.
+// A point light over a black floor: at each point what the formula says, however large the scene is. The outermost are gathered
+// 1e-4 of a cell inwards.
 TEST(PointIrradiance, UnderAPointLightIsThatOfTheFormula)
 {
-  Scene scene;
-  scene.Fixed = { MakeRectangle({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 5),
-    MakePointLight({ 0.3, 0.1, 1.5 }, { 100 }) };
-  SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0 });
-  Points points(scene, 100);
-  vtkPolyData* floor = points.Leaf(0);
-  ASSERT_EQ(floor->GetNumberOfPoints(), 36);
-  for (vtkIdType i = 0; i < 36; ++i)
+  for (const double metre : { 1e-20, 1.0, 1e12 })
   {
-    const double truth = FromPointLight(100, { 0.3, 0.1, 1.5 }, floor->GetPoint(i), { 0, 0, 1 });
-    EXPECT_NEAR(ValueAt(floor, i), truth, 3e-4 * truth);
+    const Vector light{ 0.3 * metre, 0.1 * metre, 1.5 * metre };
+    const double flux = 100 * metre * metre, length = 4 * metre;
+    Scene scene;
+    scene.Fixed = { MakeRectangle(
+                      { -length / 2, -length / 2, 0 }, { length, 0, 0 }, { 0, length, 0 }, 5),
+      MakePointLight(light, { flux }) };
+    SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0 });
+    Points points(scene, 100);
+    vtkPolyData* floor = points.Leaf(0);
+    ASSERT_EQ(floor->GetNumberOfPoints(), 36);
+    for (vtkIdType i = 0; i < 36; ++i)
+    {
+      const double truth = FromPointLight(flux, light, floor->GetPoint(i), { 0, 0, 1 });
+      EXPECT_NEAR(ValueAt(floor, i), truth, 3e-4 * truth) << metre;
+    }
+    EXPECT_STREQ(floor->GetPointData()->GetScalars()->GetName(), "PointIrradiance");
+    EXPECT_TRUE(std::isnan(ValueAt(points.Leaf(1), 0))) << "a light is no surface";
   }
-  EXPECT_STREQ(floor->GetPointData()->GetScalars()->GetName(), "PointIrradiance");
-  EXPECT_TRUE(std::isnan(ValueAt(points.Leaf(1), 0))) << "a light is no surface";
 }
 
 // A light in the middle of a black ball: 1 W/m2 on the sphere, with the normals of its source, and with mean normals of facets,

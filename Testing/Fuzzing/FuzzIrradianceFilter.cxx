@@ -80,6 +80,7 @@ Inputs ReadInputs(ByteReader& bytes)
   const int connections[2] = { counts[0] % 3, counts[1] % 4 };
   inputs.View.HasEye = counts[0] / 3 % 2 != 0;
   inputs.View.HasSensors = counts[1] / 4 % 2 != 0;
+  inputs.View.HasPoints = counts[0] / 6 % 2 != 0;
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < connections[port]; ++i)

@@ -9,12 +9,13 @@
 
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkPointIrradianceFilter.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
-/// An eye and sensors anywhere, also where there is no place.
+/// An eye and sensors anywhere, also where there is no place, and light at points.
 namespace FuzzedViews
 {
 
@@ -28,7 +29,7 @@ using irradiance::fuzzing::ByteReader;
 
 struct View
 {
-  bool HasEye = false, HasSensors = false;
+  bool HasEye = false, HasSensors = false, HasPoints = false;
   TestScenes::Vector Eye{ 0, 0, 0 };
   int NumberOfSpecularSamples = 1;
   TestScenes::Mesh Sensors = TestScenes::Mesh::New();
@@ -75,6 +76,8 @@ public:
   explicit Filters(vtkIrradianceFilter* filter)
   {
     this->Radiance->SetInputConnection(filter->GetOutputPort());
+    this->Points->SetInputConnection(filter->GetOutputPort());
+    this->Points->SetNumberOfRays(2);
     this->Probe->SetSourceConnection(filter->GetOutputPort());
     this->Probe->SetEstimateToNearest();
   }
@@ -88,6 +91,11 @@ public:
     this->Probe->SetNumberOfPhotons(view.NumberOfPhotons);
     this->Probe->SetMaximumRadius(view.MaximumRadius);
     this->Probe->SetMaximumDistance(view.MaximumRadius);
+    if (view.HasPoints)
+    {
+      Execute(this->Points, this->PointErrors);
+      this->CheckPoints();
+    }
     if (view.HasEye)
     {
       Execute(this->Radiance, this->RadianceErrors);
@@ -102,8 +110,11 @@ public:
 
   friend testing::AssertionResult IsSame(const Filters& a, const Filters& b)
   {
-    const auto seen =
-      IsSame(OutputBits(a.Radiance->GetOutput()), OutputBits(b.Radiance->GetOutput()));
+    const auto atPoints =
+      IsSame(OutputBits(a.Points->GetOutput()), OutputBits(b.Points->GetOutput()));
+    const auto seen = atPoints
+      ? IsSame(OutputBits(a.Radiance->GetOutput()), OutputBits(b.Radiance->GetOutput()))
+      : atPoints;
     return seen ? IsSame(OutputBits(a.Measured()), OutputBits(b.Measured())) : seen;
   }
 
@@ -121,21 +132,43 @@ private:
 
   vtkPolyData* Measured() const { return vtkPolyData::SafeDownCast(this->Probe->GetOutput()); }
 
-  void CheckRadiance()
+  void CheckRadiance() const
   {
-    vtkMultiBlockDataSet* output = this->Radiance->GetOutput();
-    if (this->RadianceErrors->Errors.empty() != (output->GetNumberOfBlocks() > 0))
+    const auto radianceOf = [](vtkPolyData* mesh) {
+      return std::vector<vtkDataArray*>{ mesh->GetCellData()->GetArray("Radiance") };
+    };
+    CheckScene("radiance", this->RadianceErrors, this->Radiance->GetOutput(), radianceOf, false);
+  }
+
+  void CheckPoints() const
+  {
+    const auto lightOf = [](vtkPolyData* mesh) {
+      const auto find = [mesh](const char* name) { return mesh->GetPointData()->GetArray(name); };
+      return find("PointIrradiance")
+        ? std::vector<vtkDataArray*>{ find("PointIrradiance") }
+        : std::vector<vtkDataArray*>{ find("PointIrradianceFront"), find("PointIrradianceBack") };
+    };
+    CheckScene("points", this->PointErrors, this->Points->GetOutput(), lightOf, true);
+  }
+
+  /// `arraysOf`: a mesh.
+  template <class ArraysOf>
+  static void CheckScene(const char* what, ErrorObserver* errors, vtkMultiBlockDataSet* output,
+    const ArraysOf& arraysOf, bool mayBeUnknown)
+  {
+    if (errors->Errors.empty() != (output->GetNumberOfBlocks() > 0))
     {
-      Fail("radiance: an output and an error, or neither");
+      Fail(what + std::string(": an output and an error, or neither"));
     }
     for (unsigned int port = 0; port < output->GetNumberOfBlocks(); ++port)
     {
       auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(port));
       for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
       {
-        vtkDataArray* radiance =
-          TestScenes::OutputOf(output, port, i)->GetCellData()->GetArray("Radiance");
-        Check(radiance, false);
+        for (vtkDataArray* array : arraysOf(TestScenes::OutputOf(output, port, i)))
+        {
+          Check(array, mayBeUnknown);
+        }
       }
     }
   }
@@ -171,8 +204,10 @@ private:
 
   vtkNew<vtkOutgoingRadianceFilter> Radiance;
   vtkNew<vtkIrradianceProbeFilter> Probe;
+  vtkNew<vtkPointIrradianceFilter> Points;
   vtkSmartPointer<ErrorObserver> RadianceErrors = ErrorObserver::Watch(this->Radiance);
   vtkSmartPointer<ErrorObserver> ProbeErrors = ErrorObserver::Watch(this->Probe);
+  vtkSmartPointer<ErrorObserver> PointErrors = ErrorObserver::Watch(this->Points);
 };
 
 }

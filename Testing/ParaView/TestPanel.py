@@ -75,6 +75,9 @@ class Panel(unittest.TestCase):
         source = plugin.make_scene(NumberOfWalks=20000, NumberOfOutputWalks=7)
         radiance = plugin.paraview.simple.OutgoingRadiance(Input=source, EyePosition=[0, 0, 1.5])
         self.assertGreater(radiance.SMProxy.UpdatePipeline(0.0) or radiance.CellData["Radiance"].GetRange()[1], 0)
+        points = plugin.paraview.simple.PointIrradiance(Input=source, NumberOfRays=4)
+        points.SMProxy.UpdatePipeline(0.0)
+        self.assertGreater(points.PointData["PointIrradiance"].GetRange()[1], 0)
         probe = plugin.paraview.simple.IrradianceProbe(
             Sensors=Sphere(Center=[0, 0, 0], Radius=0.01), Source=source, Estimate="Nearest")
         probe.SMProxy.UpdatePipeline(0.0)

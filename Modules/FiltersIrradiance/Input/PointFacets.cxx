@@ -84,10 +84,10 @@ public:
     {
       const Vector3 next = corners_[(i + 1) % corners_.size()];
       area += (corners_[i] - corners_[0]).cross(next - corners_[0]) / 2;
-      around += (next - corners_[i]).norm();
+      around += (next - corners_[i]).stableNorm();
     }
     normal_ = area.stableNormalized();
-    width_ = around > 0 ? 2 * area.norm() / around : 0;
+    width_ = around > 0 ? 2 * area.stableNorm() / around : 0;
   }
 
   bool hasArea() const { return normal_.squaredNorm() > 0; }
