@@ -182,3 +182,22 @@ TEST(LengthAdvice, NothingIsSaidOfLargeScenes)
   scene.Moving[1] = MakeMoving(MakeBox(30, 30, 2), { 50, 0, 0 });
   ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
 }
+
+// Of 1000 walks the cells of a fine room expect less than one each, so rays have nothing to read.
+TEST(ReadingAdvice, TooFewWalksForAnyCell)
+{
+  const Scene scene{ { MakeRoom(3, 16), MakeLamp({ 1.5, 1.5, 2.875 }, 0.15, { 100 }) }, {} };
+  const auto make = [&](vtkIdType walks) {
+    auto filter = MakeFilter(scene, walks);
+    filter->SetDirectLightToGathered();
+    filter->SetCellEstimateToGathered();
+    filter->SetNumberOfGatherRays(16);
+    return filter;
+  };
+  ExpectOnlyWarning(make(1000),
+    { "finds no cell to read", "of 1000 walks", "multiply NumberOfWalks by 39", "UnbiasedGather" });
+  ExpectNothing(Update(make(39 * 1000)));
+  const auto unbiased = make(1000);
+  unbiased->UnbiasedGatherOn();
+  ExpectNothing(Update(unbiased));
+}

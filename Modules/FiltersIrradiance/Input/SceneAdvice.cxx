@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/SceneAdvice.h"
 
+#include "FinalGather/CellRoles.h"
 #include "Progress/InputError.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace irradiance
 {
@@ -83,6 +85,7 @@ std::vector<std::string> SceneAdvice::warnings() const
   {
     warnings.push_back(sceneLengthWarning());
   }
+  warnings.push_back(readingWarning());
   warnings.erase(std::remove(warnings.begin(), warnings.end(), ""), warnings.end());
   return warnings;
 }
@@ -283,6 +286,32 @@ std::string SceneAdvice::sceneLengthWarning() const
     " W are " + rounded(emitted / area) +
     " W/m2 on the average of its surfaces: if points are in millimetres, scale them by 0.001 "
     "(vtkTransformPolyDataFilter)";
+}
+
+/// A final gather in which all cells expect so few photons that none is read.
+std::string SceneAdvice::readingWarning() const
+{
+  const EngineSettings& settings = engine_.settings();
+  if (settings.cellEstimate != CellEstimate::Gathered || settings.unbiasedGather)
+  {
+    return {};
+  }
+  const CellRoles roles(
+    engine_.cells(), engine_.numberOfWalks(), settings.gatherRays, settings.gatherOn);
+  double largest = 0; // m2
+  engine_.cells().numbers().forEach(
+    [&](const SceneCell& cell) { largest = std::max(largest, engine_.cells().area(cell)); });
+  const double expected = roles.expectedOn(largest);
+  return largest == 0 || expected >= roles.fewestToRead()
+    ? ""
+    : "CellEstimate Gathered finds no cell to read: of " + std::to_string(engine_.numberOfWalks()) +
+      " walks the largest cell expects " + rounded(expected) + ", and " +
+      rounded(roles.fewestToRead()) +
+      " are needed, so each ray goes on and looks for the lights wherever it hits, which takes "
+      "longer "
+      "and is noisier: multiply NumberOfWalks by " +
+      rounded(std::ceil(roles.fewestToRead() / expected)) +
+      " at least, or say by UnbiasedGather that this is meant";
 }
 
 }

@@ -14,7 +14,7 @@ namespace irradiance
 
 /**
  * Finds scenes that can be computed but are hardly meant, and says what was probably meant: lamps that
- * shine away from everything, and millimetres where metres are read. Documentation/Extremes.md has the
+ * shine away from everything, millimetres where metres are read, and so few walks that rays find nothing to read. Documentation/Extremes.md has the
  * limits and says what is legitimate beyond them.
  */
 class SceneAdvice
@@ -65,6 +65,7 @@ private:
   std::string sideWarning() const;
   std::string partLengthWarning() const;
   std::string sceneLengthWarning() const;
+  std::string readingWarning() const;
 
   const SceneReader& scene_;
   const SceneObjects& objects_;
