@@ -43,7 +43,16 @@ public:
     this->Light->AddInputDataObject(1, scene.Teapot);
     this->Light->SetDynamicTransform(0, this->RoomFromTeapot);
     this->Light->SetNumberOfWalks(options.Walks);
-    this->Light->SetDirectLightToShot(); // as in the paper
+    if (options.GatherRays > 0)
+    {
+      this->Light->SetCellEstimateToGathered();
+      this->Light->SetGatherOnToAllCells();
+      this->Light->SetNumberOfGatherRays(options.GatherRays);
+    }
+    else
+    {
+      this->Light->SetDirectLightToShot(); // as in the paper
+    }
     this->Light->SetTraversalMode(options.TraversalMode);
     this->Light->SetCacheStaticHits(cacheStaticHits);
     this->Light->AddObserver(vtkCommand::ProgressEvent, this, &Animation::ShowProgress);

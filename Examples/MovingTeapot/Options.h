@@ -18,7 +18,8 @@ struct Options
   int Threads; // 0: all the machine has
   std::string Output;
   int Width, Height;    // pixels
-  int Smoothings;       // of head and teapot in the pictures
+  int GatherRays;       // of vtkIrradianceFilter, for all cells; 0: walks are shot, as in the paper
+  int Smoothings;       // of head and teapot in pictures of what was shot
   int TraversalMode;    // of vtkIrradianceFilter: one tree, sequential, parallel
   SceneConfig Scene;    // without a HeadFile it is the one that Data/fetch.sh gets, if it is there
   bool Pictures = true; // false also where no window can be opened

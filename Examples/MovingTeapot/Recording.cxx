@@ -99,7 +99,7 @@ vtkNew<vtkScalarBarActor> MakeColorBar(vtkColorTransferFunction* colors, vtkText
 Recording::Recording(const Options& options)
   : Folder(options.Output + "/")
   , Pictures(options.Pictures)
-  , Smoothings(options.Smoothings)
+  , Smoothings(options.GatherRays > 0 ? 0 : options.Smoothings)
 {
   PrepareFolder(options.Output,
     R"((MovingTeapot\.(pvd|ogv)|ParaViewState\.py|pictures(/MovingTeapot_\d{4,}\.png)?)"

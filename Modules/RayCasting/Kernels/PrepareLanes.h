@@ -103,7 +103,7 @@ struct PrepareLanes
       product[2][lane] = pz * iz;
       limit[lane] = least(end, static_cast<float>(TreeQuery::kFarthest));
       pad[lane] = 2 * padding;
-      isKept[lane] = isFollowed & (from <= to + padding) & (end >= 0) ? 1 : 0;
+      isKept[lane] = (isFollowed & (from <= to + padding) & (end >= 0)) ? 1 : 0;
       isOther[lane] = isFollowed ? 0 : 1;
     }
   }
