@@ -83,7 +83,7 @@ std::vector<irradiance::LightArrays> AddArrays(
 }
 
 /// Without cells, see PieceRequest.h.
-void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
+void WriteEmptyPoints(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   output->ShallowCopy(input);
   irradiance::emptyLeaves(output, [input](vtkPolyData* empty) {
@@ -231,7 +231,7 @@ int vtkPointIrradianceFilter::RequestData(
     if (input && input->GetNumberOfBlocks() > 0 && !irradiance::PhotonSource::isIn(input) &&
       irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
     {
-      WriteEmpty(input, output);
+      WriteEmptyPoints(input, output);
       return;
     }
     this->Compute(input, output);
