@@ -361,6 +361,22 @@ TEST(NearestPhotons, OfNothing)
   EXPECT_EQ(found.radius, 2);
 }
 
+// Found by fuzzing: a triangle so thin that its area is lost where its object's coordinates are rounded leaves no surface.
+TEST(NearestPhotons, OfSurfaceWhoseAreaIsLost)
+{
+  const Triangle needle{ { -5.6e-33, 1.8e-34, 1.8e-34 }, { 20, -0.22, -16 }, { 0, 0, 5.6e-33 } };
+  test::ObjectBuilder builder;
+  builder.addCell({ needle }, test::grey(0.5));
+  const SceneObjects objects{ builder.build(), {} };
+  const WalkHistory history;
+  const LeafPhotons leaves = filled(objects, history);
+  const Surfaces surfaces = surfacesOf(objects);
+  ASSERT_FALSE(objects.staticObject.isEmpty());
+  ASSERT_TRUE(surfaces.of(0).isEmpty());
+  const NearestPhotons photons(leaves, surfaces, objects, history);
+  EXPECT_FALSE(photons.footOf({ Vector3::Zero(), Vector3::UnitZ() }));
+}
+
 // Law 6: a scene scaled by a power of two has the same nearest photons.
 TEST(NearestPhotons, ScaleChangesNothing)
 {
