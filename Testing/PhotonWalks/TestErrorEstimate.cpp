@@ -146,7 +146,8 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
     add(sums, 1, 1, { { 800000, 0, 0 } });
     add(sums, 0, 2, { { inDark, 0, 0 } });
     return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 })
-      .relativeErrorOfMostArea(cellsOf(objects), execution);
+      .missOf(0, cellsOf(objects), execution)
+      .reached;
   };
   const double t = 12.7062047; // of one degree
   EXPECT_NEAR(reached({ 96, 3, 1 }, 0), t * 0.1, 1e-6);
@@ -167,8 +168,7 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   add(sums, 1, 0, { { 90000, 80000, 0 } });
   Execution execution;
   const auto reached = [&](const std::array<double, 3>& photon) {
-    return ErrorEstimate(sums, plan, 1, photon)
-      .relativeErrorOfMostArea(cellsOf(objects), execution);
+    return ErrorEstimate(sums, plan, 1, photon).missOf(0, cellsOf(objects), execution).reached;
   };
   EXPECT_NEAR(reached({ 1000, 1000, 0 }), 12.7062047 * 0.2, 1e-6);
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
