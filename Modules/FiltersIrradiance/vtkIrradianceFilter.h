@@ -430,7 +430,7 @@ public:
    * With a TargetRelativeError and CellEstimate Gathered, the number of rays from each side of a small cell at which to
    * stop; NumberOfGatherRays to 65,536. If something may move, the paths of the rays are kept in 32 bytes a segment
    * and 24 a path. Changing it is like changing NumberOfGatherRays, but shoots no walks, except if UpdateMode is Rebuild or
-   * nothing is dynamic. Default 4096.
+   * nothing is dynamic. Default 1024.
    */
   vtkSetMacro(MaximumNumberOfGatherRays, int);
   vtkGetMacro(MaximumNumberOfGatherRays, int);
@@ -528,7 +528,7 @@ protected:
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;
   vtkIdType MaximumNumberOfWalks = 10000000;
-  int MaximumNumberOfGatherRays = 4096;
+  int MaximumNumberOfGatherRays = 1024;
   double RepairTimeBudget = 0;
   vtkIdType NumberOfOutputWalks = 0;
   vtkIdType OutputWalksCell = -1;

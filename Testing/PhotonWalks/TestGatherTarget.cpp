@@ -191,15 +191,15 @@ TEST(GatherTarget, UpdateEqualsRebuild)
     Vector3 place;
     double target;
   };
-  const std::vector<Frame> frames{ { kMiddle, 0.25 }, { kBelowLamp, 0.25 }, { kMiddle, 0.15 },
-    { { 2.4, 1.5, 1.01 }, 0.15 }, { { 3.5, 3.5, 0.45 }, 0.15 }, { kMiddle, 0.3 } };
+  std::vector<Frame> frames{ { kMiddle, 0.25 }, { kBelowLamp, 0.25 }, { kMiddle, 0.15 },
+    { { 2.4, 1.5, 1.01 }, 0.15 }, { kMiddle, 0.3 } };
   SceneObjects objects = roomWithBall();
-  for (const bool isUnbiased :
-    test::kIsSanitized ? std::vector<bool>{ false } : std::vector<bool>{ false, true })
+  for (const bool isUnbiased : { false, true })
   {
     IrradianceEngine engine;
     test::ThreadExecution threads(3);
     std::uint64_t walks = 0, rays = 0;
+    frames.resize(isUnbiased ? 2 : frames.size()); // it takes longer
     int moreWalks = 0, fewerWalks = 0, moreRays = 0, fewerRays = 0;
     for (const Frame& frame : frames)
     {
