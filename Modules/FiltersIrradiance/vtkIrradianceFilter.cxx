@@ -146,7 +146,7 @@ irradiance::LeftToScene LeftToSceneBy(vtkIrradianceFilter* filter)
 /// With what is possible where a property is left to the scene.
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
-  constexpr vtkIdType mostSpreadPhotons = 1000000, mostGatherRays = 4096;
+  constexpr vtkIdType mostSpreadPhotons = 1000000, mostGatherRays = 4096, mostOfTarget = 65536;
   const double budget = filter->GetRepairTimeBudget();
   if (!(budget >= 0))
   {
@@ -176,6 +176,12 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   settings.gatherRays =
     Checked("NumberOfGatherRays", filter->GetNumberOfGatherRays(), 1, mostGatherRays);
+  if (settings.targetRelativeError > 0)
+  {
+    settings.maximumGatherRays =
+      Checked("MaximumNumberOfGatherRays, which is at least NumberOfGatherRays,",
+        filter->GetMaximumNumberOfGatherRays(), settings.gatherRays, mostOfTarget);
+  }
   settings.gatherOn = static_cast<irradiance::GatherOn>(filter->GetGatherOn());
   settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
   if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
@@ -245,7 +251,13 @@ std::string TargetMissed(
 {
   std::ostringstream text;
   text << "TargetRelativeError " << settings.targetRelativeError
-       << " is not reached with MaximumNumberOfWalks " << engine.numberOfWalks() << ": ";
+       << " is not reached with MaximumNumberOfWalks " << engine.numberOfWalks();
+  if (engine.numberOfGatherRays() > 0)
+  {
+    text << " and " << engine.numberOfGatherRays() << " gather rays (MaximumNumberOfGatherRays "
+         << settings.maximumGatherRays << ")";
+  }
+  text << ": ";
   if (std::isinf(engine.reachedRelativeError()))
   {
     text << "on more than 5 % of the area too few photons arrived to tell the error";
@@ -432,6 +444,11 @@ double vtkIrradianceFilter::GetRepairSeconds()
 vtkIdType vtkIrradianceFilter::GetNumberOfShotWalks()
 {
   return this->Count(irradiance::kNumberOfWalks);
+}
+
+vtkIdType vtkIrradianceFilter::GetNumberOfCastGatherRays()
+{
+  return this->Count(irradiance::kNumberOfGatherRays);
 }
 
 vtkIdType vtkIrradianceFilter::GetNumberOfSegments()
@@ -753,6 +770,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
+     << indent << "MaximumNumberOfGatherRays: " << this->MaximumNumberOfGatherRays << "\n"
      << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
      << indent << "DistributedInput: " << this->DistributedInput << "\n"
      << indent << "Controller: " << this->GetController() << "\n"

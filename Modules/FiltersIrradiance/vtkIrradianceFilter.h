@@ -403,8 +403,9 @@ public:
   ///@{
   /**
    * 0 to 1; 5 % is 0.05. If positive, NumberOfWalks are shot first, and their number is doubled until
-   * the half-width of the 95 % interval is at most this times the irradiance on 95 % of the area. If that takes more
-   * than MaximumNumberOfWalks, a warning says what was reached. A cell that has received nothing
+   * the half-width of the 95 % interval is at most this times the irradiance on 95 % of the area. Where cells gather,
+   * NumberOfGatherRays is doubled likewise, whichever promises more for its time. If that takes more
+   * than MaximumNumberOfWalks and MaximumNumberOfGatherRays, a warning says what was reached. A cell that has received nothing
    * meets the target if 3 more photons would make it no brighter than this times the average; a
    * cell with too few photons does not. Updates shoot more or fewer, as the scene needs. 0: no
    * target. Default 0.
@@ -422,6 +423,17 @@ public:
    */
   vtkSetMacro(MaximumNumberOfWalks, vtkIdType);
   vtkGetMacro(MaximumNumberOfWalks, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * With a TargetRelativeError and CellEstimate Gathered, the number of rays from each side of a small cell at which to
+   * stop; NumberOfGatherRays to 65,536. If something may move, the paths of the rays are kept in 32 bytes a segment
+   * and 24 a path. Changing it is like changing NumberOfGatherRays, but shoots no walks, except if UpdateMode is Rebuild or
+   * nothing is dynamic. Default 1024.
+   */
+  vtkSetMacro(MaximumNumberOfGatherRays, int);
+  vtkGetMacro(MaximumNumberOfGatherRays, int);
   ///@}
 
   ///@{
@@ -473,7 +485,8 @@ public:
   double GetShootSeconds();
   double GetVerifySeconds();
   double GetRepairSeconds();
-  vtkIdType GetNumberOfShotWalks(); ///< the field `NumberOfWalks`
+  vtkIdType GetNumberOfShotWalks();      ///< the field `NumberOfWalks`
+  vtkIdType GetNumberOfCastGatherRays(); ///< the field `NumberOfGatherRays`
   vtkIdType GetNumberOfSegments();
   vtkIdType GetNumberOfInvalidWalks();
   vtkIdType GetNumberOfRepairedSegments();
@@ -515,6 +528,7 @@ protected:
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;
   vtkIdType MaximumNumberOfWalks = 10000000;
+  int MaximumNumberOfGatherRays = 1024;
   double RepairTimeBudget = 0;
   vtkIdType NumberOfOutputWalks = 0;
   vtkIdType OutputWalksCell = -1;

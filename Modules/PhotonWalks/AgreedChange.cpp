@@ -30,6 +30,7 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(static_cast<int>(estimate.cellEstimate));
   hash.add(estimate.spreadPhotons);
   hash.add(estimate.gatherRays);
+  hash.add(estimate.maximumGatherRays);
   hash.add(static_cast<int>(estimate.gatherOn));
   hash.add(estimate.unbiasedGather);
   return hash.value();

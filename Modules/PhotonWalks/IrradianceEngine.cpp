@@ -2,13 +2,16 @@
 #include "IrradianceEngine.h"
 
 #include "AgreedChange.h"
+#include "Estimates/TargetLever.h"
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
 #include "FinalGather/PathLights.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace irradiance
@@ -46,7 +49,7 @@ void IrradianceEngine::update(
   const FrameChange change = agreedChange(changeTo(objects, settings, execution),
     { objects, objects_, settings, settings }, execution.ranks());
   const bool isFresh = change.kind == FrameChange::Fresh;
-  const std::size_t blocks = walks_.numberOfBlocks();
+  const std::size_t blocks = walks_.numberOfBlocks(), rays = rounds_.rays;
   isValid_ = false; // until the end is reached
   ++state_;
   adopt(objects, settings, change.kind, execution);
@@ -56,10 +59,11 @@ void IrradianceEngine::update(
   isFresh ? start(execution) : follow(change, following);
   hasTarget && !walks_.hasStale() ? reachTarget(shooting) : shootOnce(isFresh, shooting);
   walks_.forgetBudget();
+  estimator_->dropRayRounds(rounds_.rays);
   statistics_ += walks_.statistics();
-  statistics_.followedPaths = estimator_->followedPaths();
   // To count the bytes takes longer than all else where nothing has moved.
-  if (change.kind != FrameChange::Still || walks_.numberOfBlocks() != blocks)
+  if (change.kind != FrameChange::Still || walks_.numberOfBlocks() != blocks ||
+    rounds_.rays != rays)
   {
     statistics_.historyBytes = walks_.bytes() + estimator_->bytes();
   }
@@ -214,66 +218,70 @@ void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
   {
     shootRound(0, execution);
   }
-  reached_ = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
+  miss_ = {};
+  miss_.reached = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
+  const bool staysAsItIs = !isFresh && settings_.targetRelativeError > 0;
+  const std::size_t rays = staysAsItIs ? std::min(rounds_.rays, estimator_->mostRayRounds()) : 1;
   ProgressSpan end(execution, 1, 1);
-  estimate(sums().rounds(), end);
+  estimate({ sums().rounds(), rays }, end);
 }
 
 void IrradianceEngine::reachTarget(Execution& execution)
 {
   const std::vector<WalkRound>& plan = walks_.plan().rounds();
-  double progress = 0;
-  std::size_t rounds = 0;
-  do
+  EstimateRounds rounds{ 0, 1 };
+  double progress = 0, next = double(plan.front().endWalk) / walks_.plan().most();
+  std::optional<TargetLever> lever = TargetLever::Walks;
+  while (lever)
   {
-    if (rounds == sums().rounds())
+    // Less may have been expected before. Progress then waits rather than going back.
+    const double from = progress;
+    progress = std::max(from, next);
+    ProgressSpan span(execution, from, progress), still(execution, progress, progress);
+    ++(lever == TargetLever::Walks ? rounds.walks : rounds.rays);
+    if (rounds.walks > sums().rounds())
     {
-      // Fewer walks may have been expected before. Progress then waits rather than going back.
-      const double expected = expectedWalks(rounds);
-      const double from = std::max(progress, plan[rounds].firstWalk / expected);
-      progress = std::max(from, plan[rounds].endWalk / expected);
-      ProgressSpan span(execution, from, progress);
-      shootRound(rounds, span);
+      shootRound(rounds.walks - 1, span);
     }
-    ++rounds;
     checkReceived(balance());
-    ProgressSpan still(execution, progress, progress);
-    estimate(rounds, still);
-    reached_ = errorEstimate().relativeErrorOfMostArea(cells_, still);
-  } while (reached_ > settings_.targetRelativeError && rounds < plan.size());
-  if (storesWalks() && sums().rounds() > rounds)
+    estimate(rounds, lever == TargetLever::Walks ? still : span);
+    miss_ = errorEstimate().missOf(settings_.targetRelativeError, cells_, still);
+    lever = miss_.reached > settings_.targetRelativeError
+      ? chooseLever(miss_, rounds, walks_, *estimator_)
+      : std::nullopt;
+    next = 2 / expectedGrowth();
+  }
+  if (storesWalks() && sums().rounds() > rounds.walks)
   {
     forgetPhotons();
   }
   ProgressSpan dropping(execution, progress, progress);
-  walks_.dropRounds(rounds, space(), dropping);
+  walks_.dropRounds(rounds.walks, space(), dropping);
   if (!execution.reportProgress(1))
   {
     throw Interrupted();
   }
 }
 
-double IrradianceEngine::expectedWalks(std::size_t rounds) const
+double IrradianceEngine::expectedGrowth() const
 {
-  const std::vector<WalkRound>& plan = walks_.plan().rounds();
-  const double most = walks_.plan().most(), next = plan[rounds].endWalk;
-  if (rounds == 0)
-  {
-    return most;
-  }
-  // The error falls with the square root of the number of walks.
-  const double ratio = reached_ / settings_.targetRelativeError;
-  return std::clamp(plan[rounds - 1].endWalk * ratio * ratio, next, most);
+  const double walks = walks_.plan().most() / double(walks_.plan().walksAfter(rounds_.walks));
+  const double rays = std::ldexp(1, static_cast<int>(estimator_->mostRayRounds() - rounds_.rays));
+  // The error falls with the square root of the numbers.
+  const double ratio = miss_.reached / settings_.targetRelativeError;
+  return std::max(2.0, std::min(ratio * ratio, std::max(walks, rays)));
 }
 
-void IrradianceEngine::estimate(std::size_t rounds, Execution& execution)
+void IrradianceEngine::estimate(const EstimateRounds& rounds, Execution& execution)
 {
+  rounds_ = rounds;
   if (needsPhotons(settings_.cellEstimate))
   {
     collect<LeafPhotons>(execution);
     prepareSurfaces(execution);
   }
   estimator_->update(rounds, execution);
+  statistics_.followedPaths += estimator_->followedPaths();
 }
 
 void IrradianceEngine::forgetPhotons()

@@ -71,8 +71,10 @@ public:
   double watts(double quanta) const { return walks_.watts(quanta); }
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
   std::uint32_t numberOfWalks() const { return walks_.numberOfWalks(); }
-  /// See ErrorEstimate::relativeErrorOfMostArea; 0 without a target, NaN while walks are stale.
-  double reachedRelativeError() const { return reached_; }
+  /// Of each side of a small cell; more than in the settings if a target needs them, 0 if no cell casts any.
+  std::uint64_t numberOfGatherRays() const { return estimator_->numberOfRays(); }
+  /// See TargetMiss; 0 without a target, NaN while walks are stale.
+  double reachedRelativeError() const { return miss_.reached; }
   /// Quanta that the walks carry which the budget left unrepaired.
   Power stalePower() const { return walks_.stalePower(); }
   /// The part of irradiance() that rests on stale walks.
@@ -150,13 +152,13 @@ private:
   void shootRound(std::size_t round, Execution& execution);
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
   void shootOnce(bool isFresh, Execution& execution);
-  /// Shoots rounds of walks until the target is reached, and drops those that it does not need:
-  /// what remains is what a new engine would shoot.
+  /// Adds rounds of walks and rays until the target is reached, and drops those that it does not need:
+  /// what remains is what a new engine would have.
   void reachTarget(Execution& execution);
-  /// An estimate, after some rounds, of the number of walks that the target will take.
-  double expectedWalks(std::size_t rounds) const;
+  /// An estimate, after some rounds, of how much more there will be of all that was done.
+  double expectedGrowth() const;
   /// Estimates the cells from the first rounds.
-  void estimate(std::size_t rounds, Execution& execution);
+  void estimate(const EstimateRounds& rounds, Execution& execution);
   void forgetPhotons();
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
@@ -172,7 +174,8 @@ private:
   PhotonStores photons_;
   Surfaces surfaces_;                        ///< empty until they are prepared
   std::unique_ptr<CellEstimator> estimator_; ///< null before the first update
-  double reached_ = 0;
+  EstimateRounds rounds_;                    ///< of the last estimate
+  TargetMiss miss_;
   EngineStatistics statistics_;
 };
 

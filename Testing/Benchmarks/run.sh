@@ -107,6 +107,7 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkGathering "" "20000 2 16 64"
+  measure BenchmarkGatherTarget "" "5000 10000 1 1"
   measure BenchmarkSensors "" "20000 2 200 64 1"
   measure BenchmarkFrameProfile "" "20000 2"
   measure BenchmarkRepairBudget "" "20000 2"
@@ -116,7 +117,7 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,FrontCast,Stages,BounceHistory,FarAndMany,Signs,Shooting,Gathering,Sensors,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,FrontCast,Stages,BounceHistory,FarAndMany,Signs,Shooting,Gathering,GatherTarget,Sensors,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"

@@ -26,7 +26,8 @@ struct Settings
   int TraversalMode = vtkIrradianceFilter::Parallel, UpdateMode = vtkIrradianceFilter::Verify;
   int CellEstimate = vtkIrradianceFilter::Sums, NumberOfSpreadPhotons = 250;
   int DirectLight = vtkIrradianceFilter::Shot;
-  int NumberOfGatherRays = 4, GatherOn = vtkIrradianceFilter::SmallCells;
+  int NumberOfGatherRays = 4, MaximumNumberOfGatherRays = 32,
+      GatherOn = vtkIrradianceFilter::SmallCells;
   bool UnbiasedGather = false;
   bool CacheStaticHits = true, SeparateSides = false, ComputeStandardError = false;
   double DefaultDiffuseReflectance = 0.5, TargetRelativeError = 0, RepairTimeBudget = 0;
@@ -73,6 +74,7 @@ inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
   filter->SetCellEstimate(settings.CellEstimate);
   filter->SetNumberOfSpreadPhotons(settings.NumberOfSpreadPhotons);
   filter->SetNumberOfGatherRays(settings.NumberOfGatherRays);
+  filter->SetMaximumNumberOfGatherRays(settings.MaximumNumberOfGatherRays);
   filter->SetGatherOn(settings.GatherOn);
   filter->SetUnbiasedGather(settings.UnbiasedGather);
   filter->SetCacheStaticHits(settings.CacheStaticHits);

@@ -61,6 +61,7 @@ inline void ChangeEstimate(Trial& t)
   t.Set().CellEstimate = t.Random.Below(5);
   t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
   t.Set().NumberOfGatherRays = 1 << t.Random.Below(6);
+  t.Set().MaximumNumberOfGatherRays = t.Set().NumberOfGatherRays << t.Random.Below(4);
   t.Set().GatherOn = t.Random.Below(3);
   t.Set().UnbiasedGather = Chance(t.Random, 4);
   if (t.Set().CellEstimate == vtkIrradianceFilter::Nearest)

@@ -140,6 +140,15 @@ Spoil SetTarget(double target, vtkIdType mostWalks = 10000)
   };
 }
 
+Spoil SetTargetOfRays(int rays, int mostRays)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    filter->SetTargetRelativeError(0.1);
+    filter->SetNumberOfGatherRays(rays);
+    filter->SetMaximumNumberOfGatherRays(mostRays);
+  };
+}
+
 Spoil SetErrorsOfWalks(vtkIdType walks)
 {
   return [=](vtkIrradianceFilter* filter, Scene&) {
@@ -276,6 +285,10 @@ const std::vector<BadInput> BadInputs{
   { "TargetWithFewerWalksThanTheFirst", SetTarget(0.1, 499),
     { "MaximumNumberOfWalks", "is 499; 500 to" } },
   { "TargetWithTooManyWalks", SetTarget(0.1, 1LL << 32), { "MaximumNumberOfWalks", "4294967296" } },
+  { "TargetWithFewerRaysThanTheFirst", SetTargetOfRays(64, 63),
+    { "MaximumNumberOfGatherRays", "is 63; 64 to 65536" } },
+  { "TargetWithTooManyRays", SetTargetOfRays(8, 65537),
+    { "MaximumNumberOfGatherRays", "is 65537; 8 to" } },
   { "DefaultReflectanceAbove1", SetDefaultReflectance(2), { "DefaultDiffuseReflectance is 2;" } },
   { "DefaultReflectanceIsNaN", SetDefaultReflectance(NaN), { "DefaultDiffuseReflectance is nan" } },
   { "NearestWithErrorBars", SetNearestWith(&vtkIrradianceFilter::ComputeStandardErrorOn),
@@ -311,6 +324,8 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   filter->SetNumberOfWalks(NumberOfWalks);
   filter->SetNumberOfReplicates(16);
   filter->SetNumberOfSpreadPhotons(250);
+  filter->SetNumberOfGatherRays(32);
+  filter->SetMaximumNumberOfGatherRays(1024);
   filter->SetTargetRelativeError(0);
   filter->ComputeStandardErrorOff();
   filter->SetRepairTimeBudget(0);

@@ -71,6 +71,7 @@ TEST(CellEstimate, DefaultsAndRange)
   filter->SetCellEstimateToAutomatic();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate);
   EXPECT_EQ(filter->GetNumberOfGatherRays(), 32);
+  EXPECT_EQ(filter->GetMaximumNumberOfGatherRays(), 1024);
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::SmallCells);
   filter->SetGatherOnToDynamicCells();
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::DynamicCells);
@@ -83,7 +84,8 @@ TEST(CellEstimate, DefaultsAndRange)
   filter->Print(text);
   EXPECT_NE(text.str().find("CellEstimate: 1\n"), std::string::npos);
   EXPECT_NE(text.str().find("NumberOfSpreadPhotons: 250\n"), std::string::npos);
-  EXPECT_NE(text.str().find("NumberOfGatherRays: 32\n"), std::string::npos);
+  EXPECT_NE(text.str().find(" NumberOfGatherRays: 32\n"), std::string::npos);
+  EXPECT_NE(text.str().find(" MaximumNumberOfGatherRays: 1024\n"), std::string::npos);
   EXPECT_NE(text.str().find("GatherOn: 2\n"), std::string::npos);
   EXPECT_NE(text.str().find("UnbiasedGather: 1\n"), std::string::npos);
 }

@@ -207,3 +207,27 @@ TEST(Target, BeyondTheLimitWarnsOfWhatWasReached)
   ASSERT_EQ(observer->Warnings.size(), 1u);
   EXPECT_NE(observer->Warnings[0].find("too few photons"), std::string::npos);
 }
+
+TEST(Target, BeyondTheLimitsOfBothLeversNamesBoth)
+{
+  const auto filter = MakeFilter(MakeLitScene(1), 4000);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->SetDirectLightToGathered();
+  filter->SetCellEstimateToGathered();
+  filter->SetGatherOnToAllCells();
+  filter->SetNumberOfGatherRays(16);
+  filter->SetMaximumNumberOfGatherRays(40);
+  filter->SetMaximumNumberOfWalks(6000);
+  filter->SetTargetRelativeError(1e-6);
+  filter->Update();
+  EXPECT_EQ(Field(filter, "NumberOfWalks"), 6000);
+  EXPECT_EQ(Field(filter, "NumberOfGatherRays"), 32)
+    << "the last number of 16, 32, ... below the limit";
+  EXPECT_EQ(filter->GetNumberOfCastGatherRays(), 32);
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  for (const char* word :
+    { "MaximumNumberOfWalks 6000", "32 gather rays", "MaximumNumberOfGatherRays 40" })
+  {
+    EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
+  }
+}

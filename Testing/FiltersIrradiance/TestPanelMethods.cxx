@@ -103,6 +103,7 @@ TEST(PanelMethods, FiguresAreThoseOfTheFieldData)
     filter->GetAbsorbedPower() + filter->GetEscapedPower(), filter->GetEmittedPower());
   EXPECT_EQ(filter->GetStalePower(), 0);
   EXPECT_EQ(filter->GetNumberOfShotWalks(), 2000);
+  EXPECT_EQ(filter->GetNumberOfCastGatherRays(), -1); // no cell gathers
   EXPECT_EQ(filter->GetNumberOfSegments(), fields->GetArray("NumberOfSegments")->GetTuple1(0));
   EXPECT_GT(filter->GetHistoryBytes(), 0);
   EXPECT_GT(filter->GetShootSeconds(), 0);

@@ -30,7 +30,8 @@ class Panel(unittest.TestCase):
             text = file.read()  # as the C++ filter prints itself
         for name in ("NumberOfWalks", "Seed", "TraversalMode", "UpdateMode", "CacheStaticHits", "SeparateSides",
                      "DirectLight", "CellEstimate", "NumberOfSpreadPhotons", "NumberOfGatherRays", "GatherOn",
-                     "UnbiasedGather", "ComputeStandardError", "NumberOfReplicates", "MaximumNumberOfWalks", "DefaultDiffuseReflectance"):
+                     "UnbiasedGather", "ComputeStandardError", "NumberOfReplicates", "MaximumNumberOfWalks",
+                     "MaximumNumberOfGatherRays", "DefaultDiffuseReflectance"):
             value = source.SMProxy.GetProperty(name).GetElement(0)
             self.assertIn(f"  {name}: {value}\n", text)
 

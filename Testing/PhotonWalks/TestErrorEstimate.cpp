@@ -146,7 +146,8 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
     add(sums, 1, 1, { { 800000, 0, 0 } });
     add(sums, 0, 2, { { inDark, 0, 0 } });
     return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 })
-      .relativeErrorOfMostArea(cellsOf(objects), execution);
+      .missOf(0, cellsOf(objects), execution)
+      .reached;
   };
   const double t = 12.7062047; // of one degree
   EXPECT_NEAR(reached({ 96, 3, 1 }, 0), t * 0.1, 1e-6);
@@ -167,11 +168,53 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   add(sums, 1, 0, { { 90000, 80000, 0 } });
   Execution execution;
   const auto reached = [&](const std::array<double, 3>& photon) {
-    return ErrorEstimate(sums, plan, 1, photon)
-      .relativeErrorOfMostArea(cellsOf(objects), execution);
+    return ErrorEstimate(sums, plan, 1, photon).missOf(0, cellsOf(objects), execution).reached;
   };
   EXPECT_NEAR(reached({ 1000, 1000, 0 }), 12.7062047 * 0.2, 1e-6);
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
+}
+
+namespace
+{
+
+/// Cells from 1 on gather; the variance of their rays is known.
+class KnownRays : public PhotonShares
+{
+public:
+  double photonShare(const CellSide& /*cell*/) const override { return 1; }
+  std::optional<double> rayVariance(const CellSide& cell, int /*band*/) const override
+  {
+    return cell.cell == 0 ? std::nullopt : std::optional<double>(variances[cell.cell - 1]);
+  }
+  std::vector<double> variances;
+};
+
+}
+
+// Two replicates of 110000 and 90000 quanta: the variance is twice the squared distance from their mean, over 1 - 1/2 (5.1 of
+// the Theory). Of the cells that gather a quarter of it is noise of the rays, all, and more than all.
+TEST(ErrorEstimate, TellsWhichLeverPromisesWhat)
+{
+  const WalkPlan plan(1600, 1600, 2);
+  const SceneObjects objects = strip({ 1, 2, 3, 4 });
+  CellSums sums(objects, 1, plan);
+  for (std::uint32_t cell = 0; cell < 4; ++cell)
+  {
+    add(sums, 0, cell, { { 110000, 0, 0 } });
+    add(sums, 1, cell, { { 90000, 0, 0 } });
+  }
+  constexpr double kVariance = 2 * 1e4 * 1e4 / (1 - 0.5);
+  KnownRays rays;
+  rays.variances = { 0.25 * kVariance, kVariance, 3 * kVariance };
+  const ErrorEstimate estimate(sums, plan, 1, { 1000, 0, 0 }, &rays);
+  Execution execution;
+  TargetMiss miss = estimate.missOf(0.1, cellsOf(objects), execution);
+  EXPECT_NEAR(miss.reached, 12.7062047 * 0.1, 1e-6);
+  EXPECT_NEAR(miss.byWalks, (1 + 2 * 0.75) / 2, 1e-9);
+  EXPECT_NEAR(miss.byRays, (2 * 0.25 + 3 + 4) / 2, 1e-9);
+  EXPECT_NEAR(miss.beyondRays, 0.1, 1e-12);
+  miss = estimate.missOf(1.3, cellsOf(objects), execution);
+  EXPECT_EQ(miss.byWalks + miss.byRays + miss.beyondRays, 0) << "all are within";
 }
 
 // The estimate of the first rounds ignores what later walks brought.

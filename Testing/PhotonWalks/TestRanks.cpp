@@ -106,6 +106,19 @@ TEST(Ranks, SpreadSidesAndReachATarget)
   expectSameAsAlone(3, settings, false);
 }
 
+TEST(Ranks, GatherAndReachATarget)
+{
+  EngineSettings settings = settingsOf(1000, 8);
+  settings.gathersDirectLight = true;
+  settings.cellEstimate = CellEstimate::Gathered;
+  settings.gatherRays = 8;
+  settings.gatherOn = GatherOn::All;
+  settings.targetRelativeError = 0.6;
+  settings.maximumNumberOfWalks = 4000;
+  settings.maximumGatherRays = 32;
+  expectSameAsAlone(3, settings, false);
+}
+
 /// What is stale on this rank, in quanta on all cells.
 std::int64_t staleOf(const IrradianceEngine& engine)
 {

@@ -65,6 +65,7 @@ constexpr const char* kStalePower = "StalePower";
 constexpr const char* kStaleGainBound = "StaleGainBound";
 constexpr const char* kNumberOfWalks = "NumberOfWalks";
 constexpr const char* kNumberOfSegments = "NumberOfSegments";
+constexpr const char* kNumberOfGatherRays = "NumberOfGatherRays";
 constexpr const char* kDirectLight = "DirectLight";
 constexpr const char* kCellEstimate = "CellEstimate";
 constexpr const char* kConfidenceFactor = "ConfidenceFactor";

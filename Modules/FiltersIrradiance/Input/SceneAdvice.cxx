@@ -296,20 +296,19 @@ std::string SceneAdvice::readingWarning() const
   {
     return {};
   }
-  const CellRoles roles(
-    engine_.cells(), engine_.numberOfWalks(), settings.gatherRays, settings.gatherOn);
+  const std::uint32_t walks = engine_.walks().plan().walksAfter(1);
+  const CellRoles roles(engine_.cells(), walks, settings.gatherRays, settings.gatherOn);
   double largest = 0; // m2
   engine_.cells().numbers().forEach(
     [&](const SceneCell& cell) { largest = std::max(largest, engine_.cells().area(cell)); });
   const double expected = roles.expectedOn(largest);
   return largest == 0 || expected >= roles.fewestToRead()
     ? ""
-    : "CellEstimate Gathered finds no cell to read: of " + std::to_string(engine_.numberOfWalks()) +
+    : "CellEstimate Gathered finds no cell to read: of " + std::to_string(walks) +
       " walks the largest cell expects " + rounded(expected) + ", and " +
       rounded(roles.fewestToRead()) +
       " are needed, so each ray goes on and looks for the lights wherever it hits, which takes "
-      "longer "
-      "and is noisier: multiply NumberOfWalks by " +
+      "longer and is noisier: multiply NumberOfWalks by " +
       rounded(std::ceil(roles.fewestToRead() / expected)) +
       " at least, or say by UnbiasedGather that this is meant";
 }

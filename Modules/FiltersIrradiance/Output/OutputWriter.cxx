@@ -336,6 +336,10 @@ void OutputWriter::addStatistics(vtkFieldData* fields) const
   const EngineStatistics& statistics = engine_.statistics();
   addCount(kNumberOfWalks, engine_.numberOfWalks());
   addCount(kNumberOfSegments, engine_.balance().segments);
+  if (settings_.cellEstimate == CellEstimate::Gathered)
+  {
+    addCount(kNumberOfGatherRays, static_cast<std::int64_t>(engine_.numberOfGatherRays()));
+  }
   addCount(kDirectLight, settings_.gathersDirectLight ? 1 : 0);
   addCount(kCellEstimate, static_cast<int>(settings_.cellEstimate));
   if (withErrors_)

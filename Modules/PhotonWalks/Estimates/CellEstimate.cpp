@@ -21,8 +21,9 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
       return std::make_unique<NearestPhotonEstimator>(source, settings.spreadPhotons);
     case CellEstimate::Gathered:
       return std::make_unique<GatherEstimator>(source,
-        GatherEstimator::Settings{ settings.gatherRays, settings.gatherOn, settings.unbiasedGather,
-          walks.separateSides, walks.seed, walks.verify });
+        GatherEstimator::Settings{ settings.gatherRays,
+          walks.targetRelativeError > 0 ? settings.maximumGatherRays : 0, settings.gatherOn,
+          settings.unbiasedGather, walks.separateSides, walks.seed, walks.verify });
     default:
       return std::make_unique<SumEstimator>(source);
   }

@@ -32,6 +32,7 @@ struct EstimateSettings
   double spreadPhotons = 250;
   /// With Gathered, of each side of a cell that gathers; a small one expects fewer than two photons for each; >= 1.
   std::uint32_t gatherRays = 32;
+  std::uint32_t maximumGatherRays = 1024; ///< >= gatherRays; with a target, see RayRounds
   GatherOn gatherOn = GatherOn::Small;
   /// With Gathered: no sums are read; paths ask the lights wherever they hit.
   bool unbiasedGather = false;
@@ -41,8 +42,8 @@ struct EstimateSettings
 inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
 {
   return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons &&
-    a.gatherRays == b.gatherRays && a.gatherOn == b.gatherOn &&
-    a.unbiasedGather == b.unbiasedGather;
+    a.gatherRays == b.gatherRays && a.maximumGatherRays == b.maximumGatherRays &&
+    a.gatherOn == b.gatherOn && a.unbiasedGather == b.unbiasedGather;
 }
 
 std::unique_ptr<CellEstimator> makeCellEstimator(

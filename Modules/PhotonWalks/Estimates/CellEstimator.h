@@ -21,6 +21,12 @@ struct EstimateSource
   const Surfaces& surfaces;    ///< likewise
 };
 
+/// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see RayRounds.
+struct EstimateRounds
+{
+  std::size_t walks = 1, rays = 1;
+};
+
 /// Estimates the irradiance of cells from what walks brought. What follows from an estimate is valid until
 /// the next update of it.
 class CellEstimator
@@ -35,9 +41,9 @@ public:
   CellEstimator(const CellEstimator&) = delete;
   CellEstimator& operator=(const CellEstimator&) = delete;
 
-  /// To a frame, and the first `rounds` rounds of its walks. Throws Interrupted; after that all walks have to
+  /// To a frame, and the first rounds of its walks and rays. Throws Interrupted; after that all walks have to
   /// be shot again.
-  virtual void update(std::size_t rounds, Execution& execution) = 0;
+  virtual void update(const EstimateRounds& rounds, Execution& execution) = 0;
   /// Before an update: these photons, and no others, have left and come since the last one.
   virtual void note(const PhotonChanges& /*changes*/) {}
   /// Before an update: all photons may be others, and the cells too.
@@ -53,6 +59,15 @@ public:
 
   /// Of cells that gather by reading others; unknown if none does, or there are no replicates.
   virtual GatheringBias gatheringBias() const { return {}; }
+
+  /// Rounds of rays that there may be; those of walks are in the plan.
+  virtual std::size_t mostRayRounds() const { return 1; }
+  /// Of each side of a small cell in the last update; 0 if cells cast none.
+  virtual std::uint64_t numberOfRays() const { return 0; }
+  /// Of all paths that the last update read.
+  virtual std::int64_t raySegments() const { return 0; }
+  /// Forgets what later frames do not need.
+  virtual void dropRayRounds(std::size_t /*kept*/) {}
 
   /// What it keeps for frames to come.
   virtual std::size_t bytes() const { return 0; }

@@ -14,8 +14,14 @@ namespace
 {
 
 /// The least error that parts with this total area do not exceed.
-double quantileOfArea(std::vector<std::pair<double, double>> errorsWithAreas, double area)
+template <class Parts>
+double quantileOfArea(const Parts& parts, double area)
 {
+  std::vector<std::pair<double, double>> errorsWithAreas;
+  for (const auto& part : parts)
+  {
+    errorsWithAreas.emplace_back(part.error, part.area);
+  }
   std::sort(errorsWithAreas.begin(), errorsWithAreas.end());
   double within = 0;
   for (const auto& [error, itsArea] : errorsWithAreas)
@@ -67,7 +73,7 @@ ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) 
   if (replicates < 2 || walks_ < kFewestPhotons || total == 0 ||
     quanta < kFewestPhotons * quantaPerPhoton)
   {
-    return { quanta, std::nan(""), quantaPerPhoton };
+    return { quanta, std::nan(""), quantaPerPhoton, 0 };
   }
   double squares = 0;
   for (std::uint32_t i = 0; i < replicates; ++i)
@@ -77,7 +83,7 @@ ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) 
   }
   return { quanta,
     std::sqrt(variance(unbiased_ * squares, replicates * quantaPerPhoton * quantaPerPhoton)),
-    quantaPerPhoton };
+    quantaPerPhoton, unbiased_ * squares };
 }
 
 double ErrorEstimate::relativeError(const Received& received, double average, double factor)
@@ -122,9 +128,17 @@ std::vector<ErrorEstimate::Part> ErrorEstimate::partsOf(
   return parts;
 }
 
-double ErrorEstimate::relativeErrorOfMostArea(const SceneCells& cells, Execution& execution) const
+/// What the replicates scatter more than rays do comes of walks. All else, also steps of photons and what is not known yet, is
+/// better known from more rays.
+double ErrorEstimate::partOfRays(const Received& received, double rayVariance) const
 {
-  const std::vector<Part> parts = partsOf(cells, execution);
+  const bool isKnown = received.quanta != 0 && !std::isnan(received.error);
+  return isKnown ? 1 - std::max(0.0, received.spread - rayVariance) / std::pow(received.error, 2)
+                 : 1.0;
+}
+
+std::vector<ErrorEstimate::Judged> ErrorEstimate::judged(const std::vector<Part>& parts) const
+{
   double area = 0;
   std::array<double, Power::kMaxBands> sums{}; // quanta
   for (const Part& part : parts)
@@ -136,19 +150,46 @@ double ErrorEstimate::relativeErrorOfMostArea(const SceneCells& cells, Execution
     }
   }
   const double factor = confidenceFactor(static_cast<std::uint32_t>(share_.size()));
-  std::vector<std::pair<double, double>> errors; // with the area
-  errors.reserve(parts.size());
+  std::vector<Judged> all;
+  all.reserve(parts.size());
   for (const Part& part : parts)
   {
-    double worst = 0;
+    Judged worst{ 0, part.area, false, 0 };
     for (int band = 0; band < sums_.bands(); ++band)
     {
       const auto i = static_cast<std::size_t>(band);
-      worst = std::max(worst, relativeError(part.received[i], sums[i] / area * part.area, factor));
+      const double error = relativeError(part.received[i], sums[i] / area * part.area, factor);
+      if (error > worst.error)
+      {
+        const std::optional<double> rayVariance =
+          shares_ ? shares_->rayVariance(part.cell, band) : std::nullopt;
+        worst = { error, part.area, rayVariance.has_value(),
+          rayVariance ? partOfRays(part.received[i], *rayVariance) : 0 };
+      }
     }
-    errors.emplace_back(worst, part.area);
+    all.push_back(worst);
   }
-  return quantileOfArea(std::move(errors), kConfidence * area);
+  return all;
+}
+
+TargetMiss ErrorEstimate::missOf(double target, const SceneCells& cells, Execution& execution) const
+{
+  const std::vector<Judged> parts = judged(partsOf(cells, execution));
+  double area = 0;
+  for (const Judged& part : parts)
+  {
+    area += part.area;
+  }
+  TargetMiss miss;
+  miss.reached = quantileOfArea(parts, kConfidence * area);
+  for (const Judged& part : parts)
+  {
+    const bool misses = part.error > target, isNeeded = part.error <= miss.reached;
+    miss.byWalks += misses && isNeeded ? part.area * (1 - part.ofRays) / 2 : 0;
+    miss.byRays += misses && isNeeded ? part.area * part.ofRays / 2 : 0;
+    miss.beyondRays += misses && !part.castsRays ? part.area / area : 0;
+  }
+  return miss;
 }
 
 }

@@ -12,6 +12,20 @@
 namespace irradiance
 {
 
+/// How far the area is from a target. Promises are parts of the variance, times the area, summed up over what lies
+/// between the target and `reached`: what is worse is not needed.
+struct TargetMiss
+{
+  /// The least e for which kConfidence of the area is known to within e times its own irradiance, with probability
+  /// kConfidence; infinite if there is none. A cell that received nothing is known to within 3 photons; its e is 3
+  /// photons over what its area receives on average. The worst band of a cell counts, and each side alone if they are
+  /// kept apart.
+  double reached = 0;
+  double byWalks = 0;    ///< what twice the walks take away
+  double byRays = 0;     ///< what twice the rays of cells that gather take away
+  double beyondRays = 0; ///< the part of the area that misses the target and casts no rays
+};
+
 /**
  * Estimates the error of the cell sums from the replicates of the first rounds of walks. The same
  * integers give the same bits: all is summed up in the order of replicates and cells.
@@ -62,18 +76,14 @@ public:
       (shares_ ? shares_->photonShare(cell) : 1.0);
   }
 
-  /// The least e for which kConfidence of the area is known to within e times its own irradiance,
-  /// with probability kConfidence; infinite if there is none. A cell that received nothing is known
-  /// to within 3 photons; its e is 3 photons over what its area receives on average. The worst band
-  /// of a cell counts, and each side alone if they are kept apart.
-  double relativeErrorOfMostArea(const SceneCells& cells, Execution& execution) const;
+  TargetMiss missOf(double target, const SceneCells& cells, Execution& execution) const;
 
 private:
   /// What a cell, or one of its sides, has received in a band, its standard error, and what one
-  /// photon of full power effectively brings to it; quanta.
+  /// photon of full power effectively brings to it; quanta. `spread`: the variance that the replicates show.
   struct Received
   {
-    double quanta, error, quantaPerPhoton;
+    double quanta, error, quantaPerPhoton, spread;
   };
   struct Part
   {
@@ -84,6 +94,15 @@ private:
   Received received(const CellSide& cell, int band) const;
   /// All cells, or sides of cells, that have an area.
   std::vector<Part> partsOf(const SceneCells& cells, Execution& execution) const;
+  /// How well a part is known in its worst band.
+  struct Judged
+  {
+    double error, area;
+    bool castsRays;
+    double ofRays; ///< the part of its variance that comes of rays
+  };
+  std::vector<Judged> judged(const std::vector<Part>& parts) const;
+  double partOfRays(const Received& received, double rayVariance) const;
   /// `average`: quanta that a cell of this area receives on average. `factor`: confidenceFactor().
   static double relativeError(const Received& received, double average, double factor);
 

@@ -7,12 +7,14 @@
 #include "FinalGather/PathLights.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace irradiance
 {
 
-void GatherEstimator::update(std::size_t rounds, Execution& execution)
+void GatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {
+  rounds_ = rounds;
   const EstimateSource& from = source();
   const SceneObjects& objects = from.space.objects;
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
@@ -22,23 +24,25 @@ void GatherEstimator::update(std::size_t rounds, Execution& execution)
   {
     direct.emplace(objects, all.sides(), all.plan(), all.rounds());
   }
-  roles_.emplace(from.cells, from.walks.plan().walksAfter(rounds),
+  // Those of the first round: so all rounds have the same paths, and no cell is left to its own few photons for more walks.
+  roles_.emplace(from.cells, from.walks.plan().walksAfter(1),
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
   const CellShapes shapes = darkShapesOf(from.walks, from.space, cancelPoint);
   const std::deque<PointDirectLight> lights =
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit, kWeightsOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
-    { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds }, lights,
-    numberOfRays(), 1 / from.walks.watts(1.0, rounds), settings_.seed,
-    settings_.keepsPaths && !objects.dynamicObjects.empty(), all.plan().replicates().count() > 1 };
+    { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds.walks },
+    lights, static_cast<std::uint32_t>(rays().after(1)), 1 / from.walks.watts(1.0, rounds.walks),
+    settings_.seed, keepsPaths() || settings_.mostRays > 0, all.plan().replicates().count() > 1,
+    false, settings_.mostRays > 0 };
   for (const WalkSet& set : from.walks.sets())
   {
     if (!set.source().cells && !set.lights().isEmpty())
     {
-      addNearLampLight(scene, set, rounds, *direct, execution);
+      addNearLampLight(scene, set, rounds.walks, *direct, execution);
     }
   }
-  gather_.update(scene, execution);
+  gather_.update(scene, rounds.rays, execution);
   putTogether(scene, *direct, cancelPoint);
 }
 
@@ -86,9 +90,28 @@ std::int64_t GatherEstimator::sumOf(const CellSide& cell, const Quanta& quanta) 
   return settings_.separatesSides ? quanta(cell) : quanta({ cell, 0 }) + quanta({ cell, 1 });
 }
 
-std::uint32_t GatherEstimator::numberOfRays() const
+RayRounds GatherEstimator::rays() const
 {
-  return dealtRays(settings_.rays, source().walks.plan().replicates().count());
+  return { dealtRays(settings_.rays, source().walks.plan().replicates().count()),
+    settings_.mostRays };
+}
+
+/// Of a single ray nothing is known: its noise counts for all that there is.
+std::optional<double> GatherEstimator::rayVariance(const CellSide& cell, int band) const
+{
+  if (!roles_->gathers(cell))
+  {
+    return {};
+  }
+  if (numberOfRays() == source().walks.plan().replicates().count())
+  {
+    return kInfinity;
+  }
+  const auto varianceOf = [&](const CellSide& part) {
+    return std::pow(static_cast<double>(gather_.noise().sum(part, band)), 2);
+  };
+  return settings_.separatesSides ? varianceOf(cell)
+                                  : varianceOf({ cell, 0 }) + varianceOf({ cell, 1 });
 }
 
 double GatherEstimator::staleIrradiance(const CellSide& cell, int band) const
@@ -109,10 +132,11 @@ GatheringBias GatherEstimator::gatheringBias() const
 double GatherEstimator::photonShare(const CellSide& cell) const
 {
   const double eachDraws = settings_.isUnbiased ? 1 : roles_->fewestToRead();
-  const double drawn = eachDraws * numberOfRays() * roles_->timesOf(cell);
-  return roles_->gathers(cell)
-    ? std::min(1.0, roles_->expectedOn(source().cells.area(cell)) / drawn)
-    : 1.0;
+  const double drawn = eachDraws * static_cast<double>(numberOfRays()) * roles_->timesOf(cell);
+  const WalkPlan& plan = source().walks.plan();
+  const double expected = roles_->expectedOn(source().cells.area(cell)) *
+    (static_cast<double>(plan.walksAfter(rounds_.walks)) / plan.walksAfter(1));
+  return roles_->gathers(cell) ? std::min(1.0, expected / drawn) : 1.0;
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Estimates/CellEstimator.h"
 #include "Estimates/PhotonShares.h"
 #include "FinalGather/FinalGather.h"
+#include "FinalGather/RayRounds.h"
 
 #include <optional>
 
@@ -26,7 +27,8 @@ class GatherEstimator
 public:
   struct Settings
   {
-    std::uint32_t rays; ///< of each side of a cell; rounded up to a multiple of the replicates
+    std::uint32_t rays;     ///< of each side of a cell; rounded up to a multiple of the replicates
+    std::uint32_t mostRays; ///< likewise, if a target takes more; 0: no target
     GatherOn on;
     bool isUnbiased;     ///< no sums are read
     bool separatesSides; ///< else irradiance() is that of both
@@ -41,7 +43,7 @@ public:
   }
 
   /// There must be no unseenLight().
-  void update(std::size_t rounds, Execution& execution) override;
+  void update(const EstimateRounds& rounds, Execution& execution) override;
   double irradiance(const CellSide& cell, int band) const override
   {
     return perArea(sums_.sum(cell, band), cell);
@@ -54,12 +56,22 @@ public:
   }
 
   GatheringBias gatheringBias() const override;
+  std::size_t mostRayRounds() const override { return rays().most(); }
+  std::uint64_t numberOfRays() const override { return rays().after(rounds_.rays); }
+  std::int64_t raySegments() const override { return gather_.segments(); }
+  void dropRayRounds(std::size_t kept) override { gather_.dropRounds(keepsPaths() ? kept : 0); }
   std::size_t bytes() const override { return gather_.bytes(); }
   std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
 
 private:
   double photonShare(const CellSide& cell) const override;
-  std::uint32_t numberOfRays() const;
+  std::optional<double> rayVariance(const CellSide& cell, int band) const override;
+  RayRounds rays() const;
+  /// For frames to come.
+  bool keepsPaths() const
+  {
+    return settings_.keepsPaths && !source().space.objects.dynamicObjects.empty();
+  }
   int sides() const { return settings_.separatesSides ? 2 : 1; }
   /// From what cells have themselves, and what was gathered for them.
   void putTogether(
@@ -69,6 +81,7 @@ private:
 
   Settings settings_;
   FinalGather gather_;
+  EstimateRounds rounds_;          ///< of the last update
   std::optional<CellRoles> roles_; ///< of the last update
   CellSums sums_, staleSums_;      ///< with the sides of the settings
   double received_ = 0;            ///< of the cells that gather, quanta of all bands together

@@ -246,14 +246,14 @@ std::vector<Box> NearestPhotonEstimator::boundsOfMoved(
   return bounds;
 }
 
-void NearestPhotonEstimator::update(std::size_t rounds, Execution& execution)
+void NearestPhotonEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {
   SumEstimator::update(rounds, execution);
   numberOfEstimates_ = 0;
   if (!isUpToDate())
   {
     const EstimateSource& from = source();
-    separate_ = separateSums(from.walks, from.space.objects, rounds, execution);
+    separate_ = separateSums(from.walks, from.space.objects, rounds.walks, execution);
     estimateSmallCells(NearestPhotons(from.photons.get<LeafPhotons>(), from.surfaces,
                          from.space.objects, from.walks.histories()),
       execution);

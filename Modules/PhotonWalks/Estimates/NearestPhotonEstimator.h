@@ -34,7 +34,7 @@ public:
   }
 
   /// Does nothing if no object has moved since the last one and no photons were noted.
-  void update(std::size_t rounds, Execution& execution) override;
+  void update(const EstimateRounds& rounds, Execution& execution) override;
   void note(const PhotonChanges& changes) override;
   void forgetPhotons() override;
   double irradiance(const CellSide& cell, int band) const override;

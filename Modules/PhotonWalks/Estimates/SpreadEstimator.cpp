@@ -9,13 +9,14 @@
 namespace irradiance
 {
 
-void SpreadEstimator::update(std::size_t rounds, Execution& execution)
+void SpreadEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {
   const SceneObjects& objects = source().space.objects;
   const WalkSets& walks = source().walks;
-  const std::optional<SeparateSums> separate = separateSums(walks, objects, rounds, execution);
+  const std::optional<SeparateSums> separate =
+    separateSums(walks, objects, rounds.walks, execution);
   const CellSums& shot = separate ? separate->indirect : walks.sums();
-  const std::size_t shotRounds = separate ? 1 : rounds;
+  const std::size_t shotRounds = separate ? 1 : rounds.walks;
   spread_.update(
     objects, shot, shotRounds, photons_, static_cast<double>(walks.quantaPerWalk()), execution);
   sums_ = spread_.spread(objects, shot, shotRounds, execution);

@@ -20,7 +20,7 @@ public:
   {
   }
 
-  void update(std::size_t rounds, Execution& execution) override;
+  void update(const EstimateRounds& rounds, Execution& execution) override;
   double irradiance(const CellSide& cell, int band) const override
   {
     return perArea(sums_.sum(cell, band), cell);

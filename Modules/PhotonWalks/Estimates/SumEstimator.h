@@ -13,7 +13,10 @@ class SumEstimator : public CellEstimator
 public:
   using CellEstimator::CellEstimator;
 
-  void update(std::size_t rounds, Execution& /*execution*/) override { rounds_ = rounds; }
+  void update(const EstimateRounds& rounds, Execution& /*execution*/) override
+  {
+    rounds_ = rounds.walks;
+  }
   double irradiance(const CellSide& cell, int band) const override
   {
     return perArea(source().walks.sums().sum(cell, band), cell);

@@ -2,9 +2,11 @@
 #include "FinalGather/FinalGather.h"
 
 #include "Execution/SlicedPass.h"
+#include "FinalGather/RayRounds.h"
 #include "FinalGather/ReadingChecks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -12,12 +14,13 @@
 namespace irradiance
 {
 
-void FinalGather::update(const GatherScene& scene, Execution& execution)
+void FinalGather::update(const GatherScene& scene, std::size_t rounds, Execution& execution)
 {
   indirect_ = CellSums(scene.objects, 2, scene.known.all.plan(), 1);
   stale_ = CellSums(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
+  noise_ = CellSums(scene.objects, 2, {}, scene.tellsNoise ? 1 : 0);
   excess_.assign(scene.checksReadings ? scene.replicates() : 0, 0);
-  followed_ = 0;
+  followed_ = read_ = 0;
   findGatherers(scene);
   Ranks& ranks = execution.ranks();
   Origin origin = originOf(scene, ranks);
@@ -28,20 +31,30 @@ void FinalGather::update(const GatherScene& scene, Execution& execution)
   if (!motion)
   {
     units_ = std::vector<Unit>(units);
+    keptRounds_ = 0;
+  }
+  keptRounds_ = std::max(rounds, keptRounds_); // all follow a motion
+  Rounds followed;
+  for (std::size_t round = 0; round < keptRounds_; ++round)
+  {
+    followed.push_back(RayRounds::inRound(scene, round));
   }
   SlicedPass pass{ units, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
     if (unit % ranks.count() == ranks.rank())
     {
-      gather(scene, motion ? &*motion : nullptr, unit);
+      gather(followed, rounds, motion ? &*motion : nullptr, unit);
     }
     return true;
   };
   pass.run(execution);
+  segments_ = read_;
   if (ranks.areSeveral())
   {
+    ranks.sum(&segments_, 1);
     indirect_.sumOver(ranks, cancelPointOf(execution, 1));
     stale_.sumOver(ranks, cancelPointOf(execution, 1));
+    noise_.sumOver(ranks, cancelPointOf(execution, 1));
     ranks.sum(excess_.data(), excess_.size());
   }
   if (scene.keepsPaths)
@@ -54,10 +67,29 @@ void FinalGather::update(const GatherScene& scene, Execution& execution)
   }
 }
 
+void FinalGather::dropRounds(std::size_t kept)
+{
+  if (kept == 0)
+  {
+    units_.clear();
+    origin_.reset();
+  }
+  for (Unit& unit : units_)
+  {
+    unit.rounds.resize(std::min(kept, unit.rounds.size()));
+  }
+  keptRounds_ = std::min(kept, keptRounds_);
+}
+
 std::size_t FinalGather::bytes() const
 {
-  return std::accumulate(units_.begin(), units_.end(), std::size_t{ 0 },
-    [](std::size_t sum, const Unit& unit) { return sum + unit.paths.bytes(); });
+  std::size_t bytes = 0;
+  for (const Unit& unit : units_)
+  {
+    bytes = std::accumulate(unit.rounds.begin(), unit.rounds.end(), bytes,
+      [](std::size_t sum, const FollowedPaths& paths) { return sum + paths.bytes(); });
+  }
+  return bytes;
 }
 
 void FinalGather::findGatherers(const GatherScene& scene)
@@ -110,40 +142,61 @@ std::vector<FinalGather::Side> FinalGather::sidesOf(
   return sides;
 }
 
-void FinalGather::gather(const GatherScene& scene, const GatherMotion* motion, std::size_t number)
+void FinalGather::gather(
+  const Rounds& rounds, std::size_t read, const GatherMotion* motion, std::size_t number)
 {
+  const GatherScene& scene = rounds.front();
   Unit& unit = units_[number];
   std::vector<Side> sides = sidesOf(scene, number);
-  const bool isKept = motion && sides == unit.sides;
-  unit.sides = std::move(sides);
-  if (!isKept || !motion->isNone())
+  if (!(motion && sides == unit.sides))
   {
-    follow(scene, isKept ? motion : nullptr, unit);
+    unit.rounds.clear();
   }
-  PathSums brought;
-  brought.read(scene, unit.paths, unit.paths.size() / scene.rays);
+  unit.sides = std::move(sides);
+  const std::size_t kept = unit.rounds.size();
+  unit.rounds.resize(rounds.size());
+  for (std::size_t round = 0; round < rounds.size(); ++round)
+  {
+    if (round >= kept || !motion->isNone())
+    {
+      follow(rounds[round], round < kept ? motion : nullptr, unit.sides, unit.rounds[round]);
+    }
+  }
+  std::vector<PathSums> brought(read);
+  for (std::size_t round = 0; round < read; ++round)
+  {
+    const FollowedPaths& paths = unit.rounds[round];
+    brought[round].read(rounds[round], paths, paths.size() / rounds[round].rays);
+    read_ += static_cast<std::int64_t>(paths.numberOfSegments());
+  }
   std::size_t start = 0;
   for (const Side& side : unit.sides)
   {
     store(scene, brought, start, side);
+    if (scene.tellsNoise)
+    {
+      storeNoise(scene, brought, start, side);
+    }
     start += side.starts;
   }
-  if (scene.checksReadings)
+  for (std::size_t round = 0; scene.checksReadings && round < read; ++round)
   {
-    check(scene, unit);
+    check(rounds[round], unit.sides, unit.rounds[round], RayRounds::share(round, read));
   }
 }
 
-void FinalGather::check(const GatherScene& scene, const Unit& unit)
+void FinalGather::check(const GatherScene& scene, const std::vector<Side>& sides,
+  const FollowedPaths& followed, double share)
 {
   ReadingChecks checks(scene);
   std::size_t first = 0; // of the paths of a start
-  for (const Side& side : unit.sides)
+  for (const Side& side : sides)
   {
     const double area = scene.cells.area(gatherers_[side.gatherer].cell) / side.starts;
     for (std::uint64_t start = 0; start < side.starts; ++start, first += scene.rays)
     {
-      checks.add(unit.paths, first, start << 40 | numberOf(side), area);
+      const std::uint64_t number = std::uint64_t{ scene.round } << 48 | start << 40;
+      checks.add(followed, first, number | numberOf(side), share * area);
     }
   }
   std::unique_ptr<GatherPaths> paths = paths_.take();
@@ -156,24 +209,25 @@ void FinalGather::check(const GatherScene& scene, const Unit& unit)
   }
 }
 
-void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit)
+void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion,
+  const std::vector<Side>& sides, FollowedPaths& kept)
 {
   std::unique_ptr<GatherPaths> paths = paths_.take();
   paths->begin(scene);
   std::vector<std::size_t> from;
   std::vector<std::uint32_t> rays;
-  for (const Side& side : unit.sides)
+  for (const Side& side : sides)
   {
     const Gatherer& gatherer = gatherers_[side.gatherer];
     rays.clear();
     for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
     {
-      const bool isAnew = !motion || motion->hasMoved(gatherer.cell.object) ||
-        motion->mayChange(unit.paths[from.size()]);
+      const bool isAnew =
+        !motion || motion->hasMoved(gatherer.cell.object) || motion->mayChange(kept[from.size()]);
       from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
       if (isAnew)
       {
-        rays.push_back(ray);
+        rays.push_back(scene.firstRay(side.starts) + ray);
       }
     }
     if (!rays.empty())
@@ -183,33 +237,72 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
   }
   paths->run(scene);
   followed_ += static_cast<std::int64_t>(paths->followed().size());
-  unit.paths = motion ? paths->followed().mergedWith(unit.paths, from) : paths->takeFollowed();
+  kept = motion ? paths->followed().mergedWith(kept, from) : paths->takeFollowed();
   paths_.giveBack(std::move(paths));
 }
 
-void FinalGather::store(
-  const GatherScene& scene, const PathSums& brought, std::size_t start, const Side& side)
+void FinalGather::store(const GatherScene& scene, const std::vector<PathSums>& brought,
+  std::size_t start, const Side& side)
 {
   const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
   const double areaOfStart = scene.cells.area(cell) / side.starts;
   for (int band = 0; band < indirect_.bands(); ++band)
   {
     const auto sumOf = [&](const auto& found) {
-      double sum = 0;
-      for (std::size_t i = start; i < start + side.starts; ++i)
+      double all = 0;
+      for (std::size_t round = 0; round < brought.size(); ++round)
       {
-        sum += found(i)[static_cast<std::size_t>(band)];
+        double sum = 0;
+        for (std::size_t i = start; i < start + side.starts; ++i)
+        {
+          sum += found(brought[round], i)[static_cast<std::size_t>(band)];
+        }
+        all += RayRounds::share(round, brought.size()) * sum;
       }
-      return nearestQuanta(areaOfStart * sum);
+      return nearestQuanta(areaOfStart * all);
     };
     for (std::uint32_t k = 0; k < indirect_.plan().replicates().count(); ++k)
     {
-      indirect_.set(cell, band, k, sumOf([&](std::size_t i) { return brought.found(i, k); }));
+      indirect_.set(cell, band, k,
+        sumOf([&](const PathSums& sums, std::size_t i) { return sums.found(i, k); }));
     }
     if (scene.known.stale)
     {
-      stale_.set(cell, band, 0, sumOf([&](std::size_t i) { return brought.stale(i); }));
+      stale_.set(
+        cell, band, 0, sumOf([&](const PathSums& sums, std::size_t i) { return sums.stale(i); }));
     }
+  }
+}
+
+/// The last round has half of all rays. Where it is the first, it is halved itself.
+void FinalGather::storeNoise(const GatherScene& scene, const std::vector<PathSums>& brought,
+  std::size_t start, const Side& side)
+{
+  const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
+  const double areaOfStart = scene.cells.area(cell) / side.starts;
+  const std::size_t last = brought.size() - 1;
+  const std::uint32_t rays = scene.raysOfReplicate(), halves = rays / 2 * 2;
+  for (int band = 0; band < indirect_.bands(); ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    double squares = 0;
+    for (std::uint32_t k = 0; k < scene.replicates(); ++k)
+    {
+      double difference = 0;
+      for (std::size_t at = start; at < start + side.starts; ++at)
+      {
+        for (std::size_t round = 0; last > 0 && round <= last; ++round)
+        {
+          const double share = RayRounds::share(round, brought.size());
+          difference += (round < last ? share : -share) * brought[round].found(at, k)[i];
+        }
+        difference += last == 0 ? brought[0].difference(at, k)[i] : 0;
+      }
+      squares += difference * difference;
+    }
+    // Of an odd number of rays the one in the middle is in no half.
+    const double middle = last == 0 && halves > 0 ? static_cast<double>(rays) / halves : 1;
+    noise_.set(cell, band, 0, nearestQuanta(areaOfStart * std::sqrt(middle * squares)));
   }
 }
 

@@ -28,13 +28,19 @@ namespace irradiance
 class FinalGather
 {
 public:
-  /// To a frame. Throws Interrupted, and what GatherPaths::run() throws; after that nothing is kept.
-  void update(const GatherScene& scene, Execution& execution);
+  /// To a frame, by the first `rounds` rounds of rays, see RayRounds; paths of further ones are kept. `scene`: with the rays of
+  /// the first. Throws Interrupted, and what GatherPaths::run() throws; after that nothing is kept.
+  void update(const GatherScene& scene, std::size_t rounds, Execution& execution);
+  /// Forgets the paths of all but the first rounds.
+  void dropRounds(std::size_t kept);
 
   /// Of replicates as those of the sums that are known, in one round; the same on all ranks.
   const CellSums& indirect() const { return indirect_; }
   /// The part that rests on stale walks, in one replicate; nothing if none are known.
   const CellSums& stale() const { return stale_; }
+  /// The standard deviation of what a side receives, in all replicates together, which comes of the rays alone; by side,
+  /// quanta. Nothing if the scene tells no noise.
+  const CellSums& noise() const { return noise_; }
   /// What all cells receive too much in each replicate, see ReadingChecks; quanta of all bands together. Nothing if
   /// nothing is checked.
   const std::vector<std::int64_t>& excess() const { return excess_; }
@@ -42,6 +48,8 @@ public:
   std::size_t bytes() const;
   /// Paths that the last update followed.
   std::int64_t numberFollowed() const { return followed_; }
+  /// Segments of all paths that the last update read, of all ranks.
+  std::int64_t segments() const { return segments_; }
 
 private:
   struct Gatherer
@@ -62,12 +70,13 @@ private:
     }
   };
 
-  /// Sides of gatherers that follow each other, whose rays are cast together, and their paths.
+  /// Sides of gatherers that follow each other, whose rays are cast together, and their paths, by round.
   struct Unit
   {
     std::vector<Side> sides;
-    FollowedPaths paths;
+    std::vector<FollowedPaths> rounds;
   };
+  using Rounds = std::vector<GatherScene>; ///< the scene, with the rays of each round
 
   /// What paths depend on besides poses.
   struct Origin
@@ -82,25 +91,34 @@ private:
   /// What moved since; nothing if no path can be kept.
   std::optional<GatherMotion> motionTo(const GatherScene& scene, const Origin& origin) const;
   std::vector<Side> sidesOf(const GatherScene& scene, std::size_t unit) const;
-  void gather(const GatherScene& scene, const GatherMotion* motion, std::size_t unit);
-  /// Follows anew the paths that may have changed, all if nothing is kept.
-  void follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit);
+  /// Of a unit: follows all `rounds`, and reads the first so many.
+  void gather(const Rounds& rounds, std::size_t read, const GatherMotion* motion, std::size_t unit);
+  /// Follows anew the paths of a round that may have changed, all if nothing is kept.
+  void follow(const GatherScene& scene, const GatherMotion* motion, const std::vector<Side>& sides,
+    FollowedPaths& paths);
   /// Numbered among those that gather: cells that are away have numbers of their own in a frame that follows others.
   static std::uint64_t numberOf(const Side& side)
   {
     return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
   }
-  void check(const GatherScene& scene, const Unit& unit);
-  /// `start`: the first of the side's.
-  void store(
-    const GatherScene& scene, const PathSums& brought, std::size_t start, const Side& side);
+  /// `share`: of the round's rays in all that are read.
+  void check(const GatherScene& scene, const std::vector<Side>& sides, const FollowedPaths& paths,
+    double share);
+  /// `brought`: by round. `start`: the first of the side's.
+  void store(const GatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
+    const Side& side);
+  /// See noise().
+  void storeNoise(const GatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
+    const Side& side);
 
   std::vector<Gatherer> gatherers_;
   std::vector<Unit> units_;
-  std::optional<Origin> origin_; ///< of the paths that are kept
-  Pool<GatherPaths> paths_;      ///< what threads work with
-  std::atomic<std::int64_t> followed_{ 0 };
-  CellSums indirect_, stale_;
+  std::size_t keptRounds_ = 0;
+  std::optional<Origin> origin_;                        ///< of the paths that are kept
+  Pool<GatherPaths> paths_;                             ///< what threads work with
+  std::atomic<std::int64_t> followed_{ 0 }, read_{ 0 }; ///< of this rank: paths, segments
+  std::int64_t segments_ = 0;
+  CellSums indirect_, stale_, noise_;
   std::mutex mutex_;
   std::vector<std::int64_t> excess_; ///< guarded by it while threads work
 };

@@ -47,6 +47,7 @@ public:
   };
 
   std::size_t size() const { return ends_.size(); }
+  std::size_t numberOfSegments() const { return segments_.size(); }
   Path operator[](std::size_t path) const
   {
     const End first = path == 0 ? End{ 0, 0, 0 } : ends_[path - 1];

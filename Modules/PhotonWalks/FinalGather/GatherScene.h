@@ -37,9 +37,14 @@ struct GatherScene
   bool checksReadings = false; ///< see ReadingChecks
   /// Where light is reflected along a lobe the lights are asked, points too; else a lamp counts where a path meets it.
   bool asksOnLobes = false;
+  /// Whether the noise of rays is told from that of what they read.
+  bool tellsNoise = false;
+  std::uint32_t round = 0; ///< of rays, see RayRounds
 
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }
+  /// The number of the first ray of a side with so many starts: all rounds before have as many rays as this one.
+  std::uint32_t firstRay(std::uint32_t starts) const { return round == 0 ? 0 : starts * rays; }
 };
 
 /// Starts whose rays are cast together: some thousand rays.

@@ -6,16 +6,36 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// Of a path in the difference of halves: 1, -1, or 0 in the middle.
+double signOf(std::uint32_t path, std::uint32_t paths)
+{
+  return path < paths / 2 ? 1 : path >= (paths + 1) / 2 ? -1 : 0;
+}
+
+}
+
 void PathSums::read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts)
 {
   replicates_ = scene.replicates();
   sums_.assign(starts * replicates_, {});
+  differences_.assign(scene.tellsNoise ? sums_.size() : 0, {});
   stale_.assign(starts, {});
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     const std::size_t start = i / scene.rays;
-    const auto replicate = static_cast<std::uint32_t>(i % scene.rays / scene.raysOfReplicate());
-    add(scene, paths[i], replicate, sums_[start * replicates_ + replicate], stale_[start]);
+    const auto ray = static_cast<std::uint32_t>(i % scene.rays);
+    const std::uint32_t replicate = ray / scene.raysOfReplicate();
+    const std::size_t at = start * replicates_ + replicate;
+    const Bands before = sums_[at];
+    add(scene, paths[i], replicate, sums_[at], stale_[start]);
+    const double sign = signOf(ray % scene.raysOfReplicate(), scene.raysOfReplicate());
+    for (std::size_t band = 0; scene.tellsNoise && band < before.size(); ++band)
+    {
+      differences_[at][band] += sign * (sums_[at][band] - before[band]);
+    }
   }
 }
 

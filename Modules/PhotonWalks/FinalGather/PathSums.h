@@ -52,6 +52,12 @@ public:
   {
     return sums_[start * replicates_ + replicate];
   }
+  /// By how much more the first half of its rays found than the second, if the scene tells noise: noise of the rays alone,
+  /// as both read the same sums. Nothing of a single ray.
+  const Bands& difference(std::size_t start, std::uint32_t replicate) const
+  {
+    return differences_[start * replicates_ + replicate];
+  }
   /// What of all replicates' together rests on stale walks.
   const Bands& stale(std::size_t start) const { return stale_[start]; }
 
@@ -64,7 +70,7 @@ private:
     const Bands& weight, double lampWeight, Bands& sum);
 
   std::uint32_t replicates_ = 1;
-  std::vector<Bands> sums_, stale_;
+  std::vector<Bands> sums_, differences_, stale_;
 };
 
 template <class Visit>
