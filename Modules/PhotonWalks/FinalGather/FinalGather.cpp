@@ -2,7 +2,6 @@
 #include "FinalGather/FinalGather.h"
 
 #include "Execution/SlicedPass.h"
-#include "FinalGather/ReadingChecks.h"
 
 #include <algorithm>
 #include <memory>
@@ -56,8 +55,10 @@ void FinalGather::update(const GatherScene& scene, Execution& execution)
 
 std::size_t FinalGather::bytes() const
 {
-  return std::accumulate(units_.begin(), units_.end(), std::size_t{ 0 },
-    [](std::size_t sum, const Unit& unit) { return sum + unit.paths.bytes(); });
+  return std::accumulate(
+    units_.begin(), units_.end(), std::size_t{ 0 }, [](std::size_t sum, const Unit& unit) {
+      return sum + unit.paths.bytes() + unit.checks.bytes();
+    });
 }
 
 void FinalGather::findGatherers(const GatherScene& scene)
@@ -120,6 +121,10 @@ void FinalGather::gather(const GatherScene& scene, const GatherMotion* motion, s
   {
     follow(scene, isKept ? motion : nullptr, unit);
   }
+  if (scene.checksReadings)
+  {
+    addExcess(unit.checks.excess(scene));
+  }
   PathSums brought;
   brought.read(scene, unit.paths, unit.paths.size() / scene.rays);
   std::size_t start = 0;
@@ -128,27 +133,10 @@ void FinalGather::gather(const GatherScene& scene, const GatherMotion* motion, s
     store(scene, brought, start, side);
     start += side.starts;
   }
-  if (scene.checksReadings)
-  {
-    check(scene, unit);
-  }
 }
 
-void FinalGather::check(const GatherScene& scene, const Unit& unit)
+void FinalGather::addExcess(const std::vector<double>& excess)
 {
-  ReadingChecks checks(scene);
-  std::size_t first = 0; // of the paths of a start
-  for (const Side& side : unit.sides)
-  {
-    const double area = scene.cells.area(gatherers_[side.gatherer].cell) / side.starts;
-    for (std::uint64_t start = 0; start < side.starts; ++start, first += scene.rays)
-    {
-      checks.add(unit.paths, first, start << 40 | numberOf(side), area);
-    }
-  }
-  std::unique_ptr<GatherPaths> paths = paths_.take();
-  const std::vector<double> excess = checks.excess(*paths);
-  paths_.giveBack(std::move(paths));
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t k = 0; k < excess.size(); ++k)
   {
@@ -184,7 +172,27 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion, U
   paths->run(scene);
   followed_ += static_cast<std::int64_t>(paths->followed().size());
   unit.paths = motion ? paths->followed().mergedWith(unit.paths, from) : paths->takeFollowed();
+  if (scene.checksReadings)
+  {
+    followed_ +=
+      unit.checks.update(scene, unit.paths, startsOf(scene, unit), { motion, from }, *paths);
+  }
   paths_.giveBack(std::move(paths));
+}
+
+std::vector<ReadingChecks::Start> FinalGather::startsOf(
+  const GatherScene& scene, const Unit& unit) const
+{
+  std::vector<ReadingChecks::Start> starts;
+  for (const Side& side : unit.sides)
+  {
+    const double area = scene.cells.area(gatherers_[side.gatherer].cell) / side.starts;
+    for (std::uint64_t start = 0; start < side.starts; ++start)
+    {
+      starts.push_back({ start << 40 | numberOf(side), area });
+    }
+  }
+  return starts;
 }
 
 void FinalGather::store(

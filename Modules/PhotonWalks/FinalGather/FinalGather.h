@@ -7,6 +7,7 @@
 #include "FinalGather/GatherPaths.h"
 #include "FinalGather/PathSums.h"
 #include "FinalGather/PathsOrigin.h"
+#include "FinalGather/ReadingChecks.h"
 
 #include <atomic>
 #include <cstdint>
@@ -40,7 +41,7 @@ public:
   const std::vector<std::int64_t>& excess() const { return excess_; }
   /// Of the paths that are kept.
   std::size_t bytes() const;
-  /// Paths that the last update followed.
+  /// Paths that the last update followed, those of checks too.
   std::int64_t numberFollowed() const { return followed_; }
 
 private:
@@ -67,6 +68,7 @@ private:
   {
     std::vector<Side> sides;
     FollowedPaths paths;
+    ReadingChecks checks; ///< if readings are checked
   };
 
   /// What paths depend on besides poses.
@@ -83,14 +85,15 @@ private:
   std::optional<GatherMotion> motionTo(const GatherScene& scene, const Origin& origin) const;
   std::vector<Side> sidesOf(const GatherScene& scene, std::size_t unit) const;
   void gather(const GatherScene& scene, const GatherMotion* motion, std::size_t unit);
-  /// Follows anew the paths that may have changed, all if nothing is kept.
+  /// Follows anew the paths that may have changed, all if nothing is kept, and checks what they read.
   void follow(const GatherScene& scene, const GatherMotion* motion, Unit& unit);
   /// Numbered among those that gather: cells that are away have numbers of their own in a frame that follows others.
   static std::uint64_t numberOf(const Side& side)
   {
     return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
   }
-  void check(const GatherScene& scene, const Unit& unit);
+  std::vector<ReadingChecks::Start> startsOf(const GatherScene& scene, const Unit& unit) const;
+  void addExcess(const std::vector<double>& excess);
   /// `start`: the first of the side's.
   void store(
     const GatherScene& scene, const PathSums& brought, std::size_t start, const Side& side);
