@@ -255,6 +255,26 @@ TEST(KeptGatherPaths, AreForgottenWhenAnythingElseChanges)
   expectAnew("nothing is to be kept");
 }
 
+// What is away may become another thing: then the cells behind it have other numbers, though nothing moves.
+TEST(KeptGatherPaths, KnowCellsByTheirObjects)
+{
+  SceneObjects objects = roomWithStatue(Vector3::Zero());
+  const EngineSettings settings = gathering();
+  objects.dynamicObjects[0].isPresent = false;
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  ObjectBuilder other;
+  other.addSphere({ 0, 0, 0 }, 0.2, 4, grey(0.2));
+  objects.dynamicObjects[0] = other.build();
+  objects.dynamicObjects[0].isPresent = false;
+  engine.update(objects, settings, serial);
+  expectFresh(engine, objects, settings);
+  objects.dynamicObjects[1].worldFromObject.translation += Vector3(0.1, 0, 0);
+  engine.update(objects, settings, serial);
+  expectFresh(engine, objects, settings);
+}
+
 TEST(KeptGatherPaths, OutliveNoInterruption)
 {
   SceneObjects objects = roomWithStatue(Vector3::Zero());
