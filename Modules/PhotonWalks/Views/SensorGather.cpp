@@ -40,9 +40,10 @@ SensorGather::Light unknownLight()
 
 }
 
-SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution)
+SensorGather::SensorGather(
+  const IrradianceEngine& engine, std::uint32_t rays, Execution& execution, bool keepsRays)
   : noShapes_(engine.objects(), engine.space().triangles, 0, 0)
-  , gather_(checked(engine), noShapes_, rays, false, execution)
+  , gather_(checked(engine), noShapes_, rays, false, keepsRays, execution)
   , direct_(
       lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, gather_.scene().rays))
 {
