@@ -5,6 +5,7 @@
 #include "Views/SensorGather.h"
 
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 namespace irradiance::test
@@ -15,6 +16,29 @@ inline bool areSame(
   const std::vector<SensorGather::Light>& a, const std::vector<SensorGather::Light>& b)
 {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+/// Of a sensor, where another number would do.
+constexpr std::uint32_t kRays = 64;
+
+/// What sensors gather of the present frame of an engine.
+inline std::vector<SensorGather::Light> gathered(
+  const IrradianceEngine& engine, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
+{
+  Execution serial;
+  std::vector<std::size_t> numbers(sensors.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
+  return SensorGather(engine, rays, serial).at(sensors, numbers);
+}
+
+/// By a new engine.
+inline std::vector<SensorGather::Light> gathered(const SceneObjects& objects,
+  const EngineSettings& settings, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
+{
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  return gathered(engine, sensors, rays);
 }
 
 }

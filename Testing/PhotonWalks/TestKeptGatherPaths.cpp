@@ -137,6 +137,41 @@ TEST(KeptGatherPaths, KeepTheRaysOfLights)
   }
 }
 
+// With replicates the bias is stated, from checks of what paths read. A small block passes few of their ways and of the rays
+// of lights; so most of them are kept, and what they say is read anew.
+TEST(KeptGatherPaths, KeepTheirChecks)
+{
+  for (const int bands : { 1, 3 })
+  {
+    SceneObjects objects = roomWithStatue(Vector3::Zero(), bands);
+    EngineSettings settings = gathering();
+    settings.replicates = 4;
+    AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
+    pose.linear *= 0.05;
+    IrradianceEngine engine;
+    Execution serial;
+    engine.update(objects, settings, serial);
+    const std::int64_t all = engine.statistics().followedPaths;
+    engine.update(objects, settings, serial);
+    EXPECT_EQ(engine.statistics().followedPaths, 0) << "nothing has moved";
+    expectFresh(engine, objects, settings);
+    // In the air; touching the statue; over the lamp; and away by little.
+    for (const Vector3& place : { Vector3(3, 2, 2), Vector3(2.525, 1.25, 0.75),
+           Vector3(0.75, 0.75, 0.3), Vector3(0.75, 0.75, 0.301) })
+    {
+      pose.translation = place;
+      engine.update(objects, settings, serial);
+      const double part =
+        static_cast<double>(engine.statistics().followedPaths) / static_cast<double>(all);
+      std::printf("%d bands: %.4f of the paths, bias %.4f +- %.4f\n", bands, part,
+        engine.gatheringBias().mean, engine.gatheringBias().standardError);
+      EXPECT_LT(part, 0.025);
+      EXPECT_NE(engine.gatheringBias().mean, 0);
+      expectFresh(engine, objects, settings);
+    }
+  }
+}
+
 // A lamp and a white sheet lie in one plane over a statue, and a block stands on the lamp, so closely that rays from below
 // come to it first. Then the lamp, which it touches, is before it; without it the sheet is before the lamp. So hits on
 // what never moves change, though the block, which is too large to gather, goes where no ray is.
@@ -155,6 +190,7 @@ TEST(KeptGatherPaths, KnowThatContactsDecide)
   {
     EngineSettings settings = gathering();
     settings.unbiasedGather = isUnbiased;
+    settings.replicates = 4;
     objects = touching;
     IrradianceEngine engine;
     Execution serial;
@@ -217,6 +253,26 @@ TEST(KeptGatherPaths, AreForgottenWhenAnythingElseChanges)
   settings.verify = false;
   expectAnew("nothing is to be kept");
   expectAnew("nothing is to be kept");
+}
+
+// What is away may become another thing: then the cells behind it have other numbers, though nothing moves.
+TEST(KeptGatherPaths, KnowCellsByTheirObjects)
+{
+  SceneObjects objects = roomWithStatue(Vector3::Zero());
+  const EngineSettings settings = gathering();
+  objects.dynamicObjects[0].isPresent = false;
+  IrradianceEngine engine;
+  Execution serial;
+  engine.update(objects, settings, serial);
+  ObjectBuilder other;
+  other.addSphere({ 0, 0, 0 }, 0.2, 4, grey(0.2));
+  objects.dynamicObjects[0] = other.build();
+  objects.dynamicObjects[0].isPresent = false;
+  engine.update(objects, settings, serial);
+  expectFresh(engine, objects, settings);
+  objects.dynamicObjects[1].worldFromObject.translation += Vector3(0.1, 0, 0);
+  engine.update(objects, settings, serial);
+  expectFresh(engine, objects, settings);
 }
 
 TEST(KeptGatherPaths, OutliveNoInterruption)

@@ -28,13 +28,14 @@ namespace
 
 using test::areSame;
 using test::box;
+using test::gathered;
 using test::grey;
 using test::MovingScene;
 using test::ObjectBuilder;
 using test::ReplicateMean;
 
 const Vector3 kNone = Vector3::Zero(); ///< the normal of a sensor that receives from all directions
-constexpr std::uint32_t kRays = 64;
+using test::kRays;
 
 /// An engine whose sides can be told: from photons, or from sums.
 EngineSettings settingsOf(std::uint32_t walks, bool gathersDirectLight, std::uint64_t seed = 1)
@@ -45,25 +46,6 @@ EngineSettings settingsOf(std::uint32_t walks, bool gathersDirectLight, std::uin
   settings.gathersDirectLight = gathersDirectLight;
   settings.keepPhotons = true;
   return settings;
-}
-
-std::vector<SensorGather::Light> gathered(
-  const IrradianceEngine& engine, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
-{
-  Execution serial;
-  std::vector<std::size_t> numbers(sensors.size());
-  std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
-  return SensorGather(engine, rays, serial).at(sensors, numbers);
-}
-
-/// By a new engine.
-std::vector<SensorGather::Light> gathered(const SceneObjects& objects,
-  const EngineSettings& settings, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
-{
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  return gathered(engine, sensors, rays);
 }
 
 }

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <numeric>
 
 namespace irradiance
 {
@@ -23,17 +22,6 @@ using test::box;
 using test::grey;
 using test::MovingScene;
 using test::ObjectBuilder;
-
-std::vector<SensorGather::Light> gatheredByNewEngine(const SceneObjects& objects,
-  const EngineSettings& settings, const std::vector<Sensor>& sensors, std::uint32_t rays)
-{
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  std::vector<std::size_t> numbers(sensors.size());
-  std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
-  return SensorGather(engine, rays, serial).at(sensors, numbers);
-}
 
 /// Sensors in and around a room, some on its floor, some too far away; each change is a random one.
 class RandomSensors
@@ -110,7 +98,7 @@ TEST(StoredSensors, EqualNewOnesAfterRandomPrograms)
       engine->update(scene.objects(), settings, two);
       stored.update(engine, sensors.sensors(), rays, keepsRays, two);
       ASSERT_TRUE(areSame(
-        stored.lights(), gatheredByNewEngine(scene.objects(), settings, sensors.sensors(), rays)))
+        stored.lights(), test::gathered(scene.objects(), settings, sensors.sensors(), rays)))
         << "program " << program << ", step " << step << ", change " << change;
       EXPECT_EQ(stored.bytes() > 0, keepsRays);
       fewest = std::min(fewest, stored.numberCast());
@@ -189,6 +177,26 @@ TEST(StoredSensors, OnlySensorsThatMovedCast)
     stored.update(scene.engine, { sensors[0] }, 64, keepsRays, serial);
     EXPECT_EQ(stored.numberCast(), 0);
     EXPECT_EQ(stored.lights().size(), 1u);
+  }
+}
+
+// Near a wall paths ask the lights where they hit. What stops these rays is of use only to who keeps paths.
+TEST(StoredSensors, RaysOfLightsAreKeptOnlyForFramesToCome)
+{
+  const BallInFurnace scene;
+  Execution serial;
+  for (const bool keepsRays : { true, false })
+  {
+    const SensorGather gather(*scene.engine, test::kRays, serial, keepsRays);
+    SensorGather::Rays rays;
+    std::int64_t cast = 0;
+    gather.update({ { { 0, 0, -1.3 }, -Vector3::UnitZ() } }, { 0 }, nullptr, rays, cast);
+    std::ptrdiff_t shadows = 0;
+    for (std::size_t path = 0; path < rays.paths.size(); ++path)
+    {
+      shadows += rays.paths[path].endOfShadows - rays.paths[path].shadows;
+    }
+    EXPECT_EQ(shadows > 0, keepsRays);
   }
 }
 

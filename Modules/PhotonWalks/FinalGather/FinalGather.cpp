@@ -3,7 +3,6 @@
 
 #include "Execution/SlicedPass.h"
 #include "FinalGather/RayRounds.h"
-#include "FinalGather/ReadingChecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +85,10 @@ std::size_t FinalGather::bytes() const
   std::size_t bytes = 0;
   for (const Unit& unit : units_)
   {
-    bytes = std::accumulate(unit.rounds.begin(), unit.rounds.end(), bytes,
-      [](std::size_t sum, const FollowedPaths& paths) { return sum + paths.bytes(); });
+    bytes = std::accumulate(
+      unit.rounds.begin(), unit.rounds.end(), bytes, [](std::size_t sum, const Round& round) {
+        return sum + round.paths.bytes() + round.checks.bytes();
+      });
   }
   return bytes;
 }
@@ -165,7 +166,7 @@ void FinalGather::gather(
   std::vector<PathSums> brought(read);
   for (std::size_t round = 0; round < read; ++round)
   {
-    const FollowedPaths& paths = unit.rounds[round];
+    const FollowedPaths& paths = unit.rounds[round].paths;
     brought[round].read(rounds[round], paths, paths.size() / rounds[round].rays);
     read_ += static_cast<std::int64_t>(paths.numberOfSegments());
   }
@@ -181,36 +182,21 @@ void FinalGather::gather(
   }
   for (std::size_t round = 0; scene.checksReadings && round < read; ++round)
   {
-    check(rounds[round], unit.sides, unit.rounds[round], RayRounds::share(round, read));
+    addExcess(unit.rounds[round].checks.excess(rounds[round]), RayRounds::share(round, read));
   }
 }
 
-void FinalGather::check(const GatherScene& scene, const std::vector<Side>& sides,
-  const FollowedPaths& followed, double share)
+void FinalGather::addExcess(const std::vector<double>& excess, double share)
 {
-  ReadingChecks checks(scene);
-  std::size_t first = 0; // of the paths of a start
-  for (const Side& side : sides)
-  {
-    const double area = scene.cells.area(gatherers_[side.gatherer].cell) / side.starts;
-    for (std::uint64_t start = 0; start < side.starts; ++start, first += scene.rays)
-    {
-      const std::uint64_t number = std::uint64_t{ scene.round } << 48 | start << 40;
-      checks.add(followed, first, number | numberOf(side), share * area);
-    }
-  }
-  std::unique_ptr<GatherPaths> paths = paths_.take();
-  const std::vector<double> excess = checks.excess(*paths);
-  paths_.giveBack(std::move(paths));
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t k = 0; k < excess.size(); ++k)
   {
-    excess_[k] += nearestQuanta(excess[k]);
+    excess_[k] += nearestQuanta(share * excess[k]);
   }
 }
 
 void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion,
-  const std::vector<Side>& sides, FollowedPaths& kept)
+  const std::vector<Side>& sides, Round& round)
 {
   std::unique_ptr<GatherPaths> paths = paths_.take();
   paths->begin(scene);
@@ -222,8 +208,8 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion,
     rays.clear();
     for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
     {
-      const bool isAnew =
-        !motion || motion->hasMoved(gatherer.cell.object) || motion->mayChange(kept[from.size()]);
+      const bool isAnew = !motion || motion->hasMoved(gatherer.cell.object) ||
+        motion->mayChange(round.paths[from.size()]);
       from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
       if (isAnew)
       {
@@ -237,8 +223,29 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion,
   }
   paths->run(scene);
   followed_ += static_cast<std::int64_t>(paths->followed().size());
-  kept = motion ? paths->followed().mergedWith(kept, from) : paths->takeFollowed();
+  round.paths = motion ? paths->followed().mergedWith(round.paths, from) : paths->takeFollowed();
+  if (scene.checksReadings)
+  {
+    followed_ +=
+      round.checks.update(scene, round.paths, startsOf(scene, sides), { motion, from }, *paths);
+  }
   paths_.giveBack(std::move(paths));
+}
+
+std::vector<ReadingChecks::Start> FinalGather::startsOf(
+  const GatherScene& scene, const std::vector<Side>& sides) const
+{
+  std::vector<ReadingChecks::Start> starts;
+  for (const Side& side : sides)
+  {
+    const double area = scene.cells.area(gatherers_[side.gatherer].cell) / side.starts;
+    for (std::uint64_t start = 0; start < side.starts; ++start)
+    {
+      const std::uint64_t number = std::uint64_t{ scene.round } << 48 | start << 40;
+      starts.push_back({ number | numberOf(side), area });
+    }
+  }
+  return starts;
 }
 
 void FinalGather::store(const GatherScene& scene, const std::vector<PathSums>& brought,

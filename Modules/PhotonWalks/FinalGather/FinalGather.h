@@ -7,6 +7,7 @@
 #include "FinalGather/GatherPaths.h"
 #include "FinalGather/PathSums.h"
 #include "FinalGather/PathsOrigin.h"
+#include "FinalGather/ReadingChecks.h"
 
 #include <atomic>
 #include <cstdint>
@@ -46,7 +47,7 @@ public:
   const std::vector<std::int64_t>& excess() const { return excess_; }
   /// Of the paths that are kept.
   std::size_t bytes() const;
-  /// Paths that the last update followed.
+  /// Paths that the last update followed, those of checks too.
   std::int64_t numberFollowed() const { return followed_; }
   /// Segments of all paths that the last update read, of all ranks.
   std::int64_t segments() const { return segments_; }
@@ -70,11 +71,18 @@ private:
     }
   };
 
+  /// Of the rays of a round.
+  struct Round
+  {
+    FollowedPaths paths;
+    ReadingChecks checks; ///< if readings are checked
+  };
+
   /// Sides of gatherers that follow each other, whose rays are cast together, and their paths, by round.
   struct Unit
   {
     std::vector<Side> sides;
-    std::vector<FollowedPaths> rounds;
+    std::vector<Round> rounds;
   };
   using Rounds = std::vector<GatherScene>; ///< the scene, with the rays of each round
 
@@ -93,17 +101,19 @@ private:
   std::vector<Side> sidesOf(const GatherScene& scene, std::size_t unit) const;
   /// Of a unit: follows all `rounds`, and reads the first so many.
   void gather(const Rounds& rounds, std::size_t read, const GatherMotion* motion, std::size_t unit);
-  /// Follows anew the paths of a round that may have changed, all if nothing is kept.
+  /// Follows anew the paths of a round that may have changed, all if nothing is kept, and checks what they read.
   void follow(const GatherScene& scene, const GatherMotion* motion, const std::vector<Side>& sides,
-    FollowedPaths& paths);
+    Round& round);
   /// Numbered among those that gather: cells that are away have numbers of their own in a frame that follows others.
   static std::uint64_t numberOf(const Side& side)
   {
     return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
   }
+  /// Of the paths of a round.
+  std::vector<ReadingChecks::Start> startsOf(
+    const GatherScene& scene, const std::vector<Side>& sides) const;
   /// `share`: of the round's rays in all that are read.
-  void check(const GatherScene& scene, const std::vector<Side>& sides, const FollowedPaths& paths,
-    double share);
+  void addExcess(const std::vector<double>& excess, double share);
   /// `brought`: by round. `start`: the first of the side's.
   void store(const GatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
     const Side& side);

@@ -19,23 +19,45 @@ void FollowedPaths::reserve(std::size_t paths, std::size_t segments, std::size_t
   ends_.reserve(paths);
 }
 
-void FollowedPaths::addPath(const FollowedPaths& from, std::size_t path)
+void FollowedPaths::addPaths(const FollowedPaths& from, std::size_t first, std::size_t end)
 {
-  const Path added = from[path];
-  segments_.insert(segments_.end(), added.begin, added.end);
-  values_.insert(values_.end(), added.values, from.values_.data() + from.ends_[path].value);
-  shadows_.insert(shadows_.end(), added.shadows, added.endOfShadows);
-  endPath();
+  const End begin = from.startOf(first), last = from.startOf(end);
+  const End shift{ segments_.size() - begin.segment, values_.size() - begin.value,
+    shadows_.size() - begin.shadow }; // modulo 2^64
+  segments_.insert(
+    segments_.end(), from.segments_.data() + begin.segment, from.segments_.data() + last.segment);
+  values_.insert(
+    values_.end(), from.values_.data() + begin.value, from.values_.data() + last.value);
+  shadows_.insert(
+    shadows_.end(), from.shadows_.data() + begin.shadow, from.shadows_.data() + last.shadow);
+  for (std::size_t path = first; path < end; ++path)
+  {
+    const End& own = from.ends_[path];
+    ends_.push_back(
+      { own.segment + shift.segment, own.value + shift.value, own.shadow + shift.shadow });
+  }
 }
 
+/// Runs of paths that follow each other are taken together.
 FollowedPaths FollowedPaths::mergedWith(
   const FollowedPaths& before, const std::vector<std::size_t>& places) const
 {
   FollowedPaths merged;
-  std::size_t next = 0;
-  for (const std::size_t place : places)
+  merged.ends_.reserve(places.size());
+  merged.segments_.reserve(before.segments_.size());
+  std::size_t next = 0; // of these
+  for (std::size_t i = 0; i < places.size();)
   {
-    place == kAnew ? merged.addPath(*this, next++) : merged.addPath(before, place);
+    const bool isAnew = places[i] == kAnew;
+    const std::size_t first = isAnew ? next : places[i];
+    std::size_t count = 1;
+    while (i + count < places.size() && places[i + count] == (isAnew ? kAnew : first + count))
+    {
+      ++count;
+    }
+    merged.addPaths(isAnew ? *this : before, first, first + count);
+    next += isAnew ? count : 0;
+    i += count;
   }
   return merged;
 }

@@ -50,7 +50,7 @@ public:
   std::size_t numberOfSegments() const { return segments_.size(); }
   Path operator[](std::size_t path) const
   {
-    const End first = path == 0 ? End{ 0, 0, 0 } : ends_[path - 1];
+    const End first = startOf(path);
     const End& end = ends_[path];
     return { segments_.data() + first.segment, segments_.data() + end.segment,
       values_.data() + first.value, shadows_.data() + first.shadow, shadows_.data() + end.shadow };
@@ -64,7 +64,9 @@ public:
   void addValue(double value) { values_.push_back(value); }
   void addShadow(const ShadowRay& ray) { shadows_.push_back(ray); }
   void endPath() { ends_.push_back({ segments_.size(), values_.size(), shadows_.size() }); }
-  void addPath(const FollowedPaths& from, std::size_t path);
+  /// Adds paths [first, end) of others.
+  void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
+  void addPath(const FollowedPaths& from, std::size_t path) { addPaths(from, path, path + 1); }
   /// These, in order, and among them some that were followed before: for each of all, its place there, or kAnew.
   static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
   FollowedPaths mergedWith(
@@ -77,6 +79,8 @@ private:
   {
     std::size_t segment, value, shadow;
   };
+  /// Of the paths before.
+  End startOf(std::size_t path) const { return path == 0 ? End{ 0, 0, 0 } : ends_[path - 1]; }
 
   std::vector<GatherSegment> segments_;
   std::vector<double> values_;

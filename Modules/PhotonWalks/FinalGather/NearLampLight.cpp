@@ -40,21 +40,7 @@ void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t 
     { walks, { kWalksPerSample, { scene.rays, scene.rays } }, replicates }, cancelPoint);
   DirectLight light(shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk));
   light.gather(scene.space, execution);
-  std::vector<Deposit> deposits;
-  for (std::size_t cell = 0; cell < plan.numberOfCells(); ++cell)
-  {
-    for (std::uint32_t i = 0; i < plan.samplesOf(cell); ++i)
-    {
-      const GatherSample& sample = light.samples()[plan.first(cell) + i];
-      if (light.isVisible(plan.first(cell) + i))
-      {
-        const SceneCell of = sums.cellOf(scene.space.triangles.idOf(sample.triangle));
-        sums.collect(sums.slotOf({ of, 0 }, plan.replicateOf(cell, i), 0), sample.isFront,
-          light.powerOf(sample, quantaPerWatt), 1, deposits);
-      }
-    }
-  }
-  sums.add(deposits);
+  light.addTo(sums, 0, quantaPerWatt, 1, {}, cancelPoint);
 }
 
 }

@@ -4,103 +4,167 @@
 #include "FinalGather/AreaPoints.h"
 #include "Sampling/SobolPoint.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace irradiance
 {
 
-void ReadingChecks::add(
-  const FollowedPaths& paths, std::size_t first, std::uint64_t number, double area)
+std::int64_t ReadingChecks::update(const GatherScene& scene, const FollowedPaths& paths,
+  const std::vector<Start>& starts, const Kept& kept, GatherPaths& following)
 {
-  const std::uint64_t seed = splitMix(~scene_.seed ^ splitMix(number));
-  for (std::uint32_t ray = 0; ray < scene_.rays; ++ray)
+  const ReadingChecks before = std::exchange(*this, {});
+  std::vector<Points> anew;
+  std::vector<std::size_t> places; // of all paths of checks
+  std::size_t path = 0;
+  for (const Start& start : starts)
   {
-    if (splitMix(seed + ray) % kPeriod != 0)
+    const std::uint64_t seed = splitMix(~scene.seed ^ splitMix(start.number));
+    for (std::uint32_t ray = 0; ray < scene.rays; ++ray, ++path)
     {
-      continue;
+      if (splitMix(seed + ray) % kPeriod != 0 || keep(before, path, kept, places))
+      {
+        continue;
+      }
+      std::uint64_t hits = 0;
+      PathSums::forEachHit(scene, paths[path],
+        [&](const GatherSegment& segment, const PathSums::Bands& weight, const PathSums::Asked&) {
+          ++hits;
+          if (segment.isKnown || segment.isDirectKnown)
+          {
+            anew.push_back(addCheck(scene, segment, { path, ray, segment.isKnown, weight, {} },
+              splitMix(seed ^ splitMix(hits << 32 | ray)), kPeriod * start.area));
+            places.insert(places.end(), kPathsOfCheck, FollowedPaths::kAnew);
+          }
+        });
     }
-    std::uint64_t hits = 0;
-    PathSums::forEachHit(scene_, paths[first + ray],
-      [&](const GatherSegment& segment, const PathSums::Bands& weight, const PathSums::Asked&) {
-        ++hits;
-        if (segment.isKnown || segment.isDirectKnown)
-        {
-          addCheck(
-            segment, ray, splitMix(seed ^ splitMix(hits << 32 | ray)), kPeriod * area, weight);
-        }
-      });
   }
+  FollowedPaths followed = follow(scene, anew, following);
+  followed_ = kept.motion ? followed.mergedWith(before.followed_, places) : std::move(followed);
+  return static_cast<std::int64_t>(following.followed().size());
 }
 
-void ReadingChecks::addCheck(const GatherSegment& segment, std::uint32_t ray, std::uint64_t number,
-  double area, const PathSums::Bands& weight)
+bool ReadingChecks::keep(
+  const ReadingChecks& before, std::size_t path, const Kept& kept, std::vector<std::size_t>& places)
 {
-  const SceneTriangles& triangles = scene_.space.triangles;
+  if (!kept.motion || kept.places[path] == FollowedPaths::kAnew)
+  {
+    return false;
+  }
+  const auto first = std::lower_bound(before.checks_.begin(), before.checks_.end(), path,
+    [](const Check& check, std::size_t value) { return check.path < value; });
+  const auto end = std::find_if(
+    first, before.checks_.end(), [path](const Check& check) { return check.path != path; });
+  const auto pathsBefore = [&](auto check) {
+    return kPathsOfCheck * static_cast<std::size_t>(check - before.checks_.begin());
+  };
+  for (std::size_t i = pathsBefore(first); i < pathsBefore(end); ++i)
+  {
+    if (kept.motion->mayChange(before.followed_[i]))
+    {
+      return false;
+    }
+  }
+  checks_.insert(checks_.end(), first, end);
+  for (std::size_t i = pathsBefore(first); i < pathsBefore(end); ++i)
+  {
+    places.push_back(i);
+  }
+  return true;
+}
+
+ReadingChecks::Points ReadingChecks::addCheck(const GatherScene& scene,
+  const GatherSegment& segment, Check check, std::uint64_t number, double area)
+{
+  const SceneTriangles& triangles = scene.space.triangles;
   const TriangleId id = triangles.idOf(segment.triangle);
-  const Material& material = *scene_.objects[id.object].material;
-  Check check{ ray, number, segment.isKnown, {}, {}, {} };
-  for (int band = 0; band < scene_.known.all.bands(); ++band)
+  const Material& material = *scene.objects[id.object].material;
+  for (int band = 0; band < scene.known.all.bands(); ++band)
   {
-    const auto i = static_cast<std::size_t>(band);
-    check.weight[i] = area * weight[i] * material.reflectanceOf(id.triangle, band);
+    check.weight[static_cast<std::size_t>(band)] *=
+      area * material.reflectanceOf(id.triangle, band);
   }
-  check.hit = LitPoint::onTriangle(triangleOf(triangles, segment.triangle), id, segment.isFront,
-    Eigen::Vector3f(segment.to.data()).cast<double>());
-  const std::size_t cell =
-    scene_.cells.numbers()[{ id.object, material.cellOfTriangle[id.triangle] }];
-  auto [place, on] = AreaPoints(scene_.shapes, triangles, cell)
-                       .at(SobolPoint::inUnitSquare(ray, SampleKeys(splitMix(number))));
-  place.turn(segment.isFront);
-  check.anywhere = { place.clearPosition(), place.normal, on };
   checks_.push_back(check);
+  const std::size_t cell =
+    scene.cells.numbers()[{ id.object, material.cellOfTriangle[id.triangle] }];
+  auto [place, on] = AreaPoints(scene.shapes, triangles, cell)
+                       .at(SobolPoint::inUnitSquare(check.ray, SampleKeys(splitMix(number))));
+  place.turn(segment.isFront);
+  return { checks_.size() - 1, number, { place.clearPosition(), place.normal, on },
+    LitPoint::onTriangle(triangleOf(triangles, segment.triangle), id, segment.isFront,
+      Eigen::Vector3f(segment.to.data()).cast<double>()) };
 }
 
-PathSums::Bands ReadingChecks::directDifference(const Check& check) const
+FollowedPaths ReadingChecks::follow(
+  const GatherScene& scene, const std::vector<Points>& anew, GatherPaths& following)
 {
-  const double quantaPerWatt = scene_.quantaPerWatt / scene_.replicates();
-  PathSums::Bands difference{};
-  for (const PointDirectLight& lights : scene_.lights)
+  following.begin(scene);
+  for (const Points& points : anew)
   {
-    const PointDirectLight::Bands anywhere = lights.irradiance(check.anywhere, check.number),
-                                  hit = lights.irradiance(check.hit, check.number);
+    if (checks_[points.check].isKnown)
+    {
+      const std::vector<std::uint32_t> ray{ checks_[points.check].ray };
+      following.addPoint(scene, points.anywhere, points.number, ray);
+      following.addPoint(scene, points.hit, points.number, ray);
+    }
+  }
+  following.run(scene);
+  FollowedPaths followed;
+  std::size_t next = 0;
+  for (const Points& points : anew)
+  {
+    Check& check = checks_[points.check];
+    check.direct = directDifference(scene, points, followed);
+    followed.endPath();
+    for (std::size_t i = 1; i < kPathsOfCheck; ++i)
+    {
+      check.isKnown ? followed.addPath(following.followed(), next++) : followed.endPath();
+    }
+  }
+  return followed;
+}
+
+PathSums::Bands ReadingChecks::directDifference(
+  const GatherScene& scene, const Points& points, FollowedPaths& rays)
+{
+  PathSums::Bands difference{};
+  std::vector<ShadowRay> shadows;
+  std::vector<ShadowRay>* const asked = scene.keepsPaths ? &shadows : nullptr;
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    const PointDirectLight::Bands anywhere =
+                                    lights.irradiance(points.anywhere, points.number, asked),
+                                  hit = lights.irradiance(points.hit, points.number, asked);
     for (std::size_t band = 0; band < difference.size(); ++band)
     {
-      difference[band] += quantaPerWatt * (anywhere[band] - hit[band]);
+      difference[band] += anywhere[band] - hit[band];
     }
+  }
+  for (const ShadowRay& ray : shadows)
+  {
+    rays.addShadow(ray);
   }
   return difference;
 }
 
-std::vector<double> ReadingChecks::excess(GatherPaths& paths) const
+std::vector<double> ReadingChecks::excess(const GatherScene& scene) const
 {
-  paths.begin(scene_);
-  for (const Check& check : checks_)
+  std::vector<double> excess(scene.replicates());
+  const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
+  for (std::size_t i = 0; i < checks_.size(); ++i)
   {
-    if (check.isKnown)
-    {
-      paths.addPoint(scene_, check.anywhere, check.number, { check.ray });
-      paths.addPoint(scene_, check.hit, check.number, { check.ray });
-    }
-  }
-  paths.run(scene_);
-  std::vector<double> excess(scene_.replicates());
-  std::size_t next = 0;
-  for (const Check& check : checks_)
-  {
-    const std::uint32_t replicate = check.ray / scene_.raysOfReplicate();
-    PathSums::Bands difference = directDifference(check);
-    for (const double sign : { 1.0, -1.0 })
+    const Check& check = checks_[i];
+    const std::uint32_t replicate = check.ray / scene.raysOfReplicate();
+    const auto brought = [&](std::size_t path) {
+      return PathSums::broughtBy(scene, followed_[kPathsOfCheck * i + path], replicate);
+    };
+    const PathSums::Bands anywhere = brought(1), hit = brought(2);
+    for (std::size_t band = 0; band < check.direct.size(); ++band)
     {
       // A path brings its part of what those of the replicate bring together.
-      const PathSums::Bands brought = check.isKnown
-        ? PathSums::broughtBy(scene_, paths.followed()[next++], replicate)
-        : PathSums::Bands{};
-      for (std::size_t band = 0; band < difference.size(); ++band)
-      {
-        difference[band] += sign * scene_.raysOfReplicate() * brought[band];
-      }
-    }
-    for (std::size_t band = 0; band < difference.size(); ++band)
-    {
-      excess[replicate] += check.weight[band] * difference[band];
+      excess[replicate] += check.weight[band] *
+        (quantaPerWatt * check.direct[band] +
+          scene.raysOfReplicate() * (anywhere[band] - hit[band]));
     }
   }
   return excess;

@@ -200,4 +200,29 @@ Power DirectLight::powerOf(const GatherSample& sample, double quantaPerWatt) con
   return power;
 }
 
+/// Other objects may have other cells than when it gathered: so cells are told by their objects.
+Power DirectLight::addTo(CellSums& sums, std::size_t round, double quantaPerWatt, int sign,
+  const DealtBlocks& cells, const CancelPoint& cancelPoint) const
+{
+  Power all;
+  ThrottledCancelPoint pace(cancelPoint);
+  std::size_t number = 0;
+  cells_.numbers().forEach([&](const SceneCell& cell) {
+    for (std::uint32_t i = 0; i < plan_.samplesOf(number) && cells.contains(number); ++i)
+    {
+      const std::uint32_t sample = plan_.first(number) + i;
+      if (isVisible(sample))
+      {
+        const Power power = sign * powerOf(samples_[sample], quantaPerWatt);
+        sums.add(sums.slotOf({ cell, 0 }, plan_.replicateOf(number, i), round),
+          samples_[sample].isFront, power);
+        all += power;
+      }
+    }
+    ++number;
+    pace.step();
+  });
+  return all;
+}
+
 }

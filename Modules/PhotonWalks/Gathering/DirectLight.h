@@ -5,6 +5,7 @@
 #include "Execution/Execution.h"
 #include "Gathering/CellSampler.h"
 #include "Gathering/MovedObjects.h"
+#include "Sampling/DealtBlocks.h"
 #include "Tally/CellSums.h"
 
 #include <cstdint>
@@ -38,6 +39,10 @@ public:
   bool isVisible(std::uint32_t sample) const { return views_[sample] == kFree; }
   /// What a sample brings if it sees its light, by band.
   Power powerOf(const GatherSample& sample, double quantaPerWatt) const;
+  /// Adds what the samples of these cells bring to a round, or with `sign` -1 takes it away. Returns what all have
+  /// together. No other thread may add meanwhile.
+  Power addTo(CellSums& sums, std::size_t round, double quantaPerWatt, int sign,
+    const DealtBlocks& cells, const CancelPoint& cancelPoint) const;
 
 private:
   /// What stands between a sample and its light: the number of a dynamic object, or one of those below.

@@ -61,46 +61,31 @@ void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBloc
       }
     }
   }
-  std::vector<Deposit> deposits;
-  ThrottledCancelPoint pace(cancelPoint);
-  for (std::size_t cell = 0; cell < plan_.numberOfCells(); ++cell)
-  {
-    for (std::uint32_t i = 0; i < plan_.samplesOf(cell) && dealt.contains(cell); ++i)
-    {
-      if (light_.isVisible(plan_.first(cell) + i))
-      {
-        deposit(cell, plan_.first(cell) + i, sign, sums, deposits, balance);
-      }
-    }
-    pace.step();
-  }
-  sums.add(deposits);
+  count(light_.addTo(sums, settings_.round, quantaPerWatt_, sign, dealt, cancelPoint), balance);
 }
 
 void GatheredLight::change(const std::vector<std::uint32_t>& samples, CellSums& sums,
   PowerBalance& balance, const DealtBlocks& dealt) const
 {
-  std::vector<Deposit> deposits;
-  for (const std::uint32_t sample : samples)
+  for (const std::uint32_t number : samples)
   {
-    const std::size_t cell = plan_.cellOf(sample);
+    const std::size_t cell = plan_.cellOf(number);
     if (dealt.contains(cell))
     {
-      deposit(cell, sample, light_.isVisible(sample) ? 1 : -1, sums, deposits, balance);
+      const GatherSample& sample = light_.samples()[number];
+      const Power power =
+        (light_.isVisible(number) ? 1 : -1) * light_.powerOf(sample, quantaPerWatt_);
+      const std::uint32_t replicate = plan_.replicateOf(cell, number - plan_.first(cell));
+      sums.add(sums.slotOf(
+                 { sums.cellOf(triangles_.idOf(sample.triangle)), 0 }, replicate, settings_.round),
+        sample.isFront, power);
+      count(power, balance);
     }
   }
-  sums.add(deposits);
 }
 
-void GatheredLight::deposit(std::size_t cell, std::uint32_t number, int sign, CellSums& sums,
-  std::vector<Deposit>& deposits, PowerBalance& balance) const
+void GatheredLight::count(const Power& power, PowerBalance& balance)
 {
-  const GatherSample& sample = light_.samples()[number];
-  const Power power = sign * light_.powerOf(sample, quantaPerWatt_);
-  const SceneCell of = sums.cellOf(triangles_.idOf(sample.triangle));
-  const std::uint32_t replicate = plan_.replicateOf(cell, number - plan_.first(cell));
-  sums.collect(
-    sums.slotOf({ of, 0 }, replicate, settings_.round), sample.isFront, power, 1, deposits);
   balance.absorbed += power;
   balance.escaped -= power;
   balance.received += power.total();

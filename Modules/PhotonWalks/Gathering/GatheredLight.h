@@ -59,8 +59,8 @@ public:
     const DealtBlocks& dealt) const;
 
 private:
-  void deposit(std::size_t cell, std::uint32_t sample, int sign, CellSums& sums,
-    std::vector<Deposit>& deposits, PowerBalance& balance) const;
+  /// What cells receive now, and did not before.
+  static void count(const Power& power, PowerBalance& balance);
 
   Settings settings_;
   const SceneTriangles& triangles_;

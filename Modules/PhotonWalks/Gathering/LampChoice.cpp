@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/LampChoice.h"
 
+#include "Gathering/WeightChoice.h"
 #include "Geometry/Pi.h"
 
 #include <algorithm>
@@ -121,15 +122,10 @@ void LampChoice::weigh(const CellShape& cell)
 
 LampChoice::Choice LampChoice::choose(double sample) const
 {
-  const double sum = cumulative_.back(), place = sample * sum;
-  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, place);
-  const double before = found == cumulative_.begin() ? 0 : *(found - 1);
-  const double own = *found - before;
-  const LampTree::Node& node =
-    tree_.nodes()[groups_[static_cast<std::size_t>(found - cumulative_.begin())].node];
+  const WeightChoice chosen = chooseByWeight(cumulative_, sample);
   const LampTree::Share share =
-    tree_.choose(node, std::clamp((place - before) / own, 0.0, 1 - 0x1p-53));
-  return { share.piece, own / sum * share.probability, share.rest };
+    tree_.choose(tree_.nodes()[groups_[chosen.place].node], chosen.rest);
+  return { share.piece, chosen.weight / cumulative_.back() * share.probability, share.rest };
 }
 
 double LampChoice::probabilityOf(std::uint32_t piece) const

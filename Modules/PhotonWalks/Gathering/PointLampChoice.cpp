@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/PointLampChoice.h"
 
+#include "Gathering/WeightChoice.h"
 #include "Geometry/Pi.h"
-
-#include <algorithm>
 
 namespace irradiance
 {
@@ -21,23 +20,6 @@ CellShape asCell(const LitPoint& point)
   shape.normal = point.normal;
   shape.area = kNoArea;
   return shape;
-}
-
-/// The place in increasing sums that a part of the last one falls on, its weight, and the rest in [0, 1).
-struct Found
-{
-  std::size_t place;
-  double weight, rest;
-};
-
-Found findIn(const std::vector<double>& cumulative, double sample)
-{
-  const double at = sample * cumulative.back();
-  const auto found = std::upper_bound(cumulative.begin(), cumulative.end() - 1, at);
-  const double before = found == cumulative.begin() ? 0 : *(found - 1);
-  const double own = *found - before;
-  return { static_cast<std::size_t>(found - cumulative.begin()), own,
-    std::clamp((at - before) / own, 0.0, 1 - 0x1p-53) };
 }
 
 }
@@ -110,7 +92,7 @@ PointLampChoice::Choice PointLampChoice::choose(double sample) const
   {
     return chooseRoughly(sample);
   }
-  const Found found = findIn(cumulative_, sample);
+  const WeightChoice found = chooseByWeight(cumulative_, sample);
   const Target& target = targets_[found.place];
   return { target.piece, found.weight / sum_, found.rest, target.seen };
 }
@@ -138,7 +120,7 @@ PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
   }
   else if (sum > 0)
   {
-    const Found found = findIn(cumulative, chosen.rest);
+    const WeightChoice found = chooseByWeight(cumulative, chosen.rest);
     choice = { chosen.piece, chosen.probability * found.weight / sum, found.rest,
       parts[found.place] };
   }

@@ -34,7 +34,7 @@ std::optional<Foot> FootSearch::find(double maximumDistance)
   for (std::uint32_t i = 0; i < objects_.size(); ++i)
   {
     const double distance = placed_[i].distanceAtLeast(sensor_.position);
-    if (!surfaces_.of(i).isEmpty() && distance <= maximumDistance)
+    if (!objects_[i].isEmpty() && !surfaces_.of(i).isEmpty() && distance <= maximumDistance)
     {
       nearest.emplace_back(distance, i);
     }

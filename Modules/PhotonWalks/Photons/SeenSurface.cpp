@@ -89,7 +89,7 @@ bool SeenSurface::isOtherSurface(const Vector3& normal, const Vector3& closest) 
 
 double SeenSurface::areaWithin(double radius) const
 {
-  return surface_.isEmpty() ? 0.0 : areaOf(0, radius);
+  return object_.isEmpty() || surface_.isEmpty() ? 0.0 : areaOf(0, radius);
 }
 
 double SeenSurface::areaOf(std::size_t number, double radius) const

@@ -19,7 +19,7 @@ OutgoingRadiance::OutgoingRadiance(
 {
   if (engine.space().triangles.hasGlossy())
   {
-    gather_.emplace(engine, shapes_, samples, true, execution);
+    gather_.emplace(engine, shapes_, samples, true, false, execution);
   }
 }
 

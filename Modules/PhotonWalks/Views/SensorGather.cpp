@@ -32,9 +32,10 @@ bool contains(const Box& box, const Vector3& point)
 
 }
 
-SensorGather::SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution)
+SensorGather::SensorGather(
+  const IrradianceEngine& engine, std::uint32_t rays, Execution& execution, bool keepsRays)
   : noShapes_(engine.objects(), engine.space().triangles, 0, 0)
-  , gather_(checked(engine), noShapes_, rays, false, execution)
+  , gather_(checked(engine), noShapes_, rays, false, keepsRays, execution)
   , direct_(
       lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, gather_.scene().rays))
 {

@@ -28,8 +28,9 @@ public:
 
   /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or tells sides
   /// apart. `rays`: to lights and for indirect light each; rounded up to a multiple of the replicates.
-  /// Throws Interrupted, and InputError where a point light shines on specular cells.
-  SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution);
+  /// `keepsRays`: for update() in frames in which things have moved. Throws Interrupted, and InputError where a point light shines on specular cells.
+  SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution,
+    bool keepsRays = false);
 
   /// W/m2.
   struct Light

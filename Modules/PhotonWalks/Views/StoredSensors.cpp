@@ -44,7 +44,7 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
 {
   constexpr double kPrepared = 0.25; // of the progress, roughly, if sides are to be counted
   ProgressSpan preparing(execution, 0, kPrepared), gathering(execution, kPrepared, 1);
-  const SensorGather gather(engine, rays, preparing);
+  const SensorGather gather(engine, rays, preparing, keepsRays);
   PathsOrigin origin = pathsOriginOf(gather.scene());
   const std::optional<PathsOrigin> before = std::exchange(origin_, std::nullopt);
   const std::optional<GatherMotion> motion =

@@ -16,7 +16,7 @@ constexpr std::size_t kWeightsOnLobe = 16;
 }
 
 ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
-  bool asksOnLobes, Execution& execution)
+  bool asksOnLobes, bool keepsPaths, Execution& execution)
   : engine_(engine)
   , sums_(engine.walks(), engine.objects(), execution)
   , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
@@ -27,8 +27,7 @@ ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes,
     { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
     dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
-    engine.settings().seed, !asksOnLobes && !engine.objects().dynamicObjects.empty(), false,
-    asksOnLobes }
+    engine.settings().seed, keepsPaths, false, asksOnLobes }
 {
 }
 

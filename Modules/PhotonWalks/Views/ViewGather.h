@@ -26,9 +26,9 @@ public:
   using Bands = PathSums::Bands;
   /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or tells sides
   /// apart. `shapes`: of cells that are starts; they must outlive it. `rays`: of a start; rounded up to a multiple of
-  /// the replicates. `asksOnLobes`: see GatherScene. Throws Interrupted.
+  /// the replicates. `asksOnLobes`, `keepsPaths`: see GatherScene. Throws Interrupted.
   ViewGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
-    bool asksOnLobes, Execution& execution);
+    bool asksOnLobes, bool keepsPaths, Execution& execution);
 
   const GatherScene& scene() const { return scene_; }
   /// The paths that addStarts(GatherPaths) adds. Throws std::runtime_error for a path that does not end. May be
