@@ -65,7 +65,7 @@ std::vector<movingteapot::Option> OptionsOf(Options& o)
   return {
     { "--walks", "N", "1000000", "photon walks", Count(o.Walks, 1) },
     { "--frames", "N", "60", "frames, the first one included", Count(o.Frames, 1) },
-    { "--samples", "N", "64", "rays of each glossy cell", Count(o.Samples, 1) },
+    { "--samples", "N", "64", "rays of a glossy cell; half of them gather", Count(o.Samples, 1) },
     { "--size", "WxH", "960x720", "size of the pictures in pixels", Size(o.Width, o.Height) },
     { "--output", "FOLDER", "./GlossyRoom-output", "where all results go", Text(o.Output) },
     { "--help", "", "", "this text", Switch(o.Help, true) },
@@ -117,7 +117,8 @@ enum MeshNumber
   Teapot
 };
 
-void MakeScene(vtkIrradianceFilter* light, vtkTransform* worldFromTeapot)
+void MakeScene(
+  vtkIrradianceFilter* light, vtkTransform* worldFromTeapot, const Options& options)
 {
   const Mesh room = movingteapot::MakeGridBox({ -2, 2, -2.5, 1.5, 0, 2.5 }, 0.125,
     movingteapot::Facing::Inward, { { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 } });
@@ -159,7 +160,8 @@ void MakeScene(vtkIrradianceFilter* light, vtkTransform* worldFromTeapot)
   light->SetDynamicTransform(0, worldFromTeapot);
   light->SetDirectLightToGathered();
   light->SetCellEstimateToGathered(); // the teapot's cells are small
-  light->SeparateSidesOn();           // an eye sees one side
+  light->SetNumberOfGatherRays((options.Samples + 1) / 2);
+  light->SeparateSidesOn(); // an eye sees one side
 }
 
 /** Where everything is at a time from 0 to 1. */
@@ -319,7 +321,7 @@ void Run(const Options& options)
   vtkNew<vtkTransform> worldFromTeapot;
   vtkNew<vtkIrradianceFilter> light;
   light->SetNumberOfWalks(options.Walks);
-  MakeScene(light, worldFromTeapot);
+  MakeScene(light, worldFromTeapot, options);
   vtkNew<vtkOutgoingRadianceFilter> radiance;
   radiance->SetInputConnection(light->GetOutputPort());
   radiance->SetCamera(pictures.GetCamera());
@@ -335,7 +337,7 @@ void Run(const Options& options)
   progress.BeginStep(1, "comparing with a fresh start");
   vtkNew<vtkIrradianceFilter> fresh;
   fresh->SetNumberOfWalks(options.Walks);
-  MakeScene(fresh, worldFromTeapot);
+  MakeScene(fresh, worldFromTeapot, options);
   vtkNew<vtkOutgoingRadianceFilter> freshRadiance;
   freshRadiance->SetInputConnection(fresh->GetOutputPort());
   freshRadiance->SetCamera(pictures.GetCamera());
