@@ -161,7 +161,7 @@ TEST_P(NearLamps, ByLambertsFormula)
         return kFlux * sum;
       });
     room.addQuad(lamp.corner, lamp.u, lamp.v, 1, 1, grey(0, kFlux / normal.norm()));
-    const std::uint32_t walks = test::scaled(100000);
+    const std::uint32_t walks = test::scaled(40000);
     expectCells(received({ room.build(), {} }, walks), truth, walks);
   }
 }
