@@ -117,8 +117,7 @@ enum MeshNumber
   Teapot
 };
 
-void MakeScene(
-  vtkIrradianceFilter* light, vtkTransform* worldFromTeapot, const Options& options)
+void MakeScene(vtkIrradianceFilter* light, vtkTransform* worldFromTeapot, const Options& options)
 {
   const Mesh room = movingteapot::MakeGridBox({ -2, 2, -2.5, 1.5, 0, 2.5 }, 0.125,
     movingteapot::Facing::Inward, { { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 } });

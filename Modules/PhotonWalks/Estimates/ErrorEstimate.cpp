@@ -18,6 +18,7 @@ template <class Parts>
 double quantileOfArea(const Parts& parts, double area)
 {
   std::vector<std::pair<double, double>> errorsWithAreas;
+  errorsWithAreas.reserve(parts.size());
   for (const auto& part : parts)
   {
     errorsWithAreas.emplace_back(part.error, part.area);
