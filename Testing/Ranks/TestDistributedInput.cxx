@@ -7,6 +7,8 @@
 
 #include "vtkIdTypeArray.h"
 #include "vtkOutgoingRadianceFilter.h"
+#include "vtkPointDataToCellData.h"
+#include "vtkPointIrradianceFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -132,6 +134,18 @@ std::vector<std::vector<double>> RadianceOf(vtkIrradianceFilter* filter)
   return ValuesOf(vtkMultiBlockDataSet::SafeDownCast(radiance->GetOutput()), "Radiance");
 }
 
+/// At the points of each cell, in the mean.
+std::vector<std::vector<double>> PointIrradianceOf(vtkIrradianceFilter* filter)
+{
+  vtkNew<vtkPointIrradianceFilter> points;
+  points->SetInputConnection(filter->GetOutputPort());
+  vtkNew<vtkPointDataToCellData> toCells;
+  toCells->SetInputConnection(points->GetOutputPort());
+  toCells->Update();
+  return ValuesOf(
+    vtkMultiBlockDataSet::SafeDownCast(toCells->GetOutputDataObject(0)), "PointIrradiance");
+}
+
 /// Two frames of pieces against a filter that has the whole, alone.
 void ExpectWhole(const Scene& scene, const Division& division, bool isOrderedByPlace,
   int directLight = vtkIrradianceFilter::Shot)
@@ -251,6 +265,25 @@ TEST(DistributedInput, TakesOnceWhatAllHave)
   auto expected = ValuesOf(whole->GetOutput(), "Irradiance");
   expected[0] = PiecesOf(expected, InTurn)[0];
   EXPECT_EQ(ValuesOf(pieces->GetOutput(), "Irradiance"), expected);
+}
+
+// Where a point light alone shines on black walls there is no noise; the division tells only which way points at the borders of
+// pieces are taken, by 1e-4 of a cell.
+TEST(DistributedInput, HasLightAtPoints)
+{
+  Scene scene{ { MakeRoom(3, 3) },
+    { MakeMoving(MakePointLight({ 0, 0, 0 }, { 100 }), { 1, 1.2, 1.4 }) } };
+  SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0 });
+  Scene inPieces = scene;
+  inPieces.Fixed[0] = PieceOf(scene.Fixed[0], InTurn);
+  const auto pieces = FilterOf(inPieces, true), whole = FilterOf(scene, false);
+  const auto expected = PiecesOf(PointIrradianceOf(whole), InTurn)[0];
+  const auto found = PointIrradianceOf(pieces)[0];
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], expected[i], 1e-3 * expected[i]);
+  }
 }
 
 TEST(DistributedInput, AsksSourcesForPieces)
