@@ -27,6 +27,15 @@ constexpr std::uint32_t scaled(std::uint32_t count)
   return kIsSanitized ? std::max(count / 12, 1u) : count;
 }
 
+/// Of an engine whose photons can be collected.
+inline EngineSettings keepingPhotons(std::uint32_t walks)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = walks;
+  settings.keepPhotons = true;
+  return settings;
+}
+
 /// The whole answer of an engine or of a set of walks, in integers.
 using Answer = std::vector<std::int64_t>;
 

@@ -20,14 +20,6 @@ namespace
 
 using test::MovingScene;
 
-EngineSettings settingsFor(std::uint32_t walks)
-{
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  settings.keepPhotons = true;
-  return settings;
-}
-
 LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history, Execution& execution)
 {
   LeafPhotons leaves(objects);
@@ -68,7 +60,7 @@ void updateWhileThingsMove(int bands, bool isClosed, unsigned seed, Execution& e
   constexpr int kFrames = 20;
   MovingScene scene(bands, isClosed, seed, true);
   IrradianceEngine engine;
-  const EngineSettings settings = settingsFor(test::scaled(4000));
+  const EngineSettings settings = test::keepingPhotons(test::scaled(4000));
   engine.update(scene.objects(), settings, execution);
   const std::uint32_t objects = scene.objects().size();
   LeafPhotons leaves = filled(scene.objects(), test::onlySet(engine).history(), execution);
@@ -104,7 +96,7 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
   const SceneObjects& objects = scene.objects();
   IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, settingsFor(4000), execution);
+  engine.update(objects, test::keepingPhotons(4000), execution);
   const LeafPhotons leaves = filled(objects, test::onlySet(engine).history(), execution);
   std::set<SegmentRef> found;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -154,7 +146,7 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   SceneObjects objects{ room.build(), { thing.build(test::shift({ 0.5, 2, 2 })) } };
   IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, settingsFor(3000), execution);
+  engine.update(objects, test::keepingPhotons(3000), execution);
   LeafPhotons leaves = filled(objects, test::onlySet(engine).history(), execution);
   const auto before = test::photonsOf(test::onlySet(engine).history());
   const auto ordersOf = [&] {
@@ -174,7 +166,7 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   };
   const auto old = ordersOf();
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.01;
-  engine.update(objects, settingsFor(3000), execution);
+  engine.update(objects, test::keepingPhotons(3000), execution);
   const PhotonChanges changes =
     test::changesBetween(before, test::photonsOf(test::onlySet(engine).history()));
   leaves.apply(objects, test::onlySet(engine).history(), changes, execution);
@@ -206,7 +198,7 @@ TEST(LeafPhotons, BlocksComeAndGo)
   const SceneObjects& objects = scene.objects();
   IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, settingsFor(4000), execution);
+  engine.update(objects, test::keepingPhotons(4000), execution);
   const WalkHistory& history = test::onlySet(engine).history();
   ASSERT_EQ(history.size(), 4u);
   LeafPhotons leaves(objects), half(objects);
@@ -235,7 +227,7 @@ TEST(LeafPhotons, CanBeInterrupted)
   const MovingScene scene(1, true, 45);
   IrradianceEngine engine;
   Execution execution;
-  engine.update(scene.objects(), settingsFor(2000), execution);
+  engine.update(scene.objects(), test::keepingPhotons(2000), execution);
   test::StoppingExecution stopping(0);
   LeafPhotons leaves(scene.objects());
   EXPECT_THROW(leaves.add(test::onlySet(engine).history(), 0,

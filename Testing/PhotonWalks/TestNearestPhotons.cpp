@@ -173,21 +173,13 @@ LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history)
   return leaves;
 }
 
-EngineSettings settingsFor(std::uint32_t walks)
-{
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  settings.keepPhotons = true;
-  return settings;
-}
-
 /// In the first frame of a scene.
 void expectNearest(const SceneObjects& objects, std::uint32_t walks, std::uint32_t queries,
   const std::vector<Query>& kinds)
 {
   IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, settingsFor(walks), execution);
+  engine.update(objects, test::keepingPhotons(walks), execution);
   const WalkHistory& history = test::onlySet(engine).history();
   const LeafPhotons leaves = filled(objects, history);
   const Surfaces surfaces = surfacesOf(objects);
@@ -210,7 +202,7 @@ TEST(NearestPhotons, EqualASearchOfAllWhileThingsMove)
   std::vector<Photon> before;
   for (int frame = 0; frame <= kFrames; ++frame)
   {
-    engine.update(scene.objects(), settingsFor(1500), execution);
+    engine.update(scene.objects(), test::keepingPhotons(1500), execution);
     const WalkHistory& history = test::onlySet(engine).history();
     std::vector<Photon> after = test::photonsOf(history);
     if (frame == 0)
@@ -280,7 +272,7 @@ TEST(NearestPhotons, EqualASearchOfAllWherePosesAreExtreme)
   objects.dynamicObjects.back() = room.build();
   IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, settingsFor(1500), execution);
+  engine.update(objects, test::keepingPhotons(1500), execution);
   const WalkHistory& history = test::onlySet(engine).history();
   const LeafPhotons leaves = filled(objects, history);
   for (const double far : { 1e12, 1e14 })
@@ -391,7 +383,7 @@ TEST(NearestPhotons, ScaleChangesNothing)
       scale * Vector3(2, 2, 1) };
     IrradianceEngine engine;
     Execution execution;
-    engine.update(objects, settingsFor(5000), execution);
+    engine.update(objects, test::keepingPhotons(5000), execution);
     const WalkHistory& history = test::onlySet(engine).history();
     const LeafPhotons leaves = filled(objects, history);
     const Surfaces surfaces = surfacesOf(objects);
