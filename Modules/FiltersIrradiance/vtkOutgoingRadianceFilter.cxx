@@ -9,7 +9,6 @@
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/PieceRequest.h"
 #include "Progress/InputError.h"
 #include "Views/OutgoingRadiance.h"
 
@@ -204,14 +203,9 @@ int vtkOutgoingRadianceFilter::RequestData(
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
   return irradiance::runFilter(this, output, [&] {
-    // What could not be computed has no blocks: that is an error on all processes.
-    if (input && input->GetNumberOfBlocks() > 0 && !irradiance::PhotonSource::isIn(input) &&
-      irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
-    {
-      WriteEmpty(input, output);
-      return;
-    }
-    this->Compute(input, output);
+    irradiance::PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0))
+      ? WriteEmpty(input, output)
+      : this->Compute(input, output);
   });
 }
 

@@ -10,7 +10,6 @@
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/PieceRequest.h"
 #include "Views/StoredSensors.h"
 
 #include "vtkCellData.h"
@@ -227,14 +226,9 @@ int vtkPointIrradianceFilter::RequestData(
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
   return irradiance::runFilter(this, output, [&] {
-    // What could not be computed has no blocks: that is an error on all processes.
-    if (input && input->GetNumberOfBlocks() > 0 && !irradiance::PhotonSource::isIn(input) &&
-      irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0)))
-    {
-      WriteEmptyPoints(input, output);
-      return;
-    }
-    this->Compute(input, output);
+    irradiance::PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0))
+      ? WriteEmptyPoints(input, output)
+      : this->Compute(input, output);
   });
 }
 

@@ -91,12 +91,13 @@ public:
   }
 
   bool hasArea() const { return normal_.squaredNorm() > 0; }
-  Corners at(std::size_t i, vtkIdType point) const
+  Corners at(std::size_t i, vtkIdType point, const CellShape& shape) const
   {
     const Vector3 next = edge(i, 1), previous = edge(i, corners_.size() - 1);
     const double turn = std::atan2(normal_.dot(next.cross(previous)), next.dot(previous));
     const double angle = turn < 0 ? turn + 2 * M_PI : turn;
-    return { point, angle * normal_, next - previous, angle, width_, false, false };
+    return { point, angle * normal_, next - previous, angle, width_, shape.isFrontDark,
+      shape.isBackDark };
   }
 
 private:
@@ -128,9 +129,7 @@ std::vector<Corners> cornersOf(vtkPolyData* surface, const PartCells& cells,
     const CellShape& shape = shapes[shapes.numbers()[cells[cell]]];
     for (vtkIdType i = 0; i < size && polygon.hasArea(); ++i)
     {
-      corners.push_back(polygon.at(static_cast<std::size_t>(i), ids[i]));
-      corners.back().isFrontDark = shape.isFrontDark;
-      corners.back().isBackDark = shape.isBackDark;
+      corners.push_back(polygon.at(static_cast<std::size_t>(i), ids[i], shape));
     }
     pace.step(static_cast<std::size_t>(size));
   });

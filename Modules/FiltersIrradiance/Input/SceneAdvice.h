@@ -14,8 +14,8 @@ namespace irradiance
 
 /**
  * Finds scenes that can be computed but are hardly meant, and says what was probably meant: lamps that
- * shine away from everything, millimetres where metres are read, and so few walks that rays find nothing to read. Documentation/Extremes.md has the
- * limits and says what is legitimate beyond them.
+ * shine away from everything, millimetres where metres are read, and so few walks that rays find nothing
+ * to read. Documentation/Extremes.md has the limits and says what is legitimate beyond them.
  */
 class SceneAdvice
 {

@@ -3,6 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
+#include "Pipeline/PieceRequest.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
@@ -80,9 +81,10 @@ void PhotonSource::attach(vtkMultiBlockDataSet* output, std::shared_ptr<Irradian
   output->GetFieldData()->GetAbstractArray(kHolder)->GetInformation()->Set(engineKey(), reference);
 }
 
-bool PhotonSource::isIn(vtkDataObject* data)
+bool PhotonSource::isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output)
 {
-  return referenceIn(data) != nullptr;
+  return data && data->GetNumberOfBlocks() > 0 && !referenceIn(data) &&
+    isEmptyPieceRequested(output);
 }
 
 PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)

@@ -10,6 +10,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkInformation;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 
@@ -27,8 +28,9 @@ public:
   /// polydata, in order.
   static void attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine,
     std::vector<PieceCells> pieces);
-  /// Whether data refer to an engine.
-  static bool isIn(vtkDataObject* data);
+  /// Whether `output` is asked for a piece without cells, of data that refer to no engine as they are such a piece, too. What
+  /// could not be computed has no blocks: that is an error on all processes.
+  static bool isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output);
 
   /// What the filter that reads it needs, see PhotonRequest.h.
   enum class Need
