@@ -167,7 +167,7 @@ void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& ex
   scene_.setPointSources(walks_.boundsInAir());
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   scene_.commit(moved, cancelPoint);
-  contacts_.update(objects_, solidSides_, cancelPoint);
+  contacts_.update(objects_, moved, solidSides_, execution);
   if (settings_.gathersDirectLight)
   {
     solidSides_.find(objects_, cancelPoint);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/Contacts.h"
 
-#include "Geometry/MovedBox.h"
+#include "Execution/ProgressSpan.h"
+#include "Surfaces/ContactLight.h"
 #include "Surfaces/Touching.h"
 #include "Trees/BoxQuery.h"
 
 #include <algorithm>
-#include <array>
-#include <tuple>
+#include <cmath>
+#include <numeric>
 
 namespace irradiance
 {
@@ -15,227 +16,331 @@ namespace irradiance
 namespace
 {
 
-double toleranceOf(const Triangle& s, const Triangle& t)
+/// Partners of a triangle from which on they stand in a tree.
+constexpr std::size_t kMany = 16;
+
+bool hasMoved(const std::vector<bool>& moved, std::uint32_t object)
 {
-  return kTouching * std::max(s.bounds().magnitude(), t.bounds().magnitude());
+  return moved.empty() || (object > 0 && moved[object - 1]);
 }
 
-bool isInPlaneOf(const Triangle& s, const Triangle& t, double tolerance)
+/// Calls visit(i, k), i < k, for all objects whose bounds touch if one of them has moved.
+template <class Visit>
+void forEachNeighbours(
+  const SceneObjects& objects, const std::vector<bool>& moved, const Visit& visit)
 {
-  const Vector3 normal = s.areaVector().normalized();
-  return std::abs(normal.dot(t.a - s.a)) <= tolerance &&
-    std::abs(normal.dot(t.b - s.a)) <= tolerance && std::abs(normal.dot(t.c - s.a)) <= tolerance;
-}
-
-/// Whether a line along an edge of `s` separates the two triangles, which lie in one plane.
-bool isSeparatedByEdge(const Triangle& s, const Triangle& t, double tolerance)
-{
-  const auto corners = cornersOf(s);
-  const auto inward = inwardOf(s);
-  bool isSeparated = false;
-  for (std::size_t i = 0; i < 3; ++i)
+  std::vector<Box> bounds;
+  Box all;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    const auto in = [&](const Vector3& point) { return inward[i].dot(point - *corners[i]); };
-    isSeparated = isSeparated || std::max({ in(t.a), in(t.b), in(t.c) }) <= 4 * tolerance;
+    bounds.push_back(touchedBox(objects[i].worldBounds()));
+    all.add(bounds.back());
   }
-  return isSeparated;
-}
-
-bool doCoincide(const Triangle& s, const Triangle& t)
-{
-  const double tolerance = toleranceOf(s, t);
-  return (isInPlaneOf(s, t, tolerance) || isInPlaneOf(t, s, tolerance)) &&
-    !isSeparatedByEdge(s, t, tolerance) && !isSeparatedByEdge(t, s, tolerance);
-}
-
-/// World bounds, slightly inflated, of a box in the space of the object.
-Box worldBounds(const SceneObject& object, const Box& model)
-{
-  return touchedBox(movedBox(object.worldFromObject, model));
-}
-
-Box worldBounds(const SceneObject& object)
-{
-  return worldBounds(object, object.body->mesh().bounds());
-}
-
-bool holds(const Box& outer, const Box& inner)
-{
-  return !inner.isEmpty() && (inner.lower.array() >= outer.lower.array()).all() &&
-    (inner.upper.array() <= outer.upper.array()).all();
-}
-
-}
-
-void Contacts::update(
-  const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint)
-{
-  const Search search{ objects, sides, cancelPoint };
-  contacts_.clear();
-  isTouched_.assign(objects.size(), {});
-  known_.resize(objects.size());
-  for (std::uint32_t lamp = 0; lamp < objects.size(); ++lamp)
+  int axis;
+  all.extent().maxCoeff(&axis);
+  std::vector<std::uint32_t> order(objects.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
+    return std::make_pair(bounds[i].lower[axis], i) < std::make_pair(bounds[k].lower[axis], k);
+  });
+  for (std::size_t first = 0; first < order.size(); ++first)
   {
-    if (!objects[lamp].emits() || objects[lamp].emission->exitance.empty() ||
-      objects[lamp].isEmpty())
+    const std::uint32_t i = order[first];
+    for (std::size_t next = first + 1;
+         next < order.size() && bounds[order[next]].lower[axis] <= bounds[i].upper[axis]; ++next)
     {
-      continue;
-    }
-    addOwn(search, lamp);
-    for (std::uint32_t other = 0; other < objects.size(); ++other)
-    {
-      if (other != lamp)
+      const std::uint32_t k = order[next];
+      if ((hasMoved(moved, i) || hasMoved(moved, k)) &&
+        !bounds[i].intersection(bounds[k]).isEmpty())
       {
-        addBetween(search, lamp, other);
-      }
-    }
-  }
-  const auto order = [](const ContactTriangle& a, const ContactTriangle& b) {
-    return key(a.id) < key(b.id);
-  };
-  const auto isSame = [](const ContactTriangle& a, const ContactTriangle& b) {
-    return a.id == b.id;
-  };
-  for (auto& entry : contacts_)
-  {
-    std::vector<ContactTriangle>& partners = entry.second.partners;
-    std::sort(partners.begin(), partners.end(), order);
-    partners.erase(std::unique(partners.begin(), partners.end(), isSame), partners.end());
-    const auto& [object, triangle] = entry.first;
-    isTouched_[object].resize(objects[object].body->mesh().size());
-    isTouched_[object][triangle] = 1;
-  }
-}
-
-void Contacts::addOwn(const Search& search, std::uint32_t object)
-{
-  ObjectContacts& known = known_[object];
-  const SceneObject& own = search.objects[object];
-  if (!known.hasPairs || !isSameThing(own, known.object))
-  {
-    known = { own, {}, {}, false };
-    const TriangleMesh& mesh = own.body->mesh();
-    ThrottledCancelPoint pace(search.cancelPoint);
-    for (std::uint32_t i = 0; i < mesh.size(); ++i)
-    {
-      pace.step(16);
-      if (!own.isLamp(i))
-      {
-        continue;
-      }
-      const Box box = mesh[i].bounds();
-      known.lamps.add(box);
-      for (const std::uint32_t k : irradiance::trianglesNear(own.body->tree(), touchedBox(box)))
-      {
-        if (k != i && doCoincide(mesh[i], mesh[k]))
-        {
-          known.pairs.emplace_back(i, k);
-        }
-      }
-    }
-    known.hasPairs = true;
-  }
-  for (const auto& [i, k] : known.pairs)
-  {
-    add(search, { object, i }, { object, k });
-  }
-}
-
-void Contacts::addBetween(const Search& search, std::uint32_t lamp, std::uint32_t other)
-{
-  const SceneObjects& objects = search.objects;
-  const Box common =
-    worldBounds(objects[lamp], known_[lamp].lamps).intersection(worldBounds(objects[other]));
-  if (common.isEmpty())
-  {
-    return;
-  }
-  ThrottledCancelPoint pace(search.cancelPoint);
-  for (const std::uint32_t i : trianglesNear(objects[lamp], common))
-  {
-    pace.step(16);
-    if (!objects[lamp].isLamp(i))
-    {
-      continue;
-    }
-    const Triangle triangle = worldTriangle(objects, { lamp, i });
-    const Box box = touchedBox(triangle.bounds()).intersection(common);
-    for (const std::uint32_t k : trianglesNear(objects[other], box))
-    {
-      if (doCoincide(triangle, worldTriangle(objects, { other, k })))
-      {
-        add(search, { lamp, i }, { other, k });
+        visit(std::min(i, k), std::max(i, k));
       }
     }
   }
 }
 
-void Contacts::add(const Search& search, const TriangleId& a, const TriangleId& b)
+/// A measure of a surface's area in the world by which surfaces that differ by rounding are alike.
+double sizeOf(const SceneObject& object, const Shell& shell)
 {
-  for (const auto& [self, other] : { std::pair(a, b), std::pair(b, a) })
-  {
-    Contact& touched = contacts_[key(self)];
-    touched.self = contactTriangleOf(search, self);
-    touched.partners.push_back(contactTriangleOf(search, other));
-  }
+  // The cube of the area, as then a pose of scale s gives exactly s^6.
+  const double scale = object.worldFromObject.linear.determinant();
+  int exponent;
+  const double mantissa =
+    std::frexp(0.6 * shell.area * shell.area * shell.area * scale * scale, &exponent);
+  return std::ldexp(std::floor(mantissa * 1024), exponent);
 }
-
-Contacts::ContactTriangle Contacts::contactTriangleOf(const Search& search, const TriangleId& id)
-{
-  const SceneObject& object = search.objects[id.object];
-  const SolidSides& sides = search.sides.of(search.objects, id.object, search.cancelPoint);
-  SolidSide side = sides.of[id.triangle];
-  // A dynamic shell that encloses all static geometry, with its front inside, lines a room.
-  if (id.object > 0 && side == SolidSide::InFront && sides.isOfOutermost[id.triangle] &&
-    holds(worldBounds(object), search.objects.staticObject.body->mesh().bounds()))
-  {
-    side = SolidSide::Behind;
-  }
-  return { id, side, object.isLamp(id.triangle) };
-}
-
-bool Contacts::hasDynamic(const TriangleId& id) const
-{
-  return has(id) && (id.object > 0 || contacts_.at(key(id)).partners.back().id.object > 0);
-}
-
-namespace
-{
 
 /// +1 if the direction leads into the solid of a triangle with this normal, -1 if out of it, 0 for
 /// sheets.
-int intoSolid(SolidSide side, const Vector3& normal, const Vector3& direction)
+int intoSolid(SolidSide side, bool isFront)
 {
-  const int along = normal.dot(direction) > 0 ? 1 : -1;
-  return side == SolidSide::None ? 0 : side == SolidSide::InFront ? along : -along;
+  return side == SolidSide::None ? 0 : (side == SolidSide::Behind) == isFront ? 1 : -1;
 }
 
 }
 
-/// Whether the other triangle stops a ray that leaves the start: the ray enters its solid and not
-/// the start's; or it comes out of the start's solid, and the other is a sheet, which lies outside.
-bool Contacts::blocks(const Scene& scene, const Vector3& leaving, const ContactTriangle& start,
-  const ContactTriangle& other)
+void Contacts::update(const SceneObjects& objects, const std::vector<bool>& moved,
+  ObjectSides& sides, Execution& execution)
 {
-  const int fromStart = intoSolid(start.side, scene.worldTriangle(start.id).areaVector(), leaving);
-  const int toOther = intoSolid(other.side, scene.worldTriangle(other.id).areaVector(), leaving);
-  return toOther > 0 ? fromStart <= 0 : toOther == 0 && fromStart < 0;
-}
-
-/// The order in which a ray hits coincident triangles: those out of whose solid it comes, lamps
-/// that face it, other sheets, lamps that face away, those into whose solid it goes.
-int Contacts::rank(const Scene& scene, const Vector3& direction, const ContactTriangle& partner)
-{
-  const Vector3 normal = scene.worldTriangle(partner.id).areaVector();
-  switch (intoSolid(partner.side, normal, direction))
+  ProgressSpan still(execution, 0, 0);
+  const CancelPoint cancelPoint = cancelPointOf(still, 0);
+  findWithin(objects, still);
+  findBetween(objects, moved, cancelPoint);
+  ContactLight light(objects, sides, cancelPoint);
+  std::vector<Pair> lit = litPairs(objects, light, cancelPoint);
+  const bool isMoved = std::any_of(lit.begin(), lit.end(), [&](const Pair& pair) {
+    return hasMoved(moved, pair.first.object) || hasMoved(moved, pair.second.object);
+  });
+  if (moved.empty() || isMoved || lit != lit_)
   {
-    case -1:
-      return 0;
-    case 1:
-      return 4;
-    default:
-      return !partner.isLamp ? 2 : normal.dot(direction) < 0 ? 1 : 3;
+    lit_ = std::move(lit);
+    list(objects, sides, cancelPoint);
   }
+}
+
+/// A body that another has replaced is searched again.
+void Contacts::findWithin(const SceneObjects& objects, Execution& execution)
+{
+  own_.resize(objects.size());
+  std::vector<OwnPairs*> unknown;
+  std::vector<const RigidObject*> bodies;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    if (objects[i].isPresent && own_[i].body != objects[i].body)
+    {
+      unknown.push_back(&own_[i]);
+      bodies.push_back(objects[i].body.get());
+    }
+  }
+  std::vector<std::vector<TrianglePair>> found = coincidentWithin(bodies, execution);
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+  {
+    unknown[i]->pairs = std::move(found[i]);
+  }
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    own_[i].body = objects[i].isPresent ? objects[i].body : own_[i].body;
+  }
+}
+
+void Contacts::findBetween(
+  const SceneObjects& objects, const std::vector<bool>& moved, const CancelPoint& cancelPoint)
+{
+  between_.erase(std::remove_if(between_.begin(), between_.end(),
+                   [&](const Pair& pair) {
+                     return hasMoved(moved, pair.first.object) ||
+                       hasMoved(moved, pair.second.object);
+                   }),
+    between_.end());
+  forEachNeighbours(objects, moved, [&](std::uint32_t i, std::uint32_t k) {
+    for (const auto& [first, second] : coincidentBetween(objects[i], objects[k], cancelPoint))
+    {
+      between_.push_back({ { i, first }, { k, second } });
+    }
+  });
+  std::sort(between_.begin(), between_.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(a.first.object, a.first.triangle, a.second.object, a.second.triangle) <
+      std::tie(b.first.object, b.first.triangle, b.second.object, b.second.triangle);
+  });
+}
+
+std::vector<Contacts::Pair> Contacts::litPairs(
+  const SceneObjects& objects, ContactLight& light, const CancelPoint& cancelPoint) const
+{
+  std::vector<Pair> lit;
+  ThrottledCancelPoint pace(cancelPoint);
+  const auto add = [&](const TriangleId& s, const TriangleId& t) {
+    pace.step(16);
+    if (light.mayCome(s, t))
+    {
+      lit.push_back({ s, t });
+    }
+  };
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    for (std::size_t k = 0; objects[i].isPresent && k < own_[i].pairs.size(); ++k)
+    {
+      add({ i, own_[i].pairs[k].first }, { i, own_[i].pairs[k].second });
+    }
+  }
+  for (const auto& [s, t] : between_)
+  {
+    add(s, t);
+  }
+  return lit;
+}
+
+void Contacts::list(const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  contacts_.clear();
+  hasDynamic_ = false;
+  numbers_.assign(objects.size(), {});
+  for (const auto& [s, t] : lit_)
+  {
+    for (const auto& [self, other] : { std::pair(s, t), std::pair(t, s) })
+    {
+      std::vector<std::uint32_t>& numbers = numbers_[self.object];
+      numbers.resize(objects[self.object].body->mesh().size(), kNone);
+      std::uint32_t& number = numbers[self.triangle];
+      if (number == kNone)
+      {
+        number = static_cast<std::uint32_t>(contacts_.size());
+        contacts_.push_back(
+          { contactTriangleOf(objects, sides, self, cancelPoint), {}, {}, {}, self.isDynamic() });
+      }
+      Contact& contact = contacts_[number];
+      contact.partners.push_back(contactTriangleOf(objects, sides, other, cancelPoint));
+      contact.isDynamic = contact.isDynamic || other.isDynamic();
+    }
+  }
+  for (Contact& contact : contacts_)
+  {
+    finish(contact, objects, cancelPoint);
+    hasDynamic_ = hasDynamic_ || contact.isDynamic;
+  }
+}
+
+Contacts::ContactTriangle Contacts::contactTriangleOf(const SceneObjects& objects,
+  ObjectSides& allSides, const TriangleId& id, const CancelPoint& cancelPoint)
+{
+  const SceneObject& object = objects[id.object];
+  const SolidSides& sides = allSides.of(objects, id.object, cancelPoint);
+  const std::uint32_t number = sides.shellOf[id.triangle];
+  const Shell& shell = sides.shells[number];
+  // A dynamic shell that encloses all static geometry, with its front inside, lines a room.
+  const bool isLining = id.object > 0 && sides.of[id.triangle] == SolidSide::InFront &&
+    sides.isOfOutermost[id.triangle] &&
+    holds(touchedBox(object.worldBounds()), objects.staticObject.body->mesh().bounds());
+  return { id, isLining ? SolidSide::Behind : sides.of[id.triangle], shell.isRoom || isLining,
+    object.isLamp(id.triangle), number, sizeOf(object, shell) };
+}
+
+void Contacts::finish(Contact& contact, const SceneObjects& objects, const CancelPoint& cancelPoint)
+{
+  const auto order = [](const ContactTriangle& a, const ContactTriangle& b) {
+    return std::tie(a.id.object, a.id.triangle) < std::tie(b.id.object, b.id.triangle);
+  };
+  std::sort(contact.partners.begin(), contact.partners.end(), order);
+  std::vector<Box> boxes;
+  for (std::uint32_t i = 0; i < contact.partners.size(); ++i)
+  {
+    ContactTriangle& partner = contact.partners[i];
+    if (partner.isLamp)
+    {
+      contact.lamps.push_back(i);
+    }
+    // Where a surface folds onto itself there is no matter between.
+    if (partner.id.object == contact.self.id.object && partner.shell == contact.self.shell)
+    {
+      partner.side = contact.self.side = SolidSide::None;
+    }
+    if (contact.partners.size() >= kMany)
+    {
+      boxes.push_back(worldTriangle(objects, partner.id).bounds());
+    }
+  }
+  if (!boxes.empty())
+  {
+    contact.tree = std::make_shared<TriangleTree>(boxes, 0, cancelPoint);
+  }
+}
+
+/// The triangles that coincide at one place, as a ray meets them.
+class Contacts::Meeting
+{
+public:
+  Meeting(const Scene& scene, const Vector3& direction)
+    : scene_(scene)
+    , direction_(direction)
+  {
+  }
+
+  void add(const ContactTriangle& triangle, const Hit& hit)
+  {
+    const bool isFront = scene_.worldTriangle(triangle.id).areaVector().dot(direction_) < 0;
+    const int into = intoSolid(triangle.side, isFront);
+    entersRoom_ = entersRoom_ || (triangle.isRoom && into < 0);
+    leavesRoom_ = leavesRoom_ || (triangle.isRoom && into > 0);
+    all_.push_back({ &triangle, hit, into, isFront });
+  }
+  /// The hit that comes first.
+  const Hit& first() const
+  {
+    return std::min_element(all_.begin(), all_.end(), [&](const Entry& a, const Entry& b) {
+      return orderOf(a) < orderOf(b);
+    })->hit;
+  }
+  /// The last of the hits that come before the first triangle that was added, each one of another
+  /// kind of matter; none if there is none.
+  Hit lastBefore() const
+  {
+    const Entry* last = nullptr;
+    for (const Entry& entry : all_)
+    {
+      if (layerOf(entry) < layerOf(all_.front()) && (!last || orderOf(*last) < orderOf(entry)))
+      {
+        last = &entry;
+      }
+    }
+    return last ? last->hit : Hit{};
+  }
+
+private:
+  struct Entry
+  {
+    const ContactTriangle* triangle;
+    Hit hit;
+    int into;
+    bool isFront;
+  };
+
+  /// First those out of whose solid the ray comes; then lamps that face it, other sheets, lamps
+  /// that face away; last those into whose solid it goes. Between two rooms that share a wall it
+  /// goes into the wall of the room in which it is, and out of the other's.
+  int rankOf(const Entry& entry) const
+  {
+    const bool isShared = entersRoom_ && leavesRoom_, isRoom = entry.triangle->isRoom;
+    if (entry.into != 0)
+    {
+      return entry.into < 0 ? (isShared && isRoom ? 6 : 0) : (isShared && !isRoom ? 5 : 4);
+    }
+    return !entry.triangle->isLamp ? 2 : entry.isFront ? 1 : 3;
+  }
+  /// Sheets do not stop what leaves other sheets.
+  int layerOf(const Entry& entry) const
+  {
+    const int rank = rankOf(entry);
+    return entry.into == 0 ? 1 : rank;
+  }
+  /// What is smaller lies on what is larger; of what is as large, what faces the ray.
+  std::tuple<int, double, bool, std::uint32_t, std::uint32_t> orderOf(const Entry& entry) const
+  {
+    const ContactTriangle& triangle = *entry.triangle;
+    return { rankOf(entry), triangle.size, !entry.isFront, triangle.id.object,
+      triangle.id.triangle };
+  }
+
+  const Scene& scene_;
+  const Vector3& direction_;
+  std::vector<Entry> all_;
+  bool entersRoom_ = false, leavesRoom_ = false;
+};
+
+/// Partners near a place.
+template <class Visit>
+void Contacts::forEachPartnerAt(
+  const Contact& contact, const Ray& ray, double distance, const Visit& visit)
+{
+  if (!contact.tree)
+  {
+    std::for_each(contact.partners.begin(), contact.partners.end(), visit);
+    return;
+  }
+  const Vector3 place = ray.origin + distance * ray.direction;
+  Box box{ place, place };
+  box.inflate(
+    2 * kTouching * std::max(place.cwiseAbs().maxCoeff(), ray.origin.cwiseAbs().maxCoeff()));
+  forEachNear(*contact.tree, box, [&](std::uint32_t i) { visit(contact.partners[i]); });
 }
 
 Hit Contacts::resolveContact(const Scene& scene, const Ray& ray, const Hit& closest) const
@@ -244,50 +349,44 @@ Hit Contacts::resolveContact(const Scene& scene, const Ray& ray, const Hit& clos
   return touching ? touching : has(closest.id) ? firstOf(scene, ray, closest) : closest;
 }
 
-/// The hit on the triangle that stops a ray at its start; none if the ray can leave.
+/// The hit on the triangle that stops a ray at its start; none if the ray can leave. It can if a ray
+/// that comes from there would hit the start before all others.
 Hit Contacts::hitAtStart(const Scene& scene, const Ray& ray) const
 {
-  const Contact& start = contacts_.at(key(ray.start));
+  const Contact& start = contacts_[numberOf(ray.start)];
   const Triangle triangle = scene.worldTriangle(ray.start);
   const Vector3 normal = triangle.areaVector().normalized();
   const Vector3 leaving = normal.dot(ray.direction) > 0 ? normal : Vector3(-normal);
   const double step = 8 * kTouching * triangle.bounds().magnitude();
   const Ray back{ ray.origin + step * leaving, -leaving, ray.start };
-  for (const ContactTriangle& partner : start.partners)
-  {
-    if (blocks(scene, leaving, start.self, partner))
+  Meeting meeting(scene, back.direction);
+  meeting.add(start.self, {});
+  forEachPartnerAt(start, back, step, [&](const ContactTriangle& partner) {
+    if (Hit hit = scene.hitOf(back, partner.id))
     {
-      if (Hit hit = scene.hitOf(back, partner.id))
-      {
-        hit.distance = 0;
-        return hit;
-      }
+      hit.distance = 0;
+      meeting.add(partner, hit);
     }
-  }
-  return {};
+  });
+  return meeting.lastBefore();
 }
 
 /// Of the closest triangle and those that coincide with it, the one that the ray hits first.
 Hit Contacts::firstOf(const Scene& scene, const Ray& ray, const Hit& closest) const
 {
-  const Contact& touched = contacts_.at(key(closest.id));
-  Hit first = closest;
-  int firstRank = rank(scene, ray.direction, touched.self);
-  for (const ContactTriangle& partner : touched.partners)
-  {
-    const int partnerRank = rank(scene, ray.direction, partner);
-    const bool isBefore =
-      std::make_tuple(partnerRank, key(partner.id)) < std::make_tuple(firstRank, key(first.id));
-    if (isBefore && partner.id != ray.start)
+  const Contact& touched = contacts_[numberOf(closest.id)];
+  Meeting meeting(scene, ray.direction);
+  meeting.add(touched.self, closest);
+  forEachPartnerAt(touched, ray, closest.distance, [&](const ContactTriangle& partner) {
+    if (partner.id != ray.start)
     {
       if (const Hit hit = scene.hitOf(ray, partner.id))
       {
-        first = hit;
-        firstRank = partnerRank;
+        meeting.add(partner, hit);
       }
     }
-  }
-  return first;
+  });
+  return meeting.first();
 }
 
 }

@@ -24,10 +24,20 @@ Box touchedBox(Box box)
   return box;
 }
 
+bool holds(const Box& outer, const Box& inner)
+{
+  return !inner.isEmpty() && (inner.lower.array() >= outer.lower.array()).all() &&
+    (inner.upper.array() <= outer.upper.array()).all();
+}
+
+Triangle worldTriangle(const SceneObject& object, std::uint32_t triangle)
+{
+  return transformed(object.worldFromObject, object.body->mesh()[triangle]);
+}
+
 Triangle worldTriangle(const SceneObjects& objects, const TriangleId& id)
 {
-  return transformed(
-    objects[id.object].worldFromObject, objects[id.object].body->mesh()[id.triangle]);
+  return worldTriangle(objects[id.object], id.triangle);
 }
 
 std::vector<std::uint32_t> trianglesNear(const SceneObject& object, const Box& world)

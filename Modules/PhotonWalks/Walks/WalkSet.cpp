@@ -404,7 +404,7 @@ BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const WalkSpace& spac
 {
   BounceScan scan(history_.grid());
   // What touches a segment's start may lie behind it.
-  const double clearance = space.contacts.isEmpty() ? 0 : space.scene.clearance();
+  const double clearance = space.contacts.hasDynamic() ? space.scene.clearance() : 0;
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     const SceneObject& object = space.objects.dynamicObjects[i];

@@ -16,14 +16,6 @@ namespace irradiance
 namespace
 {
 
-/// A connected surface.
-struct Shell
-{
-  Box bounds;
-  bool isClosed = false;
-  bool isTurned = false; ///< its triangles, as given, have their fronts inside
-};
-
 /// Sets of connected triangles. Each triangle knows whether its orientation is opposite to the
 /// orientation of the first in its set.
 class OrientedSets
@@ -100,7 +92,6 @@ public:
   }
 
   const std::vector<Shell>& shells() const { return shells_; }
-  const Shell& shellOf(std::size_t triangle) const { return shells_[shellOf_[triangle]]; }
   std::uint32_t number(std::size_t triangle) const { return shellOf_[triangle]; }
   /// True if the triangle has its front inside.
   bool isTurned(std::size_t triangle) const { return isTurned_[triangle] != 0; }
@@ -241,6 +232,7 @@ private:
       shell.volume += isTurned ? -volume : volume;
       shell.given += volume;
       shell.shell.bounds.add(t.bounds());
+      shell.shell.area += t.area();
     }
     for (auto& entry : found)
     {
@@ -248,6 +240,7 @@ private:
       Found& shell = entry.second;
       const double size = shell.shell.bounds.extent().prod();
       shell.shell.isClosed = std::abs(shell.volume) > kFlat * size;
+      shell.shell.volume = std::abs(shell.volume) / 6;
       shell.shell.isTurned = shell.given < -0.5 * std::abs(shell.volume);
     }
     for (const std::uint32_t triangle : flawed)
@@ -325,17 +318,18 @@ SolidSides solidSides(const std::vector<Triangle>& triangles,
   {
     all.add(shell.bounds);
   }
-  std::vector<bool> isSolidWithout;
-  for (std::size_t i = 0; i < search.shells().size(); ++i)
-  {
-    isSolidWithout.push_back(
-      mayHoldRooms && search.shells()[i].isClosed && isRoom(search.shells(), i, all));
-  }
   SolidSides sides;
+  sides.shells = search.shells();
+  for (std::size_t i = 0; i < sides.shells.size(); ++i)
+  {
+    sides.shells[i].isRoom =
+      mayHoldRooms && sides.shells[i].isClosed && isRoom(search.shells(), i, all);
+  }
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    const bool isBehind = search.isTurned(i) == isSolidWithout[search.number(i)];
-    const Shell& shell = search.shellOf(i);
+    sides.shellOf.push_back(search.number(i));
+    const Shell& shell = sides.shells[search.number(i)];
+    const bool isBehind = search.isTurned(i) == shell.isRoom;
     sides.isOfOutermost.push_back(shell.isClosed && holds(shell.bounds, all));
     sides.of.push_back(!shell.isClosed ? SolidSide::None
         : isBehind                     ? SolidSide::Behind

@@ -19,9 +19,21 @@ enum class SolidSide : std::int8_t
   InFront
 };
 
+/// A connected surface.
+struct Shell
+{
+  Box bounds;
+  double area = 0, volume = 0; ///< the volume that it encloses, if it is closed
+  bool isClosed = false;
+  bool isTurned = false; ///< its triangles, as given, have their fronts inside
+  bool isRoom = false;   ///< closed, and solid outside
+};
+
 struct SolidSides
 {
   std::vector<SolidSide> of; ///< for each triangle
+  std::vector<Shell> shells;
+  std::vector<std::uint32_t> shellOf; ///< for each triangle
   /// Whether a triangle belongs to a closed surface that holds all of the mesh.
   std::vector<bool> isOfOutermost;
 };

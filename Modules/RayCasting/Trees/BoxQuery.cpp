@@ -6,37 +6,19 @@
 namespace irradiance
 {
 
-namespace
+std::array<bool, Treelet::kSize> childrenNear(const Treelet& treelet, const Box& unit)
 {
-
-void addNear(
-  const TriangleTree& tree, std::uint32_t node, const Box& unit, std::vector<std::uint32_t>& leaves)
-{
-  if (node == Treelet::kEmpty)
+  std::array<bool, Treelet::kSize> isNear;
+  isNear.fill(true);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    return;
-  }
-  if ((node & Treelet::kLeaf) != 0)
-  {
-    leaves.push_back(node & ~Treelet::kLeaf);
-    return;
-  }
-  const Treelet& treelet = tree.treelets()[node];
-  for (unsigned child = 0; child < Treelet::kSize; ++child)
-  {
-    bool isNear = true;
-    for (int axis = 0; axis < 3; ++axis)
+    for (unsigned child = 0; child < Treelet::kSize; ++child)
     {
-      isNear = isNear && treelet.bounds[0][axis][child] <= unit.upper[axis] &&
-        treelet.bounds[1][axis][child] >= unit.lower[axis];
-    }
-    if (isNear)
-    {
-      addNear(tree, treelet.children[child], unit, leaves);
+      isNear[child] &= (treelet.bounds[0][axis][child] <= unit.upper[axis]) &
+        (treelet.bounds[1][axis][child] >= unit.lower[axis]);
     }
   }
-}
-
+  return isNear;
 }
 
 Box unitBounds(const TriangleTree& tree, const Box& box)
@@ -46,27 +28,10 @@ Box unitBounds(const TriangleTree& tree, const Box& box)
   return unit;
 }
 
-std::vector<std::uint32_t> leavesNear(const TriangleTree& tree, const Box& unit)
-{
-  std::vector<std::uint32_t> leaves;
-  if (!tree.isEmpty())
-  {
-    addNear(tree, tree.root(), unit, leaves);
-  }
-  return leaves;
-}
-
 std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& box)
 {
   std::vector<std::uint32_t> found;
-  if (tree.isEmpty() || box.isEmpty())
-  {
-    return found;
-  }
-  for (const std::uint32_t leaf : leavesNear(tree, unitBounds(tree, box)))
-  {
-    forEachListed(tree, leaf, [&](std::uint32_t triangle) { found.push_back(triangle); });
-  }
+  forEachNear(tree, box, [&](std::uint32_t triangle) { found.push_back(triangle); });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

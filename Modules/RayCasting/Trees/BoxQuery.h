@@ -13,8 +13,8 @@ namespace irradiance
 /// Bounds, in the unit frame of a tree, of a box in the space of its triangles.
 Box unitBounds(const TriangleTree& tree, const Box& box);
 
-/// The leaves whose boxes touch a box in the unit frame, by the numbers of their first blocks.
-std::vector<std::uint32_t> leavesNear(const TriangleTree& tree, const Box& unit);
+/// For each child of a treelet whether its box touches a box in the unit frame.
+std::array<bool, Treelet::kSize> childrenNear(const Treelet& treelet, const Box& unit);
 
 /// Calls visit(triangle) for all that a leaf lists, given the number of its first block.
 template <class Visit>
@@ -34,8 +34,43 @@ void forEachListed(const TriangleTree& tree, std::uint32_t leaf, const Visit& vi
   }
 }
 
-/// The numbers of all triangles that touch a box in the space of the tree's triangles, and of some
-/// of their neighbours, in ascending order, each once.
+/// Calls visit(triangle), in any order and perhaps more than once, for all that the leaves below a
+/// node list whose boxes touch a box in the unit frame.
+template <class Visit>
+void forEachBelow(const TriangleTree& tree, std::uint32_t node, const Box& unit, const Visit& visit)
+{
+  if (node == Treelet::kEmpty)
+  {
+    return;
+  }
+  if ((node & Treelet::kLeaf) != 0)
+  {
+    forEachListed(tree, node & ~Treelet::kLeaf, visit);
+    return;
+  }
+  const Treelet& treelet = tree.treelets()[node];
+  const std::array<bool, Treelet::kSize> isNear = childrenNear(treelet, unit);
+  for (unsigned child = 0; child < Treelet::kSize; ++child)
+  {
+    if (isNear[child])
+    {
+      forEachBelow(tree, treelet.children[child], unit, visit);
+    }
+  }
+}
+
+/// Calls visit(triangle), in any order and perhaps more than once, for all triangles that touch a
+/// box in the space of the tree's triangles, and for some of their neighbours.
+template <class Visit>
+void forEachNear(const TriangleTree& tree, const Box& box, const Visit& visit)
+{
+  if (!tree.isEmpty() && !box.isEmpty())
+  {
+    forEachBelow(tree, tree.root(), unitBounds(tree, box), visit);
+  }
+}
+
+/// The same triangles, in ascending order, each once.
 std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& box);
 
 }

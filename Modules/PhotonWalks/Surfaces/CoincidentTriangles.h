@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_CoincidentTriangles_h
+#define irradiance_CoincidentTriangles_h
+
+#include "Execution/Execution.h"
+#include "Surfaces/SceneObjects.h"
+
+#include <utility>
+#include <vector>
+
+namespace irradiance
+{
+
+/// A triangle, and what tells quickly whether others coincide with it.
+class FlatTriangle
+{
+public:
+  explicit FlatTriangle(const Triangle& triangle);
+
+  /// Two triangles coincide if they overlap and one lies within twice SurfacePoint::clearance of
+  /// the other's plane.
+  bool coincidesWith(const Triangle& other) const;
+  /// Unit vector.
+  const Vector3& normal() const { return normal_; }
+
+private:
+  bool isSeparatedFrom(const Triangle& other, double tolerance) const;
+  bool isInPlaneOf(const Triangle& other, double tolerance) const;
+
+  Triangle triangle_;
+  Vector3 normal_;
+  std::array<Vector3, 3> inward_;
+  double magnitude_;
+};
+
+using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// For each body its triangles that coincide, by number: first < second, in order.
+std::vector<std::vector<TrianglePair>> coincidentWithin(
+  const std::vector<const RigidObject*>& bodies, Execution& execution);
+
+/// The triangles of two objects that coincide in the world: of the first object, of the second.
+std::vector<TrianglePair> coincidentBetween(
+  const SceneObject& first, const SceneObject& second, const CancelPoint& cancelPoint);
+
+}
+
+#endif
