@@ -186,7 +186,7 @@ Contacts::ContactTriangle Contacts::contactTriangleOf(const Search& search, cons
   const SolidSides& sides = search.sides.of(search.objects, id.object, search.cancelPoint);
   SolidSide side = sides.of[id.triangle];
   // A dynamic shell that encloses all static geometry, with its front inside, lines a room.
-  if (id.object > 0 && side == SolidSide::InFront && sides.isOfOutermost[id.triangle] &&
+  if (id.object > 0 && side == SolidSide::InFront && sides.shell(id.triangle).isOutermost &&
     holds(worldBounds(object), search.objects.staticObject.body->mesh().bounds()))
   {
     side = SolidSide::Behind;

@@ -16,14 +16,6 @@ namespace irradiance
 namespace
 {
 
-/// A connected surface.
-struct Shell
-{
-  Box bounds;
-  bool isClosed = false;
-  bool isTurned = false; ///< its triangles, as given, have their fronts inside
-};
-
 /// Sets of connected triangles. Each triangle knows whether its orientation is opposite to the
 /// orientation of the first in its set.
 class OrientedSets
@@ -99,9 +91,9 @@ public:
     find(open(false), true, true);
   }
 
-  const std::vector<Shell>& shells() const { return shells_; }
-  const Shell& shellOf(std::size_t triangle) const { return shells_[shellOf_[triangle]]; }
-  std::uint32_t number(std::size_t triangle) const { return shellOf_[triangle]; }
+  std::vector<Shell> takeShells() { return std::move(shells_); }
+  /// For each triangle, its shell.
+  std::vector<std::uint32_t> takeShellOf() { return std::move(shellOf_); }
   /// True if the triangle has its front inside.
   bool isTurned(std::size_t triangle) const { return isTurned_[triangle] != 0; }
 
@@ -241,6 +233,7 @@ private:
       shell.volume += isTurned ? -volume : volume;
       shell.given += volume;
       shell.shell.bounds.add(t.bounds());
+      shell.shell.area += t.area();
     }
     for (auto& entry : found)
     {
@@ -319,27 +312,27 @@ SolidSides solidSides(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
   const CancelPoint& cancelPoint)
 {
-  const ShellSearch search(triangles, partOf, isLamp, cancelPoint);
+  ShellSearch search(triangles, partOf, isLamp, cancelPoint);
+  SolidSides sides;
+  sides.shells = search.takeShells();
+  sides.shellOf = search.takeShellOf();
   Box all;
-  for (const Shell& shell : search.shells())
+  for (const Shell& shell : sides.shells)
   {
     all.add(shell.bounds);
   }
-  std::vector<bool> isSolidWithout;
-  for (std::size_t i = 0; i < search.shells().size(); ++i)
+  for (std::size_t i = 0; i < sides.shells.size(); ++i)
   {
-    isSolidWithout.push_back(
-      mayHoldRooms && search.shells()[i].isClosed && isRoom(search.shells(), i, all));
+    Shell& shell = sides.shells[i];
+    shell.isOutermost = shell.isClosed && holds(shell.bounds, all);
+    shell.isRoom = mayHoldRooms && shell.isClosed && isRoom(sides.shells, i, all);
   }
-  SolidSides sides;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
   {
-    const bool isBehind = search.isTurned(i) == isSolidWithout[search.number(i)];
-    const Shell& shell = search.shellOf(i);
-    sides.isOfOutermost.push_back(shell.isClosed && holds(shell.bounds, all));
-    sides.of.push_back(!shell.isClosed ? SolidSide::None
-        : isBehind                     ? SolidSide::Behind
-                                       : SolidSide::InFront);
+    const Shell& shell = sides.shell(i);
+    sides.of.push_back(!shell.isClosed       ? SolidSide::None
+        : search.isTurned(i) == shell.isRoom ? SolidSide::Behind
+                                             : SolidSide::InFront);
   }
   return sides;
 }

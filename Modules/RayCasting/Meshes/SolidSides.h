@@ -19,11 +19,24 @@ enum class SolidSide : std::int8_t
   InFront
 };
 
+/// A connected surface.
+struct Shell
+{
+  Box bounds;
+  double area = 0;
+  bool isClosed = false;
+  bool isTurned = false;    ///< its triangles, as given, have their fronts inside
+  bool isRoom = false;      ///< it is closed, and solid outside; else a closed one is a body
+  bool isOutermost = false; ///< it is closed, and holds all of the mesh
+};
+
 struct SolidSides
 {
-  std::vector<SolidSide> of; ///< for each triangle
-  /// Whether a triangle belongs to a closed surface that holds all of the mesh.
-  std::vector<bool> isOfOutermost;
+  std::vector<SolidSide> of;          ///< for each triangle
+  std::vector<std::uint32_t> shellOf; ///< for each triangle, its place among the shells
+  std::vector<Shell> shells;
+
+  const Shell& shell(std::uint32_t triangle) const { return shells[shellOf[triangle]]; }
 };
 
 /**
@@ -35,7 +48,7 @@ struct SolidSides
  * of these hold: its front is inside; it holds all of the mesh; it holds another surface that
  * spans less of it than a whole side.
  *
- * Both arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined only
+ * Both given arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined only
  * where they are not closed alone. `isLamp`: lamps belong to a surface only if it does not
  * close without them.
  */
