@@ -3,6 +3,8 @@
 
 #include "Geometry/Pi.h"
 #include "Meshes/MeshEdges.h"
+#include "Meshes/RoomShells.h"
+#include "Meshes/ShellNesting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -273,39 +275,6 @@ private:
   std::vector<char> isTurned_;
 };
 
-bool holds(const Box& outer, const Box& inner)
-{
-  const double rounding = 0x1p-32 * outer.magnitude();
-  return (inner.lower.array() >= outer.lower.array() - rounding).all() &&
-    (inner.upper.array() <= outer.upper.array() + rounding).all();
-}
-
-/// A sheet as large as a side of the box lies against it. A smaller one lies in it, or lights it.
-bool isSmallerThanASide(const Box& inner, const Box& outer)
-{
-  const double rounding = 0x1p-32 * outer.magnitude();
-  return (inner.extent().array() < outer.extent().array() - rounding).count() >= 2;
-}
-
-bool isRoom(const std::vector<Shell>& shells, std::size_t number, const Box& all)
-{
-  const Shell& shell = shells[number];
-  const bool holdsAll = holds(shell.bounds, all);
-  if (shell.isTurned == holdsAll)
-  {
-    return holdsAll;
-  }
-  for (std::size_t i = 0; i < shells.size(); ++i)
-  {
-    if (i != number && holds(shell.bounds, shells[i].bounds) &&
-      isSmallerThanASide(shells[i].bounds, shell.bounds))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 }
 
 SolidSides solidSides(const std::vector<Triangle>& triangles,
@@ -321,18 +290,23 @@ SolidSides solidSides(const std::vector<Triangle>& triangles,
   {
     all.add(shell.bounds);
   }
-  for (std::size_t i = 0; i < sides.shells.size(); ++i)
+  for (Shell& shell : sides.shells)
   {
-    Shell& shell = sides.shells[i];
     shell.isOutermost = shell.isClosed && holds(shell.bounds, all);
-    shell.isRoom = mayHoldRooms && shell.isClosed && isRoom(sides.shells, i, all);
   }
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
   {
-    const Shell& shell = sides.shell(i);
-    sides.of.push_back(!shell.isClosed       ? SolidSide::None
-        : search.isTurned(i) == shell.isRoom ? SolidSide::Behind
-                                             : SolidSide::InFront);
+    sides.of.push_back(!sides.shell(i).isClosed ? SolidSide::None
+        : search.isTurned(i)                    ? SolidSide::InFront
+                                                : SolidSide::Behind);
+  }
+  markRooms(sides.shells, shellsAround(triangles, sides, cancelPoint), mayHoldRooms, cancelPoint);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    if (sides.shell(i).isRoom)
+    {
+      sides.of[i] = sides.of[i] == SolidSide::Behind ? SolidSide::InFront : SolidSide::Behind;
+    }
   }
   return sides;
 }

@@ -27,7 +27,7 @@ struct Shell
   bool isClosed = false;
   bool isTurned = false;    ///< its triangles, as given, have their fronts inside
   bool isRoom = false;      ///< it is closed, and solid outside; else a closed one is a body
-  bool isOutermost = false; ///< it is closed, and holds all of the mesh
+  bool isOutermost = false; ///< it is closed, holds all of the mesh, and is no body with cavities
 };
 
 struct SolidSides
@@ -44,9 +44,12 @@ struct SolidSides
  * inside; everything else is a sheet. Triangles whose edges have exactly the same two corners are
  * connected; the order of their corners does not matter.
  *
+ * A closed surface with its front inside that lies in the solid of a body is the wall of a cavity,
+ * solid outside.
+ *
  * With `mayHoldRooms`, a closed surface may also belong to a room, solid outside. It is one if two
  * of these hold: its front is inside; it holds all of the mesh; it holds another surface that
- * spans less of it than a whole side.
+ * spans less of it than a whole side. A wall of a cavity, and what is in the cavity, do not count.
  *
  * Both given arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined only
  * where they are not closed alone. `isLamp`: lamps belong to a surface only if it does not
