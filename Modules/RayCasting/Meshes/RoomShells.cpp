@@ -84,8 +84,8 @@ private:
     return cavities;
   }
 
-  /// Whether a shell holds something that is not, or in, one of its cavities. What touches the outside of a body with
-  /// cavities is not in it.
+  /// Whether a shell holds something that is not, or in, one of its cavities. What touches the
+  /// outside of a body with cavities is not in it.
   bool isFurnished(std::uint32_t number, const Numbers& cavities, ThrottledCancelPoint& pace) const
   {
     const Box& outer = shells_[number].bounds;

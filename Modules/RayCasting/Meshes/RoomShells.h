@@ -8,8 +8,9 @@ namespace irradiance
 {
 
 /// Marks the closed shells that are solid outside: the walls of rooms, if there may be any, and of
-/// the cavities of bodies, as solidSides() says. `around`: the closed shell around each shell with its front inside,
-/// see shellsAround(). Known is which shells hold all of the mesh; of those, bodies with cavities lose that.
+/// the cavities of bodies, as solidSides() says. `around`: the closed shell around each shell with
+/// its front inside, see shellsAround(). Known is which shells hold all of the mesh; of those,
+/// bodies with cavities lose that.
 void markRooms(std::vector<Shell>& shells, const std::vector<std::uint32_t>& around,
   bool mayHoldRooms, const CancelPoint& cancelPoint);
 

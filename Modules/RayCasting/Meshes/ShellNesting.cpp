@@ -165,8 +165,8 @@ private:
     return isHit && (n[0] > 0 ? n.dot(d) < 0 : n.dot(d) > 0);
   }
 
-  /// Seen along x, whether a ray from the point along z crosses an edge. The two triangles at an edge
-  /// get the same answer, so of a closed shell the ray along x crosses an even number.
+  /// Seen along x, whether a ray from the point along z crosses an edge. The two triangles at an
+  /// edge get the same answer, so of a closed shell the ray along x crosses an even number.
   static bool isBeside(const Vector3& a, const Vector3& b, const Vector3& point)
   {
     if ((a[1] <= point[1]) == (b[1] <= point[1]))

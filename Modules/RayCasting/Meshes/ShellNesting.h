@@ -9,10 +9,10 @@ namespace irradiance
 
 constexpr std::uint32_t kNoShell = 0xffffffffu;
 
-/// For each closed shell with its front inside, the smallest closed shell that holds it, itself left out. For other
-/// shells, and where none is around, kNoShell. A shell holds another if it is larger and if points
-/// close to the other one's surface, on its inner side, are all inside. `bodies`: sides as if all closed
-/// shells were bodies.
+/// For each closed shell with its front inside, the smallest closed shell that holds it, itself
+/// left out. For other shells, and where none is around, kNoShell. A shell holds another if it is
+/// larger and if points close to the other one's surface, on its inner side, are all inside.
+/// `bodies`: sides as if all closed shells were bodies.
 std::vector<std::uint32_t> shellsAround(
   const std::vector<Triangle>& triangles, const SolidSides& bodies, const CancelPoint& cancelPoint);
 

@@ -27,6 +27,7 @@ struct Shell
   bool isClosed = false;
   bool isTurned = false;    ///< its triangles, as given, have their fronts inside
   bool isRoom = false;      ///< it is closed, and solid outside; else a closed one is a body
+  bool isSimple = false;    ///< proven not to cross itself, see markSimpleShells()
   bool isOutermost = false; ///< it is closed, holds all of the mesh, and is no body with cavities
 };
 
@@ -51,8 +52,8 @@ struct SolidSides
  * of these hold: its front is inside; it holds all of the mesh; it holds another surface that
  * spans less of it than a whole side. A wall of a cavity, and what is in the cavity, do not count.
  *
- * Both given arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined only
- * where they are not closed alone. `isLamp`: lamps belong to a surface only if it does not
+ * Both given arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined
+ * only where they are not closed alone. `isLamp`: lamps belong to a surface only if it does not
  * close without them.
  */
 SolidSides solidSides(const std::vector<Triangle>& triangles,
