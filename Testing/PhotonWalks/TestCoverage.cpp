@@ -22,7 +22,7 @@ using test::lambertIrradiance;
 using test::meanOverRectangle;
 using test::ObjectBuilder;
 
-constexpr int kSeeds = 20;
+constexpr int kCoverageSeeds = 20;
 
 /// A scene and the true irradiance of its cells, W/m2.
 struct KnownScene
@@ -235,7 +235,7 @@ Held countHeld(const KnownScene& scene, bool isGathered)
   settings.gathersDirectLight = isGathered;
   const double factor = ErrorEstimate::confidenceFactor(settings.replicates);
   Held all;
-  for (int seed = 1; seed <= kSeeds; ++seed)
+  for (int seed = 1; seed <= kCoverageSeeds; ++seed)
   {
     settings.seed = static_cast<std::uint64_t>(seed);
     IrradianceEngine engine;
@@ -301,7 +301,7 @@ TEST_P(Coverage, TargetIsReachedOnMostOfTheArea)
   settings.replicates = 16;
   settings.verify = false;
   double within = 0, all = 0, walks = 0, worst = 1, largest = 0;
-  for (int seed = 1; seed <= kSeeds; ++seed)
+  for (int seed = 1; seed <= kCoverageSeeds; ++seed)
   {
     settings.seed = static_cast<std::uint64_t>(seed);
     IrradianceEngine engine;
@@ -329,8 +329,8 @@ TEST_P(Coverage, TargetIsReachedOnMostOfTheArea)
   std::printf(
     "%s: target %.2f, reached at most %.3f with %.0f walks; %.2f %% of the area is within "
     "it, %.2f %% with the worst seed\n",
-    GetParam().name, settings.targetRelativeError, largest, walks / kSeeds, 100 * within / all,
-    100 * worst);
+    GetParam().name, settings.targetRelativeError, largest, walks / kCoverageSeeds,
+    100 * within / all, 100 * worst);
   EXPECT_GE(within, 0.95 * all);
 }
 

@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-// Sides of cells that no light can reach straight from the lights, and the cells that gather nothing.
+// Sides of cells that no light can reach straight from the lights, and the cells that gather
+// nothing.
 
 namespace irradiance
 {
@@ -169,6 +170,65 @@ TEST(DarkSides, FollowALampThatEntersTheBody)
     {
       EXPECT_EQ(inner, 0);
     }
+  }
+}
+
+namespace
+{
+
+/// A ring about the z axis, 16 cells along and 12 around. `section(v)`: x, z of its section.
+template <class Section>
+ObjectBuilder ring(const Section& section)
+{
+  ObjectBuilder builder;
+  builder.addGrid(16, 12, grey(0.5), [&](int i, int k) {
+    const double u = 2 * M_PI * (i % 16) / 16;
+    const Vector3 s = section(2 * M_PI * (k % 12) / 12);
+    return Vector3((.7 + s[0]) * std::cos(u), (.7 + s[0]) * std::sin(u), s[2]);
+  });
+  return builder;
+}
+
+}
+
+// An eight has its front outside on one half, and inside on the other: no side of it is dark for
+// certain.
+TEST(DarkSides, AreNotOfARingThatCrossesItself)
+{
+  const ObjectBuilder round =
+    ring([](double v) { return Vector3(.3 * std::cos(v), 0, .3 * std::sin(v)); });
+  const ObjectBuilder eight =
+    ring([](double v) { return Vector3(.3 * std::cos(v + .1), 0, .2 * std::sin(2 * v + .2)); });
+  SceneObjects objects = withMover(round);
+  objects.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 1 });
+  EXPECT_EQ(countsOf(objects).front + countsOf(objects).back, 192 + countsOf(objects).both);
+  objects = withMover(eight);
+  objects.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 1 });
+  EXPECT_EQ(countsOf(objects), (Counts{ 0, 0, 0, 192 }));
+  // Both halves have light, shot and gathered.
+  double watts[2][2];
+  for (const bool isGathered : { false, true })
+  {
+    EngineSettings settings;
+    settings.numberOfWalks = test::scaled(40000);
+    settings.gathersDirectLight = isGathered;
+    settings.separateSides = true;
+    IrradianceEngine engine;
+    Execution serial;
+    engine.update(objects, settings, serial);
+    for (const int side : { 0, 1 })
+    {
+      watts[isGathered][side] = 0;
+      for (std::size_t cell = 0; cell < 192; ++cell)
+      {
+        watts[isGathered][side] += engine.watts(engine.sums().sum({ 1, cell, side }, 0));
+      }
+    }
+  }
+  for (const int side : { 0, 1 })
+  {
+    EXPECT_GT(watts[0][side], .05);
+    EXPECT_NEAR(watts[1][side], watts[0][side], (test::kIsSanitized ? .5 : .1) * watts[0][side]);
   }
 }
 

@@ -168,4 +168,87 @@ TEST(SolidSides, PartsCloseTogether)
   EXPECT_EQ(first(sidesOf(sides, { 6 }), 12), all(12, SolidSide::InFront));
 }
 
+namespace
+{
+
+Triangles cavity(const Vector3& low, const Vector3& high)
+{
+  return reversed(box(low, high));
+}
+
+constexpr SolidSide kBehind = SolidSide::Behind, kInFront = SolidSide::InFront;
+
+}
+
+// A body with a cavity, in it a body with a cavity. Fronts are out of the material throughout, so all of it is
+// behind.
+TEST(SolidSides, ShellsNest)
+{
+  const Triangles chamber =
+    joined({ box(kLow, kHigh), cavity({ .125, .125, .125 }, { .875, .875, .875 }) });
+  const Triangles flask = joined({ box({ .1875, .3125, .125 }, { .625, .8125, .6875 }),
+    cavity({ .3125, .375, .1875 }, { .5, .6875, .625 }) });
+  const Triangles lamp = sheet(.125, .875, .875), lampOutside = sheet(0, .5, 1);
+  for (const bool mayHoldRooms : { false, true })
+  {
+    for (const bool isOnePart : { false, true })
+    {
+      const auto sides = [&](const std::vector<Triangles>& parts,
+                           const std::vector<std::size_t>& lamps = {}) {
+        return first(sidesOf(parts, lamps, mayHoldRooms, isOnePart), 24);
+      };
+      EXPECT_EQ(sides({ chamber }), all(24, kBehind));
+      EXPECT_EQ(sides({ chamber, lamp }, { 1 }), all(24, kBehind));
+      EXPECT_EQ(sides({ chamber, lampOutside }, { 1 }), all(24, kBehind));
+      EXPECT_EQ(sidesOf({ chamber, flask }, {}, mayHoldRooms, isOnePart), all(48, kBehind));
+      EXPECT_EQ(sidesOf({ flask, chamber }, {}, mayHoldRooms, isOnePart), all(48, kBehind));
+      // Each wall a part of its own.
+      EXPECT_EQ(sidesOf({ cavity({ .125, .125, .125 }, { .875, .875, .875 }), box(kLow, kHigh) },
+                  {}, mayHoldRooms, isOnePart),
+        all(24, kBehind));
+    }
+  }
+}
+
+// The box of an L holds the corner that is cut out of it; boxes that cross hold a part of each other. A shell with
+// its front inside that is in no body is a body.
+TEST(SolidSides, OnlyWhatIsInsideOfABodyIsACavity)
+{
+  const Triangles lower = box(kLow, { 1, 1, .5 }), upper = box({ 0, 0, .5 }, { .5, 1, 1 });
+  // Along the shared edges four triangles meet, so the two are one part with the shape of an L, or two bodies.
+  const Triangles step = joined({ lower, upper });
+  for (const bool isOnePart : { false, true })
+  {
+    EXPECT_EQ(sidesOf({ cavity({ .625, .125, .625 }, { .875, .875, .875 }), step }, {}, false,
+                isOnePart)[0],
+      kInFront);
+    EXPECT_EQ(sidesOf({ cavity({ .625, .125, .125 }, { .875, .875, .375 }), step }, {}, false,
+                isOnePart)[0],
+      kBehind);
+  }
+  const Triangles cube = box(kLow, kHigh);
+  EXPECT_EQ(sidesOf({ cavity({ .5, .5, .5 }, { 1.5, .875, .875 }), cube }, {}, false)[0], kInFront);
+  EXPECT_EQ(sidesOf({ cavity({ 1, 0, 0 }, { 2, 1, 1 }), cube }, {}, false)[0], kInFront);
+  // It touches the body from inside, with a wall of no thickness; it coincides with the body.
+  EXPECT_EQ(sidesOf({ cavity({ .5, .5, .5 }, { .875, 1, .875 }), cube }, {}, false)[0], kBehind);
+  EXPECT_EQ(sidesOf({ reversed(cube), cube }, {}, false)[0], kInFront);
+}
+
+// 20 x 20 x 20 bubbles in a block, every other one with a body in it.
+TEST(SolidSides, OfManyShellsTakeNoSquareOfTheirNumber)
+{
+  std::vector<Triangles> parts{ box(kLow, kHigh) };
+  for (int i = 0; i < 8000; ++i)
+  {
+    const Vector3 low = Vector3(i % 20 + .25, i / 20 % 20 + .25, i / 400 + .25) / 32;
+    const Vector3 high = low + Vector3::Constant(1. / 64);
+    parts.push_back(cavity(low, high));
+    if (i % 2 == 0)
+    {
+      parts.push_back(box(low + Vector3::Constant(1. / 256), high - Vector3::Constant(1. / 256)));
+    }
+  }
+  EXPECT_TRUE(sidesOf(parts, {}, true, true) == all(12 * parts.size(), kBehind));
+}
+
 }

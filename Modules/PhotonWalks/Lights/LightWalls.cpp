@@ -65,7 +65,7 @@ std::vector<Wall> wallsAt(const SceneObjects& objects, const Vector3& light, Obj
         ? sideOfAll(building, triangle, tolerance, cancelPoint)
         : (sides.of[i] == SolidSide::Behind ? 1 : -1);
       // A body that encloses everything can only be a room.
-      const bool isRoomAfterAll = object == 0 && sides.isOfOutermost[i] &&
+      const bool isRoomAfterAll = object == 0 && sides.shell(i).isOutermost &&
         sideOfAll(building, triangle, tolerance, cancelPoint) == -open;
       const Vector3 normal = (isRoomAfterAll ? -open : open) * front;
       const bool isKnown = std::any_of(walls.begin(), walls.end(),

@@ -2,6 +2,7 @@
 #include "Surfaces/ContactLight.h"
 
 #include "Geometry/MovedBox.h"
+#include "Meshes/ShellNesting.h"
 #include "Surfaces/Touching.h"
 
 #include <algorithm>

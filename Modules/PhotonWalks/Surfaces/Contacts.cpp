@@ -2,6 +2,7 @@
 #include "Surfaces/Contacts.h"
 
 #include "Execution/ProgressSpan.h"
+#include "Meshes/ShellNesting.h"
 #include "Surfaces/ContactLight.h"
 #include "Surfaces/Touching.h"
 #include "Trees/BoxQuery.h"
@@ -205,14 +206,13 @@ Contacts::ContactTriangle Contacts::contactTriangleOf(const SceneObjects& object
 {
   const SceneObject& object = objects[id.object];
   const SolidSides& sides = allSides.of(objects, id.object, cancelPoint);
-  const std::uint32_t number = sides.shellOf[id.triangle];
-  const Shell& shell = sides.shells[number];
+  const Shell& shell = sides.shell(id.triangle);
   // A dynamic shell that encloses all static geometry, with its front inside, lines a room.
   const bool isLining = id.object > 0 && sides.of[id.triangle] == SolidSide::InFront &&
-    sides.isOfOutermost[id.triangle] &&
-    holds(touchedBox(object.worldBounds()), objects.staticObject.body->mesh().bounds());
+    shell.isOutermost && !objects.staticObject.isEmpty() &&
+    holds(object.worldBounds(), objects.staticObject.body->mesh().bounds());
   return { id, isLining ? SolidSide::Behind : sides.of[id.triangle], shell.isRoom || isLining,
-    object.isLamp(id.triangle), number, sizeOf(object, shell) };
+    object.isLamp(id.triangle), sides.shellOf[id.triangle], sizeOf(object, shell) };
 }
 
 void Contacts::finish(Contact& contact, const SceneObjects& objects, const CancelPoint& cancelPoint)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/ObjectSides.h"
 
+#include "Trees/SimpleShells.h"
+
 namespace irradiance
 {
 
@@ -24,7 +26,7 @@ const SolidSides& ObjectSides::of(
   Known& known = known_[object];
   if (!isSameThing(known.object, objects[object]) || known.sides.of.empty())
   {
-    known = { objects[object], solidSidesOf(objects[object], object == 0, cancelPoint) };
+    known = { objects[object], solidSidesOf(objects[object], object == 0, cancelPoint), false };
   }
   return known.sides;
 }
@@ -34,6 +36,13 @@ void ObjectSides::find(const SceneObjects& objects, const CancelPoint& cancelPoi
   for (std::uint32_t object = 1; object < objects.size(); ++object)
   {
     of(objects, object, cancelPoint);
+    Known& known = known_[object];
+    if (!known.isSimpleKnown)
+    {
+      const RigidObject& body = *objects[object].body;
+      markSimpleShells(known.sides, body.mesh().triangles(), body.tree(), cancelPoint);
+      known.isSimpleKnown = true;
+    }
   }
 }
 

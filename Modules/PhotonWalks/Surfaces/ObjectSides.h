@@ -22,7 +22,7 @@ public:
   const SolidSides& of(
     const SceneObjects& objects, std::uint32_t object, const CancelPoint& cancelPoint);
 
-  /// Those of the dynamic objects, for the operator below.
+  /// Those of the dynamic objects, for the operator below, with which of their shells are simple.
   void find(const SceneObjects& objects, const CancelPoint& cancelPoint);
   /// Must be known.
   const SolidSides& operator[](std::uint32_t object) const { return known_[object].sides; }
@@ -32,6 +32,7 @@ private:
   {
     SceneObject object; ///< as it was
     SolidSides sides;
+    bool isSimpleKnown = false; ///< which of the shells are simple
   };
 
   std::vector<Known> known_;

@@ -24,12 +24,6 @@ Box touchedBox(Box box)
   return box;
 }
 
-bool holds(const Box& outer, const Box& inner)
-{
-  return !inner.isEmpty() && (inner.lower.array() >= outer.lower.array()).all() &&
-    (inner.upper.array() <= outer.upper.array()).all();
-}
-
 Triangle worldTriangle(const SceneObject& object, std::uint32_t triangle)
 {
   return transformed(object.worldFromObject, object.body->mesh()[triangle]);

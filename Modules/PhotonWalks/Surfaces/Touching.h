@@ -21,9 +21,6 @@ std::array<Vector3, 3> inwardOf(const Triangle& triangle);
 /// A box that holds all that touches this one.
 Box touchedBox(Box box);
 
-/// Whether a box that is not empty lies in another.
-bool holds(const Box& outer, const Box& inner);
-
 Triangle worldTriangle(const SceneObject& object, std::uint32_t triangle);
 Triangle worldTriangle(const SceneObjects& objects, const TriangleId& id);
 /// Triangles of an object that may touch a box in the world.

@@ -3,6 +3,8 @@
 
 #include "Geometry/Pi.h"
 #include "Meshes/MeshEdges.h"
+#include "Meshes/RoomShells.h"
+#include "Meshes/ShellNesting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,8 +93,9 @@ public:
     find(open(false), true, true);
   }
 
-  const std::vector<Shell>& shells() const { return shells_; }
-  std::uint32_t number(std::size_t triangle) const { return shellOf_[triangle]; }
+  std::vector<Shell> takeShells() { return std::move(shells_); }
+  /// For each triangle, its shell.
+  std::vector<std::uint32_t> takeShellOf() { return std::move(shellOf_); }
   /// True if the triangle has its front inside.
   bool isTurned(std::size_t triangle) const { return isTurned_[triangle] != 0; }
 
@@ -273,67 +276,38 @@ private:
   std::vector<char> isTurned_;
 };
 
-bool holds(const Box& outer, const Box& inner)
-{
-  const double rounding = 0x1p-32 * outer.magnitude();
-  return (inner.lower.array() >= outer.lower.array() - rounding).all() &&
-    (inner.upper.array() <= outer.upper.array() + rounding).all();
-}
-
-/// A sheet as large as a side of the box lies against it. A smaller one lies in it, or lights it.
-bool isSmallerThanASide(const Box& inner, const Box& outer)
-{
-  const double rounding = 0x1p-32 * outer.magnitude();
-  return (inner.extent().array() < outer.extent().array() - rounding).count() >= 2;
-}
-
-bool isRoom(const std::vector<Shell>& shells, std::size_t number, const Box& all)
-{
-  const Shell& shell = shells[number];
-  const bool holdsAll = holds(shell.bounds, all);
-  if (shell.isTurned == holdsAll)
-  {
-    return holdsAll;
-  }
-  for (std::size_t i = 0; i < shells.size(); ++i)
-  {
-    if (i != number && holds(shell.bounds, shells[i].bounds) &&
-      isSmallerThanASide(shells[i].bounds, shell.bounds))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 }
 
 SolidSides solidSides(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
   const CancelPoint& cancelPoint)
 {
-  const ShellSearch search(triangles, partOf, isLamp, cancelPoint);
+  ShellSearch search(triangles, partOf, isLamp, cancelPoint);
+  SolidSides sides;
+  sides.shells = search.takeShells();
+  sides.shellOf = search.takeShellOf();
   Box all;
-  for (const Shell& shell : search.shells())
+  for (const Shell& shell : sides.shells)
   {
     all.add(shell.bounds);
   }
-  SolidSides sides;
-  sides.shells = search.shells();
-  for (std::size_t i = 0; i < sides.shells.size(); ++i)
+  for (Shell& shell : sides.shells)
   {
-    sides.shells[i].isRoom =
-      mayHoldRooms && sides.shells[i].isClosed && isRoom(search.shells(), i, all);
+    shell.isOutermost = shell.isClosed && holds(shell.bounds, all);
   }
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
   {
-    sides.shellOf.push_back(search.number(i));
-    const Shell& shell = sides.shells[search.number(i)];
-    const bool isBehind = search.isTurned(i) == shell.isRoom;
-    sides.isOfOutermost.push_back(shell.isClosed && holds(shell.bounds, all));
-    sides.of.push_back(!shell.isClosed ? SolidSide::None
-        : isBehind                     ? SolidSide::Behind
-                                       : SolidSide::InFront);
+    sides.of.push_back(!sides.shell(i).isClosed ? SolidSide::None
+        : search.isTurned(i)                    ? SolidSide::InFront
+                                                : SolidSide::Behind);
+  }
+  markRooms(sides.shells, shellsAround(triangles, sides, cancelPoint), mayHoldRooms, cancelPoint);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    if (sides.shell(i).isRoom)
+    {
+      sides.of[i] = sides.of[i] == SolidSide::Behind ? SolidSide::InFront : SolidSide::Behind;
+    }
   }
   return sides;
 }

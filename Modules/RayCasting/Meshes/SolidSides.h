@@ -23,19 +23,22 @@ enum class SolidSide : std::int8_t
 struct Shell
 {
   Box bounds;
-  double area = 0, volume = 0; ///< the volume that it encloses, if it is closed
+  double area = 0;
+  double volume = 0; ///< that it encloses, if it is closed
   bool isClosed = false;
-  bool isTurned = false; ///< its triangles, as given, have their fronts inside
-  bool isRoom = false;   ///< closed, and solid outside
+  bool isTurned = false;    ///< its triangles, as given, have their fronts inside
+  bool isRoom = false;      ///< it is closed, and solid outside; else a closed one is a body
+  bool isSimple = false;    ///< proven not to cross itself, see markSimpleShells()
+  bool isOutermost = false; ///< it is closed, holds all of the mesh, and is no body with cavities
 };
 
 struct SolidSides
 {
-  std::vector<SolidSide> of; ///< for each triangle
+  std::vector<SolidSide> of;          ///< for each triangle
+  std::vector<std::uint32_t> shellOf; ///< for each triangle, its place among the shells
   std::vector<Shell> shells;
-  std::vector<std::uint32_t> shellOf; ///< for each triangle
-  /// Whether a triangle belongs to a closed surface that holds all of the mesh.
-  std::vector<bool> isOfOutermost;
+
+  const Shell& shell(std::uint32_t triangle) const { return shells[shellOf[triangle]]; }
 };
 
 /**
@@ -43,12 +46,15 @@ struct SolidSides
  * inside; everything else is a sheet. Triangles whose edges have exactly the same two corners are
  * connected; the order of their corners does not matter.
  *
+ * A closed surface with its front inside that lies in the solid of a body is the wall of a cavity,
+ * solid outside.
+ *
  * With `mayHoldRooms`, a closed surface may also belong to a room, solid outside. It is one if two
  * of these hold: its front is inside; it holds all of the mesh; it holds another surface that
- * spans less of it than a whole side.
+ * spans less of it than a whole side. A wall of a cavity, and what is in the cavity, do not count.
  *
- * Both arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined only
- * where they are not closed alone. `isLamp`: lamps belong to a surface only if it does not
+ * Both given arrays have one entry per triangle. `partOf`: its part of the mesh; parts are joined
+ * only where they are not closed alone. `isLamp`: lamps belong to a surface only if it does not
  * close without them.
  */
 SolidSides solidSides(const std::vector<Triangle>& triangles,

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ShellNesting_h
+#define irradiance_ShellNesting_h
+
+#include "Meshes/SolidSides.h"
+
+namespace irradiance
+{
+
+constexpr std::uint32_t kNoShell = 0xffffffffu;
+
+/// For each closed shell with its front inside, the smallest closed shell that holds it, itself
+/// left out. For other shells, and where none is around, kNoShell. A shell holds another if it is
+/// larger and if points close to the other one's surface, on its inner side, are all inside.
+/// `bodies`: sides as if all closed shells were bodies.
+std::vector<std::uint32_t> shellsAround(
+  const std::vector<Triangle>& triangles, const SolidSides& bodies, const CancelPoint& cancelPoint);
+
+/// Whether a box holds another one, or touches it from outside by less than rounding.
+bool holds(const Box& outer, const Box& inner);
+
+}
+
+#endif
