@@ -71,10 +71,10 @@ TEST(LampAdvice, OneOfSeveral)
   scene.Moving.clear();
   scene.Fixed[0] = MakeRoom(6, 4);
   scene.Fixed[1] = MakeLamp({ 3, 3, 5 }, 1, { 100 });
-  scene.Fixed[2] = MakeLamp({ 3, 3, -1 }, 0.2, { 100 });
+  scene.Fixed[2] = MakeLamp({ 3, 3, -1 }, 0.3, { 100 });
   const auto weak = MakeFilter(scene, 200000);
   weak->SetDirectLightToGathered();
-  ExpectOnlyWarning(weak, { "nothing else is lit", "input port 0, connection 2", "4 W" });
+  ExpectOnlyWarning(weak, { "nothing else is lit", "input port 0, connection 2", "9 W" });
   scene = MakeFloor();
   scene.Fixed.push_back(nullptr);
 
