@@ -68,6 +68,7 @@ public:
   void Complete(vtkIrradianceFilter* filter, Inputs& inputs, irradiance::Ranks& ranks);
   void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
     irradiance::Ranks& ranks, vtkMultiBlockDataSet* output, vtkPolyData* walks);
+  void WarnOfExcess(vtkIrradianceFilter* filter);
   void Advise(
     vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint);
 
@@ -80,6 +81,7 @@ public:
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
     std::make_shared<irradiance::IrradianceEngine>();
   std::vector<std::string> Advice; ///< what was probably a mistake when the inputs last changed
+  bool HasExcess = false;          ///< the last update had more light than there is
   vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
   vtkTimeStamp Newest;
 };
@@ -630,6 +632,22 @@ void vtkIrradianceFilter::vtkInternals::Complete(
   irradiance::checkChosenArrays(filter, inputs.Static, inputs.Dynamic);
 }
 
+/// Whenever an update begins to have more light than there is.
+void vtkIrradianceFilter::vtkInternals::WarnOfExcess(vtkIrradianceFilter* filter)
+{
+  const irradiance::IrradianceEngine& engine = *this->Engine;
+  std::string excess;
+  for (int band = 0; band < irradiance::Power::kMaxBands && excess.empty(); ++band)
+  {
+    excess = irradiance::excessWarning(engine.watts(engine.balance().emitted[band]),
+      engine.watts(engine.balance().escaped[band]), engine.escapedError(band));
+  }
+  if (!std::exchange(this->HasExcess, !excess.empty()) && !excess.empty())
+  {
+    vtkWarningWithObjectMacro(filter, << excess);
+  }
+}
+
 /// Says what is probably a mistake, unless it said so when the inputs last changed.
 void vtkIrradianceFilter::vtkInternals::Advise(
   vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint)
@@ -692,6 +710,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     vtkWarningWithObjectMacro(filter, << TargetMissed(*this->Engine, settings));
   }
   const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
+  this->WarnOfExcess(filter);
   this->Advise(filter, inputs, writing);
   irradiance::OutputWriter(*this->Engine, this->Scene, settings,
     filter->GetComputeStandardError() != 0, irradiance::areReplicatesRequested(request), writing)

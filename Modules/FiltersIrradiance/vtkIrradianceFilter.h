@@ -296,8 +296,8 @@ public:
    * Standard errors are those of both parts; where a cell takes fewer than 64 samples for its direct light, the
    * intervals are a little too wide (98 to 99 % of them hold the truth). `EmittedPower` is that of the lights and
    * equals `AbsorbedPower` + `EscapedPower`, but how these divide is then an estimate as well: in a closed scene
-   * `EscapedPower` is zero only within the noise, and may be negative. About `NumberOfWalks` walks
-   * start, if the light falls on cells that reflect as static ones do on average. Changing it shoots everything again.
+   * `EscapedPower` is zero only within the field `EscapedPowerStandardError`, and may be negative. About `NumberOfWalks`
+   * walks start, if the light falls on cells that reflect as static ones do on average. Changing it shoots all again.
    * Default Automatic.
    */
   vtkSetClampMacro(DirectLight, int, Shot, AutomaticDirectLight);
@@ -485,7 +485,7 @@ public:
   double GetShootSeconds();
   double GetVerifySeconds();
   double GetRepairSeconds();
-  vtkIdType GetNumberOfShotWalks();      ///< the field `NumberOfWalks`
+  vtkIdType GetNumberOfShotWalks();      ///< the field `NumberOfWalks`, of walks that were shot
   vtkIdType GetNumberOfCastGatherRays(); ///< the field `NumberOfGatherRays`
   vtkIdType GetNumberOfSegments();
   vtkIdType GetNumberOfInvalidWalks();

@@ -50,7 +50,7 @@
  *   where all directions are alike four times the irradiance of a plane;
  * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has standard errors
  *   (ComputeStandardError): from its replicates, each with rays of its own that read its own sums. NaN where nothing
- *   arrived. What reading means over cells biases is not in it.
+ *   arrived; the field `NumberOfUnknownErrors` counts these. What reading means over cells biases is not in it.
  *
  * @section ProbeNearest Nearest
  * With k photons the relative standard error is about 1 / sqrt(k). More photons come from farther

@@ -46,7 +46,7 @@
  *
  * @section ExposureErrors Errors
  * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among them
- * with TimeSteps; no irradiance; no replicates of it with NumberOfSpreadPhotons; irradiance that is not finite; blocks whose number of cells or whose arrays
+ * with TimeSteps; no irradiance, or one of points (see the Guide for the dose of sensors); no replicates of it with NumberOfSpreadPhotons; irradiance that is not finite; blocks whose number of cells or whose arrays
  * differ between times; StalePower (a RepairTimeBudget upstream left walks that are no longer valid, and
  * what rests on them is not what the scene receives); an input that has other times than those asked
  * for, as files between their steps, unless IntegrationMode is Automatic and they are its steps: one error

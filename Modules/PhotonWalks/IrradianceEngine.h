@@ -86,6 +86,8 @@ public:
   double staleGainBound(int band) const { return watts(walks_.staleGainBound(band)); }
   bool hasLights() const { return !walks_.isEmpty(); }
   const PowerBalance& balance() const { return walks_.balance(); }
+  /// W: the standard error of what escapes, and of what is absorbed; rather too large.
+  double escapedError(int band) const { return watts(walks_.escapedError(band)); }
   const EngineStatistics& statistics() const { return statistics_; }
   const CellSums& sums() const { return walks_.sums(); }
   /// Their histories are empty unless something may move, or photons are kept.

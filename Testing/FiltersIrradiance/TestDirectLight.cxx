@@ -533,7 +533,7 @@ TEST(DirectLight, EscapedPowerIsRightOnTheAverage)
     const Scene scene = isOpen ? MakeOpenScene() : MakeSmallScene();
     const auto filter = MakeGathered(scene, 4000);
     constexpr int seeds = 24;
-    double sum = 0, squares = 0, least = 1e9;
+    double sum = 0, squares = 0, least = 1e9, stated = 0;
     for (int seed = 1; seed <= seeds; ++seed)
     {
       filter->SetSeed(seed);
@@ -542,6 +542,11 @@ TEST(DirectLight, EscapedPowerIsRightOnTheAverage)
       sum += escaped;
       squares += escaped * escaped;
       least = std::min(least, escaped);
+      stated +=
+        std::pow(Field(filter, "EscapedPowerStandardError") / Field(filter, "EmittedPower"), 2) /
+        seeds;
+      EXPECT_EQ(
+        Field(filter, "EscapedPowerStandardError"), Field(filter, "AbsorbedPowerStandardError"));
     }
     const double mean = sum / seeds,
                  error = std::sqrt((squares / seeds - mean * mean) / (seeds - 1));
@@ -558,7 +563,101 @@ TEST(DirectLight, EscapedPowerIsRightOnTheAverage)
     EXPECT_NEAR(mean, expected, 5 * std::hypot(error, shotError));
     EXPECT_LT(error, 0.01) << "else a test of nothing";
     EXPECT_EQ(least < 0, !isOpen);
+    // The deviation of 24 seeds exceeds the true one by a half once in 10,000 (chi squared).
+    EXPECT_LT(error * std::sqrt(seeds), 1.5 * std::sqrt(stated));
+    EXPECT_GT(error * std::sqrt(seeds), 0.2 * std::sqrt(stated)) << "a bar of nothing";
   }
+}
+
+// Where nothing absorbs, nothing is absorbed, and where nothing reflects, no walk is shot.
+TEST(DirectLight, PowersOfWhiteAndBlackScenes)
+{
+  const auto dyed = [](Scene scene, double reflectance) {
+    for (Mesh& mesh : scene.Fixed)
+    {
+      mesh = Copy(mesh);
+      SetCellValues(mesh, "DiffuseReflectance", { reflectance });
+    }
+    scene.Moving.clear();
+    return scene;
+  };
+  const auto errors = { "AbsorbedPowerStandardError", "EscapedPowerStandardError" };
+  for (const bool errorBars : { false, true })
+  {
+    const auto white = MakeGathered(dyed(MakeOpenScene(), 1), 4000);
+    const auto black = MakeGathered(dyed(MakeSmallScene(), 0), 4000);
+    for (const auto& filter : { white, black })
+    {
+      filter->SetComputeStandardError(errorBars);
+      filter->Update();
+    }
+    EXPECT_GT(Field(white, "NumberOfWalks"), 1000);
+    EXPECT_LT(
+      std::abs(Field(white, "AbsorbedPower")), 5 * Field(white, "AbsorbedPowerStandardError"));
+    EXPECT_EQ(Field(black, "NumberOfWalks"), 0);
+    EXPECT_EQ(black->GetNumberOfShotWalks(), 0);
+    EXPECT_EQ(Field(black, "NumberOfSegments"), 0);
+    EXPECT_LT(
+      std::abs(Field(black, "EscapedPower")), 5 * Field(black, "EscapedPowerStandardError"));
+    for (const char* name : errors)
+    {
+      EXPECT_LT(Field(white, name), 0.05 * Field(white, "EmittedPower"));
+      EXPECT_LT(Field(black, name), 0.05 * Field(black, "EmittedPower"));
+    }
+  }
+  // Shot, nothing is estimated in a closed scene; of an open one a binomial number of walks escapes.
+  const auto closed = MakeFilter(MakeSmallScene(), 2000), open = MakeFilter(MakeOpenScene(), 2000);
+  closed->Update();
+  open->Update();
+  EXPECT_EQ(Field(closed, "EscapedPowerStandardError"), 0);
+  EXPECT_EQ(Field(closed, "NumberOfWalks"), 2000);
+  const double escaped = Field(open, "EscapedPower") / Field(open, "EmittedPower");
+  EXPECT_NEAR(Field(open, "EscapedPowerStandardError"),
+    Field(open, "EmittedPower") * std::sqrt(escaped * (1 - escaped) / 2000), 1e-9);
+}
+
+// Updates have the figures of new filters, and so have several bands.
+TEST(DirectLight, ErrorsOfPowersFollowMotions)
+{
+  for (const Scene& scene : { MakeSmallScene(), MakeGlossyScene() })
+  {
+    const auto filter = MakeGathered(scene, 2000);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      filter->Update();
+      const auto other = MakeGathered(scene, 2000);
+      other->Update();
+      for (const char* name :
+        { "AbsorbedPowerStandardError", "EscapedPowerStandardError", "NumberOfWalks" })
+      {
+        const int bands =
+          filter->GetOutput()->GetFieldData()->GetArray(name)->GetNumberOfComponents();
+        for (int band = 0; band < bands; ++band)
+        {
+          EXPECT_EQ(Field(filter, name, band), Field(other, name, band)) << name << " " << frame;
+          EXPECT_GT(Field(filter, name, band), 0);
+        }
+      }
+      scene.Moving[0].Pose->Translate(0.1, 0.05, 0);
+    }
+  }
+}
+
+// Light out of nothing is said, whatever its cause, or there is none: a rug in the plane of a floor.
+TEST(DirectLight, ExcessIsSaid)
+{
+  Scene scene{ { MakeRoom(2, 1), MakeRectangle({ 0.5, 0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),
+                 MakePointLight({ 1, 1, 1 }, { 100 }) },
+    {} };
+  const auto filter = MakeGathered(scene, 100000);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  const double escaped = Field(filter, "EscapedPower"),
+               error = Field(filter, "EscapedPowerStandardError");
+  std::cout << escaped << " +- " << error << " W escape\n";
+  ASSERT_EQ(observer->Warnings.size(), escaped < -5 * error ? 1u : 0u);
+  EXPECT_TRUE(observer->Warnings.empty() ||
+    observer->Warnings[0].find("light comes out of nothing") != std::string::npos);
 }
 
 // Law 7: no walks are stored where nothing can move.

@@ -222,6 +222,22 @@ TEST(GatheredSensors, HaveStandardErrorsWhereTheSourceHas)
   EXPECT_FALSE(pipeline.Update("IrradianceStandardError").empty());
 }
 
+// A ray leaves a sensor with no error if it finds no light: inside of a closed box none does.
+TEST(GatheredSensors, SayHowManyErrorsAreUnknown)
+{
+  Scene scene = MakeFurnace();
+  scene.Moving = { MakeMoving(MakeBox(1.1, 1.1, 1.1), { 1.5, 1.5, 1.5 }) };
+  Pipeline pipeline(scene, 10000, MakeVolume(3, 4)); // 8 of 64 in the box
+  const auto fields = [&] { return pipeline.Probe->GetOutput()->GetFieldData(); };
+  pipeline.Probe->Update();
+  EXPECT_EQ(fields()->GetArray("NumberOfUnknownErrors"), nullptr);
+  pipeline.Irradiance->ComputeStandardErrorOn();
+  const std::vector<double> errors = pipeline.Update("FluenceRateStandardError");
+  EXPECT_EQ(std::count_if(errors.begin(), errors.end(), [](double e) { return std::isnan(e); }), 8);
+  ASSERT_NE(fields()->GetArray("NumberOfUnknownErrors"), nullptr);
+  EXPECT_EQ(fields()->GetArray("NumberOfUnknownErrors")->GetComponent(0, 0), 8);
+}
+
 // Irradiance in a beam from a point light is that of the formula, and where it goes the other way nothing.
 TEST(GatheredSensors, SayWhatCannotBeMeasured)
 {

@@ -3,7 +3,10 @@
 
 #include "ExposureScenes.h"
 
+#include "vtkIrradianceProbeFilter.h"
+#include "vtkPointDataToCellData.h"
 #include "vtkSMPTools.h"
+#include "vtkVertexGlyphFilter.h"
 
 using namespace ExposureScenes;
 
@@ -260,6 +263,51 @@ TEST(RadiantExposure, RejectsBadInput)
   exposure->SetEndTime(2);
   exposure->Update();
   EXPECT_EQ(SquareExposure(exposure), 2) << "usable afterwards";
+}
+
+// Sensors have no cells, or ones with no irradiance of their own; the error says how they get a dose, and so they do.
+TEST(RadiantExposure, OfSensorsTakesVertexCells)
+{
+  vtkNew<vtkIrradianceFilter> light;
+  light->SetNumberOfWalks(2000);
+  light->AddInputDataObject(0, MakeRoom(2, 1));
+  light->AddInputDataObject(0, MakeLamp({ 1, 1, 1.9 }, 0.5, { 100 }));
+  const Mesh plane = MakeRectangle({ 0.5, 0.5, 0.5 }, { 1, 0, 0 }, { 0, 1, 0 }, 2);
+  Mesh bare = Copy(plane);
+  bare->SetPolys(nullptr);
+  vtkNew<vtkIrradianceProbeFilter> probe;
+  probe->SetSourceConnection(light->GetOutputPort());
+  const auto exposure = MakeExposure(probe);
+  exposure->SetStartTime(1);
+  exposure->SetEndTime(3);
+  for (const Mesh& sensors : { plane, bare })
+  {
+    probe->SetInputData(sensors);
+    for (const int mode :
+      { vtkRadiantExposureFilter::Automatic, vtkRadiantExposureFilter::Uniform })
+    {
+      exposure->SetIntegrationMode(mode);
+      ExpectWords(ErrorOf(exposure),
+        { "irradiance of points", "vtkVertexGlyphFilter", "vtkPointDataToCellData" });
+    }
+  }
+  vtkNew<vtkVertexGlyphFilter> vertices;
+  vertices->SetInputData(bare);
+  probe->SetInputConnection(0, vertices->GetOutputPort());
+  vtkNew<vtkPointDataToCellData> cells;
+  cells->SetInputConnection(probe->GetOutputPort());
+  cells->PassPointDataOn();
+  exposure->SetInputConnection(cells->GetOutputPort());
+  exposure->Update();
+  auto* doses = vtkPolyData::SafeDownCast(exposure->GetOutputDataObject(0));
+  vtkDataArray* dose = doses->GetCellData()->GetArray("RadiantExposure");
+  ASSERT_NE(dose, nullptr);
+  ASSERT_EQ(dose->GetNumberOfTuples(), 9);
+  for (vtkIdType i = 0; i < 9; ++i)
+  {
+    EXPECT_EQ(dose->GetComponent(i, 0),
+      2 * doses->GetPointData()->GetArray("Irradiance")->GetComponent(i, 0));
+  }
 }
 
 // VTK's own way to visit all times would ask for ever here.

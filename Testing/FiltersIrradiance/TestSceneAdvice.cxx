@@ -5,6 +5,7 @@
 #include "TestScenes.h"
 
 #include "vtkReverseSense.h"
+#include "vtkSphereSource.h"
 #include "vtkTransformPolyDataFilter.h"
 
 using namespace TestScenes;
@@ -66,6 +67,16 @@ TEST(LampAdvice, OneOfSeveral)
   Scene scene = MakeFloor();
   scene.Fixed.push_back(Reversed(MakeLamp({ 2, 2, 1 }, 0.5, { 100 })));
   ExpectOnlyWarning(MakeFilter(scene, NumberOfWalks), { "input port 0, connection 2", "25 W" });
+  // Also a weak one in a room that keeps all other light.
+  scene.Moving.clear();
+  scene.Fixed[0] = MakeRoom(6, 4);
+  scene.Fixed[1] = MakeLamp({ 3, 3, 5 }, 1, { 100 });
+  scene.Fixed[2] = MakeLamp({ 3, 3, -1 }, 0.3, { 100 });
+  const auto weak = MakeFilter(scene, 200000);
+  weak->SetDirectLightToGathered();
+  ExpectOnlyWarning(weak, { "nothing else is lit", "input port 0, connection 2", "9 W" });
+  scene = MakeFloor();
+  scene.Fixed.push_back(nullptr);
 
   scene.Fixed.pop_back();
   scene.Moving.push_back(MakeMoving(MakeLamp({ 0, 0, 0 }, 0.5, { 100 }), { 2, 2, 1 }));
@@ -134,6 +145,94 @@ TEST(LampAdvice, NothingIsSaidWithoutCause)
   ExpectNothing(Update(
     MakeFilter({ { floor, Reversed(lamp) }, { MakeMoving(MakeBall(0.2, 8), { 0, 0, 1.5 }) } },
       NumberOfWalks)));
+}
+
+namespace
+{
+
+/// Half of a ball of 4 m that shines to its inner side.
+Mesh MakeSky()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(4);
+  source->SetThetaResolution(12);
+  source->SetPhiResolution(8);
+  source->SetEndPhi(90);
+  source->Update();
+  const Mesh sky = Reversed(Copy(source->GetOutput()));
+  SetCellValues(sky, "RadiantExitance", { 100 });
+  return sky;
+}
+
+/// How many percent a warning tells.
+double PercentIn(const std::string& warning)
+{
+  return std::stod(warning.substr(warning.find("about ") + 6));
+}
+
+}
+
+// A sun behind the faces of a sky, however far: its light hardly meets the scene at all. Resting and moving.
+TEST(LampAdvice, SunBehindTheSky)
+{
+  const Mesh ground = MakeRectangle({ -2, -2, 0.01 }, { 4, 0, 0 }, { 0, 4, 0 }, 4), sky = MakeSky();
+  for (const double height : { 5.0, 50.0, 1e5 })
+  {
+    const Mesh sun = MakeLamp({ 0, 0, height }, 0.01 * height, { 1e5 });
+    const Scene resting{ { ground, sky, sun }, {} };
+    const Scene moving{ { ground, sun }, { MakeMoving(sky, { 0, 0, 0 }) } };
+    const auto gathered = MakeFilter(resting, NumberOfWalks);
+    gathered->SetDirectLightToGathered();
+    for (const auto& filter : { MakeFilter(resting, NumberOfWalks), gathered })
+    {
+      ExpectOnlyWarning(filter,
+        { "backs of lamps", "input port 0, connection 2 (", "about 100 %",
+          "behind lamps of input port 0, connection 1" });
+    }
+    ExpectOnlyWarning(MakeFilter(moving, NumberOfWalks),
+      { "input port 0, connection 1 (", "about 100 %",
+        "behind lamps of input port 1, connection 0" });
+  }
+  ExpectNothing(Update(
+    MakeFilter({ { ground, sky, MakeLamp({ 0, 0, 3.5 }, 0.1, { 1e5 }) }, {} }, NumberOfWalks)));
+  ExpectNothing(Update(
+    MakeFilter({ { ground, sky, MakePointLight({ 0, 0, 3.5 }, { 1e3 }) }, {} }, NumberOfWalks)));
+  ExpectOnlyWarning(
+    MakeFilter({ { ground, sky, MakePointLight({ 0, 1, 10 }, { 1e3 }) }, {} }, NumberOfWalks),
+    { "input port 0, connection 2 (1000 W", "about 100 %" });
+}
+
+// Squares of 1 m that face each other 0.5 m apart have the view factor 0.4153. Of the light of the upper one 0.93 are
+// bound for a floor of 10 m, 1.5 m below, and what meets the lower one is bound for it, too.
+TEST(LampAdvice, LampsPartlyBehindLamps)
+{
+  Scene scene = MakeFloor();
+  scene.Moving.clear();
+  scene.Fixed.push_back(MakeLamp({ 0, 0, 1.5 }, 1, { 100 }));
+  const Reports reports = Update(MakeFilter(scene, NumberOfWalks));
+  ExpectOne(reports.Warnings, { "input port 0, connection 2 (100 W", "connection 1" });
+  ASSERT_FALSE(reports.Warnings.empty());
+  EXPECT_NEAR(PercentIn(reports.Warnings[0]), 100 * 0.4153 / 0.93, 8);
+  // A bulb in a cover that shines, too; both move together.
+  Mesh cover = MakeBall(0.2, 8);
+  SetCellValues(cover, "RadiantExitance", { 100 });
+  const Mesh floor = scene.Fixed[0];
+  ExpectOnlyWarning(MakeFilter({ { floor },
+                                 { MakeMoving(cover, { 1, 0, 1 }),
+                                   MakeMoving(MakePointLight({ 0, 0, 0 }, { 60 }), { 1, 0, 1 }) } },
+                      NumberOfWalks),
+    { "input port 1, connection 1 (60 W", "about 100 %" });
+  // What is far in front of a lamp, or lights to both sides, or faces it, is meant.
+  scene.Fixed[2] = MakeLamp({ 0, 0, 4 }, 1, { 100 });
+  ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
+  const Mesh down = MakeLamp({ 0, 0, 1 }, 1, { 100 }), up = Reversed(down);
+  const Mesh ceiling = MakeRectangle({ -5, -5, 2 }, { 10, 0, 0 }, { 0, 10, 0 }, 1);
+  ExpectNothing(Update(MakeFilter({ { floor, ceiling, down, up }, {} }, NumberOfWalks)));
+  // A sheet that shines to both sides stops light with a front.
+  ExpectNothing(Update(
+    MakeFilter({ { floor, MakeLamp({ 0, 0, 1.5 }, 1, { 100 }), up, down }, {} }, NumberOfWalks)));
+  const Mesh above = MakeLamp({ 0, 0, 1.6 }, 2, { 100 });
+  ExpectNothing(Update(MakeFilter({ { floor, above, up }, {} }, NumberOfWalks)));
 }
 
 TEST(LengthAdvice, PartInMillimetresInARoomInMetres)

@@ -56,6 +56,8 @@ constexpr const char* kRadiance = "Radiance";
 constexpr const char* kFluenceRate = "FluenceRate";
 constexpr const char* kNumberOfPhotons = "NumberOfPhotons";
 constexpr const char* kSearchRadius = "SearchRadius";
+/// Field data of vtkIrradianceProbeFilter.
+constexpr const char* kNumberOfUnknownErrors = "NumberOfUnknownErrors";
 
 /// Field data of vtkIrradianceFilter.
 constexpr const char* kEmittedPower = "EmittedPower";

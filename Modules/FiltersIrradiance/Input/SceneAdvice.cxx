@@ -45,6 +45,16 @@ double sum(const Power& power, int bands)
 
 }
 
+std::string excessWarning(double emitted, double escaped, double error)
+{
+  return !isExcess(emitted, escaped, error)
+    ? ""
+    : "light comes out of nothing: " + rounded(emitted - escaped) + " W are absorbed of " +
+      rounded(emitted) + " W, and the standard error is " + rounded(error) +
+      " W. Faces in one place may each receive the light of all: move them apart, or let "
+      "DirectLight be Shot, where light falls on one of them";
+}
+
 SceneAdvice::SceneAdvice(const std::vector<InputConnection>& statics,
   const std::vector<InputConnection>& dynamics, const SceneReader& scene,
   const IrradianceEngine& engine, const CancelPoint& cancelPoint)
@@ -52,6 +62,7 @@ SceneAdvice::SceneAdvice(const std::vector<InputConnection>& statics,
   , objects_(scene.objects())
   , engine_(engine)
   , cancelPoint_(cancelPoint)
+  , covered_(findCoveredLamps(engine, cancelPoint))
 {
   Box all;
   for (std::uint32_t object = 0; object < objects_.size(); ++object)
@@ -59,7 +70,7 @@ SceneAdvice::SceneAdvice(const std::vector<InputConnection>& statics,
     all.add(objects_[object].worldBounds());
   }
   // Small closed rooms, as most are, pay no more than this.
-  if (escaped() > 0 || sizeOf(all) > kLargePart || isUnlit())
+  if (escaped() > 0 || sizeOf(all) > kLargePart || !covered_.empty() || isUnlit())
   {
     findParts(statics, dynamics);
   }
@@ -73,14 +84,19 @@ double SceneAdvice::emitted() const
 double SceneAdvice::escaped() const
 {
   // Gathered light is an estimate: what so little of it says may be noise.
-  constexpr double kNoise = 0.1;
+  constexpr double kSure = 5;
   const double watts = engine_.watts(sum(engine_.balance().escaped, scene_.bands()));
-  return engine_.settings().gathersDirectLight && watts < kNoise * emitted() ? 0 : watts;
+  double noise = 0;
+  for (int band = 0; engine_.settings().gathersDirectLight && band < scene_.bands(); ++band)
+  {
+    noise += kSure * engine_.escapedError(band);
+  }
+  return watts < noise ? 0 : watts;
 }
 
 std::vector<std::string> SceneAdvice::warnings() const
 {
-  std::vector<std::string> warnings{ sideWarning(), partLengthWarning() };
+  std::vector<std::string> warnings{ sideWarning(), coverWarning(), partLengthWarning() };
   if (warnings.back().empty()) // else it has been said
   {
     warnings.push_back(sceneLengthWarning());
@@ -233,6 +249,28 @@ std::string SceneAdvice::sideWarning() const
     : "nothing else is lit by these lamps of " + rounded(watts) + " W: " + names +
       ". A cell emits from its front, the side from which its points run counter-clockwise; if the "
       "other side was meant, reverse the cells (vtkReverseSense)";
+}
+
+const std::string& SceneAdvice::partNameOf(const SceneCell& cell) const
+{
+  const std::size_t part =
+    cell.object == 0 ? objects_[0].material->partOfCell(cell.cell) - 1 : statics_ + cell.object - 1;
+  return *parts_[part].name;
+}
+
+std::string SceneAdvice::coverWarning() const
+{
+  std::string names;
+  for (const CoveredLamps& its : covered_)
+  {
+    names += (names.empty() ? "" : "; ") + partNameOf(its.lamp) + " (" + rounded(its.watts) +
+      " W, about " + std::to_string(std::lround(100 * its.covered)) + " % of what is bound for " +
+      "surfaces, behind lamps of " + partNameOf(its.cover) + ")";
+  }
+  return names.empty() ? ""
+                       : "these lamps shine on the backs of lamps: " + names +
+      ". A lamp stops light as any surface does: a sun has to stand within its sky, a bulb outside "
+      "of a cover that shines itself";
 }
 
 std::string SceneAdvice::partLengthWarning() const

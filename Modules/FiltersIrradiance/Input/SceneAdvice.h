@@ -2,6 +2,7 @@
 #ifndef irradiance_SceneAdvice_h
 #define irradiance_SceneAdvice_h
 
+#include "Input/CoveredLamps.h"
 #include "Input/InputConnection.h"
 #include "Input/SceneReader.h"
 #include "IrradianceEngine.h"
@@ -12,10 +13,14 @@
 namespace irradiance
 {
 
+/// Says where more light arrived than there is; empty if that may be noise. W in a band; `error`: the standard error
+/// of what escaped.
+std::string excessWarning(double emitted, double escaped, double error);
+
 /**
  * Finds scenes that can be computed but are hardly meant, and says what was probably meant: lamps that
- * shine away from everything, millimetres where metres are read, and so few walks that rays find nothing
- * to read. Documentation/Extremes.md has the limits and says what is legitimate beyond them.
+ * shine away from everything or on the backs of others, millimetres where metres are read, and so few walks that rays
+ * find nothing to read. Documentation/Extremes.md has the limits and says what is legitimate beyond them.
  */
 class SceneAdvice
 {
@@ -63,6 +68,8 @@ private:
   std::vector<bool> partsThatFaceAway() const;
   Box allBut(std::size_t part) const;
   std::string sideWarning() const;
+  std::string coverWarning() const;
+  const std::string& partNameOf(const SceneCell& cell) const;
   std::string partLengthWarning() const;
   std::string sceneLengthWarning() const;
   std::string readingWarning() const;
@@ -71,6 +78,7 @@ private:
   const SceneObjects& objects_;
   const IrradianceEngine& engine_;
   const CancelPoint& cancelPoint_;
+  std::vector<CoveredLamps> covered_;
   /// The static ones, then the dynamic ones. Empty where there is nothing to say.
   std::vector<Part> parts_;
   std::size_t statics_ = 0; ///< how many are static

@@ -3,6 +3,9 @@
 
 #include "Data/ArrayNames.h"
 
+#include "vtkIdTypeArray.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace irradiance
@@ -30,10 +33,18 @@ std::string GatheredSensors::measure(
 {
   stored.update(run.engine, run.sensors, settings.rays, settings.keepsRays, run.execution);
   std::vector<char> areLost;
+  vtkIdType unknown = 0; // errors, of values that are known
+  const auto isNan = [](double number) { return std::isnan(number); };
   for (const SensorGather::Light& light : stored.lights())
   {
     arrays_.set(static_cast<vtkIdType>(areLost.size()), light);
     areLost.push_back(std::isnan(light.value[0]) ? 1 : 0);
+    const auto* const errors = light.standardError.data();
+    unknown += areLost.back() == 0 && std::any_of(errors, errors + run.bands(), isNan) ? 1 : 0;
+  }
+  if (arrays_.haveErrors())
+  {
+    addTuple<vtkIdTypeArray>(run.output->GetFieldData(), kNumberOfUnknownErrors, { unknown });
   }
   return run.textOfLost(areLost, "a million sizes of the scene from it",
     "values are NaN, as rounding would tell what they see");

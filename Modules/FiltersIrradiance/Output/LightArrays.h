@@ -21,6 +21,7 @@ public:
   LightArrays(vtkDataSetAttributes* attributes, const std::string& name, int bands,
     vtkIdType tuples, bool haveErrors);
 
+  bool haveErrors() const { return errors_ != nullptr; }
   /// `light`: see SensorGather::Light.
   template <class Light>
   void set(vtkIdType tuple, const Light& light) const

@@ -316,6 +316,11 @@ void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
   addWatts(kEmittedPower, emitted(0), emitted(1), emitted(2));
   addPower(kAbsorbedPower, balance.absorbed);
   addPower(kEscapedPower, balance.escaped);
+  for (const char* name : { kAbsorbedPower, kEscapedPower })
+  {
+    addWatts(standardErrorName(name).c_str(), engine_.escapedError(0), engine_.escapedError(1),
+      engine_.escapedError(2));
+  }
   addPower(kStalePower, engine_.stalePower());
   if (settings_.repairTimeBudget > 0)
   {
@@ -334,7 +339,7 @@ void OutputWriter::addStatistics(vtkFieldData* fields) const
     addTuple<vtkDoubleArray>(fields, name, { number });
   };
   const EngineStatistics& statistics = engine_.statistics();
-  addCount(kNumberOfWalks, engine_.numberOfWalks());
+  addCount(kNumberOfWalks, engine_.walks().numberOfShotWalks());
   addCount(kNumberOfSegments, engine_.balance().segments);
   if (settings_.cellEstimate == CellEstimate::Gathered)
   {

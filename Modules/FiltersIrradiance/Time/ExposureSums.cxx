@@ -12,9 +12,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace irradiance
@@ -51,6 +53,23 @@ SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std:
       " components at an earlier visited time");
   }
   return valuesOf(array);
+}
+
+/// Throws InputError for sensors, whose values belong to points.
+void checkCellValues(const LeafData& leaf)
+{
+  const auto hasIrradiance = [](vtkDataSetAttributes* values) {
+    return std::any_of(std::begin(kSideSuffixes), std::end(kSideSuffixes),
+      [&](const char* suffix) { return values->HasArray(irradianceName(suffix).c_str()) != 0; });
+  };
+  if (leaf.data && hasIrradiance(leaf.data->GetPointData()) &&
+    !hasIrradiance(leaf.data->GetCellData()))
+  {
+    throw InputError(leaf.name +
+      " has an irradiance of points, as vtkIrradianceProbeFilter makes "
+      "it, and a dose is one of cells: make each sensor a vertex cell by vtkVertexGlyphFilter "
+      "before that filter, and put vtkPointDataToCellData behind it");
+  }
 }
 
 void checkStale(vtkFieldData* fields, double time)
@@ -197,6 +216,7 @@ void ExposureSums::add(const TimedData& input, double weight)
   {
     Leaf& leaf = leaves_[i];
     vtkDataSet* cells = leaves[i].data;
+    checkCellValues(leaves[i]);
     if (!hasCells(cells))
     {
       endRuns(leaf);

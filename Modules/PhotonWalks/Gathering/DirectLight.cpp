@@ -4,6 +4,7 @@
 #include "Execution/SlicedPass.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -50,6 +51,7 @@ DirectLight::DirectLight(
   , seed_(seed)
   , samples_(plan.size())
   , views_(plan.size(), kNever)
+  , variances_(plan.numberOfCells())
 {
 }
 
@@ -83,6 +85,50 @@ void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::
   std::iota(numbers.begin(), numbers.end(), plan_.first(first));
   const std::vector<View> views = viewsOf(space, numbers);
   std::copy(views.begin(), views.end(), views_.begin() + plan_.first(first));
+  for (std::size_t cell = first; cell < end; ++cell)
+  {
+    variances_[cell] = varianceOf(cell);
+  }
+}
+
+DirectLight::Bands DirectLight::varianceOf(std::size_t cell) const
+{
+  const std::uint32_t samples = plan_.samplesOf(cell);
+  const std::uint32_t parts = plan_.replicates() > 1 ? plan_.replicates() : samples;
+  Bands all{}, squares{};
+  for (std::uint32_t part = 0; samples > 0 && part < parts; ++part)
+  {
+    const std::uint32_t size = samples / parts, first = plan_.first(cell) + part * size;
+    Bands brought{};
+    for (std::uint32_t i = first; i < first + size; ++i)
+    {
+      for (std::size_t band = 0; isVisible(i) && band < brought.size(); ++band)
+      {
+        brought[band] += samples_[i].part * lamps_.lights()[samples_[i].light].flux[band];
+      }
+    }
+    for (std::size_t band = 0; band < all.size(); ++band)
+    {
+      all[band] += brought[band];
+      squares[band] += brought[band] * brought[band];
+    }
+  }
+  Bands variance{};
+  for (std::size_t band = 0; parts > 1 && band < all.size(); ++band)
+  {
+    variance[band] = std::max(0.0, parts * squares[band] - all[band] * all[band]) / (parts - 1);
+  }
+  return variance;
+}
+
+DirectLight::Bands DirectLight::variance() const
+{
+  Bands sum{};
+  for (const Bands& ofCell : variances_)
+  {
+    std::transform(sum.begin(), sum.end(), ofCell.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
 }
 
 /// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is decided otherwise
@@ -185,6 +231,15 @@ std::vector<std::uint32_t> DirectLight::follow(
   for (const std::vector<std::uint32_t>& some : flipped)
   {
     together.insert(together.end(), some.begin(), some.end());
+  }
+  std::size_t last = plan_.numberOfCells();
+  for (const std::uint32_t sample : together)
+  {
+    const std::size_t cell = plan_.cellOf(sample);
+    if (cell != std::exchange(last, cell))
+    {
+      variances_[cell] = varianceOf(cell);
+    }
   }
   return together;
 }

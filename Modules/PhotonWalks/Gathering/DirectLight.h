@@ -8,6 +8,7 @@
 #include "Sampling/DealtBlocks.h"
 #include "Tally/CellSums.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace irradiance
 class DirectLight
 {
 public:
+  using Bands = std::array<double, Power::kMaxBands>;
+
   /// The arguments must outlive it.
   DirectLight(
     const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan, std::uint64_t seed);
@@ -37,6 +40,9 @@ public:
   /// By number; those of a cell that is not there are none.
   const std::vector<GatherSample>& samples() const { return samples_; }
   bool isVisible(std::uint32_t sample) const { return views_[sample] == kFree; }
+  /// Of what all cells receive, by band, W2: from the scatter of the samples of each cell, or of its replicates. As
+  /// these are nets, it is rather too large.
+  Bands variance() const;
   /// What a sample brings if it sees its light, by band.
   Power powerOf(const GatherSample& sample, double quantaPerWatt) const;
   /// Adds what the samples of these cells bring to a round, or with `sign` -1 takes it away. Returns what all have
@@ -53,6 +59,7 @@ private:
     0xfffffffeu; ///< what touches either end, which may end with any motion
 
   void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
+  Bands varianceOf(std::size_t cell) const;
   bool touchesDynamic(const GatherSpace& space, const GatherSample& sample) const;
   /// Whether a motion may change the view of a sample.
   bool mayChange(const GatherSpace& space, const MovedObjects& moved, std::uint32_t sample) const;
@@ -67,7 +74,8 @@ private:
   const GatherPlan& plan_;
   std::uint64_t seed_;
   std::vector<GatherSample> samples_;
-  std::vector<View> views_; ///< by sample
+  std::vector<View> views_;      ///< by sample
+  std::vector<Bands> variances_; ///< by cell, W2
 };
 
 }

@@ -58,6 +58,7 @@ void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBloc
         const std::int64_t quanta = sign * nearestQuanta(light.flux[band] * quantaPerWatt_);
         balance.emitted.quanta[band] += quanta;
         balance.escaped.quanta[band] += quanta;
+        balance.unmet.quanta[band] += quanta;
       }
     }
   }
@@ -88,6 +89,7 @@ void GatheredLight::count(const Power& power, PowerBalance& balance)
 {
   balance.absorbed += power;
   balance.escaped -= power;
+  balance.unmet -= power;
   balance.received += power.total();
 }
 

@@ -42,6 +42,11 @@ public:
   const DirectLight& light() const { return light_; }
   double quantaPerWatt() const { return quantaPerWatt_; }
   const WalkStarts& starts() const { return starts_; }
+  /// Of all that the cells gather, quanta squared: see DirectLight::variance().
+  double variance(int band) const
+  {
+    return quantaPerWatt_ * quantaPerWatt_ * light_.variance()[static_cast<std::size_t>(band)];
+  }
 
   /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each does so for the cells that
   /// are dealt to it as blocks are.

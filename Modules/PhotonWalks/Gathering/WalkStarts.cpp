@@ -4,6 +4,7 @@
 #include "Sampling/SplitMix.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace irradiance
 {
@@ -100,6 +101,14 @@ void WalkStarts::numberWalks()
       startOfWalk_[std::size_t{ walk } * replicates_ + starts_[i].replicate] = i;
     }
   }
+}
+
+std::size_t WalkStarts::numberBorn() const
+{
+  return std::accumulate(
+    starts_.begin(), starts_.end(), std::size_t{}, [&](std::size_t sum, const Start& start) {
+      return sum + (light_.isVisible(start.sample) ? start.count : 0);
+    });
 }
 
 std::vector<std::uint32_t> WalkStarts::walksOf(const std::vector<std::uint32_t>& samples) const

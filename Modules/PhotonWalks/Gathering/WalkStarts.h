@@ -31,6 +31,8 @@ public:
     const std::uint32_t start = startOfWalk_[walk - firstWalk_];
     return start != kNone && light_.isVisible(starts_[start].sample);
   }
+  /// How many are born.
+  std::size_t numberBorn() const;
   /// The walks that start from these samples if they see their lights, in order.
   std::vector<std::uint32_t> walksOf(const std::vector<std::uint32_t>& samples) const;
 

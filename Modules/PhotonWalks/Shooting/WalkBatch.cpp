@@ -4,6 +4,8 @@
 #include "Progress/StageTimes.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace irradiance
 {
@@ -24,6 +26,7 @@ void WalkBatch::begin(const WalkTracer& tracer, WalkHistory* history, bool keeps
 void WalkBatch::start(FrontTally& tally)
 {
   StageClock clock;
+  started_ = now_.size;
   tracer_->stages().start(now_);
   // What was received directly was taken for absorbed.
   tracer_->startsAtCells() ? tally.release(now_) : tally.emit(now_);
@@ -32,13 +35,35 @@ void WalkBatch::start(FrontTally& tally)
 
 void WalkBatch::resume(bool notesPlaces)
 {
+  started_ = now_.size;
   areHitsKnown_ = true;
   notesPlaces_ = notesPlaces;
+}
+
+/// After the first rounds it shows whether walks of a closed scene end too seldom. From n bounces for each that ends,
+/// cells receive n times the emitted power, and checkReceived() allows 2^16. Of 4096 walks 16 should have ended at
+/// that; if walks take half as many bounces, 7 million such batches refuse one by chance.
+void WalkBatch::checkEnds() const
+{
+  constexpr double kFewest = 12, kFarBelow = 0.4;
+  const double expected = static_cast<double>(segments_) * 0x1p-16;
+  const std::size_t ended = started_ - now_.size;
+  if (expected >= kFewest && static_cast<double>(ended) < kFarBelow * expected)
+  {
+    throw std::runtime_error("of " + std::to_string(started_) + " walks " + std::to_string(ended) +
+      " ended in their first " + std::to_string(rounds_) +
+      " bounces: the light cannot leave a part of the scene that hardly absorbs any, as the "
+      "reflectances there are too near 1. Above 0.99998 such a scene cannot be computed");
+  }
 }
 
 /// Goes on with walks that wait, from the end.
 bool WalkBatch::isDone()
 {
+  if (rounds_ == kRoundsTogether)
+  {
+    checkEnds();
+  }
   if (rounds_ >= kRoundsTogether && now_.size > kPatient)
   {
     waiting_.take(now_, 0, now_.size - kPatient);

@@ -30,7 +30,7 @@ public:
   /// All walks of the front go on. `notesPlaces`: see places().
   void resume(bool notesPlaces);
 
-  /// Shoots until all walks have ended. If `hasToStop` returns true between two bounces, it returns
+  /// Shoots until all walks have ended. Throws std::runtime_error if they hardly do. If `hasToStop` returns true between two bounces, it returns
   /// false and may be called again, on another thread and with another tally.
   bool run(FrontTally& tally, const std::function<bool()>& hasToStop);
 
@@ -46,6 +46,7 @@ private:
   static constexpr std::size_t kPatient = 2;
 
   bool isDone();
+  void checkEnds() const;
   void store();
 
   const WalkTracer* tracer_ = nullptr;
@@ -58,6 +59,7 @@ private:
   FrontCast cast_;
   Column<std::uint8_t> kinds_;
   std::uint32_t rounds_ = 0;
+  std::size_t started_ = 0; ///< walks
   std::int64_t segments_ = 0;
   std::vector<SegmentPlace> places_;
 };

@@ -226,8 +226,8 @@ void WalkStages::checkEnds(const WalkFront& front) const
   {
     throw std::runtime_error("walk " +
       std::to_string(front.walk[static_cast<std::size_t>(last - first)]) +
-      " does not end: the light cannot leave a part of the scene that absorbs nothing "
-      "(reflectance 1)");
+      " does not end: the light cannot leave a part of the scene that hardly absorbs any, as the "
+      "reflectances there are too near 1");
   }
 }
 

@@ -12,6 +12,7 @@ PowerBalance& PowerBalance::operator+=(const PowerBalance& other)
   emitted += other.emitted;
   absorbed += other.absorbed;
   escaped += other.escaped;
+  unmet += other.unmet;
   segments += other.segments;
   received += other.received;
   return *this;
@@ -19,7 +20,7 @@ PowerBalance& PowerBalance::operator+=(const PowerBalance& other)
 
 void sumOver(Ranks& ranks, PowerBalance& balance)
 {
-  for (Power* power : { &balance.emitted, &balance.absorbed, &balance.escaped })
+  for (Power* power : { &balance.emitted, &balance.absorbed, &balance.escaped, &balance.unmet })
   {
     ranks.sum(power->quanta.data(), power->quanta.size());
   }

@@ -18,6 +18,7 @@ struct PowerBalance
   Power emitted;
   Power absorbed;
   Power escaped;
+  Power unmet; ///< the part of what escaped that no cell gathered; the rest walks lost
   std::int64_t segments = 0;
   double received = 0; ///< by all cells in all bands; shows an overflow before it happens
 
@@ -29,6 +30,14 @@ void sumOver(Ranks& ranks, PowerBalance& balance);
 
 /// Throws std::overflow_error when cell sums might overflow.
 void checkReceived(const PowerBalance& balance);
+
+/// Whether more was absorbed than there is, beyond noise and rounding; W in a band. `error`: the standard error of what
+/// escaped.
+inline bool isExcess(double emitted, double escaped, double error)
+{
+  constexpr double kSure = 5, kRounding = 1e-9;
+  return escaped < -kSure * error - kRounding * emitted;
+}
 
 /// A balance to which several threads add.
 class SharedBalance

@@ -251,6 +251,35 @@ std::array<double, Power::kMaxBands> WalkSets::largestStart() const
   return largest;
 }
 
+std::int64_t WalkSets::numberOfShotWalks() const
+{
+  std::int64_t number = 0;
+  for (const WalkSet& set : sets_)
+  {
+    number += set.gathered() || isEmpty() ? 0 : set.plan().walksAfter(set.sums().rounds());
+    set.forEachGathered([&](const GatheredLight& light) {
+      number += static_cast<std::int64_t>(light.starts().numberBorn());
+    });
+  }
+  return number;
+}
+
+double WalkSets::escapedError(int band) const
+{
+  // Of so many walks, each with a photon of full power at most, a binomial number is lost.
+  const auto largest = largestStart();
+  const auto lost = static_cast<double>(balance().escaped[band] - balance().unmet[band]);
+  const auto emitted = static_cast<double>(balance().emitted[band]);
+  double variance = lost > 0
+    ? *std::max_element(largest.begin(), largest.end()) * lost * std::max(0.0, 1 - lost / emitted)
+    : 0;
+  for (const WalkSet& set : sets_)
+  {
+    set.forEachGathered([&](const GatheredLight& light) { variance += light.variance(band); });
+  }
+  return std::sqrt(variance);
+}
+
 WalkHistories WalkSets::histories() const
 {
   std::vector<const WalkHistory*> all;

@@ -60,6 +60,10 @@ public:
   const PowerBalance& balance() const { return total_ ? total_->balance : sets_.front().balance(); }
   /// The number of walks shot; more than in the settings if a target needs them.
   std::uint32_t numberOfWalks() const { return plan_.walksAfter(sums().rounds()); }
+  /// Of these, those that were shot: none without lights, and at cells as many as were born.
+  std::int64_t numberOfShotWalks() const;
+  /// The standard error of what escapes, and as all the rest is absorbed, of that: quanta, rather too large.
+  double escapedError(int band) const;
   /// With which a walk starts, in all bands together; of several sets, on average.
   std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
   /// Quanta with which a walk may start at most, in each band.

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/CoveredLamps.h"
+
+#include "Geometry/Pi.h"
+#include "Sampling/DirectionSampling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::size_t kTargets = 512, kRaysOfAll = 65536, kFewestRays = 32;
+
+/// By object and triangle.
+using Lamps = std::map<std::pair<std::uint32_t, std::uint32_t>, const Light*>;
+
+/// The lights of a part, and what they emit up to and including each.
+struct LampPart
+{
+  std::vector<const Light*> lights;
+  std::vector<double> watts;
+};
+
+/// Points of a unit square or cube that fill it evenly (Roberts 2018).
+std::array<double, 3> evenPoint(std::size_t i)
+{
+  const auto part = [i](double step) {
+    const double turns = 0.5 + step * static_cast<double>(i);
+    return turns - std::floor(turns);
+  };
+  return { part(0.8191725133961645), part(0.6710436067037893), part(0.5497004779019703) };
+}
+
+/// Calls visit(triangle in the world, its id) for all that are no lamps.
+template <class Visit>
+void forEachDark(const SceneObjects& objects, const CancelPoint& cancelPoint, const Visit& visit)
+{
+  ThrottledCancelPoint pace(cancelPoint);
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const SceneObject& placed = objects[object];
+    for (std::uint32_t i = 0; !placed.isEmpty() && i < placed.mesh().size(); ++i)
+    {
+      pace.step();
+      if (!placed.isLamp(i))
+      {
+        visit(transformed(placed.worldFromObject, placed.mesh()[i]));
+      }
+    }
+  }
+}
+
+/// Points that are even over the area of all surfaces that are no lamps.
+struct Targets
+{
+  Targets(const SceneObjects& objects, const CancelPoint& cancelPoint)
+  {
+    double area = 0, before = 0;
+    forEachDark(objects, cancelPoint, [&](const Triangle& triangle) { area += triangle.area(); });
+    patch = area / kTargets;
+    forEachDark(objects, cancelPoint, [&](const Triangle& triangle) {
+      before += triangle.area();
+      while (
+        points.size() < kTargets && (static_cast<double>(points.size()) + 0.5) * patch < before)
+      {
+        const std::array<double, 3> u = evenPoint(points.size());
+        points.push_back(surfacePoint(triangle, sampleTriangle({ u[0], u[1] })));
+      }
+    });
+  }
+
+  std::vector<SurfacePoint> points;
+  double patch = 0; ///< m2, for which each stands
+};
+
+/// The power that a light of 1 W brings from a point to a patch around another, up to a factor; 0 if none can come.
+double broughtBy(const Light& light, const SurfacePoint& from, const Ray& ray,
+  const SurfacePoint& target, double patch)
+{
+  const double squared = ray.direction.squaredNorm();
+  const Vector3 along = ray.direction / std::sqrt(squared);
+  const auto* const point = std::get_if<PointLight>(&light.kind);
+  const double leaving =
+    point ? kPi * point->density(along) : std::max(0.0, from.normal.dot(along));
+  return leaving * std::abs(target.normal.dot(along)) / (squared + patch);
+}
+
+/// The ray from a place of the part, which `number` chooses, to a target, and what it brings.
+std::pair<Ray, double> rayOf(const LampPart& part, std::size_t number, const Targets& targets)
+{
+  const std::array<double, 3> u = evenPoint(number);
+  const auto chosen = static_cast<std::size_t>(
+    std::upper_bound(part.watts.begin(), part.watts.end() - 1, u[2] * part.watts.back()) -
+    part.watts.begin());
+  const Light& light = *part.lights[chosen];
+  const SurfacePoint& target = targets.points[number * 197 % targets.points.size()];
+  SurfacePoint from{};
+  if (const auto* const area = std::get_if<AreaLight>(&light.kind))
+  {
+    from = surfacePoint(area->triangle, sampleTriangle({ u[0], u[1] }));
+  }
+  else
+  {
+    from.position = std::get<PointLight>(light.kind).position();
+  }
+  const Vector3 origin = from.clearPosition();
+  const Ray ray{ origin, target.position - origin, light.triangle() };
+  return { ray, broughtBy(light, from, ray, target, targets.patch) };
+}
+
+/// Follows the rays of a part.
+CoveredLamps measured(const IrradianceEngine& engine, const LampPart& part, const Lamps& lamps,
+  const Targets& targets, std::size_t count)
+{
+  CoveredLamps result{ part.lights.front()->cell, {}, part.watts.back(), 0 };
+  double all = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto [ray, brought] = rayOf(part, i, targets);
+    if (!(brought > 0))
+    {
+      continue;
+    }
+    const Hit hit =
+      engine.space().contacts.resolveContact(engine.scene(), ray, engine.scene().cast(ray));
+    const auto lamp = lamps.find({ hit.id.object, hit.id.triangle });
+    all += brought;
+    if (lamp != lamps.end() &&
+      std::get<AreaLight>(lamp->second->kind).triangle.areaVector().dot(ray.direction) > 0)
+    {
+      result.covered += brought;
+      result.cover = lamp->second->cell;
+    }
+  }
+  result.covered = all > 0 ? result.covered / all : 0;
+  return result;
+}
+
+}
+
+std::vector<CoveredLamps> findCoveredLamps(
+  const IrradianceEngine& engine, const CancelPoint& cancelPoint)
+{
+  Lamps lamps;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, LampPart> parts;
+  std::size_t lights = 0;
+  for (const WalkSet& set : engine.walks().sets())
+  {
+    // Dynamic cells have the lights of the static ones.
+    for (std::size_t i = 0; !set.source().isDynamic() && i < set.lights().lights().size(); ++i)
+    {
+      const Light& light = set.lights()[i];
+      const std::uint32_t object = light.cell.object;
+      LampPart& part =
+        parts[{ object, engine.objects()[object].material->partOfCell(light.cell.cell) }];
+      part.lights.push_back(&light);
+      part.watts.push_back((part.watts.empty() ? 0 : part.watts.back()) + light.totalFlux());
+      ++lights;
+      if (light.triangle() != TriangleId{})
+      {
+        lamps[{ light.triangle().object, light.triangle().triangle }] = &light;
+      }
+    }
+  }
+  if (lamps.empty() || lights < 2)
+  {
+    return {};
+  }
+  std::vector<CoveredLamps> covered;
+  const Targets targets(engine.objects(), cancelPoint);
+  const std::size_t count = std::max(kFewestRays, std::min(kTargets, kRaysOfAll / parts.size()));
+  for (const auto& [key, part] : parts)
+  {
+    cancelPoint();
+    if (!targets.points.empty())
+    {
+      covered.push_back(measured(engine, part, lamps, targets, count));
+    }
+  }
+  const auto isFree = [](const CoveredLamps& its) { return its.covered < kMuchCovered; };
+  covered.erase(std::remove_if(covered.begin(), covered.end(), isFree), covered.end());
+  return covered;
+}
+
+}
