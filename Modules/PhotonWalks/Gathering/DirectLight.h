@@ -21,9 +21,9 @@ namespace irradiance
 class DirectLight
 {
 public:
-  /// The arguments must outlive it.
-  DirectLight(
-    const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan, std::uint64_t seed);
+  /// All but the numbers must outlive it.
+  DirectLight(const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan,
+    std::uint64_t seed, double quantaPerWatt);
 
   /// Makes all samples, and looks which of them see their lights.
   void gather(const GatherSpace& space, Execution& execution);
@@ -37,12 +37,15 @@ public:
   /// By number; those of a cell that is not there are none.
   const std::vector<GatherSample>& samples() const { return samples_; }
   bool isVisible(std::uint32_t sample) const { return views_[sample] == kFree; }
-  /// What a sample brings if it sees its light, by band.
-  Power powerOf(const GatherSample& sample, double quantaPerWatt) const;
-  /// Adds what the samples of these cells bring to a round, or with `sign` -1 takes it away. Returns what all have
-  /// together. No other thread may add meanwhile.
-  Power addTo(CellSums& sums, std::size_t round, double quantaPerWatt, int sign,
-    const DealtBlocks& cells, const CancelPoint& cancelPoint) const;
+  /// What a sample brings if it sees its light.
+  CellSums::Quanta quantaOf(const GatherSample& sample) const;
+  /// Adds what a sample of a cell brings to a round, or with `sign` -1 takes it away, to the last
+  /// bit: see units_. Returns it in whole quanta. No other thread may add meanwhile.
+  Power add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,
+    CellSums& sums, std::size_t round) const;
+  /// Likewise what the samples of these cells bring that see their lights.
+  Power addTo(CellSums& sums, std::size_t round, int sign, const DealtBlocks& cells,
+    const CancelPoint& cancelPoint) const;
 
 private:
   /// What stands between a sample and its light: the number of a dynamic object, or one of those below.
@@ -53,6 +56,7 @@ private:
     0xfffffffeu; ///< what touches either end, which may end with any motion
 
   void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
+  double unitOf(std::size_t cell) const;
   bool touchesDynamic(const GatherSpace& space, const GatherSample& sample) const;
   /// Whether a motion may change the view of a sample.
   bool mayChange(const GatherSpace& space, const MovedObjects& moved, std::uint32_t sample) const;
@@ -66,7 +70,11 @@ private:
   const LampPieces& lamps_;
   const GatherPlan& plan_;
   std::uint64_t seed_;
+  double quantaPerWatt_;
   std::vector<GatherSample> samples_;
+  /// By cell, quanta: a power of two, of which all that its samples bring together is less than 2^53.
+  /// What each brings is rounded to it, so no sum of these is rounded, in whatever order.
+  std::vector<double> units_;
   std::vector<View> views_; ///< by sample
 };
 

@@ -25,6 +25,16 @@ CellShapes::CellShapes(const SceneObjects& objects, const SceneTriangles& triang
     shapes_.push_back(shapeOf(cell, triangles));
     pace.step();
   }
+  for (std::uint32_t object = first; object < end; ++object)
+  {
+    const Material& material = *objects[object].material;
+    for (std::size_t i = 0; i < material.specularReflectance.size(); ++i)
+    {
+      double& specular =
+        shapes_[numbers_[{ object, i / static_cast<std::size_t>(material.bands) }]].specular;
+      specular = std::max(specular, material.specularReflectance[i]);
+    }
+  }
 }
 
 /// By cell; within a cell they keep their order.
