@@ -49,9 +49,9 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
 }
 
 /// The sums of all cells of an object: by side, band and replicate if they are kept apart.
-std::vector<double> totals(const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
+std::vector<std::int64_t> totals(const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
 {
-  std::vector<double> totals;
+  std::vector<std::int64_t> totals;
   for (int band = 0; band < objects[object].material->bands; ++band)
   {
     for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
@@ -61,7 +61,7 @@ std::vector<double> totals(const CellSums& sums, const SceneObjects& objects, st
       {
         for (int side = 0; side < sums.sides(); ++side)
         {
-          totals.back() += sums.sum({ object, cell, side }, band, i, 1);
+          totals.back() += sums.shot({ object, cell, side }, band, i, 1);
         }
       }
     }
