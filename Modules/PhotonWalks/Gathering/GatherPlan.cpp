@@ -18,7 +18,7 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     const CellShape& shape = cells[cell];
-    const double mirrored = settings.startsPerWalk * shape.specular;
+    const double mirrored = settings.startsPerWalk * shape.mirrored;
     const bool isDark = shape.isFrontDark && shape.isBackDark;
     std::uint32_t samples = shape.area > 0 && !isDark ? numberFor(0) : 0;
     if (samples > 0 && numberFor(choice.mostPower(shape) * walksPerWatt, mirrored) > samples)
