@@ -36,8 +36,8 @@ inline EngineSettings keepingPhotons(std::uint32_t walks)
   return settings;
 }
 
-/// The whole answer of an engine or of a set of walks, in integers.
-using Answer = std::vector<std::int64_t>;
+/// The whole answer of an engine or of a set of walks, in quanta.
+using Answer = std::vector<double>;
 
 template <class Walks>
 Answer answerOf(const Walks& walks, const SceneObjects& objects, bool separateSides = false)
@@ -57,7 +57,7 @@ Answer answerOf(const Walks& walks, const SceneObjects& objects, bool separateSi
   {
     answer.insert(answer.end(), power.quanta.begin(), power.quanta.end());
   }
-  answer.push_back(balance.segments);
+  answer.push_back(static_cast<double>(balance.segments));
   return answer;
 }
 
@@ -74,7 +74,7 @@ inline Answer freshAnswer(const SceneObjects& objects, const EngineSettings& set
 inline double wattsOn(const IrradianceEngine& engine, std::uint32_t object, std::size_t first,
   std::size_t last, int band = 0)
 {
-  std::int64_t quanta = 0;
+  double quanta = 0;
   for (std::size_t cell = first; cell < last; ++cell)
   {
     quanta += engine.sums().sum({ object, cell }, band);

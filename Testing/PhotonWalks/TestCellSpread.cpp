@@ -49,8 +49,7 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
 }
 
 /// The sums of all cells of an object: by side, band and replicate if they are kept apart.
-std::vector<std::int64_t> totals(
-  const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
+std::vector<std::int64_t> totals(const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
 {
   std::vector<std::int64_t> totals;
   for (int band = 0; band < objects[object].material->bands; ++band)
@@ -62,7 +61,7 @@ std::vector<std::int64_t> totals(
       {
         for (int side = 0; side < sums.sides(); ++side)
         {
-          totals.back() += sums.sum({ object, cell, side }, band, i, 1);
+          totals.back() += sums.shot({ object, cell, side }, band, i, 1);
         }
       }
     }
@@ -71,9 +70,9 @@ std::vector<std::int64_t> totals(
 }
 
 /// All sums of the first round.
-std::vector<std::int64_t> valuesOf(const CellSums& sums, const SceneObjects& objects)
+std::vector<double> valuesOf(const CellSums& sums, const SceneObjects& objects)
 {
-  std::vector<std::int64_t> values;
+  std::vector<double> values;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
@@ -127,7 +126,7 @@ TEST(CellSpread, ConservesThePowerOfEachObjectBandAndReplicate)
       const CellSums sums = randomSums(objects, sides, WalkPlan(1000, 1000, 4), 5, times);
       const CellSums spread = spreadOf(objects, sums, 5000.0 * double(times));
       EXPECT_NE(valuesOf(sums, objects), valuesOf(spread, objects));
-      const std::vector<std::int64_t> values = valuesOf(spread, objects);
+      const std::vector<double> values = valuesOf(spread, objects);
       EXPECT_GE(*std::min_element(values.begin(), values.end()), 0);
       for (std::uint32_t object = 0; object < objects.size(); ++object)
       {
@@ -165,7 +164,7 @@ TEST(CellSpread, DoesNotLeak)
       sums.set({ 0, cell }, 0, 0, cell % 7 == 0 ? 1 << 30 : 0);
     }
     const CellSums spread = spreadOf(objects, sums, 2000);
-    std::int64_t onDark = 0;
+    double onDark = 0;
     for (std::size_t cell = 0; cell < 100; ++cell)
     {
       onDark +=
@@ -209,7 +208,7 @@ TEST(CellSpread, DoesNotDependOnTheOrderOfCells)
   CellSums other(shuffled, 1, plan);
   for (std::size_t i = 0; i < cells; ++i)
   {
-    other.set({ 1, i }, 0, 0, sums.sum({ 1, order[i] }, 0));
+    other.set({ 1, i }, 0, 0, sums.shot({ { 1, order[i] } }, 0, 1));
   }
   const CellSums spread = spreadOf(objects, sums, 1000),
                  otherSpread = spreadOf(shuffled, other, 1000);

@@ -38,10 +38,9 @@ std::vector<Kind> someKinds()
     { 3, false, true, 2, WalkPlan(walks / 4, walks, 2) } };
 }
 
-std::vector<std::int64_t> answerOf(
-  const FrontRun& run, const Kind& kind, const SceneObjects& objects)
+test::Answer answerOf(const FrontRun& run, const Kind& kind, const SceneObjects& objects)
 {
-  std::vector<std::int64_t> answer = test::answerOf(run, objects, kind.sides == 2);
+  test::Answer answer = test::answerOf(run, objects, kind.sides == 2);
   CellNumbers(objects).forEach([&](const SceneCell& cell) {
     for (std::uint32_t replicate = 0; replicate < kind.plan.replicates().count(); ++replicate)
     {
@@ -64,8 +63,8 @@ void addRatio(const CellSums& sumsBefore, const CellSums& sumsNow, std::uint32_t
   {
     for (int band = 0; band < sumsBefore.bands(); ++band)
     {
-      before += static_cast<double>(sumsBefore.sum({ { object, cell }, side }, band));
-      now += static_cast<double>(sumsNow.sum({ { object, cell }, side }, band));
+      before += sumsBefore.sum({ { object, cell }, side }, band);
+      now += sumsNow.sum({ { object, cell }, side }, band);
     }
   }
   if (before > 0)
@@ -92,8 +91,7 @@ TEST(FrontShooting, NoPhotonIsLost)
     CellNumbers(scene.objects()).forEach([&](const SceneCell& cell) {
       for (int part = 0; part < kind.sides * kind.bands; ++part)
       {
-        received +=
-          static_cast<double>(run.sums().sum({ cell, part % kind.sides }, part / kind.sides));
+        received += run.sums().sum({ cell, part % kind.sides }, part / kind.sides);
       }
     });
     EXPECT_EQ(balance.received, received);
@@ -202,7 +200,7 @@ TEST(FrontShooting, EveryAreaOfAFurnaceReceivesOneWatt)
         for (std::size_t cell = first; cell < first + group; ++cell)
         {
           area += cells[cell];
-          watts += wattsPerQuantum * static_cast<double>(run.sums().sum({ { object, cell } }, 0));
+          watts += wattsPerQuantum * run.sums().sum({ { object, cell } }, 0);
         }
         areas.resize(std::max(areas.size(), ++number));
         areas[number - 1].add(watts / area);

@@ -120,9 +120,9 @@ TEST(Ranks, GatherAndReachATarget)
 }
 
 /// What is stale on this rank, in quanta on all cells.
-std::int64_t staleOf(const IrradianceEngine& engine)
+double staleOf(const IrradianceEngine& engine)
 {
-  std::int64_t stale = 0;
+  double stale = 0;
   for (const WalkSet& set : engine.walks().sets())
   {
     engine.cells().numbers().forEach(
@@ -148,11 +148,11 @@ TEST(Ranks, RepairWithinABudget)
     EngineSettings hurried = settings;
     hurried.repairTimeBudget = test::kNoTime;
     engine.update(second, hurried, rank);
-    std::int64_t sum = staleOf(engine);
+    auto sum = static_cast<std::int64_t>(staleOf(engine));
     rank.ranks().sum(&sum, 1);
     {
       const std::lock_guard<std::mutex> lock(mutex);
-      std::int64_t told = 0;
+      double told = 0;
       engine.cells().numbers().forEach(
         [&](const SceneCell& cell) { told += engine.walks().staleSums()->sum({ cell }, 0); });
       EXPECT_GT(told, 0);

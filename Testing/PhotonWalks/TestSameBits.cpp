@@ -163,7 +163,7 @@ TEST(SameBits, SidesAddUpToTheSum)
   apart.separateSides = true;
   IrradianceEngine a, b;
   Execution execution;
-  std::int64_t back = 0;
+  double back = 0;
   for (int frame = 0; frame < 5; ++frame, scene.nextFrame())
   {
     a.update(scene.objects(), together, execution);

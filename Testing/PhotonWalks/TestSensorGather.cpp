@@ -70,7 +70,7 @@ TEST(SideSums, AreThoseOfWalksThatTellSidesApart)
       const SideSums counted(engine.walks(), scene.objects(), two);
       const SideSums kept(expected.walks(), scene.objects(), two);
       EXPECT_EQ(&kept.sums(), &expected.sums()) << "nothing is to be counted";
-      std::int64_t back = 0;
+      double back = 0;
       engine.cells().numbers().forEach([&](const SceneCell& cell) {
         for (int band = 0; band < bands; ++band)
         {

@@ -40,10 +40,10 @@ public:
       double brought = 0; // to all cells by the new tails
       double stale = 0;
       forEachCell([&](std::uint32_t object, std::size_t cell, int side) {
-        const std::int64_t before = now.sums().sum({ object, cell, side }, band);
-        const std::int64_t after = full.sums().sum({ object, cell, side }, band);
+        const double before = now.sums().sum({ object, cell, side }, band);
+        const double after = full.sums().sum({ object, cell, side }, band);
         const CellSums* staleSums = now.walks().staleSums();
-        const std::int64_t tail = staleSums ? staleSums->sum({ object, cell, side }, band) : 0;
+        const double tail = staleSums ? staleSums->sum({ object, cell, side }, band) : 0;
         ASSERT_GE(tail, 0);
         ASSERT_GE(after, before - tail) << "object " << object << ", cell " << cell;
         largestLoss_ = std::max(largestLoss_, tail > 0 ? double(before - after) / double(tail) : 0);

@@ -70,7 +70,7 @@ public:
 
   std::int64_t onPlate(std::size_t plate) const
   {
-    return engine_.sums().sum({ static_cast<std::uint32_t>(plate + 1), 0 }, 0) >> 34;
+    return engine_.sums().shot({ { static_cast<std::uint32_t>(plate + 1), 0 } }, 0, 1) >> 34;
   }
   std::int64_t escaped() const { return engine_.balance().escaped[0] >> 34; }
   /// Hits on the tube with x in (from, to); its end is at 10.
@@ -81,7 +81,7 @@ public:
     for (std::size_t i = 0; i < mesh.size(); i += 2) // two triangles a cell
     {
       const double x = mesh[i].bounds().center()[0];
-      quanta += x > from && x < to ? engine_.sums().sum({ 0, i / 2 }, 0) : 0;
+      quanta += x > from && x < to ? engine_.sums().shot({ { 0, i / 2 } }, 0, 1) : 0;
     }
     return quanta >> 34;
   }

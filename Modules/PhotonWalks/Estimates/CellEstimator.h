@@ -77,10 +77,10 @@ public:
 protected:
   const EstimateSource& source() const { return source_; }
   /// W/m2 of a sum on a cell.
-  double perArea(std::int64_t quanta, const CellSide& cell) const
+  double perArea(double quanta, const CellSide& cell) const
   {
     const double area = source_.cells.area(cell);
-    return area > 0 ? source_.walks.watts(static_cast<double>(quanta)) / area : 0.0;
+    return area > 0 ? source_.walks.watts(quanta) / area : 0.0;
   }
 
 private:

@@ -76,7 +76,7 @@ std::int64_t CellSpread::quantaOn(std::uint32_t object, const CellSums& sums, st
       {
         for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
         {
-          quanta += sums.sum({ object, cell, side }, band, i, rounds);
+          quanta += sums.shot({ object, cell, side }, band, i, rounds);
           pace.step(rounds);
         }
       }
@@ -152,14 +152,14 @@ void CellSpread::forEachSum(
   }
 }
 
-/// Where more than 2^53 quanta arrived, the lowest bits of each sum stay where they are.
+/// What cells gathered stays where it is. Where more than 2^53 quanta arrived, the lowest bits of each sum stay where they are.
 CellSums CellSpread::spread(
   const SceneObjects& objects, const CellSums& sums, std::size_t rounds, Execution& execution) const
 {
   const std::uint32_t walks = sums.plan().walksAfter(rounds);
   const std::uint32_t replicates = sums.plan().replicates().count();
   const auto bands = static_cast<std::uint32_t>(objects.staticObject.material->bands);
-  CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0);
+  CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0, sums.gatherers());
   result.setRounds(1, cancelPointOf(execution, 0));
   std::vector<DiffusingFields> all;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -172,7 +172,7 @@ CellSums CellSpread::spread(
       static_cast<std::size_t>(sums.sides()) * fields.width());
     bool isDark = true;
     const auto read = [&](const CellSide& cell, int band, auto replicate, std::size_t i) {
-      const std::int64_t sum = sums.sum(cell, band, replicate, rounds);
+      const std::int64_t sum = sums.shot(cell, band, replicate, rounds);
       fields.quanta[i] = static_cast<double>(sum >> shift);
       isDark = isDark && sum == 0;
     };
@@ -183,9 +183,13 @@ CellSums CellSpread::spread(
     const unsigned shift = objects_[fields.object].shift;
     const std::int64_t lowest = (std::int64_t{ 1 } << shift) - 1;
     const auto write = [&](const CellSide& cell, int band, auto replicate, std::size_t i) {
-      const std::int64_t low = shift == 0 ? 0 : sums.sum(cell, band, replicate, rounds) & lowest;
+      const std::int64_t low = shift == 0 ? 0 : sums.shot(cell, band, replicate, rounds) & lowest;
       const auto spread = static_cast<std::int64_t>(fields.quanta[i]);
       result.set(cell, band, replicate, (spread << shift) + low);
+      if (sums.gathers(cell))
+      {
+        result.setGathered(cell, band, replicate, sums.gathered(cell, band, replicate, rounds));
+      }
     };
     forEachSum(fields, bands, sums.sides(), write);
   };

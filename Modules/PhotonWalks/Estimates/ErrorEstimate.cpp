@@ -64,14 +64,13 @@ ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) 
 {
   const auto replicates = static_cast<std::uint32_t>(share_.size());
   const auto ofReplicate = [&](std::uint32_t i) { return sums_.sum(cell, band, i, rounds_); };
-  std::int64_t total = 0;
+  double quanta = 0;
   for (std::uint32_t i = 0; i < replicates; ++i)
   {
-    total += ofReplicate(i);
+    quanta += ofReplicate(i);
   }
-  const auto quanta = static_cast<double>(total);
   const double quantaPerPhoton = this->quantaPerPhoton(cell, band);
-  if (replicates < 2 || walks_ < kFewestPhotons || total == 0 ||
+  if (replicates < 2 || walks_ < kFewestPhotons || quanta == 0 ||
     quanta < kFewestPhotons * quantaPerPhoton)
   {
     return { quanta, std::nan(""), quantaPerPhoton, 0 };
@@ -79,7 +78,7 @@ ErrorEstimate::Received ErrorEstimate::received(const CellSide& cell, int band) 
   double squares = 0;
   for (std::uint32_t i = 0; i < replicates; ++i)
   {
-    const double off = static_cast<double>(ofReplicate(i)) - share_[i] * quanta;
+    const double off = ofReplicate(i) - share_[i] * quanta;
     squares += off * off;
   }
   return { quanta,

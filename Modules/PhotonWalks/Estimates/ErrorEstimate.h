@@ -67,7 +67,7 @@ public:
   /// What one replicate alone says of a cell's sum, in quanta: its own, over its share of the walks.
   double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
   {
-    return static_cast<double>(sums_.sum(cell, band, replicate, rounds_)) / share_[replicate];
+    return sums_.sum(cell, band, replicate, rounds_) / share_[replicate];
   }
   /// What one photon of full power effectively brings to a cell, in quanta.
   double quantaPerPhoton(const CellSide& cell, int band) const

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/GatherEstimator.h"
 
-#include "Estimates/SeparateSums.h"
 #include "FinalGather/DarkShapes.h"
 #include "FinalGather/NearLampLight.h"
 #include "FinalGather/PathLights.h"
@@ -19,11 +18,8 @@ void GatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
   const SceneObjects& objects = from.space.objects;
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   const CellSums& all = from.walks.sums();
-  std::optional<CellSums> direct = gatheredSums(from.walks, objects, cancelPoint);
-  if (!direct) // all lights are near ones
-  {
-    direct.emplace(objects, all.sides(), all.plan(), all.rounds());
-  }
+  CellSums direct = CellSums::ofGathered(objects, all.sides(), all.plan(), all.rounds());
+  direct.addGathered(all, cancelPoint);
   // Those of the first round: so all rounds have the same paths, and no cell is left to its own few photons for more walks.
   roles_.emplace(from.cells, from.walks.plan().walksAfter(1),
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
@@ -31,19 +27,19 @@ void GatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
   const std::deque<PointDirectLight> lights =
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit, kWeightsOfHit);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
-    { all, settings_.isUnbiased ? nullptr : &*direct, from.walks.staleSums(), rounds.walks },
-    lights, static_cast<std::uint32_t>(rays().after(1)), 1 / from.walks.watts(1.0, rounds.walks),
+    { all, settings_.isUnbiased ? nullptr : &direct, from.walks.staleSums(), rounds.walks }, lights,
+    static_cast<std::uint32_t>(rays().after(1)), 1 / from.walks.watts(1.0, rounds.walks),
     settings_.seed, keepsPaths() || settings_.mostRays > 0, all.plan().replicates().count() > 1,
     false, settings_.mostRays > 0 };
   for (const WalkSet& set : from.walks.sets())
   {
     if (!set.source().cells && !set.lights().isEmpty())
     {
-      addNearLampLight(scene, set, rounds.walks, *direct, execution);
+      addNearLampLight(scene, set, rounds.walks, direct, execution);
     }
   }
   gather_.update(scene, rounds.rays, execution);
-  putTogether(scene, *direct, cancelPoint);
+  putTogether(scene, direct, cancelPoint);
 }
 
 void GatherEstimator::putTogether(
@@ -52,8 +48,8 @@ void GatherEstimator::putTogether(
   const KnownLight& known = scene.known;
   const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
   const std::uint32_t replicates = known.all.plan().replicates().count();
-  sums_ = CellSums(scene.objects, sides(), WalkPlan(count, count, replicates));
-  staleSums_ = CellSums(scene.objects, sides(), {}, known.stale ? 1 : 0);
+  sums_ = CellSums::ofGathered(scene.objects, sides(), WalkPlan(count, count, replicates));
+  staleSums_ = CellSums::ofGathered(scene.objects, sides(), {}, known.stale ? 1 : 0);
   received_ = 0;
   ThrottledCancelPoint pace(cancelPoint);
   known.all.numbers().forEach([&](const SceneCell& cell) {
@@ -65,16 +61,17 @@ void GatherEstimator::putTogether(
       {
         for (std::uint32_t i = 0; i < replicates; ++i)
         {
-          sums_.set({ cell, side }, band, i, sumOf({ cell, side }, [&](const CellSide& part) {
-            return own.sum(part, band, i, known.rounds) +
-              (gathers ? gather_.indirect().sum(part, band, i, 1) : 0);
-          }));
+          sums_.setGathered(
+            { cell, side }, band, i, sumOf({ cell, side }, [&](const CellSide& part) {
+              return own.sum(part, band, i, known.rounds) +
+                (gathers ? gather_.indirect().sum(part, band, i, 1) : 0);
+            }));
         }
-        received_ += gathers ? static_cast<double>(sums_.sum({ cell, side }, band)) : 0;
+        received_ += gathers ? sums_.sum({ cell, side }, band) : 0;
         if (known.stale)
         {
           const CellSums& stale = gathers ? gather_.stale() : *known.stale;
-          staleSums_.set({ cell, side }, band, 0,
+          staleSums_.setGathered({ cell, side }, band, 0,
             sumOf({ cell, side }, [&](const CellSide& part) { return stale.sum(part, band); }));
         }
       }
@@ -85,7 +82,7 @@ void GatherEstimator::putTogether(
 
 /// Of one side, or of both if they are not told apart.
 template <class Quanta>
-std::int64_t GatherEstimator::sumOf(const CellSide& cell, const Quanta& quanta) const
+double GatherEstimator::sumOf(const CellSide& cell, const Quanta& quanta) const
 {
   return settings_.separatesSides ? quanta(cell) : quanta({ cell, 0 }) + quanta({ cell, 1 });
 }
@@ -108,7 +105,7 @@ std::optional<double> GatherEstimator::rayVariance(const CellSide& cell, int ban
     return kInfinity;
   }
   const auto varianceOf = [&](const CellSide& part) {
-    return std::pow(static_cast<double>(gather_.noise().sum(part, band)), 2);
+    return std::pow(gather_.noise().sum(part, band), 2);
   };
   return settings_.separatesSides ? varianceOf(cell)
                                   : varianceOf({ cell, 0 }) + varianceOf({ cell, 1 });

@@ -77,7 +77,7 @@ private:
   void putTogether(
     const GatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint);
   template <class Quanta>
-  std::int64_t sumOf(const CellSide& cell, const Quanta& quanta) const;
+  double sumOf(const CellSide& cell, const Quanta& quanta) const;
 
   Settings settings_;
   FinalGather gather_;

@@ -183,7 +183,7 @@ std::vector<char> NearestPhotonEstimator::updateCentroids(
 /// Returns the sides of cells that received few photons themselves, and sets the largest radius.
 std::vector<CellSide> NearestPhotonEstimator::findSmall()
 {
-  const CellSums& sums = sumsOfWalks();
+  const CellSums& sums = source().walks.sums();
   const auto quantaPerWalk =
     static_cast<double>(source().walks.quantaPerWalk()); // in all bands together
   std::vector<CellSide> small;
@@ -196,7 +196,8 @@ std::vector<CellSide> NearestPhotonEstimator::findSmall()
       double power = 0;
       for (int band = 0; band < sums.bands(); ++band)
       {
-        power += static_cast<double>(sums.sum({ cell, std::min(side, sides_ - 1) }, band));
+        power +=
+          static_cast<double>(sums.shot({ cell, std::min(side, sides_ - 1) }, band, sums.rounds()));
       }
       received += side < sides_ ? power / quantaPerWalk : 0;
       if (power / quantaPerWalk < count_ && centroid.triangle != kNone)
@@ -253,7 +254,6 @@ void NearestPhotonEstimator::update(const EstimateRounds& rounds, Execution& exe
   if (!isUpToDate())
   {
     const EstimateSource& from = source();
-    separate_ = separateSums(from.walks, from.space.objects, rounds.walks, execution);
     estimateSmallCells(NearestPhotons(from.photons.get<LeafPhotons>(), from.surfaces,
                          from.space.objects, from.walks.histories()),
       execution);
@@ -319,8 +319,8 @@ double NearestPhotonEstimator::irradiance(const CellSide& cell, int band) const
   {
     return SumEstimator::irradiance(cell, band);
   }
-  const double direct = separate_ ? perArea(separate_->direct.sum(cell, band), cell) : 0.0;
-  return direct + source().walks.watts(density);
+  const CellSums& sums = source().walks.sums();
+  return perArea(sums.gathered(cell, band, sums.rounds()), cell) + source().walks.watts(density);
 }
 
 double NearestPhotonEstimator::density(const CellSide& cell, int band) const

@@ -2,13 +2,11 @@
 #ifndef irradiance_NearestPhotonEstimator_h
 #define irradiance_NearestPhotonEstimator_h
 
-#include "Estimates/SeparateSums.h"
 #include "Estimates/SumEstimator.h"
 #include "Photons/NearestEstimate.h"
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -72,11 +70,6 @@ private:
 
   bool isUpToDate() const;
   void estimateSmallCells(const NearestPhotons& photons, Execution& execution);
-  /// What walks brought.
-  const CellSums& sumsOfWalks() const
-  {
-    return separate_ ? separate_->indirect : source().walks.sums();
-  }
   /// Quanta per m2 that photons bring to a side of a cell, as in CellSums; NaN if that is to come from its sum.
   double density(const CellSide& cell, int band) const;
   static std::vector<Centroid> centroidsOf(
@@ -103,7 +96,6 @@ private:
   SceneObjects objects_;  ///< of the last update
   PhotonChanges changes_; ///< since then
   CellNumbers numbers_;
-  std::optional<SeparateSums> separate_;
   std::vector<std::vector<Centroid>> centroids_; ///< by object
   std::vector<Estimate> estimates_;              ///< of the front and of the back of each cell
 };

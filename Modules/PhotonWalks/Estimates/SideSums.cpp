@@ -25,7 +25,7 @@ SideSums::SideSums(const WalkSets& walks, const SceneObjects& objects, Execution
   {
     return;
   }
-  counted_.emplace(objects, 2, all.plan(), all.rounds());
+  counted_.emplace(objects, 2, all.plan(), all.rounds(), all.gatherers());
   const auto sets = static_cast<double>(walks.sets().size());
   double done = 0;
   for (const WalkSet& set : walks.sets())
@@ -40,7 +40,8 @@ void SideSums::count(const WalkSet& set, const SceneObjects& objects, Execution&
 {
   const WalkHistory& history = set.history();
   // Its walks have numbers of their own.
-  CellSums sums(objects, 2, set.sums().plan(), set.sums().rounds());
+  const CellSums& its = set.sums();
+  CellSums sums(objects, 2, its.plan(), its.rounds(), its.gatherers());
   SlicedPass pass{ (history.size() + kTogether - 1) / kTogether, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
     std::vector<Deposit> deposits;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/SpreadEstimator.h"
 
-#include "Estimates/SeparateSums.h"
-
 #include <algorithm>
-#include <optional>
 
 namespace irradiance
 {
@@ -13,17 +10,12 @@ void SpreadEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {
   const SceneObjects& objects = source().space.objects;
   const WalkSets& walks = source().walks;
-  const std::optional<SeparateSums> separate =
-    separateSums(walks, objects, rounds.walks, execution);
-  const CellSums& shot = separate ? separate->indirect : walks.sums();
-  const std::size_t shotRounds = separate ? 1 : rounds.walks;
+  const CellSums& all = walks.sums();
+  const std::uint32_t count = walks.plan().walksAfter(rounds.walks);
+  plan_ = WalkPlan(count, count, all.plan().replicates().count());
   spread_.update(
-    objects, shot, shotRounds, photons_, static_cast<double>(walks.quantaPerWalk()), execution);
-  sums_ = spread_.spread(objects, shot, shotRounds, execution);
-  if (separate)
-  {
-    sums_.add(separate->direct, cancelPointOf(execution, 1));
-  }
+    objects, all, rounds.walks, photons_, static_cast<double>(walks.quantaPerWalk()), execution);
+  sums_ = spread_.spread(objects, all, rounds.walks, execution);
   if (const CellSums* stale = walks.staleSums())
   {
     staleSums_ = spread_.spread(objects, *stale, 1, execution);

@@ -28,11 +28,12 @@ public:
   double staleIrradiance(const CellSide& cell, int band) const override;
   ErrorEstimate errorEstimate() const override
   {
-    return { sums_, sums_.plan(), 1, source().walks.largestStart(), &spread_ };
+    return { sums_, plan_, 1, source().walks.largestStart(), &spread_ };
   }
 
 private:
   double photons_;
+  WalkPlan plan_; ///< of the walks that count, in one round
   CellSpread spread_;
   CellSums sums_, staleSums_; ///< spread
 };

@@ -19,7 +19,7 @@ double segmentsOf(const WalkSets& walks, std::size_t rounds)
       {
         for (std::uint32_t k = 0; k < sums.plan().replicates().count(); ++k)
         {
-          quanta += static_cast<double>(sums.sum({ cell, side }, band, k, rounds));
+          quanta += sums.sum({ cell, side }, band, k, rounds);
         }
       }
     }

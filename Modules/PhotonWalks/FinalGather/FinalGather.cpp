@@ -15,9 +15,9 @@ namespace irradiance
 
 void FinalGather::update(const GatherScene& scene, std::size_t rounds, Execution& execution)
 {
-  indirect_ = CellSums(scene.objects, 2, scene.known.all.plan(), 1);
-  stale_ = CellSums(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
-  noise_ = CellSums(scene.objects, 2, {}, scene.tellsNoise ? 1 : 0);
+  indirect_ = CellSums::ofGathered(scene.objects, 2, scene.known.all.plan(), 1);
+  stale_ = CellSums::ofGathered(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
+  noise_ = CellSums::ofGathered(scene.objects, 2, {}, scene.tellsNoise ? 1 : 0);
   excess_.assign(scene.checksReadings ? scene.replicates() : 0, 0);
   followed_ = read_ = 0;
   findGatherers(scene);
@@ -266,16 +266,16 @@ void FinalGather::store(const GatherScene& scene, const std::vector<PathSums>& b
         }
         all += RayRounds::share(round, brought.size()) * sum;
       }
-      return nearestQuanta(areaOfStart * all);
+      return areaOfStart * all;
     };
     for (std::uint32_t k = 0; k < indirect_.plan().replicates().count(); ++k)
     {
-      indirect_.set(cell, band, k,
+      indirect_.setGathered(cell, band, k,
         sumOf([&](const PathSums& sums, std::size_t i) { return sums.found(i, k); }));
     }
     if (scene.known.stale)
     {
-      stale_.set(
+      stale_.setGathered(
         cell, band, 0, sumOf([&](const PathSums& sums, std::size_t i) { return sums.stale(i); }));
     }
   }
@@ -309,7 +309,7 @@ void FinalGather::storeNoise(const GatherScene& scene, const std::vector<PathSum
     }
     // Of an odd number of rays the one in the middle is in no half.
     const double middle = last == 0 && halves > 0 ? static_cast<double>(rays) / halves : 1;
-    noise_.set(cell, band, 0, nearestQuanta(areaOfStart * std::sqrt(middle * squares)));
+    noise_.setGathered(cell, band, 0, areaOfStart * std::sqrt(middle * squares));
   }
 }
 

@@ -38,9 +38,10 @@ void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t 
   const CellShapes shapes = gatheringAlone(scene);
   const GatherPlan plan(shapes, lamps,
     { walks, { kWalksPerSample, { scene.rays, scene.rays } }, replicates }, cancelPoint);
-  DirectLight light(shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk));
+  DirectLight light(
+    shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk), quantaPerWatt);
   light.gather(scene.space, execution);
-  light.addTo(sums, 0, quantaPerWatt, 1, {}, cancelPoint);
+  light.addTo(sums, 0, 1, {}, cancelPoint);
 }
 
 }

@@ -88,11 +88,10 @@ void PathSums::addKnown(const GatherScene& scene, const GatherSegment& segment, 
   {
     const auto i = static_cast<std::size_t>(band);
     const double reflected = weight[i] * material.reflectanceOf(id.triangle, band) / area;
-    sum[i] += reflected * static_cast<double>(sums.sum(side, band, replicate, known.rounds));
+    sum[i] += reflected * sums.sum(side, band, replicate, known.rounds);
     if (segment.isKnown && known.stale)
     {
-      stale[i] +=
-        reflected / scene.replicates() * static_cast<double>(known.stale->sum(side, band));
+      stale[i] += reflected / scene.replicates() * known.stale->sum(side, band);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "Execution/SlicedPass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -43,13 +44,15 @@ bool mayTouch(const GatherSample& sample, const Box& box)
 
 }
 
-DirectLight::DirectLight(
-  const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan, std::uint64_t seed)
+DirectLight::DirectLight(const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan,
+  std::uint64_t seed, double quantaPerWatt)
   : cells_(cells)
   , lamps_(lamps)
   , plan_(plan)
   , seed_(seed)
+  , quantaPerWatt_(quantaPerWatt)
   , samples_(plan.size())
+  , units_(plan.numberOfCells())
   , views_(plan.size(), kNever)
   , variances_(plan.numberOfCells())
 {
@@ -80,6 +83,7 @@ void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::
     {
       *next++ = sampler.sample(i);
     }
+    units_[cell] = unitOf(cell);
   }
   std::vector<std::uint32_t> numbers(plan_.first(end) - plan_.first(first));
   std::iota(numbers.begin(), numbers.end(), plan_.first(first));
@@ -244,20 +248,46 @@ std::vector<std::uint32_t> DirectLight::follow(
   return together;
 }
 
-Power DirectLight::powerOf(const GatherSample& sample, double quantaPerWatt) const
+CellSums::Quanta DirectLight::quantaOf(const GatherSample& sample) const
 {
-  Power power;
-  for (std::size_t band = 0; band < power.quanta.size(); ++band)
+  CellSums::Quanta quanta{};
+  for (std::size_t band = 0; band < quanta.size(); ++band)
   {
-    power.quanta[band] =
-      nearestQuanta(sample.part * lamps_.lights()[sample.light].flux[band] * quantaPerWatt);
+    quanta[band] = sample.part * lamps_.lights()[sample.light].flux[band] * quantaPerWatt_;
   }
+  return quanta;
+}
+
+double DirectLight::unitOf(std::size_t cell) const
+{
+  double largest = 0;
+  for (std::uint32_t i = plan_.first(cell); i < plan_.first(cell) + plan_.samplesOf(cell); ++i)
+  {
+    const CellSums::Quanta quanta = quantaOf(samples_[i]);
+    largest = std::max(largest, *std::max_element(quanta.begin(), quanta.end()));
+  }
+  return largest > 0 ? std::exp2(std::ilogb(largest * plan_.samplesOf(cell)) - 51) : 1.0;
+}
+
+Power DirectLight::add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,
+  CellSums& sums, std::size_t round) const
+{
+  CellSums::Quanta quanta = quantaOf(samples_[sample]);
+  Power power;
+  for (std::size_t band = 0; band < quanta.size(); ++band)
+  {
+    power.quanta[band] = sign * nearestQuanta(quanta[band]);
+    quanta[band] = units_[number] * std::nearbyint(quanta[band] / units_[number]);
+  }
+  const std::uint32_t replicate = plan_.replicateOf(number, sample - plan_.first(number));
+  sums.addGathered(
+    sums.slotOf({ cell, 0 }, replicate, round), samples_[sample].isFront, quanta, sign);
   return power;
 }
 
 /// Other objects may have other cells than when it gathered: so cells are told by their objects.
-Power DirectLight::addTo(CellSums& sums, std::size_t round, double quantaPerWatt, int sign,
-  const DealtBlocks& cells, const CancelPoint& cancelPoint) const
+Power DirectLight::addTo(CellSums& sums, std::size_t round, int sign, const DealtBlocks& cells,
+  const CancelPoint& cancelPoint) const
 {
   Power all;
   ThrottledCancelPoint pace(cancelPoint);
@@ -266,13 +296,7 @@ Power DirectLight::addTo(CellSums& sums, std::size_t round, double quantaPerWatt
     for (std::uint32_t i = 0; i < plan_.samplesOf(number) && cells.contains(number); ++i)
     {
       const std::uint32_t sample = plan_.first(number) + i;
-      if (isVisible(sample))
-      {
-        const Power power = sign * powerOf(samples_[sample], quantaPerWatt);
-        sums.add(sums.slotOf({ cell, 0 }, plan_.replicateOf(number, i), round),
-          samples_[sample].isFront, power);
-        all += power;
-      }
+      all += isVisible(sample) ? add(sample, number, cell, sign, sums, round) : Power{};
     }
     ++number;
     pace.step();

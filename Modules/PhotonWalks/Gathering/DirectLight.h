@@ -24,9 +24,9 @@ class DirectLight
 public:
   using Bands = std::array<double, Power::kMaxBands>;
 
-  /// The arguments must outlive it.
-  DirectLight(
-    const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan, std::uint64_t seed);
+  /// All but the numbers must outlive it.
+  DirectLight(const CellShapes& cells, const LampPieces& lamps, const GatherPlan& plan,
+    std::uint64_t seed, double quantaPerWatt);
 
   /// Makes all samples, and looks which of them see their lights.
   void gather(const GatherSpace& space, Execution& execution);
@@ -43,12 +43,15 @@ public:
   /// Of what all cells receive, by band, W2: from the scatter of the samples of each cell, or of its replicates. As
   /// these are nets, it is rather too large.
   Bands variance() const;
-  /// What a sample brings if it sees its light, by band.
-  Power powerOf(const GatherSample& sample, double quantaPerWatt) const;
-  /// Adds what the samples of these cells bring to a round, or with `sign` -1 takes it away. Returns what all have
-  /// together. No other thread may add meanwhile.
-  Power addTo(CellSums& sums, std::size_t round, double quantaPerWatt, int sign,
-    const DealtBlocks& cells, const CancelPoint& cancelPoint) const;
+  /// What a sample brings if it sees its light.
+  CellSums::Quanta quantaOf(const GatherSample& sample) const;
+  /// Adds what a sample of a cell brings to a round, or with `sign` -1 takes it away, to the last
+  /// bit: see units_. Returns it in whole quanta. No other thread may add meanwhile.
+  Power add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,
+    CellSums& sums, std::size_t round) const;
+  /// Likewise what the samples of these cells bring that see their lights.
+  Power addTo(CellSums& sums, std::size_t round, int sign, const DealtBlocks& cells,
+    const CancelPoint& cancelPoint) const;
 
 private:
   /// What stands between a sample and its light: the number of a dynamic object, or one of those below.
@@ -60,6 +63,7 @@ private:
 
   void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
   Bands varianceOf(std::size_t cell) const;
+  double unitOf(std::size_t cell) const;
   bool touchesDynamic(const GatherSpace& space, const GatherSample& sample) const;
   /// Whether a motion may change the view of a sample.
   bool mayChange(const GatherSpace& space, const MovedObjects& moved, std::uint32_t sample) const;
@@ -73,7 +77,11 @@ private:
   const LampPieces& lamps_;
   const GatherPlan& plan_;
   std::uint64_t seed_;
+  double quantaPerWatt_;
   std::vector<GatherSample> samples_;
+  /// By cell, quanta: a power of two, of which all that its samples bring together is less than 2^53.
+  /// What each brings is rounded to it, so no sum of these is rounded, in whatever order.
+  std::vector<double> units_;
   std::vector<View> views_;      ///< by sample
   std::vector<Bands> variances_; ///< by cell, W2
 };

@@ -18,11 +18,12 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     const CellShape& shape = cells[cell];
+    const double mirrored = settings.startsPerWalk * shape.mirrored;
     const bool isDark = shape.isFrontDark && shape.isBackDark;
     std::uint32_t samples = shape.area > 0 && !isDark ? numberFor(0) : 0;
-    if (samples > 0 && numberFor(choice.mostPower(shape) * walksPerWatt) > samples)
+    if (samples > 0 && numberFor(choice.mostPower(shape) * walksPerWatt, mirrored) > samples)
     {
-      samples = numberFor(choice.expectedPower(shape) * walksPerWatt);
+      samples = numberFor(choice.expectedPower(shape) * walksPerWatt, mirrored);
     }
     if (firsts_.back() + samples < firsts_.back())
     {
@@ -33,14 +34,17 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
   }
 }
 
-std::uint32_t GatherPlan::numberFor(double walks) const
+std::uint32_t GatherPlan::numberFor(double walks, double mirrored) const
 {
   const FewestSamples& fewest = density_.fewest;
   const bool isLarge = walks >= 4.0 * fewest.small;
-  const double samples =
+  const double usual =
     std::max<double>(isLarge ? fewest.large : fewest.small, walks / density_.walksPerSample);
+  // A mirror throws all walks of a sample the same way: so each has a sample of its own.
+  const double ofMirror = mirrored > 0 ? std::min(walks * mirrored, kMostOfMirror) : 0;
+  const double samples = std::max(std::min(usual, kMost), ofMirror);
   std::uint32_t number = replicates_;
-  while (number < samples && number < kMost)
+  while (number < samples)
   {
     number *= 2;
   }

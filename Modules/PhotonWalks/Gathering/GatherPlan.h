@@ -15,10 +15,11 @@ namespace irradiance
 /**
  * How many samples each cell takes to gather its direct light, numbered through all cells.
  *
- * A cell takes as many as the power that it may receive calls for, beside the power of a walk, if it is more than the
- * fewest: samples stand where walks would arrive, and grow in number with the walks. What stands in between has no part in it. The
- * numbers are the number of replicates times a power of two; each replicate has samples that follow each
- * other, so that they are a net of their own.
+ * A cell takes as many as the power that it may receive calls for, beside the power of a walk, if it
+ * is more than the fewest: samples stand where walks would arrive, and grow in number with the walks. A
+ * mirror takes one for each walk that may start there, as walks of one sample would fly the same way.
+ * What stands in between has no part in it. The numbers are the number of replicates times a power of
+ * two; each replicate has samples that follow each other, so that they are a net of their own.
  */
 class GatherPlan
 {
@@ -38,6 +39,8 @@ public:
     std::uint32_t walks; ///< among which the flux of the lights is divided
     Density density;
     std::uint32_t replicates;
+    double startsPerWalk =
+      0; ///< walks that start at cells with the power of each of `walks`; 0: none
   };
 
   GatherPlan(const CellShapes& cells, const LampPieces& lamps, const Settings& settings,
@@ -61,10 +64,10 @@ public:
   std::uint32_t replicates() const { return replicates_; }
 
 private:
-  static constexpr std::uint32_t kMost = 65536;
+  static constexpr double kMost = 65536, kMostOfMirror = 1048576;
 
-  /// Of a cell that may receive so many walks.
-  std::uint32_t numberFor(double walks) const;
+  /// Of a cell that may receive so many walks, and mirrors so many for each.
+  std::uint32_t numberFor(double walks, double mirrored = 0) const;
 
   std::uint32_t replicates_;
   Density density_;

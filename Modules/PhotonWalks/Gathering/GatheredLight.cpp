@@ -38,11 +38,14 @@ GatheredLight::GatheredLight(const GatherSpace& space, const SceneObjects& objec
   , quantaPerWatt_(
       static_cast<double>(lamps.lights().quantaPerWalk()) * settings.walks / lamps.lights().flux())
   , cells_(shapesOf(space, objects, lamps.lights(), settings.part, cancelPointOf(execution, 0)))
-  , plan_(cells_, lamps_, { settings.walks, settings.density, settings.replicates },
+  , plan_(cells_, lamps_,
+      { settings.walks, settings.density, settings.replicates,
+        static_cast<double>(lamps.lights().quantaPerWalk()) /
+          static_cast<double>(settings.quantaPerWalk) },
       cancelPointOf(execution, 0))
-  , light_(cells_, lamps_, plan_, settings.seed)
-  , starts_(gathered(light_, space, execution), objects, triangles_, quantaPerWatt_,
-      settings.quantaPerWalk, settings.firstWalk, settings.seed, cancelPointOf(execution, 0))
+  , light_(cells_, lamps_, plan_, settings.seed, quantaPerWatt_)
+  , starts_(gathered(light_, space, execution), objects, triangles_, settings.quantaPerWalk,
+      settings.firstWalk, settings.seed, cancelPointOf(execution, 0))
 {
 }
 
@@ -62,7 +65,7 @@ void GatheredLight::addTo(CellSums& sums, PowerBalance& balance, const DealtBloc
       }
     }
   }
-  count(light_.addTo(sums, settings_.round, quantaPerWatt_, sign, dealt, cancelPoint), balance);
+  count(light_.addTo(sums, settings_.round, sign, dealt, cancelPoint), balance);
 }
 
 void GatheredLight::change(const std::vector<std::uint32_t>& samples, CellSums& sums,
@@ -73,14 +76,9 @@ void GatheredLight::change(const std::vector<std::uint32_t>& samples, CellSums& 
     const std::size_t cell = plan_.cellOf(number);
     if (dealt.contains(cell))
     {
-      const GatherSample& sample = light_.samples()[number];
-      const Power power =
-        (light_.isVisible(number) ? 1 : -1) * light_.powerOf(sample, quantaPerWatt_);
-      const std::uint32_t replicate = plan_.replicateOf(cell, number - plan_.first(cell));
-      sums.add(sums.slotOf(
-                 { sums.cellOf(triangles_.idOf(sample.triangle)), 0 }, replicate, settings_.round),
-        sample.isFront, power);
-      count(power, balance);
+      const TriangleId id = triangles_.idOf(light_.samples()[number].triangle);
+      const int sign = light_.isVisible(number) ? 1 : -1;
+      count(light_.add(number, cell, sums.cellOf(id), sign, sums, settings_.round), balance);
     }
   }
 }

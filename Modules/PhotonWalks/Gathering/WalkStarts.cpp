@@ -34,10 +34,9 @@ Power shared(const std::array<double, Power::kMaxBands>& powers, double all, std
 }
 
 WalkStarts::WalkStarts(const DirectLight& light, const SceneObjects& objects,
-  const SceneTriangles& triangles, double quantaPerWatt, std::int64_t quantaPerWalk,
-  std::uint32_t firstWalk, std::uint64_t seed, const CancelPoint& cancelPoint)
+  const SceneTriangles& triangles, std::int64_t quantaPerWalk, std::uint32_t firstWalk,
+  std::uint64_t seed, const CancelPoint& cancelPoint)
   : light_(light)
-  , quantaPerWatt_(quantaPerWatt)
   , quantaPerWalk_(quantaPerWalk)
   , firstWalk_(firstWalk)
   , replicates_(light.plan().replicates())
@@ -66,7 +65,7 @@ void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneO
   const GatherSample& sample = light_.samples()[number];
   const TriangleId id = triangles.idOf(sample.triangle);
   const Material& material = *objects[id.object].material;
-  const Power arriving = light_.powerOf(sample, quantaPerWatt_);
+  const CellSums::Quanta arriving = light_.quantaOf(sample);
   for (int use = 0; use < (material.isSpecular() ? 2 : 1); ++use)
   {
     std::array<double, Power::kMaxBands> reflected{};
@@ -75,7 +74,8 @@ void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneO
     {
       const double reflectance = use == 0 ? material.reflectanceOf(id.triangle, band)
                                           : material.specularOf(id.triangle, band);
-      reflected[static_cast<std::size_t>(band)] = reflectance * static_cast<double>(arriving[band]);
+      reflected[static_cast<std::size_t>(band)] =
+        reflectance * arriving[static_cast<std::size_t>(band)];
       all += reflected[static_cast<std::size_t>(band)];
     }
     const auto walks = static_cast<std::uint32_t>(

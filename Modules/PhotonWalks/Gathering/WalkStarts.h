@@ -19,9 +19,9 @@ class WalkStarts
 public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  /// `light`: with all its samples. `quantaPerWatt`, `quantaPerWalk`: the power of a walk.
+  /// `light`: with all its samples. `quantaPerWalk`: the power of a walk.
   WalkStarts(const DirectLight& light, const SceneObjects& objects, const SceneTriangles& triangles,
-    double quantaPerWatt, std::int64_t quantaPerWalk, std::uint32_t firstWalk, std::uint64_t seed,
+    std::int64_t quantaPerWalk, std::uint32_t firstWalk, std::uint64_t seed,
     const CancelPoint& cancelPoint = {});
 
   /// So many walks may be born, at least one number.
@@ -56,7 +56,6 @@ private:
   void numberWalks();
 
   const DirectLight& light_;
-  double quantaPerWatt_;
   std::int64_t quantaPerWalk_;
   std::uint32_t firstWalk_, replicates_;
   std::uint64_t seed_;

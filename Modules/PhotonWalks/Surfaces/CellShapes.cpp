@@ -7,6 +7,14 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// The exponent of a lobe that is as good as a mirror: half of it is within 2 degrees.
+constexpr double kSharp = 1000;
+
+}
+
 Triangle triangleOf(const SceneTriangles& triangles, std::uint32_t number)
 {
   const SurfaceRecord& record = triangles.records()[number];
@@ -24,6 +32,17 @@ CellShapes::CellShapes(const SceneObjects& objects, const SceneTriangles& triang
   {
     shapes_.push_back(shapeOf(cell, triangles));
     pace.step();
+  }
+  for (std::uint32_t object = first; object < end; ++object)
+  {
+    const Material& material = *objects[object].material;
+    for (std::size_t i = 0; i < material.specularReflectance.size(); ++i)
+    {
+      const std::size_t cell = i / static_cast<std::size_t>(material.bands);
+      double& mirrored = shapes_[numbers_[{ object, cell }]].mirrored;
+      mirrored = std::max(
+        mirrored, material.phongExponent[cell] >= kSharp ? material.specularReflectance[i] : 0);
+    }
   }
 }
 

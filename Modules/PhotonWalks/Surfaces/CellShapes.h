@@ -17,6 +17,7 @@ struct CellShape
   double radius = 0;                ///< all corners are within it of the center
   Vector3 normal = Vector3::Zero(); ///< mean over the area: shorter than 1 if the cell is not flat
   double area = 0;                  ///< m2; 0 if the cell is not there
+  double mirrored = 0;              ///< what it reflects as mirrors do, of the brightest band
   // Whether no light can come straight from the lights to a side.
   bool isFrontDark = false, isBackDark = false;
 };

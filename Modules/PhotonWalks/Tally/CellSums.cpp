@@ -3,30 +3,77 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
 namespace irradiance
 {
 
-CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds)
+namespace
+{
+
+template <class Number>
+void copy(const std::vector<Number>& from, std::size_t first, std::size_t size,
+  std::vector<Number>& to, std::size_t firstThere)
+{
+  std::copy_n(from.data() + first, size, to.data() + firstThere);
+}
+
+/// With many replicates this is a lot of memory. Taken piece by piece, no step takes long.
+template <class Number>
+void resize(std::vector<Number>& sums, std::size_t size, const CancelPoint& cancelPoint)
+{
+  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
+  std::vector<Number> now;
+  now.reserve(size);
+  while (now.size() < size)
+  {
+    const std::size_t first = now.size(), end = std::min(first + kPiece, size);
+    now.insert(now.end(), sums.data() + std::min(first, sums.size()),
+      sums.data() + std::min(end, sums.size()));
+    now.resize(end);
+    if (cancelPoint)
+    {
+      cancelPoint();
+    }
+  }
+  sums.swap(now);
+}
+
+}
+
+CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds,
+  const Gatherers& gatherers)
   : plan_(plan)
   , sides_(sides)
   , bands_(objects.staticObject.material->bands)
   , numbers_(objects)
+  , gatherers_(gatherers)
 {
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     materials_.push_back(objects[object].material);
   }
-  roundSize_ = numbers_.size() * static_cast<std::size_t>(sides_) * plan.replicates().count() *
-    static_cast<std::size_t>(bands_);
+  roundSize_ = numbers_.size() * slotsPerCell();
+  gatheredFirst_ = slotsBefore(gatherers.first);
+  gatheredSize_ = slotsBefore(gatherers.end) - gatheredFirst_;
   setRounds(rounds);
+}
+
+CellSums CellSums::ofGathered(
+  const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds)
+{
+  CellSums sums(objects, sides, plan, 0, { 0, objects.size() });
+  sums.areShot_ = false;
+  sums.setRounds(rounds);
+  return sums;
 }
 
 void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  CellSums now(objects, sides_, plan_, 0);
+  CellSums now(objects, sides_, plan_, 0, gatherers_);
+  now.areShot_ = areShot_;
   now.setRounds(rounds_, cancelPoint);
   for (std::size_t round = 0; round < rounds_; ++round)
   {
@@ -34,11 +81,14 @@ void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoi
     {
       if (now.materials_[object] == materials_[object])
       {
-        const CellSide first{ { object, 0 } };
-        const auto size = static_cast<std::ptrdiff_t>(
-          materials_[object]->numberOfCells * static_cast<std::size_t>(sides_) * sideSize());
-        std::copy_n(sums_.begin() + static_cast<std::ptrdiff_t>(slot({ round, 0 }, first)), size,
-          now.sums_.begin() + static_cast<std::ptrdiff_t>(now.slot({ round, 0 }, first)));
+        const std::size_t first = slot({ round, 0 }, { { object, 0 } });
+        const std::size_t firstNow = now.slot({ round, 0 }, { { object, 0 } });
+        const std::size_t size = materials_[object]->numberOfCells * slotsPerCell();
+        areShot_ ? copy(sums_, first, size, now.sums_, firstNow) : void();
+        if (gathers({ object, 0 }))
+        {
+          copy(gathered_, gatheredPlace(first), size, now.gathered_, now.gatheredPlace(firstNow));
+        }
       }
       if (cancelPoint)
       {
@@ -55,24 +105,8 @@ void CellSums::setRounds(std::size_t rounds, const CancelPoint& cancelPoint)
   {
     return;
   }
-  // With many replicates this is a lot of memory. Taken piece by piece, no step takes long.
-  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
-  std::vector<std::int64_t> sums;
-  sums.reserve(rounds * roundSize_);
-  while (sums.size() < rounds * roundSize_)
-  {
-    const std::size_t first = sums.size();
-    const std::size_t end = std::min(first + kPiece, rounds * roundSize_);
-    const auto old = sums_.begin();
-    sums.insert(sums.end(), old + static_cast<std::ptrdiff_t>(std::min(first, sums_.size())),
-      old + static_cast<std::ptrdiff_t>(std::min(end, sums_.size())));
-    sums.resize(end);
-    if (cancelPoint)
-    {
-      cancelPoint();
-    }
-  }
-  sums_.swap(sums);
+  resize(sums_, areShot_ ? rounds * roundSize_ : 0, cancelPoint);
+  resize(gathered_, rounds * gatheredSize_, cancelPoint);
   rounds_ = rounds;
 }
 
@@ -136,6 +170,22 @@ void CellSums::add(const CellSums& others, const CancelPoint& cancelPoint)
       cancelPoint();
     }
   }
+  addGathered(others, cancelPoint);
+}
+
+void CellSums::addGathered(const CellSums& others, const CancelPoint& cancelPoint)
+{
+  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
+  for (std::size_t i = 0; i < others.gathered_.size(); ++i)
+  {
+    const std::size_t round = i / others.gatheredSize_, at = i - round * others.gatheredSize_;
+    gathered_[round * gatheredSize_ + others.gatheredFirst_ - gatheredFirst_ + at] +=
+      others.gathered_[i];
+    if (i % kPiece == 0 && cancelPoint)
+    {
+      cancelPoint();
+    }
+  }
 }
 
 void CellSums::sumOver(Ranks& ranks, const CancelPoint& cancelPoint)
@@ -146,25 +196,35 @@ void CellSums::sumOver(Ranks& ranks, const CancelPoint& cancelPoint)
     cancelPoint();
     ranks.sum(&sums_[i], std::min(kPiece, sums_.size() - i));
   }
+  // One rank alone has a number that is not 0, and the bits of 0 are 0: the sum of the bits is that number.
+  static_assert(sizeof(double) == sizeof(std::int64_t));
+  std::vector<std::int64_t> bits;
+  for (std::size_t i = 0; i < gathered_.size(); i += kPiece)
+  {
+    cancelPoint();
+    bits.resize(std::min(kPiece, gathered_.size() - i));
+    std::memcpy(bits.data(), &gathered_[i], bits.size() * sizeof(double));
+    ranks.sum(bits.data(), bits.size());
+    std::memcpy(&gathered_[i], bits.data(), bits.size() * sizeof(double));
+  }
 }
 
-std::int64_t CellSums::sum(const CellSide& cell, int band) const
+std::int64_t CellSums::shot(const CellSide& cell, int band, std::size_t rounds) const
 {
   std::int64_t total = 0;
   for (std::uint32_t replicate = 0; replicate < plan_.replicates().count(); ++replicate)
   {
-    total += sum(cell, band, replicate, rounds_);
+    total += shot(cell, band, replicate, rounds);
   }
   return total;
 }
 
-std::int64_t CellSums::sum(
-  const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
+double CellSums::gathered(const CellSide& cell, int band, std::size_t rounds) const
 {
-  std::int64_t total = 0;
-  for (std::size_t round = 0; round < rounds; ++round)
+  double total = 0;
+  for (std::uint32_t replicate = 0; replicate < plan_.replicates().count(); ++replicate)
   {
-    total += sums_[slot({ round, replicate }, cell) + static_cast<std::size_t>(band)];
+    total += gathered(cell, band, replicate, rounds);
   }
   return total;
 }

@@ -23,18 +23,33 @@ struct Deposit
   std::int64_t quanta;
 };
 
+/// Objects [first, end), whose cells gather.
+struct Gatherers
+{
+  std::uint32_t first = 0, end = 0;
+};
+
 /// The power that each cell receives, in quanta. Adding a photon adds its power, removing it
 /// subtracts it. Threads collect deposits and add many at a time; the result does not depend on
 /// their order.
+///
+/// What walks bring is whole quanta. What cells gather themselves is kept apart, in floating point:
+/// so a cell that receives next to nothing of all power knows that to as many digits as others.
 ///
 /// Each round and each replicate of the plan has sums of its own.
 class CellSums
 {
 public:
+  /// Quanta in each band, not whole ones.
+  using Quanta = std::array<double, Power::kMaxBands>;
+
   CellSums() = default;
   /// `sides`: 1 for the sum over both sides of a cell, 2 to keep front and back apart. There is
   /// room for `rounds` rounds of the plan.
-  CellSums(
+  CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan = {},
+    std::size_t rounds = 1, const Gatherers& gatherers = {});
+  /// With room for what all cells gather alone, and none for walks.
+  static CellSums ofGathered(
     const SceneObjects& objects, int sides, const WalkPlan& plan = {}, std::size_t rounds = 1);
 
   /// Changes to objects of which some have other cells than before. These start with nothing; all
@@ -49,7 +64,15 @@ public:
     setRounds(plan.rounds().size(), cancelPoint);
   }
   std::size_t rounds() const { return rounds_; }
-  std::size_t bytes() const { return sums_.capacity() * sizeof(sums_[0]); }
+  std::size_t bytes() const
+  {
+    return sums_.capacity() * sizeof(sums_[0]) + gathered_.capacity() * sizeof(gathered_[0]);
+  }
+  const Gatherers& gatherers() const { return gatherers_; }
+  bool gathers(const SceneCell& cell) const
+  {
+    return cell.object >= gatherers_.first && cell.object < gatherers_.end;
+  }
 
   /// Where the photons of a walk on the front of a cell are added.
   std::size_t slotOf(std::uint32_t walk, const SceneCell& cell) const
@@ -102,19 +125,62 @@ public:
   /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be called by
   /// many threads at once.
   void addCounts(std::int32_t* counts, std::int64_t quanta);
-  /// Adds other sums of the same cells, round by round and replicate by replicate.
+  /// Adds what a cell of the gatherers gathers; `sign` -1 takes it away. For one thread alone.
+  void addGathered(std::size_t slot, bool isFront, const Quanta& quanta, int sign)
+  {
+    double* const sums = &gathered_[gatheredPlace(isFront ? slot : backOf(slot))];
+    for (int band = 0; band < bands_; ++band)
+    {
+      sums[band] += sign * quanta[static_cast<std::size_t>(band)];
+    }
+  }
+  /// Adds other sums of the same cells, round by round and replicate by replicate. Gatherers of these
+  /// must be some of its own.
   void add(const CellSums& others, const CancelPoint& cancelPoint);
-  /// Adds up the sums of all ranks.
+  /// Likewise what they gathered alone.
+  void addGathered(const CellSums& others, const CancelPoint& cancelPoint);
+  /// Adds up the sums of all ranks. What a side of a cell gathers must be known to one of them alone.
   void sumOver(Ranks& ranks, const CancelPoint& cancelPoint);
-  std::int64_t sum(const CellSide& cell, int band) const;
-  /// The part that the walks of one replicate in the first `rounds` rounds brought.
-  std::int64_t sum(
-    const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const;
+
+  /// What a side of a cell received in all.
+  double sum(const CellSide& cell, int band) const { return sum(cell, band, rounds_); }
+  /// Likewise, in the first `rounds` rounds.
+  double sum(const CellSide& cell, int band, std::size_t rounds) const
+  {
+    return static_cast<double>(shot(cell, band, rounds)) + gathered(cell, band, rounds);
+  }
+  /// The part of one replicate.
+  double sum(const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
+  {
+    return static_cast<double>(shot(cell, band, replicate, rounds)) +
+      gathered(cell, band, replicate, rounds);
+  }
+  /// What walks brought.
+  std::int64_t shot(const CellSide& cell, int band, std::size_t rounds) const;
+  std::int64_t shot(
+    const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
+  {
+    return sumOf(sums_, slot({ 0, replicate }, cell), roundSize_, band, rounds);
+  }
+  /// What the cell gathered.
+  double gathered(const CellSide& cell, int band, std::size_t rounds) const;
+  double gathered(const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
+  {
+    return gathers(cell)
+      ? sumOf(gathered_, gatheredPlace(slot({ 0, replicate }, cell)), gatheredSize_, band, rounds)
+      : 0.0;
+  }
 
   /// Replaces what the walks of a replicate brought in the first round.
   void set(const CellSide& cell, int band, std::uint32_t replicate, std::int64_t quanta)
   {
     sums_[slot({ 0, replicate }, cell) + static_cast<std::size_t>(band)] = quanta;
+  }
+  /// Replaces what a cell of the gatherers gathered for a replicate in the first round.
+  void setGathered(const CellSide& cell, int band, std::uint32_t replicate, double quanta)
+  {
+    gathered_[gatheredPlace(slot({ 0, replicate }, cell)) + static_cast<std::size_t>(band)] =
+      quanta;
   }
 
   const CellNumbers& numbers() const { return numbers_; }
@@ -139,6 +205,29 @@ private:
     return group.round * roundSize_ + part * sideSize() +
       group.replicate * static_cast<std::size_t>(bands_);
   }
+  /// Of the objects before this one, in a round.
+  std::size_t slotsBefore(std::uint32_t object) const
+  {
+    return (object < numbers_.numberOfObjects() ? numbers_[{ object, 0 }] : numbers_.size()) *
+      slotsPerCell();
+  }
+  /// Where the sum of a slot stands among those that are gathered.
+  std::size_t gatheredPlace(std::size_t slot) const
+  {
+    const std::size_t round = roundSize_ > 0 ? slot / roundSize_ : 0;
+    return round * gatheredSize_ + slot - round * roundSize_ - gatheredFirst_;
+  }
+  template <class Number>
+  static Number sumOf(const std::vector<Number>& sums, std::size_t first, std::size_t size,
+    int band, std::size_t rounds)
+  {
+    Number total = 0;
+    for (std::size_t round = 0; !sums.empty() && round < rounds; ++round)
+    {
+      total += sums[first + round * size + static_cast<std::size_t>(band)];
+    }
+    return total;
+  }
   /// Sums of one side of a cell.
   std::size_t sideSize() const
   {
@@ -151,8 +240,12 @@ private:
   CellNumbers numbers_;
   std::vector<std::shared_ptr<const Material>> materials_;
   std::size_t rounds_ = 0;
-  std::size_t roundSize_ = 0; ///< sums of a round
-  std::vector<std::int64_t> sums_;
+  std::size_t roundSize_ = 0;      ///< sums of a round
+  std::vector<std::int64_t> sums_; ///< none where all is gathered
+  bool areShot_ = true;            ///< there is room for what walks bring
+  Gatherers gatherers_;
+  std::size_t gatheredFirst_ = 0, gatheredSize_ = 0; ///< slots of the gatherers in a round
+  std::vector<double> gathered_;
   /// Of consecutive parts of the sums, so that threads seldom wait for each other.
   static constexpr std::size_t kParts = 16;
   using Mutexes = std::array<std::mutex, kParts>;

@@ -44,14 +44,16 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
   gathered_.reset();
+  Gatherers gatherers;
   areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
     gathered_ = std::make_unique<GatheredRounds>(GatheredRounds::Settings{ *source_.cells,
       Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
       source_.density, settings_.seed });
+    gatherers = { source_.cells->first, source_.cells->end };
   }
-  sums_ = CellSums(space.objects, sides(), plan(), 0);
+  sums_ = CellSums(space.objects, sides(), plan(), 0, gatherers);
   const int bands = space.objects.staticObject.material->bands;
   history_ = {};
   history_ = WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene)),

@@ -164,8 +164,11 @@ void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
   }
   const CancelPoint cancelPoint = cancelPointOf(execution, 1);
   const CellSums& any = sets_.front().sums();
-  Total total{ CellSums(objects, any.sides(), plan_, 0), {}, CellSums(objects, any.sides()),
-    staleOfSets(), statisticsOfSets() };
+  const bool doGather = std::any_of(
+    sets_.begin(), sets_.end(), [](const WalkSet& set) { return set.gathered() != nullptr; });
+  const Gatherers gatherers{ 0, doGather ? objects.size() : 0 };
+  Total total{ CellSums(objects, any.sides(), plan_, 0, gatherers), {},
+    CellSums(objects, any.sides()), staleOfSets(), statisticsOfSets() };
   total.sums.setRounds(any.rounds(), cancelPoint);
   for (const WalkSet& set : sets_)
   {
