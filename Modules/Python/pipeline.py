@@ -109,12 +109,13 @@ class _Run:
 
 def _upstream(algorithm):
     """The algorithm and all that it depends on, each once."""
-    found = [algorithm]
+    found, known = [algorithm], {algorithm}
     for part in found:
         for port in range(part.GetNumberOfInputPorts()):
             for i in range(part.GetNumberOfInputConnections(port)):
                 producer = part.GetInputConnection(port, i).GetProducer()
-                if producer not in found:
+                if producer not in known:
+                    known.add(producer)
                     found.append(producer)
     return found
 

@@ -3,6 +3,7 @@
 import atexit
 import ctypes
 import re
+import sys
 
 
 def use_mpi():
@@ -10,6 +11,7 @@ def use_mpi():
 
     Returns that controller, a vtkMPIController. Filters that are made afterwards share their work over these
     processes. What was started here ends with Python. Needs VTK's module vtkParallelMPI, and no other package.
+    An exception that nobody catches on one process ends all, after its traceback: the others would wait for it.
     """
     from vtkmodules.vtkParallelCore import vtkMultiProcessController
     from vtkmodules.vtkParallelMPI import vtkMPIController
@@ -19,7 +21,26 @@ def use_mpi():
         atexit.register(controller.Finalize)
     controller.Initialize()
     vtkMultiProcessController.SetGlobalController(controller)
+    if controller.GetNumberOfProcesses() > 1:
+        _end_all_with_one()
     return controller
+
+
+def _end_all_with_one():
+    """Lets an exception that ends this process end all, as mpi4py's runner does."""
+    mpi, show = ctypes.CDLL(_library()), sys.excepthook
+    try:
+        world = ctypes.byref(ctypes.c_byte.in_dll(mpi, "ompi_mpi_comm_world"))  # of Open MPI
+    except ValueError:
+        world = ctypes.c_int(0x44000000)  # of MPICH and its kin
+
+    def end(*exception):
+        show(*exception)
+        sys.stdout.flush()
+        sys.stderr.flush()
+        mpi.MPI_Abort(world, 1)
+
+    sys.excepthook = end
 
 
 def _start():

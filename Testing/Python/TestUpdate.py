@@ -52,6 +52,27 @@ print("goes on")
 """
 
 
+class Pipelines(unittest.TestCase):
+    def test_looks_at_each_input_a_few_times_only(self):
+        """Comparisons are counted, as those with all others would be the square of the number of inputs."""
+        for number in (100, 400):
+            comparisons = []
+
+            class Counted(vtkSphereSource):
+                def __eq__(self, other):
+                    comparisons.append(other)
+                    return self is other
+
+                __hash__ = object.__hash__
+
+            sources = [Counted() for _ in range(number)]
+            append = vtkAppendPolyData()
+            for source in sources:
+                append.AddInputConnection(source.GetOutputPort())
+            vtkIrradiance.update(append)
+            self.assertLess(len(comparisons), 10 * number)
+
+
 class Errors(unittest.TestCase):
     def test_error_is_raised_and_filter_stays_usable(self):
         irradiance = make_filter()

@@ -38,6 +38,22 @@ void forEachCell(vtkCellArray* cells, const Visit& visit)
 
 }
 
+void ConvertedPolyData::reserve(const std::vector<vtkPolyData*>& inputs)
+{
+  vtkIdType cells = 0, mostTriangles = 0;
+  for (vtkPolyData* input : inputs)
+  {
+    cells += input->GetNumberOfCells();
+    // A polygon of n corners becomes n - 2 triangles.
+    mostTriangles += std::max<vtkIdType>(0,
+      input->GetPolys()->GetNumberOfConnectivityIds() - 2 * input->GetNumberOfPolys() +
+        input->GetStrips()->GetNumberOfConnectivityIds());
+  }
+  triangles.reserve(static_cast<std::size_t>(mostTriangles));
+  material.cellOfTriangle.reserve(static_cast<std::size_t>(mostTriangles));
+  material.reflectance.reserve(static_cast<std::size_t>(cells * material.bands));
+}
+
 PolyDataConverter::PolyDataConverter(std::string where, vtkPolyData* input,
   const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance, ConvertedPolyData& target,
   const CancelPoint& cancelPoint)
@@ -78,10 +94,6 @@ std::vector<std::string> PolyDataConverter::convert()
   readPolygons(input_->GetPolys());
   readStrips(input_->GetStrips());
   checkMisplaced();
-  if (!specular_.empty())
-  {
-    target_.material.setSpecular(std::move(specular_), std::move(exponents_));
-  }
   return warnings();
 }
 
@@ -95,21 +107,11 @@ void PolyDataConverter::makeRoom()
   {
     target_.emission.exitance.resize(material.numberOfCells * bands, 0.0);
   }
-  if (arrays_[Specular] || material.isSpecular())
+  if (arrays_[Specular] || !target_.specular.empty())
   {
-    specular_ = material.specularReflectance;
-    specular_.resize(material.numberOfCells * bands, 0.0);
-    exponents_ = material.phongExponent;
-    exponents_.resize(material.numberOfCells, kInfinity);
+    target_.specular.resize(material.numberOfCells * bands, 0.0);
+    target_.exponents.resize(material.numberOfCells, kInfinity);
   }
-  // A polygon of n corners becomes n - 2 triangles. Growth by doubling would copy all at once,
-  // which takes long.
-  const auto triangles = target_.triangles.size() +
-    static_cast<std::size_t>(std::max<vtkIdType>(0,
-      input_->GetPolys()->GetNumberOfConnectivityIds() - 2 * input_->GetNumberOfPolys() +
-        input_->GetStrips()->GetNumberOfConnectivityIds()));
-  target_.triangles.reserve(triangles);
-  material.cellOfTriangle.reserve(triangles);
 }
 
 bool PolyDataConverter::isGhost() const
@@ -390,7 +392,7 @@ void PolyDataConverter::readReflectance(std::size_t cell)
         fail("diffuse reflectance " + text(diffuse) + " and specular reflectance " +
           text(specular) + " add up to more than 1");
       }
-      specular_[slot] = std::min(specular, 1 - diffuse);
+      target_.specular[slot] = std::min(specular, 1 - diffuse);
     }
   }
   if (arrays_[Exponent])
@@ -400,9 +402,9 @@ void PolyDataConverter::readReflectance(std::size_t cell)
     {
       fail("Phong exponent " + text(exponent) + " is not 0 or more");
     }
-    if (!specular_.empty())
+    if (!target_.specular.empty())
     {
-      exponents_[cell] = exponent;
+      target_.exponents[cell] = exponent;
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "vtkType.h"
 
 #include <string>
+#include <vector>
 
 class vtkCellArray;
 class vtkDataArray;
@@ -29,9 +30,14 @@ struct ConvertedPolyData
     emission.bands = bands;
   }
 
+  /// For the cells of these inputs at once: growth by doubling would copy all, which takes long.
+  void reserve(const std::vector<vtkPolyData*>& inputs);
+
   std::vector<Triangle> triangles;
   Material material;
   Emission emission;
+  std::vector<double> specular; ///< of material.setSpecular(), once all is converted; empty: none
+  std::vector<double> exponents;
 };
 
 /// Reads one vtkPolyData. Throws InputError, naming `where` (as in "input port 1, connection 0"),
@@ -97,8 +103,6 @@ private:
   OddCells crossed_;              ///< polygons that cross themselves
   OddCells fluxElsewhere_;        ///< cells with a flux that are not vertices
   OddCells exitanceElsewhere_;    ///< vertices and lines with an exitance
-  std::vector<double> specular_;  ///< of the target's cells, if any has an array
-  std::vector<double> exponents_;
 };
 
 }

@@ -174,14 +174,17 @@ void SceneReader::readStatic(const Parts& staticParts, const CancelPoint& cancel
   }
   hasNews_ = true;
   staticStamps_.reset(); // until all is read
-  firstCell_.clear();
   ConvertedPolyData all(settings_.bands);
+  std::vector<vtkPolyData*> inputs;
+  std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(inputs),
+    [](const InputPart* part) { return part->polyData; });
+  all.reserve(inputs);
   for (const InputPart* part : staticParts)
   {
-    firstCell_.push_back(all.material.numberOfCells);
-    all.material.firstCellOfPart = firstCell_;
+    all.material.firstCellOfPart.push_back(all.material.numberOfCells);
     convert(*part, all, cancelPoint);
   }
+  firstCell_ = all.material.firstCellOfPart;
   adopt(std::move(all), objects_.staticObject, false, cancelPoint);
   staticStamps_ = std::move(stamps);
 }
@@ -201,6 +204,7 @@ void SceneReader::readDynamic(
   {
     dynamicStamps_[index].reset(); // until all is read
     ConvertedPolyData data(settings_.bands);
+    data.reserve({ part.polyData });
     convert(part, data, cancelPoint);
     adopt(std::move(data), object, true, cancelPoint);
     dynamicStamps_[index] = stamp;
@@ -211,6 +215,10 @@ void SceneReader::readDynamic(
 void SceneReader::adopt(
   ConvertedPolyData data, SceneObject& object, bool mayMove, const CancelPoint& cancelPoint)
 {
+  if (!data.specular.empty())
+  {
+    data.material.setSpecular(std::move(data.specular), std::move(data.exponents));
+  }
   if (!object.material || !(*object.material == data.material))
   {
     object.material = std::make_shared<Material>(std::move(data.material));

@@ -24,7 +24,9 @@ bool isSpreadable(vtkDataSet* leaf)
 ExposedSurface surfaceOf(const std::string& name, vtkDataSet* leaf, const CancelPoint& cancelPoint)
 {
   ConvertedPolyData cells(1);
-  PolyDataConverter(name, vtkPolyData::SafeDownCast(leaf), {}, 0, cells, cancelPoint).convert();
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(leaf);
+  cells.reserve({ surface });
+  PolyDataConverter(name, surface, {}, 0, cells, cancelPoint).convert();
   return { std::move(cells.triangles), std::move(cells.material.cellOfTriangle),
     cells.material.numberOfCells };
 }
