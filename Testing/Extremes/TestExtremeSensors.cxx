@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sensors and points of surfaces anywhere, and with lamps far away: in the dark but for a point light and a far lamp, whose
-// light has a formula.
+// Sensors and points of surfaces anywhere, and with lamps far away: in the dark but for a point light
+// and a far lamp, whose light has a formula.
 
 #include "ExtremeScenes.h"
 
