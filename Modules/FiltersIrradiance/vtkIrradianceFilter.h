@@ -23,7 +23,9 @@
  * @section Inputs
  * Port 0 takes what stays, port 1 what moves, each any number of vtkPolyData, or composite data of
  * them. Polygons and triangle strips are surfaces, opaque, whose front is the side from which points run
- * counter-clockwise; vertex cells with a flux are point lights. All lengths are metres. Cell arrays have
+ * counter-clockwise; vertex cells with a flux are point lights. Where a pose mirrors (its determinant is negative),
+ * the front is the mirror image of the front, as in glTF, on which points run clockwise in the world; the cells of the
+ * output keep their own order of points. All lengths are metres. Cell arrays have
  * one component, or three for three bands. SetInputArrayToProcess(index, ...) chooses others:
  * | index | default name         | meaning                                        |
  * |-------|----------------------|------------------------------------------------|

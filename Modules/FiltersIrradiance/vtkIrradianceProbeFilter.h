@@ -20,7 +20,8 @@
  *   Nearest needs them. Without them Gathered finds the fluence rate.
  *   With Nearest sensors lie on surfaces of the scene, or nearly: each is moved to the closest point of the
  *   surface that faces as it does, no farther than MaximumDistance.
- *   With Gathered a sensor stays where it is, but for 2^-20 of the scene's largest coordinate (4 um of 4 m): so far it is
+ *   With Gathered a sensor stays where it is, but for 2^-20 of the scene's size (4 um of 4 m) and 2^-32 of its largest
+ *   coordinate, lamps apart: so far it is
  *   taken along its normal, or without normals towards the middle of the scene. So a sensor whose coordinates are rounded
  *   is not behind its own surface, and the outermost points of a grid that fills a room are in the room. It does not move
  *   with the surfaces of the scene: move it as they move. On a face that touches a lamp, as the underside of a box on a light

@@ -10,6 +10,7 @@
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
+#include "Views/SensorPlace.h"
 #include "Views/StoredSensors.h"
 
 #include "vtkCellData.h"
@@ -199,7 +200,8 @@ void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBloc
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
   output->ShallowCopy(input);
   irradiance::cloneLeaves(output);
-  const double rounding = 0x1p-20 * engine.scene().bounds().magnitude();
+  const double rounding =
+    irradiance::sensorClearance(irradiance::boundsBesideLamps(engine.objects()));
   const irradiance::CellShapes shapes =
     irradiance::darkShapesOf(engine.walks(), engine.space(), reading);
   std::vector<Surface> surfaces;

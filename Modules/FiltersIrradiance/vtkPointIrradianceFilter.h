@@ -15,8 +15,8 @@
  * the cells that meet there, weighted by their angles; where these meet at more than FeatureAngle it lies on a crease, and has
  * the mean of what it receives on each of the smooth facets, weighted by the angles that they fill. To show creases sharp, have
  * vtkPolyDataNormals split their points before vtkIrradianceFilter.
- * At an edge of a surface the light is gathered 1e-4 of the cell's width from it, or 2^-20 of the scene's largest
- * coordinate if that is more, so that a wall which meets the surface there is beside the point.
+ * At an edge of a surface the light is gathered 1e-4 of the cell's width from it, 2^-20 of the scene's size and 2^-32 of
+ * its largest coordinate, lamps apart, so that a wall which meets the surface there is beside the point.
  *
  * @section PointOutput Output
  * A shallow copy of the input with the point array `PointIrradiance` (double, W/m2, as many components as

@@ -207,7 +207,7 @@ TEST(PointIrradiance, OfACreaseIsTheMeanOfItsFacets)
   }
 }
 
-// Sides as those of the cells: a black sheet under one light and over another, also turned over by a mirror that moves it, and
+// Sides as those of the cells: a black sheet under one light and over another, also mirrored by its pose, which leaves its front above, and
 // with normals of its points that face the wrong way.
 TEST(PointIrradiance, TellsSidesApart)
 {
@@ -218,9 +218,9 @@ TEST(PointIrradiance, TellsSidesApart)
   scene.Fixed = { MakePointLight(above, { 10 }), MakePointLight(below, { 10 }) };
   scene.Moving = { MakeMoving(sheet, { 0, 0, 0 }) };
   Points points(scene, 2000);
-  for (const bool isTurned : { false, true })
+  for (const bool isMirrored : { false, true })
   {
-    if (isTurned)
+    if (isMirrored)
     {
       scene.Moving[0].Pose->Scale(1, -1, 1);
       vtkNew<vtkDoubleArray> normals;
@@ -228,7 +228,7 @@ TEST(PointIrradiance, TellsSidesApart)
       normals->SetNumberOfTuples(sheet->GetNumberOfPoints());
       for (int axis = 0; axis < 3; ++axis)
       {
-        normals->FillComponent(axis, axis == 2 ? 1 : 0);
+        normals->FillComponent(axis, axis == 2 ? -1 : 0);
       }
       sheet->GetPointData()->SetNormals(normals);
       sheet->Modified();
@@ -242,8 +242,7 @@ TEST(PointIrradiance, TellsSidesApart)
         FromPointLight(10, below, output->GetPoint(i), { 0, 0, -1 }) };
       for (const int side : { 0, 1 })
       {
-        EXPECT_NEAR(
-          ValueAt(output, i, names[isTurned ? 1 - side : side]), truths[side], 1e-3 * truths[side]);
+        EXPECT_NEAR(ValueAt(output, i, names[side]), truths[side], 1e-3 * truths[side]);
       }
     }
     const double front = ValueAt(output, 4, "PointIrradianceFront"),

@@ -90,6 +90,13 @@ public:
     width_ = around > 0 ? 2 * area.stableNorm() / around : 0;
   }
 
+  /// Turns the front to the other side.
+  void turnOver()
+  {
+    std::reverse(corners_.begin(), corners_.end());
+    normal_ = -normal_;
+  }
+  const Vector3& normal() const { return normal_; }
   bool hasArea() const { return normal_.squaredNorm() > 0; }
   Corners at(std::size_t i, vtkIdType point, const CellShape& shape) const
   {
@@ -125,11 +132,17 @@ std::vector<Corners> cornersOf(vtkPolyData* surface, const PartCells& cells,
   std::vector<Corners> corners;
   ThrottledCancelPoint pace(cancelPoint);
   forEachPolygon(surface, [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids) {
-    const Polygon polygon(surface, size, ids);
+    Polygon polygon(surface, size, ids);
     const CellShape& shape = shapes[shapes.numbers()[cells[cell]]];
+    const bool isMirrored = polygon.normal().dot(shape.normal) < 0;
+    if (isMirrored)
+    {
+      polygon.turnOver();
+    }
     for (vtkIdType i = 0; i < size && polygon.hasArea(); ++i)
     {
-      corners.push_back(polygon.at(static_cast<std::size_t>(i), ids[i], shape));
+      const vtkIdType id = ids[isMirrored ? size - 1 - i : i];
+      corners.push_back(polygon.at(static_cast<std::size_t>(i), id, shape));
     }
     pace.step(static_cast<std::size_t>(size));
   });

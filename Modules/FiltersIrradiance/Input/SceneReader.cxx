@@ -41,6 +41,14 @@ bool isEqual(
   return isEqual;
 }
 
+void turnOver(std::vector<Triangle>& triangles)
+{
+  for (Triangle& triangle : triangles)
+  {
+    std::swap(triangle.b, triangle.c);
+  }
+}
+
 /// A finite map can take finite points to where squares and volumes are not finite.
 void checkReach(const std::string& where, const AffineMap& map, const Box& box)
 {
@@ -93,7 +101,7 @@ SceneReader::Parts SceneReader::partsOf(const std::vector<InputConnection>& conn
 SceneReader::Stamp SceneReader::stampOf(const InputPart& part)
 {
   vtkPolyData* origin = originOfGeometry(part.polyData);
-  return { origin, part.arrays, origin->GetMTime() };
+  return { origin, part.arrays, origin->GetMTime(), part.worldFromPart.linear.determinant() < 0 };
 }
 
 int SceneReader::countBands(const std::vector<InputConnection>& staticConnections,
@@ -206,6 +214,10 @@ void SceneReader::readDynamic(
     ConvertedPolyData data(settings_.bands);
     data.reserve({ part.polyData });
     convert(part, data, cancelPoint);
+    if (stamp.isMirrored)
+    {
+      turnOver(data.triangles);
+    }
     adopt(std::move(data), object, true, cancelPoint);
     dynamicStamps_[index] = stamp;
   }

@@ -18,7 +18,9 @@ namespace irradiance
 /**
  * Keeps the engine's scene in step with the inputs of the filter. What did not change keeps its
  * address, by which the engine recognizes it. An input is read when VTK says that it was modified,
- * and replaced only if its values differ. A dynamic input without cells is an object that is not
+ * and replaced only if its values differ. The triangles of a dynamic input whose pose mirrors are
+ * turned over, so that the front of each is the mirror image of its front: elsewhere a triangle's
+ * corners tell its front in the world, whatever the pose. A dynamic input without cells is an object that is not
  * there; it keeps its body, which may come back.
  */
 class SceneReader
@@ -64,9 +66,11 @@ private:
     vtkSmartPointer<vtkPolyData> polyData;
     MaterialArrays<vtkAbstractArray> arrays; ///< those chosen; never dereferenced
     vtkMTimeType time;
+    bool isMirrored;
     bool operator==(const Stamp& other) const
     {
-      return polyData == other.polyData && arrays == other.arrays && time == other.time;
+      return polyData == other.polyData && arrays == other.arrays && time == other.time &&
+        isMirrored == other.isMirrored;
     }
   };
 

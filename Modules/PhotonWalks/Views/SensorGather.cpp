@@ -34,7 +34,8 @@ bool contains(const Box& box, const Vector3& point)
 
 SensorGather::SensorGather(
   const IrradianceEngine& engine, std::uint32_t rays, Execution& execution, bool keepsRays)
-  : noShapes_(engine.objects(), engine.space().triangles, 0, 0)
+  : near_(boundsBesideLamps(engine.objects()))
+  , noShapes_(engine.objects(), engine.space().triangles, 0, 0)
   , gather_(checked(engine), noShapes_, rays, false, keepsRays, execution)
   , direct_(
       lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, gather_.scene().rays))
@@ -102,7 +103,7 @@ std::vector<SensorGather::Rays::Start> SensorGather::startsOf(const std::vector<
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     const Box& bounds = scene().space.scene.bounds();
-    Rays::Start start{ sensorPlace(bounds, sensors[numbers[i]]) };
+    Rays::Start start{ sensorPlace(bounds, near_, sensors[numbers[i]]) };
     start.isInside = start.place && contains(bounds, start.place->position);
     if (i < before.size() && isKept(motion, start, before[i]))
     {

@@ -85,6 +85,7 @@ private:
   void askLights(
     Rays::Start& start, std::size_t number, const GatherMotion* motion, std::int64_t& cast) const;
 
+  Box near_; ///< see sensorPlace()
   CellShapes noShapes_;
   ViewGather gather_;
   std::deque<PointDirectLight>

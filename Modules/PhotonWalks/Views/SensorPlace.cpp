@@ -26,7 +26,35 @@ Vector3 inwards(const Box& bounds, const Vector3& position)
 
 }
 
-std::optional<LitPoint> sensorPlace(const Box& bounds, const Sensor& sensor)
+Box boundsBesideLamps(const SceneObjects& objects)
+{
+  Box all, besideLamps;
+  for (std::uint32_t number = 0; number < objects.size(); ++number)
+  {
+    const SceneObject& object = objects[number];
+    all.add(object.worldBounds());
+    if (!object.emission)
+    {
+      besideLamps.add(object.worldBounds());
+      continue;
+    }
+    for (std::uint32_t i = 0; i < object.mesh().size(); ++i)
+    {
+      if (!object.isLamp(i))
+      {
+        besideLamps.add(transformed(object.worldFromObject, object.mesh()[i]).bounds());
+      }
+    }
+  }
+  return besideLamps.isEmpty() ? all : besideLamps;
+}
+
+double sensorClearance(const Box& near)
+{
+  return near.isEmpty() ? 0 : 0x1p-20 * near.extent().maxCoeff() + 0x1p-32 * near.magnitude();
+}
+
+std::optional<LitPoint> sensorPlace(const Box& bounds, const Box& near, const Sensor& sensor)
 {
   LitPoint place{ sensor.position, sensor.normal };
   if (bounds.isEmpty())
@@ -38,8 +66,8 @@ std::optional<LitPoint> sensorPlace(const Box& bounds, const Sensor& sensor)
   {
     return std::nullopt;
   }
-  const Vector3 off = place.hasNormal() ? sensor.normal : inwards(bounds, sensor.position);
-  place.position += 0x1p-20 * bounds.magnitude() * off;
+  const Vector3 off = place.hasNormal() ? sensor.normal : inwards(near, sensor.position);
+  place.position += sensorClearance(near) * off;
   return place;
 }
 
