@@ -93,7 +93,8 @@ class _Run:
     on_warning.CallDataType = "string0"
 
     def end(self):
-        for subject, tag in self.observed:
+        # The last first: VTK's wrapping looks for each in a list of all, and then closes the gap.
+        for subject, tag in reversed(self.observed):
             subject.RemoveObserver(tag)
 
     def raise_first(self, pipeline):
@@ -108,13 +109,13 @@ class _Run:
 
 
 def _upstream(algorithm):
-    """The algorithm and all that it depends on, each once."""
+    """The algorithm and all that it depends on, each once; but for data that is handed over as it is."""
     found, known = [algorithm], {algorithm}
     for part in found:
         for port in range(part.GetNumberOfInputPorts()):
             for i in range(part.GetNumberOfInputConnections(port)):
                 producer = part.GetInputConnection(port, i).GetProducer()
-                if producer not in known:
+                if producer not in known and not producer.IsA("vtkTrivialProducer"):
                     known.add(producer)
                     found.append(producer)
     return found
