@@ -182,7 +182,7 @@ TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
   for (const bool gathers : { false, true })
   {
     settings.gathersDirectLight = gathers;
-    for (const double reflectance : { 1.0, 1 - 1e-6, 1 - 1e-7 })
+    for (const double reflectance : { gathers ? 1 - 1e-7 : 1.0, 1 - 1e-6 })
     {
       try
       {
@@ -197,9 +197,9 @@ TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
       }
     }
   }
-  settings.numberOfWalks = 8192;
+  settings.numberOfWalks = 4096;
   engine.update(uniformRoom(0.999, true), settings, execution);
-  EXPECT_GT(engine.balance().segments, 4096 * 1000);
+  EXPECT_GT(engine.balance().segments, 2048 * 1000);
   settings.numberOfWalks = 1000;
   const SceneObjects open = uniformRoom(1, false);
   engine.update(open, settings, execution);

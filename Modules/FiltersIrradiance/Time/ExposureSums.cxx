@@ -62,13 +62,14 @@ void checkCellValues(const LeafData& leaf)
     return std::any_of(std::begin(kSideSuffixes), std::end(kSideSuffixes),
       [&](const char* suffix) { return values->HasArray(irradianceName(suffix).c_str()) != 0; });
   };
-  if (leaf.data && hasIrradiance(leaf.data->GetPointData()) &&
-    !hasIrradiance(leaf.data->GetCellData()))
+  if (leaf.data && !hasIrradiance(leaf.data->GetCellData()) &&
+    (hasIrradiance(leaf.data->GetPointData()) ||
+      leaf.data->GetPointData()->HasArray(kFluenceRate) != 0))
   {
     throw InputError(leaf.name +
-      " has an irradiance of points, as vtkIrradianceProbeFilter makes "
-      "it, and a dose is one of cells: make each sensor a vertex cell by vtkVertexGlyphFilter "
-      "before that filter, and put vtkPointDataToCellData behind it");
+      " has the light of points, as vtkIrradianceProbeFilter makes it, and a dose is one of cells: "
+      "give each sensor a normal, and a vertex cell by vtkVertexGlyphFilter, before that filter, "
+      "and put vtkPointDataToCellData behind it");
   }
 }
 
