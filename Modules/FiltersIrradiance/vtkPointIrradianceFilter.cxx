@@ -207,8 +207,8 @@ void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBloc
   std::vector<Surface> surfaces;
   source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
     surfaces.push_back({ polyData,
-      irradiance::pointFacetsOf(polyData, vtkMath::RadiansFromDegrees(this->FeatureAngle), rounding,
-        cells, shapes, reading) });
+      irradiance::pointFacetsOf(polyData, engine.objects()[cells.first.object].isMirrored(),
+        vtkMath::RadiansFromDegrees(this->FeatureAngle), rounding, cells, shapes, reading) });
   });
   irradiance::StoredSensors& stored = this->Internals->Stored;
   stored.update(source.engine(), SensorsOf(surfaces),

@@ -22,11 +22,12 @@ struct Place
   bool IsLit;
 };
 
-/// On the floor, below the table, on it, below its board, on a wall, at a corner of the room, in the air.
+/// On the floor, below the table, on it, below its board, on the wall; at corners of the floor, in the air. At the foot of
+/// the wall the wall hides a part of the far lamp.
 const std::vector<Place> Places = { { { 0.5, 0.5, 0 }, { 0, 0, 1 }, true },
   { { 2, 2, 0 }, { 0, 0, 1 }, false }, { { 2, 2.25, 0.75 }, { 0, 0, 1 }, true },
   { { 2, 2, 0.75 }, { 0, 0, -1 }, false }, { { 0, 2, 1.25 }, { 1, 0, 0 }, true } };
-const std::vector<Place> PlacesInTheAir = { { { 0, 0, 0 }, { 0, 0, 0 }, true },
+const std::vector<Place> PlacesInTheAir = { { { 4, 0, 0 }, { 0, 0, 0 }, true },
   { { 4, 4, 0 }, { 0, 0, 0 }, true }, { { 1, 3, 1 }, { 0, 0, 0 }, true } };
 
 Mesh Black(const Mesh& mesh, const Vector& offset)

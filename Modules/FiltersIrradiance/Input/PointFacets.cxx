@@ -96,7 +96,6 @@ public:
     std::reverse(corners_.begin(), corners_.end());
     normal_ = -normal_;
   }
-  const Vector3& normal() const { return normal_; }
   bool hasArea() const { return normal_.squaredNorm() > 0; }
   Corners at(std::size_t i, vtkIdType point, const CellShape& shape) const
   {
@@ -126,7 +125,7 @@ private:
 };
 
 /// Of all cells, sorted by point.
-std::vector<Corners> cornersOf(vtkPolyData* surface, const PartCells& cells,
+std::vector<Corners> cornersOf(vtkPolyData* surface, bool isMirrored, const PartCells& cells,
   const CellShapes& shapes, const CancelPoint& cancelPoint)
 {
   std::vector<Corners> corners;
@@ -134,7 +133,6 @@ std::vector<Corners> cornersOf(vtkPolyData* surface, const PartCells& cells,
   forEachPolygon(surface, [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids) {
     Polygon polygon(surface, size, ids);
     const CellShape& shape = shapes[shapes.numbers()[cells[cell]]];
-    const bool isMirrored = polygon.normal().dot(shape.normal) < 0;
     if (isMirrored)
     {
       polygon.turnOver();
@@ -201,15 +199,15 @@ PointFacet facetOf(
 
 }
 
-std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, double featureAngle, double rounding,
-  const PartCells& cells, const CellShapes& shapes, const CancelPoint& cancelPoint)
+std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, bool isMirrored, double featureAngle,
+  double rounding, const PartCells& cells, const CellShapes& shapes, const CancelPoint& cancelPoint)
 {
   vtkDataArray* const normals = normalsOf(surface);
   constexpr double kAll = -2;
   const double leastCosine = normals ? kAll : std::cos(featureAngle);
   std::vector<Corners> facets;
   std::size_t first = 0; // of the point
-  for (const Corners& cell : cornersOf(surface, cells, shapes, cancelPoint))
+  for (const Corners& cell : cornersOf(surface, isMirrored, cells, shapes, cancelPoint))
   {
     first = first < facets.size() && facets[first].point == cell.point ? first : facets.size();
     const auto facet = std::find_if(facets.begin() + static_cast<std::ptrdiff_t>(first),

@@ -34,11 +34,12 @@ struct PointFacet
  * cells belong to the first facet of the point whose normal is less than `featureAngle` (rad) from theirs, or to one of their own;
  * its normal is the mean of theirs, weighted by their angles at the point.
  *
- * `rounding`: of the coordinates, m: how far from edges sensors lie at least. `cells`: those of the surface. `shapes`: see
+ * `isMirrored`: fronts are where the corners run clockwise. `rounding`: of the coordinates, m: how far from edges sensors lie at least. `cells`: those of the surface. `shapes`: see
  * darkShapesOf().
  */
-std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, double featureAngle, double rounding,
-  const PartCells& cells, const CellShapes& shapes, const CancelPoint& cancelPoint);
+std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, bool isMirrored, double featureAngle,
+  double rounding, const PartCells& cells, const CellShapes& shapes,
+  const CancelPoint& cancelPoint);
 
 }
 

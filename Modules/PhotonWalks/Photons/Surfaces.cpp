@@ -17,7 +17,7 @@ void Surfaces::update(const SceneObjects& objects, const CancelPoint& cancelPoin
     const SceneObject& object = objects[i];
     if (!known_[i].body)
     {
-      known_[i].tree = { object.body->mesh(), solidSidesOf(object, i == 0, cancelPoint).of,
+      known_[i].tree = { object.body->mesh(), solidSidesInModel(object, i == 0, cancelPoint),
         cancelPoint };
       known_[i].body = object.body;
       known_[i].material = object.material;

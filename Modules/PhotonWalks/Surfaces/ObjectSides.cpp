@@ -3,12 +3,19 @@
 
 #include "Trees/SimpleShells.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace irradiance
 {
 
 SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint)
 {
-  const std::vector<Triangle>& triangles = object.body->mesh().triangles();
+  std::vector<Triangle> triangles = object.body->mesh().triangles();
+  if (object.isMirrored())
+  {
+    std::for_each(triangles.begin(), triangles.end(), [](Triangle& t) { std::swap(t.b, t.c); });
+  }
   std::vector<bool> lamps;
   std::vector<std::uint32_t> parts;
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
@@ -19,12 +26,26 @@ SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPo
   return solidSides(triangles, parts, lamps, isStatic, cancelPoint);
 }
 
+std::vector<SolidSide> solidSidesInModel(
+  const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint)
+{
+  std::vector<SolidSide> sides = solidSidesOf(object, isStatic, cancelPoint).of;
+  for (std::size_t i = 0; object.isMirrored() && i < sides.size(); ++i)
+  {
+    sides[i] = sides[i] == SolidSide::None ? SolidSide::None
+      : sides[i] == SolidSide::Behind      ? SolidSide::InFront
+                                           : SolidSide::Behind;
+  }
+  return sides;
+}
+
 const SolidSides& ObjectSides::of(
   const SceneObjects& objects, std::uint32_t object, const CancelPoint& cancelPoint)
 {
   known_.resize(objects.size());
   Known& known = known_[object];
-  if (!isSameThing(known.object, objects[object]) || known.sides.of.empty())
+  if (!isSameThing(known.object, objects[object]) || known.sides.of.empty() ||
+    known.object.isMirrored() != objects[object].isMirrored())
   {
     known = { objects[object], solidSidesOf(objects[object], object == 0, cancelPoint), false };
   }

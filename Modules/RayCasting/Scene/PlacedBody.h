@@ -28,6 +28,8 @@ struct PlacedBody
     return isPresent ? body->mesh() : none;
   }
   bool isEmpty() const { return mesh().isEmpty(); }
+  /// Whether the pose turns the fronts of its triangles over.
+  bool isMirrored() const { return worldFromObject.linear.determinant() < 0; }
   Box worldBounds() const { return isEmpty() ? Box() : movedBox(worldFromObject, mesh().bounds()); }
 };
 
