@@ -97,6 +97,35 @@ TEST(OddInput, CellsWithoutAreaAreKeptAndReported)
   EXPECT_TRUE(observer->Warnings.empty()); // reported once
 }
 
+// A model of many parts has such cells in many: they are one warning, with the first and their number.
+TEST(OddInput, CellsWithoutAreaOfManyInputsAreOneWarning)
+{
+  Scene scene = MakeSmallScene();
+  constexpr vtkIdType parts = 12;
+  for (vtkIdType i = 0; i < parts; ++i)
+  {
+    Mesh part = MakeBox(0.01, 0.01, 0.01);
+    const vtkIdType line[3] = { 0, 1, 1 };
+    for (vtkIdType cell = 0; cell <= i; ++cell)
+    {
+      part->GetPolys()->InsertNextCell(3, line);
+    }
+    part->GetCellData()->Initialize();
+    i % 2 == 0 ? scene.Fixed.push_back(part)
+               : scene.Moving.push_back(MakeMoving(part, { 1, 1, 1 }));
+  }
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  const auto observer = ErrorObserver::Watch(filter);
+  filter->Update();
+  ASSERT_EQ(observer->Warnings.size(), 1u);
+  const std::string sum = std::to_string(parts * (parts + 1) / 2) + " such cells";
+  for (const std::string& word : { std::string("input port 0, connection 2: 1 cells"),
+         std::string("the first is cell "), std::to_string(parts) + " such inputs", sum })
+  {
+    EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
+  }
+}
+
 // Light that is never absorbed is an error, not an endless update.
 TEST(OddInput, ReflectanceOneInAClosedRoom)
 {

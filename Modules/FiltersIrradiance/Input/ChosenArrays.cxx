@@ -66,8 +66,9 @@ vtkAbstractArray* readArray(vtkAlgorithm* filter, const MaterialArrayRole& role,
   vtkAbstractArray* ofPoints = findArray(filter, role, part.polyData->GetPointData());
   if (!array && ofPoints && ofPoints->GetName())
   {
-    part.warnings.push_back(part.name + ": the array " + ofPoints->GetName() + " (" + role.meaning +
-      ") stands on the points and is not read; it has to stand on the cells");
+    part.warnings.push_back({ part.name,
+      std::string(": the array ") + ofPoints->GetName() + " (" + role.meaning +
+        ") stands on the points and is not read; it has to stand on the cells" });
   }
   return array;
 }
@@ -148,9 +149,10 @@ void noteNearNames(vtkAlgorithm* filter, InputPart& part)
         std::find(known.begin(), known.end(), plain) != known.end())
       {
         const std::string quantity = quoted(kArrayRoles[i].defaultName);
-        part.warnings.push_back(part.name + ": the cell array " + quoted(name) +
-          " is not read, as the " + kArrayRoles[i].meaning + " is read from " + quantity +
-          "; rename it, or call SetCellArray(" + quantity + ", " + quoted(name) + ")");
+        part.warnings.push_back({ part.name,
+          ": the cell array " + quoted(name) + " is not read, as the " + kArrayRoles[i].meaning +
+            " is read from " + quantity + "; rename it, or call SetCellArray(" + quantity + ", " +
+            quoted(name) + ")" });
       }
     }
   }

@@ -88,8 +88,9 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
     {
       if (hasFieldPose(fields))
       {
-        part.warnings.push_back(part.name + " is static and stays where it is: its field array " +
-          kFieldPoseName + " is not read");
+        part.warnings.push_back({ part.name,
+          std::string(" is static and stays where it is: its field array ") + kFieldPoseName +
+            " is not read" });
         break;
       }
     }

@@ -3,6 +3,7 @@
 #define irradiance_InputConnection_h
 
 #include "Geometry/Vector.h"
+#include "Input/InputWarning.h"
 #include "Input/MaterialArrays.h"
 #include "Input/PartCells.h"
 
@@ -26,9 +27,9 @@ struct InputPart
   vtkPolyData* piece = nullptr; ///< what this process has of it: all, unless inputs are distributed
   PieceCells cells;             ///< of the piece
   MaterialArrays<vtkAbstractArray> arrays{};
-  AffineMap worldFromPart;           ///< the identity for static parts
-  const char* innerPose = nullptr;   ///< a field-data array that is part of that; or null
-  std::vector<std::string> warnings; ///< warnings about what can be computed all the same
+  AffineMap worldFromPart;         ///< the identity for static parts
+  const char* innerPose = nullptr; ///< a field-data array that is part of that; or null
+  std::vector<InputWarning> warnings;
 };
 
 /// A connection of the filter and the polydata in it, in the order of its leaves.

@@ -74,7 +74,7 @@ void PolyDataConverter::fail(const std::string& what) const
   throw InputError(where_ + ", cell " + std::to_string(cell_) + ": " + what);
 }
 
-std::vector<std::string> PolyDataConverter::convert()
+std::vector<InputWarning> PolyDataConverter::convert()
 {
   for (std::size_t number = 0; number < arrays_.size(); ++number)
   {
@@ -146,14 +146,13 @@ void PolyDataConverter::checkMisplaced() const
   }
 }
 
-std::vector<std::string> PolyDataConverter::warnings() const
+std::vector<InputWarning> PolyDataConverter::warnings() const
 {
-  std::vector<std::string> warnings;
-  const auto add = [&](const OddCells& cells, const char* what, const char* so) {
+  std::vector<InputWarning> warnings;
+  const auto add = [&](const OddCells& cells, const char* what, const char* consequence) {
     if (cells.count > 0)
     {
-      warnings.push_back(where_ + ": " + std::to_string(cells.count) + " cells " + what +
-        ", the first is cell " + std::to_string(cells.first) + "; " + so);
+      warnings.push_back({ where_, what, consequence, cells.count, cells.first });
     }
   };
   add(withoutArea_, "have no area", "their irradiance is 0");
@@ -163,7 +162,7 @@ std::vector<std::string> PolyDataConverter::warnings() const
   if (arrays_[Exponent] && !arrays_[Specular])
   {
     warnings.push_back(
-      where_ + ": has Phong exponents but no specular reflectance; they are not read");
+      { where_, ": has Phong exponents but no specular reflectance; they are not read" });
   }
   return warnings;
 }

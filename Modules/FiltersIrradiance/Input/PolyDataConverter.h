@@ -3,6 +3,7 @@
 #define irradiance_PolyDataConverter_h
 
 #include "Geometry/Triangle.h"
+#include "Input/InputWarning.h"
 #include "Input/MaterialArrays.h"
 #include "Progress/CancelPoint.h"
 #include "Surfaces/Emission.h"
@@ -51,8 +52,7 @@ public:
     const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance,
     ConvertedPolyData& target, const CancelPoint& cancelPoint);
 
-  /// Returns warnings about input that can be computed all the same, a sentence each.
-  std::vector<std::string> convert();
+  std::vector<InputWarning> convert();
 
   /// Limits beyond which products of lengths, areas and powers might not be finite.
   static constexpr double kMostDistant = 1e30; ///< m
@@ -84,7 +84,7 @@ private:
   /// The largest value of an array in the cell, 0 if there is none.
   double largest(vtkDataArray* array) const;
   void checkMisplaced() const;
-  std::vector<std::string> warnings() const;
+  std::vector<InputWarning> warnings() const;
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string where_;

@@ -164,9 +164,9 @@ void SceneReader::convert(
            part.name, part.polyData, arrays, settings_.defaultReflectance, target, cancelPoint)
            .convert() })
   {
-    for (const std::string& warning : warnings)
+    for (const InputWarning& warning : warnings)
     {
-      warn(warning);
+      warnings_.add(warning);
     }
   }
 }
@@ -254,15 +254,6 @@ void SceneReader::adopt(
   }
 }
 
-/// Input read before an error is read again; its warnings must not be listed twice.
-void SceneReader::warn(const std::string& warning)
-{
-  if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
-  {
-    warnings_.push_back(warning);
-  }
-}
-
 std::string SceneReader::nameOf(const SceneCell& cell,
   const std::vector<InputConnection>& staticConnections,
   const std::vector<InputConnection>& dynamicConnections) const
@@ -273,11 +264,6 @@ std::string SceneReader::nameOf(const SceneCell& cell,
   const std::size_t first = isStatic ? firstCell_[part] : 0;
   return partsOf(isStatic ? staticConnections : dynamicConnections)[part]->name + ", cell " +
     std::to_string(cell.cell - first);
-}
-
-std::vector<std::string> SceneReader::takeWarnings()
-{
-  return std::exchange(warnings_, {});
 }
 
 }

@@ -44,7 +44,7 @@ public:
   std::string nameOf(const SceneCell& cell, const std::vector<InputConnection>& staticConnections,
     const std::vector<InputConnection>& dynamicConnections) const;
   /// New warnings since the last call, about inputs that can be computed all the same.
-  std::vector<std::string> takeWarnings();
+  std::vector<std::string> takeWarnings() { return warnings_.take(); }
   /// Whether anything but poses has changed since forgetNews(): cells, materials, parts that are there.
   bool hasNews() const { return hasNews_; }
   void forgetNews() { hasNews_ = false; }
@@ -81,7 +81,6 @@ private:
   void convert(const InputPart& part, ConvertedPolyData& target, const CancelPoint& cancelPoint);
   void readStatic(const Parts& parts, const CancelPoint& cancelPoint);
   void readDynamic(const InputPart& part, std::size_t index, const CancelPoint& cancelPoint);
-  void warn(const std::string& warning);
   void adopt(
     ConvertedPolyData data, SceneObject& object, bool mayMove, const CancelPoint& cancelPoint);
 
@@ -90,7 +89,7 @@ private:
   std::vector<std::optional<Stamp>> dynamicStamps_;
   SceneObjects objects_;
   std::vector<std::size_t> firstCell_;
-  std::vector<std::string> warnings_;
+  InputWarnings warnings_;
   bool hasNews_ = false;
 };
 

@@ -15,8 +15,8 @@ namespace irradiance
 namespace
 {
 
-/// Cells whose rays are cast together: some thousand rays.
-constexpr std::size_t kCellsTogether = 128;
+/// Cells gather together until they have more samples than this.
+constexpr std::uint32_t kSamplesOfCells = 8192;
 
 /// Samples that are looked at together after a motion.
 constexpr std::uint32_t kSamplesTogether = 8192;
@@ -51,19 +51,26 @@ DirectLight::DirectLight(const CellShapes& cells, const LampPieces& lamps, const
   , plan_(plan)
   , seed_(seed)
   , quantaPerWatt_(quantaPerWatt)
-  , samples_(plan.size())
-  , units_(plan.numberOfCells())
-  , views_(plan.size(), kNever)
-  , variances_(plan.numberOfCells())
 {
 }
 
 void DirectLight::gather(const GatherSpace& space, Execution& execution)
 {
-  const std::size_t units = (cells_.size() + kCellsTogether - 1) / kCellsTogether;
-  SlicedPass pass{ units, [&](std::size_t unit, const Deadline&) {
-                    const std::size_t first = unit * kCellsTogether;
-                    gatherCells(space, first, std::min(first + kCellsTogether, cells_.size()));
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  assignPaced(samples_, plan_.size(), {}, cancelPoint);
+  assignPaced(views_, plan_.size(), kNever, cancelPoint);
+  assignPaced(units_, cells_.size(), 0.0, cancelPoint);
+  assignPaced(variances_, cells_.size(), {}, cancelPoint);
+  std::vector<std::size_t> firsts{ 0 }; // cells of the units
+  for (std::size_t cell = 1; cell <= cells_.size(); ++cell)
+  {
+    if (cell == cells_.size() || plan_.first(cell) - plan_.first(firsts.back()) >= kSamplesOfCells)
+    {
+      firsts.push_back(cell);
+    }
+  }
+  SlicedPass pass{ firsts.size() - 1, [&](std::size_t unit, const Deadline&) {
+                    gatherCells(space, firsts[unit], firsts[unit + 1]);
                     return true;
                   } };
   pass.run(execution);
@@ -298,8 +305,8 @@ Power DirectLight::addTo(CellSums& sums, std::size_t round, int sign, const Deal
       const std::uint32_t sample = plan_.first(number) + i;
       all += isVisible(sample) ? add(sample, number, cell, sign, sums, round) : Power{};
     }
+    pace.step(1 + plan_.samplesOf(number));
     ++number;
-    pace.step();
   });
   return all;
 }

@@ -44,6 +44,7 @@ WalkStarts::WalkStarts(const DirectLight& light, const SceneObjects& objects,
   , counts_(replicates_, 0)
 {
   const GatherPlan& plan = light.plan();
+  starts_.reserve(plan.size()); // so it hardly ever moves; what is not used is never mapped
   ThrottledCancelPoint pace(cancelPoint);
   for (std::size_t cell = 0; cell < plan.numberOfCells(); ++cell)
   {
@@ -56,7 +57,7 @@ WalkStarts::WalkStarts(const DirectLight& light, const SceneObjects& objects,
       pace.step();
     }
   }
-  numberWalks();
+  numberWalks(cancelPoint);
 }
 
 void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneObjects& objects,
@@ -90,12 +91,14 @@ void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneO
 }
 
 /// Replicates take turns, as Replicates says.
-void WalkStarts::numberWalks()
+void WalkStarts::numberWalks(const CancelPoint& cancelPoint)
 {
   const std::size_t most = std::max(1u, *std::max_element(counts_.begin(), counts_.end()));
-  startOfWalk_.assign(most * replicates_, kNone);
+  assignPaced(startOfWalk_, most * replicates_, kNone, cancelPoint);
+  ThrottledCancelPoint pace(cancelPoint);
   for (std::uint32_t i = 0; i < starts_.size(); ++i)
   {
+    pace.step();
     for (std::uint32_t walk = starts_[i].first; walk < starts_[i].first + starts_[i].count; ++walk)
     {
       startOfWalk_[std::size_t{ walk } * replicates_ + starts_[i].replicate] = i;

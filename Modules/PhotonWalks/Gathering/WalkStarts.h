@@ -53,7 +53,7 @@ public:
 private:
   void add(std::uint32_t sample, std::uint32_t replicate, const SceneObjects& objects,
     const SceneTriangles& triangles);
-  void numberWalks();
+  void numberWalks(const CancelPoint& cancelPoint);
 
   const DirectLight& light_;
   std::int64_t quantaPerWalk_;

@@ -30,7 +30,7 @@ Vector3 pointOn(const Triangle& triangle, std::size_t number)
 }
 
 /// Of all triangles in the world, object by object.
-std::vector<double> areasOf(const SceneObjects& objects)
+std::vector<double> areasOf(const SceneObjects& objects, ThrottledCancelPoint& pace)
 {
   std::vector<double> areas;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -38,16 +38,18 @@ std::vector<double> areasOf(const SceneObjects& objects)
     for (const Triangle& own : objects[object].mesh().triangles())
     {
       areas.push_back(transformed(objects[object].worldFromObject, own).area());
+      pace.step();
     }
   }
   return areas;
 }
 
 /// Some points, evenly spread over all surfaces; none if their area is no number to count with.
-std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects)
+std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
   constexpr std::size_t kPoints = 512;
-  const std::vector<double> areas = areasOf(objects);
+  ThrottledCancelPoint pace(cancelPoint);
+  const std::vector<double> areas = areasOf(objects, pace);
   const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
   std::vector<Vector3> points;
   if (!(all > 0) || !std::isfinite(all))
@@ -62,6 +64,7 @@ std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects)
     for (std::uint32_t i = 0; i < objects[object].mesh().size(); ++i)
     {
       before += *area++;
+      pace.step();
       while (points.size() < kPoints && (static_cast<double>(points.size()) + 0.5) * each < before)
       {
         points.push_back(pointOn(worldTriangle(objects, { object, i }), points.size()));
@@ -135,10 +138,10 @@ PointGrid::PointGrid(const Box& box)
   perStep = step.cwiseInverse();
 }
 
-PointGrid pointGrid(const SceneObjects& objects, const Box& bounds)
+PointGrid pointGrid(const SceneObjects& objects, const Box& bounds, const CancelPoint& cancelPoint)
 {
   constexpr double kNear = 32, kInner = 16;
-  const Middle middle(pointsOnSurfaces(objects));
+  const Middle middle(pointsOnSurfaces(objects, cancelPoint));
   const Box near = middle.within(kNear), inner = middle.within(kInner);
   if (!(middle.spread > 0) || isWithin(bounds, near))
   {

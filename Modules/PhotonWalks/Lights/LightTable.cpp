@@ -60,6 +60,10 @@ void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number, std
   const TriangleMesh& mesh = object.mesh();
   for (std::uint32_t i = 0; i < mesh.size() && !object.emission->exitance.empty(); ++i)
   {
+    if (!object.isLamp(i))
+    {
+      continue;
+    }
     const AreaLight shape{ { number, i }, transformed(object.worldFromObject, mesh[i]) };
     Light light{ {}, { number, object.material->cellOfTriangle[i] }, shape };
     const double area = shape.triangle.area();

@@ -28,6 +28,7 @@ CellShapes::CellShapes(const SceneObjects& objects, const SceneTriangles& triang
 {
   sortTriangles(objects, triangles, first, end);
   ThrottledCancelPoint pace(cancelPoint);
+  shapes_.reserve(numbers_.size());
   for (std::size_t cell = 0; cell < numbers_.size(); ++cell)
   {
     shapes_.push_back(shapeOf(cell, triangles));

@@ -56,7 +56,7 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
   sums_ = CellSums(space.objects, sides(), plan(), 0, gatherers);
   const int bands = space.objects.staticObject.material->bands;
   history_ = {};
-  history_ = WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene)),
+  history_ = WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene), cancelPoint),
     space.triangles.numbers(), bands, powerPerWalk(), arenaFor(bands), blocks_);
   stale_.reset();
   unborn_.clear();
@@ -356,16 +356,19 @@ void WalkSet::followGathered(
     unborn_.begin(), unborn_.end(), gone.begin(), gone.end(), std::back_inserter(waiting));
   unborn_.clear();
   std::merge(waiting.begin(), waiting.end(), born.begin(), born.end(), std::back_inserter(unborn_));
-  takeBack(stored, space.triangles);
+  takeBack(stored, space.triangles, cancelPointOf(beginning, 0));
   statistics_.invalidWalks = static_cast<std::int64_t>(stored.size());
 }
 
-void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles)
+void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
+  const CancelPoint& cancelPoint)
 {
   WalkFront old;
   Power starting;
+  ThrottledCancelPoint pace(cancelPoint);
   for (const std::uint32_t walk : walks)
   {
+    pace.step(16);
     if (stale_)
     {
       stale_->forget(history_, walk);

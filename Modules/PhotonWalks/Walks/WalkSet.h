@@ -147,7 +147,8 @@ private:
   /// which are to be born.
   void followGathered(const std::vector<bool>& moved, const WalkSpace& space, Execution& execution);
   std::int64_t numberStored() const; ///< of walks
-  void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles);
+  void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
+    const CancelPoint& cancelPoint);
   /// Of this rank, in order.
   std::vector<std::uint32_t> bornWalks() const;
   /// Shoots walks that are to be born, as far as the budget goes; null: all.

@@ -2,8 +2,10 @@
 #ifndef irradiance_CancelPoint_h
 #define irradiance_CancelPoint_h
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace irradiance
 {
@@ -36,6 +38,24 @@ private:
   const CancelPoint& cancelPoint_;
   std::size_t steps_ = 0;
 };
+
+/// Sets all of so many values. Much memory takes long to map and fill, so cancel points are in between.
+template <class T>
+void assignPaced(
+  std::vector<T>& values, std::size_t size, const T& value, const CancelPoint& cancelPoint)
+{
+  constexpr std::size_t kTogether = std::size_t{ 1 } << 16;
+  values.clear();
+  values.reserve(size);
+  while (values.size() < size)
+  {
+    values.resize(std::min(size, values.size() + kTogether), value);
+    if (cancelPoint)
+    {
+      cancelPoint();
+    }
+  }
+}
 
 }
 

@@ -17,14 +17,16 @@ bool isFlat(const Triangle& triangle, int axis)
 
 }
 
-AxisPlanes::AxisPlanes(const std::vector<Triangle>& triangles)
+AxisPlanes::AxisPlanes(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint)
 {
+  ThrottledCancelPoint pace(cancelPoint);
   for (int axis = 0; axis < 3; ++axis)
   {
     std::vector<double>& places = places_[static_cast<std::size_t>(axis)];
     for (const Triangle& triangle : triangles)
     {
-      if (isFlat(triangle, axis))
+      pace.step();
+      if (isFlat(triangle, axis) && (places.empty() || places.back() != triangle.a[axis]))
       {
         places.push_back(triangle.a[axis]);
       }
@@ -43,6 +45,7 @@ AxisPlanes::AxisPlanes(const std::vector<Triangle>& triangles)
     planeOf_.resize(triangles.size(), kNone);
     for (std::size_t i = 0; i < triangles.size(); ++i)
     {
+      pace.step();
       if (isFlat(triangles[i], axis))
       {
         const auto plane = std::lower_bound(places.begin(), places.end(), triangles[i].a[axis]);

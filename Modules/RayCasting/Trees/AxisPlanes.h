@@ -3,6 +3,7 @@
 #define irradiance_AxisPlanes_h
 
 #include "Geometry/Triangle.h"
+#include "Progress/CancelPoint.h"
 
 #include <array>
 #include <cstdint>
@@ -28,7 +29,7 @@ class AxisPlanes
 {
 public:
   AxisPlanes() = default;
-  explicit AxisPlanes(const std::vector<Triangle>& triangles);
+  explicit AxisPlanes(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint = {});
 
   bool isEmpty() const { return planes_.empty(); }
   /// The plane of a triangle; null if it lies in none.

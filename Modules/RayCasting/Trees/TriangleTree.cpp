@@ -302,7 +302,7 @@ TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, const std::ve
   slack_ = 0x1p-8 * (isIllConditioned_ ? 4.0 : std::min(4.0, conditionNumber * longestEdge));
   if (blurs.empty())
   {
-    planes_ = AxisPlanes(unit);
+    planes_ = AxisPlanes(unit, cancelPoint);
   }
   KdTreeBuilder builder;
   builder.cancelPoint = cancelPoint;
