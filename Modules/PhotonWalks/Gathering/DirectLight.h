@@ -39,6 +39,11 @@ public:
   const GatherPlan& plan() const { return plan_; }
   /// By number; those of a cell that is not there are none.
   const std::vector<GatherSample>& samples() const { return samples_; }
+  std::size_t bytes() const
+  {
+    return samples_.capacity() * (sizeof(GatherSample) + sizeof(View)) +
+      units_.capacity() * (sizeof(double) + sizeof(Bands));
+  }
   bool isVisible(std::uint32_t sample) const { return views_[sample] == kFree; }
   /// Of what all cells receive, by band, W2: from the scatter of the samples of each cell, or of its replicates. As
   /// these are nets, it is rather too large.

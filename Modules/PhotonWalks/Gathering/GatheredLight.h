@@ -40,6 +40,11 @@ public:
 
   /// What each sample brings, and whether it does.
   const DirectLight& light() const { return light_; }
+  std::size_t bytes() const
+  {
+    return cells_.bytes() + plan_.numberOfCells() * sizeof(std::uint32_t) + light_.bytes() +
+      starts_.bytes();
+  }
   double quantaPerWatt() const { return quantaPerWatt_; }
   const WalkStarts& starts() const { return starts_; }
   /// Of all that the cells gather, quanta squared: see DirectLight::variance().

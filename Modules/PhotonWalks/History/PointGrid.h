@@ -41,7 +41,8 @@ struct PointGrid
  * The grid holds all of an axis on which nothing is farther than 32 s from m, so all of an ordinary scene.
  * Otherwise it holds what is within 16 s there, and in any case all dynamic objects that are within 32 s.
  */
-PointGrid pointGrid(const SceneObjects& objects, const Box& bounds, const CancelPoint& cancelPoint);
+PointGrid pointGrid(
+  const SceneObjects& objects, const Box& bounds, const CancelPoint& cancelPoint = {});
 
 }
 

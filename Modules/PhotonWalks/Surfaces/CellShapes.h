@@ -32,6 +32,11 @@ public:
 
   const CellNumbers& numbers() const { return numbers_; }
   std::size_t size() const { return shapes_.size(); }
+  std::size_t bytes() const
+  {
+    return shapes_.capacity() * (sizeof(CellShape) + sizeof(std::size_t)) +
+      triangles_.capacity() * sizeof(std::uint32_t);
+  }
   const CellShape& operator[](std::size_t cell) const { return shapes_[cell]; }
   void setDark(std::size_t cell, bool isFront, bool isBack)
   {

@@ -447,10 +447,10 @@ void WalkSet::forgetBudget()
 
 std::size_t WalkSet::bytes() const
 {
-  std::size_t samples = 0;
-  forEachGathered([&](const GatheredLight& light) { samples += light.light().samples().size(); });
+  std::size_t gathered = 0;
+  forEachGathered([&](const GatheredLight& light) { gathered += light.bytes(); });
   return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
-    history_.bytes() + samples * sizeof(GatherSample);
+    history_.bytes() + sums_.bytes() + gathered;
 }
 
 std::array<double, Power::kMaxBands> WalkSet::largestStart() const
