@@ -49,7 +49,8 @@ CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan
 }
 
 /// The sums of all cells of an object: by side, band and replicate if they are kept apart.
-std::vector<std::int64_t> totals(const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
+std::vector<std::int64_t> totals(
+  const CellSums& sums, const SceneObjects& objects, std::uint32_t object)
 {
   std::vector<std::int64_t> totals;
   for (int band = 0; band < objects[object].material->bands; ++band)

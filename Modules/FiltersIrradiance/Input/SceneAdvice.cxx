@@ -51,8 +51,8 @@ std::string excessWarning(double emitted, double escaped, double error)
     ? ""
     : "light comes out of nothing: " + rounded(emitted - escaped) + " W are absorbed of " +
       rounded(emitted) + " W, and the standard error is " + rounded(error) +
-      " W. Faces in one place may each receive the light of all: move them apart, or let "
-      "DirectLight be Shot, where light falls on one of them";
+      " W. Gathered light is an estimate that fails here: let DirectLight be Shot, where no light "
+      "is lost";
 }
 
 SceneAdvice::SceneAdvice(const std::vector<InputConnection>& statics,
