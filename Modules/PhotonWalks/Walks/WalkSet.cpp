@@ -450,7 +450,7 @@ std::size_t WalkSet::bytes() const
   std::size_t gathered = 0;
   forEachGathered([&](const GatheredLight& light) { gathered += light.bytes(); });
   return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
-    history_.bytes() + sums_.bytes() + gathered;
+    history_.bytes() + (gathered > 0 ? gathered + sums_.bytes() : 0);
 }
 
 std::array<double, Power::kMaxBands> WalkSet::largestStart() const
