@@ -21,7 +21,7 @@ public:
   {
     for (std::uint32_t i = 0; i < objects.size(); ++i)
     {
-      solid_.push_back(solidSidesOf(objects[i], i == 0, {}));
+      solid_.push_back(solidSidesInModel(objects[i], i == 0, {}));
     }
   }
 
@@ -86,7 +86,7 @@ private:
   }
   bool isIn(const TriangleId& id, int side) const
   {
-    return isInside(solid_[id.object].of[id.triangle], side,
+    return isInside(solid_[id.object][id.triangle], side,
       objects_[id.object].worldFromObject.linear.determinant() < 0);
   }
   double sizeOf(std::uint32_t object) const
@@ -95,7 +95,7 @@ private:
   }
 
   const SceneObjects& objects_;
-  std::vector<SolidSides> solid_;
+  std::vector<std::vector<SolidSide>> solid_;
 };
 
 }

@@ -215,6 +215,7 @@ std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, bool isMirrored, dou
     facet == facets.end() ? facets.push_back(cell) : add(cell, *facet);
   }
   std::vector<PointFacet> found;
+  found.reserve(facets.size());
   for (const Corners& facet : facets)
   {
     found.push_back(facetOf(surface, facet, normals, rounding));

@@ -46,7 +46,12 @@ Box boundsBesideLamps(const SceneObjects& objects)
       }
     }
   }
-  return besideLamps.isEmpty() ? all : besideLamps;
+  // Lamps that are not far away count: the walls of an oven may all be lamps.
+  constexpr double kFar = 64; // sizes of the scene
+  return all.extent().maxCoeff() <= kFar * besideLamps.extent().cwiseMax(0).maxCoeff() ||
+      besideLamps.isEmpty()
+    ? all
+    : besideLamps;
 }
 
 double sensorClearance(const Box& near)

@@ -138,7 +138,8 @@ private:
   {
     const Box box = triangle.bounds();
     const double last = rowOf(std::min(box.upper[1], bounds_.upper[1]));
-    for (double row = std::max(rowOf(box.lower[1]), 0.0); row <= last; ++row)
+    double row = std::max(rowOf(box.lower[1]), 0.0) - 1;
+    while (++row <= last)
     {
       auto sample = std::lower_bound(
         samples_.begin(), samples_.end(), Sample{ { 0, 0, box.lower[2] }, 0, row }, isBefore);
