@@ -58,9 +58,8 @@ void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObje
     const auto isSolid = [&](SolidSide side) {
       return std::all_of(cells.begin(cell), cells.end(cell), [&](std::uint32_t number) {
         const TriangleId id = space.triangles.idOf(number);
-        const SolidSides& sides = space.sides[id.object];
-        return !haveLight[id.object] && sides.of[id.triangle] == side &&
-          sides.shell(id.triangle).isSimple;
+        return !haveLight[id.object] && space.sides[id.object].of[id.triangle] == side &&
+          space.sides[id.object].shell(id.triangle).isSimple;
       });
     };
     if (cells.begin(cell) != cells.end(cell))

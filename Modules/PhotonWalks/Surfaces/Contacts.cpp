@@ -87,8 +87,7 @@ void Contacts::update(const SceneObjects& objects, const std::vector<bool>& move
   const CancelPoint cancelPoint = cancelPointOf(still, 0);
   findWithin(objects, still);
   findBetween(objects, moved, cancelPoint);
-  ContactLight light(objects, sides, cancelPoint);
-  std::vector<Pair> lit = litPairs(objects, light, cancelPoint);
+  std::vector<Pair> lit = litPairs(objects, sides, cancelPoint);
   const bool isMoved = std::any_of(lit.begin(), lit.end(), [&](const Pair& pair) {
     return hasMoved(moved, pair.first.object) || hasMoved(moved, pair.second.object);
   });
@@ -146,9 +145,15 @@ void Contacts::findBetween(
 }
 
 std::vector<Contacts::Pair> Contacts::litPairs(
-  const SceneObjects& objects, ContactLight& light, const CancelPoint& cancelPoint) const
+  const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint) const
 {
   std::vector<Pair> lit;
+  if (between_.empty() &&
+    std::all_of(own_.begin(), own_.end(), [](const OwnPairs& own) { return own.pairs.empty(); }))
+  {
+    return lit; // as in most scenes: looking for lamps would cost time
+  }
+  ContactLight light(objects, sides, cancelPoint);
   ThrottledCancelPoint pace(cancelPoint);
   const auto add = [&](const TriangleId& s, const TriangleId& t) {
     pace.step(16);

@@ -100,7 +100,7 @@ private:
   void findBetween(
     const SceneObjects& objects, const std::vector<bool>& moved, const CancelPoint& cancelPoint);
   std::vector<Pair> litPairs(
-    const SceneObjects& objects, ContactLight& light, const CancelPoint& cancelPoint) const;
+    const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint) const;
   void list(const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint);
   static ContactTriangle contactTriangleOf(const SceneObjects& objects, ObjectSides& sides,
     const TriangleId& id, const CancelPoint& cancelPoint);
