@@ -7,6 +7,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cmath>
+
 /// What users do to a filter's inputs and their poses. Each edit changes model and filter alike.
 namespace RandomPrograms
 {
@@ -93,8 +95,9 @@ inline void GoFarAway(Trial& t)
   Connection& moving = Pick(t.Random, t.Moving());
   if (moving.Pose)
   {
+    const double far = std::pow(10, t.Random.Below(5));
     moving.Pose->Identity();
-    moving.Pose->Translate(t.Random.Between(500, 1000), 1e3, -300);
+    moving.Pose->Translate(t.Random.Between(500, 1000) * far, 1e3 * far, -300 * far);
   }
 }
 
@@ -314,6 +317,25 @@ inline void AddConnection(Trial& t)
     connections.push_back({ data, port == 1 && ride.Keys.empty() ? pose : nullptr, ride });
     Connect(t.Filter, port, connections.back());
     ApplyPoses(t.Filter, t.Given);
+  }
+}
+
+/// So many small static boxes, each a connection of its own.
+inline void AddManyParts(Trial& t, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    Mesh part = MakeBox(0.01, 0.01, 0.01);
+    const double shift[] = { t.Random.Between(0, 3), t.Random.Between(0, 3),
+      t.Random.Between(0, 3) };
+    for (vtkIdType k = 0; k < part->GetNumberOfPoints(); ++k)
+    {
+      double point[3];
+      part->GetPoint(k, point);
+      part->GetPoints()->SetPoint(k, point[0] + shift[0], point[1] + shift[1], point[2] + shift[2]);
+    }
+    t.Given.Ports[0].push_back({ part, nullptr, {} });
+    Connect(t.Filter, 0, t.Given.Ports[0].back());
   }
 }
 

@@ -12,6 +12,10 @@
 #include "vtkInformation.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkReverseSense.h"
+
+#include <algorithm>
+#include <cmath>
 
 /// Everything that determines a filter's result, and random parts of it.
 namespace RandomModels
@@ -166,22 +170,56 @@ inline void AddTinyPolygons(vtkPolyData* mesh)
   mesh->Modified();
 }
 
+/// From 1 down to where all but rounding is lost beside other lights.
+inline double RandomWeakness(RandomNumbers& random)
+{
+  return Chance(random, 3) ? std::pow(10, -random.Below(40)) : 1;
+}
+
+inline Tuple Scaled(Tuple tuple, double factor)
+{
+  std::for_each(tuple.begin(), tuple.end(), [&](double& value) { value *= factor; });
+  return tuple;
+}
+
+/// Shells of 0.25 m around cavities, nested as deep as `depth`, with all fronts out of the matter. The innermost
+/// comes first.
+inline Mesh MakeNestedShells(double size, int depth)
+{
+  std::vector<Mesh> shells;
+  for (int i = 0; i < 2 * depth; ++i)
+  {
+    const double side = size + 0.25 * i;
+    shells.push_back(MakeBox(side, side, side));
+    if (i % 2 == 0)
+    {
+      vtkNew<vtkReverseSense> turned;
+      turned->SetInputData(shells.back());
+      turned->Update();
+      shells.back() = Copy(turned->GetOutput());
+    }
+  }
+  return Join(shells);
+}
+
 /// Around the origin. Lengths are multiples of 0.25 m, so flat faces can touch exactly; some boxes are
 /// thin boards.
 inline Mesh RandomMesh(RandomNumbers& random)
 {
   const auto length = [&] { return 0.25 * (1 + random.Below(4)); };
-  const int kind = random.Below(16);
+  const int kind = random.Below(18);
   if (kind == 0)
   {
-    return MakePointLight({ 0, 0, 0 }, RandomTuple(random, 40));
+    return MakePointLight({ 0, 0, 0 }, Scaled(RandomTuple(random, 40), RandomWeakness(random)));
   }
   if (kind == 1)
   {
-    return MakeLamp({ 0, 0, 0 }, length(), RandomTuple(random, 100));
+    return MakeLamp(
+      { 0, 0, 0 }, length(), Scaled(RandomTuple(random, 100), RandomWeakness(random)));
   }
   const double x = length(), y = length(), z = length();
-  Mesh mesh = kind < 7 ? MakeBall(0.5 * x, 4 + random.Below(4))
+  Mesh mesh = kind >= 16 ? MakeNestedShells(x, 1 + random.Below(2))
+    : kind < 7           ? MakeBall(0.5 * x, 4 + random.Below(4))
     : kind < 12
     ? MakeBox(x, y, kind == 11 ? 0x1p-9 : z)
     : MakeRectangle({ -x, -y, 0 }, { 2 * x, 0, 0 }, { 0, 2 * y, 0 }, 1 + random.Below(3));
@@ -201,6 +239,13 @@ inline Mesh RandomMesh(RandomNumbers& random)
   if (Chance(random, 16))
   {
     SetCellValues(mesh, "RadiantExitance", RandomTuple(random, 30));
+  }
+  else if (kind >= 16 && Chance(random, 2)) // on an inner wall
+  {
+    SetCellValues(mesh, "RadiantExitance", { 0 });
+    mesh->GetCellData()
+      ->GetArray("RadiantExitance")
+      ->SetComponent(random.Below(6), 0, 30 * RandomWeakness(random));
   }
   return mesh;
 }
@@ -319,6 +364,12 @@ inline Model RandomModel(RandomNumbers& random)
     model.Ports[1].push_back({ RandomData(random), pose, {} });
   }
   model.Ports[1].push_back({ RandomData(random), nullptr, RandomRide(random) });
+  if (Chance(random, 6))
+  {
+    const double far = std::pow(10, 1 + random.Below(7));
+    model.Ports[0].push_back(
+      { MakePointLight({ 0.3 * far, 0.4 * far, far }, { 100 * far * far }), nullptr, {} });
+  }
   model.Set.NumberOfWalks = 500 + random.Below(1500);
   model.Look = RandomView(random);
   return model;

@@ -130,7 +130,7 @@ struct Trial
   bool UpdateAndMeddle(const std::function<void()>& change)
   {
     // The first event comes from the executive, when rides have been computed already.
-    this->Observer->EventsToWait = 1 + this->Random.Below(5);
+    this->Observer->EventsToWait = 1 + this->Random.Below(2 << this->Random.Below(5));
     this->Observer->Change = change;
     this->Update();
     return !std::exchange(this->Observer->Change, nullptr);

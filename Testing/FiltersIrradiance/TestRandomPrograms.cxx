@@ -33,6 +33,10 @@ TEST(RandomPrograms, UpdatesEqualFreshFilters)
       trial.Given.Look.HasEye = trial.Given.Look.HasSensors = false;
       trial.Apply();
     }
+    if (program % 40 == 3)
+    {
+      AddManyParts(trial, 1500);
+    }
     RunProgram(program, trial, operations, isAloud);
   });
   Print(counts);

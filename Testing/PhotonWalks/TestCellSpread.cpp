@@ -304,7 +304,7 @@ TEST(CellSpread, AnInterruptionLeavesNoTrace)
   const auto expected = valuesOf(spreadOf(objects, sums, 100), objects);
   int stops = 0;
   bool isDone = false;
-  for (int stopAt = 0; !isDone; ++stopAt)
+  for (int stopAt = 0; !isDone; stopAt += 1 + stopAt / 2)
   {
     CellSpread spread;
     Execution execution;

@@ -142,48 +142,62 @@ TEST(ChangesShootAnew, EveryChangeThereAndBackEqualsANewEngine)
 }
 
 // reportProgress stops an update at its first, second, ... call; the next equals a new engine.
+/// Shot walks alone, then with all that may be kept beside them.
+std::vector<EngineSettings> settingsToInterrupt()
+{
+  EngineSettings shot;
+  shot.numberOfWalks = scaled(30000);
+  EngineSettings gathered = shot;
+  gathered.numberOfWalks = scaled(6000);
+  gathered.gathersDirectLight = gathered.separateSides = true;
+  EngineSettings barred = gathered;
+  barred.replicates = 4;
+  barred.cellEstimate = CellEstimate::Gathered;
+  barred.gatherRays = 2;
+  return { shot, gathered, barred };
+}
+
 TEST(ChangesShootAnew, InterruptedUpdatesLeaveNoTrace)
 {
-  for (const bool isFirstFrame : { true, false })
+  for (const EngineSettings& settings : settingsToInterrupt())
   {
-    MovingScene scene(1, false, 32);
-    EngineSettings settings;
-    settings.numberOfWalks = scaled(30000);
-    std::optional<IrradianceEngine> engine(std::in_place);
-    Execution execution;
-    int stops = 0;
-    for (int stopAt = 0;; stopAt = stopAt < 4 ? stopAt + 1 : 2 * stopAt)
+    for (const bool isFirstFrame : { true, false })
     {
-      if (isFirstFrame)
+      MovingScene scene(1, false, 32);
+      std::optional<IrradianceEngine> engine(std::in_place);
+      Execution execution;
+      bool isInterrupted = true;
+      int stops = 0;
+      for (int stopAt = 0; isInterrupted; stopAt += 1 + stopAt / 4)
       {
-        engine.emplace();
-      }
-      else
-      {
+        if (isFirstFrame)
+        {
+          engine.emplace();
+        }
+        else
+        {
+          engine->update(scene.objects(), settings, execution);
+          scene.nextFrame();
+        }
+        test::StoppingExecution stopping(stopAt);
+        isInterrupted = false;
+        try
+        {
+          engine->update(scene.objects(), settings, stopping);
+        }
+        catch (const Interrupted&)
+        {
+          isInterrupted = true;
+          ++stops;
+        }
         engine->update(scene.objects(), settings, execution);
-        scene.nextFrame();
+        ASSERT_TRUE(test::shownAnswer(*engine, scene.objects(), settings) ==
+          test::freshShownAnswer(scene.objects(), settings))
+          << "stopped at call " << stopAt;
       }
-      test::StoppingExecution stopping(stopAt);
-      bool isInterrupted = false;
-      try
-      {
-        engine->update(scene.objects(), settings, stopping);
-      }
-      catch (const Interrupted&)
-      {
-        isInterrupted = true;
-        ++stops;
-      }
-      engine->update(scene.objects(), settings, execution);
-      ASSERT_TRUE(answerOf(*engine, scene.objects()) == freshAnswer(scene.objects(), settings))
-        << "stopped at call " << stopAt;
-      if (!isInterrupted)
-      {
-        break;
-      }
+      EXPECT_GE(stops, 5);
+      std::printf("%s frame: stopped %d times\n", isFirstFrame ? "first" : "later", stops);
     }
-    EXPECT_GE(stops, 1);
-    std::printf("%s frame: stopped %d times\n", isFirstFrame ? "first" : "later", stops);
   }
 }
 

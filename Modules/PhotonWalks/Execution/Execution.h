@@ -33,16 +33,21 @@ public:
   virtual bool reportProgress(double /*progress*/) { return true; }
 
   /// The monotonic clock, in seconds, by which a time budget is kept. Many threads call it.
-  virtual double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-  }
+  virtual double seconds() const { return steadySeconds(); }
+
+  /// The one by which work is cut into slices, between which it reports progress.
+  virtual double slicingSeconds() const { return steadySeconds(); }
 
   /// With whom the work is shared.
   virtual Ranks& ranks() { return alone_; }
 
 private:
+  static double steadySeconds()
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+  }
+
   Ranks alone_;
 };
 
@@ -57,10 +62,9 @@ public:
 /// Interrupted if the report returns false. `execution` must outlive it.
 inline CancelPoint cancelPointOf(Execution& execution, double progress)
 {
-  return [&execution, progress, last = std::chrono::steady_clock::now()]() mutable {
-    constexpr std::chrono::milliseconds kBetween{ 20 };
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last < kBetween)
+  return [&execution, progress, last = execution.slicingSeconds()]() mutable {
+    const double now = execution.slicingSeconds();
+    if (now - last < 0.02)
     {
       return;
     }

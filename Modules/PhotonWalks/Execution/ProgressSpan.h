@@ -31,6 +31,7 @@ public:
   }
 
   double seconds() const override { return whole_.seconds(); }
+  double slicingSeconds() const override { return whole_.slicingSeconds(); }
 
   Ranks& ranks() override { return whole_.ranks(); }
 

@@ -14,7 +14,7 @@ void SlicedPass::run(Execution& execution) const
   std::size_t first = 0; // unit that is not done yet
   while (first < units)
   {
-    const Deadline deadline;
+    const Deadline deadline(execution);
     std::mutex mutex;
     std::exception_ptr error;
     execution.parallelFor(units - first, [&](std::size_t begin, std::size_t end) {

@@ -4,7 +4,6 @@
 
 #include "Execution/Execution.h"
 
-#include <chrono>
 #include <functional>
 
 namespace irradiance
@@ -14,12 +13,18 @@ namespace irradiance
 class Deadline
 {
 public:
-  bool hasPassed() const { return std::chrono::steady_clock::now() >= end_; }
+  /// 30 ms from now. `execution` must outlive it.
+  explicit Deadline(const Execution& execution)
+    : execution_(execution)
+    , end_(execution.slicingSeconds() + 0.03)
+  {
+  }
+
+  bool hasPassed() const { return execution_.slicingSeconds() >= end_; }
 
 private:
-  static constexpr std::chrono::milliseconds kSlice{ 30 };
-
-  std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + kSlice;
+  const Execution& execution_;
+  double end_;
 };
 
 /// Units of work for the threads of an execution. The pass is cut into slices of time, between
