@@ -179,6 +179,46 @@ TEST(Cavities, InCavities)
   }
 }
 
+// The two shells of a chamber as things of their own, which move; the lamp or point light moves with the
+// inner one, or alone. Tolerances as in expectLightInside().
+TEST(Cavities, OfTwoThings)
+{
+  ObjectBuilder inner, outer, lamp, light;
+  const Vector3 low(0, 0, 0), high(2, 2, 2), thick(.25, .25, .25);
+  inner.addBox(box(low, high), 2, grey(kReflectance), true);
+  outer.addBox(box(low - thick, high + thick), 2, grey(kReflectance));
+  addPanel(lamp, .5, 1.5, 2);
+  light.addPointLight({ 1, 1.1, 2 }, 1);
+  ObjectBuilder withLamp = inner, withLight = inner;
+  addPanel(withLamp, .5, 1.5, 2);
+  withLight.addPointLight({ 1, 1.1, 2 }, 1);
+  const SceneObject none = test::nothing();
+  const SceneObjects cases[] = { { none, { outer.build(), withLamp.build() } },
+    { none, { outer.build(), withLight.build() } },
+    { none, { outer.build(), inner.build(), lamp.build() } },
+    { none, { outer.build(), inner.build(), light.build() } } };
+  for (const SceneObjects& objects : cases)
+  {
+    for (const bool isGathered : { false, true })
+    {
+      EngineSettings settings;
+      settings.numberOfWalks = test::scaled(20000);
+      settings.gathersDirectLight = isGathered;
+      IrradianceEngine engine;
+      Execution serial;
+      engine.update(objects, settings, serial);
+      const std::string what =
+        std::to_string(&objects - cases) + (isGathered ? " gathered" : " shot");
+      double watts = 0;
+      engine.cells().numbers().forEach([&](const SceneCell& cell) {
+        watts += test::wattsOn(engine, cell.object, cell.cell, cell.cell + 1);
+      });
+      EXPECT_NEAR(watts, 2, test::kIsSanitized ? .2 : .1) << what;
+      EXPECT_EQ(test::wattsOn(engine, 1, 0, kWall), 0) << what;
+    }
+  }
+}
+
 // A lamp on the outer lid of a chamber that rests, or moves, shines away from it.
 TEST(Cavities, HaveNoLightFromOutside)
 {

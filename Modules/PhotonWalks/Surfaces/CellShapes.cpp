@@ -26,8 +26,8 @@ CellShapes::CellShapes(const SceneObjects& objects, const SceneTriangles& triang
   std::uint32_t first, std::uint32_t end, const CancelPoint& cancelPoint)
   : numbers_(objects)
 {
-  sortTriangles(objects, triangles, first, end);
   ThrottledCancelPoint pace(cancelPoint);
+  sortTriangles(objects, triangles, first, end, pace);
   shapes_.reserve(numbers_.size());
   for (std::size_t cell = 0; cell < numbers_.size(); ++cell)
   {
@@ -49,7 +49,7 @@ CellShapes::CellShapes(const SceneObjects& objects, const SceneTriangles& triang
 
 /// By cell; within a cell they keep their order.
 void CellShapes::sortTriangles(const SceneObjects& objects, const SceneTriangles& triangles,
-  std::uint32_t firstObject, std::uint32_t endObject)
+  std::uint32_t firstObject, std::uint32_t endObject, ThrottledCancelPoint& pace)
 {
   firsts_.assign(numbers_.size() + 1, 0);
   const auto forEach = [&](const auto& visit) {
@@ -60,6 +60,7 @@ void CellShapes::sortTriangles(const SceneObjects& objects, const SceneTriangles
       for (std::uint32_t i = 0; i < count; ++i)
       {
         visit(numbers_[{ object, objects[object].material->cellOfTriangle[i] }], first + i);
+        pace.step();
       }
     }
   };

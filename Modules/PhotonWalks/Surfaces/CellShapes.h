@@ -49,7 +49,7 @@ public:
 
 private:
   void sortTriangles(const SceneObjects& objects, const SceneTriangles& triangles,
-    std::uint32_t firstObject, std::uint32_t endObject);
+    std::uint32_t firstObject, std::uint32_t endObject, ThrottledCancelPoint& pace);
   CellShape shapeOf(std::size_t cell, const SceneTriangles& triangles) const;
 
   CellNumbers numbers_;

@@ -213,9 +213,10 @@ Contacts::ContactTriangle Contacts::contactTriangleOf(const SceneObjects& object
   const SolidSides& sides = allSides.of(objects, id.object, cancelPoint);
   const Shell& shell = sides.shell(id.triangle);
   // A dynamic shell that encloses all static geometry, with its front inside, lines a room.
-  const bool isLining = id.object > 0 && sides.of[id.triangle] == SolidSide::InFront &&
-    shell.isOutermost && !objects.staticObject.isEmpty() &&
+  const bool isAround = shell.isOutermost && !objects.staticObject.isEmpty() &&
     holds(object.worldBounds(), objects.staticObject.body->mesh().bounds());
+  const bool isLining = id.object > 0 && sides.of[id.triangle] == SolidSide::InFront &&
+    (isAround || linesAnother(objects, id.object, shell, allSides, cancelPoint));
   return { id, isLining ? SolidSide::Behind : sides.of[id.triangle], shell.isRoom || isLining,
     object.isLamp(id.triangle), sides.shellOf[id.triangle], sizeOf(object, shell) };
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/ObjectSides.h"
 
+#include "Geometry/MovedBox.h"
+#include "Meshes/ShellNesting.h"
 #include "Trees/SimpleShells.h"
 
 #include <algorithm>
@@ -65,6 +67,25 @@ void ObjectSides::find(const SceneObjects& objects, const CancelPoint& cancelPoi
       known.isSimpleKnown = true;
     }
   }
+}
+
+bool linesAnother(const SceneObjects& objects, std::uint32_t object, const Shell& shell,
+  ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  const Box bounds = movedBox(objects[object].worldFromObject, shell.bounds);
+  bool isInside = false;
+  for (std::uint32_t i = 0; shell.isTurned && !isInside && i < objects.size(); ++i)
+  {
+    if (i != object && !objects[i].isEmpty() && holds(objects[i].worldBounds(), bounds))
+    {
+      const std::vector<Shell>& shells = sides.of(objects, i, cancelPoint).shells;
+      isInside = std::any_of(shells.begin(), shells.end(), [&](const Shell& other) {
+        return other.isClosed && !other.isTurned &&
+          holds(movedBox(objects[i].worldFromObject, other.bounds), bounds);
+      });
+    }
+  }
+  return isInside;
 }
 
 }

@@ -43,6 +43,10 @@ private:
   std::vector<Known> known_;
 };
 
+/// Whether a shell lines a cavity in another thing: its front is inside, and a body is around it.
+bool linesAnother(const SceneObjects& objects, std::uint32_t object, const Shell& shell,
+  ObjectSides& sides, const CancelPoint& cancelPoint);
+
 }
 
 #endif

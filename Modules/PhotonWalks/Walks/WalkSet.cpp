@@ -284,7 +284,7 @@ void WalkSet::startAgain(const WalkSpace& space, Execution& execution)
   {
     beginRound(true, space, execution); // else there is nothing to follow
   }
-  unborn_ = bornWalks();
+  unborn_ = bornWalks(cancelPointOf(execution, 0));
 }
 
 bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
@@ -294,14 +294,16 @@ bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
     std::find(at(source_.cells->first), at(source_.cells->end), true) != at(source_.cells->end);
 }
 
-std::vector<std::uint32_t> WalkSet::bornWalks() const
+std::vector<std::uint32_t> WalkSet::bornWalks(const CancelPoint& cancelPoint) const
 {
   std::vector<std::uint32_t> born;
+  ThrottledCancelPoint pace(cancelPoint);
   for (std::size_t i = 0; i < history_.size(); ++i)
   {
     const BounceBlock& block = history_.block(i);
     for (std::uint32_t walk = block.firstWalk(); walk < block.endWalk(); ++walk)
     {
+      pace.step();
       if (gathered_->isBorn(walk))
       {
         born.push_back(walk);

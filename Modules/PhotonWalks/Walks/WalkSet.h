@@ -150,7 +150,7 @@ private:
   void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
     const CancelPoint& cancelPoint);
   /// Of this rank, in order.
-  std::vector<std::uint32_t> bornWalks() const;
+  std::vector<std::uint32_t> bornWalks(const CancelPoint& cancelPoint) const;
   /// Shoots walks that are to be born, as far as the budget goes; null: all.
   void shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution& execution);
   /// The rest of follow(): what was gathered is up to date.
