@@ -35,7 +35,7 @@ TEST(RandomPrograms, UpdatesEqualFreshFilters)
     }
     if (program % 40 == 3)
     {
-      AddManyParts(trial, 1500);
+      AddManyParts(trial, 1000);
     }
     RunProgram(program, trial, operations, isAloud);
   });
