@@ -18,6 +18,7 @@
 #include "Pipeline/PieceRequest.h"
 #include "Pipeline/RanksPipeline.h"
 #include "Pipeline/ReplicateRequest.h"
+#include "Pipeline/WalkMemory.h"
 #include "Progress/InputError.h"
 #include "Time/DynamicPoses.h"
 #include "Time/TimeKeys.h"
@@ -43,6 +44,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -704,7 +706,16 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   }
   irradiance::chooseByScene(LeftToSceneBy(filter), this->Scene.objects(), settings, settings);
   KeepWhatIsRead(settings, request, walksWriter.isAsked(), ranks);
-  this->Engine->update(this->Scene.objects(), settings, execution);
+  const auto count = static_cast<std::size_t>(ranks.count());
+  irradiance::requireMemory(this->Scene.objects(), settings, count);
+  try
+  {
+    this->Engine->update(this->Scene.objects(), settings, execution);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw std::runtime_error(irradiance::outOfMemory(this->Scene.objects(), settings, count));
+  }
   if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
   {
     vtkWarningWithObjectMacro(filter, << TargetMissed(*this->Engine, settings));

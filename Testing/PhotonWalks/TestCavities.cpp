@@ -20,8 +20,8 @@ using test::ObjectBuilder;
 
 constexpr std::size_t kWall = 24; ///< cells of one shell
 constexpr double kReflectance = 0.5;
-constexpr std::uint32_t kWalks = test::kIsSanitized ? 5000 : 20000;
-constexpr double kTolerance = test::kIsSanitized ? 0.35 : 0.1; ///< in W
+constexpr std::uint32_t kCavityWalks = test::kIsSanitized ? 5000 : 20000;
+constexpr double kCavityTolerance = test::kIsSanitized ? 0.35 : 0.1; ///< in W
 
 void addChamber(ObjectBuilder& builder, const Vector3& low, const Vector3& high)
 {
@@ -54,7 +54,7 @@ void expectLightInside(const SceneObjects& objects, std::uint32_t object, const 
   for (const bool isGathered : { false, true })
   {
     EngineSettings settings;
-    settings.numberOfWalks = kWalks;
+    settings.numberOfWalks = kCavityWalks;
     settings.gathersDirectLight = isGathered;
     IrradianceEngine engine;
     Execution serial;
@@ -64,7 +64,7 @@ void expectLightInside(const SceneObjects& objects, std::uint32_t object, const 
       const bool isOutside = cell.object == object && cell.cell >= kWall && cell.cell < 2 * kWall;
       (isOutside ? outside : watts) += test::wattsOn(engine, cell.object, cell.cell, cell.cell + 1);
     });
-    EXPECT_NEAR(watts, 2, kTolerance) << what << (isGathered ? " gathered" : "");
+    EXPECT_NEAR(watts, 2, kCavityTolerance) << what << (isGathered ? " gathered" : "");
     EXPECT_EQ(outside, 0) << what << (isGathered ? " gathered" : "");
   }
 }
@@ -82,7 +82,7 @@ double wattsBelow(
 {
   constexpr std::size_t kCeiling = 4;
   EngineSettings settings;
-  settings.numberOfWalks = kWalks;
+  settings.numberOfWalks = kCavityWalks;
   settings.gathersDirectLight = isGathered;
   IrradianceEngine engine;
   Execution serial;
@@ -167,7 +167,7 @@ TEST(Cavities, InCavities)
       expectAsHanging(
         objects, hanging, object, isInner ? "inner" : "outer", isInner ? 0 : 2 * kWall);
       EngineSettings settings;
-      settings.numberOfWalks = kWalks;
+      settings.numberOfWalks = kCavityWalks;
       IrradianceEngine engine;
       Execution serial;
       engine.update(objects, settings, serial);
@@ -175,7 +175,7 @@ TEST(Cavities, InCavities)
                    between = test::wattsOn(engine, object, kWall, 3 * kWall),
                    outside = test::wattsOn(engine, object, 3 * kWall, 4 * kWall),
                    ofLamp = test::wattsOn(engine, 1 - object, 0, 1);
-      EXPECT_NEAR((isInner ? ofInner : between) + ofLamp, 2, kTolerance);
+      EXPECT_NEAR((isInner ? ofInner : between) + ofLamp, 2, kCavityTolerance);
       EXPECT_EQ((isInner ? between : ofInner) + outside, 0);
     }
   }
@@ -204,7 +204,7 @@ TEST(Cavities, OfTwoThings)
     for (const bool isGathered : { false, true })
     {
       EngineSettings settings;
-      settings.numberOfWalks = kWalks;
+      settings.numberOfWalks = kCavityWalks;
       settings.gathersDirectLight = isGathered;
       IrradianceEngine engine;
       Execution serial;
@@ -215,7 +215,7 @@ TEST(Cavities, OfTwoThings)
       engine.cells().numbers().forEach([&](const SceneCell& cell) {
         watts += test::wattsOn(engine, cell.object, cell.cell, cell.cell + 1);
       });
-      EXPECT_NEAR(watts, 2, kTolerance) << what;
+      EXPECT_NEAR(watts, 2, kCavityTolerance) << what;
       EXPECT_EQ(test::wattsOn(engine, 1, 0, kWall), 0) << what;
     }
   }

@@ -117,7 +117,8 @@ TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
       const double needed = 32 + (bands > 1 ? 8 * bands : 0);
       const double pages = BouncePage::kSize / double(WalkPlan::kWalksPerBlock) * perWalk * needed;
       EXPECT_GE(perSegment, needed);
-      EXPECT_LE(perSegment, needed + pages + perWalk); // a little for each block
+      // A little for each block; and a slab of pages, which may be empty, is as large as all before it.
+      EXPECT_LE(perSegment, 2 * (needed + pages + perWalk));
       std::printf("%d bands, sides %d: %.1f bytes a segment\n", bands, int(sides), perSegment);
     }
   }

@@ -21,7 +21,7 @@ namespace
 using test::FrontWorld;
 using test::SimdLimit;
 
-constexpr std::uint32_t kWalks = 1000; // the last group is not full
+constexpr std::uint32_t kFrontWalks = 1000; // the last group is not full
 
 /// Triangles at random, thin ones and small ones among them, in two objects, of which one is placed; each
 /// with a reflectance of its own. `scale`: a power of two.
@@ -80,8 +80,8 @@ std::uint32_t bounceOf(Bounces bounces, std::uint32_t i)
 void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint32_t firstWalk)
 {
   test::RandomVectors random(7);
-  world.enter(front, firstWalk, kWalks);
-  for (std::uint32_t i = 0; i < kWalks; ++i)
+  world.enter(front, firstWalk, kFrontWalks);
+  for (std::uint32_t i = 0; i < kFrontWalks; ++i)
   {
     const Vector3 direction = random.direction();
     front.directionX[i] = static_cast<float>(direction[0]);
@@ -103,7 +103,7 @@ void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint3
     front.originZ[i] = 3.0 * i;
     for (int band = 0; band < Power::kMaxBands; ++band)
     {
-      front.power[band].reserve(kWalks);
+      front.power[band].reserve(kFrontWalks);
       front.power[band][i] = (std::int64_t{ 1 } << 40) + 3 * i + band;
     }
   }
@@ -153,9 +153,9 @@ TEST(WalkStages, WalksStartWhereTheirSamplesSay)
   onAll([](const FrontWorld& world, Bounces) {
     WalkFront front;
     const std::uint32_t first = world.plan().rounds().front().firstWalk;
-    world.enter(front, first, kWalks);
+    world.enter(front, first, kFrontWalks);
     world.stages().start(front);
-    for (std::uint32_t i = 0; i < kWalks; ++i)
+    for (std::uint32_t i = 0; i < kFrontWalks; ++i)
     {
       const auto chosen = world.samples().sample(first + i, 0, SampleUse::Light);
       const Light& light = world.lights()[world.lights().choose(chosen[0])];
@@ -180,7 +180,7 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
     fill(front, world, bounces, first);
     world.stages().absorb(front, next, false);
     std::size_t kept = 0;
-    for (std::uint32_t i = 0; i < kWalks; ++i)
+    for (std::uint32_t i = 0; i < kFrontWalks; ++i)
     {
       const TriangleId id = world.triangles().idOf(front.hit[i]);
       const double sample =
@@ -216,7 +216,7 @@ TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
     {
       WalkFront front, next;
       fill(front, world, Bounces::Mixed, 0);
-      front.size = trial < 40 ? static_cast<std::size_t>(trial) : 1 + random.engine() % kWalks;
+      front.size = trial < 40 ? static_cast<std::size_t>(trial) : 1 + random.engine() % kFrontWalks;
       next.reserve(front.size, 3);
       for (std::size_t group = 0; group < front.groups(); ++group)
       {
@@ -264,7 +264,7 @@ TEST(WalkStages, RaysLeaveFromSurfacePoints)
       WalkFront before;
       fill(before, world, bounces, first);
       world.stages().leave(front, areSidesKnown);
-      for (std::uint32_t i = 0; i < kWalks; ++i)
+      for (std::uint32_t i = 0; i < kFrontWalks; ++i)
       {
         const double b = front.weightB[i], c = front.weightC[i];
         SurfacePoint point = surfacePoint(
@@ -301,7 +301,7 @@ TEST(WalkStages, ScalingByAPowerOfTwoChangesOnlyTheUnit)
     WalkFront front;
     fill(front, scaled, Bounces::Same, 0);
     scaled.stages().leave(front, false);
-    for (std::uint32_t i = 0; i < kWalks; ++i)
+    for (std::uint32_t i = 0; i < kFrontWalks; ++i)
     {
       ASSERT_EQ(originOf(front, i), scale * originOf(expected, i));
       ASSERT_EQ(directionOf(front, i), directionOf(expected, i));
@@ -316,7 +316,7 @@ TEST(WalkStages, SidesAreThoseThatTheRaysComeFrom)
     WalkFront front;
     fill(front, world, bounces, 0);
     world.stages().findSides(front);
-    for (std::uint32_t i = 0; i < kWalks; ++i)
+    for (std::uint32_t i = 0; i < kFrontWalks; ++i)
     {
       const bool isFront = front.hit[i] == WalkFront::kNone ||
         directionOf(front, i).dot(Vector3(world.triangles().records()[front.hit[i]].normal)) <= 0;
@@ -376,7 +376,7 @@ TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
           std::vector<Deposit> deposits;
           const Power photon{ { 1000 } };
           FrontTally(world.triangles(), sums, balance, photon, photons).receive(front);
-          for (std::size_t i = 0; i < kWalks; ++i)
+          for (std::size_t i = 0; i < kFrontWalks; ++i)
           {
             if (front.hit[i] != WalkFront::kNone)
             {
@@ -387,7 +387,8 @@ TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
           }
           expected.add(deposits);
           EXPECT_EQ(balance.absorbed, static_cast<std::int64_t>(deposits.size()) * photon);
-          EXPECT_EQ(balance.escaped, static_cast<std::int64_t>(kWalks - deposits.size()) * photon);
+          EXPECT_EQ(
+            balance.escaped, static_cast<std::int64_t>(kFrontWalks - deposits.size()) * photon);
           expected.numbers().forEach([&](const SceneCell& cell) {
             for (int side = 0; side < sides; ++side)
             {
@@ -432,9 +433,9 @@ TEST(WalkStages, WalksThatNeverEndAreNamed)
   const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
   WalkFront front, next;
   fill(front, world, Bounces::Same, 0);
-  std::fill_n(front.bounce.data(), kWalks, (1u << 20) - 1);
+  std::fill_n(front.bounce.data(), kFrontWalks, (1u << 20) - 1);
   world.stages().absorb(front, next, false);
-  std::fill_n(front.bounce.data(), kWalks, 1u << 20);
+  std::fill_n(front.bounce.data(), kFrontWalks, 1u << 20);
   EXPECT_THROW(world.stages().absorb(front, next, false), std::runtime_error);
 }
 

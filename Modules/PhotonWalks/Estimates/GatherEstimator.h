@@ -60,7 +60,10 @@ public:
   std::uint64_t numberOfRays() const override { return rays().after(rounds_.rays); }
   std::int64_t raySegments() const override { return gather_.segments(); }
   void dropRayRounds(std::size_t kept) override { gather_.dropRounds(keepsPaths() ? kept : 0); }
-  std::size_t bytes() const override { return gather_.bytes(); }
+  std::size_t bytes() const override
+  {
+    return gather_.bytes() + sums_.bytes() + staleSums_.bytes();
+  }
   std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
 
 private:

@@ -45,7 +45,7 @@ public:
   /// What all cells receive too much in each replicate, see ReadingChecks; quanta of all bands together. Nothing if
   /// nothing is checked.
   const std::vector<std::int64_t>& excess() const { return excess_; }
-  /// Of the paths that are kept.
+  /// Of what is kept.
   std::size_t bytes() const;
   /// Paths that the last update followed, those of checks too.
   std::int64_t numberFollowed() const { return followed_; }

@@ -114,7 +114,9 @@ void WalkHistory::forgetHiddenHits()
 
 std::size_t WalkHistory::bytes() const
 {
-  std::size_t bytes = kinds_.capacity();
+  // Of the arena all counts: its last slab is not full.
+  std::size_t bytes =
+    kinds_.capacity() + (blocks_.empty() ? 0 : arena_->bytes() - arena_->bytesInUse());
   for (std::size_t i = 0; i < blocks_.size(); ++i)
   {
     bytes += blocks_[i].bytes() + hidden_[i].bytes();

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkMemory_h
+#define irradiance_WalkMemory_h
+
+#include "IrradianceEngine.h"
+
+namespace irradiance
+{
+
+/// Throws InputError if the walks that this process is to store cannot fit into the memory that it may
+/// have, before one is shot. `ranks`: that share them.
+void requireMemory(const SceneObjects& objects, const EngineSettings& settings, std::size_t ranks);
+
+/// What to say when memory ran out all the same.
+std::string outOfMemory(
+  const SceneObjects& objects, const EngineSettings& settings, std::size_t ranks);
+
+}
+
+#endif
