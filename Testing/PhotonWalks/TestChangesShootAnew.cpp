@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
 #include "MovingScene.h"
+#include "ShownAnswer.h"
 #include "ThreadExecution.h"
 
 #include <gtest/gtest.h>

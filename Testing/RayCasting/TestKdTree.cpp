@@ -41,7 +41,7 @@ Hit bruteForce(const TriangleMesh& mesh, const Ray& ray)
   return best;
 }
 
-bool haveSameBits(const Hit& a, const Hit& b)
+bool isSameHit(const Hit& a, const Hit& b)
 {
   return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id;
 }
@@ -100,7 +100,7 @@ TEST_P(KdTreeLaw, FindsWhatBruteForceFinds)
       scene.cast(rays.data(), rays.size(), found.data());
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
-        if (!haveSameBits(found[i], expected[i]) && ++wrong <= 3)
+        if (!isSameHit(found[i], expected[i]) && ++wrong <= 3)
         {
           ADD_FAILURE() << nameOf(kind) << " ray " << i << ", SIMD level "
                         << static_cast<int>(level) << ' '
@@ -141,7 +141,7 @@ TEST_P(KdTreeLaw, KeepsABetterHit)
     const auto found = test::hitsOf(scene, records, &FrontCast::cast, rays, given);
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
-      ASSERT_TRUE(haveSameBits(found[i], expected[i]))
+      ASSERT_TRUE(isSameHit(found[i], expected[i]))
         << nameOf(kind) << " ray " << i << ' ' << exactly(rays[i]) << "\n  found "
         << exactly(found[i]) << " with " << exactly(given[i]);
     }

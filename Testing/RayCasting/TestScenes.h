@@ -81,6 +81,12 @@ inline std::shared_ptr<const RigidObject> bodyOf(const Triangles& triangles)
   return std::make_shared<RigidObject>(TriangleMesh(triangles));
 }
 
+/// A body that rests, with trees of its details.
+inline std::shared_ptr<const RigidObject> stillOf(const Triangles& triangles)
+{
+  return std::make_shared<RigidObject>(TriangleMesh(triangles), CancelPoint(), false);
+}
+
 inline Matrix3 stretch(double x, double y, double z)
 {
   return Vector3(x, y, z).asDiagonal();
@@ -226,7 +232,7 @@ inline NamedScene crumbsInAHall()
   const auto box = bodyOf(boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 }));
   const auto sail =
     bodyOf(grid(2, 2, [](int i, int j) { return Vector3(kSize * (i - 1), kSize * (j - 1), 0); }));
-  NamedScene scene{ "crumbs in a hall", bodyOf(hall), {} };
+  NamedScene scene{ "crumbs in a hall", stillOf(hall), {} };
   for (int i = 0; i < 4; ++i)
   {
     scene.objects.push_back(
@@ -234,6 +240,34 @@ inline NamedScene crumbsInAHall()
   }
   // Stretched along z only: the condition, by row sums of |M| |M^-1|, stays 1.
   scene.objects.push_back({ sail, { stretch(1, 1, 8), { 0, 0, -1 } }, true });
+  return scene;
+}
+
+/// Fine static meshes in a hall of 300 m, which floats of the hall cannot resolve: one in the plane of the
+/// floor, one on it, turned, one a thousand times finer near its corner, one twice in the same place, one of
+/// equal triangles, and one at a wall. Small things move there.
+inline NamedScene detailsInAHall()
+{
+  RandomVectors random(19);
+  Triangles hall = boxOfCells({ -150, -150, 0 }, { 150, 150, 20 }, { 2, 2, 1 });
+  const auto plate = [](double size) {
+    return grid(8, 8, [size](int i, int j) { return Vector3(size * i / 8, size * j / 8, 0); });
+  };
+  append(hall, moved(plate(1e-3), { Matrix3::Identity(), Vector3(7, 9, 0) }));
+  append(hall, moved(plate(1e-3), { random.rotation(), Vector3(7.0002, 9.0002, 1e-4) }));
+  append(hall, moved(plate(1e-6), { random.rotation(), Vector3(7, 9, 2e-6) }));
+  const Triangles ball = moved(icosphere(1), { 1e-4 * random.rotation(), Vector3(-40, 3, 5) });
+  append(hall, ball);
+  append(hall, ball);
+  append(hall, Triangles(70, moved(plate(1e-5), { Matrix3::Identity(), Vector3(1, 2, 3) })[0]));
+  append(hall, moved(plate(1e-4), { stretch(1, -1, 1), Vector3(150, 150, 20) }));
+  NamedScene scene{ "details in a hall", stillOf(hall), {} };
+  const auto box = bodyOf(boxOfCells({ -1, -1, -1 }, { 1, 1, 1 }, { 1, 1, 1 }));
+  for (const Vector3& place : { Vector3(7, 9, 0), Vector3(-40, 3, 5), Vector3(7.001, 9.001, 0) })
+  {
+    scene.objects.push_back({ box, { random.powerOfTwo(-14, -11) * random.rotation(), place } });
+  }
+  scene.objects.push_back({ box, { 1e-4 * random.rotation(), { 7, 9.0005, 0 } }, true });
   return scene;
 }
 
@@ -253,7 +287,8 @@ inline std::vector<SceneMaker> sceneMakers()
 {
   return { { "hard maps", hardMaps }, { "nearly flat", nearlyFlat },
     { "all but singular", allButSingular }, { "many objects", manyObjects },
-    { "crumbs in a hall", crumbsInAHall }, { "coincident boxes", straightCoincidentBoxes },
+    { "crumbs in a hall", crumbsInAHall }, { "details in a hall", detailsInAHall },
+    { "coincident boxes", straightCoincidentBoxes },
     { "coincident boxes, turned", turnedCoincidentBoxes }, { "without static", withoutStatic },
     { "far away", farAway } };
 }

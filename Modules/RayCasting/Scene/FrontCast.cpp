@@ -138,7 +138,9 @@ void FrontCast::castStatic(
   const auto count = static_cast<std::uint32_t>(scene.static_->mesh().size());
   if (count > 0)
   {
-    search_.run(*scene.static_, inWorld(rays, count), triangles.corners);
+    scene.static_->forEachTreeOfRays([&](const TriangleTree& tree) {
+      search_.run(tree, scene.static_->mesh(), inWorld(rays, count), triangles.corners);
+    });
   }
 }
 
@@ -218,7 +220,7 @@ void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontT
   takeToBody(scene, object, rays, count);
   clock.ends(Stage::PreTest);
   const TriangleMesh& mesh = scene.meshOf(object);
-  search_.run(scene.bodyOf(object),
+  search_.run(scene.bodyOf(object).tree(), mesh,
     local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
     rowsOf(mesh));
   giveBack(rays, count);

@@ -9,16 +9,17 @@
 namespace irradiance
 {
 
-void FrontSearch::run(const RigidObject& body, const TreeRays& rays, const CornerRows& corners)
+void FrontSearch::run(const TriangleTree& tree, const TriangleMesh& mesh, const TreeRays& rays,
+  const CornerRows& corners)
 {
-  if (rays.count == 0 || body.tree().isEmpty())
+  if (rays.count == 0 || tree.isEmpty())
   {
     return;
   }
-  body_ = &body;
+  mesh_ = &mesh;
   rays_ = rays;
   constexpr std::size_t kCorners = 9 * sizeof(double);
-  descent_.run(body.tree(), rays_,
+  descent_.run(tree, rays_,
     { reinterpret_cast<const char*>(corners.first), corners.stride * sizeof(double), kCorners },
     *this);
   StageClock clock;
@@ -37,7 +38,7 @@ void FrontSearch::confirmFurther()
     for (unsigned lane = 0; lane < some; ++lane)
     {
       const auto& [ray, reference] = descent_.further()[first + lane];
-      lanes.set(lane, originOf(rays_, ray), directionOf(rays_, ray), body_->mesh()[reference]);
+      lanes.set(lane, originOf(rays_, ray), directionOf(rays_, ray), (*mesh_)[reference]);
     }
     intersectAll(lanes);
     for (unsigned lane = 0; lane < some; ++lane)
@@ -54,7 +55,7 @@ void FrontSearch::test(std::uint32_t ray, std::uint32_t reference)
   double distance;
   Vector3 weights;
   if (ShearedRay(originOf(rays_, ray), directionOf(rays_, ray))
-        .intersects(body_->mesh()[reference], distance, &weights))
+        .intersects((*mesh_)[reference], distance, &weights))
   {
     rays_.keepCloser(ray, rays_.first + reference, distance, weights[1], weights[2]);
   }

@@ -4,13 +4,15 @@
 
 #include "Ellipsoids/EnclosingEllipsoid.h"
 #include "Meshes/TriangleMesh.h"
-#include "Trees/TriangleTree.h"
+#include "Trees/DetailTrees.h"
+
+#include <algorithm>
 
 namespace irradiance
 {
 
 /// Triangles that move together: the mesh, its tree and its ellipsoid in model space, built once. A
-/// body that does not move needs no ellipsoid.
+/// body that does not move needs no ellipsoid, but may be large and have fine details.
 class RigidObject
 {
 public:
@@ -18,12 +20,21 @@ public:
 
   const TriangleMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }
+  /// Calls visit(tree) for trees that hold each triangle once, and are quick for rays.
+  template <class Visit>
+  void forEachTreeOfRays(const Visit& visit) const
+  {
+    detailTrees_.empty()
+      ? visit(tree_)
+      : static_cast<void>(std::for_each(detailTrees_.begin(), detailTrees_.end(), visit));
+  }
   /// Meaningful only if the body may move.
   const EnclosingEllipsoid& ellipsoid() const { return ellipsoid_; }
 
 private:
   TriangleMesh mesh_;
   TriangleTree tree_;
+  std::vector<TriangleTree> detailTrees_; ///< see there; none if the body may move
   EnclosingEllipsoid ellipsoid_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace irradiance
 {
@@ -53,6 +54,16 @@ AxisPlanes::AxisPlanes(const std::vector<Triangle>& triangles, const CancelPoint
       }
     }
   }
+}
+
+void AxisPlanes::renumber(const std::vector<std::uint32_t>& numbers)
+{
+  std::vector<std::uint32_t> planeOf(planeOf_.empty() ? 0 : numbers.back() + 1, kNone);
+  for (std::size_t i = 0; i < planeOf_.size(); ++i)
+  {
+    planeOf[numbers[i]] = planeOf_[i];
+  }
+  planeOf_ = std::move(planeOf);
 }
 
 bool AxisPlanes::hide(int axis, int side, float bound, const Box& whole) const

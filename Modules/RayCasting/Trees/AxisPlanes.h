@@ -31,6 +31,9 @@ public:
   AxisPlanes() = default;
   explicit AxisPlanes(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint = {});
 
+  /// See TriangleTree::renumber().
+  void renumber(const std::vector<std::uint32_t>& numbers);
+
   bool isEmpty() const { return planes_.empty(); }
   /// The plane of a triangle; null if it lies in none.
   const AxisPlane* of(std::uint32_t triangle) const

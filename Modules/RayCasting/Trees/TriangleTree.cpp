@@ -356,6 +356,22 @@ void TriangleTree::pack(const std::vector<KdPrimitive>& primitives,
   }
 }
 
+void TriangleTree::renumber(const std::vector<std::uint32_t>& numbers)
+{
+  for (TriangleBlock& block : blocks_)
+  {
+    for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
+    {
+      if (block.reference(lane) != TriangleBlock::kNone)
+      {
+        block.references[lane] =
+          numbers[block.reference(lane)] | (block.references[lane] & TriangleBlock::kMore);
+      }
+    }
+  }
+  planes_.renumber(numbers);
+}
+
 std::size_t TriangleTree::bytes() const
 {
   return treelets_.capacity() * sizeof(Treelet) + blocks_.capacity() * sizeof(TriangleBlock) +

@@ -51,6 +51,9 @@ public:
   /// closer than its box.
   TriangleTree(const std::vector<Box>& boxes, double slack, const CancelPoint& cancelPoint);
 
+  /// Gives its triangles these numbers, which rise, in place of 0, 1, ...
+  void renumber(const std::vector<std::uint32_t>& numbers);
+
   bool isEmpty() const { return blocks_.empty(); }
   const UnitFrame& frame() const { return frame_; }
   /// In the unit frame.
