@@ -73,11 +73,13 @@ void addPairs(
   for (auto i = static_cast<std::uint32_t>(first); i < end; ++i)
   {
     const FlatTriangle flat(mesh[i]);
-    forEachNear(body.tree(), touchedBox(mesh[i].bounds()), [&](std::uint32_t k) {
-      if (k > i && flat.coincidesWith(mesh[k]))
-      {
-        pairs.emplace_back(i, k);
-      }
+    body.forEachTree([&](const TriangleTree& tree) {
+      forEachNear(tree, touchedBox(mesh[i].bounds()), [&](std::uint32_t k) {
+        if (k > i && flat.coincidesWith(mesh[k]))
+        {
+          pairs.emplace_back(i, k);
+        }
+      });
     });
   }
   sortOut(pairs);

@@ -138,7 +138,7 @@ void FrontCast::castStatic(
   const auto count = static_cast<std::uint32_t>(scene.static_->mesh().size());
   if (count > 0)
   {
-    scene.static_->forEachTreeOfRays([&](const TriangleTree& tree) {
+    scene.static_->forEachTree([&](const TriangleTree& tree) {
       search_.run(tree, scene.static_->mesh(), inWorld(rays, count), triangles.corners);
     });
   }

@@ -20,9 +20,10 @@ public:
 
   const TriangleMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }
-  /// Calls visit(tree) for trees that hold each triangle once, and are quick for rays.
+  /// Calls visit(tree) for trees that hold each triangle once, and are quicker than the one of all where
+  /// there are fine details.
   template <class Visit>
-  void forEachTreeOfRays(const Visit& visit) const
+  void forEachTree(const Visit& visit) const
   {
     detailTrees_.empty()
       ? visit(tree_)
