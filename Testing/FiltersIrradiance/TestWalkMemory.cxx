@@ -36,18 +36,18 @@ private:
 
 }
 
-// 200 million walks of at least one segment of 32 bytes take 6.4 GB.
+// 100 million walks of at least one segment of 32 bytes take 3.2 GB.
 TEST(WalkMemory, IsAskedForBeforeWalksAreShot)
 {
-  const AddressLimit limit(rlim_t{ 5 } << 30);
+  const AddressLimit limit(rlim_t{ 2 } << 30);
   vtkNew<vtkIrradianceFilter> filter;
   const auto reports = ErrorObserver::Watch(filter);
   Connect(filter, MakeSmallScene());
   filter->SetDirectLight(vtkIrradianceFilter::Shot);
-  filter->SetNumberOfWalks(200000000);
+  filter->SetNumberOfWalks(100000000);
   filter->Update();
   ASSERT_EQ(reports->Errors.size(), 1u);
-  for (const char* word : { "NumberOfWalks is 200000000", "at least 6400 MB", "5369 MB" })
+  for (const char* word : { "NumberOfWalks is 100000000", "at least 3200 MB", "2147 MB" })
   {
     EXPECT_NE(reports->Errors[0].find(word), std::string::npos) << reports->Errors[0];
   }
@@ -60,14 +60,14 @@ TEST(WalkMemory, IsAskedForBeforeWalksAreShot)
 // Without movers no walk is stored.
 TEST(WalkMemory, IsNotAskedForWhereNothingIsStored)
 {
-  const AddressLimit limit(rlim_t{ 5 } << 30);
+  const AddressLimit limit(rlim_t{ 2 } << 30);
   vtkNew<vtkIrradianceFilter> filter;
   const auto reports = ErrorObserver::Watch(filter);
   Scene scene = MakeSmallScene();
   scene.Moving.clear();
   Connect(filter, scene);
   filter->SetDirectLight(vtkIrradianceFilter::Shot);
-  filter->SetNumberOfWalks(200000000);
+  filter->SetNumberOfWalks(100000000);
   // The first report of progress from the walks stops it.
   const auto stop = vtkSmartPointer<vtkCallbackCommand>::New();
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void* progress) {
