@@ -86,7 +86,7 @@ std::size_t FinalGather::bytes() const
     indirect_.bytes() + stale_.bytes() + noise_.bytes() + gatherers_.capacity() * sizeof(Gatherer);
   for (const Unit& unit : units_)
   {
-    bytes += unit.sides.capacity() * sizeof(Side) + unit.rounds.capacity() * sizeof(Round);
+    bytes += unit.sides.capacity() * sizeof(Side) + unit.rounds.size() * sizeof(Round);
     bytes = std::accumulate(
       unit.rounds.begin(), unit.rounds.end(), bytes, [](std::size_t sum, const Round& round) {
         return sum + round.paths.bytes() + round.checks.bytes();
