@@ -11,7 +11,7 @@ namespace irradiance
 namespace
 {
 
-constexpr std::size_t kFirstSlab = std::size_t{ 1 } << 16, kLargestSlab = std::size_t{ 1 } << 22;
+constexpr std::size_t kFirstSlab = std::size_t{ 1 } << 14, kLargestSlab = std::size_t{ 1 } << 22;
 
 }
 
@@ -50,10 +50,10 @@ void BlockArena::giveBack(void* page) noexcept
   --used_;
 }
 
-/// Slabs grow with what is held, so that at most a fifth is not in use and a large scene asks rarely.
+/// Slabs grow with what is held, so that a sixteenth at most is not in use, and a large scene asks rarely.
 void BlockArena::addSlab()
 {
-  const std::size_t wanted = std::clamp(bytes_ / 4, kFirstSlab, kLargestSlab);
+  const std::size_t wanted = std::clamp(bytes_ / 16, kFirstSlab, kLargestSlab);
   const std::size_t size = std::max<std::size_t>(wanted / pageBytes_, 1) * pageBytes_;
   slabs_.reserve(slabs_.size() + 1);
   Slab slab(static_cast<std::byte*>(std::aligned_alloc(kAlignment, size)));

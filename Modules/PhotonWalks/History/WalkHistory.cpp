@@ -114,9 +114,7 @@ void WalkHistory::forgetHiddenHits()
 
 std::size_t WalkHistory::bytes() const
 {
-  // Of the arena all counts: its last slab is not full.
-  std::size_t bytes =
-    kinds_.capacity() + (blocks_.empty() ? 0 : arena_->bytes() - arena_->bytesInUse());
+  std::size_t bytes = kinds_.capacity();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
   {
     bytes += blocks_[i].bytes() + hidden_[i].bytes();
