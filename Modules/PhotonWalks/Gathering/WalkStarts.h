@@ -33,9 +33,10 @@ public:
   }
   /// How many are born.
   std::size_t numberBorn() const;
+  /// That are in use.
   std::size_t bytes() const
   {
-    return starts_.capacity() * sizeof(Start) + startOfWalk_.capacity() * sizeof(std::uint32_t);
+    return starts_.size() * sizeof(Start) + startOfWalk_.capacity() * sizeof(std::uint32_t);
   }
   /// The walks that start from these samples if they see their lights, in order.
   std::vector<std::uint32_t> walksOf(const std::vector<std::uint32_t>& samples) const;
