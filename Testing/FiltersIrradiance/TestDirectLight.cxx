@@ -664,7 +664,7 @@ TEST(DirectLight, ExcessIsSaid)
 TEST(DirectLight, NoHistoryWithoutMotion)
 {
   Scene scene = MakeSmallScene();
-  const auto filter = MakeGathered(scene, 1000);
+  const auto filter = MakeGathered(scene, 4000);
   filter->Update();
   const double stored = Field(filter, "HistoryBytes");
   EXPECT_GT(stored, 0);
@@ -674,7 +674,7 @@ TEST(DirectLight, NoHistoryWithoutMotion)
     Field(filter, "HistoryBytes"); // samples, and the sums of static and dynamic cells
   EXPECT_LT(rebuilt, 0.5 * stored);
   scene.Moving.clear();
-  const auto still = MakeGathered(scene, 1000);
+  const auto still = MakeGathered(scene, 4000);
   still->Update();
   EXPECT_LT(Field(still, "HistoryBytes"), rebuilt) << "samples alone";
 }
