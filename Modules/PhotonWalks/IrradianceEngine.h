@@ -29,6 +29,12 @@ struct EngineSettings
   FewestSamples fewestOfCells() const { return fewestSamplesOf(*this, fewestSamples); }
 };
 
+/// Whether walks are kept: for motions to come, or for their photons.
+inline bool storesWalks(const SceneObjects& objects, const WalkSettings& settings)
+{
+  return settings.keepPhotons || (settings.verify && !objects.dynamicObjects.empty());
+}
+
 /// What a frame cost. Verification includes rebuilding the trees over dynamic objects, repair includes
 /// updating the stores of photons.
 struct EngineStatistics : WalkStatistics
@@ -103,10 +109,7 @@ public:
   /// Walks stay inside, except where they escape.
   Box walkBounds() const { return walks_.bounds(scene_); }
   const EngineSettings& settings() const { return settings_; }
-  bool storesWalks() const
-  {
-    return settings_.keepPhotons || (settings_.verify && !objects_.dynamicObjects.empty());
-  }
+  bool storesWalks() const { return irradiance::storesWalks(objects_, settings_); }
   WalkSpace space() const { return { scene_, objects_, triangles_, contacts_, solidSides_ }; }
   /// What cells of this frame gather light in.
   GatherSpace gatherSpace() const { return space().gatherSpace(); }

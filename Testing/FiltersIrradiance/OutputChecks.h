@@ -118,12 +118,12 @@ inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
 {
   const auto before = LeavesOf(now->GetOutput()), after = LeavesOf(full->GetOutput());
   ASSERT_EQ(before.size(), after.size());
+  const bool isFar = std::any_of(before.begin(), before.end(), IsFar);
   const bool isSpread = now->GetCellEstimate() == vtkIrradianceFilter::Spread;
   vtkDataArray* bound = now->GetOutput()->GetFieldData()->GetArray("StaleGainBound");
   for (int band = 0; bound && band < bound->GetNumberOfComponents(); ++band)
   {
     double brought = 0, received = 0;
-    bool isFar = false;
     for (std::size_t i = 0; i < before.size(); ++i)
     {
       for (const std::string& side : SidesOf(now))
@@ -131,7 +131,6 @@ inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
         const auto array = [&](vtkPolyData* leaf, const std::string& name) {
           return leaf->GetCellData()->GetArray((name + side).c_str());
         };
-        isFar = isFar || IsFar(before[i]);
         for (vtkIdType cell = 0; cell < before[i]->GetNumberOfCells(); ++cell)
         {
           const auto value = [&](vtkDataArray* values) { return values->GetComponent(cell, band); };

@@ -280,6 +280,17 @@ inline void ChangeBlocks(Trial& t)
 
 // Connections.
 
+inline void ShiftPoints(vtkPolyData* mesh, const double shift[3])
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    mesh->GetPoints()->SetPoint(i, point[0] + shift[0], point[1] + shift[1], point[2] + shift[2]);
+  }
+  mesh->GetPoints()->Modified();
+}
+
 /// Static meshes stand in the same corner, and touch exactly.
 inline void PutIntoTheCorner(Trial& t, vtkPolyData* mesh)
 {
@@ -290,13 +301,7 @@ inline void PutIntoTheCorner(Trial& t, vtkPolyData* mesh)
   {
     shift[axis] = 0.25 * t.Random.Below(4) - bounds[2 * axis];
   }
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    mesh->GetPoint(i, point);
-    mesh->GetPoints()->SetPoint(i, point[0] + shift[0], point[1] + shift[1], point[2] + shift[2]);
-  }
-  mesh->GetPoints()->Modified();
+  ShiftPoints(mesh, shift);
 }
 
 inline void AddConnection(Trial& t)
@@ -328,12 +333,7 @@ inline void AddManyParts(Trial& t, int count)
     Mesh part = MakeBox(0.01, 0.01, 0.01);
     const double shift[] = { t.Random.Between(0, 3), t.Random.Between(0, 3),
       t.Random.Between(0, 3) };
-    for (vtkIdType k = 0; k < part->GetNumberOfPoints(); ++k)
-    {
-      double point[3];
-      part->GetPoint(k, point);
-      part->GetPoints()->SetPoint(k, point[0] + shift[0], point[1] + shift[1], point[2] + shift[2]);
-    }
+    ShiftPoints(part, shift);
     t.Given.Ports[0].push_back({ part, nullptr, {} });
     Connect(t.Filter, 0, t.Given.Ports[0].back());
   }

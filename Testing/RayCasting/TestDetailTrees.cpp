@@ -43,17 +43,18 @@ std::vector<std::size_t> sizesOf(const std::vector<std::vector<std::uint32_t>>& 
 TEST(DetailTrees, AreOfTinyTrianglesAlone)
 {
   Triangles mesh = hall(300);
-  EXPECT_TRUE(detailsOf(mesh).empty());
-  EXPECT_TRUE(detailTreesOf(mesh).empty());
+  EXPECT_TRUE(detailsOf(TriangleMesh(mesh)).empty());
+  EXPECT_TRUE(detailTreesOf(TriangleMesh(mesh)).empty());
   test::append(mesh, chip(1, { 3, 4, 1 })); // of 1 cm: floats of the hall are 2e-5 m apart
-  EXPECT_TRUE(detailsOf(mesh).empty());
+  EXPECT_TRUE(detailsOf(TriangleMesh(mesh)).empty());
   const std::size_t first = mesh.size();
   test::append(mesh, chip(0.01, { 3, 4, 1 }));
-  const auto details = detailsOf(mesh);
+  const auto details = detailsOf(TriangleMesh(mesh));
   ASSERT_EQ(sizesOf(details), std::vector<std::size_t>{ 20000 });
   EXPECT_EQ(details[0].front(), first);
   EXPECT_EQ(details[0].back(), mesh.size() - 1);
-  EXPECT_TRUE(detailsOf(chip(1e-9, { 1e-7, 0, 0 })).empty()) << "no part of anything larger";
+  EXPECT_TRUE(detailsOf(TriangleMesh(chip(1e-9, { 1e-7, 0, 0 }))).empty())
+    << "no part of anything larger";
 }
 
 TEST(DetailTrees, AreApartWhereTheirTrianglesAre)
@@ -64,7 +65,7 @@ TEST(DetailTrees, AreApartWhereTheirTrianglesAre)
   test::append(mesh, chip(1e-2, { 200, 4, 1 })); // far
   test::append(mesh, chip(1e-6, { 3, 100, 1 })); // far and finer
   test::append(mesh, test::moved(test::icosphere(0), { 1e-5 * Matrix3::Identity(), { 9, 9, 9 } }));
-  std::vector<std::size_t> sizes = sizesOf(detailsOf(mesh));
+  std::vector<std::size_t> sizes = sizesOf(detailsOf(TriangleMesh(mesh)));
   std::sort(sizes.begin(), sizes.end());
   EXPECT_EQ(sizes, (std::vector<std::size_t>{ 20000, 20000, 40000 })) << "20 triangles are too few";
 }
@@ -79,7 +80,7 @@ TEST(DetailTrees, AreTheLargestOfMany)
       return Vector3(10 + 10 * i + size * x, 50 + size * y, 1);
     }));
   }
-  const std::vector<std::size_t> sizes = sizesOf(detailsOf(mesh));
+  const std::vector<std::size_t> sizes = sizesOf(detailsOf(TriangleMesh(mesh)));
   ASSERT_EQ(sizes.size(), 16u);
   EXPECT_EQ(std::count(sizes.begin(), sizes.end(), std::size_t{ 84 }), 10);
 }
@@ -90,7 +91,7 @@ TEST(DetailTrees, HaveEachTriangleOnce)
   Triangles mesh = chip(1e-3, { 3, 4, 0 }); // before, between and after
   test::append(mesh, hall(300));
   test::append(mesh, chip(1e-3, { 299, 4, 0 }));
-  const std::vector<TriangleTree> trees = detailTreesOf(mesh);
+  const std::vector<TriangleTree> trees = detailTreesOf(TriangleMesh(mesh));
   EXPECT_EQ(trees.size(), 3u);
   std::vector<int> found(mesh.size(), 0);
   for (const TriangleTree& tree : trees)

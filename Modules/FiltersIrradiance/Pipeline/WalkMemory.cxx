@@ -24,11 +24,6 @@ double segmentBytes()
   return static_cast<double>(BounceBlock::pageBytes(1)) / BouncePage::kSize;
 }
 
-bool isStored(const SceneObjects& objects, const EngineSettings& settings)
-{
-  return settings.keepPhotons || (settings.verify && !objects.dynamicObjects.empty());
-}
-
 double walksHere(const EngineSettings& settings, std::size_t ranks)
 {
   const double walks = settings.numberOfWalks;
@@ -61,7 +56,7 @@ void requireMemory(const SceneObjects& objects, const EngineSettings& settings, 
   // A walk from a light has at least one segment. Walks from cells are born only where light arrives.
   const double bytes = walksHere(settings, ranks) * segmentBytes();
   constexpr double kMuch = 256 * kMega; // less is not worth asking the system
-  if (isStored(objects, settings) && !settings.gathersDirectLight && bytes > kMuch &&
+  if (storesWalks(objects, settings) && !settings.gathersDirectLight && bytes > kMuch &&
     bytes > availableBytes())
   {
     throw InputError(sentence(settings, "at least ", bytes));
@@ -72,8 +67,9 @@ std::string outOfMemory(
   const SceneObjects& objects, const EngineSettings& settings, std::size_t ranks)
 {
   const double reflected = std::min(0.99, meanReflectance(objects.staticObject));
-  const double bytes =
-    isStored(objects, settings) ? walksHere(settings, ranks) * segmentBytes() / (1 - reflected) : 0;
+  const double bytes = storesWalks(objects, settings)
+    ? walksHere(settings, ranks) * segmentBytes() / (1 - reflected)
+    : 0;
   return "out of memory: " + sentence(settings, "some ", bytes);
 }
 

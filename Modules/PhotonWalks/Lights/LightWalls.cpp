@@ -67,7 +67,7 @@ std::vector<Wall> wallsAt(const SceneObjects& objects, const Vector3& light, Obj
       // A body that encloses everything can only be a room.
       const bool isRoomAfterAll = object == 0 && sides.shell(i).isOutermost &&
         sideOfAll(building, triangle, tolerance, cancelPoint) == -open;
-      const bool isCavity = open < 0 && sides.of[i] == SolidSide::InFront &&
+      const bool isCavity = sides.of[i] == SolidSide::InFront &&
         linesAnother(objects, object, sides.shell(i), solid, cancelPoint);
       const Vector3 normal = (isRoomAfterAll || isCavity ? -open : open) * front;
       const bool isKnown = std::any_of(walls.begin(), walls.end(),

@@ -212,7 +212,8 @@ Contacts::ContactTriangle Contacts::contactTriangleOf(const SceneObjects& object
   const SceneObject& object = objects[id.object];
   const SolidSides& sides = allSides.of(objects, id.object, cancelPoint);
   const Shell& shell = sides.shell(id.triangle);
-  // A dynamic shell that encloses all static geometry, with its front inside, lines a room.
+  // A dynamic shell with its front inside that encloses all static geometry lines a room; one that lies
+  // in another thing, a cavity.
   const bool isAround = shell.isOutermost && !objects.staticObject.isEmpty() &&
     holds(object.worldBounds(), objects.staticObject.body->mesh().bounds());
   const bool isLining = id.object > 0 && sides.of[id.triangle] == SolidSide::InFront &&

@@ -28,8 +28,7 @@ EnclosingEllipsoid enclose(const TriangleMesh& mesh, const CancelPoint& cancelPo
 RigidObject::RigidObject(TriangleMesh mesh, const CancelPoint& cancelPoint, bool mayMove)
   : mesh_(std::move(mesh))
   , tree_(treeOf(mesh_.triangles(), cancelPoint))
-  , detailTrees_(
-      mayMove ? std::vector<TriangleTree>() : detailTreesOf(mesh_.triangles(), cancelPoint))
+  , detailTrees_(mayMove ? std::vector<TriangleTree>() : detailTreesOf(mesh_, cancelPoint))
   , ellipsoid_(mayMove ? enclose(mesh_, cancelPoint)
                        : EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() })
 {

@@ -28,20 +28,14 @@ struct TinyTriangle
 
 using Tiny = std::vector<TinyTriangle>;
 
-Tiny tinyOf(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint)
+Tiny tinyOf(const TriangleMesh& mesh, const CancelPoint& cancelPoint)
 {
   ThrottledCancelPoint pace(cancelPoint);
-  Box all;
-  for (const Triangle& triangle : triangles)
-  {
-    all.add(triangle.bounds());
-    pace.step();
-  }
-  const double limit = triangles.empty() ? 0 : kTiny * all.extent().maxCoeff();
+  const double limit = mesh.size() == 0 ? 0 : kTiny * mesh.bounds().extent().maxCoeff();
   Tiny tiny;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  for (std::uint32_t i = 0; i < mesh.size(); ++i)
   {
-    const Box box = triangles[i].bounds();
+    const Box box = mesh[i].bounds();
     const double size = box.extent().maxCoeff();
     if (size < limit)
     {
@@ -114,13 +108,13 @@ void divide(Tiny::iterator begin, Tiny::iterator end,
   divide(half, end, details, cancelPoint);
 }
 
-TriangleTree treeOfSome(const std::vector<Triangle>& triangles,
-  const std::vector<std::uint32_t>& numbers, const CancelPoint& cancelPoint)
+TriangleTree treeOfSome(const TriangleMesh& mesh, const std::vector<std::uint32_t>& numbers,
+  const CancelPoint& cancelPoint)
 {
   std::vector<Triangle> some;
   some.reserve(numbers.size());
   std::transform(numbers.begin(), numbers.end(), std::back_inserter(some),
-    [&](std::uint32_t number) { return triangles[number]; });
+    [&](std::uint32_t number) { return mesh[number]; });
   TriangleTree tree = treeOf(some, cancelPoint);
   tree.renumber(numbers);
   return tree;
@@ -129,9 +123,9 @@ TriangleTree treeOfSome(const std::vector<Triangle>& triangles,
 }
 
 std::vector<std::vector<std::uint32_t>> detailsOf(
-  const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint)
+  const TriangleMesh& mesh, const CancelPoint& cancelPoint)
 {
-  Tiny tiny = tinyOf(triangles, cancelPoint);
+  Tiny tiny = tinyOf(mesh, cancelPoint);
   std::vector<std::vector<std::uint32_t>> details;
   divide(tiny.begin(), tiny.end(), details, cancelPoint);
   if (details.size() > kMostDetails)
@@ -143,11 +137,10 @@ std::vector<std::vector<std::uint32_t>> detailsOf(
   return details;
 }
 
-std::vector<TriangleTree> detailTreesOf(
-  const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint)
+std::vector<TriangleTree> detailTreesOf(const TriangleMesh& mesh, const CancelPoint& cancelPoint)
 {
-  const std::vector<std::vector<std::uint32_t>> details = detailsOf(triangles, cancelPoint);
-  std::vector<bool> isDetail(details.empty() ? 0 : triangles.size(), false);
+  const std::vector<std::vector<std::uint32_t>> details = detailsOf(mesh, cancelPoint);
+  std::vector<bool> isDetail(details.empty() ? 0 : mesh.size(), false);
   for (const std::vector<std::uint32_t>& detail : details)
   {
     std::for_each(
@@ -164,11 +157,11 @@ std::vector<TriangleTree> detailTreesOf(
   std::vector<TriangleTree> trees;
   if (!details.empty())
   {
-    trees.push_back(treeOfSome(triangles, others, cancelPoint));
+    trees.push_back(treeOfSome(mesh, others, cancelPoint));
   }
   for (const std::vector<std::uint32_t>& detail : details)
   {
-    trees.push_back(treeOfSome(triangles, detail, cancelPoint));
+    trees.push_back(treeOfSome(mesh, detail, cancelPoint));
   }
   return trees;
 }

@@ -2,6 +2,7 @@
 #ifndef irradiance_DetailTrees_h
 #define irradiance_DetailTrees_h
 
+#include "Meshes/TriangleMesh.h"
 #include "Trees/TriangleTree.h"
 
 namespace irradiance
@@ -13,12 +14,12 @@ namespace irradiance
  * numbers of each one's triangles, in order; at most 16, those of the most triangles.
  */
 std::vector<std::vector<std::uint32_t>> detailsOf(
-  const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint = {});
+  const TriangleMesh& mesh, const CancelPoint& cancelPoint = {});
 
 /// Trees that together hold all triangles of a mesh with details: first all else, then each detail in
 /// its own frame. None if it has no details.
 std::vector<TriangleTree> detailTreesOf(
-  const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint = {});
+  const TriangleMesh& mesh, const CancelPoint& cancelPoint = {});
 
 }
 
