@@ -78,7 +78,8 @@ public:
   irradiance::DynamicPoses Poses;
   irradiance::DistributedInput Pieces;
   irradiance::SceneReader Scene;
-  std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
+  irradiance::SceneCells Cells; // of what is left to the scene
+  std::uint32_t Processes = 0;  ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
     std::make_shared<irradiance::IrradianceEngine>();
@@ -704,7 +705,12 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   {
     CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
   }
-  irradiance::chooseByScene(LeftToSceneBy(filter), this->Scene.objects(), settings, settings);
+  const irradiance::LeftToScene left = LeftToSceneBy(filter);
+  if (left.directLight || left.cellEstimate)
+  {
+    this->Cells.update(this->Scene.objects(), reading);
+    irradiance::chooseByScene(left, this->Scene.objects(), this->Cells, settings, settings);
+  }
   KeepWhatIsRead(settings, request, walksWriter.isAsked(), ranks);
   const auto count = static_cast<std::size_t>(ranks.count());
   irradiance::requireMemory(this->Scene.objects(), settings, count);

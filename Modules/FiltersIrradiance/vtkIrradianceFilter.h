@@ -315,8 +315,9 @@ public:
    * trades noise for blur. Nearest excludes ComputeStandardError, TargetRelativeError and
    * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
    * DirectLight Gathered or Automatic; a point light beside cells with a SpecularReflectance is an error. Automatic is
-   * Gathered where that pays, else Sums: it takes a DirectLight other than Shot, no such point light, no UnbiasedGather, and
-   * for each cell 50 of NumberOfWalks and two for each of NumberOfGatherRays (so 64). The field `CellEstimate` of the output says what it is. With ComputeStandardError the
+   * Gathered where that pays, else Sums: it takes a DirectLight other than Shot, no such point light, no UnbiasedGather,
+   * that cells which expect 25 of NumberOfWalks or more have half of the area, and that the rays of all small cells are no more
+   * than NumberOfWalks; else cells have fewer rays, down to 4. The field `CellEstimate` of the output says what it is. With ComputeStandardError the
    * fields `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the cells that gather is
    * expected to be too large, as rays take cells for evenly lit; NaN where none gathers, or receives anything. Changing it
    * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to

@@ -98,6 +98,13 @@ inline std::vector<GatherTestScene> gatherScenes()
   strip.addQuad({ 0.5, 1.2, 0.04 }, { 0, 1.6, 0 }, { 0.08, 0, 0.08 }, 1, 1, grey(0, 100));
   scenes.push_back({ "near lamp", { strip.build(), { ball({ 1.9, 2, 0.6 }, 0.4, 4) } } });
   sheet.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0.2 }, { 0, 0.6, 0.1 }, 4, 4, grey(0.5));
+  ObjectBuilder warm;
+  warm.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5, 2), true);
+  warm.addQuad({ 1.2, 1.6, 2.9 }, { 0, 0.8, 0 }, { 1.2, 0, 0 }, 1, 1, grey(0, 60));
+  scenes.push_back({ "warm walls", { warm.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  ObjectBuilder bulb = room(4);
+  bulb.addSphere({ 2, 2, 2.8 }, 0.05, 8, grey(0.5, 500));
+  scenes.push_back({ "bulb", { bulb.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
   scenes.push_back({ "sheet", { litRoom(4).build(), { sheet.build(shift({ 2.4, 1.5, 1 })) } } });
   return scenes;
 }

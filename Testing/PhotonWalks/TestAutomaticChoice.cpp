@@ -33,7 +33,9 @@ constexpr LeftToScene kAll{ true, true };
 
 Settings chosen(const SceneObjects& objects, Settings settings, const LeftToScene& left = kAll)
 {
-  chooseByScene(left, objects, settings.walks, settings.estimate);
+  SceneCells cells;
+  cells.update(objects, {});
+  chooseByScene(left, objects, cells, settings.walks, settings.estimate);
   return settings;
 }
 
@@ -63,43 +65,33 @@ SceneObject sheet(int n)
 
 }
 
-// From both sides of a cell.
-TEST(AutomaticChoice, TakesAtMostOneRayForEachWalk)
+// From both sides of a cell: no more than walks, but four in any case.
+TEST(AutomaticChoice, TakesFewerRaysWhereCellsAreMany)
 {
-  const SceneObjects objects{ quadRoom().build(), {} };
-  for (const std::uint32_t rays : { 32u, 100u })
+  ObjectBuilder builder;
+  builder.addQuad({ 0, 0, 0 }, { 10, 0, 0 }, { 0, 10, 0 }, 1, 1, grey(0.5));
+  builder.addQuad({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 40, 40, grey(0.5)); // 1600 small cells
+  const SceneObjects objects{ builder.build(), {} };
+  for (const auto& [walks, rays] : { std::pair(102400u, 32u), std::pair(102399u, 16u),
+         std::pair(51200u, 16u), std::pair(12800u, 4u) })
   {
-    Settings enough = settingsOf(54 * 2 * rays), few = settingsOf(54 * 2 * rays - 1);
-    enough.estimate.gatherRays = few.estimate.gatherRays = rays;
-    expectChoice(chosen(objects, enough), CellEstimate::Gathered, true);
-    expectChoice(chosen(objects, few), CellEstimate::Sums, true);
+    const Settings settings = chosen(objects, settingsOf(walks));
+    expectChoice(settings, CellEstimate::Gathered, true);
+    EXPECT_EQ(settings.estimate.gatherRays, rays) << walks;
   }
+  expectChoice(chosen(objects, settingsOf(12799)), CellEstimate::Sums, true);
 }
 
-// However few rays there are, they have to find something to read.
-TEST(AutomaticChoice, TakesFiftyWalksForEachCell)
-{
-  const SceneObjects objects{ quadRoom().build(), {} };
-  Settings enough = settingsOf(54 * 50), few = settingsOf(54 * 50 - 1);
-  enough.estimate.gatherRays = few.estimate.gatherRays = 1;
-  expectChoice(chosen(objects, enough), CellEstimate::Gathered, true);
-  expectChoice(chosen(objects, few), CellEstimate::Sums, true);
-}
-
-// What no ray reads is at most half of the area, here of one large cell and 64 small ones.
+// Rays have to find something to read: here one large cell and 64 small ones, which are not read.
 TEST(AutomaticChoice, ReadsHalfOfTheArea)
 {
-  const double walks = kFewestWalksOfCell * 65;
-  for (const double small : { 0.1, 0.5, 1.0, 1.01, 1.5, 10.0 })
+  for (const double small : { 0.1, 0.5, 0.99, 1.01, 1.2 })
   {
     ObjectBuilder builder;
     builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, 1, grey(0.5));
     builder.addQuad({ 0, 0, 1 }, { small, 0, 0 }, { 0, 1, 0 }, 8, 8, grey(0.5));
-    SceneCells cells;
-    cells.update({ builder.build(), {} }, {});
-    const CellRoles roles(cells, walks, 32, GatherOn::Small);
-    EXPECT_TRUE(roles.isRead({ 0, 0 }));
-    EXPECT_TRUE(roles.isRead({ 0, 1 }) || small <= 1) << small;
+    expectChoice(chosen({ builder.build(), {} }, settingsOf(2000)),
+      small <= 1 ? CellEstimate::Gathered : CellEstimate::Sums, true);
   }
 }
 
@@ -157,12 +149,11 @@ TEST(AutomaticChoice, KeepsWhatIsAskedFor)
 // What is away has no cells, as if it had never been there.
 TEST(AutomaticChoice, CountsWhatIsThere)
 {
-  SceneObjects objects{ quadRoom().build(), { sheet(20) } };
-  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Sums, true);
-  expectChoice(chosen(objects, settingsOf(300)), CellEstimate::Sums, false);
+  SceneObjects objects{ quadRoom().build(), { sheet(100) } };
+  objects.dynamicObjects[0].worldFromObject.linear *= 10;
+  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Sums, false);
   objects.dynamicObjects[0].isPresent = false;
   expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Gathered, true);
-  expectChoice(chosen(objects, settingsOf(300)), CellEstimate::Sums, true);
 }
 
 TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
@@ -179,7 +170,7 @@ TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
 TEST(AutomaticChoice, IsThatOfTheWalksToBeginWith)
 {
   const SceneObjects objects{ quadRoom().build(), {} };
-  Settings settings = settingsOf(2000);
+  Settings settings = settingsOf(1000);
   settings.walks.targetRelativeError = 0.05;
   settings.walks.replicates = 16;
   expectChoice(chosen(objects, settings), CellEstimate::Sums, true);

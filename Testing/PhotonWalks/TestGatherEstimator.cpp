@@ -286,7 +286,7 @@ SeedMeans shotMeans(
 }
 
 // Nothing is outside of the walls; the lamp is lit on both sides; the ball is closed. Most of the area is of large cells, which take four times
-// as many rays if they gather. Direct light takes a sample for two rays.
+// as many rays if they gather. Direct light takes a sample for two rays; or more, up to 64, of cells of which there are few.
 TEST(GatherEstimator, SamplesFollowTheRays)
 {
   const SceneObjects objects = roomWithBall(4);
@@ -310,12 +310,9 @@ TEST(GatherEstimator, SamplesFollowTheRays)
         }
       });
     }
-    // A lower half of the ball sees no lamp, and walls that see little of it may receive few walks.
-    EXPECT_EQ(*std::min_element(samples.begin(), samples.begin() + 96), 16u);
-    const auto between = std::count_if(samples.begin(), samples.begin() + 96,
-      [](std::uint32_t number) { return number > 16 && number < 64; });
-    EXPECT_EQ(between == 0, isAll) << between;
-    EXPECT_EQ(*std::max_element(samples.end() - 128, samples.end()), 16u);
+    // Of 96 walls, and of the upper half of the ball, 30000 / 4 walks are more than 64 each.
+    EXPECT_EQ(*std::min_element(samples.begin(), samples.begin() + 96), isAll ? 64u : 16u);
+    EXPECT_EQ(*std::max_element(samples.end() - 128, samples.end()), 64u);
   }
 }
 
@@ -496,8 +493,8 @@ SceneObjects roomWithSpot(int n)
 
 }
 
-// The bias is that of cells as patches: with smaller ones it shrinks.
-TEST(GatherEstimator, BiasShrinksWithTheCellsThatRaysHit)
+// The spot is smaller than the large cells: 5 % off with those that are read as a whole; the lights are asked in these.
+TEST(GatherEstimator, HasNoBiasBySmallSpots)
 {
   std::vector<double> biases;
   for (const int n : { 4, 12 })
@@ -519,8 +516,8 @@ TEST(GatherEstimator, BiasShrinksWithTheCellsThatRaysHit)
   }
   if (!test::kIsSanitized) // with so few walks noise hides it
   {
-    EXPECT_GT(biases[0], 0.03) << "the scene shows it";
-    EXPECT_LT(biases[1], 0.5 * biases[0]);
+    EXPECT_LT(std::abs(biases[0]), 0.02);
+    EXPECT_LT(std::abs(biases[1]), 0.02);
   }
 }
 

@@ -118,7 +118,10 @@ void expectOfASmallCell(
     estimate.add(engine.irradiance({ { 1, 0 } }, 0));
   }
   estimate.print("a small cell", truth);
-  EXPECT_LE(std::abs(estimate.t(truth)), test::kIsSanitized ? 4 : 3.5);
+  // Samples have places in floats on their cells.
+  constexpr double kOfFloats = 1e-6;
+  EXPECT_TRUE(std::abs(estimate.t(truth)) <= (test::kIsSanitized ? 4 : 3.5) ||
+    std::abs(estimate.mean() / truth - 1) < kOfFloats);
   EXPECT_NEAR(estimate.mean(), truth, 1e-3 * truth);
 }
 

@@ -25,15 +25,17 @@ void GatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
   const CellShapes shapes = darkShapesOf(from.walks, from.space, cancelPoint);
   const std::deque<PointDirectLight> lights =
-    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit, kWeightsOfHit);
+    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
+  const FoundLamps foundLamps(from.walks, from.cells.numbers());
+  const UnevenCells unevenCells(shapes, *roles_, from.walks, cancelPoint);
   const GatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, settings_.isUnbiased ? nullptr : &direct, from.walks.staleSums(), rounds.walks }, lights,
-    static_cast<std::uint32_t>(rays().after(1)), 1 / from.walks.watts(1.0, rounds.walks),
-    settings_.seed, keepsPaths() || settings_.mostRays > 0, all.plan().replicates().count() > 1,
-    false, settings_.mostRays > 0 };
+    foundLamps, unevenCells, static_cast<std::uint32_t>(rays().after(1)),
+    1 / from.walks.watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0,
+    all.plan().replicates().count() > 1, false, settings_.mostRays > 0 };
   for (const WalkSet& set : from.walks.sets())
   {
-    if (!set.source().cells && !set.lights().isEmpty())
+    if (!set.source().cells && !set.source().areFoundByRays && !set.lights().isEmpty())
     {
       addNearLampLight(scene, set, rounds.walks, direct, execution);
     }

@@ -265,10 +265,11 @@ GatherPaths::Arrival GatherPaths::arrivalOf(
   Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false,
     asksLobe ? &material.lobeOf(cell) : nullptr, hit };
   arrival.area = scene.cells.area(arrival.side);
-  const bool isRead = scene.roles.isRead(arrival.side);
+  const bool isLarge = scene.roles.isRead(arrival.side),
+             isRead = isLarge && scene.isRead(arrival.side);
   const bool isNear = hit.distance * hit.distance < arrival.area;
   arrival.isKnown = isRead && !isNear;
-  arrival.isUnknown = isRead ? isNear : !scene.known.direct;
+  arrival.isUnknown = isLarge ? isNear || !isRead : !scene.known.direct;
   return arrival;
 }
 

@@ -3,7 +3,9 @@
 #define irradiance_GatherScene_h
 
 #include "FinalGather/CellRoles.h"
+#include "FinalGather/FoundLamps.h"
 #include "FinalGather/KnownLight.h"
+#include "FinalGather/UnevenCells.h"
 #include "Gathering/PointDirectLight.h"
 #include "Surfaces/CellShapes.h"
 
@@ -29,7 +31,9 @@ struct GatherScene
   const CellShapes& shapes;
   CellRoles roles;
   KnownLight known;
-  const std::deque<PointDirectLight>& lights; ///< what shines, for points on near cells
+  const std::deque<PointDirectLight>& lights; ///< what points on near cells ask
+  const FoundLamps& foundLamps;               ///< all else that shines
+  const UnevenCells& unevenCells;
   std::uint32_t rays;   ///< of a start, dealt to the replicates in blocks of equal size
   double quantaPerWatt; ///< of the light of all replicates
   std::uint64_t seed;
@@ -41,6 +45,11 @@ struct GatherScene
   bool tellsNoise = false;
   std::uint32_t round = 0; ///< of rays, see RayRounds
 
+  /// Whether what a cell received on average is read at any of its points.
+  bool isRead(const SceneCell& cell) const
+  {
+    return roles.isRead(cell) && !unevenCells.contains(cells.numbers()[cell]);
+  }
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }
   /// The number of the first ray of a side with so many starts: all rounds before have as many rays as this one.

@@ -16,7 +16,7 @@ std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& 
   for (const WalkSet& set : walks.sets())
   {
     // The sets of dynamic cells have the same lights.
-    if (!set.source().isDynamic() && !set.lights().isEmpty())
+    if (!set.source().isDynamic() && !set.source().areFoundByRays && !set.lights().isEmpty())
     {
       lights.emplace_back(
         space, set.source().knownLamps(), seed + lights.size(), samples, mostWeights);

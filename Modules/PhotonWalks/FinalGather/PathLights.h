@@ -15,8 +15,6 @@ namespace irradiance
 
 /// Of a point that a path hits, see lightsOf(): the path is one of many.
 constexpr std::uint32_t kSamplesOfHit = 4;
-/// Where lamps are many, to weigh more of them takes longer than it saves.
-constexpr std::size_t kWeightsOfHit = 64;
 
 /// Calls visit(Light) for each light of each set of walks.
 template <class Visit>
@@ -31,7 +29,7 @@ void forEachLight(const WalkSets& walks, const Visit& visit)
   }
 }
 
-/// All lights, whether walks start there or cells gather what they send, for points that ask them by themselves.
+/// All lights but FoundLamps, whether walks start there or cells gather what they send, for points that ask them by themselves.
 /// The arguments must outlive what is returned. `samples`: of each point, for each group of lights.
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& space,
   std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost);

@@ -15,6 +15,12 @@ double signOf(std::uint32_t path, std::uint32_t paths)
   return path < paths / 2 ? 1 : path >= (paths + 1) / 2 ? -1 : 0;
 }
 
+SceneCell cellOf(const GatherScene& scene, const GatherSegment& segment)
+{
+  const TriangleId id = scene.space.triangles.idOf(segment.triangle);
+  return { id.object, scene.objects[id.object].material->cellOfTriangle[id.triangle] };
+}
+
 }
 
 void PathSums::read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts)
@@ -53,7 +59,8 @@ void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
       {
         sum[static_cast<std::size_t>(band)] += asked.brought[band] * quantaPerWatt;
       }
-      if (segment.isSpecular && segment.isFront)
+      if (segment.isFront &&
+        (segment.isSpecular || scene.foundLamps.contains(cellOf(scene, segment))))
       {
         addExitance(scene, segment, weight, asked.lampWeight, sum);
       }
@@ -63,9 +70,8 @@ void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
 void PathSums::addExitance(const GatherScene& scene, const GatherSegment& segment,
   const Bands& weight, double lampWeight, Bands& sum)
 {
-  const TriangleId id = scene.space.triangles.idOf(segment.triangle);
-  const SceneObject& object = scene.objects[id.object];
-  const double* const exitance = object.exitanceOf(object.material->cellOfTriangle[id.triangle]);
+  const SceneCell cell = cellOf(scene, segment);
+  const double* const exitance = scene.objects[cell.object].exitanceOf(cell.cell);
   const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
   for (int band = 0; exitance && band < scene.known.all.bands(); ++band)
   {

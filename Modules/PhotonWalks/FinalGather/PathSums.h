@@ -16,8 +16,8 @@ namespace irradiance
  * The light that paths bring to their starts, from what is known of the cells that they hit.
  *
  * From a cell that is read: what its side received, times its reflectance. From any other cell: what came to it straight
- * from the lights. A lamp that is met brings nothing, as that light is direct; but behind a specular reflection it
- * counts, as no sum knows of it; with a weight if it was asked there as well.
+ * from the lights that cells look for. A lamp that is met brings nothing, as that light is direct; but FoundLamps count, and
+ * behind a specular reflection all do, as no sum knows of it; with a weight if it was asked there as well.
  */
 class PathSums
 {

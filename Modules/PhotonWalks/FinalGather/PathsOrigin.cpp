@@ -10,7 +10,7 @@ PathsOrigin pathsOriginOf(const GatherScene& scene)
 {
   PathsOrigin origin{ scene.objects, scene.seed, scene.rays, scene.replicates(), {}, {} };
   scene.cells.numbers().forEach([&](const SceneCell& cell) {
-    if (scene.roles.isRead(cell))
+    if (scene.isRead(cell))
     {
       origin.readCells.push_back(cell);
     }

@@ -101,7 +101,7 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
   scene.commit({});
   const auto count = static_cast<std::uint32_t>(std::clamp(
     kRaysOfAll / (lights.lights().size() + 1), std::size_t{ kFewestRays }, std::size_t{ kRays }));
-  double arrived = 0, returned = 0;
+  double returned = 0;
   for (const Light& light : lights.lights())
   {
     const Rays rays = raysFrom(light, count);
@@ -112,12 +112,12 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
       hits.begin(), hits.end(), [&](const Hit& hit) { return hit && isNear(scene, hit); });
     nearLights_.push_back(isArea && 2 * near > count);
     const double fluxOfRay = light.totalFlux() / count;
-    arrived += fluxOfRay *
+    arrived_ += fluxOfRay *
       static_cast<double>(std::count_if(
         hits.begin(), hits.end(), [](const Hit& hit) { return static_cast<bool>(hit); }));
     returned += fluxOfRay * returnedOf(scene, *objects.staticObject.material, rays, hits, count);
   }
-  returned_ = arrived > 0 ? returned / arrived : 1;
+  returned_ = arrived_ > 0 ? returned / arrived_ : 1;
 }
 
 }

@@ -27,10 +27,12 @@ public:
   /// The part of what arrives at static triangles that they reflect and that arrives at some again, 0..1; 1 if
   /// nothing arrives. Roughly: a standard error of 0.1 at most.
   double returned() const { return returned_; }
+  /// W that arrive at static triangles.
+  double arrived() const { return arrived_; }
 
 private:
   std::vector<bool> nearLights_;
-  double returned_ = 1;
+  double returned_ = 1, arrived_ = 0;
 };
 
 }

@@ -12,6 +12,7 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
   , density_(settings.density)
 {
   LampChoice choice(lamps);
+  density_.fewest.small = fewestOfSmall(cells, settings);
   const double walksPerWatt = settings.walks / lamps.lights().flux();
   firsts_ = { 0 };
   ThrottledCancelPoint pace(cancelPoint);
@@ -32,6 +33,25 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
     firsts_.push_back(firsts_.back() + samples);
     pace.step();
   }
+}
+
+/// Few cells have more, for a share of what the walks take: else the edges of shadows are the larger noise of small cells.
+std::uint32_t GatherPlan::fewestOfSmall(const CellShapes& cells, const Settings& settings)
+{
+  constexpr double kSamplesOfWalk = 0.25, kMostOfSmall = 64;
+  double lit = 0;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const CellShape& shape = cells[cell];
+    lit += shape.area > 0 && !(shape.isFrontDark && shape.isBackDark) ? 1 : 0;
+  }
+  const double share = std::min(kMostOfSmall, kSamplesOfWalk * settings.walks / std::max(1.0, lit));
+  std::uint32_t fewest = settings.density.fewest.small;
+  while (2.0 * fewest <= share)
+  {
+    fewest *= 2;
+  }
+  return fewest;
 }
 
 std::uint32_t GatherPlan::numberFor(double walks, double mirrored) const

@@ -66,6 +66,7 @@ public:
 private:
   static constexpr double kMost = 65536, kMostOfMirror = 1048576;
 
+  static std::uint32_t fewestOfSmall(const CellShapes& cells, const Settings& settings);
   /// Of a cell that may receive so many walks, and mirrors so many for each.
   std::uint32_t numberFor(double walks, double mirrored = 0) const;
 

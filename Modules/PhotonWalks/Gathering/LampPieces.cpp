@@ -15,6 +15,8 @@ namespace
 /// Squared longest edge / area up to which a triangle is not cut; that of half a square is 4.
 constexpr double kLong = 12;
 constexpr int kMostCuts = 8; ///< of a triangle, and of what they leave of it
+/// Edges are not cut that are shorter than this part of the diagonal of all lamps: what is near the one end is near the other.
+constexpr double kShort = 0.005;
 
 /// The corners from the end of the longest edge on.
 Triangle turnedToLongest(const Triangle& t)
@@ -44,6 +46,12 @@ LampPiece measured(LampPiece piece)
 LampPieces::LampPieces(LightTable lights)
   : lights_(std::move(lights))
 {
+  Box bounds;
+  for (const Light& light : lights_.lights())
+  {
+    bounds.add(light.bounds());
+  }
+  const double shortest = kShort * bounds.extent().norm();
   for (std::uint32_t i = 0; i < lights_.lights().size(); ++i)
   {
     const Light& light = lights_[i];
@@ -53,7 +61,7 @@ LampPieces::LampPieces(LightTable lights)
       piece.triangle = area->triangle;
       piece.normal = area->triangle.areaVector().normalized();
       areas_.push_back(i);
-      cut(piece, 0);
+      cut(piece, 0, shortest);
     }
     else
     {
@@ -94,10 +102,11 @@ std::uint32_t LampPieces::pieceAt(std::uint32_t light, const Vector3& place) con
   return static_cast<std::uint32_t>(found - pieces_.begin());
 }
 
-void LampPieces::cut(const LampPiece& piece, int times)
+void LampPieces::cut(const LampPiece& piece, int times, double shortest)
 {
   const Triangle turned = turnedToLongest(piece.triangle);
-  if (times == kMostCuts || (turned.b - turned.a).squaredNorm() <= kLong * turned.area())
+  const double squared = (turned.b - turned.a).squaredNorm();
+  if (times == kMostCuts || squared <= std::max(kLong * turned.area(), shortest * shortest))
   {
     pieces_.push_back(measured(piece));
     return;
@@ -110,7 +119,7 @@ void LampPieces::cut(const LampPiece& piece, int times)
     { Triangle{ turned.a, middle, turned.c }, Triangle{ middle, turned.b, turned.c } })
   {
     half.triangle = triangle;
-    cut(half, times + 1);
+    cut(half, times + 1, shortest);
   }
 }
 

@@ -21,6 +21,7 @@ public:
   explicit LampPieces(LightTable lights);
 
   const LightTable& lights() const { return lights_; }
+  void setQuantaPerWalk(std::int64_t quanta) { lights_.setQuantaPerWalk(quanta); }
   std::size_t size() const { return pieces_.size(); }
   const LampPiece& operator[](std::size_t piece) const { return pieces_[piece]; }
   const LampTree& tree() const { return tree_; }
@@ -32,7 +33,8 @@ public:
   std::uint32_t pieceAt(std::uint32_t light, const Vector3& place) const;
 
 private:
-  void cut(const LampPiece& piece, int times);
+  /// `shortest`: edges, m, that are not cut.
+  void cut(const LampPiece& piece, int times, double shortest);
 
   LightTable lights_;
   std::vector<LampPiece> pieces_;

@@ -32,7 +32,8 @@ public:
   /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two. `mostWeights`: see
   /// LampChoice.
   PointDirectLight(const GatherSpace& space, std::shared_ptr<const LampPieces> lamps,
-    std::uint64_t seed, std::uint32_t samples = 64, std::size_t mostWeights = LampChoice::kMost);
+    std::uint64_t seed, std::uint32_t samples = 64,
+    std::size_t mostWeights = LampChoice::kMostOfPoint);
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 

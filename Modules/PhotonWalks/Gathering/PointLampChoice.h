@@ -20,9 +20,9 @@ namespace irradiance
 class PointLampChoice
 {
 public:
-  /// The lamps must outlive it. `by`: see SeenLamp. `most`: weights, of groups of lamps.
+  /// The lamps must outlive it. `by`: see SeenLamp. `most`: weights, see LampChoice.
   PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLamp::By by,
-    std::uint32_t samples, std::size_t most = LampChoice::kMost);
+    std::uint32_t samples, std::size_t most);
 
   /// Whether no light can come.
   bool isEmpty() const { return !isRough_ && !(sum_ > 0); }

@@ -37,8 +37,8 @@ SensorGather::SensorGather(
   : near_(boundsBesideLamps(engine.objects()))
   , noShapes_(engine.objects(), engine.space().triangles, 0, 0)
   , gather_(checked(engine), noShapes_, rays, false, keepsRays, execution)
-  , direct_(
-      lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed, gather_.scene().rays))
+  , direct_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
+      gather_.scene().rays, LampChoice::kMostOfPoint))
 {
 }
 

@@ -11,7 +11,6 @@ namespace
 
 // Lobes are many, and rays find what these neglect.
 constexpr std::uint32_t kSamplesOnLobe = 2;
-constexpr std::size_t kWeightsOnLobe = 16;
 
 }
 
@@ -20,11 +19,14 @@ ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes,
   : engine_(engine)
   , sums_(engine.walks(), engine.objects(), execution)
   , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
-      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit, asksOnLobes ? kWeightsOnLobe : kWeightsOfHit))
-  , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes,
-    CellRoles(
-      engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small),
-    { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_,
+      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
+  , foundLamps_(engine.walks(), engine.cells().numbers())
+  , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small)
+  , unevenCells_(CellShapes(engine.objects(), engine.space().triangles, 0, engine.objects().size(),
+                   cancelPointOf(execution, 0)),
+      roles_, engine.walks(), cancelPointOf(execution, 0))
+  , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes, roles_,
+    { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_, foundLamps_, unevenCells_,
     dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
     engine.settings().seed, keepsPaths, false, asksOnLobes }

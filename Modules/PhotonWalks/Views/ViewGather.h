@@ -58,6 +58,9 @@ private:
   const IrradianceEngine& engine_;
   SideSums sums_;
   std::deque<PointDirectLight> lights_;
+  FoundLamps foundLamps_;
+  CellRoles roles_;
+  UnevenCells unevenCells_;
   GatherScene scene_;
   mutable Pool<GatherPaths> paths_; ///< what threads work with
 };

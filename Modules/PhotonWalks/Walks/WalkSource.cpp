@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSource.h"
 
-#include "Gathering/FirstHits.h"
+#include "Gathering/DimLights.h"
+#include "Gathering/GatherPilot.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -52,13 +54,6 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLight
   }
 }
 
-/// Where little of the light returns, what is gathered is nearly all light, and deserves most of the work.
-double walksPerSample(double returned)
-{
-  constexpr double kUsual = 36, kFewest = 3, kMuch = 0.5;
-  return std::clamp(kUsual * returned / kMuch, kFewest, kUsual);
-}
-
 /// Where little is reflected, many weak walks are of no use.
 double powerOfStart(double reflected)
 {
@@ -74,29 +69,98 @@ double timesAtLights(double reflected, const WalkPlan& plan)
   return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
 }
 
-/// Parts a source in two, with the lights that are near static cells and with all others; no part that is
-/// worth less than a walk of each replicate. `reflected`: the mean part of static cells.
-std::vector<WalkSource> partedByNearness(const SceneObjects& objects, const WalkSource& source,
-  double reflected, const FewestSamples& fewestSamples)
+/// How a light is best known.
+enum class Known
 {
-  const FirstHits hits(objects, source.lights);
-  std::vector<bool> chosen = hits.nearLights();
-  std::vector<WalkSource> parts{ { source.lights.only(chosen), source.plan },
-    { {}, source.plan, CellPart{} } };
-  parts[1].density = { walksPerSample(hits.returned()), fewestSamples };
-  chosen.flip();
-  parts[1].lights = source.lights.only(chosen);
+  Dim,     ///< walks start at it, and rays find it
+  Shot,    ///< walks start at it
+  Gathered ///< cells look for it
+};
+
+std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, const DimLights& dim)
+{
+  const std::vector<Light>& lights = source.lights.lights();
+  std::vector<Known> known(lights.size(), Known::Gathered);
+  std::array<double, 3> flux{};
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    known[i] = dim.contains(lights[i]) ? Known::Dim
+      : hits.nearLights()[i]           ? Known::Shot
+                                       : Known::Gathered;
+    flux[static_cast<std::size_t>(known[i])] += lights[i].totalFlux();
+  }
+  // No part is to be worth less than a walk of each replicate.
   const double least =
     source.lights.flux() / source.plan.walksAfter(1) * source.plan.replicates().count();
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  const auto isWeak = [&](Known part) { return flux[static_cast<std::size_t>(part)] <= least; };
+  const auto join = [&](Known part, Known other) {
+    std::replace(known.begin(), known.end(), part, other);
+    flux[static_cast<std::size_t>(other)] += std::exchange(flux[static_cast<std::size_t>(part)], 0);
+  };
+  for (const Known part : { Known::Dim, Known::Shot })
   {
-    if (parts[i].lights.flux() <= least)
+    if (isWeak(part))
     {
-      parts[1 - i].lights = source.lights;
-      return { parts[1 - i] };
+      join(part, Known::Gathered);
     }
   }
-  deal(parts, source.plan, timesAtLights(reflected, source.plan));
+  if (isWeak(Known::Gathered) && flux[static_cast<std::size_t>(Known::Gathered)] > 0)
+  {
+    isWeak(Known::Shot) ? join(Known::Dim, Known::Gathered) : join(Known::Gathered, Known::Shot);
+  }
+  return known;
+}
+
+/// Those of a source that are known in this way.
+LightTable lightsOf(const WalkSource& source, const std::vector<Known>& known, Known part)
+{
+  std::vector<bool> chosen(known.size());
+  std::transform(
+    known.begin(), known.end(), chosen.begin(), [part](Known its) { return its == part; });
+  return source.lights.only(chosen);
+}
+
+/// Parts a source by how its lights are best known. `reflected`: the mean part of static cells.
+std::vector<WalkSource> partsOf(const SceneObjects& objects, const WalkSource& source,
+  const FirstHits& hits, const DimLights& dim, double reflected, const FewestSamples& fewestSamples)
+{
+  std::vector<Known> known = knownBy(source, hits, dim);
+  bool areHardToFind = false;
+  WalkSource gathered{ lightsOf(source, known, Known::Gathered), source.plan, CellPart{} };
+  gathered.density = { GatherPilot::kMostWalks, fewestSamples };
+  if (!gathered.lights.isEmpty())
+  {
+    gathered.lamps = std::make_shared<const LampPieces>(gathered.lights);
+    const std::optional<double> walks = GatherPilot(objects, *gathered.lamps)
+                                          .walksPerSample(hits.returned(), powerOfStart(reflected));
+    gathered.density.walksPerSample = walks.value_or(GatherPilot::kMostWalks);
+    areHardToFind = !walks;
+    if (areHardToFind)
+    {
+      std::replace(known.begin(), known.end(), Known::Gathered, Known::Shot);
+    }
+  }
+  std::vector<WalkSource> parts;
+  for (const Known part : { Known::Dim, Known::Shot })
+  {
+    WalkSource some{ lightsOf(source, known, part), source.plan };
+    some.areFoundByRays = part == Known::Dim;
+    some.areNear = part == Known::Shot && !areHardToFind;
+    if (!some.lights.isEmpty())
+    {
+      parts.push_back(std::move(some));
+    }
+  }
+  const bool isGathered =
+    parts.empty() || std::find(known.begin(), known.end(), Known::Gathered) != known.end();
+  if (isGathered)
+  {
+    parts.push_back(std::move(gathered));
+  }
+  if (parts.size() > 1)
+  {
+    deal(parts, source.plan, isGathered ? timesAtLights(reflected, source.plan) : 1);
+  }
   return parts;
 }
 
@@ -131,9 +195,15 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
   std::vector<WalkSource> gathered, all;
   std::uint32_t end = 0; // of the numbers of walks that start at lights
   const double reflected = meanReflectance(objects.staticObject);
+  std::vector<FirstHits> hits;
   for (const WalkSource& source : sources)
   {
-    for (WalkSource& part : partedByNearness(objects, source, reflected, fewestSamples))
+    hits.emplace_back(objects, source.lights);
+  }
+  const DimLights dim(objects, hits);
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    for (WalkSource& part : partsOf(objects, sources[i], hits[i], dim, reflected, fewestSamples))
     {
       if (!part.cells)
       {
@@ -172,7 +242,10 @@ void addLamps(std::vector<WalkSource>& sources)
   {
     if (!source.isDynamic())
     {
-      lamps = std::make_shared<const LampPieces>(source.lights);
+      auto own = source.lamps ? std::make_shared<LampPieces>(*source.lamps)
+                              : std::make_shared<LampPieces>(source.lights);
+      own->setQuantaPerWalk(source.lights.quantaPerWalk()); // walks were dealt since
+      lamps = std::move(own);
     }
     source.lamps = lamps;
   }

@@ -20,6 +20,8 @@ struct WalkSource
   WalkPlan plan; ///< of the walks that divide the flux of the lights
   /// The cells where direct light is gathered and walks start; none: they start at the lights.
   std::optional<CellPart> cells;
+  bool areFoundByRays = false; ///< the lights: rays of a final gather meet them, see DimLights
+  bool areNear = false;        ///< the lights, to what they shine on, see FirstHits
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
   std::int64_t quantaPerStart = 0;
@@ -38,6 +40,7 @@ struct WalkSource
   friend bool operator==(const WalkSource& a, const WalkSource& b)
   {
     return a.plan == b.plan && a.lights == b.lights && a.cells == b.cells &&
+      a.areFoundByRays == b.areFoundByRays && a.areNear == b.areNear &&
       a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart && a.density == b.density;
   }
 };
@@ -56,8 +59,8 @@ std::vector<WalkSource> sourcesOf(
 
 /**
  * Where cells gather direct light: for each source one whose walks start at static cells, and one for each of the other
- * cellParts(). Lights that shine mostly on near static cells have a source of their own, whose
- * walks start at the lights, see FirstHits. Walks are shared as among groups. About as many
+ * cellParts(). DimLights, and lights that shine mostly on near static cells, see FirstHits, have sources of their own, whose
+ * walks start at the lights. Walks are shared as among groups. About as many
  * walks start at cells as the plan has, if the light falls on static cells that reflect as all of them on average.
  */
 std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,

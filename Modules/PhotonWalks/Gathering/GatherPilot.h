@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_GatherPilot_h
+#define irradiance_GatherPilot_h
+
+#include "Gathering/LampPieces.h"
+#include "Surfaces/SceneObjects.h"
+
+#include <optional>
+
+namespace irradiance
+{
+
+/**
+ * How noisy it is to look for the light of some lamps, from samples of a few static cells. It depends on the static object and
+ * the lights alone.
+ *
+ * Theory.md, 5.6 derives what follows from it.
+ */
+class GatherPilot
+{
+public:
+  /// See walksPerSample().
+  static constexpr double kFewestWalks = 1, kMostWalks = 36;
+
+  GatherPilot(const SceneObjects& objects, const LampPieces& lamps);
+
+  /**
+   * Power that a cell may receive for each of its samples, in walks, so that direct and indirect light together have
+   * the least noise for the time they take; none if walks that start at the lamps have less. `returned`: the part of what arrives
+   * first that arrives again. `powerOfStart`: of a walk that starts at a cell, in walks.
+   */
+  std::optional<double> walksPerSample(double returned, double powerOfStart) const;
+
+  /// Of one sample that stands for as much power as a walk, beside the walk's: small of a panel, large of light that may be
+  /// hidden, or comes from lamps that are told apart badly.
+  double variance() const { return variance_; }
+
+private:
+  double variance_ = 1;
+  double asked_ = 1; ///< power for which samples ask, for all that arrives
+};
+
+}
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a user gets who chooses nothing, beside each way that could be chosen, wherever light may come from
+ * (Scenes/LightingScenes.h).
+ *
+ * The efficiency is 1 / (squared RMS error over the area x CPU time), the geometric mean of that on the walls and that on the
+ * mover, of a first frame and of an update after the mover went on; an update's error is a first frame's, as it equals a
+ * fresh start. The truth is what long runs of shot walks, and of unbiased rays for small cells, find together, twice, and the ways'
+ * means are told beside it. Coverage is how much of the area, and of the cells, has the truth in its 95 % interval; the truth's
+ * own noise counts. One thread, in turns.
+ *
+ * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which] [folder in which truths are kept] [ways = 5]
+ */
+#include "Estimates/AutomaticChoice.h"
+#include "Measuring/HalvedTruth.h"
+#include "Measuring/Program.h"
+#include "Measuring/Results.h"
+#include "Rivals/Contest.h"
+#include "Rivals/EmbreeScene.h"
+#include "Scenes/LightingScenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+using namespace irradiance;
+
+namespace
+{
+
+const std::string kTable = "Default";
+const std::string kErrors = "DefaultErrors";
+const std::string kCoverage = "DefaultCoverage";
+
+/// A way to know the light of a scene.
+struct Way
+{
+  std::string name;
+  std::function<EngineSettings(const SceneObjects& objects)> settings;
+};
+
+std::vector<Way> makeWays(std::uint32_t walks)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = walks;
+  settings.separateSides = false;
+  const auto always = [](const EngineSettings& its) {
+    return [its](const SceneObjects&) { return its; };
+  };
+  EngineSettings spread = settings;
+  spread.cellEstimate = CellEstimate::Spread;
+  EngineSettings sums = settings;
+  sums.gathersDirectLight = true;
+  EngineSettings gathered = sums;
+  gathered.cellEstimate = CellEstimate::Gathered;
+  return { { "default",
+             [settings](const SceneObjects& objects) {
+               EngineSettings chosen = settings;
+               chosen.gathersDirectLight = true;
+               SceneCells cells;
+               cells.update(objects, {});
+               chooseByScene({ true, true }, objects, cells, chosen, chosen);
+               return chosen;
+             } },
+    { "walks", always(settings) }, { "walks spread", always(spread) }, { "gathered", always(sums) },
+    { "gathered, small cells too", always(gathered) } };
+}
+
+CellField shootField(const SceneObjects& objects, EngineSettings settings, std::uint64_t seed)
+{
+  settings.verify = false;
+  return shootNew(objects, withSeed(settings, seed)).irradiance;
+}
+
+HalvedTruth findTruth(const LightingScene& scene, std::uint32_t walks)
+{
+  constexpr std::uint64_t kSeed = 100000;
+  SceneObjects objects = scene.at(0);
+  if (scene.truthIn)
+  {
+    objects.staticObject = *scene.truthIn;
+  }
+  EngineSettings shot;
+  shot.numberOfWalks = 16 * walks;
+  EngineSettings gathered;
+  gathered.numberOfWalks = walks;
+  gathered.gathersDirectLight = true;
+  gathered.cellEstimate = CellEstimate::Gathered;
+  gathered.unbiasedGather = true;
+  gathered.gatherRays = 256;
+  const std::vector<CellSet> sets = cellSetsOf(objects);
+  return combined({ shootField(objects, shot, kSeed), shootField(objects, shot, kSeed + 1) },
+    { shootField(objects, gathered, kSeed), shootField(objects, gathered, kSeed + 1) },
+    areasOf(objects), { sets[1], sets[2] });
+}
+
+/// Of a scene by its name, if it was kept.
+HalvedTruth truthOf(const LightingScene& scene, std::uint32_t walks, const std::string& folder)
+{
+  if (folder.empty())
+  {
+    return findTruth(scene, walks);
+  }
+  const std::string path = folder + "/" + scene.name;
+  const auto cells = static_cast<Eigen::Index>(areasOf(scene.at(0)).size());
+  const auto bytes = static_cast<std::streamsize>(sizeof(double) * static_cast<std::size_t>(cells));
+  HalvedTruth truth{ CellField(cells), CellField(cells) };
+  std::ifstream file(path, std::ios::binary);
+  if (file.read(reinterpret_cast<char*>(truth.first.data()), bytes) &&
+    file.read(reinterpret_cast<char*>(truth.second.data()), bytes))
+  {
+    return truth;
+  }
+  truth = findTruth(scene, walks);
+  std::ofstream(path, std::ios::binary)
+    .write(reinterpret_cast<const char*>(truth.first.data()), bytes)
+    .write(reinterpret_cast<const char*>(truth.second.data()), bytes);
+  return truth;
+}
+
+/// What a way costs in a scene: seconds, and squared errors of walls and mover.
+struct Found
+{
+  std::vector<double> first, update;
+  Mean walls, small, meanOfWalls, meanOfSmall;
+
+  double cost(const std::vector<double>& seconds) const
+  {
+    return std::sqrt(walls.value() * small.value()) * medianOf(seconds);
+  }
+};
+
+class Contestants
+{
+public:
+  Contestants(
+    const LightingScene& scene, const HalvedTruth& truth, std::uint32_t walks, std::size_t ways)
+    : scene_(scene)
+    , truth_(truth)
+    , areas_(areasOf(scene.at(0)))
+    , sets_(cellSetsOf(scene.at(0)))
+    , ways_(makeWays(walks))
+  {
+    ways_.resize(std::min(ways, ways_.size()), ways_.front());
+    found_.resize(ways_.size());
+    if (scene.truthIn)
+    {
+      sets_[1].count = 6 * 10 * 10; // in the hut
+    }
+    Found warmUp;
+    add(ways_[0], 0, warmUp);
+  }
+
+  void addRound(std::uint64_t seed)
+  {
+    for (std::size_t i = 0; i < ways_.size(); ++i)
+    {
+      add(ways_[i], seed, found_[i]);
+    }
+  }
+
+  void report() const
+  {
+    double leastFirst = std::numeric_limits<double>::infinity(), leastUpdate = leastFirst;
+    for (std::size_t i = 0; i < ways_.size(); ++i)
+    {
+      const Found& its = found_[i];
+      const std::string row = scene_.name + ", " + ways_[i].name;
+      ::report(kErrors, row, "RMS error on walls", std::sqrt(its.walls.value()));
+      ::report(kErrors, row, "RMS error on small cells", std::sqrt(its.small.value()));
+      ::report(kErrors, row, "mean of walls / truth", its.meanOfWalls.value());
+      ::report(kErrors, row, "mean of small cells / truth", its.meanOfSmall.value());
+      ::report(kErrors, row, "first frame, s", its.first);
+      ::report(kErrors, row, "update, s", its.update);
+      leastFirst = std::min(leastFirst, its.cost(its.first));
+      leastUpdate = std::min(leastUpdate, its.cost(its.update));
+    }
+    ::report(kTable, scene_.name, "default / best, first",
+      leastFirst / found_[0].cost(found_[0].first), { 0.7, 1 });
+    ::report(kTable, scene_.name, "default / best, update",
+      leastUpdate / found_[0].cost(found_[0].update), { 0.5, 1 });
+    reportCoverage();
+  }
+
+private:
+  void add(const Way& way, std::uint64_t seed, Found& found) const
+  {
+    IrradianceEngine engine;
+    const SceneObjects start = scene_.inFrame(0);
+    const EngineSettings settings = withSeed(way.settings(start), seed);
+    found.first.push_back(timeUpdate(engine, start, settings).whole);
+    const CellField field = irradianceOf(engine, start);
+    const CellField right = 0.5 * (truth_.first + truth_.second);
+    const auto ratio = [&](const CellSet& set) {
+      return meanOf(set.of(field), set.of(areas_)) / meanOf(set.of(right), set.of(areas_));
+    };
+    found.walls.add(truth_.squaredError(field, areas_, sets_[1]));
+    found.small.add(truth_.squaredError(field, areas_, sets_[2]));
+    found.meanOfWalls.add(ratio(sets_[1]));
+    found.meanOfSmall.add(ratio(sets_[2]));
+    for (int frame = 1; frame <= 2; ++frame)
+    {
+      found.update.push_back(timeUpdate(engine, scene_.inFrame(frame), settings).whole);
+    }
+  }
+
+  /// Of the default's intervals.
+  void reportCoverage() const
+  {
+    EngineSettings settings = ways_[0].settings(scene_.inFrame(0));
+    settings.replicates = 16;
+    settings.verify = false;
+    IrradianceEngine engine;
+    CpuTime execution;
+    const SceneObjects objects = scene_.inFrame(0);
+    engine.update(objects, settings, execution);
+    const ErrorEstimate errors = engine.errorEstimate();
+    const double factor = ErrorEstimate::confidenceFactor(settings.replicates);
+    const CellField halfWidths =
+      fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double area) {
+        return area > 0 ? factor * engine.watts(errors.standardError({ object, cell }, 0)) / area
+                        : 0;
+      });
+    const CellField off =
+      (irradianceOf(engine, objects) - 0.5 * (truth_.first + truth_.second)).abs();
+    const CellField noise = 0.5 * (truth_.first - truth_.second).abs();
+    for (const std::size_t i : { 1, 2 })
+    {
+      double held = 0, known = 0, heldCells = 0, knownCells = 0, all = 0;
+      for (Eigen::Index cell = sets_[i].first; cell < sets_[i].end(); ++cell)
+      {
+        all += areas_[cell];
+        if (!std::isnan(halfWidths[cell]) && areas_[cell] > 0)
+        {
+          const bool isHeld = off[cell] <= std::hypot(halfWidths[cell], 2 * noise[cell]);
+          known += areas_[cell];
+          knownCells += 1;
+          held += isHeld ? areas_[cell] : 0;
+          heldCells += isHeld ? 1 : 0;
+        }
+      }
+      const std::string name = i == 1 ? "walls" : "small cells";
+      ::report(kCoverage, scene_.name, name + ": held, of the area", held / known, { 0.93, 0.94 });
+      ::report(kCoverage, scene_.name, name + ": held, of the cells", heldCells / knownCells,
+        { 0.93, 0.94 });
+      ::report(kCoverage, scene_.name, name + ": known, of the area", known / all);
+    }
+  }
+
+  const LightingScene& scene_;
+  const HalvedTruth& truth_;
+  CellField areas_;
+  std::vector<CellSet> sets_;
+  std::vector<Way> ways_;
+  std::vector<Found> found_;
+};
+
+}
+
+void run(const Arguments& arguments)
+{
+  const auto walks = arguments.number(0, 400000u);
+  const int rounds = std::max(1, arguments.number(1, 3));
+  flushDenormals();
+  const std::vector<LightingScene> scenes = makeLightingScenes();
+  const std::size_t end = std::min(scenes.size(), arguments.number(3, scenes.size()));
+  for (std::size_t i = arguments.number(2, std::size_t{ 0 }); i < end; ++i)
+  {
+    const HalvedTruth truth = truthOf(scenes[i], walks, arguments.text(4, ""));
+    Contestants contestants(scenes[i], truth, walks, arguments.number(5, std::size_t{ 5 }));
+    for (int round = 0; round < rounds; ++round)
+    {
+      contestants.addRound(static_cast<std::uint64_t>(round) + 1);
+    }
+    contestants.report();
+    std::fflush(stdout);
+  }
+}
