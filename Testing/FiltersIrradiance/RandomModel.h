@@ -347,7 +347,7 @@ inline vtkSmartPointer<vtkDataObject> RandomData(RandomNumbers& random)
   return RandomMesh(random);
 }
 
-/// A room or an open floor, which stays, a lamp, four dynamic inputs and one that rides.
+/// A room or an open floor, which stays and may shine, a lamp, perhaps a bulb of many facets, four dynamic inputs and one that rides.
 inline Model RandomModel(RandomNumbers& random)
 {
   Model model;
@@ -357,6 +357,28 @@ inline Model RandomModel(RandomNumbers& random)
   SetCellValues(ground, "Gloss", { 0.4 });
   model.Ports[0] = { { ground, nullptr, {} },
     { MakeLamp({ 1.5, 1.5, 2.75 }, 0.75, RandomTuple(random, 100)), nullptr, {} } };
+  if (Chance(random, 4)) // walls that shine, more or less than what they reflect
+  {
+    SetCellValues(
+      ground, "RadiantExitance", Scaled(RandomTuple(random, 30), RandomWeakness(random)));
+  }
+  if (Chance(random, 4)) // a lamp of many facets, behind a louvre or not
+  {
+    Mesh bulb = MakeBall(0.125, 8 + random.Below(8));
+    SetCellValues(bulb, "RadiantExitance", RandomTuple(random, 300));
+    for (vtkIdType point = 0; point < bulb->GetNumberOfPoints(); ++point)
+    {
+      const double* const place = bulb->GetPoint(point);
+      bulb->GetPoints()->SetPoint(point, place[0] + 1, place[1] + 1.25, place[2] + 2.25);
+    }
+    model.Ports[0].push_back({ bulb, nullptr, {} });
+    for (int i = random.Below(4); i > 0; --i)
+    {
+      model.Ports[0].push_back(
+        { MakeRectangle({ 0.5 + 0.25 * i, 0.5, 2 }, { 0, 2, 0 }, { 0, 0, 0.125 }, 2), nullptr,
+          {} });
+    }
+  }
   for (int i = 0; i < 4; ++i)
   {
     auto pose = vtkSmartPointer<vtkTransform>::New();

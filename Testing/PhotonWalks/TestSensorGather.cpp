@@ -153,7 +153,8 @@ TEST(SensorGather, InAFurnaceAllSensorsFindOneOrFour)
     {
       EXPECT_LT(std::abs(means[i].t(1)), 5.5) << "sensor " << i << ": " << means[i].mean() << ", "
                                               << bands << " bands, gathers " << gathers;
-      EXPECT_LT(means[i].standardError(), 0.06) << "sensor " << i << " gathers " << gathers << " mean " << means[i].mean();
+      EXPECT_LT(means[i].standardError(), 0.06)
+        << "sensor " << i << " gathers " << gathers << " mean " << means[i].mean();
     }
     all.print("furnace, all sensors", 1);
     EXPECT_LT(std::abs(all.t(1)), 5.5);

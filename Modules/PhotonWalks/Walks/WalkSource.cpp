@@ -196,6 +196,7 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
   std::uint32_t end = 0; // of the numbers of walks that start at lights
   const double reflected = meanReflectance(objects.staticObject);
   std::vector<FirstHits> hits;
+  hits.reserve(sources.size());
   for (const WalkSource& source : sources)
   {
     hits.emplace_back(objects, source.lights);
