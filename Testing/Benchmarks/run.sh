@@ -6,7 +6,7 @@
 #   run.sh [--quick] [performance | accuracy]
 #
 #   performance   Performance.md alone; twenty minutes
-#   accuracy      SpeedAndAccuracy.md alone; a quarter of an hour
+#   accuracy      SpeedAndAccuracy.md alone; three quarters of an hour
 #   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
 set -euo pipefail
 
@@ -121,9 +121,10 @@ if [[ $part != accuracy ]]; then
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
+  measure BenchmarkDefault "" "20000 1 0 3"
   measure BenchmarkAccuracy "" "65536 1"
   measure BenchmarkPilotPhotons "" "8192 2"
   measure BenchmarkStaleError "" "8192 2"
   measure BenchmarkCellEstimates "" "100000 1 400000"
-  write_page SpeedAndAccuracy Benchmark{DirectLight,Accuracy,PilotPhotons,StaleError,CellEstimates}.csv
+  write_page SpeedAndAccuracy Benchmark{DirectLight,Default,Accuracy,PilotPhotons,StaleError,CellEstimates}.csv
 fi

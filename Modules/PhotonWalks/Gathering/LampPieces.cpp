@@ -16,7 +16,7 @@ namespace
 constexpr double kLong = 12;
 constexpr int kMostCuts = 8; ///< of a triangle, and of what they leave of it
 /// Edges are not cut that are shorter than this part of the diagonal of all lamps: what is near the one end is near the other.
-constexpr double kShort = 0.005;
+constexpr double kShort = 0.02;
 
 /// The corners from the end of the longest edge on.
 Triangle turnedToLongest(const Triangle& t)

@@ -87,7 +87,7 @@ HalvedTruth findTruth(const LightingScene& scene, std::uint32_t walks)
   gathered.gathersDirectLight = true;
   gathered.cellEstimate = CellEstimate::Gathered;
   gathered.unbiasedGather = true;
-  gathered.gatherRays = 256;
+  gathered.gatherRays = 64;
   const std::vector<CellSet> sets = cellSetsOf(objects);
   return combined({ shootField(objects, shot, kSeed), shootField(objects, shot, kSeed + 1) },
     { shootField(objects, gathered, kSeed), shootField(objects, gathered, kSeed + 1) },
