@@ -24,9 +24,10 @@ def bars(results, title, path):
     series = {row: values for row, values in series.items() if set(values) != {1}}
     figure, axes = pyplot.subplots(figsize=(12, 5.2), layout="constrained")
     width = 0.8 / len(series)
+    colours = pyplot.get_cmap("Paired" if len(series) <= 12 else "tab20")
     for i, (row, values) in enumerate(series.items()):
         places = [group - 0.4 + (i + 0.5) * width for group in range(len(groups))]
-        axes.bar(places, values, width, label=row, color=pyplot.get_cmap("Paired")(i))
+        axes.bar(places, values, width, label=row, color=colours(i))
     axes.set_xticks(range(len(groups)), groups)
     axes.set_ylabel(title)
     write(figure, axes, path)
