@@ -78,7 +78,7 @@ public:
   irradiance::DynamicPoses Poses;
   irradiance::DistributedInput Pieces;
   irradiance::SceneReader Scene;
-  irradiance::SceneCells Cells; // of what is left to the scene
+  irradiance::SceneCells Cells; ///< of the frame, if something is left to the scene
   std::uint32_t Processes = 0;  ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =

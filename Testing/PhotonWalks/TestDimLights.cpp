@@ -3,6 +3,7 @@
 
 #include "Gathering/DimLights.h"
 #include "GatheringRuns.h"
+#include "Surfaces/MeanReflectance.h"
 #include "Walks/WalkSource.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,8 @@ void addPanel(ObjectBuilder& room, double exitance)
 std::pair<double, double> partsOf(const SceneObjects& objects)
 {
   const LightTable lights(objects, 1000);
-  const DimLights dim(objects, { FirstHits(objects, lights) });
+  const DimLights dim(
+    objects, { FirstHits(objects, lights) }, meanReflectance(objects.staticObject));
   std::pair<double, double> flux;
   for (const Light& light : lights.lights())
   {

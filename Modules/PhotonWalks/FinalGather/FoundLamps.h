@@ -26,10 +26,9 @@ public:
     }
   }
 
-  bool contains(const SceneCell& cell) const
-  {
-    return !areFound_.empty() && areFound_[cells_[cell]];
-  }
+  bool isEmpty() const { return areFound_.empty(); }
+  /// Not if it is empty.
+  bool contains(const SceneCell& cell) const { return areFound_[cells_[cell]]; }
 
 private:
   const CellNumbers& cells_;

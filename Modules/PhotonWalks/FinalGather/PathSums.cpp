@@ -17,8 +17,7 @@ double signOf(std::uint32_t path, std::uint32_t paths)
 
 SceneCell cellOf(const GatherScene& scene, const GatherSegment& segment)
 {
-  const TriangleId id = scene.space.triangles.idOf(segment.triangle);
-  return { id.object, scene.objects[id.object].material->cellOfTriangle[id.triangle] };
+  return scene.known.all.cellOf(scene.space.triangles.idOf(segment.triangle));
 }
 
 }
@@ -60,7 +59,8 @@ void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
         sum[static_cast<std::size_t>(band)] += asked.brought[band] * quantaPerWatt;
       }
       if (segment.isFront &&
-        (segment.isSpecular || scene.foundLamps.contains(cellOf(scene, segment))))
+        (segment.isSpecular ||
+          (!scene.foundLamps.isEmpty() && scene.foundLamps.contains(cellOf(scene, segment)))))
       {
         addExitance(scene, segment, weight, asked.lampWeight, sum);
       }

@@ -31,6 +31,10 @@ UnevenCells::UnevenCells(const CellShapes& shapes, const CellRoles& roles, const
       choices.emplace_back(*lamps.back());
     }
   }
+  if (choices.empty())
+  {
+    return;
+  }
   ThrottledCancelPoint pace(cancelPoint);
   std::size_t number = 0;
   shapes.numbers().forEach([&](const SceneCell& cell) {

@@ -18,7 +18,7 @@ namespace irradiance
 class UnevenCells
 {
 public:
-  /// `shapes`: of all cells.
+  /// `shapes`: of the static cells at least.
   UnevenCells(const CellShapes& shapes, const CellRoles& roles, const WalkSets& walks,
     const CancelPoint& cancelPoint);
 

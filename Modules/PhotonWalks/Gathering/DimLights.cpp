@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/DimLights.h"
 
-#include "Surfaces/MeanReflectance.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -25,11 +23,12 @@ double areaOf(const std::vector<Triangle>& triangles)
 
 /// What arrives at first and returns at each reflection fills the static object evenly, roughly: as much as its mean
 /// radiosity.
-DimLights::DimLights(const SceneObjects& objects, const std::vector<FirstHits>& hits)
+DimLights::DimLights(
+  const SceneObjects& objects, const std::vector<FirstHits>& hits, double reflected)
   : objects_(objects)
 {
   constexpr double kMostReturned = 0.99; // what returns is known from few rays
-  const double most = std::min(kMostReturned, meanReflectance(objects.staticObject));
+  const double most = std::min(kMostReturned, reflected);
   const double power =
     std::accumulate(hits.begin(), hits.end(), 0.0, [most](double sum, const FirstHits& ofGroup) {
       return sum + ofGroup.arrived() / (1 - std::min(ofGroup.returned(), most));

@@ -10,7 +10,7 @@ namespace irradiance
 {
 
 /**
- * Lights about as bright as what the lit scene sends itself: walls of an oven, a luminous ceiling. Light from everywhere
+ * Lights about as bright as what the lit scene sends itself: warm walls of an oven, a room that shines everywhere. Light from everywhere
  * is found by any ray, and cells that looked for it would choose among thousands of lights that bring little each. So walks start
  * at them, and rays of a final gather count what they emit where they meet it.
  *
@@ -19,8 +19,8 @@ namespace irradiance
 class DimLights
 {
 public:
-  /// `hits`: of the groups of lights, which have all lights together.
-  DimLights(const SceneObjects& objects, const std::vector<FirstHits>& hits);
+  /// `hits`: of the groups of lights, which have all lights together. `reflected`: the mean part of static cells.
+  DimLights(const SceneObjects& objects, const std::vector<FirstHits>& hits, double reflected);
 
   /// Whether the light of a table is one of them.
   bool contains(const Light& light) const;

@@ -2,7 +2,6 @@
 #include "Gathering/GatherPilot.h"
 
 #include "Gathering/CellSampler.h"
-#include "Sampling/SplitMix.h"
 
 #include <algorithm>
 #include <array>
@@ -58,8 +57,7 @@ GatherPilot::GatherPilot(const SceneObjects& objects, const LampPieces& lamps)
   const ObjectSides sides;
   const GatherSpace space{ scene, triangles, contacts, sides };
   const CellShapes cells(some, triangles, 0, 1);
-  const GatherPlan plan(
-    cells, lamps, { 1, { GatherPilot::kMostWalks, { kSamples, kSamples } }, 1 });
+  const GatherPlan plan(cells, lamps, { 1, { kMostWalks, { kSamples, kSamples } }, 1 });
   std::array<CellSampler, 2> samplers{ CellSampler(cells, space, lamps, plan, 1),
     CellSampler(cells, space, lamps, plan, 2) };
   LampChoice choice(lamps);

@@ -14,7 +14,7 @@ namespace irradiance
  * How noisy it is to look for the light of some lamps, from samples of a few static cells. It depends on the static object and
  * the lights alone.
  *
- * Theory.md, 5.6 derives what follows from it.
+ * Theory.md, 1.3 derives what follows from it.
  */
 class GatherPilot
 {

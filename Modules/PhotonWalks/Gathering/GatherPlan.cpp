@@ -6,6 +6,16 @@
 namespace irradiance
 {
 
+namespace
+{
+
+bool mayBeLit(const CellShape& cell)
+{
+  return cell.area > 0 && !(cell.isFrontDark && cell.isBackDark);
+}
+
+}
+
 GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const Settings& settings,
   const CancelPoint& cancelPoint)
   : replicates_(settings.replicates)
@@ -20,8 +30,7 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
   {
     const CellShape& shape = cells[cell];
     const double mirrored = settings.startsPerWalk * shape.mirrored;
-    const bool isDark = shape.isFrontDark && shape.isBackDark;
-    std::uint32_t samples = shape.area > 0 && !isDark ? numberFor(0) : 0;
+    std::uint32_t samples = mayBeLit(shape) ? numberFor(0) : 0;
     if (samples > 0 && numberFor(choice.mostPower(shape) * walksPerWatt, mirrored) > samples)
     {
       samples = numberFor(choice.expectedPower(shape) * walksPerWatt, mirrored);
@@ -42,8 +51,7 @@ std::uint32_t GatherPlan::fewestOfSmall(const CellShapes& cells, const Settings&
   double lit = 0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
-    const CellShape& shape = cells[cell];
-    lit += shape.area > 0 && !(shape.isFrontDark && shape.isBackDark) ? 1 : 0;
+    lit += mayBeLit(cells[cell]) ? 1 : 0;
   }
   const double share = std::min(kMostOfSmall, kSamplesOfWalk * settings.walks / std::max(1.0, lit));
   std::uint32_t fewest = settings.density.fewest.small;

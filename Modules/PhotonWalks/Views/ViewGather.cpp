@@ -22,8 +22,8 @@ ViewGather::ViewGather(const IrradianceEngine& engine, const CellShapes& shapes,
       asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
   , foundLamps_(engine.walks(), engine.cells().numbers())
   , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0, GatherOn::Small)
-  , unevenCells_(CellShapes(engine.objects(), engine.space().triangles, 0, engine.objects().size(),
-                   cancelPointOf(execution, 0)),
+  , unevenCells_(
+      CellShapes(engine.objects(), engine.space().triangles, 0, 1, cancelPointOf(execution, 0)),
       roles_, engine.walks(), cancelPointOf(execution, 0))
   , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes, roles_,
     { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_, foundLamps_, unevenCells_,

@@ -201,7 +201,7 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
   {
     hits.emplace_back(objects, source.lights);
   }
-  const DimLights dim(objects, hits);
+  const DimLights dim(objects, hits, reflected);
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     for (WalkSource& part : partsOf(objects, sources[i], hits[i], dim, reflected, fewestSamples))
