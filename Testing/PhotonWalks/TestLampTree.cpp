@@ -77,6 +77,39 @@ TEST(LampTree, EachLampIsChosenAsOftenAsItsProbability)
   }
 }
 
+// Lamps of 1e-30 of the power of others are chosen among each other by their own flux: what strong lamps in the same tree add up to
+// rounds nothing of them away.
+TEST(LampTree, AmongFaintLampsTheChoiceIsByTheirFlux)
+{
+  test::ObjectBuilder room;
+  for (int i = 0; i < 64; ++i)
+  {
+    room.addQuad({ 0.1 * i, 0, 3 }, { 0, 0.1, 0 }, { 0.1, 0, 0 }, 1, 1, test::grey(0, 1));
+    room.addQuad({ 1000 + 0.1 * i, 0, 3 }, { 0, 0.1, 0 }, { 0.1, 0, 0 }, 1, 1,
+      test::grey(0, 1e-30 * (1 + i % 3)));
+  }
+  const LightTable lights({ room.build(), {} }, 1000);
+  const LampPieces lamps(lights);
+  const LampTree& tree = lamps.tree();
+  int looked = 0;
+  for (const LampTree::Node& node : tree.nodes())
+  {
+    if (node.isLeaf() || node.lamp.flux > 1e-20)
+    {
+      continue;
+    }
+    for (double part = 0; part < 1; part += 0x1p-6)
+    {
+      const LampTree::Share share = tree.choose(node, part);
+      EXPECT_TRUE(share.rest >= 0 && share.rest < 1);
+      EXPECT_NEAR(share.probability, lamps[share.piece].flux / node.lamp.flux, 1e-12);
+      EXPECT_LT(lamps[share.piece].flux, 1e-20);
+    }
+    ++looked;
+  }
+  EXPECT_GT(looked, 32);
+}
+
 // A cell just below one of 400 lamps asks that lamp mostly.
 TEST(LampTree, ACellFindsTheLampsThatAreNear)
 {

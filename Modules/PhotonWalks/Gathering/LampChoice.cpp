@@ -96,7 +96,8 @@ double powerBetween(
 }
 
 LampChoice::LampChoice(const LampPieces& lamps, std::size_t most)
-  : tree_(lamps.tree())
+  : lamps_(lamps)
+  , tree_(lamps.tree())
   , centers_(lamps.centers())
   , most_(most)
 {
@@ -214,7 +215,6 @@ double LampChoice::probabilityOfFirst(const LampTree::Node& node) const
 
 LampChoice::Choice LampChoice::choose(double sample) const
 {
-  constexpr double kLast = 1 - 0x1p-53;
   const WeightChoice chosen = chooseByWeight(cumulative_, sample);
   double probability = chosen.weight / cumulative_.back(), rest = chosen.rest;
   const LampTree::Node* node = &tree_.nodes()[groups_[chosen.place].node];
@@ -223,7 +223,7 @@ LampChoice::Choice LampChoice::choose(double sample) const
     const double first = probabilityOfFirst(*node);
     const bool isFirst = rest < first;
     probability *= isFirst ? first : 1 - first;
-    rest = std::clamp(isFirst ? rest / first : (rest - first) / (1 - first), 0.0, kLast);
+    rest = isFirst ? restOf(rest, first) : restOf(rest - first, 1 - first);
     node = &tree_.nodes()[node->children + (isFirst ? 0 : 1)];
   }
   const LampTree::Share share = tree_.choose(*node, rest);
@@ -248,7 +248,7 @@ double LampChoice::probabilityOf(std::uint32_t piece) const
         probability *= isFirst ? first : 1 - first;
         node = isFirst ? &half : &half + 1;
       }
-      return probability * tree_.probabilityOf(*node, piece);
+      return probability * lamps_[piece].flux / node->lamp.flux;
     }
     before = cumulative_[i];
   }

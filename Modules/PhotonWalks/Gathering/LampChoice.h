@@ -68,6 +68,7 @@ private:
   /// The probability of the first half of a node.
   double probabilityOfFirst(const LampTree::Node& node) const;
 
+  const LampPieces& lamps_;
   const LampTree& tree_;
   Box centers_; ///< of the lamps
   std::size_t most_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/LampTree.h"
 
+#include "Gathering/WeightChoice.h"
 #include "Geometry/Pi.h"
 
 #include <algorithm>
@@ -54,12 +55,10 @@ LampTree::LampTree(const std::vector<LampPiece>& pieces)
   {
     split(number, pieces);
   }
-  fluxBefore_.push_back(0);
   places_.resize(pieces.size());
-  for (const std::uint32_t piece : order_)
+  for (std::uint32_t place = 0; place < order_.size(); ++place)
   {
-    places_[piece] = static_cast<std::uint32_t>(fluxBefore_.size() - 1);
-    fluxBefore_.push_back(fluxBefore_.back() + pieces[piece].flux);
+    places_[order_[place]] = place;
   }
 }
 
@@ -156,25 +155,16 @@ void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
 
 LampTree::Share LampTree::choose(const Node& node, double part) const
 {
-  if (node.isLeaf())
+  const Node* below = &node;
+  while (!below->isLeaf())
   {
-    return { order_[node.first], 1, part };
+    const Node* halves = &nodes_[below->children];
+    const double first = halves->lamp.flux / below->lamp.flux;
+    const bool isFirst = part < first;
+    part = isFirst ? restOf(part, first) : restOf(part - first, 1 - first);
+    below = isFirst ? halves : halves + 1;
   }
-  const auto at = [&](std::uint32_t place) { return fluxBefore_.begin() + place; };
-  const double before = *at(node.first), flux = *at(node.end) - before;
-  const double place = before + part * flux;
-  const auto found = std::upper_bound(at(node.first + 1), at(node.end), place) - 1;
-  const double own = *(found + 1) - *found;
-  return { order_[static_cast<std::size_t>(found - fluxBefore_.begin())], own / flux,
-    std::clamp((place - *found) / own, 0.0, 1 - 0x1p-53) };
-}
-
-double LampTree::probabilityOf(const Node& node, std::uint32_t piece) const
-{
-  const std::uint32_t place = places_[piece];
-  return node.isLeaf() ? 1
-                       : (fluxBefore_[place + 1] - fluxBefore_[place]) /
-      (fluxBefore_[node.end] - fluxBefore_[node.first]);
+  return { order_[below->first], below->lamp.flux / node.lamp.flux, part };
 }
 
 }

@@ -48,8 +48,6 @@ public:
   };
   /// The piece on which a part, in [0, 1), of the flux of a node falls.
   Share choose(const Node& node, double part) const;
-  /// The probability with which choose() finds a piece below a node.
-  double probabilityOf(const Node& node, std::uint32_t piece) const;
 
 private:
   void split(std::uint32_t number, const std::vector<LampPiece>& pieces);
@@ -58,7 +56,6 @@ private:
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_, places_; ///< pieces; the place of each
-  std::vector<double> fluxBefore_; ///< W, of the pieces before a place of the order; and of all
 };
 
 }

@@ -10,11 +10,11 @@ namespace irradiance
 namespace
 {
 
-/// What the unit interval chooses with a density that is linear between two values, not both 0.
+/// What the unit interval chooses with a density that is linear between two values.
 double sampleLinear(double u, double first, double last)
 {
-  return std::min(
-    u * (first + last) / (first + std::sqrt((1 - u) * first * first + u * last * last)), 1.0);
+  const double whole = first + std::sqrt((1 - u) * first * first + u * last * last);
+  return whole > 0 ? std::min(u * (first + last) / whole, 1.0) : u;
 }
 
 }
@@ -91,7 +91,7 @@ SeenLamp::Sample SeenLamp::sample(std::array<double, 2> u) const
   u[1] = sampleLinear(u[1], density_[1], 0.5 * (density_[0] + density_[2]));
   const double first = (1 - u[1]) * density_[1] + u[1] * density_[0],
                last = (1 - u[1]) * density_[1] + u[1] * density_[2];
-  u[0] = first + last > 0 ? sampleLinear(u[0], first, last) : u[0];
+  u[0] = sampleLinear(u[0], first, last);
   const double density = (1 - u[0]) * first + u[0] * last;
   return { weights_ * seen_.sample(u), density > 0 ? seen_.solidAngle() * mean / density : 0 };
 }
