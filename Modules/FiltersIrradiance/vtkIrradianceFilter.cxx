@@ -78,7 +78,6 @@ public:
   irradiance::DynamicPoses Poses;
   irradiance::DistributedInput Pieces;
   irradiance::SceneReader Scene;
-  irradiance::SceneCells Cells; ///< of the frame, if something is left to the scene
   std::uint32_t Processes = 0;  ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
@@ -705,12 +704,8 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   {
     CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
   }
-  const irradiance::LeftToScene left = LeftToSceneBy(filter);
-  if (left.directLight || left.cellEstimate)
-  {
-    this->Cells.update(this->Scene.objects(), reading);
-    irradiance::chooseByScene(left, this->Scene.objects(), this->Cells, settings, settings);
-  }
+  settings =
+    this->Engine->chosen(LeftToSceneBy(filter), this->Scene.objects(), settings, execution);
   KeepWhatIsRead(settings, request, walksWriter.isAsked(), ranks);
   const auto count = static_cast<std::size_t>(ranks.count());
   irradiance::requireMemory(this->Scene.objects(), settings, count);

@@ -20,6 +20,7 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(walks.gathersDirectLight);
   hash.add(walks.fewestSamples.small);
   hash.add(walks.fewestSamples.large);
+  hash.add(walks.fewestSamples.mostOfSmall);
   hash.add(walks.keepPhotons);
   hash.add(walks.allOnEachRank);
   hash.add(walks.listRepaired);

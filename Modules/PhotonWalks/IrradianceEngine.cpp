@@ -2,10 +2,12 @@
 #include "IrradianceEngine.h"
 
 #include "AgreedChange.h"
+#include "Estimates/AutomaticChoice.h"
 #include "Estimates/TargetLever.h"
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
 #include "FinalGather/PathLights.h"
+#include "Walks/GatheredSources.h"
 
 #include <algorithm>
 #include <cassert>
@@ -36,6 +38,22 @@ bool haveSameEstimator(const EngineSettings& a, const EngineSettings& b)
     a.verify == b.verify;
 }
 
+}
+
+EngineSettings IrradianceEngine::chosen(const LeftToScene& left, const SceneObjects& objects,
+  const EngineSettings& settings, Execution& execution)
+{
+  EngineSettings chosen = settings;
+  if (left.directLight || left.cellEstimate)
+  {
+    const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+    cellsToChoose_.update(objects, cancelPoint);
+    const auto survey = [&]() -> const LightSurvey& {
+      return lights_.survey(objects, WalkSets::planOf(settings), solidSides_, cancelPoint);
+    };
+    chooseByScene(left, objects, cellsToChoose_, survey, chosen, chosen);
+  }
+  return chosen;
 }
 
 void IrradianceEngine::update(
@@ -83,12 +101,11 @@ FrameChange IrradianceEngine::changeTo(
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);
-    std::vector<WalkSource> sources =
-      sourcesOf(objects, plan, LightWalls(objects, solidSides_, cancelPointOf(execution, 0)));
-    if (settings.gathersDirectLight)
-    {
-      sources = gatheredSourcesOf(objects, sources, settings.fewestOfCells());
-    }
+    const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+    std::vector<WalkSource> sources = settings.gathersDirectLight
+      ? gatheredSourcesOf(objects, lights_.sources(objects, plan, solidSides_, cancelPoint),
+          lights_.survey(objects, plan, solidSides_, cancelPoint), settings.fewestOfCells())
+      : lights_.sources(objects, plan, solidSides_, cancelPoint);
     isValid_ = wasValid;
     sameLights = isValid_ && walks_.hasSources(sources);
     if (!sameLights)

@@ -9,6 +9,7 @@
 #include "Repair/SceneChange.h"
 #include "Surfaces/Contacts.h"
 #include "Surfaces/SceneCells.h"
+#include "Walks/FrameLights.h"
 #include "Walks/WalkSets.h"
 
 #include <cassert>
@@ -16,6 +17,8 @@
 
 namespace irradiance
 {
+
+struct LeftToScene;
 
 struct EngineSettings
   : WalkSettings
@@ -61,6 +64,9 @@ public:
   IrradianceEngine(const IrradianceEngine&) = delete;
   IrradianceEngine& operator=(const IrradianceEngine&) = delete;
 
+  /// The settings, with what is left to the scene as chooseByScene() says. What it finds out update() need not.
+  EngineSettings chosen(const LeftToScene& left, const SceneObjects& objects,
+    const EngineSettings& settings, Execution& execution);
   /// All objects need a body and a material, with the same number of bands. No conflictOf() the settings. Throws
   /// Interrupted, and InputError for lights that the cell estimate does not know, see checkLights().
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
@@ -170,6 +176,8 @@ private:
   std::uint64_t state_ = 0;
   SceneObjects objects_;
   SceneCells cells_;
+  SceneCells cellsToChoose_; ///< of the frame that chosen() saw
+  FrameLights lights_;       ///< of that or the last frame
   EngineSettings settings_;
   Scene scene_;
   SceneTriangles triangles_; ///< of objects_

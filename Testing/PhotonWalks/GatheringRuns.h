@@ -5,6 +5,7 @@
 #include "EngineRun.h"
 #include "TestScenes.h"
 #include "ThreadExecution.h"
+#include "Walks/GatheredSources.h"
 
 namespace irradiance::test
 {
@@ -18,6 +19,13 @@ inline EngineSettings gathering(std::uint32_t walks, std::uint64_t seed = 1)
   settings.gathersDirectLight = true;
   settings.cellEstimate = CellEstimate::Gathered;
   return settings;
+}
+
+/// What an engine shoots and gathers.
+inline std::vector<WalkSource> gatheredOf(const SceneObjects& objects, const WalkPlan& plan)
+{
+  const std::vector<WalkSource> sources = sourcesOf(objects, plan);
+  return gatheredSourcesOf(objects, sources, LightSurvey(objects, sources), {});
 }
 
 /// What seeds find of each cell, in one band.

@@ -4,7 +4,7 @@
 #include "Estimates/AutomaticChoice.h"
 #include "FinalGather/CellRoles.h"
 #include "TestScenes.h"
-#include "Walks/WalkSettings.h"
+#include "Walks/WalkSets.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,12 @@ Settings chosen(const SceneObjects& objects, Settings settings, const LeftToScen
 {
   SceneCells cells;
   cells.update(objects, {});
-  chooseByScene(left, objects, cells, settings.walks, settings.estimate);
+  std::optional<LightSurvey> survey;
+  const auto surveyed = [&]() -> const LightSurvey& {
+    return survey ? *survey
+                  : survey.emplace(objects, sourcesOf(objects, WalkSets::planOf(settings.walks)));
+  };
+  chooseByScene(left, objects, cells, surveyed, settings.walks, settings.estimate);
   return settings;
 }
 
@@ -79,7 +84,7 @@ TEST(AutomaticChoice, TakesFewerRaysWhereCellsAreMany)
     expectChoice(settings, CellEstimate::Gathered, true);
     EXPECT_EQ(settings.estimate.gatherRays, rays) << walks;
   }
-  expectChoice(chosen(objects, settingsOf(12799)), CellEstimate::Sums, true);
+  expectChoice(chosen(objects, settingsOf(12799)), CellEstimate::Spread, true);
 }
 
 // Rays have to find something to read: here one large cell and 64 small ones, which are not read.
@@ -91,15 +96,15 @@ TEST(AutomaticChoice, ReadsHalfOfTheArea)
     builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, 1, grey(0.5));
     builder.addQuad({ 0, 0, 1 }, { small, 0, 0 }, { 0, 1, 0 }, 8, 8, grey(0.5));
     expectChoice(chosen({ builder.build(), {} }, settingsOf(2000)),
-      small <= 1 ? CellEstimate::Gathered : CellEstimate::Sums, true);
+      small <= 1 ? CellEstimate::Gathered : CellEstimate::Spread, true);
   }
 }
 
 TEST(AutomaticChoice, GathersDirectLightOfAsManyCellsAsWalks)
 {
   const SceneObjects objects{ quadRoom().build(), {} };
-  expectChoice(chosen(objects, settingsOf(54)), CellEstimate::Sums, true);
-  expectChoice(chosen(objects, settingsOf(53)), CellEstimate::Sums, false);
+  expectChoice(chosen(objects, settingsOf(54)), CellEstimate::Spread, true);
+  expectChoice(chosen(objects, settingsOf(53)), CellEstimate::Spread, false);
 }
 
 TEST(AutomaticChoice, ShootsWhatIsToBeShot)
@@ -107,7 +112,7 @@ TEST(AutomaticChoice, ShootsWhatIsToBeShot)
   Settings settings = settingsOf(100000);
   settings.walks.gathersDirectLight = false;
   const SceneObjects objects{ quadRoom().build(), {} };
-  expectChoice(chosen(objects, settings, { false, true }), CellEstimate::Sums, false);
+  expectChoice(chosen(objects, settings, { false, true }), CellEstimate::Spread, false);
 }
 
 // No reflection of points is known to rays. Gloss alone, or a point light alone, is.
@@ -119,7 +124,7 @@ TEST(AutomaticChoice, KnowsPointLightsBesideGloss)
     expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)), CellEstimate::Gathered, true);
     builder.addPointLight({ 1, 1, 1 }, 10);
     expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)),
-      specular > 0 ? CellEstimate::Sums : CellEstimate::Gathered, true);
+      specular > 0 ? CellEstimate::Spread : CellEstimate::Gathered, true);
   }
 }
 
@@ -143,7 +148,7 @@ TEST(AutomaticChoice, KeepsWhatIsAskedFor)
       chosen(objects, few, { true, false }), estimate, estimate == CellEstimate::Gathered);
     expectChoice(chosen(objects, few, { false, false }), estimate, true);
   }
-  expectChoice(chosen(objects, few, { false, true }), CellEstimate::Sums, true);
+  expectChoice(chosen(objects, few, { false, true }), CellEstimate::Spread, true);
 }
 
 // What is away has no cells, as if it had never been there.
@@ -151,7 +156,7 @@ TEST(AutomaticChoice, CountsWhatIsThere)
 {
   SceneObjects objects{ quadRoom().build(), { sheet(100) } };
   objects.dynamicObjects[0].worldFromObject.linear *= 10;
-  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Sums, false);
+  expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Spread, false);
   objects.dynamicObjects[0].isPresent = false;
   expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Gathered, true);
 }
@@ -161,9 +166,55 @@ TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
   ObjectBuilder light;
   light.addPointLight({ 1, 1, 1 }, 10);
   SceneObjects objects{ quadRoom(0.25).build(), { light.build() } };
-  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Sums, true);
+  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Spread, true);
   objects.dynamicObjects[0].isPresent = false;
   expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Gathered, true);
+}
+
+/// A room that its lamp lights evenly or not, and a part of 900 small cells with so long edges, m.
+SceneObjects roomWithPart(ObjectBuilder& room, double edge, double exitance = 0)
+{
+  room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 8, grey(0.5, exitance), true);
+  ObjectBuilder part;
+  part.addQuad({ 1, 1, 1 }, { edge, 0, 0 }, { 0, edge, 0 }, 30, 30, grey(0.5));
+  return { room.build(), { part.build() } };
+}
+
+// All walls shine, or a panel below the ceiling.
+TEST(AutomaticChoice, ReadsByRaysWhatIsLitEvenly)
+{
+  ObjectBuilder shining, lit;
+  expectChoice(
+    chosen(roomWithPart(shining, 0.5, 1), settingsOf(100000)), CellEstimate::Gathered, true);
+  lit.addQuad({ 1.4, 1.4, 2.99 }, { 0, 1.2, 0 }, { 1.2, 0, 0 }, 1, 1, grey(0, 10));
+  expectChoice(chosen(roomWithPart(lit, 0.5), settingsOf(100000)), CellEstimate::Gathered, true);
+}
+
+// Rays would find a bright spot by chance. A tiny part catches too few photons for all that.
+TEST(AutomaticChoice, DrawsOnPhotonsWhereThereAreBrightSpots)
+{
+  for (const auto& [edge, estimate] :
+    { std::pair(0.5, CellEstimate::Spread), std::pair(0.02, CellEstimate::Gathered) })
+  {
+    ObjectBuilder room;
+    room.addPointLight({ 2, 2, 2.8 }, 10);
+    expectChoice(chosen(roomWithPart(room, edge), settingsOf(100000)), estimate, true);
+  }
+}
+
+// Samples for many facets just below a ceiling are the larger noise.
+TEST(AutomaticChoice, DrawsOnPhotonsWhereLampsAreHardToFind)
+{
+  ObjectBuilder room;
+  for (int tube = 0; tube < 4; ++tube)
+  {
+    room.addGrid(12, 4, grey(0.5, 100), [&](int i, int j) {
+      const double angle = M_PI / 6 * (i % 12);
+      return Vector3(
+        0.8 + 0.6 * j, 0.5 + tube + 0.02 * std::cos(angle), 2.85 + 0.02 * std::sin(angle));
+    });
+  }
+  expectChoice(chosen(roomWithPart(room, 0.5), settingsOf(100000)), CellEstimate::Spread, true);
 }
 
 // The walks that a target takes in the end are not known before.
@@ -173,7 +224,7 @@ TEST(AutomaticChoice, IsThatOfTheWalksToBeginWith)
   Settings settings = settingsOf(1000);
   settings.walks.targetRelativeError = 0.05;
   settings.walks.replicates = 16;
-  expectChoice(chosen(objects, settings), CellEstimate::Sums, true);
+  expectChoice(chosen(objects, settings), CellEstimate::Spread, true);
 }
 
 }

@@ -4,7 +4,6 @@
 #include "Gathering/DimLights.h"
 #include "GatheringRuns.h"
 #include "Surfaces/MeanReflectance.h"
-#include "Walks/WalkSource.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +14,7 @@ namespace
 {
 
 using test::box;
+using test::gatheredOf;
 using test::grey;
 using test::ObjectBuilder;
 
@@ -103,7 +103,7 @@ TEST(DimLights, HaveASourceOfTheirOwn)
   addPanel(room, 500);
   const SceneObjects objects{ room.build(), {} };
   const WalkPlan plan(10000, 10000, 16);
-  const std::vector<WalkSource> sources = gatheredSourcesOf(objects, sourcesOf(objects, plan), {});
+  const std::vector<WalkSource> sources = gatheredOf(objects, plan);
   ASSERT_EQ(sources.size(), 2u);
   EXPECT_TRUE(sources[0].areFoundByRays);
   EXPECT_FALSE(sources[0].cells.has_value());
@@ -118,7 +118,7 @@ TEST(DimLights, AreShotAlone)
 {
   const SceneObjects objects{ walls(10).build(), {} };
   const WalkPlan plan(10000, 10000, 16);
-  const std::vector<WalkSource> sources = gatheredSourcesOf(objects, sourcesOf(objects, plan), {});
+  const std::vector<WalkSource> sources = gatheredOf(objects, plan);
   ASSERT_EQ(sources.size(), 1u);
   EXPECT_TRUE(sources[0].areFoundByRays);
   EXPECT_EQ(sources[0].plan.walksAfter(1), 10000u);

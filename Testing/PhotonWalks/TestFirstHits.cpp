@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gathering/FirstHits.h"
 
-#include "EngineRun.h"
+#include "GatheringRuns.h"
 #include "StaleLight.h"
 #include "Surfaces/MeanReflectance.h"
 #include "TestScenes.h"
@@ -71,10 +71,7 @@ std::vector<bool> nearLightsOf(const SceneObjects& objects)
   return FirstHits(objects, LightTable(objects, 1000)).nearLights();
 }
 
-std::vector<WalkSource> gatheredOf(const SceneObjects& objects, const WalkPlan& plan)
-{
-  return gatheredSourcesOf(objects, sourcesOf(objects, plan), {});
-}
+using test::gatheredOf;
 
 double quantaPerWatt(const WalkSource& source)
 {

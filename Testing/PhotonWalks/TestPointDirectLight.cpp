@@ -113,7 +113,7 @@ TEST(PointDirectLight, UnderAPanel)
 TEST(PointDirectLight, InAHalfShadow)
 {
   ObjectBuilder builder = panel();
-  builder.addQuad({ 0.5, -3, 0.5 }, { 4, 0, 0 }, { 0, 6, 0 }, 1, 1, grey(0));
+  builder.addQuad({ 0.5, -3, 0.5 }, { 4, 0, 0 }, { 0, 6, 0 }, 8, 8, grey(0));
   const LitScene scene(builder);
   const std::vector<Vector3> seen{ { 0, 0, 1 }, { 0.5, 0, 1 }, { 0.5, 1, 1 }, { 0, 1, 1 } };
   const Vector3 place(0.5, 0.4, 0), up(0, 0, 1);

@@ -3,9 +3,11 @@
 
 #include "FinalGather/CellRoles.h"
 #include "FinalGather/PathLights.h"
+#include "Geometry/Vector.h"
 #include "Walks/WalkSettings.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace irradiance
 {
@@ -52,6 +54,43 @@ std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t a
   return 0;
 }
 
+/// Squared noise of small cells, beside the light that they have from other surfaces, if each draws on so many photons that walks
+/// bring to its object, or on all of these: the mean over the small cells.
+double noiseOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays, double photons)
+{
+  const CellRoles roles(cells, walks, rays, GatherOn::Small);
+  std::vector<double> areas, small; // m2, and a number, by object
+  cells.numbers().forEach([&](const SceneCell& cell) {
+    areas.resize(std::max<std::size_t>(areas.size(), cell.object + 1));
+    small.resize(areas.size());
+    areas[cell.object] += cells.area(cell);
+    small[cell.object] += roles.gathers(cell) ? 1 : 0;
+  });
+  double noise = 0, number = 0;
+  for (std::size_t object = 0; object < areas.size(); ++object)
+  {
+    if (small[object] > 0)
+    {
+      noise += small[object] / std::min(photons, roles.expectedOn(areas[object]));
+      number += small[object];
+    }
+  }
+  return number > 0 ? noise / number : kInfinity;
+}
+
+/// Whether rays are less noise for their time than photons. What is here is measured in rooms: Documentation/Theory.md, 1.3.
+bool doRaysPay(const LightSurvey& survey, std::uint32_t rays, double noiseOfPhotons)
+{
+  // Sobol' points in even light have less noise than so many others. Lights that are hard to find are asked beside each ray.
+  constexpr double kGain = 8, kSamplesOfRay = 2;
+  const double noiseOfRays =
+    (survey.unevenness() - 1) / (kGain * rays) + survey.hiddenVariance() / (kSamplesOfRay * rays);
+  // The direct light that small cells gather is as noisy with either.
+  constexpr double kOfDirect = 0.2, kTime = 1.5;
+  const double direct = kOfDirect * survey.gatheredVariance();
+  return kTime * (noiseOfRays + direct) <= noiseOfPhotons + direct;
+}
+
 double numberOf(const SceneCells& cells)
 {
   double number = 0;
@@ -62,21 +101,27 @@ double numberOf(const SceneCells& cells)
 }
 
 void chooseByScene(const LeftToScene& left, const SceneObjects& objects, const SceneCells& cells,
-  WalkSettings& walks, EstimateSettings& estimate)
+  const std::function<const LightSurvey&()>& survey, WalkSettings& walks,
+  EstimateSettings& estimate)
 {
+  bool isFine = estimate.cellEstimate == CellEstimate::Gathered;
   if (left.cellEstimate)
   {
-    const bool mayGather =
-      walks.gathersDirectLight && !estimate.unbiasedGather && !unseenLight(objects);
+    const bool mayRead = walks.gathersDirectLight && !unseenLight(objects);
     const std::uint32_t rays =
-      mayGather ? raysThatPay(cells, walks.numberOfWalks, estimate.gatherRays) : 0;
-    estimate.cellEstimate = rays > 0 ? CellEstimate::Gathered : CellEstimate::Sums;
-    estimate.gatherRays = rays > 0 ? rays : estimate.gatherRays;
+      mayRead ? raysThatPay(cells, walks.numberOfWalks, estimate.gatherRays) : 0;
+    const bool isGathered = rays > 0 && !estimate.unbiasedGather &&
+      doRaysPay(
+        survey(), rays, noiseOfPhotons(cells, walks.numberOfWalks, rays, estimate.spreadPhotons));
+    estimate.cellEstimate = estimate.unbiasedGather ? CellEstimate::Sums
+      : isGathered                                  ? CellEstimate::Gathered
+                                                    : CellEstimate::Spread;
+    estimate.gatherRays = isGathered ? rays : estimate.gatherRays;
+    isFine = rays > 0 && !estimate.unbiasedGather;
   }
   if (left.directLight)
   {
-    walks.gathersDirectLight =
-      estimate.cellEstimate == CellEstimate::Gathered || numberOf(cells) <= walks.numberOfWalks;
+    walks.gathersDirectLight = isFine || numberOf(cells) <= walks.numberOfWalks;
   }
 }
 

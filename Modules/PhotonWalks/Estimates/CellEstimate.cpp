@@ -46,6 +46,7 @@ FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamp
   {
     // Of few samples, the edges of shadows are the larger noise.
     constexpr std::uint32_t kFewest = 8;
+    fewest = fewest.asMany();
     fewest.small = std::max({ fewest.small, kFewest, settings.gatherRays / 2 });
     fewest.large = std::max(fewest.large,
       settings.gatherOn == GatherOn::All ? CellRoles::kTimesOfLarge * fewest.small : fewest.small);

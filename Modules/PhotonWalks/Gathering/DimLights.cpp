@@ -13,12 +13,6 @@ namespace
 /// Times the mean radiosity. Twice as bright a ceiling is found with less noise by looking for it.
 constexpr double kBrightest = 1.5;
 
-double areaOf(const std::vector<Triangle>& triangles)
-{
-  return std::accumulate(triangles.begin(), triangles.end(), 0.0,
-    [](double sum, const Triangle& triangle) { return sum + triangle.area(); });
-}
-
 }
 
 /// What arrives at first and returns at each reflection fills the static object evenly, roughly: as much as its mean
@@ -33,7 +27,7 @@ DimLights::DimLights(
     std::accumulate(hits.begin(), hits.end(), 0.0, [most](double sum, const FirstHits& ofGroup) {
       return sum + ofGroup.arrived() / (1 - std::min(ofGroup.returned(), most));
     });
-  const double area = areaOf(objects.staticObject.body->mesh().triangles());
+  const double area = hits.front().area();
   brightest_ = area > 0 ? kBrightest * power / area : 0;
 }
 

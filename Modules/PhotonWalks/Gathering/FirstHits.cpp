@@ -16,20 +16,28 @@ namespace irradiance
 namespace
 {
 
-constexpr std::uint32_t kRays = 16; ///< from each light at most
-/// From each of many lights: fewer, as all together tell how much returns.
-constexpr std::uint32_t kFewestRays = 4;
-constexpr std::size_t kRaysOfAll = 4096;
+constexpr std::uint32_t kRays = 16; ///< cast together
+/// From all lights, and from each of many.
+constexpr std::size_t kRaysOfAll = 2048, kFewestRays = 4;
 using Rays = std::array<Ray, kRays>;
 using Hits = std::array<Hit, kRays>;
+
+/// The part of the flux of which more has to arrive: of less nothing is known.
+constexpr double kLeastArrived = 0.1;
 
 /// Near is what is hit within so many edges of a square of two such triangles: from there on samples do as well.
 constexpr double kNear = 0.5;
 
-/// The same points of low discrepancy for all lights.
+/// The rays of all lights go on with the same points: equal ones would send rays of different lights to one place. Every other ray is of
+/// the second half, which knows nothing of the first.
+std::uint32_t halfOf(std::uint32_t ray)
+{
+  return ray % 2;
+}
+
 std::array<double, 2> pointOf(std::uint32_t ray, std::uint64_t use)
 {
-  return SobolPoint::inUnitSquare(ray, SampleKeys(splitMix(use)));
+  return SobolPoint::inUnitSquare(ray / 2, SampleKeys(splitMix(2 * use + halfOf(ray))));
 }
 
 Ray diffuseRay(const SurfacePoint& point, const TriangleId& start, const std::array<double, 2>& u)
@@ -37,21 +45,22 @@ Ray diffuseRay(const SurfacePoint& point, const TriangleId& start, const std::ar
   return { point.clearPosition(), sampleHemisphere(point.normal, u), start };
 }
 
-/// As light leaves the light.
-Rays raysFrom(const Light& light, std::uint32_t count)
+/// As light leaves the light: some rays after the first ones.
+Rays raysFrom(const Light& light, std::uint32_t first, std::uint32_t count)
 {
   Rays rays;
   for (std::uint32_t i = 0; i < count; ++i)
   {
+    const std::uint32_t ray = first + i;
     if (const auto* const area = std::get_if<AreaLight>(&light.kind))
     {
       const TriangleId start = area->id.isDynamic() ? TriangleId{} : area->id; // it is not there
-      const Vector3 weights = sampleTriangle(pointOf(i, 1));
-      rays[i] = diffuseRay(surfacePoint(area->triangle, weights), start, pointOf(i, 2));
+      const Vector3 weights = sampleTriangle(pointOf(ray, 1));
+      rays[i] = diffuseRay(surfacePoint(area->triangle, weights), start, pointOf(ray, 2));
     }
     else
     {
-      rays[i] = light.leaving(pointOf(i, 2));
+      rays[i] = light.leaving(pointOf(ray, 2));
     }
   }
   return rays;
@@ -65,9 +74,12 @@ bool isNear(const Scene& scene, const Hit& hit)
     hit.distance > 8 * kTouching * triangle.bounds().magnitude();
 }
 
+/// What a cell reflects, W, of the rays of each half.
+using OnCell = std::array<double, 2>;
+
 /// The sum over hits of what is reflected and arrives again, for each of what arrives.
 double returnedOf(const Scene& scene, const Material& material, const Rays& rays, const Hits& hits,
-  std::uint32_t raysOfLight)
+  std::uint32_t first, std::uint32_t raysOfLight)
 {
   Rays onwards;
   std::array<double, kRays> parts{};
@@ -78,7 +90,7 @@ double returnedOf(const Scene& scene, const Material& material, const Rays& rays
     {
       SurfacePoint point = surfacePoint(scene.worldTriangle(hits[i].id), weightsOf(hits[i]));
       point.turn(point.normal.dot(rays[i].direction) < 0);
-      onwards[count] = diffuseRay(point, hits[i].id, pointOf(i, 3));
+      onwards[count] = diffuseRay(point, hits[i].id, pointOf(first + i, 3));
       parts[count++] = material.reflectedOf(hits[i].id.triangle);
     }
   }
@@ -96,28 +108,54 @@ double returnedOf(const Scene& scene, const Material& material, const Rays& rays
 
 FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
 {
+  const Material& material = *objects.staticObject.material;
   Scene scene;
   scene.setStatic(objects.staticObject.body);
   scene.commit({});
-  const auto count = static_cast<std::uint32_t>(std::clamp(
-    kRaysOfAll / (lights.lights().size() + 1), std::size_t{ kFewestRays }, std::size_t{ kRays }));
+  // From each light as many, so that each is known to be near or not.
+  const auto count = static_cast<std::uint32_t>(
+    std::max(kFewestRays, kRaysOfAll / std::max<std::size_t>(1, lights.lights().size())));
   double returned = 0;
+  std::uint32_t begin = 0; // of the rays of a light
+  std::vector<OnCell> cells(material.numberOfCells);
   for (const Light& light : lights.lights())
   {
-    const Rays rays = raysFrom(light, count);
-    Hits hits;
-    scene.cast(rays.data(), count, hits.data());
     const bool isArea = std::holds_alternative<AreaLight>(light.kind);
-    const auto near = std::count_if(
-      hits.begin(), hits.end(), [&](const Hit& hit) { return hit && isNear(scene, hit); });
-    nearLights_.push_back(isArea && 2 * near > count);
     const double fluxOfRay = light.totalFlux() / count;
-    arrived_ += fluxOfRay *
-      static_cast<double>(std::count_if(
-        hits.begin(), hits.end(), [](const Hit& hit) { return static_cast<bool>(hit); }));
-    returned += fluxOfRay * returnedOf(scene, *objects.staticObject.material, rays, hits, count);
+    std::uint32_t near = 0;
+    const std::uint32_t end = begin + count;
+    for (std::uint32_t first = begin; first < end; first += kRays)
+    {
+      const std::uint32_t together = std::min(kRays, end - first);
+      const Rays rays = raysFrom(light, first, together);
+      Hits hits;
+      scene.cast(rays.data(), together, hits.data());
+      for (std::uint32_t i = 0; i < together; ++i)
+      {
+        if (hits[i])
+        {
+          near += isNear(scene, hits[i]) ? 1 : 0;
+          arrived_ += fluxOfRay;
+          const std::uint32_t triangle = hits[i].id.triangle;
+          cells[material.cellOfTriangle[triangle]][halfOf(first + i)] +=
+            fluxOfRay * material.reflectedOf(triangle);
+        }
+      }
+      returned += fluxOfRay * returnedOf(scene, material, rays, hits, first, together);
+    }
+    nearLights_.push_back(isArea && 2 * near > count);
+    begin = end;
   }
-  returned_ = arrived_ > 0 ? returned / arrived_ : 1;
+  returned_ = arrived_ > kLeastArrived * lights.flux() ? returned / arrived_ : 1;
+  const std::vector<double> areas = cellAreas(objects.staticObject);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    area_ += areas[cell];
+    const auto [one, other] = cells[cell];
+    reflected_ += one + other;
+    // Each has half of the power. The square of one would have its noise in it.
+    reflectedSquares_ += areas[cell] > 0 ? 4 * one * other / areas[cell] : 0;
+  }
 }
 
 }

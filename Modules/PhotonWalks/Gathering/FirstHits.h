@@ -25,14 +25,20 @@ public:
   /// the light of a cell with less work than samples of the cell do.
   const std::vector<bool>& nearLights() const { return nearLights_; }
   /// The part of what arrives at static triangles that they reflect and that arrives at some again, 0..1; 1 if
-  /// nothing arrives. Roughly: a standard error of 0.1 at most.
+  /// hardly anything arrives. Roughly: a standard error of 0.1 at most.
   double returned() const { return returned_; }
-  /// W that arrive at static triangles.
+  /// W that arrive at static triangles, and what these reflect of it.
   double arrived() const { return arrived_; }
+  double reflected() const { return reflected_; }
+  /// W2/m2: the integral over the area of the square of what static cells reflect for their area. A relative standard error of
+  /// 0.1, roughly.
+  double reflectedSquares() const { return reflectedSquares_; }
+  /// m2, of the static object.
+  double area() const { return area_; }
 
 private:
   std::vector<bool> nearLights_;
-  double returned_ = 1, arrived_ = 0;
+  double returned_ = 1, arrived_ = 0, reflected_ = 0, reflectedSquares_ = 0, area_ = 0;
 };
 
 }

@@ -47,14 +47,16 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
 /// Few cells have more, for a share of what the walks take: else the edges of shadows are the larger noise of small cells.
 std::uint32_t GatherPlan::fewestOfSmall(const CellShapes& cells, const Settings& settings)
 {
-  constexpr double kSamplesOfWalk = 0.25, kMostOfSmall = 64;
+  constexpr double kSamplesOfWalk = 0.25;
   double lit = 0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     lit += mayBeLit(cells[cell]) ? 1 : 0;
   }
-  const double share = std::min(kMostOfSmall, kSamplesOfWalk * settings.walks / std::max(1.0, lit));
-  std::uint32_t fewest = settings.density.fewest.small;
+  const FewestSamples& usual = settings.density.fewest;
+  const double share =
+    std::min<double>(usual.mostOfSmall, kSamplesOfWalk * settings.walks / std::max(1.0, lit));
+  std::uint32_t fewest = usual.small;
   while (2.0 * fewest <= share)
   {
     fewest *= 2;

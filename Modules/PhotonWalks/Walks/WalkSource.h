@@ -57,17 +57,8 @@ struct WalkSource
 std::vector<WalkSource> sourcesOf(
   const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
 
-/**
- * Where cells gather direct light: for each source one whose walks start at static cells, and one for each of the other
- * cellParts(). DimLights, and lights that shine mostly on near static cells, see FirstHits, have sources of their own, whose
- * walks start at the lights. Walks are shared as among groups. About as many
- * walks start at cells as the plan has, if the light falls on static cells that reflect as all of them on average.
- */
-std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
-  const std::vector<WalkSource>& sources, const FewestSamples& fewestSamples);
-
-/// Makes the lights of sources known to what asks them: it takes a while, and once for all parts of the cells is enough.
-void addLamps(std::vector<WalkSource>& sources);
+/// Shares the walks of a plan among sources by flux; those that start at lights are `atLights` times as many.
+void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLights = 1);
 
 }
 

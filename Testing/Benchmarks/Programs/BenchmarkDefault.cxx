@@ -9,7 +9,7 @@
  * means are told beside it. Coverage is how much of the area, and of the cells, has the truth in its 95 % interval; the truth's
  * own noise counts. One thread, in turns.
  *
- * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which] [folder in which truths are kept] [ways = 5]
+ * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which] [folder in which truths are kept] [ways = 6]
  */
 #include "Estimates/AutomaticChoice.h"
 #include "Measuring/HalvedTruth.h"
@@ -36,7 +36,8 @@ const std::string kCoverage = "DefaultCoverage";
 struct Way
 {
   std::string name;
-  std::function<EngineSettings(const SceneObjects& objects)> settings;
+  EngineSettings settings;
+  LeftToScene left = {};
 };
 
 std::vector<Way> makeWays(std::uint32_t walks)
@@ -44,26 +45,17 @@ std::vector<Way> makeWays(std::uint32_t walks)
   EngineSettings settings;
   settings.numberOfWalks = walks;
   settings.separateSides = false;
-  const auto always = [](const EngineSettings& its) {
-    return [its](const SceneObjects&) { return its; };
-  };
   EngineSettings spread = settings;
   spread.cellEstimate = CellEstimate::Spread;
   EngineSettings sums = settings;
   sums.gathersDirectLight = true;
+  EngineSettings gatheredSpread = sums;
+  gatheredSpread.cellEstimate = CellEstimate::Spread;
   EngineSettings gathered = sums;
   gathered.cellEstimate = CellEstimate::Gathered;
-  return { { "default",
-             [settings](const SceneObjects& objects) {
-               EngineSettings chosen = settings;
-               chosen.gathersDirectLight = true;
-               SceneCells cells;
-               cells.update(objects, {});
-               chooseByScene({ true, true }, objects, cells, chosen, chosen);
-               return chosen;
-             } },
-    { "walks", always(settings) }, { "walks spread", always(spread) }, { "gathered", always(sums) },
-    { "gathered, small cells too", always(gathered) } };
+  return { { "default", sums, { true, true } }, { "walks", settings }, { "walks spread", spread },
+    { "gathered", sums }, { "gathered, spread", gatheredSpread },
+    { "gathered, small cells too", gathered } };
 }
 
 CellField shootField(const SceneObjects& objects, EngineSettings settings, std::uint64_t seed)
@@ -187,8 +179,15 @@ private:
   {
     IrradianceEngine engine;
     const SceneObjects start = scene_.inFrame(0);
-    const EngineSettings settings = withSeed(way.settings(start), seed);
-    found.first.push_back(timeUpdate(engine, start, settings).whole);
+    const auto secondsOf = [&](const SceneObjects& objects) {
+      CpuTime execution;
+      const double before = execution.seconds();
+      const EngineSettings settings =
+        engine.chosen(way.left, objects, withSeed(way.settings, seed), execution);
+      const double choosing = execution.seconds() - before;
+      return choosing + timeUpdate(engine, objects, settings).whole;
+    };
+    found.first.push_back(secondsOf(start));
     const CellField field = irradianceOf(engine, start);
     const CellField right = 0.5 * (truth_.first + truth_.second);
     const auto ratio = [&](const CellSet& set) {
@@ -200,19 +199,20 @@ private:
     found.meanOfSmall.add(ratio(sets_[2]));
     for (int frame = 1; frame <= 2; ++frame)
     {
-      found.update.push_back(timeUpdate(engine, scene_.inFrame(frame), settings).whole);
+      found.update.push_back(secondsOf(scene_.inFrame(frame)));
     }
   }
 
   /// Of the default's intervals.
   void reportCoverage() const
   {
-    EngineSettings settings = ways_[0].settings(scene_.inFrame(0));
-    settings.replicates = 16;
-    settings.verify = false;
     IrradianceEngine engine;
     CpuTime execution;
     const SceneObjects objects = scene_.inFrame(0);
+    EngineSettings settings = ways_[0].settings;
+    settings.replicates = 16;
+    settings.verify = false;
+    settings = engine.chosen(ways_[0].left, objects, settings, execution);
     engine.update(objects, settings, execution);
     const ErrorEstimate errors = engine.errorEstimate();
     const double factor = ErrorEstimate::confidenceFactor(settings.replicates);
@@ -267,7 +267,7 @@ void run(const Arguments& arguments)
   for (std::size_t i = arguments.number(2, std::size_t{ 0 }); i < end; ++i)
   {
     const HalvedTruth truth = truthOf(scenes[i], walks, arguments.text(4, ""));
-    Contestants contestants(scenes[i], truth, walks, arguments.number(5, std::size_t{ 5 }));
+    Contestants contestants(scenes[i], truth, walks, arguments.number(5, std::size_t{ 6 }));
     for (int round = 0; round < rounds; ++round)
     {
       contestants.addRound(static_cast<std::uint64_t>(round) + 1);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_LightSurvey_h
+#define irradiance_LightSurvey_h
+
+#include "Gathering/LampPieces.h"
+#include "Walks/WalkSource.h"
+
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/// How the light of a lamp is best known.
+enum class Known
+{
+  Dim,     ///< walks start at it, and rays find it
+  Shot,    ///< walks start at it
+  Gathered ///< cells look for it
+};
+
+/**
+ * Looks at the lights of a scene before any walk is shot: how each is best known, and how unevenly they light what rests.
+ *
+ * It depends on the lights and on the static object alone, so that no motion of others changes it.
+ */
+class LightSurvey
+{
+public:
+  /// Of a source that starts at lights.
+  struct Group
+  {
+    std::vector<Known> known; ///< by light
+    std::shared_ptr<const LampPieces>
+      lamps; ///< of those that are neither dim nor near; null: none are
+    bool areHardToFind =
+      false; ///< these: they are shot, as to look for them would be more noise for its time
+    double walksPerSample = 0; ///< of these else, see GatherPlan
+    double variance = 0;       ///< of these, see GatherPilot
+
+    /// Those of the source that are known in this way.
+    LightTable lightsOf(const WalkSource& source, Known part) const;
+  };
+
+  /// Of a walk that starts at a cell, beside one from a light. `reflected`: by static cells, on average: where this is little, many
+  /// weak walks are of no use.
+  static double powerOfStart(double reflected);
+
+  LightSurvey(const SceneObjects& objects, const std::vector<WalkSource>& sources);
+
+  const std::vector<Group>& groups() const { return groups_; }
+  /// The mean square of what static surfaces send for their area, beside the square of the mean: 1 if all send alike, and as much
+  /// more as there is light on small spots. What is reflected once stands for all that is.
+  double unevenness() const { return unevenness_; }
+  /// Of the lights that are hard to find, see GatherPilot; 0 if there are none.
+  double hiddenVariance() const;
+  /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no light of its own lamps.
+  double gatheredVariance() const;
+
+private:
+  std::vector<Group> groups_; ///< by source
+  double unevenness_ = 1;
+};
+
+}
+
+#endif
