@@ -91,7 +91,7 @@ public:
     Nearest = 2, ///< small cells: the photons nearest to their middles
     FinalGather =
       3, ///< "Gathered". Small cells: what rays from them find on the cells that they hit
-    AutomaticEstimate = 4 ///< "Automatic": "Gathered" or Sums, by the scene
+    AutomaticEstimate = 4 ///< "Automatic": "Gathered" or Spread, by the scene
   };
 
   /// Which cells look for their indirect light with the estimate Gathered.
@@ -291,7 +291,7 @@ public:
   /**
    * See DirectLights, and "Shot or gathered" in the Guide. Both have the same mean. Gathered is less noisy in the
    * same time where the lights shine freely on the cells, the more so the less is reflected. Lamps very
-   * near to large cells want Shot. Automatic is Gathered with CellEstimate Gathered, and where there are no more cells than
+   * near to large cells want Shot. Automatic is Gathered where small cells could cast rays, and where there are no more cells than
    * walks, else Shot; the field `DirectLight` of the output says what it is. An update still equals a new filter's result, bit for bit. Photons are then those of
    * indirect light: what reads them adds the direct light that cells, or sensors, gather.
    *
@@ -315,9 +315,9 @@ public:
    * trades noise for blur. Nearest excludes ComputeStandardError, TargetRelativeError and
    * RepairTimeBudget. Gathered finds the indirect light of small cells by NumberOfGatherRays rays from each, and needs
    * DirectLight Gathered or Automatic; a point light beside cells with a SpecularReflectance is an error. Automatic is
-   * Gathered where that pays, else Sums: it takes a DirectLight other than Shot, no such point light, no UnbiasedGather,
-   * that cells which expect 25 of NumberOfWalks or more have half of the area, and that the rays of all small cells are no more
-   * than NumberOfWalks; else cells have fewer rays, down to 4. The field `CellEstimate` of the output says what it is. With ComputeStandardError the
+   * Gathered where that pays, else Spread: it takes a DirectLight other than Shot, no such point light,
+   * that cells which expect 25 of NumberOfWalks or more have half of the area, that the rays of all small cells are no more
+   * than NumberOfWalks, else cells have fewer rays, down to 4, and that what rests is lit evenly, or small parts catch few photons. With UnbiasedGather it is Sums. The field `CellEstimate` of the output says what it is. With ComputeStandardError the
    * fields `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the cells that gather is
    * expected to be too large, as rays take cells for evenly lit; NaN where none gathers, or receives anything. Changing it
    * shoots no walks, except if UpdateMode is Rebuild, with a target where nothing is dynamic, or from or to

@@ -14,7 +14,7 @@ using namespace TestScenes;
 namespace
 {
 
-constexpr int Sums = vtkIrradianceFilter::Sums, FinalGather = vtkIrradianceFilter::FinalGather;
+constexpr int Spread = vtkIrradianceFilter::Spread, FinalGather = vtkIrradianceFilter::FinalGather;
 constexpr int Shot = vtkIrradianceFilter::Shot, Gathered = vtkIrradianceFilter::Gathered;
 
 /// Updates without an error, and expects this choice in the field data.
@@ -49,7 +49,7 @@ void ExpectUpdatesAcrossFlips(
     goTo(frame);
     const auto fresh = MakeDefaultFilter(scene, walks);
     fresh->Update();
-    ExpectChoice(updated, frame % 2 == 0 ? FinalGather : Sums, Gathered);
+    ExpectChoice(updated, frame % 2 == 0 ? FinalGather : Spread, Gathered);
     EXPECT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh)));
     EXPECT_GT(Field(updated, "ShootSeconds"), 0);
   }
@@ -70,14 +70,14 @@ TEST(AutomaticChoice, ShootsWhereOneAsksForIt)
   const Scene scene = MakeSmallScene();
   const auto filter = MakeDefaultFilter(scene, 11000);
   filter->SetDirectLightToShot();
-  ExpectChoice(filter, Sums, Shot);
-  ExpectBitsOf(filter, scene, Sums, Shot);
+  ExpectChoice(filter, Spread, Shot);
+  ExpectBitsOf(filter, scene, Spread, Shot);
 }
 
 TEST(AutomaticChoice, GathersDirectLightForAnEstimateThatNeedsIt)
 {
   const auto filter = MakeDefaultFilter(MakeSmallScene(), 100);
-  ExpectChoice(filter, Sums, Shot);
+  ExpectChoice(filter, Spread, Shot);
   filter->SetCellEstimateToGathered();
   ExpectChoice(filter, FinalGather, Gathered);
 }
@@ -88,8 +88,8 @@ TEST(AutomaticChoice, TakesPointLightsBesideGloss)
   SetCellValues(scene.Moving[0].Model, "SpecularReflectance", { 0.25 });
   scene.Fixed.push_back(MakePointLight({ 0.5, 2, 2 }, { 20 }));
   const auto filter = MakeDefaultFilter(scene, 11000);
-  ExpectChoice(filter, Sums, Gathered);
-  ExpectBitsOf(filter, scene, Sums, Gathered);
+  ExpectChoice(filter, Spread, Gathered);
+  ExpectBitsOf(filter, scene, Spread, Gathered);
 }
 
 // 9,600 cells of walls.
@@ -98,19 +98,19 @@ TEST(AutomaticChoice, ShootsAHugeMesh)
   Scene scene = MakeSmallScene();
   scene.Fixed[0] = MakeRoom(3, 40);
   const auto filter = MakeDefaultFilter(scene, 9000);
-  ExpectChoice(filter, Sums, Shot);
+  ExpectChoice(filter, Spread, Shot);
   filter->SetNumberOfWalks(10000);
-  ExpectChoice(filter, Sums, Gathered);
+  ExpectChoice(filter, Spread, Gathered);
 }
 
 // A target takes more walks than one begins with: rays would read those.
 TEST(AutomaticChoice, StaysWhereATargetTakesMoreWalks)
 {
   const auto filter = MakeDefaultFilter(MakeSmallScene(), 1000);
-  ExpectChoice(filter, Sums, Gathered);
+  ExpectChoice(filter, Spread, Gathered);
   filter->SetTargetRelativeError(0.1);
   filter->SetMaximumNumberOfWalks(32000);
-  ExpectChoice(filter, Sums, Gathered);
+  ExpectChoice(filter, Spread, Gathered);
   EXPECT_GT(filter->GetNumberOfShotWalks(), 1000);
 }
 

@@ -350,9 +350,6 @@ void OutputWriter::addStatistics(vtkFieldData* fields) const
   if (withErrors_)
   {
     addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));
-  }
-  if (withErrors_ && settings_.cellEstimate == CellEstimate::Gathered)
-  {
     const GatheringBias bias = engine_.gatheringBias();
     addNumber(kGatheringBias, bias.mean);
     addNumber(standardErrorName(kGatheringBias).c_str(), bias.standardError);

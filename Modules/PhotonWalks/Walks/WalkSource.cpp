@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSource.h"
 
+#include "Lights/PowerClasses.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -26,9 +28,12 @@ std::uint32_t numberOfGroups(const SceneObjects& objects)
   return groups;
 }
 
+/// Of a walk: rounding them changes its power by less than .1 %.
+constexpr double kFewestQuanta = 1024;
+
 }
 
-void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLights)
+void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLights, double alike)
 {
   const std::uint32_t first = plan.walksAfter(1), replicates = plan.replicates().count();
   const std::uint32_t times = std::uint32_t{ 1 } << std::ilogb(plan.most() / first);
@@ -39,7 +44,9 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLight
   {
     LightTable& lights = source.lights;
     const double share = lights.flux() / flux * first;
-    const double number = source.cells ? share : share * atLights;
+    const double dealt = (1 - alike) * share + alike * first / static_cast<double>(sources.size());
+    const double number = std::min(source.cells ? dealt : dealt * atLights,
+      share * static_cast<double>(lights.quantaPerWalk()) / kFewestQuanta);
     const std::uint32_t walks =
       replicates * std::max(1u, static_cast<std::uint32_t>(number / replicates));
     source.plan = WalkPlan(walks, walks * times, replicates, firstWalk);
@@ -53,12 +60,23 @@ std::vector<WalkSource> sourcesOf(
   const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls)
 {
   std::vector<WalkSource> sources;
+  bool haveClasses = false;
   for (std::uint32_t group = 0; group < numberOfGroups(objects); ++group)
   {
-    WalkSource source{ LightTable(objects, plan.most(), walls, group), plan };
-    if (!source.lights.isEmpty())
+    const LightTable lights(objects, plan.most(), walls, group);
+    if (lights.isEmpty())
     {
-      sources.push_back(std::move(source));
+      continue;
+    }
+    // A class is worth a few walks of each replicate, of enough quanta.
+    constexpr double kFewestWalks = 4;
+    const double walks = plan.walksAfter(1) / (kFewestWalks * plan.replicates().count());
+    std::vector<LightTable> classes =
+      powerClassesOf(lights, kFewestQuanta / (static_cast<double>(lights.quantaPerWalk()) * walks));
+    haveClasses = haveClasses || classes.size() > 1;
+    for (LightTable& some : classes)
+    {
+      sources.push_back({ std::move(some), plan });
     }
   }
   if (sources.empty())
@@ -67,7 +85,8 @@ std::vector<WalkSource> sourcesOf(
   }
   if (sources.size() > 1)
   {
-    deal(sources, plan);
+    constexpr double kAlike = 0.5;
+    deal(sources, plan, 1, haveClasses ? kAlike : 0);
   }
   return sources;
 }

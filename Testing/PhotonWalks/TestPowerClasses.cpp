@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A weak lamp beside a strong one has walks and samples of its own.
+
+#include "Lights/PowerClasses.h"
+
+#include "GatheringRuns.h"
+
+#include <gtest/gtest.h>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::box;
+using test::grey;
+using test::ObjectBuilder;
+
+/// Lamps of so many watts, each a strip of ten facets that share corners, and a point light.
+LightTable tableOf(const std::vector<double>& watts, double point = 0)
+{
+  ObjectBuilder builder;
+  for (std::size_t i = 0; i < watts.size(); ++i)
+  {
+    builder.addQuad({ 0, 2.0 * double(i), 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 5, grey(0, watts[i]));
+  }
+  if (point > 0)
+  {
+    builder.addPointLight({ 5, 5, 5 }, point);
+  }
+  return LightTable({ builder.build(), {} }, 1000);
+}
+
+std::vector<double> fluxOfClasses(const LightTable& table, double leastPart = 0)
+{
+  std::vector<double> flux;
+  for (const LightTable& some : powerClassesOf(table, leastPart))
+  {
+    flux.push_back(some.flux());
+  }
+  return flux;
+}
+
+void expectFlux(const std::vector<double>& found, const std::vector<double>& expected)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], expected[i], 1e-9 * expected[i]) << i;
+  }
+}
+
+double quantaPerWatt(const WalkSource& source)
+{
+  return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
+    source.lights.flux();
+}
+
+/// Walls of 4 x 4 x 3 m in which a panel of 10 W hangs, and far above them a point light that shines on the ground around.
+SceneObjects hutAndSun(double sun)
+{
+  ObjectBuilder scene;
+  scene.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 6, grey(0.5), true);
+  scene.addBox(box({ -0.1, -0.1, -0.1 }, { 4.1, 4.1, 3.1 }), 2, grey(0.5));
+  scene.addQuad({ -20, -20, -0.2 }, { 44, 0, 0 }, { 0, 44, 0 }, 8, 8, grey(0.5));
+  scene.addQuad({ 1.5, 1.5, 2.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(1, 10));
+  if (sun > 0)
+  {
+    scene.addPointLight({ 20, 0, 40 }, sun);
+  }
+  return { scene.build(), {} };
+}
+
+}
+
+// Facets are weaker than their lamp.
+TEST(PowerClasses, AreOfLampsAndNotOfFacets)
+{
+  expectFlux(fluxOfClasses(tableOf({ 1, 1.01 })), { 2.01 });
+  expectFlux(fluxOfClasses(tableOf({ 100, 1.01, 0.99 })), { 101.01, 0.99 });
+  expectFlux(fluxOfClasses(tableOf({ 1, 2 }, 1000)), { 1000, 3 });
+  EXPECT_TRUE(fluxOfClasses(tableOf({})).size() == 1);
+}
+
+TEST(PowerClasses, AreFourAtMost)
+{
+  expectFlux(fluxOfClasses(tableOf({ 1, 1e-3, 1e-6, 1e-9, 1e-12 })), { 1, 1e-3, 1e-6, 1.001e-9 });
+}
+
+TEST(PowerClasses, HaveNoneForWhatIsTooLittle)
+{
+  expectFlux(fluxOfClasses(tableOf({ 1, 1e-3, 1e-6 }), 1e-5), { 1, 1.001e-3 });
+  expectFlux(fluxOfClasses(tableOf({ 1, 1e-6 }), 1e-5), { 1.000001 });
+}
+
+// Their walks differ in power, and bring all of it: half of them go by flux, half are dealt evenly.
+TEST(PowerClasses, ShareWalks)
+{
+  for (const double sun : { 1e4, 1e8 })
+  {
+    const WalkPlan plan(100000, 100000, 16);
+    const std::vector<WalkSource> sources = sourcesOf(hutAndSun(sun), plan);
+    ASSERT_EQ(sources.size(), 2u);
+    EXPECT_NEAR(sources[0].plan.walksAfter(1), 75000, 100);
+    EXPECT_GT(sources[1].plan.walksAfter(1), sun < 1e5 ? 24900u : 1000u);
+    EXPECT_EQ(sources[1].plan.rounds().front().firstWalk, sources[0].plan.endWalk());
+    for (const WalkSource& source : sources)
+    {
+      EXPECT_NEAR(
+        double(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) / source.lights.flux(),
+        double(sources[0].lights.quantaPerWalk()) * sources[0].plan.walksAfter(1) /
+          sources[0].lights.flux(),
+        2e-3 * 0x1p46 / (sun + 10));
+    }
+  }
+}
+
+// The hut has the light of its own lamp, however strong the sun is from which none gets in; whether light is shot or gathered.
+// Its walls absorb half of what arrives, and the lamp nothing: they get 20 W. Standard errors of 8 seeds are .02 W; .2 W of the last sun, beside which the
+// lamp has some 10 walks of each replicate.
+TEST(PowerClasses, KeepAWeakLampBesideAStrongOne)
+{
+  for (const bool isGathered : { false, true })
+  {
+    for (const double sun : { 0.0, 1e5, 1e7, 1e9 })
+    {
+      test::ReplicateMean received;
+      for (std::uint64_t seed = 1; seed <= (test::kIsSanitized ? 2 : 8); ++seed)
+      {
+        EngineSettings settings;
+        settings.numberOfWalks = 100000;
+        settings.seed = seed;
+        settings.gathersDirectLight = isGathered;
+        settings.verify = false;
+        IrradianceEngine engine;
+        Execution execution;
+        engine.update(hutAndSun(sun), settings, execution);
+        received.add(test::wattsOn(engine, 0, 0, 216));
+      }
+      std::printf(
+        "%s, sun of %g W: %.3f W\n", isGathered ? "gathered" : "shot", sun, received.mean());
+      EXPECT_NEAR(received.mean(), 20, sun < 1e8 ? 0.15 : 0.6) << isGathered << ", " << sun;
+    }
+  }
+}
+
+}
