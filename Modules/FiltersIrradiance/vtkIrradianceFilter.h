@@ -292,7 +292,7 @@ public:
    * See DirectLights, and "Shot or gathered" in the Guide. Both have the same mean. Gathered is less noisy in the
    * same time where the lights shine freely on the cells, the more so the less is reflected. Lamps very
    * near to large cells want Shot. Automatic is Gathered where small cells could cast rays, and where there are no more cells than
-   * walks, else Shot; the field `DirectLight` of the output says what it is. An update still equals a new filter's result, bit for bit. Photons are then those of
+   * walks, unless it costs too much with CellEstimate Spread; else Shot; the field `DirectLight` of the output says what it is. An update still equals a new filter's result, bit for bit. Photons are then those of
    * indirect light: what reads them adds the direct light that cells, or sensors, gather.
    *
    * Standard errors are those of both parts; where a cell takes fewer than 64 samples for its direct light, the

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace irradiance
 {
 
@@ -22,15 +24,15 @@ ObjectBuilder walls()
   return room;
 }
 
-/// Where half of the light returns, and so much is the power of a walk that starts at a cell.
+/// None if shooting costs less. Where half of the light returns, and so much is the power of a walk that starts at a cell.
 std::optional<double> walksPerSample(const ObjectBuilder& room, double returned = 0.5)
 {
   const SceneObjects objects{ room.build(), {} };
   const LampPieces lamps(LightTable(objects, 1000));
   const GatherPilot pilot(objects, lamps);
-  const std::optional<double> walks = pilot.walksPerSample(returned, std::max(0.0625, returned));
-  std::printf("variance %.4f, %.1f walks for a sample\n", pilot.variance(), walks.value_or(0));
-  return walks;
+  const auto [walks, cost] = pilot.best({ 1, returned, std::max(0.0625, returned) });
+  std::printf("variance %.4f, %.1f walks for a sample, cost %.2f\n", pilot.variance(), walks, cost);
+  return cost < 1 ? std::optional<double>(walks) : std::nullopt;
 }
 
 ObjectBuilder withPanel()
@@ -84,6 +86,23 @@ TEST(GatherPilot, ShootsFromTubesOfManyFacets)
   EXPECT_TRUE(walksPerSample(bulb).has_value());
 }
 
+// Of walks from a lamp far away hardly any arrives: none is shot.
+TEST(GatherPilot, LooksForWhatIsFarAway)
+{
+  ObjectBuilder room = walls();
+  room.addSphere({ 2, 2, 2.85 }, 0.1, 40, grey(0.5, 1000));
+  const SceneObjects objects{ room.build(), {} };
+  const GatherPilot pilot(objects, LampPieces(LightTable(objects, 1000)));
+  double before = 0;
+  for (const double arrived : { 1e-6, 1e-3, 0.5, 1.0 })
+  {
+    const double cost = pilot.best({ arrived, 0.5, 0.5 }).cost;
+    EXPECT_GT(cost, before);
+    EXPECT_LT(cost, 10 * arrived);
+    before = cost;
+  }
+}
+
 // A lamp in a box with a slit lights little of what samples ask for.
 TEST(GatherPilot, KnowsWhatStandsBetween)
 {
@@ -105,7 +124,7 @@ TEST(GatherPilot, KnowsNothingWithoutStaticCells)
   lamp.addQuad({ 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 100));
   const SceneObjects objects{ test::nothing(), { lamp.build() } };
   const LampPieces lamps(LightTable(objects, 1000));
-  EXPECT_NO_THROW(GatherPilot(objects, lamps).walksPerSample(0.5, 0.5));
+  EXPECT_NO_THROW(GatherPilot(objects, lamps).best({ 1, 0.5, 0.5 }));
 }
 
 }

@@ -78,17 +78,24 @@ double noiseOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays,
   return number > 0 ? noise / number : kInfinity;
 }
 
+/// Of the light that small cells gather from lights of this variance, see GatherPilot. That is of static cells; few of these are so near to
+/// lamps that they have most of it.
+double noiseOfSamples(double variance)
+{
+  constexpr double kOfVariance = 0.2, kMost = 0.015;
+  return std::min(kOfVariance * variance, kMost);
+}
+
 /// Whether rays are less noise for their time than photons. What is here is measured in rooms: Documentation/Theory.md, 1.3.
 bool doRaysPay(const LightSurvey& survey, std::uint32_t rays, double noiseOfPhotons)
 {
-  // Sobol' points in even light have less noise than so many others. Lights that are hard to find are asked beside each ray.
-  constexpr double kGain = 8, kSamplesOfRay = 2;
-  const double noiseOfRays =
-    (survey.unevenness() - 1) / (kGain * rays) + survey.hiddenVariance() / (kSamplesOfRay * rays);
-  // The direct light that small cells gather is as noisy with either.
-  constexpr double kOfDirect = 0.2, kTime = 1.5;
-  const double direct = kOfDirect * survey.gatheredVariance();
-  return kTime * (noiseOfRays + direct) <= noiseOfPhotons + direct;
+  // Sobol' points in even light have less noise than so many others.
+  constexpr double kGain = 8, kTime = 1.5;
+  const double noiseOfRays = (survey.unevenness() - 1) / (kGain * rays);
+  // Small cells that cast rays gather what lights send that are hard to find, too.
+  const double gathered = noiseOfSamples(survey.gatheredVariance());
+  const double hidden = noiseOfSamples(survey.hiddenVariance());
+  return kTime * (noiseOfRays + gathered + hidden) <= noiseOfPhotons + gathered;
 }
 
 double numberOf(const SceneCells& cells)
@@ -121,7 +128,11 @@ void chooseByScene(const LeftToScene& left, const SceneObjects& objects, const S
   }
   if (left.directLight)
   {
-    walks.gathersDirectLight = isFine || numberOf(cells) <= walks.numberOfWalks;
+    const bool mayGather = isFine || numberOf(cells) <= walks.numberOfWalks;
+    // What moves gathers anew at each step. Where small cells draw on photons that has to pay as well.
+    constexpr double kMostCost = 0.4;
+    walks.gathersDirectLight = mayGather &&
+      (estimate.cellEstimate != CellEstimate::Spread || survey().gatheringCost() < kMostCost);
   }
 }
 

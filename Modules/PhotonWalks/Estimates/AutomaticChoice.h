@@ -34,7 +34,8 @@ constexpr std::uint32_t kFewestRays = 4;
  * Of these two it is Gathered where the rays of a small cell are less noise than the photons of walks that the cell could draw on: what rests
  * is lit evenly, lights are easily found, or small parts catch few photons. See Documentation/Theory.md, 1.3.
  *
- * Direct light is gathered if the estimate is Gathered or Spread, or if there are no more cells than walks.
+ * Direct light is gathered if the estimate is Gathered, or could be but for the noise, or if there are no more cells than walks; with Spread only where
+ * samples cost much less than walks.
  *
  * This follows from the settings and the frame alone, never from what was shot: so an update chooses as a fresh start
  * does. No rigid motion changes it, but of lights, and a part that comes or goes may. `walks` and `estimate` hold all that is asked for, and

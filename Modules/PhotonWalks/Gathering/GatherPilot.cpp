@@ -112,17 +112,18 @@ GatherPilot::GatherPilot(const SceneObjects& objects, const LampPieces& lamps)
   }
 }
 
-std::optional<double> GatherPilot::walksPerSample(double returned, double powerOfStart) const
+GatherPilot::Gathering GatherPilot::best(const Light& light) const
 {
   constexpr double kMostReturned = 0.95;
-  const double part = std::min(returned, kMostReturned);
+  const double part = std::min(light.returned, kMostReturned);
   const double segments = 1 / (1 - part); // of a walk
-  const double indirect = part * powerOfStart * segments, cost = kCostOfSample * asked_;
+  const double indirect = part * light.powerOfStart * segments, cost = kCostOfSample * asked_;
   const double walks =
     std::clamp(std::sqrt(indirect * cost / (std::max(variance_, 0x1p-40) * segments)), kFewestWalks,
       kMostWalks);
   const double gathered = (walks * variance_ + indirect) * (cost / walks + segments);
-  return gathered < segments * segments ? std::optional<double>(walks) : std::nullopt;
+  const double lost = 1 / std::max(light.arrived, 0x1p-40) - 1; // walks for each that arrives
+  return { walks, gathered / (segments * (segments + lost)) };
 }
 
 }

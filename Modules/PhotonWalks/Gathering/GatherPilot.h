@@ -5,8 +5,6 @@
 #include "Gathering/LampPieces.h"
 #include "Surfaces/SceneObjects.h"
 
-#include <optional>
-
 namespace irradiance
 {
 
@@ -19,17 +17,25 @@ namespace irradiance
 class GatherPilot
 {
 public:
-  /// See walksPerSample().
+  /// For each sample.
   static constexpr double kFewestWalks = 1, kMostWalks = 36;
 
   GatherPilot(const SceneObjects& objects, const LampPieces& lamps);
 
-  /**
-   * Power that a cell may receive for each of its samples, in walks, so that direct and indirect light together have
-   * the least noise for the time they take; none if walks that start at the lamps have less. `returned`: the part of what arrives
-   * first that arrives again. `powerOfStart`: of a walk that starts at a cell, in walks.
-   */
-  std::optional<double> walksPerSample(double returned, double powerOfStart) const;
+  struct Light
+  {
+    double arrived;      ///< the part of the flux that reaches static cells
+    double returned;     ///< the part of that which arrives again
+    double powerOfStart; ///< of a walk that starts at a cell, in walks
+  };
+  struct Gathering
+  {
+    double walksPerSample; ///< power that a cell may receive for each of its samples, in walks
+    double
+      cost; ///< noise x time beside walks that start at the lamps: if less than 1 gathering pays
+  };
+  /// With the least noise of direct and indirect light together for the time they take.
+  Gathering best(const Light& light) const;
 
   /// Of one sample that stands for as much power as a walk, beside the walk's: small of a panel, large of light that may be
   /// hidden, or comes from lamps that are told apart badly.

@@ -63,10 +63,11 @@ LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source
   group.lamps = std::make_shared<const LampPieces>(gathered);
   const GatherPilot pilot(objects, *group.lamps);
   group.variance = pilot.variance();
-  const std::optional<double> walks =
-    pilot.walksPerSample(hits.returned(), LightSurvey::powerOfStart(reflected));
-  group.areHardToFind = !walks;
-  group.walksPerSample = walks.value_or(GatherPilot::kMostWalks);
+  const GatherPilot::Gathering gathering = pilot.best({ hits.arrived() / source.lights.flux(),
+    hits.returned(), LightSurvey::powerOfStart(reflected) });
+  group.cost = gathering.cost;
+  group.areHardToFind = gathering.cost >= 1;
+  group.walksPerSample = gathering.walksPerSample;
   if (group.areHardToFind)
   {
     std::replace(group.known.begin(), group.known.end(), Known::Gathered, Known::Shot);
@@ -166,6 +167,22 @@ double LightSurvey::gatheredVariance() const
     }
   }
   return flux > 0 ? sum / flux : 0;
+}
+
+double LightSurvey::gatheringCost() const
+{
+  double sum = 0, flux = 0;
+  bool hasLights = false;
+  for (const Group& group : groups_)
+  {
+    hasLights = hasLights || !group.known.empty();
+    if (group.lamps)
+    {
+      sum += group.cost * group.lamps->lights().flux();
+      flux += group.lamps->lights().flux();
+    }
+  }
+  return flux > 0 ? sum / flux : hasLights ? 1 : 0;
 }
 
 }

@@ -32,11 +32,10 @@ public:
   {
     std::vector<Known> known; ///< by light
     std::shared_ptr<const LampPieces>
-      lamps; ///< of those that are neither dim nor near; null: none are
-    bool areHardToFind =
-      false; ///< these: they are shot, as to look for them would be more noise for its time
-    double walksPerSample = 0; ///< of these else, see GatherPlan
-    double variance = 0;       ///< of these, see GatherPilot
+      lamps;                       ///< of those that are neither dim nor near; null: none are
+    bool areHardToFind = false;    ///< these: they are shot, as to look for them costs more
+    double walksPerSample = 0;     ///< of these else, see GatherPlan
+    double variance = 0, cost = 1; ///< of these, see GatherPilot
 
     /// Those of the source that are known in this way.
     LightTable lightsOf(const WalkSource& source, Known part) const;
@@ -56,6 +55,8 @@ public:
   double hiddenVariance() const;
   /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no light of its own lamps.
   double gatheredVariance() const;
+  /// Of all lights that are neither dim nor near, see GatherPilot; 1 if all others are, 0 without lights.
+  double gatheringCost() const;
 
 private:
   std::vector<Group> groups_; ///< by source

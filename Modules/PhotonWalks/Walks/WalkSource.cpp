@@ -40,6 +40,8 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLight
   const double flux = std::accumulate(sources.begin(), sources.end(), 0.0,
     [](double sum, const WalkSource& source) { return sum + source.lights.flux(); });
   std::uint32_t firstWalk = plan.replicates().firstWalk();
+  double sum = 0;
+  std::int64_t given = 0; // walks of each replicate
   for (WalkSource& source : sources)
   {
     LightTable& lights = source.lights;
@@ -47,8 +49,10 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLight
     const double dealt = (1 - alike) * share + alike * first / static_cast<double>(sources.size());
     const double number = std::min(source.cells ? dealt : dealt * atLights,
       share * static_cast<double>(lights.quantaPerWalk()) / kFewestQuanta);
-    const std::uint32_t walks =
-      replicates * std::max(1u, static_cast<std::uint32_t>(number / replicates));
+    sum += number / replicates; // rounded as a whole, so that none gets lost
+    const auto ofReplicate = std::max<std::int64_t>(1, std::llround(sum) - given);
+    given += ofReplicate;
+    const std::uint32_t walks = replicates * static_cast<std::uint32_t>(ofReplicate);
     source.plan = WalkPlan(walks, walks * times, replicates, firstWalk);
     firstWalk += walks * times;
     lights.setQuantaPerWalk(std::max<std::int64_t>(
