@@ -78,7 +78,7 @@ public:
   irradiance::DynamicPoses Poses;
   irradiance::DistributedInput Pieces;
   irradiance::SceneReader Scene;
-  std::uint32_t Processes = 0;  ///< that shared the walks when the scene was last read
+  std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
   std::shared_ptr<irradiance::IrradianceEngine> Engine =
     std::make_shared<irradiance::IrradianceEngine>();

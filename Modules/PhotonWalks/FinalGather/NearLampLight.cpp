@@ -37,7 +37,8 @@ void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t 
   const LampPieces& lamps = *known;
   const CellShapes shapes = gatheringAlone(scene);
   const GatherPlan plan(shapes, lamps,
-    { walks, { kWalksPerSample, { scene.rays, scene.rays, 2 * scene.rays } }, replicates }, cancelPoint);
+    { walks, { kWalksPerSample, { scene.rays, scene.rays, 2 * scene.rays } }, replicates },
+    cancelPoint);
   DirectLight light(
     shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk), quantaPerWatt);
   light.gather(scene.space, execution);
