@@ -36,8 +36,7 @@ void addPanel(ObjectBuilder& room, double exitance)
 std::pair<double, double> partsOf(const SceneObjects& objects)
 {
   const LightTable lights(objects, 1000);
-  const DimLights dim(
-    objects, { FirstHits(objects, lights) }, meanReflectance(objects.staticObject));
+  const DimLights dim(objects, FirstHits(objects, lights), meanReflectance(objects.staticObject));
   std::pair<double, double> flux;
   for (const Light& light : lights.lights())
   {

@@ -87,30 +87,6 @@ TEST(SeenLamp, ByCosineItBringsWhatIsAboveTheHorizon)
   EXPECT_TRUE(test::kIsSanitized || (crossing > 30 && hidden > 30)) << crossing << ", " << hidden;
 }
 
-// A corner on the horizon has no density: a coordinate of 0 there is that corner, and no quotient of zeros.
-TEST(SeenLamp, TheEdgesOfTheSquareAreFiniteWhereACornerIsOnTheHorizon)
-{
-  const LitPoint point{ Vector3::Zero(), Vector3::UnitZ() };
-  const Triangle lamp{ { 1, -1, 0 }, { 1, 0, 1 }, { 1, 1, 0.5 } };
-  for (const Triangle& turned :
-    { lamp, Triangle{ lamp.b, lamp.c, lamp.a }, Triangle{ lamp.c, lamp.b, lamp.a } })
-  {
-    for (const SeenLamp& part : partsOf(turned, point, SeenLamp::By::Cosine))
-    {
-      for (const double first : { 0.0, 0x1p-60, 1 - 0x1p-53 })
-      {
-        for (const double second : { 0.0, 0x1p-60, 1 - 0x1p-53 })
-        {
-          const auto [weights, solidAngle] = part.sample({ first, second });
-          EXPECT_TRUE(weights.minCoeff() >= 0 && std::abs(weights.sum() - 1) < 1e-14)
-            << weights.transpose() << " at " << first << ", " << second;
-          EXPECT_TRUE(std::isfinite(solidAngle));
-        }
-      }
-    }
-  }
-}
-
 // A small triangle that stands on the horizon, as from afar the cosine is linear on it: with the distance s from the corner above,
 // of density 2 s, samples bring (1 - s) / (1 - s^2) up to a factor. The squares of that scatter by
 // 9 (1.5 - 2 ln 2) - 1 = .0233. By solid angle it would be those of 1 - s: 1/2.

@@ -17,18 +17,12 @@ constexpr double kBrightest = 1.5;
 
 /// What arrives at first and returns at each reflection fills the static object evenly, roughly: as much as its mean
 /// radiosity.
-DimLights::DimLights(
-  const SceneObjects& objects, const std::vector<FirstHits>& hits, double reflected)
+DimLights::DimLights(const SceneObjects& objects, const FirstHits& hits, double reflected)
   : objects_(objects)
 {
   constexpr double kMostReturned = 0.99; // what returns is known from few rays
-  const double most = std::min(kMostReturned, reflected);
-  const double power =
-    std::accumulate(hits.begin(), hits.end(), 0.0, [most](double sum, const FirstHits& ofGroup) {
-      return sum + ofGroup.arrived() / (1 - std::min(ofGroup.returned(), most));
-    });
-  const double area = hits.front().area();
-  brightest_ = area > 0 ? kBrightest * power / area : 0;
+  const double returned = std::min({ hits.returned(), reflected, kMostReturned });
+  brightest_ = hits.area() > 0 ? kBrightest * hits.arrived() / (1 - returned) / hits.area() : 0;
 }
 
 bool DimLights::contains(const Light& light) const

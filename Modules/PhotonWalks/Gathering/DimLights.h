@@ -4,13 +4,11 @@
 
 #include "Gathering/FirstHits.h"
 
-#include <vector>
-
 namespace irradiance
 {
 
 /**
- * Lights about as bright as what the lit scene sends itself: warm walls of an oven, a room that shines everywhere. Light from everywhere
+ * Lights of a group about as bright as what the scene sends that they light: warm walls of an oven, a room that shines everywhere. Light from everywhere
  * is found by any ray, and cells that looked for it would choose among thousands of lights that bring little each. So walks start
  * at them, and rays of a final gather count what they emit where they meet it.
  *
@@ -19,8 +17,9 @@ namespace irradiance
 class DimLights
 {
 public:
-  /// `hits`: of the groups of lights, which have all lights together. `reflected`: the mean part of static cells.
-  DimLights(const SceneObjects& objects, const std::vector<FirstHits>& hits, double reflected);
+  /// `hits`: of the lights of a group. What it lights itself counts: to rays a lamp in a hut is bright, however strong the sun is
+  /// outside. `reflected`: the mean part of static cells.
+  DimLights(const SceneObjects& objects, const FirstHits& hits, double reflected);
 
   /// Whether the light of a table is one of them.
   bool contains(const Light& light) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -23,9 +24,9 @@ double timesAtLights(double reflected, const WalkPlan& plan)
   return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
 }
 
-/// Parts a source by how its lights are best known. `reflected`: the mean part of static cells.
+/// Parts a source by how its lights are best known. `atLights`: see deal().
 std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Group& group,
-  double reflected, const FewestSamples& fewestSamples)
+  double atLights, const FewestSamples& fewestSamples)
 {
   std::vector<WalkSource> parts;
   for (const Known part : { Known::Dim, Known::Shot })
@@ -42,17 +43,16 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
       parts.push_back(std::move(some));
     }
   }
-  const bool isGathered = parts.empty() || (group.lamps && !group.areHardToFind);
-  if (isGathered)
+  if (parts.empty() || group.isGathered())
   {
     WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, CellPart{} };
     gathered.lamps = group.lamps;
     gathered.density = { group.walksPerSample, fewestSamples.atVariance(group.variance) };
     parts.push_back(std::move(gathered));
   }
-  if (parts.size() > 1)
+  if (parts.size() > 1 || !parts.front().cells)
   {
-    deal(parts, source.plan, isGathered ? timesAtLights(reflected, source.plan) : 1);
+    deal(parts, source.plan, atLights);
   }
   return parts;
 }
@@ -66,9 +66,12 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
   std::vector<WalkSource> gathered, all;
   std::uint32_t end = 0; // of the numbers of walks that start at lights
   const double reflected = meanReflectance(objects.staticObject);
+  const bool isAnyGathered = std::any_of(
+    survey.groups().begin(), survey.groups().end(), std::mem_fn(&LightSurvey::Group::isGathered));
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    for (WalkSource& part : partsOf(sources[i], survey.groups()[i], reflected, fewestSamples))
+    const double atLights = isAnyGathered ? timesAtLights(reflected, sources[i].plan) : 1;
+    for (WalkSource& part : partsOf(sources[i], survey.groups()[i], atLights, fewestSamples))
     {
       if (!part.cells)
       {

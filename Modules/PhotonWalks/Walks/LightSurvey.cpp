@@ -137,9 +137,9 @@ LightSurvey::LightSurvey(const SceneObjects& objects, const std::vector<WalkSour
   {
     hits.emplace_back(objects, source.lights);
   }
-  const DimLights dim(objects, hits, reflected);
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
+    const DimLights dim(objects, hits[i], reflected);
     groups_.push_back(groupOf(objects, sources[i], hits[i], dim, reflected));
   }
   unevenness_ = unevennessOf(sources, hits, groups_);
@@ -160,7 +160,7 @@ double LightSurvey::gatheredVariance() const
   double sum = 0, flux = 0;
   for (const Group& group : groups_)
   {
-    if (group.lamps && !group.areHardToFind)
+    if (group.isGathered())
     {
       sum += group.variance * staticFlux(group.lamps->lights());
       flux += group.lamps->lights().flux();

@@ -37,6 +37,7 @@ public:
     double walksPerSample = 0;     ///< of these else, see GatherPlan
     double variance = 0, cost = 1; ///< of these, see GatherPilot
 
+    bool isGathered() const { return lamps && !areHardToFind; }
     /// Those of the source that are known in this way.
     LightTable lightsOf(const WalkSource& source, Known part) const;
   };

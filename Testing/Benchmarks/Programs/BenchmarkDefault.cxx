@@ -249,17 +249,19 @@ private:
       });
     const CellField off =
       (irradianceOf(engine, objects) - 0.5 * (truth_.first + truth_.second)).abs();
-    const CellField noise = 0.5 * (truth_.first - truth_.second).abs();
+    const CellField difference = truth_.first - truth_.second;
     for (std::size_t i = 0; i < 2; ++i)
     {
       const CellSet& set = sets_[i + 1];
       Coverage& sum = sums[i];
+      // Of the truth: that of one cell is not known well.
+      const double noise = 0.5 * std::sqrt(meanOf(set.of(difference.square()), set.of(areas_)));
       for (Eigen::Index cell = set.first; cell < set.end(); ++cell)
       {
         sum.area += areas_[cell];
         if (!std::isnan(halfWidths[cell]) && areas_[cell] > 0)
         {
-          const bool isHeld = off[cell] <= std::hypot(halfWidths[cell], 2 * noise[cell]);
+          const bool isHeld = off[cell] <= std::hypot(halfWidths[cell], 2 * noise);
           sum.knownArea += areas_[cell];
           sum.knownCells += 1;
           sum.heldArea += isHeld ? areas_[cell] : 0;
