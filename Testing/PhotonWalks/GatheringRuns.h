@@ -28,6 +28,13 @@ inline std::vector<WalkSource> gatheredOf(const SceneObjects& objects, const Wal
   return gatheredSourcesOf(objects, sources, LightSurvey(objects, sources), {});
 }
 
+/// Of what the walks of a source bring.
+inline double quantaPerWatt(const WalkSource& source)
+{
+  return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
+    source.lights.flux();
+}
+
 /// What seeds find of each cell, in one band.
 class SeedMeans
 {

@@ -20,6 +20,7 @@ namespace
 using test::box;
 using test::grey;
 using test::ObjectBuilder;
+using test::quantaPerWatt;
 
 constexpr double kReflectance = 0.5;
 
@@ -72,12 +73,6 @@ std::vector<bool> nearLightsOf(const SceneObjects& objects)
 }
 
 using test::gatheredOf;
-
-double quantaPerWatt(const WalkSource& source)
-{
-  return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
-    source.lights.flux();
-}
 
 TEST(NearLights, AreFoundByWhatTheyShineOn)
 {

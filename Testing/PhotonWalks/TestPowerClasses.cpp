@@ -16,6 +16,7 @@ namespace
 using test::box;
 using test::grey;
 using test::ObjectBuilder;
+using test::quantaPerWatt;
 
 /// Lamps of so many watts, each a strip of ten facets that share corners, and a point light.
 LightTable tableOf(const std::vector<double>& watts, double point = 0)
@@ -49,12 +50,6 @@ void expectFlux(const std::vector<double>& found, const std::vector<double>& exp
   {
     EXPECT_NEAR(found[i], expected[i], 1e-9 * expected[i]) << i;
   }
-}
-
-double quantaPerWatt(const WalkSource& source)
-{
-  return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
-    source.lights.flux();
 }
 
 /// Walls of 4 x 4 x 3 m in which a panel of 10 W hangs, and far above them a point light that shines on the ground around.

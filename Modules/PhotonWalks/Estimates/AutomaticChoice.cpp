@@ -114,17 +114,18 @@ void chooseByScene(const LeftToScene& left, const SceneObjects& objects, const S
   bool isFine = estimate.cellEstimate == CellEstimate::Gathered;
   if (left.cellEstimate)
   {
-    const bool mayRead = walks.gathersDirectLight && !unseenLight(objects);
+    const bool mayRead =
+      walks.gathersDirectLight && !estimate.unbiasedGather && !unseenLight(objects);
     const std::uint32_t rays =
       mayRead ? raysThatPay(cells, walks.numberOfWalks, estimate.gatherRays) : 0;
-    const bool isGathered = rays > 0 && !estimate.unbiasedGather &&
+    const bool isGathered = rays > 0 &&
       doRaysPay(
         survey(), rays, noiseOfPhotons(cells, walks.numberOfWalks, rays, estimate.spreadPhotons));
     estimate.cellEstimate = estimate.unbiasedGather ? CellEstimate::Sums
       : isGathered                                  ? CellEstimate::Gathered
                                                     : CellEstimate::Spread;
     estimate.gatherRays = isGathered ? rays : estimate.gatherRays;
-    isFine = rays > 0 && !estimate.unbiasedGather;
+    isFine = rays > 0;
   }
   if (left.directLight)
   {
