@@ -46,7 +46,7 @@ package()
   mkdir -p "$tree"
   log=$tree/log
   if ! {
-    cmake -S . -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
+    cmake -S . -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_INSTALL_PREFIX=/usr \
       -DBUILD_TESTING=OFF -DVTKIRRADIANCE_BUILD_EXAMPLES=OFF -DVTKIRRADIANCE_DEBIAN_PACKAGES=ON "${engine[@]}" "$@" &&
       cmake --build "$tree" --parallel "$(nproc)" &&
       (cd "$tree" && rm -f ./*.deb && cpack)

@@ -32,10 +32,13 @@ fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# options SOURCE: those of the compiler that say what the source means, not those for optimising
+# options SOURCE: those of the compiler that say what the sources of its module mean, not those for optimising. In a
+# unity build only some sources have commands of their own.
 options()
 {
-  grep -F " -c $PWD/$1\"" "$build/compile_commands.json" | head -n 1 |
+  local module
+  module=$(cut -d / -f 1-2 <<<"$1")
+  grep -F " -c $PWD/$module/" "$build/compile_commands.json" | grep -vF CGAL | head -n 1 |
     grep -oE -- '-isystem [^ ]+|-I[^ ]+|-D[^ ]+|-std=[^ ]+' | tr ' ' '\n'
 }
 
