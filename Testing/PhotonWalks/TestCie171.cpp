@@ -193,6 +193,10 @@ TEST_P(Cie171, InternalReflectedComponent58)
     { 0.9, 937, 0 }, { 0.95, 1979, 1998.5 } };
   for (const auto& [reflectance, printed, center] : rows)
   {
+    if (test::kIsSanitized && center == 0)
+    {
+      continue; // they take the ways of the others
+    }
     const auto walks =
       static_cast<std::uint32_t>(test::scaled(32768) * std::max(0.1, 1 - reflectance));
     std::vector<std::array<double, 2>> direct(kSeeds, { 10000.0 / 96, 0 });

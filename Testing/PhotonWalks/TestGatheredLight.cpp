@@ -59,7 +59,7 @@ void expectMean(const ReplicateMean& estimate, double truth, double within, cons
   }
 }
 
-constexpr int kSeeds = test::kIsSanitized ? 64 : 16384;
+constexpr int kSeeds = test::kIsSanitized ? 64 : 4096;
 
 }
 

@@ -134,7 +134,7 @@ TEST(UpdateEqualsRebuild, OverRandomFramesWithGatheredLightInColourWithSidesAndR
 // 10,000 frames out and the same 10,000 back: nothing drifts, nothing is left behind.
 TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
 {
-  const int frames = test::kIsSanitized ? 1000 : 10000;
+  const int frames = test::kIsSanitized ? 250 : 10000;
   MovingScene scene(1, false, 23);
   SceneObjects objects = scene.objects();
   EngineSettings settings;
