@@ -130,7 +130,7 @@ TEST(PointDirectLight, FromManyLamps)
   for (int i = 0; i < 16; ++i)
   {
     const Vector3 corner(0.6 * (i % 4) - 1, 0.6 * (i / 4) - 1, 0.5);
-    const double exitance = 1 + i % 3 * 20;
+    const double exitance = 10 + i % 3 * 20; // one class of power
     builder.addQuad(corner, u, v, 1, 1, grey(0, exitance));
     truth += exitance *
       test::lambertIrradiance(place, up, { corner, corner + u, corner + u + v, corner + v });

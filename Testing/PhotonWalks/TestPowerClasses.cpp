@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A weak lamp beside a strong one has walks and samples of its own.
 
-#include "Lights/PowerClasses.h"
+#include "Gathering/PowerClasses.h"
 
 #include "GatheringRuns.h"
 
@@ -18,8 +18,8 @@ using test::grey;
 using test::ObjectBuilder;
 using test::quantaPerWatt;
 
-/// Lamps of so many watts, each a strip of ten facets that share corners, and a point light.
-LightTable tableOf(const std::vector<double>& watts, double point = 0)
+/// Lamps of so many watts, each a strip of ten facets that share corners, and a point light. No light arrives anywhere.
+SceneObjects lampsOf(const std::vector<double>& watts, double point = 0)
 {
   ObjectBuilder builder;
   for (std::size_t i = 0; i < watts.size(); ++i)
@@ -30,13 +30,13 @@ LightTable tableOf(const std::vector<double>& watts, double point = 0)
   {
     builder.addPointLight({ 5, 5, 5 }, point);
   }
-  return LightTable({ builder.build(), {} }, 1000);
+  return { builder.build(), {} };
 }
 
-std::vector<double> fluxOfClasses(const LightTable& table, double leastPart = 0)
+std::vector<double> fluxOfClasses(const SceneObjects& objects, double leastPart = 0)
 {
   std::vector<double> flux;
-  for (const LightTable& some : powerClassesOf(table, leastPart))
+  for (const LightTable& some : powerClassesOf(LightTable(objects, 1000), objects, leastPart))
   {
     flux.push_back(some.flux());
   }
@@ -72,24 +72,53 @@ SceneObjects hutAndSun(double sun)
 // Facets are weaker than their lamp.
 TEST(PowerClasses, AreOfLampsAndNotOfFacets)
 {
-  expectFlux(fluxOfClasses(tableOf({ 1, 1.01 })), { 2.01 });
-  expectFlux(fluxOfClasses(tableOf({ 100, 1.01, 0.99 })), { 101.01, 0.99 });
-  expectFlux(fluxOfClasses(tableOf({ 1, 2 }, 1000)), { 1000, 3 });
-  EXPECT_TRUE(fluxOfClasses(tableOf({})).size() == 1);
+  expectFlux(fluxOfClasses(lampsOf({ 1, 1.01 })), { 2.01 });
+  expectFlux(fluxOfClasses(lampsOf({ 100, 15.1, 14.9 })), { 115.1, 14.9 });
+  expectFlux(fluxOfClasses(lampsOf({ 1, 2 }, 1000)), { 1000, 3 });
+  EXPECT_TRUE(fluxOfClasses(lampsOf({})).size() == 1);
 }
 
 TEST(PowerClasses, AreFourAtMost)
 {
-  expectFlux(fluxOfClasses(tableOf({ 1, 1e-3, 1e-6, 1e-9, 1e-12 })), { 1, 1e-3, 1e-6, 1.001e-9 });
+  expectFlux(fluxOfClasses(lampsOf({ 1, 1e-3, 1e-6, 1e-9, 1e-12 })), { 1, 1e-3, 1e-6, 1.001e-9 });
 }
 
 TEST(PowerClasses, HaveNoneForWhatIsTooLittle)
 {
-  expectFlux(fluxOfClasses(tableOf({ 1, 1e-3, 1e-6 }), 1e-5), { 1, 1.001e-3 });
-  expectFlux(fluxOfClasses(tableOf({ 1, 1e-6 }), 1e-5), { 1.000001 });
+  expectFlux(fluxOfClasses(lampsOf({ 1, 1e-3, 1e-6 }), 1e-5), { 1, 1.001e-3 });
+  expectFlux(fluxOfClasses(lampsOf({ 1, 1e-6 }), 1e-5), { 1.000001 });
 }
 
-// Their walks differ in power, and bring all of it: half of them go by flux, half are dealt evenly.
+// A weak lamp whose light falls where a strong one sends more has no walks of its own to wait for; behind a wall it has. A desk
+// lamp outshines the ceiling on its desk.
+TEST(PowerClasses, AreOfLampsThatShineElsewhere)
+{
+  const auto scene = [](bool hasWall, double height) {
+    ObjectBuilder room;
+    room.addBox(box({ 0, 0, 0 }, { 8, 4, 3 }), 8, grey(0.5), true);
+    room.addQuad({ 1, 1, 2.9 }, { 0, 2, 0 }, { 2, 0, 0 }, 2, 2, grey(0, 100));
+    room.addQuad({ 6.4, 2.15, height }, { 0, 0.2, 0 }, { 0.2, 0, 0 }, 1, 1, grey(0, 100));
+    if (hasWall)
+    {
+      room.addQuad({ 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 3 }, 2, 2, grey(0.5));
+    }
+    return SceneObjects{ room.build(), {} };
+  };
+  expectFlux(fluxOfClasses(scene(false, 2.9)), { 404 });
+  expectFlux(fluxOfClasses(scene(true, 2.9)), { 400, 4 });
+  expectFlux(fluxOfClasses(scene(false, 0.3)), { 400, 4 });
+}
+
+// The walls of a furnace outshine the lamps in it everywhere.
+TEST(PowerClasses, LeaveAFurnaceWhole)
+{
+  ObjectBuilder furnace;
+  furnace.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5, 0.5), true);
+  furnace.addSphere({ 1.5, 2, 1.2 }, 0.3, 16, grey(0.5, 0.5));
+  EXPECT_EQ(fluxOfClasses({ furnace.build(), {} }).size(), 1u);
+}
+
+// Their walks differ in power, and bring all of it: a tenth of them goes by flux, the others are dealt evenly.
 TEST(PowerClasses, ShareWalks)
 {
   for (const double sun : { 1e4, 1e8 })
@@ -97,8 +126,8 @@ TEST(PowerClasses, ShareWalks)
     const WalkPlan plan(100000, 100000, 16);
     const std::vector<WalkSource> sources = sourcesOf(hutAndSun(sun), plan);
     ASSERT_EQ(sources.size(), 2u);
-    EXPECT_NEAR(sources[0].plan.walksAfter(1), 75000, 100);
-    EXPECT_GT(sources[1].plan.walksAfter(1), sun < 1e5 ? 24900u : 1000u);
+    EXPECT_NEAR(sources[0].plan.walksAfter(1), 55000, 100);
+    EXPECT_GT(sources[1].plan.walksAfter(1), sun < 1e5 ? 44900u : 1000u);
     EXPECT_EQ(sources[1].plan.rounds().front().firstWalk, sources[0].plan.endWalk());
     for (const WalkSource& source : sources)
     {

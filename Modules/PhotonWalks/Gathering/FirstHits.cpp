@@ -117,10 +117,9 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
     std::max(kFewestRays, kRaysOfAll / std::max<std::size_t>(1, lights.lights().size())));
   double returned = 0;
   std::uint32_t begin = 0; // of the rays of a light
-  std::vector<OnCell> cells(material.numberOfCells);
-  for (const Light& light : lights.lights())
+  for (std::uint32_t number = 0; number < lights.lights().size(); ++number)
   {
-    const bool isArea = std::holds_alternative<AreaLight>(light.kind);
+    const Light& light = lights[number];
     const double fluxOfRay = light.totalFlux() / count;
     std::uint32_t near = 0;
     const std::uint32_t end = begin + count;
@@ -135,19 +134,31 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
         if (hits[i])
         {
           near += isNear(scene, hits[i]) ? 1 : 0;
-          arrived_ += fluxOfRay;
-          const std::uint32_t triangle = hits[i].id.triangle;
-          cells[material.cellOfTriangle[triangle]][halfOf(first + i)] +=
-            fluxOfRay * material.reflectedOf(triangle);
+          const Vector3 normal = scene.worldTriangle(hits[i].id).areaVector();
+          arrivals_.push_back({ number, hits[i].id.triangle, normal.dot(rays[i].direction) < 0,
+            halfOf(first + i), fluxOfRay });
         }
       }
       returned += fluxOfRay * returnedOf(scene, material, rays, hits, first, together);
     }
-    nearLights_.push_back(isArea && 2 * near > count);
+    nearLights_.push_back(std::holds_alternative<AreaLight>(light.kind) && 2 * near > count);
     begin = end;
   }
+  sumUp(objects.staticObject);
   returned_ = arrived_ > kLeastArrived * lights.flux() ? returned / arrived_ : 1;
-  const std::vector<double> areas = cellAreas(objects.staticObject);
+}
+
+void FirstHits::sumUp(const SceneObject& object)
+{
+  const Material& material = *object.material;
+  std::vector<OnCell> cells(material.numberOfCells);
+  for (const Arrival& arrival : arrivals_)
+  {
+    arrived_ += arrival.flux;
+    cells[material.cellOfTriangle[arrival.triangle]][arrival.half] +=
+      arrival.flux * material.reflectedOf(arrival.triangle);
+  }
+  const std::vector<double> areas = cellAreas(object);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     area_ += areas[cell];

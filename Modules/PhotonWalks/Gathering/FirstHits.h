@@ -5,6 +5,7 @@
 #include "Lights/LightTable.h"
 #include "Surfaces/SceneObjects.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace irradiance
@@ -20,6 +21,15 @@ class FirstHits
 public:
   FirstHits(const SceneObjects& objects, const LightTable& lights);
 
+  /// A ray from a light that meets a static triangle.
+  struct Arrival
+  {
+    std::uint32_t light, triangle;
+    bool isFront; ///< which side of it
+    std::uint32_t half; ///< 0 or 1: every other ray of a light, which knows nothing of the rest
+    double flux;        ///< W
+  };
+  const std::vector<Arrival>& arrivals() const { return arrivals_; }
   /// Which lights shine mostly on static triangles so near to them that what arrives differs much from
   /// place to place: a strip along a wall, a lamp just over the floor. There walks that start at the light find
   /// the light of a cell with less work than samples of the cell do.
@@ -37,6 +47,9 @@ public:
   double area() const { return area_; }
 
 private:
+  /// Of the arrivals.
+  void sumUp(const SceneObject& object);
+  std::vector<Arrival> arrivals_; ///< by light
   std::vector<bool> nearLights_;
   double returned_ = 1, arrived_ = 0, reflected_ = 0, reflectedSquares_ = 0, area_ = 0;
 };

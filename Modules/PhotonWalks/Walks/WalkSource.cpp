@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSource.h"
 
-#include "Lights/PowerClasses.h"
+#include "Gathering/PowerClasses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,8 @@ std::uint32_t numberOfGroups(const SceneObjects& objects)
   return groups;
 }
 
-/// Of a walk: rounding them changes its power by less than .1 %.
-constexpr double kFewestQuanta = 1024;
+/// Of a walk: rounding them changes its power by less than .2 %.
+constexpr double kFewestQuanta = 256;
 
 }
 
@@ -75,8 +75,8 @@ std::vector<WalkSource> sourcesOf(
     // A class is worth a few walks of each replicate, of enough quanta.
     constexpr double kFewestWalks = 4;
     const double walks = plan.walksAfter(1) / (kFewestWalks * plan.replicates().count());
-    std::vector<LightTable> classes =
-      powerClassesOf(lights, kFewestQuanta / (static_cast<double>(lights.quantaPerWalk()) * walks));
+    std::vector<LightTable> classes = powerClassesOf(
+      lights, objects, kFewestQuanta / (static_cast<double>(lights.quantaPerWalk()) * walks));
     haveClasses = haveClasses || classes.size() > 1;
     for (LightTable& some : classes)
     {
@@ -89,7 +89,7 @@ std::vector<WalkSource> sourcesOf(
   }
   if (sources.size() > 1)
   {
-    constexpr double kAlike = 0.5;
+    constexpr double kAlike = 0.9;
     deal(sources, plan, 1, haveClasses ? kAlike : 0);
   }
   return sources;
