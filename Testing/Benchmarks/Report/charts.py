@@ -16,12 +16,14 @@ def write(figure, axes, path):
 
 
 def bars(results, title, path):
-    """The medians: a group of bars for each quantity, a colour for each row except that which is the
-    unit of the others, so 1 everywhere."""
+    """The medians: a group of bars for each quantity, a colour for each row but the one that is the
+    unit of the others: it alone is 1 everywhere."""
     groups = distinct(quantity for _, quantity in results)
     series = {row: [results[row, group].median if (row, group) in results else 0 for group in groups]
               for row, _ in results}
-    series = {row: values for row, values in series.items() if set(values) != {1}}
+    units = [row for row, values in series.items() if set(values) == {1}]
+    if len(units) == 1:
+        del series[units[0]]
     figure, axes = pyplot.subplots(figsize=(12, 5.2), layout="constrained")
     width = 0.8 / len(series)
     colours = pyplot.get_cmap("Paired" if len(series) <= 12 else "tab20")
