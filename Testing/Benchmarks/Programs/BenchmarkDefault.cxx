@@ -7,7 +7,9 @@
  * mover, of a first frame and of an update after the mover went on; an update's error is a first frame's, as it equals a
  * fresh start. The truth is what long runs of shot walks, and of unbiased rays for small cells, find together, twice, and the ways'
  * means are told beside it. Coverage is how much of the area, and of the cells, has the truth in its 95 % interval; the truth's
- * own noise counts. One thread, in turns.
+ * own noise counts. The plain tracer (Rivals/PlainTracer.h) shoots as many walks, anew in each frame. One thread, in turns.
+ *
+ * In rooms with tubes and a panel, the dose of the mover over 30 steps: its noise, from two seeds, and its time.
  *
  * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which] [folder in which truths are kept] [ways = 6]
  */
@@ -32,6 +34,8 @@ namespace
 const std::string kTable = "Default";
 const std::string kErrors = "DefaultErrors";
 const std::string kCoverage = "DefaultCoverage";
+const std::string kPlain = "DefaultPlain";
+const std::string kDose = "DefaultDose";
 
 /// A way to know the light of a scene.
 struct Way
@@ -114,6 +118,17 @@ HalvedTruth truthOf(const LightingScene& scene, std::uint32_t walks, const std::
 /// What a way costs in a scene: seconds, and squared errors of walls and mover.
 struct Found
 {
+  enum Part
+  {
+    Walls,
+    Small
+  };
+  /// Of one part: seconds, median, times squared error.
+  double costOf(Part part, const std::vector<double>& seconds) const
+  {
+    return (part == Walls ? walls : small).value() * medianOf(seconds);
+  }
+
   std::vector<double> first, update;
   Mean walls, small, meanOfWalls, meanOfSmall;
 
@@ -133,6 +148,8 @@ public:
     , areas_(areasOf(scene.at(0)))
     , sets_(cellSetsOf(scene.at(0)))
     , ways_(makeWays(walks))
+    , plainScene_(makePlainScene(scene.inFrame(0)))
+    , tracer_(plainScene_)
   {
     ways_.resize(std::min(ways, ways_.size()), ways_.front());
     found_.resize(ways_.size());
@@ -150,6 +167,10 @@ public:
     {
       add(ways_[i], seed, found_[i]);
     }
+    const Shot shot =
+      shoot(tracer_, scene_.inFrame(0), plainScene_, withSeed(ways_[0].settings, seed));
+    plain_.first.push_back(shot.seconds);
+    addErrors(shot.irradiance, plain_);
   }
 
   void report(int rounds) const
@@ -172,6 +193,7 @@ public:
       leastFirst / found_[0].cost(found_[0].first), { 0.7, 1 });
     ::report(kTable, scene_.name, "default / best, update",
       leastUpdate / found_[0].cost(found_[0].update), { 0.5, 1 });
+    reportBesidePlain();
     reportCoverage(5 * rounds);
   }
 
@@ -189,7 +211,15 @@ private:
       return choosing + timeUpdate(engine, objects, settings).whole;
     };
     found.first.push_back(secondsOf(start));
-    const CellField field = irradianceOf(engine, start);
+    addErrors(irradianceOf(engine, start), found);
+    for (int frame = 1; frame <= 2; ++frame)
+    {
+      found.update.push_back(secondsOf(scene_.inFrame(frame)));
+    }
+  }
+
+  void addErrors(const CellField& field, Found& found) const
+  {
     const CellField right = 0.5 * (truth_.first + truth_.second);
     const auto ratio = [&](const CellSet& set) {
       return meanOf(set.of(field), set.of(areas_)) / meanOf(set.of(right), set.of(areas_));
@@ -198,9 +228,19 @@ private:
     found.small.add(truth_.squaredError(field, areas_, sets_[2]));
     found.meanOfWalls.add(ratio(sets_[1]));
     found.meanOfSmall.add(ratio(sets_[2]));
-    for (int frame = 1; frame <= 2; ++frame)
+  }
+
+  /// How much more efficient the default is.
+  void reportBesidePlain() const
+  {
+    for (const Found::Part part : { Found::Walls, Found::Small })
     {
-      found.update.push_back(secondsOf(scene_.inFrame(frame)));
+      const std::string name = part == Found::Walls ? "walls" : "small cells";
+      const double plain = plain_.costOf(part, plain_.first);
+      ::report(
+        kPlain, scene_.name, name + ", first", plain / found_[0].costOf(part, found_[0].first));
+      ::report(
+        kPlain, scene_.name, name + ", update", plain / found_[0].costOf(part, found_[0].update));
     }
   }
 
@@ -277,7 +317,50 @@ private:
   std::vector<CellSet> sets_;
   std::vector<Way> ways_;
   std::vector<Found> found_;
+  PlainScene plainScene_;
+  PlainTracer tracer_;
+  Found plain_;
 };
+
+/// What the mover receives in 30 steps, each of one second.
+CellField doseOf(const LightingScene& scene, const Way& way, std::uint64_t seed)
+{
+  IrradianceEngine engine;
+  CpuTime execution;
+  CellField dose;
+  for (int frame = 0; frame < 30; ++frame)
+  {
+    const SceneObjects objects = scene.inFrame(frame);
+    const EngineSettings settings =
+      engine.chosen(way.left, objects, withSeed(way.settings, seed), execution);
+    engine.update(objects, settings, execution);
+    const CellField field = cellSetsOf(objects)[2].of(irradianceOf(engine, objects));
+    dose = frame == 0 ? field : CellField(dose + field);
+  }
+  return dose;
+}
+
+void reportDose(const LightingScene& scene, std::uint32_t walks)
+{
+  const SceneObjects objects = scene.at(0);
+  const CellField areas = cellSetsOf(objects)[2].of(areasOf(objects));
+  double least = std::numeric_limits<double>::infinity(), ofDefault = 0;
+  for (const Way& way : makeWays(walks))
+  {
+    const double start = threadCpuSeconds();
+    const CellField one = doseOf(scene, way, 1), other = doseOf(scene, way, 2);
+    const double seconds = (threadCpuSeconds() - start) / 2;
+    const double noise =
+      std::sqrt(meanOf((one - other).square().eval(), areas) / 2) / meanOf(one, areas);
+    report(kDose, scene.name + ", " + way.name, "noise", noise);
+    report(kDose, scene.name + ", " + way.name, "30 steps, s", seconds);
+    const double cost = noise * noise * seconds;
+    ofDefault = ofDefault == 0 ? cost : ofDefault; // the first way
+    least = std::min(least, cost);
+  }
+  report(
+    kTable, scene.name + ", dose", "default / best, 30 steps", least / ofDefault, { 0.8, 1.5 });
+}
 
 }
 
@@ -297,6 +380,10 @@ void run(const Arguments& arguments)
       contestants.addRound(static_cast<std::uint64_t>(round) + 1);
     }
     contestants.report(rounds);
+    if (scenes[i].name.find("tubes") == 0 || scenes[i].name == "panel")
+    {
+      reportDose(scenes[i], walks);
+    }
     std::fflush(stdout);
   }
 }

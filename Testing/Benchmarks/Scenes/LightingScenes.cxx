@@ -205,6 +205,32 @@ LightingScene makeHall()
     "fine part in a hall", hall.build(), { 17, 20.3, 1.1 }, 0.6, test::grey(kReflectance), 95);
 }
 
+/// 40 rows of 100 m, 2 m wide and tilted by 30 degrees, 5 m apart, below a panel that shines as a sky does; one module of 2 x 1 m
+/// in the middle one moves along it.
+LightingScene makeRows()
+{
+  const Vector3 along(1, 0, 0), up(0, std::cos(M_PI / 6), std::sin(M_PI / 6));
+  test::ObjectBuilder field, module;
+  field.addQuad({ -10, -10, 0 }, { 120, 0, 0 }, { 0, 220, 0 }, 60, 110, test::grey(0.25));
+  for (int i = 0; i < 40; ++i)
+  {
+    const Vector3 corner(0, 5.0 * i, 1);
+    const double half = i == 20 ? 48 : 50; // of the middle one: with place for the module
+    field.addQuad(corner, half * along, 2 * up, 48, 2, test::grey(0.1));
+    field.addQuad(corner + (100 - half) * along, half * along, 2 * up, 48, 2, test::grey(0.1));
+  }
+  field.addQuad({ -10, -10, 60 }, { 0, 220, 0 }, { 120, 0, 0 }, 1, 1, test::grey(0, 100));
+  module.addQuad({ 0, 0, 0 }, along, 2 * up, 40, 80, test::grey(0.1));
+  LightingScene scene;
+  scene.name = "module in long rows";
+  scene.objects = { field.build(), { module.build() } };
+  scene.place = [](SceneObjects& placed, double time) {
+    placed.dynamicObjects[0].worldFromObject =
+      test::shift({ 49 + 0.02 * time / MovingScene::kFrame, 100, 1 });
+  };
+  return scene;
+}
+
 }
 
 std::vector<LightingScene> makeLightingScenes()
@@ -233,6 +259,6 @@ std::vector<LightingScene> makeLightingScenes()
       }),
     makeRoomWith(
       "emitting mover", [](auto&) {}, test::grey(kReflectance, 100)),
-    makeHut(), makeHall()
+    makeHut(), makeHall(), makeRows()
   };
 }
