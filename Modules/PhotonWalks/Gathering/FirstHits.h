@@ -25,7 +25,7 @@ public:
   struct Arrival
   {
     std::uint32_t light, triangle;
-    bool isFront; ///< which side of it
+    bool isFront;       ///< which side of it
     std::uint32_t half; ///< 0 or 1: every other ray of a light, which knows nothing of the rest
     double flux;        ///< W
   };
