@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests run side by side, each in a process of its own, and some write files of the same names. So each process
-// has a folder of its own as testing::TempDir(), which goes when it ends.
+// Tests run side by side, each in a process of its own, and some write files of the same names. So
+// each process has a folder of its own as testing::TempDir(), which goes when it ends.
 
 #include <gtest/gtest.h>
 

@@ -29,8 +29,8 @@ struct Cure
 std::vector<vtkPolyData*> PartsOf(vtkMultiBlockDataSet* scene);
 
 /**
- * Adds the cell arrays `Area` (m2), `HalfWidth` (J/m2: of the 95 % interval of the dose) and `Cure` (-1
- * under-cured, 0 well, 1 over-cured) to the parts of the scene, and returns a row for each.
+ * Adds the cell arrays `Area` (m2), `HalfWidth` (J/m2: of the 95 % interval of the dose) and `Cure`
+ * (-1 under-cured, 0 well, 1 over-cured) to the parts of the scene, and returns a row for each.
  */
 std::vector<Cure> Judge(
   vtkMultiBlockDataSet* scene, const std::vector<Part>& parts, const OvenOptions& options);

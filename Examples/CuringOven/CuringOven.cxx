@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Machine parts with a UV coating ride on a conveyor through a tunnel with strip lamps. Which dose does each
- * cell of each part receive, J/m2, how well is it known, and where is the coating under- or over-cured?
+ * Machine parts with a UV coating ride on a conveyor through a tunnel with strip lamps. Which dose
+ * does each cell of each part receive, J/m2, how well is it known, and where is the coating under-
+ * or over-cured?
  *
  * The pipeline: parts -> vtkKeyFramedPose -> vtkIrradianceFilter (with the oven) ->
  * vtkRadiantExposureFilter, which leads all of them through time. See README.md in this folder.
@@ -166,7 +167,8 @@ void PrintComparison(const Outcome& outcome)
     compared.size(), fresh, whole, whole / outcome.Seconds);
 }
 
-// The doses end where all parts were taken off. Here they stand on the belt, at the distances at which they ride.
+// The doses end where all parts were taken off. Here they stand on the belt, at the distances at
+// which they ride.
 void PlaceOnBelt(vtkMultiBlockDataSet* scene, const std::vector<Part>& parts)
 {
   const std::vector<vtkPolyData*> shown = PartsOf(scene);

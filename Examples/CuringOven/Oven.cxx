@@ -99,7 +99,8 @@ Mesh MakeLamp(double length, double power)
   return lamp;
 }
 
-// A parabola across the lamp, which lies in its focus, so that most of its light goes straight down.
+// A parabola across the lamp, which lies in its focus, so that most of its light goes straight
+// down.
 Mesh MakeReflector(double lampLength)
 {
   const double w = ReflectorHalfWidth, l = lampLength / 2 + 0.02;

@@ -85,8 +85,8 @@ void AddText(vtkRenderer* renderer, const std::string& text, double x, double y,
   renderer->AddViewProp(actor);
 }
 
-// In three rows: the colours, numbers below them, and the title. VTK's own numbers stand on the colours, if there is
-// little space. Lengths are shares of the picture.
+// In three rows: the colours, numbers below them, and the title. VTK's own numbers stand on the
+// colours, if there is little space. Lengths are shares of the picture.
 void AddLegend(vtkRenderer* renderer, vtkColorTransferFunction* colors, const char* title,
   std::initializer_list<double> labels, double left, int fontSize, double row)
 {

@@ -25,10 +25,10 @@ namespace curingoven
 {
 
 /**
- * CuringOven.ogv, the ride through the oven: its walls in the colours of their irradiance, the parts in
- * the colours of their dose so far; CuringOven.png, its middle; and Parts.png, the parts from above and
- * below in the colours of their doses. Throws std::runtime_error when pictures cannot be drawn or
- * written.
+ * CuringOven.ogv, the ride through the oven: its walls in the colours of their irradiance, the
+ * parts in the colours of their dose so far; CuringOven.png, its middle; and Parts.png, the parts
+ * from above and below in the colours of their doses. Throws std::runtime_error when pictures
+ * cannot be drawn or written.
  */
 class OvenFilm
 {

@@ -34,8 +34,8 @@ double EntryTime(const OvenOptions& options, int part);
 double ExitTime(const OvenOptions& options, int part);
 
 /**
- * The whole line: the oven's meshes are static, the parts dynamic, and each part is there only while it is
- * on the belt.
+ * The whole line: the oven's meshes are static, the parts dynamic, and each part is there only
+ * while it is on the belt.
  */
 vtkSmartPointer<vtkIrradianceFilter> MakeLight(
   const OvenOptions& options, const std::vector<Part>& parts, int walks);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Glossy objects: a copper teapot flies through a room, before a mirror, and the camera moves as well.
-// Leaves the movie GlossyRoom.ogv and a picture of each frame, and compares the last frame with a fresh
-// start.
+// Glossy objects: a copper teapot flies through a room, before a mirror, and the camera moves as
+// well. Leaves the movie GlossyRoom.ogv and a picture of each frame, and compares the last frame
+// with a fresh start.
 #include "CommandLine.h"
 #include "Meshes.h"
 #include "OutputFolder.h"

@@ -30,7 +30,8 @@ vtkBoundingBox BoxAround(vtkPolyData* mesh)
   return box;
 }
 
-// How far something has to move along an axis to be inside; if it is too large, to be in the middle.
+// How far something has to move along an axis to be inside; if it is too large, to be in the
+// middle.
 double WayInside(const double own[2], const double limits[2])
 {
   if (own[1] - own[0] > limits[1] - limits[0])

@@ -15,8 +15,9 @@ namespace interactiveroom
 {
 
 /**
- * The mouse and the keys move things. A press of the left button chooses the thing under it, which gets a
- * box (vtkBoxWidget2): dragged, it moves; with Shift, it turns. Things stay in the limits of the room.
+ * The mouse and the keys move things. A press of the left button chooses the thing under it, which
+ * gets a box (vtkBoxWidget2): dragged, it moves; with Shift, it turns. Things stay in the limits of
+ * the room.
  */
 class DraggedThings
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A lit room in a window. The user moves things with the mouse or the keys; the light follows within a
- * budget of time, and is exact soon after. See README.md in this folder.
+ * A lit room in a window. The user moves things with the mouse or the keys; the light follows
+ * within a budget of time, and is exact soon after. See README.md in this folder.
  */
 #include "DragTiming.h"
 #include "EventFile.h"

@@ -25,12 +25,12 @@ constexpr double SettleBudget = 0.05; // s
 
 constexpr int SpreadPhotons = 100;
 
-// Few replicates know the error of a cell crudely, but the mean error of all cells well enough, and each of
-// them costs time in every step.
+// Few replicates know the error of a cell crudely, but the mean error of all cells well enough, and
+// each of them costs time in every step.
 constexpr int Replicates = 4;
 
-// Whether small cells may look for their light by themselves. Where many cells move no step would be short; and rays do
-// not know how shiny cells reflect the light of points.
+// Whether small cells may look for their light by themselves. Where many cells move no step would
+// be short; and rays do not know how shiny cells reflect the light of points.
 bool MayGather(const Room& room)
 {
   constexpr vtkIdType most = 20000;

@@ -16,8 +16,8 @@ namespace interactiveroom
 {
 
 /**
- * The light of a room, which follows what moves in steps of a given time. A step repairs what it has time
- * for; further steps without motion end with exactly the light of a new filter.
+ * The light of a room, which follows what moves in steps of a given time. A step repairs what it
+ * has time for; further steps without motion end with exactly the light of a new filter.
  */
 class LightFollower
 {

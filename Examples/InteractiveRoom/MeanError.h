@@ -17,8 +17,8 @@ public:
   explicit MeanError(const Room& room);
 
   /**
-   * The mean standard error over the mean irradiance, both by area, where the error is known; NaN where
-   * it is known nowhere.
+   * The mean standard error over the mean irradiance, both by area, where the error is known; NaN
+   * where it is known nowhere.
    */
   double Of(vtkMultiBlockDataSet* scene) const;
 

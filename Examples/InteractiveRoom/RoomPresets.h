@@ -11,8 +11,9 @@ namespace interactiveroom
 const std::vector<std::string>& PresetNames();
 
 /**
- * "room": a lit room with five things; "oven": the belt of the curing oven, with the machine parts that
- * Data/fetch.sh gets, if they are there; "aisle": racks of a warehouse, with a truck and goods.
+ * "room": a lit room with five things; "oven": the belt of the curing oven, with the machine parts
+ * that Data/fetch.sh gets, if they are there; "aisle": racks of a warehouse, with a truck and
+ * goods.
  */
 Room MakePreset(const std::string& name);
 

@@ -22,9 +22,9 @@ namespace interactiveroom
 {
 
 /**
- * The window. What mouse and keys do only changes poses and the camera, and asks for a step by a timer;
- * the step brings the light up to date and renders once. So a step takes in all events before it, and
- * none waits longer than a step takes.
+ * The window. What mouse and keys do only changes poses and the camera, and asks for a step by a
+ * timer; the step brings the light up to date and renders once. So a step takes in all events
+ * before it, and none waits longer than a step takes.
  */
 class RoomWindow
 {

@@ -39,9 +39,9 @@ void FillTable(vtkLookupTable* table)
   }
 }
 
-// Each cell has points of its own, which get its colour. Software that draws without a graphics card is much
-// faster with colours of points than with colours of cells, which VTK looks up for each pixel. Vertices and
-// lines, which come before polygons, are not drawn.
+// Each cell has points of its own, which get its colour. Software that draws without a graphics
+// card is much faster with colours of points than with colours of cells, which VTK looks up for
+// each pixel. Vertices and lines, which come before polygons, are not drawn.
 vtkSmartPointer<vtkPolyData> WithOwnPoints(vtkPolyData* mesh)
 {
   vtkNew<vtkPoints> points;

@@ -14,8 +14,8 @@ namespace interactiveroom
 {
 
 /**
- * The things of a room in the colours of their irradiance. Points and cells are handed over once: a motion
- * is a transform of the actor, and a step of the light changes colours alone.
+ * The things of a room in the colours of their irradiance. Points and cells are handed over once: a
+ * motion is a transform of the actor, and a step of the light changes colours alone.
  */
 class SceneView
 {

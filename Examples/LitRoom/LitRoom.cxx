@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole of vtkIrradiance in ten minutes: a room with a lamp, and a ball that moves through it.
-// Prints the light on the room, and leaves in the folder LitRoom-output irradiance.vtm, ParaViewState.py,
-// which opens it in ParaView, and the picture irradiance.png.
+// Prints the light on the room, and leaves in the folder LitRoom-output irradiance.vtm,
+// ParaViewState.py, which opens it in ParaView, and the picture irradiance.png.
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
@@ -62,7 +62,8 @@ double MostOf(const std::vector<vtkPolyData*>& meshes)
   return values[values.size() * 98 / 100];
 }
 
-// Looks into the room through its front wall, in the colours of the array; VTK's own lights are off.
+// Looks into the room through its front wall, in the colours of the array; VTK's own lights are
+// off.
 void WritePicture(vtkMultiBlockDataSet* scene, const char* file)
 {
   const auto meshes = vtkCompositeDataSet::GetDataSets<vtkPolyData>(scene); // room, lamp, ball
@@ -134,7 +135,8 @@ int main(int argc, char*[])
   }
 
   // The room: 4 x 4 x 3 m, cut into cells, because every cell gets one value. Cells have two sides
-  // and we look at the inner ones. Without an array "DiffuseReflectance" they reflect half the light.
+  // and we look at the inner ones. Without an array "DiffuseReflectance" they reflect half the
+  // light.
   vtkNew<vtkTessellatedBoxSource> room;
   room->SetBounds(-2, 2, -2, 2, 0, 3);
   room->SetLevel(30);
@@ -142,8 +144,8 @@ int main(int argc, char*[])
   room->Update();
   SetName(room->GetOutput(), "room");
 
-  // The lamp: two metres square, below the ceiling. Any cell with a "RadiantExitance" shines, from its
-  // front: the side from which its points run counter-clockwise.
+  // The lamp: two metres square, below the ceiling. Any cell with a "RadiantExitance" shines, from
+  // its front: the side from which its points run counter-clockwise.
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-1, -1, 2.9);
   plane->SetPoint1(-1, 1, 2.9);

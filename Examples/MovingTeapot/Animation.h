@@ -59,9 +59,9 @@ public:
   }
 
   /**
-   * Moves the teapot and brings the light up to date. The first frame shown, whichever it is, shoots
-   * all walks; the others verify them and shoot again what has changed. Throws std::runtime_error
-   * when the filter reports an error.
+   * Moves the teapot and brings the light up to date. The first frame shown, whichever it is,
+   * shoots all walks; the others verify them and shoot again what has changed. Throws
+   * std::runtime_error when the filter reports an error.
    */
   void Show(int frame)
   {

@@ -39,8 +39,8 @@ struct Option
 void ReadCommandLine(const std::vector<Option>& options, const std::vector<std::string>& words);
 
 /**
- * What --help prints: `purpose`, a line for each option with its default, `notes` (may be empty), and, last,
- * `results`: the files in the folder of the option --output.
+ * What --help prints: `purpose`, a line for each option with its default, `notes` (may be empty),
+ * and, last, `results`: the files in the folder of the option --output.
  */
 std::string ComposeHelp(const std::string& purpose, const std::vector<Option>& options,
   const std::string& notes, const std::string& results);

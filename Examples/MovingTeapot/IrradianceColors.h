@@ -10,8 +10,8 @@ namespace movingteapot
 {
 
 /**
- * Dark to light like glowing iron, from 0 to `brightest` W/m2; even steps in irradiance look even (the
- * "inferno" map of matplotlib, CC0).
+ * Dark to light like glowing iron, from 0 to `brightest` W/m2; even steps in irradiance look even
+ * (the "inferno" map of matplotlib, CC0).
  */
 inline void SetIrradianceColors(vtkColorTransferFunction* colors, double brightest)
 {

@@ -94,7 +94,8 @@ std::vector<vtkIdType> ReadPolygon(LineReader& lines, vtkIdType numberOfPoints)
   return polygon;
 }
 
-// The Object File Format of Geomview (ASCII), for which VTK 9.1 has no reader. Colours are passed over.
+// The Object File Format of Geomview (ASCII), for which VTK 9.1 has no reader. Colours are passed
+// over.
 vtkSmartPointer<vtkPolyData> ReadOff(const std::string& path)
 {
   LineReader lines(path);

@@ -48,8 +48,8 @@ struct MeshBuilder
   vtkNew<vtkPolyData> Mesh;
 };
 
-// Where the cells begin and end along an axis of the box: the same numbers for all sides that have this
-// axis, so that they meet bit for bit.
+// Where the cells begin and end along an axis of the box: the same numbers for all sides that have
+// this axis, so that they meet bit for bit.
 std::vector<double> CutAxis(const Box& box, int axis, double cellSize)
 {
   const double length = box[2 * axis + 1] - box[2 * axis];

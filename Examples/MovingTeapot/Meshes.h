@@ -28,8 +28,8 @@ enum class Facing
 using SideReflectances = std::array<std::optional<double>, 6>;
 
 /**
- * The sides of a box as quads no longer than `cellSize` (m), with a cell array `DiffuseReflectance`.
- * Sides that meet share their points, so that no light gets through an edge.
+ * The sides of a box as quads no longer than `cellSize` (m), with a cell array
+ * `DiffuseReflectance`. Sides that meet share their points, so that no light gets through an edge.
  */
 vtkSmartPointer<vtkPolyData> MakeGridBox(
   const Box& box, double cellSize, Facing facing, const SideReflectances& reflectances);
@@ -45,9 +45,9 @@ std::vector<Patch> ReadTeapotPatches();
 
 /**
  * The Utah teapot with `segments` cuts along each patch edge: 64 segments^2 - 8 segments triangles.
- * Neighbouring patches share their points, the triangles that collapse at the two poles are left out,
- * and the front of every triangle looks out of the china. Lengths have no unit, z is up, the bottom is
- * at 0, the spout looks along +x.
+ * Neighbouring patches share their points, the triangles that collapse at the two poles are left
+ * out, and the front of every triangle looks out of the china. Lengths have no unit, z is up, the
+ * bottom is at 0, the spout looks along +x.
  */
 vtkSmartPointer<vtkPolyData> MakeUtahTeapot(int segments = 10);
 

@@ -28,8 +28,8 @@ struct Options
 };
 
 /**
- * From the words "--option value" or "--option=value". Throws std::runtime_error that names the option
- * and what is wrong with it.
+ * From the words "--option value" or "--option=value". Throws std::runtime_error that names the
+ * option and what is wrong with it.
  */
 Options ReadOptions(const std::vector<std::string>& words);
 

@@ -9,9 +9,9 @@ namespace movingteapot
 {
 
 /**
- * Makes the folder, with those above it, and removes what an earlier run left there: the files, and then the
- * empty folders, whose path from there is matched by `ours` (ECMAScript). All else stays. Throws
- * std::runtime_error that names the folder.
+ * Makes the folder, with those above it, and removes what an earlier run left there: the files, and
+ * then the empty folders, whose path from there is matched by `ours` (ECMAScript). All else stays.
+ * Throws std::runtime_error that names the folder.
  */
 void PrepareFolder(const std::string& folder, const std::string& ours);
 
@@ -20,8 +20,8 @@ void PrepareFolder(const std::string& folder, const std::string& ours);
 void AddParaViewState(const std::string& folder);
 
 /**
- * Whether VTK can open a window. If not, a line on the standard error stream says so: where VTK draws by X, it
- * ends the program if DISPLAY is not set.
+ * Whether VTK can open a window. If not, a line on the standard error stream says so: where VTK
+ * draws by X, it ends the program if DISPLAY is not set.
  */
 bool CanDraw();
 

@@ -58,8 +58,8 @@ constexpr const char* Irradiance = "Irradiance"; // W/m2
 // lamp's neighbourhood does not darken the rest.
 constexpr double Brightest = 30.0;
 
-// Each point takes the mean of the cells around it, and each cell then the mean of its points: small cells,
-// which few photons hit, become less noisy.
+// Each point takes the mean of the cells around it, and each cell then the mean of its points:
+// small cells, which few photons hit, become less noisy.
 vtkSmartPointer<vtkPolyData> Smooth(vtkPolyData* mesh, int passes)
 {
   vtkSmartPointer<vtkPolyData> smooth = mesh;

@@ -48,8 +48,8 @@ vtkSmartPointer<vtkPolyData> MakePlaster(vtkSmartPointer<vtkPolyData> mesh)
   return mesh;
 }
 
-// A time, 0 to 1, and then: the middle of the teapot's bottom (m), its turn about the vertical (at 180
-// degrees the spout looks to the left), and its tilt towards the spout.
+// A time, 0 to 1, and then: the middle of the teapot's bottom (m), its turn about the vertical (at
+// 180 degrees the spout looks to the left), and its tilt towards the spout.
 constexpr double Keys[][6] = {
   { 0.00, 1.05, -0.35, 0.00, 180.0, 0.0 },  // on the floor to the right of the head
   { 0.30, 1.00, -0.20, 0.95, 180.0, 0.0 },  // lifted

@@ -70,8 +70,8 @@ vtkIdType CountDistinctPoints(vtkPolyData* mesh)
   return merge->GetOutput()->GetNumberOfPoints();
 }
 
-// Of the cones from `apex` over the first three points of each cell; positive where cells show their
-// front outward.
+// Of the cones from `apex` over the first three points of each cell; positive where cells show
+// their front outward.
 double SignedVolume(vtkPolyData* mesh, vtkIdType first, vtkIdType last, const Point& apex)
 {
   double volume = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The method at work: photon walks in a room in which a teapot moves. What the motion made the filter shoot
-// again stands out. Leaves in the folder ShownWalks-output the picture ShownWalks.png.
+// The method at work: photon walks in a room in which a teapot moves. What the motion made the
+// filter shoot again stands out. Leaves in the folder ShownWalks-output the picture ShownWalks.png.
 #include "CommandLine.h"
 #include "Meshes.h"
 #include "OutputFolder.h"

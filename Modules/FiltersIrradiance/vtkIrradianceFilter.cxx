@@ -218,7 +218,8 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
   }
 }
 
-/// Has walks stored, and whole on each rank, for filters that read their photons. Throws InputError.
+/// Has walks stored, and whole on each rank, for filters that read their photons. Throws
+/// InputError.
 void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* request,
   bool areWalksShown, const irradiance::Ranks& ranks)
 {
@@ -566,8 +567,8 @@ int vtkIrradianceFilter::RequestInformation(
   return 1;
 }
 
-// Light comes from everywhere: every piece needs the whole scene. Of distributed inputs each process has a
-// piece, and the filter puts them together.
+// Light comes from everywhere: every piece needs the whole scene. Of distributed inputs each
+// process has a piece, and the filter puts them together.
 int vtkIrradianceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {

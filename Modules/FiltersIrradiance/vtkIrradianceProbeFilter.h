@@ -4,10 +4,12 @@
  * @brief   irradiance or fluence rate at sensor points in a vtkIrradianceFilter's scene
  *
  * Two estimates:
- * - `Gathered`: for sensors anywhere, on surfaces or in the air. What comes straight from all lights is asked for
+ * - `Gathered`: for sensors anywhere, on surfaces or in the air. What comes straight from all
+ *   lights is asked for
  *   at the very point, by NumberOfRays rays; as many look for the indirect light, and read what large cells
  *   received. Nothing is blurred over the surroundings of a sensor.
- * - `Nearest`: for sensors on surfaces. Of the photons that vtkIrradianceFilter has stored in the leaf cells
+ * - `Nearest`: for sensors on surfaces. Of the photons that vtkIrradianceFilter has stored in the
+ *   leaf cells
  *   of its ray-casting trees the nearest are found. Their power over the area of the surface on which they arrived is the
  *   irradiance. Section 4.1 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through
  *   Verification of Shooting Walks" (SCCG 2003).
@@ -15,7 +17,8 @@
  * Neither depends on the size of the cell on which a sensor stands.
  *
  * @section ProbeInputs Inputs
- * - Port 0: sensors, the points of any vtkDataSet; a volume of vtkImageData, too. Point normals (the active ones, or
+ * - Port 0: sensors, the points of any vtkDataSet; a volume of vtkImageData, too. Point normals
+ *   (the active ones, or
  *   else the array `Normals`) are the directions from which sensors receive light; their length does not matter.
  *   Nearest needs them. Without them Gathered finds the fluence rate.
  *   With Nearest sensors lie on surfaces of the scene, or nearly: each is moved to the closest point of the
@@ -38,56 +41,62 @@
  *   surface within MaximumDistance that faces as the sensor does, and farther than a million sizes of the
  *   scene away from it, where nothing can be told. One warning says how many such sensors there are, and
  *   which is the first;
- * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius, 0 where the
+ * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius, 0
+ *   where the
  *   irradiance is NaN);
- * - `SearchRadius` (double, m): the distance of the farthest of them; MaximumRadius if there are fewer,
+ * - `SearchRadius` (double, m): the distance of the farthest of them; MaximumRadius if there are
+ *   fewer,
  *   NaN where the irradiance is. Distances across the sensor's plane count eight times.
  *
  * With Gathered
- * - `Irradiance` (double, W/m2, likewise) on the plane across the normal: NaN only farther than a million sizes of the scene
+ * - `Irradiance` (double, W/m2, likewise) on the plane across the normal: NaN only farther than a
+ *   million sizes of the scene
  *   away, with a warning; 0 inside of closed bodies;
- * - without normals instead `FluenceRate` (double, W/m2): what arrives from all directions, the integral of the
+ * - without normals instead `FluenceRate` (double, W/m2): what arrives from all directions, the
+ *   integral of the
  *   radiance over the sphere. It is also known as scalar irradiance; of a beam it is the irradiance on a plane across it, and
  *   where all directions are alike four times the irradiance of a plane;
- * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has standard errors
+ * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has
+ *   standard errors
  *   (ComputeStandardError): from its replicates, each with rays of its own that read its own sums. NaN where nothing
  *   arrived; the field `NumberOfUnknownErrors` counts these. What reading means over cells biases is not in it.
  *
  * @section ProbeNearest Nearest
  * With k photons the relative standard error is about 1 / sqrt(k). More photons come from farther
  * away: what is known is the mean over the surface within the SearchRadius, so shadow edges are
- * blurred, and at an edge of a surface across which light changes the mean is one-sided. Photons count, and so does surface, if
- * their side faces within 45.6 degrees of the sensor, is not inside of a body, and is of the same surface
- * as far as planes can tell: not the other side of a thin wall, a wall that meets at a corner,
- * the inner face of a thin board, or a sheet or a step above or below. (Where sheets bend, one below
- * another counts beyond sqrt(2 R h), for the radius R of the bend and the distance h of the sheets.) As
- * only area that is there counts, no light is lost at edges.
- * Which photons are found does not depend on threads or trees, and after an update a new filter
- * would find the same. Documentation/Theory.md, section 5.4.
+ * blurred, and at an edge of a surface across which light changes the mean is one-sided. Photons
+ * count, and so does surface, if their side faces within 45.6 degrees of the sensor, is not inside
+ * of a body, and is of the same surface as far as planes can tell: not the other side of a thin
+ * wall, a wall that meets at a corner, the inner face of a thin board, or a sheet or a step above
+ * or below. (Where sheets bend, one below another counts beyond sqrt(2 R h), for the radius R of
+ * the bend and the distance h of the sheets.) As only area that is there counts, no light is lost
+ * at edges. Which photons are found does not depend on threads or trees, and after an update a new
+ * filter would find the same. Documentation/Theory.md, section 5.4.
  *
- * With DirectLight Gathered the photons are those of indirect light. What comes straight from the lights is that of
- * the surface at the very point to which the sensor is moved, from 64 rays: it is not blurred, and is added to
- * `Irradiance`. Documentation/Theory.md, section 1.3.
+ * With DirectLight Gathered the photons are those of indirect light. What comes straight from the
+ * lights is that of the surface at the very point to which the sensor is moved, from 64 rays: it is
+ * not blurred, and is added to `Irradiance`. Documentation/Theory.md, section 1.3.
  *
  * @section ProbeGathered Gathered
- * Rays that hit a cell which expects 25 photons or more, and is farther than wide, read what its side received; elsewhere
- * they ask the lights and go on. So light that changes within such a cell is read as its mean, which is a bias;
- * it shrinks with the cells. The samples follow from the seed of the source and the number of the point, so the result is
- * the same on any threads, and after an update that of a new filter, bit for bit. Where things have
- * moved in the source, only the rays are cast anew that this may change (KeepRays), and all read the present sums; when
- * sensors change, those alone gather anew; after any other change all do. A point light beside cells with a SpecularReflectance is an error.
- * Documentation/Theory.md, section 5.8.
+ * Rays that hit a cell which expects 25 photons or more, and is farther than wide, read what its
+ * side received; elsewhere they ask the lights and go on. So light that changes within such a cell
+ * is read as its mean, which is a bias; it shrinks with the cells. The samples follow from the seed
+ * of the source and the number of the point, so the result is the same on any threads, and after an
+ * update that of a new filter, bit for bit. Where things have moved in the source, only the rays
+ * are cast anew that this may change (KeepRays), and all read the present sums; when sensors
+ * change, those alone gather anew; after any other change all do. A point light beside cells with a
+ * SpecularReflectance is an error. Documentation/Theory.md, section 5.8.
  *
  * While walks are stale (RepairTimeBudget), both estimates rest on them.
  *
  * @section ProbeTime Time
- * TIME_STEPS and TIME_RANGE unite the times of the source and of the sensors. The requested time goes to
- * both.
+ * TIME_STEPS and TIME_RANGE unite the times of the source and of the sensors. The requested time
+ * goes to both.
  *
  * @section ProbeErrors Errors
- * A source that is no such output, that is out of date, or a part of one; with Nearest sensors without normals; a
- * point or normal that is not finite, or a normal of length 0: one error that names the point, and an
- * empty output. Progress and AbortExecute as in vtkIrradianceFilter.
+ * A source that is no such output, that is out of date, or a part of one; with Nearest sensors
+ * without normals; a point or normal that is not finite, or a normal of length 0: one error that
+ * names the point, and an empty output. Progress and AbortExecute as in vtkIrradianceFilter.
  */
 
 #ifndef vtkIrradianceProbeFilter_h
@@ -114,72 +123,76 @@ public:
     Gathered = 1 ///< rays to the lights, and others that read what the cells they hit received
   };
 
-  ///@{
+  /// @{
   /**
    * The scene, as in vtkProbeFilter. A connection keeps it up to date.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkDataObject* source);
   vtkDataObject* GetSource();
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * See Estimates. Default Gathered: on surfaces, too, it is less noisy in the same time, and blurs less.
+   * See Estimates. Default Gathered: on surfaces, too, it is less noisy in the same time, and blurs
+   * less.
    */
   vtkSetClampMacro(Estimate, int, Nearest, Gathered);
   vtkGetMacro(Estimate, int);
   void SetEstimateToNearest() { this->SetEstimate(Nearest); }
   void SetEstimateToGathered() { this->SetEstimate(Gathered); }
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * With Gathered, how many rays look for indirect light at each sensor, and how many for the lights, 1 to
-   * 1,000,000; rounded up to a multiple of the source's replicates. The noise falls with the root of the number, or
-   * faster; the time grows with it. Default 64.
+   * With Gathered, how many rays look for indirect light at each sensor, and how many for the
+   * lights, 1 to 1,000,000; rounded up to a multiple of the source's replicates. The noise falls
+   * with the root of the number, or faster; the time grows with it. Default 64.
    */
   vtkSetClampMacro(NumberOfRays, int, 1, 1000000);
   vtkGetMacro(NumberOfRays, int);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * With Gathered, whether the rays of sensors are kept for frames in which things have moved, where the source keeps its
-   * walks for these (UpdateMode Verify): then only rays that this may change are cast anew. It takes some 6 kB
-   * for each sensor with 64 rays, and changes no result. Default on.
+   * With Gathered, whether the rays of sensors are kept for frames in which things have moved,
+   * where the source keeps its walks for these (UpdateMode Verify): then only rays that this may
+   * change are cast anew. It takes some 6 kB for each sensor with 64 rays, and changes no result.
+   * Default on.
    */
   vtkSetMacro(KeepRays, bool);
   vtkGetMacro(KeepRays, bool);
   vtkBooleanMacro(KeepRays, bool);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
    * With Nearest, from how many photons the irradiance is estimated, 2 to 1,000,000. Default 50.
    */
   vtkSetClampMacro(NumberOfPhotons, int, 2, 1000000);
   vtkGetMacro(NumberOfPhotons, int);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * With Nearest, photons farther away do not count, m; >= 0, may be infinite. With 0, the default, it is four times the
-   * radius that NumberOfPhotons photons fill on the average of the scene, but at most a quarter of the
-   * scene's largest extent: so dark places do not draw on light from elsewhere, and have fewer photons.
+   * With Nearest, photons farther away do not count, m; >= 0, may be infinite. With 0, the default,
+   * it is four times the radius that NumberOfPhotons photons fill on the average of the scene, but
+   * at most a quarter of the scene's largest extent: so dark places do not draw on light from
+   * elsewhere, and have fewer photons.
    */
   vtkSetMacro(MaximumRadius, double);
   vtkGetMacro(MaximumRadius, double);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * With Nearest, sensors farther from a surface that faces as they do have no irradiance, m; >= 0, may be infinite.
-   * With 0, the default, it is 1/128 of the scene's largest extent (3 cm in a room of 4 m).
+   * With Nearest, sensors farther from a surface that faces as they do have no irradiance, m; >= 0,
+   * may be infinite. With 0, the default, it is 1/128 of the scene's largest extent (3 cm in a room
+   * of 4 m).
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
-  ///@}
+  /// @}
 
   /// Asks the source for what it has to keep, and unites the times of both inputs.
   vtkTypeBool ProcessRequest(

@@ -286,8 +286,8 @@ std::optional<irradiance::AffineMap> vtkKeyFramedPose::vtkInternals::PoseAt(
 
 int vtkKeyFramedPose::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composite types first: else the executive would call the filter for each block separately, without
-  // times. Other data is refused when it comes, by name.
+  // Composite types first: else the executive would call the filter for each block separately,
+  // without times. Other data is refused when it comes, by name.
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");

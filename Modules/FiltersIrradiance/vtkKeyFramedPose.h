@@ -4,26 +4,28 @@
  * @brief   a pose over time for polydata, or a tree of them, from key frames
  *
  * Passes its input on, with the pose at the requested time (UPDATE_TIME_STEP; without one: the pose
- * of the first key) as the field-data array `ObjectToWorld`: one tuple of 16 doubles, row by row. This
- * is what port 1 of vtkIrradianceFilter reads. Points, cells and arrays are the input's own objects,
- * so only the pose changes with time, and vtkIrradianceFilter builds no tree again. Nothing is moved
- * here: to see the motion without that filter, apply the array (vtkTransformPolyDataFilter).
+ * of the first key) as the field-data array `ObjectToWorld`: one tuple of 16 doubles, row by row.
+ * This is what port 1 of vtkIrradianceFilter reads. Points, cells and arrays are the input's own
+ * objects, so only the pose changes with time, and vtkIrradianceFilter builds no tree again.
+ * Nothing is moved here: to see the motion without that filter, apply the array
+ * (vtkTransformPolyDataFilter).
  *
  * The keys come from AddPose() and AddPoseMatrix(), in any order, or from a file. There are two at
  * least. At the time of a key the output has exactly the pose of the key.
  *
  * If the input has an `ObjectToWorld` of its own, that is applied first: world = pose * input's.
  *
- * Composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection) keep their
- * structure and the names of their blocks. All leaves have to be vtkPolyData; empty ones stay empty. The
- * pose stands in the field data of each leaf, so that a block that is taken out or put into another tree
- * keeps it: world = pose * the tree's own * the leaf's own. The tree's own is not passed on, as it is
- * in the leaves now.
+ * Composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection)
+ * keep their structure and the names of their blocks. All leaves have to be vtkPolyData; empty ones
+ * stay empty. The pose stands in the field data of each leaf, so that a block that is taken out or
+ * put into another tree keeps it: world = pose * the tree's own * the leaf's own. The tree's own is
+ * not passed on, as it is in the leaves now.
  *
- * TIME_STEPS of the output: the times of the keys, NumberOfTimeSteps between them, and the steps of the
- * input. TIME_RANGE: from the first to the last of them, and the input's.
+ * TIME_STEPS of the output: the times of the keys, NumberOfTimeSteps between them, and the steps of
+ * the input. TIME_RANGE: from the first to the last of them, and the input's.
  *
- * Progress is reported while poses are read, and AbortExecute honoured; after an abort the output is empty.
+ * Progress is reported while poses are read, and AbortExecute honoured; after an abort the output
+ * is empty.
  *
  * @section File
  * Comma-separated values. The first line names the columns, in any order; other columns are passed
@@ -34,11 +36,11 @@
  * - `m00`, `m01`, ... `m33`: the matrix, row by row; the last row may be left out.
  *
  * @section PoseErrors Errors
- * A file that cannot be read, columns that are missing or of two kinds, a value that is not a finite
- * number, times of a file that do not increase, two keys of one time, fewer than two keys, poses that
- * are singular, and poses that cannot be interpolated: one error that names the file and the line, or
- * the number of the pose, and the value; the output is empty. So it is with input, or a leaf of it, that
- * is no vtkPolyData. A time outside of the keys: see OutsideOfKeys.
+ * A file that cannot be read, columns that are missing or of two kinds, a value that is not a
+ * finite number, times of a file that do not increase, two keys of one time, fewer than two keys,
+ * poses that are singular, and poses that cannot be interpolated: one error that names the file and
+ * the line, or the number of the pose, and the value; the output is empty. So it is with input, or
+ * a leaf of it, that is no vtkPolyData. A time outside of the keys: see OutsideOfKeys.
  */
 
 #ifndef vtkKeyFramedPose_h
@@ -75,7 +77,7 @@ public:
     Leave = 2  ///< the part is not there: the output has its arrays, but no points and no cells
   };
 
-  ///@{
+  /// @{
   /**
    * Adds a key: at this time the object's origin is at (x, y, z), m, and it is turned by (rx, ry,
    * rz), degrees, in the manner of vtkProp3D: about its y axis first, then x, then z (RotateZ,
@@ -84,12 +86,12 @@ public:
    */
   void AddPose(double time, double x, double y, double z, double rx, double ry, double rz);
   void AddPose(double time, const double position[3], const double orientation[3]);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * Adds a key by its matrix, model to world, row by row: an invertible affine map. Linear and Spline
-   * interpolate position, rotation and scale; they take no matrix that shears, and either
+   * Adds a key by its matrix, model to world, row by row: an invertible affine map. Linear and
+   * Spline interpolate position, rotation and scale; they take no matrix that shears, and either
    * all mirror or none does. Step takes all.
    */
   void AddPoseMatrix(double time, double m00, double m01, double m02, double m03, double m10,
@@ -97,23 +99,23 @@ public:
     double m31, double m32, double m33);
   void AddPoseMatrix(double time, const double matrix[16]);
   void AddPoseMatrix(double time, vtkMatrix4x4* matrix);
-  ///@}
+  /// @}
 
   /// Removes all poses that were added; a file is not concerned.
   void RemoveAllPoses();
   /// The number of poses that were added.
   int GetNumberOfPoses();
 
-  ///@{
+  /// @{
   /**
    * A file of times and poses (.csv), see above; null or empty: none. It excludes poses that are
    * added. It is read again after Modified(). Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
    * See InterpolationTypes. Default Linear.
    */
@@ -122,9 +124,9 @@ public:
   void SetInterpolationTypeToLinear() { this->SetInterpolationType(Linear); }
   void SetInterpolationTypeToSpline() { this->SetInterpolationType(Spline); }
   void SetInterpolationTypeToStep() { this->SetInterpolationType(Step); }
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
    * See OutsideModes. Default Error.
    */
@@ -133,19 +135,19 @@ public:
   void SetOutsideOfKeysToError() { this->SetOutsideOfKeys(Error); }
   void SetOutsideOfKeysToHold() { this->SetOutsideOfKeys(Hold); }
   void SetOutsideOfKeysToLeave() { this->SetOutsideOfKeys(Leave); }
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * How finely TIME_STEPS divide the time from the first key to the last: no step is longer than
-   * 1 / NumberOfTimeSteps of it. To that end each interval between two keys is cut into equal ones, so
-   * two keys give exactly so many steps. An animation, or a dose, that takes one step after the other then
-   * sees the motion. The steps of several poses in a scene are united: with many parts choose fewer each.
-   * 0: the keys alone. Poses do not depend on it. 0 to 1,000,000. Default 100.
+   * How finely TIME_STEPS divide the time from the first key to the last: no step is longer than 1
+   * / NumberOfTimeSteps of it. To that end each interval between two keys is cut into equal ones,
+   * so two keys give exactly so many steps. An animation, or a dose, that takes one step after the
+   * other then sees the motion. The steps of several poses in a scene are united: with many parts
+   * choose fewer each. 0: the keys alone. Poses do not depend on it. 0 to 1,000,000. Default 100.
    */
   vtkSetClampMacro(NumberOfTimeSteps, int, 0, 1000000);
   vtkGetMacro(NumberOfTimeSteps, int);
-  ///@}
+  /// @}
 
   /// The output if the input is polydata, else null; GetOutputDataObject(0) is any of them.
   vtkPolyData* GetOutput();

@@ -8,25 +8,29 @@
  * so when the camera moves this filter alone executes.
  *
  * @section RadianceInput Input
- * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells received comes with it.
- * With SeparateSides or CellEstimate Gathered the filter knows that; else it is counted from the photons, and a filter
- * that did not keep these, as nothing can move, executes again.
+ * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells
+ * received comes with it. With SeparateSides or CellEstimate Gathered the filter knows that; else
+ * it is counted from the photons, and a filter that did not keep these, as nothing can move,
+ * executes again.
  *
  * @section RadianceOutput Output
- * A shallow copy of the input with the cell array `Radiance` (double, W/m2/sr, as many components as
- * `Irradiance`): the mean over the area of the cell of the radiance towards the eye. It is active. If the input has
- * standard errors, so has the radiance: `RadianceStandardError`, NaN where it is not known. Emitted light has none.
+ * A shallow copy of the input with the cell array `Radiance` (double, W/m2/sr, as many components
+ * as `Irradiance`): the mean over the area of the cell of the radiance towards the eye. It is
+ * active. If the input has standard errors, so has the radiance: `RadianceStandardError`, NaN where
+ * it is not known. Emitted light has none.
  * - Emitted: RadiantExitance / pi, if the eye is in front.
  * - Diffuse: DiffuseReflectance times irradiance / pi. With SeparateSides of the
  *   vtkIrradianceFilter the irradiance of the side that the eye sees counts, else of both
  *   sides together: switch it on for sheets that are lit from both sides.
- * - Specular: what rays find that leave NumberOfSpecularSamples points of the cell along the lobe around the mirrored
+ * - Specular: what rays find that leave NumberOfSpecularSamples points of the cell along the lobe
+ *   around the mirrored
  *   direction to the eye, or along that direction from a mirror (infinite PhongExponent). They read
  *   the irradiance of large cells where they hit, of the side that they hit; at small or near ones they ask the lights and go
  *   on, also by way of other lobes and mirrors. Lobes ask the lights as well as their rays; so narrow ones, and
  *   small lamps, have little noise. What is smaller than a cell is averaged away.
  *
- * A mirror cannot see a point light; nor does a lobe see what a point light sends it by way of a mirror.
+ * A mirror cannot see a point light; nor does a lobe see what a point light sends it by way of a
+ * mirror.
  *
  * What stands between eye and cell is not looked at: a renderer knows what is hidden. So an eye may
  * be anywhere, also inside a body, of whose cells it sees the back. At a cell's own place it sees
@@ -57,16 +61,16 @@ public:
   vtkTypeMacro(vtkOutgoingRadianceFilter, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  /// @{
   /**
    * Where the eye is, in world coordinates; finite. Without effect while there is a camera. Default
    * (0, 0, 0).
    */
   vtkSetVector3Macro(EyePosition, double);
   vtkGetVector3Macro(EyePosition, double);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
    * The camera at whose position the eye is; with ParallelProjection the eye is infinitely far
    * away, against its direction of projection. It is kept by reference: when it moves, the filter
@@ -74,16 +78,17 @@ public:
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * From how many points of a specular cell a ray looks for what it reflects, 1 to 4096, rounded up to a multiple
-   * of the replicates if there are error bars. The noise goes as 1 / sqrt(NumberOfSpecularSamples), or less. Default 16.
+   * From how many points of a specular cell a ray looks for what it reflects, 1 to 4096, rounded up
+   * to a multiple of the replicates if there are error bars. The noise goes as 1 /
+   * sqrt(NumberOfSpecularSamples), or less. Default 16.
    */
   vtkSetClampMacro(NumberOfSpecularSamples, int, 1, 4096);
   vtkGetMacro(NumberOfSpecularSamples, int);
-  ///@}
+  /// @}
 
   /// Includes the camera.
   vtkMTimeType GetMTime() override;

@@ -106,7 +106,8 @@ void Add(const Replicates& received, double weight, Replicates& sum)
   }
 }
 
-/// Gives points the light that their facets received: takes what is next, in the order of the sensors.
+/// Gives points the light that their facets received: takes what is next, in the order of the
+/// sensors.
 class PointWriter
 {
 public:

@@ -3,37 +3,44 @@
  * @class   vtkPointIrradianceFilter
  * @brief   irradiance at the points of a vtkIrradianceFilter's scene
  *
- * What vtkIrradianceFilter finds are means over cells. This filter gathers the light at the very points of
- * their meshes, so that surfaces are shown smooth, and nothing is averaged over cells: NumberOfRays rays look for the lights from
- * each point, and as many for the indirect light, as those of vtkIrradianceProbeFilter with Estimate Gathered.
+ * What vtkIrradianceFilter finds are means over cells. This filter gathers the light at the very
+ * points of their meshes, so that surfaces are shown smooth, and nothing is averaged over cells:
+ * NumberOfRays rays look for the lights from each point, and as many for the indirect light, as
+ * those of vtkIrradianceProbeFilter with Estimate Gathered.
  *
  * @section PointInput Input
- * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells received comes with it, see
- * vtkOutgoingRadianceFilter.
+ * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells
+ * received comes with it, see vtkOutgoingRadianceFilter.
  *
- * A point with an active point normal receives its light on the plane across that. Without normals it has the mean normal of
- * the cells that meet there, weighted by their angles; where these meet at more than FeatureAngle it lies on a crease, and has
- * the mean of what it receives on each of the smooth facets, weighted by the angles that they fill. To show creases sharp, have
- * vtkPolyDataNormals split their points before vtkIrradianceFilter.
- * At an edge of a surface the light is gathered 1e-4 of the cell's width from it, 2^-20 of the scene's size and 2^-32 of
- * its largest coordinate, lamps apart, so that a wall which meets the surface there is beside the point.
+ * A point with an active point normal receives its light on the plane across that. Without normals
+ * it has the mean normal of the cells that meet there, weighted by their angles; where these meet
+ * at more than FeatureAngle it lies on a crease, and has the mean of what it receives on each of
+ * the smooth facets, weighted by the angles that they fill. To show creases sharp, have
+ * vtkPolyDataNormals split their points before vtkIrradianceFilter. At an edge of a surface the
+ * light is gathered 1e-4 of the cell's width from it, 2^-20 of the scene's size and 2^-32 of its
+ * largest coordinate, lamps apart, so that a wall which meets the surface there is beside the
+ * point.
  *
  * @section PointOutput Output
- * A shallow copy of the input with the point array `PointIrradiance` (double, W/m2, as many components as
- * `Irradiance`): that of both sides together, as `Irradiance`. It is active. With SeparateSides of the vtkIrradianceFilter there
- * are `PointIrradianceFront` and `PointIrradianceBack` in its place. If the input has standard errors, each array has its own:
- * `PointIrradianceStandardError`, from replicates, NaN where nothing arrived. Points without polygons have NaN.
+ * A shallow copy of the input with the point array `PointIrradiance` (double, W/m2, as many
+ * components as `Irradiance`): that of both sides together, as `Irradiance`. It is active. With
+ * SeparateSides of the vtkIrradianceFilter there are `PointIrradianceFront` and
+ * `PointIrradianceBack` in its place. If the input has standard errors, each array has its own:
+ * `PointIrradianceStandardError`, from replicates, NaN where nothing arrived. Points without
+ * polygons have NaN.
  *
- * The samples follow from the seed of the source and the place of the point among all, so after an update the result is that
- * of a new filter, bit for bit. Where things have moved, only rays are cast anew that this may change (KeepRays).
- * Rays read means over the cells that they hit: this is a bias, which shrinks with these. With
- * DistributedInput each process gathers for the points of its own pieces: the noise, and mean normals at their borders, depend
- * on the division. While walks are stale (RepairTimeBudget), the light rests on them as the irradiance does.
+ * The samples follow from the seed of the source and the place of the point among all, so after an
+ * update the result is that of a new filter, bit for bit. Where things have moved, only rays are
+ * cast anew that this may change (KeepRays). Rays read means over the cells that they hit: this is
+ * a bias, which shrinks with these. With DistributedInput each process gathers for the points of
+ * its own pieces: the noise, and mean normals at their borders, depend on the division. While walks
+ * are stale (RepairTimeBudget), the light rests on them as the irradiance does.
  * Documentation/Theory.md, section 5.8.
  *
  * @section PointErrors Errors
- * Input that is no such output, that is out of date, or a part of one; a point light beside cells with a SpecularReflectance:
- * one error, and an empty output. Progress and AbortExecute as in vtkIrradianceFilter.
+ * Input that is no such output, that is out of date, or a part of one; a point light beside cells
+ * with a SpecularReflectance: one error, and an empty output. Progress and AbortExecute as in
+ * vtkIrradianceFilter.
  */
 
 #ifndef vtkPointIrradianceFilter_h
@@ -51,34 +58,35 @@ public:
   vtkTypeMacro(vtkPointIrradianceFilter, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  /// @{
   /**
-   * How many rays look for indirect light at each side of a point, and how many for the lights, 1 to 1,000,000; rounded
-   * up to a multiple of the source's replicates. The noise falls with the root of the number, or faster; the time grows
-   * with it. Default 64.
+   * How many rays look for indirect light at each side of a point, and how many for the lights, 1
+   * to 1,000,000; rounded up to a multiple of the source's replicates. The noise falls with the
+   * root of the number, or faster; the time grows with it. Default 64.
    */
   vtkSetClampMacro(NumberOfRays, int, 1, 1000000);
   vtkGetMacro(NumberOfRays, int);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * Cells that meet at a larger angle meet in a crease, degrees, 0 to 180. Without effect on points that have normals.
-   * Default 30.
+   * Cells that meet at a larger angle meet in a crease, degrees, 0 to 180. Without effect on points
+   * that have normals. Default 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0, 180);
   vtkGetMacro(FeatureAngle, double);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * Whether rays are kept for frames in which things have moved, where the source keeps its walks for these. It
-   * takes some 6 kB for each side of a point with 64 rays, and changes no result. Default on.
+   * Whether rays are kept for frames in which things have moved, where the source keeps its walks
+   * for these. It takes some 6 kB for each side of a point with 64 rays, and changes no result.
+   * Default on.
    */
   vtkSetMacro(KeepRays, bool);
   vtkGetMacro(KeepRays, bool);
   vtkBooleanMacro(KeepRays, bool);
-  ///@}
+  /// @}
 
 protected:
   vtkPointIrradianceFilter();

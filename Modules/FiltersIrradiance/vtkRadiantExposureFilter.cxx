@@ -160,13 +160,13 @@ void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields
 }
 
 /**
- * VTK has a way to execute a filter once for each time, CONTINUE_EXECUTING, which vtkTemporalStatistics
- * takes. If upstream fails at a later time, the executive of VTK 9.1 and its like then asks for ever.
- * So a run asks for the first time as that does, in RequestUpdateExtent, and updates the producer
- * for the others, in RequestData.
+ * VTK has a way to execute a filter once for each time, CONTINUE_EXECUTING, which
+ * vtkTemporalStatistics takes. If upstream fails at a later time, the executive of VTK 9.1 and its
+ * like then asks for ever. So a run asks for the first time as that does, in RequestUpdateExtent,
+ * and updates the producer for the others, in RequestData.
  *
- * Ranks visit as many times at once as there are ranks, one time each. Then each rank takes the data of all of
- * these, in the order of time: the sums are those of one rank alone.
+ * Ranks visit as many times at once as there are ranks, one time each. Then each rank takes the
+ * data of all of these, in the order of time: the sums are those of one rank alone.
  */
 class vtkRadiantExposureFilter::vtkInternals
 {
@@ -242,7 +242,8 @@ void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* f
   {
     this->Begin(filter);
   }
-  // With more ranks than times, some visit the last one in vain: VTK updates what is upstream anyway.
+  // With more ranks than times, some visit the last one in vain: VTK updates what is upstream
+  // anyway.
   const double last = this->NextTimes(ranks).back();
   input->Set(Pipeline::UPDATE_TIME_STEP(), this->OwnTime(ranks).value_or(last));
 }

@@ -10,9 +10,9 @@
  *
  * which is the trapezoidal rule; at the ends, the end itself takes the place of the missing
  * neighbour. One execution visits all times: each is an update of what is upstream. By default the
- * times follow from the irradiance. Data that exist only at some times, such as files, are integrated
- * over those, the TIME_STEPS. Documentation/Guide.md, "The dose": an example, which times are visited,
- * and where the standard error comes from.
+ * times follow from the irradiance. Data that exist only at some times, such as files, are
+ * integrated over those, the TIME_STEPS. Documentation/Guide.md, "The dose": an example, which
+ * times are visited, and where the standard error comes from.
  *
  * @section ExposureInput Input
  * Any vtkDataSet, or composite data of them, with the cell arrays of vtkIrradianceFilter:
@@ -20,37 +20,41 @@
  * come from files. Its cells stay the same over time, in number and order; their points may move.
  *
  * Blocks without cells, and empty ones, receive nothing at that time: a part that appears or leaves
- * is one without cells while it is away. Between the last time without a part and the first with it,
- * the trapezoidal rule counts half a step of its first irradiance.
+ * is one without cells while it is away. Between the last time without a part and the first with
+ * it, the trapezoidal rule counts half a step of its first irradiance.
  *
- * Without TIME_RANGE and TIME_STEPS upstream nothing changes over time; then give StartTime and EndTime.
+ * Without TIME_RANGE and TIME_STEPS upstream nothing changes over time; then give StartTime and
+ * EndTime.
  *
  * @section ExposureOutput Output
- * Data of the type and structure of the input. Each block is as at the last visited time at which it
- * had cells, with its arrays, except those that were integrated. In their place are the cell arrays
+ * Data of the type and structure of the input. Each block is as at the last visited time at which
+ * it had cells, with its arrays, except those that were integrated. In their place are the cell
+ * arrays
  * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2);
  * - `RadiantExposureStandardError`, or `RadiantExposureFrontStandardError` and
  *   `RadiantExposureBackStandardError` (J/m2), if the input has standard errors; NaN where it is not known.
  *   The 95 % interval is the exposure +- this times the field `ConfidenceFactor`.
  *
- * Field data of the root: the input's at the last time, and `StartTime`, `EndTime` (s), `NumberOfTimeSteps`
- * (intervals between visited times), `IntegrationTimes` (s, one tuple for each visited time). With error control
- * `TimeIntegrationError` (reached, relative, of the worst block) and `TimeIntegrationNoise` (what looked
- * like error but is noise). If the
- * input has the powers of vtkIrradianceFilter at all times, also `EmittedEnergy`, `AbsorbedEnergy`,
- * `EscapedEnergy` (J, per band), and `PowerBalanceError`: the largest |emitted - absorbed - escaped|
- * of any time and band, relative to the emitted power.
+ * Field data of the root: the input's at the last time, and `StartTime`, `EndTime` (s),
+ * `NumberOfTimeSteps` (intervals between visited times), `IntegrationTimes` (s, one tuple for each
+ * visited time). With error control `TimeIntegrationError` (reached, relative, of the worst block)
+ * and `TimeIntegrationNoise` (what looked like error but is noise). If the input has the powers of
+ * vtkIrradianceFilter at all times, also `EmittedEnergy`, `AbsorbedEnergy`, `EscapedEnergy` (J, per
+ * band), and `PowerBalanceError`: the largest |emitted - absorbed - escaped| of any time and band,
+ * relative to the emitted power.
  *
  * The output belongs to no time: it does not pass TIME_STEPS on. It is for the piece that is asked
  * for; of a vtkIrradianceFilter, piece 0 has all cells, and others have none.
  *
  * @section ExposureErrors Errors
- * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among them
- * with TimeSteps; no irradiance, or one of points (see the Guide for the dose of sensors); no replicates of it with NumberOfSpreadPhotons; irradiance that is not finite; blocks whose number of cells or whose arrays
- * differ between times; StalePower (a RepairTimeBudget upstream left walks that are no longer valid, and
- * what rests on them is not what the scene receives); an input that has other times than those asked
- * for, as files between their steps, unless IntegrationMode is Automatic and they are its steps: one error
- * that names block, cell, times and values, and an empty output.
+ * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among
+ * them with TimeSteps; no irradiance, or one of points (see the Guide for the dose of sensors); no
+ * replicates of it with NumberOfSpreadPhotons; irradiance that is not finite; blocks whose number
+ * of cells or whose arrays differ between times; StalePower (a RepairTimeBudget upstream left walks
+ * that are no longer valid, and what rests on them is not what the scene receives); an input that
+ * has other times than those asked for, as files between their steps, unless IntegrationMode is
+ * Automatic and they are its steps: one error that names block, cell, times and values, and an
+ * empty output.
  */
 
 #ifndef vtkRadiantExposureFilter_h
@@ -80,18 +84,18 @@ public:
       3 ///< ErrorControlled; TimeSteps if the input exists only at its TIME_STEPS, as files do
   };
 
-  ///@{
+  /// @{
   /**
-   * The span of time over which is integrated, s, within the input's TIME_RANGE (or TIME_STEPS, if it
-   * has no range). NaN: where that begins or ends. Default NaN.
+   * The span of time over which is integrated, s, within the input's TIME_RANGE (or TIME_STEPS, if
+   * it has no range). NaN: where that begins or ends. Default NaN.
    */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   vtkSetMacro(EndTime, double);
   vtkGetMacro(EndTime, double);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
    * See IntegrationModes. Default Automatic.
    */
@@ -101,65 +105,68 @@ public:
   void SetIntegrationModeToUniform() { this->SetIntegrationMode(Uniform); }
   void SetIntegrationModeToErrorControlled() { this->SetIntegrationMode(ErrorControlled); }
   void SetIntegrationModeToAutomatic() { this->SetIntegrationMode(Automatic); }
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * Number of intervals with Uniform, 1 to 1,000,000; with error control, the span over this is the length
-   * of the longest that it begins with. Default 20.
+   * Number of intervals with Uniform, 1 to 1,000,000; with error control, the span over this is the
+   * length of the longest that it begins with. Default 20.
    */
   vtkSetMacro(NumberOfTimeSteps, int);
   vtkGetMacro(NumberOfTimeSteps, int);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * With error control, the error of the integration over time that is tolerated on each block: the sum
-   * over its cells of area * error, relative to the sum of area * exposure; > 0. It is an estimate:
-   * what happens between two visited times, and is over at the second, is not seen. So the first
-   * intervals should be no longer than a lamp takes to pass. Default 0.01.
+   * With error control, the error of the integration over time that is tolerated on each block: the
+   * sum over its cells of area * error, relative to the sum of area * exposure; > 0. It is an
+   * estimate: what happens between two visited times, and is over at the second, is not seen. So
+   * the first intervals should be no longer than a lamp takes to pass. Default 0.01.
    */
   vtkSetMacro(RelativeTolerance, double);
   vtkGetMacro(RelativeTolerance, double);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * With error control, the number of intervals at which halving ends; at least NumberOfTimeSteps. The
-   * TIME_STEPS of the input are visited all the same. If it is reached before the tolerance is, a warning
-   * names the blocks and their errors. Default 1000.
+   * With error control, the number of intervals at which halving ends; at least NumberOfTimeSteps.
+   * The TIME_STEPS of the input are visited all the same. If it is reached before the tolerance is,
+   * a warning names the blocks and their errors. Default 1000.
    */
   vtkSetMacro(MaximumNumberOfTimeSteps, int);
   vtkGetMacro(MaximumNumberOfTimeSteps, int);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * On how many photons the dose of a small cell draws, on the average of its block, 1 to 1,000,000; 0: each cell
-   * stands for itself. The dose, not the irradiance of each time, is spread over neighbouring cells of a vtkPolyData,
-   * once, at the end: the noise is about 1 / the root of this, the blur grows with its root, and energy is conserved
-   * in each block, up to rounding. Other blocks stay as they are. A photon that brings light at many times counts
-   * once. Standard errors are those of the spread dose, without the blur. It needs replicates (ComputeStandardError
-   * of vtkIrradianceFilter), as the number of photons follows from them. What direct light cells gathered is spread as
-   * well. A deforming part is spread as it is at the last time with cells. Default 0.
+   * On how many photons the dose of a small cell draws, on the average of its block, 1 to
+   * 1,000,000; 0: each cell stands for itself. The dose, not the irradiance of each time, is spread
+   * over neighbouring cells of a vtkPolyData, once, at the end: the noise is about 1 / the root of
+   * this, the blur grows with its root, and energy is conserved in each block, up to rounding.
+   * Other blocks stay as they are. A photon that brings light at many times counts once. Standard
+   * errors are those of the spread dose, without the blur. It needs replicates
+   * (ComputeStandardError of vtkIrradianceFilter), as the number of photons follows from them. What
+   * direct light cells gathered is spread as well. A deforming part is spread as it is at the last
+   * time with cells. Default 0.
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);
   vtkGetMacro(NumberOfSpreadPhotons, int);
-  ///@}
+  /// @}
 
-  ///@{
+  /// @{
   /**
-   * The processes that share the times, for example a vtkMPIController; null: this one alone. Each has the whole
-   * pipeline and computes every n-th time; a vtkIrradianceFilter upstream computes alone then, whatever its
-   * Controller. Each has the whole output, with the bits that one process alone would give; of several pieces, the
-   * first has all. All have to update this filter at the same time, with the same input and settings; else, or if
-   * one fails or is aborted, each has one error. While intervals are halved, only one or two times are known in
-   * advance, and other processes wait. As a rule, give the Controller to vtkIrradianceFilter instead: see "Several
+   * The processes that share the times, for example a vtkMPIController; null: this one alone. Each
+   * has the whole pipeline and computes every n-th time; a vtkIrradianceFilter upstream computes
+   * alone then, whatever its Controller. Each has the whole output, with the bits that one process
+   * alone would give; of several pieces, the first has all. All have to update this filter at the
+   * same time, with the same input and settings; else, or if one fails or is aborted, each has one
+   * error. While intervals are halved, only one or two times are known in advance, and other
+   * processes wait. As a rule, give the Controller to vtkIrradianceFilter instead: see "Several
    * processes" in the Guide. Default null.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
-  ///@}
+  /// @}
 
 protected:
   vtkRadiantExposureFilter();

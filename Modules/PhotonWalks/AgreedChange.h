@@ -19,8 +19,8 @@ struct FrameInput
   const EstimateSettings& estimate;
 };
 
-/// What all ranks do for a frame: a fresh start if one of them needs it. Throws RankFailed if they have not
-/// been given the same.
+/// What all ranks do for a frame: a fresh start if one of them needs it. Throws RankFailed if they
+/// have not been given the same.
 FrameChange agreedChange(const FrameChange& change, const FrameInput& input, Ranks& ranks);
 
 }

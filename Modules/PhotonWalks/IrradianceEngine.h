@@ -38,8 +38,8 @@ inline bool storesWalks(const SceneObjects& objects, const WalkSettings& setting
   return settings.keepPhotons || (settings.verify && !objects.dynamicObjects.empty());
 }
 
-/// What a frame cost. Verification includes rebuilding the trees over dynamic objects, repair includes
-/// updating the stores of photons.
+/// What a frame cost. Verification includes rebuilding the trees over dynamic objects, repair
+/// includes updating the stores of photons.
 struct EngineStatistics : WalkStatistics
 {
   std::size_t historyBytes = 0;   ///< of all that is kept for frames to come
@@ -50,12 +50,13 @@ struct EngineStatistics : WalkStatistics
  * The front door of the engine: a scene in, the power received by every cell out.
  *
  * The first frame is shot. A later one is verified and repaired if only dynamic objects changed
- * pose or points, came or went; its sums then equal the sums of a new engine, bit for bit. An object that
- * comes may look different from before, if no walks are stale. All is shot again if lights, materials,
- * static geometry, seed or sides changed, or the number of objects, triangles, walks or replicates.
+ * pose or points, came or went; its sums then equal the sums of a new engine, bit for bit. An
+ * object that comes may look different from before, if no walks are stale. All is shot again if
+ * lights, materials, static geometry, seed or sides changed, or the number of objects, triangles,
+ * walks or replicates.
  *
- * With a time budget the repair may end early. Then stalePower() tells what is left, and further calls,
- * with or without motion, continue with it.
+ * With a time budget the repair may end early. Then stalePower() tells what is left, and further
+ * calls, with or without motion, continue with it.
  */
 class IrradianceEngine
 {
@@ -64,11 +65,13 @@ public:
   IrradianceEngine(const IrradianceEngine&) = delete;
   IrradianceEngine& operator=(const IrradianceEngine&) = delete;
 
-  /// The settings, with what is left to the scene as chooseByScene() says. What it finds out update() need not.
+  /// The settings, with what is left to the scene as chooseByScene() says. What it finds out
+  /// update() need not.
   EngineSettings chosen(const LeftToScene& left, const SceneObjects& objects,
     const EngineSettings& settings, Execution& execution);
-  /// All objects need a body and a material, with the same number of bands. No conflictOf() the settings. Throws
-  /// Interrupted, and InputError for lights that the cell estimate does not know, see checkLights().
+  /// All objects need a body and a material, with the same number of bands. No conflictOf() the
+  /// settings. Throws Interrupted, and InputError for lights that the cell estimate does not know,
+  /// see checkLights().
   void update(const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
 
   /// W/m2, by the cell estimate of the settings; 0 for a cell without area.
@@ -83,7 +86,8 @@ public:
   double watts(double quanta) const { return walks_.watts(quanta); }
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
   std::uint32_t numberOfWalks() const { return walks_.numberOfWalks(); }
-  /// Of each side of a small cell; more than in the settings if a target needs them, 0 if no cell casts any.
+  /// Of each side of a small cell; more than in the settings if a target needs them, 0 if no cell
+  /// casts any.
   std::uint64_t numberOfGatherRays() const { return estimator_->numberOfRays(); }
   /// See TargetMiss; 0 without a target, NaN while walks are stale.
   double reachedRelativeError() const { return miss_.reached; }
@@ -120,8 +124,8 @@ public:
   /// What cells of this frame gather light in.
   GatherSpace gatherSpace() const { return space().gatherSpace(); }
   /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
-  /// before; then updates keep it up to date, or forget it where direct light is gathered. Those are then
-  /// photons of indirect light alone. Needs stored walks. Throws Interrupted.
+  /// before; then updates keep it up to date, or forget it where direct light is gathered. Those
+  /// are then photons of indirect light alone. Needs stored walks. Throws Interrupted.
   template <class Store>
   void collect(Execution& execution)
   {
@@ -134,8 +138,8 @@ public:
   {
     return photons_.get<Store>();
   }
-  /// Prepares the surfaces of all objects, on which sensors stand, unless that was done before. Throws
-  /// Interrupted.
+  /// Prepares the surfaces of all objects, on which sensors stand, unless that was done before.
+  /// Throws Interrupted.
   void prepareSurfaces(Execution& execution)
   {
     surfaces_.update(objects_, cancelPointOf(execution, 0));
@@ -163,8 +167,8 @@ private:
   void shootRound(std::size_t round, Execution& execution);
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
   void shootOnce(bool isFresh, Execution& execution);
-  /// Adds rounds of walks and rays until the target is reached, and drops those that it does not need:
-  /// what remains is what a new engine would have.
+  /// Adds rounds of walks and rays until the target is reached, and drops those that it does not
+  /// need: what remains is what a new engine would have.
   void reachTarget(Execution& execution);
   /// An estimate, after some rounds, of how much more there will be of all that was done.
   double expectedGrowth() const;

@@ -27,7 +27,8 @@ inline bool IsThorough()
   return effort && std::atoi(effort) > 1;
 }
 
-/// How filters know direct light in this run of all tests: VTKIRRADIANCE_TEST_DIRECT_LIGHT 1 for gathered.
+/// How filters know direct light in this run of all tests: VTKIRRADIANCE_TEST_DIRECT_LIGHT 1 for
+/// gathered.
 inline int DirectLightOfThisRun()
 {
   const char* gathered = std::getenv("VTKIRRADIANCE_TEST_DIRECT_LIGHT");
@@ -35,8 +36,9 @@ inline int DirectLightOfThisRun()
                                               : vtkIrradianceFilter::Shot;
 }
 
-/// How far a mean of a furnace may be off. Where all cells shine, and walks are few, gathered light has up to twelve times
-/// the noise of shot light: each cell is near to lamps, and asks four times which.
+/// How far a mean of a furnace may be off. Where all cells shine, and walks are few, gathered light
+/// has up to twelve times the noise of shot light: each cell is near to lamps, and asks four times
+/// which.
 inline double InThisRun(double allowed)
 {
   return DirectLightOfThisRun() == vtkIrradianceFilter::Gathered ? 12 * allowed : allowed;
@@ -198,8 +200,8 @@ inline double MeanIrradiance(vtkIrradianceFilter* filter, unsigned int port, uns
 }
 
 /// Updates, and checks what holds in every scene: no error, power in = power out to the last bit,
-/// finite numbers, and the bits of a new filter. `isClosed`: nothing escapes. Where direct light is gathered, what
-/// escapes is an estimate, of which the sum of two doubles loses a bit.
+/// finite numbers, and the bits of a new filter. `isClosed`: nothing escapes. Where direct light is
+/// gathered, what escapes is an estimate, of which the sum of two doubles loses a bit.
 inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isClosed = true)
 {
   const bool isGathered = DirectLightOfThisRun() == vtkIrradianceFilter::Gathered;
@@ -241,8 +243,9 @@ inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isC
   }
 }
 
-/// A furnace of the size, at the offset. `meshes`: its room, and a box and a ball that move in it. The
-/// mean irradiance of the room is 1 within `allowed`, of the box within 0.1, in repaired frames too.
+/// A furnace of the size, at the offset. `meshes`: its room, and a box and a ball that move in it.
+/// The mean irradiance of the room is 1 within `allowed`, of the box within 0.1, in repaired frames
+/// too.
 inline void ExpectFurnace(const std::vector<Mesh>& meshes, double size, const Vector& offset,
   vtkIdType walks, double allowed)
 {

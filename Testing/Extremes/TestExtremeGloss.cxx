@@ -94,8 +94,8 @@ TEST(ExtremeGloss, NearSingularAndReflectingMaps)
   }
 }
 
-// Half diffuse, half specular, together 0.9999: 10,000 bounces on average, none of which may leak. The
-// mean of 100 walks is known to 0.1; five times that.
+// Half diffuse, half specular, together 0.9999: 10,000 bounces on average, none of which may leak.
+// The mean of 100 walks is known to 0.1; five times that.
 TEST(ExtremeGloss, Reflectance09999)
 {
   Scene scene{ { Glossy(MakeFurnace(1, { 0, 0, 0 }, 0.9999), 0.5, Exponents) },

@@ -42,7 +42,8 @@ TEST(ExtremeLight, WeakBesideStrong)
   EXPECT_NEAR(Field(filter, "EmittedPower") / 1e12, 1, 1e-11);
 }
 
-// Of its lamps only the square has an area that a double can tell from none; all it emits arrives in the black room.
+// Of its lamps only the square has an area that a double can tell from none; all it emits arrives
+// in the black room.
 TEST(ExtremeLight, LampsWithoutArea)
 {
   const auto lampOf = [](const Vector& u, const Vector& v) {
@@ -74,7 +75,8 @@ TEST(ExtremeLight, LampsWithoutArea)
   }
 }
 
-// Lamps a million times as long as wide, and one of a thousand; the last hangs a millimetre over the floor.
+// Lamps a million times as long as wide, and one of a thousand; the last hangs a millimetre over
+// the floor.
 TEST(ExtremeLight, LampsOfAspect1e6)
 {
   const auto strip = [](double x, double y, double z, double width) {
@@ -119,8 +121,8 @@ TEST(ExtremeLight, ThousandsOfLamps)
   }
 }
 
-// Walks of 10,000 bounces on average: 5 million segments, none of which may leak. A walk that ends with
-// a chance of 1e-4 at each bounce brings as much as the mean, give or take the mean.
+// Walks of 10,000 bounces on average: 5 million segments, none of which may leak. A walk that ends
+// with a chance of 1e-4 at each bounce brings as much as the mean, give or take the mean.
 TEST(ExtremeLight, Reflectance09999)
 {
   const vtkIdType walks = IsThorough() ? 2000 : 500;

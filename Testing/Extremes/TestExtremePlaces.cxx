@@ -108,8 +108,8 @@ TEST(ExtremePlaces, NearSingularAndReflectingMaps)
   EXPECT_NE(ErrorOf(scene).find("is singular"), std::string::npos);
 }
 
-// A lamp that faces up lights only the upper half of a black room. Mirrored left to right it still does, though its corners
-// run the other way round; mirrored in its plane it lights the lower half.
+// A lamp that faces up lights only the upper half of a black room. Mirrored left to right it still
+// does, though its corners run the other way round; mirrored in its plane it lights the lower half.
 TEST(ExtremePlaces, AReflectionMirrorsTheFrontOfALamp)
 {
   Mesh walls = MakeRoom(1, 2); // floor first, then the ceiling, 4 cells each

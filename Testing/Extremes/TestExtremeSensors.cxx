@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sensors and points of surfaces anywhere, and with lamps far away: in the dark but for a point light
-// and a far lamp, whose light has a formula.
+// Sensors and points of surfaces anywhere, and with lamps far away: in the dark but for a point
+// light and a far lamp, whose light has a formula.
 
 #include "ExtremeScenes.h"
 
@@ -22,8 +22,8 @@ struct Place
   bool IsLit;
 };
 
-/// On the floor, below the table, on it, below its board, on the wall; at corners of the floor, in the air. At the foot of
-/// the wall the wall hides a part of the far lamp.
+/// On the floor, below the table, on it, below its board, on the wall; at corners of the floor, in
+/// the air. At the foot of the wall the wall hides a part of the far lamp.
 const std::vector<Place> Places = { { { 0.5, 0.5, 0 }, { 0, 0, 1 }, true },
   { { 2, 2, 0 }, { 0, 0, 1 }, false }, { { 2, 2.25, 0.75 }, { 0, 0, 1 }, true },
   { { 2, 2, 0.75 }, { 0, 0, -1 }, false }, { { 0, 2, 1.25 }, { 1, 0, 0 }, true } };
@@ -105,7 +105,8 @@ void ExpectTruth(vtkIrradianceFilter* filter, const std::vector<Place>& places,
   ASSERT_NE(light, nullptr);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    // The nearest of the far lamps is 2e-3 rad from the wall, and 1 m of its 1000 m nearer to the table.
+    // The nearest of the far lamps is 2e-3 rad from the wall, and 1 m of its 1000 m nearer to the
+    // table.
     const double truth = TruthAt(places[i], hasFarLamp);
     EXPECT_NEAR(light->GetComponent(static_cast<vtkIdType>(i), 0), truth, 0.01 * truth + 1e-9)
       << "sensor " << i;

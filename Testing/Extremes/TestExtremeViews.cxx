@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An eye and sensors that are very near, very far, inside of objects, or in the plane of a cell; and
-// scenes of all lengths. In a furnace all that an eye sees is 1 / pi W/m2/sr, and a sensor on a surface
-// receives 1 W/m2.
+// An eye and sensors that are very near, very far, inside of objects, or in the plane of a cell;
+// and scenes of all lengths. In a furnace all that an eye sees is 1 / pi W/m2/sr, and a sensor on a
+// surface receives 1 W/m2.
 
 #include "../FiltersIrradiance/ViewFilters.h"
 #include "ExtremeScenes.h"
@@ -85,9 +85,9 @@ Mesh MakeGlossyBox()
   return Glossy(White(MakeBox(0.3, 0.2, 0.25)), 0.4, Exponents);
 }
 
-/// A glossy furnace and a glossy box that moves in it, watched from inside and by sensors. From the scatter of its cells
-/// the mean radiance has a standard deviation of 0.0036, of 30 seeds the sensors' mean 0.0093: tolerances are 5.5
-/// of them, a false alarm in 20 million.
+/// A glossy furnace and a glossy box that moves in it, watched from inside and by sensors. From the
+/// scatter of its cells the mean radiance has a standard deviation of 0.0036, of 30 seeds the
+/// sensors' mean 0.0093: tolerances are 5.5 of them, a false alarm in 20 million.
 void ExpectFurnace(double size, const Vector& offset)
 {
   Scene scene{ { Glossy(MakeFurnace(size, offset), 0.4, Exponents) },
@@ -191,8 +191,8 @@ TEST_P(ExtremeViewOffset, TheFurnaceHolds)
 INSTANTIATE_TEST_SUITE_P(Sizes, ExtremeViewOffset, testing::Values(1e3, 1e5, 1e7),
   [](const auto& info) { return "Number" + std::to_string(info.index); });
 
-// From far away an eye sees what it sees from infinitely far away, even where the square of its distance
-// is too large for a double.
+// From far away an eye sees what it sees from infinitely far away, even where the square of its
+// distance is too large for a double.
 TEST(ExtremeViews, AFarEyeSeesAsAnInfinitelyFarOne)
 {
   WatchedFurnace furnace;
@@ -210,8 +210,8 @@ TEST(ExtremeViews, AFarEyeSeesAsAnInfinitelyFarOne)
   }
 }
 
-// Above the middle of a cell of the floor, which is the origin, as low as a double can be; most of the floor
-// is seen at grazing angles, where lobes are noisy.
+// Above the middle of a cell of the floor, which is the origin, as low as a double can be; most of
+// the floor is seen at grazing angles, where lobes are noisy.
 TEST(ExtremeViews, AnEyeNearACell)
 {
   WatchedFurnace furnace;
@@ -225,8 +225,8 @@ TEST(ExtremeViews, AnEyeNearACell)
   }
 }
 
-// In the plane of the floor nothing of its lobes is seen: light emitted and reflected diffusely remains,
-// and what mirrors show.
+// In the plane of the floor nothing of its lobes is seen: light emitted and reflected diffusely
+// remains, and what mirrors show.
 TEST(ExtremeViews, AnEyeInThePlaneOfACell)
 {
   WatchedFurnace furnace;
@@ -262,8 +262,9 @@ TEST(ExtremeViews, AnEyeInsideABodySeesItsDarkInside)
   }
 }
 
-// From any distance, if that is allowed, a sensor stands on the closest surface that faces it and is not
-// inside of a body or outside of the room. Asked for more photons than there are, it takes all of these.
+// From any distance, if that is allowed, a sensor stands on the closest surface that faces it and
+// is not inside of a body or outside of the room. Asked for more photons than there are, it takes
+// all of these.
 TEST(ExtremeViews, AFarSensorStandsOnTheClosestSurfaceThatFacesIt)
 {
   WatchedFurnace furnace;
@@ -287,8 +288,8 @@ TEST(ExtremeViews, AFarSensorStandsOnTheClosestSurfaceThatFacesIt)
   }
 }
 
-// Beyond a million sizes of the scene digits do not suffice to tell what is near: not known, whatever is
-// asked for; never a false 0. The filter stays usable.
+// Beyond a million sizes of the scene digits do not suffice to tell what is near: not known,
+// whatever is asked for; never a false 0. The filter stays usable.
 TEST(ExtremeViews, ASensorTooFarAwayKnowsNothing)
 {
   WatchedFurnace furnace;

@@ -64,9 +64,10 @@ private:
 
 /// Shoots and gathers the light of a scene, which must agree.
 ///
-/// The squared distance of a cell in units of its error has the mean n / (n - 2) and, over cells, about the
-/// variance 2 n^2 (n - 1) / ((n - 2)^2 (n - 4)), for n >= 63 degrees of freedom. The sum is off by 5 of its standard
-/// deviations once in 10^6, with cells that know of each other perhaps once in 10^4; nets make it smaller.
+/// The squared distance of a cell in units of its error has the mean n / (n - 2) and, over cells,
+/// about the variance 2 n^2 (n - 1) / ((n - 2)^2 (n - 4)), for n >= 63 degrees of freedom. The sum
+/// is off by 5 of its standard deviations once in 10^6, with cells that know of each other perhaps
+/// once in 10^4; nets make it smaller.
 inline void ExpectAgreement(const TestScenes::Scene& scene, bool sides)
 {
   const auto make = [&](int seed) {

@@ -147,8 +147,8 @@ inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
         }
       }
     }
-    // Of an object 1 km away, points in floats are known to 3e-5 m, and small cells to 1e-3 of their area; of
-    // one that is farther away, nothing is known.
+    // Of an object 1 km away, points in floats are known to 3e-5 m, and small cells to 1e-3 of
+    // their area; of one that is farther away, nothing is known.
     EXPECT_TRUE(isFar || brought <= bound->GetComponent(0, band) + 1e-3 * received)
       << brought << " of " << received << " for " << bound->GetComponent(0, band);
   }

@@ -182,8 +182,8 @@ inline Tuple Scaled(Tuple tuple, double factor)
   return tuple;
 }
 
-/// Shells of 0.25 m around cavities, nested as deep as `depth`, with all fronts out of the matter. The innermost
-/// comes first.
+/// Shells of 0.25 m around cavities, nested as deep as `depth`, with all fronts out of the matter.
+/// The innermost comes first.
 inline Mesh MakeNestedShells(double size, int depth)
 {
   std::vector<Mesh> shells;
@@ -202,8 +202,8 @@ inline Mesh MakeNestedShells(double size, int depth)
   return Join(shells);
 }
 
-/// Around the origin. Lengths are multiples of 0.25 m, so flat faces can touch exactly; some boxes are
-/// thin boards.
+/// Around the origin. Lengths are multiples of 0.25 m, so flat faces can touch exactly; some boxes
+/// are thin boards.
 inline Mesh RandomMesh(RandomNumbers& random)
 {
   const auto length = [&] { return 0.25 * (1 + random.Below(4)); };
@@ -347,7 +347,8 @@ inline vtkSmartPointer<vtkDataObject> RandomData(RandomNumbers& random)
   return RandomMesh(random);
 }
 
-/// A room or an open floor, which stays and may shine, a lamp, perhaps a bulb of many facets, four dynamic inputs and one that rides.
+/// A room or an open floor, which stays and may shine, a lamp, perhaps a bulb of many facets, four
+/// dynamic inputs and one that rides.
 inline Model RandomModel(RandomNumbers& random)
 {
   Model model;

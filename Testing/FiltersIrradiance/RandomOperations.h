@@ -162,8 +162,8 @@ inline void PutSensorsOnCells(Trial& t)
 
 // Executions.
 
-/// A moving leaf goes, its arrays stay without values, and after some updates, with other poses, estimates,
-/// outputs and views, it comes back, or something else does.
+/// A moving leaf goes, its arrays stay without values, and after some updates, with other poses,
+/// estimates, outputs and views, it comes back, or something else does.
 inline void GoAndComeBack(Trial& t)
 {
   static void (*const changes[])(Trial&) = { ChangeEstimate, ChangeOutput, ChangeTarget,

@@ -72,8 +72,8 @@ struct Counts
   void Digested(std::uint64_t digest) { this->Digest = 3 * this->Digest + digest; }
 };
 
-/// A long-lived filter and what it is to compute. With a controller its processes compute it together, and
-/// the fresh filters alone.
+/// A long-lived filter and what it is to compute. With a controller its processes compute it
+/// together, and the fresh filters alone.
 struct Trial
 {
   Trial(std::uint64_t seed, Counts& counts, vtkMultiProcessController* controller = nullptr)
@@ -214,7 +214,8 @@ inline void Trial::KeepCellOfWalks()
   }
 }
 
-/// Several processes look at photons or have a budget. The pipeline does not forget that photons were asked for.
+/// Several processes look at photons or have a budget. The pipeline does not forget that photons
+/// were asked for.
 inline void Trial::DropBudgetOfLook()
 {
   this->HasLooked = this->HasLooked || this->Given.Look.IsUsed();
@@ -242,8 +243,8 @@ inline bool Trial::HasUnseenLight()
   return hasGloss && hasPoints;
 }
 
-/// Where it is bad input, and beside a budget, with which what is stale on a cell need not fall from update to
-/// update.
+/// Where it is bad input, and beside a budget, with which what is stale on a cell need not fall
+/// from update to update.
 inline void Trial::DropFinalGather()
 {
   const bool isLeft = this->Set().CellEstimate == vtkIrradianceFilter::AutomaticEstimate;
@@ -307,8 +308,8 @@ inline void Trial::Look()
   ++this->Done.Looks;
 }
 
-/// What looks at the photons of the filter sees the same as with a fresh one. `isCertain`: this comparison
-/// does not depend on time.
+/// What looks at the photons of the filter sees the same as with a fresh one. `isCertain`: this
+/// comparison does not depend on time.
 inline void Trial::CompareViews(vtkIrradianceFilter* fresh, bool isCertain)
 {
   this->Look();

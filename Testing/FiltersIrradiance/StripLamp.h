@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-/// A plate of rows of cells rides with its rows along the way under a strip lamp that lies across it.
-/// All is black.
+/// A plate of rows of cells rides with its rows along the way under a strip lamp that lies across
+/// it. All is black.
 struct StripLamp
 {
   using Mesh = TestScenes::Mesh;
@@ -18,13 +18,15 @@ struct StripLamp
   static constexpr int Rows = 3;
 
   /**
-   * A lamp element dA sends E = M / pi * h^2 / r^4 dA to a point h below it. On a straight way at the
-   * distance a = sqrt(y^2 + h^2) from it, the integral of 1 / r^4 is pi / (2 a^3) / v. So the exposure at y is
+   * A lamp element dA sends E = M / pi * h^2 / r^4 dA to a point h below it. On a straight way at
+   * the distance a = sqrt(y^2 + h^2) from it, the integral of 1 / r^4 is pi / (2 a^3) / v. So the
+   * exposure at y is
    *
    *   M W / (2 v) * [u / sqrt(u^2 + h^2)], u from y - L/2 to y + L/2,
    *
-   * and its mean over a row follows from the integral of that, sqrt(u^2 + h^2). What the way leaves out
-   * is less than (2 / 3 pi) (h / x)^3 of it for a way from -x to x: 2e-4 at the ends of the plate.
+   * and its mean over a row follows from the integral of that, sqrt(u^2 + h^2). What the way leaves
+   * out is less than (2 / 3 pi) (h / x)^3 of it for a way from -x to x: 2e-4 at the ends of the
+   * plate.
    */
   static double ExposureOfRow(int row)
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user gets who chooses neither DirectLight nor CellEstimate. (The rules: TestAutomaticChoice.cpp of the engine.)
+// What a user gets who chooses neither DirectLight nor CellEstimate. (The rules:
+// TestAutomaticChoice.cpp of the engine.)
 
 #include "ErrorObserver.h"
 #include "OutputBits.h"
@@ -37,8 +38,8 @@ void ExpectBitsOf(vtkIrradianceFilter* filter, const Scene& scene, int estimate,
   EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(asked)));
 }
 
-/// Takes a filter with the default choice through frames, and compares each with a new filter. The estimate is to be
-/// Gathered in the even ones alone, and the direct light this one in the others.
+/// Takes a filter with the default choice through frames, and compares each with a new filter. The
+/// estimate is to be Gathered in the even ones alone, and the direct light this one in the others.
 void ExpectUpdatesAcrossFlips(
   const Scene& scene, vtkIdType walks, int directLight, const std::function<void(int frame)>& goTo)
 {
@@ -130,7 +131,8 @@ TEST(AutomaticChoice, StaysWhileThingsMove)
   }
 }
 
-// Most of the area is that of a sheet of small cells, which rays do not read, or of the walls, which they do.
+// Most of the area is that of a sheet of small cells, which rays do not read, or of the walls,
+// which they do.
 TEST(AutomaticChoice, UpdateEqualsRebuildWhereAPartComes)
 {
   Scene scene = MakeSmallScene();

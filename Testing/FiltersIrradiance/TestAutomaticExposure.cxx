@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dose that somebody gets who chooses no times: they follow from the irradiance, or from the input if
-// that has some times alone.
+// The dose that somebody gets who chooses no times: they follow from the irradiance, or from the
+// input if that has some times alone.
 
 #include "ExposureScenes.h"
 #include "StripLamp.h"
@@ -31,8 +31,8 @@ TEST(AutomaticExposure, IsTheDefault)
   EXPECT_EQ(exposure->GetIntegrationMode(), vtkRadiantExposureFilter::Automatic);
 }
 
-// Two key frames are all that is said of the ride. With 50,000 walks the noise of a row is 0.7 %, and
-// the integration over time may be off by 1 %: 4 % are exceeded once in 50,000 seeds.
+// Two key frames are all that is said of the ride. With 50,000 walks the noise of a row is 0.7 %,
+// and the integration over time may be off by 1 %: 4 % are exceeded once in 50,000 seeds.
 TEST(AutomaticExposure, OfARideUnderALampIsTheClosedForm)
 {
   vtkNew<vtkKeyFramedPose> ride;
@@ -85,8 +85,8 @@ TEST(AutomaticExposure, OfAFileIsTheTrapezoidOverItsSteps)
   std::remove(name.c_str());
 }
 
-// The same if a part of the scene comes from a file: the irradiance filter computes any time, but the part
-// stays where it was.
+// The same if a part of the scene comes from a file: the irradiance filter computes any time, but
+// the part stays where it was.
 TEST(AutomaticExposure, OfASceneWithAPartFromAFileIsThatOfItsSteps)
 {
   const WalkThrough scene(1000);

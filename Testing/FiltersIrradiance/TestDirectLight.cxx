@@ -119,8 +119,8 @@ TEST(DirectLight, DefaultsAndRange)
   EXPECT_GT(filter->GetMTime(), before);
 }
 
-// Who reads photons has them, also where nothing can move and the filter had not kept any. That changes nothing
-// of the filter's output.
+// Who reads photons has them, also where nothing can move and the filter had not kept any. That
+// changes nothing of the filter's output.
 TEST(DirectLight, FiltersThatReadPhotonsMayCome)
 {
   for (const bool isStill : { true, false })
@@ -158,8 +158,8 @@ TEST(DirectLight, ShotAndGatheredAgreeWhereThingsTouch)
   ExpectAgreement(MakeTouchingScene(), true);
 }
 
-// Where little is reflected and cells are many, direct light is nearly all of the light, and gathered light has little
-// noise. Noise is the scatter over seeds; the two are 1.74 apart.
+// Where little is reflected and cells are many, direct light is nearly all of the light, and
+// gathered light has little noise. Noise is the scatter over seeds; the two are 1.74 apart.
 TEST(DirectLight, GatheredIsLessNoisy)
 {
   Scene scene = MakeSmallScene();
@@ -229,7 +229,8 @@ void Step(RandomNumbers& random, MovingObject& moving, const Mesh& model)
   }
 }
 
-/// Takes filters with other traversals and threads through random frames, and compares them with new ones.
+/// Takes filters with other traversals and threads through random frames, and compares them with
+/// new ones.
 void ExpectUpdatesOfNew(Scene scene, int frames, vtkIdType walks, const Setting& set)
 {
   std::vector<Mesh> models;
@@ -292,8 +293,8 @@ TEST(DirectLight, UpdateEqualsRebuildWhereThingsTouch)
     MakeTouchingScene(), 30, 3000, [](vtkIrradianceFilter* filter) { filter->SeparateSidesOn(); });
 }
 
-// A body comes to the lamp, and with it contacts. Then another rule decides which of two faces of the floor the light
-// meets, far from the body. (Found by random programs.)
+// A body comes to the lamp, and with it contacts. Then another rule decides which of two faces of
+// the floor the light meets, far from the body. (Found by random programs.)
 TEST(DirectLight, UpdateEqualsRebuildWhereABodyComesToTheLamp)
 {
   const Scene scene{ { MakeRoom(3, 3), MakeLamp({ 1.5, 1.5, 2.75 }, 0.75, { 100 }),
@@ -523,9 +524,9 @@ TEST(DirectLight, PowerBalances)
   }
 }
 
-// What escapes from a closed room is nothing but the noise of the estimate, on either side of zero: its mean over the
-// seeds is off by 5 of its standard errors once in 20,000 (t with 23 degrees of freedom). Of an open scene it is
-// what shot walks say.
+// What escapes from a closed room is nothing but the noise of the estimate, on either side of zero:
+// its mean over the seeds is off by 5 of its standard errors once in 20,000 (t with 23 degrees of
+// freedom). Of an open scene it is what shot walks say.
 TEST(DirectLight, EscapedPowerIsRightOnTheAverage)
 {
   for (const bool isOpen : { false, true })
@@ -605,7 +606,8 @@ TEST(DirectLight, PowersOfWhiteAndBlackScenes)
       EXPECT_LT(Field(black, name), 0.05 * Field(black, "EmittedPower"));
     }
   }
-  // Shot, nothing is estimated in a closed scene; of an open one a binomial number of walks escapes.
+  // Shot, nothing is estimated in a closed scene; of an open one a binomial number of walks
+  // escapes.
   const auto closed = MakeFilter(MakeSmallScene(), 2000), open = MakeFilter(MakeOpenScene(), 2000);
   closed->Update();
   open->Update();
@@ -643,7 +645,8 @@ TEST(DirectLight, ErrorsOfPowersFollowMotions)
   }
 }
 
-// Light out of nothing is said, whatever its cause, or there is none: a rug in the plane of a floor.
+// Light out of nothing is said, whatever its cause, or there is none: a rug in the plane of a
+// floor.
 TEST(DirectLight, ExcessIsSaid)
 {
   Scene scene{ { MakeRoom(2, 1), MakeRectangle({ 0.5, 0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Direct light, shot and gathered, agrees in scenes that differ in what they ask for. TestDirectLight.cxx has four more.
+// Direct light, shot and gathered, agrees in scenes that differ in what they ask for.
+// TestDirectLight.cxx has four more.
 
 #include "Agreement.h"
 
@@ -25,7 +26,8 @@ void SetRandomValues(
 
 }
 
-// As many lights as a table has, of fluxes from 1 to 100; some hang so near the ceiling that they light little else.
+// As many lights as a table has, of fluxes from 1 to 100; some hang so near the ceiling that they
+// light little else.
 TEST(DirectLightAgreement, AHundredLights)
 {
   RandomNumbers random(5);
@@ -90,7 +92,8 @@ TEST(DirectLightAgreement, PointLightsWhereTheyTouch)
     true);
 }
 
-// A floor and a lamp as long as a hall of 100 m, of few cells, and things in it that are small beside them.
+// A floor and a lamp as long as a hall of 100 m, of few cells, and things in it that are small
+// beside them.
 TEST(DirectLightAgreement, SmallThingsInALongHall)
 {
   const auto floorOf = [](double z, double width, double direction) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A target of error where direct light is gathered: most of the area is as near to the truth as asked for, at first
-// and after motions.
+// A target of error where direct light is gathered: most of the area is as near to the truth as
+// asked for, at first and after motions.
 
 #include "ErrorObserver.h"
 #include "OutputChecks.h"
@@ -49,10 +49,11 @@ double AreaWithin(double most, vtkIrradianceFilter* filter, vtkIrradianceFilter*
 
 }
 
-// The truth is that of many shot walks, which knows most cells to a hundredth. Over 6 seeds of 4 frames 99.4 to 99.9 % of
-// the area is within the target, in the mean 99.7 % with a standard deviation of 0.12 %: the limits are 5 and more
-// standard deviations away, a false alarm in less than one of 10^6 choices of seeds. Errors twice as large
-// leave 97 %. The frames after the first are updates.
+// The truth is that of many shot walks, which knows most cells to a hundredth. Over 6 seeds of 4
+// frames 99.4 to 99.9 % of the area is within the target, in the mean 99.7 % with a standard
+// deviation of 0.12 %: the limits are 5 and more standard deviations away, a false alarm in less
+// than one of 10^6 choices of seeds. Errors twice as large leave 97 %. The frames after the first
+// are updates.
 TEST(DirectLightTarget, IsMetOnMostOfTheArea)
 {
   const Scene scene = MakeLitRoom();

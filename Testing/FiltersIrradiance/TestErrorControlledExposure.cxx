@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times that follow from the irradiance: the worst intervals are halved until the error is small enough.
+// Times that follow from the irradiance: the worst intervals are halved until the error is small
+// enough.
 
 #include "ExposureScenes.h"
 
@@ -107,8 +108,8 @@ TEST(ErrorControlledExposure, IsTheSumOverFreshFiltersAndContinues)
   EXPECT_TRUE(IsSame(bits, OutputBits(BlocksOf(exposure))));
 }
 
-// Added up by halves or in the order of time: exposures and their errors are the same, with a part that
-// comes, goes and comes again.
+// Added up by halves or in the order of time: exposures and their errors are the same, with a part
+// that comes, goes and comes again.
 TEST(ErrorControlledExposure, HasTheErrorBarsOfItsTimes)
 {
   WalkThrough scene(3000);
@@ -162,8 +163,8 @@ TEST(ErrorControlledExposure, HasTheErrorBarsOfItsTimes)
   EXPECT_GT(known, 48);
 }
 
-// A lamp that passes: the error is within the tolerance, with the more times the smaller that is, and
-// most of them where the irradiance changes.
+// A lamp that passes: the error is within the tolerance, with the more times the smaller that is,
+// and most of them where the irradiance changes.
 TEST(ErrorControlledExposure, ReachesItsTolerance)
 {
   const auto square =

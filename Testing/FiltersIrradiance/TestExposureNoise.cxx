@@ -11,8 +11,8 @@ using namespace ExposureScenes;
 namespace
 {
 
-/// Rows of squares of 1 m2 with an irradiance that a function of cell and time gives, in photons of 0.5 W/m2
-/// each, which say so if they are asked.
+/// Rows of squares of 1 m2 with an irradiance that a function of cell and time gives, in photons of
+/// 0.5 W/m2 each, which say so if they are asked.
 vtkSmartPointer<PartOverTime> MakePhotonSquares(
   int rows, const std::function<double(int, double)>& photons)
 {
@@ -61,8 +61,8 @@ TEST(ExposureNoise, StopsAtTheNoiseOfPhotons)
   }
 }
 
-// A spot of light crosses the squares, row by row. It brings 20 photons to a cell on average, so no cell can
-// tell, but their sums can: the dose of the first times alone would be in 10 stripes.
+// A spot of light crosses the squares, row by row. It brings 20 photons to a cell on average, so no
+// cell can tell, but their sums can: the dose of the first times alone would be in 10 stripes.
 TEST(ExposureNoise, SeesThroughTheNoise)
 {
   constexpr int rows = 50;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces in one plane: one of them is lit, as if it lay one millimetre above the other, whichever way
-// light is known and whether it rests or moves.
+// Faces in one plane: one of them is lit, as if it lay one millimetre above the other, whichever
+// way light is known and whether it rests or moves.
 
 #include "OutputBits.h"
 #include "TestScenes.h"
@@ -123,7 +123,8 @@ TEST_P(FacesInOnePlane, ARugIsLitAndTheFloorBelowIsNot)
   EXPECT_NEAR(MeanOfThing(lies, 2, "IrradianceFront"), expected, 0.05 * expected);
 }
 
-// A lamp in a closed box that stands flush on a floor lights the inside of the box, and nothing else.
+// A lamp in a closed box that stands flush on a floor lights the inside of the box, and nothing
+// else.
 TEST_P(FacesInOnePlane, ALightBoxOnAFloorKeepsItsLight)
 {
   const Mesh box = Lifted(MakeBox(1, 0.75, 0.5), 0.25); // numbers that are floats
@@ -163,8 +164,8 @@ TEST_P(FacesInOnePlane, AScreenInTheWallOfTwoRooms)
   EXPECT_NEAR(MeanOfThing(lies, 3, "IrradianceFront"), expected, 0.03 * expected);
 }
 
-// The ceiling of a room is the floor of the next one. Each has its own light, half of which its walls
-// reflect: it receives twice what its lamp emits.
+// The ceiling of a room is the floor of the next one. Each has its own light, half of which its
+// walls reflect: it receives twice what its lamp emits.
 TEST_P(FacesInOnePlane, RoomsShareAWall)
 {
   const std::vector<Mesh> fixed{ MakeRoom(2, 2), MakeLamp({ 1, 1, 1.75 }, 0.5, { 100 }),
@@ -227,8 +228,9 @@ TEST(SheetsThatMoveInAPlane, UpdatesEqualRebuilds)
   }
 }
 
-// A closed body that a pose mirrors is lit outside and dark within, whichever way light is known; on a
-// lamp, too. Half of the light table is hidden by the body, so what it receives below is M / (1 - rho^2).
+// A closed body that a pose mirrors is lit outside and dark within, whichever way light is known;
+// on a lamp, too. Half of the light table is hidden by the body, so what it receives below is M /
+// (1 - rho^2).
 TEST(MirroredBodies, AreLitOutside)
 {
   for (const int light : { vtkIrradianceFilter::Shot, vtkIrradianceFilter::Gathered })

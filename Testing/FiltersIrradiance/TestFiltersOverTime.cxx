@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each filter behind a part that moves: it has the part's times, and at any time, in any order, the values of
-// a new pipeline.
+// Each filter behind a part that moves: it has the part's times, and at any time, in any order, the
+// values of a new pipeline.
 
 #include "OutputBits.h"
 #include "PartOverTime.h"
@@ -87,7 +87,8 @@ std::vector<double> RangeOf(vtkAlgorithm* filter, int port = 0)
   return range ? std::vector<double>{ range[0], range[1] } : std::vector<double>();
 }
 
-/// Visits times forwards, backwards and at random. `expected`: the bits of a new pipeline at a time.
+/// Visits times forwards, backwards and at random. `expected`: the bits of a new pipeline at a
+/// time.
 void ExpectFollowing(vtkAlgorithm* filter, const std::function<OutputBits()>& bits,
   const std::function<OutputBits(double)>& expected)
 {

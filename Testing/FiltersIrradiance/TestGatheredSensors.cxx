@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkIrradianceProbeFilter with Estimate Gathered: sensors and volumes in the air, what the source has to keep, error
-// bars, updates, messages.
+// vtkIrradianceProbeFilter with Estimate Gathered: sensors and volumes in the air, what the source
+// has to keep, error bars, updates, messages.
 
 #include "ErrorObserver.h"
 #include "OutputBits.h"
@@ -103,8 +103,8 @@ Scene MakeFurnace()
 
 }
 
-// 125 points, of which 98 are on walls. Each is off by some 5 %, so the mean, of which part is in common, by
-// much less than 2 %.
+// 125 points, of which 98 are on walls. Each is off by some 5 %, so the mean, of which part is in
+// common, by much less than 2 %.
 TEST(GatheredSensors, AVolumeGetsItsFluenceRate)
 {
   const auto volume = MakeVolume(3, 5);
@@ -214,8 +214,8 @@ TEST(GatheredSensors, HaveStandardErrorsWhereTheSourceHas)
       (pipeline.Array("FluenceRate")->GetComponent(static_cast<vtkIdType>(i), 0) - 4) / errors[i],
       2);
   }
-  // The mean of squares of Student's t is 15 / 13, of which 27 scatter by .35 and what they have in common; intervals
-  // may be up to twice too wide.
+  // The mean of squares of Student's t is 15 / 13, of which 27 scatter by .35 and what they have in
+  // common; intervals may be up to twice too wide.
   EXPECT_LT(squares / 27, 4);
   EXPECT_GT(squares / 27, 0.1);
   pipeline.Probe->SetInputData(WithNormals(MakePlanes(), { 0, 0, 1 }));
@@ -238,7 +238,8 @@ TEST(GatheredSensors, SayHowManyErrorsAreUnknown)
   EXPECT_EQ(fields()->GetArray("NumberOfUnknownErrors")->GetComponent(0, 0), 8);
 }
 
-// Irradiance in a beam from a point light is that of the formula, and where it goes the other way nothing.
+// Irradiance in a beam from a point light is that of the formula, and where it goes the other way
+// nothing.
 TEST(GatheredSensors, SayWhatCannotBeMeasured)
 {
   Scene scene;
@@ -278,8 +279,8 @@ TEST(GatheredSensors, SayWhatCannotBeMeasured)
   EXPECT_NE(text.str().find("KeepRays: 1\n"), std::string::npos);
 }
 
-// Of sensors that move some gather anew, and find what a new filter finds; those that stay keep their bits. Progress tells:
-// where all stay there is nothing to do.
+// Of sensors that move some gather anew, and find what a new filter finds; those that stay keep
+// their bits. Progress tells: where all stay there is nothing to do.
 TEST(GatheredSensors, ThoseThatStayKeepWhatTheyFound)
 {
   const Scene scene = MakeSmallScene();

@@ -136,10 +136,10 @@ Scene MakePlateAndLamp()
 
 }
 
-// A million walks, of which some 200,000 reach the plate. What is estimated is the mean over the part
-// of the plate within the SearchRadius: nothing is lost beyond an edge. 2,000 photons: 2.2 % standard
-// error; 8 % is over 3.5 of them, a false alarm in 0.4 % of all choices of 9 sensors; 2.5 % of the mean
-// in 0.1 %.
+// A million walks, of which some 200,000 reach the plate. What is estimated is the mean over the
+// part of the plate within the SearchRadius: nothing is lost beyond an edge. 2,000 photons: 2.2 %
+// standard error; 8 % is over 3.5 of them, a false alarm in 0.4 % of all choices of 9 sensors; 2.5
+// % of the mean in 0.1 %.
 TEST(IrradianceProbe, AgreesWithTheClosedFormAtEdgesAndCornersToo)
 {
   std::vector<Vector> positions;
@@ -171,8 +171,8 @@ TEST(IrradianceProbe, AgreesWithTheClosedFormAtEdgesAndCornersToo)
   EXPECT_NEAR(mean, 0, 0.025);
 }
 
-// Gathered at the very point: no mean over a radius, not even in the corners. 64 samples by solid angle are off by
-// .7 % at most here.
+// Gathered at the very point: no mean over a radius, not even in the corners. 64 samples by solid
+// angle are off by .7 % at most here.
 TEST(IrradianceProbe, GatheredLightIsThatOfThePoint)
 {
   std::vector<Vector> positions;
@@ -279,8 +279,8 @@ TEST(IrradianceProbe, FollowsDeformingInputs)
   }
 }
 
-// A working plane, and what is outside of everything. A sensor near a surface has the photons of the closest
-// point of it. Sizes of any unit.
+// A working plane, and what is outside of everything. A sensor near a surface has the photons of
+// the closest point of it. Sizes of any unit.
 TEST(IrradianceProbe, SensorsInTheAirAreUnknownAndSaidToBe)
 {
   for (const double unit : { 1.0, 0x1p-40, 0x1p40 })
@@ -351,7 +351,8 @@ TEST(IrradianceProbe, BadInputIsNamed)
   EXPECT_GT(pipeline.Value("Irradiance", 0), 0);
 }
 
-// It has been said once, upstream. VTK executes what is behind a filter that failed when that is updated again.
+// It has been said once, upstream. VTK executes what is behind a filter that failed when that is
+// updated again.
 TEST(IrradianceProbe, IsSilentAboutWhatUpstreamCouldNotCompute)
 {
   const auto sensors = MakeSensors({ { 0.5, 0.5, 0 } }, { { 0, 0, 1 } });

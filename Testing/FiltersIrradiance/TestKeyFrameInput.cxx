@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys from files and by calls: which are read, which are refused, and how long reading may be aborted.
+// Keys from files and by calls: which are read, which are refused, and how long reading may be
+// aborted.
 
 #include "../WriteFile.h"
 #include "KeyFramedPoses.h"

@@ -128,8 +128,8 @@ TEST(KeyFramedPose, HasTheTimesOfItsKeys)
   EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE())[1], 3);
 }
 
-// The keys, and between them so many steps that none is too long. Equal ones are no more than asked for,
-// also where lengths are no round binary numbers.
+// The keys, and between them so many steps that none is too long. Equal ones are no more than asked
+// for, also where lengths are no round binary numbers.
 TEST(KeyFramedPose, HasStepsBetweenItsKeys)
 {
   auto pose = MakePose(MakeBox(1, 1, 1));
@@ -157,10 +157,10 @@ TEST(KeyFramedPose, HasStepsBetweenItsKeys)
   }
 }
 
-// A black plate passes under a small lamp at constant speed. Of a lamp of power P at height h the plate
-// receives E(x) = P h2 / (pi (h2 + x2)2), and over the ride from -X to X in the time T its dose is
-// P T / (2 pi X h) (U / (1 + U2) + atan U), U = X / h. The sizes of lamp and plate, 0.2 m, change that by
-// 2 %; some 5,000 photons make a standard error of 1.4 %. 10 % is over five of them.
+// A black plate passes under a small lamp at constant speed. Of a lamp of power P at height h the
+// plate receives E(x) = P h2 / (pi (h2 + x2)2), and over the ride from -X to X in the time T its
+// dose is P T / (2 pi X h) (U / (1 + U2) + atan U), U = X / h. The sizes of lamp and plate, 0.2 m,
+// change that by 2 %; some 5,000 photons make a standard error of 1.4 %. 10 % is over five of them.
 TEST(KeyFramedPose, GivesTheDoseOfARideByDefault)
 {
   constexpr double kPi = 3.14159265358979323846, power = 4, height = 1, reach = 3, duration = 2;

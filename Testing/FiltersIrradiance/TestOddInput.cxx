@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input at the edge of what can be computed: without light or cells, without area, with all light reflected.
+// Input at the edge of what can be computed: without light or cells, without area, with all light
+// reflected.
 
 #include "OutputBits.h"
 #include "Reports.h"
@@ -97,7 +98,8 @@ TEST(OddInput, CellsWithoutAreaAreKeptAndReported)
   EXPECT_TRUE(observer->Warnings.empty()); // reported once
 }
 
-// A model of many parts has such cells in many: they are one warning, with the first and their number.
+// A model of many parts has such cells in many: they are one warning, with the first and their
+// number.
 TEST(OddInput, CellsWithoutAreaOfManyInputsAreOneWarning)
 {
   Scene scene = MakeSmallScene();

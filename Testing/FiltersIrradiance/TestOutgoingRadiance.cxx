@@ -201,8 +201,8 @@ TEST(OutgoingRadianceFilter, AParallelCameraIsInfinitelyFarAway)
   }
 }
 
-// Nothing can move, so the walks were not stored: the first view makes the filter execute again, the
-// next one does not. The irradiance has the same bits.
+// Nothing can move, so the walks were not stored: the first view makes the filter execute again,
+// the next one does not. The irradiance has the same bits.
 TEST(OutgoingRadianceFilter, AsksAStaticSceneForItsPhotonsOnce)
 {
   Scene scene = MakeGlossyScene();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several processes share a pipeline, and each asks for its piece: together they have each cell once.
+// Several processes share a pipeline, and each asks for its piece: together they have each cell
+// once.
 
 #include "OutputBits.h"
 #include "TestScenes.h"

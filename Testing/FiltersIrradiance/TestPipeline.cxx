@@ -298,8 +298,9 @@ TEST(Pipeline, ArraysOfTheInputAreKept)
   EXPECT_STREQ(room->GetCellData()->GetScalars()->GetName(), "Irradiance");
 }
 
-// A dynamic block has the points, normals and light of a static one that was moved beforehand. If the pose mirrors, cells of
-// the static one show their backs where those of the block show the mirror images of their fronts.
+// A dynamic block has the points, normals and light of a static one that was moved beforehand. If
+// the pose mirrors, cells of the static one show their backs where those of the block show the
+// mirror images of their fronts.
 TEST(Pipeline, DynamicIsStaticMovedBeforehand)
 {
   for (const double mirror : { 1, -1 })

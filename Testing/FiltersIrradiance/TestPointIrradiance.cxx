@@ -84,8 +84,8 @@ Mesh MakeCube()
 
 }
 
-// A point light over a black floor: at each point what the formula says, however large the scene is. The outermost are gathered
-// 1e-4 of a cell inwards.
+// A point light over a black floor: at each point what the formula says, however large the scene
+// is. The outermost are gathered 1e-4 of a cell inwards.
 TEST(PointIrradiance, UnderAPointLightIsThatOfTheFormula)
 {
   for (const double metre : { 1e-20, 1.0, 1e12 })
@@ -110,8 +110,8 @@ TEST(PointIrradiance, UnderAPointLightIsThatOfTheFormula)
   }
 }
 
-// A light in the middle of a black ball: 1 W/m2 on the sphere, with the normals of its source, and with mean normals of facets,
-// which are those of the ball but for its poles.
+// A light in the middle of a black ball: 1 W/m2 on the sphere, with the normals of its source, and
+// with mean normals of facets, which are those of the ball but for its poles.
 TEST(PointIrradiance, OfALightInABallIsEven)
 {
   for (const bool haveNormals : { true, false })
@@ -134,9 +134,10 @@ TEST(PointIrradiance, OfALightInABallIsEven)
   }
 }
 
-// E = 1 in a furnace, at points where walls meet as well, and error bars say how well each is known: 95 % of the intervals
-// hold it at least. Replicates have blocks of one net, which is more even than they say, so here it is 98 to 99 %, and the
-// mean square of t, 15/13 for independent ones, is less. Of 750 points both leave noise of a few percent.
+// E = 1 in a furnace, at points where walls meet as well, and error bars say how well each is
+// known: 95 % of the intervals hold it at least. Replicates have blocks of one net, which is more
+// even than they say, so here it is 98 to 99 %, and the mean square of t, 15/13 for independent
+// ones, is less. Of 750 points both leave noise of a few percent.
 TEST(PointIrradiance, InAFurnaceIsOneAtAllPointsAsTheErrorBarsSay)
 {
   Scene scene;
@@ -171,8 +172,9 @@ TEST(PointIrradiance, InAFurnaceIsOneAtAllPointsAsTheErrorBarsSay)
   EXPECT_GT(squares, 0.4);
 }
 
-// At the corner of a cube three faces meet at right angles: the mean of what each receives. If FeatureAngle is larger, the
-// corner's mean normal faces along the diagonal; if the points are split, each is of one face.
+// At the corner of a cube three faces meet at right angles: the mean of what each receives. If
+// FeatureAngle is larger, the corner's mean normal faces along the diagonal; if the points are
+// split, each is of one face.
 TEST(PointIrradiance, OfACreaseIsTheMeanOfItsFacets)
 {
   const Vector light{ 5, 7, 9 };
@@ -207,8 +209,8 @@ TEST(PointIrradiance, OfACreaseIsTheMeanOfItsFacets)
   }
 }
 
-// Sides as those of the cells: a black sheet under one light and over another, also mirrored by its pose, which leaves its front above, and
-// with normals of its points that face the wrong way.
+// Sides as those of the cells: a black sheet under one light and over another, also mirrored by its
+// pose, which leaves its front above, and with normals of its points that face the wrong way.
 TEST(PointIrradiance, TellsSidesApart)
 {
   const Vector above{ 0.2, 0.1, 1 }, below{ 0, 0.3, -2 };
@@ -256,7 +258,8 @@ TEST(PointIrradiance, TellsSidesApart)
   }
 }
 
-// Strips are the triangles that they stand for: in the dark but for a point light nothing else counts than place and normal.
+// Strips are the triangles that they stand for: in the dark but for a point light nothing else
+// counts than place and normal.
 TEST(PointIrradiance, OfStripsIsThatOfTheirTriangles)
 {
   Scene scene;
@@ -284,7 +287,8 @@ TEST(PointIrradiance, OfStripsIsThatOfTheirTriangles)
   }
 }
 
-// Law 1, with what is kept and without; where the cells gather, too: then no ray looks for light inside of what moves.
+// Law 1, with what is kept and without; where the cells gather, too: then no ray looks for light
+// inside of what moves.
 TEST(PointIrradiance, AfterUpdatesItIsThatOfANewFilter)
 {
   for (const bool doCellsGather : { false, true })

@@ -265,7 +265,8 @@ TEST(RadiantExposure, RejectsBadInput)
   EXPECT_EQ(SquareExposure(exposure), 2) << "usable afterwards";
 }
 
-// Sensors have no cells, or ones with no irradiance of their own; the error says how they get a dose, and so they do.
+// Sensors have no cells, or ones with no irradiance of their own; the error says how they get a
+// dose, and so they do.
 TEST(RadiantExposure, OfSensorsTakesVertexCells)
 {
   vtkNew<vtkIrradianceFilter> light;

@@ -64,8 +64,8 @@ vtkSmartPointer<vtkIrradianceFilter> MakeFilterWithError(const std::vector<doubl
 
 }
 
-// If nothing changes, the exposure and its error are the irradiance and its error, times the time; known and
-// unknown are the same cells.
+// If nothing changes, the exposure and its error are the irradiance and its error, times the time;
+// known and unknown are the same cells.
 TEST(RadiantExposureError, OfAStillSceneIsThatOfTheIrradiance)
 {
   Scene scene = MakeRoomWithBall();
@@ -118,8 +118,8 @@ TEST(RadiantExposureError, OfAStillSceneIsThatOfTheIrradiance)
 }
 
 // Over the seeds, exposures scatter as their standard errors say: the ratio of the two variances,
-// averaged over the cells, is off by 5 of its standard errors once in 10^6. Errors whose squares are
-// added are too small.
+// averaged over the cells, is off by 5 of its standard errors once in 10^6. Errors whose squares
+// are added are too small.
 TEST(RadiantExposureError, IsTheScatterOverSeeds)
 {
   const auto irradiance = MakeFilterWithError({ 0, 0.25, 0.5, 0.75, 1, 1.25 });
@@ -162,8 +162,8 @@ TEST(RadiantExposureError, IsTheScatterOverSeeds)
   }
 }
 
-// Standard deviations obey the triangle inequality: added, they are an upper bound. Their squares, added,
-// are far too small where the photons stay the same.
+// Standard deviations obey the triangle inequality: added, they are an upper bound. Their squares,
+// added, are far too small where the photons stay the same.
 TEST(RadiantExposureError, IsBetweenSquaresAddedAndErrorsAdded)
 {
   const std::vector<double> times{ 0, 0.25, 0.5, 0.75, 1, 1.25 };
@@ -217,8 +217,8 @@ TEST(RadiantExposureError, WithoutReplicatesIsTheSumOfErrors)
 namespace
 {
 
-/// The standard error of the exposure of a square with these replicates at the times 0, 1 and 2, whose
-/// weights are 1/2, 1 and 1/2. The irradiance is their mean, a photon's is 1.
+/// The standard error of the exposure of a square with these replicates at the times 0, 1 and 2,
+/// whose weights are 1/2, 1 and 1/2. The irradiance is their mean, a photon's is 1.
 double ErrorOf(const std::vector<std::vector<double>>& replicates)
 {
   const auto square = PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),
@@ -314,8 +314,9 @@ struct PlateUnderStripLamp : StripLamp
 
 }
 
-// Student's t with 15 degrees of freedom exceeds 6.5 once in 10^5, so with 3 rows the error bars fail by
-// chance for one seed in 30,000. 1 % are 4 standard errors: 3 rows fail for one seed in 300.
+// Student's t with 15 degrees of freedom exceeds 6.5 once in 10^5, so with 3 rows the error bars
+// fail by chance for one seed in 30,000. 1 % are 4 standard errors: 3 rows fail for one seed in
+// 300.
 TEST(RadiantExposureError, OfAPlateUnderAStripLampCoversTheClosedForm)
 {
   PlateUnderStripLamp scene(640000);
@@ -333,8 +334,8 @@ TEST(RadiantExposureError, OfAPlateUnderAStripLampCoversTheClosedForm)
   }
 }
 
-// 40 seeds with 3 rows each: 95 % of 120 intervals, +- 2 % (a standard deviation). Below 85 % or with all
-// of them once in 500 runs at most.
+// 40 seeds with 3 rows each: 95 % of 120 intervals, +- 2 % (a standard deviation). Below 85 % or
+// with all of them once in 500 runs at most.
 TEST(RadiantExposureError, CoversTheClosedFormAsOftenAsItSays)
 {
   PlateUnderStripLamp scene(1600);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random programs of what users do to one long-lived filter, which keeps the bits of a fresh one
-// (compared after a third of the operations), and so do an eye and sensors that look at its photons. VTKIRRADIANCE_TEST_EFFORT=9 runs nine times as many,
-// VTKIRRADIANCE_TEST_PROGRAM=17 runs number 17 alone and prints each operation. Two builds that compute the same
-// bits print the same digest.
+// (compared after a third of the operations), and so do an eye and sensors that look at its
+// photons. VTKIRRADIANCE_TEST_EFFORT=9 runs nine times as many, VTKIRRADIANCE_TEST_PROGRAM=17 runs
+// number 17 alone and prints each operation. Two builds that compute the same bits print the same
+// digest.
 
 #include "RandomProgram.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output port 1 after a motion: which walks were shot again, which are stale, and what is as in a new filter.
+// Output port 1 after a motion: which walks were shot again, which are stale, and what is as in a
+// new filter.
 
 #include "ErrorObserver.h"
 #include "ShownWalks.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes that can be computed, but are hardly meant: lamps that shine away from everything, millimetres.
+// Scenes that can be computed, but are hardly meant: lamps that shine away from everything,
+// millimetres.
 
 #include "Reports.h"
 #include "TestScenes.h"
@@ -111,7 +112,8 @@ TEST(LampAdvice, ClosedLampTurnedInsideOut)
 
 TEST(LampAdvice, NothingIsSaidWithoutCause)
 {
-  // A lamp alone; lamps alone; light from the sky; a lamp on the floor, up or down, with nothing above.
+  // A lamp alone; lamps alone; light from the sky; a lamp on the floor, up or down, with nothing
+  // above.
   Scene scene = MakeFloor();
   scene.Moving.clear();
   const Mesh floor = scene.Fixed[0], lamp = scene.Fixed[1];
@@ -172,7 +174,8 @@ double PercentIn(const std::string& warning)
 
 }
 
-// A sun behind the faces of a sky, however far: its light hardly meets the scene at all. Resting and moving.
+// A sun behind the faces of a sky, however far: its light hardly meets the scene at all. Resting
+// and moving.
 TEST(LampAdvice, SunBehindTheSky)
 {
   const Mesh ground = MakeRectangle({ -2, -2, 0.01 }, { 4, 0, 0 }, { 0, 4, 0 }, 4), sky = MakeSky();
@@ -202,8 +205,9 @@ TEST(LampAdvice, SunBehindTheSky)
     { "input port 0, connection 2 (1000 W", "about 100 %" });
 }
 
-// Squares of 1 m that face each other 0.5 m apart have the view factor 0.4153. Of the light of the upper one 0.93 are
-// bound for a floor of 10 m, 1.5 m below, and what meets the lower one is bound for it, too.
+// Squares of 1 m that face each other 0.5 m apart have the view factor 0.4153. Of the light of the
+// upper one 0.93 are bound for a floor of 10 m, 1.5 m below, and what meets the lower one is bound
+// for it, too.
 TEST(LampAdvice, LampsPartlyBehindLamps)
 {
   Scene scene = MakeFloor();
@@ -263,7 +267,8 @@ TEST(LengthAdvice, SceneInMillimetres)
 
 TEST(LengthAdvice, NothingIsSaidOfLargeScenes)
 {
-  // A hall of 300 m with lamps of 20 kW; 2 km of land in the sun; a model of any size with exitance.
+  // A hall of 300 m with lamps of 20 kW; 2 km of land in the sun; a model of any size with
+  // exitance.
   const double hall = 300;
   ExpectNothing(
     Update(MakeFilter({ { Scaled(MakeRoom(1, 2), hall), MakeLamp({ 150, 150, 20 }, 10, { 200 }) },

@@ -99,7 +99,8 @@ TEST(SpreadExposure, HasTheSameBitsForAnyNumberOfThreads)
   EXPECT_TRUE(IsSame(bits[0], bits[1]));
 }
 
-// Bands are spread by themselves. Where every second cell is turned over, the light goes on at its other side.
+// Bands are spread by themselves. Where every second cell is turned over, the light goes on at its
+// other side.
 TEST(SpreadExposure, ConservesEnergyOfBandsAndSides)
 {
   Scene room = WalkThrough::Room();
@@ -152,7 +153,8 @@ TEST(SpreadExposure, NeedsReplicatesAndAPossibleNumber)
   EXPECT_GT(EnergyOf(walk.Dose, 1, 0), 0);
 }
 
-// Only the cells of vtkPolyData have neighbours here: points have nothing that could be spread, nor need they replicates.
+// Only the cells of vtkPolyData have neighbours here: points have nothing that could be spread, nor
+// need they replicates.
 TEST(SpreadExposure, LeavesWhatHasNoPolygons)
 {
   auto points = vtkSmartPointer<vtkPolyData>::New();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Law: for any input the filter ends with one error, or with finite numbers, emitted = absorbed +
-// escaped, and a warning if all is dark; and an update equals a rebuild, bit for bit. The same holds for
-// the walks to look at, and for an eye and sensors that look at its photons. Bytes become inputs, transforms, settings and views, and
-// then some frames in which something changes.
+// escaped, and a warning if all is dark; and an update equals a rebuild, bit for bit. The same
+// holds for the walks to look at, and for an eye and sensors that look at its photons. Bytes become
+// inputs, transforms, settings and views, and then some frames in which something changes.
 
 #include "FuzzedPolyData.h"
 #include "FuzzedViews.h"
@@ -211,7 +211,8 @@ bool CheckNumbers(vtkIrradianceFilter* filter)
     const double emitted = TestScenes::Field(filter, "EmittedPower", band);
     const double absorbed = TestScenes::Field(filter, "AbsorbedPower", band);
     const double escaped = TestScenes::Field(filter, "EscapedPower", band);
-    // Of gathered light either may be more than what is emitted; then the sum of two doubles loses a bit.
+    // Of gathered light either may be more than what is emitted; then the sum of two doubles loses
+    // a bit.
     const double rounding =
       TestScenes::Field(filter, "DirectLight") == 1 ? 1e-15 * std::abs(escaped) : 0;
     if (!std::isfinite(emitted) || !(std::abs(emitted - (absorbed + escaped)) <= rounding))

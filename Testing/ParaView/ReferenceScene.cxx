@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the files of a small scene that moves, and what the C++ filter makes of them. The Python package and
-// the ParaView plugin read the same files and must find the same bits.
+// Writes the files of a small scene that moves, and what the C++ filter makes of them. The Python
+// package and the ParaView plugin read the same files and must find the same bits.
 //
 //   ReferenceScene FOLDER     writes room.vtp, part.vtp, poses.csv, irradiance-<time>.vtm, and defaults.txt
 #include "vtkAppendPolyData.h"

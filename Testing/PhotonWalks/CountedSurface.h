@@ -12,7 +12,8 @@
 namespace irradiance::test
 {
 
-/// Which surface counts for a sensor, by a look at all triangles and by the words of Theory.md, 5.4.
+/// Which surface counts for a sensor, by a look at all triangles and by the words of Theory.md,
+/// 5.4.
 class CountedSurface
 {
 public:

@@ -76,7 +76,8 @@ inline SceneObjects furnaceRoom()
 
 }
 
-/// What rays of a final gather may meet: closed forms, lamps of all kinds, corners, gloss, sides, parts that cross.
+/// What rays of a final gather may meet: closed forms, lamps of all kinds, corners, gloss, sides,
+/// parts that cross.
 inline std::vector<GatherTestScene> gatherScenes()
 {
   using namespace detail;

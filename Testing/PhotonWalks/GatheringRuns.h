@@ -49,8 +49,9 @@ public:
   }
   const std::vector<ReplicateMean>& cells() const { return means_; }
 
-  /// Chi-square of the t of cells [first, end), with the variance n / (n - 2) of Student's t, over the value that
-  /// chance exceeds once in 10^4; cells are taken as independent, for which a tenth is added.
+  /// Chi-square of the t of cells [first, end), with the variance n / (n - 2) of Student's t, over
+  /// the value that chance exceeds once in 10^4; cells are taken as independent, for which a tenth
+  /// is added.
   double chiSquareBesideLimit(std::size_t first, std::size_t end, double truth) const
   {
     double sum = 0;
@@ -87,7 +88,8 @@ inline double areaOf(const IrradianceEngine& engine, std::uint32_t object)
   return area;
 }
 
-/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere. With a mirror in part if `isGlossy`.
+/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere. With a mirror
+/// in part if `isGlossy`.
 inline SceneObject furnace(
   ObjectBuilder builder, double reflectance, bool isGlossy, const AffineMap& pose = {})
 {

@@ -29,7 +29,8 @@ inline double lambertIrradiance(
   return std::abs(sum) / (2 * M_PI);
 }
 
-/// The part of a convex polygon that lies above the horizon of a normal at a point; none of one that lies in it.
+/// The part of a convex polygon that lies above the horizon of a normal at a point; none of one
+/// that lies in it.
 inline std::vector<Vector3> aboveHorizon(
   const std::vector<Vector3>& polygon, const Vector3& point, const Vector3& normal)
 {

@@ -9,8 +9,8 @@
 namespace irradiance::test
 {
 
-/// The engine's whole answer, and the bits of all that it says of cells: irradiance, stale irradiance, standard
-/// errors and bias.
+/// The engine's whole answer, and the bits of all that it says of cells: irradiance, stale
+/// irradiance, standard errors and bias.
 inline Answer shownAnswer(
   const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
 {

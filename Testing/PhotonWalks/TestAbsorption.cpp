@@ -33,8 +33,8 @@ TEST(Absorption, OneBandSurvivesWithItsReflectanceAndKeepsItsPower)
   }
 }
 
-// Probability times power is what the material reflects, to half a quantum; the strongest band keeps
-// what it had, and none exceeds it.
+// Probability times power is what the material reflects, to half a quantum; the strongest band
+// keeps what it had, and none exceeds it.
 TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
 {
   const std::array<double, 3> reflectances[] = { { 0.5, 0.25, 1.0 }, { 0.9, 0.1, 0.0 },

@@ -115,7 +115,8 @@ TEST(AutomaticChoice, ShootsWhatIsToBeShot)
   expectChoice(chosen(objects, settings, { false, true }), CellEstimate::Spread, false);
 }
 
-// No reflection of points is known to rays. Where three quarters are reflected samples do not pay for themselves. Gloss alone, or a point light alone, is.
+// No reflection of points is known to rays. Where three quarters are reflected samples do not pay
+// for themselves. Gloss alone, or a point light alone, is.
 TEST(AutomaticChoice, KnowsPointLightsBesideGloss)
 {
   for (const double specular : { 0.0, 0.25 })

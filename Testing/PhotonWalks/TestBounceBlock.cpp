@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <random>
 
-// Law: a block answers what a plain list of segments for each walk would answer, after any appends and
-// removals, and holds little more than 32 bytes a segment.
+// Law: a block answers what a plain list of segments for each walk would answer, after any appends
+// and removals, and holds little more than 32 bytes a segment.
 
 namespace irradiance
 {

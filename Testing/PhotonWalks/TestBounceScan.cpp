@@ -11,8 +11,9 @@
 #include <iterator>
 #include <set>
 
-// Law: however far the ends of a segment and the body are from each other and from the grid, a segment
-// that touches a body is flagged, the same ones on every instruction set, and few others are.
+// Law: however far the ends of a segment and the body are from each other and from the grid, a
+// segment that touches a body is flagged, the same ones on every instruction set, and few others
+// are.
 
 namespace irradiance
 {
@@ -103,7 +104,8 @@ struct Placed
     pose.translation = center + away * half.cwiseProduct(random.inCube());
   }
 
-  /// Through `point`, or nearly so, along `way`, perhaps just up to it; from near or far, or to nowhere.
+  /// Through `point`, or nearly so, along `way`, perhaps just up to it; from near or far, or to
+  /// nowhere.
   BounceSegment through(test::RandomVectors& random, const Vector3& point, const Vector3& way) const
   {
     const auto length = [&] {
@@ -354,8 +356,8 @@ TEST(BounceScan, RoundingBesideABoxIsPaidFor)
   EXPECT_GT(touching, 6000 / test::kFewer);
 }
 
-// Each segment that is flagged without need costs a ray. The body is in a room of 4 m, segments come
-// from there and from up to 10^9 m away; some escape.
+// Each segment that is flagged without need costs a ray. The body is in a room of 4 m, segments
+// come from there and from up to 10^9 m away; some escape.
 TEST(BounceScan, FewOthersAreFlagged)
 {
   test::RandomVectors random(5);
@@ -425,7 +427,8 @@ TEST(BounceScan, TheOwnBoxOfABodyFlagsFewer)
   EXPECT_LT(all.flagged, 0.8 * all.touching);
 }
 
-// Of bodies that are small beside the grid, balls are tested first; there may be larger ones as well.
+// Of bodies that are small beside the grid, balls are tested first; there may be larger ones as
+// well.
 TEST(BounceScan, ManyBodiesFlagWhatEachFlagsAlone)
 {
   test::RandomVectors random(11);
@@ -673,8 +676,8 @@ TEST(BounceScan, EveryInstructionSetRoundsTheSame)
 namespace
 {
 
-/// Segments that all but touch a ball, some from inside. Their lines lie in a plane of two axes, so that they pass
-/// the ball along the third, where nothing hides what rounding does.
+/// Segments that all but touch a ball, some from inside. Their lines lie in a plane of two axes, so
+/// that they pass the ball along the third, where nothing hides what rounding does.
 BouncePage pageBeside(test::RandomVectors& random, const GridBall& ball, const Vector3& stretch)
 {
   BouncePage page{};

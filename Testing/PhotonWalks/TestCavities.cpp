@@ -45,10 +45,10 @@ void addPanel(ObjectBuilder& builder, double low, double high, double z)
     grey(kReflectance, 1 / (high - low) / (high - low)));
 }
 
-/// All surfaces reflect half, so 2 W arrive on them of the 1 W that a light sheds in a cavity. None on
-/// the outer walls, a shell's cells from `outer` on. The sum has a deviation of .02 W
-/// shot (2 hits a walk, variance 2), and over 20 seeds of up to .017 W gathered (fewer walks: .035
-/// and .063 W). The tolerance is exceeded in less than 1 of 10^7 runs.
+/// All surfaces reflect half, so 2 W arrive on them of the 1 W that a light sheds in a cavity. None
+/// on the outer walls, a shell's cells from `outer` on. The sum has a deviation of .02 W shot (2
+/// hits a walk, variance 2), and over 20 seeds of up to .017 W gathered (fewer walks: .035 and .063
+/// W). The tolerance is exceeded in less than 1 of 10^7 runs.
 void expectLightInside(const SceneObjects& objects, const SceneCell& outer, const std::string& what)
 {
   for (const bool isGathered : { false, true })
@@ -183,8 +183,8 @@ TEST(Cavities, InCavities)
   }
 }
 
-// The two shells of a chamber as things of their own, which move; the lamp or point light moves with the
-// inner one, or alone.
+// The two shells of a chamber as things of their own, which move; the lamp or point light moves
+// with the inner one, or alone.
 TEST(Cavities, OfTwoThings)
 {
   ObjectBuilder inner, outer, lamp, light;

@@ -105,8 +105,9 @@ std::int64_t total(const Quanta& quanta)
 
 }
 
-// Each step adds 2 w to the variance along each axis, all steps (width + pi / 2) / (4 pi) for squares of
-// 1 m2. The effective area of what a point became is the width, to within a fifth where steps are few.
+// Each step adds 2 w to the variance along each axis, all steps (width + pi / 2) / (4 pi) for
+// squares of 1 m2. The effective area of what a point became is the width, to within a fifth where
+// steps are few.
 TEST(CellDiffusion, FillsTheWidth)
 {
   constexpr std::size_t kCells = 81, kMiddle = 40;
@@ -154,7 +155,8 @@ TEST(CellDiffusion, ConservesEachQuantumAndStaysPositive)
   }
 }
 
-// Rounding makes the irradiance of cells differ by a quantum. All that can flow are such differences.
+// Rounding makes the irradiance of cells differ by a quantum. All that can flow are such
+// differences.
 TEST(CellDiffusion, LeavesAUniformIrradianceAsItIs)
 {
   const Surface surface(unevenGrid());

@@ -149,8 +149,9 @@ TEST(CellNeighbours, AreListedForEachEdgeBetweenThem)
   }
 }
 
-// On a prism with the chords h, folded by phi at each edge, the normal turns by sin(phi) / h for each
-// metre across. With the normal length l all ways across are sqrt(1 + (l sin(phi) / h)^2) times as long.
+// On a prism with the chords h, folded by phi at each edge, the normal turns by sin(phi) / h for
+// each metre across. With the normal length l all ways across are sqrt(1 + (l sin(phi) / h)^2)
+// times as long.
 TEST(CellNeighbours, KeepToWhereTheSurfaceFacesTheSameWay)
 {
   constexpr int kSides = 40, kRows = 5;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of a scene whose cells gather direct light together: a motion of one leaves the others as they are.
+// The parts of a scene whose cells gather direct light together: a motion of one leaves the others
+// as they are.
 
 #include "MovingScene.h"
 #include "ShownAnswer.h"

@@ -137,8 +137,8 @@ TEST(CellSpread, ConservesThePowerOfEachObjectBandAndReplicate)
   }
 }
 
-// Two halves of a room, one lit, that meet at a crease, at a gap, or as two objects: no quantum goes to
-// the other. In a plane it does.
+// Two halves of a room, one lit, that meet at a crease, at a gap, or as two objects: no quantum
+// goes to the other. In a plane it does.
 TEST(CellSpread, DoesNotLeak)
 {
   enum class Border

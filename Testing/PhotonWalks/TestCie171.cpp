@@ -79,8 +79,9 @@ TEST_P(Cie171, FluxConservation54)
   EXPECT_NEAR(received.mean() / 1484.5, 1, isGathered() ? 5e-3 : 1e-12);
 }
 
-// As 5.6: a floor patch of 1 x 1 m, which reflects 0.8, shines on the upper part of a black wall. A lamp between
-// them, whose back is to the wall, lights the patch; what the wall receives is Lambert's formula twice.
+// As 5.6: a floor patch of 1 x 1 m, which reflects 0.8, shines on the upper part of a black wall. A
+// lamp between them, whose back is to the wall, lights the patch; what the wall receives is
+// Lambert's formula twice.
 TEST_P(Cie171, DiffuseReflection56)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25 };

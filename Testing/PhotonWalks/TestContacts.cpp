@@ -196,9 +196,10 @@ TEST(Contacts, NoLightGetsInside)
   }
 }
 
-// A closed lamp stands in the middle of a floor that is one cell. A third of what arrives directly on the floor comes from
-// under the lamp; its samples have to find that. In 40 runs the sum of all samples had a standard deviation of 1.6 %
-// (17 % with points chosen on the floor alone); 5 of these are exceeded in 1 of 10^6 runs.
+// A closed lamp stands in the middle of a floor that is one cell. A third of what arrives directly
+// on the floor comes from under the lamp; its samples have to find that. In 40 runs the sum of all
+// samples had a standard deviation of 1.6 % (17 % with points chosen on the floor alone); 5 of
+// these are exceeded in 1 of 10^6 runs.
 TEST(Contacts, ALargeCellFindsTheSmallLampThatStandsOnIt)
 {
   ObjectBuilder room;

@@ -92,9 +92,9 @@ TEST(CosineDirectionInFloat, IsThatOfDoublesToTheBound)
   }
 }
 
-// 32 x 32 cells of the unit disk of equal area, by Malley's projection: the part of the square of samples
-// that each stands for is as large. Chi-square of 1,023 degrees with random samples: a false alarm in
-// 1 of 10,000 seeds.
+// 32 x 32 cells of the unit disk of equal area, by Malley's projection: the part of the square of
+// samples that each stands for is as large. Chi-square of 1,023 degrees with random samples: a
+// false alarm in 1 of 10,000 seeds.
 TEST(CosineDirectionInFloat, FillsTheProjectedDiskUniformly)
 {
   constexpr int kSide = 32, kDraws = 1 << 21;

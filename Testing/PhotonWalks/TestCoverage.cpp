@@ -152,8 +152,9 @@ KnownScene pointInRoom()
   return scene;
 }
 
-/// A room with a lamp and a ball, where half of the light is reflected. The truth are 16 long runs, which leave a
-/// gathered estimate's own seeds alone; with it an interval holds it by .2 % less often.
+/// A room with a lamp and a ball, where half of the light is reflected. The truth are 16 long runs,
+/// which leave a gathered estimate's own seeds alone; with it an interval holds it by .2 % less
+/// often.
 KnownScene litRoom()
 {
   ObjectBuilder room, ball;
@@ -262,9 +263,10 @@ Held countHeld(const KnownScene& scene, bool isGathered)
 
 // 20 seeds of 100 to 216 lit cells: the share of intervals that hold the truth scatters by 0.3 to
 // 0.5 % and must lie within 2 % of 95 %. If it is exactly 95 %, less than 10^-4 of all choices of
-// seeds raise a false alarm; at 94.5 %, 0.2 %. Samples of a net are closer to the truth than the scatter of its
-// blocks says, so gathered intervals hold it more often: 96 to 99 %, which scatter by 0.2 to 0.4 %, and nearly always
-// where the light of a point, or of a panel that nothing hides, is all there is.
+// seeds raise a false alarm; at 94.5 %, 0.2 %. Samples of a net are closer to the truth than the
+// scatter of its blocks says, so gathered intervals hold it more often: 96 to 99 %, which scatter
+// by 0.2 to 0.4 %, and nearly always where the light of a point, or of a panel that nothing hides,
+// is all there is.
 TEST_P(Coverage, IntervalsHoldTheTruth)
 {
   const KnownScene scene = GetParam().make();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights that are no brighter than the scene are shot, and found by rays; all others are looked for.
+// Lights that are no brighter than the scene are shot, and found by rays; all others are looked
+// for.
 
 #include "Gathering/DimLights.h"
 #include "GatheringRuns.h"
@@ -74,7 +75,8 @@ TEST(DimLights, AreNoBrighterThanTheScene)
   expectParts({ oven.build(), {} }, 800, 500);
 }
 
-// Radiosity is little where light escapes: a floor that shines into the sky is no dim light, nor is a point.
+// Radiosity is little where light escapes: a floor that shines into the sky is no dim light, nor is
+// a point.
 TEST(DimLights, AreNotWhereLightEscapes)
 {
   ObjectBuilder floor;
@@ -123,8 +125,8 @@ TEST(DimLights, AreShotAlone)
   EXPECT_EQ(sources[0].plan.walksAfter(1), 10000u);
 }
 
-// The noise of rays in a furnace is that of what they read alone: where all emits 1 - reflectance each finds 1 W/m2. Looking
-// for these lights small cells were 20 % off.
+// The noise of rays in a furnace is that of what they read alone: where all emits 1 - reflectance
+// each finds 1 W/m2. Looking for these lights small cells were 20 % off.
 TEST(DimLights, AreFoundByAnyRayOfAFurnace)
 {
   ObjectBuilder room, ball;

@@ -191,8 +191,9 @@ public:
 
 }
 
-// Two replicates of 110000 and 90000 quanta: the variance is twice the squared distance from their mean, over 1 - 1/2 (5.1 of
-// the Theory). Of the cells that gather a quarter of it is noise of the rays, all, and more than all.
+// Two replicates of 110000 and 90000 quanta: the variance is twice the squared distance from their
+// mean, over 1 - 1/2 (5.1 of the Theory). Of the cells that gather a quarter of it is noise of the
+// rays, all, and more than all.
 TEST(ErrorEstimate, TellsWhichLeverPromisesWhat)
 {
   const WalkPlan plan(1600, 1600, 2);

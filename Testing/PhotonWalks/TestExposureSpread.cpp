@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exposure, spread over the cells around: of photons that are drawn here, so that all is known beforehand.
+// Exposure, spread over the cells around: of photons that are drawn here, so that all is known
+// beforehand.
 
 #include "IntervalCount.h"
 
@@ -124,7 +125,8 @@ double squaredDeviation(const std::vector<double>& values, double mean)
 
 }
 
-// The sums are exact in quanta of 2^-52 of the energy; what is read and written is rounded to half of one.
+// The sums are exact in quanta of 2^-52 of the energy; what is read and written is rounded to half
+// of one.
 TEST(ExposureSpread, ConservesEnergyInEachBand)
 {
   Dose dose(900, 3);
@@ -163,7 +165,8 @@ TEST(ExposureSpread, KeepsAUniformDose)
   }
 }
 
-// Cells that receive as many photons as they draw on keep their bits and their errors, beside small ones too.
+// Cells that receive as many photons as they draw on keep their bits and their errors, beside small
+// ones too.
 TEST(ExposureSpread, LeavesCellsWithEnoughPhotons)
 {
   Dose dose(100);
@@ -191,8 +194,9 @@ TEST(ExposureSpread, LeavesCellsWithEnoughPhotons)
   EXPECT_NE(dose.exposure[60], before.exposure[60]);
 }
 
-// Of n photons a dose is known to 1 / sqrt(n). Four surfaces of 48 * 48 / 32 neighbourhoods give the mean square to
-// 8 % (standard deviation), borders and the area that a point fills to a fifth: 1.7 is exceeded once in 10^6.
+// Of n photons a dose is known to 1 / sqrt(n). Four surfaces of 48 * 48 / 32 neighbourhoods give
+// the mean square to 8 % (standard deviation), borders and the area that a point fills to a fifth:
+// 1.7 is exceeded once in 10^6.
 TEST(ExposureSpread, BringsTheNoiseOfThePhotonsAskedFor)
 {
   constexpr double n = 64, mean = 2;
@@ -216,7 +220,8 @@ TEST(ExposureSpread, BringsTheNoiseOfThePhotonsAskedFor)
   EXPECT_NEAR(claimed, square, 0.4 * square);
 }
 
-// What the same walks bring at ten times are no ten photons. By other walks it is: then a tenth is as wide.
+// What the same walks bring at ten times are no ten photons. By other walks it is: then a tenth is
+// as wide.
 TEST(ExposureSpread, CountsAWalkOnce)
 {
   Dose once(900), often(900), anew(900);
@@ -234,13 +239,15 @@ TEST(ExposureSpread, CountsAWalkOnce)
   {
     EXPECT_NEAR(often.exposure[i], 8 * once.exposure[i], 1e-9);
   }
-  // Of 100 photons both. Neighbourhoods of 100 cells are few, so each mean square is within a factor of 3.
+  // Of 100 photons both. Neighbourhoods of 100 cells are few, so each mean square is within a
+  // factor of 3.
   EXPECT_NEAR(std::log(squaredDeviation(often.exposure, 8 * kPhoton) /
                 squaredDeviation(anew.exposure, 8 * kPhoton)),
     0, std::log(3));
 }
 
-// On the front of one cell, the back of the next, the same light goes on; the other sides stay dark.
+// On the front of one cell, the back of the next, the same light goes on; the other sides stay
+// dark.
 TEST(ExposureSpread, GoesOnWhereCellsAreTurnedOver)
 {
   const auto surface = squares(21, true);
@@ -266,8 +273,8 @@ TEST(ExposureSpread, GoesOnWhereCellsAreTurnedOver)
   EXPECT_LT(squaredDeviation(both, 2 * kPhoton), 3.0 / 60);
 }
 
-// Two photons a cell are too few for an error; of the 100 around it is known. Twelve surfaces of 40 * 40 / 50
-// neighbourhoods: the share has a standard deviation of 1.1 %.
+// Two photons a cell are too few for an error; of the 100 around it is known. Twelve surfaces of 40
+// * 40 / 50 neighbourhoods: the share has a standard deviation of 1.1 %.
 TEST(ExposureSpread, HasIntervalsThatHoldTheTruth)
 {
   test::IntervalCount intervals(kReplicates);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// What a cell gathers is right however small a part of all power it is: below a light that is far away,
-// or on a cell that is tiny beside the walls.
+// What a cell gathers is right however small a part of all power it is: below a light that is far
+// away, or on a cell that is tiny beside the walls.
 
 namespace irradiance
 {
@@ -40,7 +40,8 @@ double solidAngle(const Triangle& triangle, const Vector3& place)
       x * y * z + a.dot(b) * z + a.dot(c) * y + b.dot(c) * x);
 }
 
-/// The form factor of a rectangle at height h, with corners at (x, y), to a facet that looks up at 0.
+/// The form factor of a rectangle at height h, with corners at (x, y), to a facet that looks up at
+/// 0.
 double seenAbove(double x0, double x1, double y0, double y1, double h)
 {
   const auto corner = [h](double x, double y) {
@@ -99,8 +100,8 @@ TEST(FaintLight, APointLightMayBeAsFarAsItLikes)
   }
 }
 
-// A black plate in a black room of 4 m, below a panel of 1 m. 8 seeds, |t| > 7 in one of 18 cases: a
-// false alarm in .4 %.
+// A black plate in a black room of 4 m, below a panel of 1 m. 8 seeds, |t| > 7 in one of 18 cases:
+// a false alarm in .4 %.
 TEST(FaintLight, CellsMayBeAsSmallAsTheyLike)
 {
   const double truth = 30 * seenAbove(-0.2, 0.8, -0.3, 0.7, 2.5);
@@ -140,7 +141,8 @@ TEST(FaintLight, CellsMayBeAsSmallAsTheyLike)
   }
 }
 
-// What a floor sends up to a small plate, below a far light: rays read what the floor gathered. 16 seeds,
+// What a floor sends up to a small plate, below a far light: rays read what the floor gathered. 16
+// seeds,
 // |t| > 5.5: a false alarm in .03 %.
 TEST(FaintLight, RaysReadIt)
 {
@@ -196,8 +198,9 @@ TEST(FaintLight, AnUpdateHasTheBitsOfAFreshStart)
   }
 }
 
-// Two mirrors that face each other, a point light between: what leaves them at the sides falls on black
-// walls. The walks that start at the mirrors are as many as if they were shot, and as different.
+// Two mirrors that face each other, a point light between: what leaves them at the sides falls on
+// black walls. The walks that start at the mirrors are as many as if they were shot, and as
+// different.
 TEST(FaintLight, WalksOfAMirrorDiffer)
 {
   test::ObjectBuilder room;

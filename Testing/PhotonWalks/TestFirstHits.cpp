@@ -105,7 +105,8 @@ TEST(NearLights, NeverDependOnWhatMayMove)
     (std::vector<bool>{ false, false, true, true }));
 }
 
-/// A lamp that lies on a wall and shines into it lights just what it covers; samples know that exactly.
+/// A lamp that lies on a wall and shines into it lights just what it covers; samples know that
+/// exactly.
 TEST(NearLights, AreNotThoseThatTouch)
 {
   for (const double height : { 0.0, 3e-10 }) // rays start beyond the wall, or just before it
@@ -265,8 +266,8 @@ TEST(NearLights, OfEachGroupHaveWalksOfTheirOwn)
   }
 }
 
-/// Of some 270 cells with an error bar, one is off by more than 5.5 standard errors (Student's t of 15
-/// degrees of freedom) in one run of 60.
+/// Of some 270 cells with an error bar, one is off by more than 5.5 standard errors (Student's t of
+/// 15 degrees of freedom) in one run of 60.
 TEST(NearLights, BringWhatShootingBrings)
 {
   const SceneObjects objects = nearAndFar();

@@ -8,8 +8,8 @@
 
 #include <map>
 
-// Law: the rays that walks were shot with are found again, bit for bit, from what a history stores, whatever
-// stands beside them in a front.
+// Law: the rays that walks were shot with are found again, bit for bit, from what a history stores,
+// whatever stands beside them in a front.
 
 namespace irradiance
 {

@@ -119,9 +119,9 @@ TEST(FrontShooting, SameBitsForEveryFrontAndInstructionSet)
   }
 }
 
-// Both draw the same samples, so that most walks go the same way but for roundings to float. What all cells
-// of an object receive on a side differs by chance alone: over 16 seeds, at most 14 sides, |t| > 5 of 15
-// degrees in one of 450 choices of seeds for a kind.
+// Both draw the same samples, so that most walks go the same way but for roundings to float. What
+// all cells of an object receive on a side differs by chance alone: over 16 seeds, at most 14
+// sides, |t| > 5 of 15 degrees in one of 450 choices of seeds for a kind.
 TEST(FrontShooting, BringsWhatWalkBatchBrings)
 {
   constexpr int kSeeds = 16;
@@ -158,9 +158,9 @@ TEST(FrontShooting, BringsWhatWalkBatchBrings)
   }
 }
 
-// A furnace: every cell has a reflectance of its own and the exitance 1 - reflectance, so E = 1 everywhere,
-// on a box and a ball in the room as well. 8 areas, 16 seeds, |t| > 4 of 15 degrees: a false alarm in 0.9 %
-// of all choices of seeds.
+// A furnace: every cell has a reflectance of its own and the exitance 1 - reflectance, so E = 1
+// everywhere, on a box and a ball in the room as well. 8 areas, 16 seeds, |t| > 4 of 15 degrees: a
+// false alarm in 0.9 % of all choices of seeds.
 TEST(FrontShooting, EveryAreaOfAFurnaceReceivesOneWatt)
 {
   constexpr int kCellsASide = 3;

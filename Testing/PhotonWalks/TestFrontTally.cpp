@@ -31,7 +31,8 @@ std::vector<TallyKind> someTallies()
     { 3, 1, true, WalkPlan(6000, 6000, 16) }, { 3, 2, false, WalkPlan(1500, 6000, 2) } };
 }
 
-/// As a history would store them: all segments of all walks, and from where on each walk is to be removed.
+/// As a history would store them: all segments of all walks, and from where on each walk is to be
+/// removed.
 class Shot
 {
 public:

@@ -20,7 +20,8 @@ using test::ReplicateMean;
 constexpr int kFrames = test::kIsSanitized ? 20 : 100;
 constexpr int kCellsASide = 3;
 
-/// Every cell has its own reflectance in each band and the exitance 1 - reflectance, so E = 1 everywhere.
+/// Every cell has its own reflectance in each band and the exitance 1 - reflectance, so E = 1
+/// everywhere.
 SceneObject furnace(ObjectBuilder builder, test::RandomVectors& random)
 {
   std::vector<double>& reflectance = builder.material().reflectance;
@@ -203,7 +204,8 @@ TEST_P(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
 }
 
 // The radiance in a furnace is the same in all directions. A lobe that loses light at some angle,
-// or whose light leaves with a distribution that is not reciprocal, changes it. Area means as above.
+// or whose light leaves with a distribution that is not reciprocal, changes it. Area means as
+// above.
 TEST_P(Furnace, EveryCellReceivesOneWattWhereCellsReflectSpecularly)
 {
   test::RandomVectors random(83);

@@ -66,9 +66,10 @@ Found foundBy(const SceneObjects& objects, EngineSettings settings, int seeds)
 
 }
 
-// Less the bias that it states, the final gather finds what it finds where it reads nothing, and that finds what is
-// known by closed forms. VTKIRRADIANCE_TEST_EFFORT=6 takes 24 seeds and four times the rays. |t| > 9 of six degrees of
-// freedom by chance once in 9,000 for each of twelve; of 46 far less often.
+// Less the bias that it states, the final gather finds what it finds where it reads nothing, and
+// that finds what is known by closed forms. VTKIRRADIANCE_TEST_EFFORT=6 takes 24 seeds and four
+// times the rays. |t| > 9 of six degrees of freedom by chance once in 9,000 for each of twelve; of
+// 46 far less often.
 TEST(GatherAgreement, IsThatOfTheStatedBias)
 {
   const int seeds = 4 * test::effort();
@@ -119,8 +120,8 @@ SceneObjects cubeWithBall(int n)
 
 }
 
-// As the square of the size of cells: with half of it a quarter is left. 5 standard errors by chance once in 10^4, as they
-// have thirty degrees of freedom.
+// As the square of the size of cells: with half of it a quarter is left. 5 standard errors by
+// chance once in 10^4, as they have thirty degrees of freedom.
 TEST(GatherAgreement, StatedBiasShrinksWithTheCellsThatAreRead)
 {
   const auto statedWith = [](int cells, std::uint32_t rays) {
@@ -184,9 +185,10 @@ void countHeld(
 
 }
 
-// 95 % are asked for; with the few samples of a net to a replicate intervals are wider, see Theory.md, 5.7. Some 370 of
-// them, which hold the truth in 98 % and scatter by .8 %, and by twice that as those of a seed read the same sums: below 93 %
-// by chance once in 10^3. VTKIRRADIANCE_TEST_EFFORT=2 takes all scenes and twice the seeds.
+// 95 % are asked for; with the few samples of a net to a replicate intervals are wider, see
+// Theory.md, 5.7. Some 370 of them, which hold the truth in 98 % and scatter by .8 %, and by twice
+// that as those of a seed read the same sums: below 93 % by chance once in 10^3.
+// VTKIRRADIANCE_TEST_EFFORT=2 takes all scenes and twice the seeds.
 TEST(GatherAgreement, IntervalsAndBiasHoldTheTruth)
 {
   const int seeds = 4 * test::effort();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine with the cell estimate Gathered: laws, what is known by closed forms, error bars, what it refuses.
+// The engine with the cell estimate Gathered: laws, what is known by closed forms, error bars, what
+// it refuses.
 
 #include "Estimates/GatherEstimator.h"
 #include "GatheringRuns.h"
@@ -169,9 +170,9 @@ TEST(GatherEstimator, IsTheSameOnAnyRanks)
   EXPECT_EQ(errors, std::vector<std::string>(3));
 }
 
-// One radiance everywhere: what rays read has no bias, so each small cell finds 1 W/m2. The ball sees itself
-// nowhere, the boxes see each other. A false alarm once in 10^4 for each of 5 x 2 groups of cells; the means over
-// both, |t| > 5 of 11 degrees, once in 2,500 for each of five.
+// One radiance everywhere: what rays read has no bias, so each small cell finds 1 W/m2. The ball
+// sees itself nowhere, the boxes see each other. A false alarm once in 10^4 for each of 5 x 2
+// groups of cells; the means over both, |t| > 5 of 11 degrees, once in 2,500 for each of five.
 TEST(GatherEstimator, SmallCellsOfAFurnaceReceiveOneWatt)
 {
   for (const auto& [bands, isGlossy] :
@@ -222,7 +223,8 @@ TEST(GatherEstimator, SmallCellsOfAFurnaceReceiveOneWatt)
   }
 }
 
-// One radiance everywhere, so each ray of each cell, of walls too, reads it: no noise but of the sums that are read.
+// One radiance everywhere, so each ray of each cell, of walls too, reads it: no noise but of the
+// sums that are read.
 TEST(GatherEstimator, AllCellsOfAFurnaceReceiveOneWatt)
 {
   ObjectBuilder room(1), ball(1);
@@ -254,8 +256,8 @@ TEST(GatherEstimator, AllCellsOfAFurnaceReceiveOneWatt)
 namespace
 {
 
-/// A room whose walls have n x n cells and a reflectance each, with a lamp below the ceiling, and a ball of 128 small
-/// cells: 98 are the walls and the lamp if n is 4.
+/// A room whose walls have n x n cells and a reflectance each, with a lamp below the ceiling, and a
+/// ball of 128 small cells: 98 are the walls and the lamp if n is 4.
 SceneObjects roomWithBall(int n)
 {
   const double reflectances[] = { 0.6, 0.4, 0.7, 0.5, 0.3, 0.8 };
@@ -285,8 +287,9 @@ SeedMeans shotMeans(
 
 }
 
-// Nothing is outside of the walls; the lamp is lit on both sides; the ball is closed. Most of the area is of large cells, which take four times
-// as many rays if they gather. Direct light takes a sample for two rays; or more, up to 64, of cells of which there are few.
+// Nothing is outside of the walls; the lamp is lit on both sides; the ball is closed. Most of the
+// area is of large cells, which take four times as many rays if they gather. Direct light takes a
+// sample for two rays; or more, up to 64, of cells of which there are few.
 TEST(GatherEstimator, SamplesFollowTheRays)
 {
   const SceneObjects objects = roomWithBall(4);
@@ -316,8 +319,9 @@ TEST(GatherEstimator, SamplesFollowTheRays)
   }
 }
 
-// Shot walks are unbiased. Differences have the variance n / (n - 2) of Student's t, n = 30; a false alarm once in 10^4
-// if cells are independent, for which a tenth is added, and another for the bias of walls of 8 x 8 cells.
+// Shot walks are unbiased. Differences have the variance n / (n - 2) of Student's t, n = 30; a
+// false alarm once in 10^4 if cells are independent, for which a tenth is added, and another for
+// the bias of walls of 8 x 8 cells.
 TEST(GatherEstimator, SmallCellsAgreeWithShotWalks)
 {
   const SceneObjects objects = roomWithBall(8);
@@ -341,8 +345,8 @@ TEST(GatherEstimator, SmallCellsAgreeWithShotWalks)
 namespace
 {
 
-/// The mean square difference of the small cells from the truth, in units of their mean: noise has no part, as halves
-/// of both are multiplied.
+/// The mean square difference of the small cells from the truth, in units of their mean: noise has
+/// no part, as halves of both are multiplied.
 double systematicSquare(const SeedMeans* gathered, const SeedMeans* shot, std::size_t first)
 {
   double sum = 0, mean = 0;
@@ -371,7 +375,8 @@ SceneObjects buriedBox()
 
 }
 
-// Nothing shines below the floor, though its cells, which rays from there would hit, are bright above.
+// Nothing shines below the floor, though its cells, which rays from there would hit, are bright
+// above.
 TEST(GatherEstimator, NoLightLeaksToWhatIsBuried)
 {
   const SceneObjects objects = buriedBox();
@@ -399,8 +404,8 @@ TEST(GatherEstimator, NoLightLeaksToWhatIsBuried)
   EXPECT_EQ(lit, dark);
 }
 
-// The error bars of small cells. Replicates have sums of their own, so what they share is in no error bar but in the
-// bias, which is small beside the noise of 32 rays.
+// The error bars of small cells. Replicates have sums of their own, so what they share is in no
+// error bar but in the bias, which is small beside the noise of 32 rays.
 TEST(GatherEstimator, ErrorBarsHoldTheTruth)
 {
   const SceneObjects objects = roomWithBall(8);
@@ -443,8 +448,9 @@ TEST(GatherEstimator, ErrorBarsHoldTheTruth)
   EXPECT_LT(wide, 2);
 }
 
-// Where few walks make what rays read the main noise: replicates that shared it would claim too little. In a furnace
-// nothing is biased; each seed counts as one, as its cells have much of the noise in common.
+// Where few walks make what rays read the main noise: replicates that shared it would claim too
+// little. In a furnace nothing is biased; each seed counts as one, as its cells have much of the
+// noise in common.
 TEST(GatherEstimator, ErrorBarsKnowTheNoiseOfWhatIsRead)
 {
   ObjectBuilder room, ball;
@@ -471,8 +477,8 @@ TEST(GatherEstimator, ErrorBarsKnowTheNoiseOfWhatIsRead)
     }
   }
   std::printf("errors are %.2f of those claimed\n", std::sqrt(squares));
-  // Squares of Student's t of 15 degrees have the mean 15 / 13, and the variance 3.3: of 40, off by 4 standard errors once
-  // in 10^4 or so.
+  // Squares of Student's t of 15 degrees have the mean 15 / 13, and the variance 3.3: of 40, off by
+  // 4 standard errors once in 10^4 or so.
   EXPECT_LT(squares, 15.0 / 13 + 4 * std::sqrt(3.3 / kSeeds));
   EXPECT_GT(squares, 0.25) << "nor much too wide";
 }
@@ -480,8 +486,8 @@ TEST(GatherEstimator, ErrorBarsKnowTheNoiseOfWhatIsRead)
 namespace
 {
 
-/// A wide room with a lamp over the floor, so that a spot of light is smaller than large cells are, and a ball
-/// of 32 cells that hangs farther from all walls than their cells are wide.
+/// A wide room with a lamp over the floor, so that a spot of light is smaller than large cells are,
+/// and a ball of 32 cells that hangs farther from all walls than their cells are wide.
 SceneObjects roomWithSpot(int n)
 {
   ObjectBuilder room, ball;
@@ -493,7 +499,8 @@ SceneObjects roomWithSpot(int n)
 
 }
 
-// The spot is smaller than the large cells: 5 % off with those that are read as a whole; the lights are asked in these.
+// The spot is smaller than the large cells: 5 % off with those that are read as a whole; the lights
+// are asked in these.
 TEST(GatherEstimator, HasNoBiasBySmallSpots)
 {
   std::vector<double> biases;
@@ -547,8 +554,8 @@ TEST(GatherEstimator, UpdateEqualsRebuildWhilePartsComeAndGo)
   }
 }
 
-// What rests on stale walks is a part of the whole, the full update takes no more than that away, and in the end nothing
-// is stale.
+// What rests on stale walks is a part of the whole, the full update takes no more than that away,
+// and in the end nothing is stale.
 TEST(GatherEstimator, KnowsWhatIsStale)
 {
   MovingScene scene(1, true, 76);
@@ -580,8 +587,9 @@ TEST(GatherEstimator, KnowsWhatIsStale)
     test::freshShownAnswer(scene.objects(), settings));
 }
 
-// A lamp close over the floor, tilted to it: its walks start at it and bring the direct light with all other. Small cells
-// have to get its direct light once; in a black room it is all there is. Limits as above.
+// A lamp close over the floor, tilted to it: its walks start at it and bring the direct light with
+// all other. Small cells have to get its direct light once; in a black room it is all there is.
+// Limits as above.
 TEST(GatherEstimator, SmallCellsGatherTheLightOfANearLamp)
 {
   ObjectBuilder room, ball;

@@ -24,7 +24,8 @@ ObjectBuilder walls()
   return room;
 }
 
-/// None if shooting costs less. Where half of the light returns, and so much is the power of a walk that starts at a cell.
+/// None if shooting costs less. Where half of the light returns, and so much is the power of a walk
+/// that starts at a cell.
 std::optional<double> walksPerSample(const ObjectBuilder& room, double returned = 0.5)
 {
   const SceneObjects objects{ room.build(), {} };

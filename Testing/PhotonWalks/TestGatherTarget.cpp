@@ -19,7 +19,8 @@ namespace
 
 const Vector3 kMiddle(2.4, 1.5, 1), kBelowLamp(1.8, 2, 2.4);
 
-/// A lit room of 96 wall cells, with a ball of small cells that may move, and a block that stands still.
+/// A lit room of 96 wall cells, with a ball of small cells that may move, and a block that stands
+/// still.
 SceneObjects roomWithBall(const Vector3& place = kMiddle)
 {
   using namespace test::detail;
@@ -95,9 +96,10 @@ private:
 
 }
 
-// No walks are left, so rays do it. The truth lies within the target on more than 95 % of the area. Where errors are those
-// that are stated, some 1 % of the area is farther off, as most cells are better known than the worst of those that count;
-// that 5 % are is less likely than 1e-8 with 300 independent cells.
+// No walks are left, so rays do it. The truth lies within the target on more than 95 % of the area.
+// Where errors are those that are stated, some 1 % of the area is farther off, as most cells are
+// better known than the worst of those that count; that 5 % are is less likely than 1e-8 with 300
+// independent cells.
 TEST(GatherTarget, RaysReachItWhereWalksAreCapped)
 {
   const SceneObjects objects = roomWithBall();
@@ -129,7 +131,8 @@ TEST(GatherTarget, RaysReachItWhereWalksAreCapped)
   EXPECT_GT(within, 0.95 * all);
 }
 
-// Few rays that read what many walks brought; many rays that read what few did; cells that cast no rays at all.
+// Few rays that read what many walks brought; many rays that read what few did; cells that cast no
+// rays at all.
 TEST(GatherTarget, DoublesWhatIsMissing)
 {
   const SceneObjects objects = roomWithBall();
@@ -153,7 +156,8 @@ TEST(GatherTarget, DoublesWhatIsMissing)
   EXPECT_EQ(ownSums.numberOfGatherRays(), 64u);
 }
 
-// Walls that do not gather miss the target, and no walks are left: no rays of the few others would help.
+// Walls that do not gather miss the target, and no walks are left: no rays of the few others would
+// help.
 TEST(GatherTarget, CastsNoRaysInVain)
 {
   EngineSettings settings = towards(0.01, 20000, 16);
@@ -187,7 +191,8 @@ TEST(GatherTarget, ThatIsMetAtOnceChangesNoBit)
   EXPECT_NEAR(bytes(with) / bytes(without), 1, 0.01);
 }
 
-// Both levers rise and fall from frame to frame, by motions and by the target; earlier frames leave no trace.
+// Both levers rise and fall from frame to frame, by motions and by the target; earlier frames leave
+// no trace.
 TEST(GatherTarget, UpdateEqualsRebuild)
 {
   struct Frame
@@ -243,8 +248,9 @@ TEST(GatherTarget, KeepsThePathsOfAllRounds)
   const auto rays = static_cast<std::int64_t>(engine.numberOfGatherRays());
   EXPECT_GE(rays, 64);
   EXPECT_GT(engine.numberOfWalks(), settings.numberOfWalks);
-  // Each path once, though there were estimates of fewer walks, and some of every 64 to check what it reads. Large cells, those of the block too, take four times as many;
-  // inner sides are lit by nothing, nor is what stands on the floor, but the lamp has two sides.
+  // Each path once, though there were estimates of fewer walks, and some of every 64 to check what
+  // it reads. Large cells, those of the block too, take four times as many; inner sides are lit by
+  // nothing, nor is what stands on the floor, but the lamp has two sides.
   const CellNumbers& cells = engine.cells().numbers();
   const std::size_t large = cells.sizeOf(0) + 1 + cells.sizeOf(2) - 1;
   const std::int64_t paths = rays * static_cast<std::int64_t>(4 * large + cells.sizeOf(1));

@@ -63,8 +63,8 @@ constexpr int kSeeds = test::kIsSanitized ? 64 : 4096;
 
 }
 
-// Lambert's formula for a cell of 1 mm across and along a lamp of 1 x 1 m, 1 m (C-11's distance) and .1 m
-// away. Two samples of each seed are all there are for so small a cell.
+// Lambert's formula for a cell of 1 mm across and along a lamp of 1 x 1 m, 1 m (C-11's distance)
+// and .1 m away. Two samples of each seed are all there are for so small a cell.
 TEST(GatheredLight, ASmallCellBesideALargeLamp)
 {
   const std::vector<Vector3> lamp{ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };

@@ -53,8 +53,8 @@ bool isOnLight(const Vector3& point)
 
 }
 
-// All walks that are born, of lights and parts of the scene alike; each goes from its light to where it starts,
-// nothing stands between, and on over its hits.
+// All walks that are born, of lights and parts of the scene alike; each goes from its light to
+// where it starts, nothing stands between, and on over its hits.
 TEST(GatheredPaths, BeginOnTheLight)
 {
   const MovingScene scene(3, true, 34, true);
@@ -94,7 +94,8 @@ TEST(GatheredPaths, BeginOnTheLight)
     1, 0.02);
 }
 
-// Of some thousands a hundred from everywhere, in proportion. A motion replaces those that it ends, and few else.
+// Of some thousands a hundred from everywhere, in proportion. A motion replaces those that it ends,
+// and few else.
 TEST(GatheredPaths, FewAreSpreadAndStay)
 {
   MovingScene scene(1, true, 32);
@@ -130,8 +131,8 @@ TEST(GatheredPaths, FewAreSpreadAndStay)
   EXPECT_GT(both.size(), 85u);
 }
 
-// Of static cells: what stands before the first repaired point is as it was, and nothing else was shot again but the
-// walks that were born.
+// Of static cells: what stands before the first repaired point is as it was, and nothing else was
+// shot again but the walks that were born.
 TEST(GatheredPaths, SayWhatWasRepaired)
 {
   MovingScene scene(1, true, 35, true);

@@ -79,9 +79,9 @@ struct Means
 
 }
 
-// The mean of 24 seeds: nothing escapes but .1 %, and walls and bodies receive what they do where all light is shot,
-// from all lights together or from two groups of them. 18 comparisons, |t| > 4 with 23 degrees of freedom or more: a
-// false alarm in 1 % of all choices of seeds.
+// The mean of 24 seeds: nothing escapes but .1 %, and walls and bodies receive what they do where
+// all light is shot, from all lights together or from two groups of them. 18 comparisons, |t| > 4
+// with 23 degrees of freedom or more: a false alarm in 1 % of all choices of seeds.
 TEST(GatheringBias, IsNoneInTheMeanOf24Seeds)
 {
   const SceneObjects objects = closedRoom();

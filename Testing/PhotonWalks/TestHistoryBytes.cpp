@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bytes that the engine tells are the bytes that it allocates. Sanitizers have a heap of their own.
+// The bytes that the engine tells are the bytes that it allocates. Sanitizers have a heap of their
+// own.
 
 #include "EngineRun.h"
 #include "TestScenes.h"

@@ -20,7 +20,8 @@ using test::box;
 using test::grey;
 using test::ObjectBuilder;
 
-/// A room of large cells with a lamp on its floor, a statue of small cells, and a fine and a coarse part that move.
+/// A room of large cells with a lamp on its floor, a statue of small cells, and a fine and a coarse
+/// part that move.
 SceneObjects roomWithStatue(const Vector3& corner, int bands = 1)
 {
   const AffineMap place{ Matrix3::Identity(), corner };
@@ -105,8 +106,8 @@ TEST(KeptGatherPaths, AreThoseThatNothingTouches)
   }
 }
 
-// The lights are asked at each hit. Most of their rays are of no interest to a motion either, but some arrive now, and some
-// no longer.
+// The lights are asked at each hit. Most of their rays are of no interest to a motion either, but
+// some arrive now, and some no longer.
 TEST(KeptGatherPaths, KeepTheRaysOfLights)
 {
   for (const int bands : { 1, 3 })
@@ -137,8 +138,8 @@ TEST(KeptGatherPaths, KeepTheRaysOfLights)
   }
 }
 
-// With replicates the bias is stated, from checks of what paths read. A small block passes few of their ways and of the rays
-// of lights; so most of them are kept, and what they say is read anew.
+// With replicates the bias is stated, from checks of what paths read. A small block passes few of
+// their ways and of the rays of lights; so most of them are kept, and what they say is read anew.
 TEST(KeptGatherPaths, KeepTheirChecks)
 {
   for (const int bands : { 1, 3 })
@@ -172,9 +173,10 @@ TEST(KeptGatherPaths, KeepTheirChecks)
   }
 }
 
-// A lamp and a white sheet lie in one plane over a statue, and a block stands on the lamp, so closely that rays from below
-// come to it first. Then the lamp, which it touches, is before it; without it the sheet is before the lamp. So hits on
-// what never moves change, though the block, which is too large to gather, goes where no ray is.
+// A lamp and a white sheet lie in one plane over a statue, and a block stands on the lamp, so
+// closely that rays from below come to it first. Then the lamp, which it touches, is before it;
+// without it the sheet is before the lamp. So hits on what never moves change, though the block,
+// which is too large to gather, goes where no ray is.
 TEST(KeptGatherPaths, KnowThatContactsDecide)
 {
   ObjectBuilder room, block;
@@ -202,7 +204,8 @@ TEST(KeptGatherPaths, KnowThatContactsDecide)
   }
 }
 
-// A target that fewer rounds of walks reach than were shot: what lights bring where they are asked is of these alone.
+// A target that fewer rounds of walks reach than were shot: what lights bring where they are asked
+// is of these alone.
 TEST(KeptGatherPaths, ReadNoMoreRoundsThanATargetNeeds)
 {
   const SceneObjects objects = roomWithStatue(Vector3::Zero());
@@ -255,7 +258,8 @@ TEST(KeptGatherPaths, AreForgottenWhenAnythingElseChanges)
   expectAnew("nothing is to be kept");
 }
 
-// What is away may become another thing: then the cells behind it have other numbers, though nothing moves.
+// What is away may become another thing: then the cells behind it have other numbers, though
+// nothing moves.
 TEST(KeptGatherPaths, KnowCellsByTheirObjects)
 {
   SceneObjects objects = roomWithStatue(Vector3::Zero());

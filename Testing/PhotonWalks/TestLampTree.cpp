@@ -38,8 +38,8 @@ CellShape cellAt(const Vector3& center, double radius)
 
 }
 
-// Over evenly spaced samples each lamp is chosen as often as its probability says, and the probabilities of all
-// lamps are 1 together: what makes the estimate unbiased.
+// Over evenly spaced samples each lamp is chosen as often as its probability says, and the
+// probabilities of all lamps are 1 together: what makes the estimate unbiased.
 TEST(LampTree, EachLampIsChosenAsOftenAsItsProbability)
 {
   for (const int edge : { 1, 4, 20 })
@@ -77,8 +77,8 @@ TEST(LampTree, EachLampIsChosenAsOftenAsItsProbability)
   }
 }
 
-// Lamps of 1e-30 of the power of others are chosen among each other by their own flux: what strong lamps in the same tree add up to
-// rounds nothing of them away.
+// Lamps of 1e-30 of the power of others are chosen among each other by their own flux: what strong
+// lamps in the same tree add up to rounds nothing of them away.
 TEST(LampTree, AmongFaintLampsTheChoiceIsByTheirFlux)
 {
   test::ObjectBuilder room;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of lights before a walk is shot: how each is best known, and how unevenly they light what rests.
+// What is known of lights before a walk is shot: how each is best known, and how unevenly they
+// light what rests.
 
 #include "Walks/LightSurvey.h"
 
@@ -67,7 +68,8 @@ TEST(LightSurvey, TellsHowUnevenlyAPointLightsARoom)
   }
 }
 
-// Two lights in places of their own are as uneven as both together, whether they are one group or two.
+// Two lights in places of their own are as uneven as both together, whether they are one group or
+// two.
 TEST(LightSurvey, AddsUpGroups)
 {
   for (const bool areTwo : { false, true })

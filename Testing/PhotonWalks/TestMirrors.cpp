@@ -17,8 +17,8 @@ using test::ReplicateMean;
 
 const double kRho = 0.5;
 
-/// The walls of 0 <= x <= 2, each one cell, without the wall at x = 0; a lamp below the ceiling and a
-/// box on one side. With `isMirrored` all of it at -x.
+/// The walls of 0 <= x <= 2, each one cell, without the wall at x = 0; a lamp below the ceiling and
+/// a box on one side. With `isMirrored` all of it at -x.
 void addHalf(ObjectBuilder& builder, bool isMirrored)
 {
   const auto at = [&](double x, double y, double z) { return Vector3(isMirrored ? -x : x, y, z); };
@@ -97,7 +97,8 @@ TEST(Mirrors, ARoomWithAMirrorEqualsTheDoubledRoom)
   }
 }
 
-// In a closed box of mirrors that reflect r all light is absorbed in the end, after 1 / (1 - r) hits.
+// In a closed box of mirrors that reflect r all light is absorbed in the end, after 1 / (1 - r)
+// hits.
 TEST(Mirrors, AClosedBoxOfMirrorsReceivesTheGeometricSeries)
 {
   ObjectBuilder builder;

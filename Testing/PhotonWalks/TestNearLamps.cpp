@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lamps where they are hard to gather from: near a surface, long, in a corner, on what they light, around all of it.
+// Lamps where they are hard to gather from: near a surface, long, in a corner, on what they light,
+// around all of it.
 
 #include "BothModes.h"
 #include "LambertContour.h"
@@ -65,15 +66,15 @@ double solidAngle(const Triangle& triangle, const Vector3& from)
   return std::abs(2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a)));
 }
 
-/// Student's t. What is gathered from a point is known to rounding; lights are clear of surfaces by 2^-33 of the
-/// coordinates.
+/// Student's t. What is gathered from a point is known to rounding; lights are clear of surfaces by
+/// 2^-33 of the coordinates.
 double tOf(const ReplicateMean& estimate, double truth)
 {
   return std::abs(estimate.mean() / truth - 1) < 1e-6 ? 0 : estimate.t(truth);
 }
 
-/// Cells of which 100 walks or more would hit one, of all seeds together, one by one and together: chance exceeds
-/// the limit once in 10^4 (cells taken as independent).
+/// Cells of which 100 walks or more would hit one, of all seeds together, one by one and together:
+/// chance exceeds the limit once in 10^4 (cells taken as independent).
 void expectCells(
   const std::vector<ReplicateMean>& cells, const std::vector<double>& truth, std::uint32_t walks)
 {
@@ -190,8 +191,8 @@ TEST_P(NearLamps, PointLights)
   }
 }
 
-// A black box of 1 x 1 m stands on a light table of 3 x 3 m. Its bottom receives what the table emits; a row of its
-// sides what Lambert's formula says of the part of the table before it.
+// A black box of 1 x 1 m stands on a light table of 3 x 3 m. Its bottom receives what the table
+// emits; a row of its sides what Lambert's formula says of the part of the table before it.
 TEST_P(NearLamps, APartOnALightTable)
 {
   ObjectBuilder table, part;
@@ -238,7 +239,8 @@ TEST_P(NearLamps, APartOnALightTable)
   EXPECT_EQ(top.mean(), 0);
 }
 
-// E = M / (1 - rho) in every cell: a lamp of the whole inside of a box, that reflects its own light.
+// E = M / (1 - rho) in every cell: a lamp of the whole inside of a box, that reflects its own
+// light.
 TEST_P(NearLamps, InAClosedBodyLightStaysInside)
 {
   ObjectBuilder room, body;

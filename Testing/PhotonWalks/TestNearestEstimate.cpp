@@ -289,8 +289,8 @@ TEST(NearestEstimate, TheSheetBelowDoesNotCount)
   EXPECT_LE(std::abs(lid.t(1)), 6);
 }
 
-// Where a floor drops by a step, only the part on which the sensor stands counts; where it bends, all that
-// faces as the sensor does.
+// Where a floor drops by a step, only the part on which the sensor stands counts; where it bends,
+// all that faces as the sensor does.
 TEST(NearestEstimate, StepsEndASurfaceAndBendsDoNot)
 {
   const auto areaOf = [](double stepDown, double slope, const Vector3& at) {
@@ -311,9 +311,9 @@ TEST(NearestEstimate, StepsEndASurfaceAndBendsDoNot)
   }
 }
 
-// A plate of 0.25 m under a lamp of 1 m, and a wall on one of its edges. The light varies by 1 % over
-// the plate. 20,000 photons are known to 0.7 %: by chance, one of nine sensors is off by more than 2 %
-// for one seed in 25; the seed is fixed.
+// A plate of 0.25 m under a lamp of 1 m, and a wall on one of its edges. The light varies by 1 %
+// over the plate. 20,000 photons are known to 0.7 %: by chance, one of nine sensors is off by more
+// than 2 % for one seed in 25; the seed is fixed.
 TEST(NearestEstimate, UnderALamp)
 {
   ObjectBuilder scene;
@@ -337,8 +337,8 @@ TEST(NearestEstimate, UnderALamp)
   }
 }
 
-// A board of 2 cm, lit from above: its photons are looked for up to 5 cm away, but its lower face, seen
-// from within, is not near.
+// A board of 2 cm, lit from above: its photons are looked for up to 5 cm away, but its lower face,
+// seen from within, is not near.
 TEST(NearestEstimate, TheOtherFaceOfABoardDoesNotCount)
 {
   ObjectBuilder scene;

@@ -95,7 +95,8 @@ TEST(NearestPhotonEstimator, UpdateEqualsRebuild)
   }
 }
 
-// In a black scene no walk is born: there is no photon to look for, and each cell has what it gathered.
+// In a black scene no walk is born: there is no photon to look for, and each cell has what it
+// gathered.
 TEST(NearestPhotonEstimator, WithoutAPhotonCellsHaveWhatTheyGathered)
 {
   ObjectBuilder floor;
@@ -113,8 +114,9 @@ TEST(NearestPhotonEstimator, WithoutAPhotonCellsHaveWhatTheyGathered)
   EXPECT_GT(*std::min_element(expected.begin(), expected.end()), 0);
 }
 
-// E = M / (1 - rho) in a furnace of 216 cells, of which each draws on 3,000 photons of indirect light, .6 of all,
-// and gathers the rest with 32 samples. Each is off by 3.5 % (seen); .18 is over 5 times that.
+// E = M / (1 - rho) in a furnace of 216 cells, of which each draws on 3,000 photons of indirect
+// light, .6 of all, and gathers the rest with 32 samples. Each is off by 3.5 % (seen); .18 is over
+// 5 times that.
 TEST(NearestPhotonEstimator, IsThatOfAFurnaceWithGatheredLight)
 {
   ObjectBuilder room;
@@ -174,9 +176,9 @@ TEST(NearestPhotonEstimator, NothingIsDoneWhereNothingHasMoved)
   EXPECT_EQ(allIrradiances(engine), first);
 }
 
-// A furnace: 1 W/m2 everywhere. A ball of 512 cells of some 25 photons each; estimated from 400 nearest
-// ones the standard error is 5 %, and neighbouring cells share photons. 4.5 standard errors of 512 cells:
-// a false alarm in 0.4 %. Large cells keep their sums, to the bit.
+// A furnace: 1 W/m2 everywhere. A ball of 512 cells of some 25 photons each; estimated from 400
+// nearest ones the standard error is 5 %, and neighbouring cells share photons. 4.5 standard errors
+// of 512 cells: a false alarm in 0.4 %. Large cells keep their sums, to the bit.
 TEST(NearestPhotonEstimator, SmallCellsOfAFurnaceHaveTheNoiseOfAllPhotonsNearby)
 {
   ObjectBuilder room, ball;

@@ -266,8 +266,8 @@ TEST(NearestPhotons, EqualASearchOfAllWherePosesAreExtreme)
   // The thirteenth lies a million times as far away as it is large.
   objects.dynamicObjects.push_back(thing.build(test::shift({ 2e6, 0, 1 })));
   ASSERT_NO_FATAL_FAILURE(expectNearest(objects, 1500, 4000, kinds));
-  // All are so far from the origin that doubles tell 10,000 places across the room, then 100. (They were
-  // shot nearby; no ray finds anything there.)
+  // All are so far from the origin that doubles tell 10,000 places across the room, then 100. (They
+  // were shot nearby; no ray finds anything there.)
   objects.staticObject = test::nothing();
   objects.dynamicObjects.back() = room.build();
   IrradianceEngine engine;
@@ -353,7 +353,8 @@ TEST(NearestPhotons, OfNothing)
   EXPECT_EQ(found.radius, 2);
 }
 
-// Found by fuzzing: a triangle so thin that its area is lost where its object's coordinates are rounded leaves no surface.
+// Found by fuzzing: a triangle so thin that its area is lost where its object's coordinates are
+// rounded leaves no surface.
 TEST(NearestPhotons, OfSurfaceWhoseAreaIsLost)
 {
   const Triangle needle{ { -5.6e-33, 1.8e-34, 1.8e-34 }, { 20, -0.22, -16 }, { 0, 0, 5.6e-33 } };

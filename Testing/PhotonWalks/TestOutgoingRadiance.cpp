@@ -150,9 +150,10 @@ double lobeIntegral(const PhongLobe& lobe, const Vector3& toEye, const Vector3& 
 
 }
 
-// A wide lobe finds a small lamp by asking it, a narrow one a wide lamp by its rays; both ways together have little
-// noise for all, and count nothing twice. The truth is the definition, by midpoints: off by less than 10^-4. t of 11
-// degrees beyond 5.5 once in 5,000, of 12 rows: a false alarm once in 400.
+// A wide lobe finds a small lamp by asking it, a narrow one a wide lamp by its rays; both ways
+// together have little noise for all, and count nothing twice. The truth is the definition, by
+// midpoints: off by less than 10^-4. t of 11 degrees beyond 5.5 once in 5,000, of 12 rows: a false
+// alarm once in 400.
 TEST(OutgoingRadiance, ALobeReflectsALampAsTheDefinitionSays)
 {
   const Vector3 toEye = Vector3(-0.6, 0.1, 1).normalized();
@@ -250,8 +251,9 @@ std::vector<SceneCell> furnaceCells()
 
 }
 
-// The radiance is 1 / pi everywhere and in each direction, whatever the exponent, also in mirrors: E (rho_d + rho_s) / pi
-// with what is emitted. 12 seeds of 7 looks, |t| > 5.5 of 11 degrees: a false alarm once in 200 for both ways of direct light.
+// The radiance is 1 / pi everywhere and in each direction, whatever the exponent, also in mirrors:
+// E (rho_d + rho_s) / pi with what is emitted. 12 seeds of 7 looks, |t| > 5.5 of 11 degrees: a
+// false alarm once in 200 for both ways of direct light.
 TEST(OutgoingRadiance, IsThatOfAFurnace)
 {
   const SceneObjects objects = furnace();
@@ -335,7 +337,8 @@ TEST(OutgoingRadiance, IsNoneWhereNothingShines)
   }
 }
 
-// A sheet that is lit from above is dark from below, also in a mirror, and to a lobe, though its sides have one sum.
+// A sheet that is lit from above is dark from below, also in a mirror, and to a lobe, though its
+// sides have one sum.
 TEST(OutgoingRadiance, ASheetDoesNotShineThrough)
 {
   for (const double exponent : { kInfinity, 5.0 })
@@ -396,8 +399,8 @@ TEST(OutgoingRadiance, UpdateEqualsRebuildOnAnyThreadsAndInstructions)
   }
 }
 
-// In a furnace the truth is known. Blocks of samples scatter more than their net errs, so intervals may be too wide.
-// Cells of a seed read the same sums: below 90 % by chance once in 10^3.
+// In a furnace the truth is known. Blocks of samples scatter more than their net errs, so intervals
+// may be too wide. Cells of a seed read the same sums: below 90 % by chance once in 10^3.
 TEST(OutgoingRadiance, ErrorBarsHoldTheTruth)
 {
   const SceneObjects objects = furnace();
@@ -418,7 +421,8 @@ TEST(OutgoingRadiance, ErrorBarsHoldTheTruth)
   intervals.expectHonest();
 }
 
-// Of diffuse light it is that of the irradiance; of what is emitted there is none; without replicates it is not known.
+// Of diffuse light it is that of the irradiance; of what is emitted there is none; without
+// replicates it is not known.
 TEST(OutgoingRadiance, DiffuseCellsHaveTheErrorOfTheirIrradiance)
 {
   ObjectBuilder room;

@@ -23,8 +23,8 @@ void add(Answer& answer, double value)
   answer.push_back(bits);
 }
 
-/// The bits of what an eye sees of all cells. The engine collects its photons, and from then on keeps them up
-/// to date.
+/// The bits of what an eye sees of all cells. The engine collects its photons, and from then on
+/// keeps them up to date.
 Answer viewsOf(IrradianceEngine& engine)
 {
   Execution execution;
@@ -45,7 +45,8 @@ Answer viewsOf(IrradianceEngine& engine)
   return answer;
 }
 
-/// A scene whose objects move, leave and come back, in part as something else, and what is asked of it.
+/// A scene whose objects move, leave and come back, in part as something else, and what is asked of
+/// it.
 class Program
 {
 public:
@@ -118,8 +119,8 @@ private:
 
 }
 
-// Law 1. What an engine keeps of a part outlives the part's absence, and what it learns meanwhile, be it of an
-// estimate, of photons or of nothing, is true when the part is back.
+// Law 1. What an engine keeps of a part outlives the part's absence, and what it learns meanwhile,
+// be it of an estimate, of photons or of nothing, is true when the part is back.
 TEST(PartsAway, UpdateEqualsRebuildWhateverIsAskedMeanwhile)
 {
   const unsigned programs = test::kIsSanitized ? 2 : 6;

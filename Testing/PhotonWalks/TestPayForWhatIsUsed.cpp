@@ -95,9 +95,9 @@ TEST(PayForWhatIsUsed, AStillFrameKnowsTheBytesOfItsHistory)
   EXPECT_LT(engine.statistics().historyBytes, second);
 }
 
-// A segment holds its ends (12 bytes), a tag and its bounce (2), the triangle (4), the place on it (8), the walk
-// (2), two links (4), and 8 for each of several bands. The last page of a block is half empty on average, and
-// the first segments of a block may be the last of its walks.
+// A segment holds its ends (12 bytes), a tag and its bounce (2), the triangle (4), the place on it
+// (8), the walk (2), two links (4), and 8 for each of several bands. The last page of a block is
+// half empty on average, and the first segments of a block may be the last of its walks.
 TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
 {
   EngineSettings settings;

@@ -20,8 +20,9 @@ namespace
 const double kExponents[] = { 0, 1, 30, 700, 10000 };
 
 /// The integral over the hemisphere of BRDF times cosine times weight(direction), by two product
-/// rules of midpoints: a fine one around the mirror direction, where the lobe is, and one around the
-/// normal that is dense at grazing angles, where the lobe loses light. The balance heuristic (Veach 1997) joins them; any two densities would do.
+/// rules of midpoints: a fine one around the mirror direction, where the lobe is, and one around
+/// the normal that is dense at grazing angles, where the lobe loses light. The balance heuristic
+/// (Veach 1997) joins them; any two densities would do.
 template <class Weight>
 auto integral(
   const PhongLobe& lobe, const Vector3& normal, const Vector3& toLight, const Weight& weight)
@@ -66,7 +67,8 @@ Vector3 toLightAt(double cosine)
 
 }
 
-// Ten angles from steep to grazing. The table of losses is off by up to 2^-12, and so is the albedo.
+// Ten angles from steep to grazing. The table of losses is off by up to 2^-12, and so is the
+// albedo.
 TEST(PhongLobe, ReflectsAllLightAtEveryAngle)
 {
   const Vector3 normal(0, 0, 1);
@@ -163,8 +165,8 @@ TEST(PhongLobe, LargeExponentsComeCloseToAMirror)
   }
 }
 
-// A lobe around the normal: cos(alpha) is the cosine, and its mean (n + 1) / (n + 2). A grazing one:
-// half of it is below the horizon.
+// A lobe around the normal: cos(alpha) is the cosine, and its mean (n + 1) / (n + 2). A grazing
+// one: half of it is below the horizon.
 TEST(LobeLoss, HasItsClosedFormsAtBothEnds)
 {
   for (const double exponent : kExponents)

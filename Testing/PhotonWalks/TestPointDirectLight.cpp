@@ -155,7 +155,8 @@ TEST(PointDirectLight, AlongAStrip)
     [&](auto number) { return scene.inAir(place, up, number); });
 }
 
-// A point light has one point: there is no noise. In a corner of the floor walls touch the point and hide nothing.
+// A point light has one point: there is no noise. In a corner of the floor walls touch the point
+// and hide nothing.
 TEST(PointDirectLight, OfAPointLightIsExact)
 {
   ObjectBuilder builder;

@@ -171,8 +171,9 @@ TEST(PowerBalance, NothingEscapesFromAClosedRoom)
   }
 }
 
-// Light that cannot go anywhere is an error, not an endless run, and the engine stays usable. It comes within the first
-// bounces, also where some walks end; and where walks leave at last, or are absorbed, none comes.
+// Light that cannot go anywhere is an error, not an endless run, and the engine stays usable. It
+// comes within the first bounces, also where some walks end; and where walks leave at last, or are
+// absorbed, none comes.
 TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
 {
   EngineSettings settings;

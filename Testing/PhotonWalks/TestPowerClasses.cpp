@@ -18,7 +18,8 @@ using test::grey;
 using test::ObjectBuilder;
 using test::quantaPerWatt;
 
-/// Lamps of so many watts, each a strip of ten facets that share corners, and a point light. No light arrives anywhere.
+/// Lamps of so many watts, each a strip of ten facets that share corners, and a point light. No
+/// light arrives anywhere.
 SceneObjects lampsOf(const std::vector<double>& watts, double point = 0)
 {
   ObjectBuilder builder;
@@ -52,7 +53,8 @@ void expectFlux(const std::vector<double>& found, const std::vector<double>& exp
   }
 }
 
-/// Walls of 4 x 4 x 3 m in which a panel of 10 W hangs, and far above them a point light that shines on the ground around.
+/// Walls of 4 x 4 x 3 m in which a panel of 10 W hangs, and far above them a point light that
+/// shines on the ground around.
 SceneObjects hutAndSun(double sun)
 {
   ObjectBuilder scene;
@@ -89,8 +91,8 @@ TEST(PowerClasses, HaveNoneForWhatIsTooLittle)
   expectFlux(fluxOfClasses(lampsOf({ 1, 1e-6 }), 1e-5), { 1.000001 });
 }
 
-// A weak lamp whose light falls where a strong one sends more has no walks of its own to wait for; behind a wall it has. A desk
-// lamp outshines the ceiling on its desk.
+// A weak lamp whose light falls where a strong one sends more has no walks of its own to wait for;
+// behind a wall it has. A desk lamp outshines the ceiling on its desk.
 TEST(PowerClasses, AreOfLampsThatShineElsewhere)
 {
   const auto scene = [](bool hasWall, double height) {
@@ -118,7 +120,8 @@ TEST(PowerClasses, LeaveAFurnaceWhole)
   EXPECT_EQ(fluxOfClasses({ furnace.build(), {} }).size(), 1u);
 }
 
-// Their walks differ in power, and bring all of it: a tenth of them goes by flux, the others are dealt evenly.
+// Their walks differ in power, and bring all of it: a tenth of them goes by flux, the others are
+// dealt evenly.
 TEST(PowerClasses, ShareWalks)
 {
   for (const double sun : { 1e4, 1e8 })
@@ -140,9 +143,10 @@ TEST(PowerClasses, ShareWalks)
   }
 }
 
-// The hut has the light of its own lamp, however strong the sun is from which none gets in; whether light is shot or gathered.
-// Its walls absorb half of what arrives, and the lamp nothing: they get 20 W. Standard errors of 8 seeds are .02 W; .2 W of the last sun, beside which the
-// lamp has some 10 walks of each replicate.
+// The hut has the light of its own lamp, however strong the sun is from which none gets in; whether
+// light is shot or gathered. Its walls absorb half of what arrives, and the lamp nothing: they get
+// 20 W. Standard errors of 8 seeds are .02 W; .2 W of the last sun, beside which the lamp has some
+// 10 walks of each replicate.
 TEST(PowerClasses, KeepAWeakLampBesideAStrongOne)
 {
   for (const bool isGathered : { false, true })

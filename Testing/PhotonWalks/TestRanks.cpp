@@ -32,7 +32,8 @@ EngineSettings settingsOf(std::uint32_t walks, std::uint32_t replicates = 16)
   return settings;
 }
 
-/// Takes engines on so many ranks through frames, and compares each with an engine that starts alone.
+/// Takes engines on so many ranks through frames, and compares each with an engine that starts
+/// alone.
 void expectSameAsAlone(std::uint32_t ranks, const EngineSettings& settings, bool hasGroups)
 {
   constexpr int kFrames = 5;
@@ -131,8 +132,8 @@ double staleOf(const IrradianceEngine& engine)
   return stale;
 }
 
-// Each rank repairs in a time of its own, and some have no walks. What is stale on one is stale for all, until
-// all have repaired.
+// Each rank repairs in a time of its own, and some have no walks. What is stale on one is stale for
+// all, until all have repaired.
 TEST(Ranks, RepairWithinABudget)
 {
   test::MovingScene scene(1, true, 7);
@@ -170,7 +171,8 @@ TEST(Ranks, RepairWithinABudget)
   EXPECT_EQ(errors, std::vector<std::string>(5));
 }
 
-// Whoever fails ends the work of all. Then they begin again together, also with a new engine on one of them.
+// Whoever fails ends the work of all. Then they begin again together, also with a new engine on one
+// of them.
 TEST(Ranks, EndTogetherWhenOneFails)
 {
   test::MovingScene scene(1, true, 3);

@@ -227,8 +227,8 @@ private:
 
 }
 
-// Whenever the time is up, the walks of a batch that was begun are finished: the first 16, then as many as
-// take half of the time that is left.
+// Whenever the time is up, the walks of a batch that was begun are finished: the first 16, then as
+// many as take half of the time that is left.
 TEST(RepairBudget, WhatIsBegunIsFinished)
 {
   test::ObjectBuilder room, ball;

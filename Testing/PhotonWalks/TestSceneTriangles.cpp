@@ -18,7 +18,8 @@ namespace irradiance
 namespace
 {
 
-/// The order of numbers is the order of ids, as ties between hits need it; `objects[2]` is not there.
+/// The order of numbers is the order of ids, as ties between hits need it; `objects[2]` is not
+/// there.
 void expectNumbers(const SceneTriangles& triangles, const SceneObjects& objects)
 {
   const CellNumbers cells(objects);

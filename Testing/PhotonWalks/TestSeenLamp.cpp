@@ -57,8 +57,8 @@ std::vector<SeenLamp> partsOf(const Triangle& lamp, const LitPoint& point, SeenL
 
 }
 
-// Lambert's formula for what is above the horizon, for random triangles, of which many cross it. The error of 1024 points
-// of low discrepancy is some 1e-4 here, that of a wrong density some 1e-1.
+// Lambert's formula for what is above the horizon, for random triangles, of which many cross it.
+// The error of 1024 points of low discrepancy is some 1e-4 here, that of a wrong density some 1e-1.
 TEST(SeenLamp, ByCosineItBringsWhatIsAboveTheHorizon)
 {
   test::RandomVectors random(3);
@@ -87,9 +87,10 @@ TEST(SeenLamp, ByCosineItBringsWhatIsAboveTheHorizon)
   EXPECT_TRUE(test::kIsSanitized || (crossing > 30 && hidden > 30)) << crossing << ", " << hidden;
 }
 
-// A small triangle that stands on the horizon, as from afar the cosine is linear on it: with the distance s from the corner above,
-// of density 2 s, samples bring (1 - s) / (1 - s^2) up to a factor. The squares of that scatter by
-// 9 (1.5 - 2 ln 2) - 1 = .0233. By solid angle it would be those of 1 - s: 1/2.
+// A small triangle that stands on the horizon, as from afar the cosine is linear on it: with the
+// distance s from the corner above, of density 2 s, samples bring (1 - s) / (1 - s^2) up to a
+// factor. The squares of that scatter by 9 (1.5 - 2 ln 2) - 1 = .0233. By solid angle it would be
+// those of 1 - s: 1/2.
 TEST(SeenLamp, ByCosineSamplesBringNearlyTheSame)
 {
   const LitPoint point{ Vector3::Zero(), Vector3::UnitZ() };

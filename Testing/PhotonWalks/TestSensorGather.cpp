@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What sensors gather, on surfaces and in the air: closed forms, agreement with cells, laws, error bars.
+// What sensors gather, on surfaces and in the air: closed forms, agreement with cells, laws, error
+// bars.
 
 #include "EngineRun.h"
 #include "IntervalCount.h"
@@ -50,7 +51,8 @@ EngineSettings settingsOf(std::uint32_t walks, bool gathersDirectLight, std::uin
 
 }
 
-// Both estimates have the sides of the same walks: the sums counted from what is stored are those that are kept by side.
+// Both estimates have the sides of the same walks: the sums counted from what is stored are those
+// that are kept by side.
 TEST(SideSums, AreThoseOfWalksThatTellSidesApart)
 {
   for (const auto& [bands, gathers, replicates] :
@@ -93,7 +95,8 @@ TEST(SideSums, AreThoseOfWalksThatTellSidesApart)
 namespace
 {
 
-/// Every cell emits what it does not reflect, so E = 1 everywhere, and 4 from all directions. A ball and a box stand in it.
+/// Every cell emits what it does not reflect, so E = 1 everywhere, and 4 from all directions. A
+/// ball and a box stand in it.
 SceneObjects furnace(int bands)
 {
   ObjectBuilder room(bands), ball(bands), crate(bands);
@@ -103,7 +106,8 @@ SceneObjects furnace(int bands)
   return { room.build(), { ball.build(test::shift({ 1, 1.5, 2 })), crate.build() } };
 }
 
-/// On walls, edges, and corners, which rounding in floats may have put on either side of them; in the air, oblique.
+/// On walls, edges, and corners, which rounding in floats may have put on either side of them; in
+/// the air, oblique.
 std::vector<Sensor> furnaceSensors()
 {
   const double third = 3 * static_cast<double>(1.0f / 3), tiny = 0x1p-24;
@@ -123,8 +127,8 @@ std::vector<Sensor> furnaceSensors()
 
 }
 
-// Nothing has a bias here. |t| > 5.5 of 11 degrees of freedom: once in 5,000 for each of 14 sensors and 4 settings, so
-// a false alarm once in 90.
+// Nothing has a bias here. |t| > 5.5 of 11 degrees of freedom: once in 5,000 for each of 14 sensors
+// and 4 settings, so a false alarm once in 90.
 TEST(SensorGather, InAFurnaceAllSensorsFindOneOrFour)
 {
   const std::vector<Sensor> sensors = furnaceSensors();
@@ -196,8 +200,9 @@ double solidAngle(double a, double b, double height)
 
 }
 
-// Two plates that shine at each other, or a single one: M Omega / pi from each. Nothing reflects. Each sample brings
-// as much of the fluence rate, so that it has no noise; it is off by as much as the sensor is taken off its place.
+// Two plates that shine at each other, or a single one: M Omega / pi from each. Nothing reflects.
+// Each sample brings as much of the fluence rate, so that it has no noise; it is off by as much as
+// the sensor is taken off its place.
 TEST(SensorGather, FluenceBetweenPlatesIsTheirSolidAngle)
 {
   ObjectBuilder plates;
@@ -229,7 +234,8 @@ TEST(SensorGather, FluenceBetweenPlatesIsTheirSolidAngle)
 namespace
 {
 
-/// A room whose walls have a reflectance each, with a lamp below the ceiling, and a table of 4 x 4 cells.
+/// A room whose walls have a reflectance each, with a lamp below the ceiling, and a table of 4 x 4
+/// cells.
 SceneObjects roomWithTable()
 {
   const double reflectances[] = { 0.6, 0.4, 0.7, 0.5, 0.3, 0.8 };
@@ -245,8 +251,9 @@ SceneObjects roomWithTable()
 
 }
 
-// The mean of sensors over a cell is the irradiance of the cell, which shot walks know without bias. Cells that rays read
-// are .5 m wide: 1 % is allowed for that, beside 4.5 standard errors of both.
+// The mean of sensors over a cell is the irradiance of the cell, which shot walks know without
+// bias. Cells that rays read are .5 m wide: 1 % is allowed for that, beside 4.5 standard errors of
+// both.
 TEST(SensorGather, AgreesWithCells)
 {
   const SceneObjects objects = roomWithTable();
@@ -255,7 +262,8 @@ TEST(SensorGather, AgreesWithCells)
     CellSide cell;
     Vector3 corner, u, v, normal;
   };
-  // On the top of the table, on its side, on the floor below the lamp; see ObjectBuilder::addSide for the order.
+  // On the top of the table, on its side, on the floor below the lamp; see ObjectBuilder::addSide
+  // for the order.
   const Patch patches[] = { { { { 1, 80 } }, { 2.4, 0.5, 0.7 }, { 0.25, 0, 0 }, { 0, 0.25, 0 },
                               { 0, 0, 1 } },
     { { { 0, 4 * 64 + 3 * 8 + 3 } }, { 1.5, 1.5, 0 }, { 0.5, 0, 0 }, { 0, 0.5, 0 }, { 0, 0, 1 } } };
@@ -350,7 +358,8 @@ TEST(SensorGather, UpdateEqualsRebuildOnAnyThreadsAndInstructions)
   }
 }
 
-// Law 2 with ranks: those that share the walks have sums by side in common; else each has all walks, and counts.
+// Law 2 with ranks: those that share the walks have sums by side in common; else each has all
+// walks, and counts.
 TEST(SensorGather, IsTheSameOnAnyRanks)
 {
   const MovingScene scene(1, true, 93);
@@ -375,8 +384,9 @@ TEST(SensorGather, IsTheSameOnAnyRanks)
   }
 }
 
-// In a furnace the truth is known. Blocks of samples scatter more than their net errs, so intervals may be too wide.
-// 24 seeds of 14 sensors, of which those of a seed read the same sums, at 95 %: below 90 % by chance once in 10^3.
+// In a furnace the truth is known. Blocks of samples scatter more than their net errs, so intervals
+// may be too wide. 24 seeds of 14 sensors, of which those of a seed read the same sums, at 95 %:
+// below 90 % by chance once in 10^3.
 TEST(SensorGather, ErrorBarsHoldTheTruth)
 {
   const std::vector<Sensor> sensors = furnaceSensors();
@@ -396,9 +406,10 @@ TEST(SensorGather, ErrorBarsHoldTheTruth)
   intervals.expectHonest();
 }
 
-// Where few walks make what rays read the main noise: replicates that shared it would claim too little. All walls are
-// farther than their cells are wide. Squares of Student's t of 15 degrees have the mean 15 / 13 and the variance 3.3:
-// of 40 seeds off by 4 standard errors once in 10^4 or so.
+// Where few walks make what rays read the main noise: replicates that shared it would claim too
+// little. All walls are farther than their cells are wide. Squares of Student's t of 15 degrees
+// have the mean 15 / 13 and the variance 3.3: of 40 seeds off by 4 standard errors once in 10^4 or
+// so.
 TEST(SensorGather, ErrorBarsKnowTheNoiseOfWhatIsRead)
 {
   ObjectBuilder room;
@@ -431,8 +442,8 @@ TEST(SensorGather, IsDarkInsideAndKnowsWhatIsTooFar)
   EXPECT_TRUE(std::isnan(lights[4].value[0]));
 }
 
-// From nine sizes of the scene away: of what the cells of a plate received, as the same engine says, the part that their
-// view factors give. The point light is exact.
+// From nine sizes of the scene away: of what the cells of a plate received, as the same engine
+// says, the part that their view factors give. The point light is exact.
 TEST(SensorGather, SeesFromAfarWhatCellsReflect)
 {
   ObjectBuilder builder;

@@ -24,8 +24,9 @@ int sharedDigits(double u, double v)
   return digits;
 }
 
-/// Scrambling keeps how many leading digits two points share. The points are those of Joe and Kuo's page, in the
-/// order of Gray's code; the fourth coordinate follows from their direction numbers 1, 3, 1, 5.
+/// Scrambling keeps how many leading digits two points share. The points are those of Joe and Kuo's
+/// page, in the order of Gray's code; the fourth coordinate follows from their direction numbers 1,
+/// 3, 1, 5.
 TEST(SobolNet, HasThePointsOfJoeAndKuo)
 {
   const std::vector<SobolNet::Point> published = { { 0, 0, 0, 0 }, { 0.5, 0.5, 0.5, 0.5 },
@@ -51,7 +52,8 @@ TEST(SobolNet, HasThePointsOfJoeAndKuo)
   }
 }
 
-/// In each coordinate 2^m points that follow each other stand in all of 2^m strata, wherever they begin.
+/// In each coordinate 2^m points that follow each other stand in all of 2^m strata, wherever they
+/// begin.
 TEST(SobolNet, FillsTheStrataOfEachCoordinate)
 {
   for (std::uint64_t seed = 0; seed < 4; ++seed)
@@ -95,8 +97,8 @@ TEST(SobolNet, FillsAllFourDimensionsTogether)
   }
 }
 
-/// Of 4096 seeds, the first point's coordinates are even and independent: the mean of each and of each product
-/// is off by more than 5 standard errors in one run of 170,000.
+/// Of 4096 seeds, the first point's coordinates are even and independent: the mean of each and of
+/// each product is off by more than 5 standard errors in one run of 170,000.
 TEST(SobolNet, IsScrambledEvenly)
 {
   constexpr int kSeeds = 4096;

@@ -88,7 +88,8 @@ double wattsOf(const IrradianceEngine& engine, std::uint32_t object)
 
 }
 
-// In a black scene all light is gathered: nothing is blurred, and the error bars are those of the sums.
+// In a black scene all light is gathered: nothing is blurred, and the error bars are those of the
+// sums.
 TEST(CellSpread, LeavesGatheredLightWhereItIs)
 {
   ObjectBuilder room, ball;
@@ -207,8 +208,8 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
     test::freshShownAnswer(scene.objects(), settings));
 }
 
-// Replicates are spread one by one, what is stale in one go, and both are rounded: where all photons of
-// an object are stale, the part must not come out larger than the whole.
+// Replicates are spread one by one, what is stale in one go, and both are rounded: where all
+// photons of an object are stale, the part must not come out larger than the whole.
 TEST(CellSpread, WhatIsStaleIsAtMostAll)
 {
   MovingScene scene(1, true, 76);
@@ -352,9 +353,9 @@ TEST(CellSpread, ShootsNothingAnew)
   }
 }
 
-// In a furnace nothing is there to blur, so the intervals hold the truth, 1 W/m2. Cells next to each
-// other err alike: of each seed, the many cells of an object are worth some 30. Over 20 seeds, the share
-// of intervals that hold the truth is off by 0.04 once in 10^5.
+// In a furnace nothing is there to blur, so the intervals hold the truth, 1 W/m2. Cells next to
+// each other err alike: of each seed, the many cells of an object are worth some 30. Over 20 seeds,
+// the share of intervals that hold the truth is off by 0.04 once in 10^5.
 TEST(CellSpread, IntervalsHoldTheTruth)
 {
   test::RandomVectors random(92);

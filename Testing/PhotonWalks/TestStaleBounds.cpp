@@ -223,8 +223,9 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
     }
     EXPECT_GT(brought, 0);
     EXPECT_EQ(brought, now.walks().staleGainBound(0)) << "reflectance " << reflectance;
-    // A walk survives with probability = reflectance: power / (1 - reflectance), within 5 standard errors (one false alarm
-    // in 10^6). The standard deviation of a walk's tail is at most about its mean.
+    // A walk survives with probability = reflectance: power / (1 - reflectance), within 5 standard
+    // errors (one false alarm in 10^6). The standard deviation of a walk's tail is at most about
+    // its mean.
     const double mean = double(now.stalePower()[0]) / (1 - reflectance);
     EXPECT_NEAR(
       brought, mean, 5 * mean / std::sqrt(double(numberOfStale(now))) + double(numberOfStale(now)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sensors whose rays are kept: the bits of new ones after any program of changes, and how many rays are cast.
+// Sensors whose rays are kept: the bits of new ones after any program of changes, and how many rays
+// are cast.
 
 #include "EngineRun.h"
 #include "MovingScene.h"
@@ -136,9 +137,10 @@ struct BallInFurnace
 
 }
 
-// Seen from the middle the ball fills the share (1 - sqrt(1 - .09)) / 2 of all directions before and after, and paths
-// as well as rays to the lights, which are all around, go evenly in all directions. 376 rays, of which chance would have it that
-// they are 20 % off in 10,000 cases; the ball's triangles fill 3 % less.
+// Seen from the middle the ball fills the share (1 - sqrt(1 - .09)) / 2 of all directions before
+// and after, and paths as well as rays to the lights, which are all around, go evenly in all
+// directions. 376 rays, of which chance would have it that they are 20 % off in 10,000 cases; the
+// ball's triangles fill 3 % less.
 TEST(StoredSensors, OnlyRaysThatMeetWhatMovedAreCast)
 {
   BallInFurnace scene;
@@ -180,7 +182,8 @@ TEST(StoredSensors, OnlySensorsThatMovedCast)
   }
 }
 
-// Near a wall paths ask the lights where they hit. What stops these rays is of use only to who keeps paths.
+// Near a wall paths ask the lights where they hit. What stops these rays is of use only to who
+// keeps paths.
 TEST(StoredSensors, RaysOfLightsAreKeptOnlyForFramesToCome)
 {
   const BallInFurnace scene;

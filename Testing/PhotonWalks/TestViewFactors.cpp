@@ -22,8 +22,8 @@ constexpr std::uint32_t kViewWalks = test::scaled(65536);
 class ViewFactors : public test::BothModes
 {
 protected:
-  /// A diffuse emitter of unit exitance (object 0) and a black receiver (object 1): view factors from
-  /// the emitter to itself and to the receiver.
+  /// A diffuse emitter of unit exitance (object 0) and a black receiver (object 1): view factors
+  /// from the emitter to itself and to the receiver.
   static std::array<ReplicateMean, 2> viewFactors(const SceneObjects& objects, double emitterArea)
   {
     std::array<ReplicateMean, 2> estimates;
@@ -39,7 +39,8 @@ protected:
 };
 
 /// Within 1 %, or, where so few walks hit the receiver that chance alone exceeds that, within three
-/// standard errors of plain Monte Carlo; gathered, which large cells side by side do badly, within 10 %.
+/// standard errors of plain Monte Carlo; gathered, which large cells side by side do badly, within
+/// 10 %.
 void expectWithinBounds(
   const ReplicateMean& estimate, double truth, bool isGathered, const char* name)
 {
@@ -95,8 +96,9 @@ constexpr struct
 } kPerpendicular[] = { { 1, 1, 1, 0.20004378 }, { 1, 2, 1, 0.11642630 }, { 2, 1, 1, 0.23285260 },
   { 0.01, 1, 1, 4.89584927e-3 } };
 
-/// What a black square of 2 cm receives from a lamp of 1 W/m2, gathered with 64 times 1024 samples; walks that
-/// nothing reflects cost nothing. |t| > 3.5 with 63 degrees of freedom happens by chance in 0.09 % of the comparisons.
+/// What a black square of 2 cm receives from a lamp of 1 W/m2, gathered with 64 times 1024 samples;
+/// walks that nothing reflects cost nothing. |t| > 3.5 with 63 degrees of freedom happens by chance
+/// in 0.09 % of the comparisons.
 void expectOfASmallCell(
   const std::vector<Vector3>& lamp, const Vector3& corner, const Vector3& u, const Vector3& v)
 {
@@ -178,8 +180,8 @@ TEST_P(ViewFactors, ConcentricSpheres)
 
 INSTANTIATE_TEST_SUITE_P(DirectLight, ViewFactors, testing::Bool(), test::nameOfMode);
 
-// What gathering is for: one cell knows to .1 % what it receives, for which 10^10 walks would have to be shot. Lamp
-// and cell as in C-11, face to face, and as in C-14, at right angles.
+// What gathering is for: one cell knows to .1 % what it receives, for which 10^10 walks would have
+// to be shot. Lamp and cell as in C-11, face to face, and as in C-14, at right angles.
 TEST(ViewFactorsOfASmallCell, FaceToFaceAndAtRightAngles)
 {
   const std::vector<Vector3> lamp{ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-// An engine has a set of walks for each group of lights. It follows motions to the bits of a new engine, and
-// brings what one set with all lamps brings.
+// An engine has a set of walks for each group of lights. It follows motions to the bits of a new
+// engine, and brings what one set with all lamps brings.
 
 namespace irradiance
 {
@@ -28,7 +28,8 @@ EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks)
   return settings;
 }
 
-/// Takes an engine with two sets through motions, and compares it with a new one in each `every`th frame.
+/// Takes an engine with two sets through motions, and compares it with a new one in each `every`th
+/// frame.
 void expectFreshBits(const EngineSettings& settings, int frames, int every, unsigned seed)
 {
   test::MovingScene scene(3, false, seed);
@@ -192,8 +193,8 @@ TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
     static_cast<double>(atPoint) / static_cast<double>(all.size()), 0.011);
 }
 
-/// Of some 220 cells with an error bar, one is off by more than 5.5 standard errors (Student's t of 15
-/// degrees of freedom) in one run of 70.
+/// Of some 220 cells with an error bar, one is off by more than 5.5 standard errors (Student's t of
+/// 15 degrees of freedom) in one run of 70.
 TEST(WalkSets, TwoBringWhatOneWithAllLampsBrings)
 {
   const test::MovingScene scene(1, true, 12);

@@ -23,8 +23,8 @@ using test::SimdLimit;
 
 constexpr std::uint32_t kFrontWalks = 1000; // the last group is not full
 
-/// Triangles at random, thin ones and small ones among them, in two objects, of which one is placed; each
-/// with a reflectance of its own. `scale`: a power of two.
+/// Triangles at random, thin ones and small ones among them, in two objects, of which one is
+/// placed; each with a reflectance of its own. `scale`: a power of two.
 SceneObjects someTriangles(double scale)
 {
   test::RandomVectors random(5);
@@ -251,8 +251,8 @@ TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
   }
 }
 
-// Bit for bit from the point that SurfacePoint finds, in the direction that the samples of the sequence
-// choose; never into the surface.
+// Bit for bit from the point that SurfacePoint finds, in the direction that the samples of the
+// sequence choose; never into the surface.
 TEST(WalkStages, RaysLeaveFromSurfacePoints)
 {
   for (const bool areSidesKnown : { false, true })

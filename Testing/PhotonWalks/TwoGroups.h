@@ -7,7 +7,8 @@
 namespace irradiance::test
 {
 
-/// The scene with its point lights, all on the static object, in a group of their own: two sets of walks.
+/// The scene with its point lights, all on the static object, in a group of their own: two sets of
+/// walks.
 inline SceneObjects inTwoGroups(const SceneObjects& objects)
 {
   Emission emission = *objects.staticObject.emission;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last of several processes ends in the middle of an update, in a way that the argument names. The others wait
-// for it, and mpirun ends them. (One that calls MPI_Finalize instead waits there for the others, as in any program.)
+// The last of several processes ends in the middle of an update, in a way that the argument names.
+// The others wait for it, and mpirun ends them. (One that calls MPI_Finalize instead waits there
+// for the others, as in any program.)
 
 #include "TestScenes.h"
 

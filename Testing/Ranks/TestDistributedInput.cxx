@@ -267,8 +267,8 @@ TEST(DistributedInput, TakesOnceWhatAllHave)
   EXPECT_EQ(ValuesOf(pieces->GetOutput(), "Irradiance"), expected);
 }
 
-// Where a point light alone shines on black walls there is no noise; the division tells only which way points at the borders of
-// pieces are taken, by 1e-4 of a cell.
+// Where a point light alone shines on black walls there is no noise; the division tells only which
+// way points at the borders of pieces are taken, by 1e-4 of a cell.
 TEST(DistributedInput, HasLightAtPoints)
 {
   Scene scene{ { MakeRoom(3, 3) },

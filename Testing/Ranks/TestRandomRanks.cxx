@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The random programs of TestRandomPrograms.cxx with a filter whose walks all processes share. Each process does the
-// same at the same time, and compares it and what follows it with filters alone. Hence nothing may depend on what one
-// process alone knows.
+// The random programs of TestRandomPrograms.cxx with a filter whose walks all processes share. Each
+// process does the same at the same time, and compares it and what follows it with filters alone.
+// Hence nothing may depend on what one process alone knows.
 
 #include "ExposureScenes.h"
 #include "Processes.h"
@@ -61,8 +61,8 @@ void AddUpADose(Trial& t)
   EXPECT_TRUE(IsSame(bits, dose(t.MakeFresh())));
 }
 
-/// MeddleWhileItRuns changes the scene at another time on each process. If one reads it before the change and one
-/// after it, that update fails on all, but not the next one.
+/// MeddleWhileItRuns changes the scene at another time on each process. If one reads it before the
+/// change and one after it, that update fails on all, but not the next one.
 std::vector<Operation> SharedOperations()
 {
   std::vector<Operation> operations(std::begin(Operations), std::end(Operations));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Under mpirun: filters of all processes together bring the bits of a filter alone, or each has one error.
+// Under mpirun: filters of all processes together bring the bits of a filter alone, or each has one
+// error.
 
 #include "ErrorObserver.h"
 #include "ExposureScenes.h"
@@ -84,7 +85,8 @@ TEST(Ranks, BringTheBitsOfOne)
   });
 }
 
-// Each process gathers all direct light, and adds that of its own cells; it shoots its part of the walks.
+// Each process gathers all direct light, and adds that of its own cells; it shoots its part of the
+// walks.
 TEST(Ranks, GatherTheLightOfOne)
 {
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) { filter->SetDirectLightToGathered(); });
@@ -261,7 +263,8 @@ TEST(Ranks, RefuseABudgetWherePhotonsAreRead)
   }
 }
 
-// Found by TestRandomRanks: each process kept all walks, repaired them in a time of its own, and had other stale light.
+// Found by TestRandomRanks: each process kept all walks, repaired them in a time of its own, and
+// had other stale light.
 TEST(Ranks, ShareTheWalksAgainForABudget)
 {
   const Scene scene = MakeSmallScene();

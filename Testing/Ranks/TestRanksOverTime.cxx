@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Under mpirun: processes share the times of a dose, and each has the bits of one alone, or one error.
+// Under mpirun: processes share the times of a dose, and each has the bits of one alone, or one
+// error.
 
 #include "ExposureScenes.h"
 #include "Processes.h"
@@ -37,7 +38,8 @@ std::vector<double> ShareOf(const std::vector<double>& times, int process)
   return share;
 }
 
-/// A walk through the room in which a second ball comes at times and a third one never, and its dose.
+/// A walk through the room in which a second ball comes at times and a third one never, and its
+/// dose.
 struct Walk
 {
   Walk()
@@ -128,7 +130,8 @@ std::string BytesOf(vtkDataObject* data)
   return { bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfTuples()) };
 }
 
-/// A square on its way, with a pose, normals, components that have names, and a corner that never moves.
+/// A square on its way, with a pose, normals, components that have names, and a corner that never
+/// moves.
 vtkSmartPointer<PartOverTime> MakeRichSquare(bool hasWords)
 {
   const auto square = MakeLitSquare(kTimes, [](double time) { return time / 3; });

@@ -69,8 +69,8 @@ TEST(AxisPlanes, HideWhatHardlyReachesBeyondThem)
   EXPECT_FALSE(planes.hide(2, -1, 0.5F, box(0.4, 1)));
 }
 
-/// A floor and a ceiling whose heights are no floats; sheets as near to them as rounding to float can
-/// hide; and walls that begin at the floor, cross it, lean or hang in oblique pieces.
+/// A floor and a ceiling whose heights are no floats; sheets as near to them as rounding to float
+/// can hide; and walls that begin at the floor, cross it, lean or hang in oblique pieces.
 Triangles nearPlanes(double floor)
 {
   const auto patch = [](const Vector3& corner, const Vector3& along, const Vector3& across) {

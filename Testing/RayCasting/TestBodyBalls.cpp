@@ -14,7 +14,8 @@
 #include <utility>
 #include <vector>
 
-// Attacks the test of rays against many balls, in floats: it may find too many pairs, never too few.
+// Attacks the test of rays against many balls, in floats: it may find too many pairs, never too
+// few.
 
 namespace irradiance
 {

@@ -7,8 +7,9 @@
 namespace irradiance
 {
 
-// A point of a convex set is the closest one if nothing of the set lies beyond the plane through it that
-// faces the origin (the projection theorem). Slivers, triangles without area and all scales included.
+// A point of a convex set is the closest one if nothing of the set lies beyond the plane through it
+// that faces the origin (the projection theorem). Slivers, triangles without area and all scales
+// included.
 TEST(ClosestPoint, NothingOfTheTriangleIsCloser)
 {
   test::RandomVectors random(4);

@@ -7,7 +7,8 @@
 
 #include <algorithm>
 
-// Which triangles are details; that rays hit them is tested wherever "details in a hall" is cast to.
+// Which triangles are details; that rays hit them is tested wherever "details in a hall" is cast
+// to.
 
 namespace irradiance
 {

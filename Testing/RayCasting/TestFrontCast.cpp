@@ -135,7 +135,8 @@ NamedScene withSome(const NamedScene& scene, std::size_t count)
   return some;
 }
 
-/// Copies of the scene's objects, here and there; a box in place of those that have more triangles than these.
+/// Copies of the scene's objects, here and there; a box in place of those that have more triangles
+/// than these.
 NamedScene withMany(const NamedScene& scene, std::size_t count, std::size_t mostTriangles)
 {
   const auto simple =
@@ -153,8 +154,8 @@ NamedScene withMany(const NamedScene& scene, std::size_t count, std::size_t most
   return many;
 }
 
-/// The scenes of all tests; each with none to three of its objects; and with so many that all their balls
-/// are tested, or, of small ones, that there is a tree over them.
+/// The scenes of all tests; each with none to three of its objects; and with so many that all their
+/// balls are tested, or, of small ones, that there is a tree over them.
 std::vector<SceneMaker> frontScenes()
 {
   std::vector<SceneMaker> scenes = test::sceneMakers();

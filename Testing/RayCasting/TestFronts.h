@@ -26,7 +26,8 @@ inline Ray asInFront(const Ray& ray)
     { roundedToFloat(unit[0]), roundedToFloat(unit[1]), roundedToFloat(unit[2]) }, ray.start };
 }
 
-/// Rays and their hits, as the columns of a front. Directions must be floats unless they stay exact.
+/// Rays and their hits, as the columns of a front. Directions must be floats unless they stay
+/// exact.
 class TestFront
 {
 public:

@@ -181,8 +181,8 @@ TEST(KdTreeBuilder, TakesDegenerateInput)
   }
 }
 
-/// Large triangles cross each other in one plane: in a thin cell every split seems to pay if parting
-/// costs nothing, and every plane cuts many of them.
+/// Large triangles cross each other in one plane: in a thin cell every split seems to pay if
+/// parting costs nothing, and every plane cuts many of them.
 TEST(KdTreeBuilder, BoundsTheReferences)
 {
   constexpr unsigned kSeed = 3;

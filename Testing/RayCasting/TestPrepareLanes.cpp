@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <utility>
 
-// Attacks the margins with which a front prepares rays in floats: where they enter the tree's box, how
-// late, and how nearly along it.
+// Attacks the margins with which a front prepares rays in floats: where they enter the tree's box,
+// how late, and how nearly along it.
 
 namespace irradiance
 {
@@ -23,8 +23,8 @@ using test::exactly;
 using test::RandomVectors;
 using test::Triangles;
 
-/// Tiny triangles in the faces of a box, along its edges and in its corners, in all orientations: a ray
-/// that begins a little too late in the box has passed them.
+/// Tiny triangles in the faces of a box, along its edges and in its corners, in all orientations: a
+/// ray that begins a little too late in the box has passed them.
 Triangles crumbsInFaces(RandomVectors& random, double size)
 {
   Triangles triangles;
@@ -51,8 +51,9 @@ Triangles crumbsInFaces(RandomVectors& random, double size)
   return triangles;
 }
 
-/// A ray at a point of a triangle or just beside it; often nearly along an axis of the tree, or nearly in
-/// a face of its box; from some distance, relative to the box. `map`: from the tree's space to the world.
+/// A ray at a point of a triangle or just beside it; often nearly along an axis of the tree, or
+/// nearly in a face of its box; from some distance, relative to the box. `map`: from the tree's
+/// space to the world.
 Ray attack(const Triangles& triangles, const AffineMap& map, RandomVectors& random)
 {
   const Triangle& triangle = triangles[random.engine() % triangles.size()];
@@ -168,7 +169,8 @@ TEST(PrepareLanes, LoseNoHitWhereRaysEnterTheTree)
   EXPECT_GT(hits, targets * 4000);
 }
 
-/// How late a ray begins, as a part of its true entry into the box of the tree: less than 0 if early.
+/// How late a ray begins, as a part of its true entry into the box of the tree: less than 0 if
+/// early.
 template <class Real>
 double lateness(const PrepareLanes<Real>& lanes, unsigned lane, const TriangleTree& tree,
   const double* const (&origins)[3], const Real* const (&directions)[3])
@@ -189,7 +191,8 @@ double lateness(const PrepareLanes<Real>& lanes, unsigned lane, const TriangleTr
   return static_cast<double>((begin - entry) / entry);
 }
 
-/// Fifteen random rays at a unit box from afar, and one that begins in it; the extremes of lateness.
+/// Fifteen random rays at a unit box from afar, and one that begins in it; the extremes of
+/// lateness.
 template <class Real>
 std::pair<double, double> extremeLateness(RandomVectors& random, int groups)
 {
@@ -228,7 +231,8 @@ std::pair<double, double> extremeLateness(RandomVectors& random, int groups)
   return extremes;
 }
 
-// Law: no ray begins behind its entry, except by the rounding of where it begins. Nor much before it.
+// Law: no ray begins behind its entry, except by the rounding of where it begins. Nor much before
+// it.
 TEST(PrepareLanes, BeginNoRayTooLate)
 {
   RandomVectors random(42);

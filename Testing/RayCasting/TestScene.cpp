@@ -183,7 +183,8 @@ TEST(Scene, WithoutMovedObjectsNothingIsHit)
     { { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
 }
 
-// The bounds of a body beyond the range of doubles are unknown. The bounds of the others must still count.
+// The bounds of a body beyond the range of doubles are unknown. The bounds of the others must still
+// count.
 TEST(Scene, ABodyWithoutBoundsAmongMany)
 {
   const auto ball = test::bodyOf(test::icosphere(1));

@@ -243,9 +243,9 @@ inline NamedScene crumbsInAHall()
   return scene;
 }
 
-/// Fine static meshes in a hall of 300 m, which floats of the hall cannot resolve: one in the plane of the
-/// floor, one on it, turned, one a thousand times finer near its corner, one twice in the same place, one of
-/// equal triangles, and one at a wall. Small things move there.
+/// Fine static meshes in a hall of 300 m, which floats of the hall cannot resolve: one in the plane
+/// of the floor, one on it, turned, one a thousand times finer near its corner, one twice in the
+/// same place, one of equal triangles, and one at a wall. Small things move there.
 inline NamedScene detailsInAHall()
 {
   RandomVectors random(19);
@@ -271,7 +271,8 @@ inline NamedScene detailsInAHall()
   return scene;
 }
 
-/// Makes a scene when a test asks for it: each process of tests lists all scenes, and their trees take time.
+/// Makes a scene when a test asks for it: each process of tests lists all scenes, and their trees
+/// take time.
 struct SceneMaker
 {
   std::string name;

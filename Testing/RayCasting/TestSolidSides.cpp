@@ -180,8 +180,8 @@ constexpr SolidSide kBehind = SolidSide::Behind, kInFront = SolidSide::InFront;
 
 }
 
-// A body with a cavity, in it a body with a cavity. Fronts are out of the material throughout, so all of it is
-// behind.
+// A body with a cavity, in it a body with a cavity. Fronts are out of the material throughout, so
+// all of it is behind.
 TEST(SolidSides, ShellsNest)
 {
   const Triangles chamber =
@@ -210,12 +210,13 @@ TEST(SolidSides, ShellsNest)
   }
 }
 
-// The box of an L holds the corner that is cut out of it; boxes that cross hold a part of each other. A shell with
-// its front inside that is in no body is a body.
+// The box of an L holds the corner that is cut out of it; boxes that cross hold a part of each
+// other. A shell with its front inside that is in no body is a body.
 TEST(SolidSides, OnlyWhatIsInsideOfABodyIsACavity)
 {
   const Triangles lower = box(kLow, { 1, 1, .5 }), upper = box({ 0, 0, .5 }, { .5, 1, 1 });
-  // Along the shared edges four triangles meet, so the two are one part with the shape of an L, or two bodies.
+  // Along the shared edges four triangles meet, so the two are one part with the shape of an L, or
+  // two bodies.
   const Triangles step = joined({ lower, upper });
   for (const bool isOnePart : { false, true })
   {

@@ -28,8 +28,8 @@ BidirectionalTracer::BidirectionalTracer(
   scene_.commit({});
 }
 
-/// Threads take blocks of pairs. Their contributions are added in the order of the blocks, a slice at a
-/// time, because a sum of doubles depends on the order.
+/// Threads take blocks of pairs. Their contributions are added in the order of the blocks, a slice
+/// at a time, because a sum of doubles depends on the order.
 std::vector<Spectrum> BidirectionalTracer::trace(
   std::uint64_t pass, std::uint32_t samples, Execution& execution) const
 {

@@ -15,9 +15,9 @@ namespace pathtracedroom
  * engine. It shares the ray casting with vtkIrradianceFilter, and nothing that decides what light
  * does: so each can be checked against the other.
  *
- * Without bias: roulette ends subpaths, no depth does. Not found is what a mirror throws from a point
- * light onto a surface that a pinhole sees in a mirror. Surfaces that coincide are not told apart, as
- * they are in the filter (Contacts): a scene should have none.
+ * Without bias: roulette ends subpaths, no depth does. Not found is what a mirror throws from a
+ * point light onto a surface that a pinhole sees in a mirror. Surfaces that coincide are not told
+ * apart, as they are in the filter (Contacts): a scene should have none.
  */
 class BidirectionalTracer
 {
@@ -33,8 +33,8 @@ public:
   BidirectionalTracer(
     const irradiance::SceneObjects& objects, const Sensor& sensor, const Config& config);
 
-  /// What each bin measures, from `samples` pairs of subpaths for each bin. Passes are independent of
-  /// each other; the result has the same bits for any number of threads and any traversal mode.
+  /// What each bin measures, from `samples` pairs of subpaths for each bin. Passes are independent
+  /// of each other; the result has the same bits for any number of threads and any traversal mode.
   /// Throws irradiance::Interrupted if `execution` says so.
   std::vector<Spectrum> trace(
     std::uint64_t pass, std::uint32_t samples, irradiance::Execution& execution) const;

@@ -7,8 +7,8 @@
 namespace pathtracedroom
 {
 
-/// A pinhole camera. A bin is a pixel, row by row from the lower left; it measures the mean radiance
-/// over its square of the image plane, W/m2/sr.
+/// A pinhole camera. A bin is a pixel, row by row from the lower left; it measures the mean
+/// radiance over its square of the image plane, W/m2/sr.
 class CameraRays : public Sensor
 {
 public:

@@ -20,8 +20,9 @@ std::optional<Sensor::Place> CellIrradiance::placeOf(const PathVertex& lightVert
   return bin ? std::optional<Place>({ *bin, sensorAt(lightVertex, *bin) }) : std::nullopt;
 }
 
-/// Each side is chosen with probability 1/2. Irradiance is the integral of radiance times cosine, over
-/// both sides, and its mean over the area: as if importance of pi / area were reflected diffusely.
+/// Each side is chosen with probability 1/2. Irradiance is the integral of radiance times cosine,
+/// over both sides, and its mean over the area: as if importance of pi / area were reflected
+/// diffusely.
 PathVertex CellIrradiance::sensorAt(const PathVertex& vertex, std::size_t bin) const
 {
   const double area = points_.area(bin);

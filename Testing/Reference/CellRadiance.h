@@ -9,8 +9,8 @@ namespace pathtracedroom
 {
 
 /// Cells that measure the radiance, W/m2/sr, that they reflect towards an eye, as a mean over their
-/// area; without what they emit themselves. Whether something hides them does not matter. A bin is a
-/// cell.
+/// area; without what they emit themselves. Whether something hides them does not matter. A bin is
+/// a cell.
 class CellRadiance : public Sensor
 {
 public:

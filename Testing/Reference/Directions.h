@@ -19,8 +19,8 @@ inline irradiance::Vector3 sphereDirection(const std::array<double, 2>& u)
   return { radius * std::cos(around), radius * std::sin(around), z };
 }
 
-/// A unit vector on the side of the unit normal, with the density cosine / pi per steradian: a point of
-/// the sphere that touches the surface, as seen from where it touches.
+/// A unit vector on the side of the unit normal, with the density cosine / pi per steradian: a
+/// point of the sphere that touches the surface, as seen from where it touches.
 inline irradiance::Vector3 cosineDirection(
   const irradiance::Vector3& normal, const std::array<double, 2>& u)
 {

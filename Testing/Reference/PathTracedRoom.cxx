@@ -105,7 +105,8 @@ struct Timing
   std::vector<Spectrum> Pixels;
 };
 
-// The least of several rounds, which other programs on the machine disturb least. Trees are built before.
+// The least of several rounds, which other programs on the machine disturb least. Trees are built
+// before.
 std::vector<Timing> TimeTraversals(const SceneObjects& objects, const Sensor& camera, int rounds)
 {
   SmpExecution execution([](double) { return true; });
@@ -137,7 +138,8 @@ bool HaveSameBits(const std::vector<Timing>& timings)
   });
 }
 
-// Section 2.5 of the paper. There, each dynamic triangle may move on its own; here, also as objects.
+// Section 2.5 of the paper. There, each dynamic triangle may move on its own; here, also as
+// objects.
 bool CompareTraversals(const SceneObjects& objects, const RoomScene& scene, const Options& options)
 {
   const CameraRays camera = MakeCameraRays(scene.Camera, options.Width, options.Height);

@@ -19,8 +19,8 @@ using irradiance::Vector3;
 using Spectrum = Eigen::Array3d;
 
 /**
- * A point of a path. At one end of a path is a lamp, at the other the sensor (a camera or a cell), and
- * between them are points of surfaces. Each passes on what arrives: light from lamp to sensor,
+ * A point of a path. At one end of a path is a lamp, at the other the sensor (a camera or a cell),
+ * and between them are points of surfaces. Each passes on what arrives: light from lamp to sensor,
  * importance from sensor to lamp. As surfaces reflect both alike, one code does for both.
  */
 struct PathVertex
@@ -54,8 +54,8 @@ struct PathVertex
   // What a subpath has found out up to here.
   Vector3 toPrevious = Vector3::Zero();   ///< unit vector to the vertex before
   Spectrum throughput = Spectrum::Ones(); ///< what arrives here over the density of the subpath
-  /// With which the subpath chose this point: m^-2, times the probability to get as far as the vertex
-  /// before. 1 for the points off surfaces.
+  /// With which the subpath chose this point: m^-2, times the probability to get as far as the
+  /// vertex before. 1 for the points off surfaces.
   double density = 1;
   /// With which a subpath from the other end would have come here through the two vertices behind.
   double reverseDensity = 0;
@@ -66,8 +66,8 @@ struct PathVertex
   bool isPoint() const { return id == TriangleId{}; }
 
   /// The part of what arrives from the direction `from` that leaves in the direction `to`, per
-  /// steradian, times the cosine of `to`; without what a mirror reflects. Both are unit vectors away
-  /// from the surface.
+  /// steradian, times the cosine of `to`; without what a mirror reflects. Both are unit vectors
+  /// away from the surface.
   Spectrum passedOn(const Vector3& from, const Vector3& to) const;
   /// The density per steradian with which a subpath that came from `from` continues to `to`, unless
   /// it is mirrored.

@@ -8,10 +8,10 @@ namespace
 {
 
 /**
- * The densities of the strategies in which `part` is shorter, relative to the path's own density. Each
- * vertex that goes over to the other subpath changes one factor: the density with which the one
- * chooses it becomes the density with which the other does. `samples(i)` is for a part of i vertices. Beside a
- * mirror nothing can be joined.
+ * The densities of the strategies in which `part` is shorter, relative to the path's own density.
+ * Each vertex that goes over to the other subpath changes one factor: the density with which the
+ * one chooses it becomes the density with which the other does. `samples(i)` is for a part of i
+ * vertices. Beside a mirror nothing can be joined.
  */
 template <class Samples>
 double sumOfShorter(const PathPart& part, const Samples& samples)

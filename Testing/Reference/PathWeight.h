@@ -10,12 +10,13 @@ namespace pathtracedroom
 {
 
 /**
- * A path of n vertices can come about in up to n + 1 ways: s vertices from a light subpath, joined to
- * t = n - s from an eye subpath. These are the strategies (s, t).
+ * A path of n vertices can come about in up to n + 1 ways: s vertices from a light subpath, joined
+ * to t = n - s from an eye subpath. These are the strategies (s, t).
  */
 struct Strategies
 {
-  /// Which (s, t) are used; empty: all. What is left out is missing, unless others find those paths.
+  /// Which (s, t) are used; empty: all. What is left out is missing, unless others find those
+  /// paths.
   std::function<bool(int, int)> isUsed;
   /// Those with this many eye vertices use the light subpaths of all bins, see Sensor.
   int sharedEyeVertices = 1;
@@ -44,8 +45,8 @@ struct PathPart
 
 /**
  * Multiple importance sampling by the balance heuristic (Veach 1997, section 9.2): the weight of a
- * path is the density of its own strategy over the sum of the densities of all. So the weights of all
- * strategies that find the same path sum to 1, and none is drowned in the noise of another.
+ * path is the density of its own strategy over the sum of the densities of all. So the weights of
+ * all strategies that find the same path sum to 1, and none is drowned in the noise of another.
  */
 double balanceWeight(const Strategies& strategies, const PathPart& light, const PathPart& eye);
 

@@ -10,8 +10,8 @@ namespace pathtracedroom
 
 /**
  * A stream of independent numbers, uniform in (0, 1). Number i is a pure function of seed, pass,
- * stream and i, so that paths draw the same numbers in whichever order and thread they are traced. It mixes as
- * SplitMix64 does (Steele, Lea and Flood 2014).
+ * stream and i, so that paths draw the same numbers in whichever order and thread they are traced.
+ * It mixes as SplitMix64 does (Steele, Lea and Flood 2014).
  */
 class Random
 {

@@ -23,9 +23,9 @@ public:
   /// Where an eye subpath for this bin starts, and its first direction.
   virtual Departure start(std::size_t bin, Random& random) const = 0;
 
-  /// Light that arrives at a vertex of a light subpath may count for any bin: for the pixel that sees
-  /// the vertex (the eye subpath is then the pinhole alone, 1 vertex), or for the cell in which it
-  /// lies (0 vertices). So this strategy uses the light subpaths of all bins.
+  /// Light that arrives at a vertex of a light subpath may count for any bin: for the pixel that
+  /// sees the vertex (the eye subpath is then the pinhole alone, 1 vertex), or for the cell in
+  /// which it lies (0 vertices). So this strategy uses the light subpaths of all bins.
   virtual int sharedEyeVertices() const = 0;
   struct Place
   {

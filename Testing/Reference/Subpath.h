@@ -10,8 +10,8 @@
 namespace pathtracedroom
 {
 
-/// A random walk from a lamp or from the sensor. Roulette ends it with the probability that a surface
-/// absorbs, so there is no longest one.
+/// A random walk from a lamp or from the sensor. Roulette ends it with the probability that a
+/// surface absorbs, so there is no longest one.
 class Subpath
 {
 public:

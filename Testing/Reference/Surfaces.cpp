@@ -30,9 +30,10 @@ namespace
 {
 
 /**
- * A subpath continues with the largest reflectance of all bands as its probability, so that it carries
- * no more than what arrived, in any band. But where one band is reflected diffusely, another one
- * specularly, the two may make up more than 1; and between white walls it would never end.
+ * A subpath continues with the largest reflectance of all bands as its probability, so that it
+ * carries no more than what arrived, in any band. But where one band is reflected diffusely,
+ * another one specularly, the two may make up more than 1; and between white walls it would never
+ * end.
  */
 void limitChances(PathVertex& vertex)
 {

@@ -2,8 +2,8 @@
 // The tracer against closed forms and against itself.
 //
 // An estimate is the mean of 32 independent passes. That it is off by more than 5 of its standard
-// errors happens by chance once in 47,000 times (Student's t, 31 degrees of freedom); each test states
-// how many values it compares. Seeds are fixed.
+// errors happens by chance once in 47,000 times (Student's t, 31 degrees of freedom); each test
+// states how many values it compares. Seeds are fixed.
 #include "../PhotonWalks/LambertContour.h"
 #include "../PhotonWalks/TestScenes.h"
 #include "../PhotonWalks/ThreadExecution.h"
@@ -58,7 +58,8 @@ void expectNear(const Estimates& estimates, std::size_t bin, int band, double tr
     << "bin " << bin << ", band " << band << ": " << mean << " +- " << error;
 }
 
-/// All bins have this value in these bands. Their mean has to be known with this relative precision.
+/// All bins have this value in these bands. Their mean has to be known with this relative
+/// precision.
 void expectAll(const Estimates& estimates, double truth, double precision, int bands)
 {
   const std::size_t last = estimates.numberOfBins() - 1;
@@ -297,8 +298,8 @@ TEST(Cie171, InternalReflectedComponent58)
 namespace
 {
 
-/// Plates that do not touch, so that each strategy has a finite variance: a lamp over a floor with a
-/// tilted sheet between, which is seen from both sides.
+/// Plates that do not touch, so that each strategy has a finite variance: a lamp over a floor with
+/// a tilted sheet between, which is seen from both sides.
 SceneObjects plates(const Look& floor, const Look& sheet)
 {
   ObjectBuilder builder, moving;
@@ -323,7 +324,8 @@ BidirectionalTracer::Config ofLength(int vertices)
   return config;
 }
 
-/// Each way to find the paths of 2 to 4 vertices, alone and so without weights, against all together.
+/// Each way to find the paths of 2 to 4 vertices, alone and so without weights, against all
+/// together.
 void expectStrategiesAgree(const SceneObjects& objects, const Sensor& sensor, std::uint32_t samples)
 {
   for (int vertices = 2; vertices <= 4; ++vertices)
@@ -428,8 +430,8 @@ TEST(Mirror, DoublesTheLightOfTheRoom)
     estimate(whole, CellIrradiance(whole, walls), 256, only({})), "walls");
 }
 
-// Without the point light: of what it sends by way of the mirror to a wall, and from there by way of the
-// mirror into the pinhole, no strategy finds anything.
+// Without the point light: of what it sends by way of the mirror to a wall, and from there by way
+// of the mirror into the pinhole, no strategy finds anything.
 TEST(Mirror, ShowsTheRoomTwice)
 {
   const auto [half, whole] = mirrored(false);

@@ -58,8 +58,8 @@ std::vector<double> AreasOf(const SceneObjects& objects, const std::vector<CellI
   return areas;
 }
 
-/// A cell array of all cells as the engine numbers them: one after the other in the static block, and by
-/// object in the dynamic one.
+/// A cell array of all cells as the engine numbers them: one after the other in the static block,
+/// and by object in the dynamic one.
 std::vector<std::vector<Spectrum>> ValuesOf(vtkMultiBlockDataSet* output, const char* name)
 {
   std::vector<std::vector<Spectrum>> values(1);
@@ -119,9 +119,10 @@ double PowerOfOneWalk(vtkIrradianceFilter* filter)
 }
 
 /**
- * Cells agree. |t| > 6 of 31 to 62 degrees of freedom happens by chance once in 800,000 cells; a cell
- * of which both say that it is darker than its `least` is not compared alone, as it has few photons.
- * The sums over all cells, weighted by area, agree within 1 %, so that no error hides in the noise.
+ * Cells agree. |t| > 6 of 31 to 62 degrees of freedom happens by chance once in 800,000 cells; a
+ * cell of which both say that it is darker than its `least` is not compared alone, as it has few
+ * photons. The sums over all cells, weighted by area, agree within 1 %, so that no error hides in
+ * the noise.
  */
 void ExpectAgreement(const Estimates& traced, const Estimates& filtered, int bands,
   const std::vector<double>& areas, const std::vector<double>& least)
@@ -185,7 +186,8 @@ const std::vector<Way>& UnbiasedWays()
   return ways;
 }
 
-/// All that the final gather finds on all cells is what the tracer finds and the bias that it states, within 1.5 %.
+/// All that the final gather finds on all cells is what the tracer finds and the bias that it
+/// states, within 1.5 %.
 void ExpectStatedBias(vtkIrradianceFilter* filter, const Estimates& traced,
   const std::vector<CellId>& cells, const std::vector<double>& areas)
 {
@@ -297,8 +299,8 @@ TEST(LightOnCells, OfTheGlossyRoomIsTheFilters)
   ExpectSameIrradiance(scene.Light, 2);
 }
 
-// The room of the picture without its lamp and its mirror, in which vtkOutgoingRadianceFilter shows whole
-// cells.
+// The room of the picture without its lamp and its mirror, in which vtkOutgoingRadianceFilter shows
+// whole cells.
 TEST(Radiance, OfTheGlossyRoomIsTheFilters)
 {
   RoomScene scene;
@@ -346,7 +348,8 @@ TEST(CellPoints, RefusesACellWithoutArea)
 namespace
 {
 
-/// A lamp of exitance pi, that is of radiance 1, which fills the upper right quarter of the picture.
+/// A lamp of exitance pi, that is of radiance 1, which fills the upper right quarter of the
+/// picture.
 Estimates PictureOfALamp(int width, int height)
 {
   vtkNew<vtkIrradianceFilter> filter;

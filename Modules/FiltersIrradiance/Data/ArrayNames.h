@@ -33,15 +33,16 @@ inline std::string standardErrorName(const std::string& name)
   return name + "StandardError";
 }
 
-/// What each replicate alone says of the irradiance: one component for each replicate and band, the bands
-/// of the first replicate first, W/m2. It is there with ComputeStandardError, if a filter requests it.
+/// What each replicate alone says of the irradiance: one component for each replicate and band, the
+/// bands of the first replicate first, W/m2. It is there with ComputeStandardError, if a filter
+/// requests it.
 inline std::string replicatesName(const std::string& suffix)
 {
   return irradianceName(suffix) + "Replicates";
 }
 
-/// The irradiance that one photon of full power is, in each band, W/m2. It is there if a filter requests it,
-/// with or without standard errors.
+/// The irradiance that one photon of full power is, in each band, W/m2. It is there if a filter
+/// requests it, with or without standard errors.
 inline std::string photonName(const std::string& suffix)
 {
   return irradianceName(suffix) + "OfPhoton";

@@ -32,8 +32,8 @@ double stripArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
   return area;
 }
 
-/// vtkPolyData cannot give its cells one by one, and crashes in vtkCellSizeFilter, if one of them has
-/// fewer points than its type needs.
+/// vtkPolyData cannot give its cells one by one, and crashes in vtkCellSizeFilter, if one of them
+/// has fewer points than its type needs.
 std::vector<double> polyDataAreas(vtkPolyData* data)
 {
   std::vector<double> areas(

@@ -33,8 +33,8 @@ void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit);
 /// All leaves of data, in order, with the empty ones. Throws InputError if one is no vtkDataSet.
 std::vector<LeafData> leavesOf(vtkDataObject* data);
 
-/// A copy that shares the arrays, but neither leaves nor structure: it stays as it is when the pipeline
-/// fills the original again.
+/// A copy that shares the arrays, but neither leaves nor structure: it stays as it is when the
+/// pipeline fills the original again.
 vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data);
 
 /// Replaces the leaves of a tree by copies that share their cells and arrays.

@@ -20,8 +20,8 @@ void findArrays(vtkAlgorithm* filter, InputPart& part);
 void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
   const std::vector<InputConnection>& dynamics);
 
-/// What to say of a scene without light: which arrays it could come from, and which ones are there but
-/// not read.
+/// What to say of a scene without light: which arrays it could come from, and which ones are there
+/// but not read.
 std::string noLightWarning(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
   const std::vector<InputConnection>& dynamics);
 

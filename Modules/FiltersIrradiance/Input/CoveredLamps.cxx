@@ -80,7 +80,8 @@ struct Targets
   double patch = 0; ///< m2, for which each stands
 };
 
-/// The power that a light of 1 W brings from a point to a patch around another, up to a factor; 0 if none can come.
+/// The power that a light of 1 W brings from a point to a patch around another, up to a factor; 0
+/// if none can come.
 double broughtBy(const Light& light, const SurfacePoint& from, const Ray& ray,
   const SurfacePoint& target, double patch)
 {

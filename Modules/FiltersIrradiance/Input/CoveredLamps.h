@@ -19,10 +19,11 @@ struct CoveredLamps
 };
 
 /**
- * The parts with lamps of which lamps cover more than kMuchCovered, roughly. Of the light that is bound for surfaces
- * that are no lamps counts what lamps stop with their backs: rays go from points of the lamps to points of these
- * surfaces, each with the power that it would bring to a patch there. So a sun counts whose light hardly meets the
- * scene. What falls on the front of a lamp does not: lamps may face each other.
+ * The parts with lamps of which lamps cover more than kMuchCovered, roughly. Of the light that is
+ * bound for surfaces that are no lamps counts what lamps stop with their backs: rays go from points
+ * of the lamps to points of these surfaces, each with the power that it would bring to a patch
+ * there. So a sun counts whose light hardly meets the scene. What falls on the front of a lamp does
+ * not: lamps may face each other.
  */
 std::vector<CoveredLamps> findCoveredLamps(
   const IrradianceEngine& engine, const CancelPoint& cancelPoint);

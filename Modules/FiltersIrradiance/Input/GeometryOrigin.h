@@ -7,8 +7,9 @@ class vtkPolyData;
 namespace irradiance
 {
 
-/// Notes in `output` that it shares the points, cells and arrays of `input`, so that a reader who knows
-/// `input` need not read `output`, which is newer in each time step. Copies do not have the note.
+/// Notes in `output` that it shares the points, cells and arrays of `input`, so that a reader who
+/// knows `input` need not read `output`, which is newer in each time step. Copies do not have the
+/// note.
 void notePassedGeometry(vtkPolyData* output, vtkPolyData* input);
 
 /// The polydata from which the geometry was passed on, through several filters perhaps; `polyData`

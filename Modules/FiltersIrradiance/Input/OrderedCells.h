@@ -16,9 +16,10 @@ namespace irradiance
 vtkSmartPointer<vtkPolyData> markedPiece(vtkPolyData* piece, std::uint32_t rank);
 
 /**
- * Orders cells of marked pieces: vertices, lines, polygons and strips, as polydata do; each of these by global id,
- * if there are such ids, by the coordinates of the points, and by process. So cells of one place with one id
- * alone depend on who held them. `cells`: where each cell of this rank's piece has gone.
+ * Orders cells of marked pieces: vertices, lines, polygons and strips, as polydata do; each of
+ * these by global id, if there are such ids, by the coordinates of the points, and by process. So
+ * cells of one place with one id alone depend on who held them. `cells`: where each cell of this
+ * rank's piece has gone.
  */
 vtkSmartPointer<vtkPolyData> orderedByPlace(
   vtkPolyData* marked, std::uint32_t rank, std::vector<std::size_t>& cells);

@@ -25,8 +25,8 @@ struct Corners
 {
   vtkIdType point;
   Vector3 normal; ///< times the angle
-  /// From one edge of the facet to the other, as unit vectors from the point: a quarter turn about the normal makes it
-  /// point inwards. It is zero where cells surround the point.
+  /// From one edge of the facet to the other, as unit vectors from the point: a quarter turn about
+  /// the normal makes it point inwards. It is zero where cells surround the point.
   Vector3 along;
   double angle;
   double width; ///< of the narrowest cell
@@ -40,7 +40,8 @@ vtkDataArray* normalsOf(vtkPolyData* surface)
   return normals && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
 }
 
-/// Calls visit(cell, number of points, their ids) for all polygons, and for the triangles of strips.
+/// Calls visit(cell, number of points, their ids) for all polygons, and for the triangles of
+/// strips.
 template <class Visit>
 void forEachPolygon(vtkPolyData* surface, const Visit& visit)
 {

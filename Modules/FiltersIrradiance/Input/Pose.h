@@ -22,11 +22,12 @@ AffineMap poseOf(const std::string& where, vtkLinearTransform* transform);
 /// The pose of 16 values, row by row. Throws InputError likewise.
 AffineMap poseOf(const std::string& where, const double* rowByRow);
 
-/// The matrix of a vtkProp3D at this place, turned by these degrees: about z first, then x, then y. Row by row.
+/// The matrix of a vtkProp3D at this place, turned by these degrees: about z first, then x, then y.
+/// Row by row.
 std::array<double, 16> propMatrix(const double position[3], const double orientation[3]);
 
-/// The pose in an array of the field data; the identity if there is none. Also throws InputError for
-/// an array that does not hold 16 numbers.
+/// The pose in an array of the field data; the identity if there is none. Also throws InputError
+/// for an array that does not hold 16 numbers.
 AffineMap poseOf(
   const std::string& where, vtkFieldData* fields, const char* arrayName = kFieldPoseName);
 

@@ -296,8 +296,8 @@ std::string SceneAdvice::partLengthWarning() const
   return {};
 }
 
-/// Point lights, or lamps in metres, spread thinly over walls in millimetres. If all is in millimetres
-/// and lamps have an exitance, the irradiance is right.
+/// Point lights, or lamps in metres, spread thinly over walls in millimetres. If all is in
+/// millimetres and lamps have an exitance, the irradiance is right.
 std::string SceneAdvice::sceneLengthWarning() const
 {
   Box scene;

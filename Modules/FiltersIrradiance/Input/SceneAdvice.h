@@ -13,19 +13,21 @@
 namespace irradiance
 {
 
-/// Says where more light arrived than there is; empty if that may be noise. W in a band; `error`: the standard error
-/// of what escaped.
+/// Says where more light arrived than there is; empty if that may be noise. W in a band; `error`:
+/// the standard error of what escaped.
 std::string excessWarning(double emitted, double escaped, double error);
 
 /**
- * Finds scenes that can be computed but are hardly meant, and says what was probably meant: lamps that
- * shine away from everything or on the backs of others, millimetres where metres are read, and so few walks that rays
- * find nothing to read. Documentation/Extremes.md has the limits and says what is legitimate beyond them.
+ * Finds scenes that can be computed but are hardly meant, and says what was probably meant: lamps
+ * that shine away from everything or on the backs of others, millimetres where metres are read, and
+ * so few walks that rays find nothing to read. Documentation/Extremes.md has the limits and says
+ * what is legitimate beyond them.
  */
 class SceneAdvice
 {
 public:
-  /// After an update of `engine` with `scene`, which has read these inputs. All of them must outlive it.
+  /// After an update of `engine` with `scene`, which has read these inputs. All of them must
+  /// outlive it.
   SceneAdvice(const std::vector<InputConnection>& statics,
     const std::vector<InputConnection>& dynamics, const SceneReader& scene,
     const IrradianceEngine& engine, const CancelPoint& cancelPoint);

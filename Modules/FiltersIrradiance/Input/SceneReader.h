@@ -20,8 +20,8 @@ namespace irradiance
  * address, by which the engine recognizes it. An input is read when VTK says that it was modified,
  * and replaced only if its values differ. The triangles of a dynamic input whose pose mirrors are
  * turned over, so that the front of each is the mirror image of its front: elsewhere a triangle's
- * corners tell its front in the world, whatever the pose. A dynamic input without cells is an object that is not
- * there; it keeps its body, which may come back.
+ * corners tell its front in the world, whatever the pose. A dynamic input without cells is an
+ * object that is not there; it keeps its body, which may come back.
  */
 class SceneReader
 {
@@ -40,12 +40,14 @@ public:
     const std::vector<InputConnection>& dynamicConnections);
   /// Number of the first cell of a static part among the cells of object 0.
   std::size_t firstCellOfStatic(std::size_t part) const { return firstCell_[part]; }
-  /// What messages call a cell, as in "input port 0, connection 1, cell 3". The connections are those that were read.
+  /// What messages call a cell, as in "input port 0, connection 1, cell 3". The connections are
+  /// those that were read.
   std::string nameOf(const SceneCell& cell, const std::vector<InputConnection>& staticConnections,
     const std::vector<InputConnection>& dynamicConnections) const;
   /// New warnings since the last call, about inputs that can be computed all the same.
   std::vector<std::string> takeWarnings() { return warnings_.take(); }
-  /// Whether anything but poses has changed since forgetNews(): cells, materials, parts that are there.
+  /// Whether anything but poses has changed since forgetNews(): cells, materials, parts that are
+  /// there.
   bool hasNews() const { return hasNews_; }
   void forgetNews() { hasNews_ = false; }
 

@@ -12,15 +12,16 @@
 namespace irradiance
 {
 
-/// What sensors gather, see SensorGather: irradiance, or the fluence rate of sensors without normals.
+/// What sensors gather, see SensorGather: irradiance, or the fluence rate of sensors without
+/// normals.
 class GatheredSensors
 {
 public:
   /// Adds arrays to an output; with `haveErrors` one of standard errors.
   GatheredSensors(vtkDataSet* output, int bands, bool haveNormals, bool haveErrors);
 
-  /// By rays as the settings say; what is `stored` is used again, and updated. Returns a warning, or nothing. Throws
-  /// Interrupted, and what SensorGather throws.
+  /// By rays as the settings say; what is `stored` is used again, and updated. Returns a warning,
+  /// or nothing. Throws Interrupted, and what SensorGather throws.
   struct Settings
   {
     std::uint32_t rays; ///< for each sensor

@@ -21,9 +21,8 @@ namespace irradiance
 class OutputWriter
 {
 public:
-  /// The arguments must outlive the writer.
-  /// `withErrors`: also writes standard errors. `withReplicates`: also writes replicatesName() and
-  /// photonName().
+  /// The arguments must outlive the writer. `withErrors`: also writes standard errors.
+  /// `withReplicates`: also writes replicatesName() and photonName().
   OutputWriter(const IrradianceEngine& engine, const SceneReader& scene,
     const EngineSettings& settings, bool withErrors, bool withReplicates,
     const CancelPoint& cancelPoint)

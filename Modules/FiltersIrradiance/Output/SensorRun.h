@@ -27,7 +27,8 @@ struct SensorRun
   vtkDataSet* output; ///< with a point for each sensor
 
   int bands() const { return engine->objects().staticObject.material->bands; }
-  /// Calls measure(first, end) for so many sensors, some at a time, on all threads. Throws Interrupted.
+  /// Calls measure(first, end) for so many sensors, some at a time, on all threads. Throws
+  /// Interrupted.
   template <class Measure>
   void forEachUnit(std::size_t count, Execution& part, const Measure& measure) const
   {
@@ -39,7 +40,8 @@ struct SensorRun
     };
     pass.run(part);
   }
-  /// "2 of 5 sensors lie farther than `where`: the first is point 1 at (...). Their `what`"; empty if none is lost.
+  /// "2 of 5 sensors lie farther than `where`: the first is point 1 at (...). Their `what`"; empty
+  /// if none is lost.
   std::string textOfLost(
     const std::vector<char>& areLost, const std::string& where, const std::string& what) const;
 };

@@ -32,7 +32,8 @@ struct Carried
 constexpr std::array<Carried, 2> kCarried{ { { vtkDataObject::POINT, "irradiance:point:" },
   { vtkDataObject::CELL, "irradiance:cell:" } } };
 
-/// So do coordinates, where there are points, but none: VTK's reader may leave them away or make some up.
+/// So do coordinates, where there are points, but none: VTK's reader may leave them away or make
+/// some up.
 constexpr const char* kNoPoints = "irradiance:points";
 
 void add(vtkAbstractArray* like, const std::string& name, vtkIdType tuples, vtkFieldData* fields)

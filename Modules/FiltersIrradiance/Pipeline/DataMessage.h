@@ -10,8 +10,9 @@ class vtkDataObject;
 namespace irradiance
 {
 
-/// A data set, or a tree of them, as bytes for another process: structure, names, geometry and arrays, bit for
-/// bit, but no information keys. In VTK's own format. Throws InputError if VTK cannot write it.
+/// A data set, or a tree of them, as bytes for another process: structure, names, geometry and
+/// arrays, bit for bit, but no information keys. In VTK's own format. Throws InputError if VTK
+/// cannot write it.
 vtkSmartPointer<vtkCharArray> messageOf(vtkDataObject* data);
 
 /// The data of a message. Throws InputError if VTK cannot read it.

@@ -102,7 +102,8 @@ bool haveSameCells(vtkPolyData* a, vtkPolyData* b)
   return isSame;
 }
 
-/// Whether each process has all of a part, such as a lamp that each has made, or a source that knows no pieces.
+/// Whether each process has all of a part, such as a lamp that each has made, or a source that
+/// knows no pieces.
 bool isWholeOnEach(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Ranks& ranks)
 {
   return pieces.size() == ranks.count() &&

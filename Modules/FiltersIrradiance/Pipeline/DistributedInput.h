@@ -16,16 +16,17 @@ namespace irradiance
 {
 
 /**
- * Puts the pieces that the processes hold of each part of the scene together, on each process. The cells of
- * the whole are ordered by their global ids, if they have some, and else by their places, so that the order does not
- * depend on who held what. What all processes have alike is whole already, and counts once. Only a part of which a piece has changed is put together again.
+ * Puts the pieces that the processes hold of each part of the scene together, on each process. The
+ * cells of the whole are ordered by their global ids, if they have some, and else by their places,
+ * so that the order does not depend on who held what. What all processes have alike is whole
+ * already, and counts once. Only a part of which a piece has changed is put together again.
  */
 class DistributedInput
 {
 public:
-  /// Replaces the pieces of all parts by wholes, and takes the pose of each part from the first process that has
-  /// cells of it. All processes call it together; null: this one is alone. Throws InputError if pieces do not
-  /// fit together, and RankFailed.
+  /// Replaces the pieces of all parts by wholes, and takes the pose of each part from the first
+  /// process that has cells of it. All processes call it together; null: this one is alone. Throws
+  /// InputError if pieces do not fit together, and RankFailed.
   void complete(vtkAlgorithm* filter, vtkMultiProcessController* controller, Ranks& ranks,
     std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics);
 

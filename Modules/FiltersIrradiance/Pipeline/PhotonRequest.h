@@ -18,8 +18,8 @@ void requestPhotons(vtkInformation* input);
 /// Whether somebody has asked an output for its photons.
 bool arePhotonsRequested(vtkInformation* output);
 
-/// Likewise for what each side of the cells received: a filter that does not tell sides apart keeps the photons, from
-/// which that is counted.
+/// Likewise for what each side of the cells received: a filter that does not tell sides apart keeps
+/// the photons, from which that is counted.
 void requestSides(vtkInformation* input);
 bool areSidesRequested(vtkInformation* output);
 

@@ -24,12 +24,13 @@ namespace irradiance
 class PhotonSource
 {
 public:
-  /// Lets an output refer to the present state of an engine. It needs field data to hold on to. `pieces`: of all
-  /// polydata, in order.
+  /// Lets an output refer to the present state of an engine. It needs field data to hold on to.
+  /// `pieces`: of all polydata, in order.
   static void attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine,
     std::vector<PieceCells> pieces);
-  /// Whether `output` is asked for a piece without cells, of data that refer to no engine as they are such a piece, too. What
-  /// could not be computed has no blocks: that is an error on all processes.
+  /// Whether `output` is asked for a piece without cells, of data that refer to no engine as they
+  /// are such a piece, too. What could not be computed has no blocks: that is an error on all
+  /// processes.
   static bool isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output);
 
   /// What the filter that reads it needs, see PhotonRequest.h.
@@ -38,14 +39,14 @@ public:
     Photons,
     Sides
   };
-  /// `what`: the input, as errors name it. Throws InputError if the data refers to no engine, if the
-  /// engine has gone on since, or if it did not keep what is needed.
+  /// `what`: the input, as errors name it. Throws InputError if the data refers to no engine, if
+  /// the engine has gone on since, or if it did not keep what is needed.
   PhotonSource(vtkDataObject* data, const char* what, Need need = Need::Photons);
 
   const std::shared_ptr<IrradianceEngine>& engine() const { return engine_; }
 
-  /// Calls visit(polydata, its cells) for all polydata of an output, in the order in which the engine
-  /// numbers them. Throws InputError if that is not what the engine has.
+  /// Calls visit(polydata, its cells) for all polydata of an output, in the order in which the
+  /// engine numbers them. Throws InputError if that is not what the engine has.
   using Visit = std::function<void(vtkPolyData*, const PartCells&)>;
   void forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const;
 

@@ -10,9 +10,9 @@ namespace irradiance
 {
 
 /**
- * When n processes share a pipeline, each asks for its piece of n. Light needs the whole scene, so the
- * filters give all of the result as piece 0. Other pieces have the same blocks and arrays without cells:
- * together the pieces have every cell once.
+ * When n processes share a pipeline, each asks for its piece of n. Light needs the whole scene, so
+ * the filters give all of the result as piece 0. Other pieces have the same blocks and arrays
+ * without cells: together the pieces have every cell once.
  */
 bool isEmptyPieceRequested(vtkInformation* output);
 

@@ -14,8 +14,9 @@ class vtkMultiProcessController;
 namespace irradiance
 {
 
-/// What each rank has, in the order of ranks, on all of them; ranks that have nothing (null) are left out.
-/// All ranks call it. `controller`: of these ranks. Alone: `own`. Throws RankFailed, and InputError of messageOf().
+/// What each rank has, in the order of ranks, on all of them; ranks that have nothing (null) are
+/// left out. All ranks call it. `controller`: of these ranks. Alone: `own`. Throws RankFailed, and
+/// InputError of messageOf().
 std::vector<vtkSmartPointer<vtkDataObject>> dataOfRanks(
   vtkDataObject* own, vtkMultiProcessController* controller, Ranks& ranks);
 

@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// The executive of a filter that works with other processes. If something upstream fails, VTK does not call
-/// the filter; then the others would wait for it.
+/// The executive of a filter that works with other processes. If something upstream fails, VTK does
+/// not call the filter; then the others would wait for it.
 class RanksPipeline : public vtkCompositeDataPipeline
 {
 public:

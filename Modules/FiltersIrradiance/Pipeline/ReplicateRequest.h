@@ -7,8 +7,8 @@ class vtkInformation;
 namespace irradiance
 {
 
-/// Travels up the pipeline to vtkIrradianceFilter: asks an input for the arrays replicatesName() and
-/// photonName(), or, with false, no longer.
+/// Travels up the pipeline to vtkIrradianceFilter: asks an input for the arrays replicatesName()
+/// and photonName(), or, with false, no longer.
 void requestReplicates(vtkInformation* input, bool areNeeded);
 
 /// Whether somebody has asked an output for them.

@@ -7,9 +7,9 @@
 namespace irradiance
 {
 
-/// Travels up the pipeline from a filter that needs more than usual to vtkIrradianceFilter. If that has
-/// not computed it, it executes again. VTK's key manager owns such keys: they live as long as the
-/// program.
+/// Travels up the pipeline from a filter that needs more than usual to vtkIrradianceFilter. If that
+/// has not computed it, it executes again. VTK's key manager owns such keys: they live as long as
+/// the program.
 class UpstreamRequest : public vtkInformationIntegerRequestKey
 {
 public:

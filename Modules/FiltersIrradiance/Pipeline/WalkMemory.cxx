@@ -53,7 +53,8 @@ std::string sentence(const EngineSettings& settings, const char* how, double byt
 
 void requireMemory(const SceneObjects& objects, const EngineSettings& settings, std::size_t ranks)
 {
-  // A walk from a light has at least one segment. Walks from cells are born only where light arrives.
+  // A walk from a light has at least one segment. Walks from cells are born only where light
+  // arrives.
   const double bytes = walksHere(settings, ranks) * segmentBytes();
   constexpr double kMuch = 256 * kMega; // less is not worth asking the system
   if (storesWalks(objects, settings) && !settings.gathersDirectLight && bytes > kMuch &&

@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// Throws InputError if the walks that this process is to store cannot fit into the memory that it may
-/// have, before one is shot. `ranks`: that share them.
+/// Throws InputError if the walks that this process is to store cannot fit into the memory that it
+/// may have, before one is shot. `ranks`: that share them.
 void requireMemory(const SceneObjects& objects, const EngineSettings& settings, std::size_t ranks);
 
 /// What to say when memory ran out all the same.

@@ -12,7 +12,8 @@
 namespace irradiance
 {
 
-/// The trapezoidal rule over intervals that are halved until their error, as estimated, is small enough.
+/// The trapezoidal rule over intervals that are halved until their error, as estimated, is small
+/// enough.
 class ErrorControlledIntegral : public ExposureIntegral
 {
 public:

@@ -14,7 +14,8 @@
 namespace irradiance
 {
 
-/// An integral over time in progress: it says which time it needs next, and takes the data of that time.
+/// An integral over time in progress: it says which time it needs next, and takes the data of that
+/// time.
 class ExposureIntegral
 {
 public:

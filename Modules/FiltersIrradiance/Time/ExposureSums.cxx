@@ -315,8 +315,8 @@ void ExposureSums::append(ExposureSums next)
   energies_.append(next.energies_);
 }
 
-/// Front and back are spread together, as surfaces that are turned over may go on as each other; one of them alone
-/// would lose energy to the other, and stays as it is.
+/// Front and back are spread together, as surfaces that are turned over may go on as each other;
+/// one of them alone would lose energy to the other, and stays as it is.
 void ExposureSums::spreadLeaf(Leaf& leaf, double photons, Execution& execution)
 {
   const ExposedSurface surface = surfaceOf(leaf.name, leaf.geometry, cancelPointOf(execution, 0));

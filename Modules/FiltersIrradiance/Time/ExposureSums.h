@@ -23,20 +23,22 @@ struct TimedData
   vtkSmartPointer<vtkDataObject> data;
 };
 
-/// The radiant exposure of all cells: a weighted sum of their irradiance at several times, added up in
-/// the order in which they come. Times come in order.
+/// The radiant exposure of all cells: a weighted sum of their irradiance at several times, added up
+/// in the order in which they come. Times come in order.
 class ExposureSums
 {
 public:
-  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to the irradiance of
-  /// other times; then the sums are of no use any more.
+  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to the
+  /// irradiance of other times; then the sums are of no use any more.
   void add(const TimedData& input, double weight);
   /// No more times are added; what only adding needs is released.
   void close();
-  /// Lets small cells draw on about `photons` photons, on the average of their leaf, as it was at its last time with
-  /// cells; see spreadExposure(). The last thing before write(). Leaves that are not spreadable stay as they are.
+  /// Lets small cells draw on about `photons` photons, on the average of their leaf, as it was at
+  /// its last time with cells; see spreadExposure(). The last thing before write(). Leaves that are
+  /// not spreadable stay as they are.
   void spread(double photons, Execution& execution);
-  /// Appends the sums over later times of the same input, whose first time is the last one of these.
+  /// Appends the sums over later times of the same input, whose first time is the last one of
+  /// these.
   void append(ExposureSums next);
   /// Whether there was a cell at any time.
   bool haveCells() const;

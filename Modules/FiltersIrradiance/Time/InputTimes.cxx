@@ -20,8 +20,8 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// The time that data say to be of. Files have some times alone, and take the nearest. Data that do not
-/// change over time (no TIME_RANGE) are of any time.
+/// The time that data say to be of. Files have some times alone, and take the nearest. Data that do
+/// not change over time (no TIME_RANGE) are of any time.
 double givenTime(vtkInformation* input, double time)
 {
   vtkDataObject* data = vtkDataObject::GetData(input);

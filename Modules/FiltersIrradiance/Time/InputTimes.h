@@ -14,12 +14,12 @@ namespace irradiance
 /// Throws InputError if the data of an input are not of the time that was asked for.
 void checkTime(vtkInformation* input, double time, const TimeSpan& span);
 
-/// Whether anything upstream of an output came with another time than asked for, as files do between
-/// their steps.
+/// Whether anything upstream of an output came with another time than asked for, as files do
+/// between their steps.
 bool comesAtStepsOnly(vtkExecutive* executive, int port, const TimeSpan& span);
 
-/// Whether a filter upstream was aborted. Its output, and what came of it, is empty but counts as up to
-/// date; then it counts as data of no time, so that the next update computes it.
+/// Whether a filter upstream was aborted. Its output, and what came of it, is empty but counts as
+/// up to date; then it counts as data of no time, so that the next update computes it.
 bool forgetAborted(vtkExecutive* executive);
 
 }

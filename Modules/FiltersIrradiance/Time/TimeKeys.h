@@ -13,9 +13,9 @@ namespace irradiance
 /// The TIME_STEPS of an input, in order, each once.
 std::vector<double> stepsOf(vtkInformation* input);
 
-/// TIME_STEPS and TIME_RANGE of a filter with several inputs: the steps of all of them, and the range that
-/// holds all steps and ranges. VTK's executive passes on the times of the first input alone, and a filter
-/// without TIME_RANGE does not execute when the time changes.
+/// TIME_STEPS and TIME_RANGE of a filter with several inputs: the steps of all of them, and the
+/// range that holds all steps and ranges. VTK's executive passes on the times of the first input
+/// alone, and a filter without TIME_RANGE does not execute when the time changes.
 class TimeKeys
 {
 public:

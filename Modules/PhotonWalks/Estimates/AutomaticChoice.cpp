@@ -54,8 +54,9 @@ std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t a
   return 0;
 }
 
-/// Squared noise of small cells, beside the light that they have from other surfaces, if each draws on so many photons that walks
-/// bring to its object, or on all of these: the mean over the small cells.
+/// Squared noise of small cells, beside the light that they have from other surfaces, if each draws
+/// on so many photons that walks bring to its object, or on all of these: the mean over the small
+/// cells.
 double noiseOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays, double photons)
 {
   const CellRoles roles(cells, walks, rays, GatherOn::Small);
@@ -78,15 +79,16 @@ double noiseOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays,
   return number > 0 ? noise / number : kInfinity;
 }
 
-/// Of the light that small cells gather from lights of this variance, see GatherPilot. That is of static cells; few of these are so near to
-/// lamps that they have most of it.
+/// Of the light that small cells gather from lights of this variance, see GatherPilot. That is of
+/// static cells; few of these are so near to lamps that they have most of it.
 double noiseOfSamples(double variance)
 {
   constexpr double kOfVariance = 0.2, kMost = 0.015;
   return std::min(kOfVariance * variance, kMost);
 }
 
-/// Whether rays are less noise for their time than photons. What is here is measured in rooms: Documentation/Theory.md, 1.3.
+/// Whether rays are less noise for their time than photons. What is here is measured in rooms:
+/// Documentation/Theory.md, 1.3.
 bool doRaysPay(const LightSurvey& survey, std::uint32_t rays, double noiseOfPhotons)
 {
   // Sobol' points in even light have less noise than so many others.
@@ -130,7 +132,8 @@ void chooseByScene(const LeftToScene& left, const SceneObjects& objects, const S
   if (left.directLight)
   {
     const bool mayGather = isFine || numberOf(cells) <= walks.numberOfWalks;
-    // What moves gathers anew at each step. Where small cells draw on photons that has to pay as well.
+    // What moves gathers anew at each step. Where small cells draw on photons that has to pay as
+    // well.
     constexpr double kMostCost = 0.4;
     walks.gathersDirectLight = mayGather &&
       (estimate.cellEstimate != CellEstimate::Spread || survey().gatheringCost() < kMostCost);

@@ -18,8 +18,8 @@ namespace
 {
 
 /// How long power diffuses so that a cell draws on `width`; in the unit of areas. A point becomes a
-/// Gaussian of the effective area 8 pi t in the time t. The rest comes from squares in a grid, where
-/// the area is a square's / (exp(-x) I0(x))^2, x = 4 t / square, to within a tenth.
+/// Gaussian of the effective area 8 pi t in the time t. The rest comes from squares in a grid,
+/// where the area is a square's / (exp(-x) I0(x))^2, x = 4 t / square, to within a tenth.
 double diffusionTime(double area, double width)
 {
   return std::max(0.0, std::min(2.2 * (width - area), width + kPi / 2 * area)) / (8 * kPi);

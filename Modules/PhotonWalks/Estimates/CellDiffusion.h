@@ -11,8 +11,8 @@ namespace irradiance
 {
 
 /**
- * Lets power diffuse between the cells of an object, step by step, in whole quanta. Across an edge of
- * cells i and j flow
+ * Lets power diffuse between the cells of an object, step by step, in whole quanta. Across an edge
+ * of cells i and j flow
  *
  *   w (S_i / A_i - S_j / A_j) quanta, rounded towards 0,
  *
@@ -21,8 +21,8 @@ namespace irradiance
  * are nodes of their own if sides are kept apart: node = cell * sides + side.
  *
  * The estimate of a cell of an area below `width` then draws on the photons of about an area of
- * `width`; larger cells exchange power with smaller ones alone. An edge that needs few steps takes part
- * in every second, fourth, ... one, with a w as many times as large.
+ * `width`; larger cells exchange power with smaller ones alone. An edge that needs few steps takes
+ * part in every second, fourth, ... one, with a w as many times as large.
  *
  * Fields are independent sums at the same nodes. Several go side by side, as SIMD.
  */
@@ -48,8 +48,8 @@ public:
   /// Where the quanta of a node stand. Nodes that take part in all steps come first.
   std::size_t placeOf(std::size_t node) const { return places_.empty() ? node : places_[node]; }
   /// Takes step `number`, from 0 on, of `fields` fields, 1 or kFields. `quanta`: whole numbers, of
-  /// field k at place * fields + k; in a field, they sum up to less than 2^53, so that all are exact.
-  /// `before`: room for the same.
+  /// field k at place * fields + k; in a field, they sum up to less than 2^53, so that all are
+  /// exact. `before`: room for the same.
   void step(
     int number, unsigned fields, std::vector<double>& quanta, std::vector<double>& before) const;
 
@@ -66,8 +66,8 @@ private:
   std::vector<std::size_t> linkEnds_, placeEnds_;
 };
 
-/// Lets quanta flow across links, see CellDiffusion::step; with the best instructions of the machine. All
-/// give the same bits.
+/// Lets quanta flow across links, see CellDiffusion::step; with the best instructions of the
+/// machine. All give the same bits.
 void flow(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
   const double* before, double* quanta);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: each kernel of the diffusion includes this once, between the marks of its target.
+// No include guard: each kernel of the diffusion includes this once, between the marks of its
+// target.
 
 namespace irradiance
 {

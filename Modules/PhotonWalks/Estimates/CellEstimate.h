@@ -30,7 +30,8 @@ struct EstimateSettings
   CellEstimate cellEstimate = CellEstimate::Sums;
   /// On how many photons a small cell draws if not on its sum alone, on average; > 0.
   double spreadPhotons = 250;
-  /// With Gathered, of each side of a cell that gathers; a small one expects fewer than two photons for each; >= 1.
+  /// With Gathered, of each side of a cell that gathers; a small one expects fewer than two photons
+  /// for each; >= 1.
   std::uint32_t gatherRays = 32;
   std::uint32_t maximumGatherRays = 1024; ///< >= gatherRays; with a target, see RayRounds
   GatherOn gatherOn = GatherOn::Small;
@@ -55,8 +56,8 @@ bool needsPhotons(CellEstimate estimate);
 /// Whether it needs the sums of both sides of cells, even if these are not told apart.
 bool needsSides(CellEstimate estimate);
 
-/// With how many samples cells gather direct light at least, if `asked` for so many: where they gather indirect light
-/// as well, the one is not to be noisier than the other.
+/// With how many samples cells gather direct light at least, if `asked` for so many: where they
+/// gather indirect light as well, the one is not to be noisier than the other.
 FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamples& asked);
 
 /// What excludes each other, in the words of the filter's properties; empty if nothing does.

@@ -21,14 +21,15 @@ struct EstimateSource
   const Surfaces& surfaces;    ///< likewise
 };
 
-/// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see RayRounds.
+/// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see
+/// RayRounds.
 struct EstimateRounds
 {
   std::size_t walks = 1, rays = 1;
 };
 
-/// Estimates the irradiance of cells from what walks brought. What follows from an estimate is valid until
-/// the next update of it.
+/// Estimates the irradiance of cells from what walks brought. What follows from an estimate is
+/// valid until the next update of it.
 class CellEstimator
 {
 public:
@@ -41,8 +42,8 @@ public:
   CellEstimator(const CellEstimator&) = delete;
   CellEstimator& operator=(const CellEstimator&) = delete;
 
-  /// To a frame, and the first rounds of its walks and rays. Throws Interrupted; after that all walks have to
-  /// be shot again.
+  /// To a frame, and the first rounds of its walks and rays. Throws Interrupted; after that all
+  /// walks have to be shot again.
   virtual void update(const EstimateRounds& rounds, Execution& execution) = 0;
   /// Before an update: these photons, and no others, have left and come since the last one.
   virtual void note(const PhotonChanges& /*changes*/) {}
@@ -53,8 +54,8 @@ public:
   virtual double irradiance(const CellSide& cell, int band) const = 0;
   /// The part of irradiance() that rests on stale walks.
   virtual double staleIrradiance(const CellSide& cell, int band) const = 0;
-  /// The errors of irradiance(), from the variance between replicates; what the estimate blurs is not in
-  /// them.
+  /// The errors of irradiance(), from the variance between replicates; what the estimate blurs is
+  /// not in them.
   virtual ErrorEstimate errorEstimate() const = 0;
 
   /// Of cells that gather by reading others; unknown if none does, or there are no replicates.

@@ -17,8 +17,8 @@ namespace irradiance
 namespace
 {
 
-/// A map that stretches as `linear` does. Poses that differ by a rigid motion, and by rounding, have
-/// the same one, so that areas and edges need not be measured again.
+/// A map that stretches as `linear` does. Poses that differ by a rigid motion, and by rounding,
+/// have the same one, so that areas and edges need not be measured again.
 Matrix3 shapeOf(const Matrix3& linear)
 {
   constexpr int kBits = 40;
@@ -152,7 +152,8 @@ void CellSpread::forEachSum(
   }
 }
 
-/// What cells gathered stays where it is. Where more than 2^53 quanta arrived, the lowest bits of each sum stay where they are.
+/// What cells gathered stays where it is. Where more than 2^53 quanta arrived, the lowest bits of
+/// each sum stay where they are.
 CellSums CellSpread::spread(
   const SceneObjects& objects, const CellSums& sums, std::size_t rounds, Execution& execution) const
 {

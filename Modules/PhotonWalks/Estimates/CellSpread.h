@@ -36,8 +36,8 @@ public:
   CellSums spread(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
     Execution& execution) const;
 
-  /// If the cells around expect equally many photons for their area. Known to within a third or so, and only if
-  /// the sums of the update had replicates.
+  /// If the cells around expect equally many photons for their area. Known to within a third or so,
+  /// and only if the sums of the update had replicates.
   double photonShare(const CellSide& cell) const override;
 
 private:
@@ -63,8 +63,8 @@ private:
     const CancelPoint& cancelPoint) const;
   static void connect(ObjectCells& cells, double width, int sides, const CancelPoint& cancelPoint);
   void findPhotonShares(Execution& execution);
-  /// Calls visit(cell side, band, replicate, index into the quanta) for all sums in the fields. Each replicate of an
-  /// object has a field for each band.
+  /// Calls visit(cell side, band, replicate, index into the quanta) for all sums in the fields.
+  /// Each replicate of an object has a field for each band.
   template <class Visit>
   void forEachSum(
     const DiffusingFields& fields, std::uint32_t bands, int sides, const Visit& visit) const;

@@ -32,8 +32,8 @@ inline void addFields(std::size_t object, std::uint32_t count, std::vector<Diffu
   }
 }
 
-/// Takes fields through all steps. `diffusionOf`: an object's diffusion. `begin` fills some that are empty, `end`
-/// reads them; many threads call these.
+/// Takes fields through all steps. `diffusionOf`: an object's diffusion. `begin` fills some that
+/// are empty, `end` reads them; many threads call these.
 template <class DiffusionOf, class Begin, class End>
 void diffuse(std::vector<DiffusingFields>& all, const DiffusionOf& diffusionOf, const Begin& begin,
   const End& end, Execution& execution)

@@ -8,9 +8,10 @@ namespace irradiance
 {
 
 /**
- * Measures the effective part of a photon in what a cell holds after a diffusion. Of independent sums S_k with the
- * variances A_k, cell i receives the sum of W_ik S_k. The variance of that, in units of A_i, is the photon's
- * share. It is measured with some fields of random signs, which are the same each time.
+ * Measures the effective part of a photon in what a cell holds after a diffusion. Of independent
+ * sums S_k with the variances A_k, cell i receives the sum of W_ik S_k. The variance of that, in
+ * units of A_i, is the photon's share. It is measured with some fields of random signs, which are
+ * the same each time.
  */
 class DiffusionShares
 {

@@ -128,8 +128,8 @@ std::vector<ErrorEstimate::Part> ErrorEstimate::partsOf(
   return parts;
 }
 
-/// What the replicates scatter more than rays do comes of walks. All else, also steps of photons and what is not known yet, is
-/// better known from more rays.
+/// What the replicates scatter more than rays do comes of walks. All else, also steps of photons
+/// and what is not known yet, is better known from more rays.
 double ErrorEstimate::partOfRays(const Received& received, double rayVariance) const
 {
   const bool isKnown = received.quanta != 0 && !std::isnan(received.error);

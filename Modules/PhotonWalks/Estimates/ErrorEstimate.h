@@ -12,14 +12,14 @@
 namespace irradiance
 {
 
-/// How far the area is from a target. Promises are parts of the variance, times the area, summed up over what lies
-/// between the target and `reached`: what is worse is not needed.
+/// How far the area is from a target. Promises are parts of the variance, times the area, summed up
+/// over what lies between the target and `reached`: what is worse is not needed.
 struct TargetMiss
 {
-  /// The least e for which kConfidence of the area is known to within e times its own irradiance, with probability
-  /// kConfidence; infinite if there is none. A cell that received nothing is known to within 3 photons; its e is 3
-  /// photons over what its area receives on average. The worst band of a cell counts, and each side alone if they are
-  /// kept apart.
+  /// The least e for which kConfidence of the area is known to within e times its own irradiance,
+  /// with probability kConfidence; infinite if there is none. A cell that received nothing is known
+  /// to within 3 photons; its e is 3 photons over what its area receives on average. The worst band
+  /// of a cell counts, and each side alone if they are kept apart.
   double reached = 0;
   double byWalks = 0;    ///< what twice the walks take away
   double byRays = 0;     ///< what twice the rays of cells that gather take away
@@ -42,16 +42,16 @@ public:
   /// reach a target.
   static constexpr double kConfidence = 0.95;
 
-  /// `quantaPerWalk`: of the most powerful walk at its start, in each band. `shares`: what made the sums, if
-  /// they are not what arrived; the errors are of the sums as they are, which are not the truth where these
-  /// are biased. `sums` and `shares` must outlive the estimate.
+  /// `quantaPerWalk`: of the most powerful walk at its start, in each band. `shares`: what made the
+  /// sums, if they are not what arrived; the errors are of the sums as they are, which are not the
+  /// truth where these are biased. `sums` and `shares` must outlive the estimate.
   ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
     const std::array<double, Power::kMaxBands>& quantaPerWalk,
     const PhotonShares* shares = nullptr);
 
-  /// The variance of what n replicates tell, from their spread. What they tell comes in steps, as photons do,
-  /// so replicates may agree by chance: the variance within a step is the least that can be claimed.
-  /// `squaredSteps`: n * a squared step, or the sum of several.
+  /// The variance of what n replicates tell, from their spread. What they tell comes in steps, as
+  /// photons do, so replicates may agree by chance: the variance within a step is the least that
+  /// can be claimed. `squaredSteps`: n * a squared step, or the sum of several.
   static double variance(double spread, double squaredSteps)
   {
     return std::max(spread, squaredSteps / 12);
@@ -64,7 +64,8 @@ public:
   double standardError(const CellSide& cell, int band) const { return received(cell, band).error; }
 
   std::uint32_t replicates() const { return static_cast<std::uint32_t>(share_.size()); }
-  /// What one replicate alone says of a cell's sum, in quanta: its own, over its share of the walks.
+  /// What one replicate alone says of a cell's sum, in quanta: its own, over its share of the
+  /// walks.
   double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
   {
     return sums_.sum(cell, band, replicate, rounds_) / share_[replicate];
@@ -80,7 +81,8 @@ public:
 
 private:
   /// What a cell, or one of its sides, has received in a band, its standard error, and what one
-  /// photon of full power effectively brings to it; quanta. `spread`: the variance that the replicates show.
+  /// photon of full power effectively brings to it; quanta. `spread`: the variance that the
+  /// replicates show.
   struct Received
   {
     double quanta, error, quantaPerPhoton, spread;

@@ -20,7 +20,8 @@ void GatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
   const CellSums& all = from.walks.sums();
   CellSums direct = CellSums::ofGathered(objects, all.sides(), all.plan(), all.rounds());
   direct.addGathered(all, cancelPoint);
-  // Those of the first round: so all rounds have the same paths, and no cell is left to its own few photons for more walks.
+  // Those of the first round: so all rounds have the same paths, and no cell is left to its own few
+  // photons for more walks.
   roles_.emplace(from.cells, from.walks.plan().walksAfter(1),
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
   const CellShapes shapes = darkShapesOf(from.walks, from.space, cancelPoint);
@@ -127,7 +128,8 @@ GatheringBias GatherEstimator::gatheringBias() const
   return gatheringBiasOf({ excess.begin(), excess.end() }, received_);
 }
 
-/// Each ray reads a cell that expects fewestToRead() photons at least; one that reads none is worth one.
+/// Each ray reads a cell that expects fewestToRead() photons at least; one that reads none is worth
+/// one.
 double GatherEstimator::photonShare(const CellSide& cell) const
 {
   const double eachDraws = settings_.isUnbiased ? 1 : roles_->fewestToRead();

@@ -145,8 +145,8 @@ std::vector<NearestPhotonEstimator::Centroid> NearestPhotonEstimator::centroidsO
   return centroids;
 }
 
-/// Rounded up to one of four for each doubling, so that not each photon more or less changes what dark
-/// cells see. Scaling by a power of two scales it.
+/// Rounded up to one of four for each doubling, so that not each photon more or less changes what
+/// dark cells see. Scaling by a power of two scales it.
 double NearestPhotonEstimator::radiusFor(double squared)
 {
   int exponent;

@@ -13,13 +13,13 @@ namespace irradiance
 {
 
 /**
- * The irradiance of small cells from the photons nearest to their centroids (section 4.1 of the paper).
- * A cell that received as many photons keeps its sum. Photons come from at most some
- * twice as far as the scene has them on the average, so that dark places do not draw on light from
+ * The irradiance of small cells from the photons nearest to their centroids (section 4.1 of the
+ * paper). A cell that received as many photons keeps its sum. Photons come from at most some twice
+ * as far as the scene has them on the average, so that dark places do not draw on light from
  * elsewhere. Direct light that cells gathered is no photons: it is added to what the photons say.
  *
- * After a motion, cells are estimated again if photons came or went, or objects moved, within the sphere
- * that their photons are from. All others would get the same bits.
+ * After a motion, cells are estimated again if photons came or went, or objects moved, within the
+ * sphere that their photons are from. All others would get the same bits.
  */
 class NearestPhotonEstimator : public SumEstimator
 {
@@ -70,7 +70,8 @@ private:
 
   bool isUpToDate() const;
   void estimateSmallCells(const NearestPhotons& photons, Execution& execution);
-  /// Quanta per m2 that photons bring to a side of a cell, as in CellSums; NaN if that is to come from its sum.
+  /// Quanta per m2 that photons bring to a side of a cell, as in CellSums; NaN if that is to come
+  /// from its sum.
   double density(const CellSide& cell, int band) const;
   static std::vector<Centroid> centroidsOf(
     const NearestPhotons& photons, std::uint32_t object, const CancelPoint& cancelPoint);

@@ -14,10 +14,11 @@ class PhotonShares
 {
 public:
   virtual ~PhotonShares() = default;
-  /// A photon's effective part in the estimate of a cell, 0..1: the estimate draws on 1 / this for each photon
-  /// that the cell expects.
+  /// A photon's effective part in the estimate of a cell, 0..1: the estimate draws on 1 / this for
+  /// each photon that the cell expects.
   virtual double photonShare(const CellSide& cell) const = 0;
-  /// The variance of its estimate that comes of the rays of the cell, quanta^2; nothing if it casts none.
+  /// The variance of its estimate that comes of the rays of the cell, quanta^2; nothing if it casts
+  /// none.
   virtual std::optional<double> rayVariance(const CellSide& /*cell*/, int /*band*/) const
   {
     return {};

@@ -9,12 +9,13 @@
 namespace irradiance
 {
 
-/// What each side of the cells received, whether or not the sums of the walks tell sides apart: if not, what all walks
-/// brought is counted once more, from what is stored of them.
+/// What each side of the cells received, whether or not the sums of the walks tell sides apart: if
+/// not, what all walks brought is counted once more, from what is stored of them.
 class SideSums
 {
 public:
-  /// All must outlive it. Without sums by side this rank needs all walks, stored. Throws Interrupted.
+  /// All must outlive it. Without sums by side this rank needs all walks, stored. Throws
+  /// Interrupted.
   SideSums(const WalkSets& walks, const SceneObjects& objects, Execution& execution);
 
   /// Of two sides, with the rounds and replicates of the walks.

@@ -8,8 +8,8 @@
 namespace irradiance
 {
 
-/// From the sums of the cell and of the cells around it, see CellSpread. Direct light that cells gathered stays
-/// where it is: so the edges of shadows stay sharp.
+/// From the sums of the cell and of the cells around it, see CellSpread. Direct light that cells
+/// gathered stays where it is: so the edges of shadows stay sharp.
 class SpreadEstimator : public CellEstimator
 {
 public:

@@ -34,8 +34,8 @@ CellDiffusion surfaceDiffusion(const std::vector<double>& areas,
   {
     return {};
   }
-  // On a cylinder of radius r a photon fills a shape sqrt(1 + 30 width / r^2) times as long as wide.
-  // Of 10 to 100, no factor is better than the others by much.
+  // On a cylinder of radius r a photon fills a shape sqrt(1 + 30 width / r^2) times as long as
+  // wide. Of 10 to 100, no factor is better than the others by much.
   const double normalLength = std::sqrt(30 * width);
   return { areas,
     cellNeighbours(triangles, cellOfTriangle, areas.size(), normalLength, cancelPoint), sides,

@@ -17,8 +17,9 @@ enum class TargetLever
 };
 
 /**
- * The lever that promises more for its time, once the first `rounds` have missed a target; nothing if none is left that may
- * help. The time is counted, in segments that the lever would add. So the choice is a pure function of the scene and the settings.
+ * The lever that promises more for its time, once the first `rounds` have missed a target; nothing
+ * if none is left that may help. The time is counted, in segments that the lever would add. So the
+ * choice is a pure function of the scene and the settings.
  */
 std::optional<TargetLever> chooseLever(const TargetMiss& miss, const EstimateRounds& rounds,
   const WalkSets& walks, const CellEstimator& estimator);

@@ -13,8 +13,8 @@
 namespace irradiance
 {
 
-/// Gives the engine its threads and ranks, and takes its reports of progress. This one is serial, alone and
-/// silent.
+/// Gives the engine its threads and ranks, and takes its reports of progress. This one is serial,
+/// alone and silent.
 class Execution
 {
 public:

@@ -13,11 +13,11 @@ namespace irradiance
 {
 
 /**
- * The processes that compute a scene together. Each of them has the whole scene, and calls the engine with
- * the same as the others, in the same order. This one is alone.
+ * The processes that compute a scene together. Each of them has the whole scene, and calls the
+ * engine with the same as the others, in the same order. This one is alone.
  *
- * Before each sum over the ranks all of them agree that nobody has failed. So a rank that throws ends the
- * work of all, and none waits for it.
+ * Before each sum over the ranks all of them agree that nobody has failed. So a rank that throws
+ * ends the work of all, and none waits for it.
  */
 class Ranks
 {
@@ -32,7 +32,8 @@ public:
   void sum(std::int64_t* numbers, std::size_t size);
   /// The numbers of all ranks, one rank after the other. Throws RankFailed.
   std::vector<std::int64_t> concatenate(const std::vector<std::int64_t>& own);
-  /// Throws RankFailed if this number is another one on some rank. `what` are its words for the user.
+  /// Throws RankFailed if this number is another one on some rank. `what` are its words for the
+  /// user.
   void expectSame(std::uint64_t number, const std::string& what);
   /// Does work in which ranks sum up. If one of them throws, all others throw RankFailed.
   void together(const std::function<void()>& work);

@@ -18,19 +18,20 @@ namespace irradiance
 {
 
 /**
- * The trapezoidal rule over pairs of intervals that are halved, the worst pair first, until their error, as
- * estimated, is small enough. Documentation/Theory.md, 5.6.
+ * The trapezoidal rule over pairs of intervals that are halved, the worst pair first, until their
+ * error, as estimated, is small enough. Documentation/Theory.md, 5.6.
  *
- * The first times are visited in order. Then the two intervals of the worst pair are visited in their
- * middles, which makes a pair of each. All decisions follow from the samples, so the times do too.
+ * The first times are visited in order. Then the two intervals of the worst pair are visited in
+ * their middles, which makes a pair of each. All decisions follow from the samples, so the times do
+ * too.
  *
- * Only the samples of pairs that may yet be halved are held. A settled pair is added up, and its sums wait for
- * the sums of its neighbour: of the other half of what was halved, or, from a pair of the first times upwards,
- * of the other half of a range of such pairs. So the order of additions does not depend on what was settled
- * when.
+ * Only the samples of pairs that may yet be halved are held. A settled pair is added up, and its
+ * sums wait for the sums of its neighbour: of the other half of what was halved, or, from a pair of
+ * the first times upwards, of the other half of a range of such pairs. So the order of additions
+ * does not depend on what was settled when.
  *
- * Sample: what is known at one time, with a member `time`. Sums: of samples, in the order of time, with
- * `add(sample, weight)`, `close()` when all are added, and `append(sums over later times)`.
+ * Sample: what is known at one time, with a member `time`. Sums: of samples, in the order of time,
+ * with `add(sample, weight)`, `close()` when all are added, and `append(sums over later times)`.
  */
 template <class Sample, class Sums>
 class AdaptiveTrapezoids
@@ -67,7 +68,8 @@ private:
 
   using Node = std::shared_ptr<const Sample>;
   struct Merge;
-  /// Where the sums over a span of time go: the first or the second half of a longer span; null: it is all.
+  /// Where the sums over a span of time go: the first or the second half of a longer span; null: it
+  /// is all.
   struct Place
   {
     std::shared_ptr<Merge> whole;

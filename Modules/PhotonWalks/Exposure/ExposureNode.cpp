@@ -10,7 +10,8 @@ namespace irradiance
 namespace
 {
 
-/// How two trapezoids between three times differ from one: a weighted sum of the values at these times.
+/// How two trapezoids between three times differ from one: a weighted sum of the values at these
+/// times.
 std::array<double, 3> differenceWeights(double start, double middle, double end)
 {
   const double length = end - start, before = middle - start, after = end - middle;

@@ -35,9 +35,9 @@ public:
   ExposureNode(double time, const std::vector<std::vector<Side>>& sides,
     const std::vector<ExposureBlock>& blocks);
 
-  /// Of the trapezoids between three times, on each block. Its error: by how much it differs from one
-  /// trapezoid over both intervals, summed up over cells, sides and bands, in so far as photons that arrive
-  /// by chance do not explain it.
+  /// Of the trapezoids between three times, on each block. Its error: by how much it differs from
+  /// one trapezoid over both intervals, summed up over cells, sides and bands, in so far as photons
+  /// that arrive by chance do not explain it.
   using Three = std::array<const ExposureNode*, 3>;
   static std::vector<IntervalMeasure> measure(
     const Three& nodes, const std::vector<ExposureBlock>& blocks);

@@ -30,7 +30,8 @@ public:
     }
   }
 
-  /// In the dark, or if all replicates are the same, nothing is known of photons, and nothing flows.
+  /// In the dark, or if all replicates are the same, nothing is known of photons, and nothing
+  /// flows.
   void run(double photons, Execution& execution)
   {
     const CancelPoint cancelPoint = cancelPointOf(execution, 0);

@@ -28,13 +28,14 @@ struct ExposedSide
 };
 
 /**
- * Spreads exposure over neighbouring cells, see CellDiffusion, so that a small cell draws on about `photons`
- * photons, on the average of the body. `sides`: both together, or front and back. Energy is conserved, in
- * each band and side, to within rounding. The result is a function of the sums alone.
+ * Spreads exposure over neighbouring cells, see CellDiffusion, so that a small cell draws on about
+ * `photons` photons, on the average of the body. `sides`: both together, or front and back. Energy
+ * is conserved, in each band and side, to within rounding. The result is a function of the sums
+ * alone.
  *
- * A body received N = E^2 / V photons, for its energy E, J, and the sum V of its cells' variances: n
- * independent ones of equal energy give n, and what the same walk brings at several times counts once. See
- * Documentation/Theory.md, 5.5.
+ * A body received N = E^2 / V photons, for its energy E, J, and the sum V of its cells' variances:
+ * n independent ones of equal energy give n, and what the same walk brings at several times counts
+ * once. See Documentation/Theory.md, 5.5.
  */
 void spreadExposure(const ExposedSurface& surface, int bands, const std::vector<ExposedSide>& sides,
   double photons, Execution& execution);

@@ -18,9 +18,9 @@ struct NoisyDifference
  * `variances`: what the differences would have if all photons arrived independently; 0: there is
  * no noise. Neighbours in the vectors should be neighbours in space.
  *
- * A difference is signal as far as it exceeds some standard deviations. Much light that is off by little
- * hides in the noise of single values, but not in the noise of their sums. So values are also taken together, by
- * two, four, eight, up to all; the grouping with the most signal counts.
+ * A difference is signal as far as it exceeds some standard deviations. Much light that is off by
+ * little hides in the noise of single values, but not in the noise of their sums. So values are
+ * also taken together, by two, four, eight, up to all; the grouping with the most signal counts.
  */
 NoisyDifference splitDifference(std::vector<double> differences, std::vector<double> variances);
 

@@ -30,8 +30,9 @@ public:
 
   std::size_t count() const { return replicates_; }
 
-  /// Adds a time. `irradiance`: of all walks. `replicates`: what each replicate says of it; the replicates of
-  /// a cell come one after the other, each with all bands. `photons`: the irradiance that one photon is. W/m2.
+  /// Adds a time. `irradiance`: of all walks. `replicates`: what each replicate says of it; the
+  /// replicates of a cell come one after the other, each with all bands. `photons`: the irradiance
+  /// that one photon is. W/m2.
   void add(
     const double* irradiance, const SharedValues& replicates, const double* photons, double weight);
 
@@ -45,8 +46,8 @@ public:
   {
     return exposures_[firstOf(i) + replicate * bands_];
   }
-  /// From now on the i-th value draws on the photons of others, too, and one of them effectively brings `photon` to
-  /// it, J/m2.
+  /// From now on the i-th value draws on the photons of others, too, and one of them effectively
+  /// brings `photon` to it, J/m2.
   void drawOnPhotons(std::size_t i, double photon);
 
   /// The square of the standard error of a mean, from its terms.
@@ -72,7 +73,8 @@ private:
     void append(const Counts& next, bool isShared);
   };
 
-  /// Whether so many photons arrived that an error may be known, and none are needed beyond the scatter.
+  /// Whether so many photons arrived that an error may be known, and none are needed beyond the
+  /// scatter.
   struct Evidence
   {
     bool maySuffice, doesSuffice;

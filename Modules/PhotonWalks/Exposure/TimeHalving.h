@@ -26,12 +26,14 @@ struct HalvableInterval
 };
 
 /**
- * Decides which intervals of time are halved, the worst first, until the error of every block is small
- * enough, and which are good enough to be forgotten. It knows nothing of where the measures come from.
+ * Decides which intervals of time are halved, the worst first, until the error of every block is
+ * small enough, and which are good enough to be forgotten. It knows nothing of where the measures
+ * come from.
  *
- * An interval is settled for good if its error on each block is at most half of the tolerated error of the
- * block, shared out by length. So all of these take at most one half, and the other half is for
- * the rest: where irradiance jumps, the error of an interval falls with its length, but so does its share.
+ * An interval is settled for good if its error on each block is at most half of the tolerated error
+ * of the block, shared out by length. So all of these take at most one half, and the other half is
+ * for the rest: where irradiance jumps, the error of an interval falls with its length, but so does
+ * its share.
  */
 class TimeHalving
 {
@@ -52,8 +54,8 @@ public:
   void add(HalvableInterval interval);
   /// The ids of those that are settled now; they are forgotten, but for their sums.
   std::vector<std::size_t> takeSettled();
-  /// The id of the worst, which is to be replaced by its halves, so it is forgotten. Nothing if the tolerance
-  /// is reached or no more can be done.
+  /// The id of the worst, which is to be replaced by its halves, so it is forgotten. Nothing if the
+  /// tolerance is reached or no more can be done.
   std::optional<std::size_t> takeWorst();
 
   /// Of all intervals.

@@ -12,25 +12,27 @@ namespace irradiance
 {
 
 /**
- * Which cells of a frame gather their indirect light, and which ones the rays of others read. It follows from how
- * many photons a cell would receive if walks arrived evenly over all area: from areas and the number of walks
- * alone, never from what did arrive. So the choice is not biased by noise.
+ * Which cells of a frame gather their indirect light, and which ones the rays of others read. It
+ * follows from how many photons a cell would receive if walks arrived evenly over all area: from
+ * areas and the number of walks alone, never from what did arrive. So the choice is not biased by
+ * noise.
  */
 class CellRoles
 {
 public:
-  /// Photons from which on the sum of a cell is read. Fewer would do, as a ray of many reads it; but with several
-  /// replicates each reads its own part.
+  /// Photons from which on the sum of a cell is read. Fewer would do, as a ray of many reads it;
+  /// but with several replicates each reads its own part.
   static constexpr double kFewestToRead = 25;
 
-  /// Small cells expect fewer photons for each of their rays. The noise of n photons is about 1 / sqrt(n), that
-  /// of n rays less, as each brings a mean of many photons.
+  /// Small cells expect fewer photons for each of their rays. The noise of n photons is about 1 /
+  /// sqrt(n), that of n rays less, as each brings a mean of many photons.
   static constexpr double kPhotonsPerRay = 2;
 
   /// Large cells that gather take so many times as many rays: most of the area is theirs.
   static constexpr std::uint32_t kTimesOfLarge = 4;
 
-  /// `walks`: of all area. `rays`: of each side of a small cell; 0: none gathers. `readsCells`: else no cell is read.
+  /// `walks`: of all area. `rays`: of each side of a small cell; 0: none gathers. `readsCells`:
+  /// else no cell is read.
   CellRoles(
     const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on, bool readsCells = true);
 

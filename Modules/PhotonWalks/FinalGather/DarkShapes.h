@@ -8,8 +8,9 @@
 namespace irradiance
 {
 
-/// The shapes of all cells of a frame. Marked are sides to which no light can come at all, neither straight from the lights nor
-/// from elsewhere: the outer sides of a room; and where direct light is gathered the inner ones of closed dynamic objects.
+/// The shapes of all cells of a frame. Marked are sides to which no light can come at all, neither
+/// straight from the lights nor from elsewhere: the outer sides of a room; and where direct light
+/// is gathered the inner ones of closed dynamic objects.
 CellShapes darkShapesOf(
   const WalkSets& walks, const WalkSpace& space, const CancelPoint& cancelPoint);
 

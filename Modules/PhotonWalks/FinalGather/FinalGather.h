@@ -19,18 +19,19 @@ namespace irradiance
 {
 
 /**
- * The indirect light of all cells that gather, by side, in quanta. It is a pure function of the scene, the
- * seed and what is known: each replicate's rays read that replicate's own sums. All threads and ranks share the
- * work.
+ * The indirect light of all cells that gather, by side, in quanta. It is a pure function of the
+ * scene, the seed and what is known: each replicate's rays read that replicate's own sums. All
+ * threads and ranks share the work.
  *
- * Paths are kept: in a frame in which things have moved those are followed anew that start on what moved, hit it, or
- * that it may hide; and the light of all others is read again.
+ * Paths are kept: in a frame in which things have moved those are followed anew that start on what
+ * moved, hit it, or that it may hide; and the light of all others is read again.
  */
 class FinalGather
 {
 public:
-  /// To a frame, by the first `rounds` rounds of rays, see RayRounds; paths of further ones are kept. `scene`: with the rays of
-  /// the first. Throws Interrupted, and what GatherPaths::run() throws; after that nothing is kept.
+  /// To a frame, by the first `rounds` rounds of rays, see RayRounds; paths of further ones are
+  /// kept. `scene`: with the rays of the first. Throws Interrupted, and what GatherPaths::run()
+  /// throws; after that nothing is kept.
   void update(const GatherScene& scene, std::size_t rounds, Execution& execution);
   /// Forgets the paths of all but the first rounds.
   void dropRounds(std::size_t kept);
@@ -39,11 +40,11 @@ public:
   const CellSums& indirect() const { return indirect_; }
   /// The part that rests on stale walks, in one replicate; nothing if none are known.
   const CellSums& stale() const { return stale_; }
-  /// The standard deviation of what a side receives, in all replicates together, which comes of the rays alone; by side,
-  /// quanta. Nothing if the scene tells no noise.
+  /// The standard deviation of what a side receives, in all replicates together, which comes of the
+  /// rays alone; by side, quanta. Nothing if the scene tells no noise.
   const CellSums& noise() const { return noise_; }
-  /// What all cells receive too much in each replicate, see ReadingChecks; quanta of all bands together. Nothing if
-  /// nothing is checked.
+  /// What all cells receive too much in each replicate, see ReadingChecks; quanta of all bands
+  /// together. Nothing if nothing is checked.
   const std::vector<std::int64_t>& excess() const { return excess_; }
   /// Of what is kept.
   std::size_t bytes() const;
@@ -78,7 +79,8 @@ private:
     ReadingChecks checks; ///< if readings are checked
   };
 
-  /// Sides of gatherers that follow each other, whose rays are cast together, and their paths, by round.
+  /// Sides of gatherers that follow each other, whose rays are cast together, and their paths, by
+  /// round.
   struct Unit
   {
     std::vector<Side> sides;
@@ -101,10 +103,12 @@ private:
   std::vector<Side> sidesOf(const GatherScene& scene, std::size_t unit) const;
   /// Of a unit: follows all `rounds`, and reads the first so many.
   void gather(const Rounds& rounds, std::size_t read, const GatherMotion* motion, std::size_t unit);
-  /// Follows anew the paths of a round that may have changed, all if nothing is kept, and checks what they read.
+  /// Follows anew the paths of a round that may have changed, all if nothing is kept, and checks
+  /// what they read.
   void follow(const GatherScene& scene, const GatherMotion* motion, const std::vector<Side>& sides,
     Round& round);
-  /// Numbered among those that gather: cells that are away have numbers of their own in a frame that follows others.
+  /// Numbered among those that gather: cells that are away have numbers of their own in a frame
+  /// that follows others.
   static std::uint64_t numberOf(const Side& side)
   {
     return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);

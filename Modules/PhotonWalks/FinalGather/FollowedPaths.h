@@ -30,8 +30,9 @@ struct GatherSegment
 };
 
 /**
- * Paths of a final gather as they were followed, one behind the other: segments, the numbers that belong to these, and the
- * rays of lights that were asked where they end. What they bring is no part of it: PathSums reads that from the sums of a frame.
+ * Paths of a final gather as they were followed, one behind the other: segments, the numbers that
+ * belong to these, and the rays of lights that were asked where they end. What they bring is no
+ * part of it: PathSums reads that from the sums of a frame.
  */
 class FollowedPaths
 {
@@ -59,15 +60,16 @@ public:
   void reserve(std::size_t paths, std::size_t segments, std::size_t values);
   /// To the path that endPath() ends.
   void addSegment(const GatherSegment& segment) { segments_.push_back(segment); }
-  /// With several bands the weights of each segment; what the lights brought where they were asked; the weight of a
-  /// lamp.
+  /// With several bands the weights of each segment; what the lights brought where they were asked;
+  /// the weight of a lamp.
   void addValue(double value) { values_.push_back(value); }
   void addShadow(const ShadowRay& ray) { shadows_.push_back(ray); }
   void endPath() { ends_.push_back({ segments_.size(), values_.size(), shadows_.size() }); }
   /// Adds paths [first, end) of others.
   void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
   void addPath(const FollowedPaths& from, std::size_t path) { addPaths(from, path, path + 1); }
-  /// These, in order, and among them some that were followed before: for each of all, its place there, or kAnew.
+  /// These, in order, and among them some that were followed before: for each of all, its place
+  /// there, or kAnew.
   static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
   FollowedPaths mergedWith(
     const FollowedPaths& before, const std::vector<std::size_t>& places) const;

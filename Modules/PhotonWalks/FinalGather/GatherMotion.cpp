@@ -37,7 +37,8 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
   firstDynamic_ = numbers.first(1);
   const Scene& space = scene.space.scene;
   reach_ = space.bounds().extent().norm();
-  // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below all floats is lost.
+  // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below
+  // all floats is lost.
   const double blur = (space.bounds().magnitude() + reach_) * 0x1p-23 +
     double{ std::numeric_limits<float>::denorm_min() };
   for (std::uint32_t i = 0; i < moved.size(); ++i)
@@ -45,7 +46,8 @@ GatherMotion::GatherMotion(const GatherScene& scene, const std::vector<bool>& mo
     hasMoved_.resize(numbers.first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);
     if (moved[i] && !scene.objects.dynamicObjects[i].isEmpty())
     {
-      // What touches a segment's start may lie behind it, by less than 2^-31 of the coordinates (Contacts).
+      // What touches a segment's start may lie behind it, by less than 2^-31 of the coordinates
+      // (Contacts).
       const EllipsoidBound bound = space.shadowBound(i, blur);
       bodies_.push_back({ bound, floatBoxAround(bound.worldBox()) });
     }

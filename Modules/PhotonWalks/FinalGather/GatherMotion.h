@@ -16,8 +16,8 @@ namespace irradiance
 class GatherMotion
 {
 public:
-  /// `moved`: of the dynamic objects of the frame, those with another pose, or other points, than when the paths
-  /// were followed.
+  /// `moved`: of the dynamic objects of the frame, those with another pose, or other points, than
+  /// when the paths were followed.
   GatherMotion(const GatherScene& scene, const std::vector<bool>& moved);
 
   bool isNone() const { return !isAny_; }
@@ -34,8 +34,9 @@ public:
   bool mayChange(const ShadowRay& ray) const;
 
 private:
-  /// Whether another hit may be found. Conservative: what moved is widened by all rounding, also of the segment
-  /// to floats. `segment`: starts on what did not move, or is behind one that may change.
+  /// Whether another hit may be found. Conservative: what moved is widened by all rounding, also of
+  /// the segment to floats. `segment`: starts on what did not move, or is behind one that may
+  /// change.
   bool mayChange(const GatherSegment& segment) const;
 
   /// Of its number; no triangle has not moved.

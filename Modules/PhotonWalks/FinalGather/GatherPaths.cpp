@@ -19,7 +19,8 @@ namespace irradiance
 namespace
 {
 
-/// A path that needs more is in a closed part of the scene that absorbs nothing: it would never end.
+/// A path that needs more is in a closed part of the scene that absorbs nothing: it would never
+/// end.
 constexpr std::uint32_t kMostBounces = 1u << 20;
 
 enum class Use : std::uint64_t
@@ -37,8 +38,8 @@ SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
     splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
 }
 
-/// What rounding does to rays is bounded for those that start near the scene: one that comes from afar starts again
-/// where it is as near as the scene is wide.
+/// What rounding does to rays is bounded for those that start near the scene: one that comes from
+/// afar starts again where it is as near as the scene is wide.
 Vector3 nearestOrigin(const Box& bounds, const Vector3& origin, const Vector3& direction)
 {
   double along = 0;

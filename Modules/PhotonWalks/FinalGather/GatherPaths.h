@@ -17,10 +17,11 @@ namespace irradiance
 {
 
 /**
- * Follows paths that look for the indirect light of some sides of cells, or of single points: backwards along the ways
- * of light. Each begins as a ray from a point of its side, in a direction with the density cos(theta) / pi, and ends where
- * it hits a cell that is read. On any other cell it goes on as a walk does: it survives with probability = reflectance.
- * So it does on a cell of which nothing is known, or that is nearer than wide, whose mean says little of the point that is
+ * Follows paths that look for the indirect light of some sides of cells, or of single points:
+ * backwards along the ways of light. Each begins as a ray from a point of its side, in a direction
+ * with the density cos(theta) / pi, and ends where it hits a cell that is read. On any other cell
+ * it goes on as a walk does: it survives with probability = reflectance. So it does on a cell of
+ * which nothing is known, or that is nearer than wide, whose mean says little of the point that is
  * hit: there the lights are asked. What they bring, see PathSums.
  *
  * Owns the memory that this takes: keep one for each thread.
@@ -32,18 +33,19 @@ public:
 
   /// Forgets all sides and points.
   void begin(const GatherScene& scene);
-  /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples. `rays`: by
-  /// number; each scene.rays of them are a start.
+  /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples.
+  /// `rays`: by number; each scene.rays of them are a start.
   void addSide(const GatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
     const std::vector<std::uint32_t>& rays);
-  /// Adds all paths of a point. From one that receives from all directions, rays have the density 1 / (4 pi): four times
-  /// what they bring is the fluence rate.
+  /// Adds all paths of a point. From one that receives from all directions, rays have the density 1
+  /// / (4 pi): four times what they bring is the fluence rate.
   void addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number);
   /// Of some rays alone.
   void addPoint(const GatherScene& scene, const LitPoint& point, std::uint64_t number,
     const std::vector<std::uint32_t>& rays);
-  /// Adds the paths of what a specular cell reflects to an eye: pi times its radiance for a specular reflectance of 1 is
-  /// what they bring, the mean over the area. `toEye`: the unit vector from a point; 0: nothing is seen of it.
+  /// Adds the paths of what a specular cell reflects to an eye: pi times its radiance for a
+  /// specular reflectance of 1 is what they bring, the mean over the area. `toEye`: the unit vector
+  /// from a point; 0: nothing is seen of it.
   using ToEye = std::function<Vector3(const Vector3& point)>;
   void addSpecular(
     const GatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye);

@@ -39,7 +39,8 @@ struct GatherScene
   std::uint64_t seed;
   bool keepsPaths;             ///< for frames to come
   bool checksReadings = false; ///< see ReadingChecks
-  /// Where light is reflected along a lobe the lights are asked, points too; else a lamp counts where a path meets it.
+  /// Where light is reflected along a lobe the lights are asked, points too; else a lamp counts
+  /// where a path meets it.
   bool asksOnLobes = false;
   /// Whether the noise of rays is told from that of what they read.
   bool tellsNoise = false;
@@ -52,7 +53,8 @@ struct GatherScene
   }
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }
-  /// The number of the first ray of a side with so many starts: all rounds before have as many rays as this one.
+  /// The number of the first ray of a side with so many starts: all rounds before have as many rays
+  /// as this one.
   std::uint32_t firstRay(std::uint32_t starts) const { return round == 0 ? 0 : starts * rays; }
 };
 

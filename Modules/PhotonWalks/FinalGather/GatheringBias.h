@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// By which part the mean irradiance of the cells that gather is expected to be too large, as their rays read means of
-/// cells; an estimate from checks.
+/// By which part the mean irradiance of the cells that gather is expected to be too large, as their
+/// rays read means of cells; an estimate from checks.
 struct GatheringBias
 {
   double mean = std::numeric_limits<double>::quiet_NaN();
@@ -18,8 +18,8 @@ struct GatheringBias
   double standardError = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// `excess`: what all cells receive too much, by replicate. `received`: what they do receive, in all replicates. Not known
-/// without replicates, or where nothing is received.
+/// `excess`: what all cells receive too much, by replicate. `received`: what they do receive, in
+/// all replicates. Not known without replicates, or where nothing is received.
 inline GatheringBias gatheringBiasOf(const std::vector<double>& excess, double received)
 {
   const auto count = static_cast<double>(excess.size());

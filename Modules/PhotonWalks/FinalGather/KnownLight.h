@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// What cells are known to receive before a final gather, by side: one light would leak to the other where bodies
-/// stick into each other.
+/// What cells are known to receive before a final gather, by side: one light would leak to the
+/// other where bodies stick into each other.
 struct KnownLight
 {
   const CellSums& all; ///< of cells that are read

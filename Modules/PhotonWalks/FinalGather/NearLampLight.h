@@ -10,12 +10,12 @@ namespace irradiance
 {
 
 /**
- * Adds the direct light of lights from which walks start, near lamps see FirstHits, to the cells that gather: their
- * walks bring it together with the indirect light, which these cells do not take from walks. They gather it as
- * they do that of all other lights.
+ * Adds the direct light of lights from which walks start, near lamps see FirstHits, to the cells
+ * that gather: their walks bring it together with the indirect light, which these cells do not take
+ * from walks. They gather it as they do that of all other lights.
  *
- * `rounds`: of the walks that divide the flux of the lights. `sums`: adds to their first round, by side; all
- * ranks add the same.
+ * `rounds`: of the walks that divide the flux of the lights. `sums`: adds to their first round, by
+ * side; all ranks add the same.
  */
 void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t rounds,
   CellSums& sums, Execution& execution);

@@ -29,20 +29,22 @@ void forEachLight(const WalkSets& walks, const Visit& visit)
   }
 }
 
-/// All lights but FoundLamps, whether walks start there or cells gather what they send, for points that ask them by themselves.
-/// The arguments must outlive what is returned. `samples`: of each point, for each group of lights.
+/// All lights but FoundLamps, whether walks start there or cells gather what they send, for points
+/// that ask them by themselves. The arguments must outlive what is returned. `samples`: of each
+/// point, for each group of lights.
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& space,
   std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost);
 
-/// A point light that specular cells reflect. A path meets no point, and the sums of walks do not tell what came by way
-/// of which reflection: so no final gather knows that light.
+/// A point light that specular cells reflect. A path meets no point, and the sums of walks do not
+/// tell what came by way of which reflection: so no final gather knows that light.
 struct UnseenLight
 {
   SceneCell light, specular;
   double flux;        ///< of the light, W, all bands together
   double reflectance; ///< specular, of the most reflecting band
 
-  /// What is wrong, and what may be done. `gather`: what does not know the light. The cells are named as they are here.
+  /// What is wrong, and what may be done. `gather`: what does not know the light. The cells are
+  /// named as they are here.
   std::string message(
     const std::string& gather, const std::string& lightName, const std::string& specularName) const;
 };

@@ -15,9 +15,10 @@ namespace irradiance
 /**
  * The light that paths bring to their starts, from what is known of the cells that they hit.
  *
- * From a cell that is read: what its side received, times its reflectance. From any other cell: what came to it straight
- * from the lights that cells look for. A lamp that is met brings nothing, as that light is direct; but FoundLamps count, and
- * behind a specular reflection all do, as no sum knows of it; with a weight if it was asked there as well.
+ * From a cell that is read: what its side received, times its reflectance. From any other cell:
+ * what came to it straight from the lights that cells look for. A lamp that is met brings nothing,
+ * as that light is direct; but FoundLamps count, and behind a specular reflection all do, as no sum
+ * knows of it; with a weight if it was asked there as well.
  */
 class PathSums
 {
@@ -52,8 +53,8 @@ public:
   {
     return sums_[start * replicates_ + replicate];
   }
-  /// By how much more the first half of its rays found than the second, if the scene tells noise: noise of the rays alone,
-  /// as both read the same sums. Nothing of a single ray.
+  /// By how much more the first half of its rays found than the second, if the scene tells noise:
+  /// noise of the rays alone, as both read the same sums. Nothing of a single ray.
   const Bands& difference(std::size_t start, std::uint32_t replicate) const
   {
     return differences_[start * replicates_ + replicate];

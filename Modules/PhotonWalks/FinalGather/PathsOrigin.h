@@ -23,8 +23,8 @@ struct PathsOrigin
 
 PathsOrigin pathsOriginOf(const GatherScene& scene);
 
-/// What moved since paths were followed; nothing if another thing changed, so that none of them can be kept. `now`: of
-/// the scene.
+/// What moved since paths were followed; nothing if another thing changed, so that none of them can
+/// be kept. `now`: of the scene.
 std::optional<GatherMotion> motionSince(
   const GatherScene& scene, const PathsOrigin& now, const PathsOrigin& before);
 

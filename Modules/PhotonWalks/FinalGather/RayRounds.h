@@ -13,8 +13,9 @@ namespace irradiance
 {
 
 /**
- * The rays of a start, in rounds, of which each doubles their number. A round goes on with the samples of its start, and is
- * dealt to the replicates in blocks of its own. So what the first rounds say does not depend on how many follow.
+ * The rays of a start, in rounds, of which each doubles their number. A round goes on with the
+ * samples of its start, and is dealt to the replicates in blocks of its own. So what the first
+ * rounds say does not depend on how many follow.
  */
 class RayRounds
 {

@@ -13,14 +13,16 @@ namespace irradiance
 {
 
 /**
- * How much too much light paths bring because they read the means of cells. Some readings are checked: the light at the
- * point that the path hit is compared with that at a point anywhere on the same side of the cell, which is the mean in
- * expectation. Both are gathered with the same samples, so most noise is the same, and the difference is nearly that of the
- * places alone. The light of both comes by paths that read cells again; the little that differs in the biases of these
- * is left out.
+ * How much too much light paths bring because they read the means of cells. Some readings are
+ * checked: the light at the point that the path hit is compared with that at a point anywhere on
+ * the same side of the cell, which is the mean in expectation. Both are gathered with the same
+ * samples, so most noise is the same, and the difference is nearly that of the places alone. The
+ * light of both comes by paths that read cells again; the little that differs in the biases of
+ * these is left out.
  *
- * All is a pure function of the scene, the seed, the sums, and the paths and numbers of the starts. Checks are kept as paths
- * are: those of a path that was followed anew are made anew, and those that a motion may change.
+ * All is a pure function of the scene, the seed, the sums, and the paths and numbers of the starts.
+ * Checks are kept as paths are: those of a path that was followed anew are made anew, and those
+ * that a motion may change.
  */
 class ReadingChecks
 {
@@ -41,8 +43,8 @@ public:
     const std::vector<std::size_t>& places;
   };
 
-  /// To the readings of all starts, each with scene.rays of the paths, in order. `following`: what it works with.
-  /// Returns how many paths were followed for them.
+  /// To the readings of all starts, each with scene.rays of the paths, in order. `following`: what
+  /// it works with. Returns how many paths were followed for them.
   std::int64_t update(const GatherScene& scene, const FollowedPaths& paths,
     const std::vector<Start>& starts, const Kept& kept, GatherPaths& following);
   /// What all starts receive too much in each replicate, in quanta of all bands together; unbiased.
@@ -68,7 +70,8 @@ private:
     std::uint64_t number; ///< of both: chooses the samples
     LitPoint anywhere, hit;
   };
-  /// Of each check: one without segments, which has the rays of lights to both points; from anywhere; and from the hit.
+  /// Of each check: one without segments, which has the rays of lights to both points; from
+  /// anywhere; and from the hit.
   static constexpr std::size_t kPathsOfCheck = 3;
 
   /// Takes over the checks of a path, if there is nothing that may have changed them.

@@ -11,10 +11,11 @@
 namespace irradiance
 {
 
-/// Large static cells that lamps light from nearer than the cell is wide, as those of a cove do with the ceiling: the bright spot is
-/// smaller than the cell, and what it receives on average says little of the point that a ray hits. Such cells are not read.
-/// Lamps that are hard to find make none: to ask them adds more noise than there is bias. Nor do dynamic cells count: with
-/// each that came near a lamp, or left it, all paths would be others.
+/// Large static cells that lamps light from nearer than the cell is wide, as those of a cove do
+/// with the ceiling: the bright spot is smaller than the cell, and what it receives on average says
+/// little of the point that a ray hits. Such cells are not read. Lamps that are hard to find make
+/// none: to ask them adds more noise than there is bias. Nor do dynamic cells count: with each that
+/// came near a lamp, or left it, all paths would be others.
 class UnevenCells
 {
 public:

@@ -10,8 +10,8 @@
 namespace irradiance
 {
 
-/// Objects [first, end) whose cells gather together: the static one alone, or some of the dynamic ones. When one of them
-/// moves, all of them gather anew.
+/// Objects [first, end) whose cells gather together: the static one alone, or some of the dynamic
+/// ones. When one of them moves, all of them gather anew.
 struct CellPart
 {
   std::uint32_t first = 0, end = 1;
@@ -23,8 +23,8 @@ struct CellPart
   }
 };
 
-/// The static part, and those that have all dynamic objects. There are more of these the fewer cells there are, as
-/// each has sums for all cells.
+/// The static part, and those that have all dynamic objects. There are more of these the fewer
+/// cells there are, as each has sums for all cells.
 std::vector<CellPart> cellParts(const SceneObjects& objects);
 
 }

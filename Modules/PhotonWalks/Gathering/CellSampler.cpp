@@ -18,7 +18,8 @@ namespace irradiance
 namespace
 {
 
-/// Whether one of a pair is so large, as seen from the other, that its point is chosen by solid angle.
+/// Whether one of a pair is so large, as seen from the other, that its point is chosen by solid
+/// angle.
 bool isWide(double radius, double other, const Vector3& between)
 {
   constexpr double kWide = 0.25; // radius / distance
@@ -56,7 +57,8 @@ void CellSampler::setCell(std::size_t cell)
     parts_.push_back({ number, triangle, triangle.area(), area, lightsAt(number) });
     area += parts_.back().area;
   });
-  // By its first sample: objects that are away have cells in a frame that follows others, but never samples.
+  // By its first sample: objects that are away have cells in a frame that follows others, but never
+  // samples.
   const std::uint64_t seed = splitMix(seed_ ^ splitMix(plan_.first(cell)));
   cellKeys_ = SampleKeys(splitMix(seed));
   lightKeys_ = SampleKeys(splitMix(seed + 1));
@@ -148,7 +150,8 @@ double CellSampler::Ends::leaving() const
   return light.normal.dot(cell.position - light.position) / distance();
 }
 
-/// Closer to a plane, rounding would tell the side; what lies in the plane of a light gets nothing of it.
+/// Closer to a plane, rounding would tell the side; what lies in the plane of a light gets nothing
+/// of it.
 bool CellSampler::Ends::areClear() const
 {
   const Vector3 between = cell.position - light.position;
@@ -204,7 +207,8 @@ void CellSampler::gatherFrom(
   arrive(point, sample);
 }
 
-/// The point is chosen on the cell, or on the lights if these are smaller: else hardly a sample would find them.
+/// The point is chosen on the cell, or on the lights if these are smaller: else hardly a sample
+/// would find them.
 void CellSampler::gatherTouching(
   const Part& part, const Square& u, double uLight, GatherSample& sample) const
 {

@@ -22,19 +22,21 @@ struct GatherSample
   std::uint32_t light;
   Vector3 from; ///< the point of the light, clear of its surface
   Vector3 to;   ///< the point of the cell, clear of its surface
-  /// The part of the light's flux that the sample brings to its cell if nothing stands between; 0 if none can
-  /// come. The mean over all samples of the sum over a cell's samples is what arrives.
+  /// The part of the light's flux that the sample brings to its cell if nothing stands between; 0
+  /// if none can come. The mean over all samples of the sum over a cell's samples is what arrives.
   double part;
 };
 
 /**
- * Samples with which cells gather the light that comes straight from the lights of a table: points of the
- * cell from a low-discrepancy net, each with a light that LampChoice chooses and a point of it.
+ * Samples with which cells gather the light that comes straight from the lights of a table: points
+ * of the cell from a low-discrepancy net, each with a light that LampChoice chooses and a point of
+ * it.
  *
- * Where both are far from each other, both points are chosen evenly over the area. Where one is large as
- * seen from the other, its point is chosen by solid angle, so that no sample brings much more than others.
- * Where a cell and a light coincide, what the light emits arrives in the cell, see Contacts.
- * All is a pure function of the scene, the seed, the cell and the number of the sample.
+ * Where both are far from each other, both points are chosen evenly over the area. Where one is
+ * large as seen from the other, its point is chosen by solid angle, so that no sample brings much
+ * more than others. Where a cell and a light coincide, what the light emits arrives in the cell,
+ * see Contacts. All is a pure function of the scene, the seed, the cell and the number of the
+ * sample.
  */
 class CellSampler
 {
@@ -82,7 +84,8 @@ private:
     Square onCell, onLight;
   };
   Squares squares(std::uint32_t number) const;
-  /// The triangle that a coordinate chooses by area. The coordinate becomes what the choice left of it.
+  /// The triangle that a coordinate chooses by area. The coordinate becomes what the choice left of
+  /// it.
   const Part& choosePart(double& u) const;
   std::vector<std::uint32_t> lightsAt(std::uint32_t triangle) const;
   static SurfacePoint cellPoint(const Part& part, const Vector3& weights, GatherSample& sample);

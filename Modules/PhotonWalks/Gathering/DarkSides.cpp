@@ -11,7 +11,8 @@ namespace irradiance
 namespace
 {
 
-/// By object, whether any light lies within its bounds, or touches them. The static object is not looked at.
+/// By object, whether any light lies within its bounds, or touches them. The static object is not
+/// looked at.
 std::vector<bool> haveLights(const SceneObjects& objects, const std::vector<Box>& lights)
 {
   std::vector<bool> have(objects.size(), true);

@@ -15,8 +15,8 @@ constexpr double kBrightest = 1.5;
 
 }
 
-/// What arrives at first and returns at each reflection fills the static object evenly, roughly: as much as its mean
-/// radiosity.
+/// What arrives at first and returns at each reflection fills the static object evenly, roughly: as
+/// much as its mean radiosity.
 DimLights::DimLights(const SceneObjects& objects, const FirstHits& hits, double reflected)
   : objects_(objects)
 {

@@ -21,7 +21,8 @@ constexpr std::uint32_t kSamplesOfCells = 8192;
 /// Samples that are looked at together after a motion.
 constexpr std::uint32_t kSamplesTogether = 8192;
 
-/// Whether a sample's way to its light may touch a box. Roundings are far below the widths of boxes.
+/// Whether a sample's way to its light may touch a box. Roundings are far below the widths of
+/// boxes.
 bool mayTouch(const GatherSample& sample, const Box& box)
 {
   const Vector3 along = sample.to - sample.from;
@@ -142,8 +143,8 @@ DirectLight::Bands DirectLight::variance() const
   return sum;
 }
 
-/// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is decided otherwise
-/// than before, also far from what moved.
+/// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is
+/// decided otherwise than before, also far from what moved.
 bool DirectLight::touchesDynamic(const GatherSpace& space, const GatherSample& sample) const
 {
   return sample.part > 0 &&

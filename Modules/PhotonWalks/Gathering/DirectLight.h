@@ -16,8 +16,8 @@ namespace irradiance
 {
 
 /**
- * The light that comes straight from the lights of a table to the cells of a frame, gathered by each cell
- * with the samples of a plan.
+ * The light that comes straight from the lights of a table to the cells of a frame, gathered by
+ * each cell with the samples of a plan.
  */
 class DirectLight
 {
@@ -30,9 +30,10 @@ public:
 
   /// Makes all samples, and looks which of them see their lights.
   void gather(const GatherSpace& space, Execution& execution);
-  /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples that
-  /// what moved may hide now, or hid before, and at those whose light or cell a dynamic object touches. Returns which
-  /// see their lights now and did not before, or the other way round, in order.
+  /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples
+  /// that what moved may hide now, or hid before, and at those whose light or cell a dynamic object
+  /// touches. Returns which see their lights now and did not before, or the other way round, in
+  /// order.
   std::vector<std::uint32_t> follow(
     const GatherSpace& space, const MovedObjects& moved, Execution& execution);
 
@@ -45,8 +46,8 @@ public:
       units_.capacity() * (sizeof(double) + sizeof(Bands));
   }
   bool isVisible(std::uint32_t sample) const { return views_[sample] == kFree; }
-  /// Of what all cells receive, by band, W2: from the scatter of the samples of each cell, or of its replicates. As
-  /// these are nets, it is rather too large.
+  /// Of what all cells receive, by band, W2: from the scatter of the samples of each cell, or of
+  /// its replicates. As these are nets, it is rather too large.
   Bands variance() const;
   /// What a sample brings if it sees its light.
   CellSums::Quanta quantaOf(const GatherSample& sample) const;
@@ -59,7 +60,8 @@ public:
     const CancelPoint& cancelPoint) const;
 
 private:
-  /// What stands between a sample and its light: the number of a dynamic object, or one of those below.
+  /// What stands between a sample and its light: the number of a dynamic object, or one of those
+  /// below.
   using View = std::uint32_t;
   static constexpr View kNever = 0;          ///< static objects, for ever; or no light can come
   static constexpr View kFree = 0xffffffffu; ///< nothing
@@ -84,8 +86,8 @@ private:
   std::uint64_t seed_;
   double quantaPerWatt_;
   std::vector<GatherSample> samples_;
-  /// By cell, quanta: a power of two, of which all that its samples bring together is less than 2^53.
-  /// What each brings is rounded to it, so no sum of these is rounded, in whatever order.
+  /// By cell, quanta: a power of two, of which all that its samples bring together is less than
+  /// 2^53. What each brings is rounded to it, so no sum of these is rounded, in whatever order.
   std::vector<double> units_;
   std::vector<View> views_;      ///< by sample
   std::vector<Bands> variances_; ///< by cell, W2

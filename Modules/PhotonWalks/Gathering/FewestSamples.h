@@ -14,13 +14,14 @@ struct FewestSamples
 {
   std::uint32_t small = 4; ///< >= 1
   std::uint32_t large = 4; ///< of cells that may receive four walks or more for each of `small`
-  /// In place of `small` if there are few cells, for a share of the time that the walks take; 0: not decided.
+  /// In place of `small` if there are few cells, for a share of the time that the walks take; 0:
+  /// not decided.
   std::uint32_t mostOfSmall = 0;
 
   /// If not decided: as many as pay in the end, as of static cells, which gather once.
   FewestSamples asMany() const { return with(64); }
-  /// If not decided: as what walks bring is noisy as well, as many as lights of this variance of a sample, see GatherPilot, need
-  /// beside it.
+  /// If not decided: as what walks bring is noisy as well, as many as lights of this variance of a
+  /// sample, see GatherPilot, need beside it.
   FewestSamples atVariance(double variance) const
   {
     constexpr double kLeast = 8, kMost = 32;

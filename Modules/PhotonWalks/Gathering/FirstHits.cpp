@@ -25,11 +25,12 @@ using Hits = std::array<Hit, kRays>;
 /// The part of the flux of which more has to arrive: of less nothing is known.
 constexpr double kLeastArrived = 0.1;
 
-/// Near is what is hit within so many edges of a square of two such triangles: from there on samples do as well.
+/// Near is what is hit within so many edges of a square of two such triangles: from there on
+/// samples do as well.
 constexpr double kNear = 0.5;
 
-/// The rays of all lights go on with the same points: equal ones would send rays of different lights to one place. Every other ray is of
-/// the second half, which knows nothing of the first.
+/// The rays of all lights go on with the same points: equal ones would send rays of different
+/// lights to one place. Every other ray is of the second half, which knows nothing of the first.
 std::uint32_t halfOf(std::uint32_t ray)
 {
   return ray % 2;

@@ -30,17 +30,18 @@ public:
     double flux;        ///< W
   };
   const std::vector<Arrival>& arrivals() const { return arrivals_; }
-  /// Which lights shine mostly on static triangles so near to them that what arrives differs much from
-  /// place to place: a strip along a wall, a lamp just over the floor. There walks that start at the light find
-  /// the light of a cell with less work than samples of the cell do.
+  /// Which lights shine mostly on static triangles so near to them that what arrives differs much
+  /// from place to place: a strip along a wall, a lamp just over the floor. There walks that start
+  /// at the light find the light of a cell with less work than samples of the cell do.
   const std::vector<bool>& nearLights() const { return nearLights_; }
-  /// The part of what arrives at static triangles that they reflect and that arrives at some again, 0..1; 1 if
-  /// hardly anything arrives. Roughly: a standard error of 0.1 at most.
+  /// The part of what arrives at static triangles that they reflect and that arrives at some again,
+  /// 0..1; 1 if hardly anything arrives. Roughly: a standard error of 0.1 at most.
   double returned() const { return returned_; }
   /// W that arrive at static triangles, and what these reflect of it.
   double arrived() const { return arrived_; }
   double reflected() const { return reflected_; }
-  /// W2/m2: the integral over the area of the square of what static cells reflect for their area. A relative standard error of
+  /// W2/m2: the integral over the area of the square of what static cells reflect for their area. A
+  /// relative standard error of
   /// 0.1, roughly.
   double reflectedSquares() const { return reflectedSquares_; }
   /// m2, of the static object.

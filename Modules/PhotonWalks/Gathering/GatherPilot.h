@@ -9,8 +9,8 @@ namespace irradiance
 {
 
 /**
- * How noisy it is to look for the light of some lamps, from samples of a few static cells. It depends on the static object and
- * the lights alone.
+ * How noisy it is to look for the light of some lamps, from samples of a few static cells. It
+ * depends on the static object and the lights alone.
  *
  * Theory.md, 1.3 derives what follows from it.
  */
@@ -37,8 +37,8 @@ public:
   /// With the least noise of direct and indirect light together for the time they take.
   Gathering best(const Light& light) const;
 
-  /// Of one sample that stands for as much power as a walk, beside the walk's: small of a panel, large of light that may be
-  /// hidden, or comes from lamps that are told apart badly.
+  /// Of one sample that stands for as much power as a walk, beside the walk's: small of a panel,
+  /// large of light that may be hidden, or comes from lamps that are told apart badly.
   double variance() const { return variance_; }
 
 private:

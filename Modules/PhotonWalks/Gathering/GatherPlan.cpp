@@ -44,7 +44,8 @@ GatherPlan::GatherPlan(const CellShapes& cells, const LampPieces& lamps, const S
   }
 }
 
-/// Few cells have more, for a share of what the walks take: else the edges of shadows are the larger noise of small cells.
+/// Few cells have more, for a share of what the walks take: else the edges of shadows are the
+/// larger noise of small cells.
 std::uint32_t GatherPlan::fewestOfSmall(const CellShapes& cells, const Settings& settings)
 {
   constexpr double kSamplesOfWalk = 0.25;

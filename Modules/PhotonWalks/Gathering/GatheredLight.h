@@ -11,11 +11,12 @@ namespace irradiance
 {
 
 /**
- * The direct light of the cells of one part of the scene, from the lights of one group, and the walks that
- * start where it arrived. It follows motions as long as none of its own cells moves.
+ * The direct light of the cells of one part of the scene, from the lights of one group, and the
+ * walks that start where it arrived. It follows motions as long as none of its own cells moves.
  *
- * In the balance all that the lights emit is absorbed where the samples say that it arrives, or escapes. The power
- * of a walk that starts is taken from what is absorbed; from there on it counts as other walks do.
+ * In the balance all that the lights emit is absorbed where the samples say that it arrives, or
+ * escapes. The power of a walk that starts is taken from what is absorbed; from there on it counts
+ * as other walks do.
  */
 class GatheredLight
 {
@@ -53,8 +54,8 @@ public:
     return quantaPerWatt_ * quantaPerWatt_ * light_.variance()[static_cast<std::size_t>(band)];
   }
 
-  /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each does so for the cells that
-  /// are dealt to it as blocks are.
+  /// Adds what was gathered, or with `sign` -1 takes it away. Of several ranks each does so for the
+  /// cells that are dealt to it as blocks are.
   void addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,
     const CancelPoint& cancelPoint) const;
 

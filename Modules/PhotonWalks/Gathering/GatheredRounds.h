@@ -10,8 +10,8 @@
 namespace irradiance
 {
 
-/// What the cells of a part of the scene gather, round by round. Each round has samples and walks of its own,
-/// so what rounds bring adds up, as with walks that start at the lights.
+/// What the cells of a part of the scene gather, round by round. Each round has samples and walks
+/// of its own, so what rounds bring adds up, as with walks that start at the lights.
 class GatheredRounds
 {
 public:
@@ -42,10 +42,11 @@ public:
     std::uint32_t walks, Execution& execution);
   /// Adds what was gathered for a round.
   void addTo(const Totals& totals, std::size_t round, const CancelPoint& cancelPoint) const;
-  /// Takes away what all but the first `kept` rounds gathered. Their walks must have been taken back.
+  /// Takes away what all but the first `kept` rounds gathered. Their walks must have been taken
+  /// back.
   void drop(std::size_t kept, const Totals& totals, const CancelPoint& cancelPoint);
-  /// Follows a motion, see GatheredLight::follow(), and changes the totals. Returns the walks, in order, that
-  /// are born now and were not before, or the other way round.
+  /// Follows a motion, see GatheredLight::follow(), and changes the totals. Returns the walks, in
+  /// order, that are born now and were not before, or the other way round.
   std::vector<std::uint32_t> follow(const GatherSpace& space, const MovedObjects& moved,
     const Totals& totals, Execution& execution);
 

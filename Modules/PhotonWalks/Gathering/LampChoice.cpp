@@ -20,8 +20,9 @@ double positivePart(double lower, double upper)
   return lower >= 0 ? 0.5 * (lower + upper) : upper > 0 ? upper * upper / (2 * (upper - lower)) : 0;
 }
 
-/// The mean cosine at which light leaves the cone of normals of a node in a direction with this cosine. Normals have all cosines
-/// of the cone alike. `size`: the sine of the angle by which directions may differ: the nearest counts.
+/// The mean cosine at which light leaves the cone of normals of a node in a direction with this
+/// cosine. Normals have all cosines of the cone alike. `size`: the sine of the angle by which
+/// directions may differ: the nearest counts.
 double leavingOf(const LampTree::Node& node, double cosine, double size)
 {
   const double ofSize = std::sqrt(1 - size * size);
@@ -42,7 +43,8 @@ double curvedOf(const CellShape& cell)
   return 1 - std::min(1.0, cell.normal.norm());
 }
 
-/// What is asked of a node: what it brings on average, or what it may bring where it is nearest, which no weight should miss.
+/// What is asked of a node: what it brings on average, or what it may bring where it is nearest,
+/// which no weight should miss.
 enum class Asked
 {
   Mean,
@@ -65,7 +67,8 @@ double powerBetween(
   const double inverse = 1 / std::sqrt(squared);
   const double leaving = lamp.normal.dot(between) * inverse;
   const double arriving = cell.normal.dot(between) * inverse;
-  // Of flat lamps in one plane, or in planes above each other, and a flat cell: the sine between their normals.
+  // Of flat lamps in one plane, or in planes above each other, and a flat cell: the sine between
+  // their normals.
   const bool isFlat = node.cosine >= 1 && curved < 1e-9;
   const double parallel = isFlat ? lamp.normal.dot(cell.normal) : 0;
   const double turned = isFlat ? std::sqrt(std::max(0.0, 1 - parallel * parallel)) : 1;

@@ -11,15 +11,17 @@ namespace irradiance
 {
 
 /**
- * Which lamp a sample of a cell asks. The weights follow what each would bring to the cell if nothing
- * stood between them: its flux, the cosines, with slack for the sizes of both, and the distance. Few nodes of the tree of lamps
- * have a weight each, in the order of the tree; below them a sample goes down to lamps that are alike, at each node to the half that
- * would bring more, more often. A small part goes by flux alone, so that no lamp that reaches the cell is left out.
+ * Which lamp a sample of a cell asks. The weights follow what each would bring to the cell if
+ * nothing stood between them: its flux, the cosines, with slack for the sizes of both, and the
+ * distance. Few nodes of the tree of lamps have a weight each, in the order of the tree; below them
+ * a sample goes down to lamps that are alike, at each node to the half that would bring more, more
+ * often. A small part goes by flux alone, so that no lamp that reaches the cell is left out.
  */
 class LampChoice
 {
 public:
-  /// Weights of a cell at most: more of them take longer than they save. Of a point that asks many samples; it is one of few.
+  /// Weights of a cell at most: more of them take longer than they save. Of a point that asks many
+  /// samples; it is one of few.
   static constexpr std::size_t kMost = 32, kMostOfPoint = 256;
 
   /// The lamps must outlive it. `most`: weights.
@@ -29,7 +31,8 @@ public:
   double expectedPower(const CellShape& cell);
   /// Not less than that, and sooner known; infinite among the lamps.
   double mostPower(const CellShape& cell) const;
-  /// Of what the last cell would receive, W that come from lamps within a distance of its middle, m, and are no larger.
+  /// Of what the last cell would receive, W that come from lamps within a distance of its middle,
+  /// m, and are no larger.
   double powerFromWithin(double distance) const;
   /// Not more than the distance, m, of the middle of a cell from the middle of any lamp.
   double distance(const CellShape& cell) const;
@@ -50,7 +53,8 @@ public:
 private:
   /// The part of the samples that goes by flux alone; and likewise at each node below.
   static constexpr double kByFlux = 0.05, kByFluxBelow = 0.005;
-  /// Lamps that are together within this part of their distance have one weight, if the cosine of their cone is no less.
+  /// Lamps that are together within this part of their distance have one weight, if the cosine of
+  /// their cone is no less.
   static constexpr double kTogether = 0.125, kAlike = 0.9;
   /// A node of the tree that is looked at.
   struct Group

@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// A light, or a piece of its triangle, from afar. A light in the air has no normal and shines alike in all
-/// directions.
+/// A light, or a piece of its triangle, from afar. A light in the air has no normal and shines
+/// alike in all directions.
 struct LampPiece
 {
   std::uint32_t light;

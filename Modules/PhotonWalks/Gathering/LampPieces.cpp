@@ -15,7 +15,8 @@ namespace
 /// Squared longest edge / area up to which a triangle is not cut; that of half a square is 4.
 constexpr double kLong = 12;
 constexpr int kMostCuts = 8; ///< of a triangle, and of what they leave of it
-/// Edges are not cut that are shorter than this part of the diagonal of all lamps: what is near the one end is near the other.
+/// Edges are not cut that are shorter than this part of the diagonal of all lamps: what is near the
+/// one end is near the other.
 constexpr double kShort = 0.02;
 
 /// The corners from the end of the longest edge on.

@@ -12,8 +12,8 @@ namespace irradiance
 {
 
 /**
- * The lights of a table as cells look for them. Long triangles are cut: of a strip along a wall a cell is to
- * find the near end, not the middle.
+ * The lights of a table as cells look for them. Long triangles are cut: of a strip along a wall a
+ * cell is to find the near end, not the middle.
  */
 class LampPieces
 {

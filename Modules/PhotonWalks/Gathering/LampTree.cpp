@@ -30,8 +30,9 @@ Box boundsOf(const LampPiece& piece)
   return box;
 }
 
-/// How much is uncertain about what a node brings: its flux, its size and the solid angle into which it shines, see Conty and
-/// Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018.
+/// How much is uncertain about what a node brings: its flux, its size and the solid angle into
+/// which it shines, see Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree
+/// Splitting", 2018.
 double spreadOf(const LampTree::Node& node)
 {
   const double cone = std::acos(node.cosine), most = std::min(kPi, cone + kPi / 2);
@@ -106,7 +107,8 @@ LampTree::Node LampTree::nodeOf(
   return node;
 }
 
-/// At the median along the longest edge of the bounds, or where normals differ most: as leaves less spread.
+/// At the median along the longest edge of the bounds, or where normals differ most: as leaves less
+/// spread.
 void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
 {
   const std::uint32_t first = nodes_[number].first, end = nodes_[number].end;

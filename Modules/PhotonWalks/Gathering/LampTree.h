@@ -11,9 +11,9 @@ namespace irradiance
 {
 
 /**
- * A binary tree over the pieces of lamps. A node stands for all pieces below it, which follow each other in an
- * order of the tree; seen from afar it is one lamp with a cone of normals. So a cell looks at few nodes, however many
- * lamps there are.
+ * A binary tree over the pieces of lamps. A node stands for all pieces below it, which follow each
+ * other in an order of the tree; seen from afar it is one lamp with a cone of normals. So a cell
+ * looks at few nodes, however many lamps there are.
  */
 class LampTree
 {
@@ -21,7 +21,8 @@ public:
   struct Node
   {
     LampPiece lamp; ///< the piece of a leaf; else what stands for all below, of the share 0
-    /// Of the half angle of the cone of normals around that of the lamp: 0 of a flat lamp, pi if light leaves to all sides.
+    /// Of the half angle of the cone of normals around that of the lamp: 0 of a flat lamp, pi if
+    /// light leaves to all sides.
     double cosine = -1, sine = 0;
     double depth = 0; ///< m, of places of the lamp behind its center, along its normal
     std::uint32_t first = 0, end = 0; ///< of its pieces, by the order of the tree

@@ -16,7 +16,8 @@ struct LitPoint
   TriangleId on{};  ///< the triangle on which it stands; none in the air
 
   bool hasNormal() const { return !normal.isZero(0); }
-  /// How much of a beam along a vector it receives: the cosine, not positive from behind; 1 without a normal.
+  /// How much of a beam along a vector it receives: the cosine, not positive from behind; 1 without
+  /// a normal.
   double partOf(const Vector3& along) const
   {
     return hasNormal() ? -normal.dot(along) / along.norm() : 1;
@@ -27,7 +28,8 @@ struct LitPoint
     const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place);
 };
 
-/// The barycentric weights of a place in the plane of a triangle; some are negative beside the triangle.
+/// The barycentric weights of a place in the plane of a triangle; some are negative beside the
+/// triangle.
 Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place);
 
 }

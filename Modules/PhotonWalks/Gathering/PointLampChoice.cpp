@@ -10,7 +10,8 @@ namespace irradiance
 namespace
 {
 
-/// The area with which a point is weighed, m2: so small that no light seems to give it all of its flux.
+/// The area with which a point is weighed, m2: so small that no light seems to give it all of its
+/// flux.
 constexpr double kNoArea = 0x1p-200;
 
 CellShape asCell(const LitPoint& point)

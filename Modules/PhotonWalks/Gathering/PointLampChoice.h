@@ -13,9 +13,10 @@ namespace irradiance
 {
 
 /**
- * Which lamp a sample of a point asks, and what it sees of that. If there are no more lamps than samples, the weights are what
- * each brings if nothing stands between: exactly, for a point that receives from all directions or for lights in the air, else
- * but for how the cosine varies over the lamp. Of more lamps LampChoice tells roughly which bring how much.
+ * Which lamp a sample of a point asks, and what it sees of that. If there are no more lamps than
+ * samples, the weights are what each brings if nothing stands between: exactly, for a point that
+ * receives from all directions or for lights in the air, else but for how the cosine varies over
+ * the lamp. Of more lamps LampChoice tells roughly which bring how much.
  */
 class PointLampChoice
 {
@@ -39,8 +40,8 @@ public:
   /// By solid angle, the probability of a piece over its solid angle, 1/sr; 0 if it is empty.
   double densityOf(std::uint32_t piece) const;
 
-  /// W/m2 for each W of the flux of a light in the air, if nothing stands between, along a vector from it; `part`: of the
-  /// beam that the point receives. 0 at its very place.
+  /// W/m2 for each W of the flux of a light in the air, if nothing stands between, along a vector
+  /// from it; `part`: of the beam that the point receives. 0 at its very place.
   static double perWatt(const PointLight& light, const Vector3& along, double part)
   {
     const double square = along.squaredNorm();

@@ -116,7 +116,8 @@ public:
     }
   }
 
-  /// Whether the light of a lamp falls mostly where the strong ones send more than it does. Where few rays arrive it is not.
+  /// Whether the light of a lamp falls mostly where the strong ones send more than it does. Where
+  /// few rays arrive it is not.
   bool isOutshone(std::size_t lamp)
   {
     for (const FirstHits::Arrival& arrival : arrivals_[lamp])

@@ -66,7 +66,8 @@ void SeenLamp::add(
   const bool isWarped = by == By::Cosine && point.hasNormal() && cosines.maxCoeff() > 0;
   if (isWarped)
   {
-    // Towards the second corner samples are densest in the square: it is the one with the largest cosine.
+    // Towards the second corner samples are densest in the square: it is the one with the largest
+    // cosine.
     Eigen::Index largest = 0;
     cosines.maxCoeff(&largest);
     std::rotate(corners.begin(), corners.begin() + (largest + 2) % 3, corners.end());

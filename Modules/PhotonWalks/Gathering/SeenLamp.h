@@ -12,10 +12,11 @@ namespace irradiance
 {
 
 /**
- * A triangle of a lamp as a point sees it, or a part of that, whose points can be chosen by solid angle; or nearly by what
- * they bring to the point, the solid angle times the cosine at the point. Then parts are above the horizon of the point, and the
- * square from which samples come is warped by what is bilinear between the cosines of the corners (Hart, Pharr, Müller,
- * Lopes, McGuire and Shirley, "Practical Product Sampling by Fitting and Composing Warps", EGSR 2020).
+ * A triangle of a lamp as a point sees it, or a part of that, whose points can be chosen by solid
+ * angle; or nearly by what they bring to the point, the solid angle times the cosine at the point.
+ * Then parts are above the horizon of the point, and the square from which samples come is warped
+ * by what is bilinear between the cosines of the corners (Hart, Pharr, Müller, Lopes, McGuire and
+ * Shirley, "Practical Product Sampling by Fitting and Composing Warps", EGSR 2020).
  */
 class SeenLamp
 {
@@ -30,7 +31,8 @@ public:
   static void addParts(
     const Triangle& lamp, const LitPoint& point, By by, std::vector<SeenLamp>& parts);
 
-  /// The integral of LitPoint::partOf() over the solid angle, roughly; by solid angle that too, but 0 below the horizon.
+  /// The integral of LitPoint::partOf() over the solid angle, roughly; by solid angle that too, but
+  /// 0 below the horizon.
   double taken() const { return meanPart_ * seen_.solidAngle(); }
   double solidAngle() const { return seen_.solidAngle(); }
   struct Sample

@@ -16,7 +16,8 @@ inline std::array<float, 3> inFloats(const Vector3& v)
   return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
 }
 
-/// A ray from a light to a point, as it was cast: what tells whether a motion may change what it found.
+/// A ray from a light to a point, as it was cast: what tells whether a motion may change what it
+/// found.
 struct ShadowRay
 {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();

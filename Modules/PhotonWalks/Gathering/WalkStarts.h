@@ -8,11 +8,12 @@ namespace irradiance
 {
 
 /**
- * The walks that start where direct light was gathered, each with the same power: as many from each sample as
- * what it reflects calls for, rounded up or down by chance, so that the mean is right.
+ * The walks that start where direct light was gathered, each with the same power: as many from each
+ * sample as what it reflects calls for, rounded up or down by chance, so that the mean is right.
  *
- * Walks are numbered as if all samples saw their lights. Those of samples that do not are not born; so what
- * stands in the light of some cells renumbers no others. Replicates take turns in the numbers.
+ * Walks are numbered as if all samples saw their lights. Those of samples that do not are not born;
+ * so what stands in the light of some cells renumbers no others. Replicates take turns in the
+ * numbers.
  */
 class WalkStarts
 {

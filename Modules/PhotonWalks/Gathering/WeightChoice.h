@@ -17,7 +17,8 @@ struct WeightChoice
   double rest; ///< in [0, 1): what the choice left of the sample
 };
 
-/// What is left of a sample that fell on an interval of this width, `at` from its start; 0 of an interval without width.
+/// What is left of a sample that fell on an interval of this width, `at` from its start; 0 of an
+/// interval without width.
 inline double restOf(double at, double width)
 {
   const double rest = at / width;

@@ -50,7 +50,8 @@ void BlockArena::giveBack(void* page) noexcept
   --used_;
 }
 
-/// Slabs grow with what is held, so that a sixteenth at most is not in use, and a large scene asks rarely.
+/// Slabs grow with what is held, so that a sixteenth at most is not in use, and a large scene asks
+/// rarely.
 void BlockArena::addSlab()
 {
   const std::size_t wanted = std::clamp(bytes_ / 16, kFirstSlab, kLargestSlab);

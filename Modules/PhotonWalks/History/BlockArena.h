@@ -12,9 +12,9 @@ namespace irradiance
 {
 
 /**
- * Memory for the blocks of a history, in pages of one size. What a block gives back is used again, so
- * an engine that keeps its arena over fresh starts does not wait a second time for the system to map
- * memory; that costs twice what storing a segment does. Nothing is moved when a block grows.
+ * Memory for the blocks of a history, in pages of one size. What a block gives back is used again,
+ * so an engine that keeps its arena over fresh starts does not wait a second time for the system to
+ * map memory; that costs twice what storing a segment does. Nothing is moved when a block grows.
  *
  * Several threads may take and give back at a time. It must outlive the blocks.
  */

@@ -17,8 +17,8 @@
 namespace irradiance
 {
 
-/// Segments that were shot side by side, in columns. Rows are read up to RayColumns::kPadding places
-/// behind the last one.
+/// Segments that were shot side by side, in columns. Rows are read up to RayColumns::kPadding
+/// places behind the last one.
 struct BounceColumns
 {
   RayColumns rays;
@@ -36,13 +36,13 @@ struct BounceColumns
 };
 
 /**
- * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock, by bounces: a front of walks is
- * appended as it was shot.
+ * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock, by bounces: a front of
+ * walks is appended as it was shot.
  *
  * Each segment has a slot, which it keeps. The first segment of a walk is in the slot of the walk's
  * number, counted from the first; from there links lead to the segment after, and back to the one
- * before. Slots of tails that were removed are tagged as free and used again; nothing is ever moved.
- * So a slot names a segment for as long as it is stored, to photons as well.
+ * before. Slots of tails that were removed are tagged as free and used again; nothing is ever
+ * moved. So a slot names a segment for as long as it is stored, to photons as well.
  *
  * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
  * of 64 K slots to another is listed aside. That takes 64 segments a walk.
@@ -78,8 +78,8 @@ public:
   bool isFree(std::uint32_t slot) const { return tag(slot) == BounceTag::kFree; }
 
   /// Stores rows [first, first + count) of a front, all of walks of this block, and writes the slot
-  /// of each to `slots`. A walk has no segment after a row's parent, or at all for a bounce of 0. Rows
-  /// may be in any order.
+  /// of each to `slots`. A walk has no segment after a row's parent, or at all for a bounce of 0.
+  /// Rows may be in any order.
   void append(
     const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
   /// Removes this segment and all after it of its walk.
@@ -91,8 +91,8 @@ public:
     forEachFrom(slot, visit); // then their links are in the nearest memory
     removeFrom(slot);
   }
-  /// Puts numberOf(triangle) in place of the triangle of each segment that hits one: an object of another
-  /// size that no segment hits changes the numbers of the triangles after it.
+  /// Puts numberOf(triangle) in place of the triangle of each segment that hits one: an object of
+  /// another size that no segment hits changes the numbers of the triangles after it.
   template <class Renumber>
   void renumber(const Renumber& numberOf)
   {
@@ -151,8 +151,8 @@ public:
   Power power(std::uint32_t slot) const;
   std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
 
-  /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle() is
-  /// not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
+  /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle()
+  /// is not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
   template <class Visit>
   void forEachFrom(std::uint32_t slot, const Visit& visit) const
   {

@@ -12,12 +12,13 @@ namespace irradiance
 {
 
 /**
- * Finds the stored segments that moved objects may change, by testing all segments of a BounceBlock. It flags
- * those that come near one of its bodies, those that end on an object that moved, and those that are always
- * flagged. It never misses one, flags a few too many, and flags the same ones on every machine.
+ * Finds the stored segments that moved objects may change, by testing all segments of a
+ * BounceBlock. It flags those that come near one of its bodies, those that end on an object that
+ * moved, and those that are always flagged. It never misses one, flags a few too many, and flags
+ * the same ones on every machine.
  *
- * Segments that are not whole within the grid are stored up to its border. While all bodies are within
- * the grid, no more is needed; if one sticks out, all such segments are flagged.
+ * Segments that are not whole within the grid are stored up to its border. While all bodies are
+ * within the grid, no more is needed; if one sticks out, all such segments are flagged.
  */
 class BounceScan
 {
@@ -30,8 +31,8 @@ public:
   /// Segments that end on this dynamic object are flagged.
   void addMoved(std::uint32_t object) { tags_.add(BounceTag::kindOf(object)); }
 
-  /// Lists the slots of flagged segments, in order. `next`: the block that is scanned after it, to be
-  /// prefetched, or the same one.
+  /// Lists the slots of flagged segments, in order. `next`: the block that is scanned after it, to
+  /// be prefetched, or the same one.
   void find(
     const BounceBlock& block, const BounceBlock& next, std::vector<std::uint32_t>& slots) const;
 

@@ -12,8 +12,8 @@
 namespace irradiance
 {
 
-/// A moved object. Point p of the grid is at matrix * p + offset in a frame where the object is within a
-/// ball around 0, and in another where it is within the cube from -1 to 1.
+/// A moved object. Point p of the grid is at matrix * p + offset in a frame where the object is
+/// within a ball around 0, and in another where it is within the cube from -1 to 1.
 struct GridBody
 {
   float matrix[9]; ///< column by column
@@ -25,8 +25,8 @@ struct GridBody
   float slack[3]; ///< times the 1-norm of a segment: widens the cube across each axis
 };
 
-/// The ball of a GridBall in whole numbers, for lines: see SegmentLines. Each number stands in both halves of its 32 bits,
-/// as lanes take it.
+/// The ball of a GridBall in whole numbers, for lines: see SegmentLines. Each number stands in both
+/// halves of its 32 bits, as lanes take it.
 struct LineBall
 {
   static constexpr float kUnit = 4; ///< steps
@@ -36,8 +36,9 @@ struct LineBall
 };
 
 /**
- * The ball around a moved object that is small beside the grid, in the grid stretched to equal steps along
- * all axes, of at most 1. To test it takes a third of what its GridBody takes, and most segments miss it.
+ * The ball around a moved object that is small beside the grid, in the grid stretched to equal
+ * steps along all axes, of at most 1. To test it takes a third of what its GridBody takes, and most
+ * segments miss it.
  */
 struct GridBall
 {

@@ -24,8 +24,8 @@ struct HiddenHit
 };
 
 /**
- * The cache of static hits of a block (section 3.3 of the paper), by slot. A hit is kept as long as a dynamic
- * object hides it; when the object has moved away, the static tree need not be searched.
+ * The cache of static hits of a block (section 3.3 of the paper), by slot. A hit is kept as long as
+ * a dynamic object hides it; when the object has moved away, the static tree need not be searched.
  */
 class HiddenHits
 {

@@ -59,8 +59,8 @@ struct PageScan
   TagSet tags;
   GridBodies bodies;
   NearBody* near; ///< room for kMostParts times as many; of no meaning outside
-  /// A bit for each slot, kGroups words for each page: set if a segment is stored there that may touch
-  /// a body, or whose tag is in `tags`. The same on every machine.
+  /// A bit for each slot, kGroups words for each page: set if a segment is stored there that may
+  /// touch a body, or whose tag is in `tags`. The same on every machine.
   std::uint16_t* flagged;
 };
 

@@ -113,8 +113,8 @@ inline typename Lanes::Floats squaredDistance(
   return dot<Lanes>(nearest, nearest);
 }
 
-/// Squared, from the middle of the body's ball to the nearest point of each segment. With p and p - q the
-/// ends in the body's frame, p - t q is nearest for t = p.q / q.q.
+/// Squared, from the middle of the body's ball to the nearest point of each segment. With p and p -
+/// q the ends in the body's frame, p - t q is nearest for t = p.q / q.q.
 template <class Lanes>
 inline typename Lanes::Floats squaredDistance(const GridEnds<Lanes>& ends, const GridBody& body)
 {
@@ -135,8 +135,8 @@ inline unsigned flagNearBall(const GridEnds<Lanes>& ends, const GridBody& body)
   return Lanes::notAbove(squaredDistance<Lanes>(ends, body), Lanes::all(body.squaredRadius));
 }
 
-/// Likewise for the body's cube. A segment and a cube have no common point if there is a plane between
-/// them that is a face of the cube, or is parallel to the segment and an edge of the cube.
+/// Likewise for the body's cube. A segment and a cube have no common point if there is a plane
+/// between them that is a face of the cube, or is parallel to the segment and an edge of the cube.
 template <class Lanes>
 inline unsigned flagNearBox(const GridEnds<Lanes>& ends, const GridBody& body)
 {
@@ -210,7 +210,8 @@ inline unsigned flagNearAny(const GridEnds<Lanes>& ends, const GridBodies& all, 
   return flagged;
 }
 
-/// How a scan tests bodies: few large ones at once, as their balls would cost registers; after their balls; after lines.
+/// How a scan tests bodies: few large ones at once, as their balls would cost registers; after
+/// their balls; after lines.
 enum class Tests
 {
   Bodies,
@@ -242,8 +243,8 @@ inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageS
   return flagged;
 }
 
-/// Pages are scattered, so the hardware does not foresee where the scan continues: each group requests
-/// its share of the next page.
+/// Pages are scattered, so the hardware does not foresee where the scan continues: each group
+/// requests its share of the next page.
 inline void prefetchShare(const BouncePage* page, std::size_t group)
 {
   constexpr std::size_t kShare = BouncePage::kScanned / PageScan::kGroups, kLine = 64;
@@ -254,7 +255,8 @@ inline void prefetchShare(const BouncePage* page, std::size_t group)
   }
 }
 
-/// Likewise all of a page, after the balls of the bodies, and before these by lines. `flagged`: 0 at first.
+/// Likewise all of a page, after the balls of the bodies, and before these by lines. `flagged`: 0
+/// at first.
 template <class Lanes>
 inline void flagAfterLines(
   const BouncePage& page, const BouncePage* next, const PageScan& scan, std::uint16_t* flagged)

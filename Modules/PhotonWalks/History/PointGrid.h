@@ -11,9 +11,9 @@ namespace irradiance
 struct SceneObjects;
 
 /**
- * The grid to which the ends of stored segments are rounded, so that a coordinate takes 16 bits. Grid
- * coordinates of what lies in its box are within kReach of 0. Each axis has a step of its own, as a
- * hall is not as high as it is long.
+ * The grid to which the ends of stored segments are rounded, so that a coordinate takes 16 bits.
+ * Grid coordinates of what lies in its box are within kReach of 0. Each axis has a step of its own,
+ * as a hall is not as high as it is long.
  *
  * What lies outside is cut off (see placeOnGrid), so the box need not hold everything: it is best
  * drawn around what is near to most walks, and around what moves.
@@ -34,12 +34,14 @@ struct PointGrid
 };
 
 /**
- * The grid of a scene. `bounds`: of all geometry and point lights. Let m be the median, axis by axis, of
- * points spread evenly over all surfaces, and s the median of their distances from it, along the axis on
- * which that is largest. Half of all area has to be far away before it moves them.
+ * The grid of a scene. `bounds`: of all geometry and point lights. Let m be the median, axis by
+ * axis, of points spread evenly over all surfaces, and s the median of their distances from it,
+ * along the axis on which that is largest. Half of all area has to be far away before it moves
+ * them.
  *
- * The grid holds all of an axis on which nothing is farther than 32 s from m, so all of an ordinary scene.
- * Otherwise it holds what is within 16 s there, and in any case all dynamic objects that are within 32 s.
+ * The grid holds all of an axis on which nothing is farther than 32 s from m, so all of an ordinary
+ * scene. Otherwise it holds what is within 16 s there, and in any case all dynamic objects that are
+ * within 32 s.
  */
 PointGrid pointGrid(
   const SceneObjects& objects, const Box& bounds, const CancelPoint& cancelPoint = {});

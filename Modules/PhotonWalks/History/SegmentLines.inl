@@ -7,8 +7,9 @@ namespace
 {
 
 /**
- * The lines of the segments of a page, in whole numbers of 16 bits, of which vectors hold twice as many as of
- * floats: u, along a line, of length 2^15, and b x u, in LineBall's unit, with b where the segment begins. So
+ * The lines of the segments of a page, in whole numbers of 16 bits, of which vectors hold twice as
+ * many as of floats: u, along a line, of length 2^15, and b x u, in LineBall's unit, with b where
+ * the segment begins. So
  * |b x u - c x u| is how far the line passes from c. Documentation/Theory.md derives what pays for rounding.
  */
 struct SegmentLines
@@ -45,8 +46,8 @@ __attribute__((noinline)) void findLines(
   }
 }
 
-/// Lists which lines may pass through which balls, from `place` on; apart for each of kParts parts of these lines, with
-/// as much room as there are bodies.
+/// Lists which lines may pass through which balls, from `place` on; apart for each of kParts parts
+/// of these lines, with as much room as there are bodies.
 template <class Shorts, std::size_t kParts>
 inline void listNearLines(const SegmentLines& lines, std::size_t place, const GridBodies& all,
   NearBody* near, std::uint32_t (&counts)[kParts])

@@ -27,15 +27,16 @@ struct SegmentPlace
 /**
  * The stored walks of a plan: the blocks that are dealt to this rank. They are counted here.
  *
- * What is stored of a segment is what cannot be computed again: the triangle hit, its side, the point on it
- * and the power. Rays and distances follow from these, see StoredRays.
+ * What is stored of a segment is what cannot be computed again: the triangle hit, its side, the
+ * point on it and the power. Rays and distances follow from these, see StoredRays.
  */
 class WalkHistory
 {
 public:
   /// Stores nothing.
   WalkHistory() = default;
-  /// `numbers`: of the triangles. `arena`: with pages for so many `bands`. `grid`, `power`: see BounceBlock.
+  /// `numbers`: of the triangles. `arena`: with pages for so many `bands`. `grid`, `power`: see
+  /// BounceBlock.
   WalkHistory(const WalkPlan& plan, const PointGrid& grid, const TriangleNumbers& numbers,
     int bands, const Power& power, std::shared_ptr<BlockArena> arena,
     const DealtBlocks& dealt = {});
@@ -114,8 +115,8 @@ public:
     return blocks_[place.block].isFront(place.slot);
   }
 
-  /// Calls visit(Contribution) for each segment of a walk that hits something, in order: from this one up
-  /// to bounce `end`.
+  /// Calls visit(Contribution) for each segment of a walk that hits something, in order: from this
+  /// one up to bounce `end`.
   template <class Visit>
   void forEachContribution(const SegmentPlace& first, const SegmentRef& segment, std::uint32_t end,
     const Visit& visit) const
@@ -131,7 +132,8 @@ public:
       }
     }
   }
-  /// Calls visit(Photon) for each photon that segments of a walk brought, from this one on, in order.
+  /// Calls visit(Photon) for each photon that segments of a walk brought, from this one on, in
+  /// order.
   template <class Visit>
   void forEachPhotonFrom(
     const SegmentPlace& first, const SegmentRef& segment, const Visit& visit) const

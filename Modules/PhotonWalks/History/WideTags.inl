@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: the wide kernels of the scan include this once, between the marks of their target.
+// No include guard: the wide kernels of the scan include this once, between the marks of their
+// target.
 
 namespace irradiance
 {

@@ -15,8 +15,8 @@ namespace irradiance
 
 /**
  * A light of a frame, in world space: what it emits, and a kind that knows its shape. A new kind is
- * one more type in the variant. It has bounds(); light leaves it from a triangle, or by a ray of its
- * own, leaving().
+ * one more type in the variant. It has bounds(); light leaves it from a triangle, or by a ray of
+ * its own, leaving().
  */
 struct Light
 {

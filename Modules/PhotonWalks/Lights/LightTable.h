@@ -11,14 +11,15 @@ namespace irradiance
 {
 
 /**
- * The lights of one group in a frame. Every walk carries the same share of the total flux; which light it starts
- * from is sampled in proportion to flux.
+ * The lights of one group in a frame. Every walk carries the same share of the total flux; which
+ * light it starts from is sampled in proportion to flux.
  */
 class LightTable
 {
 public:
   LightTable() = default;
-  /// `group`: see Emission::groups. Throws std::runtime_error for a light to which walls leave no side.
+  /// `group`: see Emission::groups. Throws std::runtime_error for a light to which walls leave no
+  /// side.
   LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {},
     std::uint32_t group = 0);
 

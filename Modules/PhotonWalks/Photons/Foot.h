@@ -10,8 +10,9 @@ namespace irradiance
 {
 
 /**
- * Where a sensor stands: the point, closest to it, of all surface that faces as it does. Its photons are
- * those nearest to that point. The surface there also tells which other surface counts, see SeenSurface.
+ * Where a sensor stands: the point, closest to it, of all surface that faces as it does. Its
+ * photons are those nearest to that point. The surface there also tells which other surface counts,
+ * see SeenSurface.
  */
 struct Foot
 {
@@ -24,8 +25,8 @@ struct Foot
   bool isFront = true; ///< the front of that receives
 };
 
-/// Whether a side (1: front, -1: back, in the world) of a triangle is inside of a body. Where a pose
-/// mirrors, what is in front of the triangle in its own space is behind it in the world.
+/// Whether a side (1: front, -1: back, in the world) of a triangle is inside of a body. Where a
+/// pose mirrors, what is in front of the triangle in its own space is behind it in the world.
 inline bool isInside(SolidSide solid, int side, bool isMirrored)
 {
   return solid == ((side > 0) != isMirrored ? SolidSide::InFront : SolidSide::Behind);

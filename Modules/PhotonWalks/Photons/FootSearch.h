@@ -22,9 +22,9 @@ public:
     const std::vector<PlacedTree>& placed, const Sensor& sensor);
 
   /**
-   * No farther than `maximumDistance`. Sides that are inside of a body are taken only if they are less
-   * than half as far as others: a sensor near a thin object, but not quite on it, stands outside. Of
-   * several places at one distance the first by object and triangle.
+   * No farther than `maximumDistance`. Sides that are inside of a body are taken only if they are
+   * less than half as far as others: a sensor near a thin object, but not quite on it, stands
+   * outside. Of several places at one distance the first by object and triangle.
    */
   std::optional<Foot> find(double maximumDistance);
   /// On a side of a triangle, wherever that is.

@@ -31,8 +31,9 @@ public:
 
   /// Adds the photons of blocks [`first`, `end`) of the history.
   void add(const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution);
-  /// `objects` and `histories` are those after the changes. An object with another body than before has
-  /// a new tree, to which its photons are bound again; it does not matter what `changes` says of them.
+  /// `objects` and `histories` are those after the changes. An object with another body than before
+  /// has a new tree, to which its photons are bound again; it does not matter what `changes` says
+  /// of them.
   void apply(const SceneObjects& objects, const WalkHistories& histories,
     const PhotonChanges& changes, Execution& execution);
 

@@ -61,8 +61,8 @@ double usualRadius(const NearestPhotons& photons, std::uint32_t count)
   return std::min(4 * std::sqrt(count * area / all / kPi), 0.25 * sizeOf(photons.bounds()));
 }
 
-/// Points of a ball stray from its triangles by a hundredth of its size if its circles have 16 sides, and it
-/// is smaller than the scene. A working plane in a hall of 100 m is farther away.
+/// Points of a ball stray from its triangles by a hundredth of its size if its circles have 16
+/// sides, and it is smaller than the scene. A working plane in a hall of 100 m is farther away.
 double usualDistance(const NearestPhotons& photons)
 {
   return sizeOf(photons.bounds()) / 128;

@@ -18,18 +18,19 @@ namespace irradiance
 struct NearPhotons
 {
   std::vector<SegmentRef> photons; ///< the farthest comes last, the others in any order
-  /// Distance of the farthest, in the flattened world of the sensor; the largest that was allowed if
-  /// there are not so many.
+  /// Distance of the farthest, in the flattened world of the sensor; the largest that was allowed
+  /// if there are not so many.
   double radius;
   bool areAll; ///< there are fewer than asked for
 };
 
 /**
- * Exact search of the nearest photons that arrived on surface that counts for a sensor (section 4.1 of
- * the paper; SeenSurface says what counts). It begins at the leaf nearest to the sensor and goes outward through the trees of all
- * objects. Floats find the candidates, as in ray casting; where two are as far as rounding can tell,
- * the stored walks decide. So it finds what a search of all photons would find, ordered by distance
- * squared in double, walk and bounce, whatever the trees look like.
+ * Exact search of the nearest photons that arrived on surface that counts for a sensor (section 4.1
+ * of the paper; SeenSurface says what counts). It begins at the leaf nearest to the sensor and goes
+ * outward through the trees of all objects. Floats find the candidates, as in ray casting; where
+ * two are as far as rounding can tell, the stored walks decide. So it finds what a search of all
+ * photons would find, ordered by distance squared in double, walk and bounce, whatever the trees
+ * look like.
  *
  * Any number of threads may search at a time.
  */
@@ -40,8 +41,8 @@ public:
   NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfaces, const SceneObjects& objects,
     const WalkHistories& histories);
 
-  /// Where a sensor stands; nothing if that is farther away than `maximumDistance`, or if the sensor
-  /// is so far from the scene that distances in double tell little of what is nearer.
+  /// Where a sensor stands; nothing if that is farther away than `maximumDistance`, or if the
+  /// sensor is so far from the scene that distances in double tell little of what is nearer.
   std::optional<Foot> footOf(const Sensor& sensor, double maximumDistance = kInfinity) const;
   /// Of a sensor that stands on a side (1: front, -1: back) of a triangle.
   Foot footOn(const Sensor& sensor, const TriangleId& id, int side) const

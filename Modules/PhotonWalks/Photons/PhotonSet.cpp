@@ -51,7 +51,8 @@ std::size_t below(std::size_t n, std::uint32_t random)
   return random * std::uint64_t{ n } >> 32;
 }
 
-/// A bit for each slot that holds `sought`. There is no branch in the loop: it would be mispredicted.
+/// A bit for each slot that holds `sought`. There is no branch in the loop: it would be
+/// mispredicted.
 inline unsigned matches(const std::uint64_t* bucket, std::size_t slots, std::uint64_t sought)
 {
   unsigned bits = 0;

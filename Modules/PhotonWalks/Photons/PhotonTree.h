@@ -30,8 +30,8 @@ public:
 
   /// All photons leave; the memory stays.
   void empty();
-  /// Photons leave, placed as they were when they arrived, then others arrive. False if one that is to
-  /// leave is not here.
+  /// Photons leave, placed as they were when they arrived, then others arrive. False if one that is
+  /// to leave is not here.
   bool change(const std::vector<LeafPhoton>& gone, const std::vector<LeafPhoton>& arrived);
 
   /// Calls visit(pack) for all packs that may hold photons within some distance of a point, those
@@ -44,8 +44,8 @@ private:
   static constexpr int kDeepest = 64; ///< planes in a row
   static constexpr std::size_t kNoPack = ~std::size_t{};
 
-  /// A plane with the nodes on its two sides; or an end with its packs, which are several only if all
-  /// photons were in one place, or they are few.
+  /// A plane with the nodes on its two sides; or an end with its packs, which are several only if
+  /// all photons were in one place, or they are few.
   class Node
   {
   public:

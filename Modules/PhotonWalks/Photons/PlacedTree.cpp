@@ -54,8 +54,8 @@ PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit
 
 /// Floats: three coordinates of the photon and of the sensor, their difference, the stretch and a
 /// norm are each off by a few 2^-24 of vectors that are no longer than the sensor's distance and
-/// sqrt(3); a leaf's box by kStray. Doubles: the sensor's way to model space, and the photon's way to
-/// the world.
+/// sqrt(3); a leaf's box by kStray. Doubles: the sensor's way to model space, and the photon's way
+/// to the world.
 LocalSensor PlacedTree::see(const Sensor& sensor) const
 {
   const Vector3 unit = frame_(inverse_ * (sensor.position - worldFromObject_.translation));

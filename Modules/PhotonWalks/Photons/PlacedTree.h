@@ -37,8 +37,8 @@ struct CosineRange
 };
 
 /**
- * The tree of an object in its pose: distances in its unit frame and in the world. The latter are in
- * search units, a power of two of the world's, so that floats suffice at every scale.
+ * The tree of an object in its pose: distances in its unit frame and in the world. The latter are
+ * in search units, a power of two of the world's, so that floats suffice at every scale.
  */
 class PlacedTree
 {
@@ -54,14 +54,15 @@ public:
   }
   Facing facing(const Sensor& sensor) const { return { linear_, frame_.scale, sensor.normal }; }
 
-  /// No vector of length 1 in the unit frame is shorter than this in search units, flattened or not.
+  /// No vector of length 1 in the unit frame is shorter than this in search units, flattened or
+  /// not.
   float least() const { return least_; }
 
   /// Of the object in the world.
   double size() const { return size_; }
   bool isMirrored() const { return linear_.determinant() < 0; }
-  /// Whether the pose keeps angles, as it turns, mirrors and scales alone. The following hold if it does;
-  /// their unit frame is the frame of the object's SurfaceTree.
+  /// Whether the pose keeps angles, as it turns, mirrors and scales alone. The following hold if it
+  /// does; their unit frame is the frame of the object's SurfaceTree.
   bool keepsAngles() const { return worldUnitsPerUnit_ > 0; }
   double worldUnitsPerUnit() const { return worldUnitsPerUnit_; }
   double worldAreaOfUnit() const { return worldUnitsPerUnit_ * worldUnitsPerUnit_; }
@@ -83,7 +84,8 @@ public:
   }
 
 private:
-  /// Positions in the unit frame of the surface are off by less, as are world positions in that unit.
+  /// Positions in the unit frame of the surface are off by less, as are world positions in that
+  /// unit.
   double blurAt(const Vector3& unit) const
   {
     return 0x1p-44 * condition_ *

@@ -17,7 +17,8 @@ namespace
 constexpr double kBlur = 0x1p-20;
 /// Of coordinates.
 constexpr double kRounding = 0x1p-48;
-/// Of the distance: pays for planes of small triangles that are a little aslant, as points are in floats.
+/// Of the distance: pays for planes of small triangles that are a little aslant, as points are in
+/// floats.
 constexpr double kAslant = 0x1p-10;
 
 struct Range

@@ -14,7 +14,8 @@ namespace irradiance
  * alike. A side of a triangle counts if
  * - it faces as the sensor does, see Facing;
  * - it is inside of a body if the sensor's foot is, and outside if that is;
- * - the nearest point of the triangle is not in front of the plane of the foot while the foot is behind
+ * - the nearest point of the triangle is not in front of the plane of the foot while the foot is
+ *   behind
  *   the plane of the triangle, or the other way round. So it is with sheets above and below, and with steps.
  *   Surface that bends has both in front, or both behind. What is in the plane but for a thousandth of
  *   the distance counts.
@@ -53,7 +54,8 @@ private:
   const Foot& foot_;
   Facing facing_;
   AffineMap fromFoot_, flattened_; ///< from the object's space; the foot is the origin
-  /// The height above the plane of the foot, world, is upward_ . (point in the object's space) + height_.
+  /// The height above the plane of the foot, world, is upward_ . (point in the object's space) +
+  /// height_.
   Vector3 upward_;
   double height_;
   double blur_; ///< heights above a plane that mean nothing, world

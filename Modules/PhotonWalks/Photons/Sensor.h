@@ -12,9 +12,9 @@ namespace irradiance
  *
  * What is near is measured in a flattened world: distances across the sensor's plane count eight
  * times (as Jensen 1996 flattens his spheres to discs). On a flat surface that changes nothing. But
- * the other face of a board, the ceiling below, the back of a lamp, which face as the sensor does and
- * are dark, are near only to a sensor that must look eight times as far for its photons as they are
- * away; and round objects count for less where they turn away.
+ * the other face of a board, the ceiling below, the back of a lamp, which face as the sensor does
+ * and are dark, are near only to a sensor that must look eight times as far for its photons as they
+ * are away; and round objects count for less where they turn away.
  */
 struct Sensor
 {
@@ -43,15 +43,14 @@ struct Sensor
 };
 
 /**
- * Which sides of the triangles of an object face the same way as a sensor: those whose world normals
- * are within 45.6 degrees of its own. Photons on such sides count, and so does their area.
+ * Which sides of the triangles of an object face the same way as a sensor: those whose world
+ * normals are within 45.6 degrees of its own. Photons on such sides count, and so does their area.
  *
  * The angle is as wide as it can be without counting surface that a user would not expect. A point
- * normal of a mesh, averaged
- * over the two walls of a right-angled edge (cosine .707), faces as both do. The walls of a
- * hexagonal room (.5) do not count for each other, nor do those that meet at right angles, nor the
- * two sides of a sheet. Few photons of a small round object are then lost to its sensors, so that
- * they need not look for others far away.
+ * normal of a mesh, averaged over the two walls of a right-angled edge (cosine .707), faces as both
+ * do. The walls of a hexagonal room (.5) do not count for each other, nor do those that meet at
+ * right angles, nor the two sides of a sheet. Few photons of a small round object are then lost to
+ * its sensors, so that they need not look for others far away.
  */
 class Facing
 {

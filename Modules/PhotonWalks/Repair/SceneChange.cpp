@@ -28,7 +28,8 @@ bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Fun
 
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
 {
-  // Which lights are near static cells is known of them as well, and how many walks start where they are gathered.
+  // Which lights are near static cells is known of them as well, and how many walks start where
+  // they are gathered.
   return now.staticObject.body == before.staticObject.body &&
     now.staticObject.material == before.staticObject.material &&
     isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {

@@ -31,16 +31,16 @@ struct FrameChange
 /// not prove that they changed.
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
 
-/// Whether two frames differ at most in which dynamic objects are there, in their poses and in their
-/// points, and in the look of objects that were not there before.
+/// Whether two frames differ at most in which dynamic objects are there, in their poses and in
+/// their points, and in the look of objects that were not there before.
 bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before);
 
-/// Whether an object has another material or another number of triangles, or there are more or fewer
-/// objects.
+/// Whether an object has another material or another number of triangles, or there are more or
+/// fewer objects.
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
 
-/// Which dynamic objects have come or gone, or have another pose or other points. Both frames have as
-/// many of them.
+/// Which dynamic objects have come or gone, or have another pose or other points. Both frames have
+/// as many of them.
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before);
 
 }

@@ -10,8 +10,8 @@
 namespace irradiance
 {
 
-/// The first stale segments of walks, block by block, with their rays and their hits in the new frame. Slots
-/// and blocks are those in which the old segments are stored.
+/// The first stale segments of walks, block by block, with their rays and their hits in the new
+/// frame. Slots and blocks are those in which the old segments are stored.
 struct StaleFront
 {
   explicit StaleFront(WalkFront& memory)

@@ -39,8 +39,8 @@ public:
   /// All marked walks, the strongest first; each class but the last has at least `enough`.
   std::vector<PowerClass> classes(std::size_t enough) const;
 
-  /// Marks the first stale segments of walks of a block, ordered by walk, as a verification found them. It
-  /// must have skipped the tails that were marked before.
+  /// Marks the first stale segments of walks of a block, ordered by walk, as a verification found
+  /// them. It must have skipped the tails that were marked before.
   void add(std::size_t block, const WalkHistory& history, const std::vector<SegmentRef>& found);
   /// Takes out a walk whose tail is about to be replaced; its mark stays until forgetRepaired().
   void repair(
@@ -68,10 +68,11 @@ public:
   const CellSums& sums() const { return sums_; }
   /// Adds the deposits that repair() collected.
   void take(const std::vector<Deposit>& deposits) { sums_.add(deposits); }
-  /// The power that the first stale segments carry, and the first segments of walks that are not stored yet.
+  /// The power that the first stale segments carry, and the first segments of walks that are not
+  /// stored yet.
   Power power() const;
-  /// Upper bound of the quanta that all cells together receive from the repaired tails and those walks, if it
-  /// is known.
+  /// Upper bound of the quanta that all cells together receive from the repaired tails and those
+  /// walks, if it is known.
   Power gainBound() const;
   bool isBoundKnown() const { return bound_.isKnown(); }
   std::size_t bytes() const;

@@ -12,7 +12,8 @@ namespace irradiance
 /**
  * The most that the rest of a walk can bring to all cells together, wherever it goes: what it
  * brings if it never escapes and always hits the cell that reflects most. Whether it survives a hit
- * is decided by its own samples, so the bound is certain, not a mean. See Documentation/Theory.md, 4.1.
+ * is decided by its own samples, so the bound is certain, not a mean. See Documentation/Theory.md,
+ * 4.1.
  */
 class TailBound
 {

@@ -16,9 +16,9 @@ namespace irradiance
 {
 
 /**
- * Shoots walks that start where direct light arrives since a motion, into the history of those that started
- * before. With a budget of time some may be left for later; what a thread has begun it finishes, and the first few
- * are always begun.
+ * Shoots walks that start where direct light arrives since a motion, into the history of those that
+ * started before. With a budget of time some may be left for later; what a thread has begun it
+ * finishes, and the first few are always begun.
  */
 class WalkBirths
 {
@@ -39,8 +39,8 @@ public:
   {
   }
 
-  /// Shoots walks, which are ordered by number. Returns which were shot, in order. `budget`: null: there is
-  /// time for all. Throws Interrupted.
+  /// Shoots walks, which are ordered by number. Returns which were shot, in order. `budget`: null:
+  /// there is time for all. Throws Interrupted.
   std::vector<std::uint32_t> shoot(
     const std::vector<std::uint32_t>& walks, TimeBudget* budget, Execution& execution);
 

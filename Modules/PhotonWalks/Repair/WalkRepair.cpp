@@ -158,8 +158,8 @@ std::vector<PowerClass> WalkRepair::classes(const StaleWalks& stale, bool hasBud
   return stale.classes(hasBudget ? enough : std::numeric_limits<std::size_t>::max());
 }
 
-/// A block has few stale walks. So walks of several blocks are shot together, as long as that leaves
-/// enough units for all threads.
+/// A block has few stale walks. So walks of several blocks are shot together, as long as that
+/// leaves enough units for all threads.
 std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerClass& like) const
 {
   const std::size_t together = std::max<std::size_t>(std::min(like.size / kUnits, kBatchSize), 1);

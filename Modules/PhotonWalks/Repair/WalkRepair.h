@@ -31,12 +31,12 @@ struct RepairWork
 };
 
 /**
- * Shoots stale walks again from their first stale segment on, walks of several blocks side by side: those
- * that a motion changed, in one pass with their verification; or those that were marked.
+ * Shoots stale walks again from their first stale segment on, walks of several blocks side by side:
+ * those that a motion changed, in one pass with their verification; or those that were marked.
  *
- * With a budget of time those marked come first whose stale segments carry most power. A walk is repaired
- * completely or not at all: what a thread has begun it finishes, some hundred walks. The first few are always
- * begun, however small the budget, so that enough calls repair all.
+ * With a budget of time those marked come first whose stale segments carry most power. A walk is
+ * repaired completely or not at all: what a thread has begun it finishes, some hundred walks. The
+ * first few are always begun, however small the budget, so that enough calls repair all.
  */
 class WalkRepair
 {

@@ -260,8 +260,8 @@ void WalkVerifier::castUncovered(Memory& memory) const
   tracer_.castDynamic(rows, memory.cast);
 }
 
-/// Segments whose hit moved are stale even if the same triangle is found again: its normal and the point on
-/// it have changed. They were noted before.
+/// Segments whose hit moved are stale even if the same triangle is found again: its normal and the
+/// point on it have changed. They were noted before.
 void WalkVerifier::noteFirst(std::size_t firstBlock, Memory& memory) const
 {
   const auto noteIf = [&](const WalkFront& rows, const auto& isStale) {
@@ -279,8 +279,8 @@ void WalkVerifier::noteFirst(std::size_t firstBlock, Memory& memory) const
   noteIf(lost, [&](std::size_t row) { return isChanged(lost, row); });
 }
 
-/// Where objects touch, the hit may be the same and yet depend on other objects than before: then it is
-/// stored again as well.
+/// Where objects touch, the hit may be the same and yet depend on other objects than before: then
+/// it is stored again as well.
 bool WalkVerifier::isChanged(const WalkFront& rows, std::size_t row) const
 {
   const BounceBlock& block = history_.block(rows.block[row]);

@@ -54,12 +54,12 @@ public:
     FrontCast cast;
   };
 
-  /// Of the blocks [first, end): at most one segment of each walk. Walks `known` to be stale (by block; null: none)
-  /// are verified up to their marks.
+  /// Of the blocks [first, end): at most one segment of each walk. Walks `known` to be stale (by
+  /// block; null: none) are verified up to their marks.
   void find(std::size_t first, std::size_t end, const std::vector<const StaleMarks*>& known,
     Memory& memory, StaleFront& stale) const;
-  /// The same for segments that are known to be stale, by block: their hits in the new frame. A hit that was
-  /// found in an earlier frame may have changed since, but the ray has not.
+  /// The same for segments that are known to be stale, by block: their hits in the new frame. A hit
+  /// that was found in an earlier frame may have changed since, but the ray has not.
   void castAgain(const std::vector<SegmentPlace>& places, Memory& memory, StaleFront& stale) const;
   /// The number of segments for which rays were cast so far.
   std::int64_t numberOfSuspects() const { return suspects_; }

@@ -9,7 +9,8 @@
 namespace irradiance
 {
 
-/// The sample keys of all walks for one use, at the first bounces: a table by bounce and replicate, for lanes.
+/// The sample keys of all walks for one use, at the first bounces: a table by bounce and replicate,
+/// for lanes.
 class BounceKeys
 {
 public:

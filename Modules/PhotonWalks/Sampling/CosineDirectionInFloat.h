@@ -8,10 +8,11 @@ namespace irradiance
 {
 
 /**
- * Vector on the hemisphere around a normal, density cos(theta) / pi per steradian, in float, from samples in
- * units of 2^-32. It is of unit length, and its height over the plane is the right one, to within 2^-20: the frame and the products take some ten roundings of 2^-24.
- * So it always points to the side of the normal, for `u` = 2^32 - 1 as well, as the least height is 2^-16.5.
- * That takes all 32 bits of the sample: the height is computed from its complement, which is as exact for
+ * Vector on the hemisphere around a normal, density cos(theta) / pi per steradian, in float, from
+ * samples in units of 2^-32. It is of unit length, and its height over the plane is the right one,
+ * to within 2^-20: the frame and the products take some ten roundings of 2^-24. So it always points
+ * to the side of the normal, for `u` = 2^32 - 1 as well, as the least height is 2^-16.5. That takes
+ * all 32 bits of the sample: the height is computed from its complement, which is as exact for
  * large `u` as the radius is for small ones.
  */
 struct CosineDirectionInFloat

@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// The blocks of a plan that one rank of several works on. They are dealt in turn, so that each round is
-/// shared evenly.
+/// The blocks of a plan that one rank of several works on. They are dealt in turn, so that each
+/// round is shared evenly.
 class DealtBlocks
 {
 public:

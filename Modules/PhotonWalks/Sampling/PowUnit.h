@@ -69,8 +69,8 @@ inline double unitExponential(double power)
 }
 
 /**
- * base^exponent for 0 < base <= 1 and a finite exponent >= 0. Our own, like SinCos: the libraries of
- * different systems differ in the last bits, and bits of directions decide which way walks go.
+ * base^exponent for 0 < base <= 1 and a finite exponent >= 0. Our own, like SinCos: the libraries
+ * of different systems differ in the last bits, and bits of directions decide which way walks go.
  * The error is below 2^-50 (1 + |ln result|), relative; results below 2^-1000 are 0.
  */
 inline double powUnit(double base, double exponent)

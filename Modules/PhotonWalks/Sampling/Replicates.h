@@ -7,8 +7,9 @@
 namespace irradiance
 {
 
-/// Assigns walks to replicates in turn: the w-th walk is number w / R (rounded down) of replicate w mod R.
-/// So the first n walks are shared evenly for every n; the first n mod R replicates have one more.
+/// Assigns walks to replicates in turn: the w-th walk is number w / R (rounded down) of replicate w
+/// mod R. So the first n walks are shared evenly for every n; the first n mod R replicates have one
+/// more.
 class Replicates
 {
 public:

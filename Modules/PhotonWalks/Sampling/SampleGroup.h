@@ -15,8 +15,9 @@ struct ReplicateLanes
 
   alignas(64) std::uint32_t replicate[kSize], number[kSize]; ///< number: within the replicate
 
-  /// `count` > 1. The quotient of two integers below 2^32, rounded to a double, never reaches the next
-  /// integer: it is 2^-32 or more away from it, relative to the divisor, and the rounding 2^-53.
+  /// `count` > 1. The quotient of two integers below 2^32, rounded to a double, never reaches the
+  /// next integer: it is 2^-32 or more away from it, relative to the divisor, and the rounding
+  /// 2^-53.
   __attribute__((always_inline)) void set(
     const std::uint32_t* walks, std::uint32_t firstWalk, std::uint32_t count)
   {
@@ -34,7 +35,8 @@ struct ReplicateLanes
   }
 };
 
-/// Samples of walks side by side, as integers: the same as SobolSequence::sample() makes its numbers of.
+/// Samples of walks side by side, as integers: the same as SobolSequence::sample() makes its
+/// numbers of.
 struct SampleGroup
 {
   static constexpr unsigned kSize = ReplicateLanes::kSize;
@@ -42,9 +44,9 @@ struct SampleGroup
   alignas(64) std::uint32_t index[kSize], shuffle[kSize], scrambleX[kSize], scrambleY[kSize];
   alignas(64) std::uint32_t x[kSize], y[kSize]; ///< the samples, in units of 2^-32
 
-  /// Draws samples for the bounces given plus `ahead`. Is quickest for walks that are all at one bounce, quick
-  /// for any bounces of the table of keys, and looks up all others walk by walk. Is compiled once for each
-  /// instruction set.
+  /// Draws samples for the bounces given plus `ahead`. Is quickest for walks that are all at one
+  /// bounce, quick for any bounces of the table of keys, and looks up all others walk by walk. Is
+  /// compiled once for each instruction set.
   __attribute__((always_inline)) void draw(const BounceKeys& keys, const std::uint32_t* walks,
     const std::uint32_t* bounces, std::uint32_t ahead)
   {

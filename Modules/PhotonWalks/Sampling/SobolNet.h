@@ -11,12 +11,13 @@ namespace irradiance
 {
 
 /**
- * Points of the first four Sobol' dimensions together, each coordinate with a nested uniform (Owen) scrambling of
- * its own. Where two SobolPoints are shuffled against each other, these fill the four dimensions evenly as well,
- * and with some hundred points estimate better what depends on all; but a few points do so worse.
+ * Points of the first four Sobol' dimensions together, each coordinate with a nested uniform (Owen)
+ * scrambling of its own. Where two SobolPoints are shuffled against each other, these fill the four
+ * dimensions evenly as well, and with some hundred points estimate better what depends on all; but
+ * a few points do so worse.
  *
- * Direction numbers from Joe and Kuo, "Constructing Sobol sequences with better two-dimensional projections"
- * (SIAM J. Sci. Comput. 30, 2008).
+ * Direction numbers from Joe and Kuo, "Constructing Sobol sequences with better two-dimensional
+ * projections" (SIAM J. Sci. Comput. 30, 2008).
  */
 class SobolNet
 {
@@ -53,8 +54,8 @@ public:
 private:
   using Directions = std::array<std::uint32_t, 32>;
 
-  /// The directions of a primitive polynomial of this degree, its inner terms as the bits of a number, from its
-  /// first numbers.
+  /// The directions of a primitive polynomial of this degree, its inner terms as the bits of a
+  /// number, from its first numbers.
   static constexpr Directions directions(
     std::size_t degree, std::uint32_t inner, std::array<std::uint32_t, 3> first)
   {

@@ -8,9 +8,9 @@ namespace irradiance
 {
 
 /**
- * Sine and cosine, in float, of an angle given in units of 2^-32 turns. Our own, as SinCos is, and with
- * twice as many lanes. Without branches; each product and sum is rounded, so all instruction sets give
- * the same bits.
+ * Sine and cosine, in float, of an angle given in units of 2^-32 turns. Our own, as SinCos is, and
+ * with twice as many lanes. Without branches; each product and sum is rounded, so all instruction
+ * sets give the same bits.
  */
 struct TurnInFloat
 {
@@ -19,7 +19,8 @@ struct TurnInFloat
   /// Both are within 2^-22.5 of the truth.
   __attribute__((always_inline)) explicit TurnInFloat(std::uint32_t turn)
   {
-    // The nearest quarter turn, and the angle from there, at most an eighth of a turn: exact in integers.
+    // The nearest quarter turn, and the angle from there, at most an eighth of a turn: exact in
+    // integers.
     const std::uint32_t quarter = (turn + 0x20000000u) >> 30;
     const auto rest = static_cast<std::int32_t>(turn - (quarter << 30));
     const float x = static_cast<float>(rest) * static_cast<float>(6.283185307179586 * 0x1p-32);

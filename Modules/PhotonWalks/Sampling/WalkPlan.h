@@ -36,7 +36,8 @@ public:
         std::numeric_limits<std::uint32_t>::max(), std::numeric_limits<std::uint32_t>::max(), 1)
   {
   }
-  /// 1 <= `first` <= `most` walks, numbered from `firstWalk` on. With `first` == `most` there is one round.
+  /// 1 <= `first` <= `most` walks, numbered from `firstWalk` on. With `first` == `most` there is
+  /// one round.
   WalkPlan(
     std::uint32_t first, std::uint32_t most, std::uint32_t replicates, std::uint32_t firstWalk = 0);
   /// Has no rounds yet.

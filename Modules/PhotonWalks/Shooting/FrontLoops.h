@@ -9,8 +9,9 @@
 namespace irradiance
 {
 
-/// What the loops over lanes of WalkStages read of a scene. Every number has rows, also kNone and what was
-/// never written: then any record will do, and the look is the last one, with which nothing survives.
+/// What the loops over lanes of WalkStages read of a scene. Every number has rows, also kNone and
+/// what was never written: then any record will do, and the look is the last one, with which
+/// nothing survives.
 struct SceneRows
 {
   explicit SceneRows(const SceneTriangles& triangles)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loops of FrontLoops.h, compiled once for each instruction set. `Lanes`: its way to transpose rows and
-// to pack what a mask chooses. All else are plain loops over a group of walks, which become SIMD.
+// The loops of FrontLoops.h, compiled once for each instruction set. `Lanes`: its way to transpose
+// rows and to pack what a mask chooses. All else are plain loops over a group of walks, which
+// become SIMD.
 
 namespace irradiance
 {

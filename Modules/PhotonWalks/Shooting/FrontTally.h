@@ -10,14 +10,14 @@
 namespace irradiance
 {
 
-/// Adds what a front brings to the cells and the balance, or takes it back: the one place where the result
-/// gains or loses a photon. The cells are updated when the tally is destroyed.
+/// Adds what a front brings to the cells and the balance, or takes it back: the one place where the
+/// result gains or loses a photon. The cells are updated when the tally is destroyed.
 class FrontTally
 {
 public:
-  /// `photon`: the power of each walk, if there is one band. `expected`: about how many photons will come or
-  /// go: many are counted in a table, few stand in a list, see PhotonCounts.
-  /// The other arguments must outlive the tally.
+  /// `photon`: the power of each walk, if there is one band. `expected`: about how many photons
+  /// will come or go: many are counted in a table, few stand in a list, see PhotonCounts. The other
+  /// arguments must outlive the tally.
   FrontTally(const SceneTriangles& triangles, CellSums& sums, PowerBalance& balance,
     const Power& photon, std::size_t expected);
   ~FrontTally() { sums_.add(deposits_); }
@@ -29,18 +29,18 @@ public:
   void emit(const WalkFront& front) { balance_.emitted += powerOf(front); }
   /// Walks that had started are no more. What they brought is for remove().
   void unemit(const Power& started) { balance_.emitted -= started; }
-  /// The cells that are hit receive what the walks carry; what hits nothing escapes. Reads walk, hit and,
-  /// if sides are kept apart, hitSide.
+  /// The cells that are hit receive what the walks carry; what hits nothing escapes. Reads walk,
+  /// hit and, if sides are kept apart, hitSide.
   void receive(const WalkFront& front) { change(front, 1); }
   /// Of what arrived, this front leaves again.
   void release(const WalkFront& front) { balance_.absorbed -= powerOf(front); }
   /// Walks that had left where light arrived are no more, as unemit().
   void unrelease(const Power& started) { balance_.absorbed += started; }
   /**
-   * Takes back what tails of walks brought: all their segments, in any order, as receive() took them, with
-   * the sides that were hit and, with several bands, their powers. `starting`: what the first segments of
-   * the tails carry in all. That is under way again, for the tails that come instead: it was released
-   * before, or emitted.
+   * Takes back what tails of walks brought: all their segments, in any order, as receive() took
+   * them, with the sides that were hit and, with several bands, their powers. `starting`: what the
+   * first segments of the tails carry in all. That is under way again, for the tails that come
+   * instead: it was released before, or emitted.
    */
   void remove(const WalkFront& tails, const Power& starting)
   {

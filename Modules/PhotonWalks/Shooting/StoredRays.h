@@ -10,33 +10,35 @@
 namespace irradiance
 {
 
-/// Appends a stored segment to a front, as FrontTally::remove() reads it: walk, hit, hitSide and powers.
+/// Appends a stored segment to a front, as FrontTally::remove() reads it: walk, hit, hitSide and
+/// powers.
 void addStored(const BounceBlock& block, std::uint32_t slot, int bands, WalkFront& front);
 
 /**
- * Finds the rays of stored segments again, with the bits with which they were shot, unless they start on what
- * has moved. A ray follows from the hit before it, or from the number of its walk.
+ * Finds the rays of stored segments again, with the bits with which they were shot, unless they
+ * start on what has moved. A ray follows from the hit before it, or from the number of its walk.
  *
  * Owns the memory that this takes: keep one for each thread.
  */
 class StoredRays
 {
 public:
-  /// Rows name segments by block and slot. Writes walk, bounce, parent, the ray, and the stored hit with its
-  /// weights and its side; not the distance.
+  /// Rows name segments by block and slot. Writes walk, bounce, parent, the ray, and the stored hit
+  /// with its weights and its side; not the distance.
   void find(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front);
 
   using Segments = std::vector<SegmentRef>;
   /// The rays of segments, one for each.
   void find(
     const WalkTracer& tracer, const WalkHistory& history, const Segments& segments, Ray* rays);
-  /// The points where segments hit, and the unit directions in which they flew there. They follow from the
-  /// stored points as the directions of specular reflection do. Not for escapes.
+  /// The points where segments hit, and the unit directions in which they flew there. They follow
+  /// from the stored points as the directions of specular reflection do. Not for escapes.
   void findArrivals(const WalkTracer& tracer, const WalkHistory& history, const Segments& segments,
     SurfacePoint* points, Vector3* directions);
 
 private:
-  /// Only origins are of use if `isOnlyOrigins`: no directions of specular reflections are computed.
+  /// Only origins are of use if `isOnlyOrigins`: no directions of specular reflections are
+  /// computed.
   void find(
     const WalkTracer& tracer, const WalkHistory& history, WalkFront& front, bool isOnlyOrigins);
   void readStarts(const WalkHistory& history, WalkFront& front);

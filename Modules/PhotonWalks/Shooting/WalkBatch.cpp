@@ -40,9 +40,10 @@ void WalkBatch::resume(bool notesPlaces)
   notesPlaces_ = notesPlaces;
 }
 
-/// After the first rounds it shows whether walks of a closed scene end too seldom. From n bounces for each that ends,
-/// cells receive n times the emitted power, and checkReceived() allows 2^16. Of 4096 walks 16 should have ended at
-/// that; if walks take half as many bounces, 7 million such batches refuse one by chance.
+/// After the first rounds it shows whether walks of a closed scene end too seldom. From n bounces
+/// for each that ends, cells receive n times the emitted power, and checkReceived() allows 2^16. Of
+/// 4096 walks 16 should have ended at that; if walks take half as many bounces, 7 million such
+/// batches refuse one by chance.
 void WalkBatch::checkEnds() const
 {
   constexpr double kFewest = 12, kFarBelow = 0.4;

@@ -12,26 +12,27 @@ namespace irradiance
 {
 
 /**
- * Takes a front of walks to their ends, bounce by bounce: the stages of WalkStages, the cast, the tally and
- * the history. It owns the memory for this, to be used again.
+ * Takes a front of walks to their ends, bounce by bounce: the stages of WalkStages, the cast, the
+ * tally and the history. It owns the memory for this, to be used again.
  */
 class WalkBatch
 {
 public:
-  /// Begins anew. The arguments must outlive the run. `history`: where segments are stored, or null.
-  /// `keepsSides`: the tally keeps sides apart. What is stored has sides anyway.
+  /// Begins anew. The arguments must outlive the run. `history`: where segments are stored, or
+  /// null. `keepsSides`: the tally keeps sides apart. What is stored has sides anyway.
   void begin(const WalkTracer& tracer, WalkHistory* history, bool keepsSides);
 
-  /// To be filled: with walks and their blocks, to be started; or with walks whose rays and hits are known,
-  /// to go on.
+  /// To be filled: with walks and their blocks, to be started; or with walks whose rays and hits
+  /// are known, to go on.
   WalkFront& front() { return now_; }
   /// All walks of the front leave their lights, or the cells where direct light was gathered.
   void start(FrontTally& tally);
   /// All walks of the front go on. `notesPlaces`: see places().
   void resume(bool notesPlaces);
 
-  /// Shoots until all walks have ended. Throws std::runtime_error if they hardly do. If `hasToStop` returns true between two bounces, it returns
-  /// false and may be called again, on another thread and with another tally.
+  /// Shoots until all walks have ended. Throws std::runtime_error if they hardly do. If `hasToStop`
+  /// returns true between two bounces, it returns false and may be called again, on another thread
+  /// and with another tally.
   bool run(FrontTally& tally, const std::function<bool()>& hasToStop);
 
   /// Segments shot so far.

@@ -15,9 +15,9 @@ namespace irradiance
 {
 
 /**
- * Walks that go on together, one segment of each, column by column. Triangles have numbers through all
- * objects, see SceneTriangles; kNone is none. Usually all walks are at the same bounce; after repairs they
- * are not, and stages are slower but give the same.
+ * Walks that go on together, one segment of each, column by column. Triangles have numbers through
+ * all objects, see SceneTriangles; kNone is none. Usually all walks are at the same bounce; after
+ * repairs they are not, and stages are slower but give the same.
  *
  * The columns are raw memory: a stage says which it reads and which it writes.
  */
@@ -55,11 +55,11 @@ struct WalkFront
 
   std::size_t groups() const { return (size + kGroup - 1) / kGroup; }
 
-  /// Room for that many walks, with powers if there are several bands. Keeps the columns; never gives room
-  /// back.
+  /// Room for that many walks, with powers if there are several bands. Keeps the columns; never
+  /// gives room back.
   void reserve(std::size_t walks, int bandsOfPower);
-  /// Appends rows of another front. All columns go along, but for `survivors`; rows that were never written
-  /// stay so.
+  /// Appends rows of another front. All columns go along, but for `survivors`; rows that were never
+  /// written stay so.
   void take(const WalkFront& from, std::size_t first, std::size_t count);
   /// A row of one of several fronts.
   struct Row
@@ -89,7 +89,8 @@ struct WalkFront
   }
 
 private:
-  /// Calls visit(column...) with the same column of each front, for all that have a place for each walk.
+  /// Calls visit(column...) with the same column of each front, for all that have a place for each
+  /// walk.
   template <class Visit, class... Fronts>
   static void forEachColumn(int bandsOfPower, const Visit& visit, Fronts&... fronts)
   {

@@ -21,8 +21,8 @@ inline Vector3 incomingDirection(const SurfacePoint& point, const Vector3& from)
 }
 
 /**
- * What a single walk does at its start and at its hits, where WalkStages do not take all walks of a front
- * alike. Knows no scene, so whoever finds the hits may use it.
+ * What a single walk does at its start and at its hits, where WalkStages do not take all walks of a
+ * front alike. Knows no scene, so whoever finds the hits may use it.
  */
 class WalkSampler
 {
@@ -53,9 +53,9 @@ public:
   /// the power of that segment; matters only if there are several bands.
   Reflection reflectionAt(
     const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
-  /// The unit direction in which a walk leaves a point specularly for its segment `bounce`. `point`: of a
-  /// triangle `id`, turned to the side that is left. `from`: where the segment before began; its direction
-  /// follows from this and the hit, as both follow from what is stored.
+  /// The unit direction in which a walk leaves a point specularly for its segment `bounce`.
+  /// `point`: of a triangle `id`, turned to the side that is left. `from`: where the segment before
+  /// began; its direction follows from this and the hit, as both follow from what is stored.
   Vector3 specularDirection(const SurfacePoint& point, const TriangleId& id, const Vector3& from,
     std::uint32_t walk, std::uint32_t bounce) const;
 

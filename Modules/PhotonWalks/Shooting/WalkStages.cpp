@@ -42,8 +42,8 @@ void setOrigin(WalkFront& front, std::size_t place, const Vector3& origin)
 
 Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
 {
-  // Rounding turns a direction by up to 2^-24. What then points into the surface, or grazes it so that the
-  // sign is a matter of rounding in double, is raised by more than that.
+  // Rounding turns a direction by up to 2^-24. What then points into the surface, or grazes it so
+  // that the sign is a matter of rounding in double, is raised by more than that.
   constexpr double kLift = 0x1p-22, kGrazing = 0x1p-30;
   const auto rounded = [](const Vector3& v) { return Vector3(toFloat(v).cast<double>()); };
   const Vector3 nearest = rounded(direction);
@@ -259,7 +259,8 @@ std::vector<WalkStages::Specular> WalkStages::specularOf(const WalkFront& front)
   return specular;
 }
 
-/// Their sides and origins are those that the loop found. They are few, and each has a lobe of its own.
+/// Their sides and origins are those that the loop found. They are few, and each has a lobe of its
+/// own.
 void WalkStages::leaveSpecularly(WalkFront& front, const std::vector<Specular>& specular) const
 {
   for (const auto& [i, from, weights] : specular)

@@ -21,40 +21,42 @@ namespace irradiance
  *   start -> (cast) -> findSides, only if sides are kept apart -> FrontTally::receive -> absorb -> leave
  *               ^------------------------------------------------------------------------------'
  *
- * Walks that a history knows enter at leave(), or, with a known hit, after the cast. What a walk does is a
- * function of the scene, the samples and its number, whatever else is in its front. So rays need not be
- * stored: start() and leave() find them again, bit for bit, for any walks in any order and at any bounces.
+ * Walks that a history knows enter at leave(), or, with a known hit, after the cast. What a walk
+ * does is a function of the scene, the samples and its number, whatever else is in its front. So
+ * rays need not be stored: start() and leave() find them again, bit for bit, for any walks in any
+ * order and at any bounces.
  */
 class WalkStages
 {
 public:
-  /// The arguments must outlive the stages. `gathered`: walks start there instead of at the lights; or null.
+  /// The arguments must outlive the stages. `gathered`: walks start there instead of at the lights;
+  /// or null.
   WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles, const LightTable& lights,
     const SobolSequence& samples, const GatheredRounds* gathered = nullptr);
 
-  /// Walks leave their lights, areas or points in the air. Reads walk, for which any numbers of the plan will
-  /// do; writes bounce, parent, the ray with side, the weights of its place on `start`, candidate, isSpecular
-  /// where cells are glossy, and powers with several bands.
+  /// Walks leave their lights, areas or points in the air. Reads walk, for which any numbers of the
+  /// plan will do; writes bounce, parent, the ray with side, the weights of its place on `start`,
+  /// candidate, isSpecular where cells are glossy, and powers with several bands.
   void start(WalkFront& front) const;
 
   /// Finds which sides the rays hit. Reads direction and hit; writes hitSide.
   void findSides(WalkFront& front) const;
 
   /**
-   * Walks end at their hits, or survive with probability = reflectance. Those that do go to the other front,
-   * in order, where they stand at the next bounce on the triangle `start`, which they are to leave: leave()
-   * makes their rays. Their slot becomes `parent`. Reads walk, bounce, block, slot, the ray, hit, weights
-   * and, if `areSidesKnown`, hitSide; with several bands uses up the powers of `from`. Throws
-   * std::runtime_error for a walk that does not end.
+   * Walks end at their hits, or survive with probability = reflectance. Those that do go to the
+   * other front, in order, where they stand at the next bounce on the triangle `start`, which they
+   * are to leave: leave() makes their rays. Their slot becomes `parent`. Reads walk, bounce, block,
+   * slot, the ray, hit, weights and, if `areSidesKnown`, hitSide; with several bands uses up the
+   * powers of `from`. Throws std::runtime_error for a walk that does not end.
    */
   void absorb(WalkFront& from, WalkFront& to, bool areSidesKnown) const;
 
   /**
-   * Walks leave the points of `start` that the weights name. Reads walk, bounce, start, weights and either
-   * side, if known, or the direction of arrival. Writes the ray and side. Of a stored segment the hit and
-   * the side that was hit are `start`, weights and side of the segment after it, which has one bounce more.
-   * Where cells are glossy it also reads isSpecular, and for walks for which it is set the origin of the ray that
-   * came and its direction.
+   * Walks leave the points of `start` that the weights name. Reads walk, bounce, start, weights and
+   * either side, if known, or the direction of arrival. Writes the ray and side. Of a stored
+   * segment the hit and the side that was hit are `start`, weights and side of the segment after
+   * it, which has one bounce more. Where cells are glossy it also reads isSpecular, and for walks
+   * for which it is set the origin of the ray that came and its direction.
    */
   void leave(WalkFront& front, bool areSidesKnown) const;
 

@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// What decides how walks go on, and the scene in which they find their hits. So a walk is a pure function of
-/// the scene, the samples and its number.
+/// What decides how walks go on, and the scene in which they find their hits. So a walk is a pure
+/// function of the scene, the samples and its number.
 class WalkTracer
 {
 public:
@@ -35,18 +35,20 @@ public:
   const WalkSampler& sampler() const { return sampler_; }
   const WalkStages& stages() const { return stages_; }
 
-  // Each finds the hits of the rays of a front: the closest triangles, and among triangles that coincide
-  // those that Contacts puts first. `cast`: owns the memory of the stages.
+  // Each finds the hits of the rays of a front: the closest triangles, and among triangles that
+  // coincide those that Contacts puts first. `cast`: owns the memory of the stages.
   /// Among all triangles. Writes distance, hit and weights.
   void cast(WalkFront& front, FrontCast& cast) const;
   /// Among dynamic triangles, if they are closer than what stands in the front.
   void castDynamic(WalkFront& front, FrontCast& cast) const;
-  /// Likewise, among those of objects that moved. Only rows with another hit are asked for contacts.
+  /// Likewise, among those of objects that moved. Only rows with another hit are asked for
+  /// contacts.
   void castMoved(WalkFront& front, FrontCast& cast) const;
   /// Sets the distances and weights of hits that are known.
   void findDistances(WalkFront& front, FrontCast& cast) const;
 
-  /// Whether the hit of a segment may depend on dynamic objects that touch its ends. Numbers of triangles.
+  /// Whether the hit of a segment may depend on dynamic objects that touch its ends. Numbers of
+  /// triangles.
   bool isContact(std::uint32_t start, std::uint32_t hit) const
   {
     return hasContacts() &&

@@ -48,9 +48,9 @@ inline double reflectedPart(const Power& incoming, const double* reflectances, i
 }
 
 /**
- * One band: the reflectances (section 3.1 of the paper), in all at most 1. Several: the parts of the
- * strongest band that are reflected diffusely and specularly. If these add up to more than 1, as
- * they may if they are of different bands, both are divided by their sum.
+ * One band: the reflectances (section 3.1 of the paper), in all at most 1. Several: the parts of
+ * the strongest band that are reflected diffusely and specularly. If these add up to more than 1,
+ * as they may if they are of different bands, both are divided by their sum.
  */
 inline SurvivalProbabilities survivalProbabilities(
   const Power& incoming, const Material& material, std::size_t cell)
@@ -75,9 +75,9 @@ inline SurvivalProbabilities survivalProbabilities(
   return survival;
 }
 
-/// The power of a walk that survived by this reflection, with `probability` > 0. The reflected power
-/// over the probability keeps the mean. Without scaling, see above, it leaves the strongest band
-/// what it had: one band keeps its power.
+/// The power of a walk that survived by this reflection, with `probability` > 0. The reflected
+/// power over the probability keeps the mean. Without scaling, see above, it leaves the strongest
+/// band what it had: one band keeps its power.
 inline Power survivingPower(const Power& incoming, const Material& material, std::size_t cell,
   Reflection reflection, double probability)
 {

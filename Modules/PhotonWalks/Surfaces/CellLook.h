@@ -9,14 +9,15 @@ namespace irradiance
 {
 
 /**
- * What a walk needs of the cell of a triangle, in 8 bytes: which one it is, and whether the walk survives,
- * decided on the integer that a sample is made of.
+ * What a walk needs of the cell of a triangle, in 8 bytes: which one it is, and whether the walk
+ * survives, decided on the integer that a sample is made of.
  *
- * A sample c stands for (c + 1/2) / 2^32, see SobolPoint::toUnit(). Twice that is an integer below 2^33, so
- * a double holds it, as it does r = 2^32 times a reflectance. Hence `sample < reflectance` means
- * c < r - 1/2, and for integers c < N, with N the difference rounded up. The difference of doubles is exact
- * for r >= 1/4 (up to 1 by Sterbenz, beyond as it needs no finer bits than r), and negative below, as the
- * true one is. N = 2^32, which all samples are below, has no room in 32 bits and is a bit of its own.
+ * A sample c stands for (c + 1/2) / 2^32, see SobolPoint::toUnit(). Twice that is an integer below
+ * 2^33, so a double holds it, as it does r = 2^32 times a reflectance. Hence `sample < reflectance`
+ * means c < r - 1/2, and for integers c < N, with N the difference rounded up. The difference of
+ * doubles is exact for r >= 1/4 (up to 1 by Sterbenz, beyond as it needs no finer bits than r), and
+ * negative below, as the true one is. N = 2^32, which all samples are below, has no room in 32 bits
+ * and is a bit of its own.
  */
 struct CellLook
 {

@@ -212,8 +212,8 @@ Contacts::ContactTriangle Contacts::contactTriangleOf(const SceneObjects& object
   const SceneObject& object = objects[id.object];
   const SolidSides& sides = allSides.of(objects, id.object, cancelPoint);
   const Shell& shell = sides.shell(id.triangle);
-  // A dynamic shell with its front inside that encloses all static geometry lines a room; one that lies
-  // in another thing, a cavity.
+  // A dynamic shell with its front inside that encloses all static geometry lines a room; one that
+  // lies in another thing, a cavity.
   const bool isAround = shell.isOutermost && !objects.staticObject.isEmpty() &&
     holds(object.worldBounds(), objects.staticObject.body->mesh().bounds());
   const bool isLining = id.object > 0 && sides.of[id.triangle] == SolidSide::InFront &&
@@ -356,8 +356,8 @@ Hit Contacts::resolveContact(const Scene& scene, const Ray& ray, const Hit& clos
   return touching ? touching : has(closest.id) ? firstOf(scene, ray, closest) : closest;
 }
 
-/// The hit on the triangle that stops a ray at its start; none if the ray can leave. It can if a ray
-/// that comes from there would hit the start before all others.
+/// The hit on the triangle that stops a ray at its start; none if the ray can leave. It can if a
+/// ray that comes from there would hit the start before all others.
 Hit Contacts::hitAtStart(const Scene& scene, const Ray& ray) const
 {
   const Contact& start = contacts_[numberOf(ray.start)];

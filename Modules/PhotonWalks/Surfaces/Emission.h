@@ -32,7 +32,8 @@ struct Emission
   /// W/m2 from the front, one value per cell and band, cell-major; empty: none.
   std::vector<double> exitance;
   std::vector<PointSource> points;
-  /// The group of each cell's lights; empty: all are in group 0. Each group starts a set of walks of its own.
+  /// The group of each cell's lights; empty: all are in group 0. Each group starts a set of walks
+  /// of its own.
   std::vector<std::uint32_t> groups;
 
   std::uint32_t groupOf(std::size_t cell) const { return groups.empty() ? 0 : groups[cell]; }

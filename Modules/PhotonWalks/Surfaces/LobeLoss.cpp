@@ -88,8 +88,8 @@ std::vector<double> at(double width)
   return losses;
 }
 
-/// Directions of the lobe are chosen as PhongLobe::sample() does, cos(alpha) = u^(1 / (n + 1)), and u =
-/// 1 - q^2 makes the integrand smooth where alpha is 0.
+/// Directions of the lobe are chosen as PhongLobe::sample() does, cos(alpha) = u^(1 / (n + 1)), and
+/// u = 1 - q^2 makes the integrand smooth where alpha is 0.
 double integral(double cosine, double width)
 {
   if (cosine <= 0)

@@ -20,9 +20,10 @@ constexpr std::size_t kNodes = 257;
 double cosineOf(std::size_t node);
 
 /**
- * The losses of a lobe at all nodes, with errors below 2^-12 for n up to 10,000. Interpolated in a table over widths,
- * each row of which is computed when it is first asked for. It is rounded to multiples of 2^-22, so
- * that results do not depend on the last bits of a system's library. Several threads may call it.
+ * The losses of a lobe at all nodes, with errors below 2^-12 for n up to 10,000. Interpolated in a
+ * table over widths, each row of which is computed when it is first asked for. It is rounded to
+ * multiples of 2^-22, so that results do not depend on the last bits of a system's library. Several
+ * threads may call it.
  */
 std::vector<double> at(double width);
 

@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// The part of the light that an object reflects, diffusely and specularly, if it arrives alike everywhere: the mean
-/// over its area and the bands, 0..1; 0 for an object without area.
+/// The part of the light that an object reflects, diffusely and specularly, if it arrives alike
+/// everywhere: the mean over its area and the bands, 0..1; 0 for an object without area.
 double meanReflectance(const SceneObject& object);
 
 }

@@ -11,8 +11,8 @@
 namespace irradiance
 {
 
-/// The solid sides of an object's triangles, of their fronts as its pose leaves them: one that mirrors
-/// turns them over. Bounds are in its own space. The static object may hold rooms.
+/// The solid sides of an object's triangles, of their fronts as its pose leaves them: one that
+/// mirrors turns them over. Bounds are in its own space. The static object may hold rooms.
 SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint);
 
 /// Those of the fronts in the object's own space.

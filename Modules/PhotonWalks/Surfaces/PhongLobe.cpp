@@ -75,8 +75,8 @@ Vector3 PhongLobe::sample(
                                                      : compensate(normal, sample.compensation);
 }
 
-/// A direction with a density in proportion to loss times cosine: the square of its cosine has one in
-/// proportion to the loss, which is linear between nodes.
+/// A direction with a density in proportion to loss times cosine: the square of its cosine has one
+/// in proportion to the loss, which is linear between nodes.
 Vector3 PhongLobe::compensate(const Vector3& normal, const std::array<double, 2>& sample) const
 {
   const double sum = sample[0] * sums_.back();

@@ -33,10 +33,10 @@ struct LobeSample
  *
  *   (n + 1) / (2 pi) cos^n(alpha) / max(c_in, c_out) + b(c_in) b(c_out) / (pi B).
  *
- * The first term is from Neumann, Neumann and Szirmay-Kalos, "Compact Metallic Reflectance
- * Models" (Eurographics 1999). It loses b(c_in), in the main what falls below the horizon. The second
- * term gives this back (Kulla and Conty, "Revisiting Physically Based Shading at Imageworks", 2017);
- * B is the mean of b over all directions, weighted by their cosine. Documentation/Theory.md, 1.1.
+ * The first term is from Neumann, Neumann and Szirmay-Kalos, "Compact Metallic Reflectance Models"
+ * (Eurographics 1999). It loses b(c_in), in the main what falls below the horizon. The second term
+ * gives this back (Kulla and Conty, "Revisiting Physically Based Shading at Imageworks", 2017); B
+ * is the mean of b over all directions, weighted by their cosine. Documentation/Theory.md, 1.1.
  */
 class PhongLobe
 {
@@ -47,8 +47,8 @@ public:
   double exponent() const { return exponent_; }
   bool isMirror() const { return losses_.empty(); }
 
-  /// The BRDF, per steradian. Unit vectors away from the surface; 0 if one is not on the side of the
-  /// unit normal. Not for mirrors.
+  /// The BRDF, per steradian. Unit vectors away from the surface; 0 if one is not on the side of
+  /// the unit normal. Not for mirrors.
   double value(const Vector3& normal, const Vector3& toLight, const Vector3& toEye) const;
 
   /// The direction in which light leaves that flies in the direction `incoming`: a unit vector

@@ -45,8 +45,8 @@ private:
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-/// Adds a frame: equal frames give equal hashes, whatever the addresses. What `known` has too, at the same
-/// address, is left out; null: nothing is.
+/// Adds a frame: equal frames give equal hashes, whatever the addresses. What `known` has too, at
+/// the same address, is left out; null: nothing is.
 void addScene(const SceneObjects& objects, const SceneObjects* known, Hash& hash);
 
 }

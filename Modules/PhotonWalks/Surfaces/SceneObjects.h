@@ -51,17 +51,18 @@ struct SceneObjects
 };
 
 /**
- * Flattens the dynamic objects of few triangles if there are many of them, and instances all others.
- * Then one tree over single moving triangles (section 2.2 of the paper), rebuilt in each frame, is
- * faster than a tree for each object; Documentation/Performance.md has the measurements. Results do
- * not depend on it.
+ * Flattens the dynamic objects of few triangles if there are many of them, and instances all
+ * others. Then one tree over single moving triangles (section 2.2 of the paper), rebuilt in each
+ * frame, is faster than a tree for each object; Documentation/Performance.md has the measurements.
+ * Results do not depend on it.
  */
 void flattenManySmall(SceneObjects& objects);
 
 /// Whether an object has come or gone, or has another pose or other points.
 bool hasMoved(const SceneObject& now, const SceneObject& before);
 
-/// Whether two frames of an object have the same body and the same cells, which reflect and emit alike.
+/// Whether two frames of an object have the same body and the same cells, which reflect and emit
+/// alike.
 bool isSameThing(const SceneObject& now, const SceneObject& before);
 
 /// World area of every cell, m2; 0 if the object is not there.

@@ -13,8 +13,8 @@ namespace irradiance
 {
 
 /**
- * A row for each triangle of a frame, by number: its surface, and the look of its cell. Objects that are not
- * there have rows as well, so numbers stay when they come and go.
+ * A row for each triangle of a frame, by number: its surface, and the look of its cell. Objects
+ * that are not there have rows as well, so numbers stay when they come and go.
  */
 class SceneTriangles
 {
@@ -23,8 +23,8 @@ public:
 
   SceneTriangles() = default;
   explicit SceneTriangles(const SceneObjects& objects) { update(objects); }
-  /// Makes the rows of what is another than before. Throws std::length_error if there are more triangles
-  /// or cells than numbers. If it throws, the next one makes up for it.
+  /// Makes the rows of what is another than before. Throws std::length_error if there are more
+  /// triangles or cells than numbers. If it throws, the next one makes up for it.
   void update(const SceneObjects& objects, const CancelPoint& cancelPoint = {});
 
   const TriangleNumbers& numbers() const { return surfaces_.numbers(); }

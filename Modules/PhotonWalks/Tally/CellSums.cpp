@@ -196,7 +196,8 @@ void CellSums::sumOver(Ranks& ranks, const CancelPoint& cancelPoint)
     cancelPoint();
     ranks.sum(&sums_[i], std::min(kPiece, sums_.size() - i));
   }
-  // One rank alone has a number that is not 0, and the bits of 0 are 0: the sum of the bits is that number.
+  // One rank alone has a number that is not 0, and the bits of 0 are 0: the sum of the bits is that
+  // number.
   static_assert(sizeof(double) == sizeof(std::int64_t));
   std::vector<std::int64_t> bits;
   for (std::size_t i = 0; i < gathered_.size(); i += kPiece)

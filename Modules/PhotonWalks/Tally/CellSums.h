@@ -95,7 +95,8 @@ public:
   {
     return { id.object, materials_[id.object]->cellOfTriangle[id.triangle] };
   }
-  /// Appends the deposits of a photon on a cell with this slot. `sign`: 1 to add it, -1 to remove it.
+  /// Appends the deposits of a photon on a cell with this slot. `sign`: 1 to add it, -1 to remove
+  /// it.
   void collect(std::size_t slot, bool isFront, const Power& power, int sign,
     std::vector<Deposit>& deposits) const
   {
@@ -122,8 +123,8 @@ public:
       sums[band] += power[band];
     }
   }
-  /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be called by
-  /// many threads at once.
+  /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be
+  /// called by many threads at once.
   void addCounts(std::int32_t* counts, std::int64_t quanta);
   /// Adds what a cell of the gatherers gathers; `sign` -1 takes it away. For one thread alone.
   void addGathered(std::size_t slot, bool isFront, const Quanta& quanta, int sign)
@@ -134,12 +135,13 @@ public:
       sums[band] += sign * quanta[static_cast<std::size_t>(band)];
     }
   }
-  /// Adds other sums of the same cells, round by round and replicate by replicate. Gatherers of these
-  /// must be some of its own.
+  /// Adds other sums of the same cells, round by round and replicate by replicate. Gatherers of
+  /// these must be some of its own.
   void add(const CellSums& others, const CancelPoint& cancelPoint);
   /// Likewise what they gathered alone.
   void addGathered(const CellSums& others, const CancelPoint& cancelPoint);
-  /// Adds up the sums of all ranks. What a side of a cell gathers must be known to one of them alone.
+  /// Adds up the sums of all ranks. What a side of a cell gathers must be known to one of them
+  /// alone.
   void sumOver(Ranks& ranks, const CancelPoint& cancelPoint);
 
   /// What a side of a cell received in all.

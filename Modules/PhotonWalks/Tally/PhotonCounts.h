@@ -11,9 +11,9 @@ namespace irradiance
 {
 
 /**
- * Photons of one power that one thread adds to sums, or takes back. Each is an increment in a table of the
- * thread's own, and the sums follow at the end. Where the table would be larger than all that is to be
- * counted, photons stand in a list instead.
+ * Photons of one power that one thread adds to sums, or takes back. Each is an increment in a table
+ * of the thread's own, and the sums follow at the end. Where the table would be larger than all
+ * that is to be counted, photons stand in a list instead.
  */
 class PhotonCounts
 {

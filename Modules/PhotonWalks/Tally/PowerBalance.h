@@ -31,8 +31,8 @@ void sumOver(Ranks& ranks, PowerBalance& balance);
 /// Throws std::overflow_error when cell sums might overflow.
 void checkReceived(const PowerBalance& balance);
 
-/// Whether more was absorbed than there is, beyond noise and rounding; W in a band. `error`: the standard error of what
-/// escaped.
+/// Whether more was absorbed than there is, beyond noise and rounding; W in a band. `error`: the
+/// standard error of what escaped.
 inline bool isExcess(double emitted, double escaped, double error)
 {
   constexpr double kSure = 5, kRounding = 1e-9;

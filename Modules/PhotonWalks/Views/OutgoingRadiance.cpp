@@ -104,8 +104,8 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
   return light;
 }
 
-/// Times pi. The parts are added up in each replicate before these are compared, as both may read the same sums. It is not
-/// less than the error of the irradiance, which knows of steps.
+/// Times pi. The parts are added up in each replicate before these are compared, as both may read
+/// the same sums. It is not less than the error of the irradiance, which knows of steps.
 double OutgoingRadiance::standardErrorOf(
   const std::vector<SeenSide>& sides, std::size_t band, const std::vector<Bands>& specular) const
 {

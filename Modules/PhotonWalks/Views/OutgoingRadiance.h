@@ -12,13 +12,15 @@ namespace irradiance
 {
 
 /**
- * The radiance, W/m2/sr, that leaves cells towards an eye: emitted, reflected diffusely (from the irradiance of the
- * cell) and specularly. Means over the area of a cell, both of the light and of the direction to the eye. What stands
- * between is not looked at. Where SeparateSides is off, diffuse light is the light of both sides.
+ * The radiance, W/m2/sr, that leaves cells towards an eye: emitted, reflected diffusely (from the
+ * irradiance of the cell) and specularly. Means over the area of a cell, both of the light and of
+ * the direction to the eye. What stands between is not looked at. Where SeparateSides is off,
+ * diffuse light is the light of both sides.
  *
- * Specular light is gathered: from points spread over the cell rays leave along the lobe about the mirrored direction to
- * the eye, and read what they hit as those of sensors do, see ViewGather; lamps are also asked, see LobeLight. A mirror
- * cannot see a light without size; nor does a lobe what such a light sends it by way of a mirror. Theory.md, 1.2.
+ * Specular light is gathered: from points spread over the cell rays leave along the lobe about the
+ * mirrored direction to the eye, and read what they hit as those of sensors do, see ViewGather;
+ * lamps are also asked, see LobeLight. A mirror cannot see a light without size; nor does a lobe
+ * what such a light sends it by way of a mirror. Theory.md, 1.2.
  *
  * All is a pure function of the scene, the seed, the sums and the eye.
  */
@@ -27,17 +29,17 @@ class OutgoingRadiance
 public:
   using Bands = ViewGather::Bands;
 
-  /// Prepares what does not depend on the eye, in the present frame of an engine, which must not change meanwhile. If there
-  /// are specular cells, it stores all walks, or tells sides apart. `samples`: of a specular cell; rounded up to a multiple
-  /// of the replicates. Throws Interrupted.
+  /// Prepares what does not depend on the eye, in the present frame of an engine, which must not
+  /// change meanwhile. If there are specular cells, it stores all walks, or tells sides apart.
+  /// `samples`: of a specular cell; rounded up to a multiple of the replicates. Throws Interrupted.
   OutgoingRadiance(const IrradianceEngine& engine, std::uint32_t samples, Execution& execution);
 
   /// Of a cell; 0 if it has no area.
   struct Light
   {
     Bands value{};
-    /// From the variance between replicates; what is emitted has none. NaN where it is not known: without replicates, or
-    /// where nothing, or too little, is reflected.
+    /// From the variance between replicates; what is emitted has none. NaN where it is not known:
+    /// without replicates, or where nothing, or too little, is reflected.
     Bands standardError{};
   };
   /// May be called by several threads. Throws std::runtime_error for a path that does not end.
@@ -57,7 +59,8 @@ private:
   {
     return engine_.cells().area(cell) > 0 && materialOf(cell).isSpecular(cell.cell);
   }
-  /// `specular`: what each replicate found for a specular reflectance of pi; empty of a cell without.
+  /// `specular`: what each replicate found for a specular reflectance of pi; empty of a cell
+  /// without.
   Light lightOf(const SceneCell& cell, const Eye& eye, const std::vector<Bands>& specular) const;
   double standardErrorOf(
     const std::vector<SeenSide>& sides, std::size_t band, const std::vector<Bands>& specular) const;

@@ -10,8 +10,8 @@
 namespace irradiance
 {
 
-/// The standard error of a sum of which each replicate has its part, from their scatter: NaN with a single replicate, or
-/// if none has anything.
+/// The standard error of a sum of which each replicate has its part, from their scatter: NaN with a
+/// single replicate, or if none has anything.
 inline double standardErrorOf(const std::vector<double>& parts)
 {
   const auto count = static_cast<double>(parts.size());

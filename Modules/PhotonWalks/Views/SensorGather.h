@@ -15,9 +15,10 @@ namespace irradiance
 {
 
 /**
- * What sensors receive, on surfaces or in the air: irradiance, or of a sensor that receives from all directions the
- * fluence rate. The direct light of all lights is asked for at the very point, see PointDirectLight. Indirect
- * light comes by a final gather from there, see ViewGather. Theory.md, 5.8.
+ * What sensors receive, on surfaces or in the air: irradiance, or of a sensor that receives from
+ * all directions the fluence rate. The direct light of all lights is asked for at the very point,
+ * see PointDirectLight. Indirect light comes by a final gather from there, see ViewGather.
+ * Theory.md, 5.8.
  *
  * All is a pure function of the scene, the seed, the sums, and the place and number of a sensor.
  */
@@ -26,9 +27,10 @@ class SensorGather
 public:
   using Bands = PointDirectLight::Bands;
 
-  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or tells sides
-  /// apart. `rays`: to lights and for indirect light each; rounded up to a multiple of the replicates.
-  /// `keepsRays`: for update() in frames in which things have moved. Throws Interrupted, and InputError where a point light shines on specular cells.
+  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or
+  /// tells sides apart. `rays`: to lights and for indirect light each; rounded up to a multiple of
+  /// the replicates. `keepsRays`: for update() in frames in which things have moved. Throws
+  /// Interrupted, and InputError where a point light shines on specular cells.
   SensorGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution,
     bool keepsRays = false);
 
@@ -36,14 +38,16 @@ public:
   struct Light
   {
     Bands value; ///< NaN of a sensor that is too far away, see sensorPlace()
-    /// From the variance between replicates; NaN without these, or if none of them received anything.
+    /// From the variance between replicates; NaN without these, or if none of them received
+    /// anything.
     Bands standardError;
   };
-  /// What each replicate adds to the light of a sensor, or of several together, W/m2; NaN of one that is too far away.
+  /// What each replicate adds to the light of a sensor, or of several together, W/m2; NaN of one
+  /// that is too far away.
   using Replicates = std::vector<Bands>;
   static Light lightOf(const Replicates& replicates);
-  /// At the sensors of these numbers, which choose the samples. Throws std::runtime_error for a path that does
-  /// not end. May be called by several threads.
+  /// At the sensors of these numbers, which choose the samples. Throws std::runtime_error for a
+  /// path that does not end. May be called by several threads.
   std::vector<Light> at(
     const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const;
 
@@ -64,9 +68,10 @@ public:
     /// Of its memory.
     std::size_t bytes() const;
   };
-  /// As at(); cast are only rays that may have changed since those that are given, and those of sensors that were
-  /// elsewhere. `numbers`: the same as then, or from the first on fewer or more. `motion`: since then; null: all are
-  /// cast. Adds to `cast` how many that were, paths and rays to lights together.
+  /// As at(); cast are only rays that may have changed since those that are given, and those of
+  /// sensors that were elsewhere. `numbers`: the same as then, or from the first on fewer or more.
+  /// `motion`: since then; null: all are cast. Adds to `cast` how many that were, paths and rays to
+  /// lights together.
   std::vector<Replicates> update(const std::vector<Sensor>& sensors,
     const std::vector<std::size_t>& numbers, const GatherMotion* motion, Rays& rays,
     std::int64_t& cast) const;

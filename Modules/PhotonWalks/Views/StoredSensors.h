@@ -13,15 +13,17 @@ namespace irradiance
 {
 
 /**
- * What sensors gather, see SensorGather, from update to update. Where things have moved only rays are cast anew that
- * this may change, and what all bring is read anew from the present sums; sensors that moved gather anew. Where nothing
- * else may be kept, all do. The results are those of SensorGather, bit for bit.
+ * What sensors gather, see SensorGather, from update to update. Where things have moved only rays
+ * are cast anew that this may change, and what all bring is read anew from the present sums;
+ * sensors that moved gather anew. Where nothing else may be kept, all do. The results are those of
+ * SensorGather, bit for bit.
  */
 class StoredSensors
 {
 public:
-  /// To the present frame of an engine. `rays`: see SensorGather. `keepsRays`: for frames in which things have moved; only
-  /// kept if something may move, and the engine verifies. Throws what SensorGather throws; after that nothing is kept.
+  /// To the present frame of an engine. `rays`: see SensorGather. `keepsRays`: for frames in which
+  /// things have moved; only kept if something may move, and the engine verifies. Throws what
+  /// SensorGather throws; after that nothing is kept.
   void update(const std::shared_ptr<const IrradianceEngine>& engine,
     const std::vector<Sensor>& sensors, std::uint32_t rays, bool keepsRays, Execution& execution);
 

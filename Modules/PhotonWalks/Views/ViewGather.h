@@ -16,23 +16,24 @@ namespace irradiance
 {
 
 /**
- * The final gather of what looks at a frame: sensors, and the specular cells that an eye sees. Paths read the sums
- * of large cells, by side; where these say nothing they ask the lights and go on. Each replicate has its own paths, which
- * read its own sums. Theory.md, 5.8.
+ * The final gather of what looks at a frame: sensors, and the specular cells that an eye sees.
+ * Paths read the sums of large cells, by side; where these say nothing they ask the lights and go
+ * on. Each replicate has its own paths, which read its own sums. Theory.md, 5.8.
  */
 class ViewGather
 {
 public:
   using Bands = PathSums::Bands;
-  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or tells sides
-  /// apart. `shapes`: of cells that are starts; they must outlive it. `rays`: of a start; rounded up to a multiple of
-  /// the replicates. `asksOnLobes`, `keepsPaths`: see GatherScene. Throws Interrupted.
+  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or
+  /// tells sides apart. `shapes`: of cells that are starts; they must outlive it. `rays`: of a
+  /// start; rounded up to a multiple of the replicates. `asksOnLobes`, `keepsPaths`: see
+  /// GatherScene. Throws Interrupted.
   ViewGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
     bool asksOnLobes, bool keepsPaths, Execution& execution);
 
   const GatherScene& scene() const { return scene_; }
-  /// The paths that addStarts(GatherPaths) adds. Throws std::runtime_error for a path that does not end. May be
-  /// called by several threads.
+  /// The paths that addStarts(GatherPaths) adds. Throws std::runtime_error for a path that does not
+  /// end. May be called by several threads.
   template <class AddStarts>
   FollowedPaths follow(const AddStarts& addStarts) const
   {

@@ -18,8 +18,9 @@ struct WalkPath
 {
   std::uint32_t walk;
   Power power; ///< with which it starts
-  /// World space: the start on its light, then its hits. One that starts where direct light was gathered begins
-  /// on the light from which that came. A walk that escapes has one more, where it is cut off.
+  /// World space: the start on its light, then its hits. One that starts where direct light was
+  /// gathered begins on the light from which that came. A walk that escapes has one more, where it
+  /// is cut off.
   std::vector<Vector3> points;
   bool escapes;
   bool isStale; ///< part of it is no longer valid, see StaleWalks

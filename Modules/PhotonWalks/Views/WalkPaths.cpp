@@ -46,7 +46,8 @@ std::vector<std::uint32_t> WalkPaths::first(std::size_t most) const
   return hasGathered ? firstBorn(most) : engine_.walks().first(most);
 }
 
-/// Those whose numbers, read backwards as fractions, are the smallest: every second, fourth or eighth.
+/// Those whose numbers, read backwards as fractions, are the smallest: every second, fourth or
+/// eighth.
 std::vector<std::uint32_t> WalkPaths::firstBorn(std::size_t most) const
 {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> walks; // with what they are ordered by

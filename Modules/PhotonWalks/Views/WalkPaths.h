@@ -23,13 +23,14 @@ class WalkPaths
 public:
   explicit WalkPaths(const IrradianceEngine& engine);
 
-  /// `most` walks, or all. Of walks that start at lights the first ones: as samples are a quasi-random sequence,
-  /// any number of these is spread evenly over lights, places and directions; every tenth walk would not be. Walks
-  /// that start where direct light was gathered are numbered cell by cell: of these some from everywhere, the same
-  /// ones as long as they are born.
+  /// `most` walks, or all. Of walks that start at lights the first ones: as samples are a
+  /// quasi-random sequence, any number of these is spread evenly over lights, places and
+  /// directions; every tenth walk would not be. Walks that start where direct light was gathered
+  /// are numbered cell by cell: of these some from everywhere, the same ones as long as they are
+  /// born.
   std::vector<std::uint32_t> first(std::size_t most) const;
-  /// The first `most` walks that start on a cell or hit it, or all of these. All ranks ask together. Throws
-  /// Interrupted.
+  /// The first `most` walks that start on a cell or hit it, or all of these. All ranks ask
+  /// together. Throws Interrupted.
   std::vector<std::uint32_t> touching(
     const SceneCell& cell, std::size_t most, Execution& execution) const;
   /// In the order of `all`, which rise. All ranks ask together. Throws Interrupted.

@@ -12,8 +12,8 @@
 namespace irradiance
 {
 
-/// The lights of the frame that was last asked for, as sources of walks, and a survey of them. Both are found when first asked
-/// for, and stay as long as the lights do.
+/// The lights of the frame that was last asked for, as sources of walks, and a survey of them. Both
+/// are found when first asked for, and stay as long as the lights do.
 class FrameLights
 {
 public:

@@ -15,8 +15,8 @@ namespace irradiance
 namespace
 {
 
-/// How many times as many walks those near lights shoot, beside which others start at cells: with as little power,
-/// as the noise of both is to cost alike.
+/// How many times as many walks those near lights shoot, beside which others start at cells: with
+/// as little power, as the noise of both is to cost alike.
 double timesAtLights(double reflected, const WalkPlan& plan)
 {
   constexpr double kLeast = 0.25;
@@ -82,7 +82,8 @@ std::vector<WalkSource> gatheredSourcesOf(const SceneObjects& objects,
       (part.cells ? gathered : all).push_back(std::move(part));
     }
   }
-  // How many walks are born is not known yet: static cells have half of the numbers, the others share the rest evenly.
+  // How many walks are born is not known yet: static cells have half of the numbers, the others
+  // share the rest evenly.
   const std::vector<CellPart> parts = cellParts(objects);
   const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(1, gathered.size()));
   const auto others = static_cast<std::uint32_t>(parts.size() - 1);

@@ -20,7 +20,8 @@ enum class Known
 };
 
 /**
- * Looks at the lights of a scene before any walk is shot: how each is best known, and how unevenly they light what rests.
+ * Looks at the lights of a scene before any walk is shot: how each is best known, and how unevenly
+ * they light what rests.
  *
  * It depends on the lights and on the static object alone, so that no motion of others changes it.
  */
@@ -42,21 +43,24 @@ public:
     LightTable lightsOf(const WalkSource& source, Known part) const;
   };
 
-  /// Of a walk that starts at a cell, beside one from a light. `reflected`: by static cells, on average: where this is little, many
-  /// weak walks are of no use.
+  /// Of a walk that starts at a cell, beside one from a light. `reflected`: by static cells, on
+  /// average: where this is little, many weak walks are of no use.
   static double powerOfStart(double reflected);
 
   LightSurvey(const SceneObjects& objects, const std::vector<WalkSource>& sources);
 
   const std::vector<Group>& groups() const { return groups_; }
-  /// The mean square of what static surfaces send for their area, beside the square of the mean: 1 if all send alike, and as much
-  /// more as there is light on small spots. What is reflected once stands for all that is.
+  /// The mean square of what static surfaces send for their area, beside the square of the mean: 1
+  /// if all send alike, and as much more as there is light on small spots. What is reflected once
+  /// stands for all that is.
   double unevenness() const { return unevenness_; }
   /// Of the lights that are hard to find, see GatherPilot; 0 if there are none.
   double hiddenVariance() const;
-  /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no light of its own lamps.
+  /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no
+  /// light of its own lamps.
   double gatheredVariance() const;
-  /// Of all lights that are neither dim nor near, see GatherPilot; 1 if all others are, 0 without lights.
+  /// Of all lights that are neither dim nor near, see GatherPilot; 1 if all others are, 0 without
+  /// lights.
   double gatheringCost() const;
 
 private:

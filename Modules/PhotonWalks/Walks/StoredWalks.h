@@ -73,8 +73,8 @@ private:
     return *std::find_if(readers_.begin(), std::prev(readers_.end()),
       [walk](const Reader& reader) { return walk < reader.set.plan().endWalk(); });
   }
-  /// Calls visit(reader, segments) for all segments in their order: those of one set together that follow
-  /// each other.
+  /// Calls visit(reader, segments) for all segments in their order: those of one set together that
+  /// follow each other.
   template <class Visit>
   void forEachSet(const std::vector<SegmentRef>& segments, const Visit& visit) const
   {

@@ -34,11 +34,12 @@ struct WalkSpace
 };
 
 /**
- * A population of walks that start at the same lights, each with the same power: where they start, how
- * many there are, what is stored of them, what they brought to the cells, and which of them are stale.
+ * A population of walks that start at the same lights, each with the same power: where they start,
+ * how many there are, what is stored of them, what they brought to the cells, and which of them are
+ * stale.
  *
- * Walks are shot round by round. After a motion they are verified, and those that it changed are shot
- * again; then all is as if it had been shot in that frame, bit for bit.
+ * Walks are shot round by round. After a motion they are verified, and those that it changed are
+ * shot again; then all is as if it had been shot in that frame, bit for bit.
  */
 class WalkSet
 {
@@ -49,26 +50,30 @@ public:
     gathered_.reset(); // it refers to the lights of before
     source_ = std::move(source);
   }
-  /// For what is done next. Between two starts they may differ only in what is kept, and in the budget.
+  /// For what is done next. Between two starts they may differ only in what is kept, and in the
+  /// budget.
   void setSettings(const WalkSettings& settings);
   /// Of time, for the next motion, s; > 0 if there is one in the settings.
   void setBudget(double seconds) { settings_.repairTimeBudget = seconds; }
-  /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its blocks.
+  /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its
+  /// blocks.
   void start(const WalkSpace& space, Execution& execution);
   /// Shoots a round. With `isStored` the history holds all rounds before it.
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
   /// Drops all but the first `kept` rounds.
   void dropRounds(
     std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
-  /// Follows a motion: verifies what is stored, if any object `moved`, and repairs what is stale, as far
-  /// as the budget of time goes. `changes`: receives the photons that go and come; null: not asked for.
+  /// Follows a motion: verifies what is stored, if any object `moved`, and repairs what is stale,
+  /// as far as the budget of time goes. `changes`: receives the photons that go and come; null: not
+  /// asked for.
   void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
     Execution& execution);
-  /// Changes to objects of which some have other cells or triangles. No walk may touch these, or be stale.
+  /// Changes to objects of which some have other cells or triangles. No walk may touch these, or be
+  /// stale.
   void replaceCells(
     const SceneObjects& objects, const TriangleNumbers& numbers, const CancelPoint& cancelPoint);
-  /// Forgets that there was a budget if nothing is stale, and there is none now or the number of rounds
-  /// has changed.
+  /// Forgets that there was a budget if nothing is stale, and there is none now or the number of
+  /// rounds has changed.
   void forgetBudget();
 
   const WalkSource& source() const { return source_; }
@@ -92,8 +97,8 @@ public:
   /// What the budget left unrepaired; null without a budget, or before anything moved.
   const StaleWalks* stale() const { return stale_.get(); }
   bool hasStale() const { return stale_ && !stale_->isEmpty(); }
-  /// The first segments of the tails that the last repair shot again, ordered by walk; empty after a
-  /// start. Only if that repair was to list them.
+  /// The first segments of the tails that the last repair shot again, ordered by walk; empty after
+  /// a start. Only if that repair was to list them.
   const std::vector<SegmentRef>& repaired() const { return repaired_; }
   /// What was done since the settings were made.
   const WalkStatistics& statistics() const { return statistics_; }
@@ -143,8 +148,8 @@ private:
   bool hasMovedCells(const std::vector<bool>& moved) const;
   /// Gathers anew; for cells of which some moved. All walks are still to be born.
   void startAgain(const WalkSpace& space, Execution& execution);
-  /// Follows what a motion changes of the direct light: takes back the walks that no longer start, and notes
-  /// which are to be born.
+  /// Follows what a motion changes of the direct light: takes back the walks that no longer start,
+  /// and notes which are to be born.
   void followGathered(const std::vector<bool>& moved, const WalkSpace& space, Execution& execution);
   std::int64_t numberStored() const; ///< of walks
   void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,

@@ -12,10 +12,10 @@ namespace irradiance
 {
 
 /**
- * All sets of walks in a scene, and what they bring together. They are shot, verified and repaired one after
- * the other. Walks of all sets have different numbers. A quantum is as many watts in each, so what they
- * bring adds up in integers, over the sets and over the ranks. Of a single set on a single rank, the total
- * is what the set holds; nothing is copied.
+ * All sets of walks in a scene, and what they bring together. They are shot, verified and repaired
+ * one after the other. Walks of all sets have different numbers. A quantum is as many watts in
+ * each, so what they bring adds up in integers, over the sets and over the ranks. Of a single set
+ * on a single rank, the total is what the set holds; nothing is copied.
  */
 class WalkSets
 {
@@ -30,7 +30,8 @@ public:
   /// Before the start: a set for each.
   void setSources(std::vector<WalkSource> sources);
   bool hasSources(const std::vector<WalkSource>& sources) const;
-  /// What follows does in each set what WalkSet says. A budget of time is shared evenly, but for what a set does not need.
+  /// What follows does in each set what WalkSet says. A budget of time is shared evenly, but for
+  /// what a set does not need.
   void setSettings(const WalkSettings& settings);
   void start(const WalkSpace& space, Execution& execution);
   void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
@@ -43,7 +44,8 @@ public:
 
   /// With the walks of this rank.
   const std::vector<WalkSet>& sets() const { return sets_; }
-  /// Whether the walks of the last start were dealt to the same ranks; or whether all of them are here.
+  /// Whether the walks of the last start were dealt to the same ranks; or whether all of them are
+  /// here.
   bool areOf(const Ranks& ranks, bool all) const { return sets_.front().isOf(ranks, all); }
   /// Whether other ranks have some of the walks.
   bool areShared() const { return sets_.front().isShared(); }
@@ -62,7 +64,8 @@ public:
   std::uint32_t numberOfWalks() const { return plan_.walksAfter(sums().rounds()); }
   /// Of these, those that were shot: none without lights, and at cells as many as were born.
   std::int64_t numberOfShotWalks() const;
-  /// The standard error of what escapes, and as all the rest is absorbed, of that: quanta, rather too large.
+  /// The standard error of what escapes, and as all the rest is absorbed, of that: quanta, rather
+  /// too large.
   double escapedError(int band) const;
   /// With which a walk starts, in all bands together; of several sets, on average.
   std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
@@ -83,9 +86,11 @@ public:
   std::vector<std::uint32_t> first(std::size_t count) const;
 
   bool hasStale() const { return total_ ? total_->stale.isStale : sets_.front().hasStale(); }
-  /// The power that stale tails brought to the cells; null without a budget, or before anything moved.
+  /// The power that stale tails brought to the cells; null without a budget, or before anything
+  /// moved.
   const CellSums* staleSums() const;
-  /// The power that the first stale segments carry, and a bound of what their new tails bring; quanta.
+  /// The power that the first stale segments carry, and a bound of what their new tails bring;
+  /// quanta.
   Power stalePower() const { return staleFigures().power; }
   /// Infinite where no bound is known.
   double staleGainBound(int band) const;

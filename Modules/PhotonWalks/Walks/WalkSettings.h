@@ -17,14 +17,14 @@ struct WalkSettings
   bool verify = true; ///< false: all walks of every frame are shot again
   bool cacheStaticHits = false;
   bool separateSides = false;
-  /// Whether cells gather the light that comes straight from the lights, and walks start where it arrived;
-  /// else walks start at the lights.
+  /// Whether cells gather the light that comes straight from the lights, and walks start where it
+  /// arrived; else walks start at the lights.
   bool gathersDirectLight = false;
   FewestSamples fewestSamples; ///< with which cells gather it
   /// Whether walks are stored even if nothing can move, for filters that need their photons.
   bool keepPhotons = false;
-  /// Whether each rank shoots and keeps all walks, for filters that read their photons there; else the ranks
-  /// share them.
+  /// Whether each rank shoots and keeps all walks, for filters that read their photons there; else
+  /// the ranks share them.
   bool allOnEachRank = false;
   bool listRepaired = false;    ///< whether it is noted which walks a repair shoots again
   std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known

@@ -179,15 +179,16 @@ KeyFrames::Parts KeyFrames::linear(std::size_t i, double fraction) const
     a.rotation.slerp(fraction, b.rotation), a.scale + fraction * (b.scale - a.scale) };
 }
 
-/// Cubic pieces with the slopes of Catmull and Rom: at a key the slope of the parabola through it and
-/// its neighbours, at the ends the slope of the straight line. Rotations: by rotation vectors relative
-/// to the first key of the piece, which agree at the keys.
+/// Cubic pieces with the slopes of Catmull and Rom: at a key the slope of the parabola through it
+/// and its neighbours, at the ends the slope of the straight line. Rotations: by rotation vectors
+/// relative to the first key of the piece, which agree at the keys.
 KeyFrames::Parts KeyFrames::spline(std::size_t i, double fraction) const
 {
   const HermiteWeights weights = hermiteWeights(fraction);
   const double length = keys_[i + 1].time - keys_[i].time;
   const Quaterniond base = parts_[i].rotation;
-  // The slope of a quantity at key k, times `length`. `step(a, b)`: how far it goes from key a to b.
+  // The slope of a quantity at key k, times `length`. `step(a, b)`: how far it goes from key a to
+  // b.
   const auto slope = [&](std::size_t k, const auto& step) -> Vector3 {
     const auto speed = [&](std::size_t a) -> Vector3 {
       return step(a, a + 1) / (keys_[a + 1].time - keys_[a].time);

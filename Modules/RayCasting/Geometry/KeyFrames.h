@@ -36,8 +36,8 @@ public:
   /// No keys.
   KeyFrames() = default;
   /// At least two keys, in the order of time. Throws InputError, naming the key and the value: for
-  /// times that are not finite or not increasing, and for poses that cannot be interpolated, as they
-  /// shear, or as some mirror and others do not.
+  /// times that are not finite or not increasing, and for poses that cannot be interpolated, as
+  /// they shear, or as some mirror and others do not.
   KeyFrames(
     std::vector<KeyFrame> keys, KeyInterpolation interpolation, const CancelPoint& cancelPoint);
 
@@ -45,8 +45,8 @@ public:
   const std::vector<KeyFrame>& keys() const { return keys_; }
   double begin() const { return keys_.front().time; }
   double end() const { return keys_.back().time; }
-  /// The times of the keys, and between them others at equal distances, none longer than 1 / `parts` of
-  /// the time from begin() to end(). 0: the keys alone.
+  /// The times of the keys, and between them others at equal distances, none longer than 1 /
+  /// `parts` of the time from begin() to end(). 0: the keys alone.
   std::vector<double> steps(int parts) const;
   /// `time` is from begin() to end().
   AffineMap at(double time) const;

@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-/// The coordinate axes as a ray orders them: along z its direction is largest; x and y follow so that
-/// the triangle's orientation, as the ray sees it, is kept.
+/// The coordinate axes as a ray orders them: along z its direction is largest; x and y follow so
+/// that the triangle's orientation, as the ray sees it, is kept.
 struct RayAxes
 {
   int x, y, z;
@@ -82,8 +82,8 @@ struct Intersection
 private:
   static constexpr double kEdgeOn = 0x1p-40;
 
-  /// Whether the ray leaves all corners behind on an axis. Near edge-on rounding may turn a distance
-  /// before the origin into one after it; this comparison is exact.
+  /// Whether the ray leaves all corners behind on an axis. Near edge-on rounding may turn a
+  /// distance before the origin into one after it; this comparison is exact.
   __attribute__((always_inline)) static bool isBehind(
     double origin, double direction, double a, double b, double c)
   {

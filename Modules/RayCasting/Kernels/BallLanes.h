@@ -11,15 +11,17 @@ namespace irradiance
 {
 
 /**
- * The lines of 16 rays in the frame of BodyBalls: each by its point closest to the centre there, so that floats
- * serve wherever a ray begins. Documentation/Theory.md, section 3, derives what pays for rounding.
+ * The lines of 16 rays in the frame of BodyBalls: each by its point closest to the centre there, so
+ * that floats serve wherever a ray begins. Documentation/Theory.md, section 3, derives what pays
+ * for rounding.
  */
 struct BallLanes
 {
   static constexpr unsigned kSize = TreeRays::kLanes;
   /// Of the square of a radius.
   static constexpr double kWider = 0x1p-16;
-  /// Of a ray that begins farther away, in the frame, that point is not exact enough: then all balls are near.
+  /// Of a ray that begins farther away, in the frame, that point is not exact enough: then all
+  /// balls are near.
   static constexpr double kFarthest = 0x1p12;
   /// Likewise, of squared lengths of directions.
   static constexpr double kShortest = 0x1p-200, kLongest = 0x1p200;

@@ -35,7 +35,8 @@ private:
   std::vector<Ball> balls_;
 };
 
-/// Some of the rays that follow each other, from `first` on, whose lines may touch the ball of a body.
+/// Some of the rays that follow each other, from `first` on, whose lines may touch the ball of a
+/// body.
 struct NearRays
 {
   static constexpr std::uint32_t kLeastLanes = 4; ///< rays that are tested together

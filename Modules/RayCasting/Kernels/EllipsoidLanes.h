@@ -30,7 +30,8 @@ struct EllipsoidLanes
   /// Squared lengths of directions in double; rays whose direction is shorter or longer pass.
   static constexpr double kShortest = 0x1p-200, kLongest = 0x1p200;
 
-  /// The rays from `first` on that may touch it, one bit each. Is compiled once for each instruction set.
+  /// The rays from `first` on that may touch it, one bit each. Is compiled once for each
+  /// instruction set.
   template <class Real>
   __attribute__((always_inline)) static unsigned passing(const TreeRays& rays,
     const Real* const (&directions)[3], std::uint32_t first, const EllipsoidFilter& filter)

@@ -6,7 +6,8 @@ namespace irradiance
 namespace
 {
 
-/// The searches that PrepareLanes has prepared, one after the other, and where they leave what they find.
+/// The searches that PrepareLanes has prepared, one after the other, and where they leave what they
+/// find.
 class FrontQueue
 {
 public:

@@ -9,7 +9,8 @@
 namespace irradiance
 {
 
-/// Tests triangles at once, in double: few, where there is no room for more candidates or floats do not serve.
+/// Tests triangles at once, in double: few, where there is no room for more candidates or floats do
+/// not serve.
 class FrontTester
 {
 public:
@@ -49,19 +50,21 @@ struct CornerRows
   const double* of(std::uint32_t triangle) const { return first + triangle * stride; }
 };
 
-/// The stages of a cast in one tree, each with the best instructions of the machine. The hits found are
-/// the same, bit for bit.
-/// Writes the rays that may touch the ellipsoid to `picked`, with room for all; returns their number.
+/// The stages of a cast in one tree, each with the best instructions of the machine. The hits found
+/// are the same, bit for bit. Writes the rays that may touch the ellipsoid to `picked`, with room
+/// for all; returns their number.
 std::uint32_t pickFront(const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
-/// Writes which rays may touch which ball to `found`, with room for as many for every kLeastLanes rays as there
-/// are balls; returns their number. More may be near than the ellipsoids let pass.
+/// Writes which rays may touch which ball to `found`, with room for as many for every kLeastLanes
+/// rays as there are balls; returns their number. More may be near than the ellipsoids let pass.
 std::uint32_t findNear(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
 void prepareFront(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
 void searchFront(FrontSearches& searches);
-/// Searches for one of the rays that floats cannot follow, all in double. The tree must not be empty.
+/// Searches for one of the rays that floats cannot follow, all in double. The tree must not be
+/// empty.
 void searchExactly(
   const TriangleTree& tree, const TreeRays& rays, std::uint32_t ray, FrontTester& tester);
-/// Tests the triangle `candidate[i]`, unless it is kNone, for each ray i, and keeps the closer hits.
+/// Tests the triangle `candidate[i]`, unless it is kNone, for each ray i, and keeps the closer
+/// hits.
 void confirmFront(const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners);
 
 std::uint32_t pickFrontPlain(

@@ -23,9 +23,9 @@ struct PreparedQueries
 };
 
 /**
- * Prepares searches of 16 rays side by side. It is in double until a ray begins near the tree's box;
- * from there on numbers are about 1, and floats do. Documentation/Theory.md, section 3, shows that no ray
- * begins too late.
+ * Prepares searches of 16 rays side by side. It is in double until a ray begins near the tree's
+ * box; from there on numbers are about 1, and floats do. Documentation/Theory.md, section 3, shows
+ * that no ray begins too late.
  */
 template <class Real>
 struct PrepareLanes
@@ -108,7 +108,8 @@ struct PrepareLanes
     }
   }
 
-  /// Writes the searches that are kept, and the rays that are for others. `first`: the ray in lane 0.
+  /// Writes the searches that are kept, and the rays that are for others. `first`: the ray in lane
+  /// 0.
   __attribute__((always_inline)) void write(
     const TriangleTree& tree, const TreeRays& rays, std::uint32_t first, PreparedQueries& all)
   {

@@ -42,8 +42,8 @@ struct TreeQuery
   float slack;           ///< a hit's distance may be off by this when the ray grazes
   float margin;          ///< from a hit to the limit behind it
   std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or kNone
-  /// If the ray leaves a triangle that lies in a plane across an axis: a box is behind the ray whose
-  /// farthest bound on that axis, with this sign, is at most `behind`.
+  /// If the ray leaves a triangle that lies in a plane across an axis: a box is behind the ray
+  /// whose farthest bound on that axis, with this sign, is at most `behind`.
   float behind;
   float behindSign; ///< 0 or -0
   int behindAxis;

@@ -9,8 +9,9 @@
 namespace irradiance
 {
 
-/// Rays in the space of a tree as columns, and the best hits that are known of them. The columns have
-/// room for a multiple of kLanes; what stands beyond `count` has no meaning and may be changed.
+/// Rays in the space of a tree as columns, and the best hits that are known of them. The columns
+/// have room for a multiple of kLanes; what stands beyond `count` has no meaning and may be
+/// changed.
 struct TreeRays
 {
   static constexpr std::uint32_t kLanes = 16;
@@ -41,7 +42,8 @@ struct TreeRays
     return reference < triangles ? reference : none;
   }
 
-  /// Keeps the hit of a ray on a triangle if it is the closer one. The distance is NaN if the ray misses.
+  /// Keeps the hit of a ray on a triangle if it is the closer one. The distance is NaN if the ray
+  /// misses.
   void keepCloser(
     std::uint32_t ray, std::uint32_t number, double found, double weightB, double weightC) const
   {

@@ -36,8 +36,8 @@ inline typename Boxes::Floats pass(const float* planes, const TreeQuery& query, 
     Boxes::load(planes), Boxes::all(query.inverse[axis]), Boxes::all(query.originInverse[axis]));
 }
 
-/// Writes to `from` where the ray enters the boxes of a treelet; returns the ones it passes, one bit
-/// each, from far to near.
+/// Writes to `from` where the ray enters the boxes of a treelet; returns the ones it passes, one
+/// bit each, from far to near.
 template <class Boxes>
 inline unsigned enter(
   const Treelet& treelet, const BoxFaces& faces, const TreeQuery& query, float* from)
@@ -62,8 +62,8 @@ inline unsigned enter(
   return Boxes::ordered(passed, treelet.farToNear[query.octant]);
 }
 
-/// A running search. Its steps are inlined even if the compiler would rather not: calls cost a tenth of a
-/// frame's shooting.
+/// A running search. Its steps are inlined even if the compiler would rather not: calls cost a
+/// tenth of a frame's shooting.
 template <class Boxes, class Lanes, bool isCounted>
 struct WideSearch
 {
@@ -128,8 +128,8 @@ struct WideSearch
   }
 
 private:
-  /// Continues with the nearest child that is left in the top of the stack, at `depth`; false if the
-  /// search ends before it.
+  /// Continues with the nearest child that is left in the top of the stack, at `depth`; false if
+  /// the search ends before it.
   __attribute__((always_inline)) bool descend(
     FrontQueue& queue, Left& top, const Treelet* treelet, unsigned lanes)
   {

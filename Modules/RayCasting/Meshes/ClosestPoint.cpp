@@ -17,7 +17,8 @@ Vector3 closestOnEdge(const Vector3& from, const Vector3& edge)
 
 }
 
-/// By the region of the plane that the origin's foot lies in (Ericson, Real-Time Collision Detection,
+/// By the region of the plane that the origin's foot lies in (Ericson, Real-Time Collision
+/// Detection,
 /// 5.1.5); edges are tried one by one where it lies outside.
 Vector3 closestPoint(const Triangle& triangle)
 {

@@ -21,8 +21,8 @@ struct MeshEdge
 };
 
 /// The edges of the chosen triangles, those between the same two corners in a row. Corners are the
-/// same if their positions are exactly equal, and their triangles are of the same part. `partOf`: of
-/// each triangle of the mesh; empty: there are no parts.
+/// same if their positions are exactly equal, and their triangles are of the same part. `partOf`:
+/// of each triangle of the mesh; empty: there are no parts.
 std::vector<MeshEdge> meshEdges(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& partOf,
   ThrottledCancelPoint& pace);

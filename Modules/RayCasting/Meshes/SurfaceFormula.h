@@ -6,8 +6,8 @@ namespace irradiance
 {
 
 /**
- * The one formula of a SurfacePoint, in plain numbers and without branches, so that a loop over many
- * points becomes SIMD and gives the same bits.
+ * The one formula of a SurfacePoint, in plain numbers and without branches, so that a loop over
+ * many points becomes SIMD and gives the same bits.
  *
  * The point is kept off the edges: near an edge the rounded position may lie behind the neighbour,
  * and then no step along the triangle's own normal helps.

@@ -19,7 +19,8 @@ SurfacePoint surfacePoint(const Triangle& triangle, const Vector3& weights)
 
 /// Raising the weights by r in all and normalising them to a sum of 1 moves the point by at most r
 /// longest edges. With p the radius of the incircle, the three insets together are at most sqrt(3)
-/// clearance / p; the factor sqrt(3) is for the 1-norms. Two weights of a hit are rounded to floats.
+/// clearance / p; the factor sqrt(3) is for the 1-norms. Two weights of a hit are rounded to
+/// floats.
 double farthestClearance(double magnitude, double longestEdge, double slenderness)
 {
   const double clearance = SurfaceFormula::kClearance * magnitude;

@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// What rays that leave a triangle need of it, in world space, as SurfaceFormula computes it: a row of 128
-/// bytes. Rows of many triangles are read side by side.
+/// What rays that leave a triangle need of it, in world space, as SurfaceFormula computes it: a row
+/// of 128 bytes. Rows of many triangles are read side by side.
 struct alignas(64) SurfaceRecord
 {
   double a[3], b[3], c[3]; ///< corners

@@ -7,8 +7,8 @@
 namespace irradiance
 {
 
-/// The area of the part of a triangle that lies within a sphere around the origin; the radius may be
-/// infinite. A sphere cuts a disc out of the triangle's plane.
+/// The area of the part of a triangle that lies within a sphere around the origin; the radius may
+/// be infinite. A sphere cuts a disc out of the triangle's plane.
 double areaInSphere(const Triangle& triangle, double radius);
 
 }

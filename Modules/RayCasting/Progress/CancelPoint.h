@@ -39,7 +39,8 @@ private:
   std::size_t steps_ = 0;
 };
 
-/// Sets all of so many values. Much memory takes long to map and fill, so cancel points are in between.
+/// Sets all of so many values. Much memory takes long to map and fill, so cancel points are in
+/// between.
 template <class T>
 void assignPaced(
   std::vector<T>& values, std::size_t size, const T& value, const CancelPoint& cancelPoint)

@@ -32,8 +32,8 @@ constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Other) + 1;
 /// Nanoseconds that each stage took.
 using StageTimes = std::array<double, kStages>;
 
-/// Where this thread's stages are timed; null, the initial value, if they are not. Only benchmarks are
-/// built so that they can be, as the searches are counted.
+/// Where this thread's stages are timed; null, the initial value, if they are not. Only benchmarks
+/// are built so that they can be, as the searches are counted.
 #ifdef VTKIRRADIANCE_COUNT_QUERIES
 inline StageTimes*& stageTimes()
 {

@@ -198,7 +198,8 @@ void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
   }
 }
 
-/// Adds the ray to `local_.ray`, which holds so many, if it may touch the body; returns how many it holds.
+/// Adds the ray to `local_.ray`, which holds so many, if it may touch the body; returns how many it
+/// holds.
 std::uint32_t FrontCast::pick(const Scene& scene, std::uint32_t index, const FrontRays& rays,
   std::uint32_t ray, std::uint32_t count)
 {

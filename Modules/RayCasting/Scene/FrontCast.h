@@ -18,7 +18,8 @@ struct FrontRays
   const double* origin[3];
   const float* direction[3];  ///< of length 1, up to rounding; null if there are exact ones
   const std::uint32_t* start; ///< the number of the triangle that each leaves, or kNone
-  /// In: the best hit so far, or infinite and kNone. Out: that or a closer one, by (distance, number).
+  /// In: the best hit so far, or infinite and kNone. Out: that or a closer one, by (distance,
+  /// number).
   double* distance;
   std::uint32_t* hit;
   float* weight[2];                     ///< of the second and third corner
@@ -31,7 +32,8 @@ struct FrontTriangles
   const TriangleNumbers& numbers;
   CornerRows corners; ///< of the static ones
 
-  /// From the records of the scene's objects in this frame, which those who use the hits read as well.
+  /// From the records of the scene's objects in this frame, which those who use the hits read as
+  /// well.
   FrontTriangles(const SurfaceRecords& records);
   FrontTriangles(const TriangleNumbers& all, const TriangleMesh& still);
 };
@@ -39,10 +41,10 @@ struct FrontTriangles
 /**
  * Casts all rays of a front together. What it finds is what brute force finds, bit for bit.
  *
- * Beside few dynamic bodies it goes from one to the next with the rays that may touch it, then to the
- * static tree, up to what was found. Beside many, or flattened objects, the static tree comes first
- * (not if TraversalMode::Sequential); the balls of bodies or a tree over them, or a tree over flattened
- * triangles, then tell which ray may touch what before its hit.
+ * Beside few dynamic bodies it goes from one to the next with the rays that may touch it, then to
+ * the static tree, up to what was found. Beside many, or flattened objects, the static tree comes
+ * first (not if TraversalMode::Sequential); the balls of bodies or a tree over them, or a tree over
+ * flattened triangles, then tell which ray may touch what before its hit.
  *
  * Owns the memory of its stages: keep one for each thread.
  */
@@ -56,8 +58,8 @@ public:
   void castDynamic(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
   /// Those marked as moved, see Scene::commit().
   void castMoved(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
-  /// Sets distances and weights to those at which rays hit the triangles in `rays.hit`. The distance is
-  /// infinite if a ray misses its triangle, or has none.
+  /// Sets distances and weights to those at which rays hit the triangles in `rays.hit`. The
+  /// distance is infinite if a ray misses its triangle, or has none.
   void findDistances(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
 
 private:

@@ -9,9 +9,10 @@ namespace irradiance
 {
 
 /**
- * The first stages of a cast in one tree, each a loop over all rays: prepare and search. The first reference that
- * a search finds goes to a column, others, which are few, to a list. Rays that floats
- * cannot follow are searched in double, one by one. What is found is for the caller to confirm.
+ * The first stages of a cast in one tree, each a loop over all rays: prepare and search. The first
+ * reference that a search finds goes to a column, others, which are few, to a list. Rays that
+ * floats cannot follow are searched in double, one by one. What is found is for the caller to
+ * confirm.
  *
  * Owns the memory of the stages, which is used again from call to call.
  */

@@ -10,8 +10,8 @@ namespace irradiance
 {
 
 /**
- * What rays may hit in a tree whose triangles, or bodies, are tested elsewhere: pairs of a ray and a
- * reference.
+ * What rays may hit in a tree whose triangles, or bodies, are tested elsewhere: pairs of a ray and
+ * a reference.
  *
  * Owns its memory, which is used again from call to call.
  */
@@ -20,7 +20,8 @@ class FrontPairs final : private FrontTester
 public:
   using Pair = FurtherCandidate;
 
-  /// The pairs, in no order; one may occur more than once. Nothing is sought behind the rays' best hits.
+  /// The pairs, in no order; one may occur more than once. Nothing is sought behind the rays' best
+  /// hits.
   const std::vector<Pair>& find(const TriangleTree& tree, const TreeRays& rays);
   /// Of bodies, by their balls, which see no hits. No pair occurs twice.
   const std::vector<Pair>& find(const BodyBalls& balls, const TreeRays& rays);

@@ -9,16 +9,16 @@ namespace irradiance
 {
 
 /**
- * The closest hits of rays in a tree of one object: what FrontDescent finds is confirmed in double, first
- * the column, then the list.
+ * The closest hits of rays in a tree of one object: what FrontDescent finds is confirmed in double,
+ * first the column, then the list.
  *
  * Owns its memory, which is used again from call to call.
  */
 class FrontSearch final : private FrontTester
 {
 public:
-  /// `rays`: in the space of the body, with the best hits so far, which are replaced by closer ones.
-  /// `corners`: of the triangles of the mesh, to the bit.
+  /// `rays`: in the space of the body, with the best hits so far, which are replaced by closer
+  /// ones. `corners`: of the triangles of the mesh, to the bit.
   void run(const TriangleTree& tree, const TriangleMesh& mesh, const TreeRays& rays,
     const CornerRows& corners);
 

@@ -20,8 +20,8 @@ public:
 
   const TriangleMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }
-  /// Calls visit(tree) for trees that hold each triangle once, and are quicker than the one of all where
-  /// there are fine details.
+  /// Calls visit(tree) for trees that hold each triangle once, and are quicker than the one of all
+  /// where there are fine details.
   template <class Visit>
   void forEachTree(const Visit& visit) const
   {

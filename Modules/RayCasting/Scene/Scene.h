@@ -42,8 +42,8 @@ public:
   void setDynamic(const std::vector<PlacedBody>& objects);
   /// Rays may also start within these bounds, off all surfaces.
   void setPointSources(const Box& bounds) { pointSources_ = bounds; }
-  /// Rebuilds the trees that depend on poses. `moved[i]` says whether FrontCast::castMoved() searches
-  /// dynamic object i; empty means none. Call after any of the above and before any cast.
+  /// Rebuilds the trees that depend on poses. `moved[i]` says whether FrontCast::castMoved()
+  /// searches dynamic object i; empty means none. Call after any of the above and before any cast.
   void commit(const std::vector<bool>& moved, const CancelPoint& cancelPoint = {});
 
   /// The closest hits among all triangles.

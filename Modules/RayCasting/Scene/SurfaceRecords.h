@@ -22,8 +22,8 @@ namespace irradiance
 class SurfaceRecords
 {
 public:
-  /// Makes the records of what is new, and makes those of objects anew whose body or pose is another.
-  /// If it throws, the next one makes up for it.
+  /// Makes the records of what is new, and makes those of objects anew whose body or pose is
+  /// another. If it throws, the next one makes up for it.
   void update(const std::shared_ptr<const RigidObject>& staticBody,
     const std::vector<PlacedBody>& dynamicObjects, const CancelPoint& cancelPoint = {});
 

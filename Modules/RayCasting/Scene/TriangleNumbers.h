@@ -11,9 +11,9 @@ namespace irradiance
 {
 
 /**
- * One number for each triangle of a scene, object after object: the first one of its object plus its own
- * there. Object 0, the static one, comes first. The order of numbers is the order of ids, by which ties of
- * hits are broken.
+ * One number for each triangle of a scene, object after object: the first one of its object plus
+ * its own there. Object 0, the static one, comes first. The order of numbers is the order of ids,
+ * by which ties of hits are broken.
  */
 class TriangleNumbers
 {

@@ -13,11 +13,11 @@ namespace irradiance
 {
 
 /**
- * Values side by side, for lanes: they start at a cache line, and are never initialised. Memory grows and
- * is not given back.
+ * Values side by side, for lanes: they start at a cache line, and are never initialised. Memory
+ * grows and is not given back.
  *
- * Columns of one size would begin at like places of the system's pages, where the nearest cache has room for
- * a few lines alone. So each begins some lines farther in its page than the one before.
+ * Columns of one size would begin at like places of the system's pages, where the nearest cache has
+ * room for a few lines alone. So each begins some lines farther in its page than the one before.
  */
 template <class Value>
 class Column

@@ -14,9 +14,9 @@ namespace irradiance
 {
 
 /**
- * For vectors that are large, live long and are read here and there. The system is asked for pages of 2 MiB:
- * with pages of 4 KiB a processor spends much of such a read on finding the page. What resize() adds is not
- * initialised, so that large memory is not written twice.
+ * For vectors that are large, live long and are read here and there. The system is asked for pages
+ * of 2 MiB: with pages of 4 KiB a processor spends much of such a read on finding the page. What
+ * resize() adds is not initialised, so that large memory is not written twice.
  */
 template <class Value>
 struct LargePages

@@ -42,11 +42,11 @@ public:
       ? planes_.data() + planeOf_[triangle]
       : nullptr;
   }
-  /// Whether a search that skips the box of a triangle's part for lying behind a plane might miss the
-  /// triangle. `bound` is the upper (`side` 1) or lower (-1) bound of the box on the axis, rounded
-  /// outwards, and `whole` the exact box of the triangle. This is so if the plane, rounded, looks
-  /// like the bound, and the triangle reaches beyond the plane, but less than half as far as it is
-  /// wide. What reaches farther is found in a box beyond the plane as well.
+  /// Whether a search that skips the box of a triangle's part for lying behind a plane might miss
+  /// the triangle. `bound` is the upper (`side` 1) or lower (-1) bound of the box on the axis,
+  /// rounded outwards, and `whole` the exact box of the triangle. This is so if the plane, rounded,
+  /// looks like the bound, and the triangle reaches beyond the plane, but less than half as far as
+  /// it is wide. What reaches farther is found in a box beyond the plane as well.
   bool hide(int axis, int side, float bound, const Box& whole) const;
 
   std::size_t bytes() const;

@@ -23,8 +23,8 @@ public:
 
   /// False if there are none, or if one of them is all.
   bool areAny() const;
-  /// The number of items in a face, 0 if each of them is in a face before this one. An item in an edge
-  /// of the hull is in two faces.
+  /// The number of items in a face, 0 if each of them is in a face before this one. An item in an
+  /// edge of the hull is in two faces.
   std::uint32_t count(int face) const
   {
     const auto i = static_cast<std::size_t>(face);

@@ -54,8 +54,8 @@ double medianSize(Tiny::iterator begin, Tiny::iterator end)
   return middle->size;
 }
 
-/// Where to halve centers on an axis along which they extend: in the gap nearest to the middle, if one
-/// is wide, as what is cut may be left with too few triangles.
+/// Where to halve centers on an axis along which they extend: in the gap nearest to the middle, if
+/// one is wide, as what is cut may be left with too few triangles.
 double cutOf(Tiny::const_iterator begin, Tiny::const_iterator end, const Box& box, int axis)
 {
   constexpr int kBins = 64;

@@ -81,9 +81,10 @@ KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
   return best;
 }
 
-/// To cut off one wall of a room pays little, as the rest is as large as before, and so the cheapest
-/// plane halves the room. But without all its walls a room is empty. So if the items include sheets,
-/// items that lie flat in a face of their hull, one is cut off if to cut off all is cheaper.
+/// To cut off one wall of a room pays little, as the rest is as large as before, and so the
+/// cheapest plane halves the room. But without all its walls a room is empty. So if the items
+/// include sheets, items that lie flat in a face of their hull, one is cut off if to cut off all is
+/// cheaper.
 void KdSplitSearch::cutOffSheets(
   const KdItems& items, const Box& cell, const AxisCosts& costs, KdSplit& best)
 {

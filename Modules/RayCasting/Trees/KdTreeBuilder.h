@@ -26,12 +26,12 @@ struct KdTreeBuilder
   double intersectionCost = 2.0; ///< of a block, in the unit of traversalCost
   int blockSize = 8;             ///< primitives tested at a time; 1: each costs the same
   double emptyFactor = 0.9;      ///< reward (<= 1) for cutting off empty space
-  /// A split that parts all primitives costs this share more. A primitive that is listed twice takes
-  /// more memory, so the caches hold less of the tree.
+  /// A split that parts all primitives costs this share more. A primitive that is listed twice
+  /// takes more memory, so the caches hold less of the tree.
   double partingCost = 0.5;
-  /// Rounds bounds to the nearest floats, not outwards. Then triangles that meet at a place across an
-  /// axis still do, and a plane there parts none of them. The boxes that they fill must be widened to
-  /// hold them, by at most one float.
+  /// Rounds bounds to the nearest floats, not outwards. Then triangles that meet at a place across
+  /// an axis still do, and a plane there parts none of them. The boxes that they fill must be
+  /// widened to hold them, by at most one float.
   bool roundsToNearest = false;
   CancelPoint cancelPoint; ///< may be empty
 

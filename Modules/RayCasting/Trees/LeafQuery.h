@@ -37,16 +37,16 @@ constexpr float kStray = 0x1p-20F;
  */
 std::uint32_t leafAt(const TriangleTree& tree, const UnitPoint& point);
 
-/// Finds the leaves of points on triangles without a search of the tree: a triangle is listed in one
-/// leaf or in few. (One that is in many is searched for.)
+/// Finds the leaves of points on triangles without a search of the tree: a triangle is listed in
+/// one leaf or in few. (One that is in many is searched for.)
 class LeafTable
 {
 public:
   LeafTable() = default;
   explicit LeafTable(const TriangleTree& tree);
 
-  /// Of the leaves that list the triangle, the one whose box is nearest to a point on it. `tree`: the
-  /// tree that the table was made from.
+  /// Of the leaves that list the triangle, the one whose box is nearest to a point on it. `tree`:
+  /// the tree that the table was made from.
   std::uint32_t leafOf(
     const TriangleTree& tree, std::uint32_t triangle, const UnitPoint& point) const;
   std::size_t bytes() const;

@@ -46,8 +46,8 @@ public:
     return tree_.nodes[node].isLeaf() ? packLeaf(tree_.nodes[node]) : packInner(node);
   }
 
-  /// Widens the box of a child, and all below it, by at most two floats: to hold its triangles, whose
-  /// bounds the builder rounded to the nearest floats, and where a plane would hide them.
+  /// Widens the box of a child, and all below it, by at most two floats: to hold its triangles,
+  /// whose bounds the builder rounded to the nearest floats, and where a plane would hide them.
   void widen(std::uint32_t child, KdBounds& box)
   {
     if ((child & Treelet::kLeaf) != 0)

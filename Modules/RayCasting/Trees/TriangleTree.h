@@ -46,9 +46,9 @@ public:
   /// of the map to the space in which they are tested; 1 if they are tested in this one.
   TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& blurs,
     double conditionNumber, const CancelPoint& cancelPoint);
-  /// A tree over bodies: a search finds all whose boxes it may touch, as if each held a triangle that
-  /// is known only up to that box. Empty if a box is not finite. `slack`: a hit may be this much
-  /// closer than its box.
+  /// A tree over bodies: a search finds all whose boxes it may touch, as if each held a triangle
+  /// that is known only up to that box. Empty if a box is not finite. `slack`: a hit may be this
+  /// much closer than its box.
   TriangleTree(const std::vector<Box>& boxes, double slack, const CancelPoint& cancelPoint);
 
   /// Gives its triangles these numbers, which rise, in place of 0, 1, ...
@@ -58,7 +58,8 @@ public:
   const UnitFrame& frame() const { return frame_; }
   /// In the unit frame.
   const Box& bounds() const { return bounds_; }
-  /// How far the distance of a confirmed hit may differ from the one in the tree, in the unit frame.
+  /// How far the distance of a confirmed hit may differ from the one in the tree, in the unit
+  /// frame.
   double slack() const { return slack_; }
   /// The largest position error of the triangles, in the unit frame.
   double blur() const { return blur_; }

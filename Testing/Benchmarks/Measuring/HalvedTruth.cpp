@@ -64,7 +64,8 @@ Agreement requireAgreement(const std::string& who, const std::vector<CellField>&
     std::sqrt((weights.square() * (varianceOf(a, b) + varianceOf(t, u))).sum()) / mean;
 
   const double square = (weights * (a - t) * (b - u)).sum() / (mean * mean);
-  // The variance of such a product by noise alone; if anything too large, as each cell's is from two values.
+  // The variance of such a product by noise alone; if anything too large, as each cell's is from
+  // two values.
   const CellField noise = weights * 2 * (varianceOf(a, b) + varianceOf(t, u)) / (mean * mean);
   const double squareError = std::sqrt(noise.square().sum());
   const double systematic = std::copysign(std::sqrt(std::abs(square)), square);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// What a figure has to reach (`bar`), and what it is hoped to reach (`aim`): both, or neither (NaN).
-/// Where the aim is smaller than the bar, less is better.
+/// What a figure has to reach (`bar`), and what it is hoped to reach (`aim`): both, or neither
+/// (NaN). Where the aim is smaller than the bar, less is better.
 struct Goal
 {
   double bar = std::numeric_limits<double>::quiet_NaN();
@@ -20,9 +20,9 @@ struct Goal
  *
  *   "table","row","quantity",value,bar,aim
  *
- * Lines that differ in the value alone are rounds of the same measurement; Report/ takes their median.
- * `row`: what was measured, one of the rivals or of the jobs. `quantity`: what of it, with its unit or
- * with what it is divided by.
+ * Lines that differ in the value alone are rounds of the same measurement; Report/ takes their
+ * median. `row`: what was measured, one of the rivals or of the jobs. `quantity`: what of it, with
+ * its unit or with what it is divided by.
  */
 inline void report(const std::string& table, const std::string& row, const std::string& quantity,
   double value, const Goal& goal = {})

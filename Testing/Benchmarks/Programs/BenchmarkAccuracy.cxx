@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How the error of the irradiance falls with time: by the number of walks, by the size of cells, with
- * error bars, and with a target. The truth is 1 W/m2 in the furnace and a much longer run with another
- * seed elsewhere. Errors are over the area and in units of the mean irradiance; times are the CPU time
- * of the one thread. There is a value for each of some seeds.
+ * How the error of the irradiance falls with time: by the number of walks, by the size of cells,
+ * with error bars, and with a target. The truth is 1 W/m2 in the furnace and a much longer run with
+ * another seed elsewhere. Errors are over the area and in units of the mean irradiance; times are
+ * the CPU time of the one thread. There is a value for each of some seeds.
  *
  * Arguments: [walks of the reference = 16777216] [seeds = 3] [head.off]
  */

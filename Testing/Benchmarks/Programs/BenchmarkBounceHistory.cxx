@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What it takes to store segments, to find those near moved bodies by the scan, and to replace
- * tails; and the bytes that a segment takes. Beside the scan stands the least that any look at every
- * segment costs, to read memory once from end to end: as many bytes as the history holds, or 24 a segment,
- * its two ends as floats. Before any time counts, what was stored is read back, and segments that a body may
- * touch are looked for one by one. One thread.
+ * tails; and the bytes that a segment takes. Beside the scan stands the least that any look at
+ * every segment costs, to read memory once from end to end: as many bytes as the history holds, or
+ * 24 a segment, its two ends as floats. Before any time counts, what was stored is read back, and
+ * segments that a body may touch are looked for one by one. One thread.
  *
  * Arguments: [millions of segments = 8] [rounds = 7]
  */
@@ -95,8 +95,8 @@ struct Front
   }
 };
 
-/// The walks of a block, and the fronts in which they are shot. Of each kEvery-th walk all but the first
-/// segment is a tail that changes; those have fronts of their own.
+/// The walks of a block, and the fronts in which they are shot. Of each kEvery-th walk all but the
+/// first segment is a tail that changes; those have fronts of their own.
 struct Shot
 {
   std::vector<Walk> walks;

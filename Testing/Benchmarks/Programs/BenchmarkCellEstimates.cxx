@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What each estimate of the irradiance of cells makes of the same walks: its error on what stands and on
- * what moves, how much of it is blur, what becomes of a sharp edge of a shadow, and the time of a frame.
- * The rival is the classic photon map, built again in each frame from walks that are not stored.
+ * What each estimate of the irradiance of cells makes of the same walks: its error on what stands
+ * and on what moves, how much of it is blur, what becomes of a sharp edge of a shadow, and the time
+ * of a frame. The rival is the classic photon map, built again in each frame from walks that are
+ * not stored.
  *
- * Errors are RMS over the area of a part of a scene, in units of that part's mean irradiance. The truth
- * comes from two long runs r and s: the mean of (x - r)(x - s) is the squared error of x, however noisy r and
- * s are. Blur is measured likewise, by the estimate of the long runs' own photons, as wide as with the largest
- * number of walks. Times are CPU time of one thread.
+ * Errors are RMS over the area of a part of a scene, in units of that part's mean irradiance. The
+ * truth comes from two long runs r and s: the mean of (x - r)(x - s) is the squared error of x,
+ * however noisy r and s are. Blur is measured likewise, by the estimate of the long runs' own
+ * photons, as wide as with the largest number of walks. Times are CPU time of one thread.
  *
  * Arguments: [most walks = 1000000] [seeds = 3] [walks of the truth = 32000000] [head.off] ["refinement": that alone]
  */
@@ -68,8 +69,8 @@ CellField fieldBy(const Estimate& estimate, const IrradianceEngine& engine, doub
                         : irradianceOf(engine, engine.objects());
 }
 
-/// By each estimate, the mean of several long runs, as wide as the estimates of `walks`. Few of them tell
-/// what is blurred.
+/// By each estimate, the mean of several long runs, as wide as the estimates of `walks`. Few of
+/// them tell what is blurred.
 std::vector<CellField> longRun(
   const SceneObjects& objects, std::uint32_t walks, double allWalks, std::uint64_t firstSeed)
 {
@@ -194,7 +195,8 @@ void measureErrors(const std::string& name, const MovingScene& scene, std::uint3
   }
 }
 
-/// A black floor of 2 x 2 m, across which stands a wall. The light falls up to it, and not beyond it.
+/// A black floor of 2 x 2 m, across which stands a wall. The light falls up to it, and not beyond
+/// it.
 void measureShadow(std::uint32_t walks)
 {
   constexpr int kCells = 100; // along each side
@@ -231,8 +233,8 @@ SceneObjects roomOfCells(int n, double xOfBox)
   return { room.build(), { thing.build(test::shift({ xOfBox, 2, 0.5 })) } };
 }
 
-/// The same walks and walls with 16 times as many cells: what the nearest photons of all cells cost, in a
-/// first frame and after a motion. An update has to have the bits of a fresh start.
+/// The same walks and walls with 16 times as many cells: what the nearest photons of all cells
+/// cost, in a first frame and after a motion. An update has to have the bits of a fresh start.
 void measureRefinement(std::uint32_t walks)
 {
   const Estimate sums = kEstimates[0];

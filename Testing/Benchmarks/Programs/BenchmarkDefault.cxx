@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a user gets who chooses nothing, beside each way that could be chosen, wherever light may come from
- * (Scenes/LightingScenes.h).
+ * What a user gets who chooses nothing, beside each way that could be chosen, wherever light may
+ * come from (Scenes/LightingScenes.h).
  *
- * The efficiency is 1 / (squared RMS error over the area x CPU time), the geometric mean of that on the walls and that on the
- * mover, of a first frame and of an update after the mover went on; an update's error is a first frame's, as it equals a
- * fresh start. The truth is what long runs of shot walks, and of unbiased rays for small cells, find together, twice, and the ways'
- * means are told beside it. Coverage is how much of the area, and of the cells, has the truth in its 95 % interval; the truth's
- * own noise counts. The plain tracer (Rivals/PlainTracer.h) shoots as many walks, anew in each frame. One thread, in turns.
+ * The efficiency is 1 / (squared RMS error over the area x CPU time), the geometric mean of that on
+ * the walls and that on the mover, of a first frame and of an update after the mover went on; an
+ * update's error is a first frame's, as it equals a fresh start. The truth is what long runs of
+ * shot walks, and of unbiased rays for small cells, find together, twice, and the ways' means are
+ * told beside it. Coverage is how much of the area, and of the cells, has the truth in its 95 %
+ * interval; the truth's own noise counts. The plain tracer (Rivals/PlainTracer.h) shoots as many
+ * walks, anew in each frame. One thread, in turns.
  *
- * In rooms with tubes and a panel, the dose of the mover over 30 steps: its noise, from two seeds, and its time.
+ * In rooms with tubes and a panel, the dose of the mover over 30 steps: its noise, from two seeds,
+ * and its time.
  *
  * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which] [folder in which truths are kept] [ways = 6]
  */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What verification costs when a scene has far objects, and when many objects move: a small ball that
- * moves in a room of 4 m, with another ball, a light or a lamp that is far; and 1 to 1000 balls that all
- * move. The cases take turns, frame by frame, and before any time counts each of them has to have the
- * answer of a fresh engine. One thread, CPU time.
+ * What verification costs when a scene has far objects, and when many objects move: a small ball
+ * that moves in a room of 4 m, with another ball, a light or a lamp that is far; and 1 to 1000
+ * balls that all move. The cases take turns, frame by frame, and before any time counts each of
+ * them has to have the answer of a fresh engine. One thread, CPU time.
  *
  * Arguments: [walks = 200000] [frames = 25]
  */
@@ -182,8 +182,9 @@ void timeManyThings(const EngineSettings& settings, int frames)
   });
 }
 
-/// First shooting beside many objects that may move, by turns in fresh engines: each object with a tree
-/// of its own, all in one tree over single triangles, and the same triangles among the static ones.
+/// First shooting beside many objects that may move, by turns in fresh engines: each object with a
+/// tree of its own, all in one tree over single triangles, and the same triangles among the static
+/// ones.
 void timeManyShootings(const EngineSettings& settings, int rounds)
 {
   Cases cases;

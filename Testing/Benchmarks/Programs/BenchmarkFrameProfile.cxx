@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where the whole Update() of vtkIrradianceFilter goes in a frame, output included: a room in which one
- * ball moves, or 200 small ones do. One thread, wall clock. In the first frame the output has to equal
- * a new filter's.
+ * Where the whole Update() of vtkIrradianceFilter goes in a frame, output included: a room in which
+ * one ball moves, or 200 small ones do. One thread, wall clock. In the first frame the output has
+ * to equal a new filter's.
  *
  * Arguments: [walks = 1000000] [frames = 20]
  */

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the cast of a front costs: all rays of some 4,096 walks together, in columns, beside Scene::cast
- * with the making of its rays, and beside Embree, sixteen rays a call. All cast the same photon rays, from
- * anywhere on the surfaces of the plain room, in which two bodies hang. One thread, in turns in one process;
- * before any time counts, the hits of the front must be those of Scene::cast, bit for bit, and Embree's
- * about the same.
+ * What the cast of a front costs: all rays of some 4,096 walks together, in columns, beside
+ * Scene::cast with the making of its rays, and beside Embree, sixteen rays a call. All cast the
+ * same photon rays, from anywhere on the surfaces of the plain room, in which two bodies hang. One
+ * thread, in turns in one process; before any time counts, the hits of the front must be those of
+ * Scene::cast, bit for bit, and Embree's about the same.
  *
  * Arguments: [fronts = 64] [rounds = 15]
  */
@@ -97,7 +97,8 @@ void castFronts(FrontCast& cast, const Scene& scene, const SurfaceRecords& recor
   }
 }
 
-/// As a shooter does that keeps its walks in columns: rays are made of them, and their hits put back.
+/// As a shooter does that keeps its walks in columns: rays are made of them, and their hits put
+/// back.
 void castByScene(const Scene& scene, const SurfaceRecords& records, Fronts& fronts)
 {
   for (std::size_t i = 0; i < fronts.size(); ++i)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a target takes where all cells gather: with rays that stay as many as they are (the first 32), so that walks are doubled
- * alone, and with both levers; in rooms of which each cell, or each wall, has one reflectance. The time is that of a first frame,
- * and of a frame in which the ring has moved by 2 cm, which equals a fresh start. One thread, CPU time, in turns.
+ * What a target takes where all cells gather: with rays that stay as many as they are (the first
+ * 32), so that walks are doubled alone, and with both levers; in rooms of which each cell, or each
+ * wall, has one reflectance. The time is that of a first frame, and of a frame in which the ring
+ * has moved by 2 cm, which equals a fresh start. One thread, CPU time, in turns.
  *
  * Arguments: [walks = 100000] [most walks = 1600000] [rounds = 2] [rooms = 2]
  */

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The first shooting beside two plain programs with Embree, one that shoots (Rivals/PlainTracer.h) and one that
- * gathers (Rivals/PlainGatherer.h), in rooms that favour the one or the other.
+ * The first shooting beside two plain programs with Embree, one that shoots (Rivals/PlainTracer.h)
+ * and one that gathers (Rivals/PlainGatherer.h), in rooms that favour the one or the other.
  *
- * The efficiency is 1 / (squared RMS error over the area x CPU time) on all cells, on walls and on what moves.
- * Who shoots has the same time for each of them. Who gathers has the time of those cells alone, as a user
- * would not bake others. Building Embree's scene is not counted, nor is finding which backs are dark, which
- * favours the rivals. The truth is what both rivals find together, twice, and all must agree with it before any
- * time counts. One thread, in turns. Where small cells gather, with fewer walks, the sums that they read are means
- * over cells: this bias is allowed, and reported. The time of a frame is that of an update after the ring has moved by
- * 2 cm, or the ball, which has a sixth of its cells; its error is that of a first frame, as an update equals a fresh start.
+ * The efficiency is 1 / (squared RMS error over the area x CPU time) on all cells, on walls and on
+ * what moves. Who shoots has the same time for each of them. Who gathers has the time of those
+ * cells alone, as a user would not bake others. Building Embree's scene is not counted, nor is
+ * finding which backs are dark, which favours the rivals. The truth is what both rivals find
+ * together, twice, and all must agree with it before any time counts. One thread, in turns. Where
+ * small cells gather, with fewer walks, the sums that they read are means over cells: this bias is
+ * allowed, and reported. The time of a frame is that of an update after the ring has moved by 2 cm,
+ * or the ball, which has a sixth of its cells; its error is that of a first frame, as an update
+ * equals a fresh start.
  *
  * Arguments: [walks = 1000000] [rounds = 6] [paths of a cell = 64] [those of half the truth = 1024] [rooms = all]
  */
@@ -212,8 +214,8 @@ void reportEfficiencies(const std::string& scene, const Room& room,
   }
 }
 
-/// Of those of ours that gather: the time of first frames and of later ones, and what of it 5 % of error on the
-/// movers takes.
+/// Of those of ours that gather: the time of first frames and of later ones, and what of it 5 % of
+/// error on the movers takes.
 void reportFrames(const MovingScene& scene, const Room& room,
   const std::vector<Contestant>& contestants, const HalvedTruth& truth)
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The main job on the scene of Examples/MovingTeapot: what a frame costs beside the first shooting, which is
- * what every frame would cost without a history, and what the cache is good for. BenchmarkShooting compares
- * with the rival that users would take. The answers are compared before any time counts. CPU time of the
- * one thread. 59 frames after the first are the teapot's whole way.
+ * The main job on the scene of Examples/MovingTeapot: what a frame costs beside the first shooting,
+ * which is what every frame would cost without a history, and what the cache is good for.
+ * BenchmarkShooting compares with the rival that users would take. The answers are compared before
+ * any time counts. CPU time of the one thread. 59 frames after the first are the teapot's whole
+ * way.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */
@@ -96,8 +97,8 @@ void timeSpread(const MovingScene& scene, EngineSettings settings, int frames)
   }
 }
 
-/// The teapot swings over the head and back with the same step in every frame, so that what it hides
-/// in one frame it sets free in another.
+/// The teapot swings over the head and back with the same step in every frame, so that what it
+/// hides in one frame it sets free in another.
 void timeCache(const MovingScene& scene, EngineSettings settings, int frames)
 {
   constexpr int kSwing = 5;         // frames in one direction

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How fast the photons nearest to a place are found: the 50 nearest to places at random on the surfaces
- * of a room, by locators that are built again in each frame, and by our leaf photons, of which only those
- * of changed walks are moved. Before any time counts, all have to find what a search of all photons finds.
- * Ours takes only photons on sides that face as the sensor does, from a flattened world. One thread, CPU
- * time.
+ * How fast the photons nearest to a place are found: the 50 nearest to places at random on the
+ * surfaces of a room, by locators that are built again in each frame, and by our leaf photons, of
+ * which only those of changed walks are moved. Before any time counts, all have to find what a
+ * search of all photons finds. Ours takes only photons on sides that face as the sensor does, from
+ * a flattened world. One thread, CPU time.
  *
- * A frame asks once for each of 640 x 480 pixels. A program with a photon map shoots walks without storing
- * them, and builds the map; ours verifies and repairs them, and moves photons.
+ * A frame asks once for each of 640 x 480 pixels. A program with a photon map shoots walks without
+ * storing them, and builds the map; ours verifies and repairs them, and moves photons.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [searches = 30000]
  */
@@ -156,8 +156,9 @@ Cost costOf(PhotonLocator& locator, const std::vector<Sensor>& sensors, double w
   return { walks, building, searches / static_cast<double>(sensors.size()) };
 }
 
-/// What sensors cost that lie 10 m off all surface: with the distance that vtkIrradianceProbeFilter takes by
-/// itself, and with any. Before that counts, the surface found has to be the one that a look at all triangles finds.
+/// What sensors cost that lie 10 m off all surface: with the distance that vtkIrradianceProbeFilter
+/// takes by itself, and with any. Before that counts, the surface found has to be the one that a
+/// look at all triangles finds.
 void timeFarSensors(IrradianceEngine& engine, const std::vector<Sensor>& near)
 {
   CpuTime execution;

@@ -2,10 +2,11 @@
 /**
  * What it costs to keep photons. One thread, CPU time.
  *
- * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash table and
- * a vector that is searched from end to end. CellPhotonSets: a room with specular cells, whose photons
- * the engine keeps, beside the same room without any. LeafPhotons: all photons of a room, in the leaf cells
- * of its trees, beside the same frames without. In every round all have to hold the right photons.
+ * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash
+ * table and a vector that is searched from end to end. CellPhotonSets: a room with specular cells,
+ * whose photons the engine keeps, beside the same room without any. LeafPhotons: all photons of a
+ * room, in the leaf cells of its trees, beside the same frames without. In every round all have to
+ * hold the right photons.
  *
  * Arguments: [walks = 1000000] [rounds = 5]
  */

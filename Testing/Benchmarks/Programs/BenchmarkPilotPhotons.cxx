@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Verification, which finds every walk that changed, beside pilot photons, which find some of them:
- * what a frame costs, and what is wrong after it. Both go through the same frames with the same walks;
- * what is right is what a fresh start gives, with which the engine has to agree to the bit. A frame's
- * time is the CPU time of the one thread, divided by the time of shooting all walks again.
+ * what a frame costs, and what is wrong after it. Both go through the same frames with the same
+ * walks; what is right is what a fresh start gives, with which the engine has to agree to the bit.
+ * A frame's time is the CPU time of the one thread, divided by the time of shooting all walks
+ * again.
  *
  * Arguments: [walks = 262144] [frames = 4] [head.off]
  */

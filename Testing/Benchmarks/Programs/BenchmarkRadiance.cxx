@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What an eye costs where mirrors show glossy walls: a room of some 300 coarse cells, each of which has a lobe or is
- * a mirror. One thread, CPU time. Sums by side are counted once for all eyes. In a furnace the radiance is known: the
- * mean over the walls, all of which face the eye, is compared before any time counts; the scatter of the cells is their
- * error.
+ * What an eye costs where mirrors show glossy walls: a room of some 300 coarse cells, each of which
+ * has a lobe or is a mirror. One thread, CPU time. Sums by side are counted once for all eyes. In a
+ * furnace the radiance is known: the mean over the walls, all of which face the eye, is compared
+ * before any time counts; the scatter of the cells is their error.
  *
  * Arguments: [walks = 500000] [rounds = 3] [samples = 64]
  */
@@ -32,8 +32,8 @@ test::Look glossy(double diffuse, double specular, double exponent, double exita
 constexpr int kCells = 7, kCoarse = 3;                                      // along an edge
 constexpr std::size_t kWallCells = 5 * kCells * kCells + kCoarse * kCoarse; // the first ones
 
-/// Emits on each cell what it absorbs, so that the radiance is 1 / pi everywhere. One wall of 49 cells is a
-/// mirror; a box of 54 stands in the room.
+/// Emits on each cell what it absorbs, so that the radiance is 1 / pi everywhere. One wall of 49
+/// cells is a mirror; a box of 54 stands in the room.
 SceneObjects makeFurnace(double exponent)
 {
   test::ObjectBuilder room;

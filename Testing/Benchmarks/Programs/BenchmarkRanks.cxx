@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a second process gains: vtkIrradianceFilter in a closed room, where a mesh of 20,000 triangles moves. Run by
- * mpirun, one thread in each process, wall clock. By turns, round by round, with new filters: all processes share the
- * walks; the first process has them alone, without a controller, and with a controller of one process. The others
- * sleep meanwhile. Before any time counts, all have to have the same bits.
+ * What a second process gains: vtkIrradianceFilter in a closed room, where a mesh of 20,000
+ * triangles moves. Run by mpirun, one thread in each process, wall clock. By turns, round by round,
+ * with new filters: all processes share the walks; the first process has them alone, without a
+ * controller, and with a controller of one process. The others sleep meanwhile. Before any time
+ * counts, all have to have the same bits.
  *
  * Arguments: [walks = 1000000] [rounds = 6]
  */

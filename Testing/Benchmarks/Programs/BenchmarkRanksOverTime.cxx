@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How processes best share a dose: walks, or whole time steps. In a closed room a ball rides once across, and its dose
- * is integrated over uniform steps. Run by mpirun, one thread in each process, wall clock. By turns, round by round,
- * with new filters: the first process alone, all by walks, all by steps. Before any time counts, all have to have the
- * same bits.
+ * How processes best share a dose: walks, or whole time steps. In a closed room a ball rides once
+ * across, and its dose is integrated over uniform steps. Run by mpirun, one thread in each process,
+ * wall clock. By turns, round by round, with new filters: the first process alone, all by walks,
+ * all by steps. Before any time counts, all have to have the same bits.
  *
- * What decides is measured as well, in the run of the first process: W0, the first shooting; W, verification and
- * repair of a step; F, all the rest of a step. On n processes T times take W0 / n + T (F + W / n) by walks, and
- * W0 + T (F + W) / n + T X by steps, where X is what it takes to share the data of a time. Some cases have a filter
- * upstream that works for some milliseconds at each time, as a reader or a simulation would.
+ * What decides is measured as well, in the run of the first process: W0, the first shooting; W,
+ * verification and repair of a step; F, all the rest of a step. On n processes T times take W0 / n
+ * + T (F + W / n) by walks, and W0 + T (F + W) / n + T X by steps, where X is what it takes to
+ * share the data of a time. Some cases have a filter upstream that works for some milliseconds at
+ * each time, as a reader or a simulation would.
  *
  * Arguments: [rounds = 3] [walks, rows, steps, upstream ms: one case; 0: all]
  */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Whether a repair keeps to its budget of time, and what it gets done, on the scene of
- * Examples/MovingTeapot. Each frame is repaired in full by one engine, and by another one with a part
- * of that time as its budget, which then repairs the rest; the answers have to be equal. One thread
- * goes by its CPU time, two by the clock on the wall.
+ * Examples/MovingTeapot. Each frame is repaired in full by one engine, and by another one with a
+ * part of that time as its budget, which then repairs the rest; the answers have to be equal. One
+ * thread goes by its CPU time, two by the clock on the wall.
  *
  * Arguments: [walks = 1000000] [frames = 59] [head.off]
  */

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What sensors in the air cost: 2,500 little sheets with two sides, so 5,000 sensors, at random places and turns in
- * rooms. The rival is the plain program with Embree that gathers (Rivals/PlainGatherer.h): for it the sheets are
- * black triangles of half a millimetre in the room, which hide nothing that matters. Both find the sum of both sides;
- * ours must agree with what the rival finds with many paths, twice, before any time counts, but for the bias of cells as
- * patches that rays read. Few sheets near the lamp have most of the rival's noise, so it cannot tell how small our errors
- * are: for these the truth is found, twice, by our paths alone, which read no sums; and that must agree with the rival, too. Ours reads the sums of walks, which are shot once for all sensors: their time is reported by
- * itself. Of the fluence rate at the same places the noise is that between seeds.
+ * What sensors in the air cost: 2,500 little sheets with two sides, so 5,000 sensors, at random
+ * places and turns in rooms. The rival is the plain program with Embree that gathers
+ * (Rivals/PlainGatherer.h): for it the sheets are black triangles of half a millimetre in the room,
+ * which hide nothing that matters. Both find the sum of both sides; ours must agree with what the
+ * rival finds with many paths, twice, before any time counts, but for the bias of cells as patches
+ * that rays read. Few sheets near the lamp have most of the rival's noise, so it cannot tell how
+ * small our errors are: for these the truth is found, twice, by our paths alone, which read no
+ * sums; and that must agree with the rival, too. Ours reads the sums of walks, which are shot once
+ * for all sensors: their time is reported by itself. Of the fluence rate at the same places the
+ * noise is that between seeds.
  *
- * Then the ring moves, frame by frame: sensors whose rays are kept are brought up to date (StoredSensors), beside sensors
- * that gather anew, on the same engine. Both must have the same bits.
+ * Then the ring moves, frame by frame: sensors whose rays are kept are brought up to date
+ * (StoredSensors), beside sensors that gather anew, on the same engine. Both must have the same
+ * bits.
  *
- * One thread, CPU time, in turns. "To 2 %": times the square of the error over .02. Building Embree's scene is
- * not counted.
+ * One thread, CPU time, in turns. "To 2 %": times the square of the error over .02. Building
+ * Embree's scene is not counted.
  *
  * Arguments: [walks = 100000] [rounds = 3] [sheets = 2500] [paths of half the truth = 512] [rooms = 4]
  */
@@ -213,8 +217,8 @@ void reportError(const std::string& row, const Contestant& contestant, double sq
   report(kTable, who, "s to 2 %", medianOfSeconds(contestant) * squaredError / (kError * kError));
 }
 
-/// Sensors on surfaces, which the nearest photons know, too. The truth is gathered by paths alone: of so few walks
-/// no sums are read.
+/// Sensors on surfaces, which the nearest photons know, too. The truth is gathered by paths alone:
+/// of so few walks no sums are read.
 class Walls
 {
 public:

@@ -2,11 +2,11 @@
 /**
  * Shooting and frames beside a plain tracer with Embree (Rivals/PlainTracer.h), at equal error.
  *
- * The efficiency of a shooting is 1 / (squared RMS error over the area x CPU time). A frame is compared
- * with the time in which the tracer, shooting everything again, would reach the error that our update has: its own
- * time x (its error / ours)^2. Building Embree's scene is not counted, which favours the tracer. Answers
- * are compared before any time counts. One thread, CPU time, in turns; two threads by the clock on the
- * wall.
+ * The efficiency of a shooting is 1 / (squared RMS error over the area x CPU time). A frame is
+ * compared with the time in which the tracer, shooting everything again, would reach the error that
+ * our update has: its own time x (its error / ours)^2. Building Embree's scene is not counted,
+ * which favours the tracer. Answers are compared before any time counts. One thread, CPU time, in
+ * turns; two threads by the clock on the wall.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 8] [head.off]
  */
@@ -128,8 +128,8 @@ double shareChanged(const MovingScene& scene, const EngineSettings& settings)
   return changed / kFrames / settings.numberOfWalks;
 }
 
-/// The size of the ring, in m, with which about that share of the walks changes in a frame. It depends on
-/// how far walks go.
+/// The size of the ring, in m, with which about that share of the walks changes in a frame. It
+/// depends on how far walks go.
 double findRingSize(double share, EngineSettings settings)
 {
   constexpr int kHalvings = 7;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How long vtkIrradianceFilter and vtkKeyFramedPose work without a sign: the longest CPU time of the
- * calling thread between two progress events, at which an abort would be noticed, where inputs, results
- * or changes are large. An observer that does nothing, one round each.
+ * How long vtkIrradianceFilter and vtkKeyFramedPose work without a sign: the longest CPU time of
+ * the calling thread between two progress events, at which an abort would be noticed, where inputs,
+ * results or changes are large. An observer that does nothing, one round each.
  */
 #include "../../FiltersIrradiance/TestScenes.h"
 #include "Measuring/Program.h"

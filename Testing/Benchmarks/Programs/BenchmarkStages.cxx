@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where the time goes, stage by stage: of the first shooting of the plain room, and of frames in which a
- * ring moves that changes some 2 % of the walks. The engine times its own stages as it runs
- * (Progress/StageTimes.h); their sum stands beside the whole, and beside the whole of a second engine whose
- * stages are not timed, which takes turns and has to have the same answer. One thread, by the clock on the
- * wall.
+ * Where the time goes, stage by stage: of the first shooting of the plain room, and of frames in
+ * which a ring moves that changes some 2 % of the walks. The engine times its own stages as it runs
+ * (Progress/StageTimes.h); their sum stands beside the whole, and beside the whole of a second
+ * engine whose stages are not timed, which takes turns and has to have the same answer. One thread,
+ * by the clock on the wall.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 8] [size of the ring, or of a mover, m = 0.73]
  *   [movers, in place of the ring = 0]

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a budget of time for the repair leaves undone: a scene moves on without a pause, and the error is
- * the difference from the full update. Budgets are parts of the time that the full repair of the frame
- * takes, in CPU time of the one thread. The bounds of what is stale are checked in every frame; when the
- * motion stops, calls with the same budget have to lead to the full update, to the bit. There is a value
- * for each of some starts.
+ * What a budget of time for the repair leaves undone: a scene moves on without a pause, and the
+ * error is the difference from the full update. Budgets are parts of the time that the full repair
+ * of the frame takes, in CPU time of the one thread. The bounds of what is stale are checked in
+ * every frame; when the motion stops, calls with the same budget have to lead to the full update,
+ * to the bit. There is a value for each of some starts.
  *
  * Arguments: [walks = 262144] [frames = 8] [head.off]
  */

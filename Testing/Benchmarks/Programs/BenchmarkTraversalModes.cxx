@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Section 2.5 of the paper: the static and the dynamic triangles in one tree, in two trees searched one
- * after the other, and in two trees searched side by side. Each dynamic triangle moves on its own. The
- * hits of the three modes must be the same bits; then the modes are timed in turns on one thread, and
- * the steps of their searches counted. To rebuild the one tree in every frame is not in these times.
+ * Section 2.5 of the paper: the static and the dynamic triangles in one tree, in two trees searched
+ * one after the other, and in two trees searched side by side. Each dynamic triangle moves on its
+ * own. The hits of the three modes must be the same bits; then the modes are timed in turns on one
+ * thread, and the steps of their searches counted. To rebuild the one tree in every frame is not in
+ * these times.
  *
  * Arguments: [rays = 300000] [rounds = 7]
  */

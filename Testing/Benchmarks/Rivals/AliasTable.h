@@ -7,8 +7,8 @@
 #include <numeric>
 #include <vector>
 
-/// Draws an index in proportion to its weight, in the same few steps for any number of them (Vose 1991,
-/// "A linear algorithm for generating random numbers with a given distribution").
+/// Draws an index in proportion to its weight, in the same few steps for any number of them (Vose
+/// 1991, "A linear algorithm for generating random numbers with a given distribution").
 class AliasTable
 {
 public:
@@ -40,8 +40,8 @@ public:
     }
   }
 
-  /// `place` and `choice`: uniform in [0, 1), in steps of 2^-24. (A product with a size up to 2^24 then
-  /// does not round up to the size.)
+  /// `place` and `choice`: uniform in [0, 1), in steps of 2^-24. (A product with a size up to 2^24
+  /// then does not round up to the size.)
   std::uint32_t draw(float place, float choice) const
   {
     const Entry& entry =

@@ -23,10 +23,10 @@ struct Performance
 };
 
 /**
- * Lets all cast the same rays, in turns. Their hits are compared with the hits of the first: a distance
- * that differs by more than 1e-3, or a hit that the other misses, is a mismatch. Throws
- * std::runtime_error when one has more mismatches than allowed; a single ray is always forgiven. But
- * where none is allowed, the hits have to be the same bits.
+ * Lets all cast the same rays, in turns. Their hits are compared with the hits of the first: a
+ * distance that differs by more than 1e-3, or a hit that the other misses, is a mismatch. Throws
+ * std::runtime_error when one has more mismatches than allowed; a single ray is always forgiven.
+ * But where none is allowed, the hits have to be the same bits.
  */
 std::vector<Performance> compete(
   const std::vector<Contender>& contenders, const std::vector<irradiance::Ray>& rays, int rounds);

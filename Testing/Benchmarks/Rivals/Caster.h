@@ -8,8 +8,8 @@
 #include <functional>
 #include <vector>
 
-/// Casts the rays that it was made for: sets hits[i] for the i-th. This is timed. Only the distances of
-/// hits are compared; what the numbers in an id mean is the rival's own affair.
+/// Casts the rays that it was made for: sets hits[i] for the i-th. This is timed. Only the
+/// distances of hits are compared; what the numbers in an id mean is the rival's own affair.
 using Cast = std::function<void(std::vector<irradiance::Hit>& hits)>;
 
 /// A rival whose trees are built. It brings rays into the form that it takes; this is not timed.

@@ -50,7 +50,8 @@ struct Tree
   Hit cast(const Kernel::Ray_3& ray) const
   {
     const auto found = aabb.first_intersection(ray);
-    // In the plane of a triangle a ray meets a segment of it; the others count no such intersection.
+    // In the plane of a triangle a ray meets a segment of it; the others count no such
+    // intersection.
     const auto* point = found ? boost::get<Kernel::Point_3>(&found->first) : nullptr;
     return point ? Hit{ std::sqrt(CGAL::squared_distance(ray.source(), *point)), { 0, 0 } } : Hit{};
   }

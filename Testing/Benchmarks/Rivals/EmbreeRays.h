@@ -12,8 +12,8 @@
 /**
  * Rays in the form that Embree takes, which is where they are made and where their hits are read:
  * nothing is copied. `Packet` is RTCRayHit for one ray a call, RTCRayHit8 or RTCRayHit16. Embree is
- * told that the rays are incoherent: with the other flag, packets of photon rays are two to four times
- * slower.
+ * told that the rays are incoherent: with the other flag, packets of photon rays are two to four
+ * times slower.
  */
 template <class Packet>
 class EmbreeRays

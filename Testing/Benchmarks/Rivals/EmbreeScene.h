@@ -34,7 +34,8 @@ private:
   float near_;
 };
 
-/// Tells the processor to take denormal numbers for zero in this thread, as Embree's manual advises.
+/// Tells the processor to take denormal numbers for zero in this thread, as Embree's manual
+/// advises.
 inline void flushDenormals()
 {
 #ifdef __SSE2__

@@ -7,9 +7,10 @@
 #include <vector>
 
 /**
- * Whether light may reach the back of each cell. A back from which no ray of a few hits a front is taken for
- * the inside of a closed body or the outside of a room, which a user who bakes light would leave out. That is a
- * guess; where it is wrong, answers differ from those of a tracer that shoots.
+ * Whether light may reach the back of each cell. A back from which no ray of a few hits a front is
+ * taken for the inside of a closed body or the outside of a room, which a user who bakes light
+ * would leave out. That is a guess; where it is wrong, answers differ from those of a tracer that
+ * shoots.
  */
 std::vector<char> findOpenCells(const PlainScene& scene, const PlainEmbree& embree);
 

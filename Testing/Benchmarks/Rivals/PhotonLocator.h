@@ -31,9 +31,9 @@ std::unique_ptr<PhotonLocator> makePhotonMapLocator(
 /// vtkStaticPointLocator on one thread.
 std::unique_ptr<PhotonLocator> makeVtkLocator(const std::vector<irradiance::Vector3>& points);
 
-/// Photons in the leaf cells of the ray-casting trees. Nothing is built again: a frame is a step from
-/// one engine's scene to the other's, or back, and only the photons that differ are moved. The engines
-/// have shot the same walks, and keep their sides known; they must outlive the locator.
+/// Photons in the leaf cells of the ray-casting trees. Nothing is built again: a frame is a step
+/// from one engine's scene to the other's, or back, and only the photons that differ are moved. The
+/// engines have shot the same walks, and keep their sides known; they must outlive the locator.
 std::unique_ptr<PhotonLocator> makeLeafLocator(
   irradiance::IrradianceEngine& engine, irradiance::IrradianceEngine& other);
 

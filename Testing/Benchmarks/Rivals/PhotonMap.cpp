@@ -59,7 +59,8 @@ const AngleTables& angleTables()
   return tables;
 }
 
-/// The nearest photons so far. When there are as many as wanted they form a heap, the farthest first.
+/// The nearest photons so far. When there are as many as wanted they form a heap, the farthest
+/// first.
 class Nearest
 {
 public:

@@ -8,9 +8,9 @@
 #include <vector>
 
 /**
- * The photon map of Jensen (1996, "Global Illumination Using Photon Maps"), as one writes it for speed:
- * a left-balanced kd-tree in one array, in the order of a heap, so that it needs no pointers. It cannot
- * be changed; each frame builds another. Floats, one thread.
+ * The photon map of Jensen (1996, "Global Illumination Using Photon Maps"), as one writes it for
+ * speed: a left-balanced kd-tree in one array, in the order of a heap, so that it needs no
+ * pointers. It cannot be changed; each frame builds another. Floats, one thread.
  */
 class PhotonMap
 {
@@ -40,8 +40,8 @@ public:
   /// are in no order.
   void findNearest(
     const std::array<float, 3>& point, std::size_t count, std::vector<Neighbour>& found) const;
-  /// W/m2 at a point of a surface: the power of the photons, of the nearest `count`, that flew against
-  /// the normal, over the disc through the farthest one.
+  /// W/m2 at a point of a surface: the power of the photons, of the nearest `count`, that flew
+  /// against the normal, over the disc through the farthest one.
   float irradiance(const std::array<float, 3>& point, const std::array<float, 3>& normal,
     std::size_t count, std::vector<Neighbour>& found) const;
 

@@ -5,8 +5,8 @@
 #include "Measuring/CellField.h"
 #include "Rivals/PhotonMap.h"
 
-/// The photons of an engine as a photon map takes them: in the world, with directions of flight. The engine
-/// has one band, and keeps photons.
+/// The photons of an engine as a photon map takes them: in the world, with directions of flight.
+/// The engine has one band, and keeps photons.
 std::vector<PhotonMap::Photon> mapPhotonsOf(const irradiance::IrradianceEngine& engine);
 
 /// W/m2 at the middles of all cells, towards their fronts, from the `count` nearest photons each.

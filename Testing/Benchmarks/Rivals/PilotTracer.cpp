@@ -146,7 +146,8 @@ std::size_t PilotTracer::update(const SceneObjects& objects, double share, doubl
   shoot(pilots);
   std::size_t shot = pilots.size();
   const std::vector<std::size_t> flagged = flag(pilots, old);
-  // With all the time in the world the order of groups is of no use, and the order of memory is faster.
+  // With all the time in the world the order of groups is of no use, and the order of memory is
+  // faster.
   const std::size_t together = std::isinf(seconds) ? groups_.size() : 64;
   for (std::size_t first = 0; first < flagged.size() && threadCpuSeconds() - start < seconds;
        first += together)

@@ -21,8 +21,8 @@ public:
   PilotTracer(const irradiance::SceneObjects& objects, std::uint32_t walks, std::uint64_t seed,
     const StartStrata& strata);
 
-  /// Returns the number of walks that were shot. `pilots`: share of the walks. `seconds`: CPU time for
-  /// the frame, at the end of which no further group is begun.
+  /// Returns the number of walks that were shot. `pilots`: share of the walks. `seconds`: CPU time
+  /// for the frame, at the end of which no further group is begun.
   std::size_t update(const irradiance::SceneObjects& objects, double pilots, double seconds);
   /// All walks again.
   void shootAll(const irradiance::SceneObjects& objects);

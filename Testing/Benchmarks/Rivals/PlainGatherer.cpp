@@ -65,7 +65,8 @@ public:
     std::fill_n(packet_.hit.instID[0], kWidth, RTC_INVALID_GEOMETRY_ID);
   }
 
-  /// Paths are counted through all cells. `count`: at most Column::kBatch. Adds to the sums of cells.
+  /// Paths are counted through all cells. `count`: at most Column::kBatch. Adds to the sums of
+  /// cells.
   void run(std::size_t first, std::size_t count, PlainGatherer::Tally& tally)
   {
     std::size_t kept = 0;
@@ -157,8 +158,8 @@ private:
     vertices.normals.z[k] = side * piece.normal[2];
   }
 
-  /// One segment of each path, and what reaches it there; the paths that survive move up. Returns how many
-  /// they are.
+  /// One segment of each path, and what reaches it there; the paths that survive move up. Returns
+  /// how many they are.
   std::size_t bounce(std::size_t count, PlainGatherer::Tally& tally)
   {
     std::size_t kept = 0;
@@ -242,8 +243,8 @@ private:
     }
   }
 
-  /// Sets a ray that ends where the point of the lamp lies off its surface. Returns what it brings if
-  /// nothing is in its way, W/m2.
+  /// Sets a ray that ends where the point of the lamp lies off its surface. Returns what it brings
+  /// if nothing is in its way, W/m2.
   float aimShadow(const Vertices& vertices, int k, const PlainSource& source, float u, float v)
   {
     const float s = std::sqrt(u), t = v * s;

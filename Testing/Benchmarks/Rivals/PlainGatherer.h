@@ -9,13 +9,14 @@
 #include <vector>
 
 /**
- * The other program that users write with Embree, a baker of light: paths start on cells and look for the
- * lights. At each vertex a lamp is drawn by its flux and a point on it by area, and a shadow ray is cast to
- * it; a path that hits a lamp by itself counts as well, and the two are weighted by the power heuristic (Veach
- * and Guibas 1995). Point lights get shadow rays alone. Paths leave by the cosine and survive with
- * probability = reflectance. Where a path starts, where it leaves and its first point of a lamp are a point
- * of Sobol's sequence, shifted for each cell; all else is xorshift. Everything is in floats, some thousand paths
- * go side by side, and nothing is stored.
+ * The other program that users write with Embree, a baker of light: paths start on cells and look
+ * for the lights. At each vertex a lamp is drawn by its flux and a point on it by area, and a
+ * shadow ray is cast to it; a path that hits a lamp by itself counts as well, and the two are
+ * weighted by the power heuristic (Veach and Guibas 1995). Point lights get shadow rays alone.
+ * Paths leave by the cosine and survive with probability = reflectance. Where a path starts, where
+ * it leaves and its first point of a lamp are a point of Sobol's sequence, shifted for each cell;
+ * all else is xorshift. Everything is in floats, some thousand paths go side by side, and nothing
+ * is stored.
  */
 class PlainGatherer
 {

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <limits>
 
-/// What the plain rivals share, with a lane for each ray of a packet. Only for files that are compiled for
-/// the machine at hand. `Packet`: RTCRayHit8 or RTCRayHit16.
+/// What the plain rivals share, with a lane for each ray of a packet. Only for files that are
+/// compiled for the machine at hand. `Packet`: RTCRayHit8 or RTCRayHit16.
 
 template <class Packet>
 constexpr int kWidthOf = sizeof(Packet::ray.org_x) / sizeof(float);
@@ -84,8 +84,8 @@ void initialize(Rays& rays)
   }
 }
 
-/// Casts rays whose origins and directions are set. `left`: how many lanes have a ray, if less than all.
-/// The others, and rays that escape, hit the primitive `nothing`.
+/// Casts rays whose origins and directions are set. `left`: how many lanes have a ray, if less than
+/// all. The others, and rays that escape, hit the primitive `nothing`.
 template <class Packet>
 void cast(
   RTCScene scene, RTCIntersectContext& context, std::size_t left, unsigned nothing, Packet& packet)
@@ -103,9 +103,9 @@ void cast(
   intersect(valid, scene, context, packet);
 }
 
-/// Cosine-distributed around normals of unit length, but not of unit length themselves, which Embree
-/// does not need: a normal plus a point of the unit sphere. Their length is 2 x the cosine. `height`,
-/// `turn`: uniform in [0, 1).
+/// Cosine-distributed around normals of unit length, but not of unit length themselves, which
+/// Embree does not need: a normal plus a point of the unit sphere. Their length is 2 x the cosine.
+/// `height`, `turn`: uniform in [0, 1).
 template <int width>
 Lanes<width> cosineDirections(const Lanes<width>& normals, const float* height, const float* turn)
 {

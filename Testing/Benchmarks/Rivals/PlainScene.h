@@ -13,9 +13,9 @@ struct SceneObjects;
 }
 
 /**
- * A grey scene as one writes it down for a plain tracer: all triangles in the world, in floats. Names
- * nothing of Eigen or the engine, because the tracer is compiled for the machine at hand, and inline
- * functions that it shared with them would come out in two forms.
+ * A grey scene as one writes it down for a plain tracer: all triangles in the world, in floats.
+ * Names nothing of Eigen or the engine, because the tracer is compiled for the machine at hand, and
+ * inline functions that it shared with them would come out in two forms.
  */
 struct PlainScene
 {

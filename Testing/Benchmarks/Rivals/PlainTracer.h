@@ -9,11 +9,11 @@
 #include <vector>
 
 /**
- * What one writes in an afternoon with Embree, and what users would really take: it shoots some thousand
- * walks side by side, bounce by bounce, and adds 1 to a cell for each hit. A walk survives a hit with
- * probability = reflectance, so all photons have the same power and none is carried along. Everything is
- * in floats, random numbers are xorshift, nothing is stored, and a scene in which something has moved is
- * shot again.
+ * What one writes in an afternoon with Embree, and what users would really take: it shoots some
+ * thousand walks side by side, bounce by bounce, and adds 1 to a cell for each hit. A walk survives
+ * a hit with probability = reflectance, so all photons have the same power and none is carried
+ * along. Everything is in floats, random numbers are xorshift, nothing is stored, and a scene in
+ * which something has moved is shot again.
  */
 class PlainTracer
 {

@@ -129,7 +129,8 @@ void addLouvre(test::ObjectBuilder& room)
   }
 }
 
-/// A ledge .3 m below the ceiling along all walls, with a strip on it that lights the ceiling alone.
+/// A ledge .3 m below the ceiling along all walls, with a strip on it that lights the ceiling
+/// alone.
 void addCove(test::ObjectBuilder& room)
 {
   for (int side = 0; side < 4; ++side)
@@ -147,7 +148,8 @@ void addCove(test::ObjectBuilder& room)
   }
 }
 
-/// Two rooms of 4 x 4 x 3 m with a door of 1 x 2 m in between; the lamp is in the other one than the ball.
+/// Two rooms of 4 x 4 x 3 m with a door of 1 x 2 m in between; the lamp is in the other one than
+/// the ball.
 LightingScene makeTwoRooms()
 {
   test::ObjectBuilder rooms;
@@ -205,8 +207,8 @@ LightingScene makeHall()
     "fine part in a hall", hall.build(), { 17, 20.3, 1.1 }, 0.6, test::grey(kReflectance), 95);
 }
 
-/// 40 rows of 100 m, 2 m wide and tilted by 30 degrees, 5 m apart, below a panel that shines as a sky does; one module of 2 x 1 m
-/// in the middle one moves along it.
+/// 40 rows of 100 m, 2 m wide and tilted by 30 degrees, 5 m apart, below a panel that shines as a
+/// sky does; one module of 2 x 1 m in the middle one moves along it.
 LightingScene makeRows()
 {
   const Vector3 along(1, 0, 0), up(0, std::cos(M_PI / 6), std::sin(M_PI / 6));

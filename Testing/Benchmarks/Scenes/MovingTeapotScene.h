@@ -26,9 +26,9 @@ struct MovingScene
   std::function<void(irradiance::SceneObjects&, double time)> place;
 };
 
-/// The scene of Examples/MovingTeapot. `head`: a file in the OFF format; empty: there is none. `scale`:
-/// of the teapot; a small one changes fewer walks. `isCoarse`: with large cells, and some 2000 triangles
-/// of the head.
+/// The scene of Examples/MovingTeapot. `head`: a file in the OFF format; empty: there is none.
+/// `scale`: of the teapot; a small one changes fewer walks. `isCoarse`: with large cells, and some
+/// 2000 triangles of the head.
 MovingScene makeMovingTeapot(const std::string& head, double scale = 1, bool isCoarse = false);
 
 #endif

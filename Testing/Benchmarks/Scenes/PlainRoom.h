@@ -6,10 +6,10 @@
 
 #include <vector>
 
-/// A room of 4 x 4 x 3 m with 14 x 14 cells a wall, reflectances of .05 to .9 at random, a lamp of 4 cells
-/// below the ceiling, and two closed meshes, a ring of 6,000 triangles and a knobbly ball of 960, whose
-/// triangles are cells. Both may move, but only the ring does. `size`: m, across the ring, at most 1.8;
-/// the ball is .8 m.
+/// A room of 4 x 4 x 3 m with 14 x 14 cells a wall, reflectances of .05 to .9 at random, a lamp of
+/// 4 cells below the ceiling, and two closed meshes, a ring of 6,000 triangles and a knobbly ball
+/// of 960, whose triangles are cells. Both may move, but only the ring does. `size`: m, across the
+/// ring, at most 1.8; the ball is .8 m.
 MovingScene makePlainRoom(double size = 0.8);
 
 /**
@@ -23,12 +23,12 @@ MovingScene makePlainRoom(double size = 0.8);
  */
 std::vector<MovingScene> makeGatheringRooms();
 
-/// The same walls and lamp, with so many balls of 320 triangles, which are cells. All of them move. `size`:
-/// m, across.
+/// The same walls and lamp, with so many balls of 320 triangles, which are cells. All of them move.
+/// `size`: m, across.
 MovingScene makeRoomOfMovers(int movers, double size);
 
-/// The same room, in which that share of the cells, chosen at random, also reflects half of what it would
-/// absorb, in lobes with an exponent of 50.
+/// The same room, in which that share of the cells, chosen at random, also reflects half of what it
+/// would absorb, in lobes with an exponent of 50.
 MovingScene makeGlossyRoom(double share, double size = 0.8);
 
 #endif

@@ -12,7 +12,8 @@ class vtkPolyData;
 std::vector<irradiance::Triangle> trianglesOf(vtkPolyData* mesh);
 
 /// The polygons of some polydata as one object, with their cell arrays RadiantExitance and
-/// DiffuseReflectance (one component; where there is none: no light, 0.5), as the filter reads them.
+/// DiffuseReflectance (one component; where there is none: no light, 0.5), as the filter reads
+/// them.
 irradiance::SceneObject makeObject(const std::vector<vtkPolyData*>& parts);
 
 #endif

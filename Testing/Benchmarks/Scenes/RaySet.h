@@ -5,9 +5,9 @@
 #include "Geometry/Ray.h"
 #include "Scenes/BenchmarkScene.h"
 
-/// Rays of a kind. Directions have unit length. Origins lie off the surface, so that no rival needs a
-/// rule against meeting the surface that a ray leaves; all numbers fit a float, so that all
-/// see the same rays.
+/// Rays of a kind. Directions have unit length. Origins lie off the surface, so that no rival needs
+/// a rule against meeting the surface that a ray leaves; all numbers fit a float, so that all see
+/// the same rays.
 struct RaySet
 {
   char letter;

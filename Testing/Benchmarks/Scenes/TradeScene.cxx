@@ -63,8 +63,8 @@ TradeScene makeBox()
   return { { "box", { room.build(), { thing.build() } }, circling({ 2, 2, 2 }, 1) }, { 4, 4 } };
 }
 
-/// Each wall cell shines with 1 - its reflectance. What reflects all light emits none, so that it may
-/// move without a change of the lights.
+/// Each wall cell shines with 1 - its reflectance. What reflects all light emits none, so that it
+/// may move without a change of the lights.
 TradeScene makeFurnace()
 {
   test::RandomVectors random(91);

@@ -4,8 +4,9 @@
 
 #include "Scenes/MovingTeapotScene.h"
 
-/// Into how many strata, as powers of two, the samples with which walks start are cut to make groups
-/// of like walks: that which chooses the light, and each of the two that choose the direction.
+/// Into how many strata, as powers of two, the samples with which walks start are cut to make
+/// groups of like walks: that which chooses the light, and each of the two that choose the
+/// direction.
 struct StartStrata
 {
   int emitterBits, directionBits;
@@ -20,12 +21,13 @@ struct TradeScene : MovingScene
   bool isFurnace = false; ///< the truth is 1 W/m2 everywhere
 };
 
-/// The scene of Examples/MovingTeapot with larger cells, its head decimated; a closed box with a lamp
-/// and a box that moves; and a furnace in which a white sphere moves, lit by all of its walls.
+/// The scene of Examples/MovingTeapot with larger cells, its head decimated; a closed box with a
+/// lamp and a box that moves; and a furnace in which a white sphere moves, lit by all of its walls.
 /// `head`: a file in the OFF format.
 std::vector<TradeScene> makeTradeScenes(const std::string& head);
 
-/// Every triangle cut into four `levels` times, each piece a cell: cell i becomes the cells 4 i to 4 i + 3.
+/// Every triangle cut into four `levels` times, each piece a cell: cell i becomes the cells 4 i to
+/// 4 i + 3.
 irradiance::SceneObjects subdivided(const irradiance::SceneObjects& objects, int levels);
 
 #endif
