@@ -216,7 +216,7 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
     forgetPhotons(); // walks that are born are not among the changes
   }
   PhotonChanges changes;
-  walks_.follow(change.moved, space(), photons_.isEmpty() ? nullptr : &changes, execution);
+  walks_.follow(change.moved, space(), photons_.areCollected() ? &changes : nullptr, execution);
   const Stopwatch stopwatch;
   photons_.apply(objects_, walks_.histories(), changes, execution);
   estimator_->note(changes);
@@ -294,7 +294,7 @@ void IrradianceEngine::estimate(const EstimateRounds& rounds, Execution& executi
   rounds_ = rounds;
   if (needsPhotons(settings_.cellEstimate))
   {
-    collect<LeafPhotons>(execution);
+    collectPhotons(execution);
     prepareSurfaces(execution);
   }
   estimator_->update(rounds, execution);
@@ -303,7 +303,7 @@ void IrradianceEngine::estimate(const EstimateRounds& rounds, Execution& executi
 
 void IrradianceEngine::forgetPhotons()
 {
-  photons_.forgetAll();
+  photons_.forget();
   estimator_->forgetPhotons();
 }
 

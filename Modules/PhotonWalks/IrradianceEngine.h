@@ -123,21 +123,16 @@ public:
   WalkSpace space() const { return { scene_, objects_, triangles_, contacts_, solidSides_ }; }
   /// What cells of this frame gather light in.
   GatherSpace gatherSpace() const { return space().gatherSpace(); }
-  /// Collects photons of the history in a store (CellPhotonSets, LeafPhotons), unless that was done
-  /// before; then updates keep it up to date, or forget it where direct light is gathered. Those
-  /// are then photons of indirect light alone. Needs stored walks. Throws Interrupted.
-  template <class Store>
-  void collect(Execution& execution)
+  /// Collects the photons of the history, unless that was done before; then updates keep them up to
+  /// date, or forget them where direct light is gathered. Those are then photons of indirect light
+  /// alone. Needs stored walks. Throws Interrupted.
+  void collectPhotons(Execution& execution)
   {
     assert(storesWalks());
-    photons_.collect<Store>(objects_, walks_.histories(), execution);
+    photons_.collect(objects_, walks_.histories(), execution);
   }
   /// What was collected.
-  template <class Store>
-  const Store& photons() const
-  {
-    return photons_.get<Store>();
-  }
+  const LeafPhotons& photons() const { return photons_.get(); }
   /// Prepares the surfaces of all objects, on which sensors stand, unless that was done before.
   /// Throws Interrupted.
   void prepareSurfaces(Execution& execution)
@@ -147,7 +142,7 @@ public:
   /// Until the next update. Needs leaf photons and surfaces.
   NearestPhotons nearestPhotons() const
   {
-    return { photons<LeafPhotons>(), surfaces_, objects_, walks_.histories() };
+    return { photons(), surfaces_, objects_, walks_.histories() };
   }
   const CellEstimator& estimator() const { return *estimator_; }
 
@@ -188,7 +183,7 @@ private:
   ObjectSides solidSides_;
   Contacts contacts_; ///< of this frame
   WalkSets walks_;
-  PhotonStores photons_;
+  KeptPhotons photons_;
   Surfaces surfaces_;                        ///< empty until they are prepared
   std::unique_ptr<CellEstimator> estimator_; ///< null before the first update
   EstimateRounds rounds_;                    ///< of the last estimate

@@ -3,7 +3,7 @@
 #include "HistoryPhotons.h"
 #include "MovingScene.h"
 #include "OnlySet.h"
-#include "Photons/CellPhotonSets.h"
+#include "Rivals/CellPhotonSets.h"
 #include "ThreadExecution.h"
 
 #include <gtest/gtest.h>

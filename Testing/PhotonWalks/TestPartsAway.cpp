@@ -30,7 +30,7 @@ Answer viewsOf(IrradianceEngine& engine)
   Execution execution;
   const SceneObjects& objects = engine.objects();
   const OutgoingRadiance radiance(engine, 2, execution);
-  engine.collect<LeafPhotons>(execution); // for estimates from the nearest photons
+  engine.collectPhotons(execution); // for estimates from the nearest photons
   Answer answer;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineRun.h"
-#include "Photons/PhotonSet.h"
+#include "Rivals/PhotonSet.h"
 
 #include <gtest/gtest.h>
 

@@ -24,7 +24,7 @@ std::string NearestSensors::measure(const SensorRun& run, const Settings& settin
 {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   IrradianceEngine& engine = *run.engine;
-  engine.collect<LeafPhotons>(run.execution);
+  engine.collectPhotons(run.execution);
   engine.prepareSurfaces(run.execution);
   const NearestPhotons nearest = engine.nearestPhotons();
   const double maximumDistance =

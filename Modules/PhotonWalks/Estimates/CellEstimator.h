@@ -4,7 +4,7 @@
 
 #include "Estimates/ErrorEstimate.h"
 #include "FinalGather/GatheringBias.h"
-#include "Photons/PhotonStores.h"
+#include "Photons/KeptPhotons.h"
 #include "Photons/Surfaces.h"
 #include "Walks/WalkSets.h"
 
@@ -17,7 +17,7 @@ struct EstimateSource
   WalkSpace space;
   const SceneCells& cells;
   const WalkSets& walks;
-  const PhotonStores& photons; ///< LeafPhotons, if needsPhotons()
+  const KeptPhotons& photons; ///< collected, if needsPhotons()
   const Surfaces& surfaces;    ///< likewise
 };
 

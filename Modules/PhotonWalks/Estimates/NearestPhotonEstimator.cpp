@@ -254,7 +254,7 @@ void NearestPhotonEstimator::update(const EstimateRounds& rounds, Execution& exe
   if (!isUpToDate())
   {
     const EstimateSource& from = source();
-    estimateSmallCells(NearestPhotons(from.photons.get<LeafPhotons>(), from.surfaces,
+    estimateSmallCells(NearestPhotons(from.photons.get(), from.surfaces,
                          from.space.objects, from.walks.histories()),
       execution);
   }

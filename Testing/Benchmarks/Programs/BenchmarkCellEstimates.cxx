@@ -252,7 +252,7 @@ void measureRefinement(std::uint32_t walks)
     IrradianceEngine plain;
     timeUpdate(plain, before, settingsFor(sums, walks, 1));
     CpuTime execution;
-    plain.collect<LeafPhotons>(execution); // an update keeps them up to date
+    plain.collectPhotons(execution); // an update keeps them up to date
     const double repair = timeUpdate(plain, moved, settingsFor(sums, walks, 1)).whole;
     later.push_back(timeUpdate(engine, moved, settingsFor(nearest, walks, 1)).whole - repair);
     timeUpdate(fresh, moved, settingsFor(nearest, walks, 1));

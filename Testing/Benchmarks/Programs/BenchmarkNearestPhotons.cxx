@@ -162,7 +162,7 @@ Cost costOf(PhotonLocator& locator, const std::vector<Sensor>& sensors, double w
 void timeFarSensors(IrradianceEngine& engine, const std::vector<Sensor>& near)
 {
   CpuTime execution;
-  engine.collect<LeafPhotons>(execution);
+  engine.collectPhotons(execution);
   engine.prepareSurfaces(execution);
   const WalkHistory& history = test::onlySet(engine).history();
   const NearestPhotons photons = engine.nearestPhotons();

@@ -10,11 +10,12 @@
  *
  * Arguments: [walks = 1000000] [rounds = 5]
  */
+#include "../../PhotonWalks/HistoryPhotons.h"
 #include "../../PhotonWalks/OnlySet.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Photons/CellPhotonSets.h"
+#include "Rivals/CellPhotonSets.h"
 #include "Rivals/PhotonBags.h"
 #include "Scenes/PhotonTraffic.h"
 #include "Scenes/PlainRoom.h"
@@ -181,24 +182,37 @@ void reportMemory(const Photons& photons, const SceneObjects& objects, const std
     static_cast<double>(photons.bytes()) / static_cast<double>(count));
 }
 
-/// Throws unless the engine, which kept its photons up to date, has what a new one collects.
-void requireFresh(const IrradianceEngine& engine, const SceneObjects& objects, Execution& execution)
+/// The photons on the specular cells of an engine's walks, kept up to date.
+class SpecularPhotons
 {
-  CellPhotonSets fresh(objects);
-  fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
-  require(contentsOf(engine.photons<CellPhotonSets>(), objects) == contentsOf(fresh, objects),
-    "Updated photons differ from new ones");
-}
+public:
+  SpecularPhotons(const IrradianceEngine& engine, Execution& execution)
+    : sets_(collected(engine, execution))
+    , photons_(test::photonsOf(test::onlySet(engine).history()))
+  {
+  }
 
-/// Seconds of the engine's update, with the photons on specular cells.
-double timeWithPhotons(IrradianceEngine& engine, const SceneObjects& objects,
-  const EngineSettings& settings, CpuTime& execution)
-{
-  return threadCpuSecondsOf([&] {
-    engine.update(objects, settings, execution);
-    engine.collect<CellPhotonSets>(execution);
-  });
-}
+  const CellPhotonSets& sets() const { return sets_; }
+  static CellPhotonSets collected(const IrradianceEngine& engine, Execution& execution)
+  {
+    CellPhotonSets sets(engine.objects());
+    const WalkHistory& history = test::onlySet(engine).history();
+    sets.add(history, 0, history.size(), execution);
+    return sets;
+  }
+  /// Seconds, without the time to find what has changed, which the engine knows.
+  double follow(const IrradianceEngine& engine, Execution& execution)
+  {
+    std::vector<Photon> now = test::photonsOf(test::onlySet(engine).history());
+    const PhotonChanges changes = test::changesBetween(photons_, now);
+    photons_ = std::move(now);
+    return threadCpuSecondsOf([&] { sets_.apply(changes, execution); });
+  }
+
+private:
+  CellPhotonSets sets_;
+  std::vector<Photon> photons_;
+};
 
 /// As the filter asks for them.
 EngineSettings keeping(EngineSettings settings)
@@ -219,7 +233,9 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     IrradianceEngine plain, engine;
     const double plainFirst = timeUpdate(plain, matte.at(0), settings).whole;
     const double first = timeUpdate(engine, glossy.at(0), kept).whole;
-    const double building = threadCpuSecondsOf([&] { engine.collect<CellPhotonSets>(execution); });
+    const double building =
+      threadCpuSecondsOf([&] { SpecularPhotons::collected(engine, execution); });
+    SpecularPhotons photons(engine, execution);
     report(table, row, "first shooting / without", (first + building) / plainFirst, { 1.35, 1.15 });
     report(table + "Parts", row, "built, ms", 1e3 * building);
     report(table + "Parts", row, "built / first shooting", building / (first + building));
@@ -231,14 +247,18 @@ void timeSpecularPhotons(const EngineSettings& settings, int rounds)
     for (int frame = 1; frame <= kFrames; ++frame)
     {
       plainFrames += timeUpdate(plain, matte.inFrame(frame), settings).whole;
-      frames += timeWithPhotons(engine, glossy.inFrame(frame), kept, execution);
+      frames += timeUpdate(engine, glossy.inFrame(frame), kept).whole;
+      frames += photons.follow(engine, execution);
       changed += static_cast<double>(engine.statistics().invalidWalks);
     }
-    requireFresh(engine, glossy.inFrame(kFrames), execution);
+    const SceneObjects objects = glossy.inFrame(kFrames);
+    require(contentsOf(photons.sets(), objects) ==
+        contentsOf(SpecularPhotons::collected(engine, execution), objects),
+      "Updated photons differ from new ones");
     report(table, row, "frame / without", frames / plainFrames, { 1.35, 1.15 });
     report(
       table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
-    reportMemory(engine.photons<CellPhotonSets>(), glossy.at(0), table + "Parts", row);
+    reportMemory(photons.sets(), glossy.at(0), table + "Parts", row);
   }
 }
 
@@ -247,7 +267,7 @@ void requireFreshLeaves(const IrradianceEngine& engine, Execution& execution)
 {
   LeafPhotons fresh(engine.objects());
   fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
-  require(contentsOf(engine.photons<LeafPhotons>(), engine.objects()) ==
+  require(contentsOf(engine.photons(), engine.objects()) ==
       contentsOf(fresh, engine.objects()),
     "Updated leaves differ from new ones");
 }
@@ -266,7 +286,7 @@ void timeLeafPhotons(const EngineSettings& settings, int rounds)
     IrradianceEngine plain, engine;
     timeUpdate(plain, room.at(0), settings);
     const double first = timeUpdate(engine, room.at(0), kept).whole;
-    const double building = threadCpuSecondsOf([&] { engine.collect<LeafPhotons>(execution); });
+    const double building = threadCpuSecondsOf([&] { engine.collectPhotons(execution); });
     double frames = 0, plainFrames = 0, changed = 0;
     for (int frame = 1; frame <= kFrames; ++frame)
     {
@@ -282,7 +302,7 @@ void timeLeafPhotons(const EngineSettings& settings, int rounds)
     report(table + "Parts", row, "frame without, ms", 1e3 * plainFrames / kFrames);
     report(
       table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
-    reportMemory(engine.photons<LeafPhotons>(), room.at(0), table + "Parts", row);
+    reportMemory(engine.photons(), room.at(0), table + "Parts", row);
   }
 }
 

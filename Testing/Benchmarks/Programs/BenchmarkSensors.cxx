@@ -240,7 +240,7 @@ public:
     settings.keepPhotons = true;
     return measure(
       settings, [&](IrradianceEngine& engine, Execution& execution, CellField& values) {
-        engine.collect<LeafPhotons>(execution);
+        engine.collectPhotons(execution);
         engine.prepareSurfaces(execution);
         const NearestPhotons nearest = engine.nearestPhotons();
         const SensorDirectLight direct(engine);

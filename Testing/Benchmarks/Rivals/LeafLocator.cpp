@@ -21,7 +21,7 @@ public:
   {
     for (IrradianceEngine* each : engines_)
     {
-      each->collect<LeafPhotons>(execution_); // finds the sides of all photons
+      each->collectPhotons(execution_); // finds the sides of all photons
       photons_.push_back(test::photonsOf(test::onlySet(*each).history()));
     }
     changes_ = { test::changesBetween(photons_[1], photons_[0]),

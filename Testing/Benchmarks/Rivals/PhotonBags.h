@@ -2,7 +2,7 @@
 #ifndef PhotonBags_h
 #define PhotonBags_h
 
-#include "Photons/PhotonSet.h"
+#include "Rivals/PhotonSet.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Photons/CellPhotonSets.h"
+#include "Rivals/CellPhotonSets.h"
 
 #include "Execution/ProgressSpan.h"
 #include "Execution/SlicedPass.h"

@@ -3,7 +3,7 @@
 #define irradiance_CellPhotonSets_h
 
 #include "Execution/Execution.h"
-#include "Photons/PhotonSet.h"
+#include "Rivals/PhotonSet.h"
 #include "Surfaces/SceneCell.h"
 #include "Surfaces/SceneObjects.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Photons/PhotonSet.h"
+#include "Rivals/PhotonSet.h"
 
 #include "Simd/Prefetch.h"
 
