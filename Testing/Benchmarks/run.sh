@@ -99,11 +99,8 @@ cd "$build/results"
 if [[ $part != accuracy ]]; then
   measure BenchmarkRayCasting "300000 5" "10000 2"
   measure BenchmarkTraversalModes "" "10000 2"
-  measure BenchmarkFrontCast "" "2 2"
   measure BenchmarkStages "" "20000 2 2"
-  measure BenchmarkBounceHistory "" "0.1 2"
   measure BenchmarkFarAndMany "" "5000 1"
-  measure BenchmarkSigns "" "100"
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkGathering "" "20000 2 16 64"
@@ -117,14 +114,12 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,FrontCast,Stages,BounceHistory,FarAndMany,Signs,Shooting,Gathering,GatherTarget,Sensors,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,Stages,FarAndMany,Shooting,Gathering,GatherTarget,Sensors,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
   measure BenchmarkDefault "" "20000 1 0 3"
   measure BenchmarkAccuracy "" "65536 1"
-  measure BenchmarkPilotPhotons "" "8192 2"
-  measure BenchmarkStaleError "" "8192 2"
   measure BenchmarkCellEstimates "" "100000 1 400000"
-  write_page SpeedAndAccuracy Benchmark{DirectLight,Default,Accuracy,PilotPhotons,StaleError,CellEstimates}.csv
+  write_page SpeedAndAccuracy Benchmark{DirectLight,Default,Accuracy,CellEstimates}.csv
 fi
