@@ -361,8 +361,7 @@ void reportDose(const LightingScene& scene, std::uint32_t walks)
     ofDefault = ofDefault == 0 ? cost : ofDefault; // the first way
     least = std::min(least, cost);
   }
-  report(
-    kTable, scene.name + ", dose", "default / best, 30 steps", least / ofDefault, { 0.8, 1.5 });
+  report("DefaultDoseRatios", scene.name, "default / best", least / ofDefault, { 0.8, 1.5 });
 }
 
 }
