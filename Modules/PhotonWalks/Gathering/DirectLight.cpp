@@ -106,11 +106,16 @@ void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::
 DirectLight::Bands DirectLight::varianceOf(std::size_t cell) const
 {
   const std::uint32_t samples = plan_.samplesOf(cell);
-  const std::uint32_t parts = plan_.replicates() > 1 ? plan_.replicates() : samples;
-  Bands all{}, squares{};
-  for (std::uint32_t part = 0; samples > 0 && part < parts; ++part)
+  if (samples == 0)
   {
-    const std::uint32_t size = samples / parts, first = plan_.first(cell) + part * size;
+    return {};
+  }
+  const std::uint32_t parts = plan_.replicates() > 1 ? plan_.replicates() : samples;
+  const std::uint32_t size = samples / parts;
+  Bands all{}, squares{};
+  for (std::uint32_t part = 0; part < parts; ++part)
+  {
+    const std::uint32_t first = plan_.first(cell) + part * size;
     Bands brought{};
     for (std::uint32_t i = first; i < first + size; ++i)
     {
