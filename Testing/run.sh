@@ -2,7 +2,7 @@
 # Runs every test: installs what is missing; builds build/release and runs all tests and examples there under a
 # private X server; fetches Debian's ParaView into build/paraview-sdk, builds build/paraview and tests the plugin
 # there; builds build/sanitize and runs the engine's tests there with the address and undefined-behaviour
-# sanitizers; builds build/fuzz and fuzzes for a minute. The last line sums it up; the status is 0 only if nothing
+# sanitizers; builds build/fuzz and fuzzes. The last line sums it up; the status is 0 only if nothing
 # failed.
 set -euo pipefail
 

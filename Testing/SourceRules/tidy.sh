@@ -3,7 +3,7 @@
 #
 #   tidy.sh BUILD_DIR [CLANG_TIDY]      BUILD_DIR holds compile_commands.json
 #
-# The sources of a room are read as if they were one: most of the time goes to the headers of Eigen and C++, for each
+# Some two dozen sources are read as if they were one: most of the time goes to the headers of Eigen and C++, for each
 # source anew. Sources for one instruction set are read with their like. Where names clash, the group is read in halves,
 # in the end each source alone.
 #
@@ -62,21 +62,22 @@ tidy()
   return 1
 }
 
-# group SOURCE: its room, and the instruction set that it repeats the room's loops for
+# group SOURCE: its module, and the instruction set that it repeats other loops for
 group()
 {
   local set=${1##*/}
   set=$(grep -oE '(Plain|Avx2|Avx512)\.cpp$' <<<"$set" || true)
-  echo "${1%/*} $set"
+  echo "$(cut -d / -f 1-2 <<<"$1") $set"
 }
 
 export build clang_tidy scratch
 export -f options tidy
-# A line for each group of sources.
+# A line for each group of sources, of so many at most.
 declare -A groups
 for file in "${files[@]}"; do
   groups[$(group "$file")]+="$file "
 done
-printf '%s\n' "${groups[@]}" | awk '{ print NF, $0 }' | sort -rn | cut -d ' ' -f 2- |
+printf '%s\n' "${groups[@]}" | xargs -d '\n' -n 1 bash -c 'xargs -n 24 <<<"$0"' | awk '{ print NF, $0 }' |
+  sort -rn | cut -d ' ' -f 2- |
   xargs -P "$(nproc)" -d '\n' -n 1 bash -c 'IFS=" " read -ra sources <<<"$1"; tidy "${sources[@]}"' tidy
 echo "${#files[@]} sources"

@@ -18,7 +18,7 @@ struct EstimateSource
   const SceneCells& cells;
   const WalkSets& walks;
   const KeptPhotons& photons; ///< collected, if needsPhotons()
-  const Surfaces& surfaces;    ///< likewise
+  const Surfaces& surfaces;   ///< likewise
 };
 
 /// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see

@@ -254,8 +254,8 @@ void NearestPhotonEstimator::update(const EstimateRounds& rounds, Execution& exe
   if (!isUpToDate())
   {
     const EstimateSource& from = source();
-    estimateSmallCells(NearestPhotons(from.photons.get(), from.surfaces,
-                         from.space.objects, from.walks.histories()),
+    estimateSmallCells(
+      NearestPhotons(from.photons.get(), from.surfaces, from.space.objects, from.walks.histories()),
       execution);
   }
 }

@@ -267,8 +267,7 @@ void requireFreshLeaves(const IrradianceEngine& engine, Execution& execution)
 {
   LeafPhotons fresh(engine.objects());
   fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
-  require(contentsOf(engine.photons(), engine.objects()) ==
-      contentsOf(fresh, engine.objects()),
+  require(contentsOf(engine.photons(), engine.objects()) == contentsOf(fresh, engine.objects()),
     "Updated leaves differ from new ones");
 }
 
