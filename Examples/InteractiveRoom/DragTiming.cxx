@@ -57,12 +57,13 @@ Round Drag(RoomWindow& window, LightFollower& light, int frames)
     window.GetThings().Turn(3);
     window.Step();
     round.Longest = std::max(round.Longest, SecondsSince(one));
-    round.Verify += light.GetFilter()->GetVerifySeconds() / frames;
-    round.Repair += light.GetFilter()->GetRepairSeconds() / frames;
+    round.Verify += light.GetFilter()->GetFigure("VerifySeconds") / frames;
+    round.Repair += light.GetFilter()->GetFigure("RepairSeconds") / frames;
   }
   round.Processor = double(std::clock() - processor) / CLOCKS_PER_SEC / frames;
   round.FramesASecond = frames / SecondsSince(begin);
-  round.Stale = light.GetFilter()->GetStalePower() / light.GetFilter()->GetEmittedPower();
+  round.Stale =
+    light.GetFilter()->GetFigure("StalePower") / light.GetFilter()->GetFigure("EmittedPower");
   const auto release = Clock::now();
   while (!light.IsExact())
   {

@@ -80,7 +80,7 @@ void PrintLight(LightFollower& light, const Room& room)
   light.Shoot({});
   std::printf("%.6g W emitted; standard error of a cell: %.1f %% of the mean.\n"
               "To move things takes a window on a display of yours; --events plays on any.\n",
-    light.GetFilter()->GetEmittedPower(), 100 * MeanError(room).Of(light.GetScene()));
+    light.GetFilter()->GetFigure("EmittedPower"), 100 * MeanError(room).Of(light.GetScene()));
   std::fflush(stdout);
 }
 

@@ -117,7 +117,7 @@ bool LightFollower::HasMoved()
 
 bool LightFollower::IsExact()
 {
-  return !this->HasMoved() && this->Filter->GetStalePower() == 0;
+  return !this->HasMoved() && this->Filter->GetFigure("StalePower") == 0;
 }
 
 void LightFollower::Step(double seconds, const std::function<void()>& show)
@@ -128,7 +128,7 @@ void LightFollower::Step(double seconds, const std::function<void()>& show)
   this->Update();
   show();
   const std::chrono::duration<double> taken = Clock::now() - begin;
-  const double overhead = taken.count() - this->Filter->GetRepairSeconds();
+  const double overhead = taken.count() - this->Filter->GetFigure("RepairSeconds");
   // What took longer once may do so again.
   this->Overhead = std::max(overhead, 0.8 * this->Overhead + 0.2 * overhead);
 }

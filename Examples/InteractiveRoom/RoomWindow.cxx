@@ -169,7 +169,7 @@ void RoomWindow::Show()
 
 void RoomWindow::ShowFigures()
 {
-  const double stale = this->Light.GetFilter()->GetStalePower();
+  const double stale = this->Light.GetFilter()->GetFigure("StalePower");
   char text[240], rate[40] = "";
   if (this->IsFrameRateShown && this->Rate.Get() > 0)
   {
@@ -177,7 +177,7 @@ void RoomWindow::ShowFigures()
   }
   std::snprintf(text, sizeof text,
     "%s%s: %.3g of %.4g W stale\nstandard error of a cell: %.1f %% of the mean\nchosen: %s", rate,
-    stale > 0 ? "settling" : "exact", stale, this->Light.GetFilter()->GetEmittedPower(),
+    stale > 0 ? "settling" : "exact", stale, this->Light.GetFilter()->GetFigure("EmittedPower"),
     100 * this->Error.Of(this->Light.GetScene()),
     this->TheRoom.Moving[this->Things->GetChosen()].Name.c_str());
   this->Texts->SetFigures(text);

@@ -133,7 +133,7 @@ TEST(LightFollower, EndsExactAfterStepsWithoutTime)
     [&] { shown.Light.Step(0, [&renders] { ++renders; }); });
   EXPECT_FALSE(shown.Light.HasMoved());
   EXPECT_FALSE(shown.Light.IsExact()) << "all is repaired in the least time";
-  EXPECT_GT(shown.Light.GetFilter()->GetStalePower(), 0);
+  EXPECT_GT(shown.Light.GetFilter()->GetFigure("StalePower"), 0);
   EXPECT_EQ(renders, 1);
   shown.Light.Settle();
   EXPECT_TRUE(shown.Light.IsExact());
@@ -161,8 +161,8 @@ TEST(MovedPoints, FollowWithinABudgetToo)
   const auto filter = make(1e-6);
   pose->Translate(0.3, 0, 1);
   filter->Update();
-  EXPECT_EQ(filter->GetShootSeconds(), 0) << "all is shot again";
-  EXPECT_GT(filter->GetStalePower(), 0);
+  EXPECT_EQ(filter->GetFigure("ShootSeconds"), 0) << "all is shot again";
+  EXPECT_GT(filter->GetFigure("StalePower"), 0);
   filter->SetRepairTimeBudget(0);
   filter->Update();
   EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(make(0))));

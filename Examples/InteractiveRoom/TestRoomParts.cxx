@@ -75,7 +75,7 @@ TEST(Presets, AreLitAndHaveThingsToMoveWithinTheirLimits)
     EXPECT_EQ(room.Moving.size(), 5u) << name;
     LightFollower light(room, 20000, 8);
     light.Shoot({});
-    EXPECT_GT(light.GetFilter()->GetEmittedPower(), 0) << name;
+    EXPECT_GT(light.GetFilter()->GetFigure("EmittedPower"), 0) << name;
     for (std::size_t i = 0; i < room.Moving.size(); ++i)
     {
       double b[6];
@@ -128,7 +128,7 @@ TEST(UserMeshes, MayHaveLightsAndStrips)
   LightFollower light(room, 20000, 8);
   light.GetPose(0)->Translate(0, 0, 0.5); // else they coincide
   light.Shoot({});
-  EXPECT_NEAR(light.GetFilter()->GetEmittedPower(), 200, 1e-6);
+  EXPECT_NEAR(light.GetFilter()->GetFigure("EmittedPower"), 200, 1e-6);
   vtkNew<vtkRenderer> renderer;
   SceneView view(room, light, renderer);
   view.SetBrightest(1e-3); // all that is lit has the last colour

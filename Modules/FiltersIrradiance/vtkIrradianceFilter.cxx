@@ -9,15 +9,13 @@
 #include "Input/SceneAdvice.h"
 #include "Output/OutputWriter.h"
 #include "Output/WalksWriter.h"
-#include "Pipeline/AloneRequest.h"
 #include "Pipeline/ControllerRanks.h"
 #include "Pipeline/DistributedInput.h"
 #include "Pipeline/FilterRun.h"
-#include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/PieceRequest.h"
 #include "Pipeline/RanksPipeline.h"
-#include "Pipeline/ReplicateRequest.h"
+#include "Pipeline/UpstreamRequest.h"
 #include "Pipeline/WalkMemory.h"
 #include "Progress/InputError.h"
 #include "Time/DynamicPoses.h"
@@ -39,13 +37,13 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
-#include "vtkTransformInterpolator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -86,6 +84,7 @@ public:
   bool HasExcess = false;          ///< the last update had more light than there is
   vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
   vtkTimeStamp Newest;
+  std::set<std::string> OldNames; ///< that were called, and warned of
 };
 
 namespace
@@ -147,6 +146,26 @@ irradiance::LeftToScene LeftToSceneBy(vtkIrradianceFilter* filter)
     filter->GetCellEstimate() == vtkIrradianceFilter::AutomaticEstimate };
 }
 
+/// Sums if that is left to the scene.
+irradiance::CellEstimate AskedEstimate(vtkIrradianceFilter* filter)
+{
+  using irradiance::CellEstimate;
+  switch (filter->GetCellEstimate())
+  {
+    case vtkIrradianceFilter::Spread:
+      return CellEstimate::Spread;
+    case vtkIrradianceFilter::FinalGather:
+      return CellEstimate::Gathered;
+    case vtkIrradianceFilter::Sums:
+    case vtkIrradianceFilter::AutomaticEstimate:
+      return CellEstimate::Sums;
+    default:
+      throw irradiance::InputError("CellEstimate is " + std::to_string(filter->GetCellEstimate()) +
+        ", which was Nearest: for cells there are Spread (1) and Gathered (3), and for points the "
+        "Estimate Nearest of vtkIrradianceProbeFilter");
+  }
+}
+
 /// With what is possible where a property is left to the scene.
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
@@ -173,9 +192,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.separateSides = filter->GetSeparateSides() != 0;
   settings.gathersDirectLight = filter->GetDirectLight() != vtkIrradianceFilter::Shot;
   settings.repairTimeBudget = budget;
-  settings.cellEstimate = LeftToSceneBy(filter).cellEstimate
-    ? irradiance::CellEstimate::Sums
-    : static_cast<irradiance::CellEstimate>(filter->GetCellEstimate());
+  settings.cellEstimate = AskedEstimate(filter);
   settings.spreadPhotons =
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   settings.gatherRays =
@@ -223,9 +240,9 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
 void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* request,
   bool areWalksShown, const irradiance::Ranks& ranks)
 {
-  settings.allOnEachRank = irradiance::needsPhotons(settings.cellEstimate) ||
-    irradiance::arePhotonsRequested(request) ||
-    (irradiance::areSidesRequested(request) && !settings.keepsSides());
+  settings.allOnEachRank = irradiance::isRequested(request, irradiance::UpstreamRequest::Photons) ||
+    (irradiance::isRequested(request, irradiance::UpstreamRequest::Sides) &&
+      !settings.keepsSides());
   settings.keepPhotons = settings.allOnEachRank || areWalksShown;
   settings.listRepaired = areWalksShown;
   if (settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral())
@@ -307,18 +324,10 @@ vtkLinearTransform* vtkIrradianceFilter::GetDynamicTransform(int i)
   return this->Internals->Poses.transform(i);
 }
 
-void vtkIrradianceFilter::SetDynamicTransformInterpolator(
-  int i, vtkTransformInterpolator* worldFromObject)
+void vtkIrradianceFilter::SetDynamicTransformInterpolator(int i, vtkTransformInterpolator*)
 {
-  if (this->Internals->Poses.set(i, worldFromObject))
-  {
-    this->Modified();
-  }
-}
-
-vtkTransformInterpolator* vtkIrradianceFilter::GetDynamicTransformInterpolator(int i)
-{
-  return this->Internals->Poses.interpolator(i);
+  vtkErrorMacro(<< "SetDynamicTransformInterpolator is gone: connect dynamic input " << i
+                << " by way of a vtkKeyFramedPose, which interpolates poses between keys");
 }
 
 void vtkIrradianceFilter::SetController(vtkMultiProcessController* controller)
@@ -383,8 +392,7 @@ void vtkIrradianceFilter::SetCellArray(const char* quantity, const char* name)
   vtkErrorMacro(<< "SetCellArray: there is no quantity " << wanted);
 }
 
-/// NaN if the last output has no such field.
-double vtkIrradianceFilter::Figure(const char* name)
+double vtkIrradianceFilter::GetFigure(const char* name)
 {
   vtkDataObject* output = this->GetOutputDataObject(0);
   vtkDataArray* array = output ? output->GetFieldData()->GetArray(name) : nullptr;
@@ -400,80 +408,13 @@ double vtkIrradianceFilter::Figure(const char* name)
   return sum;
 }
 
-vtkIdType vtkIrradianceFilter::Count(const char* name)
+double vtkIrradianceFilter::GetOldFigure(const char* getter, const char* name)
 {
-  const double figure = this->Figure(name);
-  return std::isnan(figure) ? -1 : static_cast<vtkIdType>(figure);
-}
-
-double vtkIrradianceFilter::GetEmittedPower()
-{
-  return this->Figure(irradiance::kEmittedPower);
-}
-
-double vtkIrradianceFilter::GetAbsorbedPower()
-{
-  return this->Figure(irradiance::kAbsorbedPower);
-}
-
-double vtkIrradianceFilter::GetEscapedPower()
-{
-  return this->Figure(irradiance::kEscapedPower);
-}
-
-double vtkIrradianceFilter::GetStalePower()
-{
-  return this->Figure(irradiance::kStalePower);
-}
-
-double vtkIrradianceFilter::GetReachedRelativeError()
-{
-  return this->Figure(irradiance::kReachedRelativeError);
-}
-
-double vtkIrradianceFilter::GetShootSeconds()
-{
-  return this->Figure(irradiance::kShootSeconds);
-}
-
-double vtkIrradianceFilter::GetVerifySeconds()
-{
-  return this->Figure(irradiance::kVerifySeconds);
-}
-
-double vtkIrradianceFilter::GetRepairSeconds()
-{
-  return this->Figure(irradiance::kRepairSeconds);
-}
-
-vtkIdType vtkIrradianceFilter::GetNumberOfShotWalks()
-{
-  return this->Count(irradiance::kNumberOfWalks);
-}
-
-vtkIdType vtkIrradianceFilter::GetNumberOfCastGatherRays()
-{
-  return this->Count(irradiance::kNumberOfGatherRays);
-}
-
-vtkIdType vtkIrradianceFilter::GetNumberOfSegments()
-{
-  return this->Count(irradiance::kNumberOfSegments);
-}
-
-vtkIdType vtkIrradianceFilter::GetNumberOfInvalidWalks()
-{
-  return this->Count(irradiance::kNumberOfInvalidWalks);
-}
-
-vtkIdType vtkIrradianceFilter::GetNumberOfRepairedSegments()
-{
-  return this->Count(irradiance::kNumberOfRepairedSegments);
-}
-
-vtkIdType vtkIrradianceFilter::GetHistoryBytes()
-{
-  return this->Count(irradiance::kHistoryBytes);
+  if (this->Internals->OldNames.insert(getter).second)
+  {
+    vtkWarningMacro(<< getter << "() will go: call GetFigure(\"" << name << "\")");
+  }
+  return this->GetFigure(name);
 }
 
 vtkMTimeType vtkIrradianceFilter::GetMTime()
@@ -562,7 +503,6 @@ int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
   irradiance::TimeKeys times(inputs, 2);
-  this->Internals->Poses.addTimes(times);
   times.write(output);
   return 1;
 }
@@ -588,7 +528,8 @@ int vtkIrradianceFilter::RequestUpdateExtent(
 vtkMultiProcessController* vtkIrradianceFilter::vtkInternals::GetSharing(
   vtkIrradianceFilter* filter) const
 {
-  const bool isAlone = irradiance::isAloneRequested(filter->GetOutputInformation(0));
+  const bool isAlone =
+    irradiance::isRequested(filter->GetOutputInformation(0), irradiance::UpstreamRequest::Alone);
   return isAlone ? nullptr : this->Controller.Get();
 }
 
@@ -600,10 +541,9 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   const int first = this->Poses.isEmpty() ? 0 : this->Poses.firstConnection();
   if (first < 0 || last >= dynamics)
   {
-    throw irradiance::InputError(std::string("there is a transform ") +
-      (this->Poses.interpolator(first < 0 ? first : last) ? "interpolator " : "") +
-      "for dynamic connection " + std::to_string(first < 0 ? first : last) +
-      ", but input port 1 has " + std::to_string(dynamics) + " connections");
+    throw irradiance::InputError("there is a transform for dynamic connection " +
+      std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
+      std::to_string(dynamics) + " connections");
   }
   Inputs read;
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
@@ -614,7 +554,7 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
   for (int i = 0; i < dynamics; ++i)
   {
     read.Dynamic.push_back(irradiance::dynamicConnection(filter, i,
-      vtkDataObject::GetData(inputs[1], i), this->Poses.pose(i), filter->GetPoseArrayName()));
+      vtkDataObject::GetData(inputs[1], i), this->Poses.transform(i), filter->GetPoseArrayName()));
   }
   return read;
 }
@@ -726,7 +666,8 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   this->WarnOfExcess(filter);
   this->Advise(filter, inputs, writing);
   irradiance::OutputWriter(*this->Engine, this->Scene, settings,
-    filter->GetComputeStandardError() != 0, irradiance::areReplicatesRequested(request), writing)
+    filter->GetComputeStandardError() != 0,
+    irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates), writing)
     .write(inputs.Static, inputs.Dynamic, output);
   irradiance::PhotonSource::attach(output, this->Engine, PiecesOf(inputs.Static, inputs.Dynamic));
   if (walksWriter.isAsked())
@@ -757,8 +698,6 @@ int vtkIrradianceFilter::RequestData(
     {
       return;
     }
-    this->Internals->Poses.evaluate(time);
-    this->Internals->Begun = this->InputTime(); // evaluation counts as a change
     vtkInternals::Inputs read = this->Internals->GetInputs(this, inputs);
     this->Internals->Complete(this, read, ranks);
     const bool isLaterPiece = irradiance::isEmptyPieceRequested(RequestingOutput(request, outputs));
@@ -815,11 +754,9 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Dynamic transforms: " << this->Internals->Poses.size() << "\n";
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
-    vtkObject* transform = this->GetDynamicTransform(i);
-    vtkObject* interpolator = this->GetDynamicTransformInterpolator(i);
-    if (vtkObject* pose = transform ? transform : interpolator)
+    if (vtkObject* pose = this->GetDynamicTransform(i))
     {
-      os << indent << "Dynamic transform " << (transform ? "" : "interpolator ") << i << ":\n";
+      os << indent << "Dynamic transform " << i << ":\n";
       pose->PrintSelf(os, indent.GetNextIndent());
     }
   }

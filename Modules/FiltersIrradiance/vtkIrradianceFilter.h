@@ -88,9 +88,8 @@ public:
   /// From which photons the irradiance of a cell is estimated.
   enum CellEstimates
   {
-    Sums = 0,    ///< the photons that arrived in it
-    Spread = 1,  ///< small cells: also the photons in the cells around it
-    Nearest = 2, ///< small cells: the photons nearest to their middles
+    Sums = 0,   ///< the photons that arrived in it
+    Spread = 1, ///< small cells: also the photons in the cells around it
     FinalGather =
       3, ///< "Gathered". Small cells: what rays from them find on the cells that they hit
     AutomaticEstimate = 4 ///< "Automatic": "Gathered" or Spread, by the scene
@@ -124,26 +123,10 @@ public:
   vtkLinearTransform* GetDynamicTransform(int i);
   /// @}
 
-  /// @{
-  /**
-   * Pose (model to world) of the i-th connection of port 1 over time, null for none: the
-   * interpolator is evaluated at the requested time (UPDATE_TIME_STEP), or at its first key if none
-   * is requested. It takes two keys at least, and a time outside of them is an error. The range of
-   * its keys is part of the TIME_RANGE of the output; VTK gives no access to their times, so
-   * TIME_STEPS has none of them.
-   *
-   * A connection has a transform or an interpolator: setting one removes the other.
-   *
-   * In VTK 9.1 an interpolator takes no notice of another pose for its first or its last key. After
-   * such a change call Modified() of the interpolator; keys that change in number or range are
-   * noticed. In the same version splines of rotations over three keys or more, its default, are
-   * wrong, which is an error here: use SetInterpolationTypeToLinear(), or vtkKeyFramedPose.
-   */
+  /// Gone; one error names vtkKeyFramedPose, which gives poses over time.
   void SetDynamicTransformInterpolator(int i, vtkTransformInterpolator* worldFromObject);
-  vtkTransformInterpolator* GetDynamicTransformInterpolator(int i);
-  /// @}
 
-  /// Removes all dynamic transforms and transform interpolators.
+  /// Removes all dynamic transforms.
   void RemoveAllDynamicTransforms();
 
   /// @{
@@ -256,8 +239,7 @@ public:
    * shoots and stores its part of the walks, and has the whole output, with the bits that one
    * process alone would give. All of them have to update the filter at the same time, with the same
    * inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds
-   * are this process's own. Where single photons are read (CellEstimate Nearest;
-   * vtkIrradianceProbeFilter with Estimate Nearest; without SeparateSides and CellEstimate Gathered
+   * are this process's own. Where single photons are read (vtkIrradianceProbeFilter with Estimate Nearest; without SeparateSides and CellEstimate Gathered
    * also its other estimate, and vtkOutgoingRadianceFilter) each process shoots and stores all
    * walks; with several processes that excludes a RepairTimeBudget. See "Several processes" in the
    * Guide. Default: VTK's global controller when the filter is made, so this process alone unless a
@@ -321,8 +303,7 @@ public:
   /// @{
   /**
    * See CellEstimates, and "Small cells" in the Guide. Spread conserves the power on each
-   * connection and trades noise for blur. Nearest excludes ComputeStandardError,
-   * TargetRelativeError and RepairTimeBudget. Gathered finds the indirect light of small cells by
+   * connection and trades noise for blur. Gathered finds the indirect light of small cells by
    * NumberOfGatherRays rays from each, and needs DirectLight Gathered or Automatic; a point light
    * beside cells with a SpecularReflectance is an error. Automatic is Gathered where that pays,
    * else Spread: it takes a DirectLight other than Shot, no such point light, that cells which
@@ -339,15 +320,13 @@ public:
   vtkGetMacro(CellEstimate, int);
   void SetCellEstimateToSums() { this->SetCellEstimate(Sums); }
   void SetCellEstimateToSpread() { this->SetCellEstimate(Spread); }
-  void SetCellEstimateToNearest() { this->SetCellEstimate(Nearest); }
   void SetCellEstimateToGathered() { this->SetCellEstimate(FinalGather); }
   void SetCellEstimateToAutomatic() { this->SetCellEstimate(AutomaticEstimate); }
   /// @}
 
   /// @{
   /**
-   * With CellEstimate Spread or Nearest, on how many photons a small cell draws, 1 to 1,000,000
-   * (Nearest: 2 at least). The noise is about 1 / its root; the blur grows with its root. Changing
+   * With CellEstimate Spread, on how many photons a small cell draws, 1 to 1,000,000. The noise is about 1 / its root; the blur grows with its root. Changing
    * it is like changing CellEstimate. Default 250.
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);
@@ -493,28 +472,49 @@ public:
   vtkAlgorithmOutput* GetWalksOutputPort();
   /// @}
 
-  /// @{
   /**
-   * Figures of the last update, as in the field data of the output: W, three bands added up;
-   * seconds; bytes. NaN, or -1 for counts, where the output has no such figure.
+   * A figure of the last update by its name in the field data of the output, such as
+   * "EmittedPower"; the sum over bands. W, seconds, bytes; NaN where the output has no such figure.
    */
-  double GetEmittedPower();
-  double GetAbsorbedPower();
-  double GetEscapedPower();
-  double GetStalePower();
-  double GetReachedRelativeError();
-  double GetShootSeconds();
-  double GetVerifySeconds();
-  double GetRepairSeconds();
-  vtkIdType GetNumberOfShotWalks();      ///< the field `NumberOfWalks`, of walks that were shot
-  vtkIdType GetNumberOfCastGatherRays(); ///< the field `NumberOfGatherRays`
-  vtkIdType GetNumberOfSegments();
-  vtkIdType GetNumberOfInvalidWalks();
-  vtkIdType GetNumberOfRepairedSegments();
-  vtkIdType GetHistoryBytes();
+  double GetFigure(const char* name);
+
+  /// @{
+  /// Old names of GetFigure(), for one release: each warns once.
+  double GetEmittedPower() { return this->GetOldFigure("GetEmittedPower", "EmittedPower"); }
+  double GetAbsorbedPower() { return this->GetOldFigure("GetAbsorbedPower", "AbsorbedPower"); }
+  double GetEscapedPower() { return this->GetOldFigure("GetEscapedPower", "EscapedPower"); }
+  double GetStalePower() { return this->GetOldFigure("GetStalePower", "StalePower"); }
+  double GetReachedRelativeError()
+  {
+    return this->GetOldFigure("GetReachedRelativeError", "ReachedRelativeError");
+  }
+  double GetShootSeconds() { return this->GetOldFigure("GetShootSeconds", "ShootSeconds"); }
+  double GetVerifySeconds() { return this->GetOldFigure("GetVerifySeconds", "VerifySeconds"); }
+  double GetRepairSeconds() { return this->GetOldFigure("GetRepairSeconds", "RepairSeconds"); }
+  double GetNumberOfShotWalks()
+  {
+    return this->GetOldFigure("GetNumberOfShotWalks", "NumberOfWalks");
+  }
+  double GetNumberOfCastGatherRays()
+  {
+    return this->GetOldFigure("GetNumberOfCastGatherRays", "NumberOfGatherRays");
+  }
+  double GetNumberOfSegments()
+  {
+    return this->GetOldFigure("GetNumberOfSegments", "NumberOfSegments");
+  }
+  double GetNumberOfInvalidWalks()
+  {
+    return this->GetOldFigure("GetNumberOfInvalidWalks", "NumberOfInvalidWalks");
+  }
+  double GetNumberOfRepairedSegments()
+  {
+    return this->GetOldFigure("GetNumberOfRepairedSegments", "NumberOfRepairedSegments");
+  }
+  double GetHistoryBytes() { return this->GetOldFigure("GetHistoryBytes", "HistoryBytes"); }
   /// @}
 
-  /// Includes the transforms and the interpolators.
+  /// Includes the transforms.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -564,8 +564,7 @@ private:
   vtkMTimeType OwnTime();
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();
-  double Figure(const char* name);
-  vtkIdType Count(const char* name);
+  double GetOldFigure(const char* getter, const char* name);
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -6,9 +6,9 @@
 #include "Output/GatheredSensors.h"
 #include "Output/NearestSensors.h"
 #include "Pipeline/FilterRun.h"
-#include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/PieceRequest.h"
+#include "Pipeline/UpstreamRequest.h"
 #include "Progress/InputError.h"
 #include "Time/TimeKeys.h"
 
@@ -115,9 +115,9 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
   {
-    vtkInformation* source = inputs[1]->GetInformationObject(0);
-    this->Estimate == Gathered ? irradiance::requestSides(source)
-                               : irradiance::requestPhotons(source);
+    irradiance::request(inputs[1]->GetInformationObject(0),
+      this->Estimate == Gathered ? irradiance::UpstreamRequest::Sides
+                                 : irradiance::UpstreamRequest::Photons);
     // All sensors belong to piece 0, as the whole scene does.
     irradiance::requestWhole(inputs[0]->GetInformationObject(0));
   }

@@ -7,8 +7,8 @@
 #include "Output/EmptyPiece.h"
 #include "Output/LightArrays.h"
 #include "Pipeline/FilterRun.h"
-#include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
+#include "Pipeline/UpstreamRequest.h"
 #include "Progress/InputError.h"
 #include "Views/OutgoingRadiance.h"
 
@@ -162,7 +162,7 @@ int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* inf
 int vtkOutgoingRadianceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  irradiance::requestSides(inputs[0]->GetInformationObject(0));
+  irradiance::request(inputs[0]->GetInformationObject(0), irradiance::UpstreamRequest::Sides);
   return 1;
 }
 

@@ -8,8 +8,8 @@
 #include "Output/EmptyPiece.h"
 #include "Output/LightArrays.h"
 #include "Pipeline/FilterRun.h"
-#include "Pipeline/PhotonRequest.h"
 #include "Pipeline/PhotonSource.h"
+#include "Pipeline/UpstreamRequest.h"
 #include "Views/SensorPlace.h"
 #include "Views/StoredSensors.h"
 
@@ -189,7 +189,7 @@ int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info
 int vtkPointIrradianceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  irradiance::requestSides(inputs[0]->GetInformationObject(0));
+  irradiance::request(inputs[0]->GetInformationObject(0), irradiance::UpstreamRequest::Sides);
   return 1;
 }
 

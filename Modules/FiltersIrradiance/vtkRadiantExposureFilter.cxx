@@ -4,13 +4,12 @@
 #include "Data/NamedArray.h"
 #include "Execution/ProgressSpan.h"
 #include "Output/EmptyPiece.h"
-#include "Pipeline/AloneRequest.h"
 #include "Pipeline/ControllerRanks.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PieceRequest.h"
 #include "Pipeline/RankData.h"
 #include "Pipeline/RanksPipeline.h"
-#include "Pipeline/ReplicateRequest.h"
+#include "Pipeline/UpstreamRequest.h"
 #include "Progress/InputError.h"
 #include "Surfaces/SceneHash.h"
 #include "Time/ErrorControlledIntegral.h"
@@ -236,8 +235,8 @@ void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* f
     irradiance::requestWhole(input);
     this->Forget(); // after an abort not all may have come as far
   }
-  irradiance::requestAlone(input, ranks.areSeveral());
-  irradiance::requestReplicates(input, true);
+  irradiance::request(input, irradiance::UpstreamRequest::Alone, ranks.areSeveral());
+  irradiance::request(input, irradiance::UpstreamRequest::Replicates);
   if (!this->IsUpToDate(filter))
   {
     this->Begin(filter);
@@ -251,8 +250,8 @@ void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* f
 void vtkRadiantExposureFilter::vtkInternals::End(vtkRadiantExposureFilter* filter) const
 {
   vtkInformation* input = filter->GetInputInformation(0, 0);
-  irradiance::requestReplicates(input, false);
-  irradiance::requestAlone(input, false);
+  irradiance::request(input, irradiance::UpstreamRequest::Replicates, false);
+  irradiance::request(input, irradiance::UpstreamRequest::Alone, false);
 }
 
 /// Whether an observer has changed something. Throws RankFailed if only some have.
@@ -344,8 +343,8 @@ void vtkRadiantExposureFilter::vtkInternals::Take(
       this->Integral->take(next);
     }
   }
-  // Upstream may modify itself as it executes, such as interpolators that set themselves up. If
-  // something changed a vtkIrradianceFilter meanwhile, its time rises until it executes again.
+  // Upstream may modify itself as it executes. If something changed a vtkIrradianceFilter meanwhile,
+  // its time rises until it executes again.
   this->Upstream = irradiance::upstreamTime(filter, 0, 0);
 }
 

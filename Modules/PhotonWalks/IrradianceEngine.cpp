@@ -154,8 +154,7 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   const bool allOnEachRank = settings.allOnEachRank || (!isFresh && settings_.allOnEachRank);
   if (!estimator_ || !haveSameEstimator(settings, settings_))
   {
-    estimator_ =
-      makeCellEstimator(settings, settings, { space(), cells_, walks_, photons_, surfaces_ });
+    estimator_ = makeCellEstimator(settings, settings, { space(), cells_, walks_ });
   }
   settings_ = settings;
   settings_.keepPhotons = keepsPhotons;
@@ -172,7 +171,7 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   if (change == FrameChange::Replace)
   {
     walks_.replaceCells(objects_, triangles_.numbers(), beginning);
-    forgetPhotons();
+    photons_.forget();
   }
 }
 
@@ -195,7 +194,7 @@ void IrradianceEngine::start(Execution& execution)
 {
   commitScene({}, execution);
   walks_.start(space(), execution);
-  forgetPhotons();
+  photons_.forget();
 }
 
 void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
@@ -213,19 +212,18 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
   }
   if (settings_.gathersDirectLight)
   {
-    forgetPhotons(); // walks that are born are not among the changes
+    photons_.forget(); // walks that are born are not among the changes
   }
   PhotonChanges changes;
   walks_.follow(change.moved, space(), photons_.areCollected() ? &changes : nullptr, execution);
   const Stopwatch stopwatch;
   photons_.apply(objects_, walks_.histories(), changes, execution);
-  estimator_->note(changes);
   statistics_.repairSeconds = stopwatch.seconds();
 }
 
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
-  forgetPhotons(); // they are collected again, with this round
+  photons_.forget(); // they are collected again, with this round
   walks_.shootRound(round, storesWalks(), space(), execution);
 }
 
@@ -270,7 +268,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
   }
   if (storesWalks() && sums().rounds() > rounds.walks)
   {
-    forgetPhotons();
+    photons_.forget();
   }
   ProgressSpan dropping(execution, progress, progress);
   walks_.dropRounds(rounds.walks, space(), dropping);
@@ -292,19 +290,8 @@ double IrradianceEngine::expectedGrowth() const
 void IrradianceEngine::estimate(const EstimateRounds& rounds, Execution& execution)
 {
   rounds_ = rounds;
-  if (needsPhotons(settings_.cellEstimate))
-  {
-    collectPhotons(execution);
-    prepareSurfaces(execution);
-  }
   estimator_->update(rounds, execution);
   statistics_.followedPaths += estimator_->followedPaths();
-}
-
-void IrradianceEngine::forgetPhotons()
-{
-  photons_.forget();
-  estimator_->forgetPhotons();
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Estimates/CellEstimate.h"
 #include "Estimates/CellEstimator.h"
 #include "Execution/Execution.h"
+#include "Photons/KeptPhotons.h"
 #include "Photons/NearestPhotons.h"
 #include "Repair/SceneChange.h"
 #include "Surfaces/Contacts.h"
@@ -144,7 +145,6 @@ public:
   {
     return { photons(), surfaces_, objects_, walks_.histories() };
   }
-  const CellEstimator& estimator() const { return *estimator_; }
 
 private:
   /// What is to be done for a frame. Takes over new lights and a new plan.
@@ -169,7 +169,6 @@ private:
   double expectedGrowth() const;
   /// Estimates the cells from the first rounds.
   void estimate(const EstimateRounds& rounds, Execution& execution);
-  void forgetPhotons();
 
   bool isValid_ = false; ///< the state below belongs to objects_ and settings_
   std::uint64_t state_ = 0;

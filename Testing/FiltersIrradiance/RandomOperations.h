@@ -32,43 +32,23 @@ inline void ChangeModes(Trial& t)
   t.Apply();
 }
 
-/// What the nearest photons exclude.
-inline bool ExcludesNearest(const Settings& set)
-{
-  return set.ComputeStandardError || set.TargetRelativeError > 0 || set.RepairTimeBudget > 0;
-}
-
-/// Applies settings that may exclude the estimate.
-inline void ApplyBeforeEstimate(Trial& t)
-{
-  if (t.Set().CellEstimate == vtkIrradianceFilter::Nearest && ExcludesNearest(t.Set()))
-  {
-    t.Set().CellEstimate = t.Random.Below(2);
-  }
-  t.Apply();
-}
-
 inline void ChangeOutput(Trial& t)
 {
   t.Set().SeparateSides = Chance(t.Random, 2);
   t.Set().ComputeStandardError = Chance(t.Random, 2);
-  ApplyBeforeEstimate(t);
+  t.Apply();
 }
 
-/// An estimate from the nearest photons ends what it excludes.
 inline void ChangeEstimate(Trial& t)
 {
-  t.Set().CellEstimate = t.Random.Below(5);
+  const int estimates[] = { vtkIrradianceFilter::Sums, vtkIrradianceFilter::Spread,
+    vtkIrradianceFilter::FinalGather, vtkIrradianceFilter::AutomaticEstimate };
+  t.Set().CellEstimate = estimates[t.Random.Below(4)];
   t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
   t.Set().NumberOfGatherRays = 1 << t.Random.Below(6);
   t.Set().MaximumNumberOfGatherRays = t.Set().NumberOfGatherRays << t.Random.Below(4);
   t.Set().GatherOn = t.Random.Below(3);
   t.Set().UnbiasedGather = Chance(t.Random, 4);
-  if (t.Set().CellEstimate == vtkIrradianceFilter::Nearest)
-  {
-    t.Set().ComputeStandardError = false;
-    t.Set().TargetRelativeError = t.Set().RepairTimeBudget = 0;
-  }
   t.Apply();
 }
 
@@ -85,7 +65,7 @@ inline void ChangeTarget(Trial& t)
   t.Set().TargetRelativeError = Chance(t.Random, 2) ? t.Random.Between(0.2, 1) : 0;
   t.Set().MaximumNumberOfWalks =
     std::max<vtkIdType>(3000, t.Set().NumberOfWalks) + t.Random.Below(4000);
-  ApplyBeforeEstimate(t);
+  t.Apply();
 }
 
 inline void ChangeReflectances(Trial& t)
@@ -100,7 +80,7 @@ inline void ChangeBudget(Trial& t)
 {
   static const double budgets[] = { 0, 1e-9, 1e-9, 1e-4 }; // s
   t.Set().RepairTimeBudget = budgets[t.Random.Below(4)];
-  ApplyBeforeEstimate(t);
+  t.Apply();
 }
 
 /// All walks, or those that touch a cell; it may be gone later, see Trial::KeepCellOfWalks.
@@ -315,8 +295,8 @@ inline void SpoilASetting(Trial& t)
       t.Filter->SetNumberOfSpreadPhotons(0);
       break;
     case 3:
-      t.Filter->SetCellEstimateToNearest();
-      t.Filter->SetRepairTimeBudget(1);
+      t.Filter->SetCellEstimateToGathered();
+      t.Filter->SetDirectLightToShot();
       break;
     case 4:
       t.Filter->SetNumberOfOutputWalks(1);

@@ -113,7 +113,7 @@ TEST(AutomaticChoice, StaysWhereATargetTakesMoreWalks)
   filter->SetTargetRelativeError(0.1);
   filter->SetMaximumNumberOfWalks(32000);
   ExpectChoice(filter, Spread, Gathered);
-  EXPECT_GT(filter->GetNumberOfShotWalks(), 1000);
+  EXPECT_GT(filter->GetFigure("NumberOfWalks"), 1000);
 }
 
 // No motion changes the choice, and so each is a repair.

@@ -195,14 +195,6 @@ Spoil SetGloss(const char* name, vtkIdType cell, double value)
   };
 }
 
-Spoil SetNearestWith(void (vtkIrradianceFilter::*option)())
-{
-  return [=](vtkIrradianceFilter* filter, Scene&) {
-    filter->SetCellEstimateToNearest();
-    (filter->*option)();
-  };
-}
-
 const std::string Room = "input port 0, connection 0";
 const std::string Lamp = "input port 0, connection 1";
 const std::string Bulb = "input port 0, connection 2";
@@ -291,8 +283,8 @@ const std::vector<BadInput> BadInputs{
     { "MaximumNumberOfGatherRays", "is 65537; 8 to" } },
   { "DefaultReflectanceAbove1", SetDefaultReflectance(2), { "DefaultDiffuseReflectance is 2;" } },
   { "DefaultReflectanceIsNaN", SetDefaultReflectance(NaN), { "DefaultDiffuseReflectance is nan" } },
-  { "NearestWithErrorBars", SetNearestWith(&vtkIrradianceFilter::ComputeStandardErrorOn),
-    { "CellEstimate Nearest and ComputeStandardError exclude each other" } },
+  { "EstimateThatIsGone", [](vtkIrradianceFilter* filter, Scene&) { filter->SetCellEstimate(2); },
+    { "CellEstimate is 2, which was Nearest", "vtkIrradianceProbeFilter" } },
   { "NegativeBudget", SetBudget(-0.5), { "RepairTimeBudget is -0.5" } },
   { "BudgetIsNaN", SetBudget(NaN), { "RepairTimeBudget is nan" } },
 };

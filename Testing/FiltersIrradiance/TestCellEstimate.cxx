@@ -64,8 +64,6 @@ TEST(CellEstimate, DefaultsAndRange)
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Sums);
   filter->SetCellEstimate(99);
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate) << "clamped";
-  filter->SetCellEstimateToNearest();
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Nearest);
   filter->SetCellEstimateToGathered();
   EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::FinalGather);
   filter->SetCellEstimateToAutomatic();

@@ -222,7 +222,7 @@ TEST(Target, BeyondTheLimitsOfBothLeversNamesBoth)
   filter->Update();
   EXPECT_EQ(Field(filter, "NumberOfGatherRays"), 32)
     << "the last number of 16, 32, ... below the limit";
-  EXPECT_EQ(filter->GetNumberOfCastGatherRays(), 32);
+  EXPECT_EQ(filter->GetFigure("NumberOfGatherRays"), 32);
   ASSERT_EQ(observer->Warnings.size(), 1u);
   for (const char* word :
     { "MaximumNumberOfWalks 6000", "32 gather rays", "MaximumNumberOfGatherRays 40" })

@@ -4,7 +4,7 @@
 #include "ExposureScenes.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkTransformInterpolator.h"
+#include "vtkKeyFramedPose.h"
 
 using namespace ExposureScenes;
 
@@ -94,20 +94,24 @@ TEST(RadiantExposure, ContinuesAfterAnAbortUpstream)
   EXPECT_EQ(aborter->Starts, static_cast<int>(kTimes.size()) + 2) << "two were aborted";
 }
 
-// An interpolator sets itself up when it is first asked; that is no change of the scene.
-TEST(RadiantExposure, OfAnInterpolatorContinuesToo)
+// Many a reader sets itself up when it is first asked; that is no change of the scene.
+TEST(RadiantExposure, OfASourceThatModifiesItselfContinuesToo)
 {
   const auto make = [] {
     auto irradiance = MakeFilter(WalkThrough::Room(), 1000);
-    vtkNew<vtkTransformInterpolator> way;
+    vtkNew<vtkKeyFramedPose> way;
+    way->SetInputDataObject(MakeBall(0.3, 6));
     for (int key = 0; key < 3; ++key)
     {
-      vtkNew<vtkTransform> pose;
-      pose->Translate(0.6 + 0.5 * key, 1.2 + 0.1 * key * key, 1);
-      way->AddTransform(key, pose);
+      way->AddPose(key, 0.6 + 0.5 * key, 1.2 + 0.1 * key * key, 1, 0, 0, 0);
     }
-    irradiance->AddInputDataObject(1, MakeBall(0.3, 6));
-    irradiance->SetDynamicTransformInterpolator(0, way);
+    vtkNew<vtkCallbackCommand> setUp;
+    setUp->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+      caller->RemoveAllObservers();
+      caller->Modified();
+    });
+    way->AddObserver(vtkCommand::EndEvent, setUp);
+    irradiance->AddInputConnection(1, way->GetOutputPort());
     return irradiance;
   };
   const auto irradiance = make(), other = make();

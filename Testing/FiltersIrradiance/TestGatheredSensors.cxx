@@ -185,8 +185,8 @@ TEST(GatheredSensors, AskForNoMoreThanTheyNeed)
   kept.Irradiance->Update();
   const std::vector<double> fluence = counted.Update("FluenceRate");
   EXPECT_TRUE(HaveSameBits(kept.Update("FluenceRate"), fluence));
-  EXPECT_GT(counted.Irradiance->GetHistoryBytes(), 0);
-  EXPECT_EQ(kept.Irradiance->GetHistoryBytes(), 0);
+  EXPECT_GT(counted.Irradiance->GetFigure("HistoryBytes"), 0);
+  EXPECT_EQ(kept.Irradiance->GetFigure("HistoryBytes"), 0);
   // Without a pipeline behind it, it has to be there.
   vtkNew<vtkMultiBlockDataSet> copy;
   Pipeline given(scene, 5000, planes);

@@ -6,10 +6,10 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkKeyFramedPose.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutgoingRadianceFilter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTransformInterpolator.h"
 #include "vtkTrivialProducer.h"
 #include "vtkTubeFilter.h"
 
@@ -48,15 +48,13 @@ vtkSmartPointer<Observer> Watch(vtkAlgorithm* filter, vtkCommand::EventIds event
 }
 
 /// At time t, 0 to 2, it is at x = 0.5 + t.
-vtkSmartPointer<vtkTransformInterpolator> MakeRide()
+vtkSmartPointer<vtkKeyFramedPose> MakeRide()
 {
-  auto ride = vtkSmartPointer<vtkTransformInterpolator>::New();
-  ride->SetInterpolationTypeToLinear();
+  auto ride = vtkSmartPointer<vtkKeyFramedPose>::New();
+  ride->SetInputDataObject(MakeBall(0.3, 6));
   for (const double time : { 0, 2 })
   {
-    vtkNew<vtkTransform> pose;
-    pose->Translate(0.5 + time, 1.5, 1);
-    ride->AddTransform(time, pose);
+    ride->AddPose(time, 0.5 + time, 1.5, 1, 0, 0, 0);
   }
   return ride;
 }
@@ -148,14 +146,12 @@ TEST(OutputPorts, ServeThoseWhoNeedPhotonsAndThoseWhoDrawWalks)
   }
 }
 
-// No input has times, so nothing but the two outputs themselves tells VTK which time they are of.
 TEST(OutputPorts, AreOfTheSameTime)
 {
   Scene scene = MakeSmallScene();
-  scene.Moving = { MakeMoving(MakeBall(0.3, 6), { 0, 0, 0 }) };
+  scene.Moving.clear();
   const auto filter = MakeShowing(scene, 50);
-  filter->SetDynamicTransform(0, nullptr);
-  filter->SetDynamicTransformInterpolator(0, MakeRide());
+  filter->AddInputConnection(1, MakeRide()->GetOutputPort());
   filter->UpdateInformation();
   for (const int port : { 0, 1 })
   {
@@ -179,8 +175,7 @@ TEST(OutputPorts, AreOfTheSameTime)
         time);
     }
     const auto fresh = MakeShowing(scene, 50);
-    fresh->SetDynamicTransform(0, nullptr);
-    fresh->SetDynamicTransformInterpolator(0, MakeRide());
+    fresh->AddInputConnection(1, MakeRide()->GetOutputPort());
     UpdateTimeStep(fresh, 0, time);
     EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
   }

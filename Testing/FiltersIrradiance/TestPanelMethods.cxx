@@ -93,19 +93,39 @@ TEST(PanelMethods, FiguresAreThoseOfTheFieldData)
   Scene scene = MakeSmallScene();
   scene.Fixed.push_back(MakeLamp({ 1, 1, 1.5 }, 0.2, { 1, 2, 3 }));
   const auto filter = MakeFilter(scene, 2000);
-  EXPECT_TRUE(std::isnan(filter->GetEmittedPower()));
-  EXPECT_EQ(filter->GetHistoryBytes(), -1);
+  EXPECT_TRUE(std::isnan(filter->GetFigure("EmittedPower")));
+  EXPECT_TRUE(std::isnan(filter->GetFigure("HistoryBytes")));
   filter->Update();
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
   const double* emitted = fields->GetArray("EmittedPower")->GetTuple3(0);
-  EXPECT_EQ(filter->GetEmittedPower(), emitted[0] + emitted[1] + emitted[2]);
-  EXPECT_DOUBLE_EQ(
-    filter->GetAbsorbedPower() + filter->GetEscapedPower(), filter->GetEmittedPower());
-  EXPECT_EQ(filter->GetStalePower(), 0);
-  EXPECT_EQ(filter->GetNumberOfShotWalks(), 2000);
-  EXPECT_EQ(filter->GetNumberOfCastGatherRays(), -1); // no cell gathers
-  EXPECT_EQ(filter->GetNumberOfSegments(), fields->GetArray("NumberOfSegments")->GetTuple1(0));
-  EXPECT_GT(filter->GetHistoryBytes(), 0);
-  EXPECT_GT(filter->GetShootSeconds(), 0);
-  EXPECT_TRUE(std::isnan(filter->GetReachedRelativeError())); // no target
+  EXPECT_EQ(filter->GetFigure("EmittedPower"), emitted[0] + emitted[1] + emitted[2]);
+  EXPECT_DOUBLE_EQ(filter->GetFigure("AbsorbedPower") + filter->GetFigure("EscapedPower"),
+    filter->GetFigure("EmittedPower"));
+  EXPECT_EQ(filter->GetFigure("StalePower"), 0);
+  EXPECT_EQ(filter->GetFigure("NumberOfWalks"), 2000);
+  EXPECT_TRUE(std::isnan(filter->GetFigure("NumberOfGatherRays"))); // no cell gathers
+  EXPECT_EQ(
+    filter->GetFigure("NumberOfSegments"), fields->GetArray("NumberOfSegments")->GetTuple1(0));
+  EXPECT_GT(filter->GetFigure("HistoryBytes"), 0);
+  EXPECT_GT(filter->GetFigure("ShootSeconds"), 0);
+  EXPECT_TRUE(std::isnan(filter->GetFigure("ReachedRelativeError"))); // no target
+  EXPECT_TRUE(std::isnan(filter->GetFigure("NoFigure")));
+}
+
+TEST(PanelMethods, OldNamesWarnOnce)
+{
+  const auto filter = MakeFilter(MakeSmallScene(), 2000);
+  filter->Update();
+  const auto observer = ErrorObserver::Watch(filter);
+  for (int call = 0; call < 2; ++call)
+  {
+    EXPECT_EQ(filter->GetEmittedPower(), filter->GetFigure("EmittedPower"));
+    EXPECT_EQ(filter->GetNumberOfShotWalks(), filter->GetFigure("NumberOfWalks"));
+  }
+  ASSERT_EQ(observer->Warnings.size(), 2u);
+  EXPECT_NE(observer->Warnings[0].find("call GetFigure(\"EmittedPower\")"), std::string::npos);
+  EXPECT_NE(observer->Warnings[1].find("call GetFigure(\"NumberOfWalks\")"), std::string::npos);
+  filter->SetDynamicTransformInterpolator(0, nullptr);
+  ASSERT_EQ(observer->Errors.size(), 1u);
+  EXPECT_NE(observer->Errors[0].find("vtkKeyFramedPose"), std::string::npos);
 }

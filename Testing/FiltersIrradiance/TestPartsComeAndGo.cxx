@@ -247,10 +247,6 @@ TEST(PartsComeAndGo, WithAllSettings)
       f->SetCellEstimateToSpread();
       f->SetNumberOfSpreadPhotons(40);
     },
-    [](vtkIrradianceFilter* f) {
-      f->SetCellEstimateToNearest();
-      f->SetNumberOfSpreadPhotons(20);
-    },
   };
   std::uint64_t seed = 2;
   for (const Settings& settings : all)
@@ -390,7 +386,6 @@ TEST(PartsComeAndGo, WhateverIsSwitchedMeanwhile)
     bool Looks; ///< an eye and sensors
   } switches[] = {
     { "spread", [](auto* f) { f->SetCellEstimateToSpread(); }, false, false },
-    { "nearest", [](auto* f) { f->SetCellEstimateToNearest(); }, false, false },
     { "error bars", [](auto* f) { f->ComputeStandardErrorOn(); }, true, false },
     { "spread with error bars",
       [](auto* f) {

@@ -49,7 +49,7 @@ class Panel(unittest.TestCase):
         total = IntegrateVariables(Input=source)
         total.UpdatePipeline()
         self.assertAlmostEqual(total.CellData["Irradiance"].GetRange()[0], absorbed, delta=1e-6)
-        self.assertEqual(plugin.figure(source, "NumberOfShotWalks"), 0)  # nothing reflects
+        self.assertEqual(plugin.figure(source, "NumberOfWalks"), 0)  # nothing reflects
         source.RadiantExitanceArray = "None"
         self.assertIn("no light", plugin.messages_of(source.UpdatePipeline))
 

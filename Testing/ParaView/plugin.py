@@ -45,9 +45,8 @@ def show(source, size):
 
 
 def figure(source, name):
-    """An information property, as of the last update."""
-    source.SMProxy.UpdatePropertyInformation()
-    return source.GetPropertyValue(name)
+    """Of the last update, from the field data of the output."""
+    return servermanager.Fetch(source).GetFieldData().GetArray(name).GetValue(0)
 
 
 def leaves(data):

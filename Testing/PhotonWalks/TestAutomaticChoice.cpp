@@ -141,7 +141,7 @@ TEST(AutomaticChoice, KeepsWhatIsAskedFor)
   const SceneObjects objects{ quadRoom().build(), {} };
   Settings few = settingsOf(10);
   for (const CellEstimate estimate :
-    { CellEstimate::Sums, CellEstimate::Spread, CellEstimate::Nearest, CellEstimate::Gathered })
+    { CellEstimate::Sums, CellEstimate::Spread, CellEstimate::Gathered })
   {
     few.estimate.cellEstimate = estimate;
     // Rays need gathered direct light, however many cells there are.

@@ -63,18 +63,12 @@ public:
 
   void nextStep()
   {
-    static const CellEstimate estimates[] = { CellEstimate::Sums, CellEstimate::Spread,
-      CellEstimate::Nearest };
-    settings.cellEstimate = estimates[random_.engine() % 3];
+    settings.cellEstimate = isOneOf(2) ? CellEstimate::Sums : CellEstimate::Spread;
     settings.cacheStaticHits = isOneOf(2);
     settings.separateSides = settings.separateSides != isOneOf(8);
     if (isOneOf(8))
     {
       settings.replicates = settings.replicates == 1 ? 4 : 1;
-    }
-    while (!conflictOf(settings, settings).empty())
-    {
-      settings.cellEstimate = estimates[random_.engine() % 3];
     }
     scene_.nextFrame();
     objects = hasGroups_ ? test::inTwoGroups(scene_.objects()) : scene_.objects();

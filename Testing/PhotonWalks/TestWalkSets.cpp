@@ -72,15 +72,14 @@ TEST(WalkSets, TwoFollowMotionsToTheBitsOfAFreshStart)
   expectFreshBits(settingsOf(11, 40000), static_cast<int>(test::scaled(100)), 25, 11);
 }
 
-TEST(WalkSets, TwoFollowMotionsForEachEstimate)
+TEST(WalkSets, TwoFollowMotionsWhereCellsSpread)
 {
-  for (const CellEstimate estimate : { CellEstimate::Spread, CellEstimate::Nearest })
+  EngineSettings settings = settingsOf(5, 6000);
+  settings.cellEstimate = CellEstimate::Spread;
+  settings.spreadPhotons = 60;
+  for (const bool separatesSides : { false, true })
   {
-    EngineSettings settings = settingsOf(5, 6000);
-    settings.replicates = estimate == CellEstimate::Nearest ? 1 : kReplicates;
-    settings.cellEstimate = estimate;
-    settings.spreadPhotons = 60;
-    settings.separateSides = estimate == CellEstimate::Nearest;
+    settings.separateSides = separatesSides;
     expectFreshBits(settings, 6, 3, 5);
   }
 }

@@ -55,7 +55,7 @@ class Wrapping(unittest.TestCase):
         self.assertEqual(irradiance.GetCellEstimate(), irradiance.AutomaticEstimate)
         irradiance.SetCellEstimate(irradiance.Spread)
         self.assertEqual(irradiance.GetCellEstimate(), 1)
-        self.assertIsInstance(irradiance.Nearest, vtkIrradiance.vtkIrradianceFilter.CellEstimates)
+        self.assertIsInstance(irradiance.FinalGather, vtkIrradiance.vtkIrradianceFilter.CellEstimates)
         irradiance.SetDirectLight(7)
         self.assertEqual(irradiance.GetDirectLight(), irradiance.AutomaticDirectLight)
         irradiance.SetDirectLightToShot()

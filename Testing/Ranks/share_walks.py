@@ -33,6 +33,6 @@ for _ in range(3):
     vtkIrradiance.update(together)
     vtkIrradiance.update(alone)
     assert values(together) == values(alone) and max(values(alone)) > 0
-share = together.GetHistoryBytes() / alone.GetHistoryBytes()
+share = together.GetFigure("HistoryBytes") / alone.GetFigure("HistoryBytes")
 processes = controller.GetNumberOfProcesses()
 assert abs(share * processes - 1) < 0.3, f"{share} of the walks on one of {processes} processes"

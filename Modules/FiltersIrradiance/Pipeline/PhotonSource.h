@@ -33,7 +33,7 @@ public:
   /// processes.
   static bool isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output);
 
-  /// What the filter that reads it needs, see PhotonRequest.h.
+  /// What the filter that reads it needs, see UpstreamRequest.h.
   enum class Need
   {
     Photons,

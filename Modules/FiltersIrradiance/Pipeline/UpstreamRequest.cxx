@@ -1,20 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/UpstreamRequest.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationIntegerRequestKey.h"
+
+#include <array>
+#include <cstddef>
+
 namespace irradiance
 {
 
 namespace
 {
 
-constexpr const char* kLocation = "vtkIrradianceFilter";
+/// VTK's key manager owns it: it lives as long as the program.
+class Key : public vtkInformationIntegerRequestKey
+{
+public:
+  /// `given`: the name of a key on data objects, which says for which request they were made.
+  Key(const char* name, const char* given)
+    : vtkInformationIntegerRequestKey(name, kLocation)
+  {
+    this->DataKey = new vtkInformationIntegerKey(given, kLocation);
+  }
+
+private:
+  static constexpr const char* kLocation = "vtkIrradianceFilter";
+};
+
+Key* keyOf(UpstreamRequest what)
+{
+  static const std::array<Key*, 4> keys{ new Key("PHOTONS_NEEDED", "PHOTONS_KEPT"),
+    new Key("SIDES_NEEDED", "SIDES_KEPT"), new Key("REPLICATES_NEEDED", "REPLICATES_WRITTEN"),
+    new Key("ALONE_NEEDED", "ALONE_COMPUTED") };
+  return keys[static_cast<std::size_t>(what)];
+}
 
 }
 
-UpstreamRequest::UpstreamRequest(const char* name, const char* given)
-  : vtkInformationIntegerRequestKey(name, kLocation)
+void request(vtkInformation* input, UpstreamRequest what, bool isNeeded)
 {
-  this->DataKey = new vtkInformationIntegerKey(given, kLocation);
+  // The key stays, with a 0: an absent one would not tell data with it from data without. Where
+  // nobody ever asked there is none, and nothing executes again.
+  if (isNeeded || input->Has(keyOf(what)) != 0)
+  {
+    input->Set(keyOf(what), isNeeded ? 1 : 0);
+  }
+}
+
+bool isRequested(vtkInformation* output, UpstreamRequest what)
+{
+  return output->Has(keyOf(what)) != 0 && output->Get(keyOf(what)) == 1;
 }
 
 }

@@ -2,20 +2,26 @@
 #ifndef irradiance_UpstreamRequest_h
 #define irradiance_UpstreamRequest_h
 
-#include "vtkInformationIntegerRequestKey.h"
+class vtkInformation;
 
 namespace irradiance
 {
 
-/// Travels up the pipeline from a filter that needs more than usual to vtkIrradianceFilter. If that
-/// has not computed it, it executes again. VTK's key manager owns such keys: they live as long as
-/// the program.
-class UpstreamRequest : public vtkInformationIntegerRequestKey
+/// What a filter downstream may need beyond the usual. The request travels up the pipeline to
+/// vtkIrradianceFilter; if that has not computed it, it executes again.
+enum class UpstreamRequest
 {
-public:
-  /// `given`: the name of a key on data objects, which says for which request they were made.
-  UpstreamRequest(const char* name, const char* given);
+  Photons,    ///< stored walks, from which photons are read
+  Sides,      ///< likewise, if sums do not tell sides apart: what these received is then counted
+  Replicates, ///< the arrays replicatesName() and photonName()
+  Alone       ///< this process computes alone: other work is shared over processes
 };
+
+/// Asks an input for it, or no longer.
+void request(vtkInformation* input, UpstreamRequest what, bool isNeeded = true);
+
+/// Whether somebody has asked an output for it.
+bool isRequested(vtkInformation* output, UpstreamRequest what);
 
 }
 

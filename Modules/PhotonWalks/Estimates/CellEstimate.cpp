@@ -2,8 +2,8 @@
 #include "Estimates/CellEstimate.h"
 
 #include "Estimates/GatherEstimator.h"
-#include "Estimates/NearestPhotonEstimator.h"
 #include "Estimates/SpreadEstimator.h"
+#include "Estimates/SumEstimator.h"
 
 #include <algorithm>
 
@@ -17,8 +17,6 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
   {
     case CellEstimate::Spread:
       return std::make_unique<SpreadEstimator>(source, settings.spreadPhotons);
-    case CellEstimate::Nearest:
-      return std::make_unique<NearestPhotonEstimator>(source, settings.spreadPhotons);
     case CellEstimate::Gathered:
       return std::make_unique<GatherEstimator>(source,
         GatherEstimator::Settings{ settings.gatherRays,
@@ -27,11 +25,6 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
     default:
       return std::make_unique<SumEstimator>(source);
   }
-}
-
-bool needsPhotons(CellEstimate estimate)
-{
-  return estimate == CellEstimate::Nearest;
 }
 
 bool needsSides(CellEstimate estimate)
@@ -56,20 +49,10 @@ FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamp
 
 std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks)
 {
-  if (settings.cellEstimate == CellEstimate::Gathered && !walks.gathersDirectLight)
-  {
-    return "CellEstimate Gathered needs DirectLight Gathered: what walks bring is else direct and "
-           "indirect light in one sum";
-  }
-  // The nearest photons are others in each replicate and round.
-  const char* other = walks.targetRelativeError > 0 ? "TargetRelativeError"
-    : walks.replicates > 1                          ? "ComputeStandardError"
-    : walks.repairTimeBudget > 0                    ? "RepairTimeBudget"
-                                                    : nullptr;
-  return other && settings.cellEstimate == CellEstimate::Nearest
-    ? std::string("CellEstimate Nearest and ") + other +
-      " exclude each other: what is known of the error is known of sums, also spread ones"
-    : std::string();
+  return settings.cellEstimate == CellEstimate::Gathered && !walks.gathersDirectLight
+    ? "CellEstimate Gathered needs DirectLight Gathered: what walks bring is else direct and "
+      "indirect light in one sum"
+    : "";
 }
 
 }

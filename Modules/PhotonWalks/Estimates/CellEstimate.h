@@ -16,13 +16,12 @@ class CellEstimator;
 struct EstimateSource;
 struct WalkSettings;
 
-/// From which photons the irradiance of a cell is estimated.
+/// From which photons the irradiance of a cell is estimated. Outputs state the number.
 enum class CellEstimate
 {
-  Sums,    ///< those that arrived in it
-  Spread,  ///< small cells: also the photons of the cells around it, see CellSpread
-  Nearest, ///< small cells: the photons nearest to their middles, see NearestPhotonEstimator
-  Gathered ///< small cells, or more of them: those of what their rays hit, see GatherEstimator
+  Sums = 0,    ///< those that arrived in it
+  Spread = 1,  ///< small cells: also the photons of the cells around it, see CellSpread
+  Gathered = 3 ///< small cells, or more of them: those of what their rays hit, see GatherEstimator
 };
 
 struct EstimateSettings
@@ -49,9 +48,6 @@ inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
 
 std::unique_ptr<CellEstimator> makeCellEstimator(
   const EstimateSettings& settings, const WalkSettings& walks, const EstimateSource& source);
-
-/// Whether it searches the photons of stored walks.
-bool needsPhotons(CellEstimate estimate);
 
 /// Whether it needs the sums of both sides of cells, even if these are not told apart.
 bool needsSides(CellEstimate estimate);

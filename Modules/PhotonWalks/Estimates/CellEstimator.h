@@ -4,8 +4,6 @@
 
 #include "Estimates/ErrorEstimate.h"
 #include "FinalGather/GatheringBias.h"
-#include "Photons/KeptPhotons.h"
-#include "Photons/Surfaces.h"
 #include "Walks/WalkSets.h"
 
 namespace irradiance
@@ -17,8 +15,6 @@ struct EstimateSource
   WalkSpace space;
   const SceneCells& cells;
   const WalkSets& walks;
-  const KeptPhotons& photons; ///< collected, if needsPhotons()
-  const Surfaces& surfaces;   ///< likewise
 };
 
 /// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see
@@ -45,10 +41,6 @@ public:
   /// To a frame, and the first rounds of its walks and rays. Throws Interrupted; after that all
   /// walks have to be shot again.
   virtual void update(const EstimateRounds& rounds, Execution& execution) = 0;
-  /// Before an update: these photons, and no others, have left and come since the last one.
-  virtual void note(const PhotonChanges& /*changes*/) {}
-  /// Before an update: all photons may be others, and the cells too.
-  virtual void forgetPhotons() {}
 
   /// W/m2; 0 for a cell without area.
   virtual double irradiance(const CellSide& cell, int band) const = 0;

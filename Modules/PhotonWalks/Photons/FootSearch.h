@@ -27,10 +27,6 @@ public:
    * outside. Of several places at one distance the first by object and triangle.
    */
   std::optional<Foot> find(double maximumDistance);
-  /// On a side of a triangle, wherever that is.
-  Foot on(const TriangleId& id, int side) const;
-  /// From the sensor to the closest point of a triangle, world.
-  Vector3 closestOn(const TriangleId& id) const;
 
 private:
   struct Found
@@ -42,6 +38,10 @@ private:
     bool isCloser(const Found& other) const;
   };
 
+  /// From the sensor to the closest point of a triangle, world.
+  Vector3 closestOn(const TriangleId& id) const;
+  /// On a side of a triangle.
+  Foot on(const TriangleId& id, int side) const;
   double limit() const;
   void search(std::uint32_t object, std::size_t node, const Facing& facing, const Vector3& unit);
   void test(std::uint32_t object, std::uint32_t triangle, const Facing& facing);

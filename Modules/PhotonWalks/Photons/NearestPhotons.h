@@ -44,16 +44,6 @@ public:
   /// Where a sensor stands; nothing if that is farther away than `maximumDistance`, or if the
   /// sensor is so far from the scene that distances in double tell little of what is nearer.
   std::optional<Foot> footOf(const Sensor& sensor, double maximumDistance = kInfinity) const;
-  /// Of a sensor that stands on a side (1: front, -1: back) of a triangle.
-  Foot footOn(const Sensor& sensor, const TriangleId& id, int side) const
-  {
-    return FootSearch(objects_, surfaces_, trees_, sensor).on(id, side);
-  }
-  /// From a sensor to a triangle, world.
-  double distance(const Sensor& sensor, const TriangleId& id) const
-  {
-    return FootSearch(objects_, surfaces_, trees_, sensor).closestOn(id).norm();
-  }
   /// The `count` >= 1 nearest within a distance in the flattened world, which may be infinite.
   NearPhotons find(const Foot& foot, std::size_t count, double maximumRadius = kInfinity) const;
   /// The world area of what counts of an object's surface, see SeenSurface.
@@ -74,17 +64,6 @@ public:
   {
     const SceneObject& object = objects_[id.object];
     return object.worldFromObject(modelPoint(object.body->mesh(), id.triangle, weights));
-  }
-  /// Unit normal of the front, in the world.
-  Vector3 front(const TriangleId& id) const
-  {
-    const Facing facing = trees_[id.object].facing({ Vector3::Zero(), Vector3::Zero() });
-    return facing.areaVector(objects_[id.object].body->mesh()[id.triangle]).normalized();
-  }
-  /// Which side of a triangle faces as a sensor does, see Facing.
-  int sideFacing(const Sensor& sensor, const TriangleId& id) const
-  {
-    return trees_[id.object].facing(sensor).side(objects_[id.object].body->mesh()[id.triangle]);
   }
 
   const SceneObjects& objects() const { return objects_; }

@@ -45,8 +45,7 @@ struct Estimate
 
 const std::vector<Estimate> kEstimates = { { "sums", CellEstimate::Sums, 1 },
   { "spread over 50", CellEstimate::Spread, 50 }, { "spread over 250", CellEstimate::Spread, 250 },
-  { "nearest 50", CellEstimate::Nearest, 50 }, { "nearest 250", CellEstimate::Nearest, 250 },
-  { "nearest 400", CellEstimate::Nearest, 400 }, { "photon map 50", CellEstimate::Sums, 50, true },
+  { "photon map 50", CellEstimate::Sums, 50, true },
   { "photon map 250", CellEstimate::Sums, 250, true } };
 
 /// `photonsOfOne`: in place of one.
@@ -223,51 +222,6 @@ void measureShadow(std::uint32_t walks)
   }
 }
 
-/// A room of 4 x 4 x 4 m with n x n cells a wall, and a box of 0.3 m in it.
-SceneObjects roomOfCells(int n, double xOfBox)
-{
-  test::ObjectBuilder room, thing;
-  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), n, test::grey(0.5), true);
-  room.addQuad({ 1.5, 1.5, 3.99 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0, 1));
-  thing.addBox(test::box({ 0, 0, 0 }, { 0.3, 0.3, 0.3 }), 4, test::grey(0.5));
-  return { room.build(), { thing.build(test::shift({ xOfBox, 2, 0.5 })) } };
-}
-
-/// The same walks and walls with 16 times as many cells: what the nearest photons of all cells
-/// cost, in a first frame and after a motion. An update has to have the bits of a fresh start.
-void measureRefinement(std::uint32_t walks)
-{
-  const Estimate sums = kEstimates[0];
-  const Estimate nearest{ "nearest 250", CellEstimate::Nearest, 250 };
-  std::vector<double> first, later;
-  for (const int n : { 30, 120 })
-  {
-    const std::string row = std::to_string(6 * n * n) + " cells";
-    const SceneObjects before = roomOfCells(n, 2), after = roomOfCells(n, 2.02);
-    SceneObjects moved = before;
-    moved.dynamicObjects[0].worldFromObject = after.dynamicObjects[0].worldFromObject;
-    IrradianceEngine engine, fresh;
-    timeUpdate(engine, before, settingsFor(sums, walks, 1));
-    first.push_back(timeUpdate(engine, before, settingsFor(nearest, walks, 1)).whole);
-    IrradianceEngine plain;
-    timeUpdate(plain, before, settingsFor(sums, walks, 1));
-    CpuTime execution;
-    plain.collectPhotons(execution); // an update keeps them up to date
-    const double repair = timeUpdate(plain, moved, settingsFor(sums, walks, 1)).whole;
-    later.push_back(timeUpdate(engine, moved, settingsFor(nearest, walks, 1)).whole - repair);
-    timeUpdate(fresh, moved, settingsFor(nearest, walks, 1));
-    if ((irradianceOf(engine, moved) != irradianceOf(fresh, moved)).any())
-    {
-      throw std::runtime_error("An update differs from a fresh start");
-    }
-    report("CellEstimateRefinement", row, "estimate of a first frame, s", first.back());
-    report("CellEstimateRefinement", row, "estimate after a motion, s", later.back());
-  }
-  report("CellEstimateRefinement", "16 times the cells", "times the time", first[1] / first[0],
-    { 24, 16 });
-  report("CellEstimateRefinement", "after a motion", "of a first frame", later[1] / first[1]);
-}
-
 }
 
 void run(const Arguments& arguments)
@@ -275,11 +229,6 @@ void run(const Arguments& arguments)
   const auto walks = arguments.number(0, 1000000u);
   const auto seeds = arguments.number<std::uint64_t>(1, 3);
   const auto walksOfTruth = arguments.number(2, 32e6);
-  measureRefinement(walks);
-  if (arguments.text(4, "") == "refinement")
-  {
-    return;
-  }
   constexpr int kCuts = 2; // of the box's cells, which are large
   const std::vector<TradeScene> scenes = makeTradeScenes(arguments.text(3, VTKIRRADIANCE_HEAD));
   MovingScene box = scenes[1];

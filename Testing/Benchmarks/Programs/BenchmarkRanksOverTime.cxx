@@ -124,8 +124,8 @@ public:
 private:
   void addCosts()
   {
-    shooting_ += irradiance_->GetShootSeconds();
-    repair_ += irradiance_->GetVerifySeconds() + irradiance_->GetRepairSeconds();
+    shooting_ += irradiance_->GetFigure("ShootSeconds");
+    repair_ += irradiance_->GetFigure("VerifySeconds") + irradiance_->GetFigure("RepairSeconds");
   }
 
   vtkNew<vtkKeyFramedPose> pose_;

@@ -7,6 +7,7 @@ A line of the template with nothing else is replaced if it is one of these:
 
     {{machine}}               the machine, the versions (the text of VERSIONS), the date
     {{table NAME}}            a table
+    {{data NAME}}             a link to the table, which goes to the folder measured/ beside the page
     {{chart NAME: TITLE}}     its picture with bars, TITLE at the axis of values
     {{lines NAME: X | Y}}     its picture with lines, quantity Y over quantity X, see charts.lines
     {{further results}}       all tables that are not named before
@@ -42,8 +43,9 @@ def machine(versions):
 
 
 class Page:
-    def __init__(self, tables, versions, pictures):
-        self.tables, self.versions, self.pictures = tables, versions, pictures
+    def __init__(self, tables, versions, folder):
+        self.tables, self.versions = tables, versions
+        self.pictures, self.measured = folder / "pictures", folder / "measured"
         self.named = set()
 
     def table(self, name):
@@ -51,6 +53,13 @@ class Page:
         if name not in self.tables:  # its meshes were not there
             return "(Not measured in this run.)"
         return results.table(self.tables[name]).rstrip()
+
+    def data(self, name):
+        if name not in self.tables:
+            return self.table(name)
+        self.named.add(name)
+        results.write(self.tables[name], self.measured / f"{name}.csv")
+        return f"All rows: [{name}.csv]({self.measured.name}/{name}.csv)."
 
     def picture(self, draw, name, *titles):
         if name not in self.tables:
@@ -64,6 +73,8 @@ class Page:
             return machine(self.versions)
         if kind == "table":
             return self.table(name)
+        if kind == "data":
+            return self.data(name)
         if kind == "chart":
             return self.picture(charts.bars, name, title)
         if kind == "lines":
@@ -99,9 +110,9 @@ class Page:
 
 def main(template, page, versions, *measurements):
     page = pathlib.Path(page)
-    pictures = page.parent / "pictures"
-    pictures.mkdir(exist_ok=True)
-    filler = Page(results.read(measurements), pathlib.Path(versions).read_text(), pictures)
+    for name in ("pictures", "measured"):
+        (page.parent / name).mkdir(exist_ok=True)
+    filler = Page(results.read(measurements), pathlib.Path(versions).read_text(), page.parent)
     parts = re.split(r"(\n\n|\n(?=\* ))", pathlib.Path(template).read_text(encoding="utf-8").strip())
     text = "".join(map(filler.block, parts))
     if "{{" in text:

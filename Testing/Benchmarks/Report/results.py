@@ -63,9 +63,9 @@ def distinct(values):
     return list(dict.fromkeys(values))
 
 
-def table(results):
-    """As Markdown: a line for each result with its range and goal; or, when none has a goal and there
-    are several quantities, rows by quantities."""
+def cells(results):
+    """A line for each result with its range and goal; or, when none has a goal and there are several
+    quantities, rows by quantities. The heading comes first."""
     quantities = distinct(quantity for _, quantity in results)
     if len(quantities) > 1 and all(math.isnan(result.bar) for result in results.values()):
         lines = [["", *quantities]]
@@ -75,8 +75,20 @@ def table(results):
     else:
         lines = [["", "quantity", "median", "range", "bar", "aim", "reached"]]
         lines += [[*names, *result.long()] for names, result in results.items()]
-    lines.insert(1, ["---"] * len(lines[0]))
+    return lines
+
+
+def table(results):
+    """As Markdown."""
+    heading, *lines = cells(results)
+    lines = [heading, ["---"] * len(heading), *lines]
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def write(results, path):
+    """As comma-separated values."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows(cells(results))
 
 
 if __name__ == "__main__":
