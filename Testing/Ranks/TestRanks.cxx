@@ -258,29 +258,6 @@ TEST(Ranks, RefuseABudgetWherePhotonsAreRead)
   }
 }
 
-// Found by TestRandomRanks: each process kept all walks, repaired them in a time of its own, and
-// had other stale light.
-TEST(Ranks, ShareTheWalksAgainForABudget)
-{
-  const Scene scene = MakeSmallScene();
-  vtkNew<vtkIrradianceFilter> filter;
-  Connect(filter, scene);
-  filter->SetController(Controller);
-  filter->SetNumberOfWalks(20000);
-  filter->SetDirectLightToShot();
-  filter->SetCellEstimateToSums();
-  {
-    vtkNew<vtkOutgoingRadianceFilter> radiance; // reads photons, as sums do not tell sides apart
-    radiance->SetInputConnection(filter->GetOutputPort());
-    radiance->Update();
-  }
-  const double all = filter->GetFigure("HistoryBytes");
-  filter->SetRepairTimeBudget(1);
-  filter->Update();
-  const double own = filter->GetFigure("HistoryBytes");
-  EXPECT_TRUE(AreSeveral() ? own < 0.8 * all : own == all) << own << " of " << all;
-}
-
 namespace
 {
 
