@@ -35,9 +35,10 @@ Reading readingOf(const SceneCells& cells, double walks, std::uint32_t rays)
   return reading;
 }
 
-/// As many as are asked for, or as take as long as the walks; 0: they do not pay.
+/// As many as are asked for, or as take about as long as all else; 0: they do not pay.
 std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t asked)
 {
+  constexpr double kRaysPerWalk = 1.5; // cells gather direct light beside the walks
   for (std::uint32_t rays = asked; rays > 0;
        rays = rays > kFewestRays ? std::max(kFewestRays, rays / 2) : 0)
   {
@@ -46,7 +47,7 @@ std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t a
     {
       return 0;
     }
-    if (2.0 * rays * reading.small <= walks)
+    if (2.0 * rays * reading.small <= kRaysPerWalk * walks)
     {
       return rays;
     }
@@ -54,10 +55,10 @@ std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t a
   return 0;
 }
 
-/// Squared noise of small cells, beside the light that they have from other surfaces, if each draws
+/// Squared error of small cells, beside the light that they have from other surfaces, if each draws
 /// on so many photons that walks bring to its object, or on all of these: the mean over the small
-/// cells.
-double noiseOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays, double photons)
+/// cells. What differs over the surface from which these come is blurred.
+double errorOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays, double photons)
 {
   const CellRoles roles(cells, walks, rays, GatherOn::Small);
   std::vector<double> areas, small; // m2, and a number, by object
@@ -72,7 +73,9 @@ double noiseOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays,
   {
     if (small[object] > 0)
     {
-      noise += small[object] / std::min(photons, roles.expectedOn(areas[object]));
+      constexpr double kBlur = 0.01; // of all of a surface, as the hall of Theory.md, 1.3
+      const double all = roles.expectedOn(areas[object]), drawn = std::min(photons, all);
+      noise += small[object] * (1 / drawn + kBlur * drawn / all);
       number += small[object];
     }
   }
@@ -89,7 +92,7 @@ double noiseOfSamples(double variance)
 
 /// Whether rays are less noise for their time than photons. What is here is measured in rooms:
 /// Documentation/Theory.md, 1.3.
-bool doRaysPay(const LightSurvey& survey, std::uint32_t rays, double noiseOfPhotons)
+bool doRaysPay(const LightSurvey& survey, std::uint32_t rays, double errorOfPhotons)
 {
   // Sobol' points in even light have less noise than so many others.
   constexpr double kGain = 8, kTime = 1.5;
@@ -97,7 +100,7 @@ bool doRaysPay(const LightSurvey& survey, std::uint32_t rays, double noiseOfPhot
   // Small cells that cast rays gather what lights send that are hard to find, too.
   const double gathered = noiseOfSamples(survey.gatheredVariance());
   const double hidden = noiseOfSamples(survey.hiddenVariance());
-  return kTime * (noiseOfRays + gathered + hidden) <= noiseOfPhotons + gathered;
+  return kTime * (noiseOfRays + gathered + hidden) <= errorOfPhotons + gathered;
 }
 
 double numberOf(const SceneCells& cells)
@@ -122,7 +125,7 @@ void chooseByScene(const LeftToScene& left, const SceneObjects& objects, const S
       mayRead ? raysThatPay(cells, walks.numberOfWalks, estimate.gatherRays) : 0;
     const bool isGathered = rays > 0 &&
       doRaysPay(
-        survey(), rays, noiseOfPhotons(cells, walks.numberOfWalks, rays, estimate.spreadPhotons));
+        survey(), rays, errorOfPhotons(cells, walks.numberOfWalks, rays, estimate.spreadPhotons));
     estimate.cellEstimate = estimate.unbiasedGather ? CellEstimate::Sums
       : isGathered                                  ? CellEstimate::Gathered
                                                     : CellEstimate::Spread;
