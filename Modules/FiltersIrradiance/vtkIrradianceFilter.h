@@ -308,7 +308,7 @@ public:
    * beside cells with a SpecularReflectance is an error. Automatic is Gathered where that pays,
    * else Spread: it takes a DirectLight other than Shot, no such point light, that cells which
    * expect 25 of NumberOfWalks or more have half of the area, that the rays of all small cells are
-   * at most 1.5 times NumberOfWalks, else cells have fewer rays, down to 4, and that what rests is
+   * at most 1.2 times NumberOfWalks, else cells have fewer rays, down to 4, and that what rests is
    * lit evenly, or parts catch few photons. With UnbiasedGather it is Sums. The field
    * `CellEstimate` of the output says what it is. With ComputeStandardError the fields
    * `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the

@@ -70,21 +70,21 @@ SceneObject sheet(int n)
 
 }
 
-// From both sides of a cell: 1.5 times as many as walks at most, but four in any case.
+// From both sides of a cell: 1.2 times as many as walks at most, but four in any case.
 TEST(AutomaticChoice, TakesFewerRaysWhereCellsAreMany)
 {
   ObjectBuilder builder;
   builder.addQuad({ 0, 0, 0 }, { 10, 0, 0 }, { 0, 10, 0 }, 1, 1, grey(0.5));
   builder.addQuad({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 40, 40, grey(0.5)); // 1600 small cells
   const SceneObjects objects{ builder.build(), {} };
-  for (const auto& [walks, rays] : { std::pair(68267u, 32u), std::pair(68266u, 16u),
-         std::pair(34134u, 16u), std::pair(8534u, 4u) })
+  for (const auto& [walks, rays] : { std::pair(85334u, 32u), std::pair(85333u, 16u),
+         std::pair(42667u, 16u), std::pair(10667u, 4u) })
   {
     const Settings settings = chosen(objects, settingsOf(walks));
     expectChoice(settings, CellEstimate::Gathered, true);
     EXPECT_EQ(settings.estimate.gatherRays, rays) << walks;
   }
-  expectChoice(chosen(objects, settingsOf(8533)), CellEstimate::Spread, true);
+  expectChoice(chosen(objects, settingsOf(10666)), CellEstimate::Spread, true);
 }
 
 // Rays have to find something to read: here one large cell and 64 small ones, which are not read.

@@ -38,7 +38,7 @@ Reading readingOf(const SceneCells& cells, double walks, std::uint32_t rays)
 /// As many as are asked for, or as take about as long as all else; 0: they do not pay.
 std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t asked)
 {
-  constexpr double kRaysPerWalk = 1.5; // cells gather direct light beside the walks
+  constexpr double kRaysPerWalk = 1.2; // cells gather direct light beside the walks
   for (std::uint32_t rays = asked; rays > 0;
        rays = rays > kFewestRays ? std::max(kFewestRays, rays / 2) : 0)
   {

@@ -27,7 +27,7 @@ constexpr std::uint32_t kFewestRays = 4;
  * The cell estimate is Gathered or Spread, else Sums, if
  * - direct light may be gathered, and rays read what walks brought (no `unbiasedGather`);
  * - cells that expect enough photons to be read, see CellRoles::isRead(), have half of the area;
- * - the rays of both sides of all small cells are at most 1.5 times the walks, so that they take
+ * - the rays of both sides of all small cells are at most 1.2 times the walks, so that they take
  *   about as long as all else; where there are more, each cell has half as many until that holds,
  *   down to kFewestRays;
  * - no point light is unseen, see unseenLight().

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures of the pages."""
 
+import math
+
 import matplotlib
 
 matplotlib.use("Agg")  # no display
@@ -17,11 +19,12 @@ def write(figure, axes, path):
 
 def bars(results, title, path):
     """The medians: a group of bars for each quantity, a colour for each row but the one that is the
-    unit of the others: it alone is 1 everywhere."""
+    unit of the others: it alone is 1 everywhere, and has no goal."""
     groups = distinct(quantity for _, quantity in results)
     series = {row: [results[row, group].median if (row, group) in results else 0 for group in groups]
               for row, _ in results}
-    units = [row for row, values in series.items() if set(values) == {1}]
+    units = [row for row, values in series.items()
+             if set(values) == {1} and all(math.isnan(results[row, group].bar) for group in groups)]
     if len(units) == 1:
         del series[units[0]]
     figure, axes = pyplot.subplots(figsize=(12, 5.2), layout="constrained")
