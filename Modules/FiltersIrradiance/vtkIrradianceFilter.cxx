@@ -634,7 +634,8 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
   if (std::exchange(this->Processes, ranks.count()) != ranks.count())
   {
-    this->Scene = irradiance::SceneReader(); // alone, each may have seen other parts come
+    // Processes that worked alone may have read parts in different orders.
+    this->Scene = irradiance::SceneReader();
   }
   this->Scene.read(inputs.Static, inputs.Dynamic, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())

@@ -239,11 +239,12 @@ public:
    * shoots and stores its part of the walks, and has the whole output, with the bits that one
    * process alone would give. All of them have to update the filter at the same time, with the same
    * inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds
-   * are this process's own. Where single photons are read (vtkIrradianceProbeFilter with Estimate Nearest; without SeparateSides and CellEstimate Gathered
-   * also its other estimate, and vtkOutgoingRadianceFilter) each process shoots and stores all
-   * walks; with several processes that excludes a RepairTimeBudget. See "Several processes" in the
-   * Guide. Default: VTK's global controller when the filter is made, so this process alone unless a
-   * program, such as ParaView's server, has set another.
+   * are this process's own. Where single photons are read (vtkIrradianceProbeFilter with Estimate
+   * Nearest; without SeparateSides and CellEstimate Gathered also its other estimate, and
+   * vtkOutgoingRadianceFilter) each process shoots and stores all walks; with several processes
+   * that excludes a RepairTimeBudget. See "Several processes" in the Guide. Default: VTK's global
+   * controller when the filter is made, so this process alone unless a program, such as ParaView's
+   * server, has set another.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -326,8 +327,9 @@ public:
 
   /// @{
   /**
-   * With CellEstimate Spread, on how many photons a small cell draws, 1 to 1,000,000. The noise is about 1 / its root; the blur grows with its root. Changing
-   * it is like changing CellEstimate. Default 250.
+   * With CellEstimate Spread, on how many photons a small cell draws, 1 to 1,000,000. The noise is
+   * about 1 / its root; the blur grows with its root. Changing it is like changing CellEstimate.
+   * Default 250.
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);
   vtkGetMacro(NumberOfSpreadPhotons, int);

@@ -5,61 +5,57 @@
  *
  * Two estimates:
  * - `Gathered`: for sensors anywhere, on surfaces or in the air. What comes straight from all
- *   lights is asked for
- *   at the very point, by NumberOfRays rays; as many look for the indirect light, and read what large cells
- *   received. Nothing is blurred over the surroundings of a sensor.
+ *   lights is asked for at the very point, by NumberOfRays rays; as many look for the indirect
+ *   light, and read what large cells received. Nothing is blurred over the surroundings of a
+ *   sensor.
  * - `Nearest`: for sensors on surfaces. Of the photons that vtkIrradianceFilter has stored in the
- *   leaf cells
- *   of its ray-casting trees the nearest are found. Their power over the area of the surface on which they arrived is the
- *   irradiance. Section 4.1 of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through
- *   Verification of Shooting Walks" (SCCG 2003).
+ *   leaf cells of its ray-casting trees the nearest are found. Their power over the area of the
+ *   surface on which they arrived is the irradiance. Section 4.1 of Szecsi, Benedek and
+ *   Szirmay-Kalos, "Accelerating Animation Through Verification of Shooting Walks" (SCCG 2003).
  *
  * Neither depends on the size of the cell on which a sensor stands.
  *
  * @section ProbeInputs Inputs
  * - Port 0: sensors, the points of any vtkDataSet; a volume of vtkImageData, too. Point normals
- *   (the active ones, or
- *   else the array `Normals`) are the directions from which sensors receive light; their length does not matter.
- *   Nearest needs them. Without them Gathered finds the fluence rate.
- *   With Nearest sensors lie on surfaces of the scene, or nearly: each is moved to the closest point of the
- *   surface that faces as it does, no farther than MaximumDistance.
- *   With Gathered a sensor stays where it is, but for 2^-20 of the scene's size (4 um of 4 m) and 2^-32 of its largest
- *   coordinate, lamps apart: so far it is
- *   taken along its normal, or without normals towards the middle of the scene. So a sensor whose coordinates are rounded
- *   is not behind its own surface, and the outermost points of a grid that fills a room are in the room. It does not move
- *   with the surfaces of the scene: move it as they move. On a face that touches a lamp, as the underside of a box on a light
- *   table, it comes to be behind the lamp's face and finds 0; Nearest knows what the lamp emits there.
- * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. One that did
- *   not keep its photons, as nothing can move, executes again, once. Gathered needs no photons if sums are kept by side
- *   (SeparateSides or CellEstimate Gathered), which takes less memory.
+ *   (the active ones, or else the array `Normals`) are the directions from which sensors receive
+ *   light; their length does not matter. Nearest needs them. Without them Gathered finds the
+ *   fluence rate. With Nearest sensors lie on surfaces of the scene, or nearly: each is moved to
+ *   the closest point of the surface that faces as it does, no farther than MaximumDistance. With
+ *   Gathered a sensor stays where it is, but for 2^-20 of the scene's size (4 um of 4 m) and 2^-32
+ *   of its largest coordinate, lamps apart: so far it is taken along its normal, or without normals
+ *   towards the middle of the scene. So a sensor whose coordinates are rounded is not behind its
+ *   own surface, and the outermost points of a grid that fills a room are in the room. It does not
+ *   move with the surfaces of the scene: move it as they move. On a face that touches a lamp, as
+ *   the underside of a box on a light table, it comes to be behind the lamp's face and finds 0;
+ *   Nearest knows what the lamp emits there.
+ * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. One that did not
+ *   keep its photons, as nothing can move, executes again, once. Gathered needs no photons if sums
+ *   are kept by side (SeparateSides or CellEstimate Gathered), which takes less memory.
  *
  * @section ProbeOutput Output
  * A copy of the sensors, of the same type, that shares their arrays, with point arrays.
  *
  * With Nearest
- * - `Irradiance` (double, W/m2, as many components as in the source): NaN where there is no
- *   surface within MaximumDistance that faces as the sensor does, and farther than a million sizes of the
- *   scene away from it, where nothing can be told. One warning says how many such sensors there are, and
- *   which is the first;
+ * - `Irradiance` (double, W/m2, as many components as in the source): NaN where there is no surface
+ *   within MaximumDistance that faces as the sensor does, and farther than a million sizes of the
+ *   scene away from it, where nothing can be told. One warning says how many such sensors there
+ *   are, and which is the first;
  * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius, 0
- *   where the
- *   irradiance is NaN);
+ *   where the irradiance is NaN);
  * - `SearchRadius` (double, m): the distance of the farthest of them; MaximumRadius if there are
- *   fewer,
- *   NaN where the irradiance is. Distances across the sensor's plane count eight times.
+ *   fewer, NaN where the irradiance is. Distances across the sensor's plane count eight times.
  *
  * With Gathered
  * - `Irradiance` (double, W/m2, likewise) on the plane across the normal: NaN only farther than a
- *   million sizes of the scene
- *   away, with a warning; 0 inside of closed bodies;
+ *   million sizes of the scene away, with a warning; 0 inside of closed bodies;
  * - without normals instead `FluenceRate` (double, W/m2): what arrives from all directions, the
- *   integral of the
- *   radiance over the sphere. It is also known as scalar irradiance; of a beam it is the irradiance on a plane across it, and
- *   where all directions are alike four times the irradiance of a plane;
+ *   integral of the radiance over the sphere. It is also known as scalar irradiance; of a beam it
+ *   is the irradiance on a plane across it, and where all directions are alike four times the
+ *   irradiance of a plane;
  * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has
- *   standard errors
- *   (ComputeStandardError): from its replicates, each with rays of its own that read its own sums. NaN where nothing
- *   arrived; the field `NumberOfUnknownErrors` counts these. What reading means over cells biases is not in it.
+ *   standard errors (ComputeStandardError): from its replicates, each with rays of its own that
+ *   read its own sums. NaN where nothing arrived; the field `NumberOfUnknownErrors` counts these.
+ *   What reading means over cells biases is not in it.
  *
  * @section ProbeNearest Nearest
  * With k photons the relative standard error is about 1 / sqrt(k). More photons come from farther

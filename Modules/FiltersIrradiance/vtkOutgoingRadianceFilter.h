@@ -4,8 +4,8 @@
  * @brief   radiance that leaves the cells of a vtkIrradianceFilter's scene towards an eye
  *
  * Adds what an eye sees of each cell: light that the cell emits, and light that it reflects
- * diffusely and specularly. What vtkIrradianceFilter knows does not depend on the view,
- * so when the camera moves this filter alone executes.
+ * diffusely and specularly. What vtkIrradianceFilter knows does not depend on the view, so when the
+ * camera moves this filter alone executes.
  *
  * @section RadianceInput Input
  * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells
@@ -23,11 +23,11 @@
  *   vtkIrradianceFilter the irradiance of the side that the eye sees counts, else of both
  *   sides together: switch it on for sheets that are lit from both sides.
  * - Specular: what rays find that leave NumberOfSpecularSamples points of the cell along the lobe
- *   around the mirrored
- *   direction to the eye, or along that direction from a mirror (infinite PhongExponent). They read
- *   the irradiance of large cells where they hit, of the side that they hit; at small or near ones they ask the lights and go
- *   on, also by way of other lobes and mirrors. Lobes ask the lights as well as their rays; so narrow ones, and
- *   small lamps, have little noise. What is smaller than a cell is averaged away.
+ *   around the mirrored direction to the eye, or along that direction from a mirror (infinite
+ *   PhongExponent). They read the irradiance of large cells where they hit, of the side that they
+ *   hit; at small or near ones they ask the lights and go on, also by way of other lobes and
+ *   mirrors. Lobes ask the lights as well as their rays; so narrow ones, and small lamps, have
+ *   little noise. What is smaller than a cell is averaged away.
  *
  * A mirror cannot see a point light; nor does a lobe see what a point light sends it by way of a
  * mirror.

@@ -241,8 +241,8 @@ void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* f
   {
     this->Begin(filter);
   }
-  // With more ranks than times, some visit the last one in vain: VTK updates what is upstream
-  // anyway.
+  // With more ranks than times, some ranks have no time of their own. They ask for the last one, as
+  // VTK updates what is upstream in any case; its result is not used.
   const double last = this->NextTimes(ranks).back();
   input->Set(Pipeline::UPDATE_TIME_STEP(), this->OwnTime(ranks).value_or(last));
 }
@@ -343,8 +343,8 @@ void vtkRadiantExposureFilter::vtkInternals::Take(
       this->Integral->take(next);
     }
   }
-  // Upstream may modify itself as it executes. If something changed a vtkIrradianceFilter meanwhile,
-  // its time rises until it executes again.
+  // Upstream may modify itself as it executes. If something changed a vtkIrradianceFilter
+  // meanwhile, its time rises until it executes again.
   this->Upstream = irradiance::upstreamTime(filter, 0, 0);
 }
 

@@ -32,8 +32,8 @@
  * arrays
  * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2);
  * - `RadiantExposureStandardError`, or `RadiantExposureFrontStandardError` and
- *   `RadiantExposureBackStandardError` (J/m2), if the input has standard errors; NaN where it is not known.
- *   The 95 % interval is the exposure +- this times the field `ConfidenceFactor`.
+ *   `RadiantExposureBackStandardError` (J/m2), if the input has standard errors; NaN where it is
+ *   not known. The 95 % interval is the exposure +- this times the field `ConfidenceFactor`.
  *
  * Field data of the root: the input's at the last time, and `StartTime`, `EndTime` (s),
  * `NumberOfTimeSteps` (intervals between visited times), `IntegrationTimes` (s, one tuple for each

@@ -118,7 +118,7 @@ FrameChange IrradianceEngine::changeTo(
     }
   }
   const bool replaces = hasReplaced(objects, objects_);
-  // Within a budget each rank would repair others of them.
+  // Within a time budget ranks that all keep all walks would not repair the same ones.
   const bool mayStay = settings.repairTimeBudget == 0;
   const bool all = settings.allOnEachRank || (settings_.allOnEachRank && mayStay);
   if (!sameLights || !samePlan || !canRepair(objects, settings) ||

@@ -12,8 +12,7 @@ namespace
 
 /// A furnace of small cells, where each estimate draws on photons of other cells. Of 30 seeds the
 /// mean of the room has a standard deviation of 0.0031, on box and ball of 0.018 and 0.027:
-/// tolerances are
-/// 5.5 of them, a false alarm in 20 million.
+/// tolerances are 5.5 of them, a false alarm in 20 million.
 void ExpectEstimates(double size, const Vector& offset)
 {
   Scene scene{ { MakeFurnace(size, offset, 0.5, 1, 6) },

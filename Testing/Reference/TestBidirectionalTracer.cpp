@@ -259,8 +259,9 @@ TEST(Cie171, DiffuseReflectionWithObstruction57)
   }
 }
 
-// 5.8: a point light in a cube. The mean over the walls has a closed form; the centre of a wall is that
-// of an independent program (indirect) plus the mean of the inverse square law (direct). 8 values.
+// 5.8: a point light in a cube. The mean over the walls has a closed form; the centre of a wall is
+// that of an independent program (indirect) plus the mean of the inverse square law (direct). 8
+// values.
 TEST(Cie171, InternalReflectedComponent58)
 {
   constexpr std::size_t kCells = 15;

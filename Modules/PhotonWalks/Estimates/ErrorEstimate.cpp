@@ -128,8 +128,8 @@ std::vector<ErrorEstimate::Part> ErrorEstimate::partsOf(
   return parts;
 }
 
-/// What the replicates scatter more than rays do comes of walks. All else, also steps of photons
-/// and what is not known yet, is better known from more rays.
+/// Where replicates scatter more than rays explain, the rest is due to walks. All else (the steps
+/// of single photons, unknown errors) falls with more rays.
 double ErrorEstimate::partOfRays(const Received& received, double rayVariance) const
 {
   const bool isKnown = received.quanta != 0 && !std::isnan(received.error);

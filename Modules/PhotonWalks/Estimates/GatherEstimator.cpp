@@ -20,8 +20,8 @@ void GatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
   const CellSums& all = from.walks.sums();
   CellSums direct = CellSums::ofGathered(objects, all.sides(), all.plan(), all.rounds());
   direct.addGathered(all, cancelPoint);
-  // Those of the first round: so all rounds have the same paths, and no cell is left to its own few
-  // photons for more walks.
+  // The walks of the first round decide which cells cast rays: all rounds have the same paths, and
+  // a cell does not stop casting rays because more walks are shot.
   roles_.emplace(from.cells, from.walks.plan().walksAfter(1),
     from.walks.isEmpty() ? 0 : settings_.rays, settings_.on, !settings_.isUnbiased);
   const CellShapes shapes = darkShapesOf(from.walks, from.space, cancelPoint);

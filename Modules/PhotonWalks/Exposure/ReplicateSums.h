@@ -36,7 +36,7 @@ public:
   void add(
     const double* irradiance, const SharedValues& replicates, const double* photons, double weight);
 
-  /// What is added after this begins new runs.
+  /// Ends the runs of all cells (see Counts): the next time that is added begins new ones.
   void endRuns() { before_ = nullptr; }
   /// Appends the sums over later times. `isShared`: their first time is the last one of these.
   void append(const ReplicateSums& next, bool isShared);

@@ -107,8 +107,8 @@ private:
   /// what they read.
   void follow(const GatherScene& scene, const GatherMotion* motion, const std::vector<Side>& sides,
     Round& round);
-  /// Numbered among those that gather: cells that are away have numbers of their own in a frame
-  /// that follows others.
+  /// By the place among sides that gather. The number of its cell would not do: absent cells have
+  /// numbers in a frame that follows others, and none in a fresh one.
   static std::uint64_t numberOf(const Side& side)
   {
     return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);

@@ -12,7 +12,7 @@ namespace irradiance
 struct KnownLight
 {
   const CellSums& all; ///< of cells that are read
-  /// What came straight from the lights, of all others; null: nothing of these is known.
+  /// Direct light of all other cells; null: they know none.
   const CellSums* direct;
   const CellSums* stale; ///< the part of `all` that rests on stale walks, in one replicate; or null
   std::size_t rounds;    ///< of `all` and `direct` that count

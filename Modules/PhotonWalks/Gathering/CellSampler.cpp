@@ -252,7 +252,8 @@ const Triangle& CellSampler::touchingTriangle(std::uint32_t light) const
   return std::get<AreaLight>(lamps_.lights()[light].kind).triangle;
 }
 
-/// The ray crosses the gap that is not there, along the light's normal.
+/// The cell touches the light: the ray has length 0, so it is given the direction of the light's
+/// normal.
 void CellSampler::cross(std::uint32_t light, const Vector3& weights, const SurfacePoint& onCell,
   GatherSample& sample) const
 {

@@ -41,8 +41,7 @@ public:
   double arrived() const { return arrived_; }
   double reflected() const { return reflected_; }
   /// W2/m2: the integral over the area of the square of what static cells reflect for their area. A
-  /// relative standard error of
-  /// 0.1, roughly.
+  /// relative standard error of 0.1, roughly.
   double reflectedSquares() const { return reflectedSquares_; }
   /// m2, of the static object.
   double area() const { return area_; }

@@ -18,9 +18,9 @@ namespace irradiance
  * A cell takes as many as the power that it may receive calls for, beside the power of a walk, if
  * it is more than the fewest: samples stand where walks would arrive, and grow in number with the
  * walks. A mirror takes one for each walk that may start there, as walks of one sample would fly
- * the same way. What stands in between has no part in it. The numbers are the number of replicates
- * times a power of two; each replicate has samples that follow each other, so that they are a net
- * of their own.
+ * the same way. Occluders do not matter to it. The numbers are the number of replicates times a
+ * power of two; each replicate has samples that follow each other, so that they are a net of their
+ * own.
  */
 class GatherPlan
 {

@@ -183,7 +183,8 @@ std::vector<std::uint32_t> PointDirectLight::lightsAt(const LitPoint& point) con
   return lights;
 }
 
-/// Rays cross the gap that is not there, along the normals of the lights.
+/// The point touches the lights: rays have length 0, so they are given the directions of the
+/// lights' normals.
 void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
   std::size_t replicates, std::vector<Arrival>& arrivals) const
 {

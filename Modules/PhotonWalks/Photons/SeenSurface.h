@@ -15,10 +15,9 @@ namespace irradiance
  * - it faces as the sensor does, see Facing;
  * - it is inside of a body if the sensor's foot is, and outside if that is;
  * - the nearest point of the triangle is not in front of the plane of the foot while the foot is
- *   behind
- *   the plane of the triangle, or the other way round. So it is with sheets above and below, and with steps.
- *   Surface that bends has both in front, or both behind. What is in the plane but for a thousandth of
- *   the distance counts.
+ *   behind the plane of the triangle, or the other way round. So it is with sheets above and below,
+ *   and with steps. Surface that bends has both in front, or both behind. What is in the plane but
+ *   for a thousandth of the distance counts.
  */
 class SeenSurface
 {

@@ -39,8 +39,8 @@ public:
   /**
    * Takes back what tails of walks brought: all their segments, in any order, as receive() took
    * them, with the sides that were hit and, with several bands, their powers. `starting`: what the
-   * first segments of the tails carry in all. That is under way again, for the tails that come
-   * instead: it was released before, or emitted.
+   * first segments of the tails carry in all. This power was released before, or emitted; it is
+   * under way again, as new tails take the place of these.
    */
   void remove(const WalkFront& tails, const Power& starting)
   {

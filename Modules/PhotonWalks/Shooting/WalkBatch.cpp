@@ -28,7 +28,7 @@ void WalkBatch::start(FrontTally& tally)
   StageClock clock;
   started_ = now_.size;
   tracer_->stages().start(now_);
-  // What was received directly was taken for absorbed.
+  // Direct light that cells gathered was tallied as absorbed; the part that they reflect is not.
   tracer_->startsAtCells() ? tally.release(now_) : tally.emit(now_);
   clock.ends(Stage::Start);
 }

@@ -34,7 +34,8 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
       {
         if (isSpecular(cell))
         {
-          // Cells that are away have numbers of their own in a frame that follows others.
+          // By object and cell: absent cells have numbers in a frame that follows others, and none
+          // in a fresh one.
           const std::uint64_t number = std::uint64_t{ cell.object } << 40 | cell.cell;
           paths.addSpecular(gather_->scene(), engine_.cells().numbers()[cell], number,
             [&](const Vector3& point) { return eye.directionFrom(point); });

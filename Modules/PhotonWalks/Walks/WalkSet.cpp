@@ -207,7 +207,7 @@ void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, Pho
     startsAgain ? startAgain(space, execution) : followGathered(moved, space, execution);
   }
   const double gatherSeconds = stopwatch.seconds();
-  // Walks that start again know all that moved.
+  // Walks that start again were shot where all things are now, so nothing has moved for them.
   followWalks(
     startsAgain ? std::vector<bool>(moved.size(), false) : moved, space, changes, execution);
   statistics_.verifySeconds += gathered_ && hasMotion ? gatherSeconds : 0;

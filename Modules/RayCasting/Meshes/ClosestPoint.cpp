@@ -18,8 +18,7 @@ Vector3 closestOnEdge(const Vector3& from, const Vector3& edge)
 }
 
 /// By the region of the plane that the origin's foot lies in (Ericson, Real-Time Collision
-/// Detection,
-/// 5.1.5); edges are tried one by one where it lies outside.
+/// Detection, 5.1.5); edges are tried one by one where it lies outside.
 Vector3 closestPoint(const Triangle& triangle)
 {
   const Vector3 &a = triangle.a, &b = triangle.b, &c = triangle.c;

@@ -10,7 +10,8 @@
  * however noisy r and s are. Blur is measured likewise, by the estimate of the long runs' own
  * photons, as wide as with the largest number of walks. Times are CPU time of one thread.
  *
- * Arguments: [most walks = 1000000] [seeds = 3] [walks of the truth = 32000000] [head.off] ["refinement": that alone]
+ * Arguments: [most walks = 1000000] [seeds = 3] [walks of the truth = 32000000] [head.off]
+ * ["refinement": that alone]
  */
 #include "../../PhotonWalks/TestScenes.h"
 #include "../../PhotonWalks/ThreadExecution.h"

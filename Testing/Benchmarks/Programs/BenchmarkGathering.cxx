@@ -13,7 +13,8 @@
  * or the ball, which has a sixth of its cells; its error is that of a first frame, as an update
  * equals a fresh start.
  *
- * Arguments: [walks = 1000000] [rounds = 6] [paths of a cell = 64] [those of half the truth = 1024] [rooms = all]
+ * Arguments: [walks = 1000000] [rounds = 6] [paths of a cell = 64] [those of half the truth = 1024]
+ * [rooms = all]
  */
 #include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
