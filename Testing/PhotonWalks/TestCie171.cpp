@@ -24,8 +24,6 @@ class Cie171 : public test::BothModes
 {
 };
 
-}
-
 // CIE 171:2006, 5.3: 1 x 1 m of exitance 1000 pi in the ceiling of a black room. A strip of 0.5 x
 // 0.25 m around each point is compared with the mean of Lambert's formula over the strip.
 TEST_P(Cie171, AreaSource53)
@@ -231,5 +229,7 @@ TEST_P(Cie171, InternalReflectedComponent58)
 }
 
 INSTANTIATE_TEST_SUITE_P(DirectLight, Cie171, testing::Bool(), test::nameOfMode);
+
+}
 
 }

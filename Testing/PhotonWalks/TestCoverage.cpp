@@ -259,8 +259,6 @@ Held countHeld(const KnownScene& scene, bool isGathered)
   return all;
 }
 
-}
-
 // 20 seeds of 100 to 216 lit cells: the share of intervals that hold the truth scatters by 0.3 to
 // 0.5 % and must lie within 2 % of 95 %. If it is exactly 95 %, less than 10^-4 of all choices of
 // seeds raise a false alarm; at 94.5 %, 0.2 %. Samples of a net are closer to the truth than the
@@ -342,5 +340,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
     NamedScene{ "Obstruction", obstruction }, NamedScene{ "PointInRoom", pointInRoom },
     NamedScene{ "LitRoom", litRoom }),
   [](const auto& info) { return std::string(info.param.name); });
+
+}
 
 }

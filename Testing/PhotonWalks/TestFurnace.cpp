@@ -188,8 +188,6 @@ protected:
   }
 };
 
-}
-
 // All cells shine, also on moving objects, so every frame is shot again, with its own seed. 8
 // area means, |t| > 3.5 of 99 degrees: a false alarm in 0.6 % of all choices of seeds.
 TEST_P(Furnace, EveryCellReceivesOneWattWhileAllCellsShine)
@@ -259,5 +257,7 @@ TEST_P(Furnace, EveryCellReceivesOneWattAfterManyUpdates)
 }
 
 INSTANTIATE_TEST_SUITE_P(DirectLight, Furnace, testing::Bool(), test::nameOfMode);
+
+}
 
 }

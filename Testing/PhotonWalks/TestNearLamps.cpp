@@ -123,8 +123,6 @@ struct Rectangle
   Vector3 corner, u, v;
 };
 
-}
-
 // By reciprocity a cell receives what Lambert's formula says at the lamp's points, in the mean.
 TEST_P(NearLamps, ByLambertsFormula)
 {
@@ -267,5 +265,7 @@ TEST_P(NearLamps, InAClosedBodyLightStaysInside)
 }
 
 INSTANTIATE_TEST_SUITE_P(DirectLight, NearLamps, testing::Bool(), test::nameOfMode);
+
+}
 
 }

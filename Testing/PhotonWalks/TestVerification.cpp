@@ -103,8 +103,6 @@ class Verification : public testing::TestWithParam<bool> // static-hit cache
 {
 };
 
-}
-
 TEST_P(Verification, StaticHitStaysWhereNothingCame)
 {
   Tube tube(true, GetParam());
@@ -132,12 +130,12 @@ TEST_P(Verification, DynamicHitStaysWhenOthersMoveBehindIt)
   Tube tube(true, GetParam());
   tube.move(0, 5);
   tube.update();
-  const test::Answer before = { tube.onPlate(0), tube.between(-1, 5) };
+  const std::vector<std::int64_t> before = { tube.onPlate(0), tube.between(-1, 5) };
   for (const double x : { 8.0, 6.0, 9.0, kFar })
   {
     EXPECT_EQ(tube.movePlate(1, x), 0);
   }
-  EXPECT_EQ((test::Answer{ tube.onPlate(0), tube.between(-1, 5) }), before);
+  EXPECT_EQ((std::vector<std::int64_t>{ tube.onPlate(0), tube.between(-1, 5) }), before);
 }
 
 TEST_P(Verification, DynamicHitIsOccludedByAnotherObject)
@@ -212,7 +210,8 @@ TEST_P(Verification, HiddenStaticHitsComeBack)
 {
   Tube tube(true, GetParam());
   tube.update();
-  const test::Answer before = { tube.between(0, 3), tube.between(3, 6), tube.between(6, kEnd) };
+  const std::vector<std::int64_t> before = { tube.between(0, 3), tube.between(3, 6),
+    tube.between(6, kEnd) };
   tube.movePlate(0, 6);
   tube.movePlate(0, 3);
   tube.movePlate(1, 1);
@@ -221,10 +220,13 @@ TEST_P(Verification, HiddenStaticHitsComeBack)
   EXPECT_EQ(tube.onPlate(0), tube.alone().between(8, kEnd));
   tube.movePlate(0, kFar);
   EXPECT_EQ(
-    (test::Answer{ tube.between(0, 3), tube.between(3, 6), tube.between(6, kEnd) }), before);
+    (std::vector<std::int64_t>{ tube.between(0, 3), tube.between(3, 6), tube.between(6, kEnd) }),
+    before);
 }
 
 INSTANTIATE_TEST_SUITE_P(StaticHitCache, Verification, testing::Bool(),
   [](const auto& cache) { return cache.param ? "On" : "Off"; });
+
+}
 
 }

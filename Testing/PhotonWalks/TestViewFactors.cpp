@@ -127,8 +127,6 @@ void expectOfASmallCell(
   EXPECT_NEAR(estimate.mean(), truth, 1e-3 * truth);
 }
 
-}
-
 TEST_P(ViewFactors, AlignedRectangles)
 {
   for (const auto& [a, b, c, published] : kAligned)
@@ -195,6 +193,8 @@ TEST(ViewFactorsOfASmallCell, FaceToFaceAndAtRightAngles)
   {
     expectOfASmallCell(lamp, { 0, 0.4, height }, y, z);
   }
+}
+
 }
 
 }
