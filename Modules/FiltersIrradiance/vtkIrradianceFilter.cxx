@@ -634,7 +634,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
   if (std::exchange(this->Processes, ranks.count()) != ranks.count())
   {
-    // Processes that worked alone may have read parts in different orders.
+    // Processes that worked alone may have seen different parts come.
     this->Scene = irradiance::SceneReader();
   }
   this->Scene.read(inputs.Static, inputs.Dynamic, filter->GetDefaultDiffuseReflectance(), reading);

@@ -14,8 +14,8 @@
  * In rooms with tubes and a panel, the dose of the mover over 30 steps: its noise, from two seeds,
  * and its time.
  *
- * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which] [folder in which
- * truths are kept] [ways = 6]
+ * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which]
+ * [folder in which truths are kept] [ways = 6]
  */
 #include "Estimates/AutomaticChoice.h"
 #include "Measuring/HalvedTruth.h"

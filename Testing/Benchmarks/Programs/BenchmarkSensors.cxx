@@ -18,8 +18,8 @@
  * One thread, CPU time, in turns. "To 2 %": times the square of the error over .02. Building
  * Embree's scene is not counted.
  *
- * Arguments: [walks = 100000] [rounds = 3] [sheets = 2500] [paths of half the truth = 512] [rooms =
- * 4]
+ * Arguments: [walks = 100000] [rounds = 3] [sheets = 2500] [paths of half the truth = 512]
+ * [rooms = 4]
  */
 #include "../../PhotonWalks/TestScenes.h"
 #include "../../RayCasting/RandomVectors.h"

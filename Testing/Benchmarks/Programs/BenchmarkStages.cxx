@@ -6,9 +6,9 @@
  * engine whose stages are not timed, which takes turns and has to have the same answer. One thread,
  * by the clock on the wall.
  *
- * Arguments: [walks = 1000000] [rounds = 5] [frames = 8] [size of the ring, or of a mover, m =
- * 0.73]
- *   [movers, in place of the ring = 0]
+ * Arguments: [walks = 1000000] [rounds = 5] [frames = 8]
+ * [size of the ring, or of a mover, m = 0.73]
+ * [movers, in place of the ring = 0]
  */
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
