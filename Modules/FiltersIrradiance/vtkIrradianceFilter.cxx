@@ -203,7 +203,13 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
       Checked("MaximumNumberOfGatherRays, which is at least NumberOfGatherRays,",
         filter->GetMaximumNumberOfGatherRays(), settings.gatherRays, mostOfTarget);
   }
-  settings.gatherOn = static_cast<irradiance::GatherOn>(filter->GetGatherOn());
+  if (filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
+    filter->GetGatherOn() != vtkIrradianceFilter::AllCells)
+  {
+    throw irradiance::InputError("GatherOn is " + std::to_string(filter->GetGatherOn()) +
+      ", which was DynamicCells: there are SmallCells (0) and AllCells (2)");
+  }
+  settings.gathersEverywhere = filter->GetGatherOn() == vtkIrradianceFilter::AllCells;
   settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
   if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
   {

@@ -98,8 +98,7 @@ public:
   /// Which cells look for their indirect light with the estimate Gathered.
   enum GatheringCells
   {
-    SmallCells = 0,   ///< those that expect few photons
-    DynamicCells = 1, ///< these, and all of dynamic inputs
+    SmallCells = 0, ///< those that expect few photons
     AllCells = 2
   };
 
@@ -311,10 +310,7 @@ public:
    * expect 25 of NumberOfWalks or more have half of the area, that the rays of all small cells are
    * at most 1.2 times NumberOfWalks, else cells have fewer rays, down to 4, and that what rests is
    * lit evenly, or parts catch few photons. With UnbiasedGather it is Sums. The field
-   * `CellEstimate` of the output says what it is. With ComputeStandardError the fields
-   * `GatheringBias` and `GatheringBiasStandardError` say by which part the mean irradiance of the
-   * cells that gather is expected to be too large, as rays take cells for evenly lit; NaN where
-   * none gathers, or receives anything. Changing it shoots no walks, except if UpdateMode is
+   * `CellEstimate` of the output says what it is. Changing it shoots no walks, except if UpdateMode is
    * Rebuild, with a target where nothing is dynamic, or from or to Gathered. Default Automatic.
    */
   vtkSetClampMacro(CellEstimate, int, Sums, AutomaticEstimate);
@@ -359,7 +355,6 @@ public:
   vtkSetClampMacro(GatherOn, int, SmallCells, AllCells);
   vtkGetMacro(GatherOn, int);
   void SetGatherOnToSmallCells() { this->SetGatherOn(SmallCells); }
-  void SetGatherOnToDynamicCells() { this->SetGatherOn(DynamicCells); }
   void SetGatherOnToAllCells() { this->SetGatherOn(AllCells); }
   /// @}
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
+#include "Data/OldNames.h"
 #include "Input/SensorReader.h"
 #include "Output/EmptyPiece.h"
-#include "Output/GatheredSensors.h"
+#include "Output/FinalGatherSensors.h"
 #include "Output/NearestSensors.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
@@ -69,6 +70,7 @@ class vtkIrradianceProbeFilter::vtkInternals
 {
 public:
   irradiance::StoredSensors Stored;
+  irradiance::OldNames OldNames;
 };
 
 vtkIrradianceProbeFilter::vtkIrradianceProbeFilter()
@@ -137,10 +139,9 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   output->ShallowCopy(input);
   const irradiance::SensorRun run{ sensors, source.engine(), execution, output };
   const std::string warning = gathers
-    ? irradiance::GatheredSensors(
+    ? irradiance::FinalGatherSensors(
         output, run.bands(), normals != nullptr, irradiance::haveErrors(scene))
-        .measure(run, { static_cast<std::uint32_t>(this->NumberOfRays), this->KeepRays },
-          this->Internals->Stored)
+        .measure(run, static_cast<std::uint32_t>(this->NumberOfRays), this->Internals->Stored)
     : irradiance::NearestSensors(output, run.bands())
         .measure(run,
           { static_cast<std::uint32_t>(this->NumberOfPhotons), this->MaximumRadius,
@@ -160,7 +161,7 @@ void vtkIrradianceProbeFilter::WriteEmpty(
   if (this->Estimate == Gathered)
   {
     const bool haveNormals = irradiance::sensorNormals(input) != nullptr;
-    irradiance::GatheredSensors(output, bands, haveNormals, irradiance::haveErrors(scene));
+    irradiance::FinalGatherSensors(output, bands, haveNormals, irradiance::haveErrors(scene));
   }
   else
   {
@@ -191,12 +192,16 @@ int vtkIrradianceProbeFilter::RequestData(
   });
 }
 
+void vtkIrradianceProbeFilter::SetKeepRays(bool)
+{
+  this->Internals->OldNames.warn(this, "KeepRays", "rays are kept where there is memory for them");
+}
+
 void vtkIrradianceProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Estimate: " << this->Estimate << "\n"
      << indent << "NumberOfRays: " << this->NumberOfRays << "\n"
-     << indent << "KeepRays: " << this->KeepRays << "\n"
      << indent << "NumberOfPhotons: " << this->NumberOfPhotons << "\n"
      << indent << "MaximumRadius: " << this->MaximumRadius << "\n"
      << indent << "MaximumDistance: " << this->MaximumDistance << "\n";

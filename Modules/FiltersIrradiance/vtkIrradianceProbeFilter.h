@@ -79,7 +79,7 @@
  * is read as its mean, which is a bias; it shrinks with the cells. The samples follow from the seed
  * of the source and the number of the point, so the result is the same on any threads, and after an
  * update that of a new filter, bit for bit. Where things have moved in the source, only the rays
- * are cast anew that this may change (KeepRays), and all read the present sums; when sensors
+ * are cast again that this may change, and all read the present sums; when sensors
  * change, those alone gather anew; after any other change all do. A point light beside cells with a
  * SpecularReflectance is an error. Documentation/Theory.md, section 5.8.
  *
@@ -149,17 +149,10 @@ public:
   vtkGetMacro(NumberOfRays, int);
   /// @}
 
-  /// @{
-  /**
-   * With Gathered, whether the rays of sensors are kept for frames in which things have moved,
-   * where the source keeps its walks for these (UpdateMode Verify): then only rays that this may
-   * change are cast anew. It takes some 6 kB for each sensor with 64 rays, and changes no result.
-   * Default on.
-   */
-  vtkSetMacro(KeepRays, bool);
-  vtkGetMacro(KeepRays, bool);
-  vtkBooleanMacro(KeepRays, bool);
-  /// @}
+  /// Old: nothing depends on it; one warning says so. Rays are kept where memory allows it.
+  void SetKeepRays(bool);
+  void KeepRaysOn() { this->SetKeepRays(true); }
+  void KeepRaysOff() { this->SetKeepRays(false); }
 
   /// @{
   /**
@@ -204,7 +197,6 @@ protected:
 
   int Estimate = Gathered;
   int NumberOfRays = 64;
-  bool KeepRays = true;
   int NumberOfPhotons = 50;
   double MaximumRadius = 0;
   double MaximumDistance = 0;

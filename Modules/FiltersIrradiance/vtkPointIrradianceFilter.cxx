@@ -3,6 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
+#include "Data/OldNames.h"
 #include "FinalGather/DarkShapes.h"
 #include "Input/PointFacets.h"
 #include "Output/EmptyPiece.h"
@@ -10,6 +11,7 @@
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/UpstreamRequest.h"
+#include "Pipeline/WalkMemory.h"
 #include "Views/SensorPlace.h"
 #include "Views/StoredSensors.h"
 
@@ -31,6 +33,7 @@ class vtkPointIrradianceFilter::vtkInternals
 {
 public:
   irradiance::StoredSensors Stored;
+  irradiance::OldNames OldNames;
 };
 
 namespace
@@ -93,7 +96,7 @@ void WriteEmptyPoints(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
   });
 }
 
-using Replicates = irradiance::SensorGather::Replicates;
+using Replicates = irradiance::SensorFinalGather::Replicates;
 
 void Add(const Replicates& received, double weight, Replicates& sum)
 {
@@ -138,7 +141,7 @@ public:
       }
       for (std::size_t side = 0; side < arrays.size(); ++side)
       {
-        arrays[side].set(facets[first].point, irradiance::SensorGather::lightOf(means[side]));
+        arrays[side].set(facets[first].point, irradiance::SensorFinalGather::lightOf(means[side]));
       }
     }
   }
@@ -146,7 +149,7 @@ public:
 private:
   static void WriteUnknown(vtkIdType points, const std::vector<irradiance::LightArrays>& arrays)
   {
-    irradiance::SensorGather::Light unknown{};
+    irradiance::SensorFinalGather::Light unknown{};
     unknown.value.fill(std::numeric_limits<double>::quiet_NaN());
     unknown.standardError = unknown.value;
     for (const irradiance::LightArrays& side : arrays)
@@ -212,8 +215,10 @@ void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBloc
         vtkMath::RadiansFromDegrees(this->FeatureAngle), rounding, cells, shapes, reading) });
   });
   irradiance::StoredSensors& stored = this->Internals->Stored;
-  stored.update(source.engine(), SensorsOf(surfaces),
-    static_cast<std::uint32_t>(this->NumberOfRays), this->KeepRays, execution);
+  const std::vector<irradiance::Sensor> sensors = SensorsOf(surfaces);
+  const auto rays = static_cast<std::uint32_t>(this->NumberOfRays);
+  stored.update(
+    source.engine(), sensors, rays, irradiance::mayKeepRays(sensors.size(), rays), execution);
   PointWriter writer(stored.replicates(), engine.walks().plan().replicates().count());
   for (const Surface& surface : surfaces)
   {
@@ -235,10 +240,14 @@ int vtkPointIrradianceFilter::RequestData(
   });
 }
 
+void vtkPointIrradianceFilter::SetKeepRays(bool)
+{
+  this->Internals->OldNames.warn(this, "KeepRays", "rays are kept where there is memory for them");
+}
+
 void vtkPointIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfRays: " << this->NumberOfRays << "\n"
-     << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
-     << indent << "KeepRays: " << this->KeepRays << "\n";
+     << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
 }

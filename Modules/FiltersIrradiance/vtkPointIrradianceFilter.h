@@ -31,7 +31,7 @@
  *
  * The samples follow from the seed of the source and the place of the point among all, so after an
  * update the result is that of a new filter, bit for bit. Where things have moved, only rays are
- * cast anew that this may change (KeepRays). Rays read means over the cells that they hit: this is
+ * cast again that this may change. Rays read means over the cells that they hit: this is
  * a bias, which shrinks with these. With DistributedInput each process gathers for the points of
  * its own pieces: the noise, and mean normals at their borders, depend on the division. While walks
  * are stale (RepairTimeBudget), the light rests on them as the irradiance does.
@@ -77,16 +77,10 @@ public:
   vtkGetMacro(FeatureAngle, double);
   /// @}
 
-  /// @{
-  /**
-   * Whether rays are kept for frames in which things have moved, where the source keeps its walks
-   * for these. It takes some 6 kB for each side of a point with 64 rays, and changes no result.
-   * Default on.
-   */
-  vtkSetMacro(KeepRays, bool);
-  vtkGetMacro(KeepRays, bool);
-  vtkBooleanMacro(KeepRays, bool);
-  /// @}
+  /// Old: nothing depends on it; one warning says so. Rays are kept where memory allows it.
+  void SetKeepRays(bool);
+  void KeepRaysOn() { this->SetKeepRays(true); }
+  void KeepRaysOff() { this->SetKeepRays(false); }
 
 protected:
   vtkPointIrradianceFilter();
@@ -100,7 +94,6 @@ protected:
 
   int NumberOfRays = 64;
   double FeatureAngle = 30;
-  bool KeepRays = true;
 
 private:
   vtkPointIrradianceFilter(const vtkPointIrradianceFilter&) = delete;

@@ -32,7 +32,7 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(estimate.spreadPhotons);
   hash.add(estimate.gatherRays);
   hash.add(estimate.maximumGatherRays);
-  hash.add(static_cast<int>(estimate.gatherOn));
+  hash.add(estimate.gathersEverywhere);
   hash.add(estimate.unbiasedGather);
   return hash.value();
 }

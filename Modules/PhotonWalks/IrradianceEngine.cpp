@@ -7,7 +7,7 @@
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
 #include "FinalGather/PathLights.h"
-#include "Walks/GatheredSources.h"
+#include "Walks/DirectSources.h"
 
 #include <algorithm>
 #include <cassert>
@@ -103,7 +103,7 @@ FrameChange IrradianceEngine::changeTo(
     const bool wasValid = std::exchange(isValid_, false);
     const CancelPoint cancelPoint = cancelPointOf(execution, 0);
     std::vector<WalkSource> sources = settings.gathersDirectLight
-      ? gatheredSourcesOf(objects, lights_.sources(objects, plan, solidSides_, cancelPoint),
+      ? directSourcesOf(objects, lights_.sources(objects, plan, solidSides_, cancelPoint),
           lights_.survey(objects, plan, solidSides_, cancelPoint), settings.fewestOfCells())
       : lights_.sources(objects, plan, solidSides_, cancelPoint);
     isValid_ = wasValid;

@@ -41,8 +41,7 @@ inline void ExpectFinite(vtkFieldData* data)
   {
     const std::string name = data->GetArrayName(i);
     const bool mayBeUnknown = name.find("StandardError") != std::string::npos ||
-      name == "ReachedRelativeError" || name == "GatheringBias" || name == "StaleGainBound" ||
-      name == "PhongExponent";
+      name == "ReachedRelativeError" || name == "StaleGainBound" || name == "PhongExponent";
     const bool isLight = name.find("Irradiance") != std::string::npos || name == "Radiance";
     vtkDataArray* array = data->GetArray(i);
     for (vtkIdType value = 0; !mayBeUnknown && value < array->GetNumberOfValues(); ++value)

@@ -47,7 +47,7 @@ inline void ChangeEstimate(Trial& t)
   t.Set().NumberOfSpreadPhotons = 1 << t.Random.Below(10);
   t.Set().NumberOfGatherRays = 1 << t.Random.Below(6);
   t.Set().MaximumNumberOfGatherRays = t.Set().NumberOfGatherRays << t.Random.Below(4);
-  t.Set().GatherOn = t.Random.Below(3);
+  t.Set().GatherOn = t.Random.Below(2) * vtkIrradianceFilter::AllCells;
   t.Set().UnbiasedGather = Chance(t.Random, 4);
   t.Apply();
 }

@@ -71,8 +71,6 @@ TEST(CellEstimate, DefaultsAndRange)
   EXPECT_EQ(filter->GetNumberOfGatherRays(), 32);
   EXPECT_EQ(filter->GetMaximumNumberOfGatherRays(), 1024);
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::SmallCells);
-  filter->SetGatherOnToDynamicCells();
-  EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::DynamicCells);
   filter->SetGatherOn(99);
   EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::AllCells) << "clamped";
   EXPECT_EQ(filter->GetUnbiasedGather(), 0);
@@ -208,30 +206,6 @@ TEST(CellEstimate, GatheredFindsTheLightOfSmallCells)
   sums->SetNumberOfWalks(NumberOfWalks);
   sums->Update();
   EXPECT_LT(Roughness(gathered), 0.5 * Roughness(sums));
-}
-
-// With its error bars, as long as it reads sums.
-TEST(CellEstimate, GatheredStatesItsBias)
-{
-  const auto filter = MakeGathering(MakeFineScene());
-  filter->Update();
-  const auto has = [&](const char* name) {
-    return filter->GetOutput()->GetFieldData()->GetArray(name) != nullptr;
-  };
-  EXPECT_FALSE(has("GatheringBias"));
-  filter->ComputeStandardErrorOn();
-  filter->Update();
-  EXPECT_LT(std::abs(Field(filter, "GatheringBias")), 0.2);
-  EXPECT_GT(Field(filter, "GatheringBiasStandardError"), 0);
-  filter->UnbiasedGatherOn();
-  filter->Update();
-  EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
-  EXPECT_EQ(Field(filter, "GatheringBias"), 0);
-  EXPECT_EQ(Field(filter, "GatheringBiasStandardError"), 0);
-  filter->SetCellEstimateToSums();
-  filter->Update();
-  EXPECT_TRUE(std::isnan(Field(filter, "GatheringBias"))); // no rays
-  EXPECT_TRUE(std::isnan(Field(filter, "GatheringBiasStandardError")));
 }
 
 TEST(CellEstimate, GatheredSaysWhatItNeeds)

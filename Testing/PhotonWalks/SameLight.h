@@ -2,7 +2,7 @@
 #ifndef irradiance_test_SameLight_h
 #define irradiance_test_SameLight_h
 
-#include "Views/SensorGather.h"
+#include "Views/SensorFinalGather.h"
 
 #include <cstring>
 #include <numeric>
@@ -13,7 +13,7 @@ namespace irradiance::test
 
 /// Bit for bit.
 inline bool areSame(
-  const std::vector<SensorGather::Light>& a, const std::vector<SensorGather::Light>& b)
+  const std::vector<SensorFinalGather::Light>& a, const std::vector<SensorFinalGather::Light>& b)
 {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
@@ -22,17 +22,17 @@ inline bool areSame(
 constexpr std::uint32_t kRays = 64;
 
 /// What sensors gather of the present frame of an engine.
-inline std::vector<SensorGather::Light> gathered(
+inline std::vector<SensorFinalGather::Light> gathered(
   const IrradianceEngine& engine, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
 {
   Execution serial;
   std::vector<std::size_t> numbers(sensors.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
-  return SensorGather(engine, rays, serial).at(sensors, numbers);
+  return SensorFinalGather(engine, rays, serial).at(sensors, numbers);
 }
 
 /// By a new engine.
-inline std::vector<SensorGather::Light> gathered(const SceneObjects& objects,
+inline std::vector<SensorFinalGather::Light> gathered(const SceneObjects& objects,
   const EngineSettings& settings, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
 {
   IrradianceEngine engine;

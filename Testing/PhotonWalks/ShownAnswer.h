@@ -10,7 +10,7 @@ namespace irradiance::test
 {
 
 /// The engine's whole answer, and the bits of all that it says of cells: irradiance, stale
-/// irradiance, standard errors and bias.
+/// irradiance and standard errors.
 inline Answer shownAnswer(
   const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
 {
@@ -37,8 +37,6 @@ inline Answer shownAnswer(
     }
   }
   add(engine.reachedRelativeError());
-  add(engine.gatheringBias().mean);
-  add(engine.gatheringBias().standardError);
   add(engine.watts(engine.balance().emitted[0]));
   answer.push_back(engine.numberOfWalks());
   return answer;

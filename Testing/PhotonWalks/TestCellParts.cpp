@@ -85,14 +85,14 @@ TEST(CellParts, GatherAnewWhenTheyMoveAlone)
   Execution serial;
   engine.update(objects, settings, serial);
   const auto gatheredOf = [&] {
-    std::vector<const GatheredLight*> all;
+    std::vector<const DirectGather*> all;
     for (const WalkSet& set : engine.walks().sets())
     {
-      set.forEachGathered([&](const GatheredLight& light) { all.push_back(&light); });
+      set.forEachGathered([&](const DirectGather& light) { all.push_back(&light); });
     }
     return all;
   };
-  const std::vector<const GatheredLight*> before = gatheredOf();
+  const std::vector<const DirectGather*> before = gatheredOf();
   ASSERT_EQ(before.size(), 5u);
   std::size_t hidden = 0;
   // Into the light of the next one, onto it, and out again; then the next one itself.
@@ -101,7 +101,7 @@ TEST(CellParts, GatherAnewWhenTheyMoveAlone)
   {
     objects.dynamicObjects[1].worldFromObject = test::shift(to);
     engine.update(objects, settings, serial);
-    const std::vector<const GatheredLight*> now = gatheredOf();
+    const std::vector<const DirectGather*> now = gatheredOf();
     for (const std::size_t set : { 0, 1, 3, 4 })
     {
       EXPECT_EQ(now[set], before[set]) << "set " << set;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gathering/DarkSides.h"
+#include "DirectLight/DarkSides.h"
 
 #include "EngineRun.h"
 #include "TestScenes.h"

@@ -2,8 +2,8 @@
 // Lights that are no brighter than the scene are shot, and found by rays; all others are looked
 // for.
 
-#include "Gathering/DimLights.h"
-#include "GatheringRuns.h"
+#include "DirectLight/DimLights.h"
+#include "DirectRuns.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <gtest/gtest.h>

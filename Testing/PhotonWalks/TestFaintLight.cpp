@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GatheringRuns.h"
+#include "DirectRuns.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gathering/FirstHits.h"
+#include "DirectLight/FirstHits.h"
 
-#include "GatheringRuns.h"
+#include "DirectRuns.h"
 #include "StaleLight.h"
 #include "Surfaces/MeanReflectance.h"
 #include "TestScenes.h"

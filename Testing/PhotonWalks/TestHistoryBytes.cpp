@@ -52,7 +52,7 @@ TEST(HistoryBytes, AreWhatIsAllocated)
   barred.replicates = 8;
   rays.cellEstimate = CellEstimate::Gathered;
   rays.gatherRays = 16;
-  rays.gatherOn = GatherOn::All;
+  rays.gathersEverywhere = true;
   for (const EngineSettings& settings : { shot, gathered, barred, rays })
   {
     const Bytes few = bytesOf(objects, settings, 150000), many = bytesOf(objects, settings, 600000);

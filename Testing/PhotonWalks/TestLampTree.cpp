@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gathering/LampChoice.h"
+#include "DirectLight/LampChoice.h"
 
 #include "TestScenes.h"
 

@@ -45,12 +45,12 @@ void addHalf(ObjectBuilder& builder, bool isMirrored)
   }
 }
 
-constexpr std::size_t kCells = 12; ///< of a half
+constexpr std::size_t kCellsOfHalf = 12; ///< of a half
 
 /// Watts on the cells of the half at x >= 0, from 16 seeds of 65,536 walks for each lamp: 10^6.
 std::vector<ReplicateMean> wattsOfHalf(const SceneObjects& objects, std::uint32_t lamps)
 {
-  std::vector<ReplicateMean> watts(kCells);
+  std::vector<ReplicateMean> watts(kCellsOfHalf);
   for (int seed = 1; seed <= 16; ++seed)
   {
     EngineSettings settings;
@@ -60,7 +60,7 @@ std::vector<ReplicateMean> wattsOfHalf(const SceneObjects& objects, std::uint32_
     IrradianceEngine engine;
     Execution execution;
     engine.update(objects, settings, execution);
-    for (std::size_t cell = 0; cell < kCells; ++cell)
+    for (std::size_t cell = 0; cell < kCellsOfHalf; ++cell)
     {
       watts[cell].add(test::wattsOn(engine, 0, cell, cell + 1));
     }
@@ -83,7 +83,7 @@ TEST(Mirrors, ARoomWithAMirrorEqualsTheDoubledRoom)
   addHalf(doubled, true);
   const auto with = wattsOfHalf({ mirrored.build(), {} }, 1);
   const auto twice = wattsOfHalf({ doubled.build(), {} }, 2);
-  for (std::size_t cell = 0; cell < kCells; ++cell)
+  for (std::size_t cell = 0; cell < kCellsOfHalf; ++cell)
   {
     const double difference = with[cell].mean() - twice[cell].mean();
     const double error = std::hypot(with[cell].standardError(), twice[cell].standardError());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gathering/PointDirectLight.h"
+#include "DirectLight/PointDirectLight.h"
 
 #include "EngineRun.h"
 #include "LambertContour.h"

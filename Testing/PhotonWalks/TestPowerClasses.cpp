@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A weak lamp beside a strong one has walks and samples of its own.
 
-#include "Gathering/PowerClasses.h"
+#include "DirectLight/PowerClasses.h"
 
-#include "GatheringRuns.h"
+#include "DirectRuns.h"
 
 #include <gtest/gtest.h>
 

@@ -113,7 +113,7 @@ TEST(Ranks, GatherAndReachATarget)
   settings.gathersDirectLight = true;
   settings.cellEstimate = CellEstimate::Gathered;
   settings.gatherRays = 8;
-  settings.gatherOn = GatherOn::All;
+  settings.gathersEverywhere = true;
   settings.targetRelativeError = 0.6;
   settings.maximumNumberOfWalks = 4000;
   settings.maximumGatherRays = 32;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gathering/SeenLamp.h"
+#include "DirectLight/SeenLamp.h"
 
 #include "EngineRun.h"
 #include "LambertContour.h"

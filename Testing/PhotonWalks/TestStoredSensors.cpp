@@ -170,7 +170,7 @@ TEST(StoredSensors, OnlySensorsThatMovedCast)
     StoredSensors stored;
     std::vector<Sensor> sensors(2, { Vector3::Zero(), Vector3::UnitZ() });
     stored.update(scene.engine, sensors, 64, keepsRays, serial);
-    const SensorGather::Light first = stored.lights()[0];
+    const SensorFinalGather::Light first = stored.lights()[0];
     const std::int64_t all = stored.numberCast();
     sensors[1].position = { 0.1, 0, 0 };
     stored.update(scene.engine, sensors, 64, keepsRays, serial);
@@ -190,8 +190,8 @@ TEST(StoredSensors, RaysOfLightsAreKeptOnlyForFramesToCome)
   Execution serial;
   for (const bool keepsRays : { true, false })
   {
-    const SensorGather gather(*scene.engine, test::kRays, serial, keepsRays);
-    SensorGather::Rays rays;
+    const SensorFinalGather gather(*scene.engine, test::kRays, serial, keepsRays);
+    SensorFinalGather::Rays rays;
     std::int64_t cast = 0;
     gather.update({ { { 0, 0, -1.3 }, -Vector3::UnitZ() } }, { 0 }, nullptr, rays, cast);
     std::ptrdiff_t shadows = 0;

@@ -186,15 +186,14 @@ const std::vector<Way>& UnbiasedWays()
   return ways;
 }
 
-/// All that the final gather finds on all cells is what the tracer finds and the bias that it
-/// states, within 1.5 %.
-void ExpectStatedBias(vtkIrradianceFilter* filter, const Estimates& traced,
+/// All that the final gather finds on all cells is what the tracer finds, within 2 %: rays take
+/// cells for evenly lit.
+void ExpectSmallBias(vtkIrradianceFilter* filter, const Estimates& traced,
   const std::vector<CellId>& cells, const std::vector<double>& areas)
 {
   filter->UnbiasedGatherOff();
-  filter->ComputeStandardErrorOn();
   filter->SetNumberOfGatherRays(16);
-  double found = 0, sum = 0, bias = 0;
+  double found = 0, sum = 0;
   constexpr int seeds = 4;
   for (int seed = 1; seed <= seeds; ++seed)
   {
@@ -205,14 +204,13 @@ void ExpectStatedBias(vtkIrradianceFilter* filter, const Estimates& traced,
     {
       found += all[cells[i].object][cells[i].cell].sum() * areas[i] / seeds;
     }
-    bias += filter->GetOutput()->GetFieldData()->GetArray("GatheringBias")->GetTuple1(0) / seeds;
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     sum += traced.mean(i).sum() * areas[i];
   }
-  std::cout << "gathered: off by " << found / sum - 1 << ", bias stated " << bias << "\n";
-  EXPECT_NEAR(found / sum - 1, bias, 0.015);
+  std::cout << "gathered: off by " << found / sum - 1 << "\n";
+  EXPECT_NEAR(found / sum, 1, 0.02);
 }
 
 void ExpectSameIrradiance(vtkIrradianceFilter* filter, std::uint32_t samples)
@@ -235,7 +233,7 @@ void ExpectSameIrradiance(vtkIrradianceFilter* filter, std::uint32_t samples)
     }
     ExpectAgreement(traced, filtered, objects.staticObject.material->bands, areas, least);
   }
-  ExpectStatedBias(filter, traced, cells, areas);
+  ExpectSmallBias(filter, traced, cells, areas);
 }
 
 }

@@ -20,7 +20,7 @@ modules=(RayCasting PhotonWalks FiltersIrradiance)
 # From the bottom to the top. A module's own folder, without a room, is where its front door is.
 rooms=(
   RayCasting/{Simd,Progress,Geometry,Meshes,Trees,Ellipsoids,Kernels,Scene} RayCasting
-  PhotonWalks/{Execution,Sampling,Surfaces,Lights,History,Photons,Tally,Gathering,Shooting,Repair,Walks,FinalGather,Estimates,Exposure} PhotonWalks
+  PhotonWalks/{Execution,Sampling,Surfaces,Lights,History,Photons,Tally,DirectLight,Shooting,Repair,Walks,FinalGather,Estimates,Exposure} PhotonWalks
   PhotonWalks/Views
   FiltersIrradiance/{Data,Input,Pipeline,Output,Time} FiltersIrradiance)
 failures=0

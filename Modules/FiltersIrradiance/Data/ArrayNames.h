@@ -72,7 +72,6 @@ constexpr const char* kNumberOfGatherRays = "NumberOfGatherRays";
 constexpr const char* kDirectLight = "DirectLight";
 constexpr const char* kCellEstimate = "CellEstimate";
 constexpr const char* kConfidenceFactor = "ConfidenceFactor";
-constexpr const char* kGatheringBias = "GatheringBias";
 constexpr const char* kReachedRelativeError = "ReachedRelativeError";
 constexpr const char* kNumberOfInvalidWalks = "NumberOfInvalidWalks";
 constexpr const char* kNumberOfRepairedSegments = "NumberOfRepairedSegments";

@@ -335,7 +335,7 @@ std::string SceneAdvice::readingWarning() const
     return {};
   }
   const std::uint32_t walks = engine_.walks().plan().walksAfter(1);
-  const CellRoles roles(engine_.cells(), walks, settings.gatherRays, settings.gatherOn);
+  const CellRoles roles(engine_.cells(), walks, settings.gatherRays, settings.gathersEverywhere);
   double largest = 0; // m2
   engine_.cells().numbers().forEach(
     [&](const SceneCell& cell) { largest = std::max(largest, engine_.cells().area(cell)); });

@@ -22,7 +22,7 @@ public:
     vtkIdType tuples, bool haveErrors);
 
   bool haveErrors() const { return errors_ != nullptr; }
-  /// `light`: see SensorGather::Light.
+  /// `light`: see SensorFinalGather::Light.
   template <class Light>
   void set(vtkIdType tuple, const Light& light) const
   {

@@ -350,9 +350,6 @@ void OutputWriter::addStatistics(vtkFieldData* fields) const
   if (withErrors_)
   {
     addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));
-    const GatheringBias bias = engine_.gatheringBias();
-    addNumber(kGatheringBias, bias.mean);
-    addNumber(standardErrorName(kGatheringBias).c_str(), bias.standardError);
   }
   if (settings_.targetRelativeError > 0)
   {

@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr double kMega = 1e6;
+constexpr double kMuch = 256 * kMega; ///< less is not worth asking the system
 
 /// Of one stored segment.
 double segmentBytes()
@@ -56,12 +57,18 @@ void requireMemory(const SceneObjects& objects, const EngineSettings& settings, 
   // A walk from a light has at least one segment. Walks from cells are born only where light
   // arrives.
   const double bytes = walksHere(settings, ranks) * segmentBytes();
-  constexpr double kMuch = 256 * kMega; // less is not worth asking the system
   if (storesWalks(objects, settings) && !settings.gathersDirectLight && bytes > kMuch &&
     bytes > availableBytes())
   {
     throw InputError(sentence(settings, "at least ", bytes));
   }
+}
+
+bool mayKeepRays(std::size_t sensors, std::uint32_t raysOfEach)
+{
+  constexpr double bytesOfRay = 100; // some 6 kB for each sensor with 64 rays
+  const double bytes = bytesOfRay * raysOfEach * static_cast<double>(sensors);
+  return bytes < kMuch || bytes < availableBytes() / 4;
 }
 
 std::string outOfMemory(

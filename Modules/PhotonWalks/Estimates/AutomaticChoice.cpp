@@ -24,7 +24,7 @@ struct Reading
 
 Reading readingOf(const SceneCells& cells, double walks, std::uint32_t rays)
 {
-  const CellRoles roles(cells, walks, rays, GatherOn::Small);
+  const CellRoles roles(cells, walks, rays);
   Reading reading;
   cells.numbers().forEach([&](const SceneCell& cell) {
     const double area = cells.area(cell);
@@ -60,7 +60,7 @@ std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t a
 /// cells. What differs over the surface from which these come is blurred.
 double errorOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays, double photons)
 {
-  const CellRoles roles(cells, walks, rays, GatherOn::Small);
+  const CellRoles roles(cells, walks, rays);
   std::vector<double> areas, small; // m2, and a number, by object
   cells.numbers().forEach([&](const SceneCell& cell) {
     areas.resize(std::max<std::size_t>(areas.size(), cell.object + 1));
@@ -82,7 +82,7 @@ double errorOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays,
   return number > 0 ? noise / number : kInfinity;
 }
 
-/// Of the light that small cells gather from lights of this variance, see GatherPilot. That is of
+/// Of the light that small cells gather from lights of this variance, see DirectPilot. That is of
 /// static cells; few of these are so near to lamps that they have most of it.
 double noiseOfSamples(double variance)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/CellEstimate.h"
 
-#include "Estimates/GatherEstimator.h"
+#include "Estimates/FinalGatherEstimator.h"
 #include "Estimates/SpreadEstimator.h"
 #include "Estimates/SumEstimator.h"
 
@@ -18,10 +18,11 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
     case CellEstimate::Spread:
       return std::make_unique<SpreadEstimator>(source, settings.spreadPhotons);
     case CellEstimate::Gathered:
-      return std::make_unique<GatherEstimator>(source,
-        GatherEstimator::Settings{ settings.gatherRays,
-          walks.targetRelativeError > 0 ? settings.maximumGatherRays : 0, settings.gatherOn,
-          settings.unbiasedGather, walks.separateSides, walks.seed, walks.verify });
+      return std::make_unique<FinalGatherEstimator>(source,
+        FinalGatherEstimator::Settings{ settings.gatherRays,
+          walks.targetRelativeError > 0 ? settings.maximumGatherRays : 0,
+          settings.gathersEverywhere, settings.unbiasedGather, walks.separateSides, walks.seed,
+          walks.verify });
     default:
       return std::make_unique<SumEstimator>(source);
   }
@@ -42,7 +43,7 @@ FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamp
     fewest = fewest.asMany();
     fewest.small = std::max({ fewest.small, kFewest, settings.gatherRays / 2 });
     fewest.large = std::max(fewest.large,
-      settings.gatherOn == GatherOn::All ? CellRoles::kTimesOfLarge * fewest.small : fewest.small);
+      settings.gathersEverywhere ? CellRoles::kTimesOfLarge * fewest.small : fewest.small);
   }
   return fewest;
 }

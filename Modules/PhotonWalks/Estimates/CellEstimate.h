@@ -2,8 +2,7 @@
 #ifndef irradiance_CellEstimate_h
 #define irradiance_CellEstimate_h
 
-#include "FinalGather/GatherOn.h"
-#include "Gathering/FewestSamples.h"
+#include "DirectLight/FewestSamples.h"
 
 #include <cstdint>
 #include <memory>
@@ -19,9 +18,10 @@ struct WalkSettings;
 /// From which photons the irradiance of a cell is estimated. Outputs state the number.
 enum class CellEstimate
 {
-  Sums = 0,    ///< those that arrived in it
-  Spread = 1,  ///< small cells: also the photons of the cells around it, see CellSpread
-  Gathered = 3 ///< small cells, or more of them: those of what their rays hit, see GatherEstimator
+  Sums = 0,   ///< those that arrived in it
+  Spread = 1, ///< small cells: also the photons of the cells around it, see CellSpread
+  Gathered =
+    3 ///< small cells, or more of them: those of what their rays hit, see FinalGatherEstimator
 };
 
 struct EstimateSettings
@@ -33,7 +33,7 @@ struct EstimateSettings
   /// for each; >= 1.
   std::uint32_t gatherRays = 32;
   std::uint32_t maximumGatherRays = 1024; ///< >= gatherRays; with a target, see RayRounds
-  GatherOn gatherOn = GatherOn::Small;
+  bool gathersEverywhere = false;         ///< with Gathered: all cells, not only small ones
   /// With Gathered: no sums are read; paths ask the lights wherever they hit.
   bool unbiasedGather = false;
 };
@@ -43,7 +43,7 @@ inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
 {
   return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons &&
     a.gatherRays == b.gatherRays && a.maximumGatherRays == b.maximumGatherRays &&
-    a.gatherOn == b.gatherOn && a.unbiasedGather == b.unbiasedGather;
+    a.gathersEverywhere == b.gathersEverywhere && a.unbiasedGather == b.unbiasedGather;
 }
 
 std::unique_ptr<CellEstimator> makeCellEstimator(

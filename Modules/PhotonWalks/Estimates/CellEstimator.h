@@ -3,7 +3,6 @@
 #define irradiance_CellEstimator_h
 
 #include "Estimates/ErrorEstimate.h"
-#include "FinalGather/GatheringBias.h"
 #include "Walks/WalkSets.h"
 
 namespace irradiance
@@ -49,9 +48,6 @@ public:
   /// The errors of irradiance(), from the variance between replicates; what the estimate blurs is
   /// not in them.
   virtual ErrorEstimate errorEstimate() const = 0;
-
-  /// Of cells that gather by reading others; unknown if none does, or there are no replicates.
-  virtual GatheringBias gatheringBias() const { return {}; }
 
   /// Rounds of rays that there may be; those of walks are in the plan.
   virtual std::size_t mostRayRounds() const { return 1; }

@@ -60,7 +60,7 @@ void SideSums::count(const WalkSet& set, const SceneObjects& objects, Execution&
   const CancelPoint cancelPoint = cancelPointOf(execution, 1);
   PowerBalance balance; // is known already
   set.forEachGathered(
-    [&](const GatheredLight& light) { light.addTo(sums, balance, DealtBlocks(), 1, cancelPoint); });
+    [&](const DirectGather& light) { light.addTo(sums, balance, DealtBlocks(), 1, cancelPoint); });
   counted_->add(sums, cancelPoint);
 }
 

@@ -5,9 +5,9 @@ namespace irradiance
 {
 
 CellRoles::CellRoles(
-  const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on, bool readsCells)
+  const SceneCells& cells, double walks, std::uint32_t rays, bool isEverywhere, bool readsCells)
   : cells_(cells)
-  , on_(on)
+  , isEverywhere_(isEverywhere)
   , readsCells_(readsCells)
   , photons_(kPhotonsPerRay * rays)
 {

@@ -2,7 +2,6 @@
 #ifndef irradiance_CellRoles_h
 #define irradiance_CellRoles_h
 
-#include "FinalGather/GatherOn.h"
 #include "Surfaces/SceneCells.h"
 
 #include <algorithm>
@@ -31,17 +30,16 @@ public:
   /// Large cells that gather take so many times as many rays: most of the area is theirs.
   static constexpr std::uint32_t kTimesOfLarge = 4;
 
-  /// `walks`: of all area. `rays`: of each side of a small cell; 0: none gathers. `readsCells`:
-  /// else no cell is read.
-  CellRoles(
-    const SceneCells& cells, double walks, std::uint32_t rays, GatherOn on, bool readsCells = true);
+  /// `walks`: of all area. `rays`: of each side of a small cell; 0: none gathers. `isEverywhere`:
+  /// all cells gather; else small ones. `readsCells`: else no cell is read.
+  CellRoles(const SceneCells& cells, double walks, std::uint32_t rays, bool isEverywhere = false,
+    bool readsCells = true);
 
   /// Photons that a cell of this area, m2, expects.
   double expectedOn(double area) const { return area * walksPerArea_; }
   bool gathers(const SceneCell& cell) const
   {
-    const bool asked = on_ == GatherOn::All || (on_ == GatherOn::Dynamic && cell.object > 0);
-    return cells_.area(cell) > 0 && photons_ > 0 && (asked || isSmall(cell));
+    return cells_.area(cell) > 0 && photons_ > 0 && (isEverywhere_ || isSmall(cell));
   }
   /// How many times the rays of the settings each side of a cell takes that gathers.
   std::uint32_t timesOf(const SceneCell& cell) const { return isSmall(cell) ? 1 : kTimesOfLarge; }
@@ -55,7 +53,7 @@ private:
   bool isSmall(const SceneCell& cell) const { return expectedOn(cells_.area(cell)) < photons_; }
 
   const SceneCells& cells_;
-  GatherOn on_;
+  bool isEverywhere_;
   bool readsCells_;
   double photons_;          ///< small cells expect fewer
   double walksPerArea_ = 0; ///< 1/m2

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/DarkShapes.h"
 
+#include "DirectLight/DarkSides.h"
 #include "FinalGather/PathLights.h"
-#include "Gathering/DarkSides.h"
 
 #include <algorithm>
 #include <vector>

@@ -13,17 +13,16 @@
 namespace irradiance
 {
 
-void FinalGather::update(const GatherScene& scene, std::size_t rounds, Execution& execution)
+void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution)
 {
   indirect_ = CellSums::ofGathered(scene.objects, 2, scene.known.all.plan(), 1);
   stale_ = CellSums::ofGathered(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
   noise_ = CellSums::ofGathered(scene.objects, 2, {}, scene.tellsNoise ? 1 : 0);
-  excess_.assign(scene.checksReadings ? scene.replicates() : 0, 0);
   followed_ = read_ = 0;
   findGatherers(scene);
   Ranks& ranks = execution.ranks();
   Origin origin = originOf(scene, ranks);
-  const std::optional<GatherMotion> motion = motionTo(scene, origin);
+  const std::optional<FinalGatherMotion> motion = motionTo(scene, origin);
   origin_.reset(); // until the end is reached
   const std::size_t together = startsTogether(scene);
   const std::size_t units = (gatherers_.size() + together - 1) / together;
@@ -54,7 +53,6 @@ void FinalGather::update(const GatherScene& scene, std::size_t rounds, Execution
     indirect_.sumOver(ranks, cancelPointOf(execution, 1));
     stale_.sumOver(ranks, cancelPointOf(execution, 1));
     noise_.sumOver(ranks, cancelPointOf(execution, 1));
-    ranks.sum(excess_.data(), excess_.size());
   }
   if (scene.keepsPaths)
   {
@@ -86,16 +84,14 @@ std::size_t FinalGather::bytes() const
     indirect_.bytes() + stale_.bytes() + noise_.bytes() + gatherers_.capacity() * sizeof(Gatherer);
   for (const Unit& unit : units_)
   {
-    bytes += unit.sides.capacity() * sizeof(Side) + unit.rounds.size() * sizeof(Round);
-    bytes = std::accumulate(
-      unit.rounds.begin(), unit.rounds.end(), bytes, [](std::size_t sum, const Round& round) {
-        return sum + round.paths.bytes() + round.checks.bytes();
-      });
+    bytes += unit.sides.capacity() * sizeof(Side) + unit.rounds.size() * sizeof(FollowedPaths);
+    bytes = std::accumulate(unit.rounds.begin(), unit.rounds.end(), bytes,
+      [](std::size_t sum, const FollowedPaths& paths) { return sum + paths.bytes(); });
   }
   return bytes;
 }
 
-void FinalGather::findGatherers(const GatherScene& scene)
+void FinalGather::findGatherers(const FinalGatherScene& scene)
 {
   gatherers_.clear();
   const CellNumbers& numbers = scene.cells.numbers();
@@ -107,7 +103,7 @@ void FinalGather::findGatherers(const GatherScene& scene)
   });
 }
 
-FinalGather::Origin FinalGather::originOf(const GatherScene& scene, const Ranks& ranks) const
+FinalGather::Origin FinalGather::originOf(const FinalGatherScene& scene, const Ranks& ranks) const
 {
   Origin origin{ pathsOriginOf(scene), ranks.rank(), ranks.count(), {} };
   for (const Gatherer& gatherer : gatherers_)
@@ -117,8 +113,8 @@ FinalGather::Origin FinalGather::originOf(const GatherScene& scene, const Ranks&
   return origin;
 }
 
-std::optional<GatherMotion> FinalGather::motionTo(
-  const GatherScene& scene, const Origin& origin) const
+std::optional<FinalGatherMotion> FinalGather::motionTo(
+  const FinalGatherScene& scene, const Origin& origin) const
 {
   const bool isSame = origin_ && origin.rank == origin_->rank && origin.ranks == origin_->ranks &&
     origin.gatherers == origin_->gatherers;
@@ -126,7 +122,7 @@ std::optional<GatherMotion> FinalGather::motionTo(
 }
 
 std::vector<FinalGather::Side> FinalGather::sidesOf(
-  const GatherScene& scene, std::size_t unit) const
+  const FinalGatherScene& scene, std::size_t unit) const
 {
   const std::size_t together = startsTogether(scene);
   const std::size_t end = std::min((unit + 1) * together, gatherers_.size());
@@ -146,9 +142,9 @@ std::vector<FinalGather::Side> FinalGather::sidesOf(
 }
 
 void FinalGather::gather(
-  const Rounds& rounds, std::size_t read, const GatherMotion* motion, std::size_t number)
+  const Rounds& rounds, std::size_t read, const FinalGatherMotion* motion, std::size_t number)
 {
-  const GatherScene& scene = rounds.front();
+  const FinalGatherScene& scene = rounds.front();
   Unit& unit = units_[number];
   std::vector<Side> sides = sidesOf(scene, number);
   if (!(motion && sides == unit.sides))
@@ -168,7 +164,7 @@ void FinalGather::gather(
   std::vector<PathSums> brought(read);
   for (std::size_t round = 0; round < read; ++round)
   {
-    const FollowedPaths& paths = unit.rounds[round].paths;
+    const FollowedPaths& paths = unit.rounds[round];
     brought[round].read(rounds[round], paths, paths.size() / rounds[round].rays);
     read_ += static_cast<std::int64_t>(paths.numberOfSegments());
   }
@@ -182,26 +178,13 @@ void FinalGather::gather(
     }
     start += side.starts;
   }
-  for (std::size_t round = 0; scene.checksReadings && round < read; ++round)
-  {
-    addExcess(unit.rounds[round].checks.excess(rounds[round]), RayRounds::share(round, read));
-  }
 }
 
-void FinalGather::addExcess(const std::vector<double>& excess, double share)
+void FinalGather::follow(const FinalGatherScene& scene, const FinalGatherMotion* motion,
+  const std::vector<Side>& sides, FollowedPaths& paths)
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (std::size_t k = 0; k < excess.size(); ++k)
-  {
-    excess_[k] += nearestQuanta(share * excess[k]);
-  }
-}
-
-void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion,
-  const std::vector<Side>& sides, Round& round)
-{
-  std::unique_ptr<GatherPaths> paths = paths_.take();
-  paths->begin(scene);
+  std::unique_ptr<FinalGatherPaths> following = paths_.take();
+  following->begin(scene);
   std::vector<std::size_t> from;
   std::vector<std::uint32_t> rays;
   for (const Side& side : sides)
@@ -210,8 +193,8 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion,
     rays.clear();
     for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
     {
-      const bool isAnew = !motion || motion->hasMoved(gatherer.cell.object) ||
-        motion->mayChange(round.paths[from.size()]);
+      const bool isAnew =
+        !motion || motion->hasMoved(gatherer.cell.object) || motion->mayChange(paths[from.size()]);
       from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
       if (isAnew)
       {
@@ -220,37 +203,16 @@ void FinalGather::follow(const GatherScene& scene, const GatherMotion* motion,
     }
     if (!rays.empty())
     {
-      paths->addSide(scene, gatherer.shape, side.side == 0, numberOf(side), rays);
+      following->addSide(scene, gatherer.shape, side.side == 0, numberOf(side), rays);
     }
   }
-  paths->run(scene);
-  followed_ += static_cast<std::int64_t>(paths->followed().size());
-  round.paths = motion ? paths->followed().mergedWith(round.paths, from) : paths->takeFollowed();
-  if (scene.checksReadings)
-  {
-    followed_ +=
-      round.checks.update(scene, round.paths, startsOf(scene, sides), { motion, from }, *paths);
-  }
-  paths_.giveBack(std::move(paths));
+  following->run(scene);
+  followed_ += static_cast<std::int64_t>(following->followed().size());
+  paths = motion ? following->followed().mergedWith(paths, from) : following->takeFollowed();
+  paths_.giveBack(std::move(following));
 }
 
-std::vector<ReadingChecks::Start> FinalGather::startsOf(
-  const GatherScene& scene, const std::vector<Side>& sides) const
-{
-  std::vector<ReadingChecks::Start> starts;
-  for (const Side& side : sides)
-  {
-    const double area = scene.cells.area(gatherers_[side.gatherer].cell) / side.starts;
-    for (std::uint64_t start = 0; start < side.starts; ++start)
-    {
-      const std::uint64_t number = std::uint64_t{ scene.round } << 48 | start << 40;
-      starts.push_back({ number | numberOf(side), area });
-    }
-  }
-  return starts;
-}
-
-void FinalGather::store(const GatherScene& scene, const std::vector<PathSums>& brought,
+void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSums>& brought,
   std::size_t start, const Side& side)
 {
   const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
@@ -284,7 +246,7 @@ void FinalGather::store(const GatherScene& scene, const std::vector<PathSums>& b
 }
 
 /// The last round has half of all rays. Where it is the first, it is halved itself.
-void FinalGather::storeNoise(const GatherScene& scene, const std::vector<PathSums>& brought,
+void FinalGather::storeNoise(const FinalGatherScene& scene, const std::vector<PathSums>& brought,
   std::size_t start, const Side& side)
 {
   const CellSide cell{ gatherers_[side.gatherer].cell, side.side };

@@ -4,14 +4,12 @@
 
 #include "Execution/Execution.h"
 #include "Execution/Pool.h"
-#include "FinalGather/GatherPaths.h"
+#include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathSums.h"
 #include "FinalGather/PathsOrigin.h"
-#include "FinalGather/ReadingChecks.h"
 
 #include <atomic>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -30,9 +28,9 @@ class FinalGather
 {
 public:
   /// To a frame, by the first `rounds` rounds of rays, see RayRounds; paths of further ones are
-  /// kept. `scene`: with the rays of the first. Throws Interrupted, and what GatherPaths::run()
+  /// kept. `scene`: with the rays of the first. Throws Interrupted, and what FinalGatherPaths::run()
   /// throws; after that nothing is kept.
-  void update(const GatherScene& scene, std::size_t rounds, Execution& execution);
+  void update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution);
   /// Forgets the paths of all but the first rounds.
   void dropRounds(std::size_t kept);
 
@@ -43,12 +41,9 @@ public:
   /// The standard deviation of what a side receives, in all replicates together, which comes of the
   /// rays alone; by side, quanta. Nothing if the scene tells no noise.
   const CellSums& noise() const { return noise_; }
-  /// What all cells receive too much in each replicate, see ReadingChecks; quanta of all bands
-  /// together. Nothing if nothing is checked.
-  const std::vector<std::int64_t>& excess() const { return excess_; }
   /// Of what is kept.
   std::size_t bytes() const;
-  /// Paths that the last update followed, those of checks too.
+  /// Paths that the last update followed.
   std::int64_t numberFollowed() const { return followed_; }
   /// Segments of all paths that the last update read, of all ranks.
   std::int64_t segments() const { return segments_; }
@@ -72,21 +67,14 @@ private:
     }
   };
 
-  /// Of the rays of a round.
-  struct Round
-  {
-    FollowedPaths paths;
-    ReadingChecks checks; ///< if readings are checked
-  };
-
   /// Sides of gatherers that follow each other, whose rays are cast together, and their paths, by
   /// round.
   struct Unit
   {
     std::vector<Side> sides;
-    std::vector<Round> rounds;
+    std::vector<FollowedPaths> rounds;
   };
-  using Rounds = std::vector<GatherScene>; ///< the scene, with the rays of each round
+  using Rounds = std::vector<FinalGatherScene>; ///< the scene, with the rays of each round
 
   /// What paths depend on besides poses.
   struct Origin
@@ -96,45 +84,39 @@ private:
     std::vector<SceneCell> gatherers;
   };
 
-  void findGatherers(const GatherScene& scene);
-  Origin originOf(const GatherScene& scene, const Ranks& ranks) const;
+  void findGatherers(const FinalGatherScene& scene);
+  Origin originOf(const FinalGatherScene& scene, const Ranks& ranks) const;
   /// What moved since; nothing if no path can be kept.
-  std::optional<GatherMotion> motionTo(const GatherScene& scene, const Origin& origin) const;
-  std::vector<Side> sidesOf(const GatherScene& scene, std::size_t unit) const;
+  std::optional<FinalGatherMotion> motionTo(
+    const FinalGatherScene& scene, const Origin& origin) const;
+  std::vector<Side> sidesOf(const FinalGatherScene& scene, std::size_t unit) const;
   /// Of a unit: follows all `rounds`, and reads the first so many.
-  void gather(const Rounds& rounds, std::size_t read, const GatherMotion* motion, std::size_t unit);
-  /// Follows anew the paths of a round that may have changed, all if nothing is kept, and checks
-  /// what they read.
-  void follow(const GatherScene& scene, const GatherMotion* motion, const std::vector<Side>& sides,
-    Round& round);
+  void gather(
+    const Rounds& rounds, std::size_t read, const FinalGatherMotion* motion, std::size_t unit);
+  /// Follows again the paths of a round that may have changed, all if nothing is kept.
+  void follow(const FinalGatherScene& scene, const FinalGatherMotion* motion,
+    const std::vector<Side>& sides, FollowedPaths& paths);
   /// By the place among sides that gather. The number of its cell would not do: absent cells have
   /// numbers in a frame that follows others, and none in a fresh one.
   static std::uint64_t numberOf(const Side& side)
   {
     return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
   }
-  /// Of the paths of a round.
-  std::vector<ReadingChecks::Start> startsOf(
-    const GatherScene& scene, const std::vector<Side>& sides) const;
-  /// `share`: of the round's rays in all that are read.
-  void addExcess(const std::vector<double>& excess, double share);
   /// `brought`: by round. `start`: the first of the side's.
-  void store(const GatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
+  void store(const FinalGatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
     const Side& side);
   /// See noise().
-  void storeNoise(const GatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
-    const Side& side);
+  void storeNoise(const FinalGatherScene& scene, const std::vector<PathSums>& brought,
+    std::size_t start, const Side& side);
 
   std::vector<Gatherer> gatherers_;
   std::vector<Unit> units_;
   std::size_t keptRounds_ = 0;
   std::optional<Origin> origin_;                        ///< of the paths that are kept
-  Pool<GatherPaths> paths_;                             ///< what threads work with
+  Pool<FinalGatherPaths> paths_;                        ///< what threads work with
   std::atomic<std::int64_t> followed_{ 0 }, read_{ 0 }; ///< of this rank: paths, segments
   std::int64_t segments_ = 0;
   CellSums indirect_, stale_, noise_;
-  std::mutex mutex_;
-  std::vector<std::int64_t> excess_; ///< guarded by it while threads work
 };
 
 }

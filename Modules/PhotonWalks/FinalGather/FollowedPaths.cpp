@@ -64,7 +64,7 @@ FollowedPaths FollowedPaths::mergedWith(
 
 std::size_t FollowedPaths::bytes() const
 {
-  return segments_.capacity() * sizeof(GatherSegment) + values_.capacity() * sizeof(double) +
+  return segments_.capacity() * sizeof(PathSegment) + values_.capacity() * sizeof(double) +
     shadows_.capacity() * sizeof(ShadowRay) + ends_.capacity() * sizeof(End);
 }
 

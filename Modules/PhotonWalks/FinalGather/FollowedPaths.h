@@ -2,7 +2,7 @@
 #ifndef irradiance_FollowedPaths_h
 #define irradiance_FollowedPaths_h
 
-#include "Gathering/ShadowRay.h"
+#include "DirectLight/ShadowRay.h"
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace irradiance
 {
 
 /// A segment of a path, from one hit to the next.
-struct GatherSegment
+struct PathSegment
 {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -40,8 +40,8 @@ public:
   /// A path's part.
   struct Path
   {
-    const GatherSegment* begin;
-    const GatherSegment* end;
+    const PathSegment* begin;
+    const PathSegment* end;
     const double* values;
     const ShadowRay* shadows;
     const ShadowRay* endOfShadows;
@@ -59,7 +59,7 @@ public:
   void clear();
   void reserve(std::size_t paths, std::size_t segments, std::size_t values);
   /// To the path that endPath() ends.
-  void addSegment(const GatherSegment& segment) { segments_.push_back(segment); }
+  void addSegment(const PathSegment& segment) { segments_.push_back(segment); }
   /// With several bands the weights of each segment; what the lights brought where they were asked;
   /// the weight of a lamp.
   void addValue(double value) { values_.push_back(value); }
@@ -67,7 +67,6 @@ public:
   void endPath() { ends_.push_back({ segments_.size(), values_.size(), shadows_.size() }); }
   /// Adds paths [first, end) of others.
   void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
-  void addPath(const FollowedPaths& from, std::size_t path) { addPaths(from, path, path + 1); }
   /// These, in order, and among them some that were followed before: for each of all, its place
   /// there, or kAnew.
   static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
@@ -84,7 +83,7 @@ private:
   /// Of the paths before.
   End startOf(std::size_t path) const { return path == 0 ? End{ 0, 0, 0 } : ends_[path - 1]; }
 
-  std::vector<GatherSegment> segments_;
+  std::vector<PathSegment> segments_;
   std::vector<double> values_;
   std::vector<ShadowRay> shadows_;
   std::vector<End> ends_;

@@ -21,7 +21,7 @@ double weightBeside(double density, double other)
 
 }
 
-PointDirectLight::Bands lobeLight(const GatherScene& scene, const PathVertex& from,
+PointDirectLight::Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from,
   const PhongLobe& lobe, std::uint64_t number, std::uint32_t share)
 {
   const Vector3& normal = from.place.normal;
@@ -40,8 +40,8 @@ PointDirectLight::Bands lobeLight(const GatherScene& scene, const PathVertex& fr
   return sum;
 }
 
-double lampWeight(const GatherScene& scene, const Ray& ray, double density, const TriangleId& lamp,
-  const Vector3& place)
+double lampWeight(const FinalGatherScene& scene, const Ray& ray, double density,
+  const TriangleId& lamp, const Vector3& place)
 {
   const Vector3 front = scene.space.scene.worldTriangle(ray.start).areaVector().normalized();
   const Vector3 normal = front.dot(ray.direction) > 0 ? front : Vector3(-front);

@@ -2,7 +2,7 @@
 #ifndef irradiance_LobeLight_h
 #define irradiance_LobeLight_h
 
-#include "FinalGather/GatherScene.h"
+#include "FinalGather/FinalGatherScene.h"
 
 namespace irradiance
 {
@@ -25,13 +25,13 @@ struct PathVertex
 
 /// pi times the radiance, W/m2/sr, of what the lights bring, by asking them, for a specular
 /// reflectance of 1. `number` and `share`: see PointDirectLight::taken().
-PointDirectLight::Bands lobeLight(const GatherScene& scene, const PathVertex& from,
+PointDirectLight::Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from,
   const PhongLobe& lobe, std::uint64_t number, std::uint32_t share);
 
 /// The weight of a lamp that a ray meets at a place. `density`: of its direction, 1/sr, where it
 /// left a lobe.
-double lampWeight(const GatherScene& scene, const Ray& ray, double density, const TriangleId& lamp,
-  const Vector3& place);
+double lampWeight(const FinalGatherScene& scene, const Ray& ray, double density,
+  const TriangleId& lamp, const Vector3& place);
 
 }
 

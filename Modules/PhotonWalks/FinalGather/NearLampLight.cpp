@@ -7,11 +7,11 @@ namespace irradiance
 namespace
 {
 
-/// As in a room, see GatherPlan.
+/// As in a room, see DirectPlan.
 constexpr double kWalksPerSample = 36;
 
 /// All sides of cells that do not gather count as dark: they take no samples.
-CellShapes gatheringAlone(const GatherScene& scene)
+CellShapes gatheringAlone(const FinalGatherScene& scene)
 {
   CellShapes shapes = scene.shapes;
   scene.cells.numbers().forEach([&](const SceneCell& cell) {
@@ -25,7 +25,7 @@ CellShapes gatheringAlone(const GatherScene& scene)
 
 }
 
-void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t rounds,
+void addNearLampLight(const FinalGatherScene& scene, const WalkSet& set, std::size_t rounds,
   CellSums& sums, Execution& execution)
 {
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
@@ -36,7 +36,7 @@ void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t 
   const std::shared_ptr<const LampPieces> known = set.source().knownLamps();
   const LampPieces& lamps = *known;
   const CellShapes shapes = gatheringAlone(scene);
-  const GatherPlan plan(shapes, lamps,
+  const DirectPlan plan(shapes, lamps,
     { walks, { kWalksPerSample, { scene.rays, scene.rays, 2 * scene.rays } }, replicates },
     cancelPoint);
   DirectLight light(

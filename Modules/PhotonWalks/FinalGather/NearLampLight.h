@@ -3,7 +3,7 @@
 #define irradiance_NearLampLight_h
 
 #include "Execution/Execution.h"
-#include "FinalGather/GatherPaths.h"
+#include "FinalGather/FinalGatherPaths.h"
 #include "Walks/WalkSet.h"
 
 namespace irradiance
@@ -17,7 +17,7 @@ namespace irradiance
  * `rounds`: of the walks that divide the flux of the lights. `sums`: adds to their first round, by
  * side; all ranks add the same.
  */
-void addNearLampLight(const GatherScene& scene, const WalkSet& set, std::size_t rounds,
+void addNearLampLight(const FinalGatherScene& scene, const WalkSet& set, std::size_t rounds,
   CellSums& sums, Execution& execution);
 
 }

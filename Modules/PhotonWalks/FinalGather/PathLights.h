@@ -2,7 +2,7 @@
 #ifndef irradiance_PathLights_h
 #define irradiance_PathLights_h
 
-#include "Gathering/PointDirectLight.h"
+#include "DirectLight/PointDirectLight.h"
 #include "Walks/WalkSets.h"
 
 #include <cstdint>

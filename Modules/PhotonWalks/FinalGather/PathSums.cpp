@@ -15,14 +15,14 @@ double signOf(std::uint32_t path, std::uint32_t paths)
   return path < paths / 2 ? 1 : path >= (paths + 1) / 2 ? -1 : 0;
 }
 
-SceneCell cellOf(const GatherScene& scene, const GatherSegment& segment)
+SceneCell cellOf(const FinalGatherScene& scene, const PathSegment& segment)
 {
   return scene.known.all.cellOf(scene.space.triangles.idOf(segment.triangle));
 }
 
 }
 
-void PathSums::read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts)
+void PathSums::read(const FinalGatherScene& scene, const FollowedPaths& paths, std::size_t starts)
 {
   replicates_ = scene.replicates();
   sums_.assign(starts * replicates_, {});
@@ -44,30 +44,29 @@ void PathSums::read(const GatherScene& scene, const FollowedPaths& paths, std::s
   }
 }
 
-void PathSums::add(const GatherScene& scene, const FollowedPaths::Path& path,
+void PathSums::add(const FinalGatherScene& scene, const FollowedPaths::Path& path,
   std::uint32_t replicate, Bands& sum, Bands& stale)
 {
   const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
-  forEachHit(
-    scene, path, [&](const GatherSegment& segment, const Bands& weight, const Asked& asked) {
-      if (segment.isKnown || segment.isDirectKnown)
-      {
-        addKnown(scene, segment, weight, replicate, sum, stale);
-      }
-      for (int band = 0; asked.brought && band < scene.known.all.bands(); ++band)
-      {
-        sum[static_cast<std::size_t>(band)] += asked.brought[band] * quantaPerWatt;
-      }
-      if (segment.isFront &&
-        (segment.isSpecular ||
-          (!scene.foundLamps.isEmpty() && scene.foundLamps.contains(cellOf(scene, segment)))))
-      {
-        addExitance(scene, segment, weight, asked.lampWeight, sum);
-      }
-    });
+  forEachHit(scene, path, [&](const PathSegment& segment, const Bands& weight, const Asked& asked) {
+    if (segment.isKnown || segment.isDirectKnown)
+    {
+      addKnown(scene, segment, weight, replicate, sum, stale);
+    }
+    for (int band = 0; asked.brought && band < scene.known.all.bands(); ++band)
+    {
+      sum[static_cast<std::size_t>(band)] += asked.brought[band] * quantaPerWatt;
+    }
+    if (segment.isFront &&
+      (segment.isSpecular ||
+        (!scene.foundLamps.isEmpty() && scene.foundLamps.contains(cellOf(scene, segment)))))
+    {
+      addExitance(scene, segment, weight, asked.lampWeight, sum);
+    }
+  });
 }
 
-void PathSums::addExitance(const GatherScene& scene, const GatherSegment& segment,
+void PathSums::addExitance(const FinalGatherScene& scene, const PathSegment& segment,
   const Bands& weight, double lampWeight, Bands& sum)
 {
   const SceneCell cell = cellOf(scene, segment);
@@ -80,8 +79,8 @@ void PathSums::addExitance(const GatherScene& scene, const GatherSegment& segmen
   }
 }
 
-void PathSums::addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
-  std::uint32_t replicate, Bands& sum, Bands& stale)
+void PathSums::addKnown(const FinalGatherScene& scene, const PathSegment& segment,
+  const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale)
 {
   const TriangleId id = scene.space.triangles.idOf(segment.triangle);
   const Material& material = *scene.objects[id.object].material;

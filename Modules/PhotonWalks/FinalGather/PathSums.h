@@ -2,8 +2,8 @@
 #ifndef irradiance_PathSums_h
 #define irradiance_PathSums_h
 
+#include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
-#include "FinalGather/GatherScene.h"
 
 #include <algorithm>
 #include <array>
@@ -27,11 +27,11 @@ public:
   using Bands = std::array<double, Power::kMaxBands>;
 
   /// `starts`: each has scene.rays of the paths, in order.
-  void read(const GatherScene& scene, const FollowedPaths& paths, std::size_t starts);
+  void read(const FinalGatherScene& scene, const FollowedPaths& paths, std::size_t starts);
 
   /// What a path of a replicate brings.
   static Bands broughtBy(
-    const GatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate)
+    const FinalGatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate)
   {
     Bands sum{}, stale{};
     add(scene, path, replicate, sum, stale);
@@ -46,7 +46,7 @@ public:
   /// Calls visit(segment, weight, Asked) for all that hit something.
   template <class Visit>
   static void forEachHit(
-    const GatherScene& scene, const FollowedPaths::Path& path, const Visit& visit);
+    const FinalGatherScene& scene, const FollowedPaths::Path& path, const Visit& visit);
 
   /// What a replicate found.
   const Bands& found(std::size_t start, std::uint32_t replicate) const
@@ -63,11 +63,11 @@ public:
   const Bands& stale(std::size_t start) const { return stale_[start]; }
 
 private:
-  static void add(const GatherScene& scene, const FollowedPaths::Path& path,
+  static void add(const FinalGatherScene& scene, const FollowedPaths::Path& path,
     std::uint32_t replicate, Bands& sum, Bands& stale);
-  static void addKnown(const GatherScene& scene, const GatherSegment& segment, const Bands& weight,
-    std::uint32_t replicate, Bands& sum, Bands& stale);
-  static void addExitance(const GatherScene& scene, const GatherSegment& segment,
+  static void addKnown(const FinalGatherScene& scene, const PathSegment& segment,
+    const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale);
+  static void addExitance(const FinalGatherScene& scene, const PathSegment& segment,
     const Bands& weight, double lampWeight, Bands& sum);
 
   std::uint32_t replicates_ = 1;
@@ -76,13 +76,13 @@ private:
 
 template <class Visit>
 void PathSums::forEachHit(
-  const GatherScene& scene, const FollowedPaths::Path& path, const Visit& visit)
+  const FinalGatherScene& scene, const FollowedPaths::Path& path, const Visit& visit)
 {
   const int bands = scene.known.all.bands();
   const double* value = path.values;
   Bands weight{ 1.0 / scene.raysOfReplicate() };
-  for (const GatherSegment* segment = path.begin;
-       segment != path.end && segment->triangle != GatherSegment::kNone; ++segment)
+  for (const PathSegment* segment = path.begin;
+       segment != path.end && segment->triangle != PathSegment::kNone; ++segment)
   {
     if (bands > 1)
     {

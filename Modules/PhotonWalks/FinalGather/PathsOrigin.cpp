@@ -6,7 +6,7 @@
 namespace irradiance
 {
 
-PathsOrigin pathsOriginOf(const GatherScene& scene)
+PathsOrigin pathsOriginOf(const FinalGatherScene& scene)
 {
   PathsOrigin origin{ scene.objects, scene.seed, scene.rays, scene.replicates(), {}, {} };
   scene.cells.numbers().forEach([&](const SceneCell& cell) {
@@ -22,8 +22,8 @@ PathsOrigin pathsOriginOf(const GatherScene& scene)
   return origin;
 }
 
-std::optional<GatherMotion> motionSince(
-  const GatherScene& scene, const PathsOrigin& now, const PathsOrigin& before)
+std::optional<FinalGatherMotion> motionSince(
+  const FinalGatherScene& scene, const PathsOrigin& now, const PathsOrigin& before)
 {
   if (now.seed != before.seed || now.rays != before.rays || now.replicates != before.replicates ||
     now.readCells != before.readCells || hasReplaced(now.objects, before.objects) ||
@@ -32,7 +32,7 @@ std::optional<GatherMotion> motionSince(
   {
     return {};
   }
-  return GatherMotion(scene, findMoved(now.objects, before.objects));
+  return FinalGatherMotion(scene, findMoved(now.objects, before.objects));
 }
 
 }

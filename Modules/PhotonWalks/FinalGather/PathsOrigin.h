@@ -2,7 +2,7 @@
 #ifndef irradiance_PathsOrigin_h
 #define irradiance_PathsOrigin_h
 
-#include "FinalGather/GatherMotion.h"
+#include "FinalGather/FinalGatherMotion.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,12 +21,12 @@ struct PathsOrigin
   std::vector<std::vector<Light>> lights; ///< in the groups that are asked
 };
 
-PathsOrigin pathsOriginOf(const GatherScene& scene);
+PathsOrigin pathsOriginOf(const FinalGatherScene& scene);
 
 /// What moved since paths were followed; nothing if another thing changed, so that none of them can
 /// be kept. `now`: of the scene.
-std::optional<GatherMotion> motionSince(
-  const GatherScene& scene, const PathsOrigin& now, const PathsOrigin& before);
+std::optional<FinalGatherMotion> motionSince(
+  const FinalGatherScene& scene, const PathsOrigin& now, const PathsOrigin& before);
 
 }
 

@@ -2,7 +2,7 @@
 #ifndef irradiance_RayRounds_h
 #define irradiance_RayRounds_h
 
-#include "FinalGather/GatherScene.h"
+#include "FinalGather/FinalGatherScene.h"
 
 #include <cassert>
 #include <cmath>
@@ -41,9 +41,9 @@ public:
     return std::ldexp(1, static_cast<int>(round == 0 ? 1 : round) - static_cast<int>(rounds));
   }
   /// A scene with the rays of the first round, and those of a later one.
-  static GatherScene inRound(const GatherScene& scene, std::size_t round)
+  static FinalGatherScene inRound(const FinalGatherScene& scene, std::size_t round)
   {
-    GatherScene its = scene;
+    FinalGatherScene its = scene;
     its.round = static_cast<std::uint32_t>(round);
     its.rays = round == 0 ? scene.rays : scene.rays << (round - 1);
     return its;

@@ -51,7 +51,7 @@ Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
 }
 
 WalkStages::WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles,
-  const LightTable& lights, const SobolSequence& samples, const GatheredRounds* gathered)
+  const LightTable& lights, const SobolSequence& samples, const DirectRounds* gathered)
   : sampler_(sampler)
   , triangles_(triangles)
   , lights_(lights)
@@ -104,7 +104,7 @@ void WalkStages::startAtCells(WalkFront& front) const
   {
     const WalkStarts& starts = gathered_->startsOf(front.walk[i]);
     const WalkStarts::Start& start = starts[front.walk[i]];
-    const GatherSample& sample = starts.sampleOf(start);
+    const DirectSample& sample = starts.sampleOf(start);
     front.start[i] = sample.triangle;
     front.weightB[i] = sample.weightB;
     front.weightC[i] = sample.weightC;

@@ -2,7 +2,7 @@
 #ifndef irradiance_WalkStages_h
 #define irradiance_WalkStages_h
 
-#include "Gathering/GatheredRounds.h"
+#include "DirectLight/DirectRounds.h"
 #include "Sampling/BounceKeys.h"
 #include "Shooting/FrontTally.h"
 #include "Shooting/WalkFront.h"
@@ -32,7 +32,7 @@ public:
   /// The arguments must outlive the stages. `gathered`: walks start there instead of at the lights;
   /// or null.
   WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles, const LightTable& lights,
-    const SobolSequence& samples, const GatheredRounds* gathered = nullptr);
+    const SobolSequence& samples, const DirectRounds* gathered = nullptr);
 
   /// Walks leave their lights, areas or points in the air. Reads walk, for which any numbers of the
   /// plan will do; writes bounce, parent, the ray with side, the weights of its place on `start`,
@@ -82,7 +82,7 @@ private:
   const SceneTriangles& triangles_;
   const LightTable& lights_;
   const SobolSequence& samples_;
-  const GatheredRounds* gathered_;
+  const DirectRounds* gathered_;
   BounceKeys lightKeys_, positionKeys_, survivalKeys_, directionKeys_;
   std::vector<std::uint32_t> triangleOfLight_;
   bool hasLightsInAir_ = false;

@@ -18,7 +18,7 @@ public:
   /// `gathered`: see WalkStages.
   WalkTracer(const Scene& scene, const SceneObjects& objects, const SceneTriangles& triangles,
     const LightTable& lights, const SobolSequence& samples, const Contacts* contacts = nullptr,
-    const GatheredRounds* gathered = nullptr)
+    const DirectRounds* gathered = nullptr)
     : scene_(scene)
     , triangles_(triangles)
     , sampler_(objects, lights, samples)
@@ -90,7 +90,7 @@ private:
   WalkSampler sampler_;
   WalkStages stages_;
   const Contacts* contacts_;
-  const GatheredRounds* gathered_;
+  const DirectRounds* gathered_;
 };
 
 }

@@ -44,7 +44,7 @@ void resize(std::vector<Number>& sums, std::size_t size, const CancelPoint& canc
 }
 
 CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds,
-  const Gatherers& gatherers)
+  const FinalGatherers& gatherers)
   : plan_(plan)
   , sides_(sides)
   , bands_(objects.staticObject.material->bands)

@@ -24,7 +24,7 @@ struct Deposit
 };
 
 /// Objects [first, end), whose cells gather.
-struct Gatherers
+struct FinalGatherers
 {
   std::uint32_t first = 0, end = 0;
 };
@@ -47,7 +47,7 @@ public:
   /// `sides`: 1 for the sum over both sides of a cell, 2 to keep front and back apart. There is
   /// room for `rounds` rounds of the plan.
   CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan = {},
-    std::size_t rounds = 1, const Gatherers& gatherers = {});
+    std::size_t rounds = 1, const FinalGatherers& gatherers = {});
   /// With room for what all cells gather alone, and none for walks.
   static CellSums ofGathered(
     const SceneObjects& objects, int sides, const WalkPlan& plan = {}, std::size_t rounds = 1);
@@ -68,7 +68,7 @@ public:
   {
     return sums_.capacity() * sizeof(sums_[0]) + gathered_.capacity() * sizeof(gathered_[0]);
   }
-  const Gatherers& gatherers() const { return gatherers_; }
+  const FinalGatherers& gatherers() const { return gatherers_; }
   bool gathers(const SceneCell& cell) const
   {
     return cell.object >= gatherers_.first && cell.object < gatherers_.end;
@@ -135,7 +135,7 @@ public:
       sums[band] += sign * quanta[static_cast<std::size_t>(band)];
     }
   }
-  /// Adds other sums of the same cells, round by round and replicate by replicate. Gatherers of
+  /// Adds other sums of the same cells, round by round and replicate by replicate. FinalGatherers of
   /// these must be some of its own.
   void add(const CellSums& others, const CancelPoint& cancelPoint);
   /// Likewise what they gathered alone.
@@ -245,7 +245,7 @@ private:
   std::size_t roundSize_ = 0;      ///< sums of a round
   std::vector<std::int64_t> sums_; ///< none where all is gathered
   bool areShot_ = true;            ///< there is room for what walks bring
-  Gatherers gatherers_;
+  FinalGatherers gatherers_;
   std::size_t gatheredFirst_ = 0, gatheredSize_ = 0; ///< slots of the gatherers in a round
   std::vector<double> gathered_;
   /// Of consecutive parts of the sums, so that threads seldom wait for each other.

@@ -29,7 +29,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
   PathSums brought;
   if (gather_)
   {
-    brought = gather_->broughtBy(gather_->follow([&](GatherPaths& paths) {
+    brought = gather_->broughtBy(gather_->follow([&](FinalGatherPaths& paths) {
       for (const SceneCell& cell : cells)
       {
         if (isSpecular(cell))

@@ -3,7 +3,7 @@
 #define irradiance_OutgoingRadiance_h
 
 #include "Views/Eye.h"
-#include "Views/ViewGather.h"
+#include "Views/ViewFinalGather.h"
 
 #include <optional>
 #include <vector>
@@ -18,7 +18,7 @@ namespace irradiance
  * diffuse light is the light of both sides.
  *
  * Specular light is gathered: from points spread over the cell rays leave along the lobe about the
- * mirrored direction to the eye, and read what they hit as those of sensors do, see ViewGather;
+ * mirrored direction to the eye, and read what they hit as those of sensors do, see ViewFinalGather;
  * lamps are also asked, see LobeLight. A mirror cannot see a light without size; nor does a lobe
  * what such a light sends it by way of a mirror. Theory.md, 1.2.
  *
@@ -27,7 +27,7 @@ namespace irradiance
 class OutgoingRadiance
 {
 public:
-  using Bands = ViewGather::Bands;
+  using Bands = ViewFinalGather::Bands;
 
   /// Prepares what does not depend on the eye, in the present frame of an engine, which must not
   /// change meanwhile. If there are specular cells, it stores all walks, or tells sides apart.
@@ -72,7 +72,7 @@ private:
   const IrradianceEngine& engine_;
   ErrorEstimate errors_;
   CellShapes shapes_;
-  std::optional<ViewGather> gather_; ///< if there are specular cells
+  std::optional<ViewFinalGather> gather_; ///< if there are specular cells
 };
 
 }

@@ -2,7 +2,7 @@
 #ifndef irradiance_SensorDirectLight_h
 #define irradiance_SensorDirectLight_h
 
-#include "Gathering/PointDirectLight.h"
+#include "DirectLight/PointDirectLight.h"
 #include "IrradianceEngine.h"
 
 #include <deque>

@@ -44,10 +44,10 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
 {
   constexpr double kPrepared = 0.25; // of the progress, roughly, if sides are to be counted
   ProgressSpan preparing(execution, 0, kPrepared), gathering(execution, kPrepared, 1);
-  const SensorGather gather(engine, rays, preparing, keepsRays);
+  const SensorFinalGather gather(engine, rays, preparing, keepsRays);
   PathsOrigin origin = pathsOriginOf(gather.scene());
   const std::optional<PathsOrigin> before = std::exchange(origin_, std::nullopt);
-  const std::optional<GatherMotion> motion =
+  const std::optional<FinalGatherMotion> motion =
     before ? motionSince(gather.scene(), origin, *before) : std::nullopt;
   const std::size_t together = startsTogether(gather.scene());
   const std::size_t units = (sensors_.size() + together - 1) / together;
@@ -63,9 +63,9 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
     {
       return true;
     }
-    SensorGather::Rays none;
+    SensorFinalGather::Rays none;
     std::int64_t cast = 0;
-    std::vector<SensorGather::Replicates> found = gather.update(
+    std::vector<SensorFinalGather::Replicates> found = gather.update(
       sensors_, numbers, motion ? &*motion : nullptr, keepsRays ? units_[unit] : none, cast);
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
@@ -99,17 +99,18 @@ std::vector<std::size_t> StoredSensors::numbersOf(
                                                                       : numbers;
 }
 
-std::vector<SensorGather::Light> StoredSensors::lights() const
+std::vector<SensorFinalGather::Light> StoredSensors::lights() const
 {
-  std::vector<SensorGather::Light> lights(replicates_.size());
-  std::transform(replicates_.begin(), replicates_.end(), lights.begin(), SensorGather::lightOf);
+  std::vector<SensorFinalGather::Light> lights(replicates_.size());
+  std::transform(
+    replicates_.begin(), replicates_.end(), lights.begin(), SensorFinalGather::lightOf);
   return lights;
 }
 
 std::size_t StoredSensors::bytes() const
 {
   return std::accumulate(units_.begin(), units_.end(), std::size_t{ 0 },
-    [](std::size_t sum, const SensorGather::Rays& rays) { return sum + rays.bytes(); });
+    [](std::size_t sum, const SensorFinalGather::Rays& rays) { return sum + rays.bytes(); });
 }
 
 }

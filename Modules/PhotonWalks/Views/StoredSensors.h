@@ -3,7 +3,7 @@
 #define irradiance_StoredSensors_h
 
 #include "FinalGather/PathsOrigin.h"
-#include "Views/SensorGather.h"
+#include "Views/SensorFinalGather.h"
 
 #include <atomic>
 #include <memory>
@@ -13,23 +13,23 @@ namespace irradiance
 {
 
 /**
- * What sensors gather, see SensorGather, from update to update. Where things have moved only rays
+ * What sensors gather, see SensorFinalGather, from update to update. Where things have moved only rays
  * are cast anew that this may change, and what all bring is read anew from the present sums;
  * sensors that moved gather anew. Where nothing else may be kept, all do. The results are those of
- * SensorGather, bit for bit.
+ * SensorFinalGather, bit for bit.
  */
 class StoredSensors
 {
 public:
-  /// To the present frame of an engine. `rays`: see SensorGather. `keepsRays`: for frames in which
+  /// To the present frame of an engine. `rays`: see SensorFinalGather. `keepsRays`: for frames in which
   /// things have moved; only kept if something may move, and the engine verifies. Throws what
-  /// SensorGather throws; after that nothing is kept.
+  /// SensorFinalGather throws; after that nothing is kept.
   void update(const std::shared_ptr<const IrradianceEngine>& engine,
     const std::vector<Sensor>& sensors, std::uint32_t rays, bool keepsRays, Execution& execution);
 
   /// Of all sensors.
-  std::vector<SensorGather::Light> lights() const;
-  const std::vector<SensorGather::Replicates>& replicates() const { return replicates_; }
+  std::vector<SensorFinalGather::Light> lights() const;
+  const std::vector<SensorFinalGather::Replicates>& replicates() const { return replicates_; }
   /// Paths and rays to lights that the last update cast.
   std::int64_t numberCast() const { return cast_; }
   /// Of the rays that are kept.
@@ -47,9 +47,9 @@ private:
   std::uint64_t state_ = 0;
   std::uint32_t rays_ = 0;
   std::vector<Sensor> sensors_;
-  std::vector<SensorGather::Replicates> replicates_;
-  std::optional<PathsOrigin> origin_;     ///< of the rays that are kept
-  std::vector<SensorGather::Rays> units_; ///< of sensors whose rays are cast together
+  std::vector<SensorFinalGather::Replicates> replicates_;
+  std::optional<PathsOrigin> origin_;          ///< of the rays that are kept
+  std::vector<SensorFinalGather::Rays> units_; ///< of sensors whose rays are cast together
   std::atomic<std::int64_t> cast_{ 0 };
 };
 

@@ -82,7 +82,7 @@ bool WalkPaths::beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_
 {
   if (const WalkStarts* starts = startsOf(set, walk))
   {
-    const GatherSample& sample = starts->sampleOf((*starts)[walk]);
+    const DirectSample& sample = starts->sampleOf((*starts)[walk]);
     const TriangleId id = engine_.gatherSpace().triangles.idOf(sample.triangle);
     return engine_.sums().cellOf(id) == cell || set.lights()[sample.light].cell == cell;
   }
@@ -219,7 +219,7 @@ void WalkPaths::addStart(const Ray& first, WalkPath& path) const
     return;
   }
   const WalkStarts::Start& start = (*starts)[path.walk];
-  const GatherSample& sample = starts->sampleOf(start);
+  const DirectSample& sample = starts->sampleOf(start);
   const double b = sample.weightB, c = sample.weightC;
   path.power = start.power;
   path.points.push_back(sample.from);

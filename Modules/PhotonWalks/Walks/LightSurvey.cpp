@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/LightSurvey.h"
 
-#include "Gathering/DimLights.h"
-#include "Gathering/GatherPilot.h"
+#include "DirectLight/DimLights.h"
+#include "DirectLight/DirectPilot.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
@@ -61,13 +61,13 @@ LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source
     return group;
   }
   group.lamps = std::make_shared<const LampPieces>(gathered);
-  const GatherPilot pilot(objects, *group.lamps);
+  const DirectPilot pilot(objects, *group.lamps);
   group.variance = pilot.variance();
-  const GatherPilot::Gathering gathering = pilot.best({ hits.arrived() / source.lights.flux(),
+  const DirectPilot::Sampling sampling = pilot.best({ hits.arrived() / source.lights.flux(),
     hits.returned(), LightSurvey::powerOfStart(reflected) });
-  group.cost = gathering.cost;
-  group.areHardToFind = gathering.cost >= 1;
-  group.walksPerSample = gathering.walksPerSample;
+  group.cost = sampling.cost;
+  group.areHardToFind = sampling.cost >= 1;
+  group.walksPerSample = sampling.walksPerSample;
   if (group.areHardToFind)
   {
     std::replace(group.known.begin(), group.known.end(), Known::Gathered, Known::Shot);

@@ -2,7 +2,7 @@
 #ifndef irradiance_LightSurvey_h
 #define irradiance_LightSurvey_h
 
-#include "Gathering/LampPieces.h"
+#include "DirectLight/LampPieces.h"
 #include "Walks/WalkSource.h"
 
 #include <memory>
@@ -35,8 +35,8 @@ public:
     std::shared_ptr<const LampPieces>
       lamps;                       ///< of those that are neither dim nor near; null: none are
     bool areHardToFind = false;    ///< these: they are shot, as to look for them costs more
-    double walksPerSample = 0;     ///< of these else, see GatherPlan
-    double variance = 0, cost = 1; ///< of these, see GatherPilot
+    double walksPerSample = 0;     ///< of these else, see DirectPlan
+    double variance = 0, cost = 1; ///< of these, see DirectPilot
 
     bool isGathered() const { return lamps && !areHardToFind; }
     /// Those of the source that are known in this way.
@@ -54,12 +54,12 @@ public:
   /// if all send alike, and as much more as there is light on small spots. What is reflected once
   /// stands for all that is.
   double unevenness() const { return unevenness_; }
-  /// Of the lights that are hard to find, see GatherPilot; 0 if there are none.
+  /// Of the lights that are hard to find, see DirectPilot; 0 if there are none.
   double hiddenVariance() const;
   /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no
   /// light of its own lamps.
   double gatheredVariance() const;
-  /// Of all lights that are neither dim nor near, see GatherPilot; 1 if all others are, 0 without
+  /// Of all lights that are neither dim nor near, see DirectPilot; 1 if all others are, 0 without
   /// lights.
   double gatheringCost() const;
 

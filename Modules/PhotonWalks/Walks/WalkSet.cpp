@@ -44,11 +44,11 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
   gathered_.reset();
-  Gatherers gatherers;
+  FinalGatherers gatherers;
   areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
-    gathered_ = std::make_unique<GatheredRounds>(GatheredRounds::Settings{ *source_.cells,
+    gathered_ = std::make_unique<DirectRounds>(DirectRounds::Settings{ *source_.cells,
       Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
       source_.density, settings_.seed });
     gatherers = { source_.cells->first, source_.cells->end };
@@ -450,7 +450,7 @@ void WalkSet::forgetBudget()
 std::size_t WalkSet::bytes() const
 {
   std::size_t gathered = 0;
-  forEachGathered([&](const GatheredLight& light) { gathered += light.bytes(); });
+  forEachGathered([&](const DirectGather& light) { gathered += light.bytes(); });
   return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
     history_.bytes() + (gathered > 0 ? gathered + sums_.bytes() : 0);
 }

@@ -106,8 +106,8 @@ public:
   std::size_t bytes() const;
 
   /// Where walks start; null: at the lights.
-  const GatheredRounds* gathered() const { return gathered_.get(); }
-  /// Calls visit(GatheredLight) for each round of direct light that cells gathered.
+  const DirectRounds* gathered() const { return gathered_.get(); }
+  /// Calls visit(DirectGather) for each round of direct light that cells gathered.
   template <class Visit>
   void forEachGathered(const Visit& visit) const
   {
@@ -161,7 +161,7 @@ private:
   /// The rest of follow(): what was gathered is up to date.
   void followWalks(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
     Execution& execution);
-  GatheredRounds::Totals totals() { return { sums_, balance_, blocks_ }; }
+  DirectRounds::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const WalkSpace& space) const;
   /// An arena for pages of so many bands: the one of before, if it will do.
@@ -169,10 +169,10 @@ private:
 
   WalkSettings settings_;
   WalkSource source_;
-  std::unique_ptr<GatheredRounds> gathered_; ///< null: walks start at the lights
-  DealtBlocks blocks_;                       ///< of this rank
-  std::shared_ptr<BlockArena> arena_;        ///< kept over fresh starts
-  WalkHistory history_;                      ///< empty unless walks are stored
+  std::unique_ptr<DirectRounds> gathered_; ///< null: walks start at the lights
+  DealtBlocks blocks_;                     ///< of this rank
+  std::shared_ptr<BlockArena> arena_;      ///< kept over fresh starts
+  WalkHistory history_;                    ///< empty unless walks are stored
   CellSums sums_;
   PowerBalance balance_;
   std::unique_ptr<StaleWalks> stale_; ///< null unless there is, or was, a budget

@@ -166,7 +166,7 @@ void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
   const CellSums& any = sets_.front().sums();
   const bool doGather = std::any_of(
     sets_.begin(), sets_.end(), [](const WalkSet& set) { return set.gathered() != nullptr; });
-  const Gatherers gatherers{ 0, doGather ? objects.size() : 0 };
+  const FinalGatherers gatherers{ 0, doGather ? objects.size() : 0 };
   Total total{ CellSums(objects, any.sides(), plan_, 0, gatherers), {},
     CellSums(objects, any.sides()), staleOfSets(), statisticsOfSets() };
   total.sums.setRounds(any.rounds(), cancelPoint);
@@ -260,7 +260,7 @@ std::int64_t WalkSets::numberOfShotWalks() const
   for (const WalkSet& set : sets_)
   {
     number += set.gathered() || isEmpty() ? 0 : set.plan().walksAfter(set.sums().rounds());
-    set.forEachGathered([&](const GatheredLight& light) {
+    set.forEachGathered([&](const DirectGather& light) {
       number += static_cast<std::int64_t>(light.starts().numberBorn());
     });
   }
@@ -278,7 +278,7 @@ double WalkSets::escapedError(int band) const
     : 0;
   for (const WalkSet& set : sets_)
   {
-    set.forEachGathered([&](const GatheredLight& light) { variance += light.variance(band); });
+    set.forEachGathered([&](const DirectGather& light) { variance += light.variance(band); });
   }
   return std::sqrt(variance);
 }

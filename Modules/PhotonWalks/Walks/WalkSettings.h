@@ -2,7 +2,7 @@
 #ifndef irradiance_WalkSettings_h
 #define irradiance_WalkSettings_h
 
-#include "Gathering/FewestSamples.h"
+#include "DirectLight/FewestSamples.h"
 
 #include <cstdint>
 

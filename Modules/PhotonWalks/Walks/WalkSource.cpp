@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSource.h"
 
-#include "Gathering/PowerClasses.h"
+#include "DirectLight/PowerClasses.h"
 
 #include <algorithm>
 #include <cmath>

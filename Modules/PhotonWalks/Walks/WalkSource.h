@@ -2,7 +2,7 @@
 #ifndef irradiance_WalkSource_h
 #define irradiance_WalkSource_h
 
-#include "Gathering/GatheredLight.h"
+#include "DirectLight/DirectGather.h"
 #include "Lights/LightTable.h"
 #include "Sampling/WalkPlan.h"
 
@@ -25,7 +25,7 @@ struct WalkSource
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
   std::int64_t quantaPerStart = 0;
-  GatherPlan::Density density;             ///< of the samples of cells
+  DirectPlan::Density density;             ///< of the samples of cells
   std::shared_ptr<const LampPieces> lamps; ///< of the lights, if addLamps() made them
 
   /// Whether walks start at dynamic cells. Those at static ones have the same lights.

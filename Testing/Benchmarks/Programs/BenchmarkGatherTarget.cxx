@@ -28,7 +28,7 @@ EngineSettings gathering(std::uint32_t walks, std::uint32_t most)
   settings.replicates = 16;
   settings.gathersDirectLight = true;
   settings.cellEstimate = CellEstimate::Gathered;
-  settings.gatherOn = GatherOn::All;
+  settings.gathersEverywhere = true;
   return settings;
 }
 

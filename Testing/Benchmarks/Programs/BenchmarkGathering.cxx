@@ -148,7 +148,7 @@ std::vector<Contestant> makeContestants(const Room& room, const Sizes& sizes)
       oursWith("1/" + std::to_string(part) + ", small cells too", room, settings));
     contestants.back().bias = 0.03;
   }
-  settings.gatherOn = GatherOn::All;
+  settings.gathersEverywhere = true;
   contestants.push_back(oursWith("1/10, all cells", room, settings));
   contestants.back().bias = 0.03;
   return contestants;

@@ -34,7 +34,7 @@
 #include "Scenes/PlainRoom.h"
 #include "Scenes/SurfaceSensors.h"
 #include "Views/SensorDirectLight.h"
-#include "Views/SensorGather.h"
+#include "Views/SensorFinalGather.h"
 #include "Views/StoredSensors.h"
 
 #include <cmath>
@@ -112,7 +112,7 @@ struct Contestant
 };
 
 /// In the first band.
-CellField valuesAt(const SensorGather& gather, const std::vector<Sensor>& sensors)
+CellField valuesAt(const SensorFinalGather& gather, const std::vector<Sensor>& sensors)
 {
   constexpr std::size_t kUnit = 64;
   CellField values(sensors.size());
@@ -120,7 +120,7 @@ CellField valuesAt(const SensorGather& gather, const std::vector<Sensor>& sensor
   {
     std::vector<std::size_t> unit(std::min(kUnit, sensors.size() - first));
     std::iota(unit.begin(), unit.end(), first);
-    const std::vector<SensorGather::Light> found = gather.at(sensors, unit);
+    const std::vector<SensorFinalGather::Light> found = gather.at(sensors, unit);
     for (std::size_t i = 0; i < unit.size(); ++i)
     {
       values[static_cast<Eigen::Index>(unit[i])] = found[i].value[0];
@@ -170,7 +170,7 @@ public:
     CpuTime execution;
     Run run{ CellField(sheets_.size()), 0, timeUpdate(engine, objects_, settings).whole };
     run.seconds = threadCpuSecondsOf([&] {
-      const SensorGather gather(engine, rays, execution);
+      const SensorFinalGather gather(engine, rays, execution);
       const CellField found = valuesAt(gather, sensors);
       for (Eigen::Index i = 0; i < run.values.size(); ++i)
       {
@@ -233,7 +233,7 @@ public:
   {
     return measure(
       settings, [&](IrradianceEngine& engine, Execution& execution, CellField& values) {
-        values = valuesAt(SensorGather(engine, rays, execution), sensors_);
+        values = valuesAt(SensorFinalGather(engine, rays, execution), sensors_);
       });
   }
   Run findNearest(EngineSettings settings, std::uint32_t photons) const
@@ -407,7 +407,7 @@ void compareUpdates(const MovingScene& scene, const Room& room, const Sizes& siz
     const double anew =
       threadCpuSecondsOf([&] { fresh.update(engine, sensors, kRays, false, execution); });
     if (std::memcmp(stored.lights().data(), fresh.lights().data(),
-          sensors.size() * sizeof(SensorGather::Light)) != 0)
+          sensors.size() * sizeof(SensorFinalGather::Light)) != 0)
     {
       throw std::runtime_error("The bits of sensors differ");
     }

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_CellSampler_h
+#define irradiance_CellSampler_h
+
+#include "DirectLight/DirectPlan.h"
+#include "DirectLight/GatherSpace.h"
+#include "Meshes/SurfacePoint.h"
+#include "Sampling/SobolNet.h"
+
+#include <array>
+#include <vector>
+
+namespace irradiance
+{
+
+/// A point of a cell, and a point of a light from which light may come to it.
+struct DirectSample
+{
+  std::uint32_t triangle; ///< the number of the cell's triangle
+  float weightB, weightC; ///< of its second and third corner
+  bool isFront;           ///< light comes to the front
+  std::uint32_t light;
+  Vector3 from; ///< the point of the light, clear of its surface
+  Vector3 to;   ///< the point of the cell, clear of its surface
+  /// The part of the light's flux that the sample brings to its cell if nothing stands between; 0
+  /// if none can come. The mean over all samples of the sum over a cell's samples is what arrives.
+  double part;
+};
+
+/**
+ * Samples with which cells gather the light that comes straight from the lights of a table: points
+ * of the cell from a low-discrepancy net, each with a light that LampChoice chooses and a point of
+ * it.
+ *
+ * Where both are far from each other, both points are chosen evenly over the area. Where one is
+ * large as seen from the other, its point is chosen by solid angle, so that no sample brings much
+ * more than others. Where a cell and a light coincide, what the light emits arrives in the cell,
+ * see Contacts. All is a pure function of the scene, the seed, the cell and the number of the
+ * sample.
+ */
+class CellSampler
+{
+public:
+  /// The arguments must outlive it.
+  CellSampler(const CellShapes& cells, const GatherSpace& space, const LampPieces& lamps,
+    const DirectPlan& plan, std::uint64_t seed);
+
+  /// For the samples that are made next.
+  void setCell(std::size_t cell);
+  /// `number`: among the samples of the cell.
+  DirectSample sample(std::uint32_t number) const;
+
+private:
+  using Square = std::array<double, 2>;
+  /// The points of a light and of a cell, with the normals of their fronts.
+  struct Ends
+  {
+    SurfacePoint light, cell;
+
+    double distance() const { return (light.position - cell.position).norm(); }
+    /// The cosine at which light leaves; negative behind the light.
+    double leaving() const;
+    /// The cosine at which it arrives, on either side.
+    double arriving() const;
+    /// Whether the light shines to the cell's point, and neither lies in the plane of the other.
+    bool areClear() const;
+  };
+
+  /// A triangle of the cell.
+  struct Part
+  {
+    std::uint32_t number;
+    Triangle triangle;
+    double area, areaBefore;             ///< of itself, of the triangles before it
+    std::vector<std::uint32_t> touching; ///< lights that coincide with it
+  };
+
+  /// Samples of a cell from which on one net is better than two.
+  static constexpr std::uint32_t kOneNet = 64;
+
+  /// The coordinates of a sample.
+  struct Squares
+  {
+    Square onCell, onLight;
+  };
+  Squares squares(std::uint32_t number) const;
+  /// The triangle that a coordinate chooses by area. The coordinate becomes what the choice left of
+  /// it.
+  const Part& choosePart(double& u) const;
+  std::vector<std::uint32_t> lightsAt(std::uint32_t triangle) const;
+  static SurfacePoint cellPoint(const Part& part, const Vector3& weights, DirectSample& sample);
+  /// Turns the point of the cell to where the light is.
+  static void arrive(SurfacePoint point, DirectSample& sample);
+  // Each sets all of the sample but the triangle; `part` as if it were the only sample.
+  void gather(const Part& part, Square onCell, Square onLight, DirectSample& sample) const;
+  void gatherFrom(const LampPiece& lamp, const Part& part, Square onCell, Square onLight,
+    DirectSample& sample) const;
+  void gatherFrom(
+    const PointLight& light, const Part& part, Square onCell, DirectSample& sample) const;
+  /// From a light that coincides with the triangle at a point. `uLight`: chooses the light.
+  void gatherTouching(const Part& part, const Square& u, double uLight, DirectSample& sample) const;
+  const Triangle& touchingTriangle(std::uint32_t light) const;
+  /// Sets the ray from the point of a light that coincides with the cell there.
+  void cross(std::uint32_t light, const Vector3& weights, const SurfacePoint& onCell,
+    DirectSample& sample) const;
+
+  const CellShapes& cells_;
+  const GatherSpace& space_;
+  const LampPieces& lamps_;
+  const DirectPlan& plan_;
+  std::uint64_t seed_;
+  LampChoice choice_;
+  std::size_t cell_ = 0;
+  std::vector<Part> parts_; ///< of the cell
+  // Of the cell: one net where it has many samples, else two that are shuffled against each other.
+  SobolNet net_;
+  SampleKeys cellKeys_{}, lightKeys_{};
+};
+
+}
+
+#endif

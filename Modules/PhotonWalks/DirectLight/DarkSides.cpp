@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectLight/DarkSides.h"
+
+#include "Surfaces/Touching.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// By object, whether any light lies within its bounds, or touches them. The static object is not
+/// looked at.
+std::vector<bool> haveLights(const SceneObjects& objects, const std::vector<Box>& lights)
+{
+  std::vector<bool> have(objects.size(), true);
+  for (std::uint32_t i = 1; i < objects.size(); ++i)
+  {
+    Box bounds = objects.dynamicObjects[i - 1].worldBounds();
+    bounds.inflate(8 * kTouching * bounds.magnitude());
+    have[i] = std::any_of(lights.begin(), lights.end(),
+      [&](const Box& light) { return !bounds.intersection(light).isEmpty(); });
+  }
+  return have;
+}
+
+/// Whether a box is nowhere in front of a plane.
+bool isBehind(const Box& box, const Vector3& point, const Vector3& normal, double slack = 0)
+{
+  const Vector3 half = 0.5 * box.extent();
+  return normal.dot(box.center() - point) + normal.cwiseAbs().dot(half) <= slack;
+}
+
+bool isFlat(const CellShape& shape)
+{
+  return shape.normal.norm() >= 1 - 1e-12;
+}
+
+std::vector<Box> boundsOf(const LightTable& lights)
+{
+  std::vector<Box> bounds;
+  for (const Light& light : lights.lights())
+  {
+    bounds.push_back(light.bounds());
+  }
+  return bounds;
+}
+
+}
+
+void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const std::vector<Box>& lights)
+{
+  const std::vector<bool> haveLight = haveLights(objects, lights);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const auto isSolid = [&](SolidSide side) {
+      return std::all_of(cells.begin(cell), cells.end(cell), [&](std::uint32_t number) {
+        const TriangleId id = space.triangles.idOf(number);
+        return !haveLight[id.object] && space.sides[id.object].of[id.triangle] == side &&
+          space.sides[id.object].shell(id.triangle).isSimple;
+      });
+    };
+    if (cells.begin(cell) != cells.end(cell))
+    {
+      cells.setDark(cell, isSolid(SolidSide::InFront), isSolid(SolidSide::Behind));
+    }
+  }
+}
+
+void markOuterSides(CellShapes& cells, const Box& bounds)
+{
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const CellShape& shape = cells[cell];
+    if (isFlat(shape))
+    {
+      // For rounding; rays start clear of the surface by far more, see SurfacePoint.
+      const double slack = 0x1p-40 * shape.center.cwiseAbs().maxCoeff();
+      cells.setDark(cell, shape.isFrontDark || isBehind(bounds, shape.center, shape.normal, slack),
+        shape.isBackDark || isBehind(bounds, shape.center, -shape.normal, slack));
+    }
+  }
+}
+
+void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const LightTable& lights)
+{
+  const std::vector<Box> each = boundsOf(lights);
+  markInnerSides(cells, space, objects, each);
+  Box bounds;
+  for (const Box& light : each)
+  {
+    bounds.add(light);
+  }
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    const CellShape& shape = cells[cell];
+    const bool isFront = shape.isFrontDark, isBack = shape.isBackDark;
+    const Vector3 outwards = isFront ? Vector3(-shape.normal) : shape.normal;
+    const bool isAway =
+      (isFront || isBack) && isFlat(shape) && isBehind(bounds, shape.center, outwards);
+    cells.setDark(cell, isFront || (isBack && isAway), isBack || (isFront && isAway));
+  }
+}
+
+}

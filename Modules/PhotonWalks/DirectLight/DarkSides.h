@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_DarkSides_h
+#define irradiance_DarkSides_h
+
+#include "DirectLight/GatherSpace.h"
+#include "Lights/LightTable.h"
+#include "Surfaces/CellShapes.h"
+
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * Marks the sides of cells to which no light can come at all: the inner sides of closed dynamic
+ * shells that are proven to be simple, in objects whose bounds have no light in them. `lights`: the
+ * bounds of each.
+ */
+void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const std::vector<Box>& lights);
+
+/**
+ * Marks the sides of flat cells to which no light can come at all, since everything is behind them:
+ * the outer sides of a room. `bounds`: of the scene, and of all lights.
+ */
+void markOuterSides(CellShapes& cells, const Box& bounds);
+
+/**
+ * Marks the sides of cells to which no light can come straight from the lights of a table, whatever
+ * stands where: the inner sides of closed dynamic shells that are proven to be simple, in objects
+ * whose bounds have no light in them, and the outer ones of their flat cells that turn away from
+ * all lights.
+ */
+void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
+  const LightTable& lights);
+
+}
+
+#endif

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectLight/DirectLight.h"
+
+#include "Execution/SlicedPass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Cells gather together until they have more samples than this.
+constexpr std::uint32_t kSamplesOfCells = 8192;
+
+/// Samples that are looked at together after a motion.
+constexpr std::uint32_t kSamplesTogether = 8192;
+
+/// Whether a sample's way to its light may touch a box. Roundings are far below the widths of
+/// boxes.
+bool mayTouch(const DirectSample& sample, const Box& box)
+{
+  const Vector3 along = sample.to - sample.from;
+  double first = 0, last = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double inverse = 1 / along[axis]; // infinite: both ends are inside, or none
+    double enter = (box.lower[axis] - sample.from[axis]) * inverse;
+    double leave = (box.upper[axis] - sample.from[axis]) * inverse;
+    if (enter > leave)
+    {
+      std::swap(enter, leave);
+    }
+    // What is not a number, on a face of the box, cuts nothing off.
+    first = enter > first ? enter : first;
+    last = leave < last ? leave : last;
+  }
+  return first <= last;
+}
+
+}
+
+DirectLight::DirectLight(const CellShapes& cells, const LampPieces& lamps, const DirectPlan& plan,
+  std::uint64_t seed, double quantaPerWatt)
+  : cells_(cells)
+  , lamps_(lamps)
+  , plan_(plan)
+  , seed_(seed)
+  , quantaPerWatt_(quantaPerWatt)
+{
+}
+
+void DirectLight::gather(const GatherSpace& space, Execution& execution)
+{
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  assignPaced(samples_, plan_.size(), {}, cancelPoint);
+  assignPaced(views_, plan_.size(), kNever, cancelPoint);
+  assignPaced(units_, cells_.size(), 0.0, cancelPoint);
+  assignPaced(variances_, cells_.size(), {}, cancelPoint);
+  std::vector<std::size_t> firsts{ 0 }; // cells of the units
+  for (std::size_t cell = 1; cell <= cells_.size(); ++cell)
+  {
+    if (cell == cells_.size() || plan_.first(cell) - plan_.first(firsts.back()) >= kSamplesOfCells)
+    {
+      firsts.push_back(cell);
+    }
+  }
+  SlicedPass pass{ firsts.size() - 1, [&](std::size_t unit, const Deadline&) {
+                    gatherCells(space, firsts[unit], firsts[unit + 1]);
+                    return true;
+                  } };
+  pass.run(execution);
+}
+
+void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::size_t end)
+{
+  CellSampler sampler(cells_, space, lamps_, plan_, seed_);
+  DirectSample* next = samples_.data() + plan_.first(first);
+  for (std::size_t cell = first; cell < end; ++cell)
+  {
+    if (plan_.samplesOf(cell) > 0)
+    {
+      sampler.setCell(cell);
+    }
+    for (std::uint32_t i = 0; i < plan_.samplesOf(cell); ++i)
+    {
+      *next++ = sampler.sample(i);
+    }
+    units_[cell] = unitOf(cell);
+  }
+  std::vector<std::uint32_t> numbers(plan_.first(end) - plan_.first(first));
+  std::iota(numbers.begin(), numbers.end(), plan_.first(first));
+  const std::vector<View> views = viewsOf(space, numbers);
+  std::copy(views.begin(), views.end(), views_.begin() + plan_.first(first));
+  for (std::size_t cell = first; cell < end; ++cell)
+  {
+    variances_[cell] = varianceOf(cell);
+  }
+}
+
+DirectLight::Bands DirectLight::varianceOf(std::size_t cell) const
+{
+  const std::uint32_t samples = plan_.samplesOf(cell);
+  if (samples == 0)
+  {
+    return {};
+  }
+  const std::uint32_t parts = plan_.replicates() > 1 ? plan_.replicates() : samples;
+  const std::uint32_t size = samples / parts;
+  Bands all{}, squares{};
+  for (std::uint32_t part = 0; part < parts; ++part)
+  {
+    const std::uint32_t first = plan_.first(cell) + part * size;
+    Bands brought{};
+    for (std::uint32_t i = first; i < first + size; ++i)
+    {
+      for (std::size_t band = 0; isVisible(i) && band < brought.size(); ++band)
+      {
+        brought[band] += samples_[i].part * lamps_.lights()[samples_[i].light].flux[band];
+      }
+    }
+    for (std::size_t band = 0; band < all.size(); ++band)
+    {
+      all[band] += brought[band];
+      squares[band] += brought[band] * brought[band];
+    }
+  }
+  Bands variance{};
+  for (std::size_t band = 0; parts > 1 && band < all.size(); ++band)
+  {
+    variance[band] = std::max(0.0, parts * squares[band] - all[band] * all[band]) / (parts - 1);
+  }
+  return variance;
+}
+
+DirectLight::Bands DirectLight::variance() const
+{
+  Bands sum{};
+  for (const Bands& ofCell : variances_)
+  {
+    std::transform(sum.begin(), sum.end(), ofCell.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
+}
+
+/// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is
+/// decided otherwise than before, also far from what moved.
+bool DirectLight::touchesDynamic(const GatherSpace& space, const DirectSample& sample) const
+{
+  return sample.part > 0 &&
+    (space.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
+      space.contacts.hasDynamic(space.triangles.idOf(sample.triangle)));
+}
+
+/// A ray ends where its length is 1.
+std::vector<DirectLight::View> DirectLight::viewsOf(
+  const GatherSpace& space, const std::vector<std::uint32_t>& samples) const
+{
+  std::vector<View> views(samples.size(), kNever);
+  std::vector<Ray> rays;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const DirectSample& sample = samples_[samples[i]];
+    if (sample.part > 0)
+    {
+      rays.push_back(
+        { sample.from, sample.to - sample.from, lamps_.lights()[sample.light].triangle() });
+      places.push_back(i);
+    }
+  }
+  std::vector<Hit> hits(rays.size());
+  space.scene.cast(rays.data(), rays.size(), hits.data());
+  for (std::size_t ray = 0; ray < rays.size(); ++ray)
+  {
+    views[places[ray]] = viewOf(space, samples_[samples[places[ray]]], rays[ray], hits[ray]);
+  }
+  return views;
+}
+
+DirectLight::View DirectLight::viewOf(
+  const GatherSpace& space, const DirectSample& sample, const Ray& ray, const Hit& closest) const
+{
+  const TriangleId cell = space.triangles.idOf(sample.triangle);
+  const Contacts& contacts = space.contacts;
+  if (contacts.has(ray.start) || contacts.has(cell))
+  {
+    const Hit hit = contacts.resolveContact(space.scene, ray, closest);
+    const bool mayChange =
+      hit.id.isDynamic() || contacts.hasDynamic(ray.start) || contacts.hasDynamic(cell);
+    return hit.id == cell ? kFree : mayChange ? kTouch : kNever;
+  }
+  // What is hit beyond the end hides nothing.
+  const bool isFree = closest.distance >= 1 || closest.id == cell;
+  return isFree ? kFree : closest.id.object; // of the static one: never
+}
+
+bool DirectLight::mayChange(
+  const GatherSpace& space, const MovedObjects& moved, std::uint32_t number) const
+{
+  const View view = views_[number];
+  const DirectSample& sample = samples_[number];
+  if (view == kFree)
+  {
+    return touchesDynamic(space, sample) ||
+      std::any_of(moved.boxes.begin(), moved.boxes.end(),
+        [&](const Box& box) { return mayTouch(sample, box); });
+  }
+  return view == kTouch || (view != kNever && moved.dynamic[view - 1]);
+}
+
+std::vector<std::uint32_t> DirectLight::follow(
+  const GatherSpace& space, const MovedObjects& moved, Execution& execution)
+{
+  const auto all = static_cast<std::uint32_t>(samples_.size());
+  const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
+  std::vector<std::vector<std::uint32_t>> flipped(units);
+  SlicedPass pass{ units, {} };
+  pass.work = [&](std::size_t unit, const Deadline&) {
+    const auto first = static_cast<std::uint32_t>(unit) * kSamplesTogether;
+    std::vector<std::uint32_t> suspects;
+    for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
+    {
+      if (mayChange(space, moved, i))
+      {
+        suspects.push_back(i);
+      }
+    }
+    const std::vector<View> views = viewsOf(space, suspects);
+    for (std::size_t i = 0; i < suspects.size(); ++i)
+    {
+      const bool wasFree = isVisible(suspects[i]);
+      views_[suspects[i]] = views[i];
+      if (isVisible(suspects[i]) != wasFree)
+      {
+        flipped[unit].push_back(suspects[i]);
+      }
+    }
+    return true;
+  };
+  pass.run(execution);
+  std::vector<std::uint32_t> together;
+  for (const std::vector<std::uint32_t>& some : flipped)
+  {
+    together.insert(together.end(), some.begin(), some.end());
+  }
+  std::size_t last = plan_.numberOfCells();
+  for (const std::uint32_t sample : together)
+  {
+    const std::size_t cell = plan_.cellOf(sample);
+    if (cell != std::exchange(last, cell))
+    {
+      variances_[cell] = varianceOf(cell);
+    }
+  }
+  return together;
+}
+
+CellSums::Quanta DirectLight::quantaOf(const DirectSample& sample) const
+{
+  CellSums::Quanta quanta{};
+  for (std::size_t band = 0; band < quanta.size(); ++band)
+  {
+    quanta[band] = sample.part * lamps_.lights()[sample.light].flux[band] * quantaPerWatt_;
+  }
+  return quanta;
+}
+
+double DirectLight::unitOf(std::size_t cell) const
+{
+  double largest = 0;
+  for (std::uint32_t i = plan_.first(cell); i < plan_.first(cell) + plan_.samplesOf(cell); ++i)
+  {
+    const CellSums::Quanta quanta = quantaOf(samples_[i]);
+    largest = std::max(largest, *std::max_element(quanta.begin(), quanta.end()));
+  }
+  return largest > 0 ? std::exp2(std::ilogb(largest * plan_.samplesOf(cell)) - 51) : 1.0;
+}
+
+Power DirectLight::add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,
+  CellSums& sums, std::size_t round) const
+{
+  CellSums::Quanta quanta = quantaOf(samples_[sample]);
+  Power power;
+  for (std::size_t band = 0; band < quanta.size(); ++band)
+  {
+    power.quanta[band] = sign * nearestQuanta(quanta[band]);
+    quanta[band] = units_[number] * std::nearbyint(quanta[band] / units_[number]);
+  }
+  const std::uint32_t replicate = plan_.replicateOf(number, sample - plan_.first(number));
+  sums.addGathered(
+    sums.slotOf({ cell, 0 }, replicate, round), samples_[sample].isFront, quanta, sign);
+  return power;
+}
+
+/// Other objects may have other cells than when it gathered: so cells are told by their objects.
+Power DirectLight::addTo(CellSums& sums, std::size_t round, int sign, const DealtBlocks& cells,
+  const CancelPoint& cancelPoint) const
+{
+  Power all;
+  ThrottledCancelPoint pace(cancelPoint);
+  std::size_t number = 0;
+  cells_.numbers().forEach([&](const SceneCell& cell) {
+    for (std::uint32_t i = 0; i < plan_.samplesOf(number) && cells.contains(number); ++i)
+    {
+      const std::uint32_t sample = plan_.first(number) + i;
+      all += isVisible(sample) ? add(sample, number, cell, sign, sums, round) : Power{};
+    }
+    pace.step(1 + plan_.samplesOf(number));
+    ++number;
+  });
+  return all;
+}
+
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_DirectLight_h
+#define irradiance_DirectLight_h
+
+#include "DirectLight/CellSampler.h"
+#include "DirectLight/MovedObjects.h"
+#include "Execution/Execution.h"
+#include "Sampling/DealtBlocks.h"
+#include "Tally/CellSums.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The light that comes straight from the lights of a table to the cells of a frame, gathered by
+ * each cell with the samples of a plan.
+ */
+class DirectLight
+{
+public:
+  using Bands = std::array<double, Power::kMaxBands>;
+
+  /// All but the numbers must outlive it.
+  DirectLight(const CellShapes& cells, const LampPieces& lamps, const DirectPlan& plan,
+    std::uint64_t seed, double quantaPerWatt);
+
+  /// Makes all samples, and looks which of them see their lights.
+  void gather(const GatherSpace& space, Execution& execution);
+  /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples
+  /// that what moved may hide now, or hid before, and at those whose light or cell a dynamic object
+  /// touches. Returns which see their lights now and did not before, or the other way round, in
+  /// order.
+  std::vector<std::uint32_t> follow(
+    const GatherSpace& space, const MovedObjects& moved, Execution& execution);
+
+  const DirectPlan& plan() const { return plan_; }
+  /// By number; those of a cell that is not there are none.
+  const std::vector<DirectSample>& samples() const { return samples_; }
+  std::size_t bytes() const
+  {
+    return samples_.capacity() * (sizeof(DirectSample) + sizeof(View)) +
+      units_.capacity() * (sizeof(double) + sizeof(Bands));
+  }
+  bool isVisible(std::uint32_t sample) const { return views_[sample] == kFree; }
+  /// Of what all cells receive, by band, W2: from the scatter of the samples of each cell, or of
+  /// its replicates. As these are nets, it is rather too large.
+  Bands variance() const;
+  /// What a sample brings if it sees its light.
+  CellSums::Quanta quantaOf(const DirectSample& sample) const;
+  /// Adds what a sample of a cell brings to a round, or with `sign` -1 takes it away, to the last
+  /// bit: see units_. Returns it in whole quanta. No other thread may add meanwhile.
+  Power add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,
+    CellSums& sums, std::size_t round) const;
+  /// Likewise what the samples of these cells bring that see their lights.
+  Power addTo(CellSums& sums, std::size_t round, int sign, const DealtBlocks& cells,
+    const CancelPoint& cancelPoint) const;
+
+private:
+  /// What stands between a sample and its light: the number of a dynamic object, or one of those
+  /// below.
+  using View = std::uint32_t;
+  static constexpr View kNever = 0;          ///< static objects, for ever; or no light can come
+  static constexpr View kFree = 0xffffffffu; ///< nothing
+  static constexpr View kTouch =
+    0xfffffffeu; ///< what touches either end, which may end with any motion
+
+  void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
+  Bands varianceOf(std::size_t cell) const;
+  double unitOf(std::size_t cell) const;
+  bool touchesDynamic(const GatherSpace& space, const DirectSample& sample) const;
+  /// Whether a motion may change the view of a sample.
+  bool mayChange(const GatherSpace& space, const MovedObjects& moved, std::uint32_t sample) const;
+  /// Those of samples, in order.
+  std::vector<View> viewsOf(
+    const GatherSpace& space, const std::vector<std::uint32_t>& samples) const;
+  View viewOf(
+    const GatherSpace& space, const DirectSample& sample, const Ray& ray, const Hit& closest) const;
+
+  const CellShapes& cells_;
+  const LampPieces& lamps_;
+  const DirectPlan& plan_;
+  std::uint64_t seed_;
+  double quantaPerWatt_;
+  std::vector<DirectSample> samples_;
+  /// By cell, quanta: a power of two, of which all that its samples bring together is less than
+  /// 2^53. What each brings is rounded to it, so no sum of these is rounded, in whatever order.
+  std::vector<double> units_;
+  std::vector<View> views_;      ///< by sample
+  std::vector<Bands> variances_; ///< by cell, W2
+};
+
+}
+
+#endif

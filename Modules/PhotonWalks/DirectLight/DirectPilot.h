@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_DirectPilot_h
+#define irradiance_DirectPilot_h
+
+#include "DirectLight/LampPieces.h"
+#include "Surfaces/SceneObjects.h"
+
+namespace irradiance
+{
+
+/**
+ * How noisy it is to look for the light of some lamps, from samples of a few static cells. It
+ * depends on the static object and the lights alone.
+ *
+ * Theory.md, 1.3 derives what follows from it.
+ */
+class DirectPilot
+{
+public:
+  /// For each sample.
+  static constexpr double kFewestWalks = 1, kMostWalks = 36;
+
+  DirectPilot(const SceneObjects& objects, const LampPieces& lamps);
+
+  struct Light
+  {
+    double arrived;      ///< the part of the flux that reaches static cells
+    double returned;     ///< the part of that which arrives again
+    double powerOfStart; ///< of a walk that starts at a cell, in walks
+  };
+  struct Sampling
+  {
+    double walksPerSample; ///< power that a cell may receive for each of its samples, in walks
+    double
+      cost; ///< noise x time beside walks that start at the lamps: if less than 1 gathering pays
+  };
+  /// With the least noise of direct and indirect light together for the time they take.
+  Sampling best(const Light& light) const;
+
+  /// Of one sample that stands for as much power as a walk, beside the walk's: small of a panel,
+  /// large of light that may be hidden, or comes from lamps that are told apart badly.
+  double variance() const { return variance_; }
+
+private:
+  double variance_ = 1;
+  double asked_ = 1; ///< power for which samples ask, for all that arrives
+};
+
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectLight/DirectRounds.h"
+
+#include "Sampling/SplitMix.h"
+
+namespace irradiance
+{
+
+void DirectRounds::append(const GatherSpace& space, const SceneObjects& objects,
+  const LampPieces& lamps, std::uint32_t walks, Execution& execution)
+{
+  const std::size_t round = rounds_.size();
+  const std::uint64_t seed = round == 0 ? settings_.seed : splitMix(settings_.seed + round);
+  const DirectGather::Settings its{ settings_.part, walks, plan_.replicates().count(),
+    settings_.quantaPerWalk, settings_.density, plan_.endWalk(), seed, round };
+  rounds_.push_back(std::make_unique<DirectGather>(space, objects, lamps, its, execution));
+  plan_.addRound(rounds_.back()->starts().size());
+}
+
+void DirectRounds::addTo(
+  const Totals& totals, std::size_t round, const CancelPoint& cancelPoint) const
+{
+  rounds_[round]->addTo(totals.sums, totals.balance, totals.dealt, 1, cancelPoint);
+}
+
+void DirectRounds::drop(std::size_t kept, const Totals& totals, const CancelPoint& cancelPoint)
+{
+  while (rounds_.size() > kept)
+  {
+    rounds_.back()->addTo(totals.sums, totals.balance, totals.dealt, -1, cancelPoint);
+    rounds_.pop_back();
+  }
+  plan_.dropRounds(kept);
+}
+
+std::vector<std::uint32_t> DirectRounds::follow(
+  const GatherSpace& space, const MovedObjects& moved, const Totals& totals, Execution& execution)
+{
+  std::vector<std::uint32_t> walks;
+  for (const std::unique_ptr<DirectGather>& light : rounds_)
+  {
+    const std::vector<std::uint32_t> samples = light->follow(space, moved, execution);
+    light->change(samples, totals.sums, totals.balance, totals.dealt);
+    const std::vector<std::uint32_t> some = light->starts().walksOf(samples);
+    walks.insert(walks.end(), some.begin(), some.end());
+  }
+  return walks;
+}
+
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PointDirectLight_h
+#define irradiance_PointDirectLight_h
+
+#include "DirectLight/GatherSpace.h"
+#include "DirectLight/PointLampChoice.h"
+#include "DirectLight/ShadowRay.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The light that comes straight from the lights of a table to single points, on surfaces or in the
+ * air: the value at the point, no mean over a cell. It is the irradiance, or of a point that
+ * receives from all directions the fluence rate.
+ *
+ * Each sample asks a light that PointLampChoice chooses, at a point chosen nearly by what it would
+ * bring; so none brings much more than others, however near a light is, and none is below the
+ * horizon. Of a light in the same place as the face on which the point stands, what it emits there
+ * arrives; of a point light at the very point nothing, though it would be infinite. All is a pure
+ * function of the scene, the seed, the point and its number. Theory.md, 1.3.
+ */
+class PointDirectLight
+{
+public:
+  using Bands = std::array<double, Power::kMaxBands>;
+
+  /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two.
+  /// `mostWeights`: see LampChoice.
+  PointDirectLight(const GatherSpace& space, std::shared_ptr<const LampPieces> lamps,
+    std::uint64_t seed, std::uint32_t samples = 64,
+    std::size_t mostWeights = LampChoice::kMostOfPoint);
+  PointDirectLight(const PointDirectLight&) = delete;
+  PointDirectLight& operator=(const PointDirectLight&) = delete;
+
+  /// W/m2. `number`: of the point; it chooses the samples. `rays`: all rays are appended; null: not
+  /// asked for. May be called by several threads.
+  Bands irradiance(
+    const LitPoint& point, std::uint64_t number, std::vector<ShadowRay>* rays = nullptr) const;
+  /// Adds W/m2 that together are those: to each replicate what its block of the samples finds.
+  /// There are as many samples in each.
+  void add(const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates,
+    std::vector<ShadowRay>* rays = nullptr) const;
+
+  /// As add(), of a point in the air; cast are only rays of those given that something may have
+  /// changed since, of the same point in a scene with the same lights. None given: all are cast.
+  /// Returns how many were cast.
+  using MayChange = std::function<bool(const ShadowRay&)>;
+  std::int64_t update(const LitPoint& point, std::uint64_t number, const MayChange& mayChange,
+    std::vector<ShadowRay>& rays, std::vector<Bands>& replicates) const;
+
+  /// How much a point takes of a beam along a vector, in place of the cosine. `density`: of the
+  /// samples that the point takes from there, 1/sr; infinite for a light in the air.
+  using Part = std::function<double(const Vector3& along, double density)>;
+  /// W/m2 that a point takes, without lights in the same place as its face. `number` and `share`
+  /// choose the samples: those of all shares of a number are spread evenly together.
+  Bands taken(
+    const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const;
+  /// Of the samples of taken(), 1/sr, towards a place on a lamp; 0 if it is none of these lights,
+  /// or is in the same place as the point's face.
+  double density(const LitPoint& point, const TriangleId& lamp, const Vector3& place) const;
+
+  const LightTable& lights() const { return lamps_->lights(); }
+
+private:
+  /// Light on its way to a point.
+  struct Arrival
+  {
+    Ray ray; ///< its length is 1 at the point
+    std::uint32_t light;
+    double perWatt; ///< W/m2 for each W of the light's flux if nothing stands between
+    std::size_t replicate = 0;
+  };
+
+  std::vector<std::uint32_t> lightsAt(const LitPoint& point) const;
+  /// What the lights emit that coincide with the point.
+  void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
+    std::size_t replicates, std::vector<Arrival>& arrivals) const;
+  /// `touching`: lights that are not asked.
+  void addSamples(const LitPoint& point, SeenLamp::By by, const Part& part, std::uint64_t number,
+    std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
+    std::vector<Arrival>& arrivals) const;
+  /// `onLamp`: in (0, 1), it and the rest of the choice are the place on it.
+  Arrival from(const PointLampChoice::Choice& chosen, const LitPoint& point, const Part& part,
+    double onLamp) const;
+  std::vector<Arrival> arrivalsAt(
+    const LitPoint& point, std::uint64_t number, std::size_t replicates) const;
+  /// Adds what no other surface stops.
+  void addArriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
+    std::vector<Bands>& replicates, std::vector<ShadowRay>* rays = nullptr) const;
+  /// What arrivals meet.
+  std::vector<Hit> cast(const LitPoint& point, const std::vector<Arrival>& arrivals) const;
+  bool arrives(const Hit& hit, const LitPoint& point) const;
+  ShadowRay shadowRayOf(const Arrival& arrival, const LitPoint& point, const Hit& hit) const;
+  void addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const;
+
+  GatherSpace space_;
+  std::shared_ptr<const LampPieces> lamps_;
+  std::uint64_t seed_;
+  std::uint32_t samples_;
+  std::size_t mostWeights_;
+};
+
+}
+
+#endif

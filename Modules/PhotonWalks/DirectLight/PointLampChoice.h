@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_PointLampChoice_h
+#define irradiance_PointLampChoice_h
+
+#include "DirectLight/LampChoice.h"
+#include "DirectLight/LitPoint.h"
+#include "DirectLight/SeenLamp.h"
+
+#include <optional>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * Which lamp a sample of a point asks, and what it sees of that. If there are no more lamps than
+ * samples, the weights are what each brings if nothing stands between: exactly, for a point that
+ * receives from all directions or for lights in the air, else but for how the cosine varies over
+ * the lamp. Of more lamps LampChoice tells roughly which bring how much.
+ */
+class PointLampChoice
+{
+public:
+  /// The lamps must outlive it. `by`: see SeenLamp. `most`: weights, see LampChoice.
+  PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLamp::By by,
+    std::uint32_t samples, std::size_t most);
+
+  /// Whether no light can come.
+  bool isEmpty() const { return !isRough_ && !(sum_ > 0); }
+  struct Choice
+  {
+    std::uint32_t piece;
+    double probability;
+    double rest; ///< in [0, 1): what the choice left of the sample
+    std::optional<SeenLamp>
+      seen; ///< none of a light in the air, or if all of the piece is below the horizon
+  };
+  /// `sample`: in (0, 1). Not if it is empty.
+  Choice choose(double sample) const;
+  /// By solid angle, the probability of a piece over its solid angle, 1/sr; 0 if it is empty.
+  double densityOf(std::uint32_t piece) const;
+
+  /// W/m2 for each W of the flux of a light in the air, if nothing stands between, along a vector
+  /// from it; `part`: of the beam that the point receives. 0 at its very place.
+  static double perWatt(const PointLight& light, const Vector3& along, double part)
+  {
+    const double square = along.squaredNorm();
+    return square > 0 && part > 0 ? light.density(along) * part / square : 0;
+  }
+
+private:
+  /// What is chosen from: a light in the air, or a part of a lamp.
+  struct Target
+  {
+    std::uint32_t piece;
+    std::optional<SeenLamp> seen;
+  };
+
+  bool isInAir(std::uint32_t piece) const;
+  std::vector<SeenLamp> partsOf(std::uint32_t piece) const;
+  /// W/m2 that it brings if nothing stands between; roughly.
+  double weightOf(const Target& target) const;
+  Choice chooseRoughly(double sample) const;
+
+  const LampPieces& lamps_;
+  LitPoint point_;
+  SeenLamp::By by_;
+  bool isRough_;
+  LampChoice rough_;
+  std::vector<Target> targets_;
+  std::vector<double> cumulative_; ///< weights up to and including each target
+  double sum_ = 0;
+};
+
+}
+
+#endif

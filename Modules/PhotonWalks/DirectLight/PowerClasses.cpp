@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectLight/PowerClasses.h"
+
+#include "DirectLight/FirstHits.h"
+#include "Geometry/Vector.h"
+#include "Sampling/SplitMix.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr std::size_t kMostClasses = 4;
+constexpr double kWeak = 0.15; ///< beside the strongest of a class
+
+/// Sets of lights, each with one of them that stands for all.
+class Lamps
+{
+public:
+  explicit Lamps(std::size_t count)
+    : next_(count)
+  {
+    std::iota(next_.begin(), next_.end(), std::size_t{});
+  }
+  std::size_t of(std::size_t light)
+  {
+    while (next_[light] != light)
+    {
+      light = next_[light] = next_[next_[light]];
+    }
+    return light;
+  }
+  void join(std::size_t a, std::size_t b) { next_[of(a)] = of(b); }
+
+private:
+  std::vector<std::size_t> next_;
+};
+
+/// A corner of a light, by its object.
+struct Corner
+{
+  std::uint32_t object;
+  Vector3 place;
+
+  friend bool operator==(const Corner& a, const Corner& b)
+  {
+    return a.object == b.object && a.place == b.place;
+  }
+};
+
+struct CornerHash
+{
+  std::size_t operator()(const Corner& corner) const
+  {
+    const std::hash<double> hash;
+    std::size_t value = corner.object;
+    for (const double x : { corner.place[0], corner.place[1], corner.place[2] })
+    {
+      value = splitMix(value ^ hash(x));
+    }
+    return value;
+  }
+};
+
+Lamps lampsOf(const std::vector<Light>& lights)
+{
+  Lamps lamps(lights.size());
+  std::unordered_map<Corner, std::size_t, CornerHash> corners;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    if (const auto* const area = std::get_if<AreaLight>(&lights[i].kind))
+    {
+      for (const Vector3& place : { area->triangle.a, area->triangle.b, area->triangle.c })
+      {
+        lamps.join(i, corners.emplace(Corner{ lights[i].cell.object, place }, i).first->second);
+      }
+    }
+  }
+  return lamps;
+}
+
+/// Where the light of lamps falls first.
+class LampHits
+{
+public:
+  LampHits(const LightTable& table, const SceneObjects& objects, Lamps& lamps)
+    : arrivals_(table.lights().size())
+    , cellOfTriangle_(objects.staticObject.material->cellOfTriangle)
+    , strong_(2 * objects.staticObject.material->numberOfCells)
+    , own_(strong_.size())
+  {
+    const FirstHits hits(objects, table);
+    for (const FirstHits::Arrival& arrival : hits.arrivals())
+    {
+      arrivals_[lamps.of(arrival.light)].push_back(arrival);
+    }
+  }
+
+  /// Those that others are compared with.
+  void setStrong(const std::vector<std::size_t>& lamps)
+  {
+    std::fill(strong_.begin(), strong_.end(), 0);
+    for (const std::size_t lamp : lamps)
+    {
+      for (const FirstHits::Arrival& arrival : arrivals_[lamp])
+      {
+        strong_[sideOf(arrival)] += arrival.flux;
+      }
+    }
+  }
+
+  /// Whether the light of a lamp falls mostly where the strong ones send more than it does. Where
+  /// few rays arrive it is not.
+  bool isOutshone(std::size_t lamp)
+  {
+    for (const FirstHits::Arrival& arrival : arrivals_[lamp])
+    {
+      own_[sideOf(arrival)][arrival.half] += arrival.flux;
+    }
+    double theirs = 0, its = 0;
+    for (const FirstHits::Arrival& arrival : arrivals_[lamp])
+    {
+      theirs += arrival.flux * strong_[sideOf(arrival)];
+      // Twice the other half: a ray always meets the cell that it meets.
+      its += arrival.flux * 2 * own_[sideOf(arrival)][1 - arrival.half];
+    }
+    for (const FirstHits::Arrival& arrival : arrivals_[lamp])
+    {
+      own_[sideOf(arrival)] = {};
+    }
+    return theirs > its;
+  }
+
+private:
+  std::size_t sideOf(const FirstHits::Arrival& arrival) const
+  {
+    return 2 * std::size_t{ cellOfTriangle_[arrival.triangle] } + (arrival.isFront ? 0 : 1);
+  }
+
+  std::vector<std::vector<FirstHits::Arrival>> arrivals_; ///< by lamp
+  const std::vector<std::uint32_t>& cellOfTriangle_;
+  std::vector<double> strong_;             ///< W, by side of a cell
+  std::vector<std::array<double, 2>> own_; ///< likewise of one lamp, by half
+};
+
+}
+
+std::vector<LightTable> powerClassesOf(
+  const LightTable& table, const SceneObjects& objects, double leastPart)
+{
+  const std::vector<Light>& lights = table.lights();
+  Lamps lamps = lampsOf(lights);
+  std::vector<double> flux(lights.size()); // W, of the lamp for which a light stands
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    flux[lamps.of(i)] += lights[i].totalFlux();
+  }
+  std::vector<std::size_t> rest; // the strongest first
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    if (flux[i] > 0)
+    {
+      rest.push_back(i);
+    }
+  }
+  std::stable_sort(
+    rest.begin(), rest.end(), [&](std::size_t a, std::size_t b) { return flux[a] > flux[b]; });
+  std::optional<LampHits> hits;
+  std::vector<std::size_t> classOf(lights.size()); // of lamps
+  std::size_t number = 0;
+  for (; !rest.empty(); ++number)
+  {
+    const double weakest = kWeak * flux[rest.front()];
+    const auto strong = std::partition_point(
+      rest.begin(), rest.end(), [&](std::size_t lamp) { return flux[lamp] >= weakest; });
+    const std::vector<std::size_t> members(rest.begin(), strong);
+    std::vector<std::size_t> others(strong, rest.end());
+    if (!others.empty() && !hits)
+    {
+      hits.emplace(table, objects, lamps);
+    }
+    if (!others.empty())
+    {
+      hits->setStrong(members);
+      others.erase(std::remove_if(others.begin(), others.end(),
+                     [&](std::size_t lamp) { return hits->isOutshone(lamp); }),
+        others.end());
+    }
+    const double left = std::accumulate(others.begin(), others.end(), 0.0,
+      [&](double sum, std::size_t lamp) { return sum + flux[lamp]; });
+    if (number + 1 == kMostClasses || left <= leastPart * table.flux())
+    {
+      others.clear();
+    }
+    for (const std::size_t lamp : others)
+    {
+      classOf[lamp] = number + 1;
+    }
+    rest = std::move(others);
+  }
+  if (number <= 1)
+  {
+    return { table };
+  }
+  std::vector<LightTable> classes;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    std::vector<bool> chosen(lights.size());
+    for (std::size_t light = 0; light < lights.size(); ++light)
+    {
+      chosen[light] = classOf[lamps.of(light)] == i;
+    }
+    classes.push_back(table.only(chosen));
+  }
+  return classes;
+}
+
+}

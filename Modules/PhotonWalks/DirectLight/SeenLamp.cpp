@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectLight/SeenLamp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// What the unit interval chooses with a density that is linear between two values.
+double sampleLinear(double u, double first, double last)
+{
+  const double whole = first + std::sqrt((1 - u) * first * first + u * last * last);
+  return whole > 0 ? std::min(u * (first + last) / whole, 1.0) : u;
+}
+
+}
+
+void SeenLamp::addParts(
+  const Triangle& lamp, const LitPoint& point, By by, std::vector<SeenLamp>& parts)
+{
+  const std::array<Corner, 3> corners{ { { Vector3::UnitX(), lamp.a }, { Vector3::UnitY(), lamp.b },
+    { Vector3::UnitZ(), lamp.c } } };
+  if (by == By::SolidAngle || !point.hasNormal())
+  {
+    add(corners, point, by, parts);
+    return;
+  }
+  // Along the edges, the corners above the horizon, and where an edge crosses it.
+  std::array<Corner, 4> above;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Corner &from = corners[i], &to = corners[(i + 1) % 3];
+    const double height = point.normal.dot(from.place - point.position);
+    const double next = point.normal.dot(to.place - point.position);
+    if (height > 0)
+    {
+      above[count++] = from;
+    }
+    if ((height > 0) != (next > 0))
+    {
+      const double t = height / (height - next);
+      above[count++] = { (1 - t) * from.weights + t * to.weights,
+        (1 - t) * from.place + t * to.place };
+    }
+  }
+  for (std::size_t i = 2; i < count; ++i)
+  {
+    add({ above[0], above[i - 1], above[i] }, point, by, parts);
+  }
+}
+
+void SeenLamp::add(
+  std::array<Corner, 3> corners, const LitPoint& point, By by, std::vector<SeenLamp>& parts)
+{
+  const auto partOf = [&](const Vector3& place) {
+    return std::max(0.0, point.partOf(point.position - place));
+  };
+  Vector3 cosines(partOf(corners[0].place), partOf(corners[1].place), partOf(corners[2].place));
+  const Vector3 middle = (corners[0].place + corners[1].place + corners[2].place) / 3;
+  const double meanPart = (cosines.sum() + 3 * partOf(middle)) / 6;
+  const bool isWarped = by == By::Cosine && point.hasNormal() && cosines.maxCoeff() > 0;
+  if (isWarped)
+  {
+    // Towards the second corner samples are densest in the square: it is the one with the largest
+    // cosine.
+    Eigen::Index largest = 0;
+    cosines.maxCoeff(&largest);
+    std::rotate(corners.begin(), corners.begin() + (largest + 2) % 3, corners.end());
+    cosines = Vector3(cosines[(largest + 2) % 3], cosines[largest], cosines[(largest + 1) % 3]);
+  }
+  parts.push_back(
+    SeenLamp(corners, point.position, isWarped ? cosines : Vector3(Vector3::Ones()), meanPart));
+}
+
+SeenLamp::SeenLamp(const std::array<Corner, 3>& corners, const Vector3& from,
+  const Vector3& density, double meanPart)
+  : seen_({ corners[0].place, corners[1].place, corners[2].place }, from)
+  , density_(density)
+  , meanPart_(meanPart)
+{
+  weights_ << corners[0].weights, corners[1].weights, corners[2].weights;
+}
+
+SeenLamp::Sample SeenLamp::sample(std::array<double, 2> u) const
+{
+  const double mean = 0.25 * (density_[0] + 2 * density_[1] + density_[2]);
+  u[1] = sampleLinear(u[1], density_[1], 0.5 * (density_[0] + density_[2]));
+  const double first = (1 - u[1]) * density_[1] + u[1] * density_[0],
+               last = (1 - u[1]) * density_[1] + u[1] * density_[2];
+  u[0] = sampleLinear(u[0], first, last);
+  const double density = (1 - u[0]) * first + u[0] * last;
+  return { weights_ * seen_.sample(u), density > 0 ? seen_.solidAngle() * mean / density : 0 };
+}
+
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectLight/WalkStarts.h"
+
+#include "Sampling/SplitMix.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A number in [0, 1) of a seed, a sample and a use.
+double chance(std::uint64_t seed, std::uint32_t sample, int use)
+{
+  const std::uint64_t hash =
+    splitMix(seed ^ splitMix(static_cast<std::uint64_t>(use) << 32 | sample));
+  return static_cast<double>(hash >> 11) * 0x1p-53;
+}
+
+/// The parts of a power in each band, so that all have `quanta` together.
+Power shared(const std::array<double, Power::kMaxBands>& powers, double all, std::int64_t quanta)
+{
+  Power power;
+  for (std::size_t band = 0; band < powers.size(); ++band)
+  {
+    power.quanta[band] = nearestQuanta(static_cast<double>(quanta) * (powers[band] / all));
+  }
+  return power;
+}
+
+}
+
+WalkStarts::WalkStarts(const DirectLight& light, const SceneObjects& objects,
+  const SceneTriangles& triangles, std::int64_t quantaPerWalk, std::uint32_t firstWalk,
+  std::uint64_t seed, const CancelPoint& cancelPoint)
+  : light_(light)
+  , quantaPerWalk_(quantaPerWalk)
+  , firstWalk_(firstWalk)
+  , replicates_(light.plan().replicates())
+  , seed_(seed)
+  , counts_(replicates_, 0)
+{
+  const DirectPlan& plan = light.plan();
+  starts_.reserve(plan.size()); // so it hardly ever moves; what is not used is never mapped
+  ThrottledCancelPoint pace(cancelPoint);
+  for (std::size_t cell = 0; cell < plan.numberOfCells(); ++cell)
+  {
+    for (std::uint32_t i = 0; i < plan.samplesOf(cell); ++i)
+    {
+      if (light.samples()[plan.first(cell) + i].part > 0)
+      {
+        add(plan.first(cell) + i, plan.replicateOf(cell, i), objects, triangles);
+      }
+      pace.step();
+    }
+  }
+  numberWalks(cancelPoint);
+}
+
+void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneObjects& objects,
+  const SceneTriangles& triangles)
+{
+  const DirectSample& sample = light_.samples()[number];
+  const TriangleId id = triangles.idOf(sample.triangle);
+  const Material& material = *objects[id.object].material;
+  const CellSums::Quanta arriving = light_.quantaOf(sample);
+  for (int use = 0; use < (material.isSpecular() ? 2 : 1); ++use)
+  {
+    std::array<double, Power::kMaxBands> reflected{};
+    double all = 0;
+    for (int band = 0; band < material.bands; ++band)
+    {
+      const double reflectance = use == 0 ? material.reflectanceOf(id.triangle, band)
+                                          : material.specularOf(id.triangle, band);
+      reflected[static_cast<std::size_t>(band)] =
+        reflectance * arriving[static_cast<std::size_t>(band)];
+      all += reflected[static_cast<std::size_t>(band)];
+    }
+    const auto walks = static_cast<std::uint32_t>(
+      all / static_cast<double>(quantaPerWalk_) + chance(seed_, number, use));
+    if (walks > 0)
+    {
+      starts_.push_back({ number, replicate, counts_[replicate], walks, use == 1,
+        shared(reflected, all, quantaPerWalk_) });
+      counts_[replicate] += walks;
+    }
+  }
+}
+
+/// Replicates take turns, as Replicates says.
+void WalkStarts::numberWalks(const CancelPoint& cancelPoint)
+{
+  const std::size_t most = std::max(1u, *std::max_element(counts_.begin(), counts_.end()));
+  assignPaced(startOfWalk_, most * replicates_, kNone, cancelPoint);
+  ThrottledCancelPoint pace(cancelPoint);
+  for (std::uint32_t i = 0; i < starts_.size(); ++i)
+  {
+    pace.step();
+    for (std::uint32_t walk = starts_[i].first; walk < starts_[i].first + starts_[i].count; ++walk)
+    {
+      startOfWalk_[std::size_t{ walk } * replicates_ + starts_[i].replicate] = i;
+    }
+  }
+}
+
+std::size_t WalkStarts::numberBorn() const
+{
+  return std::accumulate(
+    starts_.begin(), starts_.end(), std::size_t{}, [&](std::size_t sum, const Start& start) {
+      return sum + (light_.isVisible(start.sample) ? start.count : 0);
+    });
+}
+
+std::vector<std::uint32_t> WalkStarts::walksOf(const std::vector<std::uint32_t>& samples) const
+{
+  std::vector<std::uint32_t> walks;
+  for (const std::uint32_t sample : samples)
+  {
+    auto start = std::lower_bound(starts_.begin(), starts_.end(), sample,
+      [](const Start& some, std::uint32_t number) { return some.sample < number; });
+    for (; start != starts_.end() && start->sample == sample; ++start)
+    {
+      for (std::uint32_t walk = start->first; walk < start->first + start->count; ++walk)
+      {
+        walks.push_back(firstWalk_ + walk * replicates_ + start->replicate);
+      }
+    }
+  }
+  std::sort(walks.begin(), walks.end());
+  return walks;
+}
+
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_WalkStarts_h
+#define irradiance_WalkStarts_h
+
+#include "DirectLight/DirectLight.h"
+
+namespace irradiance
+{
+
+/**
+ * The walks that start where direct light was gathered, each with the same power: as many from each
+ * sample as what it reflects calls for, rounded up or down by chance, so that the mean is right.
+ *
+ * Walks are numbered as if all samples saw their lights. Those of samples that do not are not born;
+ * so what stands in the light of some cells renumbers no others. Replicates take turns in the
+ * numbers.
+ */
+class WalkStarts
+{
+public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// `light`: with all its samples. `quantaPerWalk`: the power of a walk.
+  WalkStarts(const DirectLight& light, const SceneObjects& objects, const SceneTriangles& triangles,
+    std::int64_t quantaPerWalk, std::uint32_t firstWalk, std::uint64_t seed,
+    const CancelPoint& cancelPoint = {});
+
+  /// So many walks may be born, at least one number.
+  std::uint32_t size() const { return static_cast<std::uint32_t>(startOfWalk_.size()); }
+  bool isBorn(std::uint32_t walk) const
+  {
+    const std::uint32_t start = startOfWalk_[walk - firstWalk_];
+    return start != kNone && light_.isVisible(starts_[start].sample);
+  }
+  /// How many are born.
+  std::size_t numberBorn() const;
+  /// That are in use.
+  std::size_t bytes() const
+  {
+    return starts_.size() * sizeof(Start) + startOfWalk_.capacity() * sizeof(std::uint32_t);
+  }
+  /// The walks that start from these samples if they see their lights, in order.
+  std::vector<std::uint32_t> walksOf(const std::vector<std::uint32_t>& samples) const;
+
+  /// Walks that leave the point of a sample alike.
+  struct Start
+  {
+    std::uint32_t sample;
+    std::uint32_t replicate, first, count; ///< walks, counted within the replicate
+    bool isSpecular;
+    Power power; ///< of each walk
+  };
+  const Start& operator[](std::uint32_t walk) const
+  {
+    return starts_[startOfWalk_[walk - firstWalk_]];
+  }
+  const DirectSample& sampleOf(const Start& start) const { return light_.samples()[start.sample]; }
+
+private:
+  void add(std::uint32_t sample, std::uint32_t replicate, const SceneObjects& objects,
+    const SceneTriangles& triangles);
+  void numberWalks(const CancelPoint& cancelPoint);
+
+  const DirectLight& light_;
+  std::int64_t quantaPerWalk_;
+  std::uint32_t firstWalk_, replicates_;
+  std::uint64_t seed_;
+  std::vector<std::uint32_t> counts_;      ///< of walks, by replicate
+  std::vector<Start> starts_;              ///< ordered by sample
+  std::vector<std::uint32_t> startOfWalk_; ///< kNone: it is never born
+};
+
+}
+
+#endif

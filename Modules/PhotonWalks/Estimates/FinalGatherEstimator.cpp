@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Estimates/FinalGatherEstimator.h"
+
+#include "FinalGather/DarkShapes.h"
+#include "FinalGather/NearLampLight.h"
+#include "FinalGather/PathLights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
+{
+  rounds_ = rounds;
+  const EstimateSource& from = source();
+  const SceneObjects& objects = from.space.objects;
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  const CellSums& all = from.walks.sums();
+  CellSums direct = CellSums::ofGathered(objects, all.sides(), all.plan(), all.rounds());
+  direct.addGathered(all, cancelPoint);
+  // The walks of the first round decide which cells cast rays: all rounds have the same paths, and
+  // a cell does not stop casting rays because more walks are shot.
+  roles_.emplace(from.cells, from.walks.plan().walksAfter(1),
+    from.walks.isEmpty() ? 0 : settings_.rays, settings_.isEverywhere, !settings_.isUnbiased);
+  const CellShapes shapes = darkShapesOf(from.walks, from.space, cancelPoint);
+  const std::deque<PointDirectLight> lights =
+    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
+  const FoundLamps foundLamps(from.walks, from.cells.numbers());
+  const UnevenCells unevenCells(shapes, *roles_, from.walks, cancelPoint);
+  const FinalGatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
+    { all, settings_.isUnbiased ? nullptr : &direct, from.walks.staleSums(), rounds.walks }, lights,
+    foundLamps, unevenCells, static_cast<std::uint32_t>(rays().after(1)),
+    1 / from.walks.watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0,
+    false, settings_.mostRays > 0 };
+  for (const WalkSet& set : from.walks.sets())
+  {
+    if (!set.source().cells && !set.source().areFoundByRays && !set.lights().isEmpty())
+    {
+      addNearLampLight(scene, set, rounds.walks, direct, execution);
+    }
+  }
+  gather_.update(scene, rounds.rays, execution);
+  putTogether(scene, direct, cancelPoint);
+}
+
+void FinalGatherEstimator::putTogether(
+  const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint)
+{
+  const KnownLight& known = scene.known;
+  const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
+  const std::uint32_t replicates = known.all.plan().replicates().count();
+  sums_ = CellSums::ofGathered(scene.objects, sides(), WalkPlan(count, count, replicates));
+  staleSums_ = CellSums::ofGathered(scene.objects, sides(), {}, known.stale ? 1 : 0);
+  ThrottledCancelPoint pace(cancelPoint);
+  known.all.numbers().forEach([&](const SceneCell& cell) {
+    const bool gathers = roles_->gathers(cell);
+    const CellSums& own = gathers ? direct : known.all;
+    for (int side = 0; side < sides(); ++side)
+    {
+      for (int band = 0; band < known.all.bands(); ++band)
+      {
+        for (std::uint32_t i = 0; i < replicates; ++i)
+        {
+          sums_.setGathered(
+            { cell, side }, band, i, sumOf({ cell, side }, [&](const CellSide& part) {
+              return own.sum(part, band, i, known.rounds) +
+                (gathers ? gather_.indirect().sum(part, band, i, 1) : 0);
+            }));
+        }
+        if (known.stale)
+        {
+          const CellSums& stale = gathers ? gather_.stale() : *known.stale;
+          staleSums_.setGathered({ cell, side }, band, 0,
+            sumOf({ cell, side }, [&](const CellSide& part) { return stale.sum(part, band); }));
+        }
+      }
+    }
+    pace.step();
+  });
+}
+
+/// Of one side, or of both if they are not told apart.
+template <class Quanta>
+double FinalGatherEstimator::sumOf(const CellSide& cell, const Quanta& quanta) const
+{
+  return settings_.separatesSides ? quanta(cell) : quanta({ cell, 0 }) + quanta({ cell, 1 });
+}
+
+RayRounds FinalGatherEstimator::rays() const
+{
+  return { dealtRays(settings_.rays, source().walks.plan().replicates().count()),
+    settings_.mostRays };
+}
+
+/// Of a single ray nothing is known: its noise counts for all that there is.
+std::optional<double> FinalGatherEstimator::rayVariance(const CellSide& cell, int band) const
+{
+  if (!roles_->gathers(cell))
+  {
+    return {};
+  }
+  if (numberOfRays() == source().walks.plan().replicates().count())
+  {
+    return kInfinity;
+  }
+  const auto varianceOf = [&](const CellSide& part) {
+    return std::pow(gather_.noise().sum(part, band), 2);
+  };
+  return settings_.separatesSides ? varianceOf(cell)
+                                  : varianceOf({ cell, 0 }) + varianceOf({ cell, 1 });
+}
+
+double FinalGatherEstimator::staleIrradiance(const CellSide& cell, int band) const
+{
+  // Both are rounded, so the part may come out larger than the whole.
+  return source().walks.staleSums()
+    ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
+    : 0.0;
+}
+
+/// Each ray reads a cell that expects fewestToRead() photons at least; one that reads none is worth
+/// one.
+double FinalGatherEstimator::photonShare(const CellSide& cell) const
+{
+  const double eachDraws = settings_.isUnbiased ? 1 : roles_->fewestToRead();
+  const double drawn = eachDraws * static_cast<double>(numberOfRays()) * roles_->timesOf(cell);
+  const WalkPlan& plan = source().walks.plan();
+  const double expected = roles_->expectedOn(source().cells.area(cell)) *
+    (static_cast<double>(plan.walksAfter(rounds_.walks)) / plan.walksAfter(1));
+  return roles_->gathers(cell) ? std::min(1.0, expected / drawn) : 1.0;
+}
+
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_FinalGatherEstimator_h
+#define irradiance_FinalGatherEstimator_h
+
+#include "Estimates/CellEstimator.h"
+#include "Estimates/PhotonShares.h"
+#include "FinalGather/FinalGather.h"
+#include "FinalGather/RayRounds.h"
+
+#include <optional>
+
+namespace irradiance
+{
+
+/**
+ * Small cells: from their direct light, which they gathered, and a final gather of the indirect
+ * light, see FinalGatherPaths. All others: from their own sums. Needs gathered direct light, and sums by
+ * side. Paths are kept from update to update, see FinalGather; all else is made anew.
+ *
+ * The sums that rays read are means over the cells that they hit: this is a bias, which shrinks
+ * with the size of these. Unbiased estimates read none. See Documentation/Theory.md, 5.7.
+ */
+class FinalGatherEstimator
+  : public CellEstimator
+  , private PhotonShares
+{
+public:
+  struct Settings
+  {
+    std::uint32_t rays;     ///< of each side of a cell; rounded up to a multiple of the replicates
+    std::uint32_t mostRays; ///< likewise, if a target takes more; 0: no target
+    bool isEverywhere;      ///< all cells gather, not only small ones
+    bool isUnbiased;        ///< no sums are read
+    bool separatesSides;    ///< else irradiance() is that of both
+    std::uint64_t seed;
+    bool keepsPaths; ///< for frames in which things have moved
+  };
+
+  FinalGatherEstimator(const EstimateSource& source, const Settings& settings)
+    : CellEstimator(source)
+    , settings_(settings)
+  {
+  }
+
+  /// There must be no unseenLight().
+  void update(const EstimateRounds& rounds, Execution& execution) override;
+  double irradiance(const CellSide& cell, int band) const override
+  {
+    return perArea(sums_.sum(cell, band), cell);
+  }
+  /// Linear in what the walks of the cells hit have stale; of direct light nothing is stale.
+  double staleIrradiance(const CellSide& cell, int band) const override;
+  ErrorEstimate errorEstimate() const override
+  {
+    return { sums_, sums_.plan(), 1, source().walks.largestStart(), this };
+  }
+
+  std::size_t mostRayRounds() const override { return rays().most(); }
+  std::uint64_t numberOfRays() const override { return rays().after(rounds_.rays); }
+  std::int64_t raySegments() const override { return gather_.segments(); }
+  void dropRayRounds(std::size_t kept) override { gather_.dropRounds(keepsPaths() ? kept : 0); }
+  std::size_t bytes() const override
+  {
+    return gather_.bytes() + sums_.bytes() + staleSums_.bytes();
+  }
+  std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
+
+private:
+  double photonShare(const CellSide& cell) const override;
+  std::optional<double> rayVariance(const CellSide& cell, int band) const override;
+  RayRounds rays() const;
+  /// For frames to come.
+  bool keepsPaths() const
+  {
+    return settings_.keepsPaths && !source().space.objects.dynamicObjects.empty();
+  }
+  int sides() const { return settings_.separatesSides ? 2 : 1; }
+  /// From what cells have themselves, and what was gathered for them.
+  void putTogether(
+    const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint);
+  template <class Quanta>
+  double sumOf(const CellSide& cell, const Quanta& quanta) const;
+
+  Settings settings_;
+  FinalGather gather_;
+  EstimateRounds rounds_;          ///< of the last update
+  std::optional<CellRoles> roles_; ///< of the last update
+  CellSums sums_, staleSums_;      ///< with the sides of the settings
+};
+
+}
+
+#endif

@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinalGather/FinalGatherPaths.h"
+
+#include "FinalGather/AreaPoints.h"
+#include "Sampling/DirectionSampling.h"
+#include "Sampling/SobolPoint.h"
+#include "Shooting/WalkSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <stdexcept>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// A path that needs more is in a closed part of the scene that absorbs nothing: it would never
+/// end.
+constexpr std::uint32_t kMostBounces = 1u << 20;
+
+enum class Use : std::uint64_t
+{
+  Position,
+  Direction,
+  Survival,
+  Acceptance,
+  Compensation
+};
+
+SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
+{
+  return SampleKeys(
+    splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
+}
+
+/// What rounding does to rays is bounded for those that start near the scene: one that comes from
+/// afar starts again where it is as near as the scene is wide.
+Vector3 nearestOrigin(const Box& bounds, const Vector3& origin, const Vector3& direction)
+{
+  double along = 0;
+  for (int axis = 0; !bounds.isEmpty() && axis < 3; ++axis)
+  {
+    const double pad = bounds.extent().maxCoeff();
+    const double gap = std::max(bounds.lower[axis] - pad - origin[axis], 0.0) +
+      std::min(bounds.upper[axis] + pad - origin[axis], 0.0);
+    along = gap * direction[axis] > 0 ? std::max(along, gap / direction[axis]) : along;
+  }
+  return origin + along * direction;
+}
+
+/// Of a side or a point.
+std::uint64_t seedOf(const FinalGatherScene& scene, std::uint64_t number)
+{
+  return splitMix(scene.seed ^ splitMix(number));
+}
+
+double largestOf(const FinalGatherPaths::Bands& weight)
+{
+  return *std::max_element(weight.begin(), weight.end());
+}
+
+/// The part of the largest weight that is left; of one band exactly its reflectance.
+double reflectedPart(const FinalGatherPaths::Bands& weight, const double* reflectances, int bands)
+{
+  FinalGatherPaths::Bands reflected{};
+  for (int band = 0; band < bands; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    reflected[i] = weight[i] * reflectances[i];
+  }
+  return bands == 1 ? reflectances[0] : std::min(1.0, largestOf(reflected) / largestOf(weight));
+}
+
+}
+
+void FinalGatherPaths::begin(const FinalGatherScene& scene)
+{
+  bands_ = scene.known.all.bands();
+  bounce_ = 0;
+  numberOfPaths_ = 0;
+  paths_.clear();
+  rays_.clear();
+  steps_.clear();
+  values_.clear();
+  shadows_.clear();
+}
+
+void FinalGatherPaths::addSide(const FinalGatherScene& scene, std::size_t cell, bool isFront,
+  std::uint64_t number, const std::vector<std::uint32_t>& rays)
+{
+  const std::uint64_t seed = seedOf(scene, number);
+  const SampleKeys places = keysOf(seed, 0, Use::Position),
+                   directions = keysOf(seed, 0, Use::Direction);
+  const AreaPoints points(scene.shapes, scene.space.triangles, cell);
+  addStart(scene, seed, rays, [&](std::uint32_t i) {
+    auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
+    point.turn(isFront);
+    return Ray{ point.clearPosition(),
+      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id };
+  });
+}
+
+void FinalGatherPaths::addPoint(
+  const FinalGatherScene& scene, const LitPoint& point, std::uint64_t number)
+{
+  std::vector<std::uint32_t> all(scene.rays);
+  std::iota(all.begin(), all.end(), 0u);
+  addPoint(scene, point, number, all);
+}
+
+void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& point,
+  std::uint64_t number, const std::vector<std::uint32_t>& rays)
+{
+  const std::uint64_t seed = seedOf(scene, number);
+  const SampleKeys directions = keysOf(seed, 0, Use::Direction);
+  addStart(scene, seed, rays, [&](std::uint32_t i) {
+    const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
+    const Vector3 direction =
+      point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u);
+    return Ray{ nearestOrigin(scene.space.scene.bounds(), point.position, direction), direction,
+      point.on };
+  });
+}
+
+void FinalGatherPaths::addSpecular(
+  const FinalGatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye)
+{
+  const std::uint64_t seed = seedOf(scene, number);
+  const SampleKeys places = keysOf(seed, 0, Use::Position);
+  const AreaPoints points(scene.shapes, scene.space.triangles, cell);
+  for (std::uint32_t i = 0; i < scene.rays; ++i)
+  {
+    const Path path = startOf(scene, seed, i);
+    auto [place, id] = points.at(SobolPoint::inUnitSquare(i, places));
+    const Vector3 eye = toEye(place.position);
+    place.turn(eye.dot(place.normal) >= 0);
+    const Material& material = *scene.objects[id.object].material;
+    const PhongLobe& lobe = material.lobeOf(material.cellOfTriangle[id.triangle]);
+    if (lobe.isMirror() ? !eye.isZero(0) : eye.dot(place.normal) > 0)
+    {
+      const PathVertex vertex{ place, id, -eye };
+      if (!lobe.isMirror())
+      {
+        recordStart(scene, path, vertex, lobe);
+      }
+      goOnSpecularly(scene, path, vertex, lobe, paths_, rays_);
+    }
+  }
+}
+
+FinalGatherPaths::Path FinalGatherPaths::startOf(
+  const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray)
+{
+  Path path{ {}, seed, ray, numberOfPaths_++, false, kInfinity };
+  std::fill_n(path.weight.begin(), bands_, 1.0 / scene.raysOfReplicate());
+  return path;
+}
+
+template <class RayOf>
+void FinalGatherPaths::addStart(const FinalGatherScene& scene, std::uint64_t seed,
+  const std::vector<std::uint32_t>& rays, const RayOf& rayOf)
+{
+  for (const std::uint32_t i : rays)
+  {
+    rays_.push_back(rayOf(i));
+    paths_.push_back(startOf(scene, seed, i));
+  }
+}
+
+void FinalGatherPaths::run(const FinalGatherScene& scene)
+{
+  while (!paths_.empty())
+  {
+    cast(scene);
+    if (++bounce_ > kMostBounces)
+    {
+      throw std::runtime_error("a path of the final gather does not end: the light cannot leave a "
+                               "part of the scene that absorbs nothing (reflectance 1)");
+    }
+    next_.clear();
+    nextRays_.clear();
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+    {
+      if (const Hit& hit = hits_[i])
+      {
+        const Arrival arrival = arrivalOf(scene, rays_[i], hit);
+        record(scene, paths_[i], rays_[i], arrival);
+        goOn(scene, paths_[i], rays_[i], arrival);
+      }
+      else
+      {
+        recordMiss(scene, paths_[i], rays_[i]);
+      }
+    }
+    paths_.swap(next_);
+    rays_.swap(nextRays_);
+  }
+  sortSteps();
+}
+
+void FinalGatherPaths::sortSteps()
+{
+  std::vector<std::uint32_t> ends(numberOfPaths_ + 1), order(steps_.size());
+  for (const Step& step : steps_)
+  {
+    ++ends[step.path + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+  for (std::uint32_t i = 0; i < steps_.size(); ++i)
+  {
+    order[next[steps_[i].path]++] = i;
+  }
+  followed_.clear();
+  followed_.reserve(numberOfPaths_, steps_.size(), values_.size());
+  for (std::uint32_t path = 0; path < numberOfPaths_; ++path)
+  {
+    for (std::uint32_t i = ends[path]; i < ends[path + 1]; ++i)
+    {
+      const std::uint32_t step = order[i];
+      followed_.addSegment(steps_[step].segment);
+      const bool isLast = step + 1 == steps_.size();
+      const std::size_t end = isLast ? values_.size() : steps_[step + 1].value;
+      for (std::size_t value = steps_[step].value; value < end; ++value)
+      {
+        followed_.addValue(values_[value]);
+      }
+      const std::size_t endOfShadows = isLast ? shadows_.size() : steps_[step + 1].shadow;
+      for (std::size_t shadow = steps_[step].shadow; shadow < endOfShadows; ++shadow)
+      {
+        followed_.addShadow(shadows_[shadow]);
+      }
+    }
+    followed_.endPath();
+  }
+}
+
+void FinalGatherPaths::cast(const FinalGatherScene& scene)
+{
+  const Contacts& contacts = scene.space.contacts;
+  hits_.assign(rays_.size(), {});
+  scene.space.scene.cast(rays_.data(), rays_.size(), hits_.data());
+  for (std::size_t i = 0; !contacts.isEmpty() && i < rays_.size(); ++i)
+  {
+    if (contacts.has(rays_[i].start) || contacts.has(hits_[i].id))
+    {
+      hits_[i] = contacts.resolveContact(scene.space.scene, rays_[i], hits_[i]);
+    }
+  }
+}
+
+FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
+  const FinalGatherScene& scene, const Ray& ray, const Hit& hit)
+{
+  const SceneTriangles& triangles = scene.space.triangles;
+  const Material& material = *scene.objects[hit.id.object].material;
+  const std::size_t cell = material.cellOfTriangle[hit.id.triangle];
+  const Vector3 normal = triangleOf(triangles, triangles.numberOf(hit.id)).areaVector();
+  const int side = normal.dot(ray.direction) < 0 ? 0 : 1;
+  const bool asksLobe =
+    scene.asksOnLobes && material.isSpecular(cell) && !material.lobeOf(cell).isMirror();
+  Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false,
+    asksLobe ? &material.lobeOf(cell) : nullptr, hit };
+  arrival.area = scene.cells.area(arrival.side);
+  const bool isLarge = scene.roles.isRead(arrival.side),
+             isRead = isLarge && scene.isRead(arrival.side);
+  const bool isNear = hit.distance * hit.distance < arrival.area;
+  arrival.isKnown = isRead && !isNear;
+  arrival.isUnknown = isLarge ? isNear || !isRead : !scene.known.direct;
+  return arrival;
+}
+
+PathVertex FinalGatherPaths::vertexOf(
+  const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival)
+{
+  const SurfacePoint place = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
+  return { place, arrival.hit.id, incomingDirection(place, ray.origin) };
+}
+
+void FinalGatherPaths::record(
+  const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
+{
+  const Contacts& contacts = scene.space.contacts;
+  const TriangleId& id = arrival.hit.id;
+  const Vector3 to = ray.origin + arrival.hit.distance * ray.direction;
+  const bool asksLights = arrival.isUnknown || arrival.lobe;
+  const bool hasLampWeight = path.isSpecular && !std::isinf(path.density) && arrival.isFront() &&
+    scene.objects[id.object].isLamp(id.triangle);
+  addStep(path,
+    { inFloats(ray.origin), inFloats(to), scene.space.triangles.numberOf(id), arrival.isFront(),
+      path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,
+      hasLampWeight,
+      contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) || arrival.lobe != nullptr });
+  if (asksLights)
+  {
+    askLights(scene, path, vertexOf(scene, ray, arrival), arrival);
+  }
+  if (hasLampWeight)
+  {
+    values_.push_back(lampWeight(scene, ray, path.density, id, to));
+  }
+}
+
+void FinalGatherPaths::recordStart(
+  const FinalGatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe)
+{
+  PathSegment segment{};
+  segment.from = segment.to = inFloats(from.place.position);
+  segment.triangle = scene.space.triangles.numberOf(from.id);
+  segment.asksLights = true;
+  addStep(path, segment);
+  const Bands light = lobeLight(scene, from, lobe, path.seed, path.number);
+  std::transform(light.begin(), light.begin() + bands_, path.weight.begin(),
+    std::back_inserter(values_), std::multiplies<double>());
+}
+
+void FinalGatherPaths::addStep(const Path& path, const PathSegment& segment)
+{
+  steps_.push_back({ path.place, segment, values_.size(), shadows_.size() });
+  if (bands_ > 1 && segment.triangle != PathSegment::kNone)
+  {
+    values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
+  }
+}
+
+void FinalGatherPaths::recordMiss(const FinalGatherScene& scene, const Path& path, const Ray& ray)
+{
+  PathSegment segment{};
+  segment.from = inFloats(ray.origin);
+  segment.to = inFloats(ray.direction);
+  segment.triangle = PathSegment::kNone;
+  segment.touchesMover = scene.space.contacts.hasDynamic(ray.start);
+  addStep(path, segment);
+}
+
+void FinalGatherPaths::askLights(
+  const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival)
+{
+  const Material& material = *scene.objects[at.id.object].material;
+  const std::uint64_t number =
+    splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
+  const LitPoint point{ at.place.clearPosition(), at.place.normal, at.id };
+  const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell);
+  Bands arriving{}, onLobe{};
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    const Bands more = asksDiffuse
+      ? lights.irradiance(point, number, scene.keepsPaths ? &shadows_ : nullptr)
+      : Bands{};
+    std::transform(
+      more.begin(), more.end(), arriving.begin(), arriving.begin(), std::plus<double>());
+  }
+  if (arrival.lobe)
+  {
+    onLobe = lobeLight(scene, at, *arrival.lobe, splitMix(number), 0);
+  }
+  for (int band = 0; band < bands_; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    double reflected = material.reflectanceOf(at.id.triangle, band) * arriving[i];
+    if (arrival.lobe)
+    {
+      reflected += material.specularOf(at.id.triangle, band) * onLobe[i];
+    }
+    values_.push_back(path.weight[i] * reflected);
+  }
+}
+
+void FinalGatherPaths::goOn(
+  const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
+{
+  const Material& material = *scene.objects[arrival.side.object].material;
+  const std::size_t cell = arrival.side.cell;
+  const bool isSpecular = material.isSpecular(cell);
+  if (arrival.isKnown && !isSpecular)
+  {
+    return; // all that it reflects is known
+  }
+  const std::size_t first = cell * static_cast<std::size_t>(bands_);
+  const double* const diffuse = &material.reflectance[first];
+  const double* const specular = isSpecular ? &material.specularReflectance[first] : nullptr;
+  SurvivalProbabilities survival{ reflectedPart(path.weight, diffuse, bands_),
+    specular ? reflectedPart(path.weight, specular, bands_) : 0.0 };
+  const double scale = std::max(1.0, survival.total()); // of several bands, see Absorption.h
+  survival.diffuse /= scale;
+  survival.specular /= scale;
+  const auto sample = [&](Use use) {
+    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
+  };
+  const double chance = sample(Use::Survival)[0];
+  if (!(chance < survival.total()))
+  {
+    return;
+  }
+  const Reflection reflection = survival.chosenBy(chance);
+  const bool isDiffuse = reflection == Reflection::Diffuse;
+  if (isDiffuse && arrival.isKnown)
+  {
+    return;
+  }
+  Path next = path;
+  next.isSpecular = false;
+  for (int band = 0; bands_ > 1 && band < bands_; ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    next.weight[i] *= (isDiffuse ? diffuse : specular)[i] / survival.of(reflection);
+  }
+  const PathVertex vertex = vertexOf(scene, ray, arrival);
+  if (!isDiffuse)
+  {
+    goOnSpecularly(scene, next, vertex, material.lobeOf(cell), next_, nextRays_);
+    return;
+  }
+  nextRays_.push_back({ vertex.place.clearPosition(),
+    sampleHemisphere(vertex.place.normal, sample(Use::Direction)), vertex.id });
+  next_.push_back(next);
+}
+
+void FinalGatherPaths::goOnSpecularly(const FinalGatherScene& scene, Path path,
+  const PathVertex& from, const PhongLobe& lobe, std::vector<Path>& paths,
+  std::vector<Ray>& rays) const
+{
+  const auto sample = [&](Use use) {
+    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
+  };
+  const Vector3& normal = from.place.normal;
+  const Vector3 direction = lobe.sample(normal, from.incoming,
+    { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
+  path.isSpecular = true;
+  path.density = scene.asksOnLobes && !lobe.isMirror()
+    ? lobe.value(normal, direction, -from.incoming) * direction.dot(normal)
+    : kInfinity;
+  paths.push_back(path);
+  rays.push_back({ from.place.clearPosition(), direction, from.id });
+}
+
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_FinalGatherPaths_h
+#define irradiance_FinalGatherPaths_h
+
+#include "FinalGather/FinalGatherScene.h"
+#include "FinalGather/FollowedPaths.h"
+#include "FinalGather/LobeLight.h"
+#include "Surfaces/Absorption.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * Follows paths that look for the indirect light of some sides of cells, or of single points:
+ * backwards along the ways of light. Each begins as a ray from a point of its side, in a direction
+ * with the density cos(theta) / pi, and ends where it hits a cell that is read. On any other cell
+ * it goes on as a walk does: it survives with probability = reflectance. So it does on a cell of
+ * which nothing is known, or that is nearer than wide, whose mean says little of the point that is
+ * hit: there the lights are asked. What they bring, see PathSums.
+ *
+ * Owns the memory that this takes: keep one for each thread.
+ */
+class FinalGatherPaths
+{
+public:
+  using Bands = std::array<double, Power::kMaxBands>;
+
+  /// Forgets all sides and points.
+  void begin(const FinalGatherScene& scene);
+  /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples.
+  /// `rays`: by number; each scene.rays of them are a start.
+  void addSide(const FinalGatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
+    const std::vector<std::uint32_t>& rays);
+  /// Adds all paths of a point. From one that receives from all directions, rays have the density 1
+  /// / (4 pi): four times what they bring is the fluence rate.
+  void addPoint(const FinalGatherScene& scene, const LitPoint& point, std::uint64_t number);
+  /// Of some rays alone.
+  void addPoint(const FinalGatherScene& scene, const LitPoint& point, std::uint64_t number,
+    const std::vector<std::uint32_t>& rays);
+  /// Adds the paths of what a specular cell reflects to an eye: pi times its radiance for a
+  /// specular reflectance of 1 is what they bring, the mean over the area. `toEye`: the unit vector
+  /// from a point; 0: nothing is seen of it.
+  using ToEye = std::function<Vector3(const Vector3& point)>;
+  void addSpecular(
+    const FinalGatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye);
+  /// Follows all paths to their ends. Throws std::runtime_error for one that does not end.
+  void run(const FinalGatherScene& scene);
+
+  /// In the order in which they were added.
+  const FollowedPaths& followed() const { return followed_; }
+  FollowedPaths takeFollowed() { return std::exchange(followed_, {}); }
+
+private:
+  struct Path
+  {
+    Bands weight;         ///< with which it brings what it finds
+    std::uint64_t seed;   ///< of its start
+    std::uint32_t number; ///< of the ray among those of its start
+    std::uint32_t place;  ///< in the order of all paths
+    bool isSpecular;      ///< how it left its last hit
+    double density; ///< of its direction if it left along a lobe, 1/sr; infinite from a mirror
+  };
+
+  /// A segment, its numbers, and the rays of lights to its end, of a path at this place.
+  struct Step
+  {
+    std::uint32_t path;
+    PathSegment segment;
+    std::size_t value;  ///< in values_
+    std::size_t shadow; ///< in shadows_
+  };
+
+  /// Where a ray ends.
+  struct Arrival
+  {
+    CellSide side;
+    double area;           ///< of the cell, m2
+    bool isKnown;          ///< what the side received is read
+    bool isUnknown;        ///< nothing of it is
+    const PhongLobe* lobe; ///< along which the lights are asked, or null
+    Hit hit;
+
+    bool isFront() const { return side.side == 0; }
+  };
+
+  Path startOf(const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray);
+  /// `rayOf(i)`: the ray of this number.
+  template <class RayOf>
+  void addStart(const FinalGatherScene& scene, std::uint64_t seed,
+    const std::vector<std::uint32_t>& rays, const RayOf& rayOf);
+  /// Asks the lights on the lobe of a start.
+  void recordStart(
+    const FinalGatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe);
+  void cast(const FinalGatherScene& scene);
+  static Arrival arrivalOf(const FinalGatherScene& scene, const Ray& ray, const Hit& hit);
+  static PathVertex vertexOf(const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival);
+  void record(
+    const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
+  void recordMiss(const FinalGatherScene& scene, const Path& path, const Ray& ray);
+  /// Appends the numbers with which each step begins.
+  void addStep(const Path& path, const PathSegment& segment);
+  void askLights(
+    const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival);
+  void sortSteps();
+  /// Appends what goes on.
+  void goOn(
+    const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
+  /// Appends the path to `paths` and its ray to `rays`.
+  void goOnSpecularly(const FinalGatherScene& scene, Path path, const PathVertex& from,
+    const PhongLobe& lobe, std::vector<Path>& paths, std::vector<Ray>& rays) const;
+
+  std::uint32_t bounce_ = 0, numberOfPaths_ = 0;
+  int bands_ = 1;
+  std::vector<Path> paths_, next_;
+  std::vector<Ray> rays_, nextRays_;
+  std::vector<Hit> hits_;
+  std::vector<Step> steps_; ///< bounce by bounce
+  std::vector<double> values_;
+  std::vector<ShadowRay> shadows_; ///< if paths are kept
+  FollowedPaths followed_;
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_FinalGatherScene_h
+#define irradiance_FinalGatherScene_h
+
+#include "DirectLight/PointDirectLight.h"
+#include "FinalGather/CellRoles.h"
+#include "FinalGather/FoundLamps.h"
+#include "FinalGather/KnownLight.h"
+#include "FinalGather/UnevenCells.h"
+#include "Surfaces/CellShapes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+
+namespace irradiance
+{
+
+/// As many, rounded up so that each replicate has as many as the others.
+inline std::uint32_t dealtRays(std::uint32_t rays, std::uint32_t replicates)
+{
+  return (rays + replicates - 1) / replicates * replicates;
+}
+
+/// What the paths of a final gather go through.
+struct FinalGatherScene
+{
+  GatherSpace space;
+  const SceneObjects& objects;
+  const SceneCells& cells;
+  const CellShapes& shapes;
+  CellRoles roles;
+  KnownLight known;
+  const std::deque<PointDirectLight>& lights; ///< what points on near cells ask
+  const FoundLamps& foundLamps;               ///< all else that shines
+  const UnevenCells& unevenCells;
+  std::uint32_t rays;   ///< of a start, dealt to the replicates in blocks of equal size
+  double quantaPerWatt; ///< of the light of all replicates
+  std::uint64_t seed;
+  bool keepsPaths; ///< for frames to come
+  /// Where light is reflected along a lobe the lights are asked, points too; else a lamp counts
+  /// where a path meets it.
+  bool asksOnLobes = false;
+  /// Whether the noise of rays is told from that of what they read.
+  bool tellsNoise = false;
+  std::uint32_t round = 0; ///< of rays, see RayRounds
+
+  /// Whether what a cell received on average is read at any of its points.
+  bool isRead(const SceneCell& cell) const
+  {
+    return roles.isRead(cell) && !unevenCells.contains(cells.numbers()[cell]);
+  }
+  std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
+  std::uint32_t raysOfReplicate() const { return rays / replicates(); }
+  /// The number of the first ray of a side with so many starts: all rounds before have as many rays
+  /// as this one.
+  std::uint32_t firstRay(std::uint32_t starts) const { return round == 0 ? 0 : starts * rays; }
+};
+
+/// Starts whose rays are cast together: some thousand rays.
+inline std::size_t startsTogether(const FinalGatherScene& scene)
+{
+  return std::max<std::size_t>(1, 4096 / scene.rays);
+}
+
+}
+
+#endif

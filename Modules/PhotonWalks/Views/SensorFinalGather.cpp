@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/SensorFinalGather.h"
+
+#include "Views/ReplicateParts.h"
+#include "Views/SensorPlace.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Before anything is counted.
+const IrradianceEngine& checked(const IrradianceEngine& engine)
+{
+  checkLights(engine.objects(), "the final gather at points");
+  return engine;
+}
+
+bool contains(const Box& box, const Vector3& point)
+{
+  return (box.lower.array() <= point.array()).all() && (point.array() <= box.upper.array()).all();
+}
+
+}
+
+SensorFinalGather::SensorFinalGather(
+  const IrradianceEngine& engine, std::uint32_t rays, Execution& execution, bool keepsRays)
+  : near_(boundsBesideLamps(engine.objects()))
+  , noShapes_(engine.objects(), engine.space().triangles, 0, 0)
+  , gather_(checked(engine), noShapes_, rays, false, keepsRays, execution)
+  , direct_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
+      gather_.scene().rays, LampChoice::kMostOfPoint))
+{
+}
+
+std::vector<SensorFinalGather::Light> SensorFinalGather::at(
+  const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const
+{
+  Rays rays;
+  std::int64_t cast = 0;
+  const std::vector<Replicates> found = update(sensors, numbers, nullptr, rays, cast);
+  std::vector<Light> lights(found.size());
+  std::transform(found.begin(), found.end(), lights.begin(), lightOf);
+  return lights;
+}
+
+std::vector<SensorFinalGather::Replicates> SensorFinalGather::update(
+  const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers,
+  const FinalGatherMotion* motion, Rays& rays, std::int64_t& cast) const
+{
+  Rays now{ startsOf(sensors, numbers, motion, rays.starts), {} };
+  now.paths = pathsOf(now.starts, numbers, motion, rays, cast);
+  rays = std::move(now);
+  const PathSums brought = gather_.broughtBy(rays.paths);
+  Bands unknown{};
+  unknown.fill(kUnknown);
+  std::vector<Replicates> found;
+  std::size_t path = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    Rays::Start& start = rays.starts[i];
+    if (!start.place)
+    {
+      found.emplace_back(scene().replicates(), unknown);
+      continue;
+    }
+    askLights(start, numbers[i], motion, cast);
+    // Radiance is radiosity / pi; the density of rays is cos(theta) / pi, or 1 / (4 pi).
+    Replicates replicates = gather_.replicatesOf(brought, path++, start.place->hasNormal() ? 1 : 4);
+    for (std::size_t k = 0; k < replicates.size(); ++k)
+    {
+      std::transform(replicates[k].begin(), replicates[k].end(), start.direct[k].begin(),
+        replicates[k].begin(), std::plus<double>());
+    }
+    found.push_back(std::move(replicates));
+  }
+  return found;
+}
+
+/// Outside of the bounds paths do not start at the sensor, but where the bounds say.
+bool SensorFinalGather::isKept(
+  const FinalGatherMotion* motion, const Rays::Start& now, const Rays::Start& before)
+{
+  return motion && now.place && before.place && now.place->position == before.place->position &&
+    now.place->normal == before.place->normal &&
+    (motion->isNone() || (now.isInside && before.isInside));
+}
+
+std::vector<SensorFinalGather::Rays::Start> SensorFinalGather::startsOf(
+  const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers,
+  const FinalGatherMotion* motion, std::vector<Rays::Start>& before) const
+{
+  std::vector<Rays::Start> starts;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const Box& bounds = scene().space.scene.bounds();
+    Rays::Start start{ sensorPlace(bounds, near_, sensors[numbers[i]]) };
+    start.isInside = start.place && contains(bounds, start.place->position);
+    if (i < before.size() && isKept(motion, start, before[i]))
+    {
+      start.isKept = true;
+      start.shadows = std::move(before[i].shadows);
+      start.direct = std::move(before[i].direct);
+    }
+    starts.push_back(std::move(start));
+  }
+  return starts;
+}
+
+FollowedPaths SensorFinalGather::pathsOf(const std::vector<Rays::Start>& starts,
+  const std::vector<std::size_t>& numbers, const FinalGatherMotion* motion, const Rays& before,
+  std::int64_t& cast) const
+{
+  std::vector<std::size_t> places;
+  FollowedPaths anew = gather_.follow([&](FinalGatherPaths& paths) {
+    std::size_t first = 0; // before, of the paths of the start
+    std::vector<std::uint32_t> rays;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+    {
+      rays.clear();
+      for (std::uint32_t ray = 0; starts[i].place && ray < scene().rays; ++ray)
+      {
+        const bool isAnew = !starts[i].isKept || motion->mayChange(before.paths[first + ray]);
+        places.push_back(isAnew ? FollowedPaths::kAnew : first + ray);
+        if (isAnew)
+        {
+          rays.push_back(ray);
+        }
+      }
+      if (!rays.empty())
+      {
+        paths.addPoint(scene(), *starts[i].place, numbers[i], rays);
+      }
+      first += i < before.starts.size() && before.starts[i].place ? scene().rays : 0;
+    }
+  });
+  cast += static_cast<std::int64_t>(anew.size());
+  return anew.size() == places.size() ? anew : anew.mergedWith(before.paths, places);
+}
+
+void SensorFinalGather::askLights(
+  Rays::Start& start, std::size_t number, const FinalGatherMotion* motion, std::int64_t& cast) const
+{
+  const auto mayChange = [&](const ShadowRay& ray) { return motion->mayChange(ray); };
+  if (start.isKept &&
+    std::none_of(start.shadows.begin(), start.shadows.end(),
+      [&](const auto& group) { return std::any_of(group.begin(), group.end(), mayChange); }))
+  {
+    return;
+  }
+  start.shadows.resize(direct_.size());
+  start.direct.assign(scene().replicates(), Bands{});
+  for (std::size_t i = 0; i < direct_.size(); ++i)
+  {
+    cast += direct_[i].update(*start.place, number, mayChange, start.shadows[i], start.direct);
+  }
+}
+
+std::size_t SensorFinalGather::Rays::bytes() const
+{
+  std::size_t bytes = paths.bytes() + starts.capacity() * sizeof(Start);
+  for (const Start& start : starts)
+  {
+    bytes += start.direct.capacity() * sizeof(Bands);
+    for (const std::vector<ShadowRay>& group : start.shadows)
+    {
+      bytes += sizeof(std::vector<ShadowRay>) + group.capacity() * sizeof(ShadowRay);
+    }
+  }
+  return bytes;
+}
+
+SensorFinalGather::Light SensorFinalGather::lightOf(const Replicates& replicates)
+{
+  Light light{};
+  std::vector<double> parts(replicates.size());
+  for (std::size_t band = 0; band < light.value.size(); ++band)
+  {
+    std::transform(replicates.begin(), replicates.end(), parts.begin(),
+      [band](const Bands& replicate) { return replicate[band]; });
+    light.value[band] = std::accumulate(parts.begin(), parts.end(), 0.0);
+    light.standardError[band] = standardErrorOf(parts);
+  }
+  return light;
+}
+
+}

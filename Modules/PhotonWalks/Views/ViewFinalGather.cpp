@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/ViewFinalGather.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+namespace
+{
+
+// Lobes are many, and rays find what these neglect.
+constexpr std::uint32_t kSamplesOnLobe = 2;
+
+}
+
+ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes,
+  std::uint32_t rays, bool asksOnLobes, bool keepsPaths, Execution& execution)
+  : engine_(engine)
+  , sums_(engine.walks(), engine.objects(), execution)
+  , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
+      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
+  , foundLamps_(engine.walks(), engine.cells().numbers())
+  , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0)
+  , unevenCells_(
+      CellShapes(engine.objects(), engine.space().triangles, 0, 1, cancelPointOf(execution, 0)),
+      roles_, engine.walks(), cancelPointOf(execution, 0))
+  , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes, roles_,
+    { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_, foundLamps_, unevenCells_,
+    dealtRays(rays, engine.walks().plan().replicates().count()),
+    engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
+    engine.settings().seed, keepsPaths, false, asksOnLobes }
+{
+}
+
+std::vector<ViewFinalGather::Bands> ViewFinalGather::replicatesOf(
+  const PathSums& brought, std::size_t start, double factor) const
+{
+  std::vector<Bands> replicates(scene_.replicates());
+  for (std::uint32_t k = 0; k < replicates.size(); ++k)
+  {
+    const Bands& quanta = brought.found(start, k);
+    std::transform(quanta.begin(), quanta.end(), replicates[k].begin(),
+      [&](double quantaPerArea) { return engine_.watts(factor * quantaPerArea); });
+  }
+  return replicates;
+}
+
+}

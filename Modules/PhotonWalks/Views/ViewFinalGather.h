@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_ViewFinalGather_h
+#define irradiance_ViewFinalGather_h
+
+#include "Estimates/SideSums.h"
+#include "Execution/Pool.h"
+#include "FinalGather/FinalGatherPaths.h"
+#include "FinalGather/PathLights.h"
+#include "FinalGather/PathSums.h"
+#include "IrradianceEngine.h"
+
+#include <deque>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * The final gather of what looks at a frame: sensors, and the specular cells that an eye sees.
+ * Paths read the sums of large cells, by side; where these say nothing they ask the lights and go
+ * on. Each replicate has its own paths, which read its own sums. Theory.md, 5.8.
+ */
+class ViewFinalGather
+{
+public:
+  using Bands = PathSums::Bands;
+  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or
+  /// tells sides apart. `shapes`: of cells that are starts; they must outlive it. `rays`: of a
+  /// start; rounded up to a multiple of the replicates. `asksOnLobes`, `keepsPaths`: see
+  /// FinalGatherScene. Throws Interrupted.
+  ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
+    bool asksOnLobes, bool keepsPaths, Execution& execution);
+
+  const FinalGatherScene& scene() const { return scene_; }
+  /// The paths that addStarts(FinalGatherPaths) adds. Throws std::runtime_error for a path that does not
+  /// end. May be called by several threads.
+  template <class AddStarts>
+  FollowedPaths follow(const AddStarts& addStarts) const
+  {
+    std::unique_ptr<FinalGatherPaths> paths = paths_.take();
+    paths->begin(scene_);
+    addStarts(*paths);
+    paths->run(scene_);
+    FollowedPaths followed = paths->takeFollowed();
+    paths_.giveBack(std::move(paths));
+    return followed;
+  }
+  /// What paths bring, of which each start has as many as there are rays.
+  PathSums broughtBy(const FollowedPaths& paths) const
+  {
+    PathSums brought;
+    brought.read(scene_, paths, paths.size() / scene_.rays);
+    return brought;
+  }
+  /// W/m2 that came to the `start`-th start, times a factor: each replicate's part.
+  std::vector<Bands> replicatesOf(const PathSums& brought, std::size_t start, double factor) const;
+
+private:
+  const IrradianceEngine& engine_;
+  SideSums sums_;
+  std::deque<PointDirectLight> lights_;
+  FoundLamps foundLamps_;
+  CellRoles roles_;
+  UnevenCells unevenCells_;
+  FinalGatherScene scene_;
+  mutable Pool<FinalGatherPaths> paths_; ///< what threads work with
+};
+
+}
+
+#endif

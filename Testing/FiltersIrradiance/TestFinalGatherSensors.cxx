@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkIrradianceProbeFilter with Estimate Gathered: sensors and volumes in the air, what the source
+// has to keep, error bars, updates, messages.
+
+#include "ErrorObserver.h"
+#include "OutputBits.h"
+#include "TestScenes.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkIrradianceProbeFilter.h"
+#include "vtkRTAnalyticSource.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+using namespace TestScenes;
+
+namespace
+{
+
+/// A grid that fills a box, its outermost points on the walls.
+vtkSmartPointer<vtkImageData> MakeVolume(double side, int pointsOfSide)
+{
+  auto volume = vtkSmartPointer<vtkImageData>::New();
+  volume->SetDimensions(pointsOfSide, pointsOfSide, pointsOfSide);
+  const double spacing = side / (pointsOfSide - 1);
+  volume->SetSpacing(spacing, spacing, spacing);
+  return volume;
+}
+
+/// On the floor and in the air, with normals.
+Mesh MakePlanes()
+{
+  return Join({ MakeRectangle({ 0, 0, 0 }, { 3, 0, 0 }, { 0, 3, 0 }, 6),
+    MakeRectangle({ 0.1, 0.1, 0.85 }, { 2.8, 0, 0 }, { 0, 2.8, 0 }, 6) });
+}
+
+Mesh WithNormals(const Mesh& mesh, const Vector& normal)
+{
+  Mesh with = Copy(mesh);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < with->GetNumberOfPoints(); ++i)
+  {
+    normals->InsertNextTuple(normal.data());
+  }
+  with->GetPointData()->SetNormals(normals);
+  return with;
+}
+
+struct Pipeline
+{
+  vtkSmartPointer<vtkIrradianceFilter> Irradiance;
+  vtkNew<vtkIrradianceProbeFilter> Probe;
+  vtkSmartPointer<ErrorObserver> Errors = ErrorObserver::Watch(Probe);
+
+  Pipeline(const Scene& scene, vtkIdType walks, vtkDataSet* sensors)
+    : Irradiance(MakeFilter(scene, walks))
+  {
+    this->Probe->SetInputData(sensors);
+    this->Probe->SetSourceConnection(this->Irradiance->GetOutputPort());
+    this->Probe->SetNumberOfRays(16);
+  }
+  vtkDataArray* Array(const char* name)
+  {
+    return this->Probe->GetOutput()->GetPointData()->GetArray(name);
+  }
+  std::vector<double> Update(const char* name)
+  {
+    this->Probe->Update();
+    std::vector<double> values;
+    vtkDataArray* array = this->Array(name);
+    for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+    {
+      values.push_back(array->GetVariantValue(i).ToDouble());
+    }
+    return values;
+  }
+};
+
+bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return !a.empty() && a.size() == b.size() &&
+    std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// E = 1 on every plane in it, 4 from all directions.
+Scene MakeFurnace()
+{
+  Scene scene;
+  scene.Fixed = { MakeRoom(3, 6) };
+  SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0.6 });
+  SetCellValues(scene.Fixed[0], "RadiantExitance", { 0.4 });
+  return scene;
+}
+
+}
+
+// 125 points, of which 98 are on walls. Each is off by some 5 %, so the mean, of which part is in
+// common, by much less than 2 %.
+TEST(FinalGatherSensors, AVolumeGetsItsFluenceRate)
+{
+  const auto volume = MakeVolume(3, 5);
+  Pipeline pipeline(MakeFurnace(), 50000, volume);
+  pipeline.Probe->SetNumberOfRays(64);
+  const std::vector<double> fluence = pipeline.Update("FluenceRate");
+  EXPECT_TRUE(pipeline.Errors->Errors.empty() && pipeline.Errors->Warnings.empty());
+  auto* output = vtkImageData::SafeDownCast(pipeline.Probe->GetOutput());
+  ASSERT_TRUE(output) << "of the same type";
+  EXPECT_EQ(output->GetDimensions()[1], 5);
+  EXPECT_EQ(output->GetSpacing()[2], 0.75);
+  EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "FluenceRate");
+  EXPECT_EQ(pipeline.Array("Irradiance"), nullptr);
+  EXPECT_EQ(pipeline.Array("NumberOfPhotons"), nullptr);
+  ASSERT_EQ(fluence.size(), 125u);
+  double mean = 0;
+  for (const double value : fluence)
+  {
+    EXPECT_NEAR(value, 4, 1.2);
+    mean += value / 125;
+  }
+  EXPECT_NEAR(mean, 4, 0.08);
+}
+
+// Sensors are numbered in the whole volume, whatever part of it is asked for.
+TEST(FinalGatherSensors, AVolumeComesWhole)
+{
+  vtkNew<vtkRTAnalyticSource> source;
+  source->SetWholeExtent(-2, 2, -2, 2, 0, 3);
+  Pipeline pipeline(MakeFurnace(), 1000, nullptr);
+  pipeline.Probe->SetInputConnection(source->GetOutputPort());
+  const int part[6] = { -2, 0, -1, 1, 1, 2 };
+  pipeline.Probe->UpdateExtent(part);
+  EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 100);
+  pipeline.Probe->UpdatePiece(0, 3, 0);
+  EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 100);
+  ASSERT_TRUE(pipeline.Array("FluenceRate"));
+  pipeline.Probe->UpdatePiece(1, 3, 0);
+  EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(pipeline.Array("FluenceRate"));
+  EXPECT_TRUE(pipeline.Errors->Errors.empty());
+}
+
+// Law 1, on the floor, in the air, and where things pass through sensors.
+TEST(FinalGatherSensors, AfterUpdatesTheyEqualANewFilter)
+{
+  for (const bool gathersDirectLight : { false, true })
+  {
+    Scene scene = MakeSmallScene();
+    const Mesh planes = WithNormals(MakePlanes(), { 0, 0, 1 });
+    Pipeline pipeline(scene, 5000, planes);
+    gathersDirectLight ? pipeline.Irradiance->SetDirectLightToGathered() : void();
+    std::vector<double> before;
+    for (int frame = 0; frame < 6; ++frame)
+    {
+      scene.Moving[frame % 2].Pose->Translate(0.03, -0.01, 0);
+      scene.Moving[frame % 2].Pose->RotateZ(5);
+      const std::vector<double> updated = pipeline.Update("Irradiance");
+      Pipeline fresh(scene, 5000, planes);
+      gathersDirectLight ? fresh.Irradiance->SetDirectLightToGathered() : void();
+      ASSERT_TRUE(HaveSameBits(updated, fresh.Update("Irradiance"))) << "frame " << frame;
+      EXPECT_FALSE(HaveSameBits(updated, before));
+      before = updated;
+    }
+    EXPECT_GT(Field(pipeline.Irradiance, "NumberOfInvalidWalks"), 0);
+  }
+}
+
+// Photons are kept only where sums do not tell sides apart, and what is kept changes no bit.
+TEST(FinalGatherSensors, AskForNoMoreThanTheyNeed)
+{
+  Scene scene;
+  scene.Fixed = { MakeRoom(3, 3), MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }) };
+  const Mesh planes = MakePlanes();
+  Pipeline counted(scene, 5000, planes), kept(scene, 5000, planes);
+  kept.Irradiance->SeparateSidesOn();
+  kept.Irradiance->Update();
+  const std::vector<double> fluence = counted.Update("FluenceRate");
+  EXPECT_TRUE(HaveSameBits(kept.Update("FluenceRate"), fluence));
+  EXPECT_GT(counted.Irradiance->GetFigure("HistoryBytes"), 0);
+  EXPECT_EQ(kept.Irradiance->GetFigure("HistoryBytes"), 0);
+  // Without a pipeline behind it, it has to be there.
+  vtkNew<vtkMultiBlockDataSet> copy;
+  Pipeline given(scene, 5000, planes);
+  given.Irradiance->Update();
+  copy->ShallowCopy(given.Irradiance->GetOutput());
+  given.Probe->SetSourceData(copy);
+  given.Probe->Update();
+  ASSERT_EQ(given.Errors->Errors.size(), 1u);
+  EXPECT_NE(given.Errors->Errors[0].find("without keeping the photons"), std::string::npos);
+}
+
+TEST(FinalGatherSensors, HaveStandardErrorsWhereTheSourceHas)
+{
+  Pipeline pipeline(MakeFurnace(), 10000, MakeVolume(3, 3));
+  pipeline.Probe->Update();
+  EXPECT_EQ(pipeline.Array("FluenceRateStandardError"), nullptr);
+  pipeline.Irradiance->ComputeStandardErrorOn();
+  const std::vector<double> errors = pipeline.Update("FluenceRateStandardError");
+  ASSERT_EQ(errors.size(), 27u);
+  double squares = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    ASSERT_GT(errors[i], 0);
+    squares += std::pow(
+      (pipeline.Array("FluenceRate")->GetComponent(static_cast<vtkIdType>(i), 0) - 4) / errors[i],
+      2);
+  }
+  // The mean of squares of Student's t is 15 / 13, of which 27 scatter by .35 and what they have in
+  // common; intervals may be up to twice too wide.
+  EXPECT_LT(squares / 27, 4);
+  EXPECT_GT(squares / 27, 0.1);
+  pipeline.Probe->SetInputData(WithNormals(MakePlanes(), { 0, 0, 1 }));
+  EXPECT_FALSE(pipeline.Update("IrradianceStandardError").empty());
+}
+
+// A ray leaves a sensor with no error if it finds no light: inside of a closed box none does.
+TEST(FinalGatherSensors, SayHowManyErrorsAreUnknown)
+{
+  Scene scene = MakeFurnace();
+  scene.Moving = { MakeMoving(MakeBox(1.1, 1.1, 1.1), { 1.5, 1.5, 1.5 }) };
+  Pipeline pipeline(scene, 10000, MakeVolume(3, 4)); // 8 of 64 in the box
+  const auto fields = [&] { return pipeline.Probe->GetOutput()->GetFieldData(); };
+  pipeline.Probe->Update();
+  EXPECT_EQ(fields()->GetArray("NumberOfUnknownErrors"), nullptr);
+  pipeline.Irradiance->ComputeStandardErrorOn();
+  const std::vector<double> errors = pipeline.Update("FluenceRateStandardError");
+  EXPECT_EQ(std::count_if(errors.begin(), errors.end(), [](double e) { return std::isnan(e); }), 8);
+  ASSERT_NE(fields()->GetArray("NumberOfUnknownErrors"), nullptr);
+  EXPECT_EQ(fields()->GetArray("NumberOfUnknownErrors")->GetComponent(0, 0), 8);
+}
+
+// Irradiance in a beam from a point light is that of the formula, and where it goes the other way
+// nothing.
+TEST(FinalGatherSensors, SayWhatCannotBeMeasured)
+{
+  Scene scene;
+  scene.Fixed = { MakeRoom(1, 1), MakePointLight({ 0.5, 0.5, 0.5 }, { 10 }) };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Mesh sensors = MakeRectangle({ 0.2, 0.2, 0.2 }, { 0.1, 0, 0 }, { 0, 0.1, 0 }, 1);
+  Pipeline pipeline(scene, 1000, sensors);
+  pipeline.Probe->Update();
+  EXPECT_TRUE(pipeline.Errors->Errors.empty());
+  sensors = Copy(sensors);
+  sensors->GetPoints()->SetPoint(1, 3e6, 0, 0);
+  pipeline.Probe->SetInputData(sensors);
+  EXPECT_TRUE(std::isnan(pipeline.Update("FluenceRate")[1]));
+  ASSERT_EQ(pipeline.Errors->Warnings.size(), 1u);
+  EXPECT_NE(pipeline.Errors->Warnings[0].find(
+              "1 of 4 sensors lie farther than a million sizes of the scene from it"),
+    std::string::npos)
+    << pipeline.Errors->Warnings[0];
+  sensors = Copy(sensors);
+  sensors->GetPoints()->SetPoint(2, 0, nan, 0);
+  pipeline.Probe->SetInputData(sensors);
+  pipeline.Probe->Update();
+  ASSERT_EQ(pipeline.Errors->Errors.size(), 1u);
+  EXPECT_NE(pipeline.Errors->Errors[0].find("point 2: the position (0, nan, 0) is not finite"),
+    std::string::npos);
+  EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 0);
+  pipeline.Probe->SetEstimateToNearest();
+  pipeline.Probe->SetInputData(MakeVolume(1, 2));
+  pipeline.Errors->Clear();
+  pipeline.Probe->Update();
+  ASSERT_EQ(pipeline.Errors->Errors.size(), 1u);
+  EXPECT_NE(pipeline.Errors->Errors[0].find("no point normals"), std::string::npos);
+  std::ostringstream text;
+  pipeline.Probe->Print(text);
+  EXPECT_NE(text.str().find("Estimate: 0\n"), std::string::npos);
+  EXPECT_NE(text.str().find("NumberOfRays: 16\n"), std::string::npos);
+}
+
+// Of sensors that move some gather anew, and find what a new filter finds; those that stay keep
+// their bits. Progress tells: where all stay there is nothing to do.
+TEST(FinalGatherSensors, ThoseThatStayKeepWhatTheyFound)
+{
+  const Scene scene = MakeSmallScene();
+  Mesh sensors = WithNormals(MakePlanes(), { 0, 0, 1 });
+  Pipeline pipeline(scene, 3000, sensors);
+  int reports = 0;
+  const auto count = [](vtkObject*, unsigned long, void* data, void*) {
+    ++*static_cast<int*>(data);
+  };
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetCallback(count);
+  counter->SetClientData(&reports);
+  const std::vector<double> first = pipeline.Update("Irradiance");
+  pipeline.Probe->AddObserver(vtkCommand::ProgressEvent, counter);
+  pipeline.Probe->Modified();
+  EXPECT_TRUE(HaveSameBits(pipeline.Update("Irradiance"), first));
+  EXPECT_EQ(std::exchange(reports, 0), 2) << "the executive's own, at the begin and the end";
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    sensors = Copy(sensors);
+    for (const vtkIdType moved : { 3, 40, 41 })
+    {
+      double place[3];
+      sensors->GetPoint(moved, place);
+      sensors->GetPoints()->SetPoint(moved, place[0] + 0.1, place[1], place[2] + 0.01);
+    }
+    sensors = frame == 1 ? Join({ sensors, sensors }) : sensors;
+    frame == 2 ? pipeline.Probe->SetNumberOfRays(17) : void();
+    frame == 3 ? scene.Moving[0].Pose->Translate(0.1, 0, 0) : void();
+    pipeline.Probe->SetInputData(sensors);
+    Pipeline fresh(scene, 3000, sensors);
+    fresh.Probe->SetNumberOfRays(pipeline.Probe->GetNumberOfRays());
+    EXPECT_TRUE(HaveSameBits(pipeline.Update("Irradiance"), fresh.Update("Irradiance"))) << frame;
+    EXPECT_GT(std::exchange(reports, 0), 2);
+  }
+}
+
+// What is half done is not left behind, and the next update is whole.
+TEST(FinalGatherSensors, CanBeAborted)
+{
+  Pipeline pipeline(MakeFurnace(), 1000, MakeVolume(3, 7));
+  class Aborter : public vtkCommand
+  {
+  public:
+    static Aborter* New() { return new Aborter; }
+    void Execute(vtkObject* caller, unsigned long, void* progress) override
+    {
+      if (this->IsOn && *static_cast<double*>(progress) > 0.25)
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    }
+    bool IsOn = true;
+  };
+  vtkNew<Aborter> aborter;
+  pipeline.Probe->AddObserver(vtkCommand::ProgressEvent, aborter);
+  pipeline.Probe->Update();
+  EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(pipeline.Errors->Errors.empty());
+  aborter->IsOn = false;
+  pipeline.Probe->Modified();
+  EXPECT_EQ(pipeline.Update("FluenceRate").size(), 7u * 7 * 7);
+}

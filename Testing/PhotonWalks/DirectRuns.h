@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_test_DirectRuns_h
+#define irradiance_test_DirectRuns_h
+
+#include "EngineRun.h"
+#include "TestScenes.h"
+#include "ThreadExecution.h"
+#include "Walks/DirectSources.h"
+
+namespace irradiance::test
+{
+
+/// As many walks with sanitizers: they decide which cells are small.
+inline EngineSettings gathering(std::uint32_t walks, std::uint64_t seed = 1)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = walks;
+  settings.seed = seed;
+  settings.gathersDirectLight = true;
+  settings.cellEstimate = CellEstimate::Gathered;
+  return settings;
+}
+
+/// What an engine shoots and gathers.
+inline std::vector<WalkSource> gatheredOf(const SceneObjects& objects, const WalkPlan& plan)
+{
+  const std::vector<WalkSource> sources = sourcesOf(objects, plan);
+  return directSourcesOf(objects, sources, LightSurvey(objects, sources), {});
+}
+
+/// Of what the walks of a source bring.
+inline double quantaPerWatt(const WalkSource& source)
+{
+  return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
+    source.lights.flux();
+}
+
+/// What seeds find of each cell, in one band.
+class SeedMeans
+{
+public:
+  void add(const IrradianceEngine& engine, int band = 0)
+  {
+    std::size_t i = 0;
+    engine.cells().numbers().forEach([&](const SceneCell& cell) {
+      means_.resize(std::max(means_.size(), i + 1));
+      means_[i++].add(engine.irradiance({ cell }, band));
+    });
+  }
+  const std::vector<ReplicateMean>& cells() const { return means_; }
+
+  /// Chi-square of the t of cells [first, end), with the variance n / (n - 2) of Student's t, over
+  /// the value that chance exceeds once in 10^4; cells are taken as independent, for which a tenth
+  /// is added.
+  double chiSquareBesideLimit(std::size_t first, std::size_t end, double truth) const
+  {
+    double sum = 0;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      sum += std::pow(means_[i].t(truth), 2);
+    }
+    const double freedom = means_[first].count() - 1.0;
+    return sum * (freedom - 2) / freedom / (1.1 * chiSquareLimit(double(end - first), 3.72));
+  }
+
+private:
+  std::vector<ReplicateMean> means_;
+};
+
+/// W on the cells of an object, as estimated.
+inline double estimatedWattsOn(const IrradianceEngine& engine, std::uint32_t object, int band)
+{
+  double watts = 0;
+  for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
+  {
+    watts += engine.irradiance({ { object, cell } }, band) * engine.cells().area({ object, cell });
+  }
+  return watts;
+}
+
+inline double areaOf(const IrradianceEngine& engine, std::uint32_t object)
+{
+  double area = 0;
+  for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
+  {
+    area += engine.cells().area({ object, cell });
+  }
+  return area;
+}
+
+/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere. With a mirror
+/// in part if `isGlossy`.
+inline SceneObject furnace(
+  ObjectBuilder builder, double reflectance, bool isGlossy, const AffineMap& pose = {})
+{
+  Material& material = builder.material();
+  std::fill(material.reflectance.begin(), material.reflectance.end(), reflectance);
+  std::vector<double>& exitance = builder.emission().exitance;
+  std::fill(exitance.begin(), exitance.end(), 1 - reflectance);
+  SceneObject object = builder.build(pose);
+  if (isGlossy)
+  {
+    Material glossy = *object.material;
+    std::fill(glossy.reflectance.begin(), glossy.reflectance.end(), 0.4 * reflectance);
+    glossy.setSpecular(std::vector<double>(glossy.reflectance.size(), 0.6 * reflectance),
+      std::vector<double>(glossy.numberOfCells, 5.0));
+    object.material = std::make_shared<Material>(glossy);
+  }
+  return object;
+}
+
+/// From so many seeds.
+inline SeedMeans meansOf(
+  const SceneObjects& objects, int seeds, EngineSettings settings, std::uint64_t firstSeed = 1)
+{
+  SeedMeans means;
+  settings.verify = false;
+  for (int i = 0; i < seeds; ++i)
+  {
+    settings.seed = firstSeed + static_cast<std::uint64_t>(i);
+    IrradianceEngine engine;
+    ThreadExecution two(2);
+    engine.update(objects, settings, two);
+    means.add(engine);
+  }
+  return means;
+}
+
+/// Of the cells from `first` on: chi-square of the differences of two means.
+inline double chiSquareOf(const SeedMeans& a, const SeedMeans& b, std::size_t first)
+{
+  double sum = 0;
+  for (std::size_t i = first; i < a.cells().size(); ++i)
+  {
+    const ReplicateMean &x = a.cells()[i], &y = b.cells()[i];
+    sum += std::pow(x.mean() - y.mean(), 2) /
+      (std::pow(x.standardError(), 2) + std::pow(y.standardError(), 2));
+  }
+  return sum;
+}
+
+}
+
+#endif

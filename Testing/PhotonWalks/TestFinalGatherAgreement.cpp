@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The final gather beside what has no bias.
+
+#include "FinalGather/CellRoles.h"
+#include "FinalGatherScenes.h"
+
+#include "../RayCasting/TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace irradiance
+{
+
+namespace
+{
+
+using test::gathering;
+using test::GatherTestScene;
+using test::grey;
+using test::ReplicateMean;
+
+/// The mean irradiance of the cells that gather with these settings, W/m2, all bands together.
+double meanOnGatherers(const IrradianceEngine& engine, const EngineSettings& settings)
+{
+  const CellRoles roles(
+    engine.cells(), settings.numberOfWalks, settings.gatherRays, settings.gathersEverywhere);
+  double watts = 0, area = 0;
+  engine.cells().numbers().forEach([&](const SceneCell& cell) {
+    for (int band = 0; roles.gathers(cell) && band < engine.sums().bands(); ++band)
+    {
+      watts += engine.irradiance({ cell }, band) * engine.cells().area(cell);
+      area += engine.cells().area(cell);
+    }
+  });
+  return watts / area;
+}
+
+/// What seeds find, W/m2.
+ReplicateMean foundBy(const SceneObjects& objects, EngineSettings settings, int seeds)
+{
+  ReplicateMean found;
+  settings.verify = false;
+  settings.replicates = 16;
+  for (int i = 0; i < seeds; ++i, ++settings.seed)
+  {
+    IrradianceEngine engine;
+    test::ThreadExecution two(2);
+    engine.update(objects, settings, two);
+    found.add(meanOnGatherers(engine, settings));
+  }
+  return found;
+}
+
+/// Of means of cells that rays read, relative: the most on the cells of these scenes. See
+/// SpeedAndAccuracy.md for what BenchmarkDefault measures.
+constexpr double kMostBias = 0.03;
+
+}
+
+// But for a small bias the final gather finds what it finds where it reads nothing, and that finds
+// what is known by closed forms. VTKIRRADIANCE_TEST_EFFORT=6 takes 24 seeds and four times the
+// rays. |t| > 9 of six degrees of freedom by chance once in 9,000 for each of twelve; of 46 far
+// less often.
+TEST(FinalGatherAgreement, IsThatOfPathsThatReadNothing)
+{
+  const int seeds = 4 * test::effort();
+  EngineSettings settings = gathering(20000);
+  settings.gatherRays = test::effort() > 1 ? 256 : 64;
+  std::vector<GatherTestScene> scenes = test::gatherScenes();
+  scenes.resize(test::kIsSanitized ? 3 : scenes.size());
+  for (const GatherTestScene& scene : scenes)
+  {
+    const ReplicateMean gathered = foundBy(scene.objects, settings, seeds);
+    EngineSettings unbiasedSettings = settings;
+    unbiasedSettings.unbiasedGather = true;
+    unbiasedSettings.seed = 1001;
+    const ReplicateMean unbiased = foundBy(scene.objects, unbiasedSettings, seeds);
+    const double off = gathered.mean() / unbiased.mean() - 1;
+    const double noise =
+      std::hypot(gathered.standardError(), unbiased.standardError()) / unbiased.mean();
+    std::printf("%-10s off by %+.2f +- %.2f %%\n", scene.name, 100 * off, 100 * noise);
+    EXPECT_LT(std::abs(off), kMostBias + 9 * noise) << scene.name;
+    EXPECT_LT(noise, 0.1) << "else a test of nothing";
+    if (scene.truth > 0)
+    {
+      EXPECT_LT(std::abs(unbiased.t(scene.truth)), 12) << scene.name;
+    }
+  }
+}
+
+namespace
+{
+
+/// Of the cells of dynamic objects: how many intervals there are, are known, and hold the truth.
+struct Held
+{
+  double all = 0, known = 0, right = 0;
+};
+
+/// `truth`: of all cells; its own noise counts as well, and the bias, which error bars do not hold.
+void countHeld(const IrradianceEngine& engine, const test::SeedMeans& truth, Held& held)
+{
+  const double factor = ErrorEstimate::confidenceFactor(16);
+  const ErrorEstimate errors = engine.errorEstimate();
+  std::size_t number = 0;
+  engine.cells().numbers().forEach([&](const SceneCell& cell) {
+    const ReplicateMean& right = truth.cells()[number++];
+    if (cell.object == 0)
+    {
+      return;
+    }
+    const double found = engine.irradiance({ cell }, 0);
+    const double error =
+      engine.watts(errors.standardError({ cell }, 0)) / engine.cells().area(cell);
+    held.all += 1;
+    if (!std::isnan(error))
+    {
+      const double off = std::abs(found - right.mean());
+      const double reach = factor * std::hypot(error, right.standardError());
+      held.known += 1;
+      held.right += off <= reach + kMostBias * found ? 1 : 0;
+    }
+  });
+}
+
+}
+
+// 95 % are asked for; with the few samples of a net to a replicate intervals are wider, see
+// Theory.md, 5.7. Some 370 of them, which hold the truth in 98 % and scatter by .8 %, and by twice
+// that as those of a seed read the same sums: below 93 % by chance once in 10^3.
+// VTKIRRADIANCE_TEST_EFFORT=2 takes all scenes and twice the seeds.
+TEST(FinalGatherAgreement, IntervalsHoldTheTruth)
+{
+  const int seeds = 4 * test::effort();
+  EngineSettings settings = gathering(20000);
+  settings.verify = false;
+  std::map<std::uint32_t, Held> held; // by rays
+  for (const GatherTestScene& scene : test::gatherScenes())
+  {
+    const std::string name = scene.name;
+    const bool isQuick = name == "corner" || name == "sheet" ||
+      (!test::kIsSanitized && (name == "area lamp" || name == "points"));
+    if (!isQuick && (test::effort() == 1 || name == "furnace" || name == "bands"))
+    {
+      continue;
+    }
+    EngineSettings unbiased = settings;
+    unbiased.unbiasedGather = true;
+    unbiased.gatherRays = 128 * static_cast<std::uint32_t>(test::effort());
+    const test::SeedMeans truth = test::meansOf(scene.objects, seeds, unbiased, 1001);
+    for (const std::uint32_t rays : { 16u, 32u })
+    {
+      settings.gatherRays = rays;
+      settings.replicates = 16;
+      std::vector<std::unique_ptr<IrradianceEngine>> engines;
+      for (settings.seed = 1; settings.seed <= static_cast<std::uint64_t>(seeds); ++settings.seed)
+      {
+        engines.push_back(std::make_unique<IrradianceEngine>());
+        test::ThreadExecution two(2);
+        engines.back()->update(scene.objects, settings, two);
+      }
+      for (const auto& engine : engines)
+      {
+        countHeld(*engine, truth, held[rays]);
+      }
+    }
+  }
+  for (const auto& [rays, of] : held)
+  {
+    std::printf("%u rays: %.0f of %.0f intervals known, %.1f %% hold the truth\n", rays, of.known,
+      of.all, 100 * of.right / of.known);
+    // The two scenes of sanitized runs have many cells in corners, where little arrives.
+    EXPECT_GT(of.known, (test::kIsSanitized ? 0.6 : 0.8) * of.all);
+    EXPECT_GT(of.right / of.known, 0.93);
+  }
+}
+
+}
