@@ -61,7 +61,10 @@ run_tests()
     not_run=$((not_run > 0 ? 0 : not_run))
     total=$((total > unsuccessful ? total : unsuccessful))
   fi
-  ((not_run == 0)) || echo "$not_run tests were skipped"
+  if ((not_run > 0)); then
+    echo "$not_run tests were skipped"
+    grep -oE 'Skipped: [^<]*' "$report" || true # those that say why
+  fi
   passed=$((passed + total - unsuccessful - not_run))
   failed=$((failed + unsuccessful))
 }
