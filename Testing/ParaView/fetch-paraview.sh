@@ -62,4 +62,8 @@ for package in *.deb; do
 done
 cd ..
 rm -rf packages
+# Half of libproxy has a folder of its own, which is known by its path in the system.
+for library in usr/lib/*/libproxy/*.so; do
+  [[ ! -e $library ]] || ln -s "libproxy/${library##*/}" "${library%/libproxy/*}"
+done
 touch complete
