@@ -66,4 +66,8 @@ rm -rf packages
 for library in usr/lib/*/libproxy/*.so; do
   [[ ! -e $library ]] || ln -s "libproxy/${library##*/}" "${library%/libproxy/*}"
 done
+# ParaView's CMake files ask for X.so; in Debian 13 the module is called X.cpython-313-x86_64-linux-gnu.so.
+find usr/lib/python3 -name '*.cpython-*.so' | while read -r module; do
+  ln -s "${module##*/}" "${module%.cpython-*}.so"
+done
 touch complete
