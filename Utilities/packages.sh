@@ -40,7 +40,7 @@ description_of()
     cmake) echo "CMake 3.21 or newer" ;;
     ninja-build) echo "Ninja" ;;
     libvtk9-dev) echo "VTK 9.1 or newer, with its headers" ;;
-    libcgal-dev) echo "CGAL 5, with its headers" ;;
+    libcgal-dev) echo "CGAL 5 or 6, with its headers" ;;
     libeigen3-dev) echo "Eigen 3.3 or newer" ;;
     xvfb) echo "Xvfb, and Mesa's software OpenGL" ;;
     libgtest-dev) echo "GoogleTest" ;;
