@@ -12,9 +12,9 @@ if ! command -v "$clang_format" >/dev/null; then
   echo "format.sh: no $clang_format"
   exit 1
 fi
-version=$("$clang_format" --version)
-if [[ $version != *" version 14."* ]]; then
-  echo "Skipped: the sources are formatted by clang-format 14, and there is only $version"
+version=$("$clang_format" --version | sed -nE 's/.* version ([0-9]+)\..*/\1/p')
+if [[ $version != 14 ]]; then
+  echo "Skipped: Format has the rules of clang-format 14, and there is only version $version"
   exit 77
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
