@@ -39,12 +39,20 @@ endforeach ()
 set(CPACK_COMPONENTS_ALL)
 # Where libraries lie, while packages are made, that no installed package has.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+# vtkirradiance_same_minor(VARIABLE PACKAGE VERSION): PACKAGE of this version, or with later corrections of it
+function (vtkirradiance_same_minor variable package version)
+  string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" minor "${version}")
+  math(EXPR next "${CMAKE_MATCH_2} + 1")
+  set(${variable} "${package} (>= ${minor}), ${package} (<< ${CMAKE_MATCH_1}.${next})" PARENT_SCOPE)
+endfunction ()
+
 if (VTKIRRADIANCE_BUILD_PARAVIEW_PLUGIN)
   get_filename_component(libraries "${ParaView_DIR}/../.." ABSOLUTE)
   list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${libraries}")
+  vtkirradiance_same_minor(paraview paraview "${ParaView_VERSION}")
   vtkirradiance_package(runtime paraview-vtkirradiance science
     "the plugin IrradiancePlugin for ParaView"
-    "paraview (>= ${ParaView_VERSION}), paraview (<< 5.12)")
+    "${paraview}")
 else ()
   vtkirradiance_package(runtime ${vtkirradiance_library_package} libs "the shared library" "")
   # The library is found from now on, and not any more once it is gone.
@@ -53,12 +61,11 @@ else ()
     "the headers and the CMake package vtkIrradiance"
     "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), libvtk9-dev")
   if (VTKIRRADIANCE_WRAP_PYTHON)
-    set(python "${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")
-    math(EXPR next "${Python3_VERSION_MINOR} + 1")
+    vtkirradiance_same_minor(vtk python3-vtk9 "${VTK_VERSION}")
+    vtkirradiance_same_minor(python python3 "${Python3_VERSION}")
     vtkirradiance_package(python python3-vtkirradiance python
       "the module vtkIrradiance for VTK's Python"
-      "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), python3-vtk9 (>= 9.1), python3-vtk9 (<< 9.2), \
-python3 (>= ${python}), python3 (<< ${Python3_VERSION_MAJOR}.${next}), python3-numpy")
+      "${vtkirradiance_library_package} (= ${PROJECT_VERSION}), ${vtk}, ${python}, python3-numpy")
     # What Python has compiled goes with the package.
     set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
       "${PROJECT_SOURCE_DIR}/Packaging/python/postinst;${PROJECT_SOURCE_DIR}/Packaging/python/prerm")

@@ -65,6 +65,6 @@ package build/packages -DVTKIRRADIANCE_WRAP_PYTHON=ON -DVTKIRRADIANCE_PYTHON_DIR
   -DCMAKE_SKIP_INSTALL_RPATH=ON
 if [[ $paraview ]]; then
   package build/packages-paraview -DVTKIRRADIANCE_BUILD_PARAVIEW_PLUGIN=ON \
-    -DParaView_DIR="$(echo "$paraview"/usr/lib/*/cmake/paraview-5.11)"
+    -DParaView_DIR="$(echo "$paraview"/usr/lib/*/cmake/paraview-*)"
 fi
 ls "$target"/*.deb

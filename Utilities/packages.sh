@@ -3,6 +3,7 @@
 #
 #   require_packages ROLE...      build, display, test, fuzz, package, benchmark, meshes (to fetch the benchmark's)
 #   packages_of paraview          what Testing/ParaView/fetch-paraview.sh unpacks; it cannot be installed beside VTK
+#   missing_libraries_of PACKAGE  Debian's packages of the libraries that PACKAGE needs and that are not installed
 #   fetch_data                    what Data/fetch.sh fetches
 #
 # On Debian and its derivatives, missing packages are installed, as root or through sudo; nothing is printed if
@@ -23,7 +24,7 @@ packages_of()
     fuzz) echo clang libclang-rt-dev ;;
     benchmark) echo libembree-dev python3-matplotlib ;;
     meshes) echo npm ;;
-    paraview) echo paraview paraview-dev python3-paraview libqt5opengl5 libqt5help5 libqt5sql5 libqt5svg5 ;; # unpacked only
+    paraview) echo paraview paraview-dev python3-paraview ;; # unpacked only
     *)
       echo "packages.sh: unknown role $1" >&2
       exit 2
@@ -39,7 +40,7 @@ description_of()
     cmake) echo "CMake 3.21 or newer" ;;
     ninja-build) echo "Ninja" ;;
     libvtk9-dev) echo "VTK 9.1 or newer, with its headers" ;;
-    libcgal-dev) echo "CGAL 5, with its headers" ;;
+    libcgal-dev) echo "CGAL 5 or 6, with its headers" ;;
     libeigen3-dev) echo "Eigen 3.3 or newer" ;;
     xvfb) echo "Xvfb, and Mesa's software OpenGL" ;;
     libgtest-dev) echo "GoogleTest" ;;
@@ -128,6 +129,21 @@ missing_packages()
   local package
   for package in "$@"; do
     is_installed "$package" || echo "$package"
+  done
+}
+
+# As apt would install it: Qt, for one, has other names in each Debian.
+missing_libraries_of()
+{
+  LC_ALL=C apt-get -s install --no-install-recommends "$1" | awk '$1 == "Inst" && $2 ~ /^lib/ && $3 !~ /^\[/ { print $2 }'
+}
+
+# has_candidates PACKAGE...: whether this system's package lists have them all
+has_candidates()
+{
+  local package
+  for package in "$@"; do
+    grep -q 'Candidate: [^(]' <<<"$(LC_ALL=C apt-cache policy "$package")" || return 1
   done
 }
 

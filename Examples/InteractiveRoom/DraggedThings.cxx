@@ -92,6 +92,9 @@ DraggedThings::DraggedThings(const Room& room, LightFollower& light, SceneView& 
   this->Box->OutlineCursorWiresOff();
   this->Box->GetOutlineProperty()->SetColor(0.3, 0.8, 1);
   this->Box->GetSelectedOutlineProperty()->SetColor(0.5, 1, 0.5);
+  // Lines have these colours however they lie: VTK 9.3 adds what lamps bring to some of them.
+  this->Box->GetOutlineProperty()->SetDiffuse(0);
+  this->Box->GetSelectedOutlineProperty()->SetDiffuse(0);
   this->Box->GetSelectedFaceProperty()->SetOpacity(0);
   this->Widget->SetInteractor(interactor);
   this->Widget->SetDefaultRenderer(renderer);

@@ -10,7 +10,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellDataToPointData.h>
-#include <vtkCompositePolyDataMapper2.h>
+#include <vtkCompositePolyDataMapper.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageShrink3D.h>
@@ -120,7 +120,7 @@ public:
     greys->SetTableRange(0, 10); // W/m2
     vtkNew<vtkCellDataToPointData> smooth;
     smooth->SetInputDataObject(light);
-    vtkNew<vtkCompositePolyDataMapper2> mapper;
+    vtkNew<vtkCompositePolyDataMapper> mapper;
     mapper->SetInputConnection(smooth->GetOutputPort());
     mapper->SetScalarModeToUsePointFieldData();
     mapper->SelectColorArray("Irradiance");

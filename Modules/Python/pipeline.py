@@ -101,7 +101,7 @@ class _Run:
         if self.stop:
             for part in pipeline:
                 if part.GetAbortExecute():
-                    part.Modified()  # or it would pass for up to date
+                    part.SetAbortExecute(0)  # so it is not up to date; VTK 9.3 would abort again
             raise self.stop
         # An executive repeats that its algorithm failed; alone, its report is all there is.
         for message in self.errors + self.failures:

@@ -2,9 +2,8 @@
 #ifndef OutputChecks_h
 #define OutputChecks_h
 
+#include "PolygonNormal.h"
 #include "RandomModel.h"
-
-#include "vtkPolygon.h"
 
 #include <gtest/gtest.h>
 
@@ -100,9 +99,7 @@ inline double AreaOf(vtkPolyData* polyData, vtkIdType cell)
 {
   vtkNew<vtkIdList> ids;
   PointsOfPolygon(polyData, cell, ids);
-  double normal[3];
-  return vtkPolygon::ComputeArea(
-    polyData->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
+  return vtkMath::Norm(PolygonNormal(polyData, ids).data()) / 2;
 }
 
 inline bool IsFar(vtkPolyData* leaf)

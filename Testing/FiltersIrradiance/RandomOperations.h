@@ -123,6 +123,7 @@ inline void AbortAView(Trial& t)
     t.DropFinalGather();
     t.Look();
     view->RemoveObserver(tag);
+    view->SetAbortExecute(0);
     view->Modified(); // else it keeps the empty output
     t.Done.Aborts += !meddler->Change;
   }
@@ -190,6 +191,7 @@ inline void Abort(Trial& t)
       << "aborted at " << t.Observer->Progress;
     ++t.Done.Aborts;
   }
+  t.Filter->SetAbortExecute(0);
   t.Filter->Modified();
   t.MustCompare = true;
 }

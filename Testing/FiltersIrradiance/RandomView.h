@@ -2,11 +2,11 @@
 #ifndef RandomView_h
 #define RandomView_h
 
+#include "PolygonNormal.h"
 #include "RandomChoices.h"
 
 #include "vtkIdList.h"
 #include "vtkMath.h"
-#include "vtkPolygon.h"
 
 #include <algorithm>
 #include <limits>
@@ -72,9 +72,8 @@ inline Mesh SensorsOn(RandomNumbers& random, vtkPolyData* surface)
   for (int i = 0; i < std::min(cells, 16); ++i)
   {
     surface->GetPolys()->GetCellAtId(random.Below(cells), ids);
-    Vector middle{}, normal{};
-    vtkPolygon::ComputeNormal(surface->GetPoints(), static_cast<int>(ids->GetNumberOfIds()),
-      ids->GetPointer(0), normal.data());
+    Vector middle{}, normal = PolygonNormal(surface, ids);
+    vtkMath::Normalize(normal.data());
     for (vtkIdType corner = 0; corner < ids->GetNumberOfIds(); ++corner)
     {
       Vector point;

@@ -124,6 +124,7 @@ TEST(AutomaticExposure, ContinuesAfterAnAbort)
     for (const int events : { 2, 3, 0 }) // first after the look between steps
     {
       aborter->Events = events;
+      exposure->SetAbortExecute(0);
       exposure->Modified();
       exposure->Update();
     }

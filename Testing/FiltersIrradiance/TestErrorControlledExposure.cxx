@@ -101,6 +101,7 @@ TEST(ErrorControlledExposure, IsTheSumOverFreshFiltersAndContinues)
   for (const int events : { 3, 5, 0 }) // first among the first intervals, then while halving
   {
     aborter->Events = events;
+    exposure->SetAbortExecute(0);
     exposure->Modified();
     exposure->Update();
   }

@@ -19,12 +19,12 @@ TEST(RadiantExposure, ContinuesAfterAnAbort)
     exposure->Modified();
     exposure->Update();
     EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), 0u);
+    exposure->SetAbortExecute(0);
   };
   abortedUpdate();
   EXPECT_EQ(scene.Ball->Visits.size(), 2u);
   abortedUpdate();
   EXPECT_EQ(scene.Ball->Visits.size(), 4u);
-  exposure->Modified();
   exposure->Update();
   EXPECT_EQ(scene.Ball->Visits, kTimes) << "every time once";
   ExpectSumOverFresh(exposure, scene, kTimes);
@@ -32,7 +32,6 @@ TEST(RadiantExposure, ContinuesAfterAnAbort)
   // What matters has changed, so all times are visited again.
   const auto expectAnew = [&](const std::vector<double>& times) {
     scene.Ball->Visits.clear();
-    exposure->Modified();
     exposure->Update();
     EXPECT_EQ(scene.Ball->Visits, times);
     ExpectSumOverFresh(exposure, scene, times);
@@ -133,7 +132,7 @@ TEST(RadiantExposure, OfASourceThatModifiesItselfContinuesToo)
   aborter->Events = 4;
   exposure->Update();
   EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), 0u);
-  exposure->Modified();
+  exposure->SetAbortExecute(0);
   exposure->Update();
   EXPECT_EQ(updates, 6) << "every time once";
   whole->Update();

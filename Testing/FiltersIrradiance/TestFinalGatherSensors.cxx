@@ -339,6 +339,6 @@ TEST(FinalGatherSensors, CanBeAborted)
   EXPECT_EQ(pipeline.Probe->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_TRUE(pipeline.Errors->Errors.empty());
   aborter->IsOn = false;
-  pipeline.Probe->Modified();
+  pipeline.Probe->SetAbortExecute(0);
   EXPECT_EQ(pipeline.Update("FluenceRate").size(), 7u * 7 * 7);
 }

@@ -58,7 +58,7 @@ TEST(KeyFramedPose, TellsItsProgressAndCanBeAborted)
 
     progress->AbortAt = 2;
     progress->Values.clear();
-    pose->Modified();
+    pose->SetAbortExecute(0);
     EXPECT_EQ(StepsOf(pose).size(), static_cast<std::size_t>(keys));
     EXPECT_GE(progress->Values.size(), 4u);
     EXPECT_TRUE(std::is_sorted(progress->Values.begin(), progress->Values.end()));

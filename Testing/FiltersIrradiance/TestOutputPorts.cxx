@@ -223,7 +223,7 @@ TEST(OutputPorts, AreEmptyAfterAnAbort)
     EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
     EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 0);
     EXPECT_EQ(filter->GetWalksOutput()->GetCellData()->GetNumberOfArrays(), 0);
-    filter->Modified();
+    filter->SetAbortExecute(0);
     filter->Update(port);
     const auto fresh = MakeShowing(scene, 50);
     fresh->Update();

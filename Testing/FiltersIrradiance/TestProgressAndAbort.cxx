@@ -117,12 +117,15 @@ TEST(Abort, WhileShooting)
   observer->Restart(0.3);
   filter->Update();
   ASSERT_TRUE(observer->HasAborted);
-  EXPECT_LT(observer->Values.back(), 0.7);
+  // The executive of VTK 9.3 ends with 1 in any case.
+  EXPECT_LT(*std::find_if(observer->Values.rbegin(), observer->Values.rend(),
+              [](double value) { return value < 1; }),
+    0.7);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
   EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
 
   observer->Restart(2);
-  filter->Modified();
+  filter->SetAbortExecute(0);
   filter->Update();
   const auto fresh = MakeFilter(scene, walks);
   fresh->Update();
@@ -149,6 +152,7 @@ TEST(Abort, WhileVerifyingOrRepairing)
 
     scene.Moving[0].Pose->Translate(-0.2, 0, 0);
     observer->Restart(2);
+    filter->SetAbortExecute(0);
     filter->Update();
     const auto fresh = MakeFilter(scene, walks);
     fresh->Update();
@@ -170,7 +174,7 @@ TEST(Abort, WithNothingToDo)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
 
   observer->Restart(2);
-  filter->Modified();
+  filter->SetAbortExecute(0);
   filter->Update();
   const auto fresh = MakeFilter(scene, 1000);
   fresh->Update();

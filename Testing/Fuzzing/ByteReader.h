@@ -2,7 +2,9 @@
 #ifndef irradiance_fuzzing_ByteReader_h
 #define irradiance_fuzzing_ByteReader_h
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -74,11 +76,10 @@ private:
   template <typename T>
   T raw()
   {
-    unsigned char bytes[sizeof(T)];
-    for (unsigned char& b : bytes)
-    {
-      b = byte();
-    }
+    std::uint8_t bytes[sizeof(T)] = {};
+    const std::ptrdiff_t size = std::min<std::ptrdiff_t>(sizeof(T), end_ - next_);
+    std::copy_n(next_, size, bytes);
+    next_ += size;
     T value;
     std::memcpy(&value, bytes, sizeof(T));
     return value;

@@ -96,5 +96,5 @@ apt-get -q install -y --no-install-recommends ./*.deb python3-paraview xvfb lint
   { tail -n 30 log; exit 1; }
 lintian --allow-root --fail-on error ./*.deb
 bash run-under-xvfb.sh pvpython plugin_smoke.py \
-  /usr/lib/*/paraview-5.11/plugins/IrradiancePlugin/IrradiancePlugin.so
+  /usr/lib/*/paraview-*/plugins/IrradiancePlugin/IrradiancePlugin.so
 END

@@ -16,7 +16,7 @@ rm -rf "$scratch"
 mkdir -p "$scratch/unpacked"
 bash "$home/Packaging/make-packages.sh" --engine "$build" "$scratch/packages"
 
-check_package "" libvtkfiltersirradiance1 'libvtk9\.1 ' 'libc6 ' 'libstdc\+\+6 '
+check_package "" libvtkfiltersirradiance1 'libvtk9\.[0-9]+(t64)? ' 'libc6 ' 'libstdc\+\+6 '
 check_package "" libvtkirradiance-dev "libvtkfiltersirradiance1 \(= $version\)" 'libvtk9-dev(,|$)'
 check_package "" python3-vtkirradiance "libvtkfiltersirradiance1 \(= $version\)" 'python3-vtk9 ' 'python3 \(<< ' \
   'python3-numpy(,|$)'

@@ -18,8 +18,8 @@ mkdir -p "$scratch/unpacked"
 umask 022
 (cd "$build" && cpack -B "$scratch/packages") >"$scratch/log" 2>&1 || { tail -n 40 "$scratch/log"; exit 1; }
 
-check_package '$ORIGIN:$ORIGIN/../../../' paraview-vtkirradiance 'paraview \(>= 5\.11' 'paraview \(<< 5\.12\)' 'libc6 '
-plugin=$(echo "$scratch"/unpacked/paraview-vtkirradiance/usr/lib/*/paraview-5.11/plugins/IrradiancePlugin/IrradiancePlugin.so)
+check_package '$ORIGIN:$ORIGIN/../../../' paraview-vtkirradiance 'paraview \(>= 5\.[0-9]+\)' 'paraview \(<< 5\.[0-9]+\)' 'libc6 '
+plugin=$(echo "$scratch"/unpacked/paraview-vtkirradiance/usr/lib/*/paraview-*/plugins/IrradiancePlugin/IrradiancePlugin.so)
 "$pvpython" "$home/Testing/Packaging/plugin_smoke.py" "$plugin" || fail "ParaView cannot use the plugin"
 
 if ((failures)); then

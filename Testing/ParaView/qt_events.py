@@ -3,8 +3,8 @@
 import ctypes
 import time
 
-# PyDLL: the window calls Python while it draws itself.
-_process_events = getattr(ctypes.PyDLL("libQt5Core.so.5"),
+# PyDLL: the window calls Python while it draws itself. None: in ParaView itself, with whichever Qt it has.
+_process_events = getattr(ctypes.PyDLL(None),
                           "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE")
 
 

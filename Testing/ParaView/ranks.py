@@ -7,8 +7,8 @@ import hashlib
 import sys
 
 from paraview.simple import (
-    ExtractSurface, Hide, IntegrateVariables, ProgrammableFilter, RedistributeDataSet, SaveScreenshot, Sphere,
-    XMLPolyDataReader)
+    ExtractSurface, GetDisplayProperties, Hide, IntegrateVariables, ProgrammableFilter, RedistributeDataSet,
+    SaveScreenshot, Sphere, XMLPolyDataReader)
 
 import plugin
 
@@ -31,6 +31,8 @@ print(f"SHARE {name} {{rank}} {{history}} {{data.GetNumberOfCells()}}", flush=Tr
 def look_at(name, source):
     """Takes a picture."""
     view = plugin.show(source, 200)
+    # Three processes of ParaView 5.13 that cull fronts draw another box than one, of the same cells.
+    GetDisplayProperties(source, view).BackfaceRepresentation = "Follow Frontface"
     view.ViewTime = 1
     SaveScreenshot(f"{sys.argv[1]}/{name}.png", view, ImageResolution=[200, 200])
     Hide(source, view)

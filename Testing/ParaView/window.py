@@ -16,18 +16,13 @@ def wait_for(file_name, process, seconds=100):
     return os.path.exists(file_name)
 
 
-def libraries():
-    """The folder of Qt's libraries that were unpacked beside ParaView."""
-    return glob.glob(f"{SDK}/lib/*/qt5/plugins")[0][:-len("/qt5/plugins")]
-
-
 def run(script, done):
     """Whether the script, which finds its folder as SCRIPTS, left the file `done`. Then the window is closed."""
     if os.path.exists(done):
         os.remove(done)
     with tempfile.TemporaryDirectory() as home:  # settings of the user's own must not change the picture
-        environment = {**os.environ, "LD_LIBRARY_PATH": libraries(), "HOME": home, "XDG_RUNTIME_DIR": home,
-                       "QT_PLUGIN_PATH": f"{libraries()}/qt5/plugins", "QT_X11_NO_MITSHM": "1",
+        environment = {**os.environ, "HOME": home, "XDG_RUNTIME_DIR": home,
+                       "QT_PLUGIN_PATH": ":".join(glob.glob(f"{SDK}/lib/*/qt[0-9]/plugins")), "QT_X11_NO_MITSHM": "1",
                        "SCRIPTS": os.path.dirname(script)}
         window = subprocess.Popen([f"{SDK}/bin/paraview", "--dr", f"--script={script}"], env=environment)
         try:

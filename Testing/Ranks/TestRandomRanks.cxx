@@ -36,6 +36,7 @@ void AbortOnOne(Trial& t)
     stopped > 0 || errors.empty() || errors[0].find("failed or was stopped") == std::string::npos)
     << errors[0];
   t.Done.Aborts += stopped;
+  t.Filter->SetAbortExecute(0);
   t.Filter->Modified();
   t.MustCompare = true;
 }

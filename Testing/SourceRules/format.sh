@@ -2,6 +2,8 @@
 # Formats our C++ sources with .clang-format, or reports those that are not formatted.
 #
 #   format.sh --check|--in-place [CLANG_FORMAT]
+#
+# The status is 77 for another version of clang-format than that of the rules: it would format differently.
 set -euo pipefail
 
 mode=${1:?usage: format.sh --check|--in-place [CLANG_FORMAT]}
@@ -9,6 +11,11 @@ clang_format=${2:-clang-format}
 if ! command -v "$clang_format" >/dev/null; then
   echo "format.sh: no $clang_format"
   exit 1
+fi
+version=$("$clang_format" --version | sed -nE 's/.* version ([0-9]+)\..*/\1/p')
+if [[ $version != 14 ]]; then
+  echo "Skipped: Format has the rules of clang-format 14, and there is only version $version"
+  exit 77
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

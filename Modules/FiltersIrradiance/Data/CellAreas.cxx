@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/CellAreas.h"
 
+#include "Geometry/Vector.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellSizeFilter.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkTriangle.h"
 
 #include <cmath>
@@ -16,6 +17,22 @@ namespace irradiance
 
 namespace
 {
+
+/// That of a polygon in one plane, convex or not. vtkPolygon's has float's rounding in VTK 9.3.
+double polygonArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
+{
+  const auto corner = [&](vtkIdType i) {
+    Vector3 point;
+    points->GetPoint(ids[i], point.data());
+    return point;
+  };
+  Vector3 twice = Vector3::Zero();
+  for (vtkIdType i = 2; i < count; ++i)
+  {
+    twice += (corner(i - 1) - corner(0)).cross(corner(i) - corner(0));
+  }
+  return twice.norm() / 2;
+}
 
 double stripArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
 {
@@ -47,10 +64,7 @@ std::vector<double> polyDataAreas(vtkPolyData* data)
       areas.push_back(count < 3 ? 0 : areaOf(data->GetPoints(), count, ids));
     }
   };
-  addAll(data->GetPolys(), [](vtkPoints* points, vtkIdType count, const vtkIdType* ids) {
-    double normal[3];
-    return vtkPolygon::ComputeArea(points, count, ids, normal);
-  });
+  addAll(data->GetPolys(), polygonArea);
   addAll(data->GetStrips(), stripArea);
   return areas;
 }

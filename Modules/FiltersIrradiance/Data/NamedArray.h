@@ -5,6 +5,7 @@
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ void addTuple(vtkFieldData* fields, const std::string& name,
   const std::vector<typename Array::ValueType>& tuple)
 {
   const auto array = addArray<Array>(fields, name, static_cast<int>(tuple.size()), 1);
-  array->SetTypedTuple(0, tuple.data());
+  std::copy(tuple.begin(), tuple.end(), array->GetPointer(0));
 }
 
 }

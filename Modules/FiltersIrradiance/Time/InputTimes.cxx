@@ -76,6 +76,7 @@ bool comesAtStepsOnly(vtkExecutive* executive, int port, const TimeSpan& span)
 bool forgetAborted(vtkExecutive* executive)
 {
   bool isAborted = executive->GetAlgorithm()->GetAbortExecute() != 0;
+  executive->GetAlgorithm()->SetAbortExecute(0); // VTK 9.3 would abort again
   for (int port = 0; port < executive->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < executive->GetNumberOfInputConnections(port); ++i)
