@@ -100,7 +100,7 @@ TEST(LampTree, AmongFaintLampsTheChoiceIsByTheirFlux)
     }
     for (double part = 0; part < 1; part += 0x1p-6)
     {
-      const LampTree::Share share = tree.choose(node, part);
+      const LampTree::Choice share = tree.choose(node, part);
       EXPECT_TRUE(share.rest >= 0 && share.rest < 1);
       EXPECT_NEAR(share.probability, lamps[share.piece].flux / node.lamp.flux, 1e-12);
       EXPECT_LT(lamps[share.piece].flux, 1e-20);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/CoveredLamps.h"
 
-#include "Geometry/Pi.h"
-#include "Sampling/DirectionSampling.h"
+#include "Sampling/WeightChoice.h"
 
 #include <algorithm>
 #include <array>
@@ -80,40 +79,26 @@ struct Targets
   double patch = 0; ///< m2, for which each stands
 };
 
-/// The power that a light of 1 W brings from a point to a patch around another, up to a factor; 0
-/// if none can come.
-double broughtBy(const Light& light, const SurfacePoint& from, const Ray& ray,
-  const SurfacePoint& target, double patch)
+/// The power that 1 W at a place of a light brings to a patch around a point of a surface; 0 if
+/// none can come.
+double broughtBy(const LightPlace& from, const SurfacePoint& target, double patch)
 {
-  const double squared = ray.direction.squaredNorm();
-  const Vector3 along = ray.direction / std::sqrt(squared);
-  const auto* const point = std::get_if<PointLight>(&light.kind);
-  const double leaving =
-    point ? kPi * point->density(along) : std::max(0.0, from.normal.dot(along));
-  return leaving * std::abs(target.normal.dot(along)) / (squared + patch);
+  const Vector3 along = target.position - from.position();
+  const double squared = along.squaredNorm();
+  return std::max(0.0, from.leaving(target.position)) * from.perSteradian(target) *
+    std::abs(target.normal.dot(along)) / std::sqrt(squared) / (squared + patch);
 }
 
 /// The ray from a place of the part, which `number` chooses, to a target, and what it brings.
 std::pair<Ray, double> rayOf(const LampPart& part, std::size_t number, const Targets& targets)
 {
   const std::array<double, 3> u = evenPoint(number);
-  const auto chosen = static_cast<std::size_t>(
-    std::upper_bound(part.watts.begin(), part.watts.end() - 1, u[2] * part.watts.back()) -
-    part.watts.begin());
-  const Light& light = *part.lights[chosen];
+  const Light& light = *part.lights[placeByWeight(part.watts, u[2] * part.watts.back())];
   const SurfacePoint& target = targets.points[number * 197 % targets.points.size()];
-  SurfacePoint from{};
-  if (const auto* const area = std::get_if<AreaLight>(&light.kind))
-  {
-    from = surfacePoint(area->triangle, sampleTriangle({ u[0], u[1] }));
-  }
-  else
-  {
-    from.position = std::get<PointLight>(light.kind).position();
-  }
-  const Vector3 origin = from.clearPosition();
+  const LightPlace from = light.place(sampleTriangle({ u[0], u[1] }));
+  const Vector3 origin = from.origin();
   const Ray ray{ origin, target.position - origin, light.triangle() };
-  return { ray, broughtBy(light, from, ray, target, targets.patch) };
+  return { ray, broughtBy(from, target, targets.patch) };
 }
 
 /// Follows the rays of a part.
@@ -133,8 +118,7 @@ CoveredLamps measured(const IrradianceEngine& engine, const LampPart& part, cons
       engine.space().contacts.resolveContact(engine.scene(), ray, engine.scene().cast(ray));
     const auto lamp = lamps.find({ hit.id.object, hit.id.triangle });
     all += brought;
-    if (lamp != lamps.end() &&
-      std::get<AreaLight>(lamp->second->kind).triangle.areaVector().dot(ray.direction) > 0)
+    if (lamp != lamps.end() && lamp->second->surface()->areaVector().dot(ray.direction) > 0)
     {
       result.covered += brought;
       result.cover = lamp->second->cell;
@@ -164,7 +148,7 @@ std::vector<CoveredLamps> findCoveredLamps(
       part.lights.push_back(&light);
       part.watts.push_back((part.watts.empty() ? 0 : part.watts.back()) + light.totalFlux());
       ++lights;
-      if (light.triangle() != TriangleId{})
+      if (light.surface())
       {
         lamps[{ light.triangle().object, light.triangle().triangle }] = &light;
       }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/CellSampler.h"
 
-#include "DirectLight/LitPoint.h"
-#include "Geometry/Pi.h"
+#include "Lights/LitPoint.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SphericalTriangle.h"
 #include "Sampling/SplitMix.h"
+#include "Sampling/WeightChoice.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
 namespace irradiance
@@ -51,11 +50,13 @@ void CellSampler::setCell(std::size_t cell)
   cell_ = cell;
   choice_.weigh(cells_[cell]);
   parts_.clear();
+  areas_.clear();
   double area = 0;
   std::for_each(cells_.begin(cell), cells_.end(cell), [&](std::uint32_t number) {
     const Triangle triangle = triangleOf(space_.triangles, number);
-    parts_.push_back({ number, triangle, triangle.area(), area, lightsAt(number) });
-    area += parts_.back().area;
+    parts_.push_back({ number, triangle, triangle.area(),
+      lamps_.lightsAt(space_.contacts, space_.triangles.idOf(number)) });
+    areas_.push_back(area += parts_.back().area);
   });
   // By its first sample: objects that are away have cells in a frame that follows others, but never
   // samples.
@@ -63,19 +64,6 @@ void CellSampler::setCell(std::size_t cell)
   cellKeys_ = SampleKeys(splitMix(seed));
   lightKeys_ = SampleKeys(splitMix(seed + 1));
   net_ = SobolNet(seed);
-}
-
-/// Of the table; lights of other groups may coincide as well.
-std::vector<std::uint32_t> CellSampler::lightsAt(std::uint32_t triangle) const
-{
-  std::vector<std::uint32_t> lights;
-  space_.contacts.forEachLampAt(space_.triangles.idOf(triangle), [&](const TriangleId& id) {
-    if (const std::optional<std::uint32_t> light = lamps_.lightOn(id))
-    {
-      lights.push_back(*light);
-    }
-  });
-  return lights;
 }
 
 CellSampler::Squares CellSampler::squares(std::uint32_t number) const
@@ -112,12 +100,12 @@ DirectSample CellSampler::sample(std::uint32_t number) const
 
 const CellSampler::Part& CellSampler::choosePart(double& u) const
 {
-  const double area = u * (parts_.back().areaBefore + parts_.back().area);
-  const auto after = std::upper_bound(parts_.begin() + 1, parts_.end(), area,
-    [](double value, const Part& part) { return value < part.areaBefore; });
-  const Part& part = *std::prev(after);
+  const double area = u * areas_.back();
+  const std::size_t place = placeByWeight(areas_, area);
+  const Part& part = parts_[place];
+  const double before = place == 0 ? 0 : areas_[place - 1];
   // In (0, 1), as coordinates are.
-  u = std::clamp((area - part.areaBefore) / part.area, 0x1p-53, 1 - 0x1p-53);
+  u = std::clamp((area - before) / part.area, 0x1p-53, 1 - 0x1p-53);
   return part;
 }
 
@@ -128,9 +116,7 @@ void CellSampler::gather(
   onLight[0] = choice.rest;
   const LampPiece& lamp = lamps_[choice.piece];
   sample.light = lamp.light;
-  const auto* const point = std::get_if<PointLight>(&lamps_.lights()[lamp.light].kind);
-  point ? gatherFrom(*point, part, onCell, sample)
-        : gatherFrom(lamp, part, onCell, onLight, sample);
+  gatherFrom(lamp, part, onCell, onLight, sample);
   const bool isTouching =
     std::find(part.touching.begin(), part.touching.end(), lamp.light) != part.touching.end();
   sample.part = isTouching ? 0 : lamp.share * sample.part / choice.probability;
@@ -145,66 +131,41 @@ SurfacePoint CellSampler::cellPoint(const Part& part, const Vector3& weights, Di
   return surfacePoint(part.triangle, { std::max(0.0, 1 - b - c), b, c });
 }
 
-double CellSampler::Ends::leaving() const
-{
-  return light.normal.dot(cell.position - light.position) / distance();
-}
-
-/// Closer to a plane, rounding would tell the side; what lies in the plane of a light gets nothing
-/// of it.
-bool CellSampler::Ends::areClear() const
-{
-  const Vector3 between = cell.position - light.position;
-  return light.normal.dot(between) > 4 * light.clearance &&
-    std::abs(cell.normal.dot(between)) > 4 * cell.clearance;
-}
-
-double CellSampler::Ends::arriving() const
-{
-  return std::abs(cell.normal.dot(light.position - cell.position)) / distance();
-}
-
 void CellSampler::gatherFrom(const LampPiece& lamp, const Part& part, Square onCell, Square onLight,
   DirectSample& sample) const
 {
   const CellShape& cell = cells_[cell_];
+  const Light& light = lamps_.lights()[lamp.light];
   const Vector3 between = cell.center - lamp.center;
-  Ends ends{};
+  LightPlace from{};
+  SurfacePoint to{};
+  const auto distance = [&] { return (from.position() - to.position).norm(); };
+  const auto arriving = [&] {
+    return std::abs(to.normal.dot(from.position() - to.position)) / distance();
+  };
   if (isWide(lamp.radius, cell.radius, between))
   {
-    ends.cell = cellPoint(part, sampleTriangle(onCell), sample);
-    const SphericalTriangle seen(lamp.triangle, ends.cell.position);
-    ends.light = surfacePoint(lamp.triangle, seen.sample(onLight));
-    sample.part = cell.area * ends.arriving() * seen.solidAngle() / lamp.triangle.area();
+    to = cellPoint(part, sampleTriangle(onCell), sample);
+    const SphericalTriangle seen(lamp.triangle, to.position);
+    from = light.place(seen.sample(onLight), &lamp.triangle);
+    sample.part = cell.area * arriving() * seen.solidAngle() / lamp.triangle.area();
   }
-  else if (isWide(cell.radius, lamp.radius, between))
+  else if (lamp.radius == 0 || isWide(cell.radius, lamp.radius, between))
   {
-    ends.light = surfacePoint(lamp.triangle, sampleTriangle(onLight));
-    const SphericalTriangle seen(part.triangle, ends.light.position);
-    ends.cell = cellPoint(part, seen.sample(onCell), sample);
-    sample.part = ends.leaving() * seen.solidAngle() * cell.area / part.area;
+    from = light.place(sampleTriangle(onLight), &lamp.triangle);
+    const SphericalTriangle seen(part.triangle, from.position());
+    to = cellPoint(part, seen.sample(onCell), sample);
+    sample.part = from.leaving(to.position) * seen.solidAngle() * cell.area / part.area;
   }
   else
   {
-    ends.cell = cellPoint(part, sampleTriangle(onCell), sample);
-    ends.light = surfacePoint(lamp.triangle, sampleTriangle(onLight));
-    const double distance = ends.distance();
-    sample.part = cell.area * ends.leaving() * ends.arriving() / (distance * distance);
+    to = cellPoint(part, sampleTriangle(onCell), sample);
+    from = light.place(sampleTriangle(onLight), &lamp.triangle);
+    sample.part = cell.area * from.leaving(to.position) * arriving() / (distance() * distance());
   }
-  sample.part *= ends.areClear() ? 1 / kPi : 0;
-  sample.from = ends.light.clearPosition();
-  arrive(ends.cell, sample);
-}
-
-void CellSampler::gatherFrom(
-  const PointLight& light, const Part& part, Square onCell, DirectSample& sample) const
-{
-  sample.from = light.position();
-  const SphericalTriangle seen(part.triangle, light.position());
-  const SurfacePoint point = cellPoint(part, seen.sample(onCell), sample);
-  const Vector3 towards = (point.position - light.position()).normalized();
-  sample.part = light.density(towards) * seen.solidAngle() * cells_[cell_].area / part.area;
-  arrive(point, sample);
+  sample.part *= from.perSteradian(to);
+  sample.from = from.origin();
+  arrive(to, sample);
 }
 
 /// The point is chosen on the cell, or on the lights if these are smaller: else hardly a sample
@@ -245,11 +206,6 @@ void CellSampler::gatherTouching(
       return;
     }
   }
-}
-
-const Triangle& CellSampler::touchingTriangle(std::uint32_t light) const
-{
-  return std::get<AreaLight>(lamps_.lights()[light].kind).triangle;
 }
 
 /// The cell touches the light: the ray has length 0, so it is given the direction of the light's

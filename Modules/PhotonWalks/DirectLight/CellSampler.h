@@ -52,26 +52,12 @@ public:
 
 private:
   using Square = std::array<double, 2>;
-  /// The points of a light and of a cell, with the normals of their fronts.
-  struct Ends
-  {
-    SurfacePoint light, cell;
-
-    double distance() const { return (light.position - cell.position).norm(); }
-    /// The cosine at which light leaves; negative behind the light.
-    double leaving() const;
-    /// The cosine at which it arrives, on either side.
-    double arriving() const;
-    /// Whether the light shines to the cell's point, and neither lies in the plane of the other.
-    bool areClear() const;
-  };
-
   /// A triangle of the cell.
   struct Part
   {
     std::uint32_t number;
     Triangle triangle;
-    double area, areaBefore;             ///< of itself, of the triangles before it
+    double area;
     std::vector<std::uint32_t> touching; ///< lights that coincide with it
   };
 
@@ -87,7 +73,6 @@ private:
   /// The triangle that a coordinate chooses by area. The coordinate becomes what the choice left of
   /// it.
   const Part& choosePart(double& u) const;
-  std::vector<std::uint32_t> lightsAt(std::uint32_t triangle) const;
   static SurfacePoint cellPoint(const Part& part, const Vector3& weights, DirectSample& sample);
   /// Turns the point of the cell to where the light is.
   static void arrive(SurfacePoint point, DirectSample& sample);
@@ -95,11 +80,12 @@ private:
   void gather(const Part& part, Square onCell, Square onLight, DirectSample& sample) const;
   void gatherFrom(const LampPiece& lamp, const Part& part, Square onCell, Square onLight,
     DirectSample& sample) const;
-  void gatherFrom(
-    const PointLight& light, const Part& part, Square onCell, DirectSample& sample) const;
   /// From a light that coincides with the triangle at a point. `uLight`: chooses the light.
   void gatherTouching(const Part& part, const Square& u, double uLight, DirectSample& sample) const;
-  const Triangle& touchingTriangle(std::uint32_t light) const;
+  const Triangle& touchingTriangle(std::uint32_t light) const
+  {
+    return *lamps_.lights()[light].surface();
+  }
   /// Sets the ray from the point of a light that coincides with the cell there.
   void cross(std::uint32_t light, const Vector3& weights, const SurfacePoint& onCell,
     DirectSample& sample) const;
@@ -111,7 +97,8 @@ private:
   std::uint64_t seed_;
   LampChoice choice_;
   std::size_t cell_ = 0;
-  std::vector<Part> parts_; ///< of the cell
+  std::vector<Part> parts_;   ///< of the cell
+  std::vector<double> areas_; ///< of its triangles up to and including each, m2
   // Of the cell: one net where it has many samples, else two that are shuffled against each other.
   SobolNet net_;
   SampleKeys cellKeys_{}, lightKeys_{};

@@ -27,13 +27,10 @@ DimLights::DimLights(const SceneObjects& objects, const FirstHits& hits, double 
 
 bool DimLights::contains(const Light& light) const
 {
-  if (!std::holds_alternative<AreaLight>(light.kind))
-  {
-    return false;
-  }
   const SceneObject& object = objects_[light.cell.object];
   const double* const exitance = object.exitanceOf(light.cell.cell);
-  return std::accumulate(exitance, exitance + object.emission->bands, 0.0) <= brightest_;
+  return light.surface() &&
+    std::accumulate(exitance, exitance + object.emission->bands, 0.0) <= brightest_;
 }
 
 }

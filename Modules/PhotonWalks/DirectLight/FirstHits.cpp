@@ -41,28 +41,14 @@ std::array<double, 2> pointOf(std::uint32_t ray, std::uint64_t use)
   return SobolPoint::inUnitSquare(ray / 2, SampleKeys(splitMix(2 * use + halfOf(ray))));
 }
 
-Ray diffuseRay(const SurfacePoint& point, const TriangleId& start, const std::array<double, 2>& u)
-{
-  return { point.clearPosition(), sampleHemisphere(point.normal, u), start };
-}
-
-/// As light leaves the light: some rays after the first ones.
+/// As light leaves the light: some rays after the first ones. Dynamic triangles are not there.
 Rays raysFrom(const Light& light, std::uint32_t first, std::uint32_t count)
 {
   Rays rays;
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const std::uint32_t ray = first + i;
-    if (const auto* const area = std::get_if<AreaLight>(&light.kind))
-    {
-      const TriangleId start = area->id.isDynamic() ? TriangleId{} : area->id; // it is not there
-      const Vector3 weights = sampleTriangle(pointOf(ray, 1));
-      rays[i] = diffuseRay(surfacePoint(area->triangle, weights), start, pointOf(ray, 2));
-    }
-    else
-    {
-      rays[i] = light.leaving(pointOf(ray, 2));
-    }
+    rays[i] = light.leaving(pointOf(first + i, 1), pointOf(first + i, 2));
+    rays[i].start = rays[i].start.isDynamic() ? TriangleId{} : rays[i].start;
   }
   return rays;
 }
@@ -91,7 +77,8 @@ double returnedOf(const Scene& scene, const Material& material, const Rays& rays
     {
       SurfacePoint point = surfacePoint(scene.worldTriangle(hits[i].id), weightsOf(hits[i]));
       point.turn(point.normal.dot(rays[i].direction) < 0);
-      onwards[count] = diffuseRay(point, hits[i].id, pointOf(first + i, 3));
+      onwards[count] = { point.clearPosition(),
+        sampleHemisphere(point.normal, pointOf(first + i, 3)), hits[i].id };
       parts[count++] = material.reflectedOf(hits[i].id.triangle);
     }
   }
@@ -142,7 +129,7 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
       }
       returned += fluxOfRay * returnedOf(scene, material, rays, hits, first, together);
     }
-    nearLights_.push_back(std::holds_alternative<AreaLight>(light.kind) && 2 * near > count);
+    nearLights_.push_back(light.surface() && 2 * near > count);
     begin = end;
   }
   sumUp(objects.staticObject);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/LampChoice.h"
 
-#include "DirectLight/WeightChoice.h"
-#include "Geometry/Pi.h"
+#include "Sampling/WeightChoice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,29 +12,6 @@ namespace irradiance
 
 namespace
 {
-
-/// The mean of what is above 0 of a cosine that is even between two values.
-double positivePart(double lower, double upper)
-{
-  return lower >= 0 ? 0.5 * (lower + upper) : upper > 0 ? upper * upper / (2 * (upper - lower)) : 0;
-}
-
-/// The mean cosine at which light leaves the cone of normals of a node in a direction with this
-/// cosine. Normals have all cosines of the cone alike. `size`: the sine of the angle by which
-/// directions may differ: the nearest counts.
-double leavingOf(const LampTree::Node& node, double cosine, double size)
-{
-  const double ofSize = std::sqrt(1 - size * size);
-  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  const bool isWithin = cosine >= ofSize;
-  const double nearest = isWithin ? 1 : cosine * ofSize + sine * size;
-  const double sineOfNearest = isWithin ? 0 : std::abs(sine * ofSize - cosine * size);
-  const double lower =
-    nearest <= -node.cosine ? -1 : nearest * node.cosine - sineOfNearest * node.sine;
-  const double upper =
-    nearest >= node.cosine ? 1 : nearest * node.cosine + sineOfNearest * node.sine;
-  return positivePart(lower, upper);
-}
 
 /// The part of a cell that has normals in all directions.
 double curvedOf(const CellShape& cell)
@@ -69,7 +45,7 @@ double powerBetween(
   const double arriving = cell.normal.dot(between) * inverse;
   // Of flat lamps in one plane, or in planes above each other, and a flat cell: the sine between
   // their normals.
-  const bool isFlat = node.cosine >= 1 && curved < 1e-9;
+  const bool isFlat = lamp.cone.isFlat() && curved < 1e-9;
   const double parallel = isFlat ? lamp.normal.dot(cell.normal) : 0;
   const double turned = isFlat ? std::sqrt(std::max(0.0, 1 - parallel * parallel)) : 1;
   const double reach = (lamp.radius + cell.radius) * inverse;
@@ -77,7 +53,7 @@ double powerBetween(
     : cell.isFrontDark                  ? arriving
                                         : std::abs(arriving);
   const bool isMean = asked == Asked::Mean;
-  double emitted = leavingOf(node, leaving, isMean ? 0 : std::min(1.0, reach));
+  double emitted = lamp.cone.leaving(leaving, isMean ? 0 : std::min(1.0, reach));
   double received = std::clamp(
     curved + (isMean ? positivePart(facing - reach, facing + reach) : facing + reach), 0.0, 1.0);
   if (isFlat)
@@ -93,7 +69,8 @@ double powerBetween(
   {
     return 0;
   }
-  return std::min(lamp.flux, lamp.flux * emitted * received * cell.area / kPi * inverse * inverse);
+  return std::min(lamp.flux,
+    lamp.flux * emitted * received * cell.area / LampCone::kProjected * inverse * inverse);
 }
 
 }
@@ -112,7 +89,8 @@ LampChoice::Group LampChoice::groupOf(std::uint32_t number) const
   const LampTree::Node& node = tree_.nodes()[number];
   const double distance = (cell_.center - node.lamp.center).norm(), radius = node.lamp.radius;
   const double nearest = std::max(distance - radius, cell_.radius);
-  const double most = node.lamp.flux * std::min(1.0, cell_.area / (kPi * nearest * nearest));
+  const double most =
+    node.lamp.flux * std::min(1.0, cell_.area / (LampCone::kProjected * nearest * nearest));
   const bool isWide = !node.isLeaf() && radius > kTogether * distance;
   return { number, powerBetween(node, cell_, curved_),
     isWide ? most * std::min(1.0, radius / distance) : 0 };
@@ -175,7 +153,7 @@ double LampChoice::distance(const CellShape& cell) const
 double LampChoice::mostPower(const CellShape& cell) const
 {
   const double between = distance(cell);
-  return tree_.flux() * cell.area / (kPi * between * between);
+  return tree_.flux() * cell.area / (LampCone::kProjected * between * between);
 }
 
 void LampChoice::weigh(const CellShape& cell)
@@ -201,7 +179,7 @@ void LampChoice::weigh(const CellShape& cell)
 bool LampChoice::isAlike(const LampTree::Node& node) const
 {
   return node.isLeaf() ||
-    (node.cosine >= kAlike &&
+    (node.lamp.cone.cosine >= kAlike &&
       node.lamp.radius * node.lamp.radius <=
         kTogether * kTogether * (cell_.center - node.lamp.center).squaredNorm());
 }
@@ -224,13 +202,12 @@ LampChoice::Choice LampChoice::choose(double sample) const
   while (!isAlike(*node))
   {
     const double first = probabilityOfFirst(*node);
-    const bool isFirst = rest < first;
+    const bool isFirst = choosesFirst(first, rest);
     probability *= isFirst ? first : 1 - first;
-    rest = isFirst ? restOf(rest, first) : restOf(rest - first, 1 - first);
     node = &tree_.nodes()[node->children + (isFirst ? 0 : 1)];
   }
-  const LampTree::Share share = tree_.choose(*node, rest);
-  return { share.piece, probability * share.probability, share.rest };
+  const Choice below = tree_.choose(*node, rest);
+  return { below.piece, probability * below.probability, below.rest };
 }
 
 double LampChoice::probabilityOf(std::uint32_t piece) const

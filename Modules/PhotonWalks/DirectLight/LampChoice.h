@@ -39,12 +39,7 @@ public:
   /// For this cell.
   void weigh(const CellShape& cell);
 
-  struct Choice
-  {
-    std::uint32_t piece;
-    double probability;
-    double rest; ///< in [0, 1): what the choice left of the sample
-  };
+  using Choice = LampTree::Choice;
   /// `sample`: in (0, 1).
   Choice choose(double sample) const;
   /// With which a piece is chosen.

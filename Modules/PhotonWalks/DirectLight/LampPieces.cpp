@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/LampPieces.h"
 
-#include "DirectLight/LitPoint.h"
+#include "Lights/LitPoint.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,35 +12,9 @@ namespace irradiance
 namespace
 {
 
-/// Squared longest edge / area up to which a triangle is not cut; that of half a square is 4.
-constexpr double kLong = 12;
-constexpr int kMostCuts = 8; ///< of a triangle, and of what they leave of it
 /// Edges are not cut that are shorter than this part of the diagonal of all lamps: what is near the
 /// one end is near the other.
 constexpr double kShort = 0.02;
-
-/// The corners from the end of the longest edge on.
-Triangle turnedToLongest(const Triangle& t)
-{
-  const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(),
-               ca = (t.a - t.c).squaredNorm();
-  return ab >= bc && ab >= ca ? t
-    : bc >= ca                ? Triangle{ t.b, t.c, t.a }
-                              : Triangle{ t.c, t.a, t.b };
-}
-
-/// The sizes of a piece from its triangle.
-LampPiece measured(LampPiece piece)
-{
-  const Triangle& triangle = piece.triangle;
-  piece.center = (triangle.a + triangle.b + triangle.c) / 3;
-  piece.radius = 0;
-  for (const Vector3& corner : { triangle.a, triangle.b, triangle.c })
-  {
-    piece.radius = std::max(piece.radius, (corner - piece.center).norm());
-  }
-  return piece;
-}
 
 }
 
@@ -55,18 +29,10 @@ LampPieces::LampPieces(LightTable lights)
   const double shortest = kShort * bounds.extent().norm();
   for (std::uint32_t i = 0; i < lights_.lights().size(); ++i)
   {
-    const Light& light = lights_[i];
-    LampPiece piece{ i, 1, light.totalFlux(), {}, light.bounds().center() };
-    if (const auto* const area = std::get_if<AreaLight>(&light.kind))
+    addPieces(lights_[i], i, shortest, pieces_);
+    if (lights_[i].surface())
     {
-      piece.triangle = area->triangle;
-      piece.normal = area->triangle.areaVector().normalized();
       areas_.push_back(i);
-      cut(piece, 0, shortest);
-    }
-    else
-    {
-      pieces_.push_back(piece);
     }
   }
   tree_ = LampTree(pieces_);
@@ -88,6 +54,19 @@ std::optional<std::uint32_t> LampPieces::lightOn(const TriangleId& triangle) con
     : std::nullopt;
 }
 
+std::vector<std::uint32_t> LampPieces::lightsAt(
+  const Contacts& contacts, const TriangleId& triangle) const
+{
+  std::vector<std::uint32_t> lights;
+  contacts.forEachLampAt(triangle, [&](const TriangleId& id) {
+    if (const std::optional<std::uint32_t> light = lightOn(id))
+    {
+      lights.push_back(*light);
+    }
+  });
+  return lights;
+}
+
 /// Rounding may leave the place beside all of them: then the nearest, roughly.
 std::uint32_t LampPieces::pieceAt(std::uint32_t light, const Vector3& place) const
 {
@@ -101,27 +80,6 @@ std::uint32_t LampPieces::pieceAt(std::uint32_t light, const Vector3& place) con
   const auto found = std::max_element(
     first, end, [&](const LampPiece& a, const LampPiece& b) { return inside(a) < inside(b); });
   return static_cast<std::uint32_t>(found - pieces_.begin());
-}
-
-void LampPieces::cut(const LampPiece& piece, int times, double shortest)
-{
-  const Triangle turned = turnedToLongest(piece.triangle);
-  const double squared = (turned.b - turned.a).squaredNorm();
-  if (times == kMostCuts || squared <= std::max(kLong * turned.area(), shortest * shortest))
-  {
-    pieces_.push_back(measured(piece));
-    return;
-  }
-  const Vector3 middle = 0.5 * (turned.a + turned.b);
-  LampPiece half = piece;
-  half.share /= 2;
-  half.flux /= 2;
-  for (const Triangle& triangle :
-    { Triangle{ turned.a, middle, turned.c }, Triangle{ middle, turned.b, turned.c } })
-  {
-    half.triangle = triangle;
-    cut(half, times + 1, shortest);
-  }
 }
 
 }

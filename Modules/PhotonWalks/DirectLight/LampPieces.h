@@ -4,6 +4,7 @@
 
 #include "DirectLight/LampTree.h"
 #include "Lights/LightTable.h"
+#include "Surfaces/Contacts.h"
 
 #include <optional>
 #include <vector>
@@ -29,13 +30,12 @@ public:
   const Box& centers() const { return centers_; }
   /// The light of a triangle, if it is one of the table.
   std::optional<std::uint32_t> lightOn(const TriangleId& triangle) const;
+  /// Those lights of the table that coincide with a triangle.
+  std::vector<std::uint32_t> lightsAt(const Contacts& contacts, const TriangleId& triangle) const;
   /// The piece of a light on which a place of its triangle lies.
   std::uint32_t pieceAt(std::uint32_t light, const Vector3& place) const;
 
 private:
-  /// `shortest`: edges, m, that are not cut.
-  void cut(const LampPiece& piece, int times, double shortest);
-
   LightTable lights_;
   std::vector<LampPiece> pieces_;
   LampTree tree_;

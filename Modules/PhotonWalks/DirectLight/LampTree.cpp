@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/LampTree.h"
 
-#include "DirectLight/WeightChoice.h"
-#include "Geometry/Pi.h"
+#include "Sampling/WeightChoice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,31 +14,11 @@ namespace irradiance
 namespace
 {
 
-Box boundsOf(const LampPiece& piece)
-{
-  Box box;
-  if (piece.normal.isZero(0))
-  {
-    box.add(piece.center);
-    return box;
-  }
-  for (const Vector3& corner : { piece.triangle.a, piece.triangle.b, piece.triangle.c })
-  {
-    box.add(corner);
-  }
-  return box;
-}
-
 /// How much is uncertain about what a node brings: its flux, its size and the solid angle into
-/// which it shines, see Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree
-/// Splitting", 2018.
+/// which it shines.
 double spreadOf(const LampTree::Node& node)
 {
-  const double cone = std::acos(node.cosine), most = std::min(kPi, cone + kPi / 2);
-  const double solidAngle = 2 * kPi * (1 - node.cosine) +
-    kPi / 2 *
-      (2 * most * node.sine - std::cos(cone - 2 * most) - 2 * cone * node.sine + node.cosine);
-  return node.lamp.flux * node.lamp.radius * node.lamp.radius * solidAngle;
+  return node.lamp.flux * node.lamp.radius * node.lamp.radius * node.lamp.cone.solidAngle();
 }
 
 }
@@ -72,37 +51,36 @@ LampTree::Node LampTree::nodeOf(
   if (end - first == 1)
   {
     node.lamp = pieces[order_[first]];
-    node.cosine = node.lamp.normal.isZero(0) ? -1 : 1;
     return node;
   }
   Box bounds;
   Vector3 normals = Vector3::Zero();
-  bool isInAir = false;
+  bool areFlat = true;
   node.lamp.share = 0;
   node.lamp.flux = 0;
   for (std::uint32_t place = first; place < end; ++place)
   {
     const LampPiece& piece = pieces[order_[place]];
-    bounds.add(boundsOf(piece));
+    bounds.add(piece.bounds());
     node.lamp.flux += piece.flux;
     normals += piece.flux * piece.normal;
-    isInAir = isInAir || piece.normal.isZero(0);
+    areFlat = areFlat && piece.cone.isFlat();
   }
   node.lamp.center = bounds.center();
   node.lamp.radius = bounds.extent().norm() / 2;
-  if (!isInAir && !normals.isZero(1e-9 * node.lamp.flux))
+  if (areFlat && !normals.isZero(1e-9 * node.lamp.flux))
   {
     node.lamp.normal = normals.normalized();
-    node.cosine = 1;
+    double cosine = 1;
     for (std::uint32_t place = first; place < end; ++place)
     {
       const LampPiece& piece = pieces[order_[place]];
-      node.cosine = std::min(node.cosine, node.lamp.normal.dot(piece.normal));
+      cosine = std::min(cosine, node.lamp.normal.dot(piece.normal));
       node.depth = std::max(node.depth, node.lamp.normal.dot(node.lamp.center - piece.center));
     }
     constexpr double kFlat = 1 - 1e-12;
-    node.cosine = node.cosine >= kFlat ? 1 : std::max(node.cosine, -1.0);
-    node.sine = std::sqrt(1 - node.cosine * node.cosine);
+    cosine = cosine >= kFlat ? 1 : std::max(cosine, -1.0);
+    node.lamp.cone = { cosine, std::sqrt(1 - cosine * cosine) };
   }
   return node;
 }
@@ -155,16 +133,14 @@ void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
   nodes_.push_back(std::move(halves.second));
 }
 
-LampTree::Share LampTree::choose(const Node& node, double part) const
+LampTree::Choice LampTree::choose(const Node& node, double part) const
 {
   const Node* below = &node;
   while (!below->isLeaf())
   {
     const Node* halves = &nodes_[below->children];
     const double first = halves->lamp.flux / below->lamp.flux;
-    const bool isFirst = part < first;
-    part = isFirst ? restOf(part, first) : restOf(part - first, 1 - first);
-    below = isFirst ? halves : halves + 1;
+    below = choosesFirst(first, part) ? halves : halves + 1;
   }
   return { order_[below->first], below->lamp.flux / node.lamp.flux, part };
 }

@@ -2,7 +2,7 @@
 #ifndef irradiance_LampTree_h
 #define irradiance_LampTree_h
 
-#include "DirectLight/LampPiece.h"
+#include "Lights/LampPiece.h"
 
 #include <cstdint>
 #include <vector>
@@ -20,10 +20,7 @@ class LampTree
 public:
   struct Node
   {
-    LampPiece lamp; ///< the piece of a leaf; else what stands for all below, of the share 0
-    /// Of the half angle of the cone of normals around that of the lamp: 0 of a flat lamp, pi if
-    /// light leaves to all sides.
-    double cosine = -1, sine = 0;
+    LampPiece lamp;   ///< the piece of a leaf; else what stands for all below, of the share 0
     double depth = 0; ///< m, of places of the lamp behind its center, along its normal
     std::uint32_t first = 0, end = 0; ///< of its pieces, by the order of the tree
     std::uint32_t children = 0;       ///< the number of the first of two; 0 for a leaf
@@ -41,14 +38,14 @@ public:
   /// Of a piece in the order of the tree.
   std::uint32_t placeOf(std::uint32_t piece) const { return places_[piece]; }
 
-  struct Share
+  struct Choice
   {
     std::uint32_t piece;
     double probability;
     double rest; ///< in [0, 1): what the choice left of the part
   };
   /// The piece on which a part, in [0, 1), of the flux of a node falls.
-  Share choose(const Node& node, double part) const;
+  Choice choose(const Node& node, double part) const;
 
 private:
   void split(std::uint32_t number, const std::vector<LampPiece>& pieces);

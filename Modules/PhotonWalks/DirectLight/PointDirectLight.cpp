@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/PointDirectLight.h"
 
-#include "Geometry/Pi.h"
-#include "Meshes/SurfacePoint.h"
 #include "Sampling/SobolPoint.h"
 #include "Sampling/SplitMix.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace irradiance
@@ -45,7 +42,7 @@ std::vector<PointDirectLight::Arrival> PointDirectLight::arrivalsAt(
   const std::vector<std::uint32_t> touching = lightsAt(point);
   addTouching(point, touching, replicates, arrivals);
   const Part cosine = [&](const Vector3& along, double) { return point.partOf(along); };
-  addSamples(point, SeenLamp::By::Cosine, cosine, number, 0, touching, replicates, arrivals);
+  addSamples(point, SeenLight::By::Cosine, cosine, number, 0, touching, replicates, arrivals);
   return arrivals;
 }
 
@@ -84,7 +81,7 @@ PointDirectLight::Bands PointDirectLight::taken(
   const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const
 {
   std::vector<Arrival> arrivals;
-  addSamples(point, SeenLamp::By::SolidAngle, part, number, share, lightsAt(point), 1, arrivals);
+  addSamples(point, SeenLight::By::SolidAngle, part, number, share, lightsAt(point), 1, arrivals);
   std::vector<Bands> all(1, Bands{});
   addArriving(point, arrivals, all);
   return all.front();
@@ -99,7 +96,7 @@ double PointDirectLight::density(
   {
     return 0;
   }
-  const PointLampChoice choice(*lamps_, point, SeenLamp::By::SolidAngle, samples_, mostWeights_);
+  const PointLampChoice choice(*lamps_, point, SeenLight::By::SolidAngle, samples_, mostWeights_);
   return samples_ * choice.densityOf(lamps_->pieceAt(*light, place));
 }
 
@@ -170,39 +167,27 @@ ShadowRay PointDirectLight::shadowRayOf(
       contacts.hasDynamic(hit.id) || (touches && isStopped && hit.id.isDynamic()) };
 }
 
-/// Of the table.
-std::vector<std::uint32_t> PointDirectLight::lightsAt(const LitPoint& point) const
-{
-  std::vector<std::uint32_t> lights;
-  space_.contacts.forEachLampAt(point.on, [&](const TriangleId& id) {
-    if (const std::optional<std::uint32_t> light = lamps_->lightOn(id))
-    {
-      lights.push_back(*light);
-    }
-  });
-  return lights;
-}
-
 /// The point touches the lights: rays have length 0, so they are given the directions of the
 /// lights' normals.
-void PointDirectLight::addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
-  std::size_t replicates, std::vector<Arrival>& arrivals) const
+void PointDirectLight::addTouching(const LitPoint& point,
+  const std::vector<std::uint32_t>& touching, std::size_t replicates,
+  std::vector<Arrival>& arrivals) const
 {
-  for (const std::uint32_t light : lights)
+  for (const std::uint32_t light : touching)
   {
-    const AreaLight& area = std::get<AreaLight>(lamps_->lights()[light].kind);
-    const Vector3 weights = weightsInPlane(area.triangle, point.position);
-    const SurfacePoint start = surfacePoint(area.triangle, weights.cwiseMax(0));
+    const Triangle& surface = *lights()[light].surface();
+    const Vector3 weights = weightsInPlane(surface, point.position);
+    const SurfacePoint start = surfacePoint(surface, weights.cwiseMax(0));
     const bool isOn = weights.minCoeff() >= 0 && point.normal.dot(start.normal) < 0;
     for (std::size_t replicate = 0; isOn && replicate < replicates; ++replicate)
     {
-      arrivals.push_back({ { start.clearPosition(), start.normal, area.id }, light,
-        1 / (area.triangle.area() * static_cast<double>(replicates)), replicate });
+      arrivals.push_back({ { start.clearPosition(), start.normal, lights()[light].triangle() },
+        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate });
     }
   }
 }
 
-void PointDirectLight::addSamples(const LitPoint& point, SeenLamp::By by, const Part& part,
+void PointDirectLight::addSamples(const LitPoint& point, SeenLight::By by, const Part& part,
   std::uint64_t number, std::uint32_t share, const std::vector<std::uint32_t>& touching,
   std::size_t replicates, std::vector<Arrival>& arrivals) const
 {
@@ -212,8 +197,7 @@ void PointDirectLight::addSamples(const LitPoint& point, SeenLamp::By by, const 
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(share * samples_ + i, keys);
     const PointLampChoice::Choice chosen = choice.choose(u[0]);
-    const std::uint32_t light = (*lamps_)[chosen.piece].light;
-    if (std::find(touching.begin(), touching.end(), light) == touching.end())
+    if (std::find(touching.begin(), touching.end(), chosen.light) == touching.end())
     {
       Arrival arrival = from(chosen, point, part, u[1]);
       arrival.replicate = i * replicates / samples_;
@@ -228,30 +212,15 @@ void PointDirectLight::addSamples(const LitPoint& point, SeenLamp::By by, const 
 PointDirectLight::Arrival PointDirectLight::from(const PointLampChoice::Choice& chosen,
   const LitPoint& point, const Part& part, double onLamp) const
 {
-  const LampPiece& lamp = (*lamps_)[chosen.piece];
-  const Light& light = lamps_->lights()[lamp.light];
-  const double samples = chosen.probability * samples_;
-  if (const auto* const inAir = std::get_if<PointLight>(&light.kind))
-  {
-    const Vector3 along = point.position - inAir->position();
-    const double taken = along.isZero(0) ? 0 : part(along, std::numeric_limits<double>::infinity());
-    return { { inAir->position(), along, {} }, lamp.light,
-      PointLampChoice::perWatt(*inAir, along, taken) / samples };
-  }
   if (!chosen.seen)
   {
-    return { {}, lamp.light, 0 };
+    return { {}, chosen.light, 0 };
   }
-  const SeenLamp::Sample sample = chosen.seen->sample({ chosen.rest, onLamp });
-  const SurfacePoint start = surfacePoint(lamp.triangle, sample.weights);
-  const Vector3 between = point.position - start.position;
-  // Closer to its plane, rounding would tell the side.
-  const bool isInFront = start.normal.dot(between) > 4 * start.clearance;
-  const double perWatt = isInFront ? part(between, samples / sample.solidAngle) *
-      sample.solidAngle * lamp.share / (kPi * lamp.triangle.area())
-                                   : 0;
-  const Vector3 origin = start.clearPosition();
-  return { { origin, point.position - origin, light.triangle() }, lamp.light, perWatt / samples };
+  const double samples = chosen.probability * samples_;
+  const SeenLight::Sample seen = chosen.seen->sample({ chosen.rest, onLamp }, point);
+  const double perWatt =
+    seen.isLit() ? seen.perWatt(part(seen.along, samples / seen.solidAngle)) : 0;
+  return { seen.ray, chosen.light, perWatt / samples };
 }
 
 }

@@ -77,12 +77,16 @@ private:
     std::size_t replicate = 0;
   };
 
-  std::vector<std::uint32_t> lightsAt(const LitPoint& point) const;
+  /// Those that coincide with the point.
+  std::vector<std::uint32_t> lightsAt(const LitPoint& point) const
+  {
+    return lamps_->lightsAt(space_.contacts, point.on);
+  }
   /// What the lights emit that coincide with the point.
-  void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& lights,
+  void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& touching,
     std::size_t replicates, std::vector<Arrival>& arrivals) const;
   /// `touching`: lights that are not asked.
-  void addSamples(const LitPoint& point, SeenLamp::By by, const Part& part, std::uint64_t number,
+  void addSamples(const LitPoint& point, SeenLight::By by, const Part& part, std::uint64_t number,
     std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
     std::vector<Arrival>& arrivals) const;
   /// `onLamp`: in (0, 1), it and the rest of the choice are the place on it.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/PointLampChoice.h"
 
-#include "DirectLight/WeightChoice.h"
-#include "Geometry/Pi.h"
+#include "Sampling/WeightChoice.h"
 
 namespace irradiance
 {
@@ -25,7 +24,7 @@ CellShape asCell(const LitPoint& point)
 
 }
 
-PointLampChoice::PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLamp::By by,
+PointLampChoice::PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLight::By by,
   std::uint32_t samples, std::size_t most)
   : lamps_(lamps)
   , point_(point)
@@ -40,51 +39,20 @@ PointLampChoice::PointLampChoice(const LampPieces& lamps, const LitPoint& point,
   }
   targets_.reserve(2 * lamps.size());
   cumulative_.reserve(2 * lamps.size());
-  std::vector<SeenLamp> parts;
-  const auto add = [&](const Target& target) {
-    targets_.push_back(target);
-    sum_ += weightOf(target);
-    cumulative_.push_back(sum_);
-  };
   for (std::uint32_t piece = 0; piece < lamps.size(); ++piece)
   {
-    if (isInAir(piece))
-    {
-      add({ piece, {} });
-      continue;
-    }
-    parts.clear();
-    SeenLamp::addParts(lamps[piece].triangle, point, by, parts);
-    for (const SeenLamp& seen : parts)
-    {
-      add({ piece, seen });
-    }
+    addParts(piece, targets_);
   }
-}
-
-bool PointLampChoice::isInAir(std::uint32_t piece) const
-{
-  return std::holds_alternative<PointLight>(lamps_.lights()[lamps_[piece].light].kind);
-}
-
-std::vector<SeenLamp> PointLampChoice::partsOf(std::uint32_t piece) const
-{
-  std::vector<SeenLamp> parts;
-  SeenLamp::addParts(lamps_[piece].triangle, point_, by_, parts);
-  return parts;
-}
-
-double PointLampChoice::weightOf(const Target& target) const
-{
-  const LampPiece& lamp = lamps_[target.piece];
-  if (!target.seen)
+  for (const SeenLight& target : targets_)
   {
-    const auto& inAir = std::get<PointLight>(lamps_.lights()[lamp.light].kind);
-    const Vector3 along = point_.position - inAir.position();
-    return lamp.flux * perWatt(inAir, along, point_.partOf(along));
+    cumulative_.push_back(sum_ += target.irradiance(point));
   }
-  const bool isInFront = lamp.normal.dot(point_.position - lamp.center) > 0;
-  return isInFront ? lamp.flux * target.seen->taken() / (kPi * lamp.triangle.area()) : 0;
+}
+
+void PointLampChoice::addParts(std::uint32_t piece, std::vector<SeenLight>& parts) const
+{
+  const LampPiece& lamp = lamps_[piece];
+  SeenLight::addParts(lamps_.lights()[lamp.light], lamp, point_, by_, parts);
 }
 
 PointLampChoice::Choice PointLampChoice::choose(double sample) const
@@ -94,24 +62,21 @@ PointLampChoice::Choice PointLampChoice::choose(double sample) const
     return chooseRoughly(sample);
   }
   const WeightChoice found = chooseByWeight(cumulative_, sample);
-  const Target& target = targets_[found.place];
-  return { target.piece, found.weight / sum_, found.rest, target.seen };
+  const SeenLight& target = targets_[found.place];
+  return { target.piece().light, found.weight / sum_, found.rest, target };
 }
 
 /// A piece; then one of its parts.
 PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
 {
   const LampChoice::Choice chosen = rough_.choose(sample);
-  Choice choice{ chosen.piece, chosen.probability, chosen.rest, {} };
-  if (isInAir(chosen.piece))
-  {
-    return choice;
-  }
+  Choice choice{ lamps_[chosen.piece].light, chosen.probability, chosen.rest, {} };
   double sum = 0;
-  const std::vector<SeenLamp> parts = partsOf(chosen.piece);
+  std::vector<SeenLight> parts;
+  addParts(chosen.piece, parts);
   std::vector<double> cumulative;
   cumulative.reserve(parts.size());
-  for (const SeenLamp& part : parts)
+  for (const SeenLight& part : parts)
   {
     cumulative.push_back(sum += part.taken());
   }
@@ -122,7 +87,7 @@ PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
   else if (sum > 0)
   {
     const WeightChoice found = chooseByWeight(cumulative, chosen.rest);
-    choice = { chosen.piece, chosen.probability * found.weight / sum, found.rest,
+    choice = { choice.light, chosen.probability * found.weight / sum, found.rest,
       parts[found.place] };
   }
   return choice;
@@ -137,7 +102,13 @@ double PointLampChoice::densityOf(std::uint32_t piece) const
   const double before = isRough_ || piece == 0 ? 0 : cumulative_[piece - 1];
   const double probability =
     isRough_ ? rough_.probabilityOf(piece) : (cumulative_[piece] - before) / sum_;
-  return probability > 0 ? probability / partsOf(piece).front().solidAngle() : 0;
+  if (!(probability > 0))
+  {
+    return 0;
+  }
+  std::vector<SeenLight> parts;
+  addParts(piece, parts);
+  return probability / parts.front().solidAngle();
 }
 
 }

@@ -3,8 +3,7 @@
 #define irradiance_PointLampChoice_h
 
 #include "DirectLight/LampChoice.h"
-#include "DirectLight/LitPoint.h"
-#include "DirectLight/SeenLamp.h"
+#include "Lights/SeenLight.h"
 
 #include <optional>
 #include <vector>
@@ -21,53 +20,35 @@ namespace irradiance
 class PointLampChoice
 {
 public:
-  /// The lamps must outlive it. `by`: see SeenLamp. `most`: weights, see LampChoice.
-  PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLamp::By by,
+  /// The lamps must outlive it. `by`: see SeenLight. `most`: weights, see LampChoice.
+  PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLight::By by,
     std::uint32_t samples, std::size_t most);
 
   /// Whether no light can come.
   bool isEmpty() const { return !isRough_ && !(sum_ > 0); }
   struct Choice
   {
-    std::uint32_t piece;
+    std::uint32_t light;
     double probability;
-    double rest; ///< in [0, 1): what the choice left of the sample
-    std::optional<SeenLamp>
-      seen; ///< none of a light in the air, or if all of the piece is below the horizon
+    double rest;                   ///< in [0, 1): what the choice left of the sample
+    std::optional<SeenLight> seen; ///< none if all of the piece is below the horizon
   };
   /// `sample`: in (0, 1). Not if it is empty.
   Choice choose(double sample) const;
   /// By solid angle, the probability of a piece over its solid angle, 1/sr; 0 if it is empty.
   double densityOf(std::uint32_t piece) const;
 
-  /// W/m2 for each W of the flux of a light in the air, if nothing stands between, along a vector
-  /// from it; `part`: of the beam that the point receives. 0 at its very place.
-  static double perWatt(const PointLight& light, const Vector3& along, double part)
-  {
-    const double square = along.squaredNorm();
-    return square > 0 && part > 0 ? light.density(along) * part / square : 0;
-  }
-
 private:
-  /// What is chosen from: a light in the air, or a part of a lamp.
-  struct Target
-  {
-    std::uint32_t piece;
-    std::optional<SeenLamp> seen;
-  };
-
-  bool isInAir(std::uint32_t piece) const;
-  std::vector<SeenLamp> partsOf(std::uint32_t piece) const;
-  /// W/m2 that it brings if nothing stands between; roughly.
-  double weightOf(const Target& target) const;
+  /// What the point sees of a piece.
+  void addParts(std::uint32_t piece, std::vector<SeenLight>& parts) const;
   Choice chooseRoughly(double sample) const;
 
   const LampPieces& lamps_;
   LitPoint point_;
-  SeenLamp::By by_;
+  SeenLight::By by_;
   bool isRough_;
   LampChoice rough_;
-  std::vector<Target> targets_;
+  std::vector<SeenLight> targets_;
   std::vector<double> cumulative_; ///< weights up to and including each target
   double sum_ = 0;
 };

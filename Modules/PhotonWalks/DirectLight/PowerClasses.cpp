@@ -75,9 +75,9 @@ Lamps lampsOf(const std::vector<Light>& lights)
   std::unordered_map<Corner, std::size_t, CornerHash> corners;
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    if (const auto* const area = std::get_if<AreaLight>(&lights[i].kind))
+    if (const Triangle* const surface = lights[i].surface())
     {
-      for (const Vector3& place : { area->triangle.a, area->triangle.b, area->triangle.c })
+      for (const Vector3& place : { surface->a, surface->b, surface->c })
       {
         lamps.join(i, corners.emplace(Corner{ lights[i].cell.object, place }, i).first->second);
       }

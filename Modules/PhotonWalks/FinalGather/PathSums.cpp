@@ -61,21 +61,21 @@ void PathSums::add(const FinalGatherScene& scene, const FollowedPaths::Path& pat
       (segment.isSpecular ||
         (!scene.foundLamps.isEmpty() && scene.foundLamps.contains(cellOf(scene, segment)))))
     {
-      addExitance(scene, segment, weight, asked.lampWeight, sum);
+      addEmitted(scene, segment, weight, asked.lampWeight, sum);
     }
   });
 }
 
-void PathSums::addExitance(const FinalGatherScene& scene, const PathSegment& segment,
+void PathSums::addEmitted(const FinalGatherScene& scene, const PathSegment& segment,
   const Bands& weight, double lampWeight, Bands& sum)
 {
   const SceneCell cell = cellOf(scene, segment);
-  const double* const exitance = scene.objects[cell.object].exitanceOf(cell.cell);
+  const double* const emitted = emittedFrom(scene.objects[cell.object], cell.cell, segment.isFront);
   const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
-  for (int band = 0; exitance && band < scene.known.all.bands(); ++band)
+  for (int band = 0; emitted && band < scene.known.all.bands(); ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    sum[i] += lampWeight * weight[i] * exitance[i] * quantaPerWatt;
+    sum[i] += lampWeight * weight[i] * emitted[i] * quantaPerWatt;
   }
 }
 

@@ -67,7 +67,7 @@ private:
     std::uint32_t replicate, Bands& sum, Bands& stale);
   static void addKnown(const FinalGatherScene& scene, const PathSegment& segment,
     const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale);
-  static void addExitance(const FinalGatherScene& scene, const PathSegment& segment,
+  static void addEmitted(const FinalGatherScene& scene, const PathSegment& segment,
     const Bands& weight, double lampWeight, Bands& sum);
 
   std::uint32_t replicates_ = 1;

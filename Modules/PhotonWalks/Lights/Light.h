@@ -8,45 +8,105 @@
 #include "Surfaces/SceneCell.h"
 
 #include <array>
+#include <utility>
 #include <variant>
 
 namespace irradiance
 {
 
-/**
- * A light of a frame, in world space: what it emits, and a kind that knows its shape. A new kind is
- * one more type in the variant. It has bounds(); light leaves it from a triangle, or by a ray of
- * its own, leaving().
- */
-struct Light
+/// A place from which a light shines: a point of its surface, or the light itself in the air.
+struct LightPlace
 {
+  SurfacePoint point; ///< in the air only the position
+  const PointLight* inAir = nullptr;
+
+  const Vector3& position() const { return point.position; }
+  /// Where rays start.
+  Vector3 origin() const { return inAir ? point.position : point.clearPosition(); }
+  /// The intensity towards another place for each W that leaves here, over perSteradian(); negative
+  /// behind a surface.
+  double leaving(const Vector3& to) const
+  {
+    const Vector3 along = to - point.position;
+    return inAir ? inAir->density(along.normalized()) : point.normal.dot(along) / along.norm();
+  }
+  /// 1/sr. 0 if a point of a surface and this one lie nearly in the plane of one of them: closer,
+  /// rounding would tell the side; what lies in the plane of a light gets nothing of it.
+  double perSteradian(const SurfacePoint& to) const
+  {
+    const auto isClear = [&] {
+      return isInFront(to.position) &&
+        std::abs(to.normal.dot(to.position - point.position)) > 4 * to.clearance;
+    };
+    return inAir ? 1 : isClear() ? AreaLight::kPerSteradian : 0;
+  }
+  /// Whether light may leave towards a place, which rounding does not tell.
+  bool isInFront(const Vector3& to) const
+  {
+    return inAir || point.normal.dot(to - point.position) > 4 * point.clearance;
+  }
+};
+
+/**
+ * A light of a frame, in world space: what it emits, from where and into which directions. Only
+ * this room knows of which kind it is. What is seen of it from afar is a LampPiece, from a point a
+ * SeenLight.
+ */
+class Light
+{
+public:
+  using Kind = std::variant<AreaLight, PointLight>;
+
+  Light(const SceneCell& itsCell, Kind kind)
+    : cell(itsCell)
+    , kind_(std::move(kind))
+  {
+  }
+
   std::array<double, Power::kMaxBands> flux{}; ///< W, by band
   SceneCell cell;                              ///< to which it belongs
-  std::variant<AreaLight, PointLight> kind;
 
   double totalFlux() const { return flux[0] + flux[1] + flux[2]; }
-  /// The triangle that it lies on; none for a light in the air.
+  /// The triangle on which rays meet it, and from which they leave it; none for a light in the air.
   TriangleId triangle() const
   {
-    const auto* const area = std::get_if<AreaLight>(&kind);
+    const auto* const area = std::get_if<AreaLight>(&kind_);
     return area ? area->id : TriangleId{};
+  }
+  /// That triangle; null for a light in the air.
+  const Triangle* surface() const
+  {
+    const auto* const area = std::get_if<AreaLight>(&kind_);
+    return area ? &area->triangle : nullptr;
   }
   Box bounds() const
   {
-    return std::visit([](const auto& shape) { return shape.bounds(); }, kind);
+    return std::visit([](const auto& kind) { return kind.bounds(); }, kind_);
   }
-  /// The ray that leaves a light in the air in the direction that a point of the unit square
-  /// chooses.
-  Ray leaving(const std::array<double, 2>& u) const
+  /// The ray that leaves it from the place and in the direction that points of the unit square
+  /// choose. In the air there is one place.
+  Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const
   {
-    return std::get<PointLight>(kind).leaving(u);
+    return std::visit([&](const auto& kind) { return kind.leaving(place, direction); }, kind_);
+  }
+  /// On its triangle, or on a piece of that, by barycentric weights; in the air there is one place.
+  LightPlace place(const Vector3& weights, const Triangle* piece = nullptr) const
+  {
+    if (const auto* const inAir = std::get_if<PointLight>(&kind_))
+    {
+      return { { inAir->position(), Vector3::Zero(), 0, true }, inAir };
+    }
+    return { surfacePoint(piece ? *piece : *surface(), weights) };
   }
 
   /// Whether walks leave both alike.
   friend bool operator==(const Light& a, const Light& b)
   {
-    return a.flux == b.flux && a.kind == b.kind;
+    return a.flux == b.flux && a.kind_ == b.kind_;
   }
+
+private:
+  Kind kind_;
 };
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/LightTable.h"
 
+#include "Sampling/WeightChoice.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -60,20 +62,18 @@ void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number, std
   const TriangleMesh& mesh = object.mesh();
   for (std::uint32_t i = 0; i < mesh.size() && !object.emission->exitance.empty(); ++i)
   {
-    if (!object.isLamp(i))
+    const std::uint32_t cell = object.material->cellOfTriangle[i];
+    if (!object.isLamp(i) || object.emission->groupOf(cell) != group)
     {
       continue;
     }
     const AreaLight shape{ { number, i }, transformed(object.worldFromObject, mesh[i]) };
-    Light light{ {}, { number, object.material->cellOfTriangle[i] }, shape };
+    Light light({ number, cell }, shape);
     const double area = shape.triangle.area();
-    const double* const exitance = object.emission->exitanceOf(light.cell.cell);
+    const double* const exitance = object.emission->exitanceOf(cell);
     std::transform(exitance, exitance + object.emission->bands, light.flux.begin(),
       [area](double wattsPerArea) { return area * wattsPerArea; });
-    if (object.emission->groupOf(light.cell.cell) == group)
-    {
-      add(light);
-    }
+    add(light);
   }
 }
 
@@ -84,8 +84,8 @@ void LightTable::addPoints(
   const std::vector<PointSource>& sources = object.emission->points;
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    Light light{ {}, { number, sources[i].cell },
-      PointLight(object.worldFromObject(sources[i].position), walls.at(number, i)) };
+    Light light({ number, sources[i].cell },
+      PointLight(object.worldFromObject(sources[i].position), walls.at(number, i)));
     std::copy(sources[i].flux.begin(), sources[i].flux.end(), light.flux.begin());
     if (object.emission->groupOf(light.cell.cell) == group)
     {
@@ -100,7 +100,7 @@ void LightTable::add(const Light& light)
   {
     cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + light.totalFlux());
     lights_.push_back(light);
-    if (light.triangle() == TriangleId{})
+    if (!light.surface())
     {
       boundsInAir_.add(light.bounds());
     }
@@ -133,17 +133,7 @@ std::array<double, Power::kMaxBands> LightTable::largestStart() const
 
 std::size_t LightTable::choose(double sample) const
 {
-  const double flux = sample * cumulative_.back();
-  // By bisection without branches, as which half it is cannot be predicted. The last one is chosen
-  // if no other is.
-  std::size_t first = 0;
-  for (std::size_t count = cumulative_.size(); count > 1;)
-  {
-    const std::size_t half = count / 2;
-    first += static_cast<std::size_t>(cumulative_[first + half - 1] <= flux) * half;
-    count -= half;
-  }
-  return first;
+  return placeByWeight(cumulative_, sample * cumulative_.back());
 }
 
 }

@@ -79,9 +79,10 @@ PointLight::PointLight(const Vector3& position, const std::vector<Wall>& walls)
   }
 }
 
-Ray PointLight::leaving(const std::array<double, 2>& u) const
+Ray PointLight::leaving(
+  const std::array<double, 2>& /*place*/, const std::array<double, 2>& direction) const
 {
-  Vector3 shining = sampleSphere(u);
+  Vector3 shining = sampleSphere(direction);
   mirrorInto(openSides_, shining);
   return { position_, shining, {} };
 }

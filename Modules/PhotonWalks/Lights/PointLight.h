@@ -20,10 +20,11 @@ public:
   PointLight(const Vector3& position, const std::vector<Wall>& walls);
 
   Box bounds() const { return { position_, position_ }; }
-  /// The ray that leaves in the direction that a point of the unit square chooses.
-  Ray leaving(const std::array<double, 2>& u) const;
+  /// The ray that leaves in the direction that a point of the unit square chooses; from one place.
+  Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const;
   const Vector3& position() const { return position_; }
-  /// Of the directions in which light leaves, per steradian: 1 / (4 pi) without walls.
+  /// Of the directions in which light leaves, per steradian: 1 / (4 pi) without walls. So it is the
+  /// intensity for each W.
   double density(const Vector3& direction) const;
 
   friend bool operator==(const PointLight& a, const PointLight& b)

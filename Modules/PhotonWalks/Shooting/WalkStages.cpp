@@ -130,7 +130,7 @@ void WalkStages::startInAir(WalkFront& front) const
     if (front.start[i] == WalkFront::kNone)
     {
       const Ray ray = lights_[front.candidate[i]].leaving(
-        samples_.sample(front.walk[i], 0, SampleUse::Direction));
+        {}, samples_.sample(front.walk[i], 0, SampleUse::Direction));
       setOrigin(front, i, ray.origin);
       setDirection(front, i, ray.direction);
     }

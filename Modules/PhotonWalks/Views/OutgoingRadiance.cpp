@@ -81,7 +81,6 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
   const SceneCell& cell, const Eye& eye, const std::vector<Bands>& specular) const
 {
   const Material& material = materialOf(cell);
-  const double* const exitance = engine_.objects()[cell.object].exitanceOf(cell.cell);
   const std::vector<SeenSide> sides = sidesOf(cell, eye);
   Light light;
   for (int band = 0; band < material.bands && !sides.empty(); ++band)
@@ -91,8 +90,10 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
     double leaving = 0; // W/m2
     for (const SeenSide& side : sides)
     {
+      const double* const emitted =
+        emittedFrom(engine_.objects()[cell.object], cell.cell, side.isFront);
       leaving += side.part *
-        ((exitance && side.isFront ? exitance[i] : 0) +
+        ((emitted ? emitted[i] : 0) +
           material.reflectance[slot] * engine_.irradiance(side.sums, band));
     }
     for (const Bands& replicate : specular)

@@ -2,7 +2,7 @@
 #ifndef irradiance_SensorPlace_h
 #define irradiance_SensorPlace_h
 
-#include "DirectLight/LitPoint.h"
+#include "Lights/LitPoint.h"
 #include "Photons/Sensor.h"
 #include "Surfaces/SceneObjects.h"
 

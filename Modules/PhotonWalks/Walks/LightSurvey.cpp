@@ -105,7 +105,7 @@ double unevennessOf(const std::vector<WalkSource>& sources, const std::vector<Fi
       {
         const double flux = lights[light].totalFlux();
         emitted += flux;
-        emittedSquares += flux * flux / std::get<AreaLight>(lights[light].kind).triangle.area();
+        emittedSquares += flux * flux / lights[light].surface()->area();
       }
     }
     add(emitted, emittedSquares);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DirectLight/LitPoint.h"
+#include "Lights/LitPoint.h"
 
 #include "Meshes/SurfacePoint.h"
 

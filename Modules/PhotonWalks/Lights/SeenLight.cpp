@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DirectLight/SeenLamp.h"
+#include "Lights/SeenLight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,23 @@ double sampleLinear(double u, double first, double last)
 
 }
 
-void SeenLamp::addParts(
-  const Triangle& lamp, const LitPoint& point, By by, std::vector<SeenLamp>& parts)
+void SeenLight::addParts(const Light& light, const LampPiece& piece, const LitPoint& point, By by,
+  std::vector<SeenLight>& parts)
 {
+  SeenLight whole;
+  whole.light_ = &light;
+  whole.piece_ = &piece;
+  if (!light.surface())
+  {
+    parts.push_back(whole);
+    return;
+  }
+  const Triangle& lamp = piece.triangle;
   const std::array<Corner, 3> corners{ { { Vector3::UnitX(), lamp.a }, { Vector3::UnitY(), lamp.b },
     { Vector3::UnitZ(), lamp.c } } };
   if (by == By::SolidAngle || !point.hasNormal())
   {
-    add(corners, point, by, parts);
+    parts.push_back(whole.between(corners, point, by));
     return;
   }
   // Along the edges, the corners above the horizon, and where an edge crosses it.
@@ -50,12 +59,11 @@ void SeenLamp::addParts(
   }
   for (std::size_t i = 2; i < count; ++i)
   {
-    add({ above[0], above[i - 1], above[i] }, point, by, parts);
+    parts.push_back(whole.between({ above[0], above[i - 1], above[i] }, point, by));
   }
 }
 
-void SeenLamp::add(
-  std::array<Corner, 3> corners, const LitPoint& point, By by, std::vector<SeenLamp>& parts)
+SeenLight SeenLight::between(std::array<Corner, 3> corners, const LitPoint& point, By by) const
 {
   const auto partOf = [&](const Vector3& place) {
     return std::max(0.0, point.partOf(point.position - place));
@@ -73,20 +81,46 @@ void SeenLamp::add(
     std::rotate(corners.begin(), corners.begin() + (largest + 2) % 3, corners.end());
     cosines = Vector3(cosines[(largest + 2) % 3], cosines[largest], cosines[(largest + 1) % 3]);
   }
-  parts.push_back(
-    SeenLamp(corners, point.position, isWarped ? cosines : Vector3(Vector3::Ones()), meanPart));
+  SeenLight part = *this;
+  part.seen_.emplace(
+    Triangle{ corners[0].place, corners[1].place, corners[2].place }, point.position);
+  part.weights_ << corners[0].weights, corners[1].weights, corners[2].weights;
+  part.density_ = isWarped ? cosines : Vector3(Vector3::Ones());
+  part.meanPart_ = meanPart;
+  return part;
 }
 
-SeenLamp::SeenLamp(const std::array<Corner, 3>& corners, const Vector3& from,
-  const Vector3& density, double meanPart)
-  : seen_({ corners[0].place, corners[1].place, corners[2].place }, from)
-  , density_(density)
-  , meanPart_(meanPart)
+double SeenLight::irradiance(const LitPoint& point) const
 {
-  weights_ << corners[0].weights, corners[1].weights, corners[2].weights;
+  if (!seen_)
+  {
+    const double part = point.partOf(point.position - piece_->center);
+    return part > 0 ? piece_->flux * sample({}, point).perWatt(part) : 0;
+  }
+  const bool isInFront = piece_->normal.dot(point.position - piece_->center) > 0;
+  return isInFront ? piece_->flux * taken() / AreaLight::etendue(piece_->triangle) : 0;
 }
 
-SeenLamp::Sample SeenLamp::sample(std::array<double, 2> u) const
+SeenLight::Sample SeenLight::sample(const std::array<double, 2>& u, const LitPoint& point) const
+{
+  const auto [weights, solidAngle] = seen_ ? weightsAt(u) : std::pair(Vector3::UnitX().eval(), 0.0);
+  const LightPlace place = light_->place(weights, &piece_->triangle);
+  const Vector3 origin = place.origin(), along = point.position - place.position();
+  Sample sample{ { origin, point.position - origin, light_->triangle() }, along, solidAngle, 0, 1 };
+  if (seen_ && place.isInFront(point.position))
+  {
+    sample.per = solidAngle * piece_->share;
+    sample.over = AreaLight::etendue(piece_->triangle);
+  }
+  else if (const double square = along.squaredNorm(); !seen_ && square > 0)
+  {
+    sample.per = place.inAir->density(along);
+    sample.over = square;
+  }
+  return sample;
+}
+
+std::pair<Vector3, double> SeenLight::weightsAt(std::array<double, 2> u) const
 {
   const double mean = 0.25 * (density_[0] + 2 * density_[1] + density_[2]);
   u[1] = sampleLinear(u[1], density_[1], 0.5 * (density_[0] + density_[2]));
@@ -94,7 +128,7 @@ SeenLamp::Sample SeenLamp::sample(std::array<double, 2> u) const
                last = (1 - u[1]) * density_[1] + u[1] * density_[2];
   u[0] = sampleLinear(u[0], first, last);
   const double density = (1 - u[0]) * first + u[0] * last;
-  return { weights_ * seen_.sample(u), density > 0 ? seen_.solidAngle() * mean / density : 0 };
+  return { weights_ * seen_->sample(u), density > 0 ? seen_->solidAngle() * mean / density : 0 };
 }
 
 }

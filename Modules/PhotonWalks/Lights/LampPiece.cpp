@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lights/LampPiece.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// Squared longest edge / area up to which a triangle is not cut; that of half a square is 4.
+constexpr double kLong = 12;
+constexpr int kMostCuts = 8; ///< of a triangle, and of what they leave of it
+
+/// The corners from the end of the longest edge on.
+Triangle turnedToLongest(const Triangle& t)
+{
+  const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(),
+               ca = (t.a - t.c).squaredNorm();
+  return ab >= bc && ab >= ca ? t
+    : bc >= ca                ? Triangle{ t.b, t.c, t.a }
+                              : Triangle{ t.c, t.a, t.b };
+}
+
+/// The sizes of a piece from its triangle.
+LampPiece measured(LampPiece piece)
+{
+  const Triangle& triangle = piece.triangle;
+  piece.center = (triangle.a + triangle.b + triangle.c) / 3;
+  for (const Vector3& corner : { triangle.a, triangle.b, triangle.c })
+  {
+    piece.radius = std::max(piece.radius, (corner - piece.center).norm());
+  }
+  return piece;
+}
+
+void cut(const LampPiece& piece, int times, double shortest, std::vector<LampPiece>& pieces)
+{
+  const Triangle turned = turnedToLongest(piece.triangle);
+  const double squared = (turned.b - turned.a).squaredNorm();
+  if (times == kMostCuts || squared <= std::max(kLong * turned.area(), shortest * shortest))
+  {
+    pieces.push_back(measured(piece));
+    return;
+  }
+  const Vector3 middle = 0.5 * (turned.a + turned.b);
+  LampPiece half = piece;
+  half.share /= 2;
+  half.flux /= 2;
+  for (const Triangle& triangle :
+    { Triangle{ turned.a, middle, turned.c }, Triangle{ middle, turned.b, turned.c } })
+  {
+    half.triangle = triangle;
+    cut(half, times + 1, shortest, pieces);
+  }
+}
+
+}
+
+/// Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018.
+double LampCone::solidAngle() const
+{
+  const double cone = std::acos(cosine), most = std::min(kPi, cone + kPi / 2);
+  return 2 * kPi * (1 - cosine) +
+    kPi / 2 * (2 * most * sine - std::cos(cone - 2 * most) - 2 * cone * sine + cosine);
+}
+
+double LampCone::leaving(double ofDirection, double size) const
+{
+  const double ofSize = std::sqrt(1 - size * size);
+  const double sineOfDirection = std::sqrt(std::max(0.0, 1 - ofDirection * ofDirection));
+  const bool isWithin = ofDirection >= ofSize;
+  const double nearest = isWithin ? 1 : ofDirection * ofSize + sineOfDirection * size;
+  const double sineOfNearest =
+    isWithin ? 0 : std::abs(sineOfDirection * ofSize - ofDirection * size);
+  const double lower = nearest <= -cosine ? -1 : nearest * cosine - sineOfNearest * sine;
+  const double upper = nearest >= cosine ? 1 : nearest * cosine + sineOfNearest * sine;
+  return positivePart(lower, upper);
+}
+
+void addPieces(
+  const Light& light, std::uint32_t number, double shortest, std::vector<LampPiece>& pieces)
+{
+  const Vector3 center = light.bounds().center();
+  LampPiece piece{ number, 1, light.totalFlux(), { center, center, center }, center };
+  if (const Triangle* const surface = light.surface())
+  {
+    piece.triangle = *surface;
+    piece.normal = surface->areaVector().normalized();
+    piece.cone = { 1, 0 };
+    cut(piece, 0, shortest, pieces);
+  }
+  else
+  {
+    pieces.push_back(piece);
+  }
+}
+
+}

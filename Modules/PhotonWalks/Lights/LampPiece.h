@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_LampPiece_h
+#define irradiance_LampPiece_h
+
+#include "Lights/Light.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace irradiance
+{
+
+/// The mean of what is above 0 of a cosine that is even between two values.
+inline double positivePart(double lower, double upper)
+{
+  return lower >= 0 ? 0.5 * (lower + upper) : upper > 0 ? upper * upper / (2 * (upper - lower)) : 0;
+}
+
+/// Into which directions lamps shine: around normals that fill a cone, around each with the cosine.
+struct LampCone
+{
+  /// Of the half angle: 1 of a flat lamp, -1 if light leaves to all sides.
+  double cosine = -1, sine = 0;
+
+  bool isFlat() const { return cosine >= 1; }
+  /// Into which they shine, sr.
+  double solidAngle() const;
+  /// The intensity for each W, times kProjected, in directions with a cosine to the axis: a mean,
+  /// as normals have all cosines of the cone alike. `size`: the sine of the angle by which
+  /// directions may differ: the nearest counts.
+  double leaving(double ofDirection, double size) const;
+  /// The largest intensity, W/sr, is the flux over this: the integral of the cosine.
+  static constexpr double kProjected = kPi;
+};
+
+/// A light, or a piece of its triangle, from afar. A light in the air is a point.
+struct LampPiece
+{
+  std::uint32_t light;
+  double share;                             ///< of the light's area
+  double flux;                              ///< W, in all bands
+  Triangle triangle;                        ///< of a light in the air, a point
+  Vector3 center, normal = Vector3::Zero(); ///< a unit vector along the axis of the cone, or zero
+  double radius = 0;                        ///< all corners are within it of the center
+  LampCone cone{};
+
+  Box bounds() const { return triangle.bounds(); }
+};
+
+/// Appends a light as it is seen from afar. Long triangles are cut, but no edges that are shorter
+/// than `shortest`, m. `number`: of the light.
+void addPieces(
+  const Light& light, std::uint32_t number, double shortest, std::vector<LampPiece>& pieces);
+
+}
+
+#endif
