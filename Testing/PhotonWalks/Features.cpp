@@ -340,7 +340,7 @@ View byAll()
 
 std::vector<Feature> features()
 {
-  const std::uint32_t walks = scaled(3000), few = scaled(1000);
+  const std::uint32_t walks = scaled(3000), few = scaled(1100); // two blocks at least
   return {
     { "Walks", moving(Shoot(walks), 1, false, 21) },
     { "SidesInColour", moving(Shoot(walks).bySide().cached(), 3, true, 22) },

@@ -48,7 +48,7 @@ struct Share
 void checkBounds(
   const EngineSettings& common, int bands, bool isClosed, unsigned seed, bool isGlossy = false)
 {
-  const int frames = kIsSanitized ? 15 : 60;
+  const int frames = kIsSanitized ? 15 : 40;
   MovingScene scene(bands, isClosed, seed, isGlossy);
   IrradianceEngine full, timed;
   std::vector<Share> shares(3);
