@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/Absorption.h"
 
-#include "TestScenes.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -15,11 +12,9 @@ constexpr std::int64_t kPhoton = 1 << 26;
 
 Material oneTriangle(const std::array<double, 3>& reflectance, int bands)
 {
-  test::ObjectBuilder builder(bands);
+  ObjectBuilder builder(bands);
   builder.addCell({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } }, { reflectance, {} });
   return builder.material();
-}
-
 }
 
 TEST(Absorption, OneBandSurvivesWithItsReflectanceAndKeepsItsPower)
@@ -117,4 +112,5 @@ TEST(Absorption, OneBandSurvivesWithTheSumOfItsReflectances)
   EXPECT_EQ(survivingPower(photon, material, 0, Reflection::Specular, 0.6), photon);
 }
 
+}
 }

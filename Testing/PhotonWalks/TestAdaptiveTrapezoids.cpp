@@ -6,9 +6,8 @@
 #include <cmath>
 #include <functional>
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -61,8 +60,6 @@ Rule integrated(const std::function<double(double)>& f, const TimeSpan& span, do
   }
   EXPECT_EQ(rule.progress(), 1);
   return rule;
-}
-
 }
 
 TEST(AdaptiveTrapezoids, AStraightLineNeedsTheFirstTimesAlone)
@@ -131,4 +128,5 @@ TEST(IntegrationTimes, FirstTimesKeepStepsAndAreAnOddNumber)
   EXPECT_EQ(firstTimes({ 0.5 }, { 0, 3 }, 1), (std::vector<double>{ 0, 0.5, 3 }));
 }
 
+}
 }

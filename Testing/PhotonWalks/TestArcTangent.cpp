@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <random>
 
-namespace irradiance
+namespace irradiance::test
+{
+namespace
 {
 
 // Angles evenly and, to both sides of each axis, down to 2^-60.
@@ -27,7 +29,6 @@ TEST(ArcTangent, AgreesWithTheLibraryToTheBound)
     worst = std::max(worst, std::abs(arcTangent(y, x) / expected - 1));
   }
   EXPECT_LE(worst, 0x1p-51L);
-  std::printf("seed 1: largest relative error %.2Lg of 4.4e-16\n", worst);
 }
 
 TEST(ArcTangent, AxesAreExact)
@@ -39,4 +40,5 @@ TEST(ArcTangent, AxesAreExact)
   EXPECT_EQ(arcTangent(0, 0), 0);
 }
 
+}
 }

@@ -3,14 +3,11 @@
 
 #include "Estimates/AutomaticChoice.h"
 #include "FinalGather/CellRoles.h"
-#include "TestScenes.h"
+#include "Kit.h"
 #include "Walks/WalkSets.h"
-
-#include <gtest/gtest.h>
 
 namespace irradiance::test
 {
-
 namespace
 {
 
@@ -66,8 +63,6 @@ SceneObject sheet(int n)
   ObjectBuilder builder;
   builder.addQuad({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, n, n, grey(0.5));
   return builder.build();
-}
-
 }
 
 // From both sides of a cell: 1.2 times as many as walks at most, but four in any case.
@@ -245,4 +240,5 @@ TEST(AutomaticChoice, IsThatOfTheWalksToBeginWith)
   expectChoice(chosen(objects, settings), CellEstimate::Spread, true);
 }
 
+}
 }

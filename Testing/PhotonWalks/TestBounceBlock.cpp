@@ -10,14 +10,10 @@
 // Law: a block answers what a plain list of segments for each walk would answer, after any appends
 // and removals, and holds little more than 32 bytes a segment.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::BounceFront;
-using test::BounceSegment;
 
 constexpr std::uint32_t kFirst = 5 * 1024;
 
@@ -279,14 +275,12 @@ void compareWithModel(unsigned seed, std::uint32_t walks, int bands, int steps)
     << "seed " << seed;
 }
 
-}
-
 TEST(BounceBlock, AgreesWithAPlainModelUnderRandomOperations)
 {
-  compareWithModel(1, 1024, 1, 400 / test::kFewer);
-  compareWithModel(2, 1024, 3, 200 / test::kFewer);
+  compareWithModel(1, 1024, 1, 400 / kFewer);
+  compareWithModel(2, 1024, 3, 200 / kFewer);
   compareWithModel(3, 1, 1, 400);
-  compareWithModel(4, 700, 2, 200 / test::kFewer);
+  compareWithModel(4, 700, 2, 200 / kFewer);
 }
 
 // Links of 16 bits reach 64 K slots, the count of bounces 255; walks may be longer.
@@ -373,4 +367,5 @@ TEST(BlockArena, UsesMemoryAgain)
   EXPECT_LT(arena.bytes(), 1000u);
 }
 
+}
 }

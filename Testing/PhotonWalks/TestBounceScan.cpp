@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../RayCasting/TestScenes.h"
-#include "../RayCasting/TestSimdLevels.h"
 #include "BounceFront.h"
 #include "History/BounceScan.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstring>
-#include <iterator>
-#include <set>
+#include "Kit.h"
 
 // Law: however far the ends of a segment and the body are from each other and from the grid, a
 // segment that touches a body is flagged, the same ones on every instruction set, and few others
 // are.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::BounceFront;
-using test::BounceSegment;
 using Exact = long double;
 using ExactVector = Eigen::Matrix<Exact, 3, 1>;
 using ExactMatrix = Eigen::Matrix<Exact, 3, 3>;
@@ -43,9 +33,9 @@ public:
   Slots flaggedBy(const BounceScan& scan) const
   {
     Slots first;
-    for (const SimdLevel level : test::simdLevels())
+    for (const SimdLevel level : simdLevels())
     {
-      const test::SimdLimit limit(level);
+      const SimdLimit limit(level);
       Slots slots;
       scan.find(block_, block_, slots);
       EXPECT_TRUE(level == SimdLevel::Plain || slots == first)
@@ -91,7 +81,7 @@ struct Placed
   AffineMap pose;
   double unit;
 
-  explicit Placed(test::RandomVectors& random, double slenderest = 12)
+  explicit Placed(RandomVectors& random, double slenderest = 12)
     : unit(random.powerOfTwo(-30, 30))
   {
     const Vector3 center = unit * random.powerOfTwo(-10, 12) * random.direction();
@@ -106,7 +96,7 @@ struct Placed
 
   /// Through `point`, or nearly so, along `way`, perhaps just up to it; from near or far, or to
   /// nowhere.
-  BounceSegment through(test::RandomVectors& random, const Vector3& point, const Vector3& way) const
+  BounceSegment through(RandomVectors& random, const Vector3& point, const Vector3& way) const
   {
     const auto length = [&] {
       return random.uniform() > 0.5 ? 0.0 : unit * random.powerOfTwo(-12, 8);
@@ -120,7 +110,7 @@ struct Placed
   }
 };
 
-double nearlyOne(test::RandomVectors& random)
+double nearlyOne(RandomVectors& random)
 {
   return 1 - random.uniform() * random.powerOfTwo(-30, -22);
 }
@@ -146,8 +136,7 @@ bool isInBox(const OwnBox& own, const BounceSegment& segment, Exact before)
 }
 
 /// Segments that touch the ball from outside, or nearly so, somewhere along them or with an end.
-BounceSegment grazing(
-  test::RandomVectors& random, const EllipsoidBound::Ball& ball, const Placed& placed)
+BounceSegment grazing(RandomVectors& random, const EllipsoidBound::Ball& ball, const Placed& placed)
 {
   const Matrix3 worldFromRound = ball.roundFromWorld.inverse();
   const Vector3 normal = random.direction();
@@ -157,11 +146,11 @@ BounceSegment grazing(
 
 std::shared_ptr<const RigidObject> cube()
 {
-  return test::bodyOf(test::boxOfCells(Vector3::Constant(-1), Vector3::Constant(1), { 1, 1, 1 }));
+  return bodyOf(boxOfCells(Vector3::Constant(-1), Vector3::Constant(1), { 1, 1, 1 }));
 }
 
 /// A point on an edge of the cube, perhaps a corner of it.
-Vector3 onEdge(test::RandomVectors& random)
+Vector3 onEdge(RandomVectors& random)
 {
   Vector3 point = random.inCube().array().sign();
   if (random.uniform() > 0)
@@ -205,15 +194,31 @@ Vector3 worstNear(const Vector3& place, const Vector3& away)
   return place.array().round() - most * away.array().sign();
 }
 
+/// None of the segments that touch a body is missed; returns how many do.
+template <class Touches>
+int expectNoneMissed(BounceFront& front, const PointGrid& grid, const EllipsoidBound& bound,
+  const OwnBox* own, const Touches& touches)
+{
+  const Stored stored(front, grid);
+  BounceScan scan(grid);
+  scan.addBody(bound, own);
+  const Slots flagged = stored.flaggedBy(scan);
+  int count = 0;
+  for (std::size_t i = 0; i < front.size(); ++i)
+  {
+    const bool isTouching = touches(i);
+    EXPECT_TRUE(!isTouching || has(flagged, i)) << "segment " << i;
+    count += isTouching ? 1 : 0;
+  }
+  return count;
 }
 
 TEST(BounceScan, NoneThatTouchesABallIsMissed)
 {
-  constexpr unsigned kSeed = 1;
-  test::RandomVectors random(kSeed);
-  const auto ball = test::bodyOf(test::icosphere(1));
+  RandomVectors random(1);
+  const auto ball = bodyOf(icosphere(1));
   Counts all;
-  for (int round = 0; round < 600 / test::kFewer; ++round)
+  for (int round = 0; round < 600 / kFewer; ++round)
   {
     const Placed placed(random);
     const EllipsoidBound bound = boundOf(*ball, placed.pose);
@@ -222,29 +227,21 @@ TEST(BounceScan, NoneThatTouchesABallIsMissed)
     {
       addWalk(front, grazing(random, bound.ball(), placed));
     }
-    Stored stored(front, placed.grid);
-    BounceScan scan(placed.grid);
-    scan.addBody(bound);
-    const Slots flagged = stored.flaggedBy(scan);
-    for (std::size_t i = 0; i < front.size(); ++i)
-    {
-      const bool touches = distanceFrom(bound.ball(), front[i]) <= Exact(bound.ball().radius);
-      ASSERT_TRUE(!touches || has(flagged, i))
-        << "seed " << kSeed << ", round " << round << ", " << i;
-      ++(touches ? all.touching : all.beside);
-    }
+    all.touching += expectNoneMissed(front, placed.grid, bound, nullptr, [&](std::size_t i) {
+      return distanceFrom(bound.ball(), front[i]) <= Exact(bound.ball().radius);
+    });
+    all.beside += static_cast<int>(front.size());
   }
-  EXPECT_GT(all.touching, 100000 / test::kFewer);
-  EXPECT_GT(all.beside, 100000 / test::kFewer) << "all but touching";
+  EXPECT_GT(all.touching, 100000 / kFewer);
+  EXPECT_GT(all.beside - all.touching, 100000 / kFewer) << "all but touching";
 }
 
 TEST(BounceScan, NoneThatTouchesABoxIsMissed)
 {
-  constexpr unsigned kSeed = 2;
-  test::RandomVectors random(kSeed);
+  RandomVectors random(2);
   const auto body = cube();
   int touching = 0;
-  for (int round = 0; round < 600 / test::kFewer; ++round)
+  for (int round = 0; round < 600 / kFewer; ++round)
   {
     const Placed placed(random);
     const OwnBox own = boxOf(*body, placed.pose);
@@ -261,30 +258,22 @@ TEST(BounceScan, NoneThatTouchesABoxIsMissed)
       before.push_back(
         (placed.pose(point) - front[front.size() - 1].origin).dot(along) / along.squaredNorm());
     }
-    Stored stored(front, placed.grid);
-    BounceScan scan(placed.grid);
-    scan.addBody(boundOf(*body, placed.pose), &own);
-    const Slots flagged = stored.flaggedBy(scan);
-    for (std::size_t i = 0; i < front.size(); ++i)
-    {
-      const Exact place = std::clamp<Exact>(before[i], 0, front[i].distance);
-      const bool touches = isInBox(own, front[i], place);
-      ASSERT_TRUE(!touches || has(flagged, i))
-        << "seed " << kSeed << ", round " << round << ", " << i;
-      touching += touches ? 1 : 0;
-    }
+    touching +=
+      expectNoneMissed(front, placed.grid, boundOf(*body, placed.pose), &own, [&](std::size_t i) {
+        return isInBox(own, front[i], std::clamp<Exact>(before[i], 0, front[i].distance));
+      });
   }
-  EXPECT_GT(touching, 100000 / test::kFewer);
+  EXPECT_GT(touching, 100000 / kFewer);
 }
 
 // The blur: an end that touches a small ball, and is rounded away from it as far as may be.
 TEST(BounceScan, RoundingToTheGridIsPaidFor)
 {
-  test::RandomVectors random(3);
-  const auto ball = test::bodyOf(test::icosphere(1));
+  RandomVectors random(3);
+  const auto ball = bodyOf(icosphere(1));
   const PointGrid grid = cubicGrid(4);
   int touching = 0;
-  for (int round = 0; round < 3000 / test::kFewer; ++round)
+  for (int round = 0; round < 3000 / kFewer; ++round)
   {
     // Nearly along a diagonal, where roundings along all axes add up.
     const Vector3 normal =
@@ -304,28 +293,21 @@ TEST(BounceScan, RoundingToTheGridIsPaidFor)
       addWalk(
         front, aimed(end, end + random.powerOfTwo(-10, 1) * (0.2 * i * normal + tangent), i == 3));
     }
-    Stored stored(front, grid);
-    BounceScan scan(grid);
-    scan.addBody(bound);
-    const Slots flagged = stored.flaggedBy(scan);
-    for (std::size_t i = 0; i < front.size(); ++i)
-    {
-      const bool touches = distanceFrom(bound.ball(), front[i]) <= Exact(bound.ball().radius);
-      ASSERT_TRUE(!touches || has(flagged, i)) << round << ", " << i;
-      touching += touches ? 1 : 0;
-    }
+    touching += expectNoneMissed(front, grid, bound, nullptr, [&](std::size_t i) {
+      return distanceFrom(bound.ball(), front[i]) <= Exact(bound.ball().radius);
+    });
   }
-  EXPECT_GT(touching, 4000 / test::kFewer);
+  EXPECT_GT(touching, 4000 / kFewer);
 }
 
 // The same for the corner of a box.
 TEST(BounceScan, RoundingBesideABoxIsPaidFor)
 {
-  test::RandomVectors random(4);
+  RandomVectors random(4);
   const auto body = cube();
   const PointGrid grid = cubicGrid(4);
   int touching = 0;
-  for (int round = 0; round < 3000 / test::kFewer; ++round)
+  for (int round = 0; round < 3000 / kFewer; ++round)
   {
     AffineMap pose;
     pose.linear = random.rotation() *
@@ -342,26 +324,18 @@ TEST(BounceScan, RoundingBesideABoxIsPaidFor)
       const Vector3 tangent = normal.cross(random.direction()).normalized();
       addWalk(front, aimed(end, end + random.powerOfTwo(-10, 1) * tangent, i == 3));
     }
-    Stored stored(front, grid);
-    BounceScan scan(grid);
-    scan.addBody(boundOf(*body, pose), &own);
-    const Slots flagged = stored.flaggedBy(scan);
-    for (std::size_t i = 0; i < front.size(); ++i)
-    {
-      const bool touches = isInBox(own, front[i], 0);
-      ASSERT_TRUE(!touches || has(flagged, i)) << round << ", " << i;
-      touching += touches ? 1 : 0;
-    }
+    touching += expectNoneMissed(front, grid, boundOf(*body, pose), &own,
+      [&](std::size_t i) { return isInBox(own, front[i], 0); });
   }
-  EXPECT_GT(touching, 6000 / test::kFewer);
+  EXPECT_GT(touching, 6000 / kFewer);
 }
 
 // Each segment that is flagged without need costs a ray. The body is in a room of 4 m, segments
 // come from there and from up to 10^9 m away; some escape.
 TEST(BounceScan, FewOthersAreFlagged)
 {
-  test::RandomVectors random(5);
-  const auto ball = test::bodyOf(test::icosphere(3));
+  RandomVectors random(5);
+  const auto ball = bodyOf(icosphere(3));
   const PointGrid grid = cubicGrid(2);
   for (const double away : { 0.0, 1e3, 1e5, 1e9 })
   {
@@ -401,7 +375,7 @@ TEST(BounceScan, FewOthersAreFlagged)
 // An ellipsoid around a box is 2.7 times as large.
 TEST(BounceScan, TheOwnBoxOfABodyFlagsFewer)
 {
-  test::RandomVectors random(6);
+  RandomVectors random(6);
   const auto body = cube();
   const PointGrid grid = cubicGrid(2);
   Counts all;
@@ -431,8 +405,8 @@ TEST(BounceScan, TheOwnBoxOfABodyFlagsFewer)
 // well.
 TEST(BounceScan, ManyBodiesFlagWhatEachFlagsAlone)
 {
-  test::RandomVectors random(11);
-  const auto ball = test::bodyOf(test::icosphere(1));
+  RandomVectors random(11);
+  const auto ball = bodyOf(icosphere(1));
   const PointGrid grid(boxAround({ 1, 2, 3 }, { 2, 0.7, 1 }));
   std::size_t count = 0;
   for (int round = 0; round < 20; ++round)
@@ -469,8 +443,8 @@ TEST(BounceScan, ManyBodiesFlagWhatEachFlagsAlone)
 // What is not whole within the grid is flagged for a body that is not.
 TEST(BounceScan, BodiesOutsideTheGrid)
 {
-  test::RandomVectors random(7);
-  const auto ball = test::bodyOf(test::icosphere(1));
+  RandomVectors random(7);
+  const auto ball = bodyOf(icosphere(1));
   const PointGrid grid = cubicGrid(2);
   BounceFront front;
   for (int i = 0; i < 1000; ++i)
@@ -495,7 +469,7 @@ TEST(BounceScan, BodiesOutsideTheGrid)
 
 TEST(BounceScan, WhatEndsOnAMovedObjectIsFlagged)
 {
-  test::RandomVectors random(8);
+  RandomVectors random(8);
   const PointGrid grid = cubicGrid(2);
   BounceFront front;
   for (int i = 0; i < 1024; ++i)
@@ -539,7 +513,7 @@ TEST(BounceScan, WhatEndsOnAMovedObjectIsFlagged)
 
 TEST(BounceScan, AllAreFlaggedWhereFloatsTellTooLittle)
 {
-  test::RandomVectors random(9);
+  RandomVectors random(9);
   const PointGrid grid = cubicGrid(2);
   BounceFront front;
   for (int i = 0; i < 1000; ++i)
@@ -547,7 +521,7 @@ TEST(BounceScan, AllAreFlaggedWhereFloatsTellTooLittle)
     addWalk(front, aimed(2 * random.inCube(), 2 * random.inCube(), false));
   }
   Stored stored(front, grid);
-  const auto ball = test::bodyOf(test::icosphere(0));
+  const auto ball = bodyOf(icosphere(0));
   for (const double size : { 1e-30, std::numeric_limits<double>::quiet_NaN() })
   {
     BounceScan scan(grid);
@@ -555,9 +529,6 @@ TEST(BounceScan, AllAreFlaggedWhereFloatsTellTooLittle)
     EXPECT_EQ(stored.flaggedBy(scan).size(), front.size()) << size;
   }
 }
-
-namespace
-{
 
 /// A body in two ways: that of a ball counts if it is small.
 struct TestedBody
@@ -599,7 +570,7 @@ float leastThatFlags(const BouncePage& page, const Make& make)
   return floatOf(yes);
 }
 
-GridBody randomBody(test::RandomVectors& random)
+GridBody randomBody(RandomVectors& random)
 {
   GridBody body{};
   const auto fill = [&](float* values, int count, double size) {
@@ -612,7 +583,7 @@ GridBody randomBody(test::RandomVectors& random)
   return body;
 }
 
-BouncePage randomPage(test::RandomVectors& random)
+BouncePage randomPage(RandomVectors& random)
 {
   BouncePage page{};
   std::fill(std::begin(page.tags), std::end(page.tags), BounceTag::kFree);
@@ -629,21 +600,19 @@ template <class Make>
 void expectSame(const BouncePage& page, const Make& make)
 {
   std::set<float> least;
-  for (const SimdLevel level : test::simdLevels())
+  for (const SimdLevel level : simdLevels())
   {
-    const test::SimdLimit limit(level);
+    const SimdLimit limit(level);
     least.insert(leastThatFlags(page, make));
   }
   EXPECT_EQ(least.size(), 1u);
 }
 
-}
-
 // On the edge of being flagged, one rounding makes the difference.
 TEST(BounceScan, EveryInstructionSetRoundsTheSame)
 {
-  test::RandomVectors random(10);
-  for (int round = 0; round < 500 / test::kFewer; ++round)
+  RandomVectors random(10);
+  for (int round = 0; round < 500 / kFewer; ++round)
   {
     const BouncePage page = randomPage(random);
     GridBody body = randomBody(random);
@@ -673,12 +642,9 @@ TEST(BounceScan, EveryInstructionSetRoundsTheSame)
   }
 }
 
-namespace
-{
-
 /// Segments that all but touch a ball, some from inside. Their lines lie in a plane of two axes, so
 /// that they pass the ball along the third, where nothing hides what rounding does.
-BouncePage pageBeside(test::RandomVectors& random, const GridBall& ball, const Vector3& stretch)
+BouncePage pageBeside(RandomVectors& random, const GridBall& ball, const Vector3& stretch)
 {
   BouncePage page{};
   const double radius = std::sqrt(static_cast<double>(ball.squaredRadius));
@@ -724,14 +690,12 @@ std::vector<std::uint16_t> flaggedIn(
   return flagged;
 }
 
-}
-
 TEST(BounceScan, LinesLoseNoSegmentThatComesNearABall)
 {
-  test::RandomVectors random(11);
-  const auto sphere = test::bodyOf(test::icosphere(2));
+  RandomVectors random(11);
+  const auto sphere = bodyOf(icosphere(2));
   int few = 0, all = 0;
-  for (int round = 0; round < 2000 / test::kFewer; ++round)
+  for (int round = 0; round < 2000 / kFewer; ++round)
   {
     const Vector3 half(1, random.powerOfTwo(-3, 0), random.powerOfTwo(-3, 0));
     const PointGrid grid(boxAround(Vector3::Zero(), half));
@@ -742,9 +706,9 @@ TEST(BounceScan, LinesLoseNoSegmentThatComesNearABall)
     const BouncePage page = pageBeside(random, ball, stretch);
     const GridBall withLines = ball;
     ball.line = {};
-    for (const SimdLevel level : test::simdLevels())
+    for (const SimdLevel level : simdLevels())
     {
-      const test::SimdLimit limit(level);
+      const SimdLimit limit(level);
       const std::vector<std::uint16_t> flagged = flaggedIn(page, ball, stretch);
       EXPECT_EQ(flaggedIn(page, withLines, stretch), flagged) << "round " << round;
       for (const std::uint16_t group : flagged)
@@ -758,4 +722,5 @@ TEST(BounceScan, LinesLoseNoSegmentThatComesNearABall)
   EXPECT_LT(few, all / 5 * 4);
 }
 
+}
 }

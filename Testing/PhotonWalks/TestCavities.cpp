@@ -2,26 +2,17 @@
 // Lamps and point lights on the inner walls of bodies with cavities, as CAD writes them: all fronts
 // out of the material.
 
-#include "EngineRun.h"
-#include "TestScenes.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
-
-namespace irradiance
+namespace irradiance::test
 {
 namespace
 {
 
-using test::box;
-using test::grey;
-using test::ObjectBuilder;
-
 constexpr std::size_t kWall = 24; ///< cells of one shell
 constexpr double kReflectance = 0.5;
-constexpr std::uint32_t kCavityWalks = test::kIsSanitized ? 5000 : 20000;
-constexpr double kCavityTolerance = test::kIsSanitized ? 0.35 : 0.1; ///< in W
+constexpr std::uint32_t kCavityWalks = kIsSanitized ? 5000 : 20000;
+constexpr double kCavityTolerance = kIsSanitized ? 0.35 : 0.1; ///< in W
 
 void addChamber(ObjectBuilder& builder, const Vector3& low, const Vector3& high)
 {
@@ -53,27 +44,17 @@ void expectLightInside(const SceneObjects& objects, const SceneCell& outer, cons
 {
   for (const bool isGathered : { false, true })
   {
-    EngineSettings settings;
-    settings.numberOfWalks = kCavityWalks;
-    settings.gathersDirectLight = isGathered;
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
+    UpdatedEngine engine(objects, Shoot(kCavityWalks).gathered(isGathered));
     double watts = 0, outside = 0;
     engine.cells().numbers().forEach([&](const SceneCell& cell) {
       const bool isOutside =
         cell.object == outer.object && cell.cell >= outer.cell && cell.cell < outer.cell + kWall;
-      (isOutside ? outside : watts) += test::wattsOn(engine, cell.object, cell.cell, cell.cell + 1);
+      (isOutside ? outside : watts) += wattsOn(engine, cell.object, cell.cell, cell.cell + 1);
     });
     EXPECT_NEAR(watts, 2, kCavityTolerance) << what << (isGathered ? " gathered" : "");
     EXPECT_EQ(outside, 0) << what << (isGathered ? " gathered" : "");
   }
 }
-
-}
-
-namespace
-{
 
 /// Watts on the side walls and the floor of the cavity whose cells begin with `first`. The sum over
 /// the ceiling, too, would tell nothing: a lamp that is taken for covered exchanges all of its
@@ -82,13 +63,8 @@ double wattsBelow(
   const SceneObjects& objects, std::uint32_t object, std::size_t first, bool isGathered)
 {
   constexpr std::size_t kCeiling = 4;
-  EngineSettings settings;
-  settings.numberOfWalks = kCavityWalks;
-  settings.gathersDirectLight = isGathered;
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  return test::wattsOn(engine, object, first, first + kWall - kCeiling);
+  UpdatedEngine engine(objects, Shoot(kCavityWalks).gathered(isGathered));
+  return wattsOn(engine, object, first, first + kWall - kCeiling);
 }
 
 /// As from a lamp that hangs clear of the ceiling. At least 10,000 hits have a deviation of 2 % at
@@ -100,12 +76,10 @@ void expectAsHanging(const SceneObjects& objects, const SceneObjects& hanging, s
   {
     const double watts = wattsBelow(hanging, object, first, isGathered);
     EXPECT_GT(watts, 0.5) << what;
-    EXPECT_NEAR(wattsBelow(objects, object, first, isGathered), watts,
-      (test::kIsSanitized ? 0.5 : 0.15) * watts)
+    EXPECT_NEAR(
+      wattsBelow(objects, object, first, isGathered), watts, (kIsSanitized ? 0.5 : 0.15) * watts)
       << what << (isGathered ? " gathered" : "");
   }
-}
-
 }
 
 TEST(Cavities, LampsOnTheCeiling)
@@ -118,7 +92,7 @@ TEST(Cavities, LampsOnTheCeiling)
     addPanel(below, low + 0x1p-10, 2 - low - 0x1p-10, 2 - 0x1p-10);
     addPanel(all, low, 2 - low, 2);
     thing.addSphere({ 1, 1, 0.75 }, 0.25, 4, grey(kReflectance));
-    const SceneObject none = test::nothing();
+    const SceneObject none = nothing();
     const SceneObjects moving{ none, { chamber().build(), below.build() } };
     const SceneObjects resting{ chamber().build(), { below.build(), thing.build() } };
     const SceneObjects cases[] = { { lamp.build(), { chamber().build() } },
@@ -142,8 +116,7 @@ TEST(Cavities, PointLightsOnTheirWalls)
     ObjectBuilder light, all = chamber();
     light.addPointLight(place, 1);
     all.addPointLight(place, 1);
-    expectLightInside(
-      { test::nothing(), { chamber().build(), light.build() } }, { 1, kWall }, "moving");
+    expectLightInside({ nothing(), { chamber().build(), light.build() } }, { 1, kWall }, "moving");
     expectLightInside({ all.build(), {} }, { 0, kWall }, "resting");
   }
 }
@@ -168,15 +141,11 @@ TEST(Cavities, InCavities)
                                                : SceneObjects{ both.build(), { below.build() } };
       expectAsHanging(
         objects, hanging, object, isInner ? "inner" : "outer", isInner ? 0 : 2 * kWall);
-      EngineSettings settings;
-      settings.numberOfWalks = kCavityWalks;
-      IrradianceEngine engine;
-      Execution serial;
-      engine.update(objects, settings, serial);
-      const double ofInner = test::wattsOn(engine, object, 0, kWall),
-                   between = test::wattsOn(engine, object, kWall, 3 * kWall),
-                   outside = test::wattsOn(engine, object, 3 * kWall, 4 * kWall),
-                   ofLamp = test::wattsOn(engine, 1 - object, 0, 1);
+      UpdatedEngine engine(objects, Shoot(kCavityWalks));
+      const double ofInner = wattsOn(engine, object, 0, kWall),
+                   between = wattsOn(engine, object, kWall, 3 * kWall),
+                   outside = wattsOn(engine, object, 3 * kWall, 4 * kWall),
+                   ofLamp = wattsOn(engine, 1 - object, 0, 1);
       EXPECT_NEAR((isInner ? ofInner : between) + ofLamp, 2, kCavityTolerance);
       EXPECT_EQ((isInner ? between : ofInner) + outside, 0);
     }
@@ -196,7 +165,7 @@ TEST(Cavities, OfTwoThings)
   ObjectBuilder withLamp = inner, withLight = inner;
   addPanel(withLamp, .5, 1.5, 2);
   withLight.addPointLight({ 1, 1.1, 2 }, 1);
-  const SceneObject none = test::nothing();
+  const SceneObject none = nothing();
   expectLightInside({ none, { outer.build(), withLamp.build() } }, { 1, 0 }, "with the lamp");
   expectLightInside({ none, { outer.build(), withLight.build() } }, { 1, 0 }, "with the light");
   expectLightInside(
@@ -217,13 +186,10 @@ TEST(Cavities, HaveNoLightFromOutside)
     { SceneObjects{ lamp.build(), { chamber().build() } }, SceneObjects{ panel.build(), {} },
       SceneObjects{ light.build(), { chamber().build() } }, SceneObjects{ bulb.build(), {} } })
   {
-    EngineSettings settings;
-    settings.numberOfWalks = test::scaled(2000);
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
+    UpdatedEngine engine(objects, Shoot(scaled(2000)));
     EXPECT_EQ(engine.balance().escaped.total(), engine.balance().emitted.total());
   }
 }
 
+}
 }

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TestScenes.h"
 
 #include "Estimates/CellDiffusion.h"
+#include "Kit.h"
 #include "Simd/SimdLevel.h"
 
-#include "../RayCasting/RandomVectors.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
 using Quanta = std::vector<std::int64_t>;
-using test::grey;
-using test::ObjectBuilder;
 
 constexpr std::int64_t kMany = std::int64_t{ 1 } << 42;
 
@@ -77,7 +66,7 @@ Surface grid(int n)
 /// Rectangles of 1 to 1/500 m2, each with an edge in common with the next; some turned over.
 SceneObject unevenGrid()
 {
-  test::RandomVectors random(3);
+  RandomVectors random(3);
   ObjectBuilder builder;
   std::vector<double> x{ 0 }, y{ 0 };
   for (int i = 0; i < 30; ++i)
@@ -101,8 +90,6 @@ SceneObject unevenGrid()
 std::int64_t total(const Quanta& quanta)
 {
   return std::accumulate(quanta.begin(), quanta.end(), std::int64_t{ 0 });
-}
-
 }
 
 // Each step adds 2 w to the variance along each axis, all steps (width + pi / 2) / (4 pi) for
@@ -136,7 +123,7 @@ TEST(CellDiffusion, FillsTheWidth)
 TEST(CellDiffusion, ConservesEachQuantumAndStaysPositive)
 {
   const Surface surface(unevenGrid());
-  test::RandomVectors random(7);
+  RandomVectors random(7);
   for (const int sides : { 1, 2 })
   {
     for (const double width : { 0.01, 0.3, 100.0 })
@@ -180,7 +167,7 @@ TEST(CellDiffusion, LeavesAUniformIrradianceAsItIs)
 TEST(CellDiffusion, FieldsSideBySideAreThoseAlone)
 {
   const Surface surface(unevenGrid());
-  test::RandomVectors random(11);
+  RandomVectors random(11);
   for (const double width : { 0.01, 0.3, 100.0 })
   {
     std::vector<Quanta> fields(CellDiffusion::kFields, Quanta(2 * surface.areas.size()));
@@ -308,4 +295,5 @@ TEST(CellDiffusion, PassesCellsWithoutArea)
   EXPECT_GE(after[6], 0);
 }
 
+}
 }

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <random>
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -26,8 +25,6 @@ void expectSameDecisions(double reflectance, std::uint32_t sample)
         << std::hexfloat << reflectance << ' ' << c;
     }
   }
-}
-
 }
 
 TEST(CellLook, DecidesAsDoublesDo)
@@ -64,4 +61,5 @@ TEST(CellLook, KeepsNumberAndKind)
   EXPECT_FALSE(black.survives(0));
 }
 
+}
 }

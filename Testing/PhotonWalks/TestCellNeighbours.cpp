@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TestScenes.h"
 
 #include "Estimates/CellNeighbours.h"
 
-#include <gtest/gtest.h>
+#include "Kit.h"
 
-#include <cmath>
-#include <map>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::grey;
-using test::ObjectBuilder;
 
 std::vector<CellNeighbours> neighboursOf(const SceneObject& object, double normalLength = 0)
 {
@@ -32,8 +24,6 @@ SceneObject foldedBy(double degrees, bool isTurned = false)
   builder.addCell({ { b, a, c } }, grey(0));
   builder.addCell({ isTurned ? Triangle{ b, a, d } : Triangle{ a, b, d } }, grey(0));
   return builder.build();
-}
-
 }
 
 // The middles of squares and rectangles lie half a side behind each edge.
@@ -175,4 +165,5 @@ TEST(CellNeighbours, KeepToWhereTheSurfaceFacesTheSameWay)
   EXPECT_EQ(along, kSides * (kRows - 1));
 }
 
+}
 }

@@ -2,21 +2,12 @@
 // The parts of a scene whose cells gather direct light together: a motion of one leaves the others
 // as they are.
 
-#include "MovingScene.h"
-#include "ShownAnswer.h"
-#include "TestScenes.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::ObjectBuilder;
 
 /// Objects without triangles that have so many cells each.
 SceneObjects objectsOf(std::size_t dynamic, std::size_t cells)
@@ -42,11 +33,9 @@ SceneObjects roomWithBoxes(int count)
   SceneObjects objects{ room.build(), {} };
   for (int i = 0; i < count; ++i)
   {
-    objects.dynamicObjects.push_back(part.build(test::shift({ 0.5 + 0.5 * i, 1.5, 0.5 })));
+    objects.dynamicObjects.push_back(part.build(shift({ 0.5 + 0.5 * i, 1.5, 0.5 })));
   }
   return objects;
-}
-
 }
 
 TEST(CellParts, HaveEachObjectOnce)
@@ -78,12 +67,9 @@ TEST(CellParts, AreFewerWhereCellsAreMany)
 TEST(CellParts, GatherAnewWhenTheyMoveAlone)
 {
   SceneObjects objects = roomWithBoxes(4);
-  EngineSettings settings;
-  settings.numberOfWalks = 4000;
-  settings.gathersDirectLight = true;
-  IrradianceEngine engine;
+  EngineSettings settings = Shoot(4000).gathered();
   Execution serial;
-  engine.update(objects, settings, serial);
+  UpdatedEngine engine(objects, settings, serial);
   const auto gatheredOf = [&] {
     std::vector<const DirectGather*> all;
     for (const WalkSet& set : engine.walks().sets())
@@ -99,18 +85,18 @@ TEST(CellParts, GatherAnewWhenTheyMoveAlone)
   for (const Vector3& to :
     { Vector3(1.45, 1.5, 1), Vector3(1.5, 1.5, 0.9), Vector3(3.5, 2.5, 0.5), Vector3(1, 1.5, 0.5) })
   {
-    objects.dynamicObjects[1].worldFromObject = test::shift(to);
+    objects.dynamicObjects[1].worldFromObject = shift(to);
     engine.update(objects, settings, serial);
     const std::vector<const DirectGather*> now = gatheredOf();
     for (const std::size_t set : { 0, 1, 3, 4 })
     {
       EXPECT_EQ(now[set], before[set]) << "set " << set;
     }
-    EXPECT_TRUE(
-      test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
+    EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
     hidden += engine.statistics().invalidWalks > 0 ? 1 : 0;
   }
   EXPECT_GT(hidden, 0u);
 }
 
+}
 }

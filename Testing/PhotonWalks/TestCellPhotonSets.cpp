@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
 #include "HistoryPhotons.h"
-#include "MovingScene.h"
-#include "OnlySet.h"
+#include "Kit.h"
 #include "Rivals/CellPhotonSets.h"
-#include "ThreadExecution.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::MovingScene;
 
 /// A moving scene in which every third cell is specular, each in one band alone. The third object
 /// has no specular cell.
@@ -71,9 +61,7 @@ private:
 
 EngineSettings settingsOf(std::uint32_t walks)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  return settings;
+  return Shoot(walks);
 }
 
 /// The photons on each cell, looked for one by one.
@@ -94,22 +82,16 @@ Lists listsOf(const std::vector<Photon>& photons, const SceneObjects& objects)
 void expectEqual(const CellPhotonSets& sets, const Lists& lists, const SceneObjects& objects)
 {
   std::size_t photons = 0;
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
-    {
-      const auto found = lists.find({ object, cell });
-      const bool hasPhotons = found != lists.end() && objects[object].material->isSpecular(cell);
-      const std::vector<SegmentRef> expected =
-        hasPhotons ? found->second : std::vector<SegmentRef>();
-      ASSERT_EQ(sets.sorted({ object, cell }), expected) << object << ", " << cell;
-      ASSERT_EQ(sets.size({ object, cell }), expected.size());
-      photons += expected.size();
-    }
-  }
+  CellNumbers(objects).forEach([&](const SceneCell& cell) {
+    const auto found = lists.find({ cell.object, cell.cell });
+    const bool hasPhotons =
+      found != lists.end() && objects[cell.object].material->isSpecular(cell.cell);
+    const std::vector<SegmentRef> expected = hasPhotons ? found->second : std::vector<SegmentRef>();
+    ASSERT_EQ(sets.sorted(cell), expected) << cell.object << ", " << cell.cell;
+    ASSERT_EQ(sets.size(cell), expected.size());
+    photons += expected.size();
+  });
   ASSERT_GT(photons, 0u);
-}
-
 }
 
 TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
@@ -117,68 +99,38 @@ TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
   PartlyGlossyScene scene(71);
   const EngineSettings settings = settingsOf(5000);
   Execution serial;
-  test::ThreadExecution threads(3);
-  IrradianceEngine engine;
-  engine.update(scene.objects(), settings, serial);
+  ThreadExecution threads(3);
+  UpdatedEngine engine(scene.objects(), settings, serial);
   CellPhotonSets updated(scene.objects());
-  updated.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), threads);
-  std::vector<Photon> photons = test::photonsOf(test::onlySet(engine).history());
+  updated.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), threads);
+  std::vector<Photon> photons = photonsOf(onlySet(engine).history());
   std::size_t changed = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
     scene.nextFrame();
     const SceneObjects objects = scene.objects();
     engine.update(objects, settings, serial);
-    const std::vector<Photon> now = test::photonsOf(test::onlySet(engine).history());
-    const PhotonChanges changes = test::changesBetween(photons, now);
+    const std::vector<Photon> now = photonsOf(onlySet(engine).history());
+    const PhotonChanges changes = changesBetween(photons, now);
     changed += changes.gone.size() + changes.arrived.size();
     updated.apply(changes, threads);
     photons = now;
     const Lists lists = listsOf(photons, objects);
     ASSERT_NO_FATAL_FAILURE(expectEqual(updated, lists, objects)) << "frame " << frame;
     CellPhotonSets fresh(objects);
-    fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), serial);
+    fresh.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), serial);
     ASSERT_NO_FATAL_FAILURE(expectEqual(fresh, lists, objects)) << "frame " << frame;
   }
   EXPECT_GT(changed, photons.size());
 }
 
-// What the engine does with rounds of walks that a target does not need.
-TEST(CellPhotonSets, BlocksComeAndGo)
-{
-  const PartlyGlossyScene scene(72);
-  const SceneObjects objects = scene.objects();
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settingsOf(40000), serial); // more blocks than one unit of work
-  const std::size_t blocks = test::onlySet(engine).history().size(), kept = 18;
-  std::vector<Photon> first;
-  for (const Photon& photon : test::photonsOf(test::onlySet(engine).history()))
-  {
-    if (photon.reference.walk < test::onlySet(engine).plan().firstWalkOf(kept))
-    {
-      first.push_back(photon);
-    }
-  }
-  CellPhotonSets sets(objects);
-  test::BackwardExecution backward;
-  sets.add(test::onlySet(engine).history(), kept, blocks, backward);
-  sets.add(test::onlySet(engine).history(), 0, kept, backward);
-  ASSERT_NO_FATAL_FAILURE(
-    expectEqual(sets, listsOf(test::photonsOf(test::onlySet(engine).history()), objects), objects));
-  sets.apply(
-    test::changesBetween(test::photonsOf(test::onlySet(engine).history()), first), backward);
-  ASSERT_NO_FATAL_FAILURE(expectEqual(sets, listsOf(first, objects), objects));
-}
-
 TEST(CellPhotonSets, OnlySpecularCellsArePaidFor)
 {
   const MovingScene matte(1, true, 73);
-  IrradianceEngine engine;
   Execution serial;
-  engine.update(matte.objects(), settingsOf(5000), serial);
+  UpdatedEngine engine(matte.objects(), settingsOf(5000), serial);
   CellPhotonSets nothing(matte.objects());
-  nothing.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), serial);
+  nothing.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), serial);
   EXPECT_TRUE(nothing.isEmpty());
   // Even of the objects, nothing but that they have none.
   EXPECT_LE(nothing.bytes(), sizeof(nothing) + 64 * matte.objects().size());
@@ -186,37 +138,16 @@ TEST(CellPhotonSets, OnlySpecularCellsArePaidFor)
   const SceneObjects objects = PartlyGlossyScene(73).objects();
   engine.update(objects, settingsOf(40000), serial);
   CellPhotonSets sets(objects);
-  sets.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), serial);
+  sets.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), serial);
   std::size_t cells = 0, specular = 0, photons = 0;
-  for (std::uint32_t object = 0; object < objects.size(); ++object)
-  {
-    for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
-    {
-      ++cells;
-      specular += objects[object].material->isSpecular(cell) ? 1 : 0;
-      photons += sets.size({ object, cell });
-    }
-  }
+  CellNumbers(objects).forEach([&](const SceneCell& cell) {
+    ++cells;
+    specular += objects[cell.object].material->isSpecular(cell.cell) ? 1 : 0;
+    photons += sets.size(cell);
+  });
   const double perPhoton = double(sets.bytes()) / double(photons);
-  std::printf(
-    "%zu photons on %zu of %zu cells: %.1f bytes a photon\n", photons, specular, cells, perPhoton);
   EXPECT_LE(sets.bytes(), 16 * photons + 64 * specular + 4 * cells + 1000);
 }
 
-TEST(CellPhotonSets, WorkCanBeInterrupted)
-{
-  const SceneObjects objects = PartlyGlossyScene(74).objects();
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settingsOf(5000), serial);
-  for (int sign = 0; sign < 2; ++sign)
-  {
-    CellPhotonSets sets(objects);
-    test::StoppingExecution stopping(sign);
-    EXPECT_THROW(sets.add(test::onlySet(engine).history(), 0,
-                   test::onlySet(engine).history().size(), stopping),
-      Interrupted);
-  }
 }
-
 }

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tally/CellSums.h"
 
-#include "TestScenes.h"
-#include "ThreadExecution.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
 /// A static quad of 2 x 2 cells (8 triangles) and a box of 6 cells (12 triangles).
 SceneObjects quadAndBox(int bands)
 {
-  test::ObjectBuilder quad(bands), box(bands);
-  quad.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 2, 2, test::grey(0.5));
-  box.addBox(test::box({ 0, 0, 0 }, { 1, 1, 1 }), 1, test::grey(0.5));
-  return { quad.build(), { box.build() } };
+  ObjectBuilder quad(bands), block(bands);
+  quad.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 2, 2, grey(0.5));
+  block.addBox(box({ 0, 0, 0 }, { 1, 1, 1 }), 1, grey(0.5));
+  return { quad.build(), { block.build() } };
 }
 
 void add(CellSums& sums, const TriangleId& id, bool isFront, const Power& power, int sign)
@@ -26,8 +22,6 @@ void add(CellSums& sums, const TriangleId& id, bool isFront, const Power& power,
   std::vector<Deposit> deposits;
   sums.collect(sums.slotOf(0, sums.cellOf(id)), isFront, power, sign, deposits);
   sums.add(deposits);
-}
-
 }
 
 TEST(CellSums, TrianglesOfACellShareASum)
@@ -65,7 +59,7 @@ TEST(CellSums, SidesAndBandsStandApart)
 TEST(CellSums, ManyThreadsLoseNothing)
 {
   CellSums sums(quadAndBox(1), 1);
-  test::ThreadExecution execution(4);
+  ThreadExecution execution(4);
   execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -83,4 +77,5 @@ TEST(CellSums, ManyThreadsLoseNothing)
   }
 }
 
+}
 }

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
-#include "MovingScene.h"
-#include "ShownAnswer.h"
-#include "ThreadExecution.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-#include <optional>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::answerOf;
-using test::freshAnswer;
-using test::MovingScene;
-using test::scaled;
 
 struct Input
 {
@@ -33,9 +20,9 @@ struct Change
 
 SceneObject lamp(double exitance)
 {
-  test::ObjectBuilder builder;
-  builder.addBox(test::box({ 0, 0, 0 }, { 0.2, 0.2, 0.2 }), 1, test::grey(0.3, exitance));
-  return builder.build(test::shift({ 3, 3, 1 }));
+  ObjectBuilder builder;
+  builder.addBox(box({ 0, 0, 0 }, { 0.2, 0.2, 0.2 }), 1, grey(0.3, exitance));
+  return builder.build(shift({ 3, 3, 1 }));
 }
 
 /// Changes between two frames, other than poses of objects that do not shine.
@@ -106,8 +93,6 @@ void expectEqualToFresh(IrradianceEngine& engine, const Input& input, const std:
     << when;
 }
 
-}
-
 TEST(ChangesShootAnew, EveryChangeThereAndBackEqualsANewEngine)
 {
   MovingScene scene(1, false, 31);
@@ -142,64 +127,5 @@ TEST(ChangesShootAnew, EveryChangeThereAndBackEqualsANewEngine)
   }
 }
 
-// reportProgress stops an update at its first, second, ... call; the next equals a new engine.
-/// Shot walks alone, then with all that may be kept beside them.
-std::vector<EngineSettings> settingsToInterrupt()
-{
-  EngineSettings shot;
-  shot.numberOfWalks = scaled(30000);
-  EngineSettings gathered = shot;
-  gathered.numberOfWalks = scaled(6000);
-  gathered.gathersDirectLight = gathered.separateSides = true;
-  EngineSettings barred = gathered;
-  barred.replicates = 4;
-  barred.cellEstimate = CellEstimate::Gathered;
-  barred.gatherRays = 2;
-  return { shot, gathered, barred };
 }
-
-TEST(ChangesShootAnew, InterruptedUpdatesLeaveNoTrace)
-{
-  for (const EngineSettings& settings : settingsToInterrupt())
-  {
-    for (const bool isFirstFrame : { true, false })
-    {
-      MovingScene scene(1, false, 32);
-      std::optional<IrradianceEngine> engine(std::in_place);
-      Execution execution;
-      bool isInterrupted = true;
-      int stops = 0;
-      for (int stopAt = 0; isInterrupted; stopAt += 1 + stopAt / 4)
-      {
-        if (isFirstFrame)
-        {
-          engine.emplace();
-        }
-        else
-        {
-          engine->update(scene.objects(), settings, execution);
-          scene.nextFrame();
-        }
-        test::StoppingExecution stopping(stopAt);
-        isInterrupted = false;
-        try
-        {
-          engine->update(scene.objects(), settings, stopping);
-        }
-        catch (const Interrupted&)
-        {
-          isInterrupted = true;
-          ++stops;
-        }
-        engine->update(scene.objects(), settings, execution);
-        ASSERT_TRUE(test::shownAnswer(*engine, scene.objects(), settings) ==
-          test::freshShownAnswer(scene.objects(), settings))
-          << "stopped at call " << stopAt;
-      }
-      EXPECT_GE(stops, 5);
-      std::printf("%s frame: stopped %d times\n", isFirstFrame ? "first" : "later", stops);
-    }
-  }
-}
-
 }

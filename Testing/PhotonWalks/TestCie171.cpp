@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BothModes.h"
+#include "Kit.h"
 #include "LambertContour.h"
-#include "TestScenes.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::lambertIrradiance;
-using test::meanOverRectangle;
 
 // |t| > 3 with 15 degrees of freedom happens by chance in 0.9 % of the comparisons; seeds are
 // fixed.
 constexpr int kSeeds = 16;
 
-class Cie171 : public test::BothModes
+class Cie171 : public BothModes
 {
 };
 
@@ -30,7 +21,7 @@ TEST_P(Cie171, AreaSource53)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25, 0.75, 0.25 };
   const double published[] = { 32.677, 75.194, 81.323, 69.061, 53.404, 40.002 };
-  test::ObjectBuilder room;
+  ObjectBuilder room;
   const Vector3 up(0, 0, 1), inward(-1, 0, 0), along(0, 0.5, 0), high(0, 0, 0.25);
   for (const double z : heights)
   {
@@ -42,8 +33,8 @@ TEST_P(Cie171, AreaSource53)
   const auto exact = [&](const Vector3& p) {
     return 1000 * M_PI * lambertIrradiance(p, inward, source);
   };
-  std::vector<test::ReplicateMean> estimates(6);
-  overSeeds({ room.build(), {} }, kSeeds, test::scaled(65536), [&](const IrradianceEngine& engine) {
+  std::vector<ReplicateMean> estimates(6);
+  overSeeds({ room.build(), {} }, kSeeds, scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
       estimates[i].add(engine.irradiance({ 0, i }, 0));
@@ -54,7 +45,6 @@ TEST_P(Cie171, AreaSource53)
     EXPECT_NEAR(exact({ 2, 0, heights[i] }), published[i], 6e-4);
     const double truth =
       meanOverRectangle({ 2, -0.25, heights[i] - 0.125 }, along, high, 40, exact);
-    estimates[i].print("5.3", truth);
     EXPECT_LE(std::abs(estimates[i].t(truth)), 3) << "z " << heights[i];
   }
 }
@@ -62,17 +52,16 @@ TEST_P(Cie171, AreaSource53)
 // 5.4: no flux is lost in a black room. What is gathered is an estimate.
 TEST_P(Cie171, FluxConservation54)
 {
-  test::ObjectBuilder room;
+  ObjectBuilder room;
   room.addBox(box({ -2, -2, 0 }, { 2, 2, 3 }), 4, grey(0), true);
   room.addPointLight({ 0.3, -0.2, 2.5 }, 1234.5);
   room.addQuad({ -1, -1, 2 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 250));
   const SceneObjects objects{ room.build(), {} };
-  test::ReplicateMean received;
+  ReplicateMean received;
   overSeeds(objects, kSeeds, 10007, [&](const IrradianceEngine& engine) {
-    received.add(test::wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells));
+    received.add(wattsOn(engine, 0, 0, objects.staticObject.material->numberOfCells));
     EXPECT_TRUE(isGathered() || engine.balance().escaped.isZero());
   });
-  received.print("5.4", 1484.5);
   EXPECT_LE(std::abs(received.t(1484.5)), 3);
   EXPECT_NEAR(received.mean() / 1484.5, 1, isGathered() ? 5e-3 : 1e-12);
 }
@@ -84,7 +73,7 @@ TEST_P(Cie171, DiffuseReflection56)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25 };
   const Vector3 up(0, 0, 1), inward(-1, 0, 0), along(0, 1, 0), high(0, 0, 0.25);
-  test::ObjectBuilder room;
+  ObjectBuilder room;
   for (const double z : heights)
   {
     room.addQuad(Vector3(2, 0.5, z - 0.125), -along, high, 1, 1, grey(0));
@@ -102,19 +91,17 @@ TEST_P(Cie171, DiffuseReflection56)
           (M_PI * square * square);
       });
   };
-  std::vector<test::ReplicateMean> estimates(4);
-  overSeeds(
-    { room.build(), {} }, kSeeds, test::scaled(262144), [&](const IrradianceEngine& engine) {
-      for (std::size_t i = 0; i < 4; ++i)
-      {
-        estimates[i].add(engine.irradiance({ 0, i }, 0));
-      }
-    });
+  std::vector<ReplicateMean> estimates(4);
+  overSeeds({ room.build(), {} }, kSeeds, scaled(262144), [&](const IrradianceEngine& engine) {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      estimates[i].add(engine.irradiance({ 0, i }, 0));
+    }
+  });
   for (std::size_t i = 0; i < 4; ++i)
   {
     const double truth =
       meanOverRectangle({ 2, -0.5, heights[i] - 0.125 }, along, high, 12, onWall);
-    estimates[i].print("5.6", truth);
     EXPECT_LE(std::abs(estimates[i].t(truth)), 3) << "z " << heights[i];
   }
 }
@@ -125,7 +112,7 @@ TEST_P(Cie171, DiffuseReflectionWithObstruction57)
 {
   const double heights[] = { 2.75, 2.25, 1.75, 1.25, 0.75, 0.25 };
   const double published[] = { 16.071, 16.330, 15.399, 13.322, 10.317, 7.079 }; // %
-  test::ObjectBuilder room, obstruction;
+  ObjectBuilder room, obstruction;
   for (const double z : heights)
   {
     room.addQuad({ 4, 0, z - 0.25 }, { -4, 0, 0 }, { 0, 0, 0.5 }, 1, 1, grey(0));
@@ -139,28 +126,26 @@ TEST_P(Cie171, DiffuseReflectionWithObstruction57)
       lambertIrradiance(
         p, { 0, 1, 0 }, { { 0, 4, seenFrom }, { 4, 4, seenFrom }, { 4, 4, 3 }, { 0, 4, 3 } });
   };
-  std::vector<test::ReplicateMean> estimates(6);
-  test::ReplicateMean wall;
+  std::vector<ReplicateMean> estimates(6);
+  ReplicateMean wall;
   double wallTruth = 0;
   const SceneObjects objects{ room.build(), { obstruction.build() } };
-  overSeeds(objects, kSeeds, test::scaled(65536), [&](const IrradianceEngine& engine) {
+  overSeeds(objects, kSeeds, scaled(65536), [&](const IrradianceEngine& engine) {
     for (std::size_t i = 0; i < 6; ++i)
     {
       estimates[i].add(engine.irradiance({ 0, i }, 0));
     }
-    wall.add(test::wattsOn(engine, 0, 0, 6) / 12);
+    wall.add(wattsOn(engine, 0, 0, 6) / 12);
   });
   for (std::size_t i = 0; i < 6; ++i)
   {
     EXPECT_NEAR(exact({ 2, 0, heights[i] }), published[i], 6e-4);
     const double truth =
       meanOverRectangle({ 0, 0, heights[i] - 0.25 }, { 4, 0, 0 }, { 0, 0, 0.5 }, 40, exact);
-    estimates[i].print("5.7", truth);
     EXPECT_LE(std::abs(estimates[i].t(truth)), 3) << "z " << heights[i];
     wallTruth += truth / 6;
   }
-  wall.print("5.7, mean of the wall", wallTruth);
-  EXPECT_NEAR(wall.mean(), wallTruth, (test::kIsSanitized ? 0.05 : 0.01) * wallTruth);
+  EXPECT_NEAR(wall.mean(), wallTruth, (kIsSanitized ? 0.05 : 0.01) * wallTruth);
 }
 
 // 5.8: the internal reflected component in a 4 m cube. The mean has a closed form; the centre of a
@@ -171,7 +156,7 @@ TEST_P(Cie171, InternalReflectedComponent58)
   constexpr int kCells = 15;
   constexpr double kCellArea = 16.0 / (kCells * kCells);
   const auto room = [&](double reflectance) {
-    test::ObjectBuilder builder;
+    ObjectBuilder builder;
     builder.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), kCells, grey(reflectance), true);
     builder.addPointLight({ 0, 0, 0 }, 10000);
     return SceneObjects{ builder.build(), {} };
@@ -182,7 +167,7 @@ TEST_P(Cie171, InternalReflectedComponent58)
     {
       center += engine.irradiance({ 0, wall * kCells * kCells + kCells * kCells / 2 }, 0) / 6;
     }
-    return std::array<double, 2>{ test::wattsOn(engine, 0, 0, 6 * kCells * kCells) / 96, center };
+    return std::array<double, 2>{ wattsOn(engine, 0, 0, 6 * kCells * kCells) / 96, center };
   };
   const struct
   {
@@ -192,12 +177,11 @@ TEST_P(Cie171, InternalReflectedComponent58)
     { 0.9, 937, 0 }, { 0.95, 1979, 1998.5 } };
   for (const auto& [reflectance, printed, center] : rows)
   {
-    if (test::kIsSanitized && center == 0)
+    if (kIsSanitized && center == 0)
     {
       continue; // they take the ways of the others
     }
-    const auto walks =
-      static_cast<std::uint32_t>(test::scaled(32768) * std::max(0.1, 1 - reflectance));
+    const auto walks = static_cast<std::uint32_t>(scaled(32768) * std::max(0.1, 1 - reflectance));
     std::vector<std::array<double, 2>> direct(kSeeds, { 10000.0 / 96, 0 });
     std::size_t next = 0;
     if (center > 0)
@@ -205,7 +189,7 @@ TEST_P(Cie171, InternalReflectedComponent58)
       overSeeds(room(0), kSeeds, walks,
         [&](const IrradianceEngine& engine) { direct[next++] = meanAndCenter(engine); });
     }
-    test::ReplicateMean meanEstimate, centerEstimate;
+    ReplicateMean meanEstimate, centerEstimate;
     overSeeds(room(reflectance), kSeeds, walks, [&](const IrradianceEngine& engine) {
       const auto [all, atCenter] = meanAndCenter(engine);
       const auto& [directAll, directCenter] =
@@ -216,20 +200,16 @@ TEST_P(Cie171, InternalReflectedComponent58)
     });
     const double truth = reflectance * 10000 / (96 * (1 - reflectance));
     EXPECT_NEAR(truth, printed, 0.005 * printed);
-    std::printf("rho %.2f, %d seeds of %u walks: ", reflectance, kSeeds, walks);
-    meanEstimate.print("mean", truth);
     EXPECT_LE(std::abs(meanEstimate.t(truth)), 3);
-    EXPECT_NEAR(meanEstimate.mean(), truth, (test::kIsSanitized ? 0.05 : 0.01) * truth);
+    EXPECT_NEAR(meanEstimate.mean(), truth, (kIsSanitized ? 0.05 : 0.01) * truth);
     if (center > 0)
     {
-      centerEstimate.print("  centre of a wall", center);
       EXPECT_LE(std::abs(centerEstimate.t(center)), 3);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(DirectLight, Cie171, testing::Bool(), test::nameOfMode);
+INSTANTIATE_TEST_SUITE_P(DirectLight, Cie171, testing::Bool(), nameOfMode);
 
 }
-
 }

@@ -2,15 +2,11 @@
 // Triangles that coincide: found in trees as by trying all pairs.
 
 #include "Surfaces/CoincidentTriangles.h"
-#include "TestScenes.h"
 
-#include <gtest/gtest.h>
+#include "Kit.h"
 
-#include <random>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -37,8 +33,6 @@ TriangleMesh makeSheets(std::mt19937_64& random, int count)
     triangles.push_back({ a, c, d });
   }
   return TriangleMesh(triangles);
-}
-
 }
 
 // The tolerance is 2^-32 of the largest coordinate, here 1.
@@ -111,4 +105,5 @@ TEST(CoincidentTriangles, OfTwoObjectsAreThoseOfAllPairs)
   EXPECT_EQ(coincidentBetween(many, few, {}), expected);
 }
 
+}
 }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/CosineDirectionInFloat.h"
 
-#include "../RayCasting/RandomVectors.h"
+#include "Kit.h"
+
 #include "CosineHemisphere.h"
-#include "EngineRun.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -23,7 +20,7 @@ Vector3 directionOf(const Vector3& normal, std::uint32_t u, std::uint32_t v)
 }
 
 /// Normals of all kinds: any, near an axis, along an axis, and with a zero of either sign.
-Vector3 normalOf(int kind, test::RandomVectors& random)
+Vector3 normalOf(int kind, RandomVectors& random)
 {
   Vector3 normal = random.direction();
   const int axis = kind / 4 % 3;
@@ -46,19 +43,17 @@ Vector3 normalOf(int kind, test::RandomVectors& random)
   }
 }
 
-std::uint32_t sampleOf(int kind, test::RandomVectors& random)
+std::uint32_t sampleOf(int kind, RandomVectors& random)
 {
   const std::uint32_t any = static_cast<std::uint32_t>(random.engine());
   const std::uint32_t few = any >> (random.engine() % 32);
   return kind % 3 == 0 ? any : kind % 3 == 1 ? few : ~few;
 }
 
-}
-
 // Against the unit normal in double, from which the float normal was rounded.
 TEST(CosineDirectionInFloat, IsOfUnitLengthAndOnTheSideOfTheNormal)
 {
-  test::RandomVectors random(1);
+  RandomVectors random(1);
   double worstLength = 0, worstHeight = 0, least = 1;
   for (int i = 0; i < 5000000; ++i)
   {
@@ -75,19 +70,17 @@ TEST(CosineDirectionInFloat, IsOfUnitLengthAndOnTheSideOfTheNormal)
   EXPECT_GT(least, 0);
   EXPECT_LE(worstLength, kBound);
   EXPECT_LE(worstHeight, kBound);
-  std::printf("seed 1: length off by %.2g, height by %.2g of %.2g; least height %.3g\n",
-    worstLength, worstHeight, kBound, least);
 }
 
 TEST(CosineDirectionInFloat, IsThatOfDoublesToTheBound)
 {
-  test::RandomVectors random(2);
+  RandomVectors random(2);
   for (int i = 0; i < 300000; ++i)
   {
     const Vector3 normal = normalOf(i, random).cast<float>().cast<double>();
     const std::uint32_t u = sampleOf(i / 24, random), v = sampleOf(i / 72, random);
     const Vector3 expected =
-      test::sampleCosineHemisphere(normal, { (u + 0.5) * 0x1p-32, (v + 0.5) * 0x1p-32 });
+      sampleCosineHemisphere(normal, { (u + 0.5) * 0x1p-32, (v + 0.5) * 0x1p-32 });
     ASSERT_LE((directionOf(normal, u, v) - expected).norm(), 2 * kBound);
   }
 }
@@ -98,7 +91,7 @@ TEST(CosineDirectionInFloat, IsThatOfDoublesToTheBound)
 TEST(CosineDirectionInFloat, FillsTheProjectedDiskUniformly)
 {
   constexpr int kSide = 32, kDraws = 1 << 21;
-  test::RandomVectors random(3);
+  RandomVectors random(3);
   for (const Vector3& normal :
     { Vector3(0, 0, 1), Vector3(0.6, 0, -0.8), Vector3(0.48, -0.6, 0.64) })
   {
@@ -122,8 +115,7 @@ TEST(CosineDirectionInFloat, FillsTheProjectedDiskUniformly)
     {
       chiSquare += (count - expected) * (count - expected) / expected;
     }
-    EXPECT_LE(chiSquare, test::chiSquareLimit(kSide * kSide - 1, 3.72));
-    std::printf("seed 3: chi-square %.0f of %d\n", chiSquare, kSide * kSide - 1);
+    EXPECT_LE(chiSquare, chiSquareLimit(kSide * kSide - 1, 3.72));
   }
 }
 
@@ -147,4 +139,5 @@ TEST(CosineDirectionInFloat, HasTheMomentsOfTheCosine)
   }
 }
 
+}
 }

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/DarkSides.h"
 
-#include "EngineRun.h"
-#include "TestScenes.h"
-
-#include <gtest/gtest.h>
+#include "Kit.h"
 
 // Sides of cells that no light can reach straight from the lights, and the cells that gather
 // nothing.
 
-namespace irradiance
+namespace irradiance::test
 {
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::ObjectBuilder;
 
 /// A room with a panel of 1 W below the ceiling.
 ObjectBuilder roomWithPanel()
@@ -45,9 +38,7 @@ struct Counts
 CellShapes shapesOf(const SceneObjects& objects)
 {
   IrradianceEngine engine;
-  EngineSettings settings;
-  settings.numberOfWalks = 100;
-  settings.gathersDirectLight = true;
+  EngineSettings settings = Shoot(100).gathered();
   Execution serial;
   engine.update(objects, settings, serial);
   CellShapes shapes(objects, engine.gatherSpace().triangles, 0, objects.size());
@@ -141,19 +132,15 @@ TEST(DarkSides, FollowALampThatEntersTheBody)
   cube.addBox(box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }), 2, grey(0.5));
   lamp.addPointLight({ 0, 0, 0 }, 1);
   SceneObjects objects{ roomWithPanel().build(), { cube.build(), lamp.build() } };
-  objects.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 1 });
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(20000);
-  settings.gathersDirectLight = true;
-  settings.separateSides = true;
+  objects.dynamicObjects[0].worldFromObject = shift({ 2, 2, 1 });
+  EngineSettings settings = Shoot(scaled(20000)).gathered().bySide();
   IrradianceEngine engine;
   Execution serial;
   for (const double x : { 3.2, 2.4, 2.0, 1.2 })
   {
-    objects.dynamicObjects[1].worldFromObject = test::shift({ x, 2, 1 });
+    objects.dynamicObjects[1].worldFromObject = shift({ x, 2, 1 });
     engine.update(objects, settings, serial);
-    ASSERT_EQ(test::answerOf(engine, objects, true), test::freshAnswer(objects, settings))
-      << "x = " << x;
+    ASSERT_EQ(answerOf(engine, objects, true), freshAnswer(objects, settings)) << "x = " << x;
     const bool isInside = x > 1.5 && x < 2.5;
     double inner = 0, outer = 0; // W/m2, of 24 cells
     for (std::uint32_t cell = 0; cell < 24; ++cell)
@@ -173,9 +160,6 @@ TEST(DarkSides, FollowALampThatEntersTheBody)
   }
 }
 
-namespace
-{
-
 /// A ring about the z axis, 16 cells along and 12 around. `section(v)`: x, z of its section.
 template <class Section>
 ObjectBuilder ring(const Section& section)
@@ -189,8 +173,6 @@ ObjectBuilder ring(const Section& section)
   return builder;
 }
 
-}
-
 // An eight has its front outside on one half, and inside on the other: no side of it is dark for
 // certain.
 TEST(DarkSides, AreNotOfARingThatCrossesItself)
@@ -200,22 +182,16 @@ TEST(DarkSides, AreNotOfARingThatCrossesItself)
   const ObjectBuilder eight =
     ring([](double v) { return Vector3(.3 * std::cos(v + .1), 0, .2 * std::sin(2 * v + .2)); });
   SceneObjects objects = withMover(round);
-  objects.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 1 });
+  objects.dynamicObjects[0].worldFromObject = shift({ 2, 2, 1 });
   EXPECT_EQ(countsOf(objects).front + countsOf(objects).back, 192 + countsOf(objects).both);
   objects = withMover(eight);
-  objects.dynamicObjects[0].worldFromObject = test::shift({ 2, 2, 1 });
+  objects.dynamicObjects[0].worldFromObject = shift({ 2, 2, 1 });
   EXPECT_EQ(countsOf(objects), (Counts{ 0, 0, 0, 192 }));
   // Both halves have light, shot and gathered.
   double watts[2][2];
   for (const bool isGathered : { false, true })
   {
-    EngineSettings settings;
-    settings.numberOfWalks = test::scaled(40000);
-    settings.gathersDirectLight = isGathered;
-    settings.separateSides = true;
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
+    UpdatedEngine engine(objects, Shoot(scaled(40000)).gathered(isGathered).bySide());
     for (const int side : { 0, 1 })
     {
       watts[isGathered][side] = 0;
@@ -228,7 +204,7 @@ TEST(DarkSides, AreNotOfARingThatCrossesItself)
   for (const int side : { 0, 1 })
   {
     EXPECT_GT(watts[0][side], .05);
-    EXPECT_NEAR(watts[1][side], watts[0][side], (test::kIsSanitized ? .5 : .1) * watts[0][side]);
+    EXPECT_NEAR(watts[1][side], watts[0][side], (kIsSanitized ? .5 : .1) * watts[0][side]);
   }
 }
 

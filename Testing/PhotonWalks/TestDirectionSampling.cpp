@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "../RayCasting/RandomVectors.h"
 #include "CosineHemisphere.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::sampleCosineHemisphere;
 
 constexpr int kGrid = 1000;
 
@@ -41,11 +36,9 @@ Matrix3 outer(const Vector3& v)
   return v * v.transpose();
 }
 
-}
-
 TEST(DirectionSampling, FrameIsOrthonormal)
 {
-  test::RandomVectors random(1);
+  RandomVectors random(1);
   double worst = 0;
   for (int i = 0; i < 300000; ++i)
   {
@@ -64,7 +57,6 @@ TEST(DirectionSampling, FrameIsOrthonormal)
     ASSERT_GT(frame.determinant(), 0) << normal.transpose();
   }
   EXPECT_LE(worst, 1e-15);
-  std::printf("seed 1: largest deviation %.2g\n", worst);
 }
 
 TEST(DirectionSampling, FrameTakesAxes)
@@ -97,7 +89,7 @@ TEST(DirectionSampling, MomentsOfTheCosineHemisphere)
 
 TEST(DirectionSampling, HemisphereIsAroundItsNormalAndOfUnitLength)
 {
-  test::RandomVectors random(2);
+  RandomVectors random(2);
   for (int i = 0; i < 100000; ++i)
   {
     const Vector3 normal = random.direction();
@@ -148,4 +140,5 @@ TEST(DirectionSampling, TriangleIsFilledUniformly)
   EXPECT_EQ(parts, 16);
 }
 
+}
 }

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
 #include "Estimates/ErrorEstimate.h"
-#include "TestScenes.h"
 
-#include "../RayCasting/RandomVectors.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
 /// A row of quads along x, `widths` m wide and 1 m long.
 SceneObjects strip(const std::vector<double>& widths, int bands = 1)
 {
-  test::ObjectBuilder builder(bands);
+  ObjectBuilder builder(bands);
   double x = 0;
   for (const double width : widths)
   {
-    builder.addQuad({ x, 0, 0 }, { width, 0, 0 }, { 0, 1, 0 }, 1, 1, test::grey(0));
+    builder.addQuad({ x, 0, 0 }, { width, 0, 0 }, { 0, 1, 0 }, 1, 1, grey(0));
     x += width;
   }
   return { builder.build(), {} };
@@ -41,16 +36,14 @@ void add(CellSums& sums, std::uint32_t walk, std::uint32_t cell, const Power& qu
   sums.add(deposits);
 }
 
-}
-
 // The textbook's standard error of the mean of R equal shares, times R.
 TEST(ErrorEstimate, IsThatOfTheMeanOfReplicates)
 {
   constexpr std::uint32_t kReplicates = 8, kWalks = 8000;
-  test::RandomVectors random(11);
+  RandomVectors random(11);
   const WalkPlan plan(kWalks, kWalks, kReplicates);
   CellSums sums(strip({ 1, 1 }), 1, plan);
-  test::ReplicateMean estimates;
+  ReplicateMean estimates;
   for (std::uint32_t i = 0; i < kReplicates; ++i)
   {
     const auto quanta = static_cast<std::int64_t>(random.uniform(1000, 1100));
@@ -71,7 +64,7 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
   {
     std::mt19937 random(walks);
     const WalkPlan plan(walks, walks, kReplicates);
-    test::ReplicateMean squares;
+    ReplicateMean squares;
     for (int trial = 0; trial < 20000; ++trial)
     {
       CellSums sums(strip({ 1 }), 1, plan);
@@ -87,7 +80,6 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
       squares.add(error * error);
     }
     const double truth = walks * double(kPhoton / 4) * double(kPhoton / 4) / 4;
-    squares.print("variance", truth);
     EXPECT_LE(std::abs(squares.t(truth)), 5) << walks;
   }
 }
@@ -174,9 +166,6 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
 }
 
-namespace
-{
-
 /// Cells from 1 on gather; the variance of their rays is known.
 class KnownRays : public PhotonShares
 {
@@ -188,8 +177,6 @@ public:
   }
   std::vector<double> variances;
 };
-
-}
 
 // Two replicates of 110000 and 90000 quanta: the variance is twice the squared distance from their
 // mean, over 1 - 1/2 (5.1 of the Theory). Of the cells that gather a quarter of it is noise of the
@@ -239,4 +226,5 @@ TEST(ErrorEstimate, LooksAtTheFirstRoundsAlone)
   EXPECT_NEAR(error(2), 1000, 1e-9);
 }
 
+}
 }

@@ -2,20 +2,12 @@
 // Exposure, spread over the cells around: of photons that are drawn here, so that all is known
 // beforehand.
 
-#include "IntervalCount.h"
-
 #include "Exposure/ExposureSpread.h"
 
-#include <gtest/gtest.h>
+#include "Kit.h"
 
-#include <cmath>
-#include <functional>
-#include <numeric>
-#include <random>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -121,8 +113,6 @@ double squaredDeviation(const std::vector<double>& values, double mean)
   return std::accumulate(values.begin(), values.end(), 0.0,
            [&](double sum, double value) { return sum + std::pow(value / mean - 1, 2); }) /
     static_cast<double>(values.size());
-}
-
 }
 
 // The sums are exact in quanta of 2^-52 of the energy; what is read and written is rounded to half
@@ -277,7 +267,7 @@ TEST(ExposureSpread, GoesOnWhereCellsAreTurnedOver)
 // * 40 / 50 neighbourhoods: the share has a standard deviation of 1.1 %.
 TEST(ExposureSpread, HasIntervalsThatHoldTheTruth)
 {
-  test::IntervalCount intervals(kReplicates);
+  IntervalCount intervals(kReplicates);
   for (unsigned seed = 1; seed <= 12; ++seed)
   {
     Dose dose(1600);
@@ -326,4 +316,5 @@ TEST(ExposureSpread, LeavesWhatHasNoNoise)
   }
 }
 
+}
 }

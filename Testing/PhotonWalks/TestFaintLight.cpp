@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DirectRuns.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
+#include "Kit.h"
 
 // What a cell gathers is right however small a part of all power it is: below a light that is far
 // away, or on a cell that is tiny beside the walls.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::grey;
 
 const CellEstimate kEstimates[] = { CellEstimate::Sums, CellEstimate::Spread,
   CellEstimate::Gathered };
 
 EngineSettings settingsOf(CellEstimate estimate, std::uint32_t replicates, std::uint64_t seed = 1)
 {
-  EngineSettings settings = test::gathering(2000, seed);
+  EngineSettings settings = gathering(2000, seed);
   settings.cellEstimate = estimate;
   settings.replicates = replicates;
   settings.gatherRays = 16;
@@ -54,12 +45,10 @@ double seenAbove(double x0, double x1, double y0, double y1, double h)
 /// A square of n x n cells around a place, which looks up or down.
 SceneObject plate(const Vector3& center, double side, int n, bool isUp, double reflectance = 0)
 {
-  test::ObjectBuilder builder;
+  ObjectBuilder builder;
   const Vector3 u(side, 0, 0), v(0, isUp ? side : -side, 0);
   builder.addQuad(-0.5 * (u + v), u, v, n, n, grey(reflectance));
-  return builder.build(test::shift(center));
-}
-
+  return builder.build(shift(center));
 }
 
 // The point light of each distance brings 1000 W/m2 across its beam.
@@ -68,7 +57,7 @@ TEST(FaintLight, APointLightMayBeAsFarAsItLikes)
   const Vector3 towards(0.48, 0.6, 0.64);
   for (const double distance : { 300.0, 2e4, 1e8, 1e13 })
   {
-    test::ObjectBuilder land;
+    ObjectBuilder land;
     land.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 3, 3, grey(0));
     const double flux = 1000 * 4 * M_PI * distance * distance;
     land.addPointLight(distance * towards, flux);
@@ -77,9 +66,7 @@ TEST(FaintLight, APointLightMayBeAsFarAsItLikes)
     {
       for (const std::uint32_t replicates : { 1u, 16u })
       {
-        IrradianceEngine engine;
-        Execution execution;
-        engine.update(objects, settingsOf(estimate, replicates), execution);
+        UpdatedEngine engine(objects, settingsOf(estimate, replicates));
         engine.cells().numbers().forEach([&](const SceneCell& cell) {
           const SceneObject& object = objects[cell.object];
           double seen = 0;
@@ -107,22 +94,20 @@ TEST(FaintLight, CellsMayBeAsSmallAsTheyLike)
   const double truth = 30 * seenAbove(-0.2, 0.8, -0.3, 0.7, 2.5);
   for (const double side : { 4e-3, 4e-6, 4e-9 })
   {
-    test::ObjectBuilder room;
-    room.addBox(test::box({ -2, -2, 0 }, { 2, 2, 4 }), 2, grey(0), true);
+    ObjectBuilder room;
+    room.addBox(box({ -2, -2, 0 }, { 2, 2, 4 }), 2, grey(0), true);
     room.addQuad({ -0.2, -0.3, 3.5 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 30));
     const SceneObjects objects{ room.build(), { plate({ 0, 0, 1 }, side, 3, true) } };
     for (const CellEstimate estimate : kEstimates)
     {
       for (const std::uint32_t replicates : { 1u, 8u })
       {
-        test::ReplicateMean mean;
+        ReplicateMean mean;
         int known = 0, held = 0;
         for (std::uint64_t seed = 1; seed <= 8; ++seed)
         {
-          IrradianceEngine engine;
-          Execution execution;
-          engine.update(objects, settingsOf(estimate, replicates, seed), execution);
-          mean.add(test::estimatedWattsOn(engine, 1, 0) / (side * side));
+          UpdatedEngine engine(objects, settingsOf(estimate, replicates, seed));
+          mean.add(estimatedWattsOn(engine, 1, 0) / (side * side));
           const ErrorEstimate errors = engine.errorEstimate();
           for (std::size_t cell = 0; cell < 9; ++cell)
           {
@@ -150,13 +135,13 @@ TEST(FaintLight, RaysReadIt)
   const Vector3 towards(0.48, 0.6, 0.64);
   for (const double distance : { 1e4, 1e9 })
   {
-    test::ObjectBuilder floor;
+    ObjectBuilder floor;
     floor.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 2, 2, grey(0.5));
     floor.addPointLight(distance * towards, 1000 * 4 * M_PI * distance * distance);
     const SceneObjects objects{ floor.build(), { plate({ 0, 0, 0.4 }, 1e-4, 3, false) } };
     for (const std::uint32_t replicates : { 1u, 8u })
     {
-      test::ReplicateMean mean;
+      ReplicateMean mean;
       for (std::uint64_t seed = 1; seed <= 16; ++seed)
       {
         IrradianceEngine engine;
@@ -174,43 +159,19 @@ TEST(FaintLight, RaysReadIt)
   }
 }
 
-// Something moves in the light of a far lamp, above cells that see less than a quantum of it.
-TEST(FaintLight, AnUpdateHasTheBitsOfAFreshStart)
-{
-  test::ObjectBuilder land;
-  land.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 12, 12, grey(0.3));
-  land.addPointLight({ 2e7, 1e7, 6e7 }, 1e19);
-  SceneObjects objects{ land.build(),
-    { plate({ 0, 0, 0.5 }, 0.7, 3, true), plate({ 0.3, 0, 0.2 }, 1e-5, 2, false) } };
-  for (const CellEstimate estimate : kEstimates)
-  {
-    const EngineSettings settings = settingsOf(estimate, 4);
-    IrradianceEngine engine;
-    Execution execution;
-    for (int frame = 0; frame < 5; ++frame)
-    {
-      objects.dynamicObjects[0].worldFromObject = test::shift({ 0.2 * frame - 0.4, 0.1, 0.5 });
-      engine.update(objects, settings, execution);
-      EXPECT_GT(engine.sums().sum({ 0, 0 }, 0), 0);
-      EXPECT_LT(engine.sums().sum({ 0, 0 }, 0), 1);
-      ASSERT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings));
-    }
-  }
-}
-
 // Two mirrors that face each other, a point light between: what leaves them at the sides falls on
 // black walls. The walks that start at the mirrors are as many as if they were shot, and as
 // different.
 TEST(FaintLight, WalksOfAMirrorDiffer)
 {
-  test::ObjectBuilder room;
-  test::Look mirror;
+  ObjectBuilder room;
+  Look mirror;
   mirror.specular = { 0.95, 0.95, 0.95 };
   room.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, mirror);
   room.addQuad({ -1, -1, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, mirror);
   for (int side = 0; side < 4; ++side)
   {
-    room.addSide(test::box({ -1, -1, 0 }, { 1, 1, 1 }), side, 4, grey(0), true);
+    room.addSide(box({ -1, -1, 0 }, { 1, 1, 1 }), side, 4, grey(0), true);
   }
   room.addPointLight({ 0.1, 0.2, 0.4 }, 100);
   const SceneObjects objects{ room.build(), {} };
@@ -218,15 +179,13 @@ TEST(FaintLight, WalksOfAMirrorDiffer)
   std::vector<double> variance(2, 0.0);
   for (const bool gathers : { false, true })
   {
-    test::SeedMeans means;
+    SeedMeans means;
     for (std::uint64_t seed = 1; seed <= 16; ++seed)
     {
       EngineSettings settings = settingsOf(CellEstimate::Sums, 1, seed);
       settings.numberOfWalks = 8000;
       settings.gathersDirectLight = gathers;
-      IrradianceEngine engine;
-      Execution execution;
-      engine.update(objects, settings, execution);
+      UpdatedEngine engine(objects, settings);
       means.add(engine);
     }
     for (std::size_t cell = kFirst; cell < kFirst + kWalls; ++cell)
@@ -237,4 +196,5 @@ TEST(FaintLight, WalksOfAMirrorDiffer)
   EXPECT_LT(variance[1], 1.5 * variance[0]);
 }
 
+}
 }

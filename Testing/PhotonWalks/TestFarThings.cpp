@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
-#include "TestScenes.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
+#include "Kit.h"
 
 // Law: far objects cost nothing near. The tests count the segments for which the verification casts
 // a ray: those near the moving ball, even if something stands 1 km away or came back from there.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::grey;
-using test::shift;
 
 const Vector3 kAway(600, 0, 800); ///< 1 km
 
@@ -32,10 +22,10 @@ struct FarScene
   FarScene(const Vector3& light, double lampHeight)
   {
     constexpr int kWalls = 5;
-    test::ObjectBuilder room, small, large;
+    ObjectBuilder room, small, large;
     for (int side = 0; side < kWalls; ++side)
     {
-      room.addSide(test::box({ 0, 0, 0 }, { 4, 4, 4 }), side, 4, grey(0.5), true);
+      room.addSide(box({ 0, 0, 0 }, { 4, 4, 4 }), side, 4, grey(0.5), true);
     }
     room.addQuad({ 1, 1, lampHeight }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
     // A sliver, whose points are moved farthest off its edges.
@@ -44,7 +34,7 @@ struct FarScene
     small.addSphere({ 0, 0, 0 }, 0.1, 5, grey(0.5));
     large.addSphere({ 0, 0, 0 }, 0.3, 5, grey(0.5));
     objects = { room.build(), { small.build(), large.build() } };
-    settings.numberOfWalks = test::scaled(20000);
+    settings.numberOfWalks = scaled(20000);
     moveSmall(0);
     moveLarge({ 3, 3, 1 });
   }
@@ -59,7 +49,7 @@ struct FarScene
   void update(const std::string& what)
   {
     engine.update(objects, settings, execution);
-    ASSERT_TRUE(test::answerOf(engine, objects) == test::freshAnswer(objects, settings)) << what;
+    ASSERT_TRUE(answerOf(engine, objects) == freshAnswer(objects, settings)) << what;
   }
 
   /// Rays cast over six frames in which only the small ball moves.
@@ -92,8 +82,6 @@ std::int64_t suspectsOfNear()
 std::int64_t limit(std::int64_t near)
 {
   return near + near / 2 + 100;
-}
-
 }
 
 TEST(FarThings, ABallThatGoesAwayAndComesBackTakesNothingAlong)
@@ -156,7 +144,7 @@ ManySuspects suspectsOfMany(int number)
   constexpr int kFrames = 3;
   FarScene scene(kLight, kLamp);
   scene.settings.numberOfWalks = 20000; // with sanitizers too: a few would tell nothing
-  test::ObjectBuilder grain;
+  ObjectBuilder grain;
   grain.addSphere({ 0, 0, 0 }, 0.03, 4, grey(0.5));
   const SceneObject body = grain.build();
   scene.objects.dynamicObjects.assign(static_cast<std::size_t>(number), body);
@@ -190,4 +178,5 @@ TEST_P(ManyMoved, EachBringsItsShare)
 INSTANTIATE_TEST_SUITE_P(
   Objects, ManyMoved, testing::Values(9, 15, 16, 64, 129, 500), testing::PrintToStringParamName());
 
+}
 }

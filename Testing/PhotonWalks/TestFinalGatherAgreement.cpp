@@ -2,26 +2,14 @@
 // The final gather beside what has no bias.
 
 #include "FinalGather/CellRoles.h"
-#include "FinalGatherScenes.h"
+#include "Kit.h"
 
 #include "../RayCasting/TestMeshes.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <memory>
-#include <string>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::gathering;
-using test::GatherTestScene;
-using test::grey;
-using test::ReplicateMean;
 
 /// The mean irradiance of the cells that gather with these settings, W/m2, all bands together.
 double meanOnGatherers(const IrradianceEngine& engine, const EngineSettings& settings)
@@ -47,9 +35,7 @@ ReplicateMean foundBy(const SceneObjects& objects, EngineSettings settings, int 
   settings.replicates = 16;
   for (int i = 0; i < seeds; ++i, ++settings.seed)
   {
-    IrradianceEngine engine;
-    test::ThreadExecution two(2);
-    engine.update(objects, settings, two);
+    UpdatedEngine engine(objects, settings, ThreadExecution(2));
     found.add(meanOnGatherers(engine, settings));
   }
   return found;
@@ -59,19 +45,17 @@ ReplicateMean foundBy(const SceneObjects& objects, EngineSettings settings, int 
 /// SpeedAndAccuracy.md for what BenchmarkDefault measures.
 constexpr double kMostBias = 0.03;
 
-}
-
 // But for a small bias the final gather finds what it finds where it reads nothing, and that finds
 // what is known by closed forms. VTKIRRADIANCE_TEST_EFFORT=6 takes 24 seeds and four times the
 // rays. |t| > 9 of six degrees of freedom by chance once in 9,000 for each of twelve; of 46 far
 // less often.
 TEST(FinalGatherAgreement, IsThatOfPathsThatReadNothing)
 {
-  const int seeds = 4 * test::effort();
+  const int seeds = 4 * effort();
   EngineSettings settings = gathering(20000);
-  settings.gatherRays = test::effort() > 1 ? 256 : 64;
-  std::vector<GatherTestScene> scenes = test::gatherScenes();
-  scenes.resize(test::kIsSanitized ? 3 : scenes.size());
+  settings.gatherRays = effort() > 1 ? 256 : 64;
+  std::vector<GatherTestScene> scenes = gatherScenes();
+  scenes.resize(kIsSanitized ? 3 : scenes.size());
   for (const GatherTestScene& scene : scenes)
   {
     const ReplicateMean gathered = foundBy(scene.objects, settings, seeds);
@@ -92,9 +76,6 @@ TEST(FinalGatherAgreement, IsThatOfPathsThatReadNothing)
   }
 }
 
-namespace
-{
-
 /// Of the cells of dynamic objects: how many intervals there are, are known, and hold the truth.
 struct Held
 {
@@ -102,7 +83,7 @@ struct Held
 };
 
 /// `truth`: of all cells; its own noise counts as well, and the bias, which error bars do not hold.
-void countHeld(const IrradianceEngine& engine, const test::SeedMeans& truth, Held& held)
+void countHeld(const IrradianceEngine& engine, const SeedMeans& truth, Held& held)
 {
   const double factor = ErrorEstimate::confidenceFactor(16);
   const ErrorEstimate errors = engine.errorEstimate();
@@ -127,31 +108,29 @@ void countHeld(const IrradianceEngine& engine, const test::SeedMeans& truth, Hel
   });
 }
 
-}
-
 // 95 % are asked for; with the few samples of a net to a replicate intervals are wider, see
 // Theory.md, 5.7. Some 370 of them, which hold the truth in 98 % and scatter by .8 %, and by twice
 // that as those of a seed read the same sums: below 93 % by chance once in 10^3.
 // VTKIRRADIANCE_TEST_EFFORT=2 takes all scenes and twice the seeds.
 TEST(FinalGatherAgreement, IntervalsHoldTheTruth)
 {
-  const int seeds = 4 * test::effort();
+  const int seeds = 4 * effort();
   EngineSettings settings = gathering(20000);
   settings.verify = false;
   std::map<std::uint32_t, Held> held; // by rays
-  for (const GatherTestScene& scene : test::gatherScenes())
+  for (const GatherTestScene& scene : gatherScenes())
   {
     const std::string name = scene.name;
     const bool isQuick = name == "corner" || name == "sheet" ||
-      (!test::kIsSanitized && (name == "area lamp" || name == "points"));
-    if (!isQuick && (test::effort() == 1 || name == "furnace" || name == "bands"))
+      (!kIsSanitized && (name == "area lamp" || name == "points"));
+    if (!isQuick && (effort() == 1 || name == "furnace" || name == "bands"))
     {
       continue;
     }
     EngineSettings unbiased = settings;
     unbiased.unbiasedGather = true;
-    unbiased.gatherRays = 128 * static_cast<std::uint32_t>(test::effort());
-    const test::SeedMeans truth = test::meansOf(scene.objects, seeds, unbiased, 1001);
+    unbiased.gatherRays = 128 * static_cast<std::uint32_t>(effort());
+    const SeedMeans truth = meansOf(scene.objects, seeds, unbiased, 1001);
     for (const std::uint32_t rays : { 16u, 32u })
     {
       settings.gatherRays = rays;
@@ -160,7 +139,7 @@ TEST(FinalGatherAgreement, IntervalsHoldTheTruth)
       for (settings.seed = 1; settings.seed <= static_cast<std::uint64_t>(seeds); ++settings.seed)
       {
         engines.push_back(std::make_unique<IrradianceEngine>());
-        test::ThreadExecution two(2);
+        ThreadExecution two(2);
         engines.back()->update(scene.objects, settings, two);
       }
       for (const auto& engine : engines)
@@ -174,9 +153,10 @@ TEST(FinalGatherAgreement, IntervalsHoldTheTruth)
     std::printf("%u rays: %.0f of %.0f intervals known, %.1f %% hold the truth\n", rays, of.known,
       of.all, 100 * of.right / of.known);
     // The two scenes of sanitized runs have many cells in corners, where little arrives.
-    EXPECT_GT(of.known, (test::kIsSanitized ? 0.6 : 0.8) * of.all);
+    EXPECT_GT(of.known, (kIsSanitized ? 0.6 : 0.8) * of.all);
     EXPECT_GT(of.right / of.known, 0.93);
   }
 }
 
+}
 }

@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks to look at where direct light is gathered.
 
-#include "EngineRun.h"
-#include "MovingScene.h"
-#include "TwoGroups.h"
+#include "Kit.h"
 #include "Views/WalkPaths.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <set>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::MovingScene;
 
 constexpr std::size_t kAll = 1000000; // more than any test shoots
 
 EngineSettings settingsOf(std::uint32_t walks)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
+  Shoot settings(walks);
   settings.gathersDirectLight = settings.keepPhotons = settings.listRepaired = true;
   return settings;
 }
@@ -51,17 +40,14 @@ bool isOnLight(const Vector3& point)
   return isOnPanel || (point - Vector3(3, 1, 2)).norm() < 1e-9;
 }
 
-}
-
 // All walks that are born, of lights and parts of the scene alike; each goes from its light to
 // where it starts, nothing stands between, and on over its hits.
 TEST(FinalGatherPaths, BeginOnTheLight)
 {
   const MovingScene scene(3, true, 34, true);
-  const SceneObjects objects = test::inTwoGroups(scene.objects());
-  IrradianceEngine engine;
+  const SceneObjects objects = inTwoGroups(scene.objects());
   Execution serial;
-  engine.update(objects, settingsOf(5000), serial);
+  UpdatedEngine engine(objects, settingsOf(5000), serial);
   ASSERT_EQ(engine.walks().sets().size(), 2 * (1 + objects.dynamicObjects.size()));
   std::int64_t born = 0, bornAtDynamic = 0;
   for (const WalkSet& set : engine.walks().sets())
@@ -100,9 +86,8 @@ TEST(FinalGatherPaths, FewAreSpreadAndStay)
 {
   MovingScene scene(1, true, 32);
   SceneObjects objects = scene.objects();
-  IrradianceEngine engine;
   Execution serial;
-  engine.update(objects, settingsOf(20000), serial);
+  UpdatedEngine engine(objects, settingsOf(20000), serial);
   const auto chosen = [&] {
     const std::vector<std::uint32_t> walks = WalkPaths(engine).first(100);
     EXPECT_EQ(walks.size(), 100u);
@@ -136,9 +121,8 @@ TEST(FinalGatherPaths, FewAreSpreadAndStay)
 TEST(FinalGatherPaths, SayWhatWasRepaired)
 {
   MovingScene scene(1, true, 35, true);
-  IrradianceEngine engine;
   Execution serial;
-  engine.update(scene.objects(), settingsOf(3000), serial);
+  UpdatedEngine engine(scene.objects(), settingsOf(3000), serial);
   const auto shown = [&] {
     const WalkPaths paths(engine);
     std::map<std::uint32_t, WalkPath> all;
@@ -182,14 +166,13 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
 // Those that touch a cell are those whose points lie on it.
 TEST(FinalGatherPaths, TouchingACell)
 {
-  test::ObjectBuilder room, board;
-  room.addBox(test::box({ 0, 0, 0 }, { 2, 2, 2 }), 2, test::grey(0.6), true);
-  room.addQuad({ 0.5, 0.5, 1.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0.3, 5)); // cell 24
-  board.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0 }, { 0, 0.6, 0 }, 1, 1, test::grey(0.5));
-  IrradianceEngine engine;
+  ObjectBuilder room, board;
+  room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 2, grey(0.6), true);
+  room.addQuad({ 0.5, 0.5, 1.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0.3, 5)); // cell 24
+  board.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0 }, { 0, 0.6, 0 }, 1, 1, grey(0.5));
   Execution serial;
-  engine.update(
-    { room.build(), { board.build(test::shift({ 1, 1, 0.5 })) } }, settingsOf(3000), serial);
+  UpdatedEngine engine(
+    { room.build(), { board.build(shift({ 1, 1, 0.5 })) } }, settingsOf(3000), serial);
   const WalkPaths paths(engine);
   std::vector<std::uint32_t> low, onBoard, onLamp;
   const std::vector<std::uint32_t> all = paths.first(kAll);
@@ -213,30 +196,5 @@ TEST(FinalGatherPaths, TouchingACell)
   EXPECT_GT(low.size(), 100u);
 }
 
-// All but what tells how they came about.
-TEST(FinalGatherPaths, UpdateEqualsRebuild)
-{
-  MovingScene scene(1, true, 33, true);
-  IrradianceEngine engine;
-  Execution serial;
-  for (int frame = 0; frame < (test::kIsSanitized ? 3 : 12); ++frame, scene.nextFrame())
-  {
-    engine.update(scene.objects(), settingsOf(1500), serial);
-    IrradianceEngine fresh;
-    fresh.update(scene.objects(), settingsOf(1500), serial);
-    const WalkPaths updated(engine), made(fresh);
-    for (const std::size_t most : { kAll, std::size_t{ 50 } })
-    {
-      ASSERT_EQ(updated.first(most), made.first(most)) << "frame " << frame;
-    }
-    const auto ofUpdated = updated.paths(updated.first(kAll), serial);
-    const auto ofMade = made.paths(made.first(kAll), serial);
-    for (std::size_t i = 0; i < ofMade.size(); ++i)
-    {
-      ASSERT_EQ(ofUpdated[i].points, ofMade[i].points) << "frame " << frame;
-      ASSERT_TRUE(ofUpdated[i].power == ofMade[i].power);
-    }
-  }
 }
-
 }

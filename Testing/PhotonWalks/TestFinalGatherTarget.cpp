@@ -1,50 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A target where cells gather: more walks, or more rays, whichever is missing.
 
-#include "FinalGatherScenes.h"
-#include "ShownAnswer.h"
-#include "ThreadExecution.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-const Vector3 kMiddle(2.4, 1.5, 1), kBelowLamp(1.8, 2, 2.4);
-
 /// A lit room of 96 wall cells, with a ball of small cells that may move, and a block that stands
 /// still.
-SceneObjects roomWithBall(const Vector3& place = kMiddle)
+SceneObjects roomWithBall()
 {
-  using namespace test::detail;
   return { litRoom(4).build(),
-    { ball(place, 0.4, 4), block({ 0.5, 0.5, 0.2 }, { 0.2, 0.2, 0.2 }, 1) } };
+    { ball({ 2.4, 1.5, 1 }, 0.4, 4), block({ 0.5, 0.5, 0.2 }, { 0.2, 0.2, 0.2 }, 1) } };
 }
 
 /// All cells gather, unless it is changed.
 EngineSettings towards(double target, std::uint32_t walks, std::uint32_t rays)
 {
-  EngineSettings settings = test::gathering(walks);
-  settings.gatherRays = rays;
-  settings.gathersEverywhere = true;
-  settings.replicates = 8;
-  settings.targetRelativeError = target;
-  settings.maximumNumberOfWalks = 16 * walks;
-  settings.maximumGatherRays = 1024;
-  return settings;
-}
-
-void show(const IrradianceEngine& engine)
-{
-  std::printf("%u walks and %u rays reach %.3f\n", engine.numberOfWalks(),
-    static_cast<unsigned>(engine.numberOfGatherRays()), engine.reachedRelativeError());
+  return Shoot(walks).finalGather(rays).everywhere().errors(8).target(target, 16 * walks);
 }
 
 std::vector<double> irradiances(const IrradianceEngine& engine)
@@ -64,9 +39,7 @@ std::vector<double> longRun(const SceneObjects& objects)
   for (const std::uint64_t seed : { 1001, 1002 })
   {
     settings.seed = seed;
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
+    UpdatedEngine engine(objects, settings);
     const std::vector<double> found = irradiances(engine);
     sum.resize(found.size());
     std::transform(found.begin(), found.end(), sum.begin(), sum.begin(),
@@ -94,8 +67,6 @@ private:
   double last_ = 0;
 };
 
-}
-
 // No walks are left, so rays do it. The truth lies within the target on more than 95 % of the area.
 // Where errors are those that are stated, some 1 % of the area is farther off, as most cells are
 // better known than the worst of those that count; that 5 % are is less likely than 1e-8 with 300
@@ -113,7 +84,6 @@ TEST(FinalGatherTarget, RaysReachItWhereWalksAreCapped)
     IrradianceEngine engine;
     WatchedExecution execution;
     engine.update(objects, settings, execution);
-    show(engine);
     EXPECT_EQ(engine.numberOfWalks(), settings.numberOfWalks);
     EXPECT_GT(engine.numberOfGatherRays(), settings.gatherRays);
     EXPECT_LT(engine.numberOfGatherRays(), settings.maximumGatherRays);
@@ -127,7 +97,6 @@ TEST(FinalGatherTarget, RaysReachItWhereWalksAreCapped)
       all += area;
     });
   }
-  std::printf("%.2f %% of the area is within the target\n", 100 * within / all);
   EXPECT_GT(within, 0.95 * all);
 }
 
@@ -139,7 +108,6 @@ TEST(FinalGatherTarget, DoublesWhatIsMissing)
   const auto reach = [&](const EngineSettings& settings, IrradianceEngine& engine) {
     Execution serial;
     engine.update(objects, settings, serial);
-    show(engine);
     EXPECT_LE(engine.reachedRelativeError(), settings.targetRelativeError);
   };
   IrradianceEngine fewRays, fewWalks, ownSums;
@@ -163,10 +131,7 @@ TEST(FinalGatherTarget, CastsNoRaysInVain)
   EngineSettings settings = towards(0.01, 20000, 16);
   settings.gathersEverywhere = false;
   settings.maximumNumberOfWalks = 40000;
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(roomWithBall(), settings, serial);
-  show(engine);
+  UpdatedEngine engine(roomWithBall(), settings);
   EXPECT_EQ(engine.numberOfWalks(), 40000u);
   EXPECT_LE(engine.numberOfGatherRays(), 64u);
   EXPECT_GT(engine.reachedRelativeError(), 0.01);
@@ -190,59 +155,13 @@ TEST(FinalGatherTarget, ThatIsMetAtOnceChangesNoBit)
   EXPECT_NEAR(bytes(with) / bytes(without), 1, 0.01);
 }
 
-// Both levers rise and fall from frame to frame, by motions and by the target; earlier frames leave
-// no trace.
-TEST(FinalGatherTarget, UpdateEqualsRebuild)
-{
-  struct Frame
-  {
-    Vector3 place;
-    double target;
-  };
-  std::vector<Frame> frames{ { kMiddle, 0.25 }, { kBelowLamp, 0.25 }, { kMiddle, 0.15 },
-    { { 2.4, 1.5, 1.01 }, 0.15 }, { kMiddle, 0.3 } };
-  SceneObjects objects = roomWithBall();
-  for (const bool isUnbiased : { false, true })
-  {
-    IrradianceEngine engine;
-    test::ThreadExecution threads(3);
-    std::uint64_t walks = 0, rays = 0;
-    frames.resize(isUnbiased ? 2 : frames.size()); // it takes longer
-    int moreWalks = 0, fewerWalks = 0, moreRays = 0, fewerRays = 0;
-    for (const Frame& frame : frames)
-    {
-      EngineSettings settings = towards(frame.target, 3000, isUnbiased ? 8 : 16);
-      settings.maximumNumberOfWalks = 24000;
-      settings.maximumGatherRays = isUnbiased ? 32 : 128;
-      settings.unbiasedGather = isUnbiased;
-      settings.separateSides = isUnbiased;
-      objects.dynamicObjects[0].worldFromObject = test::shift(frame.place);
-      engine.update(objects, settings, threads);
-      EXPECT_TRUE(
-        test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
-      std::printf("%s: ", isUnbiased ? "unbiased" : "biased");
-      show(engine);
-      moreWalks += walks != 0 && engine.numberOfWalks() > walks ? 1 : 0;
-      fewerWalks += engine.numberOfWalks() < walks ? 1 : 0;
-      moreRays += rays != 0 && engine.numberOfGatherRays() > rays ? 1 : 0;
-      fewerRays += engine.numberOfGatherRays() < rays ? 1 : 0;
-      walks = engine.numberOfWalks();
-      rays = engine.numberOfGatherRays();
-    }
-    EXPECT_TRUE(isUnbiased || (moreWalks > 0 && fewerWalks > 0 && moreRays > 0 && fewerRays > 0))
-      << moreWalks << ' ' << fewerWalks << ' ' << moreRays << ' ' << fewerRays;
-  }
-}
-
 // Rounds of rays outlast motions and rounds of walks, until no frame needs them.
 TEST(FinalGatherTarget, KeepsThePathsOfAllRounds)
 {
   SceneObjects objects = roomWithBall();
   EngineSettings settings = towards(0.1, 20000, 16);
-  IrradianceEngine engine;
   Execution serial;
-  engine.update(objects, settings, serial);
-  show(engine);
+  UpdatedEngine engine(objects, settings, serial);
   const std::int64_t all = engine.statistics().followedPaths;
   const auto rays = static_cast<std::int64_t>(engine.numberOfGatherRays());
   EXPECT_GE(rays, 64);
@@ -269,4 +188,5 @@ TEST(FinalGatherTarget, KeepsThePathsOfAllRounds)
   EXPECT_LT(engine.statistics().historyBytes, bytes / 2);
 }
 
+}
 }

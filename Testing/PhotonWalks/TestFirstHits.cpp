@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/FirstHits.h"
 
-#include "DirectRuns.h"
-#include "StaleLight.h"
-#include "Surfaces/MeanReflectance.h"
-#include "TestScenes.h"
-#include "ThreadExecution.h"
-#include "TwoGroups.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
+#include "Surfaces/MeanReflectance.h"
 
 // Lights that shine mostly on static cells near to them are shot where all others are gathered.
 
-namespace irradiance
+namespace irradiance::test
 {
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::ObjectBuilder;
-using test::quantaPerWatt;
 
 constexpr double kReflectance = 0.5;
 
@@ -53,26 +43,19 @@ SceneObjects nearAndFar()
   addStrip(room, 3);
   ball.addSphere({ 0, 0, 0 }, 0.2, 4, grey(kReflectance));
   SceneObjects objects{ room.build(), { ball.build() } };
-  objects.dynamicObjects[0].worldFromObject = test::shift({ 0.4, 1.55, 0.25 });
+  objects.dynamicObjects[0].worldFromObject = shift({ 0.4, 1.55, 0.25 });
   return objects;
 }
 
 EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks, bool isGathered = true)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(walks);
-  settings.seed = seed;
-  settings.replicates = 16;
-  settings.gathersDirectLight = isGathered;
-  return settings;
+  return Shoot(scaled(walks)).seeded(seed).errors(16).gathered(isGathered);
 }
 
 std::vector<bool> nearLightsOf(const SceneObjects& objects)
 {
   return FirstHits(objects, LightTable(objects, 1000)).nearLights();
 }
-
-using test::gatheredOf;
 
 TEST(NearLights, AreFoundByWhatTheyShineOn)
 {
@@ -228,8 +211,7 @@ TEST(NearLights, OfEachGroupHaveQuantaOfTheSameWorth)
   addLamp(room, 0.05, 0.05, 3);
   room.addPointLight({ 3, 3, 2 }, 5);
   objects.staticObject = room.build();
-  const std::vector<WalkSource> sources =
-    gatheredOf(test::inTwoGroups(objects), { 10030, 10030, 16 });
+  const std::vector<WalkSource> sources = gatheredOf(inTwoGroups(objects), { 10030, 10030, 16 });
   ASSERT_EQ(sources.size(), 5u);
   for (const WalkSource& source : sources)
   {
@@ -246,7 +228,7 @@ TEST(NearLights, OfEachGroupHaveWalksOfTheirOwn)
   addLamp(room, 0.05, 0.05, 8);
   addStrip(room, 8);
   room.addPointLight({ 3, 3, 2 }, 3);
-  SceneObjects objects = test::inTwoGroups({ room.build(), {} });
+  SceneObjects objects = inTwoGroups({ room.build(), {} });
   Emission emission = *objects.staticObject.emission;
   emission.groups[objects.staticObject.material->numberOfCells - 1] = 1; // the strip
   objects.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
@@ -276,7 +258,7 @@ TEST(NearLights, BringWhatShootingBrings)
   shot.update(objects, settingsOf(3, 400000, false), serial);
   gathered.update(objects, settingsOf(4, 400000), serial);
   ASSERT_EQ(gathered.walks().sets().size(), 3u);
-  test::expectBalance(gathered);
+  expectBalance(gathered);
   EXPECT_NEAR(gathered.watts(gathered.balance().emitted.total()), 14, 1e-5);
   const ErrorEstimate shotError = shot.errorEstimate(), error = gathered.errorEstimate();
   int compared = 0;
@@ -292,28 +274,7 @@ TEST(NearLights, BringWhatShootingBrings)
       ++compared;
     }
   });
-  EXPECT_GT(compared, test::kIsSanitized ? 50 : 200);
-}
-
-/// The ball passes over the lamp, through it, and through the light of it.
-TEST(NearLights, FollowAMoverToTheBitsOfAFreshStart)
-{
-  EngineSettings settings = settingsOf(5, 40000);
-  IrradianceEngine engine;
-  test::ThreadExecution threads(2);
-  SceneObjects objects = nearAndFar();
-  engine.update(objects, settings, threads);
-  std::int64_t repaired = 0;
-  for (int frame = 1; frame <= 8; ++frame)
-  {
-    objects.dynamicObjects[0].worldFromObject.translation[0] += 0.3;
-    engine.update(objects, settings, threads);
-    repaired += engine.walks().sets()[0].statistics().repairedSegments;
-    ASSERT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings))
-      << "frame " << frame;
-    test::expectBalance(engine);
-  }
-  EXPECT_GT(repaired, 0);
+  EXPECT_GT(compared, kIsSanitized ? 50 : 200);
 }
 
 /// The lamp itself stays; what it shines on comes near to it.
@@ -329,14 +290,13 @@ TEST(NearLights, FollowAnotherStaticObject)
   addLamp(lamp, 1.05, 0.05, 3);
   SceneObjects objects{ withFloor(0.2), { lamp.build() } };
   EngineSettings settings = settingsOf(6, 10000);
-  IrradianceEngine engine;
   Execution serial;
-  engine.update(objects, settings, serial);
+  UpdatedEngine engine(objects, settings, serial);
   EXPECT_EQ(engine.walks().sets().size(), 2u);
   objects.staticObject = withFloor(1);
   engine.update(objects, settings, serial);
   EXPECT_EQ(engine.walks().sets().size(), 1u);
-  EXPECT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings));
+  EXPECT_EQ(answerOf(engine, objects), freshAnswer(objects, settings));
 }
 
 }

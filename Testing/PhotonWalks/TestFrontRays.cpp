@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../RayCasting/RandomVectors.h"
-#include "../RayCasting/TestSimdLevels.h"
 #include "FrontWorld.h"
-#include "MovingScene.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
+#include "Kit.h"
 
 // Law: the rays that walks were shot with are found again, bit for bit, from what a history stores,
 // whatever stands beside them in a front.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::FrontWorld;
-using test::MovingScene;
 
 /// Each front before its rays were cast, one after the other.
 WalkFront shotRows(const FrontWorld& world, int sides)
@@ -58,7 +48,7 @@ void expectSameRay(const WalkFront& front, std::size_t i, const WalkFront& rows,
 /// Rows in an order that mixes walks and bounces, some of them not at all.
 std::vector<std::size_t> someRows(const WalkFront& rows, bool areFirst)
 {
-  test::RandomVectors random(17);
+  RandomVectors random(17);
   std::vector<std::size_t> chosen;
   for (std::size_t row = 0; row < rows.size; ++row)
   {
@@ -92,7 +82,7 @@ void setArrivals(WalkFront& front, const WalkFront& rows)
 template <class Test>
 void onAll(const Test& test)
 {
-  const std::uint32_t walks = test::scaled(10000);
+  const std::uint32_t walks = scaled(10000);
   for (const std::uint32_t replicates : { 1u, 16u })
   {
     for (int kind = 0; kind < 6; ++kind)
@@ -102,15 +92,13 @@ void onAll(const Test& test)
       const MovingScene scene(bands, kind == 0, 2, isGlossy);
       const FrontWorld world(scene.objects(), WalkPlan(walks, walks, replicates, 300), 1);
       const WalkFront rows = shotRows(world, sides);
-      for (const SimdLevel level : test::simdLevels())
+      for (const SimdLevel level : simdLevels())
       {
-        const test::SimdLimit limit(level);
+        const SimdLimit limit(level);
         test(world, rows);
       }
     }
   }
-}
-
 }
 
 // Of areas and of a point in the air.
@@ -165,4 +153,5 @@ TEST(FrontRays, LaterRaysAreFoundAgainWhateverTheirBounces)
   });
 }
 
+}
 }

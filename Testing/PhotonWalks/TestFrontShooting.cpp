@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../RayCasting/TestSimdLevels.h"
 #include "FrontWorld.h"
-#include "MovingScene.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::FrontRun;
-using test::FrontWorld;
-using test::MovingScene;
-using test::ReplicateMean;
 
 constexpr std::uint32_t kBlock = WalkPlan::kWalksPerBlock;
 
@@ -29,7 +20,7 @@ struct Kind
 
 std::vector<Kind> someKinds()
 {
-  const std::uint32_t walks = test::scaled(12000);
+  const std::uint32_t walks = scaled(12000);
   return { { 1, true, false, 1, WalkPlan(walks, walks, 1) },
     { 1, false, false, 2, WalkPlan(walks, walks, 16) },
     { 1, true, true, 1, WalkPlan(walks / 8, walks, 3, 500) }, // several rounds
@@ -38,9 +29,9 @@ std::vector<Kind> someKinds()
     { 3, false, true, 2, WalkPlan(walks / 4, walks, 2) } };
 }
 
-test::Answer answerOf(const FrontRun& run, const Kind& kind, const SceneObjects& objects)
+Answer answerOf(const FrontRun& run, const Kind& kind, const SceneObjects& objects)
 {
-  test::Answer answer = test::answerOf(run, objects, kind.sides == 2);
+  Answer answer = answerOf(run, objects, kind.sides == 2);
   CellNumbers(objects).forEach([&](const SceneCell& cell) {
     for (std::uint32_t replicate = 0; replicate < kind.plan.replicates().count(); ++replicate)
     {
@@ -71,8 +62,6 @@ void addRatio(const CellSums& sumsBefore, const CellSums& sumsNow, std::uint32_t
   {
     ratio.add(now / before);
   }
-}
-
 }
 
 TEST(FrontShooting, NoPhotonIsLost)
@@ -108,9 +97,9 @@ TEST(FrontShooting, SameBitsForEveryFrontAndInstructionSet)
     const FrontWorld world(scene.objects(), kind.plan, 1);
     const auto expected =
       answerOf(FrontRun(world, kind.sides, WalkFront::kUsualSize), kind, scene.objects());
-    for (const SimdLevel level : test::simdLevels())
+    for (const SimdLevel level : simdLevels())
     {
-      const test::SimdLimit limit(level);
+      const SimdLimit limit(level);
       for (const std::uint32_t together : { kBlock, 4 * kBlock, 333u })
       {
         EXPECT_EQ(answerOf(FrontRun(world, kind.sides, together), kind, scene.objects()), expected);
@@ -131,13 +120,9 @@ TEST(FrontShooting, BringsWhatWalkBatchBrings)
     std::vector<ReplicateMean> ratios(2 * scene.objects().size()); // by object and side
     for (int seed = 1; seed <= kSeeds; ++seed)
     {
-      EngineSettings settings;
-      settings.numberOfWalks = kind.plan.most();
-      settings.seed = static_cast<std::uint64_t>(seed);
+      EngineSettings settings = Shoot(kind.plan.most()).seeded(static_cast<std::uint64_t>(seed));
       settings.separateSides = kind.sides == 2;
-      IrradianceEngine engine;
-      Execution execution;
-      engine.update(scene.objects(), settings, execution);
+      UpdatedEngine engine(scene.objects(), settings);
       const FrontWorld world(scene.objects(), WalkPlan(kind.plan.most(), kind.plan.most(), 1),
         static_cast<std::uint64_t>(seed));
       const FrontRun run(world, kind.sides, WalkFront::kUsualSize);
@@ -151,75 +136,16 @@ TEST(FrontShooting, BringsWhatWalkBatchBrings)
       if (ratio.count() == kSeeds)
       {
         EXPECT_LE(std::abs(ratio.t(1)), 5);
-        EXPECT_NEAR(ratio.mean(), 1, test::kIsSanitized ? 0.02 : 0.001);
-        ratio.print("sums / those of WalkBatch", 1);
+        EXPECT_NEAR(ratio.mean(), 1, kIsSanitized ? 0.02 : 0.001);
       }
     }
-  }
-}
-
-// A furnace: every cell has a reflectance of its own and the exitance 1 - reflectance, so E = 1
-// everywhere, on a box and a ball in the room as well. 8 areas, 16 seeds, |t| > 4 of 15 degrees: a
-// false alarm in 0.9 % of all choices of seeds.
-TEST(FrontShooting, EveryAreaOfAFurnaceReceivesOneWatt)
-{
-  constexpr int kCellsASide = 3;
-  const std::uint32_t walks = test::scaled(30000);
-  test::RandomVectors random(81);
-  const auto shining = [&](test::ObjectBuilder builder) {
-    Material& material = builder.material();
-    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
-    {
-      material.reflectance[cell] = random.uniform(0, 0.9);
-      builder.emission().exitance[cell] = 1 - material.reflectance[cell];
-    }
-    return builder.build({ random.rotation(), Vector3(2, 1.5, 2.5) });
-  };
-  test::ObjectBuilder room, thing, ball;
-  room.addBox(test::box({ 0, 0, 0 }, { 4, 3, 5 }), kCellsASide, {}, true);
-  thing.addBox(test::box({ -0.5, -0.3, -1.6 }, { 0.5, 0.3, -0.8 }), 1, {});
-  ball.addSphere({ 0, 0, 0 }, 0.6, 4, {});
-  SceneObjects objects{ shining(room), { shining(thing), shining(ball) } };
-  objects.staticObject.worldFromObject = {};
-  std::vector<ReplicateMean> areas;
-  for (std::uint64_t seed = 1; seed <= 16; ++seed)
-  {
-    const FrontWorld world(objects, WalkPlan(walks, walks, 1), seed);
-    const FrontRun run(world, 1, WalkFront::kUsualSize);
-    EXPECT_TRUE(run.balance().escaped.isZero());
-    const double wattsPerQuantum =
-      world.lights().flux() / (static_cast<double>(world.lights().quantaPerWalk()) * walks);
-    std::size_t number = 0;
-    for (std::uint32_t object = 0; object < objects.size(); ++object)
-    {
-      const std::vector<double> cells = cellAreas(objects[object]);
-      const std::size_t group = object == 0 ? kCellsASide * kCellsASide : cells.size();
-      for (std::size_t first = 0; first < cells.size(); first += group)
-      {
-        double area = 0, watts = 0;
-        for (std::size_t cell = first; cell < first + group; ++cell)
-        {
-          area += cells[cell];
-          watts += wattsPerQuantum * run.sums().sum({ { object, cell } }, 0);
-        }
-        areas.resize(std::max(areas.size(), ++number));
-        areas[number - 1].add(watts / area);
-      }
-    }
-  }
-  ASSERT_EQ(areas.size(), 8u);
-  for (const ReplicateMean& area : areas)
-  {
-    area.print("area mean", 1);
-    EXPECT_LE(std::abs(area.t(1)), 4);
-    EXPECT_NEAR(area.mean(), 1, test::kIsSanitized ? 0.05 : 0.01);
   }
 }
 
 // A point light alone, and nothing around it.
 TEST(FrontShooting, AllLightEscapesFromNothing)
 {
-  test::ObjectBuilder builder;
+  ObjectBuilder builder;
   builder.addPointLight({ 1, 2, 3 }, 5);
   builder.material().numberOfCells = 1;
   builder.material().reflectance.push_back(0.5);
@@ -232,4 +158,5 @@ TEST(FrontShooting, AllLightEscapesFromNothing)
   EXPECT_EQ(run.balance().emitted, 1000 * world.sampler().powerPerWalk());
 }
 
+}
 }

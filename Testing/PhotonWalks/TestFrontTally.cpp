@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrontWorld.h"
-#include "MovingScene.h"
-
-#include "../RayCasting/RandomVectors.h"
-
-#include <gtest/gtest.h>
+#include "Kit.h"
 
 // Law: what is taken back leaves no trace.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::FrontWorld;
-using test::MovingScene;
 
 struct TallyKind
 {
@@ -76,7 +68,7 @@ struct Tails
   /// `isWhole`: all of all walks.
   Tails(const Shot& shot, bool isWhole, unsigned seed)
   {
-    test::RandomVectors random(seed);
+    RandomVectors random(seed);
     const WalkFront& all = shot.all();
     std::vector<std::uint32_t> firsts(2 * all.size);
     for (std::uint32_t& first : firsts)
@@ -111,27 +103,6 @@ struct Tails
   std::vector<bool> isTaken; ///< by row
 };
 
-void expectEqual(const CellSums& sums, const CellSums& expected)
-{
-  expected.numbers().forEach([&](const SceneCell& cell) {
-    for (int side = 0; side < expected.sides(); ++side)
-    {
-      for (int band = 0; band < expected.bands(); ++band)
-      {
-        for (std::uint32_t replicate = 0; replicate < expected.plan().replicates().count();
-             ++replicate)
-        {
-          for (std::size_t rounds = 1; rounds <= expected.rounds(); ++rounds)
-          {
-            ASSERT_EQ(sums.sum({ cell, side }, band, replicate, rounds),
-              expected.sum({ cell, side }, band, replicate, rounds));
-          }
-        }
-      }
-    }
-  });
-}
-
 void expectEqual(const PowerBalance& balance, const PowerBalance& expected)
 {
   EXPECT_EQ(balance.emitted, expected.emitted);
@@ -157,8 +128,6 @@ void onAllFronts(const Test& test)
   }
 }
 
-}
-
 TEST(FrontTally, WalksThatAreRemovedLeaveNoTrace)
 {
   onAllFronts([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
@@ -172,7 +141,7 @@ TEST(FrontTally, WalksThatAreRemovedLeaveNoTrace)
       FrontTally tally = shot.tallyFor(sums, balance, expected);
       tally.remove(all.segments, all.starting);
     }
-    expectEqual(sums, none);
+    test::expectEqual(sums, none);
     PowerBalance left;
     left.emitted = shot.balance().emitted;
     expectEqual(balance, left);
@@ -214,7 +183,7 @@ TEST(FrontTally, WhatStaysIsWhatTheOtherSegmentsBrought)
       }
     }
     others.add(deposits);
-    expectEqual(sums, others);
+    test::expectEqual(sums, others);
     EXPECT_EQ(balance.escaped, escaped);
     EXPECT_EQ(balance.received, received);
     EXPECT_EQ(balance.segments, static_cast<std::int64_t>(all.size - tails.segments.size));
@@ -240,9 +209,10 @@ TEST(FrontTally, TailsThatComeBackRestoreAll)
       tally.receive(tails.segments);
       tally.release(tails.others);
     }
-    expectEqual(sums, shot.sums());
+    test::expectEqual(sums, shot.sums());
     expectEqual(balance, shot.balance());
   });
 }
 
+}
 }

@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../RayCasting/RandomVectors.h"
 #include "../RayCasting/TestMeshes.h"
-#include "../RayCasting/TestSimdLevels.h"
 #include "BounceFront.h"
-
-#include <gtest/gtest.h>
-
-#include <cstring>
+#include "Kit.h"
 
 // Law: what is stored of a segment on the grid is within 1/2 + kBlur of it, and what is cut off is
 // outside the grid's inner part; the same bits on every instruction set.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::BounceFront;
-using test::BounceSegment;
 using Exact = long double;
 using ExactVector = Eigen::Matrix<Exact, 3, 1>;
 
 constexpr Exact kTolerance = 0.5L + Exact(GridSegments::kBlur);
 
 /// A grid of any size and place, flat or not.
-PointGrid randomGrid(test::RandomVectors& random)
+PointGrid randomGrid(RandomVectors& random)
 {
   const double unit = random.powerOfTwo(-40, 40);
   const Vector3 center = unit * random.powerOfTwo(-10, 20) * random.direction();
@@ -38,7 +30,7 @@ PointGrid randomGrid(test::RandomVectors& random)
 }
 
 /// Some are whole, some begin or end far outside, some escape or run along an axis.
-BounceSegment randomSegment(test::RandomVectors& random, const PointGrid& grid)
+BounceSegment randomSegment(RandomVectors& random, const PointGrid& grid)
 {
   BounceSegment segment;
   const double far = random.uniform() > 0.5 ? random.powerOfTwo(0, 31) : 1;
@@ -138,13 +130,11 @@ void expectStored(
   }
 }
 
-}
-
 TEST(GridSegments, AreWhereTheSegmentsAre)
 {
-  test::RandomVectors random(1);
+  RandomVectors random(1);
   int counts[3] = {}, inside = 0;
-  for (int round = 0; round < 2000 / test::kFewer; ++round)
+  for (int round = 0; round < 2000 / kFewer; ++round)
   {
     const PointGrid grid = randomGrid(random);
     BounceFront front;
@@ -166,15 +156,15 @@ TEST(GridSegments, AreWhereTheSegmentsAre)
   }
   for (const int count : counts)
   {
-    EXPECT_GT(count, 1000 / test::kFewer);
+    EXPECT_GT(count, 1000 / kFewer);
   }
-  EXPECT_GT(inside, 10000 / test::kFewer);
+  EXPECT_GT(inside, 10000 / kFewer);
 }
 
 TEST(GridSegments, AreTheSameOnEveryInstructionSet)
 {
-  test::RandomVectors random(2);
-  for (int round = 0; round < 200 / test::kFewer; ++round)
+  RandomVectors random(2);
+  for (int round = 0; round < 200 / kFewer; ++round)
   {
     const PointGrid grid = randomGrid(random);
     BounceFront front;
@@ -183,9 +173,9 @@ TEST(GridSegments, AreTheSameOnEveryInstructionSet)
       front.add(randomSegment(random, grid));
     }
     GridSegments first;
-    for (const SimdLevel level : test::simdLevels())
+    for (const SimdLevel level : simdLevels())
     {
-      const test::SimdLimit limit(level);
+      const SimdLimit limit(level);
       GridSegments segments;
       placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
       first = level == SimdLevel::Plain ? segments : first;
@@ -197,7 +187,7 @@ TEST(GridSegments, AreTheSameOnEveryInstructionSet)
 // A ray may be stored alone or beside others: neighbours that escape change nothing.
 TEST(GridSegments, DoNotDependOnTheirNeighbours)
 {
-  test::RandomVectors random(3);
+  RandomVectors random(3);
   const PointGrid grid = randomGrid(random);
   BounceFront front;
   for (std::size_t i = 0; i < GridSegments::kSize; ++i)
@@ -222,7 +212,7 @@ TEST(GridSegments, DoNotDependOnTheirNeighbours)
 // Law 6: a scene scaled by a power of two is stored in the same bits.
 TEST(GridSegments, ScaleWithTheScene)
 {
-  test::RandomVectors random(4);
+  RandomVectors random(4);
   Box box;
   box.add(Vector3(-3, 1, 5));
   box.add(Vector3(4, 2, 6));
@@ -248,4 +238,5 @@ TEST(GridSegments, ScaleWithTheScene)
   }
 }
 
+}
 }

@@ -2,16 +2,13 @@
 // The bytes that the engine tells are the bytes that it allocates. Sanitizers have a heap of their
 // own.
 
-#include "EngineRun.h"
-#include "TestScenes.h"
-
-#include <gtest/gtest.h>
+#include "Kit.h"
 
 #include <malloc.h>
 
 #if !IRRADIANCE_TEST_IS_SANITIZED && defined(__GLIBC__)
 
-namespace irradiance
+namespace irradiance::test
 {
 namespace
 {
@@ -31,21 +28,17 @@ Bytes bytesOf(const SceneObjects& objects, EngineSettings settings, std::uint32_
 {
   settings.numberOfWalks = walks;
   const double before = heap();
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
+  UpdatedEngine engine(objects, settings);
   return { heap() - before, static_cast<double>(engine.statistics().historyBytes) };
-}
-
 }
 
 // Of more and fewer walks, so that the scene and what threads work with cancel out.
 TEST(HistoryBytes, AreWhatIsAllocated)
 {
-  test::ObjectBuilder room, ball;
-  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 12, test::grey(0.5), true);
-  room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0, 3));
-  ball.addSphere({ 2, 2, 1 }, 0.5, 8, test::grey(0.5));
+  ObjectBuilder room, ball;
+  room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 12, grey(0.5), true);
+  room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 3));
+  ball.addSphere({ 2, 2, 1 }, 0.5, 8, grey(0.5));
   const SceneObjects objects{ room.build(), { ball.build() } };
   EngineSettings shot, gathered, barred, rays;
   gathered.gathersDirectLight = barred.gathersDirectLight = rays.gathersDirectLight = true;
@@ -62,6 +55,6 @@ TEST(HistoryBytes, AreWhatIsAllocated)
   }
 }
 
-}
-
 #endif
+}
+}

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
-#include "MovingScene.h"
+#include "Kit.h"
 #include "ShotWalk.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::WalkSegment;
-
 /// Everything needed to shoot walks into a frame, without an engine.
-class Frame
+class TracedFrame
 {
 public:
-  Frame(const SceneObjects& objects, const EngineSettings& settings)
+  TracedFrame(const SceneObjects& objects, const EngineSettings& settings)
     : objects_(objects)
     , lights_(objects, settings.numberOfWalks)
     , samples_(settings.seed)
@@ -30,14 +24,15 @@ public:
     scene_.setPointSources(lights_.boundsInAir());
     scene_.commit({});
   }
-  Frame(const Frame&) = delete;
+  TracedFrame(const TracedFrame&) = delete;
 
   std::vector<WalkSegment> trace(std::uint32_t walk) const
   {
-    return test::shotWalk(tracer_, objects_, walk);
+    return shotWalk(tracer_, objects_, walk);
   }
+  Power powerOf(std::uint32_t walk) const { return tracer_.sampler().powerOf(walk); }
   Hit cast(const WalkSegment& segment) const { return scene_.cast(segment.ray); }
-  bool isMoved(const Frame& before, const Hit& hit) const
+  bool isMoved(const TracedFrame& before, const Hit& hit) const
   {
     if (!hit || hit.id.object == 0)
     {
@@ -63,7 +58,7 @@ struct Counts
 
 /// By definition: a segment is stale if the object that it hit has moved, or if a cast into the
 /// whole new scene finds another hit.
-Counts countByDefinition(const Frame& before, const Frame& now, std::uint32_t walks)
+Counts countByDefinition(const TracedFrame& before, const TracedFrame& now, std::uint32_t walks)
 {
   Counts counts;
   for (std::uint32_t walk = 0; walk < walks; ++walk)
@@ -83,24 +78,20 @@ Counts countByDefinition(const Frame& before, const Frame& now, std::uint32_t wa
   return counts;
 }
 
-}
-
 // Not one walk too few or too many.
 TEST(InvalidWalks, AreThoseThatChangedByDefinition)
 {
   for (const bool isClosed : { true, false })
   {
-    test::MovingScene scene(1, isClosed, 71, isClosed);
-    EngineSettings settings;
-    settings.numberOfWalks = test::scaled(3000);
-    IrradianceEngine engine;
+    MovingScene scene(1, isClosed, 71, isClosed);
+    Shoot settings(scaled(3000));
     Execution execution;
-    engine.update(scene.objects(), settings, execution);
-    auto before = std::make_unique<Frame>(scene.objects(), settings);
+    UpdatedEngine engine(scene.objects(), settings, execution);
+    auto before = std::make_unique<TracedFrame>(scene.objects(), settings);
     for (int frame = 1; frame <= 12; ++frame)
     {
       scene.nextFrame();
-      auto now = std::make_unique<Frame>(scene.objects(), settings);
+      auto now = std::make_unique<TracedFrame>(scene.objects(), settings);
       engine.update(scene.objects(), settings, execution);
       const Counts counts = countByDefinition(*before, *now, settings.numberOfWalks);
       EXPECT_EQ(engine.statistics().invalidWalks, counts.invalid) << "frame " << frame;
@@ -110,4 +101,39 @@ TEST(InvalidWalks, AreThoseThatChangedByDefinition)
   }
 }
 
+// The balance is that of walks shot one by one.
+TEST(PowerBalance, EqualsARecountOfTheWalks)
+{
+  for (const int bands : { 1, 3 })
+  {
+    MovingScene scene(bands, false, 12);
+    const Shoot settings(scaled(2000));
+    IrradianceEngine engine;
+    Execution execution;
+    for (int frame = 0; frame < 15; ++frame, scene.nextFrame())
+    {
+      engine.update(scene.objects(), settings, execution);
+      const TracedFrame traced(scene.objects(), settings);
+      Power received, emitted, escaped, sum;
+      std::int64_t segments = 0;
+      for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
+      {
+        emitted += traced.powerOf(walk);
+        for (const WalkSegment& segment : traced.trace(walk))
+        {
+          ++segments;
+          (segment.hit ? received : escaped) += segment.power;
+        }
+      }
+      forEachSide(scene.objects(), false,
+        [&](const CellSide& side, int band) { sum[band] += engine.sums().shot(side, band, 1); });
+      EXPECT_EQ(sum, received);
+      EXPECT_EQ(engine.balance().emitted, emitted);
+      EXPECT_EQ(engine.balance().escaped, escaped);
+      EXPECT_EQ(engine.balance().segments, segments);
+    }
+  }
+}
+
+}
 }

@@ -1,108 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paths of a final gather that are kept over motions: those that nothing touches, and no other.
 
-#include "MovingScene.h"
-#include "ShownAnswer.h"
+#include "Kit.h"
 #include "Surfaces/Touching.h"
-#include "ThreadExecution.h"
 
-#include "../RayCasting/RandomVectors.h"
-
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::box;
-using test::grey;
-using test::ObjectBuilder;
-
-/// A room of large cells with a lamp on its floor, a statue of small cells, and a fine and a coarse
-/// part that move.
-SceneObjects roomWithStatue(const Vector3& corner, int bands = 1)
+/// An engine that follows a scene, each frame to the bits of a new one.
+struct Followed
 {
-  const AffineMap place{ Matrix3::Identity(), corner };
-  ObjectBuilder room(bands), coarse(bands), fine(bands);
-  const auto at = [&](const Vector3& lower, const Vector3& upper) {
-    return box(place(lower), place(upper));
-  };
-  test::Look shiny = grey(0.3);
-  shiny.specular = { 0.3, 0.2, 0.1 };
-  shiny.exponent = 10;
-  room.addBox(at({ 0, 0, 0 }, { 4, 3, 4 }), 6, grey(0.6), true);
-  room.addBox(at({ 0.5, 0.5, 0 }, { 1, 1, 0.25 }), 1, grey(0.5, 6));
-  room.addBox(at({ 2, 1, 0.5 }, { 2.5, 1.5, 1.5 }), 5, bands > 1 ? shiny : grey(0.5));
-  coarse.addBox(box({ -0.25, -0.25, 0 }, { 0.25, 0.25, 0.5 }), 1, grey(0.4));
-  fine.addSphere({ 0, 0, 0 }, 0.3, 4, grey(0.7));
-  return { room.build(),
-    { coarse.build(test::shift(place({ 3, 2, 1 }))),
-      fine.build(test::shift(place({ 1, 2, 3 }))) } };
-}
-
-EngineSettings gathering()
-{
+  SceneObjects objects;
   EngineSettings settings;
-  settings.numberOfWalks = 30000;
-  settings.gathersDirectLight = true;
-  settings.cellEstimate = CellEstimate::Gathered;
-  settings.gatherRays = 32;
-  return settings;
-}
+  IrradianceEngine engine = {};
 
-void expectFresh(
-  const IrradianceEngine& engine, const SceneObjects& objects, const EngineSettings& settings)
+  AffineMap& pose(std::size_t object) { return objects.dynamicObjects[object].worldFromObject; }
+  /// Returns how many paths were followed.
+  std::int64_t update()
+  {
+    Execution serial;
+    engine.update(objects, settings, serial);
+    EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
+    return engine.statistics().followedPaths;
+  }
+  /// Of all frames in which the coarse part is there, on the average.
+  double meanOver(const std::vector<Vector3>& places)
+  {
+    std::int64_t followed = 0;
+    for (const Vector3& place : places)
+    {
+      pose(0).translation = place;
+      followed += update();
+    }
+    return static_cast<double>(followed) / static_cast<double>(places.size());
+  }
+};
+
+Followed statue(const EngineSettings& settings, const Vector3& corner = { 0, 0, 0 }, int bands = 1)
 {
-  EXPECT_TRUE(
-    test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
+  return { roomWithStatue(corner, bands), settings };
 }
 
-}
+const Shoot kGathering = Shoot(30000).finalGather(32);
 
-// Where floats tell millimetres, and where they tell eighths of the room.
+// Here and there; touching the statue; on the lamp; and away by little. Where floats tell
+// millimetres, and where they tell eighths of the room.
 TEST(KeptPaths, AreThoseThatNothingTouches)
 {
   for (const auto& [bands, offset] :
     { std::pair(1, 0.0), std::pair(3, 0.0), std::pair(1, 1e5), std::pair(1, 1e7) })
   {
     const Vector3 corner(offset, -offset, 0.5 * offset);
-    SceneObjects objects = roomWithStatue(corner, bands);
-    const EngineSettings settings = gathering();
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
-    const std::int64_t all = engine.statistics().followedPaths;
+    Followed scene = statue(kGathering, corner, bands);
+    const auto all = static_cast<double>(scene.update());
     EXPECT_GT(all, 2 * 32 * 6 * 16);
-    engine.update(objects, settings, serial);
-    EXPECT_EQ(engine.statistics().followedPaths, 0) << "nothing has moved";
-    test::RandomVectors random(91);
-    const int frames = test::kIsSanitized ? 4 : 8;
-    std::int64_t followed = 0;
-    for (int frame = 0; frame < frames; ++frame)
+    EXPECT_EQ(scene.update(), 0) << "nothing has moved";
+    RandomVectors random(91);
+    for (int round = 0; round < (kIsSanitized ? 1 : 2); ++round)
     {
-      // Here and there; touching the statue; on the lamp; and away by little.
-      AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
-      const Vector3 places[] = { Vector3(2, 1.5, 2) +
-          Vector3(1.5, 1, 1.5).cwiseProduct(random.inCube()),
-        { 2.75, 1.25, 0.75 }, { 0.75, 0.75, 0.25 } };
-      pose.translation = frame % 4 == 3 ? Vector3(pose.translation + Vector3(0, 0, 1e-3))
-                                        : Vector3(corner + places[frame % 4]);
-      pose.linear = frame % 4 == 0 ? random.rotation() : Matrix3::Identity();
-      engine.update(objects, settings, serial);
-      followed += engine.statistics().followedPaths;
-      expectFresh(engine, objects, settings);
+      scene.pose(0).linear = random.rotation();
+      const Vector3 anywhere = Vector3(1.5, 1, 1.5).cwiseProduct(random.inCube());
+      double part = scene.meanOver({ corner + Vector3(2, 1.5, 2) + anywhere }) / 4;
+      scene.pose(0).linear = Matrix3::Identity();
+      part += 0.75 *
+        scene.meanOver({ corner + Vector3(2.75, 1.25, 0.75), corner + Vector3(0.75, 0.75, 0.25),
+          corner + Vector3(0.75, 0.75, 0.251) });
+      EXPECT_GT(part, 0);
+      EXPECT_LT(part, (offset > 1e6 ? 1.0 : 0.25) * all) << offset;
     }
-    EXPECT_GT(followed, 0);
-    std::printf("%.0f m off: %.3f of the paths a frame\n", offset,
-      static_cast<double>(followed) / static_cast<double>(all * frames));
-    EXPECT_LT(followed, (offset > 1e6 ? 1.0 : 0.25) * static_cast<double>(all * frames)) << offset;
-    objects.dynamicObjects[1].worldFromObject.translation += Vector3(0.1, 0, 0);
-    engine.update(objects, settings, serial);
-    EXPECT_LT(engine.statistics().followedPaths, all);
-    EXPECT_GT(engine.statistics().followedPaths, 32) << "what moves gathers anew";
-    expectFresh(engine, objects, settings);
+    scene.pose(1).translation += Vector3(0.1, 0, 0);
+    const std::int64_t followed = scene.update();
+    EXPECT_LT(followed, all);
+    EXPECT_GT(followed, 32) << "what moves gathers anew";
   }
 }
 
@@ -112,61 +83,29 @@ TEST(KeptPaths, KeepTheRaysOfLights)
 {
   for (const int bands : { 1, 3 })
   {
-    SceneObjects objects = roomWithStatue(Vector3::Zero(), bands);
-    EngineSettings settings = gathering();
-    settings.gatherRays = 8;
-    settings.unbiasedGather = true;
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
-    const std::int64_t all = engine.statistics().followedPaths;
-    std::int64_t followed = 0;
-    const std::vector<Vector3> places{ { 2, 1.2, 0.7 }, { 1.6, 0.9, 0.6 }, { 3, 2, 2 },
-      { 0.75, 0.75, 0.5 } };
-    for (const Vector3& place : places)
-    {
-      objects.dynamicObjects[0].worldFromObject = test::shift(place);
-      engine.update(objects, settings, serial);
-      EXPECT_GT(engine.statistics().followedPaths, 0);
-      followed += engine.statistics().followedPaths;
-      expectFresh(engine, objects, settings);
-    }
-    const double part =
-      static_cast<double>(followed) / static_cast<double>(all * std::int64_t(places.size()));
-    std::printf("%d bands: %.3f of the paths a frame\n", bands, part);
-    EXPECT_LT(part, 0.6);
+    Followed scene = statue(Shoot(30000).finalGather(8).unbiased(), { 0, 0, 0 }, bands);
+    const auto all = static_cast<double>(scene.update());
+    const double mean =
+      scene.meanOver({ { 2, 1.2, 0.7 }, { 1.6, 0.9, 0.6 }, { 3, 2, 2 }, { 0.75, 0.75, 0.5 } });
+    EXPECT_GT(mean, 0);
+    EXPECT_LT(mean, 0.6 * all);
   }
 }
 
-// A small block passes few of
-// their ways and of the rays of lights; so most of them are kept, and what they say is read anew.
+// A small block passes few of their ways and of the rays of lights: in the air; touching the
+// statue; over the lamp; and away by little.
 TEST(KeptPaths, KeepTheirChecks)
 {
   for (const int bands : { 1, 3 })
   {
-    SceneObjects objects = roomWithStatue(Vector3::Zero(), bands);
-    EngineSettings settings = gathering();
-    settings.replicates = 4;
-    AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
-    pose.linear *= 0.05;
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
-    const std::int64_t all = engine.statistics().followedPaths;
-    engine.update(objects, settings, serial);
-    EXPECT_EQ(engine.statistics().followedPaths, 0) << "nothing has moved";
-    expectFresh(engine, objects, settings);
-    // In the air; touching the statue; over the lamp; and away by little.
+    Followed scene = statue(Shoot(kGathering).errors(4), { 0, 0, 0 }, bands);
+    scene.pose(0).linear *= 0.05;
+    const auto all = static_cast<double>(scene.update());
+    EXPECT_EQ(scene.update(), 0) << "nothing has moved";
     for (const Vector3& place : { Vector3(3, 2, 2), Vector3(2.525, 1.25, 0.75),
            Vector3(0.75, 0.75, 0.3), Vector3(0.75, 0.75, 0.301) })
     {
-      pose.translation = place;
-      engine.update(objects, settings, serial);
-      const double part =
-        static_cast<double>(engine.statistics().followedPaths) / static_cast<double>(all);
-      std::printf("%d bands: %.4f of the paths\n", bands, part);
-      EXPECT_LT(part, 0.04);
-      expectFresh(engine, objects, settings);
+      EXPECT_LT(scene.meanOver({ place }), 0.04 * all);
     }
   }
 }
@@ -177,28 +116,20 @@ TEST(KeptPaths, KeepTheirChecks)
 // which is too large to gather, goes where no ray is.
 TEST(KeptPaths, KnowThatContactsDecide)
 {
-  ObjectBuilder room, block;
-  room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 6, grey(0.5), true);
+  ObjectBuilder room = plainRoom({ 4, 4, 4 }, 6, grey(0.5)), block;
   room.addQuad({ 1.5, 1.5, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, 1, grey(0, 20));
   room.addQuad({ 1.5, 1.5, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, 1, grey(0.9));
   room.addBox(box({ 1.8, 1.8, 0.2 }, { 2.2, 2.2, 0.4 }), 6, grey(0.5));
   block.addBox(box({ -0.3, -0.3, 0 }, { 0.3, 0.3, 0.6 }), 1, grey(0.5));
-  const double below = 0.25 * kTouching;
-  SceneObjects objects{ room.build(), { block.build(test::shift({ 2, 2, 2 - below })) } };
-  const SceneObjects touching = objects;
   for (const bool isUnbiased : { false, true })
   {
-    EngineSettings settings = gathering();
-    settings.unbiasedGather = isUnbiased;
-    settings.replicates = 4;
-    objects = touching;
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
-    objects.dynamicObjects[0].worldFromObject = test::shift({ 0.5, 0.5, 3 });
-    engine.update(objects, settings, serial);
-    EXPECT_EQ(engine.statistics().shootSeconds, 0);
-    expectFresh(engine, objects, settings);
+    Followed scene{ { room.build(), { block.build(shift({ 2, 2, 2 - 0.25 * kTouching })) } },
+      Shoot(kGathering).errors(4) };
+    scene.settings.unbiasedGather = isUnbiased;
+    scene.update();
+    scene.pose(0) = shift({ 0.5, 0.5, 3 });
+    scene.update();
+    EXPECT_EQ(scene.engine.statistics().shootSeconds, 0);
   }
 }
 
@@ -206,108 +137,49 @@ TEST(KeptPaths, KnowThatContactsDecide)
 // is of these alone.
 TEST(KeptPaths, ReadNoMoreRoundsThanATargetNeeds)
 {
-  const SceneObjects objects = roomWithStatue(Vector3::Zero());
-  EngineSettings settings = gathering();
-  settings.numberOfWalks = 8000;
-  settings.maximumNumberOfWalks = 32000;
-  settings.replicates = 4;
-  settings.targetRelativeError = 1e-3;
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  EXPECT_EQ(engine.sums().rounds(), 3u);
-  settings.targetRelativeError = 0.9;
-  engine.update(objects, settings, serial);
-  EXPECT_LT(engine.sums().rounds(), 3u);
-  EXPECT_EQ(engine.statistics().shootSeconds, 0);
-  expectFresh(engine, objects, settings);
+  Followed scene = statue(Shoot(8000).finalGather(32).errors(4).target(1e-3, 32000));
+  scene.update();
+  EXPECT_EQ(scene.engine.sums().rounds(), 3u);
+  scene.settings.targetRelativeError = 0.9;
+  scene.update();
+  EXPECT_LT(scene.engine.sums().rounds(), 3u);
+  EXPECT_EQ(scene.engine.statistics().shootSeconds, 0);
 }
 
 // What paths depend on besides poses.
 TEST(KeptPaths, AreForgottenWhenAnythingElseChanges)
 {
-  SceneObjects objects = roomWithStatue(Vector3::Zero());
-  EngineSettings settings = gathering();
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  const auto expectAnew = [&](const char* what) {
-    engine.update(objects, settings, serial);
-    EXPECT_GE(engine.statistics().followedPaths, 2 * 24 * 6 * 16) << what;
-    expectFresh(engine, objects, settings);
-  };
-  settings.gatherRays = 24;
-  expectAnew("rays");
-  settings.seed = 2;
-  expectAnew("seed");
-  settings.replicates = 4;
-  expectAnew("replicates");
-  settings.numberOfWalks = 60000; // other cells are large
-  expectAnew("walks");
-  const SceneObjects others = roomWithStatue({ 0, 0, 0.5 });
-  objects.staticObject = others.staticObject;
-  expectAnew("static geometry");
-  objects.dynamicObjects[1].isPresent = false;
-  expectAnew("cells that gather");
-  objects.dynamicObjects[1].isPresent = true;
-  expectAnew("cells that gather");
-  settings.verify = false;
-  expectAnew("nothing is to be kept");
-  expectAnew("nothing is to be kept");
+  Followed scene = statue(kGathering);
+  scene.update();
+  const std::function<void()> changes[] = { [&] { scene.settings.gatherRays = 24; },
+    [&] { scene.settings.seed = 2; }, [&] { scene.settings.replicates = 4; },
+    [&] { scene.settings.numberOfWalks = 60000; }, // other cells are large
+    [&] {
+      scene.objects.staticObject = roomWithStatue({ 0, 0, 0.5 }).staticObject;
+    },
+    [&] { scene.objects.dynamicObjects[1].isPresent = false; }, // other cells gather
+    [&] { scene.objects.dynamicObjects[1].isPresent = true; },
+    [&] { scene.settings.verify = false; }, [] {} }; // nothing is to be kept
+  for (const auto& change : changes)
+  {
+    change();
+    EXPECT_GE(scene.update(), 2 * 24 * 6 * 16) << "change " << &change - changes;
+  }
 }
 
 // What is away may become another thing: then the cells behind it have other numbers, though
 // nothing moves.
 TEST(KeptPaths, KnowCellsByTheirObjects)
 {
-  SceneObjects objects = roomWithStatue(Vector3::Zero());
-  const EngineSettings settings = gathering();
-  objects.dynamicObjects[0].isPresent = false;
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  ObjectBuilder other;
-  other.addSphere({ 0, 0, 0 }, 0.2, 4, grey(0.2));
-  objects.dynamicObjects[0] = other.build();
-  objects.dynamicObjects[0].isPresent = false;
-  engine.update(objects, settings, serial);
-  expectFresh(engine, objects, settings);
-  objects.dynamicObjects[1].worldFromObject.translation += Vector3(0.1, 0, 0);
-  engine.update(objects, settings, serial);
-  expectFresh(engine, objects, settings);
+  Followed scene = statue(kGathering);
+  scene.objects.dynamicObjects[0].isPresent = false;
+  scene.update();
+  scene.objects.dynamicObjects[0] = ball({ 0, 0, 0 }, 0.2, 4, grey(0.2));
+  scene.objects.dynamicObjects[0].isPresent = false;
+  scene.update();
+  scene.pose(1).translation += Vector3(0.1, 0, 0);
+  scene.update();
 }
 
-TEST(KeptPaths, OutliveNoInterruption)
-{
-  SceneObjects objects = roomWithStatue(Vector3::Zero());
-  const EngineSettings settings = gathering();
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  bool isInterrupted = true;
-  int interruptions = 0;
-  for (int stopAt = 0; isInterrupted; ++stopAt)
-  {
-    const Vector3 before = objects.dynamicObjects[0].worldFromObject.translation;
-    objects.dynamicObjects[0].worldFromObject.translation = Vector3(3, 1.25, 1);
-    isInterrupted = false;
-    try
-    {
-      test::StoppingExecution stopping(stopAt);
-      engine.update(objects, settings, stopping);
-    }
-    catch (const Interrupted&)
-    {
-      isInterrupted = true;
-      ++interruptions;
-    }
-    // As if nothing had been.
-    objects.dynamicObjects[0].worldFromObject.translation = before;
-    engine.update(objects, settings, serial);
-    expectFresh(engine, objects, settings);
-  }
-  std::printf("%d interruptions\n", interruptions);
-  EXPECT_GT(interruptions, 3);
 }
-
 }

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
 #include "HistoryPhotons.h"
-#include "MovingScene.h"
-#include "OnlySet.h"
+#include "Kit.h"
 #include "Photons/LeafPhotons.h"
-#include "ThreadExecution.h"
-
-#include <gtest/gtest.h>
-
-#include <set>
 
 // Leaves that are kept up to date have the same photons as leaves that are filled again.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::MovingScene;
 
 LeafPhotons filled(const SceneObjects& objects, const WalkHistory& history, Execution& execution)
 {
@@ -55,49 +45,13 @@ std::vector<std::vector<Content>> contentsOf(const LeafPhotons& leaves, std::uin
   return contents;
 }
 
-void updateWhileThingsMove(int bands, bool isClosed, unsigned seed, Execution& execution)
-{
-  constexpr int kFrames = 20;
-  MovingScene scene(bands, isClosed, seed, true);
-  IrradianceEngine engine;
-  const EngineSettings settings = test::keepingPhotons(test::scaled(4000));
-  engine.update(scene.objects(), settings, execution);
-  const std::uint32_t objects = scene.objects().size();
-  LeafPhotons leaves = filled(scene.objects(), test::onlySet(engine).history(), execution);
-  std::vector<Photon> before = test::photonsOf(test::onlySet(engine).history());
-  for (int frame = 0; frame < kFrames; ++frame)
-  {
-    scene.nextFrame();
-    engine.update(scene.objects(), settings, execution);
-    std::vector<Photon> after = test::photonsOf(test::onlySet(engine).history());
-    PhotonChanges changes = test::changesBetween(before, after);
-    // In any order.
-    std::reverse(changes.gone.begin(), changes.gone.end());
-    leaves.apply(scene.objects(), test::onlySet(engine).history(), changes, execution);
-    const LeafPhotons anew = filled(scene.objects(), test::onlySet(engine).history(), execution);
-    ASSERT_EQ(contentsOf(leaves, objects), contentsOf(anew, objects)) << "frame " << frame;
-    before = std::move(after);
-  }
-}
-
-}
-
-TEST(LeafPhotons, UpdateEqualsRebuild)
-{
-  Execution serial;
-  ASSERT_NO_FATAL_FAILURE(updateWhileThingsMove(1, true, 41, serial));
-  test::ThreadExecution threads(3);
-  ASSERT_NO_FATAL_FAILURE(updateWhileThingsMove(3, false, 42, threads));
-}
-
 TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
 {
   const MovingScene scene(1, true, 43);
   const SceneObjects& objects = scene.objects();
-  IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, test::keepingPhotons(4000), execution);
-  const LeafPhotons leaves = filled(objects, test::onlySet(engine).history(), execution);
+  UpdatedEngine engine(objects, keepingPhotons(4000), execution);
+  const LeafPhotons leaves = filled(objects, onlySet(engine).history(), execution);
   std::set<SegmentRef> found;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
@@ -108,10 +62,10 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
       for (const LeafPhoton& photon : leaves.leaf(object, leaf).photons())
       {
         isEmpty = false;
-        const Hit stored = test::onlySet(engine).history().hit(photon.reference());
+        const Hit stored = onlySet(engine).history().hit(photon.reference());
         EXPECT_TRUE(found.insert(photon.reference()).second);
         EXPECT_EQ(stored.id, (TriangleId{ object, photon.triangle }));
-        EXPECT_EQ(test::onlySet(engine).history().isFront(photon.reference()), photon.isFront());
+        EXPECT_EQ(onlySet(engine).history().isFront(photon.reference()), photon.isFront());
         const TriangleMesh& mesh = objects[object].body->mesh();
         EXPECT_EQ(photon.position,
           unitPoint(tree.frame(), modelPoint(mesh, stored.id.triangle, stored.weights)));
@@ -132,23 +86,22 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
     }
     EXPECT_EQ(leaves.isEmpty(object), isEmpty);
   }
-  EXPECT_EQ(found.size(), test::photonsOf(test::onlySet(engine).history()).size());
+  EXPECT_EQ(found.size(), photonsOf(onlySet(engine).history()).size());
   EXPECT_GT(found.size(), 4000u);
 }
 
 // The rest keep even their order.
 TEST(LeafPhotons, OnlyTouchedLeavesChange)
 {
-  test::ObjectBuilder room, thing;
-  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 12, test::grey(0.5), true);
-  room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, test::grey(0.5, 1));
-  thing.addBox(test::box({ -0.2, -0.2, -0.2 }, { 0.2, 0.2, 0.2 }), 1, test::grey(0.5));
-  SceneObjects objects{ room.build(), { thing.build(test::shift({ 0.5, 2, 2 })) } };
-  IrradianceEngine engine;
+  ObjectBuilder room, thing;
+  room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 12, grey(0.5), true);
+  room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0.5, 1));
+  thing.addBox(box({ -0.2, -0.2, -0.2 }, { 0.2, 0.2, 0.2 }), 1, grey(0.5));
+  SceneObjects objects{ room.build(), { thing.build(shift({ 0.5, 2, 2 })) } };
   Execution execution;
-  engine.update(objects, test::keepingPhotons(3000), execution);
-  LeafPhotons leaves = filled(objects, test::onlySet(engine).history(), execution);
-  const auto before = test::photonsOf(test::onlySet(engine).history());
+  UpdatedEngine engine(objects, keepingPhotons(3000), execution);
+  LeafPhotons leaves = filled(objects, onlySet(engine).history(), execution);
+  const auto before = photonsOf(onlySet(engine).history());
   const auto ordersOf = [&] {
     std::vector<std::vector<SegmentRef>> orders;
     for (std::uint32_t object = 0; object < 2; ++object)
@@ -166,10 +119,9 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   };
   const auto old = ordersOf();
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.01;
-  engine.update(objects, test::keepingPhotons(3000), execution);
-  const PhotonChanges changes =
-    test::changesBetween(before, test::photonsOf(test::onlySet(engine).history()));
-  leaves.apply(objects, test::onlySet(engine).history(), changes, execution);
+  engine.update(objects, keepingPhotons(3000), execution);
+  const PhotonChanges changes = changesBetween(before, photonsOf(onlySet(engine).history()));
+  leaves.apply(objects, onlySet(engine).history(), changes, execution);
   std::set<SegmentRef> changed;
   for (const std::vector<Photon>* photons : { &changes.gone, &changes.arrived })
   {
@@ -196,10 +148,9 @@ TEST(LeafPhotons, BlocksComeAndGo)
 {
   const MovingScene scene(1, true, 44);
   const SceneObjects& objects = scene.objects();
-  IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, test::keepingPhotons(4000), execution);
-  const WalkHistory& history = test::onlySet(engine).history();
+  UpdatedEngine engine(objects, keepingPhotons(4000), execution);
+  const WalkHistory& history = onlySet(engine).history();
   ASSERT_EQ(history.size(), 4u);
   LeafPhotons leaves(objects), half(objects);
   half.add(history, 0, 2, execution);
@@ -207,12 +158,12 @@ TEST(LeafPhotons, BlocksComeAndGo)
   leaves.add(history, 2, 4, execution);
   EXPECT_EQ(contentsOf(leaves, objects.size()),
     contentsOf(filled(objects, history, execution), objects.size()));
-  const std::vector<Photon> all = test::photonsOf(history);
+  const std::vector<Photon> all = photonsOf(history);
   std::vector<Photon> first;
   std::copy_if(all.begin(), all.end(), std::back_inserter(first), [&](const Photon& photon) {
-    return photon.reference.walk < test::onlySet(engine).plan().firstWalkOf(2);
+    return photon.reference.walk < onlySet(engine).plan().firstWalkOf(2);
   });
-  leaves.apply(objects, history, test::changesBetween(all, first), execution);
+  leaves.apply(objects, history, changesBetween(all, first), execution);
   EXPECT_EQ(contentsOf(leaves, objects.size()), contentsOf(half, objects.size()));
   leaves.apply(objects, history, { first, {} }, execution);
   for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -225,14 +176,12 @@ TEST(LeafPhotons, BlocksComeAndGo)
 TEST(LeafPhotons, CanBeInterrupted)
 {
   const MovingScene scene(1, true, 45);
-  IrradianceEngine engine;
-  Execution execution;
-  engine.update(scene.objects(), test::keepingPhotons(2000), execution);
-  test::StoppingExecution stopping(0);
+  UpdatedEngine engine(scene.objects(), keepingPhotons(2000));
+  StoppingExecution stopping(0);
   LeafPhotons leaves(scene.objects());
-  EXPECT_THROW(leaves.add(test::onlySet(engine).history(), 0,
-                 test::onlySet(engine).history().size(), stopping),
+  EXPECT_THROW(leaves.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), stopping),
     Interrupted);
 }
 
+}
 }

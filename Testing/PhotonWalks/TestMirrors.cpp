@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
-#include "TestScenes.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::box;
-using test::Look;
-using test::ObjectBuilder;
-using test::ReplicateMean;
 
 const double kRho = 0.5;
 
@@ -27,13 +18,13 @@ void addHalf(ObjectBuilder& builder, bool isMirrored)
     isMirrored ? builder.addQuad(a, c - a, b - a, 1, 1, look)
                : builder.addQuad(a, b - a, c - a, 1, 1, look);
   };
-  const Look wall = test::grey(kRho);
+  const Look wall = grey(kRho);
   add(at(0, 0, 0), at(2, 0, 0), at(0, 3, 0), wall);
   add(at(0, 0, 2.5), at(0, 3, 2.5), at(2, 0, 2.5), wall);
   add(at(2, 0, 0), at(2, 0, 2.5), at(2, 3, 0), wall);
   add(at(0, 0, 0), at(0, 0, 2.5), at(2, 0, 0), wall);
   add(at(0, 3, 0), at(2, 3, 0), at(0, 3, 2.5), wall);
-  add(at(1.2, 0.5, 2.4), at(1.2, 1.3, 2.4), at(1.8, 0.5, 2.4), test::grey(0, 10));
+  add(at(1.2, 0.5, 2.4), at(1.2, 1.3, 2.4), at(1.8, 0.5, 2.4), grey(0, 10));
   const Box thing = box({ 0.8, 1.8, 0.4 }, { 1.3, 2.2, 0.9 });
   if (isMirrored)
   {
@@ -53,21 +44,15 @@ std::vector<ReplicateMean> wattsOfHalf(const SceneObjects& objects, std::uint32_
   std::vector<ReplicateMean> watts(kCellsOfHalf);
   for (int seed = 1; seed <= 16; ++seed)
   {
-    EngineSettings settings;
-    settings.numberOfWalks = lamps * test::scaled(65536);
-    settings.seed = static_cast<std::uint64_t>(seed);
-    settings.verify = false;
-    IrradianceEngine engine;
-    Execution execution;
-    engine.update(objects, settings, execution);
+    EngineSettings settings =
+      Shoot(lamps * scaled(65536)).seeded(static_cast<std::uint64_t>(seed)).unverified();
+    UpdatedEngine engine(objects, settings);
     for (std::size_t cell = 0; cell < kCellsOfHalf; ++cell)
     {
-      watts[cell].add(test::wattsOn(engine, 0, cell, cell + 1));
+      watts[cell].add(wattsOn(engine, 0, cell, cell + 1));
     }
   }
   return watts;
-}
-
 }
 
 // A room with a perfect mirror for a wall equals the doubled room with the mirrored lamp. 12 cells,
@@ -87,10 +72,8 @@ TEST(Mirrors, ARoomWithAMirrorEqualsTheDoubledRoom)
   {
     const double difference = with[cell].mean() - twice[cell].mean();
     const double error = std::hypot(with[cell].standardError(), twice[cell].standardError());
-    std::printf("cell %zu: %.5f W with a mirror, %.5f W in the doubled room, t %+.2f\n", cell,
-      with[cell].mean(), twice[cell].mean(), difference / error);
     EXPECT_LE(std::abs(difference), (cell < 5 ? 3 : 4) * error);
-    if (cell < 5 && !test::kIsSanitized)
+    if (cell < 5 && !kIsSanitized)
     {
       EXPECT_NEAR(difference, 0, 0.01 * twice[cell].mean());
     }
@@ -110,17 +93,13 @@ TEST(Mirrors, AClosedBoxOfMirrorsReceivesTheGeometricSeries)
   ReplicateMean watts;
   for (int seed = 1; seed <= 16; ++seed)
   {
-    EngineSettings settings;
-    settings.numberOfWalks = test::scaled(16384);
-    settings.seed = static_cast<std::uint64_t>(seed);
-    IrradianceEngine engine;
-    Execution execution;
-    engine.update(objects, settings, execution);
+    EngineSettings settings = Shoot(scaled(16384)).seeded(static_cast<std::uint64_t>(seed));
+    UpdatedEngine engine(objects, settings);
     EXPECT_TRUE(engine.balance().escaped.isZero());
-    watts.add(test::wattsOn(engine, 0, 0, 6));
+    watts.add(wattsOn(engine, 0, 0, 6));
   }
-  watts.print("box of mirrors", 25);
   EXPECT_LE(std::abs(watts.t(25)), 3.5); // a false alarm in 0.3 %
 }
 
+}
 }

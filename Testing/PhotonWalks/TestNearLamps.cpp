@@ -2,26 +2,19 @@
 // Lamps where they are hard to gather from: near a surface, long, in a corner, on what they light,
 // around all of it.
 
-#include "BothModes.h"
+#include "Kit.h"
 #include "LambertContour.h"
-#include "TestScenes.h"
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::ObjectBuilder;
-using test::ReplicateMean;
 
 // |t| > 3.5 with 63 degrees of freedom happens by chance in 0.09 % of the comparisons.
 constexpr int kSeeds = 64;
 constexpr double kFlux = 10;
 
-class NearLamps : public test::BothModes
+class NearLamps : public BothModes
 {
 protected:
   /// What the cells of the static object receive, W, of so many walks.
@@ -31,7 +24,7 @@ protected:
     overSeeds(objects, kSeeds, walks, [&](const IrradianceEngine& engine) {
       for (std::size_t cell = 0; cell < cells.size(); ++cell)
       {
-        cells[cell].add(test::wattsOn(engine, 0, cell, cell + 1));
+        cells[cell].add(wattsOn(engine, 0, cell, cell + 1));
       }
     });
     return cells;
@@ -96,11 +89,9 @@ void expectCells(
     }
   }
   const double freedom = kSeeds - 1;
-  std::printf("%.0f cells: chi-square %.1f, largest |t| %.2f; %.6g of %.6g W arrive\n", count,
-    chiSquare * (freedom - 2) / freedom, worst, sum, expected);
-  EXPECT_GT(count, test::kIsSanitized ? 1 : 5);
-  EXPECT_LE(chiSquare * (freedom - 2) / freedom, 1.1 * test::chiSquareLimit(count, 3.72));
-  EXPECT_NEAR(sum, expected, (test::kIsSanitized ? 0.1 : 0.01) * expected);
+  EXPECT_GT(count, kIsSanitized ? 1 : 5);
+  EXPECT_LE(chiSquare * (freedom - 2) / freedom, 1.1 * chiSquareLimit(count, 3.72));
+  EXPECT_NEAR(sum, expected, (kIsSanitized ? 0.1 : 0.01) * expected);
 }
 
 /// Points of [0, 1] and their weights: Gauss' rule of three points in each of so many parts.
@@ -140,7 +131,6 @@ TEST_P(NearLamps, ByLambertsFormula)
   for (const auto& [name, lamp, nu, nv] : lamps)
   {
     SCOPED_TRACE(name);
-    std::printf("%s\n", name);
     ObjectBuilder room = blackRoom();
     const Vector3 normal = lamp.u.cross(lamp.v), unit = normal.normalized();
     const SceneObject walls = room.build();
@@ -153,14 +143,14 @@ TEST_P(NearLamps, ByLambertsFormula)
           {
             const Vector3 point = lamp.corner + lamp.u * u + lamp.v * v;
             sum += weightU * weightV *
-              test::lambertIrradiance(point, unit,
-                test::aboveHorizon({ triangle.a, triangle.b, triangle.c }, point, unit));
+              lambertIrradiance(
+                point, unit, aboveHorizon({ triangle.a, triangle.b, triangle.c }, point, unit));
           }
         }
         return kFlux * sum;
       });
     room.addQuad(lamp.corner, lamp.u, lamp.v, 1, 1, grey(0, kFlux / normal.norm()));
-    const std::uint32_t walks = test::scaled(40000);
+    const std::uint32_t walks = scaled(40000);
     expectCells(received({ room.build(), {} }, walks), truth, walks);
   }
 }
@@ -184,7 +174,7 @@ TEST_P(NearLamps, PointLights)
         return std::abs(height) < 1e-9 ? 0 : kFlux * solidAngle(triangle, position) / sphere;
       });
     room.addPointLight(position, kFlux);
-    const std::uint32_t walks = test::scaled(30000);
+    const std::uint32_t walks = scaled(30000);
     expectCells(received({ room.build(), {} }, walks), truth, walks);
   }
 }
@@ -202,9 +192,9 @@ TEST_P(NearLamps, APartOnALightTable)
   for (int row = 0; row < 2; ++row)
   {
     rows[row] = 2 *
-      test::meanOverRectangle(
+      meanOverRectangle(
         { 0.5, -0.5, 0.5 * row }, { 0, 0.5, 0 }, { 0, 0, 0.5 }, 200, [&](const Vector3& p) {
-          return test::lambertIrradiance(p, { 1, 0, 0 }, before);
+          return lambertIrradiance(p, { 1, 0, 0 }, before);
         });
   }
   const SceneObject standing = part.build();
@@ -216,8 +206,8 @@ TEST_P(NearLamps, APartOnALightTable)
     height = std::max({ height, triangle.a[2], triangle.b[2], triangle.c[2] });
   }
   ReplicateMean bottom, lower, upper, top;
-  overSeeds({ table.build(), { standing } }, kSeeds, test::scaled(30000),
-    [&](const IrradianceEngine& engine) {
+  overSeeds(
+    { table.build(), { standing } }, kSeeds, scaled(30000), [&](const IrradianceEngine& engine) {
       double onSides[2] = { 0, 0 };
       for (std::size_t cell = 0; cell < 16; ++cell)
       {
@@ -225,12 +215,9 @@ TEST_P(NearLamps, APartOnALightTable)
       }
       lower.add(onSides[0]);
       upper.add(onSides[1]);
-      bottom.add(test::wattsOn(engine, 1, 16, 20));
-      top.add(test::wattsOn(engine, 1, 20, 24));
+      bottom.add(wattsOn(engine, 1, 16, 20));
+      top.add(wattsOn(engine, 1, 20, 24));
     });
-  bottom.print("bottom", 2);
-  lower.print("lower half of the sides", rows[0]);
-  upper.print("upper half of the sides", rows[1]);
   EXPECT_LE(std::abs(tOf(bottom, 2)), 3.5);
   EXPECT_LE(std::abs(lower.t(rows[0])), 3.5);
   EXPECT_LE(std::abs(upper.t(rows[1])), 3.5);
@@ -246,26 +233,23 @@ TEST_P(NearLamps, InAClosedBodyLightStaysInside)
   body.addBox(box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }), 2, grey(0.6, 1), true);
   ReplicateMean all;
   std::vector<ReplicateMean> cells(24);
-  overSeeds({ room.build(), { body.build() } }, kSeeds, test::scaled(30000),
-    [&](const IrradianceEngine& engine) {
-      EXPECT_EQ(test::wattsOn(engine, 0, 0, 54), 0);
+  overSeeds(
+    { room.build(), { body.build() } }, kSeeds, scaled(30000), [&](const IrradianceEngine& engine) {
+      EXPECT_EQ(wattsOn(engine, 0, 0, 54), 0);
       for (std::size_t cell = 0; cell < cells.size(); ++cell)
       {
         cells[cell].add(engine.irradiance({ { 1, cell } }, 0));
       }
-      all.add(test::wattsOn(engine, 1, 0, 24) / 6);
+      all.add(wattsOn(engine, 1, 0, 24) / 6);
     });
   for (const ReplicateMean& cell : cells)
   {
-    cell.print("inside", 2.5);
     EXPECT_LE(std::abs(cell.t(2.5)), 3.5);
   }
-  all.print("all", 2.5);
   EXPECT_LE(std::abs(all.t(2.5)), 3.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(DirectLight, NearLamps, testing::Bool(), test::nameOfMode);
+INSTANTIATE_TEST_SUITE_P(DirectLight, NearLamps, testing::Bool(), nameOfMode);
 
 }
-
 }

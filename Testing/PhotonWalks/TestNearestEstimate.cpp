@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CountedSurface.h"
-#include "EngineRun.h"
+#include "Kit.h"
 #include "LambertContour.h"
 #include "Meshes/TriangleInSphere.h"
-#include "MovingScene.h"
-#include "OnlySet.h"
 #include "Photons/NearestEstimate.h"
-
-#include <gtest/gtest.h>
-
-#include <optional>
 
 // Irradiance from the nearest photons: what it should be in closed form, also at edges and corners.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::grey;
-using test::ObjectBuilder;
-using test::RandomVectors;
-using test::ReplicateMean;
 
 /// A scene, its walks, and its photons in their leaves.
 struct Lit
@@ -30,17 +18,13 @@ struct Lit
   Lit(SceneObjects scene, std::uint32_t walks, std::uint64_t seed = 1)
     : objects(std::move(scene))
   {
-    EngineSettings settings;
-    settings.numberOfWalks = walks;
-    settings.seed = seed;
-    settings.keepPhotons = true;
+    EngineSettings settings = Shoot(walks).seeded(seed).kept();
     Execution execution;
     engine.update(objects, settings, execution);
     leaves = LeafPhotons(objects);
-    leaves.add(
-      test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
+    leaves.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), execution);
     surfaces.update(objects);
-    photons.emplace(leaves, surfaces, objects, test::onlySet(engine).history());
+    photons.emplace(leaves, surfaces, objects, onlySet(engine).history());
   }
 
   NearestEstimate estimate(
@@ -61,8 +45,6 @@ struct Lit
   Surfaces surfaces;
   std::optional<NearestPhotons> photons;
 };
-
-}
 
 TEST(NearestEstimate, AreaAtEdgesAndCorners)
 {
@@ -99,9 +81,9 @@ TEST(NearestEstimate, AreaAtEdgesAndCorners)
 // Also in poses that stretch and shear.
 TEST(NearestEstimate, AreaEqualsThatOfAllTriangles)
 {
-  const test::MovingScene scene(1, false, 51);
+  const MovingScene scene(1, false, 51);
   const Lit lit(scene.objects(), 1);
-  const test::CountedSurface surface(lit.objects);
+  const CountedSurface surface(lit.objects);
   RandomVectors random(6);
   double largest = 0;
   for (int i = 0; i < 2000; ++i)
@@ -152,9 +134,9 @@ TEST(NearestEstimate, NoBiasAtEdgesAndCorners)
   for (int seed = 1; seed <= kSeeds; ++seed)
   {
     ObjectBuilder room, ball;
-    room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 2, grey(0.5, 0.5), true);
+    room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 2, grey(0.5, 0.5), true);
     ball.addSphere({ 0, 0, 0 }, 0.8, 8, grey(0.5, 0.5));
-    const Lit lit({ room.build(), { ball.build(test::shift({ 2, 2, 2 })) } }, test::scaled(20000),
+    const Lit lit({ room.build(), { ball.build(shift({ 2, 2, 2 })) } }, scaled(20000),
       static_cast<std::uint64_t>(seed));
     RandomVectors random(static_cast<unsigned>(seed));
     ReplicateMean atInside, atEdges, atCorners, atBall;
@@ -173,18 +155,11 @@ TEST(NearestEstimate, NoBiasAtEdgesAndCorners)
     corners.add(atCorners.mean());
     onBall.add(atBall.mean());
   }
-  inside.print("inside", 1);
-  edges.print("edges", 1);
-  corners.print("corners", 1);
-  onBall.print("ball", 1);
   for (const ReplicateMean* mean : { &inside, &edges, &corners, &onBall })
   {
     EXPECT_LE(std::abs(mean->t(1)), 5);
   }
 }
-
-namespace
-{
 
 /// In a furnace with a white body in it: the mean irradiance from 50 photons at places on the body.
 template <class Place>
@@ -194,8 +169,8 @@ ReplicateMean irradianceInFurnace(const SceneObject& body, const Place& place)
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
   {
     ObjectBuilder room;
-    room.addBox(test::box({ -1, -1, -1 }, { 2, 2, 2 }), 2, grey(0.5, 0.5), true);
-    const Lit lit({ room.build(), { body } }, test::scaled(20000), seed);
+    room.addBox(box({ -1, -1, -1 }, { 2, 2, 2 }), 2, grey(0.5, 0.5), true);
+    const Lit lit({ room.build(), { body } }, scaled(20000), seed);
     RandomVectors random(static_cast<unsigned>(seed));
     ReplicateMean mean;
     for (int i = 0; i < 100; ++i)
@@ -207,8 +182,6 @@ ReplicateMean irradianceInFurnace(const SceneObject& body, const Place& place)
   return all;
 }
 
-}
-
 // Mirrored poses included. |t| > 6 with 7 degrees of freedom happens by chance in 0.05 %.
 TEST(NearestEstimate, TheInsideOfAThinBodyDoesNotCount)
 {
@@ -216,19 +189,15 @@ TEST(NearestEstimate, TheInsideOfAThinBodyDoesNotCount)
   {
     const double thickness = mirrored > 0 ? 0.001 : 0.003;
     ObjectBuilder board;
-    board.addBox(test::box({ 0, 0, 0 }, { 1, 1, thickness }), 6, grey(1));
+    board.addBox(box({ 0, 0, 0 }, { 1, 1, thickness }), 6, grey(1));
     const AffineMap pose{ Vector3(mirrored, 1, 1).asDiagonal(),
       { mirrored > 0 ? 0.0 : 1.0, 0, 0 } };
     const ReplicateMean lid = irradianceInFurnace(board.build(pose), [&](double x, double y) {
       return Sensor{ { x, y, thickness }, Vector3::UnitZ() };
     });
-    lid.print("lid", 1);
     EXPECT_LE(std::abs(lid.t(1)), 6) << thickness;
   }
 }
-
-namespace
-{
 
 /// A vault of 1 x 1 m whose radius is 1 m. It faces up, or down if `isLower`.
 void addVault(ObjectBuilder& builder, double radius, bool isLower)
@@ -245,8 +214,6 @@ Sensor onVault(double x, double y, double radius)
   const double angle = x - 0.5;
   const Vector3 normal(std::sin(angle), 0, std::cos(angle));
   return { Vector3(0.5, y, -0.5) + radius * normal, normal };
-}
-
 }
 
 // A shell of 3 mm, whose inner faces are as near as its outer ones far from the sensor, too.
@@ -272,7 +239,6 @@ TEST(NearestEstimate, TheInsideOfAThinVaultDoesNotCount)
   }
   const ReplicateMean top =
     irradianceInFurnace(shell.build(), [](double x, double y) { return onVault(x, y, 1); });
-  top.print("vault", 1);
   EXPECT_LE(std::abs(top.t(1)), 6);
 }
 
@@ -280,12 +246,11 @@ TEST(NearestEstimate, TheInsideOfAThinVaultDoesNotCount)
 TEST(NearestEstimate, TheSheetBelowDoesNotCount)
 {
   ObjectBuilder sheets;
-  sheets.addBox(test::box({ 0, 0, 0 }, { 1, 1, 0.003 }), 6, grey(1));
+  sheets.addBox(box({ 0, 0, 0 }, { 1, 1, 0.003 }), 6, grey(1));
   sheets.addQuad({ 0, 0, 0.002 }, Vector3::UnitX(), Vector3::UnitY(), 7, 7, grey(0.5));
   const ReplicateMean lid = irradianceInFurnace(sheets.build(), [](double x, double y) {
     return Sensor{ { x, y, 0.003 }, Vector3::UnitZ() };
   });
-  lid.print("lid above a sheet", 1);
   EXPECT_LE(std::abs(lid.t(1)), 6);
 }
 
@@ -321,18 +286,17 @@ TEST(NearestEstimate, UnderALamp)
   scene.addQuad({ -lamp, -lamp, height }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
   scene.addQuad({ -plate, -plate, 0 }, { 0.25, 0, 0 }, { 0, 0.25, 0 }, 3, 3, grey(0));
   scene.addQuad({ -plate, -plate, 0 }, { 0, 0.25, 0 }, { 0, 0, 0.001 }, 3, 1, grey(0));
-  const Lit lit({ scene.build(), {} }, test::scaled(1000000));
+  const Lit lit({ scene.build(), {} }, scaled(1000000));
   for (const double x : { -plate, 0.0, plate })
   {
     for (const double y : { -plate, 0.0, plate })
     {
       const Vector3 position(x, y, 0);
-      const double expected = test::lambertIrradiance(position, Vector3::UnitZ(),
+      const double expected = lambertIrradiance(position, Vector3::UnitZ(),
         { { -lamp, -lamp, height }, { lamp, -lamp, height }, { lamp, lamp, height },
           { -lamp, lamp, height } });
-      const double found = lit.irradiance({ position, Vector3::UnitZ() }, test::scaled(20000));
-      std::printf("%g, %g: %+.2f %%\n", x, y, 100 * (found / expected - 1));
-      EXPECT_NEAR(found, expected, (test::kIsSanitized ? 0.1 : 0.02) * expected);
+      const double found = lit.irradiance({ position, Vector3::UnitZ() }, scaled(20000));
+      EXPECT_NEAR(found, expected, (kIsSanitized ? 0.1 : 0.02) * expected);
     }
   }
 }
@@ -343,7 +307,7 @@ TEST(NearestEstimate, TheOtherFaceOfABoardDoesNotCount)
 {
   ObjectBuilder scene;
   scene.addQuad({ 0, 0, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 1));
-  scene.addBox(test::box({ 0, 0, 0 }, { 2, 2, 0.02 }), 3, grey(0));
+  scene.addBox(box({ 0, 0, 0 }, { 2, 2, 0.02 }), 3, grey(0));
   const Lit lit({ scene.build(), {} }, 10000);
   const NearestEstimate estimate = lit.estimate({ { 1, 1, 0.02 }, Vector3::UnitZ() }, 20);
   EXPECT_GT(estimate.radius, 0.04);
@@ -385,4 +349,5 @@ TEST(NearestEstimate, FewerPhotonsThanAskedFor)
   EXPECT_FALSE(lit.photons->footOf({ { 1, 1, 0.5 }, Vector3::UnitX() }));
 }
 
+}
 }

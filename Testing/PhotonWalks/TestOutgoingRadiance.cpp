@@ -3,43 +3,17 @@
 
 #include "Views/OutgoingRadiance.h"
 
-#include "EngineRun.h"
-#include "IntervalCount.h"
-#include "MovingScene.h"
-#include "OnlySet.h"
-#include "ThreadExecution.h"
+#include "Kit.h"
 
-#include "../RayCasting/TestSimdLevels.h"
-
-#include <gtest/gtest.h>
-
-#include <cstring>
-#include <memory>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::Look;
-using test::MovingScene;
-using test::ObjectBuilder;
-using test::ReplicateMean;
-
-constexpr std::uint32_t kSamples = 16;
 
 EngineSettings settingsOf(
   std::uint32_t walks, bool gathersDirectLight = false, std::uint64_t seed = 1)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  settings.keepPhotons = true;
-  settings.gathersDirectLight = gathersDirectLight;
-  settings.seed = seed;
-  return settings;
+  return Shoot(walks).kept().gathered(gathersDirectLight).seeded(seed);
 }
 
 Look glossy(double diffuse, double specular, double exponent, double exitance = 0)
@@ -50,47 +24,6 @@ Look glossy(double diffuse, double specular, double exponent, double exitance = 
   return look;
 }
 
-using Lights = std::vector<OutgoingRadiance::Light>;
-
-Lights seen(const IrradianceEngine& engine, const std::vector<SceneCell>& cells, const Eye& eye,
-  std::uint32_t samples = kSamples)
-{
-  Execution serial;
-  return OutgoingRadiance(engine, samples, serial).at(cells, eye);
-}
-
-/// By a new engine.
-Lights seen(const SceneObjects& objects, const EngineSettings& settings,
-  const std::vector<SceneCell>& cells, const Eye& eye, std::uint32_t samples = kSamples)
-{
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
-  return seen(engine, cells, eye, samples);
-}
-
-std::vector<SceneCell> cellsOf(const SceneObjects& objects)
-{
-  std::vector<SceneCell> cells;
-  CellNumbers(objects).forEach([&](const SceneCell& cell) { cells.push_back(cell); });
-  return cells;
-}
-
-/// The radiances of all cells towards a near and a far eye.
-Lights allSeen(const IrradianceEngine& engine)
-{
-  const std::vector<SceneCell> cells = cellsOf(engine.objects());
-  Lights all = seen(engine, cells, { { 0.1, 0.2, 0.3 } }, 2);
-  const Lights far = seen(engine, cells, { { 0, 0.6, 0.8 }, true }, 2);
-  all.insert(all.end(), far.begin(), far.end());
-  return all;
-}
-
-bool areSame(const Lights& a, const Lights& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
-}
-
 /// A glossy or mirrored square at the origin, so small that all of it sees the same.
 void addSpeck(ObjectBuilder& builder, const Look& look)
 {
@@ -99,8 +32,6 @@ void addSpeck(ObjectBuilder& builder, const Look& look)
 }
 
 const Vector3 kUp(0, 0, 1);
-
-}
 
 // The definition: the lobe times what arrives. The speck is 10^-6 of the distance wide.
 TEST(OutgoingRadiance, ALobeReflectsAPointLight)
@@ -126,9 +57,6 @@ TEST(OutgoingRadiance, ALobeReflectsAPointLight)
   }
 }
 
-namespace
-{
-
 /// The integral of lobe times cosine over a rectangle of radiance 1 / pi, as seen from the origin.
 double lobeIntegral(const PhongLobe& lobe, const Vector3& toEye, const Vector3& corner,
   const Vector3& u, const Vector3& v)
@@ -146,8 +74,6 @@ double lobeIntegral(const PhongLobe& lobe, const Vector3& toEye, const Vector3& 
       std::abs(normal.dot(direction)) / squared;
   }
   return sum / (kSteps * kSteps) / M_PI;
-}
-
 }
 
 // A wide lobe finds a small lamp by asking it, a narrow one a wide lamp by its rays; both ways
@@ -175,7 +101,6 @@ TEST(OutgoingRadiance, ALobeReflectsALampAsTheDefinitionSays)
                     .front()
                     .value[0]);
       }
-      found.print("lobe and lamp", expected);
       EXPECT_LT(std::abs(found.mean() - expected), 5.5 * found.standardError() + 1e-3 * expected)
         << "exponent " << exponent << ", size " << size;
       EXPECT_LT(found.standardError(), 0.035 * expected)
@@ -197,7 +122,7 @@ TEST(OutgoingRadiance, ALobeReflectsAStripAndManyLampsAsTheDefinitionSays)
     expected += lobeIntegral(lobe, toEye, corner, u, v);
   };
   addLamp({ -4, -0.3, 0.8 }, { 0, 0.1, 0 }, { 8, 0, 0 });
-  for (int i = 0; i < (test::kIsSanitized ? 4 : 12); ++i)
+  for (int i = 0; i < (kIsSanitized ? 4 : 12); ++i)
   {
     addLamp({ 0.4 * i - 2, 0.3 + 0.1 * i, 1.2 }, { 0, 0.05, 0 }, { 0.1, 0, 0 });
   }
@@ -209,13 +134,9 @@ TEST(OutgoingRadiance, ALobeReflectsAStripAndManyLampsAsTheDefinitionSays)
         .front()
         .value[0]);
   }
-  found.print("lobe and many lamps", expected);
   EXPECT_LT(std::abs(found.mean() - expected), 5.5 * found.standardError() + 2e-3 * expected);
   EXPECT_LT(found.standardError(), 0.03 * expected);
 }
-
-namespace
-{
 
 /// Each wall has another lobe, one is a mirror; all emit what they absorb. A body stands in it.
 SceneObjects furnace(int bands = 1)
@@ -249,8 +170,6 @@ std::vector<SceneCell> furnaceCells()
   return cells;
 }
 
-}
-
 // The radiance is 1 / pi everywhere and in each direction, whatever the exponent, also in mirrors:
 // E (rho_d + rho_s) / pi with what is emitted. 12 seeds of 7 looks, |t| > 5.5 of 11 degrees: a
 // false alarm once in 200 for both ways of direct light.
@@ -263,7 +182,7 @@ TEST(OutgoingRadiance, IsThatOfAFurnace)
     std::vector<ReplicateMean> looks(7);
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
     {
-      const Lights lights = seen(objects, settingsOf(4000, gathers, seed), cells, kInFurnace);
+      const SeenLights lights = seen(objects, settingsOf(4000, gathers, seed), cells, kInFurnace);
       std::vector<double> means(looks.size());
       for (std::size_t i = 0; i < cells.size(); ++i)
       {
@@ -277,11 +196,10 @@ TEST(OutgoingRadiance, IsThatOfAFurnace)
     }
     for (std::size_t look = 0; look < looks.size(); ++look)
     {
-      looks[look].print("glossy furnace", 1);
       // The table of what lobes lose is exact to 6e-4 of an albedo.
       EXPECT_LT(std::abs(looks[look].mean() - 1), 5.5 * looks[look].standardError() + 1e-3)
         << "look " << look << ", gathers " << gathers;
-      EXPECT_LT(looks[look].standardError(), test::kIsSanitized ? 0.05 : 0.02);
+      EXPECT_LT(looks[look].standardError(), kIsSanitized ? 0.05 : 0.02);
     }
   }
 }
@@ -293,10 +211,9 @@ TEST(OutgoingRadiance, AMirrorShowsWhatIsThere)
   scene.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 2, 1, glossy(0, 0.8, kInfinity));
   scene.addQuad({ -2, -2, 3 }, { 0, 4, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 5)); // x < 0
   scene.addQuad({ 0, -2, 3 }, { 0, 4, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 7));  // x > 0
-  IrradianceEngine engine;
   Execution execution;
-  engine.update({ scene.build(), {} }, settingsOf(100), execution);
-  const OutgoingRadiance radiance(engine, kSamples, execution);
+  UpdatedEngine engine({ scene.build(), {} }, settingsOf(100), execution);
+  const OutgoingRadiance radiance(engine, 16, execution);
   const Eye above{ { 0, 0, 1 }, true };
   EXPECT_NEAR(radiance.at({ 0, 0 }, above).value[0], 0.8 * 5 / M_PI, 1e-12);
   EXPECT_NEAR(radiance.at({ 0, 1 }, above).value[0], 0.8 * 7 / M_PI, 1e-12);
@@ -349,52 +266,9 @@ TEST(OutgoingRadiance, ASheetDoesNotShineThrough)
     scene.addQuad({ -1, -1, 3 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 10));
     for (const bool gathers : { false, true })
     {
-      IrradianceEngine engine;
-      Execution serial;
-      engine.update({ scene.build(), {} }, settingsOf(20000, gathers), serial);
+      UpdatedEngine engine({ scene.build(), {} }, settingsOf(20000, gathers));
       ASSERT_GT(engine.irradiance({ { 0, 79 } }, 0), 1) << "the middle of the sheet";
       EXPECT_EQ(seen(engine, { { 0, 0 } }, { { 0.1, 0.2, 0.5 } }).front().value[0], 0);
-    }
-  }
-}
-
-// Laws 1 and 2, and however cells are divided, with error bars.
-TEST(OutgoingRadiance, UpdateEqualsRebuildOnAnyThreadsAndInstructions)
-{
-  for (const auto& [bands, gathers] : { std::pair(1, false), std::pair(3, true) })
-  {
-    MovingScene scene(bands, bands == 3, 91, true);
-    EngineSettings settings = settingsOf(test::scaled(500), gathers);
-    settings.separateSides = bands == 3;
-    settings.replicates = bands;
-    IrradianceEngine engine;
-    test::ThreadExecution two(2);
-    for (int frame = 0; frame < (test::kIsSanitized ? 2 : 3); ++frame, scene.nextFrame())
-    {
-      engine.update(scene.objects(), settings, two);
-      EXPECT_EQ(engine.statistics().shootSeconds > 0, frame == 0);
-      IrradianceEngine fresh;
-      Execution execution;
-      fresh.update(scene.objects(), settings, execution);
-      const Lights expected = allSeen(fresh);
-      ASSERT_TRUE(areSame(allSeen(engine), expected))
-        << bands << " bands, frame " << frame << ", gathers " << gathers;
-      if (frame == 0)
-      {
-        const OutgoingRadiance radiance(engine, 2, two);
-        Lights single;
-        for (const SceneCell& cell : cellsOf(engine.objects()))
-        {
-          single.push_back(radiance.at(cell, { { 0.1, 0.2, 0.3 } }));
-        }
-        EXPECT_TRUE(areSame(single,
-          Lights(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(single.size()))));
-        for (const SimdLevel level : test::simdLevels())
-        {
-          const test::SimdLimit limit(level);
-          EXPECT_TRUE(areSame(allSeen(engine), expected));
-        }
-      }
     }
   }
 }
@@ -405,8 +279,8 @@ TEST(OutgoingRadiance, ErrorBarsHoldTheTruth)
 {
   const SceneObjects objects = furnace();
   const std::vector<SceneCell> cells = furnaceCells();
-  test::IntervalCount intervals(16);
-  for (std::uint64_t seed = 1; seed <= (test::kIsSanitized ? 2 : 12); ++seed)
+  IntervalCount intervals(16);
+  for (std::uint64_t seed = 1; seed <= (kIsSanitized ? 2 : 12); ++seed)
   {
     EngineSettings settings = settingsOf(4000, seed % 2 == 0, seed);
     settings.replicates = 16;
@@ -431,9 +305,7 @@ TEST(OutgoingRadiance, DiffuseCellsHaveTheErrorOfTheirIrradiance)
   const SceneObjects objects{ room.build(), {} };
   EngineSettings settings = settingsOf(5000);
   settings.replicates = 8;
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
+  UpdatedEngine engine(objects, settings);
   const Eye eye{ { 1, 1, 1 } };
   for (const SceneCell& cell : cellsOf(objects))
   {
@@ -447,46 +319,5 @@ TEST(OutgoingRadiance, DiffuseCellsHaveTheErrorOfTheirIrradiance)
   EXPECT_EQ(without[1].standardError[0], 0) << "it is known exactly";
 }
 
-// A time budget leaves sums that are stale; when all is repaired, none is.
-TEST(OutgoingRadiance, ABudgetConvergesToTheRebuild)
-{
-  MovingScene scene(1, true, 92, true);
-  EngineSettings settings = settingsOf(2000);
-  IrradianceEngine engine;
-  Execution execution;
-  engine.update(scene.objects(), settings, execution);
-  scene.nextFrame();
-  settings.repairTimeBudget = 1e-9;
-  int updates = 0;
-  do
-  {
-    engine.update(scene.objects(), settings, execution);
-    ++updates;
-  } while (test::onlySet(engine).stale() && !test::onlySet(engine).stale()->isEmpty());
-  EXPECT_GT(updates, 1);
-  IrradianceEngine fresh;
-  fresh.update(scene.objects(), settings, execution);
-  EXPECT_TRUE(areSame(allSeen(engine), allSeen(fresh)));
 }
-
-// With a target, rounds of walks come and go.
-TEST(OutgoingRadiance, ATargetThatAddsAndDropsRoundsKeepsTheView)
-{
-  MovingScene scene(1, true, 93, true);
-  EngineSettings settings = settingsOf(4000);
-  settings.replicates = 8;
-  settings.maximumNumberOfWalks = 64000;
-  IrradianceEngine engine;
-  Execution execution;
-  for (const double target : { 1.0, 0.6, 2.0 })
-  {
-    settings.targetRelativeError = target;
-    engine.update(scene.objects(), settings, execution);
-    IrradianceEngine fresh;
-    fresh.update(scene.objects(), settings, execution);
-    ASSERT_TRUE(areSame(allSeen(engine), allSeen(fresh))) << "target " << target;
-    scene.nextFrame();
-  }
-}
-
 }

@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
-#include "MovingScene.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::MovingScene;
-
 EngineStatistics shoot(const SceneObjects& objects, bool verify, bool separateSides)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = 5000;
+  Shoot settings(5000);
   settings.verify = verify;
   settings.separateSides = separateSides;
-  IrradianceEngine engine;
-  Execution execution;
-  engine.update(objects, settings, execution);
+  UpdatedEngine engine(objects, settings);
   return engine.statistics();
-}
-
 }
 
 TEST(PayForWhatIsUsed, NothingThatMovesNoHistory)
@@ -42,8 +29,8 @@ TEST(PayForWhatIsUsed, ManySmallObjectsAreFlattened)
 {
   constexpr std::size_t kMany = 128;
   const auto plate = [](int triangles) {
-    test::ObjectBuilder builder;
-    builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, triangles / 2, 1, test::grey(0.5));
+    ObjectBuilder builder;
+    builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, triangles / 2, 1, grey(0.5));
     return builder.build();
   };
   const auto flattenedOf = [](SceneObjects objects) {
@@ -51,7 +38,7 @@ TEST(PayForWhatIsUsed, ManySmallObjectsAreFlattened)
     return std::count_if(objects.dynamicObjects.begin(), objects.dynamicObjects.end(),
       [](const SceneObject& object) { return object.isFlattened; });
   };
-  SceneObjects objects{ test::nothing(), { kMany - 1, plate(48) } };
+  SceneObjects objects{ nothing(), { kMany - 1, plate(48) } };
   EXPECT_EQ(flattenedOf(objects), 0);
   objects.dynamicObjects.push_back(plate(50));
   EXPECT_EQ(flattenedOf(objects), 0);
@@ -62,11 +49,9 @@ TEST(PayForWhatIsUsed, ManySmallObjectsAreFlattened)
 TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
 {
   SceneObjects objects = MovingScene(1, true, 61).objects();
-  EngineSettings settings;
-  settings.numberOfWalks = 5000;
-  IrradianceEngine engine;
+  Shoot settings(5000);
   Execution execution;
-  engine.update(objects, settings, execution);
+  UpdatedEngine engine(objects, settings, execution);
   objects.dynamicObjects.clear();
   engine.update(objects, settings, execution);
   EXPECT_EQ(engine.statistics().historyBytes, 0u);
@@ -76,12 +61,9 @@ TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
 TEST(PayForWhatIsUsed, AStillFrameKnowsTheBytesOfItsHistory)
 {
   const MovingScene scene(1, true, 61);
-  EngineSettings settings;
-  settings.numberOfWalks = 5000;
-  settings.cacheStaticHits = true;
-  IrradianceEngine engine;
+  EngineSettings settings = Shoot(5000).cached();
   Execution execution;
-  engine.update(scene.objects(), settings, execution);
+  UpdatedEngine engine(scene.objects(), settings, execution);
   const std::size_t first = engine.statistics().historyBytes;
   SceneObjects moved = scene.objects();
   moved.dynamicObjects[0].worldFromObject.translation += Vector3(0.3, 0, 0);
@@ -100,17 +82,14 @@ TEST(PayForWhatIsUsed, AStillFrameKnowsTheBytesOfItsHistory)
 // half empty on average, and the first segments of a block may be the last of its walks.
 TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = 5000;
+  Shoot settings(5000);
   for (const int bands : { 1, 3 })
   {
     for (const bool sides : { false, true })
     {
       const SceneObjects objects = MovingScene(bands, false, 61).objects();
       settings.separateSides = sides;
-      IrradianceEngine engine;
-      Execution execution;
-      engine.update(objects, settings, execution);
+      UpdatedEngine engine(objects, settings);
       const double perSegment =
         double(engine.statistics().historyBytes) / double(engine.balance().segments);
       const double perWalk = double(settings.numberOfWalks) / double(engine.balance().segments);
@@ -118,38 +97,17 @@ TEST(PayForWhatIsUsed, HistoryHoldsWhatTheSceneNeeds)
       const double pages = BouncePage::kSize / double(WalkPlan::kWalksPerBlock) * perWalk * needed;
       EXPECT_GE(perSegment, needed);
       EXPECT_LE(perSegment, needed + pages + perWalk); // a little for each block
-      std::printf("%d bands, sides %d: %.1f bytes a segment\n", bands, int(sides), perSegment);
     }
   }
-}
-
-TEST(PayForWhatIsUsed, NothingMovedNothingDone)
-{
-  const SceneObjects objects = MovingScene(1, false, 62).objects();
-  EngineSettings settings;
-  settings.numberOfWalks = 5000;
-  IrradianceEngine engine;
-  Execution execution;
-  engine.update(objects, settings, execution);
-  const test::Answer first = test::answerOf(engine, objects);
-  EXPECT_GT(engine.statistics().shootSeconds, 0);
-  engine.update(objects, settings, execution);
-  EXPECT_EQ(engine.statistics().shootSeconds, 0);
-  EXPECT_EQ(engine.statistics().verifySeconds, 0);
-  EXPECT_EQ(engine.statistics().repairSeconds, 0);
-  EXPECT_EQ(engine.statistics().invalidWalks, 0);
-  EXPECT_EQ(engine.statistics().repairedSegments, 0);
-  EXPECT_TRUE(test::answerOf(engine, objects) == first);
 }
 
 TEST(PayForWhatIsUsed, MotionOutOfReachInvalidatesNothing)
 {
   SceneObjects objects = MovingScene(1, true, 63).objects();
-  EngineSettings settings;
-  settings.numberOfWalks = 5000;
+  Shoot settings(5000);
   IrradianceEngine engine;
   Execution execution;
-  objects.dynamicObjects[0].worldFromObject = test::shift({ 50, 0, 0 });
+  objects.dynamicObjects[0].worldFromObject = shift({ 50, 0, 0 });
   engine.update(objects, settings, execution);
   for (int frame = 1; frame <= 5; ++frame)
   {
@@ -164,9 +122,8 @@ TEST(PayForWhatIsUsed, NoLightNoWalks)
 {
   SceneObjects objects = MovingScene(1, true, 64).objects();
   objects.staticObject.emission = nullptr;
-  IrradianceEngine engine;
   Execution execution;
-  engine.update(objects, {}, execution);
+  UpdatedEngine engine(objects, {}, execution);
   EXPECT_FALSE(engine.hasLights());
   EXPECT_EQ(engine.balance().segments, 0);
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.5;
@@ -174,4 +131,5 @@ TEST(PayForWhatIsUsed, NoLightNoWalks)
   EXPECT_EQ(engine.statistics().invalidWalks, 0);
 }
 
+}
 }

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/PhongLobe.h"
 
+#include "Kit.h"
+
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolSequence.h"
 #include "Surfaces/LobeLoss.h"
 
-#include "../RayCasting/RandomVectors.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -65,8 +60,6 @@ Vector3 toLightAt(double cosine)
   return { std::sqrt(1 - cosine * cosine), 0, cosine };
 }
 
-}
-
 // Ten angles from steep to grazing. The table of losses is off by up to 2^-12, and so is the
 // albedo.
 TEST(PhongLobe, ReflectsAllLightAtEveryAngle)
@@ -86,7 +79,7 @@ TEST(PhongLobe, ReflectsAllLightAtEveryAngle)
 
 TEST(PhongLobe, IsReciprocal)
 {
-  test::RandomVectors random(4);
+  RandomVectors random(4);
   for (const double exponent : kExponents)
   {
     const PhongLobe lobe(exponent);
@@ -180,7 +173,7 @@ TEST(LobeLoss, HasItsClosedFormsAtBothEnds)
 // Far more points of quadrature, between the nodes of the table.
 TEST(LobeLoss, IsWithinItsErrorBetweenNodes)
 {
-  test::RandomVectors random(8);
+  RandomVectors random(8);
   for (int trial = 0; trial < 40; ++trial)
   {
     const double exponent = std::pow(10, random.uniform(-1, 4)), cosine = random.uniform(0.01, 1);
@@ -202,4 +195,5 @@ TEST(LobeLoss, IsWithinItsErrorBetweenNodes)
   }
 }
 
+}
 }

@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tally/PhotonCounts.h"
 
-#include "TestScenes.h"
-#include "ThreadExecution.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
 SceneObjects quad(int cells)
 {
-  test::ObjectBuilder builder;
-  builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, cells, 1, test::grey(0.5));
+  ObjectBuilder builder;
+  builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, cells, 1, grey(0.5));
   return { builder.build(), {} };
 }
 
 /// What each way of counting expects: of 64 cells, a table for many photons and a list for few.
 constexpr std::size_t kExpected[] = { 1000, 1 };
-
-}
 
 TEST(PhotonCounts, CountsGoToTheirSums)
 {
@@ -84,7 +78,7 @@ TEST(PhotonCounts, ManyThreadsLoseNothing)
   for (const std::size_t expected : kExpected)
   {
     CellSums sums(quad(kCells), 1);
-    test::ThreadExecution execution(4);
+    ThreadExecution execution(4);
     execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -104,4 +98,5 @@ TEST(PhotonCounts, ManyThreadsLoseNothing)
   }
 }
 
+}
 }

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
 #include "Rivals/PhotonSet.h"
 
-#include <gtest/gtest.h>
+#include "Kit.h"
 
-#include <cstdio>
-#include <random>
-#include <set>
-#include <vector>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -60,7 +53,7 @@ void compareWithModel(std::uint64_t seed)
   const auto walks = static_cast<std::uint32_t>(1 + random() % 1000);
   const auto bounces = static_cast<std::uint32_t>(1 + random() % 6);
   Pair pair;
-  for (std::uint32_t step = 0; step < test::scaled(24000); ++step)
+  for (std::uint32_t step = 0; step < scaled(24000); ++step)
   {
     const SegmentRef photon{ static_cast<std::uint32_t>(random() % walks),
       static_cast<std::uint32_t>(random() % bounces) };
@@ -130,8 +123,6 @@ double bytesAPhoton(const PhotonSet& set)
   return double(sizeof(set) + set.bytes()) / double(set.size());
 }
 
-}
-
 TEST(PhotonSet, AgreesWithAStandardSetUnderRandomOperations)
 {
   for (std::uint64_t seed = 1; seed <= 30; ++seed)
@@ -189,7 +180,6 @@ TEST(PhotonSet, MemoryFollowsTheNumberOfPhotons)
     sum += bytesAPhoton(set);
     ASSERT_TRUE(i < 10 || bytesAPhoton(set) <= 24) << i;
   }
-  std::printf("%.2f bytes a photon, the mean over sizes of 1 to %u\n", sum / kMost, kMost);
   EXPECT_LE(sum / kMost, 12);
   // A table of several buckets grows by 1.2 at least: 40 times from 8 photons to 10,000.
   EXPECT_LE(resized, 4 + 40);
@@ -204,39 +194,5 @@ TEST(PhotonSet, MemoryFollowsTheNumberOfPhotons)
   EXPECT_EQ(set.bytes(), 0u);
 }
 
-TEST(PhotonSet, ReservedRoomSuffices)
-{
-  for (const std::uint32_t size : { 1u, 2u, 8u, 9u, 100u, 5000u })
-  {
-    PhotonSet set;
-    set.reserve(size);
-    const std::size_t bytes = set.bytes();
-    for (std::uint32_t i = 0; i < size; ++i)
-    {
-      set.insert({ i, 3 });
-    }
-    EXPECT_EQ(set.bytes(), bytes);
-    set.reserve(size / 2);
-    EXPECT_EQ(set.bytes(), bytes);
-  }
 }
-
-// Removed photons leave nothing behind that would fill the table.
-TEST(PhotonSet, MemoryStaysTheSameWhilePhotonsAreReplaced)
-{
-  constexpr std::uint32_t kSize = 700, kTimes = 100;
-  PhotonSet set;
-  for (std::uint32_t i = 0; i < kSize; ++i)
-  {
-    set.insert({ i, 1 });
-  }
-  const std::size_t bytes = set.bytes();
-  for (std::uint32_t i = 0; i < kTimes * kSize; ++i)
-  {
-    set.remove({ i, 1 });
-    set.insert({ i + kSize, 1 });
-    ASSERT_EQ(set.bytes(), bytes) << i;
-  }
-}
-
 }

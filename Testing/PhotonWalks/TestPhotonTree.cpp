@@ -11,9 +11,8 @@
 
 // A leaf holds what a plain set would hold, however it is cut.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -159,8 +158,6 @@ void compareWithModel(Lie lie, unsigned seed)
   }
 }
 
-}
-
 TEST(PhotonTree, AgreesWithAPlainModelUnderRandomOperations)
 {
   for (const Lie lie : { Lie::OnAPlane, Lie::InSpace, Lie::InFewPlaces, Lie::InOnePlace,
@@ -221,4 +218,5 @@ TEST(PhotonTree, GivesBackItsMemory)
   EXPECT_FALSE(leaf.change({ { random.next() } }, {}));
 }
 
+}
 }

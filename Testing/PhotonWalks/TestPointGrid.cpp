@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/PointGrid.h"
 
-#include "TestScenes.h"
-
-#include <gtest/gtest.h>
+#include "Kit.h"
 
 // Law: the grid of an ordinary scene holds all of it; what is far away makes no grid coarse.
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::grey;
-using test::shift;
-
 const Vector3 kAway(600, 0, 800); ///< 1 km
-const Box kRoom = test::box({ 0, 0, 0 }, { 4, 4, 3 });
+const Box kRoom = box({ 0, 0, 0 }, { 4, 4, 3 });
 
 /// A room, a lamp and a ball that may move.
 struct Room
 {
-  test::ObjectBuilder still;
+  ObjectBuilder still;
   std::vector<SceneObject> dynamicObjects;
   Box lights;
 
@@ -36,7 +30,7 @@ struct Room
 
   void addBall(const Vector3& place, double radius, int bands)
   {
-    test::ObjectBuilder ball;
+    ObjectBuilder ball;
     ball.addSphere({ 0, 0, 0 }, radius, bands, grey(0.5));
     dynamicObjects.push_back(ball.build());
     dynamicObjects.back().worldFromObject = shift(place);
@@ -72,8 +66,6 @@ void expectRoom(const PointGrid& grid, double step)
 {
   EXPECT_TRUE(holds(grid, kRoom));
   EXPECT_LE(grid.step.maxCoeff(), step);
-}
-
 }
 
 TEST(PointGrid, HoldsAllOfAnOrdinaryRoom)
@@ -124,23 +116,23 @@ TEST(PointGrid, HoldsWhatIsThere)
 {
   // Only far things: these are what matters.
   Room far;
-  far.still = test::ObjectBuilder();
+  far.still = ObjectBuilder();
   far.addBall(kAway, 0.3, 6);
   EXPECT_TRUE(isSame(far.grid(), PointGrid(far.bounds())));
   // No surface.
   Room lights;
-  lights.still = test::ObjectBuilder();
+  lights.still = ObjectBuilder();
   EXPECT_TRUE(isSame(lights.grid(), PointGrid(Box())));
   lights.lights.add(kAway);
   EXPECT_TRUE(isSame(lights.grid(), PointGrid(lights.lights)));
   // A floor, and a far light above it.
   Room floor;
-  floor.still = test::ObjectBuilder();
+  floor.still = ObjectBuilder();
   floor.still.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 1, 1, grey(0.5));
   EXPECT_TRUE(isSame(floor.grid(), PointGrid(floor.bounds())));
   floor.lights.add(Vector3(1, 1, 1e4));
   const PointGrid grid = floor.grid();
-  EXPECT_TRUE(holds(grid, test::box({ 0, 0, 0 }, { 4, 4, 0 })));
+  EXPECT_TRUE(holds(grid, box({ 0, 0, 0 }, { 4, 4, 0 })));
   EXPECT_LE(grid.step.maxCoeff(), 1e-3);
 }
 
@@ -169,4 +161,5 @@ TEST(PointGrid, FollowsTheScaleOfTheScene)
   }
 }
 
+}
 }

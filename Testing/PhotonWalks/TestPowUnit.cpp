@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/PowUnit.h"
 
-#include "../RayCasting/RandomVectors.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-namespace irradiance
+namespace irradiance::test
+{
+namespace
 {
 
 TEST(PowUnit, IsWithinItsErrorOfTheLibrarysLongDouble)
 {
-  test::RandomVectors random(11);
+  RandomVectors random(11);
   for (int trial = 0; trial < 300000; ++trial)
   {
     const double base = trial % 3 == 0 ? 1 - random.powerOfTwo(-50, -1)
@@ -42,4 +40,5 @@ TEST(PowUnit, EndsAreExact)
   EXPECT_EQ(powUnit(0.5, 1e6), 0);
 }
 
+}
 }

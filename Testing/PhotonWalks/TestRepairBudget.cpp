@@ -1,147 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A time budget for the repair: it is kept, and later calls repair what is stale.
 
-#include "EngineRun.h"
-#include "MovingScene.h"
-#include "OnlySet.h"
-#include "StaleLight.h"
-#include "TickingExecution.h"
+#include "Kit.h"
 
-#include <map>
-
-namespace irradiance
+namespace irradiance::test
 {
-
-namespace
-{
-
-using test::answerOf;
-using test::expectBalance;
-using test::freshAnswer;
-using test::kNoTime;
-using test::MovingScene;
-using test::numberOfStale;
-using test::scaled;
-using test::TickingExecution;
-
-/// Budgets of any size, frames with and without motion, now and then time to catch up.
-void converge(EngineSettings settings, int bands, unsigned threads, unsigned seed)
-{
-  MovingScene scene(bands, false, seed);
-  test::RandomVectors random(seed);
-  IrradianceEngine engine;
-  const int steps = test::kIsSanitized ? 20 : 120;
-  int partial = 0, exact = 0;
-  for (int step = 0; step < steps; ++step)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step));
-    if (random.engine() % 3 != 0)
-    {
-      scene.nextFrame();
-    }
-    settings.repairTimeBudget = std::pow(10, random.uniform(-4, 0));
-    const bool isLifted = random.engine() % 12 == 0;
-    const bool hasPause = random.engine() % 12 == 0;
-    TickingExecution clock(threads);
-    EngineSettings now = settings;
-    now.repairTimeBudget = isLifted ? 0 : settings.repairTimeBudget;
-    engine.update(scene.objects(), now, clock);
-    expectBalance(engine);
-    for (std::size_t left = numberOfStale(engine); hasPause && left > 0;)
-    {
-      engine.update(scene.objects(), settings, clock);
-      expectBalance(engine);
-      ASSERT_LT(numberOfStale(engine), left) << "every call repairs something";
-      left = numberOfStale(engine);
-    }
-    ASSERT_TRUE(!isLifted || !engine.walks().staleSums());
-    partial += numberOfStale(engine) > 0;
-    if (numberOfStale(engine) == 0)
-    {
-      ++exact;
-      EXPECT_TRUE(engine.stalePower().isZero());
-      EXPECT_EQ(engine.walks().staleGainBound(0), 0);
-      ASSERT_TRUE(answerOf(engine, scene.objects(), settings.separateSides) ==
-        freshAnswer(scene.objects(), settings));
-    }
-    EXPECT_EQ(engine.statistics().shootSeconds > 0, step == 0) << "shot again";
-  }
-  EXPECT_GT(partial, test::kIsSanitized ? 0 : steps / 4); // with few walks, most calls repair all
-  EXPECT_GT(exact, steps / 20);
-}
-
-}
-
-TEST(RepairBudget, ConvergesToTheExactState)
-{
-  unsigned seed = 40;
-  for (const int bands : { 1, 3 })
-  {
-    for (const unsigned threads : { 1u, 4u })
-    {
-      for (const bool cache : { true, false })
-      {
-        EngineSettings settings;
-        settings.numberOfWalks = scaled(4000);
-        settings.cacheStaticHits = cache;
-        settings.separateSides = cache;
-        converge(settings, bands, threads, ++seed);
-      }
-    }
-  }
-}
-
-TEST(RepairBudget, ConvergesToTheExactStateWithGatheredLight)
-{
-  EngineSettings settings;
-  settings.numberOfWalks = scaled(4000);
-  settings.gathersDirectLight = true;
-  converge(settings, 1, 4, 51);
-  settings.separateSides = true;
-  converge(settings, 3, 1, 52);
-}
-
-// An object moves out and back while walks wait, among them walks whose prefix it crosses on the
-// way and walks that hit the object itself.
-TEST(RepairBudget, ThereAndBackWhileWalksWait)
-{
-  SceneObjects objects = MovingScene(1, true, 33).objects();
-  EngineSettings settings;
-  settings.numberOfWalks = scaled(4000);
-  IrradianceEngine engine;
-  TickingExecution clock;
-  engine.update(objects, settings, clock);
-  const test::Answer first = answerOf(engine, objects);
-  const AffineMap home = objects.dynamicObjects[0].worldFromObject;
-  settings.repairTimeBudget = kNoTime;
-  for (int step = 1; step <= 12; ++step)
-  {
-    objects.dynamicObjects[0].worldFromObject = home;
-    objects.dynamicObjects[0].worldFromObject.translation[0] += 0.3 * (step < 6 ? step : 12 - step);
-    engine.update(objects, settings, clock);
-  }
-  EXPECT_GT(numberOfStale(engine), 0u);
-  settings.repairTimeBudget = 0;
-  engine.update(objects, settings, clock);
-  EXPECT_TRUE(answerOf(engine, objects) == first);
-}
-
 namespace
 {
 
 std::map<std::uint16_t, std::size_t> effects(const IrradianceEngine& engine)
 {
   std::map<std::uint16_t, std::size_t> counts;
-  for (std::size_t block = 0; block < test::onlySet(engine).stale()->numberOfBlocks(); ++block)
+  for (std::size_t block = 0; block < onlySet(engine).stale()->numberOfBlocks(); ++block)
   {
-    for (const StaleMark& mark : test::onlySet(engine).stale()->marks(block))
+    for (const StaleMark& mark : onlySet(engine).stale()->marks(block))
     {
       ++counts[mark.powerClass];
     }
   }
   return counts;
-}
-
 }
 
 // Classes of few walks are merged up to 128 walks per unit, so the classes above the weakest of a
@@ -150,9 +27,7 @@ TEST(RepairBudget, TheStrongestComeFirst)
 {
   constexpr std::size_t kBatchSize = 12 * 128; // 12 blocks, each a unit
   MovingScene scene(3, true, 34);
-  EngineSettings settings;
-  settings.numberOfWalks = 12000;
-  settings.repairTimeBudget = kNoTime;
+  EngineSettings settings = Shoot(12000).budget(kNoTime);
   IrradianceEngine engine;
   TickingExecution clock;
   engine.update(scene.objects(), settings, clock);
@@ -188,8 +63,7 @@ TEST(RepairBudget, TheStrongestComeFirst)
 TEST(RepairBudget, TheTimeIsKept)
 {
   MovingScene scene(1, true, 35);
-  EngineSettings settings;
-  settings.numberOfWalks = 6000;
+  Shoot settings(6000);
   IrradianceEngine engine;
   for (int frame = 0; frame < 20; ++frame, scene.nextFrame())
   {
@@ -203,9 +77,6 @@ TEST(RepairBudget, TheTimeIsKept)
     }
   }
 }
-
-namespace
-{
 
 /// After `jumpAt` readings of the clock, all budgets are over.
 class JumpingExecution : public TickingExecution
@@ -225,20 +96,16 @@ private:
   std::int64_t jumpAt_;
 };
 
-}
-
 // Whenever the time is up, the walks of a batch that was begun are finished: the first 16, then as
 // many as take half of the time that is left.
 TEST(RepairBudget, WhatIsBegunIsFinished)
 {
-  test::ObjectBuilder room, ball;
-  room.addBox(test::box({ -2, -2, -2 }, { 2, 2, 2 }), 2, test::grey(0.95), true);
+  ObjectBuilder room, ball;
+  room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(0.95), true);
   room.addPointLight({ 1.5, 1.5, 1.5 }, 3);
-  ball.addSphere({ 0, 0, 0 }, 0.7, 4, test::grey(0.95));
+  ball.addSphere({ 0, 0, 0 }, 0.7, 4, grey(0.95));
   SceneObjects objects{ room.build(), { ball.build() } };
-  EngineSettings settings;
-  settings.numberOfWalks = 500;
-  settings.repairTimeBudget = 1e3;
+  EngineSettings settings = Shoot(500).budget(1e3);
   int some = 0;
   for (int jumpAt = 1; jumpAt <= 60; ++jumpAt)
   {
@@ -246,7 +113,7 @@ TEST(RepairBudget, WhatIsBegunIsFinished)
     JumpingExecution clock(jumpAt);
     objects.dynamicObjects[0].worldFromObject = {};
     engine.update(objects, settings, clock);
-    objects.dynamicObjects[0].worldFromObject = test::shift({ 0.3, 0, 0 });
+    objects.dynamicObjects[0].worldFromObject = shift({ 0.3, 0, 0 });
     engine.update(objects, settings, clock);
     expectBalance(engine);
     const auto found = static_cast<std::size_t>(engine.statistics().invalidWalks);
@@ -255,7 +122,7 @@ TEST(RepairBudget, WhatIsBegunIsFinished)
     some += numberOfStale(engine) > 0;
     settings.repairTimeBudget = 0;
     engine.update(objects, settings, clock);
-    ASSERT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings));
+    ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings));
     settings.repairTimeBudget = 1e3;
   }
   EXPECT_GT(some, 3);
@@ -264,14 +131,13 @@ TEST(RepairBudget, WhatIsBegunIsFinished)
 TEST(RepairBudget, WithoutABudgetNoClockAndNoBooks)
 {
   MovingScene scene(1, true, 36);
-  EngineSettings settings;
-  settings.numberOfWalks = 3000;
+  Shoot settings(3000);
   IrradianceEngine engine;
   TickingExecution clock;
   for (int frame = 0; frame < 5; ++frame, scene.nextFrame())
   {
     engine.update(scene.objects(), settings, clock);
-    EXPECT_EQ(test::onlySet(engine).stale(), nullptr);
+    EXPECT_EQ(onlySet(engine).stale(), nullptr);
   }
   EXPECT_EQ(clock.ticks(), 0);
   const std::size_t bytes = engine.statistics().historyBytes;
@@ -279,11 +145,11 @@ TEST(RepairBudget, WithoutABudgetNoClockAndNoBooks)
   engine.update(scene.objects(), settings, clock);
   EXPECT_GT(engine.statistics().invalidWalks, 0);
   EXPECT_GT(numberOfStale(engine), 0u);
-  const std::size_t held = test::onlySet(engine).stale()->bytes();
+  const std::size_t held = onlySet(engine).stale()->bytes();
   EXPECT_LE(held, 16 * numberOfStale(engine) + 16 * 16 + 4 * 80) << "16 bytes a stale walk";
   settings.repairTimeBudget = 0;
   engine.update(scene.objects(), settings, clock);
-  EXPECT_EQ(test::onlySet(engine).stale(), nullptr);
+  EXPECT_EQ(onlySet(engine).stale(), nullptr);
   EXPECT_LT(engine.statistics().historyBytes, bytes + bytes / 2);
   const std::int64_t ticks = clock.ticks();
   scene.nextFrame();
@@ -294,9 +160,7 @@ TEST(RepairBudget, WithoutABudgetNoClockAndNoBooks)
 TEST(RepairBudget, NothingIsStaleWhenAllIsShotAnew)
 {
   MovingScene scene(1, true, 37);
-  EngineSettings settings;
-  settings.numberOfWalks = 3000;
-  settings.repairTimeBudget = kNoTime;
+  EngineSettings settings = Shoot(3000).budget(kNoTime);
   IrradianceEngine engine;
   TickingExecution clock;
   engine.update(scene.objects(), settings, clock);
@@ -320,9 +184,7 @@ TEST(RepairBudget, AnAbortIsNoEndOfABudget)
   for (int stopAt = 0; stopAt < 12; ++stopAt)
   {
     MovingScene scene(1, true, 38);
-    EngineSettings settings;
-    settings.numberOfWalks = 3000;
-    settings.repairTimeBudget = kNoTime;
+    EngineSettings settings = Shoot(3000).budget(kNoTime);
     IrradianceEngine engine;
     TickingExecution clock;
     engine.update(scene.objects(), settings, clock);
@@ -330,7 +192,7 @@ TEST(RepairBudget, AnAbortIsNoEndOfABudget)
     engine.update(scene.objects(), settings, clock);
     scene.nextFrame();
     settings.repairTimeBudget = 1e9;
-    test::StoppingExecution stopping(stopAt);
+    StoppingExecution stopping(stopAt);
     bool isStopped = false;
     try
     {
@@ -347,4 +209,5 @@ TEST(RepairBudget, AnAbortIsNoEndOfABudget)
   }
 }
 
+}
 }

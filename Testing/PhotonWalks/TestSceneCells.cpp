@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SceneCells.h"
-#include "TestScenes.h"
 
-#include <gtest/gtest.h>
+#include "Kit.h"
 
-namespace irradiance
+namespace irradiance::test
 {
 namespace
 {
@@ -12,8 +11,8 @@ namespace
 /// `cells` rectangles of 1 m x `length`.
 SceneObject strip(int cells, double length)
 {
-  test::ObjectBuilder builder;
-  builder.addQuad({ 0, 0, 0 }, { double(cells), 0, 0 }, { 0, length, 0 }, cells, 1, test::grey(0));
+  ObjectBuilder builder;
+  builder.addQuad({ 0, 0, 0 }, { double(cells), 0, 0 }, { 0, length, 0 }, cells, 1, grey(0));
   return builder.build();
 }
 

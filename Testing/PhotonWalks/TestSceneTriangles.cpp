@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Kit.h"
 #include "Surfaces/SceneCells.h"
 #include "Surfaces/SceneTriangles.h"
 
 #include "Meshes/SurfacePoint.h"
 #include "Surfaces/SceneCells.h"
 
-#include "MovingScene.h"
-
-#include <gtest/gtest.h>
-
-#include <cstring>
-#include <stdexcept>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -74,7 +67,7 @@ void expectAsFresh(const SceneTriangles& triangles, const SceneObjects& objects)
 }
 
 /// Changes something: a pose, who is there, the points, the look, or which objects there are.
-void change(SceneObjects& objects, const SceneObjects& others, test::RandomVectors& random)
+void change(SceneObjects& objects, const SceneObjects& others, RandomVectors& random)
 {
   std::vector<SceneObject>& all = objects.dynamicObjects;
   const std::size_t which = random.engine() % all.size();
@@ -100,11 +93,9 @@ void change(SceneObjects& objects, const SceneObjects& others, test::RandomVecto
   }
 }
 
-}
-
 TEST(SceneTriangles, NumbersRunThroughAllObjects)
 {
-  test::MovingScene scene(1, true, 3);
+  MovingScene scene(1, true, 3);
   SceneObjects objects = scene.objects();
   objects.dynamicObjects[1].isPresent = false;
   const SceneTriangles triangles(objects);
@@ -115,10 +106,10 @@ TEST(SceneTriangles, NumbersRunThroughAllObjects)
 
 TEST(SceneTriangles, FollowTheScene)
 {
-  test::MovingScene scene(1, true, 3), glossy(1, true, 4, true);
+  MovingScene scene(1, true, 3), glossy(1, true, 4, true);
   SceneObjects objects = scene.objects();
   SceneTriangles triangles;
-  test::RandomVectors random(5);
+  RandomVectors random(5);
   for (int step = 0; step < 80; ++step)
   {
     change(objects, step % 2 == 0 ? glossy.objects() : scene.objects(), random);
@@ -135,9 +126,9 @@ TEST(SceneTriangles, FollowTheScene)
 // So many triangles that an update can be cancelled before, among and after the looks.
 TEST(SceneTriangles, AreRightAfterACancelledUpdate)
 {
-  test::ObjectBuilder dull, bright;
-  dull.addSphere({ 0, 0, 0 }, 1, 60, test::grey(0.2));
-  bright.addSphere({ 0, 0, 0 }, 1, 70, test::grey(0.8));
+  ObjectBuilder dull, bright;
+  dull.addSphere({ 0, 0, 0 }, 1, 60, grey(0.2));
+  bright.addSphere({ 0, 0, 0 }, 1, 70, grey(0.8));
   SceneObjects objects{ dull.build(), { bright.build(), dull.build() } };
   ASSERT_GT(objects.staticObject.body->mesh().size(), 5000u);
   SceneTriangles triangles(objects);
@@ -173,7 +164,7 @@ TEST(SceneTriangles, AreRightAfterACancelledUpdate)
 
 TEST(SceneTriangles, KeepTheLooksOfWhatMoves)
 {
-  test::MovingScene scene(1, true, 3);
+  MovingScene scene(1, true, 3);
   SceneObjects objects = scene.objects();
   SceneTriangles triangles(objects);
   for (std::uint32_t number = 0; number < triangles.size(); ++number)
@@ -191,7 +182,7 @@ TEST(SceneTriangles, KeepTheLooksOfWhatMoves)
 
 TEST(SceneTriangles, GlossyCellsAreMarked)
 {
-  const test::MovingScene scene(1, true, 3, true);
+  const MovingScene scene(1, true, 3, true);
   const SceneTriangles triangles(scene.objects());
   EXPECT_TRUE(triangles.hasGlossy());
   for (std::uint32_t number = 0; number < triangles.size(); ++number)
@@ -206,7 +197,7 @@ TEST(SceneTriangles, GlossyCellsAreMarked)
 // Not even a triangle: walks from a point light escape.
 TEST(SceneTriangles, AnEmptySceneHasRowsForNothing)
 {
-  const SceneObjects objects{ test::nothing(), {} };
+  const SceneObjects objects{ nothing(), {} };
   const SceneTriangles triangles(objects);
   EXPECT_EQ(triangles.size(), 0u);
   EXPECT_NE(triangles.records(), nullptr);
@@ -215,4 +206,5 @@ TEST(SceneTriangles, AnEmptySceneHasRowsForNothing)
   EXPECT_FALSE(SceneTriangles().looks()[0].survives(0));
 }
 
+}
 }

@@ -2,53 +2,23 @@
 // What sensors gather, on surfaces and in the air: closed forms, agreement with cells, laws, error
 // bars.
 
-#include "EngineRun.h"
-#include "IntervalCount.h"
+#include "Kit.h"
 #include "LambertContour.h"
-#include "MovingScene.h"
 #include "Progress/InputError.h"
-#include "SameLight.h"
-#include "ThreadExecution.h"
-#include "ThreadRanks.h"
 #include "Views/SensorFinalGather.h"
 #include "Views/SensorPlace.h"
 
-#include "../RayCasting/TestSimdLevels.h"
-
-#include <gtest/gtest.h>
-
-#include <mutex>
-#include <numeric>
-#include <tuple>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::areSame;
-using test::box;
-using test::gathered;
-using test::grey;
-using test::MovingScene;
-using test::ObjectBuilder;
-using test::ReplicateMean;
-
 const Vector3 kNone = Vector3::Zero(); ///< the normal of a sensor that receives from all directions
-using test::kRays;
 
 /// An engine whose sides can be told: from photons, or from sums.
 EngineSettings settingsOf(std::uint32_t walks, bool gathersDirectLight, std::uint64_t seed = 1)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  settings.seed = seed;
-  settings.gathersDirectLight = gathersDirectLight;
-  settings.keepPhotons = true;
-  return settings;
-}
-
+  return Shoot(walks).seeded(seed).gathered(gathersDirectLight).kept();
 }
 
 // Both estimates have the sides of the same walks: the sums counted from what is stored are those
@@ -59,12 +29,12 @@ TEST(SideSums, AreThoseOfWalksThatTellSidesApart)
     { std::tuple(1, false, 1u), std::tuple(3, true, 4u), std::tuple(1, true, 5u) })
   {
     MovingScene scene(bands, false, 91);
-    EngineSettings plain = settingsOf(test::scaled(10000), gathers);
+    EngineSettings plain = settingsOf(scaled(10000), gathers);
     plain.replicates = replicates;
     EngineSettings separate = plain;
     separate.separateSides = true;
     IrradianceEngine engine, expected;
-    test::ThreadExecution two(2);
+    ThreadExecution two(2);
     for (int frame = 0; frame < 3; ++frame, scene.nextFrame())
     {
       engine.update(scene.objects(), plain, two);
@@ -72,28 +42,15 @@ TEST(SideSums, AreThoseOfWalksThatTellSidesApart)
       const SideSums counted(engine.walks(), scene.objects(), two);
       const SideSums kept(expected.walks(), scene.objects(), two);
       EXPECT_EQ(&kept.sums(), &expected.sums()) << "nothing is to be counted";
+      expectEqual(counted.sums(), kept.sums());
       double back = 0;
-      engine.cells().numbers().forEach([&](const SceneCell& cell) {
-        for (int band = 0; band < bands; ++band)
-        {
-          for (std::uint32_t k = 0; k < replicates; ++k)
-          {
-            for (const int side : { 0, 1 })
-            {
-              ASSERT_EQ(counted.sums().sum({ cell, side }, band, k, 1),
-                kept.sums().sum({ cell, side }, band, k, 1));
-            }
-            back += kept.sums().sum({ cell, 1 }, band, k, 1);
-          }
-        }
+      forEachSum(kept.sums(), [&](const CellSide& side, int band, std::uint32_t k, std::size_t) {
+        back += side.side == 1 ? kept.sums().sum(side, band, k, 1) : 0;
       });
       EXPECT_GT(back, 0) << "some light is on backs";
     }
   }
 }
-
-namespace
-{
 
 /// Every cell emits what it does not reflect, so E = 1 everywhere, and 4 from all directions. A
 /// ball and a box stand in it.
@@ -103,7 +60,7 @@ SceneObjects furnace(int bands)
   room.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), 3, grey(0.5, 0.5), true);
   ball.addSphere({ 0, 0, 0 }, 0.5, 4, grey(0.7, 0.3));
   crate.addBox(box({ 2.5, 1, 0 }, { 3.3, 1.7, 0.7 }), 1, grey(0.2, 0.8));
-  return { room.build(), { ball.build(test::shift({ 1, 1.5, 2 })), crate.build() } };
+  return { room.build(), { ball.build(shift({ 1, 1.5, 2 })), crate.build() } };
 }
 
 /// On walls, edges, and corners, which rounding in floats may have put on either side of them; in
@@ -123,8 +80,6 @@ std::vector<Sensor> furnaceSensors()
     sensors.push_back({ place, kNone });
   }
   return sensors;
-}
-
 }
 
 // Nothing has a bias here. |t| > 5.5 of 11 degrees of freedom: once in 5,000 for each of 14 sensors
@@ -160,7 +115,6 @@ TEST(SensorFinalGather, InAFurnaceAllSensorsFindOneOrFour)
       EXPECT_LT(means[i].standardError(), 0.06)
         << "sensor " << i << " gathers " << gathers << " mean " << means[i].mean();
     }
-    all.print("furnace, all sensors", 1);
     EXPECT_LT(std::abs(all.t(1)), 5.5);
   }
 }
@@ -189,15 +143,10 @@ TEST(SensorFinalGather, APointLightAloneIsExact)
   }
 }
 
-namespace
-{
-
 /// The solid angle of the rectangle [-a, a] x [-b, b] from a height over its middle.
 double solidAngle(double a, double b, double height)
 {
   return 4 * std::asin(a * b / std::sqrt((a * a + height * height) * (b * b + height * height)));
-}
-
 }
 
 // Two plates that shine at each other, or a single one: M Omega / pi from each. Nothing reflects.
@@ -221,18 +170,13 @@ TEST(SensorFinalGather, FluenceBetweenPlatesIsTheirSolidAngle)
     outside.add(lights[2].value[0]);
   }
   const double truth = (10 * solidAngle(1, 0.5, 0.5) + 4 * solidAngle(1, 0.5, 1)) / M_PI;
-  const double below = 10 * test::lambertIrradiance(place, down, lower);
-  fluence.print("fluence between plates", truth);
-  irradiance.print("irradiance between plates", below);
+  const double below = 10 * lambertIrradiance(place, down, lower);
   EXPECT_NEAR(fluence.mean(), truth, 4e-6 * truth);
   EXPECT_LT(fluence.standardError(), 1e-9 * truth);
   EXPECT_LT(std::abs(irradiance.t(below)), 5.5);
   EXPECT_NEAR(irradiance.mean(), below, 0.005 * below);
   EXPECT_EQ(outside.mean(), 0) << "plates shine on one side";
 }
-
-namespace
-{
 
 /// A room whose walls have a reflectance each, with a lamp below the ceiling, and a table of 4 x 4
 /// cells.
@@ -246,9 +190,7 @@ SceneObjects roomWithTable()
   }
   room.addQuad({ 1.2, 1.6, 2.9 }, { 0, 0.8, 0 }, { 1.2, 0, 0 }, 1, 1, grey(0, 30));
   table.addBox(box({ 0, 0, 0 }, { 1, 1, 0.7 }), 4, grey(0.5));
-  return { room.build(), { table.build(test::shift({ 2.4, 0.5, 0 })) } };
-}
-
+  return { room.build(), { table.build(shift({ 2.4, 0.5, 0 })) } };
 }
 
 // The mean of sensors over a cell is the irradiance of the cell, which shot walks know without
@@ -282,8 +224,8 @@ TEST(SensorFinalGather, AgreesWithCells)
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
   {
     IrradianceEngine shot;
-    test::ThreadExecution two(2);
-    EngineSettings settings = settingsOf(test::scaled(200000), false, 100 + seed);
+    ThreadExecution two(2);
+    EngineSettings settings = settingsOf(scaled(200000), false, 100 + seed);
     settings.keepPhotons = false;
     settings.verify = false;
     shot.update(objects, settings, two);
@@ -301,86 +243,9 @@ TEST(SensorFinalGather, AgreesWithCells)
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    points[k].print("sensors on a cell", cells[k].mean());
     EXPECT_NEAR(points[k].mean(), cells[k].mean(),
       0.01 * cells[k].mean() +
         4.5 * std::hypot(points[k].standardError(), cells[k].standardError()));
-  }
-}
-
-namespace
-{
-
-std::vector<Sensor> randomSensors(int count)
-{
-  test::RandomVectors random(5);
-  std::vector<Sensor> sensors;
-  for (int i = 0; i < count; ++i)
-  {
-    sensors.push_back({ Vector3(2, 2, 2) + 2.2 * random.inCube(),
-      i % 3 == 0 ? kNone : Vector3(random.inCube().normalized()) });
-  }
-  return sensors;
-}
-
-}
-
-// Laws 1 and 2, and however sensors are divided.
-TEST(SensorFinalGather, UpdateEqualsRebuildOnAnyThreadsAndInstructions)
-{
-  const std::vector<Sensor> sensors = randomSensors(40);
-  for (const auto& [bands, gathers] : { std::pair(1, false), std::pair(3, true) })
-  {
-    MovingScene scene(bands, false, 92);
-    EngineSettings settings = settingsOf(2000, gathers);
-    settings.replicates = 3;
-    IrradianceEngine engine;
-    test::ThreadExecution two(2);
-    for (int frame = 0; frame < (test::kIsSanitized ? 2 : 4); ++frame, scene.nextFrame())
-    {
-      engine.update(scene.objects(), settings, two);
-      const auto found = gathered(engine, sensors);
-      ASSERT_TRUE(areSame(found, gathered(scene.objects(), settings, sensors))) << frame;
-      const SensorFinalGather gather(engine, kRays, two);
-      std::vector<SensorFinalGather::Light> single;
-      for (std::size_t i = 0; i < sensors.size(); ++i)
-      {
-        single.push_back(gather.at(sensors, { i }).front());
-      }
-      ASSERT_TRUE(areSame(single, found)) << frame;
-    }
-    const auto expected = gathered(scene.objects(), settings, sensors);
-    for (const SimdLevel level : test::simdLevels())
-    {
-      const test::SimdLimit limit(level);
-      EXPECT_TRUE(areSame(gathered(scene.objects(), settings, sensors), expected));
-    }
-  }
-}
-
-// Law 2 with ranks: those that share the walks have sums by side in common; else each has all
-// walks, and counts.
-TEST(SensorFinalGather, IsTheSameOnAnyRanks)
-{
-  const MovingScene scene(1, true, 93);
-  const std::vector<Sensor> sensors = randomSensors(20);
-  for (const bool separates : { true, false })
-  {
-    EngineSettings settings = settingsOf(5000, separates);
-    settings.replicates = 3;
-    settings.separateSides = separates;
-    settings.keepPhotons = settings.allOnEachRank = !separates;
-    const auto expected = gathered(scene.objects(), settings, sensors);
-    test::ThreadRanks all(3);
-    std::mutex mutex;
-    const std::vector<std::string> errors = all.run([&](test::ThreadRanks::Rank& rank) {
-      IrradianceEngine engine;
-      engine.update(scene.objects(), settings, rank);
-      const auto found = gathered(engine, sensors);
-      const std::lock_guard<std::mutex> lock(mutex);
-      EXPECT_TRUE(areSame(found, expected)) << "rank " << rank.rank();
-    });
-    EXPECT_EQ(errors, std::vector<std::string>(3));
   }
 }
 
@@ -391,8 +256,8 @@ TEST(SensorFinalGather, ErrorBarsHoldTheTruth)
 {
   const std::vector<Sensor> sensors = furnaceSensors();
   const SceneObjects objects = furnace(1);
-  test::IntervalCount intervals(16);
-  for (std::uint64_t seed = 1; seed <= (test::kIsSanitized ? 6 : 24); ++seed)
+  IntervalCount intervals(16);
+  for (std::uint64_t seed = 1; seed <= (kIsSanitized ? 6 : 24); ++seed)
   {
     EngineSettings settings = settingsOf(2000, seed % 2 == 0, seed);
     settings.replicates = 16;
@@ -424,7 +289,6 @@ TEST(SensorFinalGather, ErrorBarsKnowTheNoiseOfWhatIsRead)
     const auto lights = gathered(objects, settings, { { { 4, 4, 4 }, { 0, 0, 1 } } }, 512);
     squares += std::pow((lights[0].value[0] - 1) / lights[0].standardError[0], 2) / kSeeds;
   }
-  std::printf("errors are %.2f of those claimed\n", std::sqrt(squares));
   EXPECT_LT(squares, 15.0 / 13 + 4 * std::sqrt(3.3 / kSeeds));
   EXPECT_GT(squares, 0.25) << "nor much too wide";
 }
@@ -456,21 +320,18 @@ TEST(SensorFinalGather, SeesFromAfarWhatCellsReflect)
   ReplicateMean ratio;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
   {
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settingsOf(10000, false, seed), serial);
+    UpdatedEngine engine(objects, settingsOf(10000, false, seed));
     double expected = 0;
     for (std::size_t cell = 0; cell < 4; ++cell)
     {
       const Vector3 corner(0.5 * double(cell % 2), 0.5 * double(cell / 2), 0);
       const Vector3 u(0.5, 0, 0), v(0, 0.5, 0);
       expected += 0.8 * engine.irradiance({ { 0, cell } }, 0) *
-        test::lambertIrradiance(place, down, { corner, corner + u, corner + u + v, corner + v });
+        lambertIrradiance(place, down, { corner, corner + u, corner + u + v, corner + v });
     }
     const auto found = gathered(engine, { { place, down } }, 16384);
     ratio.add((found[0].value[0] - direct) / expected);
   }
-  ratio.print("plate from afar", 1);
   EXPECT_LT(std::abs(ratio.t(1)), 5.5);
   EXPECT_LT(ratio.standardError(), 0.05);
 }
@@ -481,7 +342,7 @@ TEST(SensorFinalGather, WithoutLightOrSurfaceThereIsNothing)
   dark.addBox(box({ 0, 0, 0 }, { 1, 1, 1 }), 2, grey(0.5), true);
   lamp.addPointLight({ 1, 2, 3 }, 5);
   const std::vector<Sensor> sensors{ { { 0.3, 0.2, 0.5 }, kNone }, { { 1, 2, 3 }, kNone } };
-  for (const SceneObject& object : { dark.build(), lamp.build(), test::nothing() })
+  for (const SceneObject& object : { dark.build(), lamp.build(), nothing() })
   {
     const auto lights = gathered({ object, {} }, settingsOf(1000, false), sensors);
     EXPECT_EQ(lights[0].value[0] > 0, object.emission != nullptr);
@@ -495,4 +356,5 @@ TEST(SensorFinalGather, RefusesPointLightsBesideSpecularCells)
   EXPECT_THROW(gathered(glossy.objects(), settingsOf(1000, true), {}), InputError);
 }
 
+}
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace irradiance
+namespace irradiance::test
 {
 namespace
 {

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
 #include "Sampling/SobolSequence.h"
 
-#include <gtest/gtest.h>
+#include "Kit.h"
 
-#include <random>
-#include <set>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -75,9 +70,7 @@ private:
 };
 
 // Exceeded by chance once in 10^6 tests.
-const double kLimit = test::chiSquareLimit(255, 4.753);
-
-}
+const double kLimit = chiSquareLimit(255, 4.753);
 
 TEST(SobolSequence, FirstTwoDimensionsFollowTheDirectionNumbers)
 {
@@ -162,7 +155,6 @@ TEST(SobolSequence, BouncesAndUsesAreIndependentUnderManySeeds)
       worst = std::max(worst, pair.chiSquare());
     }
   }
-  std::printf("seeds 0-65535: largest chi-square %.1f, limit %.1f\n", worst, kLimit);
 }
 
 // One walk of one seed, along its bounces. A false alarm once in 300,000.
@@ -237,4 +229,5 @@ TEST(SobolSequence, ReplicatesAreIndependent)
   }
 }
 
+}
 }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/SphericalTriangle.h"
 
-#include "../RayCasting/RandomVectors.h"
-#include "EngineRun.h"
+#include "Kit.h"
+
 #include "LambertContour.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -48,7 +45,7 @@ double conditionOf(const Triangle& triangle, const Vector3& from)
     slimness(a, toC) + slimness(b, c);
 }
 
-Triangle randomTriangle(test::RandomVectors& random)
+Triangle randomTriangle(RandomVectors& random)
 {
   return { random.inCube(), random.inCube(), random.inCube() };
 }
@@ -97,7 +94,7 @@ double chiSquareOf(const Sight& sight, int points, unsigned seed)
   // By (i, j) and which of the two halves of the parallelogram.
   std::array<int, 2 * kParts * kParts> counts{};
   const SphericalTriangle seen(triangle, from);
-  test::RandomVectors random(seed);
+  RandomVectors random(seed);
   for (int k = 0; k < points; ++k)
   {
     const double x = random.uniform(0, 1);
@@ -128,8 +125,6 @@ double chiSquareOf(const Sight& sight, int points, unsigned seed)
   return chiSquare;
 }
 
-}
-
 TEST(SphericalTriangle, OctantIsHalfPi)
 {
   const SphericalTriangle seen({ { 3, 0, 0 }, { 0, 5, 0 }, { 0, 0, 0.1 } }, { 0, 0, 0 });
@@ -138,7 +133,7 @@ TEST(SphericalTriangle, OctantIsHalfPi)
 
 TEST(SphericalTriangle, AgreesWithVanOosteromAndStrackee)
 {
-  test::RandomVectors random(1);
+  RandomVectors random(1);
   double worst = 0, smallest = 1, largest = 0;
   for (int i = 0; i < 100000; ++i)
   {
@@ -169,13 +164,11 @@ TEST(SphericalTriangle, AgreesWithVanOosteromAndStrackee)
   EXPECT_LE(worst, 1e-15);
   EXPECT_LT(smallest, 1e-20);
   EXPECT_GT(largest, 2 * M_PI - 1e-6);
-  std::printf("seed 1: %.2g to %.6g sr, largest relative error %.2g of the condition\n", smallest,
-    largest, worst);
 }
 
 TEST(SphericalTriangle, PartsAddUp)
 {
-  test::RandomVectors random(2);
+  RandomVectors random(2);
   double worst = 0;
   for (int i = 0; i < 10000; ++i)
   {
@@ -189,14 +182,13 @@ TEST(SphericalTriangle, PartsAddUp)
     worst = std::max(worst, std::abs(sum / whole - 1) / conditionOf({ a, b, c }, from));
   }
   EXPECT_LE(worst, 1e-15);
-  std::printf("seed 2: largest relative error %.2g of the condition\n", worst);
 }
 
 // 22 chi-squares, each beyond its limit by chance once in 3.5 million times.
 TEST(SphericalTriangle, ChoosesEvenlyBySolidAngle)
 {
   constexpr int kPoints = 200000;
-  const double limit = test::chiSquareLimit(kParts * kParts - 1, 5);
+  const double limit = chiSquareLimit(kParts * kParts - 1, 5);
   double worst = 0;
   for (const Sight& sight : sights())
   {
@@ -208,13 +200,12 @@ TEST(SphericalTriangle, ChoosesEvenlyBySolidAngle)
       worst = std::max(worst, chiSquare);
     }
   }
-  std::printf("seed 3: largest chi-square %.3g, limit %.3g\n", worst, limit);
 }
 
 // Free of chance: on a grid the error shrinks with the square of its step, as sample is smooth.
 TEST(SphericalTriangle, MeanCosineIsLambertsFormFactor)
 {
-  test::RandomVectors random(4);
+  RandomVectors random(4);
   double worst = 0;
   for (int i = 0; i < 200; ++i)
   {
@@ -227,15 +218,13 @@ TEST(SphericalTriangle, MeanCosineIsLambertsFormFactor)
     const SphericalTriangle seen(triangle, from);
     constexpr int kGrid = 128;
     const double cosine =
-      test::meanOverRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, kGrid, [&](const Vector3& u) {
+      meanOverRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, kGrid, [&](const Vector3& u) {
         return normal.dot((pointOf(triangle, seen.sample({ u[0], u[1] })) - from).normalized());
       });
-    const double expected =
-      test::lambertIrradiance(from, normal, { triangle.a, triangle.b, triangle.c });
+    const double expected = lambertIrradiance(from, normal, { triangle.a, triangle.b, triangle.c });
     worst = std::max(worst, std::abs(cosine * seen.solidAngle() / M_PI - expected));
   }
   EXPECT_LE(worst, 2e-4);
-  std::printf("seed 4: largest error of a form factor %.2g\n", worst);
 }
 
 TEST(SphericalTriangle, CornersOfTheSquareAreCornersOfTheTriangle)
@@ -252,7 +241,7 @@ TEST(SphericalTriangle, CornersOfTheSquareAreCornersOfTheTriangle)
 // So small that solid angle and area are the same but for 1e-9 and, respectively, seen edge-on.
 TEST(SphericalTriangle, TinyAndFlatOnesAreChosenFromByArea)
 {
-  test::RandomVectors random(5);
+  RandomVectors random(5);
   for (int i = 0; i < 10000; ++i)
   {
     const double u = random.uniform(0, 1), v = random.uniform(0, 1), s = std::sqrt(v);
@@ -274,7 +263,7 @@ TEST(SphericalTriangle, TinyAndFlatOnesAreChosenFromByArea)
 
 TEST(SphericalTriangle, FromItsCornersNothingIsSeen)
 {
-  test::RandomVectors random(8);
+  RandomVectors random(8);
   for (int i = 0; i < 1000; ++i)
   {
     const Triangle triangle = randomTriangle(random);
@@ -290,7 +279,7 @@ TEST(SphericalTriangle, FromItsCornersNothingIsSeen)
 // On and by corners, edges and the plane, of all sizes and far from the origin.
 TEST(SphericalTriangle, WeightsAreValidEverywhere)
 {
-  test::RandomVectors random(6);
+  RandomVectors random(6);
   for (int i = 0; i < 300000; ++i)
   {
     const double scale = random.powerOfTwo(-100, 100);
@@ -316,7 +305,7 @@ TEST(SphericalTriangle, WeightsAreValidEverywhere)
 
 TEST(SphericalTriangle, ScalingByPowersOfTwoChangesNoBit)
 {
-  test::RandomVectors random(7);
+  RandomVectors random(7);
   for (int i = 0; i < 20000; ++i)
   {
     const auto [a, b, c] = randomTriangle(random);
@@ -330,4 +319,5 @@ TEST(SphericalTriangle, ScalingByPowersOfTwoChangesNoBit)
   }
 }
 
+}
 }

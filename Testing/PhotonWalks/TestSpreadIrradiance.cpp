@@ -1,64 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The engine with the cell estimate Spread: laws, what is stale, error bars.
 
-#include "MovingScene.h"
-#include "OnlySet.h"
-#include "ShownAnswer.h"
-#include "ThreadExecution.h"
-#include "TickingExecution.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::box;
-using test::grey;
-using test::MovingScene;
-using test::ObjectBuilder;
-
 EngineSettings spreading(std::uint32_t walks, double photons)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(walks);
+  Shoot settings(scaled(walks));
   settings.cellEstimate = CellEstimate::Spread;
   settings.spreadPhotons = photons;
   return settings;
 }
-
-}
-
-// Law 1, with error bars, all kinds of motion and of sides.
-TEST(CellSpread, UpdateEqualsRebuild)
-{
-  for (const auto& [bands, isGathered] :
-    { std::pair(1, false), std::pair(3, false), std::pair(1, true), std::pair(3, true) })
-  {
-    MovingScene scene(bands, bands == 3, 71);
-    EngineSettings settings = spreading(10007, 400);
-    settings.separateSides = bands == 3;
-    settings.gathersDirectLight = isGathered;
-    settings.replicates = 4;
-    IrradianceEngine engine;
-    test::ThreadExecution threads(2);
-    for (int frame = 0; frame < (test::kIsSanitized ? 4 : 10); ++frame, scene.nextFrame())
-    {
-      engine.update(scene.objects(), settings, threads);
-      ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
-        test::freshShownAnswer(scene.objects(), settings))
-        << bands << " bands, frame " << frame << ", gathered " << isGathered;
-      EXPECT_EQ(engine.statistics().shootSeconds > 0, frame == 0);
-    }
-  }
-}
-
-namespace
-{
 
 /// W/m2 of all cells and sides, with the standard errors.
 std::vector<double> allValues(const IrradianceEngine& engine)
@@ -86,8 +42,6 @@ double wattsOf(const IrradianceEngine& engine, std::uint32_t object)
   return watts;
 }
 
-}
-
 // In a black scene all light is gathered: nothing is blurred, and the error bars are those of the
 // sums.
 TEST(CellSpread, LeavesGatheredLightWhereItIs)
@@ -96,7 +50,7 @@ TEST(CellSpread, LeavesGatheredLightWhereItIs)
   room.addBox(box({ 0, 0, 0 }, { 3, 3, 3 }), 8, grey(0), true);
   room.addPointLight({ 1, 2, 2.8 }, 20);
   ball.addSphere({ 0, 0, 0 }, 0.5, 6, grey(0));
-  const SceneObjects objects{ room.build(), { ball.build(test::shift({ 1.5, 1.5, 1 })) } };
+  const SceneObjects objects{ room.build(), { ball.build(shift({ 1.5, 1.5, 1 })) } };
   EngineSettings settings = spreading(100000, 1000);
   settings.gathersDirectLight = true;
   settings.separateSides = true;
@@ -122,14 +76,12 @@ TEST(CellSpread, ConservesThePowerOfGatheredAndShotLight)
   const MovingScene scene(1, true, 77);
   EngineSettings settings = spreading(20000, 300);
   settings.gathersDirectLight = true;
-  IrradianceEngine engine;
-  Execution execution;
-  engine.update(scene.objects(), settings, execution);
+  UpdatedEngine engine(scene.objects(), settings);
   std::size_t blurred = 0, all = 0;
   for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
   {
     const std::size_t cells = engine.cells().numbers().sizeOf(object);
-    const double sum = test::wattsOn(engine, object, 0, cells);
+    const double sum = wattsOn(engine, object, 0, cells);
     EXPECT_NEAR(wattsOf(engine, object), sum, 1e-9 * sum) << "object " << object;
     for (std::size_t cell = 0; cell < cells; ++cell, ++all)
     {
@@ -144,47 +96,19 @@ TEST(CellSpread, ConservesThePowerOfGatheredAndShotLight)
   EXPECT_GT(blurred, all / 4) << "large cells keep what they have";
 }
 
-TEST(CellSpread, UpdateEqualsRebuildWithATarget)
-{
-  MovingScene scene(1, true, 75);
-  EngineSettings settings = spreading(1000, 100);
-  settings.replicates = 8;
-  settings.targetRelativeError = 0.35;
-  settings.maximumNumberOfWalks = 30000;
-  IrradianceEngine engine;
-  Execution execution;
-  for (int frame = 0; frame < 6; ++frame, scene.nextFrame())
-  {
-    settings.targetRelativeError = frame % 3 == 2 ? 0.6 : 0.35;
-    settings.cellEstimate = frame == 4 ? CellEstimate::Sums : CellEstimate::Spread;
-    engine.update(scene.objects(), settings, execution);
-    ASSERT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
-      test::freshShownAnswer(scene.objects(), settings))
-      << "frame " << frame << ", " << engine.numberOfWalks() << " walks";
-    EXPECT_GT(engine.sums().rounds(), 1u);
-    const std::vector<double> areas = cellAreas(scene.objects().staticObject);
-    double watts = 0;
-    for (std::size_t cell = 0; cell < areas.size(); ++cell)
-    {
-      watts += engine.irradiance({ 0, cell }, 0) * areas[cell];
-    }
-    EXPECT_NEAR(watts / test::wattsOn(engine, 0, 0, areas.size()), 1, 1e-12) << "of all rounds";
-  }
-}
-
 // While walks are stale, the stale part is spread like the whole. In the end nothing is stale.
 TEST(CellSpread, SpreadsWhatIsStaleAlike)
 {
   MovingScene scene(1, true, 76);
   EngineSettings settings = spreading(20000, 200);
-  settings.repairTimeBudget = 10 * test::TickingExecution::kTick;
+  settings.repairTimeBudget = 10 * TickingExecution::kTick;
   IrradianceEngine engine;
-  test::TickingExecution clock;
+  TickingExecution clock;
   engine.update(scene.objects(), settings, clock);
   scene.nextFrame();
   engine.update(scene.objects(), settings, clock);
   int waits = 0;
-  for (; test::onlySet(engine).stale() && !test::onlySet(engine).stale()->isEmpty(); ++waits)
+  for (; onlySet(engine).stale() && !onlySet(engine).stale()->isEmpty(); ++waits)
   {
     for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
     {
@@ -197,102 +121,15 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
         EXPECT_GE(part, 0);
         EXPECT_LE(part, all);
         watts += part * areas[cell];
-        stale += engine.watts(test::onlySet(engine).stale()->sums().sum({ object, cell }, 0));
+        stale += engine.watts(onlySet(engine).stale()->sums().sum({ object, cell }, 0));
       }
       EXPECT_NEAR(watts, stale, 1e-8 * stale);
     }
     engine.update(scene.objects(), settings, clock);
   }
   EXPECT_GE(waits, 2);
-  EXPECT_TRUE(test::shownAnswer(engine, scene.objects(), settings) ==
-    test::freshShownAnswer(scene.objects(), settings));
-}
-
-// Replicates are spread one by one, what is stale in one go, and both are rounded: where all
-// photons of an object are stale, the part must not come out larger than the whole.
-TEST(CellSpread, WhatIsStaleIsAtMostAll)
-{
-  MovingScene scene(1, true, 76);
-  EngineSettings settings = spreading(2000, 50);
-  settings.numberOfWalks = 2000; // with sanitizers too: few would be repaired at once
-  settings.replicates = 16;
-  settings.repairTimeBudget = 1e-3 * test::TickingExecution::kTick;
-  IrradianceEngine engine;
-  test::TickingExecution clock;
-  engine.update(scene.objects(), settings, clock);
-  for (int frame = 0; frame < 4; ++frame)
-  {
-    scene.nextFrame();
-    engine.update(scene.objects(), settings, clock);
-    ASSERT_FALSE(test::onlySet(engine).stale()->isEmpty());
-    for (std::uint32_t object = 0; object < scene.objects().size(); ++object)
-    {
-      const std::vector<double> areas = cellAreas(scene.objects()[object]);
-      for (std::size_t cell = 0; cell < areas.size(); ++cell)
-      {
-        EXPECT_LE(
-          engine.staleIrradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
-      }
-    }
-  }
-}
-
-// Law 2.
-TEST(CellSpread, IsTheSameForAnyThreads)
-{
-  const SceneObjects objects = MovingScene(3, false, 77).objects();
-  EngineSettings settings = spreading(10000, 300);
-  settings.replicates = 5;
-  const test::Answer expected = test::freshShownAnswer(objects, settings);
-  std::vector<std::unique_ptr<Execution>> executions;
-  executions.push_back(std::make_unique<test::ThreadExecution>(2));
-  executions.push_back(std::make_unique<test::ThreadExecution>(5));
-  executions.push_back(std::make_unique<test::BackwardExecution>());
-  for (const auto& execution : executions)
-  {
-    IrradianceEngine engine;
-    engine.update(objects, settings, *execution);
-    EXPECT_TRUE(test::shownAnswer(engine, objects, settings) == expected);
-  }
-}
-
-// Law 6, for models in another unit of length.
-TEST(CellSpread, ScalesByPowersOfTwo)
-{
-  const auto scaled = [](double scale) {
-    ObjectBuilder room, thing;
-    room.addBox(box({ 0, 0, 0 }, Vector3(4, 3, 5) * scale), 4, grey(0.6), true);
-    room.addQuad(Vector3(1, 1, 4.5) * scale, Vector3(0, 1, 0) * scale, Vector3(1, 0, 0) * scale, 1,
-      1, grey(0, 10));
-    thing.addSphere({ 0, 0, 0 }, 0.8 * scale, 12, grey(0.3));
-    Matrix3 stretch = Matrix3::Identity();
-    stretch(0, 1) = 0.3;
-    return SceneObjects{ room.build(), { thing.build({ stretch, Vector3(1.5, 1.2, 2) * scale }) } };
-  };
-  EngineSettings settings = spreading(20000, 150);
-  settings.replicates = 4;
-  const SceneObjects unit = scaled(1);
-  IrradianceEngine engine;
-  Execution execution;
-  engine.update(unit, settings, execution);
-  for (const int exponent : { -20, -3, 1, 10, 30 })
-  {
-    const double scale = std::ldexp(1.0, exponent);
-    const SceneObjects objects = scaled(scale);
-    IrradianceEngine other;
-    other.update(objects, settings, execution);
-    for (std::uint32_t object = 0; object < objects.size(); ++object)
-    {
-      const std::vector<double> areas = cellAreas(unit[object]);
-      for (std::size_t cell = 0; cell < areas.size(); ++cell)
-      {
-        ASSERT_EQ(other.irradiance({ object, cell }, 0), engine.irradiance({ object, cell }, 0));
-        const double error = engine.errorEstimate().standardError({ object, cell }, 0),
-                     otherError = other.errorEstimate().standardError({ object, cell }, 0);
-        ASSERT_TRUE(error == otherError || (std::isnan(error) && std::isnan(otherError)));
-      }
-    }
-  }
+  EXPECT_TRUE(
+    shownAnswer(engine, scene.objects(), settings) == freshShownAnswer(scene.objects(), settings));
 }
 
 // Walls that receive enough keep their bits, error bars included; only the fine object changes.
@@ -338,17 +175,15 @@ TEST(CellSpread, ShootsNothingAnew)
     objects.dynamicObjects.resize(isStatic ? 0 : objects.dynamicObjects.size());
     EngineSettings settings = spreading(5000, 100);
     settings.replicates = 4;
-    IrradianceEngine engine;
     Execution execution;
-    engine.update(objects, settings, execution);
+    UpdatedEngine engine(objects, settings, execution);
     for (const double photons : { 0.0, 100.0, 37.0, 0.0 })
     {
       settings.cellEstimate = photons == 0 ? CellEstimate::Sums : CellEstimate::Spread;
       settings.spreadPhotons = std::max(1.0, photons);
       engine.update(objects, settings, execution);
       EXPECT_EQ(engine.statistics().shootSeconds, 0);
-      EXPECT_TRUE(
-        test::shownAnswer(engine, objects, settings) == test::freshShownAnswer(objects, settings));
+      EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
     }
   }
 }
@@ -358,20 +193,11 @@ TEST(CellSpread, ShootsNothingAnew)
 // the share of intervals that hold the truth is off by 0.04 once in 10^5.
 TEST(CellSpread, IntervalsHoldTheTruth)
 {
-  test::RandomVectors random(92);
-  ObjectBuilder room, thing;
-  room.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), 4, {}, true);
+  RandomVectors random(92);
+  ObjectBuilder thing;
   thing.addSphere({ 0, 0, 0 }, 0.8, 20, {});
-  for (ObjectBuilder* builder : { &room, &thing })
-  {
-    Material& material = builder->material();
-    for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
-    {
-      material.reflectance[cell] = random.uniform(0, 0.9);
-      builder->emission().exitance[cell] = 1 - material.reflectance[cell];
-    }
-  }
-  const SceneObjects objects{ room.build(), { thing.build(test::shift({ 1.5, 1.2, 2 })) } };
+  const SceneObjects objects{ furnace(plainRoom({ 4, 3, 5 }, 4, {}), random),
+    { furnace(thing, random, false, shift({ 1.5, 1.2, 2 })) } };
   const std::vector<double> areas = cellAreas(objects.dynamicObjects[0]);
   EngineSettings settings = spreading(40000, 150);
   settings.replicates = 16;
@@ -381,9 +207,7 @@ TEST(CellSpread, IntervalsHoldTheTruth)
   for (int seed = 1; seed <= 20; ++seed)
   {
     settings.seed = static_cast<std::uint64_t>(seed);
-    IrradianceEngine engine;
-    Execution execution;
-    engine.update(objects, settings, execution);
+    UpdatedEngine engine(objects, settings);
     const ErrorEstimate errors = engine.errorEstimate();
     for (std::size_t cell = 0; cell < areas.size(); ++cell)
     {
@@ -395,11 +219,7 @@ TEST(CellSpread, IntervalsHoldTheTruth)
       held += std::abs(off) <= factor * error ? 1 : 0;
     }
   }
-  std::printf("%.2f %% of the intervals hold the truth, known in %.1f %% of %zu cells; RMS error "
-              "%.2f %%, where 150 photons have %.2f %%\n",
-    100 * held / known, 100 * known / cells, areas.size(), 100 * std::sqrt(squares / cells),
-    100 / std::sqrt(150.0));
-  if (!test::kIsSanitized)
+  if (!kIsSanitized)
   {
     EXPECT_GE(known, 0.99 * cells);
     EXPECT_NEAR(held / known, 0.95, 0.04);
@@ -407,4 +227,5 @@ TEST(CellSpread, IntervalsHoldTheTruth)
   }
 }
 
+}
 }

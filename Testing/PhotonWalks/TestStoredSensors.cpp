@@ -2,27 +2,14 @@
 // Sensors whose rays are kept: the bits of new ones after any program of changes, and how many rays
 // are cast.
 
-#include "EngineRun.h"
-#include "MovingScene.h"
-#include "SameLight.h"
-#include "ThreadExecution.h"
 #include "Views/StoredSensors.h"
 
-#include <gtest/gtest.h>
+#include "Kit.h"
 
-#include <memory>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::areSame;
-using test::box;
-using test::grey;
-using test::MovingScene;
-using test::ObjectBuilder;
 
 /// Sensors in and around a room, some on its floor, some too far away; each change is a random one.
 class RandomSensors
@@ -62,11 +49,9 @@ private:
                    : Vector3(random_.inCube().normalized()) };
   }
 
-  test::RandomVectors random_;
+  RandomVectors random_;
   std::vector<Sensor> sensors_;
 };
-
-}
 
 // Law 1 for random programs: things move, sensors do, come and go, settings change, in any order.
 TEST(StoredSensors, EqualNewOnesAfterRandomPrograms)
@@ -76,19 +61,18 @@ TEST(StoredSensors, EqualNewOnesAfterRandomPrograms)
     const int bands = program == 2 ? 3 : 1;
     MovingScene scene(bands, program == 3, 40 + program);
     RandomSensors sensors(program);
-    EngineSettings settings;
-    settings.numberOfWalks = 2000;
+    Shoot settings(2000);
     settings.gathersDirectLight = program != 1;
     settings.keepPhotons = program != 3;
     settings.separateSides = program == 3;
     settings.replicates = program == 1 ? 1 : 4;
     std::uint32_t rays = 16;
     const auto engine = std::make_shared<IrradianceEngine>();
-    test::ThreadExecution two(2);
+    ThreadExecution two(2);
     StoredSensors stored;
     std::mt19937 random(program);
     std::int64_t fewest = 1000000;
-    for (int step = 0; step < (test::kIsSanitized ? 5 : 12); ++step)
+    for (int step = 0; step < (kIsSanitized ? 5 : 12); ++step)
     {
       const auto change = random() % 8;
       change < 6 ? scene.nextFrame() : void();
@@ -98,18 +82,15 @@ TEST(StoredSensors, EqualNewOnesAfterRandomPrograms)
       const bool keepsRays = random() % 8 != 0;
       engine->update(scene.objects(), settings, two);
       stored.update(engine, sensors.sensors(), rays, keepsRays, two);
-      ASSERT_TRUE(areSame(
-        stored.lights(), test::gathered(scene.objects(), settings, sensors.sensors(), rays)))
+      ASSERT_TRUE(
+        areSame(stored.lights(), gathered(scene.objects(), settings, sensors.sensors(), rays)))
         << "program " << program << ", step " << step << ", change " << change;
       EXPECT_EQ(stored.bytes() > 0, keepsRays);
       fewest = std::min(fewest, stored.numberCast());
     }
-    EXPECT_LT(fewest, 90 * 2 * 16 * (test::kIsSanitized ? 0.75 : 0.5)) << "some rays were kept";
+    EXPECT_LT(fewest, 90 * 2 * 16 * (kIsSanitized ? 0.75 : 0.5)) << "some rays were kept";
   }
 }
-
-namespace
-{
 
 /// Walls that shine alike, and a ball of radius .3, 1 m from the middle.
 struct BallInFurnace
@@ -123,19 +104,17 @@ struct BallInFurnace
     ObjectBuilder room, ball;
     room.addBox(box({ -1.5, -1.5, -1.5 }, { 1.5, 1.5, 1.5 }), 3, grey(0.5, 0.5), true);
     ball.addSphere({ 0, 0, 0 }, 0.3, 16, grey(0.5));
-    objects = { room.build(), { ball.build(test::shift({ 1, 0, 0 })) } };
-    settings.numberOfWalks = test::scaled(24000);
+    objects = { room.build(), { ball.build(shift({ 1, 0, 0 })) } };
+    settings.numberOfWalks = scaled(24000);
     settings.separateSides = true;
     update();
   }
   void update()
   {
-    test::ThreadExecution two(2);
+    ThreadExecution two(2);
     engine->update(objects, settings, two);
   }
 };
-
-}
 
 // Seen from the middle the ball fills the share (1 - sqrt(1 - .09)) / 2 of all directions before
 // and after, and paths as well as rays to the lights, which are all around, go evenly in all
@@ -153,7 +132,7 @@ TEST(StoredSensors, OnlyRaysThatMeetWhatMovedAreCast)
   scene.update();
   stored.update(scene.engine, sensors, rays, true, serial);
   EXPECT_EQ(stored.numberCast(), 0) << "nothing moved";
-  scene.objects.dynamicObjects[0].worldFromObject = test::shift({ -1, 0, 0 });
+  scene.objects.dynamicObjects[0].worldFromObject = shift({ -1, 0, 0 });
   scene.update();
   stored.update(scene.engine, sensors, rays, true, serial);
   const double expected = 2 * 2 * rays * (1 - std::sqrt(1 - 0.3 * 0.3)) / 2;
@@ -190,7 +169,7 @@ TEST(StoredSensors, RaysOfLightsAreKeptOnlyForFramesToCome)
   Execution serial;
   for (const bool keepsRays : { true, false })
   {
-    const SensorFinalGather gather(*scene.engine, test::kRays, serial, keepsRays);
+    const SensorFinalGather gather(*scene.engine, kRays, serial, keepsRays);
     SensorFinalGather::Rays rays;
     std::int64_t cast = 0;
     gather.update({ { { 0, 0, -1.3 }, -Vector3::UnitZ() } }, { 0 }, nullptr, rays, cast);
@@ -203,4 +182,5 @@ TEST(StoredSensors, RaysOfLightsAreKeptOnlyForFramesToCome)
   }
 }
 
+}
 }

@@ -5,7 +5,9 @@
 
 #include <cmath>
 
-namespace irradiance
+namespace irradiance::test
+{
+namespace
 {
 
 // Two-sided quantiles from the NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.2.
@@ -52,4 +54,5 @@ TEST(StudentT, QuantileUndoesProbability)
   }
 }
 
+}
 }

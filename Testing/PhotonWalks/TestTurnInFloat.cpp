@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
-namespace irradiance
+namespace irradiance::test
+{
+namespace
 {
 
 // 2^24 angles, one in each step of 2^-24 turns, at another place in each.
@@ -25,8 +27,6 @@ TEST(TurnInFloat, AgreesWithTheLibraryToTheBound)
   }
   EXPECT_LE(worst, 1.7e-7L); // 2^-22.5
   EXPECT_LE(worstLength, 2.4e-7L);
-  std::printf("largest error %.3g, of the squared length %.3g\n", static_cast<double>(worst),
-    static_cast<double>(worstLength));
 }
 
 TEST(TurnInFloat, QuartersAreExact)
@@ -54,4 +54,5 @@ TEST(TurnInFloat, TakesEveryEdge)
   }
 }
 
+}
 }

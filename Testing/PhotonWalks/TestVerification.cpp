@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
-#include "TestScenes.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::shift;
 
 constexpr std::uint32_t kWalks = 4096;
 constexpr double kFar = -20; ///< behind the emitter, out of the way
@@ -32,7 +24,7 @@ public:
   Tube(bool isClosed, bool cache)
   {
     const Box walls = box({ 0, 0, 0 }, { 10, 1, 1 });
-    test::ObjectBuilder tube, plate;
+    ObjectBuilder tube, plate;
     tube.addSide(walls, 0, 1, grey(0, 1), true);
     for (int side = isClosed ? 1 : 2; side < 6; ++side)
     {
@@ -63,7 +55,7 @@ public:
     move(plate, x);
     update();
     EXPECT_EQ(engine_.statistics().repairedSegments, engine_.statistics().invalidWalks);
-    EXPECT_EQ(test::answerOf(engine_, objects_), test::freshAnswer(objects_, settings_));
+    EXPECT_EQ(answerOf(engine_, objects_), freshAnswer(objects_, settings_));
     return engine_.statistics().invalidWalks;
   }
   void update() { engine_.update(objects_, settings_, execution_); }
@@ -228,5 +220,4 @@ INSTANTIATE_TEST_SUITE_P(StaticHitCache, Verification, testing::Bool(),
   [](const auto& cache) { return cache.param ? "On" : "Off"; });
 
 }
-
 }

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BothModes.h"
+#include "Kit.h"
 #include "LambertContour.h"
-#include "TestScenes.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::grey;
-using test::ReplicateMean;
 
 // 16 seeds of 65,536 walks: 10^6 in all. |t| > 3 with 15 degrees of freedom happens by chance in
 // 0.9 % of the comparisons; seeds are fixed, so a test that passed once always passes.
 constexpr int kViewSeeds = 16;
-constexpr std::uint32_t kViewWalks = test::scaled(65536);
+constexpr std::uint32_t kViewWalks = scaled(65536);
 
-class ViewFactors : public test::BothModes
+class ViewFactors : public BothModes
 {
 protected:
   /// A diffuse emitter of unit exitance (object 0) and a black receiver (object 1): view factors
@@ -31,7 +24,7 @@ protected:
       for (std::uint32_t object = 0; object < 2; ++object)
       {
         const std::size_t cells = objects[object].material->numberOfCells;
-        estimates[object].add(test::wattsOn(engine, object, 0, cells) / emitterArea);
+        estimates[object].add(wattsOn(engine, object, 0, cells) / emitterArea);
       }
     });
     return estimates;
@@ -44,10 +37,9 @@ protected:
 void expectWithinBounds(
   const ReplicateMean& estimate, double truth, bool isGathered, const char* name)
 {
-  estimate.print(name, truth);
   // With sanitizers there are few seeds, of which Student's t is wider.
-  EXPECT_LE(std::abs(estimate.t(truth)), test::kIsSanitized ? 4 : 3) << name;
-  if (!test::kIsSanitized)
+  EXPECT_LE(std::abs(estimate.t(truth)), kIsSanitized ? 4 : 3) << name;
+  if (!kIsSanitized)
   {
     const double plain = std::sqrt(truth * (1 - truth) / kViewSeeds / kViewWalks);
     EXPECT_NEAR(
@@ -79,7 +71,7 @@ double perpendicular(double h, double w, double l)
 SceneObject quad(
   const Vector3& corner, const Vector3& u, const Vector3& v, double exitance, int cells = 2)
 {
-  test::ObjectBuilder builder;
+  ObjectBuilder builder;
   builder.addQuad(corner, u, v, cells, cells, grey(0, exitance));
   return builder.build();
 }
@@ -103,26 +95,20 @@ void expectOfASmallCell(
   const std::vector<Vector3>& lamp, const Vector3& corner, const Vector3& u, const Vector3& v)
 {
   const Vector3 normal = u.cross(v).normalized();
-  const double truth = test::meanOverRectangle(
-    corner, u, v, 20, [&](const Vector3& p) { return test::lambertIrradiance(p, normal, lamp); });
+  const double truth = meanOverRectangle(
+    corner, u, v, 20, [&](const Vector3& p) { return lambertIrradiance(p, normal, lamp); });
   const SceneObjects objects{ quad(lamp[0], lamp[1] - lamp[0], lamp[3] - lamp[0], 1, 1),
     { quad(corner, u, v, 0, 1) } };
   ReplicateMean estimate;
-  for (std::uint64_t seed = 1; seed <= (test::kIsSanitized ? 16 : 64); ++seed)
+  for (std::uint64_t seed = 1; seed <= (kIsSanitized ? 16 : 64); ++seed)
   {
-    EngineSettings settings;
-    settings.numberOfWalks = test::kIsSanitized ? 1u << 26 : 1u << 28;
-    settings.seed = seed;
-    settings.gathersDirectLight = true;
-    IrradianceEngine engine;
-    Execution serial;
-    engine.update(objects, settings, serial);
+    EngineSettings settings = Shoot(kIsSanitized ? 1u << 26 : 1u << 28).seeded(seed).gathered();
+    UpdatedEngine engine(objects, settings);
     estimate.add(engine.irradiance({ { 1, 0 } }, 0));
   }
-  estimate.print("a small cell", truth);
   // Samples have places in floats on their cells.
   constexpr double kOfFloats = 1e-6;
-  EXPECT_TRUE(std::abs(estimate.t(truth)) <= (test::kIsSanitized ? 4 : 3.5) ||
+  EXPECT_TRUE(std::abs(estimate.t(truth)) <= (kIsSanitized ? 4 : 3.5) ||
     std::abs(estimate.mean() / truth - 1) < kOfFloats);
   EXPECT_NEAR(estimate.mean(), truth, 1e-3 * truth);
 }
@@ -161,7 +147,7 @@ TEST_P(ViewFactors, ConcentricSpheres)
 {
   for (const double ratio : { 0.2, 0.5, 0.9 })
   {
-    test::ObjectBuilder outer, inner;
+    ObjectBuilder outer, inner;
     outer.addSphere({ 0, 0, 0 }, 2, 8, grey(0, 1), true);
     inner.addSphere({ 0, 0, 0 }, 2 * ratio, 8, grey(0));
     const SceneObjects objects{ outer.build(), { inner.build() } };
@@ -176,7 +162,7 @@ TEST_P(ViewFactors, ConcentricSpheres)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(DirectLight, ViewFactors, testing::Bool(), test::nameOfMode);
+INSTANTIATE_TEST_SUITE_P(DirectLight, ViewFactors, testing::Bool(), nameOfMode);
 
 // What gathering is for: one cell knows to .1 % what it receives, for which 10^10 walks would have
 // to be shot. Lamp and cell as in C-11, face to face, and as in C-14, at right angles.
@@ -196,5 +182,4 @@ TEST(ViewFactorsOfASmallCell, FaceToFaceAndAtRightAngles)
 }
 
 }
-
 }

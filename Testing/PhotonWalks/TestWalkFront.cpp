@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkFront.h"
 
-#include "../RayCasting/RandomVectors.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -77,12 +74,10 @@ void expectRow(WalkFront& front, std::size_t place, std::uint32_t number)
   }
 }
 
-}
-
 TEST(WalkFront, TakesWholeRowsBehindItsOwn)
 {
   constexpr std::uint32_t kRows = 500;
-  test::RandomVectors random(3);
+  RandomVectors random(3);
   for (const int bands : { 1, 2, 3 })
   {
     WalkFront from, to;
@@ -113,4 +108,5 @@ TEST(WalkFront, TakesWholeRowsBehindItsOwn)
   }
 }
 
+}
 }

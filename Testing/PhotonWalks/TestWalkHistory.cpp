@@ -6,9 +6,8 @@
 
 #include <algorithm>
 
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
@@ -22,17 +21,15 @@ WalkHistory smallHistory(const TriangleNumbers& numbers, std::uint32_t object)
 {
   WalkHistory history(WalkPlan(10, 10, 1), PointGrid(), numbers, 1, Power{ { 7 } }, arena());
   history.append();
-  std::vector<test::WalkSegment> walk(4);
+  std::vector<WalkSegment> walk(4);
   for (std::uint32_t i = 0; i < 4; ++i)
   {
     walk[i].ray = { Vector3::Zero(), Vector3::UnitZ(), {} };
     walk[i].hit = i < 3 ? Hit{ 1, { object, 10 + i }, { 0.25F, 0.5F } } : Hit{};
     walk[i].isFront = i != 1;
   }
-  test::storeWalk(history, 5, walk);
+  storeWalk(history, 5, walk);
   return history;
-}
-
 }
 
 // A part of the walks, as one of several ranks has them: each walk has one place on one rank.
@@ -93,4 +90,5 @@ TEST(WalkHistory, HitsStayWhereTrianglesAreNumberedAnew)
   EXPECT_FALSE(history.hit(SegmentRef{ 5, 3 }));
 }
 
+}
 }

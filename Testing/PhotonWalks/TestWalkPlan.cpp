@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-namespace irradiance
+namespace irradiance::test
+{
+namespace
 {
 
 TEST(WalkPlan, RoundsDoubleUpToTheLimit)
@@ -90,4 +92,5 @@ TEST(WalkPlan, WalksAreAssignedInTurn)
   }
 }
 
+}
 }

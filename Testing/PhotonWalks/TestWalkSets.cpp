@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EngineRun.h"
-#include "MovingScene.h"
-#include "ShownAnswer.h"
-#include "StaleLight.h"
-#include "ThreadExecution.h"
-#include "TwoGroups.h"
+#include "Kit.h"
 #include "Views/WalkPaths.h"
-
-#include <gtest/gtest.h>
 
 // An engine has a set of walks for each group of lights. It follows motions to the bits of a new
 // engine, and brings what one set with all lamps brings.
 
-namespace irradiance
+namespace irradiance::test
 {
 namespace
 {
@@ -21,113 +14,15 @@ constexpr std::uint32_t kReplicates = 16;
 
 EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks)
 {
-  EngineSettings settings;
-  settings.numberOfWalks = test::scaled(walks);
-  settings.seed = seed;
-  settings.replicates = kReplicates;
-  return settings;
-}
-
-/// Takes an engine with two sets through motions, and compares it with a new one in each `every`th
-/// frame.
-void expectFreshBits(const EngineSettings& settings, int frames, int every, unsigned seed)
-{
-  test::MovingScene scene(3, false, seed);
-  IrradianceEngine engine;
-  test::ThreadExecution threads(2);
-  engine.update(test::inTwoGroups(scene.objects()), settings, threads);
-  // Where light is gathered, static cells have a set of their own, and each dynamic object.
-  const std::size_t dynamic = scene.objects().dynamicObjects.size();
-  ASSERT_EQ(engine.walks().sets().size(), settings.gathersDirectLight ? 2 * (1 + dynamic) : 2u);
-  std::int64_t repaired = 0;
-  for (int frame = 1; frame <= frames; ++frame)
-  {
-    scene.nextFrame();
-    const SceneObjects objects = test::inTwoGroups(scene.objects());
-    engine.update(objects, settings, threads);
-    repaired += engine.statistics().repairedSegments;
-    if (frame % every == 0 || frame == frames)
-    {
-      IrradianceEngine fresh;
-      Execution serial;
-      fresh.update(objects, settings, serial);
-      ASSERT_EQ(
-        test::shownAnswer(engine, objects, settings), test::shownAnswer(fresh, objects, settings))
-        << "frame " << frame;
-      test::expectBalance(engine);
-    }
-  }
-  EXPECT_GT(repaired, 0);
-}
-
-TEST(WalkSets, TwoThatGatherFollowMotionsToTheBitsOfAFreshStart)
-{
-  EngineSettings settings = settingsOf(4, 6000);
-  settings.gathersDirectLight = true;
-  expectFreshBits(settings, 20, 5, 9);
-}
-
-TEST(WalkSets, TwoFollowMotionsToTheBitsOfAFreshStart)
-{
-  expectFreshBits(settingsOf(11, 40000), static_cast<int>(test::scaled(100)), 25, 11);
-}
-
-TEST(WalkSets, TwoFollowMotionsWhereCellsSpread)
-{
-  EngineSettings settings = settingsOf(5, 6000);
-  settings.cellEstimate = CellEstimate::Spread;
-  settings.spreadPhotons = 60;
-  for (const bool separatesSides : { false, true })
-  {
-    settings.separateSides = separatesSides;
-    expectFreshBits(settings, 6, 3, 5);
-  }
-}
-
-TEST(WalkSets, TwoReachATargetAndKeepItOverMotions)
-{
-  EngineSettings settings = settingsOf(6, 3000);
-  settings.targetRelativeError = 0.5;
-  settings.maximumNumberOfWalks = 20 * settings.numberOfWalks;
-  expectFreshBits(settings, 4, 1, 6);
-}
-
-TEST(WalkSets, TwoRepairWithinABudget)
-{
-  test::MovingScene scene(1, true, 7);
-  EngineSettings settings = settingsOf(7, 30000);
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(test::inTwoGroups(scene.objects()), settings, serial);
-  scene.nextFrame();
-  const SceneObjects objects = test::inTwoGroups(scene.objects());
-  settings.repairTimeBudget = test::kNoTime;
-  engine.update(objects, settings, serial);
-  std::int64_t stale = 0;
-  engine.cells().numbers().forEach(
-    [&](const SceneCell& cell) { stale += engine.walks().staleSums()->sum({ cell }, 0); });
-  EXPECT_GT(stale, 0);
-  std::int64_t each = 0;
-  for (const WalkSet& set : engine.walks().sets())
-  {
-    EXPECT_TRUE(set.hasStale());
-    each += set.stale()->power().total();
-  }
-  EXPECT_EQ(engine.stalePower().total(), each);
-  EXPECT_GT(engine.staleGainBound(0), 0);
-
-  settings.repairTimeBudget = 0;
-  engine.update(objects, settings, serial);
-  EXPECT_EQ(test::answerOf(engine, objects), test::freshAnswer(objects, settings));
-  EXPECT_TRUE(engine.stalePower().isZero());
+  return Shoot(scaled(walks)).seeded(seed).errors(kReplicates);
 }
 
 TEST(WalkSets, ShareTheWalksByFlux)
 {
-  const test::MovingScene scene(1, true, 8);
+  const MovingScene scene(1, true, 8);
   constexpr std::uint32_t kWalks = 10030; // in sixteens, its shares are not as the fluxes
   const WalkPlan plan(kWalks, 7 * kWalks, kReplicates);
-  const std::vector<WalkSource> sources = sourcesOf(test::inTwoGroups(scene.objects()), plan);
+  const std::vector<WalkSource> sources = sourcesOf(inTwoGroups(scene.objects()), plan);
   ASSERT_EQ(sources.size(), 2u);
   const LightTable all(scene.objects(), plan.most());
   std::uint32_t next = 0;
@@ -151,7 +46,7 @@ TEST(WalkSets, ShareTheWalksByFlux)
 
 TEST(WalkSets, OneGroupHasTheWholePlan)
 {
-  const test::MovingScene scene(3, true, 8);
+  const MovingScene scene(3, true, 8);
   const WalkPlan plan(10000, 70000, kReplicates);
   const std::vector<WalkSource> sources = sourcesOf(scene.objects(), plan);
   ASSERT_EQ(sources.size(), 1u);
@@ -162,12 +57,12 @@ TEST(WalkSets, OneGroupHasTheWholePlan)
 /// A path starts on a light of its group, and points of a path lie in the room.
 TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
 {
-  const test::MovingScene scene(1, true, 9);
+  const MovingScene scene(1, true, 9);
   EngineSettings settings = settingsOf(9, 5000);
   settings.keepPhotons = true;
   IrradianceEngine engine;
   Execution serial;
-  const SceneObjects objects = test::inTwoGroups(scene.objects());
+  const SceneObjects objects = inTwoGroups(scene.objects());
   engine.update(objects, settings, serial);
   const WalkPaths paths(engine);
   const std::vector<std::uint32_t> all = paths.first(engine.numberOfWalks());
@@ -196,12 +91,12 @@ TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
 /// 15 degrees of freedom) in one run of 70.
 TEST(WalkSets, TwoBringWhatOneWithAllLampsBrings)
 {
-  const test::MovingScene scene(1, true, 12);
+  const MovingScene scene(1, true, 12);
   const EngineSettings settings = settingsOf(3, 200000);
   IrradianceEngine one, two;
   Execution serial;
   one.update(scene.objects(), settings, serial);
-  two.update(test::inTwoGroups(scene.objects()), settingsOf(4, 200000), serial);
+  two.update(inTwoGroups(scene.objects()), settingsOf(4, 200000), serial);
   ASSERT_EQ(two.walks().sets().size(), 2u);
   EXPECT_NEAR(
     two.watts(two.balance().emitted.total()) / one.watts(one.balance().emitted.total()), 1, 1e-6);
@@ -220,7 +115,7 @@ TEST(WalkSets, TwoBringWhatOneWithAllLampsBrings)
       ++compared;
     }
   });
-  EXPECT_GT(compared, test::kIsSanitized ? 50 : 150);
+  EXPECT_GT(compared, kIsSanitized ? 50 : 150);
 }
 
 }

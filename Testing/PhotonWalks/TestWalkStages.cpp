@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Kit.h"
 #include "Sampling/CosineDirectionInFloat.h"
 #include "Shooting/FrontLoops.h"
 
-#include "../RayCasting/RandomVectors.h"
-#include "../RayCasting/TestSimdLevels.h"
 #include "FrontWorld.h"
 #include "Sampling/DirectionSampling.h"
-#include "TestScenes.h"
 
-#include <gtest/gtest.h>
-
-#include <cstring>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::FrontWorld;
-using test::SimdLimit;
 
 constexpr std::uint32_t kFrontWalks = 1000; // the last group is not full
 
@@ -27,9 +17,9 @@ constexpr std::uint32_t kFrontWalks = 1000; // the last group is not full
 /// placed; each with a reflectance of its own. `scale`: a power of two.
 SceneObjects someTriangles(double scale)
 {
-  test::RandomVectors random(5);
+  RandomVectors random(5);
   const auto some = [&](double exitance) {
-    test::ObjectBuilder builder;
+    ObjectBuilder builder;
     for (int i = 0; i < 200; ++i)
     {
       const double size = scale * random.powerOfTwo(-12, 0), thin = random.powerOfTwo(-20, 0);
@@ -37,7 +27,7 @@ SceneObjects someTriangles(double scale)
       const Vector3 aside = size * thin * random.direction();
       const double reflectance = i % 10 == 0 ? 0 : i % 10 == 1 ? 1 : random.uniform(0, 1);
       builder.addCell({ { place, place + along, place + aside } },
-        test::grey(reflectance, i % 3 == 0 ? exitance * random.uniform(0, 1) : 0));
+        grey(reflectance, i % 3 == 0 ? exitance * random.uniform(0, 1) : 0));
     }
     return builder.build();
   };
@@ -79,7 +69,7 @@ std::uint32_t bounceOf(Bounces bounces, std::uint32_t i)
 /// Walks with hits at random, also with none.
 void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint32_t firstWalk)
 {
-  test::RandomVectors random(7);
+  RandomVectors random(7);
   world.enter(front, firstWalk, kFrontWalks);
   for (std::uint32_t i = 0; i < kFrontWalks; ++i)
   {
@@ -134,7 +124,7 @@ void onAll(const Test& test)
   for (const WalkPlan& plan : somePlans())
   {
     const FrontWorld world(objects, plan, 11);
-    for (const SimdLevel level : test::simdLevels())
+    for (const SimdLevel level : simdLevels())
     {
       const SimdLimit limit(level);
       for (const Bounces bounces :
@@ -144,8 +134,6 @@ void onAll(const Test& test)
       }
     }
   }
-}
-
 }
 
 TEST(WalkStages, WalksStartWhereTheirSamplesSay)
@@ -208,8 +196,8 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
 TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
 {
   const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
-  test::RandomVectors random(9);
-  for (const SimdLevel level : test::simdLevels())
+  RandomVectors random(9);
+  for (const SimdLevel level : simdLevels())
   {
     const SimdLimit limit(level);
     for (int trial = 0; trial < 300; ++trial)
@@ -327,7 +315,7 @@ TEST(WalkStages, SidesAreThoseThatTheRaysComeFrom)
 
 TEST(WalkStages, ReplicatesAreThoseOfTheDivision)
 {
-  test::RandomVectors random(13);
+  RandomVectors random(13);
   ReplicateLanes lanes;
   for (int trial = 0; trial < 20000; ++trial)
   {
@@ -358,7 +346,7 @@ TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
   const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
   const WalkPlan plans[] = { WalkPlan(1000, 1000, 1), WalkPlan(100, 1000, 1),
     WalkPlan(1000, 1000, 16), WalkPlan(100, 1000, 7) };
-  for (const SimdLevel level : test::simdLevels())
+  for (const SimdLevel level : simdLevels())
   {
     const SimdLimit limit(level);
     for (const WalkPlan& plan : plans)
@@ -389,19 +377,7 @@ TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
           EXPECT_EQ(balance.absorbed, static_cast<std::int64_t>(deposits.size()) * photon);
           EXPECT_EQ(
             balance.escaped, static_cast<std::int64_t>(kFrontWalks - deposits.size()) * photon);
-          expected.numbers().forEach([&](const SceneCell& cell) {
-            for (int side = 0; side < sides; ++side)
-            {
-              for (std::uint32_t replicate = 0; replicate < plan.replicates().count(); ++replicate)
-              {
-                for (std::size_t round = 1; round <= rounds; ++round)
-                {
-                  ASSERT_EQ(sums.sum({ cell, side }, 0, replicate, round),
-                    expected.sum({ cell, side }, 0, replicate, round));
-                }
-              }
-            }
-          });
+          expectEqual(sums, expected);
         }
       }
     }
@@ -411,7 +387,7 @@ TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
 // A direction may graze by less than its rounding to float.
 TEST(WalkStages, RoundedDirectionsStayOutOfTheSurface)
 {
-  test::RandomVectors random(12);
+  RandomVectors random(12);
   for (int i = 0; i < 1000000; ++i)
   {
     const Vector3 normal = random.direction();
@@ -439,4 +415,5 @@ TEST(WalkStages, WalksThatNeverEndAreNamed)
   EXPECT_THROW(world.stages().absorb(front, next, false), std::runtime_error);
 }
 
+}
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <thread>
 #include <vector>
 
@@ -79,6 +80,24 @@ public:
 private:
   int left_;
   mutable int calls_ = 0;
+};
+
+/// Its clock advances by a tick at every reading: with one thread a budget ends at the same walk
+/// every time.
+class TickingExecution : public ThreadExecution
+{
+public:
+  static constexpr double kTick = 1e-3; ///< s
+
+  explicit TickingExecution(unsigned threads = 1)
+    : ThreadExecution(threads)
+  {
+  }
+  double seconds() const override { return kTick * static_cast<double>(ticks_++); }
+  std::int64_t ticks() const { return ticks_; }
+
+private:
+  mutable std::atomic<std::int64_t> ticks_{ 0 };
 };
 
 }

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_test_Scenes_h
+#define irradiance_test_Scenes_h
+
+#include "DirectRuns.h"
+
+#include "../RayCasting/RandomVectors.h"
+
+namespace irradiance::test
+{
+
+/// Scenes made of rooms, balls and blocks.
+
+/// Walls from the origin on, n x n cells each.
+inline ObjectBuilder plainRoom(const Vector3& size, int n, const Look& look, int bands = 1)
+{
+  ObjectBuilder builder(bands);
+  builder.addBox(box({ 0, 0, 0 }, size), n, look, true);
+  return builder;
+}
+
+/// A room of 4 x 4 x 3 m, n x n cells a wall, each wall with a reflectance of its own.
+inline ObjectBuilder variedRoom(int n, int bands = 1, double specular = 0)
+{
+  ObjectBuilder builder(bands);
+  const double reflectances[] = { 0.6, 0.4, 0.7, 0.5, 0.3, 0.8 };
+  for (int side = 0; side < 6; ++side)
+  {
+    Look look = grey((1 - specular) * reflectances[side]);
+    look.reflectance[1] *= 0.5;
+    look.specular[0] = look.specular[1] = look.specular[2] = specular * reflectances[side];
+    look.exponent = 10;
+    builder.addSide(box({ 0, 0, 0 }, { 4, 4, 3 }), side, n, look, true);
+  }
+  return builder;
+}
+
+/// A square or oblong that shines down.
+inline void addPanel(
+  ObjectBuilder& room, const Vector3& corner, double x, double y, double exitance)
+{
+  room.addQuad(corner, { 0, y, 0 }, { x, 0, 0 }, 1, 1, grey(0, exitance));
+}
+
+/// A panel of 1.2 x .8 m below the ceiling: a cell more than the walls.
+inline ObjectBuilder litRoom(int n, int bands = 1, double specular = 0)
+{
+  ObjectBuilder builder = variedRoom(n, bands, specular);
+  addPanel(builder, { 1.2, 1.6, 2.9 }, 1.2, 0.8, 30);
+  return builder;
+}
+
+inline SceneObject ball(
+  const Vector3& at, double radius, int n, const Look& look = grey(0.5), int bands = 1)
+{
+  ObjectBuilder builder(bands);
+  builder.addSphere({ 0, 0, 0 }, radius, n, look);
+  return builder.build(shift(at));
+}
+
+inline SceneObject block(
+  const Vector3& at, const Vector3& half, int n, const Look& look = grey(0.5), int bands = 1)
+{
+  ObjectBuilder builder(bands);
+  builder.addBox(box(-half, half), n, look);
+  return builder.build(shift(at));
+}
+
+/// The scene with its point lights, all on the static object, in a group of their own: two sets of
+/// walks.
+inline SceneObjects inTwoGroups(const SceneObjects& objects)
+{
+  Emission emission = *objects.staticObject.emission;
+  emission.groups.assign(objects.staticObject.material->numberOfCells, 0);
+  for (const PointSource& source : emission.points)
+  {
+    emission.groups[source.cell] = 1;
+  }
+  SceneObjects grouped = objects;
+  grouped.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
+  return grouped;
+}
+
+/// Every cell has a reflectance of its own in each band and emits what it does not reflect, so that
+/// E = 1 everywhere. If `isGlossy`, a part of the reflectance is specular, with lobes from wide to
+/// mirrors.
+inline SceneObject furnace(
+  ObjectBuilder builder, RandomVectors& random, bool isGlossy = false, const AffineMap& pose = {})
+{
+  std::vector<double>& reflectance = builder.material().reflectance;
+  for (std::size_t i = 0; i < reflectance.size(); ++i)
+  {
+    reflectance[i] = random.uniform(0, 0.9);
+    builder.emission().exitance[i] = 1 - reflectance[i];
+  }
+  SceneObject object = builder.build(pose);
+  if (!isGlossy)
+  {
+    return object;
+  }
+  Material material = *object.material;
+  const std::array<double, 5> exponents{ 0, 1, 15, 1000, kInfinity };
+  std::vector<double> specular, chosen;
+  for (double& part : material.reflectance)
+  {
+    specular.push_back(random.uniform(0, 1) * part);
+    part -= specular.back();
+  }
+  for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
+  {
+    chosen.push_back(exponents[random.engine() % exponents.size()]);
+  }
+  material.setSpecular(specular, chosen);
+  object.material = std::make_shared<Material>(material);
+  return object;
+}
+
+/// A light table of 2 m in the middle of a floor of 6 m, all at z = 0, a lamp in the lid of a box
+/// that stands on the floor, and a ceiling.
+inline SceneObject lightTable()
+{
+  ObjectBuilder floor;
+  floor.addQuad({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 }, 3, 3, grey(0.3));
+  floor.addQuad({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 5, 5, grey(0.5, 10));
+  floor.addBox(box({ 1.5, 1.5, 0 }, { 2.5, 2.5, 1 }), 2, grey(0.6));
+  floor.addQuad({ 1.75, 1.75, 1 }, { 0.5, 0, 0 }, { 0, 0.5, 0 }, 1, 1, grey(0.5, 20));
+  floor.addQuad({ -3, -3, 3 }, { 0, 6, 0 }, { 6, 0, 0 }, 3, 3, grey(0.8));
+  return floor.build();
+}
+
+/// A cube with a corner at the origin.
+inline SceneObject makeBox(double size)
+{
+  ObjectBuilder builder;
+  builder.addBox(box({ 0, 0, 0 }, { size, size, size }), 2, grey(0.7));
+  return builder.build();
+}
+
+/// A closed room with a point light and a shade `height` m below the light: the less light is left,
+/// the more walks a target takes.
+inline SceneObjects shadedRoom(double height)
+{
+  static const SceneObjects objects = [] {
+    ObjectBuilder room = plainRoom({ 4, 4, 4 }, 2, grey(0.3));
+    room.addPointLight({ 2, 2, 2 }, 100);
+    return SceneObjects{ room.build(), { block({ 0, 0, 0 }, { 0.5, 0.5, 0.02 }, 1, grey(0.1)) } };
+  }();
+  SceneObjects shaded = objects;
+  shaded.dynamicObjects[0].worldFromObject = shift({ 2, 2, 2 - height });
+  return shaded;
+}
+
+/// A room of large cells with a lamp on its floor, a statue of small cells, and a coarse and a fine
+/// part that move.
+inline SceneObjects roomWithStatue(const Vector3& corner, int bands = 1)
+{
+  const AffineMap place = shift(corner);
+  ObjectBuilder room(bands);
+  const auto at = [&](const Vector3& lower, const Vector3& upper) {
+    return box(place(lower), place(upper));
+  };
+  const Look shiny{ { 0.3, 0.3, 0.3 }, {}, { 0.3, 0.2, 0.1 }, 10 };
+  room.addBox(at({ 0, 0, 0 }, { 4, 3, 4 }), 6, grey(0.6), true);
+  room.addBox(at({ 0.5, 0.5, 0 }, { 1, 1, 0.25 }), 1, grey(0.5, 6));
+  room.addBox(at({ 2, 1, 0.5 }, { 2.5, 1.5, 1.5 }), 5, bands > 1 ? shiny : grey(0.5));
+  ObjectBuilder coarse(bands);
+  coarse.addBox(box({ -0.25, -0.25, 0 }, { 0.25, 0.25, 0.5 }), 1, grey(0.4));
+  return { room.build(),
+    { coarse.build(shift(place({ 3, 2, 1 }))),
+      ball(place({ 1, 2, 3 }), 0.3, 4, grey(0.7), bands) } };
+}
+
+/// A scene whose dynamic objects have small cells, which gather.
+struct GatherTestScene
+{
+  const char* name;
+  SceneObjects objects;
+  /// What all of these receive where that is known by a closed form, W/m2; else 0.
+  double truth = 0;
+};
+
+/// A spot of light that is smaller than the cells of the floor.
+inline SceneObjects spotRoom(int n)
+{
+  ObjectBuilder builder;
+  builder.addBox(box({ 0, 0, 0 }, { 8, 8, 8 }), n, grey(0.6), true);
+  builder.addQuad({ 4.7, 2.7, 1 }, { 0, 0.6, 0 }, { 0.6, 0, 0 }, 1, 1, grey(0, 30));
+  return { builder.build(), { ball({ 3.7, 4.9, 3.5 }, 0.7, 4) } };
+}
+
+/// What rays of a final gather may meet: closed forms, lamps of all kinds, corners, gloss, sides,
+/// parts that cross.
+inline std::vector<GatherTestScene> gatherScenes()
+{
+  ObjectBuilder insideOfFurnace;
+  insideOfFurnace.addSphere({ 0, 0, 0 }, 0.5, 4, {});
+  std::vector<GatherTestScene> scenes{
+    { "furnace",
+      { furnace(plainRoom({ 4, 3, 5 }, 3, {}), 0.6, false),
+        { furnace(insideOfFurnace, 0.7, false, shift({ 1, 1.5, 2 })) } },
+      1 },
+    { "area lamp", { litRoom(4).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } },
+    { "spot", spotRoom(4) },
+    { "gloss", { litRoom(4, 1, 0.4).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } },
+    { "bands", { litRoom(4, 3).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4, grey(0.5), 3) } } },
+    { "corner", { litRoom(4).build(), { block({ 0.2, 0.2, 0.2 }, { 0.2, 0.2, 0.2 }, 2) } } },
+    { "buried", { litRoom(4).build(), { block({ 2.4, 1.5, 0 }, { 0.3, 0.3, 0.3 }, 2) } } },
+    { "crossing",
+      { litRoom(4).build(),
+        { block({ 2.4, 1.5, 1 }, { 0.3, 0.3, 0.3 }, 2),
+          block({ 2.6, 1.6, 1.1 }, { 0.3, 0.3, 0.3 }, 2) } } }
+  };
+  ObjectBuilder points = variedRoom(4), strip = variedRoom(4), sheet;
+  points.addPointLight({ 1, 1, 1.5 }, 30);
+  points.addPointLight({ 3, 3, 2.5 }, 20);
+  scenes.push_back({ "points", { points.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  strip.addQuad({ 0.5, 1.2, 0.04 }, { 0, 1.6, 0 }, { 0.08, 0, 0.08 }, 1, 1, grey(0, 100));
+  scenes.push_back({ "near lamp", { strip.build(), { ball({ 1.9, 2, 0.6 }, 0.4, 4) } } });
+  sheet.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0.2 }, { 0, 0.6, 0.1 }, 4, 4, grey(0.5));
+  ObjectBuilder warm;
+  warm.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5, 2), true);
+  warm.addQuad({ 1.2, 1.6, 2.9 }, { 0, 0.8, 0 }, { 1.2, 0, 0 }, 1, 1, grey(0, 60));
+  scenes.push_back({ "warm walls", { warm.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  ObjectBuilder bulb = variedRoom(4);
+  bulb.addSphere({ 2, 2, 2.8 }, 0.05, 8, grey(0.5, 500));
+  scenes.push_back({ "bulb", { bulb.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  scenes.push_back({ "sheet", { litRoom(4).build(), { sheet.build(shift({ 2.4, 1.5, 1 })) } } });
+  return scenes;
+}
+
+}
+
+#endif

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The laws of the engine, each for each feature: see Features.cpp for the rows of the table.
+
+#include "Features.h"
+
+namespace irradiance::test
+{
+namespace
+{
+
+class Laws : public testing::TestWithParam<Feature>
+{
+protected:
+  /// The first frames of the feature's film.
+  static Film film(std::size_t frames = 100)
+  {
+    Film film = GetParam().film();
+    film.resize(std::min(frames, film.size()));
+    return film;
+  }
+
+  /// Of an engine that goes through all frames.
+  static Answer lastOf(const Film& film, const Asking& asking)
+  {
+    FilmRun run(GetParam());
+    for (const FilmFrame& frame : film)
+    {
+      run.update(frame, asking.execution);
+    }
+    return run.told(asking);
+  }
+};
+
+// Law 1. Forth and back; a frame in which nothing moves costs nothing.
+TEST_P(Laws, UpdateEqualsRebuild)
+{
+  const Film frames = film();
+  FilmRun run(GetParam());
+  ThreadExecution two(2);
+  std::int64_t changes = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    const Answer updated = run.at(frames[i], two);
+    ASSERT_TRUE(updated == freshAnswer(GetParam(), frames[i])) << "frame " << i;
+    const EngineStatistics& statistics = run.engine().statistics();
+    EXPECT_TRUE((statistics.shootSeconds > 0) == (i == 0) || GetParam().shootsLater) << i;
+    changes += i == 0 ? 0 : statistics.invalidWalks + statistics.followedPaths;
+  }
+  EXPECT_TRUE(changes > 0 || GetParam().hasNoWalks);
+  const Answer last = run.told({ two });
+  EXPECT_TRUE(run.at(frames.back(), two) == last);
+  const EngineStatistics& still = run.engine().statistics();
+  EXPECT_EQ(still.shootSeconds + still.verifySeconds + still.repairSeconds, 0);
+  EXPECT_EQ(still.invalidWalks + still.repairedSegments + still.followedPaths, 0);
+  EXPECT_TRUE(run.at(frames.front(), two) == freshAnswer(GetParam(), frames.front()));
+}
+
+// Law 2: threads, the order of work, traversals, the cache, verification, loose triangles.
+TEST_P(Laws, SameBitsWhateverTheWay)
+{
+  struct Way
+  {
+    TraversalMode mode;
+    bool cache, verify, isFlattened;
+    std::shared_ptr<Execution> execution;
+  };
+  const auto seven = std::make_shared<ThreadExecution>(7);
+  const auto backward = std::make_shared<BackwardExecution>();
+  const Way ways[] = { { TraversalMode::OneTree, true, true, false, seven },
+    { TraversalMode::OneTree, false, true, true, backward },
+    { TraversalMode::Sequential, true, true, true, seven },
+    { TraversalMode::Sequential, false, false, false, backward },
+    { TraversalMode::Parallel, false, true, true, seven },
+    { TraversalMode::Parallel, true, true, false, backward } };
+  const Film frames = film(3);
+  const Answer expected = freshAnswer(GetParam(), frames.back());
+  for (const Way& way : ways)
+  {
+    Film other = frames;
+    for (FilmFrame& frame : other)
+    {
+      frame.settings.traversalMode = way.mode;
+      frame.settings.cacheStaticHits = way.cache;
+      frame.settings.verify = way.verify;
+      for (SceneObject& object : frame.objects.dynamicObjects)
+      {
+        object.isFlattened = object.isFlattened || way.isFlattened;
+      }
+    }
+    EXPECT_TRUE(lastOf(other, { *way.execution }) == expected) << "way " << &way - ways;
+  }
+}
+
+TEST_P(Laws, SameBitsWhateverTheInstructions)
+{
+  const Film frames = film(3);
+  const Answer expected = freshAnswer(GetParam(), frames.back());
+  for (const SimdLevel level : simdLevels())
+  {
+    const SimdLimit limit(level);
+    ThreadExecution two(2);
+    EXPECT_TRUE(lastOf(frames, { two }) == expected) << "SIMD level " << static_cast<int>(level);
+  }
+}
+
+// Engines that share the work go through frames together. Some have nothing to do.
+TEST_P(Laws, SameBitsOnAnyRanks)
+{
+  const Film frames = film(3);
+  Execution serial;
+  const Answer expected = lastOf(frames, { serial, 1, true });
+  for (const std::uint32_t ranks : { 2u, 5u })
+  {
+    std::mutex mutex;
+    const auto errors = ThreadRanks(ranks).run([&](ThreadRanks::Rank& rank) {
+      const Answer told = lastOf(frames, { rank, 1, true });
+      const std::lock_guard<std::mutex> lock(mutex);
+      EXPECT_TRUE(told == expected) << "rank " << rank.rank() << " of " << ranks;
+    });
+    EXPECT_EQ(errors, std::vector<std::string>(ranks));
+  }
+}
+
+// reportProgress stops the first update, or a later one, at its first, second, sixth, ...
+// call.
+TEST_P(Laws, AbortsLeaveNoTrace)
+{
+  const Film frames = film(3);
+  const Answer expected = freshAnswer(GetParam(), frames.back());
+  Execution serial;
+  for (const bool isFirst : { true, false })
+  {
+    std::optional<FilmRun> run;
+    int stops = 0;
+    bool isStopped = true;
+    for (int stopAt = 0; isStopped; stopAt = 4 * stopAt + 1)
+    {
+      if (isFirst || !run)
+      {
+        run.emplace(GetParam());
+      }
+      if (!isFirst)
+      {
+        run->update(frames[0], serial);
+      }
+      StoppingExecution stopping(stopAt);
+      isStopped = false;
+      try
+      {
+        run->update(frames[1], stopping);
+      }
+      catch (const Interrupted&)
+      {
+        isStopped = true;
+        ++stops;
+      }
+      ASSERT_TRUE(run->at(frames.back(), serial) == expected) << "stopped at call " << stopAt;
+    }
+    EXPECT_GE(stops, 1);
+  }
+}
+
+// Law 6.
+TEST_P(Laws, ScaleByPowersOfTwoChangesNothing)
+{
+  Execution serial;
+  const Film frames = film(3);
+  const Answer expected = freshAnswer(GetParam(), frames.back());
+  for (const auto& [exponent, scalesModels] :
+    { std::pair(-20, true), std::pair(1, false), std::pair(10, true), std::pair(30, false) })
+  {
+    const double scale = std::ldexp(1.0, exponent);
+    EXPECT_TRUE(lastOf(scaledFilm(frames, scale, scalesModels), { serial, scale }) == expected)
+      << "2^" << exponent << (scalesModels ? ", models" : ", poses");
+  }
+}
+
+/// What a budget leaves is a part of the whole.
+void expectStalePart(const IrradianceEngine& engine)
+{
+  expectBalance(engine);
+  const EngineSettings& settings = engine.settings();
+  EXPECT_EQ(engine.stalePower().isZero(), engine.walks().staleGainBound(0) == 0);
+  EXPECT_TRUE(settings.targetRelativeError == 0 ||
+    engine.walks().hasStale() == std::isnan(engine.reachedRelativeError()));
+  forEachSide(engine.objects(), settings.separateSides, [&](const CellSide& side, int band) {
+    EXPECT_GE(engine.staleIrradiance(side, band), 0);
+    EXPECT_LE(engine.staleIrradiance(side, band), engine.irradiance(side, band));
+  });
+}
+
+// Things go on moving while walks wait, and come back, but for the last step, which would hide what
+// was missed; the number of walks stays. Each call repairs something, until it is a rebuild.
+TEST_P(Laws, ABudgetEndsInTheRebuild)
+{
+  Film frames = film(5);
+  const Answer expected = freshAnswer(GetParam(), frames[1]);
+  for (std::size_t i = frames.size() - 1; i-- > 1;)
+  {
+    frames.push_back(frames[i]);
+  }
+  FilmRun run(GetParam());
+  const IrradianceEngine& engine = run.engine();
+  TickingExecution clock;
+  RandomVectors random(7);
+  std::uint32_t walks = 0;
+  int waits = 0;
+  const auto update = [&](FilmFrame frame, double ticks) {
+    frame.settings.repairTimeBudget = ticks * TickingExecution::kTick;
+    run.update(frame, clock);
+    expectStalePart(engine);
+    EXPECT_TRUE(!engine.walks().hasStale() || engine.numberOfWalks() == walks);
+    walks = engine.numberOfWalks();
+    waits += engine.walks().hasStale() ? 1 : 0;
+  };
+  for (const FilmFrame& frame : frames)
+  {
+    update(frame, random.powerOfTwo(-3, 6));
+  }
+  for (std::size_t left = numberOfStale(engine); engine.walks().hasStale();)
+  {
+    update(frames.back(), 20);
+    ASSERT_LT(numberOfStale(engine), left);
+    left = numberOfStale(engine);
+  }
+  EXPECT_TRUE(waits > 0 || GetParam().hasNoWalks || GetParam().shootsLater);
+  EXPECT_TRUE(run.told({ clock }) == expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Laws, testing::ValuesIn(features()),
+  [](const auto& info) { return std::string(info.param.name); });
+
+// What no row of the table has.
+
+// 10,000 frames out and the same 10,000 back: nothing drifts, nothing is left behind.
+TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
+{
+  const int frames = kIsSanitized ? 250 : 10000;
+  MovingScene scene(1, false, 23);
+  SceneObjects objects = scene.objects();
+  Shoot settings(100);
+  IrradianceEngine engine;
+  Execution execution;
+  const auto pose = [&](int frame) {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      AffineMap& map = objects.dynamicObjects[i].worldFromObject;
+      const double angle = 0.001 * frame * double(i + 1);
+      map.linear = Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+      map.translation = Vector3(2 + std::sin(angle), 2 + std::cos(1.7 * angle), 1.0 + double(i));
+    }
+  };
+  pose(0);
+  engine.update(objects, settings, execution);
+  const Answer first = answerOf(engine, objects);
+  std::int64_t invalid = 0;
+  for (int step = 1; step <= 2 * frames; ++step)
+  {
+    pose(step <= frames ? step : 2 * frames - step);
+    engine.update(objects, settings, execution);
+    invalid += engine.statistics().invalidWalks;
+  }
+  EXPECT_TRUE(answerOf(engine, objects) == first);
+  EXPECT_TRUE(freshAnswer(objects, settings) == first);
+  EXPECT_GT(invalid, frames);
+}
+
+// Poses that are equal as numbers but differ in the sign of a zero.
+TEST(UpdateEqualsRebuild, SignOfAZeroInAPose)
+{
+  ObjectBuilder room, wall;
+  room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(0.5), true);
+  room.addPointLight({ 1, 1, 1 }, 1);
+  wall.addQuad({ -1, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, 2, 2, grey(0.9));
+  wall.addQuad({ 0, -1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 2, 2, grey(0.9));
+  Shoot settings(2000);
+  SceneObjects objects{ room.build(), { wall.build() } };
+  for (unsigned signs = 0; signs < 4096; signs += 31)
+  {
+    IrradianceEngine engine;
+    Execution execution;
+    AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
+    pose = {};
+    engine.update(objects, settings, execution);
+    for (int i = 0; i < 12; ++i)
+    {
+      double& entry = i < 9 ? pose.linear(i / 3, i % 3) : pose.translation[i - 9];
+      entry = entry == 0 && (signs >> i & 1u) != 0 ? -0.0 : entry;
+    }
+    engine.update(objects, settings, execution);
+    ASSERT_TRUE(answerOf(engine, objects) == freshAnswer(objects, settings)) << "signs " << signs;
+  }
+}
+
+TEST(SameBits, SidesAddUpToTheSum)
+{
+  MovingScene scene(3, false, 42);
+  EngineSettings together, apart;
+  together.numberOfWalks = apart.numberOfWalks = scaled(10000);
+  apart.separateSides = true;
+  IrradianceEngine a, b;
+  Execution execution;
+  double back = 0;
+  for (int frame = 0; frame < 5; ++frame, scene.nextFrame())
+  {
+    a.update(scene.objects(), together, execution);
+    b.update(scene.objects(), apart, execution);
+    a.cells().numbers().forEach([&](const SceneCell& cell) {
+      for (int band = 0; band < 3; ++band)
+      {
+        const double ofBack = b.sums().sum({ cell, 1 }, band);
+        ASSERT_EQ(a.sums().sum({ cell }, band), b.sums().sum({ cell }, band) + ofBack);
+        back += ofBack;
+      }
+    });
+  }
+  EXPECT_GT(back, 0);
+}
+
+}
+}
