@@ -152,10 +152,11 @@ vtkSmartPointer<vtkIrradianceFilter> MakeLight(
   light->SetDefaultDiffuseReflectance(0.2); // of the parts' coating
   light->SetNumberOfWalks(walks);
   light->ComputeStandardErrorOn();
-  light->SetDirectLightToShot(); // all parts move: each would gather anew at each time
+  // All parts move: with a method that gathers each would look for the lights again at each time.
+  light->SetMethodToWalks();
   if (options.Spread > 0)
   {
-    light->SetCellEstimateToSpread();
+    light->SetMethodToSpreadWalks();
     light->SetNumberOfSpreadPhotons(options.Spread);
   }
   return light;

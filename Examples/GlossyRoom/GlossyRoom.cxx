@@ -157,9 +157,8 @@ void MakeScene(vtkIrradianceFilter* light, vtkTransform* worldFromTeapot, const 
   }
   light->AddInputDataObject(1, teapot);
   light->SetDynamicTransform(0, worldFromTeapot);
-  light->SetDirectLightToGathered();
-  light->SetCellEstimateToGathered(); // the teapot's cells are small
-  light->SetNumberOfGatherRays((options.Samples + 1) / 2);
+  light->SetMethodToGathered(); // the teapot's cells are small
+  light->SetNumberOfRays((options.Samples + 1) / 2);
   light->SeparateSidesOn(); // an eye sees one side
 }
 

@@ -72,14 +72,12 @@ LightFollower::LightFollower(const Room& room, int walks, int gatherRays)
   // What moves has small cells, which few walks hit.
   if (gatherRays > 0 && MayGather(room))
   {
-    this->Filter->SetDirectLightToGathered();
-    this->Filter->SetCellEstimateToGathered();
-    this->Filter->SetNumberOfGatherRays(gatherRays);
+    this->Filter->SetMethodToGathered();
+    this->Filter->SetNumberOfRays(gatherRays);
   }
   else
   {
-    this->Filter->SetDirectLightToShot();
-    this->Filter->SetCellEstimateToSpread();
+    this->Filter->SetMethodToSpreadWalks();
     this->Filter->SetNumberOfSpreadPhotons(SpreadPhotons);
   }
   this->Filter->ComputeStandardErrorOn();

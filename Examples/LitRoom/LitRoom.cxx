@@ -172,7 +172,8 @@ int main(int argc, char*[])
   irradiance->AddInputDataObject(0, lamp);                  // cell array "RadiantExitance", W/m2
   irradiance->AddInputConnection(1, ball->GetOutputPort()); // what moves, in model coordinates
   irradiance->SetDynamicTransform(0, worldFromBall);
-  irradiance->SetGatherOnToAllCells(); // not only small cells look for indirect light: no grain
+  irradiance
+    ->SetMethodToGatheredEverywhere(); // not only small cells look for indirect light: no grain
 
   // The first update shoots a million photon walks. The others shoot again only what the ball has
   // changed; their result is the same, bit for bit, as if all were shot again.

@@ -152,7 +152,7 @@ def main():
     irradiance.AddInputDataObject(0, lamp)
     irradiance.AddInputConnection(1, ball.GetOutputPort())  # what moves, in model coordinates
     irradiance.SetDynamicTransform(0, world_from_ball)
-    irradiance.SetGatherOnToAllCells()  # not only small cells look for indirect light: no grain
+    irradiance.SetMethodToGatheredEverywhere()  # not only small cells look for indirect light: no grain
 
     # The first update shoots a million photon walks. The others shoot again only what the ball has changed;
     # their result is the same, bit for bit, as if all were shot again.

@@ -45,13 +45,12 @@ public:
     this->Light->SetNumberOfWalks(options.Walks);
     if (options.GatherRays > 0)
     {
-      this->Light->SetCellEstimateToGathered();
-      this->Light->SetGatherOnToAllCells();
-      this->Light->SetNumberOfGatherRays(options.GatherRays);
+      this->Light->SetMethodToGatheredEverywhere();
+      this->Light->SetNumberOfRays(options.GatherRays);
     }
     else
     {
-      this->Light->SetDirectLightToShot(); // as in the paper
+      this->Light->SetMethodToSpreadWalks(); // as in the paper
     }
     this->Light->SetTraversalMode(options.TraversalMode);
     this->Light->SetCacheStaticHits(cacheStaticHits);

@@ -20,6 +20,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkPhotonWalksFilter.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -246,11 +247,13 @@ void Run(const Options& options)
   light->AddInputDataObject(0, lamp);
   light->AddInputDataObject(1, teapot);
   light->SetDynamicTransform(0, worldFromTeapot);
-  light->SetDirectLightToShot();    // walks that begin at the lamp are easier to look at
-  light->SetCellEstimateToSpread(); // the teapot's cells are small
+  // Walks that begin at the lamp are easier to look at, and the teapot's cells are small.
+  light->SetMethodToSpreadWalks();
   light->SetNumberOfWalks(options.Walks);
-  light->SetNumberOfOutputWalks(options.Shown); // on output port 1
-  light->Update();                              // shoots all walks
+  vtkNew<vtkPhotonWalksFilter> shown;
+  shown->SetInputConnection(light->GetOutputPort());
+  shown->SetNumberOfWalks(options.Shown);
+  shown->Update(); // shoots all walks
   vtkNew<vtkTransformPolyDataFilter> before;
   before->SetInputData(teapot);
   before->SetTransform(worldFromTeapot);
@@ -260,9 +263,9 @@ void Run(const Options& options)
   worldFromTeapot->Translate(1.15, 0.15, 0.15);
   worldFromTeapot->RotateZ(-35);
   worldFromTeapot->RotateY(18);
-  light->Update(); // shoots again what the teapot touched, where it was or where it is
+  shown->Update(); // shoots again what the teapot touched, where it was or where it is
 
-  vtkPolyData* walks = light->GetWalksOutput();
+  vtkPolyData* walks = shown->GetOutput();
   vtkDataArray* repaired = walks->GetCellData()->GetArray("Repaired");
   vtkIdType count = 0;
   for (vtkIdType walk = 0; walk < walks->GetNumberOfCells(); ++walk)

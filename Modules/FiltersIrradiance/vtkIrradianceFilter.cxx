@@ -2,6 +2,7 @@
 #include "vtkIrradianceFilter.h"
 
 #include "Data/ArrayNames.h"
+#include "Data/OldNames.h"
 #include "Estimates/AutomaticChoice.h"
 #include "Execution/ProgressSpan.h"
 #include "FinalGather/PathLights.h"
@@ -39,11 +40,11 @@
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <new>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -52,6 +53,10 @@ vtkStandardNewMacro(vtkIrradianceFilter);
 class vtkIrradianceFilter::vtkInternals
 {
 public:
+  /// By method, what each says of DirectLight, CellEstimate, GatherOn and UnbiasedGather.
+  static constexpr std::array<std::array<int, 4>, 6> PartsOfMethods{ { { 2, 4, 0, 0 },
+    { 0, 0, 0, 0 }, { 0, 1, 0, 0 }, { 1, 3, 0, 0 }, { 1, 3, 2, 0 }, { 1, 3, 0, 1 } } };
+
   using Connections = std::vector<irradiance::InputConnection>;
 
   /// All that a result depends on, except the properties.
@@ -84,13 +89,30 @@ public:
   bool HasExcess = false;          ///< the last update had more light than there is
   vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
   vtkTimeStamp Newest;
-  std::set<std::string> OldNames; ///< that were called, and warned of
+  irradiance::OldNames OldNames;
+  std::array<int, 4> MethodParts = PartsOfMethods[Automatic]; ///< by MethodPart
+  vtkIdType MostWalks = -1; ///< of a target, by its old name; -1: by MaximumEffort
+  int MostRays = -1;        ///< likewise
 };
 
 namespace
 {
 
 constexpr vtkIdType MostWalks = std::numeric_limits<std::uint32_t>::max();
+constexpr int MostRaysOfTarget = 65536;
+/// Of a target.
+constexpr vtkIdType UsualWalks = 10000000, UsualRays = 1024;
+
+/// `effort` times as many, at most `most`; without an effort `usual`, or all if that is less.
+vtkIdType Multiplied(vtkIdType number, double effort, vtkIdType usual, vtkIdType most)
+{
+  if (effort == 0)
+  {
+    return std::max(number, usual);
+  }
+  const double product = effort * static_cast<double>(number);
+  return product < static_cast<double>(most) ? static_cast<vtkIdType>(product) : most;
+}
 
 /// Throws InputError unless `low` <= value <= `high`.
 std::uint32_t Checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)
@@ -128,10 +150,18 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
   }
   if (target > 0)
   {
+    if (const double effort = filter->GetMaximumEffort(); effort != 0 && !(effort >= 1))
+    {
+      throw irradiance::InputError("MaximumEffort is " + irradiance::text(effort) +
+        "; it has to be 1 or more, or 0 for 10,000,000 walks and 1024 rays");
+    }
     settings.targetRelativeError = target;
     settings.maximumNumberOfWalks =
       Checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
         filter->GetMaximumNumberOfWalks(), walks, MostWalks);
+    settings.maximumGatherRays =
+      Checked("MaximumNumberOfGatherRays, which is at least NumberOfRays,",
+        filter->GetMaximumNumberOfGatherRays(), settings.gatherRays, MostRaysOfTarget);
   }
   if (target > 0 || filter->GetComputeStandardError())
   {
@@ -169,7 +199,7 @@ irradiance::CellEstimate AskedEstimate(vtkIrradianceFilter* filter)
 /// With what is possible where a property is left to the scene.
 irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
-  constexpr vtkIdType mostSpreadPhotons = 1000000, mostGatherRays = 4096, mostOfTarget = 65536;
+  constexpr vtkIdType mostSpreadPhotons = 1000000, mostRays = 4096;
   const double budget = filter->GetRepairTimeBudget();
   if (!(budget >= 0))
   {
@@ -184,6 +214,7 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   }
   irradiance::EngineSettings settings;
   settings.numberOfWalks = Checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
+  settings.gatherRays = Checked("NumberOfRays", filter->GetNumberOfRays(), 1, mostRays);
   ReadErrorSettings(filter, settings);
   settings.seed = static_cast<std::uint64_t>(filter->GetSeed());
   settings.traversalMode = static_cast<irradiance::TraversalMode>(filter->GetTraversalMode());
@@ -195,19 +226,11 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.cellEstimate = AskedEstimate(filter);
   settings.spreadPhotons =
     Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
-  settings.gatherRays =
-    Checked("NumberOfGatherRays", filter->GetNumberOfGatherRays(), 1, mostGatherRays);
-  if (settings.targetRelativeError > 0)
-  {
-    settings.maximumGatherRays =
-      Checked("MaximumNumberOfGatherRays, which is at least NumberOfGatherRays,",
-        filter->GetMaximumNumberOfGatherRays(), settings.gatherRays, mostOfTarget);
-  }
   if (filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
     filter->GetGatherOn() != vtkIrradianceFilter::AllCells)
   {
     throw irradiance::InputError("GatherOn is " + std::to_string(filter->GetGatherOn()) +
-      ", which was DynamicCells: there are SmallCells (0) and AllCells (2)");
+      ", which was DynamicCells: set Method to Gathered or GatheredEverywhere");
   }
   settings.gathersEverywhere = filter->GetGatherOn() == vtkIrradianceFilter::AllCells;
   settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
@@ -246,18 +269,21 @@ void SetDataTime(const std::optional<double>& time, vtkInformationVector* output
 void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* request,
   bool areWalksShown, const irradiance::Ranks& ranks)
 {
-  settings.allOnEachRank = irradiance::isRequested(request, irradiance::UpstreamRequest::Photons) ||
+  const bool areWalksRead = irradiance::isRequested(request, irradiance::UpstreamRequest::Walks);
+  settings.allOnEachRank = areWalksRead ||
+    irradiance::isRequested(request, irradiance::UpstreamRequest::Photons) ||
     (irradiance::isRequested(request, irradiance::UpstreamRequest::Sides) &&
       !settings.keepsSides());
   settings.keepPhotons = settings.allOnEachRank || areWalksShown;
-  settings.listRepaired = areWalksShown;
+  settings.listRepaired = areWalksShown || areWalksRead;
   if (settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral())
   {
     throw irradiance::InputError("RepairTimeBudget is " +
       irradiance::text(settings.repairTimeBudget) + ", but there are " +
       std::to_string(ranks.count()) +
-      " processes, and each of them would repair other photons for vtkIrradianceProbeFilter or "
-      "vtkOutgoingRadianceFilter: set it to 0, or let SeparateSides be on if these gather");
+      " processes, and each of them would repair other photons for vtkPhotonWalksFilter, "
+      "vtkIrradianceProbeFilter or vtkOutgoingRadianceFilter: set it to 0, or let SeparateSides be "
+      "on if these two gather");
   }
 }
 
@@ -269,21 +295,21 @@ void CheckLights(const irradiance::SceneReader& scene,
   if (const auto unseen = irradiance::unseenLight(scene.objects()))
   {
     throw irradiance::InputError(
-      unseen->message("CellEstimate Gathered", scene.nameOf(unseen->light, statics, dynamics),
+      unseen->message("Method Gathered", scene.nameOf(unseen->light, statics, dynamics),
         scene.nameOf(unseen->specular, statics, dynamics)));
   }
 }
 
-std::string TargetMissed(
-  const irradiance::IrradianceEngine& engine, const irradiance::EngineSettings& settings)
+std::string TargetMissed(const irradiance::IrradianceEngine& engine,
+  const irradiance::EngineSettings& settings, double effort)
 {
   std::ostringstream text;
   text << "TargetRelativeError " << settings.targetRelativeError
-       << " is not reached with MaximumNumberOfWalks " << engine.numberOfWalks();
+       << " is not reached with MaximumEffort " << effort << ", which is " << engine.numberOfWalks()
+       << " walks";
   if (engine.numberOfGatherRays() > 0)
   {
-    text << " and " << engine.numberOfGatherRays() << " gather rays (MaximumNumberOfGatherRays "
-         << settings.maximumGatherRays << ")";
+    text << " and " << engine.numberOfGatherRays() << " rays a side";
   }
   text << ": ";
   if (std::isinf(engine.reachedRelativeError()))
@@ -416,11 +442,102 @@ double vtkIrradianceFilter::GetFigure(const char* name)
 
 double vtkIrradianceFilter::GetOldFigure(const char* getter, const char* name)
 {
-  if (this->Internals->OldNames.insert(getter).second)
-  {
-    vtkWarningMacro(<< getter << "() will go: call GetFigure(\"" << name << "\")");
-  }
+  this->Internals->OldNames.warn(
+    this, std::string(getter) + "()", std::string("call GetFigure(\"") + name + "\")");
   return this->GetFigure(name);
+}
+
+void vtkIrradianceFilter::SetMethod(int method)
+{
+  const std::size_t clamped = std::min<std::size_t>(std::max(0, method), PathTraced);
+  const std::array<int, 4>& parts = vtkInternals::PartsOfMethods[clamped];
+  if (std::exchange(this->Internals->MethodParts, parts) != parts)
+  {
+    this->Modified();
+  }
+}
+
+int vtkIrradianceFilter::GetMethod()
+{
+  const auto& all = vtkInternals::PartsOfMethods;
+  const auto* const found = std::find(all.begin(), all.end(), this->Internals->MethodParts);
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+void vtkIrradianceFilter::SetMethodPart(MethodPart part, int value)
+{
+  if (value < 0)
+  {
+    return; // ParaView's value where no old state sets one
+  }
+  constexpr std::array<const char*, 4> names{ "DirectLight", "CellEstimate", "GatherOn",
+    "UnbiasedGather" };
+  constexpr std::array<int, 4> most{ AutomaticDirectLight, AutomaticEstimate, AllCells, 1 };
+  this->Internals->OldNames.warn(this, names[part], "set Method, which says all in one");
+  // `Gathered` is the name of a method now.
+  const int clamped =
+    part == DirectLightPart && value == Gathered ? 1 : std::min(value, most[part]);
+  if (std::exchange(this->Internals->MethodParts[part], clamped) != clamped)
+  {
+    this->Modified();
+  }
+}
+
+int vtkIrradianceFilter::GetMethodPart(MethodPart part)
+{
+  return this->Internals->MethodParts[part];
+}
+
+void vtkIrradianceFilter::SetNumberOfGatherRays(int rays)
+{
+  if (rays != -1)
+  {
+    this->Internals->OldNames.warn(this, "NumberOfGatherRays", "set NumberOfRays");
+    this->SetNumberOfRays(rays);
+  }
+}
+
+void vtkIrradianceFilter::SetMaximumNumberOfWalks(vtkIdType walks)
+{
+  if (std::exchange(this->Internals->MostWalks, walks) != walks)
+  {
+    this->Internals->OldNames.warn(this, "MaximumNumberOfWalks", "set MaximumEffort");
+    this->Modified();
+  }
+}
+
+vtkIdType vtkIrradianceFilter::GetMaximumNumberOfWalks()
+{
+  const vtkIdType most = this->Internals->MostWalks;
+  return most == -1 ? Multiplied(this->NumberOfWalks, this->MaximumEffort, UsualWalks, MostWalks)
+                    : most;
+}
+
+void vtkIrradianceFilter::SetMaximumNumberOfGatherRays(int rays)
+{
+  if (std::exchange(this->Internals->MostRays, rays) != rays)
+  {
+    this->Internals->OldNames.warn(this, "MaximumNumberOfGatherRays", "set MaximumEffort");
+    this->Modified();
+  }
+}
+
+int vtkIrradianceFilter::GetMaximumNumberOfGatherRays()
+{
+  const int most = this->Internals->MostRays;
+  return most == -1 ? static_cast<int>(Multiplied(
+                        this->NumberOfRays, this->MaximumEffort, UsualRays, MostRaysOfTarget))
+                    : most;
+}
+
+void vtkIrradianceFilter::SetNumberOfOutputWalks(vtkIdType walks)
+{
+  if (this->NumberOfOutputWalks != walks)
+  {
+    this->Internals->OldNames.warn(this, "NumberOfOutputWalks", "use a vtkPhotonWalksFilter");
+    this->NumberOfOutputWalks = walks;
+    this->Modified();
+  }
 }
 
 vtkMTimeType vtkIrradianceFilter::GetMTime()
@@ -627,11 +744,10 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   vtkPolyData* walks)
 {
   irradiance::EngineSettings settings = CheckedSettings(filter);
-  const irradiance::WalksWriter walksWriter(
-    { filter->GetNumberOfOutputWalks(), filter->GetOutputWalksPort(),
-      filter->GetOutputWalksConnection(), filter->GetOutputWalksCell() },
-    inputs.Static, inputs.Dynamic);
-  ranks.expectSame(walksWriter.hash(), "other output walks than on the first process");
+  const irradiance::WalksRequest shown{ filter->GetNumberOfOutputWalks(),
+    filter->GetOutputWalksPort(), filter->GetOutputWalksConnection(),
+    filter->GetOutputWalksCell() };
+  ranks.expectSame(shown.hash(), "other output walks than on the first process");
   irradiance::SmpExecution execution = irradiance::executionOf(filter, &ranks);
   if (!execution.reportProgress(0)) // an update with nothing to do does not report again
   {
@@ -654,7 +770,7 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   }
   settings =
     this->Engine->chosen(LeftToSceneBy(filter), this->Scene.objects(), settings, execution);
-  KeepWhatIsRead(settings, request, walksWriter.isAsked(), ranks);
+  KeepWhatIsRead(settings, request, shown.count > 0, ranks);
   const auto count = static_cast<std::size_t>(ranks.count());
   irradiance::requireMemory(this->Scene.objects(), settings, count);
   try
@@ -667,7 +783,8 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   }
   if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
   {
-    vtkWarningWithObjectMacro(filter, << TargetMissed(*this->Engine, settings));
+    vtkWarningWithObjectMacro(
+      filter, << TargetMissed(*this->Engine, settings, filter->GetMaximumEffort()));
   }
   const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
   this->WarnOfExcess(filter);
@@ -677,10 +794,11 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates), writing)
     .write(inputs.Static, inputs.Dynamic, output);
   irradiance::PhotonSource::attach(output, this->Engine, PiecesOf(inputs.Static, inputs.Dynamic));
-  if (walksWriter.isAsked())
+  if (shown.count > 0)
   {
     irradiance::ProgressSpan atItsEnd(execution, 1, 1);
-    walksWriter.write(*this->Engine, this->Scene, settings.repairTimeBudget > 0, atItsEnd, walks);
+    const irradiance::PhotonSource source(output, "the output");
+    irradiance::WalksWriter(shown, source, output).write(atItsEnd, walks);
   }
 }
 
@@ -731,24 +849,20 @@ int vtkIrradianceFilter::RequestData(
 void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfWalks: " << this->NumberOfWalks << "\n"
+  os << indent << "Method: " << this->GetMethod() << "\n"
+     << indent << "NumberOfWalks: " << this->NumberOfWalks << "\n"
+     << indent << "NumberOfRays: " << this->NumberOfRays << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "DefaultDiffuseReflectance: " << this->DefaultDiffuseReflectance << "\n"
      << indent << "TraversalMode: " << this->TraversalMode << "\n"
      << indent << "UpdateMode: " << this->UpdateMode << "\n"
      << indent << "CacheStaticHits: " << this->CacheStaticHits << "\n"
      << indent << "SeparateSides: " << this->SeparateSides << "\n"
-     << indent << "DirectLight: " << this->DirectLight << "\n"
-     << indent << "CellEstimate: " << this->CellEstimate << "\n"
      << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
-     << indent << "NumberOfGatherRays: " << this->NumberOfGatherRays << "\n"
-     << indent << "GatherOn: " << this->GatherOn << "\n"
-     << indent << "UnbiasedGather: " << this->UnbiasedGather << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
-     << indent << "MaximumNumberOfWalks: " << this->MaximumNumberOfWalks << "\n"
-     << indent << "MaximumNumberOfGatherRays: " << this->MaximumNumberOfGatherRays << "\n"
+     << indent << "MaximumEffort: " << this->MaximumEffort << "\n"
      << indent << "RepairTimeBudget: " << this->RepairTimeBudget << "\n"
      << indent << "DistributedInput: " << this->DistributedInput << "\n"
      << indent << "Controller: " << this->GetController() << "\n"

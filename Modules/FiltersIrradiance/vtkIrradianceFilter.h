@@ -39,9 +39,9 @@
  * @section Output
  * Port 0: vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each with one vtkPolyData
  * per connection, in order, in world coordinates. Added are the cell array `Irradiance` (double,
- * W/m2), arrays of the properties below, and field data with the figures of the update. Port 1:
- * walks, see NumberOfOutputWalks. Input that cannot be computed is one error that names the input,
- * the cell and the value, and an empty output. What is hardly meant is a warning.
+ * W/m2), arrays of the properties below, and field data with the figures of the update. Input that
+ * cannot be computed is one error that names the input, the cell and the value, and an empty
+ * output. What is hardly meant is a warning.
  *
  * Progress is reported and AbortExecute honoured within 0.1 s. Runs on VTK's threads (vtkSMPTools),
  * and on the processes of the Controller. If they ask for pieces, the first has the whole result,
@@ -68,45 +68,17 @@ public:
   vtkTypeMacro(vtkIrradianceFilter, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How rays search the static and the dynamic geometry; the result is the same.
-  enum TraversalModes
+  /// How light becomes known. "Which method" in the Guide shows what each is good for.
+  enum Methods
   {
-    OneTree = 0,    ///< one tree over all triangles, rebuilt whenever something moves
-    Sequential = 1, ///< the dynamic trees, then the static one up to the hit found
-    Parallel = 2    ///< likewise, but beside many or flattened objects the static tree first, then
-                    ///< what is before its hit
-  };
-
-  /// How the light gets to be known that comes straight from the lights.
-  enum DirectLights
-  {
-    Shot = 0,                ///< walks start at the lights, and bring it
-    Gathered = 1,            ///< each cell looks for the lights, and walks start where it sees them
-    AutomaticDirectLight = 2 ///< "Automatic": one of these, by the scene
-  };
-
-  /// From which photons the irradiance of a cell is estimated.
-  enum CellEstimates
-  {
-    Sums = 0,   ///< the photons that arrived in it
-    Spread = 1, ///< small cells: also the photons in the cells around it
-    FinalGather =
-      3, ///< "Gathered". Small cells: what rays from them find on the cells that they hit
-    AutomaticEstimate = 4 ///< "Automatic": "Gathered" or Spread, by the scene
-  };
-
-  /// Which cells look for their indirect light with the estimate Gathered.
-  enum GatheringCells
-  {
-    SmallCells = 0, ///< those that expect few photons
-    AllCells = 2
-  };
-
-  /// What happens when dynamic objects have moved; the result is the same.
-  enum UpdateModes
-  {
-    Rebuild = 0, ///< all walks are shot again
-    Verify = 1   ///< the stored walks are verified and those that changed repaired
+    Automatic = 0,   ///< Gathered, Walks or SpreadWalks, or what is between, as suits the scene
+    Walks = 1,       ///< walks start at the lights, and a cell has the photons that arrived in it
+    SpreadWalks = 2, ///< likewise, but small cells also have a part of the photons around them
+    Gathered = 3,    ///< each cell looks for the lights, and small cells cast rays for indirect
+                     ///< light, which read what walks brought to the cells that they hit
+    GatheredEverywhere = 4, ///< likewise, but all cells cast rays
+    PathTraced = 5          ///< as Gathered, but rays read nothing: they go on, and ask the lights
+                            ///< wherever they hit
   };
 
   /// @{
@@ -121,9 +93,6 @@ public:
   void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
   vtkLinearTransform* GetDynamicTransform(int i);
   /// @}
-
-  /// Gone; one error names vtkKeyFramedPose, which gives poses over time.
-  void SetDynamicTransformInterpolator(int i, vtkTransformInterpolator* worldFromObject);
 
   /// Removes all dynamic transforms.
   void RemoveAllDynamicTransforms();
@@ -151,19 +120,32 @@ public:
 
   /// @{
   /**
-   * The name of a further field-data array with a pose (16 values, row by row), by which each part
-   * of port 1 that has one is moved first: world = transform or `ObjectToWorld` * this. If a part
-   * of a connection has it, all with cells need it. `globalTransform` is for vtkGLTFReader with
-   * ApplyDeformationsToGeometry off; with that on, the array is there as well, but its points have
-   * been moved already. Null or empty: none. Default none.
+   * See Methods. Walks and PathTraced are without bias. SpreadWalks trades noise for blur. Rays of
+   * Gathered and GatheredEverywhere take the cells that they hit for evenly lit, which is a bias of
+   * about a percent; it shrinks with these cells. An update equals a new filter's result, bit for
+   * bit, with each of them. The fields `DirectLight` (0 shot, 1
+   * gathered) and `CellEstimate` (0 sums, 1 spread, 3 rays) of the output say what Automatic chose.
+   *
+   * With the three last methods, and where Automatic gathers, `EmittedPower` is that of the lights
+   * and equals `AbsorbedPower` + `EscapedPower`, but how these divide is an estimate: in a closed
+   * scene `EscapedPower` is zero only within the field `EscapedPowerStandardError`, and may be
+   * negative. Where a cell takes fewer than 64 samples for its direct light, intervals are a little
+   * too wide (98 to 99 % of them hold the truth). A point light beside cells with a
+   * SpecularReflectance is an error with these three. Default Automatic.
    */
-  vtkSetStringMacro(PoseArrayName);
-  vtkGetStringMacro(PoseArrayName);
+  void SetMethod(int method);
+  int GetMethod(); ///< -1 if old names were set that are no method together
+  void SetMethodToAutomatic() { this->SetMethod(Automatic); }
+  void SetMethodToWalks() { this->SetMethod(Walks); }
+  void SetMethodToSpreadWalks() { this->SetMethod(SpreadWalks); }
+  void SetMethodToGathered() { this->SetMethod(Gathered); }
+  void SetMethodToGatheredEverywhere() { this->SetMethod(GatheredEverywhere); }
+  void SetMethodToPathTraced() { this->SetMethod(PathTraced); }
   /// @}
 
   /// @{
   /**
-   * Number of photon walks, 1 to 4,294,967,295; at least NumberOfReplicates if those are used. The
+   * Number of photon walks, 1 to 4,294,967,295; at least NumberOfReplicates with error bars. The
    * error of a cell falls with about its square root. Default 1,000,000.
    */
   vtkSetMacro(NumberOfWalks, vtkIdType);
@@ -172,10 +154,80 @@ public:
 
   /// @{
   /**
-   * Chooses the random scrambling of the samples. Two seeds give independent results. Default 1.
+   * How many rays look for the indirect light of each side of a small cell where cells cast rays, 1
+   * to 4096; with error bars rounded up to a multiple of NumberOfReplicates. A cell is small if it
+   * would receive fewer than two photons for each ray when NumberOfWalks walks arrived evenly over
+   * all area; with GatheredEverywhere a large one casts four times as many. The noise falls with
+   * the root of the number, or faster; the time grows with it. Each cell gathers its direct light
+   * with half as many samples at least, or 8. Default 32.
    */
-  vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
+  vtkSetMacro(NumberOfRays, int);
+  vtkGetMacro(NumberOfRays, int);
+  /// @}
+
+  /// @{
+  /**
+   * 0 to 1; 5 % is 0.05. If positive, NumberOfWalks are shot first, and their number is doubled
+   * until the half-width of the 95 % interval is at most this times the irradiance on 95 % of the
+   * area. Where cells cast rays, NumberOfRays is doubled likewise, whichever promises more for its
+   * time. If MaximumEffort is too little for that, a warning says what was reached. A cell that has
+   * received nothing meets the target if 3 more photons would make it no brighter than this times
+   * the average; a cell with too few photons does not. Updates shoot more or fewer, as the scene
+   * needs. 0: no target. Default 0.
+   */
+  vtkSetMacro(TargetRelativeError, double);
+  vtkGetMacro(TargetRelativeError, double);
+  /// @}
+
+  /// @{
+  /**
+   * With a TargetRelativeError, how many times NumberOfWalks, and NumberOfRays, there may be at
+   * most; 1 or more, or 0: up to 10,000,000 walks and 1024 rays. If something may move, walks are
+   * stored: one band takes 30 bytes for each segment and 30 for each walk, some 46 a segment in a
+   * room that reflects half; after motions, which leave holes, up to 1.7 times that (see
+   * `HistoryBytes`). Paths of rays take 32 bytes a segment and 24 a path. Default 0.
+   */
+  vtkSetMacro(MaximumEffort, double);
+  vtkGetMacro(MaximumEffort, double);
+  /// @}
+
+  /// @{
+  /**
+   * Whether the standard error of the irradiance is estimated: the cell array
+   * `IrradianceStandardError` (`IrradianceFrontStandardError`, `IrradianceBackStandardError`;
+   * W/m2). The 95 % interval is the irradiance +- this times the field `ConfidenceFactor`. It is
+   * NaN where it is not known: without an area, and where too few photons arrived. Walks are
+   * assigned to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
+   * cell, band, side and replicate, with a target times the rounds of walks. Default off.
+   */
+  vtkSetMacro(ComputeStandardError, vtkTypeBool);
+  vtkGetMacro(ComputeStandardError, vtkTypeBool);
+  vtkBooleanMacro(ComputeStandardError, vtkTypeBool);
+  /// @}
+
+  /// @{
+  /**
+   * Whether the irradiance of the two sides of a cell is computed separately: `IrradianceFront` and
+   * `IrradianceBack` in place of `Irradiance`, which adds up both. Default off.
+   */
+  vtkSetMacro(SeparateSides, vtkTypeBool);
+  vtkGetMacro(SeparateSides, vtkTypeBool);
+  vtkBooleanMacro(SeparateSides, vtkTypeBool);
+  /// @}
+
+  /// @{
+  /**
+   * Seconds that the repair of an update may take; 0: no limit. Verification does not count, nor
+   * does the first shooting. No effect if UpdateMode is Rebuild or everything has to be shot again:
+   * then nothing is stale. What is left is repaired by the next executions: without motion call
+   * Modified() and Update() until GetFigure("StalePower") is 0. Until then the cell array
+   * `StaleIrradiance` (`StaleIrradianceFront`, `StaleIrradianceBack`; W/m2) is the part of the
+   * irradiance that rests on walks that are no longer valid, and the field `StaleGainBound` (W) is
+   * the most that the full update can bring to all cells together. See "A time budget" in the
+   * Guide. Default 0.
+   */
+  vtkSetMacro(RepairTimeBudget, double);
+  vtkGetMacro(RepairTimeBudget, double);
   /// @}
 
   /// @{
@@ -188,6 +240,50 @@ public:
 
   /// @{
   /**
+   * Chooses the random scrambling of the samples. Two seeds give independent results. Default 1.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  /// @}
+
+  /// @{
+  /**
+   * The processes that share the walks; null: this one alone. Each process has the whole scene,
+   * shoots and stores its part of the walks, and has the whole output, with the bits that one
+   * process alone would give. All of them have to update the filter at the same time, with the same
+   * inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds
+   * are this process's own. Where single photons are read (vtkPhotonWalksFilter,
+   * vtkIrradianceProbeFilter with Estimate Nearest; where sums do not tell sides apart also its
+   * other estimate, and vtkOutgoingRadianceFilter) each process shoots and stores all walks; with
+   * several processes that excludes a RepairTimeBudget. See "Several processes" in the Guide.
+   * Default: VTK's global controller when the filter is made, so this process alone unless a
+   * program, such as ParaView's server, has set another.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  /// @}
+
+  /**
+   * A figure of the last update by its name in the field data of the output, such as
+   * "EmittedPower"; the sum over bands. W, seconds, bytes; NaN where the output has no such figure.
+   */
+  double GetFigure(const char* name);
+
+  /// @name Advanced
+  /// Few scenes need these.
+  /// @{
+
+  /// How rays search the static and the dynamic geometry; the result is the same.
+  enum TraversalModes
+  {
+    OneTree = 0,    ///< one tree over all triangles, rebuilt whenever something moves
+    Sequential = 1, ///< the dynamic trees, then the static one up to the hit found
+    Parallel = 2    ///< likewise, but beside many or flattened objects the static tree first, then
+                    ///< what is before its hit
+  };
+
+  /// @{
+  /**
    * See TraversalModes. Default Parallel.
    */
   vtkSetClampMacro(TraversalMode, int, OneTree, Parallel);
@@ -196,6 +292,13 @@ public:
   void SetTraversalModeToSequential() { this->SetTraversalMode(Sequential); }
   void SetTraversalModeToParallel() { this->SetTraversalMode(Parallel); }
   /// @}
+
+  /// What happens when dynamic objects have moved; the result is the same.
+  enum UpdateModes
+  {
+    Rebuild = 0, ///< all walks are shot again
+    Verify = 1   ///< the stored walks are verified and those that changed repaired
+  };
 
   /// @{
   /**
@@ -220,33 +323,23 @@ public:
 
   /// @{
   /**
-   * Seconds that the repair of an update may take; 0: no limit. Verification does not count, nor
-   * does the first shooting. No effect if UpdateMode is Rebuild or everything has to be shot again:
-   * then nothing is stale. What is left is repaired by the next executions: without motion call
-   * Modified() and Update() until GetStalePower() is 0. Until then the cell array `StaleIrradiance`
-   * (`StaleIrradianceFront`, `StaleIrradianceBack`; W/m2) is the part of the irradiance that rests
-   * on walks that are no longer valid, and the field `StaleGainBound` (W) is the most that the full
-   * update can bring to all cells together. See "A time budget" in the Guide. Default 0.
+   * Number of independent replicates from which errors are estimated, 2 to 256. With few, the
+   * estimate is crude and the interval wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with
+   * 64). With many, each has few walks, and less is gained by the evenness of the samples.
+   * Default 16.
    */
-  vtkSetMacro(RepairTimeBudget, double);
-  vtkGetMacro(RepairTimeBudget, double);
+  vtkSetMacro(NumberOfReplicates, int);
+  vtkGetMacro(NumberOfReplicates, int);
   /// @}
 
   /// @{
   /**
-   * The processes that share the walks; null: this one alone. Each process has the whole scene,
-   * shoots and stores its part of the walks, and has the whole output, with the bits that one
-   * process alone would give. All of them have to update the filter at the same time, with the same
-   * inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds
-   * are this process's own. Where single photons are read (vtkIrradianceProbeFilter with Estimate
-   * Nearest; without SeparateSides and CellEstimate Gathered also its other estimate, and
-   * vtkOutgoingRadianceFilter) each process shoots and stores all walks; with several processes
-   * that excludes a RepairTimeBudget. See "Several processes" in the Guide. Default: VTK's global
-   * controller when the filter is made, so this process alone unless a program, such as ParaView's
-   * server, has set another.
+   * With SpreadWalks, and where Automatic spreads, on how many photons a small cell draws, 1 to
+   * 1,000,000. The noise is about 1 / its root; the blur grows with its root. Power is conserved on
+   * each connection. Default 250.
    */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
+  vtkSetMacro(NumberOfSpreadPhotons, int);
+  vtkGetMacro(NumberOfSpreadPhotons, int);
   /// @}
 
   /// @{
@@ -267,216 +360,83 @@ public:
 
   /// @{
   /**
-   * Whether the irradiance of the two sides of a cell is computed separately: `IrradianceFront` and
-   * `IrradianceBack` in place of `Irradiance`, which adds up both. Default off.
+   * The name of a further field-data array with a pose (16 values, row by row), by which each part
+   * of port 1 that has one is moved first: world = transform or `ObjectToWorld` * this. If a part
+   * of a connection has it, all with cells need it. `globalTransform` is for vtkGLTFReader with
+   * ApplyDeformationsToGeometry off; with that on, the array is there as well, but its points have
+   * been moved already. Null or empty: none. Default none.
    */
-  vtkSetMacro(SeparateSides, vtkTypeBool);
-  vtkGetMacro(SeparateSides, vtkTypeBool);
-  vtkBooleanMacro(SeparateSides, vtkTypeBool);
+  vtkSetStringMacro(PoseArrayName);
+  vtkGetStringMacro(PoseArrayName);
   /// @}
 
+  /// @}
+
+  /// Includes the transforms.
+  vtkMTimeType GetMTime() override;
+
+  /// @name Old names
+  /// They work for this release; each warns once, and names what to use instead.
   /// @{
-  /**
-   * See DirectLights, and "Shot or gathered" in the Guide. Both have the same mean. Gathered is
-   * less noisy in the same time where the lights shine freely on the cells, the more so the less is
-   * reflected. Lamps very near to large cells want Shot. Automatic is Gathered where small cells
-   * could cast rays, and where there are no more cells than walks, unless it costs too much with
-   * CellEstimate Spread; else Shot; the field `DirectLight` of the output says what it is. An
-   * update still equals a new filter's result, bit for bit. Photons are then those of indirect
-   * light: what reads them adds the direct light that cells, or sensors, gather.
-   *
-   * Standard errors are those of both parts; where a cell takes fewer than 64 samples for its
-   * direct light, the intervals are a little too wide (98 to 99 % of them hold the truth).
-   * `EmittedPower` is that of the lights and equals `AbsorbedPower` + `EscapedPower`, but how these
-   * divide is then an estimate as well: in a closed scene `EscapedPower` is zero only within the
-   * field `EscapedPowerStandardError`, and may be negative. About `NumberOfWalks` walks start, if
-   * the light falls on cells that reflect as static ones do on average. Changing it shoots all
-   * again. Default Automatic.
-   */
-  vtkSetClampMacro(DirectLight, int, Shot, AutomaticDirectLight);
-  vtkGetMacro(DirectLight, int);
+
+  /// Of Method: the parts of which it says one thing.
+  enum OldMethodParts
+  {
+    Shot = 0,
+    AutomaticDirectLight = 2,
+    Sums = 0,
+    Spread = 1,
+    FinalGather = 3,
+    AutomaticEstimate = 4,
+    SmallCells = 0,
+    AllCells = 2
+  };
+  void SetDirectLight(int part) { this->SetMethodPart(DirectLightPart, part); }
+  int GetDirectLight() { return this->GetMethodPart(DirectLightPart); }
   void SetDirectLightToShot() { this->SetDirectLight(Shot); }
   void SetDirectLightToGathered() { this->SetDirectLight(Gathered); }
   void SetDirectLightToAutomatic() { this->SetDirectLight(AutomaticDirectLight); }
-  /// @}
-
-  /// @{
-  /**
-   * See CellEstimates, and "Small cells" in the Guide. Spread conserves the power on each
-   * connection and trades noise for blur. Gathered finds the indirect light of small cells by
-   * NumberOfGatherRays rays from each, and needs DirectLight Gathered or Automatic; a point light
-   * beside cells with a SpecularReflectance is an error. Automatic is Gathered where that pays,
-   * else Spread: it takes a DirectLight other than Shot, no such point light, that cells which
-   * expect 25 of NumberOfWalks or more have half of the area, that the rays of all small cells are
-   * at most 1.2 times NumberOfWalks, else cells have fewer rays, down to 4, and that what rests is
-   * lit evenly, or parts catch few photons. With UnbiasedGather it is Sums. The field
-   * `CellEstimate` of the output says what it is. Changing it shoots no walks, except if UpdateMode is
-   * Rebuild, with a target where nothing is dynamic, or from or to Gathered. Default Automatic.
-   */
-  vtkSetClampMacro(CellEstimate, int, Sums, AutomaticEstimate);
-  vtkGetMacro(CellEstimate, int);
+  void SetCellEstimate(int part) { this->SetMethodPart(CellEstimatePart, part); }
+  int GetCellEstimate() { return this->GetMethodPart(CellEstimatePart); }
   void SetCellEstimateToSums() { this->SetCellEstimate(Sums); }
   void SetCellEstimateToSpread() { this->SetCellEstimate(Spread); }
   void SetCellEstimateToGathered() { this->SetCellEstimate(FinalGather); }
   void SetCellEstimateToAutomatic() { this->SetCellEstimate(AutomaticEstimate); }
-  /// @}
-
-  /// @{
-  /**
-   * With CellEstimate Spread, on how many photons a small cell draws, 1 to 1,000,000. The noise is
-   * about 1 / its root; the blur grows with its root. Changing it is like changing CellEstimate.
-   * Default 250.
-   */
-  vtkSetMacro(NumberOfSpreadPhotons, int);
-  vtkGetMacro(NumberOfSpreadPhotons, int);
-  /// @}
-
-  /// @{
-  /**
-   * With CellEstimate Gathered, how many rays look for the indirect light of each side of a small
-   * cell, 1 to 4096; with error bars rounded up to a multiple of NumberOfReplicates. A cell is
-   * small if it would receive fewer than two photons for each ray when NumberOfWalks walks arrived
-   * evenly over all area. The noise falls with the root of the number, or faster; the time grows
-   * with it. Each cell gathers its direct light with half as many samples at least, or 8. So
-   * changing it shoots all walks. Default 32.
-   */
-  vtkSetMacro(NumberOfGatherRays, int);
-  vtkGetMacro(NumberOfGatherRays, int);
-  /// @}
-
-  /// @{
-  /**
-   * With CellEstimate Gathered, which cells find their indirect light by rays, see GatheringCells.
-   * Large cells take four times as many rays, and samples of direct light, as small ones. That is
-   * less noisy than their photons by far where each surface has one reflectance, and a tenth of the
-   * walks then serves as well. Changing it shoots all walks where the numbers of samples change,
-   * else none. Default SmallCells.
-   */
-  vtkSetClampMacro(GatherOn, int, SmallCells, AllCells);
-  vtkGetMacro(GatherOn, int);
+  void SetGatherOn(int part) { this->SetMethodPart(GatherOnPart, part); }
+  int GetGatherOn() { return this->GetMethodPart(GatherOnPart); }
   void SetGatherOnToSmallCells() { this->SetGatherOn(SmallCells); }
   void SetGatherOnToAllCells() { this->SetGatherOn(AllCells); }
-  /// @}
+  void SetUnbiasedGather(int part) { this->SetMethodPart(UnbiasedGatherPart, part); }
+  int GetUnbiasedGather() { return this->GetMethodPart(UnbiasedGatherPart); }
+  void UnbiasedGatherOn() { this->SetUnbiasedGather(1); }
+  void UnbiasedGatherOff() { this->SetUnbiasedGather(0); }
 
-  /// @{
-  /**
-   * With CellEstimate Gathered, whether rays take nothing from the cells that they hit: they go on,
-   * and look for the lights wherever they hit (path tracing). The irradiance is then without bias,
-   * however large cells are, with more noise. Changing it is like changing CellEstimate. Default
-   * off.
-   */
-  vtkSetMacro(UnbiasedGather, vtkTypeBool);
-  vtkGetMacro(UnbiasedGather, vtkTypeBool);
-  vtkBooleanMacro(UnbiasedGather, vtkTypeBool);
-  /// @}
+  /// Of NumberOfRays.
+  void SetNumberOfGatherRays(int rays);
+  int GetNumberOfGatherRays() { return this->NumberOfRays; }
+  /// Of MaximumEffort: in walks, and in rays. -1: as that says.
+  void SetMaximumNumberOfWalks(vtkIdType walks);
+  vtkIdType GetMaximumNumberOfWalks();
+  void SetMaximumNumberOfGatherRays(int rays);
+  int GetMaximumNumberOfGatherRays();
 
-  /// @{
-  /**
-   * Whether the standard error of the irradiance is estimated: the cell array
-   * `IrradianceStandardError` (`IrradianceFrontStandardError`, `IrradianceBackStandardError`;
-   * W/m2). The 95 % interval is the irradiance +- this times the field `ConfidenceFactor`. It is
-   * NaN where it is not known: without an area, and where too few photons arrived. Walks are
-   * assigned to NumberOfReplicates replicates with samples of their own. Costs 8 bytes for each
-   * cell, band, side and replicate, with a target times the rounds of walks. Default off.
-   */
-  vtkSetMacro(ComputeStandardError, vtkTypeBool);
-  vtkGetMacro(ComputeStandardError, vtkTypeBool);
-  vtkBooleanMacro(ComputeStandardError, vtkTypeBool);
-  /// @}
-
-  /// @{
-  /**
-   * Number of independent replicates from which errors are estimated, 2 to 256. With few, the
-   * estimate is crude and the interval wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with
-   * 64). With many, each has few walks, and less is gained by the evenness of the samples.
-   * Default 16.
-   */
-  vtkSetMacro(NumberOfReplicates, int);
-  vtkGetMacro(NumberOfReplicates, int);
-  /// @}
-
-  /// @{
-  /**
-   * 0 to 1; 5 % is 0.05. If positive, NumberOfWalks are shot first, and their number is doubled
-   * until the half-width of the 95 % interval is at most this times the irradiance on 95 % of the
-   * area. Where cells gather, NumberOfGatherRays is doubled likewise, whichever promises more for
-   * its time. If that takes more than MaximumNumberOfWalks and MaximumNumberOfGatherRays, a warning
-   * says what was reached. A cell that has received nothing meets the target if 3 more photons
-   * would make it no brighter than this times the average; a cell with too few photons does not.
-   * Updates shoot more or fewer, as the scene needs. 0: no target. Default 0.
-   */
-  vtkSetMacro(TargetRelativeError, double);
-  vtkGetMacro(TargetRelativeError, double);
-  /// @}
-
-  /// @{
-  /**
-   * With a TargetRelativeError, the number of walks at which to stop; NumberOfWalks to
-   * 4,294,967,295. If something may move, one band takes 30 bytes for each segment and 30 for each
-   * walk, some 46 a segment in a room that reflects half; after motions, which leave holes, up to
-   * 1.7 times that. See `HistoryBytes`. Default 10,000,000.
-   */
-  vtkSetMacro(MaximumNumberOfWalks, vtkIdType);
-  vtkGetMacro(MaximumNumberOfWalks, vtkIdType);
-  /// @}
-
-  /// @{
-  /**
-   * With a TargetRelativeError and CellEstimate Gathered, the number of rays from each side of a
-   * small cell at which to stop; NumberOfGatherRays to 65,536. If something may move, the paths of
-   * the rays are kept in 32 bytes a segment and 24 a path. Changing it is like changing
-   * NumberOfGatherRays, but shoots no walks, except if UpdateMode is Rebuild or nothing is dynamic.
-   * Default 1024.
-   */
-  vtkSetMacro(MaximumNumberOfGatherRays, int);
-  vtkGetMacro(MaximumNumberOfGatherRays, int);
-  /// @}
-
-  /// @{
-  /**
-   * How many walks output port 1 shows, 0 to 4,294,967,295, as polylines from the light to where
-   * the photon is absorbed, with the cell arrays `WalkId`, `Power` (W), `Repaired`, `Escaped` and
-   * `Stale`; see "Walks to look at" in the Guide. Where nothing can move, no walks are stored, and
-   * all are shot again when it is not 0 for the first time; they then stay. Otherwise changing it
-   * shoots nothing, except if UpdateMode is Rebuild, or with a target where nothing is dynamic.
-   * Default 0.
-   */
-  vtkSetMacro(NumberOfOutputWalks, vtkIdType);
+  /// Of vtkPhotonWalksFilter: output port 1 shows the same walks. GetOutput(1) is null, as it is no
+  /// vtkMultiBlockDataSet.
+  void SetNumberOfOutputWalks(vtkIdType walks);
   vtkGetMacro(NumberOfOutputWalks, vtkIdType);
-  /// @}
-
-  /// @{
-  /**
-   * The cell that the walks of output port 1 touch: its number in connection OutputWalksConnection
-   * of input port OutputWalksPort (0 static, 1 dynamic). In a composite connection the cells are
-   * numbered from leaf to leaf. -1: all walks are meant, and port and connection do not matter.
-   * What does not exist is an error, except that no walk touches the cells of a connection that has
-   * none. They only matter if NumberOfOutputWalks is not 0. Defaults -1, 0, 0.
-   */
   vtkSetMacro(OutputWalksCell, vtkIdType);
   vtkGetMacro(OutputWalksCell, vtkIdType);
   vtkSetMacro(OutputWalksPort, int);
   vtkGetMacro(OutputWalksPort, int);
   vtkSetMacro(OutputWalksConnection, int);
   vtkGetMacro(OutputWalksConnection, int);
-  /// @}
-
-  /// @{
-  /**
-   * Output port 1. GetOutput(1) is null, as it is no vtkMultiBlockDataSet.
-   */
   vtkPolyData* GetWalksOutput();
   vtkAlgorithmOutput* GetWalksOutputPort();
-  /// @}
 
-  /**
-   * A figure of the last update by its name in the field data of the output, such as
-   * "EmittedPower"; the sum over bands. W, seconds, bytes; NaN where the output has no such figure.
-   */
-  double GetFigure(const char* name);
+  /// Gone; one error names vtkKeyFramedPose, which gives poses over time.
+  void SetDynamicTransformInterpolator(int i, vtkTransformInterpolator* worldFromObject);
 
-  /// @{
-  /// Old names of GetFigure(), for one release: each warns once.
+  /// Of GetFigure().
   double GetEmittedPower() { return this->GetOldFigure("GetEmittedPower", "EmittedPower"); }
   double GetAbsorbedPower() { return this->GetOldFigure("GetAbsorbedPower", "AbsorbedPower"); }
   double GetEscapedPower() { return this->GetOldFigure("GetEscapedPower", "EscapedPower"); }
@@ -511,9 +471,6 @@ public:
   double GetHistoryBytes() { return this->GetOldFigure("GetHistoryBytes", "HistoryBytes"); }
   /// @}
 
-  /// Includes the transforms.
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkIrradianceFilter();
   ~vtkIrradianceFilter() override;
@@ -536,17 +493,12 @@ protected:
   int UpdateMode = Verify;
   vtkTypeBool CacheStaticHits = 0;
   vtkTypeBool SeparateSides = 0;
-  int DirectLight = AutomaticDirectLight;
-  int CellEstimate = AutomaticEstimate;
   int NumberOfSpreadPhotons = 250;
-  int NumberOfGatherRays = 32;
-  int GatherOn = SmallCells;
-  vtkTypeBool UnbiasedGather = 0;
+  int NumberOfRays = 32;
   vtkTypeBool ComputeStandardError = 0;
   int NumberOfReplicates = 16;
   double TargetRelativeError = 0;
-  vtkIdType MaximumNumberOfWalks = 10000000;
-  int MaximumNumberOfGatherRays = 1024;
+  double MaximumEffort = 0;
   double RepairTimeBudget = 0;
   vtkIdType NumberOfOutputWalks = 0;
   vtkIdType OutputWalksCell = -1;
@@ -562,6 +514,15 @@ private:
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();
   double GetOldFigure(const char* getter, const char* name);
+  enum MethodPart
+  {
+    DirectLightPart,
+    CellEstimatePart,
+    GatherOnPart,
+    UnbiasedGatherPart
+  };
+  void SetMethodPart(MethodPart part, int value);
+  int GetMethodPart(MethodPart part);
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

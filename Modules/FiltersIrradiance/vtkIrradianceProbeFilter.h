@@ -30,7 +30,7 @@
  *   Nearest knows what the lamp emits there.
  * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. One that did not
  *   keep its photons, as nothing can move, executes again, once. Gathered needs no photons if sums
- *   are kept by side (SeparateSides or CellEstimate Gathered), which takes less memory.
+ *   are kept by side (SeparateSides, or where cells cast rays), which takes less memory.
  *
  * @section ProbeOutput Output
  * A copy of the sensors, of the same type, that shares their arrays, with point arrays.
@@ -69,9 +69,9 @@
  * at edges. Which photons are found does not depend on threads or trees, and after an update a new
  * filter would find the same. Documentation/Theory.md, section 5.4.
  *
- * With DirectLight Gathered the photons are those of indirect light. What comes straight from the
- * lights is that of the surface at the very point to which the sensor is moved, from 64 rays: it is
- * not blurred, and is added to `Irradiance`. Documentation/Theory.md, section 1.3.
+ * Where direct light is gathered the photons are those of indirect light. What comes straight from
+ * the lights is that of the surface at the very point to which the sensor is moved, from 64 rays:
+ * it is not blurred, and is added to `Irradiance`. Documentation/Theory.md, section 1.3.
  *
  * @section ProbeGathered Gathered
  * Rays that hit a cell which expects 25 photons or more, and is farther than wide, read what its

@@ -9,7 +9,7 @@
  *
  * @section RadianceInput Input
  * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells
- * received comes with it. With SeparateSides or CellEstimate Gathered the filter knows that; else
+ * received comes with it. With SeparateSides, or where cells cast rays, the filter knows that; else
  * it is counted from the photons, and a filter that did not keep these, as nothing can move,
  * executes again.
  *

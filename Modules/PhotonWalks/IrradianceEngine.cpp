@@ -62,7 +62,7 @@ void IrradianceEngine::update(
   assert(conflictOf(settings, settings).empty());
   if (settings.cellEstimate == CellEstimate::Gathered)
   {
-    checkLights(objects, "CellEstimate Gathered"); // before anything is shot
+    checkLights(objects, "Method Gathered"); // before anything is shot
   }
   const FrameChange change = agreedChange(changeTo(objects, settings, execution),
     { objects, objects_, settings, settings }, execution.ranks());

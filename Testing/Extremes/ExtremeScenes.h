@@ -32,8 +32,7 @@ inline bool IsThorough()
 inline int DirectLightOfThisRun()
 {
   const char* gathered = std::getenv("VTKIRRADIANCE_TEST_DIRECT_LIGHT");
-  return gathered && std::atoi(gathered) == 1 ? vtkIrradianceFilter::Gathered
-                                              : vtkIrradianceFilter::Shot;
+  return gathered && std::atoi(gathered) == 1 ? 1 : 0;
 }
 
 /// How far a mean of a furnace may be off. Where all cells shine, and walks are few, gathered light
@@ -41,7 +40,7 @@ inline int DirectLightOfThisRun()
 /// which.
 inline double InThisRun(double allowed)
 {
-  return DirectLightOfThisRun() == vtkIrradianceFilter::Gathered ? 12 * allowed : allowed;
+  return DirectLightOfThisRun() == 1 ? 12 * allowed : allowed;
 }
 
 /// In double: scaled first, then shifted.
@@ -204,7 +203,7 @@ inline double MeanIrradiance(vtkIrradianceFilter* filter, unsigned int port, uns
 /// gathered, what escapes is an estimate, of which the sum of two doubles loses a bit.
 inline void ExpectLaws(vtkIrradianceFilter* filter, const Scene& scene, bool isClosed = true)
 {
-  const bool isGathered = DirectLightOfThisRun() == vtkIrradianceFilter::Gathered;
+  const bool isGathered = DirectLightOfThisRun() == 1;
   filter->SetDirectLight(DirectLightOfThisRun());
   const auto observer = ErrorObserver::Watch(filter);
   filter->Update();

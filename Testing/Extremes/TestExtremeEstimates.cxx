@@ -19,7 +19,7 @@ void ExpectEstimates(double size, const Vector& offset)
     { MakeMovingIn(White(MakeBox(0.3, 0.2, 0.25)), size, offset, { 0.4, 0.5, 0.6 }),
       MakeMovingIn(White(MakeBall(0.15, 24)), size, offset, { 0.7, 0.7, 0.4 }) } };
   const auto filter = MakeFilter(scene, 20000);
-  filter->SetCellEstimateToSpread();
+  filter->SetMethodToSpreadWalks();
   filter->SetNumberOfSpreadPhotons(400);
   for (int frame = 0; frame < 2; ++frame)
   {

@@ -332,7 +332,7 @@ inline void Trial::Compare()
   const bool waits = Chance(this->Random, 2);
   ++this->Done.Compared;
   this->Done.Digested(OutputBits(fresh).Digest());
-  this->Done.Digested(ShownWalks::LastingBits(fresh).Digest());
+  this->Done.Digested(ShownWalks::LastingBits(fresh->GetWalksOutput()).Digest());
   if (MostStale(this->Filter) > 0)
   {
     ++this->Done.Stale;
@@ -354,8 +354,9 @@ inline void Trial::Compare()
     left = MostStale(this->Filter);
   }
   EXPECT_TRUE(IsSame(OutputBits(this->Filter), OutputBits(fresh)));
-  EXPECT_TRUE(IsSame(ShownWalks::LastingBits(this->Filter), ShownWalks::LastingBits(fresh)));
-  const bool isGathered = Field(fresh, "DirectLight") == vtkIrradianceFilter::Gathered;
+  EXPECT_TRUE(IsSame(ShownWalks::LastingBits(this->Filter->GetWalksOutput()),
+    ShownWalks::LastingBits(fresh->GetWalksOutput())));
+  const bool isGathered = Field(fresh, "DirectLight") == 1;
   const bool isFinalGather = Field(fresh, "CellEstimate") == vtkIrradianceFilter::FinalGather;
   this->Done.Gathered += isGathered;
   this->Done.FinalGathers += isFinalGather;

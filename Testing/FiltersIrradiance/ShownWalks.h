@@ -4,10 +4,12 @@
 
 #include "OutputBits.h"
 
+#include "vtkPhotonWalksFilter.h"
+
 #include <map>
 #include <set>
 
-/// What output port 1 of a filter shows.
+/// What a vtkPhotonWalksFilter shows.
 namespace ShownWalks
 {
 
@@ -59,10 +61,22 @@ inline Walks WalksOf(vtkPolyData* shown)
   return walks;
 }
 
-inline Walks UpdatedWalks(vtkIrradianceFilter* filter)
+/// A filter, and one that shows its walks.
+struct Showing
 {
-  filter->Update();
-  return WalksOf(filter->GetWalksOutput());
+  vtkSmartPointer<vtkIrradianceFilter> Light;
+  vtkSmartPointer<vtkPhotonWalksFilter> Shown = vtkSmartPointer<vtkPhotonWalksFilter>::New();
+
+  vtkIrradianceFilter* operator->() const { return this->Light; }
+  void Update() const { this->Shown->Update(); }
+  /// When the light was computed.
+  vtkMTimeType Time() const { return this->Light->GetOutput()->GetUpdateTime(); }
+};
+
+inline Walks UpdatedWalks(const Showing& showing)
+{
+  showing.Update();
+  return WalksOf(showing.Shown->GetOutput());
 }
 
 inline Ids IdsOf(const Walks& walks)
@@ -91,16 +105,17 @@ inline Ids RepairedOf(const Walks& walks)
 /// Walks of a filter that shows them.
 constexpr vtkIdType NumberOfWalks = 1500;
 
-inline vtkSmartPointer<vtkIrradianceFilter> MakeShowing(const Scene& scene, vtkIdType shown = All)
+inline Showing MakeShowing(const Scene& scene, vtkIdType shown = All)
 {
-  auto filter = MakeFilter(scene, NumberOfWalks);
-  filter->SetNumberOfOutputWalks(shown);
-  return filter;
+  Showing showing{ MakeFilter(scene, NumberOfWalks) };
+  showing.Shown->SetInputConnection(showing.Light->GetOutputPort());
+  showing.Shown->SetNumberOfWalks(shown);
+  return showing;
 }
 
-inline bool HasShot(vtkIrradianceFilter* filter)
+inline bool HasShot(const Showing& showing)
 {
-  return Field(filter, "ShootSeconds") > 0;
+  return Field(showing.Light, "ShootSeconds") > 0;
 }
 
 /// Without walls: most light escapes.
@@ -112,40 +127,40 @@ inline Scene MakeOpenScene()
 }
 
 /// Asks for all walks that touch a cell, then for what was asked before.
-inline Ids Touching(vtkIrradianceFilter* filter, int port, int connection, vtkIdType cell)
+inline Ids Touching(const Showing& showing, int port, int connection, vtkIdType cell)
 {
-  const vtkIdType count = filter->GetNumberOfOutputWalks();
-  filter->SetNumberOfOutputWalks(All);
-  filter->SetOutputWalksPort(port);
-  filter->SetOutputWalksConnection(connection);
-  filter->SetOutputWalksCell(cell);
-  const Ids ids = IdsOf(UpdatedWalks(filter));
-  filter->SetNumberOfOutputWalks(count);
-  filter->SetOutputWalksCell(-1);
-  filter->Update();
+  const vtkIdType count = showing.Shown->GetNumberOfWalks();
+  showing.Shown->SetNumberOfWalks(All);
+  showing.Shown->SetCellPort(port);
+  showing.Shown->SetCellConnection(connection);
+  showing.Shown->SetCell(cell);
+  const Ids ids = IdsOf(UpdatedWalks(showing));
+  showing.Shown->SetNumberOfWalks(count);
+  showing.Shown->SetCell(-1);
+  showing.Update();
   return ids;
 }
 
 /// Those that touch any cell of a connection.
-inline Ids Touching(vtkIrradianceFilter* filter, int port, int connection)
+inline Ids Touching(const Showing& showing, int port, int connection)
 {
   Ids all;
-  vtkPolyData* part = OutputOf(
-    filter->GetOutput(), static_cast<unsigned int>(port), static_cast<unsigned int>(connection));
+  vtkPolyData* part = OutputOf(showing.Light->GetOutput(), static_cast<unsigned int>(port),
+    static_cast<unsigned int>(connection));
   const vtkIdType cells = part->GetNumberOfCells();
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    const Ids some = Touching(filter, port, connection, cell);
+    const Ids some = Touching(showing, port, connection, cell);
     all.insert(some.begin(), some.end());
   }
   return all;
 }
 
 /// All but what tells how the walks came about.
-inline OutputBits LastingBits(vtkIrradianceFilter* filter)
+inline OutputBits LastingBits(vtkPolyData* walks)
 {
   vtkNew<vtkPolyData> shown;
-  shown->ShallowCopy(filter->GetWalksOutput());
+  shown->ShallowCopy(walks);
   shown->GetCellData()->RemoveArray("Repaired");
   shown->GetPointData()->RemoveArray("Repaired");
   return OutputBits(shown);

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr int Spread = vtkIrradianceFilter::Spread, FinalGather = vtkIrradianceFilter::FinalGather;
-constexpr int Shot = vtkIrradianceFilter::Shot, Gathered = vtkIrradianceFilter::Gathered;
+constexpr int Shot = vtkIrradianceFilter::Shot, Gathered = 1;
 
 /// Updates without an error, and expects this choice in the field data.
 void ExpectChoice(vtkIrradianceFilter* filter, int estimate, int directLight)

@@ -140,11 +140,19 @@ Spoil SetTarget(double target, vtkIdType mostWalks = 10000)
   };
 }
 
+Spoil SetTargetOfEffort(double effort)
+{
+  return [=](vtkIrradianceFilter* filter, Scene&) {
+    filter->SetTargetRelativeError(0.1);
+    filter->SetMaximumEffort(effort);
+  };
+}
+
 Spoil SetTargetOfRays(int rays, int mostRays)
 {
   return [=](vtkIrradianceFilter* filter, Scene&) {
     filter->SetTargetRelativeError(0.1);
-    filter->SetNumberOfGatherRays(rays);
+    filter->SetNumberOfRays(rays);
     filter->SetMaximumNumberOfGatherRays(mostRays);
   };
 }
@@ -281,10 +289,14 @@ const std::vector<BadInput> BadInputs{
     { "MaximumNumberOfGatherRays", "is 63; 64 to 65536" } },
   { "TargetWithTooManyRays", SetTargetOfRays(8, 65537),
     { "MaximumNumberOfGatherRays", "is 65537; 8 to" } },
+  { "TargetWithLessEffortThanOne", SetTargetOfEffort(0.9), { "MaximumEffort is 0.9" } },
+  { "EffortNaN", SetTargetOfEffort(NaN), { "MaximumEffort is nan" } },
   { "DefaultReflectanceAbove1", SetDefaultReflectance(2), { "DefaultDiffuseReflectance is 2;" } },
   { "DefaultReflectanceIsNaN", SetDefaultReflectance(NaN), { "DefaultDiffuseReflectance is nan" } },
   { "EstimateThatIsGone", [](vtkIrradianceFilter* filter, Scene&) { filter->SetCellEstimate(2); },
     { "CellEstimate is 2, which was Nearest", "vtkIrradianceProbeFilter" } },
+  { "CellsThatAreGone", [](vtkIrradianceFilter* filter, Scene&) { filter->SetGatherOn(1); },
+    { "GatherOn is 1, which was DynamicCells", "Method" } },
   { "NegativeBudget", SetBudget(-0.5), { "RepairTimeBudget is -0.5" } },
   { "BudgetIsNaN", SetBudget(NaN), { "RepairTimeBudget is nan" } },
 };
@@ -316,12 +328,13 @@ void ExpectGood(vtkIrradianceFilter* filter, ErrorObserver* observer, const Outp
   filter->SetNumberOfWalks(NumberOfWalks);
   filter->SetNumberOfReplicates(16);
   filter->SetNumberOfSpreadPhotons(250);
-  filter->SetNumberOfGatherRays(32);
+  filter->SetNumberOfRays(32);
   filter->SetMaximumNumberOfGatherRays(1024);
   filter->SetTargetRelativeError(0);
+  filter->SetMaximumEffort(0);
   filter->ComputeStandardErrorOff();
   filter->SetRepairTimeBudget(0);
-  filter->SetCellEstimateToSums();
+  filter->SetMethodToWalks();
   filter->SetDefaultDiffuseReflectance(0.5);
   filter->Update();
   EXPECT_TRUE(observer->Errors.empty());

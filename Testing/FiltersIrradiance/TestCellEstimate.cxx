@@ -53,39 +53,6 @@ double Roughness(vtkIrradianceFilter* filter)
 
 }
 
-TEST(CellEstimate, DefaultsAndRange)
-{
-  vtkNew<vtkIrradianceFilter> filter;
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate);
-  EXPECT_EQ(filter->GetNumberOfSpreadPhotons(), 250);
-  filter->SetCellEstimateToSpread();
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Spread);
-  filter->SetCellEstimateToSums();
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::Sums);
-  filter->SetCellEstimate(99);
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate) << "clamped";
-  filter->SetCellEstimateToGathered();
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::FinalGather);
-  filter->SetCellEstimateToAutomatic();
-  EXPECT_EQ(filter->GetCellEstimate(), vtkIrradianceFilter::AutomaticEstimate);
-  EXPECT_EQ(filter->GetNumberOfGatherRays(), 32);
-  EXPECT_EQ(filter->GetMaximumNumberOfGatherRays(), 1024);
-  EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::SmallCells);
-  filter->SetGatherOn(99);
-  EXPECT_EQ(filter->GetGatherOn(), vtkIrradianceFilter::AllCells) << "clamped";
-  EXPECT_EQ(filter->GetUnbiasedGather(), 0);
-  filter->UnbiasedGatherOn();
-  filter->SetCellEstimateToSpread();
-  std::ostringstream text;
-  filter->Print(text);
-  EXPECT_NE(text.str().find("CellEstimate: 1\n"), std::string::npos);
-  EXPECT_NE(text.str().find("NumberOfSpreadPhotons: 250\n"), std::string::npos);
-  EXPECT_NE(text.str().find(" NumberOfGatherRays: 32\n"), std::string::npos);
-  EXPECT_NE(text.str().find(" MaximumNumberOfGatherRays: 1024\n"), std::string::npos);
-  EXPECT_NE(text.str().find("GatherOn: 2\n"), std::string::npos);
-  EXPECT_NE(text.str().find("UnbiasedGather: 1\n"), std::string::npos);
-}
-
 // Nothing is shot, walls keep their bits, and the fine ball keeps its power but not its noise.
 TEST(CellEstimate, SpreadSmoothsSmallCellsOfTheSameWalks)
 {
@@ -96,7 +63,7 @@ TEST(CellEstimate, SpreadSmoothsSmallCellsOfTheSameWalks)
   walls->DeepCopy(IrradianceOf(filter, 0, 0));
   const double power = PowerOn(filter, 1, 0), roughness = Roughness(filter);
 
-  filter->SetCellEstimateToSpread();
+  filter->SetMethodToSpreadWalks();
   filter->Update();
   EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
   for (vtkIdType i = 0; i < walls->GetNumberOfTuples(); ++i)
@@ -106,7 +73,7 @@ TEST(CellEstimate, SpreadSmoothsSmallCellsOfTheSameWalks)
   EXPECT_NEAR(PowerOn(filter, 1, 0) / power, 1, 1e-6) << "areas come from float points";
   EXPECT_LT(Roughness(filter), 0.2 * roughness) << "was " << roughness;
 
-  filter->SetCellEstimateToSums();
+  filter->SetMethodToWalks();
   filter->Update();
   EXPECT_TRUE(IsSame(OutputBits(filter), sums));
 }
@@ -114,7 +81,7 @@ TEST(CellEstimate, SpreadSmoothsSmallCellsOfTheSameWalks)
 TEST(CellEstimate, MorePhotonsAreSmoother)
 {
   const auto filter = MakeFilter(MakeFineScene(), NumberOfWalks);
-  filter->SetCellEstimateToSpread();
+  filter->SetMethodToSpreadWalks();
   double before = 1e9;
   for (const int photons : { 10, 50, 250, 1000 })
   {
@@ -132,7 +99,7 @@ TEST(CellEstimate, UpdateEqualsRebuild)
   Scene scene = MakeFineScene();
   const auto make = [&] {
     auto filter = MakeFilter(scene, NumberOfWalks);
-    filter->SetCellEstimateToSpread();
+    filter->SetMethodToSpreadWalks();
     filter->ComputeStandardErrorOn();
     filter->SetNumberOfReplicates(4);
     filter->SeparateSidesOn();
@@ -160,8 +127,7 @@ namespace
 vtkSmartPointer<vtkIrradianceFilter> MakeGathering(const Scene& scene)
 {
   auto filter = MakeFilter(scene, NumberOfWalks);
-  filter->SetDirectLightToGathered();
-  filter->SetCellEstimateToGathered();
+  filter->SetMethodToGathered();
   return filter;
 }
 
@@ -176,14 +142,15 @@ TEST(CellEstimate, GatheredUpdateEqualsRebuild)
     filter->ComputeStandardErrorOn();
     filter->SetNumberOfReplicates(4);
     filter->SetSeparateSides(frame % 3 == 2);
-    filter->SetUnbiasedGather(frame >= 4);
+    filter->SetMethod(frame >= 4 ? vtkIrradianceFilter::PathTraced : vtkIrradianceFilter::Gathered);
     return filter;
   };
   const auto updated = make(0);
   for (int frame = 0; frame < 6; ++frame)
   {
     updated->SetSeparateSides(frame % 3 == 2);
-    updated->SetUnbiasedGather(frame >= 4);
+    updated->SetMethod(
+      frame >= 4 ? vtkIrradianceFilter::PathTraced : vtkIrradianceFilter::Gathered);
     updated->Update();
     EXPECT_EQ(Field(updated, "ShootSeconds") > 0, frame == 0) << "sides are counted anyway";
     const auto fresh = make(frame);
@@ -215,9 +182,9 @@ TEST(CellEstimate, GatheredSaysWhatItNeeds)
   EXPECT_NE(OnlyErrorOf(filter).find("CellEstimate Gathered needs DirectLight Gathered"),
     std::string::npos);
   filter->SetDirectLightToGathered();
-  filter->SetNumberOfGatherRays(0);
-  EXPECT_NE(OnlyErrorOf(filter).find("NumberOfGatherRays is 0; 1 to 4096"), std::string::npos);
-  filter->SetNumberOfGatherRays(8);
+  filter->SetNumberOfRays(0);
+  EXPECT_NE(OnlyErrorOf(filter).find("NumberOfRays is 0; 1 to 4096"), std::string::npos);
+  filter->SetNumberOfRays(8);
   filter->Update();
   EXPECT_GT(PowerOn(filter, 1, 0), 0);
 }
@@ -239,7 +206,7 @@ TEST(CellEstimate, GatheredNamesWhatItDoesNotKnow)
   const std::string error = OnlyErrorOf(filter);
   EXPECT_NE(error.find(light +
               ", cell 0: a point light of 20 W, and input port 1, connection 1, cell 3 has the "
-              "specular reflectance 0.25: CellEstimate Gathered does not know"),
+              "specular reflectance 0.25: Method Gathered does not know"),
     std::string::npos)
     << error;
 }
@@ -260,7 +227,7 @@ TEST(CellEstimate, SpreadsAcrossStaticConnections)
   {
     const auto filter = MakeFilter(roomOf(isGap), 1000);
     filter->SetDefaultDiffuseReflectance(0);
-    filter->SetCellEstimateToSpread();
+    filter->SetMethodToSpreadWalks();
     filter->Update();
     double beyond = 0;
     for (vtkIdType i = 0; i < 100; ++i)

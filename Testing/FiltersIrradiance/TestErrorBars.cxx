@@ -144,7 +144,6 @@ TEST(StandardError, UpdateEqualsRebuild)
     auto filter = MakeFilter(scene, 3000);
     filter->ComputeStandardErrorOn();
     filter->SetTargetRelativeError(0.25);
-    filter->SetMaximumNumberOfWalks(100000);
     return filter;
   };
   const auto updated = make();
@@ -187,7 +186,7 @@ TEST(Target, BeyondTheLimitWarnsOfWhatWasReached)
   const auto filter = MakeFilter(MakeLitScene(1), 4000);
   const auto observer = ErrorObserver::Watch(filter);
   filter->SetTargetRelativeError(0.001);
-  filter->SetMaximumNumberOfWalks(10000);
+  filter->SetMaximumEffort(2.5);
   filter->Update();
   EXPECT_EQ(Field(filter, "NumberOfWalks"), 10000);
   ASSERT_EQ(observer->Warnings.size(), 1u);
@@ -201,7 +200,7 @@ TEST(Target, BeyondTheLimitWarnsOfWhatWasReached)
 
   observer->Clear();
   filter->SetNumberOfWalks(100);
-  filter->SetMaximumNumberOfWalks(100);
+  filter->SetMaximumEffort(1);
   filter->Update();
   EXPECT_TRUE(std::isinf(Field(filter, "ReachedRelativeError")));
   ASSERT_EQ(observer->Warnings.size(), 1u);
@@ -212,20 +211,16 @@ TEST(Target, BeyondTheLimitsOfBothLeversNamesBoth)
 {
   const auto filter = MakeFilter(MakeLitScene(1), 4000);
   const auto observer = ErrorObserver::Watch(filter);
-  filter->SetDirectLightToGathered();
-  filter->SetCellEstimateToGathered();
-  filter->SetGatherOnToAllCells();
-  filter->SetNumberOfGatherRays(16);
-  filter->SetMaximumNumberOfGatherRays(40);
-  filter->SetMaximumNumberOfWalks(6000);
+  filter->SetMethodToGatheredEverywhere();
+  filter->SetNumberOfRays(16);
+  filter->SetMaximumEffort(2.5);
   filter->SetTargetRelativeError(1e-6);
   filter->Update();
   EXPECT_EQ(Field(filter, "NumberOfGatherRays"), 32)
     << "the last number of 16, 32, ... below the limit";
   EXPECT_EQ(filter->GetFigure("NumberOfGatherRays"), 32);
   ASSERT_EQ(observer->Warnings.size(), 1u);
-  for (const char* word :
-    { "MaximumNumberOfWalks 6000", "32 gather rays", "MaximumNumberOfGatherRays 40" })
+  for (const char* word : { "MaximumEffort 2.5", "10000 walks", "32 rays a side" })
   {
     EXPECT_NE(observer->Warnings[0].find(word), std::string::npos) << observer->Warnings[0];
   }

@@ -233,7 +233,7 @@ TEST(SheetsThatMoveInAPlane, UpdatesEqualRebuilds)
 // (1 - rho^2).
 TEST(MirroredBodies, AreLitOutside)
 {
-  for (const int light : { vtkIrradianceFilter::Shot, vtkIrradianceFilter::Gathered })
+  for (const int method : { vtkIrradianceFilter::Walks, vtkIrradianceFilter::Gathered })
   {
     Scene scene{ { MakeRectangle({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 2),
                    MakeLamp({ 0, 0, 2 }, 1, { 100 }) },
@@ -241,7 +241,7 @@ TEST(MirroredBodies, AreLitOutside)
     SetCellValues(scene.Fixed[0], "RadiantExitance", { 100 });
     scene.Moving[0].Pose->Scale(-1, 1, 1);
     const auto filter = MakeFilter(scene, 100000);
-    filter->SetDirectLight(light);
+    filter->SetMethod(method);
     filter->SeparateSidesOn();
     filter->Update();
     vtkCellData* const box = OutputOf(filter->GetOutput(), 1, 0)->GetCellData();

@@ -9,6 +9,7 @@
 #include "vtkKeyFramedPose.h"
 #include "vtkOutgoingRadianceFilter.h"
 #include "vtkOutputWindow.h"
+#include "vtkPhotonWalksFilter.h"
 #include "vtkPointIrradianceFilter.h"
 #include "vtkRadiantExposureFilter.h"
 #include "vtkRenderer.h"

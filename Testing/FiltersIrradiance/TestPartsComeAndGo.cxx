@@ -244,7 +244,7 @@ TEST(PartsComeAndGo, WithAllSettings)
     },
     [](vtkIrradianceFilter* f) {
       f->ComputeStandardErrorOn();
-      f->SetCellEstimateToSpread();
+      f->SetMethodToSpreadWalks();
       f->SetNumberOfSpreadPhotons(40);
     },
   };
@@ -385,11 +385,11 @@ TEST(PartsComeAndGo, WhateverIsSwitchedMeanwhile)
     bool StartsAnew;
     bool Looks; ///< an eye and sensors
   } switches[] = {
-    { "spread", [](auto* f) { f->SetCellEstimateToSpread(); }, false, false },
+    { "spread", [](auto* f) { f->SetMethodToSpreadWalks(); }, false, false },
     { "error bars", [](auto* f) { f->ComputeStandardErrorOn(); }, true, false },
     { "spread with error bars",
       [](auto* f) {
-        f->SetCellEstimateToSpread();
+        f->SetMethodToSpreadWalks();
         f->ComputeStandardErrorOn();
       },
       true, false },

@@ -295,8 +295,8 @@ TEST(PointIrradiance, AfterUpdatesItIsThatOfANewFilter)
   {
     Scene scene = MakeSmallScene();
     const auto set = [&](Points& points) {
-      points.Irradiance->SetDirectLight(
-        doCellsGather ? vtkIrradianceFilter::Gathered : vtkIrradianceFilter::Shot);
+      points.Irradiance->SetMethod(
+        doCellsGather ? vtkIrradianceFilter::Gathered : vtkIrradianceFilter::Walks);
       points.Filter->SetNumberOfRays(8);
     };
     Points kept(scene, 2000);

@@ -293,15 +293,14 @@ TEST(ReadingAdvice, TooFewWalksForAnyCell)
   const Scene scene{ { MakeRoom(3, 16), MakeLamp({ 1.5, 1.5, 2.875 }, 0.15, { 100 }) }, {} };
   const auto make = [&](vtkIdType walks) {
     auto filter = MakeFilter(scene, walks);
-    filter->SetDirectLightToGathered();
-    filter->SetCellEstimateToGathered();
-    filter->SetNumberOfGatherRays(16);
+    filter->SetMethodToGathered();
+    filter->SetNumberOfRays(16);
     return filter;
   };
   ExpectOnlyWarning(make(1000),
-    { "finds no cell to read", "of 1000 walks", "multiply NumberOfWalks by 39", "UnbiasedGather" });
+    { "finds no cell to read", "of 1000 walks", "multiply NumberOfWalks by 39", "PathTraced" });
   ExpectNothing(Update(make(39 * 1000)));
   const auto unbiased = make(1000);
-  unbiased->UnbiasedGatherOn();
+  unbiased->SetMethodToPathTraced();
   ExpectNothing(Update(unbiased));
 }

@@ -210,8 +210,7 @@ inline vtkSmartPointer<vtkIrradianceFilter> MakeDefaultFilter(const Scene& scene
 inline vtkSmartPointer<vtkIrradianceFilter> MakeFilter(const Scene& scene, vtkIdType walks)
 {
   auto filter = MakeDefaultFilter(scene, walks);
-  filter->SetDirectLightToShot();
-  filter->SetCellEstimateToSums();
+  filter->SetMethodToWalks();
   return filter;
 }
 

@@ -30,8 +30,7 @@ struct Inputs
   bool CacheStaticHits = true;
   bool SeparateSides = false;
   double DefaultDiffuseReflectance = 0.5;
-  int CellEstimate = 0;
-  int DirectLight = 0;
+  int Method = vtkIrradianceFilter::Walks;
   int NumberOfSpreadPhotons = 250;
   vtkIdType NumberOfOutputWalks = 0;
   vtkIdType OutputWalksCell = -1;
@@ -52,20 +51,16 @@ void ReadSettings(ByteReader& bytes, Inputs& inputs)
   const int kind = bytes.byte();
   // Few: where all light is reflected, the error comes only after about 2^16 bounces per walk.
   inputs.NumberOfWalks = bytes.oneIn(64) ? kind % 32 - 1 : 1 + kind % 8;
-  constexpr int estimates[] = { 0, 0, 0, 0, 1, 1, 2, 2 };
-  inputs.CellEstimate = estimates[kind >> 5];
+  inputs.Method = kind < 128 ? vtkIrradianceFilter::Walks
+    : kind < 192             ? vtkIrradianceFilter::SpreadWalks
+                             : vtkIrradianceFilter::PathTraced;
   inputs.NumberOfSpreadPhotons = (kind >> 5) % 2 == 0 ? 3 : 250;
   inputs.Seed = bytes.byte();
   inputs.NumberOfOutputWalks = inputs.Seed % 3 == 0 ? 0 : inputs.Seed;
   inputs.OutputWalksCell = inputs.Seed % 16 == 1 ? 0 : -1; // no such cell is an error
-  inputs.DirectLight = inputs.Seed % 4 == 3 ? vtkIrradianceFilter::Gathered
-    : inputs.Seed % 8 == 2                  ? vtkIrradianceFilter::AutomaticDirectLight
-                                            : vtkIrradianceFilter::Shot;
-  if (inputs.DirectLight == vtkIrradianceFilter::Gathered) // what it excludes
-  {
-    inputs.CellEstimate = 0;
-    inputs.NumberOfOutputWalks = 0;
-  }
+  inputs.Method = inputs.Seed % 4 == 3 ? vtkIrradianceFilter::Gathered
+    : inputs.Seed % 8 == 2             ? vtkIrradianceFilter::Automatic
+                                       : inputs.Method;
   inputs.TraversalMode = bytes.below(3);
   inputs.CacheStaticHits = bytes.below(2) == 0;
   inputs.SeparateSides = bytes.oneIn(4);
@@ -114,8 +109,8 @@ void Apply(vtkIrradianceFilter* filter, const Inputs& inputs)
   filter->SetCacheStaticHits(inputs.CacheStaticHits);
   filter->SetSeparateSides(inputs.SeparateSides);
   filter->SetDefaultDiffuseReflectance(inputs.DefaultDiffuseReflectance);
-  filter->SetCellEstimate(inputs.CellEstimate);
-  filter->SetDirectLight(inputs.DirectLight);
+  filter->SetMethod(inputs.Method);
+  filter->SetNumberOfRays(4);
   filter->SetNumberOfSpreadPhotons(inputs.NumberOfSpreadPhotons);
   filter->SetNumberOfOutputWalks(inputs.NumberOfOutputWalks);
   filter->SetOutputWalksPort(inputs.Seed % 2);

@@ -29,9 +29,8 @@ class Panel(unittest.TestCase):
         with open(f"{plugin.FOLDER}/defaults.txt", encoding="utf-8") as file:
             text = file.read()  # as the C++ filter prints itself
         for name in ("NumberOfWalks", "Seed", "TraversalMode", "UpdateMode", "CacheStaticHits", "SeparateSides",
-                     "DirectLight", "CellEstimate", "NumberOfSpreadPhotons", "NumberOfGatherRays", "GatherOn",
-                     "UnbiasedGather", "ComputeStandardError", "NumberOfReplicates", "MaximumNumberOfWalks",
-                     "MaximumNumberOfGatherRays", "DefaultDiffuseReflectance"):
+                     "Method", "NumberOfSpreadPhotons", "NumberOfRays", "ComputeStandardError",
+                     "NumberOfReplicates", "DefaultDiffuseReflectance"):
             value = source.SMProxy.GetProperty(name).GetElement(0)
             self.assertIn(f"  {name}: {value}\n", text)
 
@@ -53,16 +52,43 @@ class Panel(unittest.TestCase):
         source.RadiantExitanceArray = "None"
         self.assertIn("no light", plugin.messages_of(source.UpdatePipeline))
 
-    def test_direct_light_is_gathered(self):
-        source = plugin.make_scene(NumberOfWalks=5000, DirectLight="Shot")
+    def test_methods(self):
+        source = plugin.make_scene(NumberOfWalks=5000, Method="Walks")
         shot = plugin.bits(plugin.fetch(source))["1 Irradiance"]
-        source.DirectLight = "Gathered"
-        self.assertNotEqual(plugin.bits(plugin.fetch(source))["1 Irradiance"], shot)
+        source.Method = "Gathered"
+        gathered = plugin.bits(plugin.fetch(source))["1 Irradiance"]
+        self.assertNotEqual(gathered, shot)
         probe = plugin.paraview.simple.IrradianceProbe(Sensors=Sphere(Center=[0, 0, 0], Radius=0.01), Source=source)
-        self.assertNotIn("DirectLight", plugin.messages_of(probe.UpdatePipeline))
+        self.assertEqual(plugin.messages_of(probe.UpdatePipeline), "")
         self.assertGreater(probe.PointData["Irradiance"].GetNumberOfComponents(), 0)
-        source.DirectLight = "Shot"
+        source.Method = "Walks"
         self.assertEqual(plugin.bits(plugin.fetch(source))["1 Irradiance"], shot)
+        old = plugin.make_scene(NumberOfWalks=5000)
+        old.DirectLight, old.CellEstimate = "Gathered", "Gathered"
+        text = plugin.messages_of(old.UpdatePipeline)
+        self.assertIn("set Method", text)
+        self.assertEqual(plugin.bits(plugin.fetch(old))["1 Irradiance"], gathered)
+
+    def test_old_states_load(self):
+        """A state of before has the old names, and no Method."""
+        source = plugin.make_scene(NumberOfWalks=5000, Method="Walks")
+        expected = plugin.bits(plugin.fetch(source))["1 Irradiance"]
+        source.Method = "Automatic"
+        state = f"{plugin.OUTPUT}/old.pvsm"
+        plugin.paraview.simple.SaveState(state)
+        with open(state, encoding="utf-8") as file:
+            text = file.read()
+        text = re.sub(r'<Property name="Method".*?</Property>', "", text, flags=re.DOTALL)
+        for name in ("DirectLight", "CellEstimate"):
+            text, count = re.subn(rf'(<Property name="{name}" [^>]*>\s*<Element index="0" value=)"-1"', r'\1"0"', text)
+            self.assertGreater(count, 0, name)
+        with open(state, "w", encoding="utf-8") as file:
+            file.write(text)
+        before = set(plugin.paraview.simple.GetSources())
+        plugin.paraview.simple.LoadState(state)
+        loaded = next(proxy for name, proxy in plugin.paraview.simple.GetSources().items()
+                      if name not in before and proxy.SMProxy.GetXMLName() == "Irradiance")
+        self.assertEqual(plugin.bits(plugin.fetch(loaded))["1 Irradiance"], expected)
 
     def test_parts_come_and_go(self):
         source = plugin.make_scene(NumberOfWalks=1000)
@@ -73,7 +99,7 @@ class Panel(unittest.TestCase):
         self.assertEqual(plugin.fetch(source).GetBlock(1).GetNumberOfBlocks(), 0)
 
     def test_what_looks_at_the_light(self):
-        source = plugin.make_scene(NumberOfWalks=20000, NumberOfOutputWalks=7)
+        source = plugin.make_scene(NumberOfWalks=20000)
         radiance = plugin.paraview.simple.OutgoingRadiance(Input=source, EyePosition=[0, 0, 1.5])
         self.assertGreater(radiance.SMProxy.UpdatePipeline(0.0) or radiance.CellData["Radiance"].GetRange()[1], 0)
         points = plugin.paraview.simple.PointIrradiance(Input=source, NumberOfRays=4)
@@ -83,7 +109,8 @@ class Panel(unittest.TestCase):
             Sensors=Sphere(Center=[0, 0, 0], Radius=0.01), Source=source, Estimate="Nearest")
         probe.SMProxy.UpdatePipeline(0.0)
         self.assertEqual(probe.PointData["NumberOfPhotons"].GetRange()[1], 50)
-        walks = plugin.servermanager.OutputPort(source, 1)
+        walks = plugin.paraview.simple.PhotonWalks(Input=source, NumberOfWalks=7)
+        walks.UpdatePipeline(0.0)
         self.assertEqual(walks.GetDataInformation().GetNumberOfCells(), 7)
         dose = plugin.paraview.simple.RadiantExposure(Input=source)
         dose.UpdatePipeline()

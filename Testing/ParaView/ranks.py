@@ -56,8 +56,8 @@ def tell_cells(name, source):
 
 
 def tell_walks(name, source):
-    walks = plugin.servermanager.OutputPort(source, 1)
-    walks.SMProxy.UpdatePipeline(1.0)
+    walks = plugin.paraview.simple.PhotonWalks(Input=source, NumberOfWalks=20)
+    walks.UpdatePipeline(1.0)
     print("RESULT", name, "walks", walks.GetDataInformation().GetNumberOfCells())
 
 
@@ -68,7 +68,7 @@ def tell_shares(name, source, **scripts):
 
 def tell_whole():
     """All inputs are whole on each process. Shot: what is gathered is kept on all, beside the walks that they share."""
-    source = plugin.make_scene(NumberOfOutputWalks=20, DirectLight="Shot")
+    source = plugin.make_scene(Method="SpreadWalks")
     tell_result("whole irradiance", source, "CellData", "Irradiance")
     tell_cells("whole", source)
     tell_walks("whole", source)
@@ -98,7 +98,7 @@ def tell_pieces():
     room = in_pieces(XMLPolyDataReader(FileName=[f"{plugin.FOLDER}/room.vtp"]))
     part = plugin.make_pose(Input=in_pieces(plugin.make_pose().Input))
     source = plugin.make_scene(
-        Static=[room], Dynamic=[part], NumberOfOutputWalks=20, DirectLight="Shot", DistributedInput=1)
+        Static=[room], Dynamic=[part], Method="SpreadWalks", DistributedInput=1)
     tell_result("pieces irradiance", source, "CellData", "Irradiance")
     tell_cells("pieces", source)
     tell_walks("pieces", source)

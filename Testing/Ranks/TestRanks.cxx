@@ -39,8 +39,7 @@ void ExpectBitsOfOne(const Settings& set)
   {
     Connect(filter, scene);
     filter->SetNumberOfWalks(6000);
-    filter->SetDirectLightToShot();
-    filter->SetCellEstimateToSums();
+    filter->SetMethodToWalks();
     set(filter);
   }
   together->SetController(Controller);
@@ -74,8 +73,7 @@ TEST(Ranks, BringTheBitsOfOne)
 {
   ExpectBitsOfOne([](vtkIrradianceFilter*) {});
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {
-    filter->SetDirectLightToAutomatic();
-    filter->SetCellEstimateToAutomatic();
+    filter->SetMethodToAutomatic();
     filter->SetNumberOfWalks(11000); // enough for rays
   });
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {

@@ -164,11 +164,7 @@ struct Way
 const std::vector<Way>& UnbiasedWays()
 {
   static const std::vector<Way> ways{
-    { "shot",
-      [](vtkIrradianceFilter* filter) {
-        filter->SetDirectLightToShot();
-        filter->SetCellEstimateToSums();
-      } },
+    { "shot", [](vtkIrradianceFilter* filter) { filter->SetMethodToWalks(); } },
     { "direct light gathered",
       [](vtkIrradianceFilter* filter) {
         filter->SetDirectLightToGathered();
@@ -176,10 +172,8 @@ const std::vector<Way>& UnbiasedWays()
       } },
     { "all gathered, nothing read",
       [](vtkIrradianceFilter* filter) {
-        filter->SetDirectLightToGathered();
-        filter->SetCellEstimateToGathered();
-        filter->SetGatherOnToAllCells();
-        filter->SetNumberOfGatherRays(4);
+        filter->SetMethodToGatheredEverywhere();
+        filter->SetNumberOfRays(4);
         filter->UnbiasedGatherOn();
       } },
   };
@@ -192,7 +186,7 @@ void ExpectSmallBias(vtkIrradianceFilter* filter, const Estimates& traced,
   const std::vector<CellId>& cells, const std::vector<double>& areas)
 {
   filter->UnbiasedGatherOff();
-  filter->SetNumberOfGatherRays(16);
+  filter->SetNumberOfRays(16);
   double found = 0, sum = 0;
   constexpr int seeds = 4;
   for (int seed = 1; seed <= seeds; ++seed)

@@ -51,7 +51,7 @@ std::string excessWarning(double emitted, double escaped, double error)
     ? ""
     : "light comes out of nothing: " + rounded(emitted - escaped) + " W are absorbed of " +
       rounded(emitted) + " W, and the standard error is " + rounded(error) +
-      " W. Gathered light is an estimate that fails here: let DirectLight be Shot, where no light "
+      " W. Gathered light is an estimate that fails here: let Method be Walks, where no light "
       "is lost";
 }
 
@@ -342,13 +342,13 @@ std::string SceneAdvice::readingWarning() const
   const double expected = roles.expectedOn(largest);
   return largest == 0 || expected >= roles.fewestToRead()
     ? ""
-    : "CellEstimate Gathered finds no cell to read: of " + std::to_string(walks) +
+    : "Method Gathered finds no cell to read: of " + std::to_string(walks) +
       " walks the largest cell expects " + rounded(expected) + ", and " +
       rounded(roles.fewestToRead()) +
       " are needed, so each ray goes on and looks for the lights wherever it hits, which takes "
       "longer and is noisier: multiply NumberOfWalks by " +
       rounded(std::ceil(roles.fewestToRead() / expected)) +
-      " at least, or say by UnbiasedGather that this is meant";
+      " at least, or say by Method PathTraced that this is meant";
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/WalksWriter.h"
 
+#include "Data/LeafData.h"
 #include "Progress/InputError.h"
 #include "Surfaces/SceneHash.h"
 #include "Views/WalkPaths.h"
@@ -10,6 +11,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -101,101 +103,95 @@ private:
 
 }
 
-WalksWriter::WalksWriter(const WalksRequest& request, const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics)
+std::uint64_t WalksRequest::hash() const
+{
+  Hash hash;
+  hash.add(count);
+  hash.add(port);
+  hash.add(connection);
+  hash.add(cell);
+  return hash.value();
+}
+
+WalksWriter::WalksWriter(
+  const WalksRequest& request, const PhotonSource& source, vtkMultiBlockDataSet* scene)
   : request_(request)
+  , engine_(*source.engine())
 {
   constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max();
   if (request.count < 0 || request.count > most)
   {
-    fail("NumberOfOutputWalks", request.count, "0 to " + std::to_string(most) + " are possible");
+    fail("the number of walks", request.count, "0 to " + std::to_string(most) + " are possible");
   }
-  if (isAsked() && request.cell != -1)
+  if (request.cell != -1)
   {
-    if (request.port != 0 && request.port != 1)
-    {
-      fail("OutputWalksPort", request.port, "0 (static) or 1 (dynamic) is possible");
-    }
-    findCell(request.port == 0 ? statics : dynamics);
+    findCell(source, scene);
   }
 }
 
-std::uint64_t WalksWriter::hash() const
+void WalksWriter::findCell(const PhotonSource& source, vtkMultiBlockDataSet* scene)
 {
-  Hash hash;
-  hash.add(request_.count);
-  hash.add(request_.port);
-  hash.add(request_.connection);
-  hash.add(request_.cell);
-  return hash.value();
-}
-
-void WalksWriter::findCell(const std::vector<InputConnection>& connections)
-{
-  const int count = static_cast<int>(connections.size());
+  if (request_.port != 0 && request_.port != 1)
+  {
+    fail("the port of the cell", request_.port, "0 (static) or 1 (dynamic) is possible");
+  }
+  auto* connections =
+    vtkMultiBlockDataSet::SafeDownCast(scene->GetBlock(static_cast<unsigned int>(request_.port)));
+  const int count = connections ? static_cast<int>(connections->GetNumberOfBlocks()) : 0;
   if (request_.connection < 0 || request_.connection >= count)
   {
-    fail("OutputWalksConnection", request_.connection,
+    fail("the connection of the cell", request_.connection,
       "input port " + std::to_string(request_.port) + " has " + std::to_string(count) +
         " connections, numbered from 0");
   }
-  std::size_t part = 0;
-  for (int i = 0; i < request_.connection; ++i)
-  {
-    part += connections[static_cast<std::size_t>(i)].parts.size();
-  }
-  if (!connections.front().parts.empty() && connections.front().parts.front().cells)
-  {
-    fail("OutputWalksCell", request_.cell,
-      "with DistributedInput the cells of an input have no common numbers; -1 means all walks");
-  }
-  const InputConnection& chosen = connections[static_cast<std::size_t>(request_.connection)];
+  const std::vector<LeafData> leaves =
+    leavesOf(connections->GetBlock(static_cast<unsigned int>(request_.connection)));
   vtkIdType first = 0;
-  for (const InputPart& leaf : chosen.parts)
-  {
-    const vtkIdType cell = request_.cell - first;
-    if (cell >= 0 && cell < leaf.polyData->GetNumberOfCells())
+  source.forEachPart(scene, [&](vtkPolyData* leaf, const PartCells& cells) {
+    const auto isLeaf = [&](const LeafData& one) { return one.data == leaf; };
+    if (std::none_of(leaves.begin(), leaves.end(), isLeaf))
     {
-      cell_ = PartCell{ part, static_cast<std::size_t>(cell) };
+      return;
     }
-    first += leaf.polyData->GetNumberOfCells();
-    ++part;
-  }
+    if (cells.piece)
+    {
+      fail("the cell", request_.cell,
+        "with DistributedInput the cells of an input have no common numbers; -1 means all walks");
+    }
+    const vtkIdType cell = request_.cell - first;
+    if (cell >= 0 && cell < leaf->GetNumberOfCells())
+    {
+      cell_ = cells[cell];
+    }
+    first += leaf->GetNumberOfCells();
+  });
   if (request_.cell < 0 || (!cell_ && first > 0)) // a part that is away has no cells
   {
-    fail("OutputWalksCell", request_.cell,
-      chosen.name + " has " + std::to_string(first) +
+    fail("the cell", request_.cell,
+      std::string(request_.port == 0 ? "static" : "dynamic") + " connection " +
+        std::to_string(request_.connection) + " has " + std::to_string(first) +
         " cells, numbered from 0; -1 means all walks");
   }
 }
 
-std::vector<std::uint32_t> WalksWriter::choose(
-  const IrradianceEngine& engine, const SceneReader& scene, Execution& execution) const
+std::vector<std::uint32_t> WalksWriter::choose(Execution& execution) const
 {
-  const WalkPaths paths(engine);
+  const WalkPaths paths(engine_);
   const auto most = static_cast<std::size_t>(request_.count);
   if (request_.cell == -1)
   {
     return paths.first(most);
   }
-  if (!cell_)
-  {
-    return {};
-  }
-  const SceneCell cell = request_.port == 0
-    ? SceneCell{ 0, scene.firstCellOfStatic(cell_->part) + static_cast<std::size_t>(cell_->cell) }
-    : SceneCell{ static_cast<std::uint32_t>(cell_->part + 1),
-        static_cast<std::size_t>(cell_->cell) };
-  return paths.touching(cell, most, execution);
+  return cell_ ? paths.touching(*cell_, most, execution) : std::vector<std::uint32_t>{};
 }
 
-void WalksWriter::write(const IrradianceEngine& engine, const SceneReader& scene, bool withStale,
-  Execution& execution, vtkPolyData* output) const
+void WalksWriter::write(Execution& execution, vtkPolyData* output) const
 {
-  const std::vector<std::uint32_t> walks = choose(engine, scene, execution);
+  const std::vector<std::uint32_t> walks = choose(execution);
   constexpr std::size_t kTogether = 16384;
-  const WalkPaths paths(engine);
-  Polylines polylines(engine, scene.bands(), withStale);
+  const WalkPaths paths(engine_);
+  Polylines polylines(engine_, engine_.objects().staticObject.material->bands,
+    engine_.settings().repairTimeBudget > 0);
   for (std::size_t begin = 0; begin < walks.size(); begin += kTogether)
   {
     const auto from = walks.begin() + static_cast<std::ptrdiff_t>(begin);

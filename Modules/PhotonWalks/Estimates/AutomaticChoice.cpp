@@ -73,7 +73,7 @@ double errorOfPhotons(const SceneCells& cells, double walks, std::uint32_t rays,
   {
     if (small[object] > 0)
     {
-      constexpr double kBlur = 0.01; // of all of a surface, as the hall of Theory.md, 1.3
+      constexpr double kBlur = 0.01; // of all of a surface, as in the hall of SpeedAndAccuracy.md
       const double all = roles.expectedOn(areas[object]), drawn = std::min(photons, all);
       noise += small[object] * (1 / drawn + kBlur * drawn / all);
       number += small[object];

@@ -61,7 +61,7 @@ std::string UnseenLight::message(
   return lightName + ": a point light of " + text(flux) + " W, and " + specularName +
     " has the specular reflectance " + text(reflectance) + ": " + gather +
     " does not know how specular cells reflect the light of points: make them area "
-    "lights, or choose another estimate";
+    "lights, or choose another method";
 }
 
 void checkLights(const SceneObjects& objects, const std::string& gather)

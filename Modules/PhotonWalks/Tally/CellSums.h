@@ -135,8 +135,8 @@ public:
       sums[band] += sign * quanta[static_cast<std::size_t>(band)];
     }
   }
-  /// Adds other sums of the same cells, round by round and replicate by replicate. FinalGatherers of
-  /// these must be some of its own.
+  /// Adds other sums of the same cells, round by round and replicate by replicate. FinalGatherers
+  /// of these must be some of its own.
   void add(const CellSums& others, const CancelPoint& cancelPoint);
   /// Likewise what they gathered alone.
   void addGathered(const CellSums& others, const CancelPoint& cancelPoint);

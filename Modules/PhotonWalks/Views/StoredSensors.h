@@ -13,16 +13,16 @@ namespace irradiance
 {
 
 /**
- * What sensors gather, see SensorFinalGather, from update to update. Where things have moved only rays
- * are cast anew that this may change, and what all bring is read anew from the present sums;
+ * What sensors gather, see SensorFinalGather, from update to update. Where things have moved only
+ * rays are cast anew that this may change, and what all bring is read anew from the present sums;
  * sensors that moved gather anew. Where nothing else may be kept, all do. The results are those of
  * SensorFinalGather, bit for bit.
  */
 class StoredSensors
 {
 public:
-  /// To the present frame of an engine. `rays`: see SensorFinalGather. `keepsRays`: for frames in which
-  /// things have moved; only kept if something may move, and the engine verifies. Throws what
+  /// To the present frame of an engine. `rays`: see SensorFinalGather. `keepsRays`: for frames in
+  /// which things have moved; only kept if something may move, and the engine verifies. Throws what
   /// SensorFinalGather throws; after that nothing is kept.
   void update(const std::shared_ptr<const IrradianceEngine>& engine,
     const std::vector<Sensor>& sensors, std::uint32_t rays, bool keepsRays, Execution& execution);

@@ -32,8 +32,8 @@ public:
     bool asksOnLobes, bool keepsPaths, Execution& execution);
 
   const FinalGatherScene& scene() const { return scene_; }
-  /// The paths that addStarts(FinalGatherPaths) adds. Throws std::runtime_error for a path that does not
-  /// end. May be called by several threads.
+  /// The paths that addStarts(FinalGatherPaths) adds. Throws std::runtime_error for a path that
+  /// does not end. May be called by several threads.
   template <class AddStarts>
   FollowedPaths follow(const AddStarts& addStarts) const
   {

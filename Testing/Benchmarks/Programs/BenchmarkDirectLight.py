@@ -76,7 +76,7 @@ def executed(irradiance, way, walks, seed):
     estimates = {"shot, spread": irradiance.Spread, "all gathered": irradiance.FinalGather}
     irradiance.SetCellEstimate(estimates.get(way, irradiance.Sums))
     irradiance.SetGatherOnToAllCells()
-    irradiance.SetNumberOfGatherRays(16)
+    irradiance.SetNumberOfRays(16)
     irradiance.SetNumberOfWalks(walks)
     irradiance.SetSeed(seed)
     return seconds_of_update(irradiance)
@@ -181,7 +181,7 @@ def measure_defaults(name, room, seeds):
     room.SetUpdateModeToVerify()
     room.SetCellEstimateToAutomatic()
     room.SetGatherOnToSmallCells()
-    room.SetNumberOfGatherRays(32)
+    room.SetNumberOfRays(32)
     room.SetNumberOfWalks(1000000)
     for way, direct_light in (("shot", room.Shot), ("not chosen", room.AutomaticDirectLight)):
         room.SetDirectLight(direct_light)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output port 1 after a motion: which walks were shot again, which are stale, and what is as in a
+// Walks after a motion: which walks were shot again, which are stale, and what is as in a
 // new filter.
 
 #include "ErrorObserver.h"
@@ -13,7 +13,7 @@
 using namespace ShownWalks;
 
 // Every walk that touches the moved object, before or after, and no other.
-TEST(OutputWalks, SayWhichWereRepaired)
+TEST(PhotonWalks, SayWhichWereRepaired)
 {
   const Scene scene = MakeSmallScene();
   const auto filter = MakeShowing(scene);
@@ -25,7 +25,7 @@ TEST(OutputWalks, SayWhichWereRepaired)
     Ids expected = Touching(filter, 1, moved);
     scene.Moving[static_cast<std::size_t>(moved)].Pose->Translate(0.2, -0.1, 0.15);
     const Walks after = UpdatedWalks(filter);
-    EXPECT_EQ(RepairedOf(after).size(), Field(filter, "NumberOfInvalidWalks"));
+    EXPECT_EQ(RepairedOf(after).size(), Field(filter.Light, "NumberOfInvalidWalks"));
     double segments = 0;
     for (const auto& [id, walk] : after)
     {
@@ -40,7 +40,7 @@ TEST(OutputWalks, SayWhichWereRepaired)
       EXPECT_TRUE(walk.Repaired || walk.Points == before.at(id).Points);
       segments += static_cast<double>(news);
     }
-    EXPECT_EQ(segments, Field(filter, "NumberOfRepairedSegments"));
+    EXPECT_EQ(segments, Field(filter.Light, "NumberOfRepairedSegments"));
     const Ids now = Touching(filter, 1, moved);
     expected.insert(now.begin(), now.end());
     EXPECT_EQ(RepairedOf(after), expected);
@@ -50,12 +50,12 @@ TEST(OutputWalks, SayWhichWereRepaired)
   }
 }
 
-TEST(OutputWalks, SayWhichAThingTouchedThatCameOrLeft)
+TEST(PhotonWalks, SayWhichAThingTouchedThatCameOrLeft)
 {
   const Scene scene = MakeSmallScene();
   const Mesh ball = Copy(scene.Moving[0].Model);
   const auto filter = MakeShowing(scene);
-  filter->Update();
+  filter.Update();
   const Ids touching = Touching(filter, 1, 0);
   EXPECT_GT(touching.size(), 50u);
   for (const bool leaves : { true, false, true })
@@ -68,42 +68,42 @@ TEST(OutputWalks, SayWhichAThingTouchedThatCameOrLeft)
   }
 }
 
-TEST(OutputWalks, KeepTheMarksWhileNothingMoves)
+TEST(PhotonWalks, KeepTheMarksWhileNothingMoves)
 {
   const Scene scene = MakeSmallScene();
   const auto filter = MakeShowing(scene);
-  filter->Update();
+  filter.Update();
   scene.Moving[0].Pose->Translate(0.2, 0, 0);
   const Ids repaired = RepairedOf(UpdatedWalks(filter));
-  filter->SetNumberOfOutputWalks(NumberOfWalks / 2);
+  filter.Shown->SetNumberOfWalks(NumberOfWalks / 2);
   Ids half = RepairedOf(UpdatedWalks(filter));
   EXPECT_EQ(half, Ids(repaired.begin(), repaired.lower_bound(NumberOfWalks / 2)));
   EXPECT_FALSE(half.empty());
-  filter->SetNumberOfOutputWalks(0);
-  filter->Update();
-  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfPoints(), 0);
-  filter->SetNumberOfOutputWalks(All);
+  filter.Shown->SetNumberOfWalks(0);
+  filter.Update();
+  EXPECT_EQ(filter.Shown->GetOutput()->GetNumberOfPoints(), 0);
+  filter.Shown->SetNumberOfWalks(All);
   EXPECT_EQ(RepairedOf(UpdatedWalks(filter)), repaired);
   filter->SetSeed(2);
   EXPECT_TRUE(RepairedOf(UpdatedWalks(filter)).empty());
   EXPECT_TRUE(HasShot(filter));
 }
 
-TEST(OutputWalks, AreThoseOfANewFilter)
+TEST(PhotonWalks, AreThoseOfANewFilter)
 {
-  using Setting = std::function<void(vtkIrradianceFilter*)>;
-  const std::vector<Setting> settings{ [](vtkIrradianceFilter*) {},
-    [](vtkIrradianceFilter* filter) { filter->SeparateSidesOn(); },
-    [](vtkIrradianceFilter* filter) {
-      ErrorObserver::Watch(filter); // the target is not reached
+  using Setting = std::function<void(const Showing&)>;
+  const std::vector<Setting> settings{ [](const Showing&) {},
+    [](const Showing& filter) { filter->SeparateSidesOn(); },
+    [](const Showing& filter) {
+      ErrorObserver::Watch(filter.Light); // the target is not reached
       filter->SetTargetRelativeError(0.2);
-      filter->SetMaximumNumberOfWalks(4 * NumberOfWalks);
+      filter->SetMaximumEffort(4);
       filter->SetNumberOfReplicates(5);
     },
-    [](vtkIrradianceFilter* filter) {
-      filter->SetOutputWalksPort(1);
-      filter->SetOutputWalksConnection(1);
-      filter->SetOutputWalksCell(5);
+    [](const Showing& filter) {
+      filter.Shown->SetCellPort(1);
+      filter.Shown->SetCellConnection(1);
+      filter.Shown->SetCell(5);
     } };
   for (std::size_t i = 0; i < settings.size(); ++i)
   {
@@ -115,58 +115,56 @@ TEST(OutputWalks, AreThoseOfANewFilter)
     SetCellValues(scene.Moving[0].Model, "PhongExponent", { 40 });
     const auto filter = MakeShowing(scene);
     settings[i](filter);
-    filter->Update();
+    filter.Update();
     for (int frame = 0; frame < 4; ++frame)
     {
       scene.Moving[0].Pose->Translate(0.1, 0.2, frame % 2 ? 1.2 : -1);
       scene.Moving[1].Pose->RotateZ(20);
-      filter->Update();
+      filter.Update();
       const auto fresh = MakeShowing(scene);
       settings[i](fresh);
       vtkSMPTools::LocalScope(
-        vtkSMPTools::Config{ 1, "STDThread", false }, [&] { fresh->Update(); });
-      EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(fresh)));
-      EXPECT_GT(fresh->GetWalksOutput()->GetNumberOfCells(), 0);
-      EXPECT_TRUE(RepairedOf(WalksOf(fresh->GetWalksOutput())).empty());
+        vtkSMPTools::Config{ 1, "STDThread", false }, [&] { fresh.Update(); });
+      EXPECT_TRUE(
+        IsSame(LastingBits(filter.Shown->GetOutput()), LastingBits(fresh.Shown->GetOutput())));
+      EXPECT_GT(fresh.Shown->GetOutput()->GetNumberOfCells(), 0);
+      EXPECT_TRUE(RepairedOf(WalksOf(fresh.Shown->GetOutput())).empty());
     }
   }
 }
 
-TEST(OutputWalks, OfAStaticSceneAreShotOnce)
+TEST(PhotonWalks, OfAStaticSceneAreShotOnce)
 {
   Scene scene = MakeSmallScene();
   scene.Moving.clear();
-  const auto filter = MakeShowing(scene, 0);
+  const auto filter = MakeShowing(scene, 100);
   filter->Update();
-  filter->SetNumberOfOutputWalks(100);
-  filter->Update();
-  EXPECT_TRUE(HasShot(filter)) << "they were not stored";
-  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 100);
-  filter->SetNumberOfOutputWalks(200);
-  filter->Update();
-  EXPECT_FALSE(HasShot(filter));
-  filter->SetNumberOfOutputWalks(0);
-  filter->Update();
-  filter->SetOutputWalksCell(4);
-  filter->SetNumberOfOutputWalks(20);
-  filter->Update();
-  EXPECT_FALSE(HasShot(filter));
-  EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 20);
+  const vtkMTimeType time = filter.Time();
+  filter.Update();
+  EXPECT_GT(filter.Time(), time) << "they were not stored";
+  EXPECT_TRUE(HasShot(filter));
+  EXPECT_EQ(filter.Shown->GetOutput()->GetNumberOfCells(), 100);
+  const vtkMTimeType stored = filter.Time();
+  filter.Shown->SetNumberOfWalks(20);
+  filter.Shown->SetCell(4);
+  filter.Update();
+  EXPECT_EQ(filter.Shown->GetOutput()->GetNumberOfCells(), 20);
+  EXPECT_EQ(filter.Time(), stored);
 }
 
-TEST(OutputWalks, SayWhichAreStale)
+TEST(PhotonWalks, SayWhichAreStale)
 {
   constexpr double noTime = 1e-9; // s; over when it begins
   const Scene scene = MakeSmallScene();
   const auto filter = MakeShowing(scene);
   filter->SetRepairTimeBudget(noTime);
   EXPECT_TRUE(IdsOf(UpdatedWalks(filter)).size() == static_cast<std::size_t>(NumberOfWalks));
-  EXPECT_TRUE(filter->GetWalksOutput()->GetCellData()->HasArray("Stale"));
+  EXPECT_TRUE(filter.Shown->GetOutput()->GetCellData()->HasArray("Stale"));
   scene.Moving[0].Pose->Translate(0.2, 0, 0);
   const auto full = MakeShowing(scene);
   full->SetRepairTimeBudget(10);
   scene.Moving[0].Pose->Translate(-0.2, 0, 0);
-  full->Update();
+  full.Update();
   scene.Moving[0].Pose->Translate(0.2, 0, 0);
   const Ids expected = RepairedOf(UpdatedWalks(full));
   Ids repaired;
@@ -187,11 +185,12 @@ TEST(OutputWalks, SayWhichAreStale)
       stale += walk.Stale;
       power += walk.Stale ? walk.Power[0] : 0;
     }
-    EXPECT_NEAR(power, Field(filter, "StalePower"), 1e-9 * Field(filter, "EmittedPower"));
+    EXPECT_NEAR(
+      power, Field(filter.Light, "StalePower"), 1e-9 * Field(filter.Light, "EmittedPower"));
     ASSERT_LT(stale, left) << "call " << calls;
     left = stale;
     filter->SetRepairTimeBudget(calls < 3 ? noTime : 10);
   }
   EXPECT_EQ(repaired, expected);
-  EXPECT_TRUE(IsSame(LastingBits(filter), LastingBits(full)));
+  EXPECT_TRUE(IsSame(LastingBits(filter.Shown->GetOutput()), LastingBits(full.Shown->GetOutput())));
 }

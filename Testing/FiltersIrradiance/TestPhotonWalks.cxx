@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output port 1: walks to look at are those that were shot, and which of them touch a cell.
+// Walks to look at are those that were shot, and which of them touch a cell.
 
 #include "ErrorObserver.h"
 #include "ShownWalks.h"
@@ -111,7 +111,7 @@ bool Contains(const Ids& all, const Ids& some)
 
 }
 
-TEST(OutputWalks, AreNoneByDefaultAndCostNothing)
+TEST(PhotonWalks, ChangeNothingElse)
 {
   Scene scene = MakeSmallScene();
   for (const bool isStatic : { false, true })
@@ -120,19 +120,40 @@ TEST(OutputWalks, AreNoneByDefaultAndCostNothing)
     {
       scene.Moving.clear();
     }
-    const auto filter = MakeFilter(scene, NumberOfWalks), showing = MakeShowing(scene);
+    const auto filter = MakeFilter(scene, NumberOfWalks);
+    const Showing showing = MakeShowing(scene);
     filter->Update();
-    showing->Update();
-    EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(filter->GetWalksOutput()->GetCellData()->GetNumberOfArrays(), 0);
-    EXPECT_EQ(showing->GetWalksOutput()->GetNumberOfCells(), NumberOfWalks);
-    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(showing)));
-    EXPECT_EQ(Field(filter, "HistoryBytes"), isStatic ? 0 : Field(showing, "HistoryBytes"));
-    EXPECT_GT(Field(showing, "HistoryBytes"), 0);
+    showing.Update();
+    EXPECT_EQ(showing.Shown->GetOutput()->GetNumberOfCells(), NumberOfWalks);
+    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(showing.Light)));
+    EXPECT_EQ(Field(filter, "HistoryBytes"), isStatic ? 0 : Field(showing.Light, "HistoryBytes"));
+    EXPECT_GT(Field(showing.Light, "HistoryBytes"), 0);
   }
 }
 
-TEST(OutputWalks, AreTheFirstForAnyNumberOfThreads)
+// Output port 1, the old way to them.
+TEST(PhotonWalks, OfTheOldPortAreTheSame)
+{
+  Scene scene = MakeSmallScene();
+  const Showing showing = MakeShowing(scene, 300);
+  const auto old = MakeFilter(scene, NumberOfWalks);
+  const auto reports = ErrorObserver::Watch(old);
+  old->SetNumberOfOutputWalks(300);
+  old->SetNumberOfOutputWalks(200);
+  old->SetNumberOfOutputWalks(300);
+  ASSERT_EQ(reports->Warnings.size(), 1u);
+  EXPECT_NE(reports->Warnings[0].find("vtkPhotonWalksFilter"), std::string::npos);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    showing.Update();
+    old->Update();
+    EXPECT_EQ(old->GetWalksOutput()->GetNumberOfCells(), 300);
+    EXPECT_TRUE(IsSame(OutputBits(old->GetWalksOutput()), OutputBits(showing.Shown->GetOutput())));
+    scene.Moving[0].Pose->Translate(0.2, -0.1, 0.15);
+  }
+}
+
+TEST(PhotonWalks, AreTheFirstForAnyNumberOfThreads)
 {
   const Scene scene = MakeOpenScene();
   const auto all = MakeShowing(scene);
@@ -140,8 +161,8 @@ TEST(OutputWalks, AreTheFirstForAnyNumberOfThreads)
   EXPECT_EQ(walks.size(), static_cast<std::size_t>(NumberOfWalks));
   EXPECT_EQ(walks.rbegin()->first, NumberOfWalks - 1);
   const auto some = MakeShowing(scene, 200);
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "STDThread", false }, [&] { some->Update(); });
-  const Walks first = WalksOf(some->GetWalksOutput());
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "STDThread", false }, [&] { some.Update(); });
+  const Walks first = WalksOf(some.Shown->GetOutput());
   EXPECT_EQ(first.size(), 200u);
   EXPECT_EQ(first.rbegin()->first, 199);
   for (const auto& [id, walk] : first)
@@ -150,7 +171,7 @@ TEST(OutputWalks, AreTheFirstForAnyNumberOfThreads)
   }
 }
 
-TEST(OutputWalks, CarryTheEmittedPower)
+TEST(PhotonWalks, CarryTheEmittedPower)
 {
   for (const bool isColoured : { false, true })
   {
@@ -172,23 +193,23 @@ TEST(OutputWalks, CarryTheEmittedPower)
     }
     for (int band = 0; band < static_cast<int>(sum.size()); ++band)
     {
-      const double emitted = Field(filter, "EmittedPower", band);
+      const double emitted = Field(filter.Light, "EmittedPower", band);
       EXPECT_NEAR(sum[static_cast<std::size_t>(band)], emitted, 1e-9 * emitted);
     }
     if (!isColoured) // reflections change no power
     {
-      EXPECT_NEAR(escaped[0], Field(filter, "EscapedPower"), 1e-12 * sum[0]);
+      EXPECT_NEAR(escaped[0], Field(filter.Light, "EscapedPower"), 1e-12 * sum[0]);
     }
   }
 }
 
 // VTK's own search of the output's meshes knows nothing of trees, histories and samples.
-TEST(OutputWalks, RunFromTheLampFromHitToHit)
+TEST(PhotonWalks, RunFromTheLampFromHitToHit)
 {
   const Scene scene = MakeOpenScene();
   const auto filter = MakeShowing(scene, 400);
   filter->ComputeStandardErrorOn(); // each replicate has samples of its own
-  filter->Update();
+  filter.Update();
   scene.Moving[0].Pose->Translate(0.4, 0.3, 0.2);
   const Walks walks = UpdatedWalks(filter);
   const Surroundings all(filter->GetOutput());
@@ -213,7 +234,7 @@ TEST(OutputWalks, RunFromTheLampFromHitToHit)
   EXPECT_GT(hits, 80);
 }
 
-TEST(OutputWalks, ThatEscapeEndBeyondTheScene)
+TEST(PhotonWalks, ThatEscapeEndBeyondTheScene)
 {
   const auto filter = MakeShowing(MakeOpenScene());
   const Walks walks = UpdatedWalks(filter);
@@ -240,12 +261,13 @@ TEST(OutputWalks, ThatEscapeEndBeyondTheScene)
   EXPECT_GT(escapes, NumberOfWalks / 4);
 }
 
-TEST(OutputWalks, TouchTheChosenCell)
+TEST(PhotonWalks, TouchTheChosenCell)
 {
   Scene scene = MakeSmallScene();
   scene.Fixed.push_back(MakePointLight({ 0.5, 2.5, 0.5 }, { 30 }));
   const auto filter = MakeShowing(scene);
   const Walks walks = UpdatedWalks(filter);
+  const vtkMTimeType time = filter.Time();
   int cells = 0;
   for (const int port : { 0, 1 })
   {
@@ -258,7 +280,6 @@ TEST(OutputWalks, TouchTheChosenCell)
       {
         SCOPED_TRACE(std::to_string(port) + " " + std::to_string(i) + " " + std::to_string(cell));
         const Ids touching = Touching(filter, port, i, cell);
-        EXPECT_FALSE(HasShot(filter));
         // A point on an edge belongs to one of two cells.
         EXPECT_TRUE(Contains(TouchingByDistance(walks, mesh, cell, 1e-6), touching));
         const Ids near = TouchingByDistance(walks, mesh, cell, 1e-8);
@@ -268,23 +289,24 @@ TEST(OutputWalks, TouchTheChosenCell)
     }
   }
   EXPECT_GT(cells, 50);
+  EXPECT_EQ(filter.Time(), time) << "light was computed for other walks";
 }
 
-TEST(OutputWalks, OfACellAreTheFirstThatTouchIt)
+TEST(PhotonWalks, OfACellAreTheFirstThatTouchIt)
 {
   const auto filter = MakeShowing(MakeSmallScene());
   const Ids all = Touching(filter, 0, 0, 4); // in the middle of the floor
   ASSERT_GT(all.size(), 20u);
-  filter->SetOutputWalksCell(4);
+  filter.Shown->SetCell(4);
   for (const vtkIdType count : { 1, 20 })
   {
-    filter->SetNumberOfOutputWalks(count);
+    filter.Shown->SetNumberOfWalks(count);
     const Ids some = IdsOf(UpdatedWalks(filter));
     EXPECT_EQ(some, Ids(all.begin(), std::next(all.begin(), count)));
   }
 }
 
-TEST(OutputWalks, NumberTheCellsOfACompositeConnectionFromLeafToLeaf)
+TEST(PhotonWalks, NumberTheCellsOfACompositeConnectionFromLeafToLeaf)
 {
   const Scene parts = MakeSmallScene();
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -300,8 +322,8 @@ TEST(OutputWalks, NumberTheCellsOfACompositeConnectionFromLeafToLeaf)
   {
     filter->AddInputDataObject(0, MakeRectangle({ 1, 1, 2 }, { 0.5, 0, 0 }, { 0, 0.5, 0 }, 1));
   }
-  flat->Update();
-  composite->Update();
+  flat.Update();
+  composite.Update();
   EXPECT_EQ(Touching(composite, 0, 1, 0), Touching(flat, 0, 1, 0));
   EXPECT_EQ(Touching(composite, 0, 1, 5), Touching(flat, 0, 2, 4));
   EXPECT_GT(Touching(composite, 0, 1, 5).size(), 20u);
@@ -309,28 +331,28 @@ TEST(OutputWalks, NumberTheCellsOfACompositeConnectionFromLeafToLeaf)
   EXPECT_GT(Touching(composite, 0, 2, 0).size(), 20u);
 }
 
-TEST(OutputWalks, OfAThingThatIsNotThereAreNone)
+TEST(PhotonWalks, OfAThingThatIsNotThereAreNone)
 {
   Scene scene = MakeSmallScene();
   scene.Moving.push_back(MakeMoving(Mesh::New(), { 0, 0, 0 }));
   const auto filter = MakeShowing(scene);
-  const auto reports = ErrorObserver::Watch(filter);
-  filter->Update();
+  const auto reports = ErrorObserver::Watch(filter.Shown);
+  filter.Update();
   EXPECT_TRUE(Touching(filter, 1, 2, 7).empty());
   EXPECT_TRUE(reports->Errors.empty());
 }
 
-TEST(OutputWalks, OfADarkSceneAreNone)
+TEST(PhotonWalks, OfADarkSceneAreNone)
 {
   const auto filter = MakeShowing({ { MakeRoom(3, 1) }, {} });
-  const auto reports = ErrorObserver::Watch(filter);
+  const auto reports = ErrorObserver::Watch(filter.Shown);
   EXPECT_TRUE(UpdatedWalks(filter).empty());
-  filter->SetOutputWalksCell(2);
+  filter.Shown->SetCell(2);
   EXPECT_TRUE(UpdatedWalks(filter).empty());
   EXPECT_TRUE(reports->Errors.empty());
 }
 
-TEST(OutputWalks, ThatDoNotExistAreAnError)
+TEST(PhotonWalks, ThatDoNotExistAreAnError)
 {
   struct Case
   {
@@ -339,37 +361,36 @@ TEST(OutputWalks, ThatDoNotExistAreAnError)
     vtkIdType Cell;
     std::vector<std::string> Said;
   };
-  const std::vector<Case> cases{ { -1, 0, 0, -1, { "NumberOfOutputWalks is -1", "0 to" } },
-    { 5000000000, 0, 0, -1, { "NumberOfOutputWalks is 5000000000" } },
-    { 1, 2, 0, 0, { "OutputWalksPort is 2" } }, { 1, -1, 0, 0, { "OutputWalksPort is -1" } },
-    { 1, 0, 2, 0, { "OutputWalksConnection is 2", "input port 0 has 2 connections" } },
-    { 1, 1, -1, 0, { "OutputWalksConnection is -1" } },
-    { 1, 0, 0, 54, { "OutputWalksCell is 54", "input port 0, connection 0 has 54 cells" } },
-    { 1, 1, 1, -2, { "OutputWalksCell is -2", "input port 1, connection 1 has 6 cells" } } };
+  const std::vector<Case> cases{ { -1, 0, 0, -1, { "the number of walks is -1", "0 to" } },
+    { 5000000000, 0, 0, -1, { "the number of walks is 5000000000" } },
+    { 1, 2, 0, 0, { "the port of the cell is 2" } },
+    { 1, -1, 0, 0, { "the port of the cell is -1" } },
+    { 1, 0, 2, 0, { "the connection of the cell is 2", "input port 0 has 2 connections" } },
+    { 1, 1, -1, 0, { "the connection of the cell is -1" } },
+    { 1, 0, 0, 54, { "the cell is 54", "static connection 0 has 54 cells" } },
+    { 1, 1, 1, -2, { "the cell is -2", "dynamic connection 1 has 6 cells" } } };
   const Scene scene = MakeSmallScene();
   const auto filter = MakeShowing(scene);
-  filter->Update();
+  filter.Update();
   for (const Case& wrong : cases)
   {
-    filter->SetNumberOfOutputWalks(wrong.Count);
-    filter->SetOutputWalksPort(wrong.Port);
-    filter->SetOutputWalksConnection(wrong.Connection);
-    filter->SetOutputWalksCell(wrong.Cell);
-    const std::string error = OnlyErrorOf(filter);
+    filter.Shown->SetNumberOfWalks(wrong.Count);
+    filter.Shown->SetCellPort(wrong.Port);
+    filter.Shown->SetCellConnection(wrong.Connection);
+    filter.Shown->SetCell(wrong.Cell);
+    const auto reports = ErrorObserver::Watch(filter.Shown);
+    filter.Update();
+    ASSERT_EQ(reports->Errors.size(), 1u);
     for (const std::string& said : wrong.Said)
     {
-      EXPECT_NE(error.find(said), std::string::npos) << error;
+      EXPECT_NE(reports->Errors[0].find(said), std::string::npos) << reports->Errors[0];
     }
-    EXPECT_EQ(filter->GetWalksOutput()->GetNumberOfCells(), 0);
-    EXPECT_EQ(filter->GetWalksOutput()->GetCellData()->GetNumberOfArrays(), 0);
-    filter->RemoveAllObservers();
-    filter->GetExecutive()->RemoveAllObservers();
-    filter->SetNumberOfOutputWalks(0); // then the others do not matter
-    filter->SetOutputWalksCell(std::max<vtkIdType>(wrong.Cell, 1000));
-    const auto reports = ErrorObserver::Watch(filter);
-    filter->Update();
-    EXPECT_TRUE(reports->Errors.empty());
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
-    EXPECT_FALSE(HasShot(filter));
+    EXPECT_EQ(filter.Shown->GetOutput()->GetNumberOfCells(), 0);
+    EXPECT_EQ(filter.Shown->GetOutput()->GetCellData()->GetNumberOfArrays(), 0);
+    filter.Shown->RemoveAllObservers();
+    filter.Shown->GetExecutive()->RemoveAllObservers();
+    filter.Shown->SetNumberOfWalks(7);
+    filter.Shown->SetCell(-1); // then the others do not matter
+    EXPECT_EQ(UpdatedWalks(filter).size(), 7u);
   }
 }

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPhotonWalksFilter.h"
+
+#include "Output/WalksWriter.h"
+#include "Pipeline/FilterRun.h"
+#include "Pipeline/PhotonSource.h"
+#include "Pipeline/UpstreamRequest.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkPhotonWalksFilter);
+
+int vtkPhotonWalksFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  // Any other type is refused by PhotonSource, in words that help.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+int vtkPhotonWalksFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  irradiance::request(inputs[0]->GetInformationObject(0), irradiance::UpstreamRequest::Walks);
+  return 1;
+}
+
+void vtkPhotonWalksFilter::Compute(vtkMultiBlockDataSet* input, vtkPolyData* output)
+{
+  const irradiance::PhotonSource source(input, "the input");
+  const irradiance::WalksWriter writer(
+    { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input);
+  irradiance::SmpExecution execution = irradiance::executionOf(this);
+  writer.write(execution, output);
+}
+
+int vtkPhotonWalksFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
+  return irradiance::runFilter(this, output, [&] {
+    if (!irradiance::PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0)))
+    {
+      this->Compute(input, output);
+    }
+  });
+}
+
+void vtkPhotonWalksFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfWalks: " << this->NumberOfWalks << "\n"
+     << indent << "Cell: " << this->Cell << "\n"
+     << indent << "CellPort: " << this->CellPort << "\n"
+     << indent << "CellConnection: " << this->CellConnection << "\n";
+}
