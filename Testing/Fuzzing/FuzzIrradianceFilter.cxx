@@ -302,7 +302,8 @@ void Run(ByteReader bytes)
       Fail("update and rebuild differ in frame " + std::to_string(frame) + ": " +
         IsSame(OutputBits(filter), OutputBits(fresh)).message());
     }
-    const auto sameWalks = IsSame(ShownWalks::LastingBits(filter), ShownWalks::LastingBits(fresh));
+    const auto sameWalks = IsSame(ShownWalks::LastingBits(filter->GetWalksOutput()),
+      ShownWalks::LastingBits(fresh->GetWalksOutput()));
     if (!sameWalks)
     {
       Fail("walks of update and rebuild differ in frame " + std::to_string(frame) + ": " +

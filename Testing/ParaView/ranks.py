@@ -68,7 +68,7 @@ def tell_shares(name, source, **scripts):
 
 def tell_whole():
     """All inputs are whole on each process. Shot: what is gathered is kept on all, beside the walks that they share."""
-    source = plugin.make_scene(Method="SpreadWalks")
+    source = plugin.make_scene(Method="Spread Walks")
     tell_result("whole irradiance", source, "CellData", "Irradiance")
     tell_cells("whole", source)
     tell_walks("whole", source)
@@ -98,7 +98,7 @@ def tell_pieces():
     room = in_pieces(XMLPolyDataReader(FileName=[f"{plugin.FOLDER}/room.vtp"]))
     part = plugin.make_pose(Input=in_pieces(plugin.make_pose().Input))
     source = plugin.make_scene(
-        Static=[room], Dynamic=[part], Method="SpreadWalks", DistributedInput=1)
+        Static=[room], Dynamic=[part], Method="Spread Walks", DistributedInput=1)
     tell_result("pieces irradiance", source, "CellData", "Irradiance")
     tell_cells("pieces", source)
     tell_walks("pieces", source)
