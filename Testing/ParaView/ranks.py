@@ -71,16 +71,16 @@ def tell_whole():
     source = plugin.make_scene(Method="Spread Walks")
     tell_result("whole irradiance", source, "CellData", "Irradiance")
     tell_cells("whole", source)
-    tell_walks("whole", source)
     tell_shares("whole", source, RequestUpdateExtentScript=ASK_FOR_ALL)
     look_at("whole", source)
     tell_what_looks("whole", source)
+    tell_walks("whole", source)
     dose = plugin.paraview.simple.RadiantExposure(Input=source)
     tell_result("whole dose", dose, "CellData", "RadiantExposure")
 
 
 def tell_what_looks(name, source):
-    """Radiance and sensors, for which each process computes all photons."""
+    """Radiance and sensors, for which each process computes all photons, as for walks to look at."""
     radiance = plugin.paraview.simple.OutgoingRadiance(Input=source, EyePosition=[0, -1.9, 1.5])
     tell_result(f"{name} radiance", radiance, "CellData", "Radiance")
     probe = plugin.paraview.simple.IrradianceProbe(
@@ -101,10 +101,10 @@ def tell_pieces():
         Static=[room], Dynamic=[part], Method="Spread Walks", DistributedInput=1)
     tell_result("pieces irradiance", source, "CellData", "Irradiance")
     tell_cells("pieces", source)
-    tell_walks("pieces", source)
     tell_shares("pieces", source)
     look_at("pieces", source)
     tell_what_looks("pieces", source)
+    tell_walks("pieces", source)
 
 
 tell_whole()
