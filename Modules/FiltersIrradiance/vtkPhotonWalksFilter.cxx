@@ -4,6 +4,7 @@
 #include "Output/WalksWriter.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
+#include "Pipeline/PieceRequest.h"
 #include "Pipeline/UpstreamRequest.h"
 
 #include "vtkInformation.h"
@@ -44,7 +45,7 @@ int vtkPhotonWalksFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
   return irradiance::runFilter(this, output, [&] {
-    if (!irradiance::PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0)))
+    if (!irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0))) // each walk once
     {
       this->Compute(input, output);
     }

@@ -342,6 +342,15 @@ TEST(PhotonWalks, OfAThingThatIsNotThereAreNone)
   EXPECT_TRUE(reports->Errors.empty());
 }
 
+TEST(PhotonWalks, AreAllInTheFirstPiece)
+{
+  const auto filter = MakeShowing(MakeSmallScene(), 7);
+  filter.Shown->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(filter.Shown->GetOutput()->GetNumberOfCells(), 0);
+  filter.Shown->UpdatePiece(0, 2, 0);
+  EXPECT_EQ(filter.Shown->GetOutput()->GetNumberOfCells(), 7);
+}
+
 TEST(PhotonWalks, OfADarkSceneAreNone)
 {
   const auto filter = MakeShowing({ { MakeRoom(3, 1) }, {} });
