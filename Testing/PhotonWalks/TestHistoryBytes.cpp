@@ -55,6 +55,7 @@ TEST(HistoryBytes, AreWhatIsAllocated)
   }
 }
 
+}
+}
+
 #endif
-}
-}
