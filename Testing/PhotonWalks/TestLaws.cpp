@@ -223,7 +223,8 @@ TEST_P(Laws, ABudgetEndsInTheRebuild)
     ASSERT_LT(numberOfStale(engine), left);
     left = numberOfStale(engine);
   }
-  EXPECT_TRUE(waits > 0 || GetParam().hasNoWalks || GetParam().shootsLater);
+  // Sanitized, films are short, and may end before a walk has to wait.
+  EXPECT_TRUE(waits > 0 || GetParam().hasNoWalks || GetParam().shootsLater || kIsSanitized);
   EXPECT_TRUE(run.told({ clock }) == expected);
 }
 
