@@ -350,8 +350,8 @@ public:
    * their places, so the result does not depend on the division; it has other bits than that of the
    * same input in another order. A part that all processes have alike is whole, and counts once.
    * All pieces with cells need the same cell arrays, and the inputs the same blocks, on each
-   * process; the pose of a part is that of the first process that has cells of it. OutputWalksCell
-   * has to be -1. Default off.
+   * process; the pose of a part is that of the first process that has cells of it. Walks to look
+   * at cannot be chosen by a cell. Default off.
    */
   vtkSetMacro(DistributedInput, vtkTypeBool);
   vtkGetMacro(DistributedInput, vtkTypeBool);

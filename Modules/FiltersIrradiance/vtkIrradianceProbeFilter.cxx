@@ -98,12 +98,8 @@ vtkDataObject* vtkIrradianceProbeFilter::GetSource()
 
 int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  auto* const key = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
-  info->Set(key, port == 0 ? "vtkDataSet" : "vtkMultiBlockDataSet");
-  if (port == 1)
-  {
-    info->Append(key, "vtkDataObject"); // this filter itself refuses it, in words that help
-  }
+  port == 0 ? info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet")
+            : irradiance::PhotonSource::fillInputPort(info);
   return 1;
 }
 

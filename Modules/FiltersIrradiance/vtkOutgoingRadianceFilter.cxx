@@ -153,9 +153,7 @@ vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
 
 int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
-  // Any other type is refused by PhotonSource, in words that help.
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  irradiance::PhotonSource::fillInputPort(info);
   return 1;
 }
 

@@ -5,8 +5,8 @@
  *
  * The input is the output of a vtkIrradianceFilter, connected or as a shallow copy; that then
  * stores its walks even where nothing can move, and shoots them all if it did not before. Each walk
- * is one polyline in world coordinates, m, from the light, or the cell that gathered direct light,
- * to where the photon is absorbed, with the cell arrays
+ * is one polyline in world coordinates, m, from the light to where the photon is absorbed, with the
+ * cell arrays
  * - `WalkId`: its number,
  * - `Power` (W), one or three components,
  * - `Repaired`: 1 if the last update shot it, or its tail, again,

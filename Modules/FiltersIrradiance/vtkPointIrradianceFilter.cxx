@@ -183,9 +183,7 @@ vtkPointIrradianceFilter::~vtkPointIrradianceFilter() = default;
 
 int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
-  // Any other type is refused by PhotonSource, in words that help.
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  irradiance::PhotonSource::fillInputPort(info);
   return 1;
 }
 

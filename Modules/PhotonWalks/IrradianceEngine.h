@@ -82,7 +82,6 @@ public:
   }
   /// The errors of irradiance(), see CellEstimator; valid until the next update.
   ErrorEstimate errorEstimate() const { return estimator_->errorEstimate(); }
-  /// Of the cell estimate, see CellEstimator; valid until the next update.
   double watts(double quanta) const { return walks_.watts(quanta); }
   double watts(std::int64_t quanta) const { return watts(static_cast<double>(quanta)); }
   std::uint32_t numberOfWalks() const { return walks_.numberOfWalks(); }

@@ -6,6 +6,7 @@
 #include "Pipeline/PieceRequest.h"
 #include "Progress/InputError.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
@@ -85,6 +86,12 @@ bool PhotonSource::isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* outp
 {
   return data && data->GetNumberOfBlocks() > 0 && !referenceIn(data) &&
     isEmptyPieceRequested(output);
+}
+
+void PhotonSource::fillInputPort(vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
 }
 
 PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)

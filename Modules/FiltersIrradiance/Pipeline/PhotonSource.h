@@ -33,6 +33,10 @@ public:
   /// processes.
   static bool isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output);
 
+  /// Of an input port that takes such outputs: also any other data, which the constructor refuses
+  /// in words that help.
+  static void fillInputPort(vtkInformation* info);
+
   /// What the filter that reads it needs, see UpstreamRequest.h.
   enum class Need
   {

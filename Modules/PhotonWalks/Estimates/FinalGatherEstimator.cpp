@@ -29,11 +29,12 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
     lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
   const FoundLamps foundLamps(from.walks, from.cells.numbers());
   const UnevenCells unevenCells(shapes, *roles_, from.walks, cancelPoint);
-  const FinalGatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
+  FinalGatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
     { all, settings_.isUnbiased ? nullptr : &direct, from.walks.staleSums(), rounds.walks }, lights,
     foundLamps, unevenCells, static_cast<std::uint32_t>(rays().after(1)),
-    1 / from.walks.watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0,
-    false, settings_.mostRays > 0 };
+    1 / from.walks.watts(1.0, rounds.walks), settings_.seed,
+    keepsPaths() || settings_.mostRays > 0 };
+  scene.tellsNoise = settings_.mostRays > 0;
   for (const WalkSet& set : from.walks.sets())
   {
     if (!set.source().cells && !set.source().areFoundByRays && !set.lights().isEmpty())

@@ -105,14 +105,6 @@ void FinalGatherPaths::addSide(const FinalGatherScene& scene, std::size_t cell, 
   });
 }
 
-void FinalGatherPaths::addPoint(
-  const FinalGatherScene& scene, const LitPoint& point, std::uint64_t number)
-{
-  std::vector<std::uint32_t> all(scene.rays);
-  std::iota(all.begin(), all.end(), 0u);
-  addPoint(scene, point, number, all);
-}
-
 void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& point,
   std::uint64_t number, const std::vector<std::uint32_t>& rays)
 {

@@ -37,10 +37,8 @@ public:
   /// `rays`: by number; each scene.rays of them are a start.
   void addSide(const FinalGatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
     const std::vector<std::uint32_t>& rays);
-  /// Adds all paths of a point. From one that receives from all directions, rays have the density 1
-  /// / (4 pi): four times what they bring is the fluence rate.
-  void addPoint(const FinalGatherScene& scene, const LitPoint& point, std::uint64_t number);
-  /// Of some rays alone.
+  /// Likewise of a point. From one that receives from all directions, rays have the density 1 / (4
+  /// pi): four times what they bring is the fluence rate.
   void addPoint(const FinalGatherScene& scene, const LitPoint& point, std::uint64_t number,
     const std::vector<std::uint32_t>& rays);
   /// Adds the paths of what a specular cell reflects to an eye: pi times its radiance for a

@@ -29,25 +29,6 @@ public:
   /// `starts`: each has scene.rays of the paths, in order.
   void read(const FinalGatherScene& scene, const FollowedPaths& paths, std::size_t starts);
 
-  /// What a path of a replicate brings.
-  static Bands broughtBy(
-    const FinalGatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate)
-  {
-    Bands sum{}, stale{};
-    add(scene, path, replicate, sum, stale);
-    return sum;
-  }
-  /// Where a path hit something.
-  struct Asked
-  {
-    const double* brought = nullptr; ///< by the lights, W/m2 by band, if they were asked there
-    double lampWeight = 1;           ///< of a lamp that was hit, as it may have been asked as well
-  };
-  /// Calls visit(segment, weight, Asked) for all that hit something.
-  template <class Visit>
-  static void forEachHit(
-    const FinalGatherScene& scene, const FollowedPaths::Path& path, const Visit& visit);
-
   /// What a replicate found.
   const Bands& found(std::size_t start, std::uint32_t replicate) const
   {
@@ -63,6 +44,16 @@ public:
   const Bands& stale(std::size_t start) const { return stale_[start]; }
 
 private:
+  /// Where a path hit something.
+  struct Asked
+  {
+    const double* brought = nullptr; ///< by the lights, W/m2 by band, if they were asked there
+    double lampWeight = 1;           ///< of a lamp that was hit, as it may have been asked as well
+  };
+  /// Calls visit(segment, weight, Asked) for all that hit something.
+  template <class Visit>
+  static void forEachHit(
+    const FinalGatherScene& scene, const FollowedPaths::Path& path, const Visit& visit);
   static void add(const FinalGatherScene& scene, const FollowedPaths::Path& path,
     std::uint32_t replicate, Bands& sum, Bands& stale);
   static void addKnown(const FinalGatherScene& scene, const PathSegment& segment,

@@ -29,8 +29,9 @@ ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShape
     { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_, foundLamps_, unevenCells_,
     dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
-    engine.settings().seed, keepsPaths, asksOnLobes }
+    engine.settings().seed, keepsPaths }
 {
+  scene_.asksOnLobes = asksOnLobes;
 }
 
 std::vector<ViewFinalGather::Bands> ViewFinalGather::replicatesOf(
