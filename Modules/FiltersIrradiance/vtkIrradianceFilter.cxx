@@ -270,10 +270,8 @@ void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* reques
   bool areWalksShown, const irradiance::Ranks& ranks)
 {
   const bool areWalksRead = irradiance::isRequested(request, irradiance::UpstreamRequest::Walks);
-  settings.allOnEachRank = areWalksRead ||
-    irradiance::isRequested(request, irradiance::UpstreamRequest::Photons) ||
-    (irradiance::isRequested(request, irradiance::UpstreamRequest::Sides) &&
-      !settings.keepsSides());
+  settings.allOnEachRank =
+    areWalksRead || irradiance::isRequested(request, irradiance::UpstreamRequest::Photons);
   settings.keepPhotons = settings.allOnEachRank || areWalksShown;
   settings.listRepaired = areWalksShown || areWalksRead;
   if (settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral())
@@ -281,9 +279,8 @@ void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* reques
     throw irradiance::InputError("RepairTimeBudget is " +
       irradiance::text(settings.repairTimeBudget) + ", but there are " +
       std::to_string(ranks.count()) +
-      " processes, and each of them would repair other photons for vtkPhotonWalksFilter, "
-      "vtkIrradianceProbeFilter or vtkOutgoingRadianceFilter: set it to 0, or let SeparateSides be "
-      "on if these two gather");
+      " processes, and each of them would repair other photons for vtkPhotonWalksFilter or "
+      "vtkIrradianceProbeFilter: set it to 0");
   }
 }
 

@@ -253,8 +253,7 @@ public:
    * process alone would give. All of them have to update the filter at the same time, with the same
    * inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds
    * are this process's own. Where single photons are read (vtkPhotonWalksFilter,
-   * vtkIrradianceProbeFilter with Estimate Nearest; where sums do not tell sides apart also its
-   * other estimate, and vtkOutgoingRadianceFilter) each process shoots and stores all walks; with
+   * vtkIrradianceProbeFilter with Estimate Nearest) each process shoots and stores all walks; with
    * several processes that excludes a RepairTimeBudget. See "Several processes" in the Guide.
    * Default: VTK's global controller when the filter is made, so this process alone unless a
    * program, such as ParaView's server, has set another.

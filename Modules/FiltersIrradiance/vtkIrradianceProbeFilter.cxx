@@ -113,9 +113,8 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
   {
-    irradiance::request(inputs[1]->GetInformationObject(0),
-      this->Estimate == Gathered ? irradiance::UpstreamRequest::Sides
-                                 : irradiance::UpstreamRequest::Photons);
+    irradiance::request(inputs[1]->GetInformationObject(0), irradiance::UpstreamRequest::Photons,
+      this->Estimate == Nearest);
     // All sensors belong to piece 0, as the whole scene does.
     irradiance::requestWhole(inputs[0]->GetInformationObject(0));
   }
@@ -130,7 +129,7 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   const std::vector<irradiance::Sensor> sensors = irradiance::readSensors(input, normals);
   const bool gathers = this->Estimate == Gathered;
   using Need = irradiance::PhotonSource::Need;
-  const irradiance::PhotonSource source(scene, "the source", gathers ? Need::Sides : Need::Photons);
+  const irradiance::PhotonSource source(scene, "the source", gathers ? Need::Sums : Need::Photons);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   output->ShallowCopy(input);
   const irradiance::SensorRun run{ sensors, source.engine(), execution, output };

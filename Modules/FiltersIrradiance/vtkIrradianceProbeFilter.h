@@ -28,9 +28,8 @@
  *   move with the surfaces of the scene: move it as they move. On a face that touches a lamp, as
  *   the underside of a box on a light table, it comes to be behind the lamp's face and finds 0;
  *   Nearest knows what the lamp emits there.
- * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. One that did not
- *   keep its photons, as nothing can move, executes again, once. Gathered needs no photons if sums
- *   are kept by side (SeparateSides, or where cells cast rays), which takes less memory.
+ * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. Nearest reads
+ *   photons: a filter that did not keep them, as nothing can move, executes again, once.
  *
  * @section ProbeOutput Output
  * A copy of the sensors, of the same type, that shares their arrays, with point arrays.

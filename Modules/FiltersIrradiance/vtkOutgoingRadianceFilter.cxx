@@ -8,7 +8,6 @@
 #include "Output/LightArrays.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/UpstreamRequest.h"
 #include "Progress/InputError.h"
 #include "Views/OutgoingRadiance.h"
 
@@ -157,17 +156,10 @@ int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* inf
   return 1;
 }
 
-int vtkOutgoingRadianceFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
-{
-  irradiance::request(inputs[0]->GetInformationObject(0), irradiance::UpstreamRequest::Sides);
-  return 1;
-}
-
 void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   const irradiance::Eye eye = EyeOf(this);
-  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sides);
+  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sums);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::OutgoingRadiance& radiance =
     this->Internals->RadianceOf(source, this->NumberOfSpecularSamples, execution);

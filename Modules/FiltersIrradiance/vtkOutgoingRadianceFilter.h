@@ -8,10 +8,7 @@
  * camera moves this filter alone executes.
  *
  * @section RadianceInput Input
- * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells
- * received comes with it. With SeparateSides, or where cells cast rays, the filter knows that; else
- * it is counted from the photons, and a filter that did not keep these, as nothing can move,
- * executes again.
+ * The whole output of a vtkIrradianceFilter, or a shallow copy.
  *
  * @section RadianceOutput Output
  * A shallow copy of the input with the cell array `Radiance` (double, W/m2/sr, as many components
@@ -98,8 +95,6 @@ protected:
   ~vtkOutgoingRadianceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 

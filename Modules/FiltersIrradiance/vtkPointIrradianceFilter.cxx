@@ -10,7 +10,6 @@
 #include "Output/LightArrays.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/UpstreamRequest.h"
 #include "Pipeline/WalkMemory.h"
 #include "Views/SensorPlace.h"
 #include "Views/StoredSensors.h"
@@ -187,16 +186,9 @@ int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info
   return 1;
 }
 
-int vtkPointIrradianceFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
-{
-  irradiance::request(inputs[0]->GetInformationObject(0), irradiance::UpstreamRequest::Sides);
-  return 1;
-}
-
 void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sides);
+  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sums);
   const irradiance::IrradianceEngine& engine = *source.engine();
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);

@@ -87,8 +87,6 @@ protected:
   ~vtkPointIrradianceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 

@@ -16,7 +16,6 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(walks.numberOfWalks);
   hash.add(walks.seed);
   hash.add(walks.verify);
-  hash.add(walks.separateSides);
   hash.add(walks.gathersDirectLight);
   hash.add(walks.fewestSamples.small);
   hash.add(walks.fewestSamples.large);
@@ -34,6 +33,7 @@ std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate
   hash.add(estimate.maximumGatherRays);
   hash.add(estimate.gathersEverywhere);
   hash.add(estimate.unbiasedGather);
+  hash.add(estimate.separateSides);
   return hash.value();
 }
 

@@ -26,7 +26,6 @@ namespace
 WalkSettings walkSettingsOf(const EngineSettings& settings)
 {
   WalkSettings walks = settings;
-  walks.separateSides = settings.keepsSides();
   walks.fewestSamples = settings.fewestOfCells();
   return walks;
 }
@@ -34,8 +33,7 @@ WalkSettings walkSettingsOf(const EngineSettings& settings)
 /// Whether the same estimator does for both.
 bool haveSameEstimator(const EngineSettings& a, const EngineSettings& b)
 {
-  return isSameEstimate(a, b) && a.separateSides == b.separateSides && a.seed == b.seed &&
-    a.verify == b.verify;
+  return isSameEstimate(a, b) && a.seed == b.seed && a.verify == b.verify;
 }
 
 }
@@ -141,7 +139,7 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || storesWalks()) && settings.seed == settings_.seed &&
-    settings.keepsSides() == settings_.keepsSides() && differsOnlyByMotion(objects, objects_);
+    differsOnlyByMotion(objects, objects_);
 }
 
 void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,
@@ -260,7 +258,8 @@ void IrradianceEngine::reachTarget(Execution& execution)
     }
     checkReceived(balance());
     estimate(rounds, lever == TargetLever::Walks ? still : span);
-    miss_ = errorEstimate().missOf(settings_.targetRelativeError, cells_, still);
+    miss_ =
+      errorEstimate().missOf(settings_.targetRelativeError, cells_, settings_.separateSides, still);
     lever = miss_.reached > settings_.targetRelativeError
       ? chooseLever(miss_, rounds, walks_, *estimator_)
       : std::nullopt;

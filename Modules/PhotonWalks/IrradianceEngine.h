@@ -27,8 +27,6 @@ struct EngineSettings
 {
   TraversalMode traversalMode = TraversalMode::Parallel;
 
-  /// Whether sums tell the sides of cells apart.
-  bool keepsSides() const { return separateSides || needsSides(cellEstimate); }
   /// With how many samples cells gather direct light at least.
   FewestSamples fewestOfCells() const { return fewestSamplesOf(*this, fewestSamples); }
 };
@@ -53,8 +51,8 @@ struct EngineStatistics : WalkStatistics
  * The first frame is shot. A later one is verified and repaired if only dynamic objects changed
  * pose or points, came or went; its sums then equal the sums of a new engine, bit for bit. An
  * object that comes may look different from before, if no walks are stale. All is shot again if
- * lights, materials, static geometry, seed or sides changed, or the number of objects, triangles,
- * walks or replicates.
+ * lights, materials, static geometry or seed changed, or the number of objects, triangles, walks or
+ * replicates.
  *
  * With a time budget the repair may end early. Then stalePower() tells what is left, and further
  * calls, with or without motion, continue with it.

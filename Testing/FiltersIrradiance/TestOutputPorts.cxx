@@ -8,7 +8,7 @@
 #include "vtkInformationVector.h"
 #include "vtkKeyFramedPose.h"
 #include "vtkObjectFactory.h"
-#include "vtkOutgoingRadianceFilter.h"
+#include "vtkPhotonWalksFilter.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 #include "vtkTubeFilter.h"
@@ -128,19 +128,19 @@ TEST(OutputPorts, ServeThoseWhoNeedPhotonsAndThoseWhoDrawWalks)
     const auto filter = MakeFilter(scene, NumberOfWalks);
     filter->SetNumberOfOutputWalks(shown);
     const auto executions = Watch(filter, vtkCommand::StartEvent);
-    vtkNew<vtkOutgoingRadianceFilter> radiance;
-    radiance->SetInputConnection(filter->GetOutputPort());
+    vtkNew<vtkPhotonWalksFilter> walks;
+    walks->SetInputConnection(filter->GetOutputPort());
     vtkNew<vtkTubeFilter> tubes;
     tubes->SetInputConnection(filter->GetWalksOutputPort());
-    const auto reports = ErrorObserver::Watch(radiance);
+    const auto reports = ErrorObserver::Watch(walks);
     tubes->Update();
-    radiance->Update();
+    walks->Update();
     const int count = executions->Count;
     EXPECT_EQ(Field(filter, "ShootSeconds") > 0, shown == 0) << "walks to look at are stored";
     for (int i = 0; i < 3; ++i)
     {
       tubes->Update();
-      radiance->Update();
+      walks->Update();
     }
     EXPECT_EQ(executions->Count, count);
     EXPECT_TRUE(reports->Errors.empty());
@@ -148,7 +148,7 @@ TEST(OutputPorts, ServeThoseWhoNeedPhotonsAndThoseWhoDrawWalks)
     filter->Modified();
     tubes->Update();
     EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
-    radiance->Update();
+    walks->Update();
     EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
     EXPECT_TRUE(reports->Errors.empty());
   }

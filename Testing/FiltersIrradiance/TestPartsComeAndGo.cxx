@@ -393,7 +393,7 @@ TEST(PartsComeAndGo, WhateverIsSwitchedMeanwhile)
         f->ComputeStandardErrorOn();
       },
       true, false },
-    { "sides", [](auto* f) { f->SeparateSidesOn(); }, true, false },
+    { "sides", [](auto* f) { f->SeparateSidesOn(); }, false, false },
     { "budget", [](auto* f) { f->SetRepairTimeBudget(100); }, false, false },
     { "views", Defaults, false, true },
   };

@@ -86,13 +86,12 @@ template <class Use>
 void forEachSide(const SceneObjects& objects, bool separateSides, const Use& use)
 {
   CellNumbers(objects).forEach([&](const SceneCell& cell) {
-    for (int side = 0; side < (separateSides ? 2 : 1); ++side)
-    {
+    irradiance::forEachSide(cell, separateSides, [&](const CellSide& side) {
       for (int band = 0; band < objects.staticObject.material->bands; ++band)
       {
-        use(CellSide{ cell, side }, band);
+        use(side, band);
       }
-    }
+    });
   });
 }
 
@@ -101,19 +100,18 @@ template <class Use>
 void forEachSum(const CellSums& sums, const Use& use)
 {
   sums.numbers().forEach([&](const SceneCell& cell) {
-    for (int side = 0; side < sums.sides(); ++side)
-    {
+    irradiance::forEachSide(cell, sums.sides() == 2, [&](const CellSide& side) {
       for (int band = 0; band < sums.bands(); ++band)
       {
         for (std::uint32_t k = 0; k < sums.plan().replicates().count(); ++k)
         {
           for (std::size_t rounds = 1; rounds <= sums.rounds(); ++rounds)
           {
-            use(CellSide{ cell, side }, band, k, rounds);
+            use(side, band, k, rounds);
           }
         }
       }
-    }
+    });
   });
 }
 

@@ -93,7 +93,6 @@ public:
     {
       WalkFront now, next;
     } fronts;
-    const bool keepsSides = tally.keepsSides();
     for (std::uint32_t walk = first; walk < end; walk += together)
     {
       enter(fronts.now, walk, std::min(together, end - walk));
@@ -106,18 +105,15 @@ public:
           leaving(fronts.now);
         }
         cast(fronts.now);
-        if (keepsSides)
-        {
-          stages_.findSides(fronts.now);
-        }
+        stages_.findSides(fronts.now);
         tally.receive(fronts.now);
         if (arriving)
         {
           arriving(fronts.now);
         }
-        stages_.absorb(fronts.now, fronts.next, keepsSides);
+        stages_.absorb(fronts.now, fronts.next);
         tally.release(fronts.next);
-        stages_.leave(fronts.next, keepsSides);
+        stages_.leave(fronts.next);
         std::swap(fronts.now, fronts.next);
       }
     }
@@ -138,8 +134,8 @@ private:
 class FrontRun
 {
 public:
-  FrontRun(const FrontWorld& world, int sides, std::uint32_t together)
-    : sums_(world.objects(), sides, world.plan(), world.plan().rounds().size())
+  FrontRun(const FrontWorld& world, std::uint32_t together)
+    : sums_(world.objects(), world.plan(), world.plan().rounds().size())
   {
     const std::uint32_t first = world.plan().rounds().front().firstWalk;
     FrontTally tally(world.triangles(), sums_, balance_, world.sampler().powerPerWalk(),

@@ -22,7 +22,7 @@ struct WalkSegment
 inline std::vector<WalkSegment> shotWalk(
   const WalkTracer& tracer, const SceneObjects& objects, std::uint32_t walk)
 {
-  CellSums sums(objects, 1);
+  CellSums sums(objects);
   PowerBalance balance;
   const WalkPlan plan;
   const int bands = tracer.sampler().bands();
@@ -31,7 +31,7 @@ inline std::vector<WalkSegment> shotWalk(
     DealtBlocks(plan.blockOf(walk), plan.blockOf(walk) + 1)); // begins with the walk's block
   history.append();
   WalkBatch batch;
-  batch.begin(tracer, &history, false);
+  batch.begin(tracer, &history);
   batch.front().reserve(1, bands);
   batch.front().size = 1;
   batch.front().walk[0] = walk;

@@ -11,11 +11,11 @@ namespace
 {
 
 /// Sums with something at random in each part, `times` 2^30 or so, and in no few cells nothing.
-CellSums randomSums(const SceneObjects& objects, int sides, const WalkPlan& plan, unsigned seed,
-  std::int64_t times = 1)
+CellSums randomSums(
+  const SceneObjects& objects, const WalkPlan& plan, unsigned seed, std::int64_t times = 1)
 {
   RandomVectors random(seed);
-  CellSums sums(objects, sides, plan);
+  CellSums sums(objects, plan);
   forEachSum(sums, [&](const CellSide& side, int band, std::uint32_t k, std::size_t) {
     sums.set(side, band, k,
       times * static_cast<std::int64_t>(random.engine() % 3 * (random.engine() % (1u << 30))));
@@ -47,10 +47,10 @@ std::vector<double> valuesOf(const CellSums& sums)
 constexpr double kPhoton = 1 << 24; // quanta
 
 /// On the average of its object, a cell draws on `photons` photons.
-CellSums spreadOf(const SceneObjects& objects, const CellSums& sums, double photons)
+CellSums spreadOf(const SceneObjects& objects, const CellSums& sums, double photons, int sides = 1)
 {
   Execution execution;
-  CellSpread spread;
+  CellSpread spread(sides);
   spread.update(objects, sums, 1, photons, kPhoton, execution);
   return spread.spread(objects, sums, 1, execution);
 }
@@ -73,8 +73,8 @@ TEST(CellSpread, ConservesThePowerOfEachObjectBandAndReplicate)
     for (const std::int64_t times : { 1, (1 << 18) - 1 })
     {
       const SceneObjects objects = someObjects(3);
-      const CellSums sums = randomSums(objects, sides, WalkPlan(1000, 1000, 4), 5, times);
-      const CellSums spread = spreadOf(objects, sums, 5000.0 * double(times));
+      const CellSums sums = randomSums(objects, WalkPlan(1000, 1000, 4), 5, times);
+      const CellSums spread = spreadOf(objects, sums, 5000.0 * double(times), sides);
       EXPECT_NE(valuesOf(sums), valuesOf(spread));
       const std::vector<double> values = valuesOf(spread);
       EXPECT_GE(*std::min_element(values.begin(), values.end()), 0);
@@ -108,10 +108,10 @@ TEST(CellSpread, DoesNotLeak)
     };
     addDark(border == Border::Object ? dark : lit);
     const SceneObjects objects{ lit.build(), { dark.build() } };
-    CellSums sums(objects, 1, WalkPlan(1000, 1000, 1));
+    CellSums sums(objects, WalkPlan(1000, 1000, 1));
     for (std::size_t cell = 0; cell < 100; ++cell)
     {
-      sums.set({ 0, cell }, 0, 0, cell % 7 == 0 ? 1 << 30 : 0);
+      sums.set({ 0, cell, 0 }, 0, 0, cell % 7 == 0 ? 1 << 30 : 0);
     }
     const CellSums spread = spreadOf(objects, sums, 2000);
     double onDark = 0;
@@ -153,11 +153,11 @@ TEST(CellSpread, DoesNotDependOnTheOrderOfCells)
   }
   const SceneObjects objects{ nothing(), { sphere } }, shuffled{ nothing(), { builder.build() } };
   const WalkPlan plan(1000, 1000, 1);
-  const CellSums sums = randomSums(objects, 1, plan, 6);
-  CellSums other(shuffled, 1, plan);
+  const CellSums sums = randomSums(objects, plan, 6);
+  CellSums other(shuffled, plan);
   for (std::size_t i = 0; i < cells; ++i)
   {
-    other.set({ 1, i }, 0, 0, sums.shot({ { 1, order[i] } }, 0, 1));
+    other.set({ 1, i, 0 }, 0, 0, sums.shot({ { 1, order[i] } }, 0, 1));
   }
   const CellSums spread = spreadOf(objects, sums, 1000),
                  otherSpread = spreadOf(shuffled, other, 1000);
@@ -179,8 +179,8 @@ TEST(CellSpread, IsThatOfTheShape)
     {
       object.worldFromObject = { linear, translation };
     }
-    const CellSums sums = randomSums(objects, 2, WalkPlan(1000, 1000, 2), 9);
-    return valuesOf(spreadOf(objects, sums, 3000));
+    const CellSums sums = randomSums(objects, WalkPlan(1000, 1000, 2), 9);
+    return valuesOf(spreadOf(objects, sums, 3000, 2));
   };
   for (const Matrix3& shape : { Matrix3(Matrix3::Identity()), Matrix3(1.3 * shear), shear })
   {
@@ -212,8 +212,8 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   std::vector<double> shares(areas.size(), 0.0);
   for (std::size_t k = 0; k < areas.size(); ++k)
   {
-    CellSums sums(objects, 1, plan);
-    sums.set({ 0, k }, 0, 0, std::int64_t{ 1 } << 24); // a photon
+    CellSums sums(objects, plan);
+    sums.set({ 0, k, 0 }, 0, 0, std::int64_t{ 1 } << 24); // a photon
     const CellSums spread = spreadOf(objects, sums, photons);
     for (std::size_t i = 0; i < areas.size(); ++i)
     {
@@ -221,9 +221,9 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
       shares[i] += w * w * areas[k] / areas[i];
     }
   }
-  CellSums sums(objects, 1, plan);
-  sums.set({ 0, 0 }, 0, 0, std::int64_t{ 1 } << 24);
-  CellSpread spread;
+  CellSums sums(objects, plan);
+  sums.set({ 0, 0, 0 }, 0, 0, std::int64_t{ 1 } << 24);
+  CellSpread spread(1);
   Execution execution;
   spread.update(objects, sums, 1, photons, kPhoton, execution);
   double ratio = 0;
@@ -248,13 +248,13 @@ TEST(CellSpread, AnInterruptionLeavesNoTrace)
   ObjectBuilder builder;
   builder.addSphere({ 0, 0, 0 }, 1, kIsSanitized ? 100 : 200, grey(0.5));
   const SceneObjects objects{ nothing(), { builder.build() } };
-  const CellSums sums = randomSums(objects, 1, WalkPlan(1000, 1000, 2), 10);
+  const CellSums sums = randomSums(objects, WalkPlan(1000, 1000, 2), 10);
   const auto expected = valuesOf(spreadOf(objects, sums, 100));
   int stops = 0;
   bool isDone = false;
   for (int stopAt = 0; !isDone; stopAt += 1 + stopAt / 2)
   {
-    CellSpread spread;
+    CellSpread spread(1);
     Execution execution;
     StoppingExecution stopping(stopAt);
     try

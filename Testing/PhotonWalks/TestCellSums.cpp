@@ -26,7 +26,7 @@ void add(CellSums& sums, const TriangleId& id, bool isFront, const Power& power,
 
 TEST(CellSums, TrianglesOfACellShareASum)
 {
-  CellSums sums(quadAndBox(1), 1);
+  CellSums sums(quadAndBox(1));
   add(sums, { 0, 2 }, true, { { 5, 0, 0 } }, 1);
   add(sums, { 0, 3 }, false, { { 7, 0, 0 } }, 1);
   add(sums, { 1, 11 }, true, { { 1ll << 50, 0, 0 } }, 1);
@@ -44,13 +44,14 @@ TEST(CellSums, TrianglesOfACellShareASum)
 
 TEST(CellSums, SidesAndBandsStandApart)
 {
-  CellSums sums(quadAndBox(3), 2);
+  CellSums sums(quadAndBox(3));
   add(sums, { 1, 4 }, true, { { 1, 2, 3 } }, 1);
   add(sums, { 1, 5 }, false, { { 10, 20, 30 } }, 1);
   for (int band = 0; band < 3; ++band)
   {
-    EXPECT_EQ(sums.sum({ 1, 2 }, band), band + 1);
+    EXPECT_EQ(sums.sum({ 1, 2, 0 }, band), band + 1);
     EXPECT_EQ(sums.sum({ 1, 2, 1 }, band), 10 * (band + 1));
+    EXPECT_EQ(sums.sum({ 1, 2 }, band), 11 * (band + 1)) << "both";
     EXPECT_EQ(sums.sum({ 1, 1, 1 }, band), 0);
     EXPECT_EQ(sums.sum({ 1, 3 }, band), 0);
   }
@@ -58,7 +59,7 @@ TEST(CellSums, SidesAndBandsStandApart)
 
 TEST(CellSums, ManyThreadsLoseNothing)
 {
-  CellSums sums(quadAndBox(1), 1);
+  CellSums sums(quadAndBox(1));
   ThreadExecution execution(4);
   execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

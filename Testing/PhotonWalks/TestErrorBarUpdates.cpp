@@ -95,7 +95,7 @@ TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)
     EngineSettings settings = Shoot(5000).errors(replicates);
     Execution execution;
     UpdatedEngine engine(objects, settings, execution);
-    EXPECT_EQ(engine.sums().bytes(), cells * 3 * 8 * replicates);
+    EXPECT_EQ(engine.sums().bytes(), 2 * cells * 3 * 8 * replicates) << "two sides";
     EXPECT_EQ(engine.sums().rounds(), 1u);
     const std::size_t history = engine.statistics().historyBytes;
     settings.replicates = 1;

@@ -42,7 +42,7 @@ TEST(ErrorEstimate, IsThatOfTheMeanOfReplicates)
   constexpr std::uint32_t kReplicates = 8, kWalks = 8000;
   RandomVectors random(11);
   const WalkPlan plan(kWalks, kWalks, kReplicates);
-  CellSums sums(strip({ 1, 1 }), 1, plan);
+  CellSums sums(strip({ 1, 1 }), plan);
   ReplicateMean estimates;
   for (std::uint32_t i = 0; i < kReplicates; ++i)
   {
@@ -67,7 +67,7 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
     ReplicateMean squares;
     for (int trial = 0; trial < 20000; ++trial)
     {
-      CellSums sums(strip({ 1 }), 1, plan);
+      CellSums sums(strip({ 1 }), plan);
       std::vector<Deposit> deposits;
       for (std::uint32_t walk = 0; walk < walks; ++walk)
       {
@@ -87,7 +87,7 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
 TEST(ErrorEstimate, IsUnknownBelow25Photons)
 {
   const WalkPlan plan(1600, 1600, 16);
-  CellSums sums(strip({ 1, 1, 1 }), 1, plan);
+  CellSums sums(strip({ 1, 1, 1 }), plan);
   add(sums, 3, 0, { { 24999, 0, 0 } });
   add(sums, 3, 1, { { 25000, 0, 0 } });
   const ErrorEstimate errors(sums, plan, 1, { 1000, 0, 0 });
@@ -102,7 +102,7 @@ TEST(ErrorEstimate, IsUnknownWithoutReplicatesOrWalks)
   const WalkPlan one(1600, 1600, 1), few(24, 24, 8), enough(25, 25, 8);
   for (const WalkPlan& plan : { one, few, enough })
   {
-    CellSums sums(strip({ 1 }), 1, plan);
+    CellSums sums(strip({ 1 }), plan);
     add(sums, 0, 0, { { 1000000, 0, 0 } });
     const double error = ErrorEstimate(sums, plan, 1, { 1000, 0, 0 }).standardError({ 0, 0 }, 0);
     EXPECT_EQ(std::isnan(error), !(plan == enough));
@@ -113,7 +113,7 @@ TEST(ErrorEstimate, IsUnknownWithoutReplicatesOrWalks)
 TEST(ErrorEstimate, IsAtLeastThatOfRoundingToAPhoton)
 {
   const WalkPlan plan(1600, 1600, 4);
-  CellSums sums(strip({ 1 }), 1, plan);
+  CellSums sums(strip({ 1 }), plan);
   for (std::uint32_t walk = 0; walk < 100; ++walk)
   {
     add(sums, walk, 0, { { 600, 0, 0 } });
@@ -131,14 +131,14 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
   Execution execution;
   const auto reached = [&](const std::vector<double>& widths, std::int64_t inDark) {
     const SceneObjects objects = strip(widths);
-    CellSums sums(objects, 1, plan);
+    CellSums sums(objects, plan);
     add(sums, 0, 0, { { 110000, 0, 0 } }); // the replicates: 10 % off their mean
     add(sums, 1, 0, { { 90000, 0, 0 } });
     add(sums, 0, 1, { { 1200000, 0, 0 } }); // 20 %
     add(sums, 1, 1, { { 800000, 0, 0 } });
     add(sums, 0, 2, { { inDark, 0, 0 } });
     return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 })
-      .missOf(0, cellsOf(objects), execution)
+      .missOf(0, cellsOf(objects), false, execution)
       .reached;
   };
   const double t = 12.7062047; // of one degree
@@ -155,12 +155,14 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
 {
   const WalkPlan plan(1600, 1600, 2);
   const SceneObjects objects = strip({ 1 }, 3);
-  CellSums sums(objects, 1, plan);
+  CellSums sums(objects, plan);
   add(sums, 0, 0, { { 110000, 120000, 0 } });
   add(sums, 1, 0, { { 90000, 80000, 0 } });
   Execution execution;
   const auto reached = [&](const std::array<double, 3>& photon) {
-    return ErrorEstimate(sums, plan, 1, photon).missOf(0, cellsOf(objects), execution).reached;
+    return ErrorEstimate(sums, plan, 1, photon)
+      .missOf(0, cellsOf(objects), false, execution)
+      .reached;
   };
   EXPECT_NEAR(reached({ 1000, 1000, 0 }), 12.7062047 * 0.2, 1e-6);
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
@@ -185,7 +187,7 @@ TEST(ErrorEstimate, TellsWhichLeverPromisesWhat)
 {
   const WalkPlan plan(1600, 1600, 2);
   const SceneObjects objects = strip({ 1, 2, 3, 4 });
-  CellSums sums(objects, 1, plan);
+  CellSums sums(objects, plan);
   for (std::uint32_t cell = 0; cell < 4; ++cell)
   {
     add(sums, 0, cell, { { 110000, 0, 0 } });
@@ -196,12 +198,12 @@ TEST(ErrorEstimate, TellsWhichLeverPromisesWhat)
   rays.variances = { 0.25 * kVariance, kVariance, 3 * kVariance };
   const ErrorEstimate estimate(sums, plan, 1, { 1000, 0, 0 }, &rays);
   Execution execution;
-  TargetMiss miss = estimate.missOf(0.1, cellsOf(objects), execution);
+  TargetMiss miss = estimate.missOf(0.1, cellsOf(objects), false, execution);
   EXPECT_NEAR(miss.reached, 12.7062047 * 0.1, 1e-6);
   EXPECT_NEAR(miss.byWalks, (1 + 2 * 0.75) / 2, 1e-9);
   EXPECT_NEAR(miss.byRays, (2 * 0.25 + 3 + 4) / 2, 1e-9);
   EXPECT_NEAR(miss.beyondRays, 0.1, 1e-12);
-  miss = estimate.missOf(1.3, cellsOf(objects), execution);
+  miss = estimate.missOf(1.3, cellsOf(objects), false, execution);
   EXPECT_EQ(miss.byWalks + miss.byRays + miss.beyondRays, 0) << "all are within";
 }
 
@@ -209,7 +211,7 @@ TEST(ErrorEstimate, TellsWhichLeverPromisesWhat)
 TEST(ErrorEstimate, LooksAtTheFirstRoundsAlone)
 {
   const WalkPlan plan(100, 400, 2);
-  CellSums sums(strip({ 1 }), 1, plan);
+  CellSums sums(strip({ 1 }), plan);
   sums.setRounds(3);
   for (const std::uint32_t walk : { 0u, 1u, 100u, 200u, 201u })
   {

@@ -14,24 +14,22 @@ struct Kind
 {
   int bands;
   bool isClosed, isGlossy;
-  int sides;
   WalkPlan plan;
 };
 
 std::vector<Kind> someKinds()
 {
   const std::uint32_t walks = scaled(12000);
-  return { { 1, true, false, 1, WalkPlan(walks, walks, 1) },
-    { 1, false, false, 2, WalkPlan(walks, walks, 16) },
-    { 1, true, true, 1, WalkPlan(walks / 8, walks, 3, 500) }, // several rounds
-    { 1, false, true, 2, WalkPlan(walks, walks, 1) },
-    { 3, true, false, 1, WalkPlan(walks, walks, 16) },
-    { 3, false, true, 2, WalkPlan(walks / 4, walks, 2) } };
+  return { { 1, true, false, WalkPlan(walks, walks, 1) },
+    { 1, false, false, WalkPlan(walks, walks, 16) },
+    { 1, true, true, WalkPlan(walks / 8, walks, 3, 500) }, // several rounds
+    { 1, false, true, WalkPlan(walks, walks, 1) }, { 3, true, false, WalkPlan(walks, walks, 16) },
+    { 3, false, true, WalkPlan(walks / 4, walks, 2) } };
 }
 
 Answer answerOf(const FrontRun& run, const Kind& kind, const SceneObjects& objects)
 {
-  Answer answer = answerOf(run, objects, kind.sides == 2);
+  Answer answer = answerOf(run, objects, true);
   CellNumbers(objects).forEach([&](const SceneCell& cell) {
     for (std::uint32_t replicate = 0; replicate < kind.plan.replicates().count(); ++replicate)
     {
@@ -49,8 +47,7 @@ void addRatio(const CellSums& sumsBefore, const CellSums& sumsNow, std::uint32_t
   ReplicateMean& ratio)
 {
   double before = 0, now = 0;
-  for (std::size_t cell = 0;
-       side < sumsBefore.sides() && cell < sumsBefore.numbers().sizeOf(object); ++cell)
+  for (std::size_t cell = 0; cell < sumsBefore.numbers().sizeOf(object); ++cell)
   {
     for (int band = 0; band < sumsBefore.bands(); ++band)
     {
@@ -70,7 +67,7 @@ TEST(FrontShooting, NoPhotonIsLost)
   {
     const MovingScene scene(kind.bands, kind.isClosed, 2, kind.isGlossy);
     const FrontWorld world(scene.objects(), kind.plan, 1);
-    const FrontRun run(world, kind.sides, WalkFront::kUsualSize);
+    const FrontRun run(world, WalkFront::kUsualSize);
     const PowerBalance& balance = run.balance();
     EXPECT_EQ(balance.escaped.isZero(), kind.isClosed);
     Power arrived = balance.absorbed;
@@ -78,9 +75,9 @@ TEST(FrontShooting, NoPhotonIsLost)
     EXPECT_EQ(balance.emitted, arrived);
     double received = 0;
     CellNumbers(scene.objects()).forEach([&](const SceneCell& cell) {
-      for (int part = 0; part < kind.sides * kind.bands; ++part)
+      for (int band = 0; band < kind.bands; ++band)
       {
-        received += run.sums().sum({ cell, part % kind.sides }, part / kind.sides);
+        received += run.sums().sum({ cell }, band);
       }
     });
     EXPECT_EQ(balance.received, received);
@@ -95,14 +92,13 @@ TEST(FrontShooting, SameBitsForEveryFrontAndInstructionSet)
   {
     const MovingScene scene(kind.bands, kind.isClosed, 2, kind.isGlossy);
     const FrontWorld world(scene.objects(), kind.plan, 1);
-    const auto expected =
-      answerOf(FrontRun(world, kind.sides, WalkFront::kUsualSize), kind, scene.objects());
+    const auto expected = answerOf(FrontRun(world, WalkFront::kUsualSize), kind, scene.objects());
     for (const SimdLevel level : simdLevels())
     {
       const SimdLimit limit(level);
       for (const std::uint32_t together : { kBlock, 4 * kBlock, 333u })
       {
-        EXPECT_EQ(answerOf(FrontRun(world, kind.sides, together), kind, scene.objects()), expected);
+        EXPECT_EQ(answerOf(FrontRun(world, together), kind, scene.objects()), expected);
       }
     }
   }
@@ -121,11 +117,10 @@ TEST(FrontShooting, BringsWhatWalkBatchBrings)
     for (int seed = 1; seed <= kSeeds; ++seed)
     {
       EngineSettings settings = Shoot(kind.plan.most()).seeded(static_cast<std::uint64_t>(seed));
-      settings.separateSides = kind.sides == 2;
       UpdatedEngine engine(scene.objects(), settings);
       const FrontWorld world(scene.objects(), WalkPlan(kind.plan.most(), kind.plan.most(), 1),
         static_cast<std::uint64_t>(seed));
-      const FrontRun run(world, kind.sides, WalkFront::kUsualSize);
+      const FrontRun run(world, WalkFront::kUsualSize);
       for (std::uint32_t part = 0; part < ratios.size(); ++part)
       {
         addRatio(engine.sums(), run.sums(), part / 2, static_cast<int>(part % 2), ratios[part]);
@@ -152,7 +147,7 @@ TEST(FrontShooting, AllLightEscapesFromNothing)
   SceneObjects objects{ builder.build(), {} };
   objects.staticObject.emission = std::make_shared<Emission>(builder.emission());
   const FrontWorld world(objects, WalkPlan(1000, 1000, 1), 1);
-  const FrontRun run(world, 1, kBlock);
+  const FrontRun run(world, kBlock);
   EXPECT_EQ(run.balance().segments, 1000);
   EXPECT_EQ(run.balance().emitted, run.balance().escaped);
   EXPECT_EQ(run.balance().emitted, 1000 * world.sampler().powerPerWalk());

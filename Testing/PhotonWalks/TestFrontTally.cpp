@@ -11,16 +11,16 @@ namespace
 
 struct TallyKind
 {
-  int bands, sides;
+  int bands;
   bool isGlossy;
   WalkPlan plan;
 };
 
 std::vector<TallyKind> someTallies()
 {
-  return { { 1, 1, false, WalkPlan(6000, 6000, 1) }, { 1, 2, false, WalkPlan(6000, 6000, 16) },
-    { 1, 2, true, WalkPlan(700, 6000, 3, 500) }, // several rounds
-    { 3, 1, true, WalkPlan(6000, 6000, 16) }, { 3, 2, false, WalkPlan(1500, 6000, 2) } };
+  return { { 1, false, WalkPlan(6000, 6000, 1) }, { 1, false, WalkPlan(6000, 6000, 16) },
+    { 1, true, WalkPlan(700, 6000, 3, 500) }, // several rounds
+    { 3, true, WalkPlan(6000, 6000, 16) }, { 3, false, WalkPlan(1500, 6000, 2) } };
 }
 
 /// As a history would store them: all segments of all walks, and from where on each walk is to be
@@ -28,9 +28,9 @@ std::vector<TallyKind> someTallies()
 class Shot
 {
 public:
-  Shot(const FrontWorld& world, int sides)
+  explicit Shot(const FrontWorld& world)
     : world_(world)
-    , sums_(world.objects(), sides, world.plan(), world.plan().rounds().size())
+    , sums_(world.objects(), world.plan(), world.plan().rounds().size())
   {
     FrontTally tally = tallyFor(sums_, balance_, 100000);
     world.shoot(firstWalk(), world.plan().endWalk(), 1000, tally, {},
@@ -120,7 +120,7 @@ void onAllFronts(const Test& test)
   {
     const MovingScene scene(kind.bands, false, 2, kind.isGlossy);
     const FrontWorld world(scene.objects(), kind.plan, 1);
-    const Shot shot(world, kind.sides);
+    const Shot shot(world);
     for (const std::size_t expected : { std::size_t{ 1 }, std::size_t{ 1000000 } })
     {
       test(world, shot, expected);
@@ -131,8 +131,8 @@ void onAllFronts(const Test& test)
 TEST(FrontTally, WalksThatAreRemovedLeaveNoTrace)
 {
   onAllFronts([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
-    CellSums sums(world.objects(), shot.sums().sides(), world.plan(), world.plan().rounds().size());
-    const CellSums none(world.objects(), sums.sides(), world.plan(), world.plan().rounds().size());
+    CellSums sums(world.objects(), world.plan(), world.plan().rounds().size());
+    const CellSums none(world.objects(), world.plan(), world.plan().rounds().size());
     sums.add(shot.sums(), {});
     PowerBalance balance = shot.balance();
     const Tails all(shot, true, 1);
@@ -154,8 +154,8 @@ TEST(FrontTally, WhatStaysIsWhatTheOtherSegmentsBrought)
 {
   onAllFronts([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
     const std::size_t rounds = world.plan().rounds().size();
-    CellSums sums(world.objects(), shot.sums().sides(), world.plan(), rounds),
-      others(world.objects(), shot.sums().sides(), world.plan(), rounds);
+    CellSums sums(world.objects(), world.plan(), rounds),
+      others(world.objects(), world.plan(), rounds);
     sums.add(shot.sums(), {});
     PowerBalance balance = shot.balance();
     const WalkFront& all = shot.all();
@@ -177,7 +177,7 @@ TEST(FrontTally, WhatStaysIsWhatTheOtherSegmentsBrought)
       else if (!tails.isTaken[row])
       {
         const SceneCell cell = others.cellOf(world.triangles().idOf(all.hit[row]));
-        const bool isFront = others.sides() == 1 || all.hitSide[row] != 0;
+        const bool isFront = all.hitSide[row] != 0;
         others.collect(others.slotOf(all.walk[row], cell), isFront, carried, 1, deposits);
         received += carried.total();
       }
@@ -198,7 +198,7 @@ TEST(FrontTally, WhatStaysIsWhatTheOtherSegmentsBrought)
 TEST(FrontTally, TailsThatComeBackRestoreAll)
 {
   onAllFronts([](const FrontWorld& world, const Shot& shot, std::size_t expected) {
-    CellSums sums(world.objects(), shot.sums().sides(), world.plan(), world.plan().rounds().size());
+    CellSums sums(world.objects(), world.plan(), world.plan().rounds().size());
     sums.add(shot.sums(), {});
     PowerBalance balance = shot.balance();
     for (unsigned seed = 3; seed < 6; ++seed)

@@ -8,11 +8,12 @@ namespace irradiance::test
 namespace
 {
 
-SceneObjects quad(int cells)
+/// Of a quad, with a slot for each cell.
+CellSums sumsOf(int cells)
 {
   ObjectBuilder builder;
   builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, cells, 1, grey(0.5));
-  return { builder.build(), {} };
+  return CellSums({ builder.build(), {} }, {}, 1, {}, 1);
 }
 
 /// What each way of counting expects: of 64 cells, a table for many photons and a list for few.
@@ -22,7 +23,7 @@ TEST(PhotonCounts, CountsGoToTheirSums)
 {
   for (const std::size_t expected : kExpected)
   {
-    CellSums sums(quad(64), 1);
+    CellSums sums = sumsOf(64);
     for (int pass = 0; pass < 2; ++pass)
     {
       PhotonCounts counts(sums, std::int64_t{ 1 } << 40, expected);
@@ -44,7 +45,7 @@ TEST(PhotonCounts, TablesServeSumsOfEverySize)
 {
   for (const int cells : { 100, 10, 1000, 10 })
   {
-    CellSums sums(quad(cells), 1);
+    CellSums sums = sumsOf(cells);
     {
       PhotonCounts counts(sums, 1, 10000);
       const std::uint32_t slots[] = { counts.escaped(), counts.escaped(), 1 };
@@ -60,7 +61,7 @@ TEST(PhotonCounts, TablesServeSumsOfEverySize)
 // A thread has one table: who comes second keeps a list.
 TEST(PhotonCounts, SeveralOfAThreadStandApart)
 {
-  CellSums sums(quad(64), 1), others(quad(64), 1);
+  CellSums sums = sumsOf(64), others = sumsOf(64);
   {
     PhotonCounts counts(sums, 2, 1000), otherCounts(others, 3, 1000);
     const std::uint32_t slot = 7;
@@ -77,7 +78,7 @@ TEST(PhotonCounts, ManyThreadsLoseNothing)
   constexpr std::uint32_t kCells = 100;
   for (const std::size_t expected : kExpected)
   {
-    CellSums sums(quad(kCells), 1);
+    CellSums sums = sumsOf(kCells);
     ThreadExecution execution(4);
     execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)

@@ -15,41 +15,9 @@ namespace
 
 const Vector3 kNone = Vector3::Zero(); ///< the normal of a sensor that receives from all directions
 
-/// An engine whose sides can be told: from photons, or from sums.
 EngineSettings settingsOf(std::uint32_t walks, bool gathersDirectLight, std::uint64_t seed = 1)
 {
-  return Shoot(walks).seeded(seed).gathered(gathersDirectLight).kept();
-}
-
-// Both estimates have the sides of the same walks: the sums counted from what is stored are those
-// that are kept by side.
-TEST(SideSums, AreThoseOfWalksThatTellSidesApart)
-{
-  for (const auto& [bands, gathers, replicates] :
-    { std::tuple(1, false, 1u), std::tuple(3, true, 4u), std::tuple(1, true, 5u) })
-  {
-    MovingScene scene(bands, false, 91);
-    EngineSettings plain = settingsOf(scaled(10000), gathers);
-    plain.replicates = replicates;
-    EngineSettings separate = plain;
-    separate.separateSides = true;
-    IrradianceEngine engine, expected;
-    ThreadExecution two(2);
-    for (int frame = 0; frame < 3; ++frame, scene.nextFrame())
-    {
-      engine.update(scene.objects(), plain, two);
-      expected.update(scene.objects(), separate, two);
-      const SideSums counted(engine.walks(), scene.objects(), two);
-      const SideSums kept(expected.walks(), scene.objects(), two);
-      EXPECT_EQ(&kept.sums(), &expected.sums()) << "nothing is to be counted";
-      expectEqual(counted.sums(), kept.sums());
-      double back = 0;
-      forEachSum(kept.sums(), [&](const CellSide& side, int band, std::uint32_t k, std::size_t) {
-        back += side.side == 1 ? kept.sums().sum(side, band, k, 1) : 0;
-      });
-      EXPECT_GT(back, 0) << "some light is on backs";
-    }
-  }
+  return Shoot(walks).seeded(seed).gathered(gathersDirectLight);
 }
 
 /// Every cell emits what it does not reflect, so E = 1 everywhere, and 4 from all directions. A
@@ -97,7 +65,6 @@ TEST(SensorFinalGather, InAFurnaceAllSensorsFindOneOrFour)
     {
       EngineSettings settings = settingsOf(4000, gathers, seed);
       settings.separateSides = separates;
-      settings.keepPhotons = !separates;
       const std::vector<SensorFinalGather::Light> lights = gathered(objects, settings, sensors);
       double mean = 0;
       for (std::size_t i = 0; i < sensors.size(); ++i)

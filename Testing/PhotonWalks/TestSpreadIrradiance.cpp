@@ -22,11 +22,10 @@ std::vector<double> allValues(const IrradianceEngine& engine)
   std::vector<double> all;
   const ErrorEstimate errors = engine.errorEstimate();
   engine.cells().numbers().forEach([&](const SceneCell& cell) {
-    for (int side = 0; side < engine.sums().sides(); ++side)
-    {
-      all.push_back(engine.irradiance({ cell, side }, 0));
-      all.push_back(errors.standardError({ cell, side }, 0));
-    }
+    forEachSide(cell, engine.settings().separateSides, [&](const CellSide& side) {
+      all.push_back(engine.irradiance(side, 0));
+      all.push_back(errors.standardError(side, 0));
+    });
   });
   return all;
 }

@@ -63,7 +63,6 @@ TEST(StoredSensors, EqualNewOnesAfterRandomPrograms)
     RandomSensors sensors(program);
     Shoot settings(2000);
     settings.gathersDirectLight = program != 1;
-    settings.keepPhotons = program != 3;
     settings.separateSides = program == 3;
     settings.replicates = program == 1 ? 1 : 4;
     std::uint32_t rays = 16;

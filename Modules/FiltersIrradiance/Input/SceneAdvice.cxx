@@ -170,9 +170,9 @@ bool SceneAdvice::isUnlit() const
         continue;
       }
       hasOthers = true;
-      for (int i = 0; i < sums.sides() * scene_.bands(); ++i)
+      for (int band = 0; band < scene_.bands(); ++band)
       {
-        if (sums.sum({ cell, i / scene_.bands() }, i % scene_.bands()) != 0)
+        if (sums.sum({ cell }, band) != 0)
         {
           return false;
         }

@@ -218,7 +218,7 @@ void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
 
 void OutputWriter::addIrradiance(vtkPolyData* polyData, const PartCells& cells) const
 {
-  int side = 0;
+  int side = settings_.separateSides ? 0 : CellSide::kBoth;
   for (const char* suffix : suffixesOf(settings_))
   {
     addSide(polyData, suffix, cells, side++);

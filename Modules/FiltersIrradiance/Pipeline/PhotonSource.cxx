@@ -111,8 +111,7 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)
     throw InputError(std::string(what) +
       " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
   }
-  const bool hasSides = engine_->settings().keepsSides();
-  if (!engine_->storesWalks() && !(need == Need::Sides && hasSides))
+  if (need == Need::Photons && !engine_->storesWalks())
   {
     throw InputError(std::string(what) +
       " was computed without keeping the photons, as nothing can move: connect the "

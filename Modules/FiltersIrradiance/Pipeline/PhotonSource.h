@@ -37,11 +37,11 @@ public:
   /// in words that help.
   static void fillInputPort(vtkInformation* info);
 
-  /// What the filter that reads it needs, see UpstreamRequest.h.
+  /// What the filter reads: stored photons, or no more than sums.
   enum class Need
   {
     Photons,
-    Sides
+    Sums
   };
   /// `what`: the input, as errors name it. Throws InputError if the data refers to no engine, if
   /// the engine has gone on since, or if it did not keep what is needed.

@@ -30,9 +30,9 @@ private:
 
 Key* keyOf(UpstreamRequest what)
 {
-  static const std::array<Key*, 5> keys{ new Key("PHOTONS_NEEDED", "PHOTONS_KEPT"),
-    new Key("WALKS_NEEDED", "WALKS_KEPT"), new Key("SIDES_NEEDED", "SIDES_KEPT"),
-    new Key("REPLICATES_NEEDED", "REPLICATES_WRITTEN"), new Key("ALONE_NEEDED", "ALONE_COMPUTED") };
+  static const std::array<Key*, 4> keys{ new Key("PHOTONS_NEEDED", "PHOTONS_KEPT"),
+    new Key("WALKS_NEEDED", "WALKS_KEPT"), new Key("REPLICATES_NEEDED", "REPLICATES_WRITTEN"),
+    new Key("ALONE_NEEDED", "ALONE_COMPUTED") };
   return keys[static_cast<std::size_t>(what)];
 }
 

@@ -13,7 +13,6 @@ enum class UpstreamRequest
 {
   Photons,    ///< stored walks, from which photons are read
   Walks,      ///< likewise, and which of them a repair shot again
-  Sides,      ///< likewise, if sums do not tell sides apart: what these received is then counted
   Replicates, ///< the arrays replicatesName() and photonName()
   Alone       ///< this process computes alone: other work is shared over processes
 };

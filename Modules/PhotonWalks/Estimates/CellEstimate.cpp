@@ -16,21 +16,16 @@ std::unique_ptr<CellEstimator> makeCellEstimator(
   switch (settings.cellEstimate)
   {
     case CellEstimate::Spread:
-      return std::make_unique<SpreadEstimator>(source, settings.spreadPhotons);
+      return std::make_unique<SpreadEstimator>(
+        source, settings.spreadPhotons, settings.separateSides);
     case CellEstimate::Gathered:
       return std::make_unique<FinalGatherEstimator>(source,
         FinalGatherEstimator::Settings{ settings.gatherRays,
           walks.targetRelativeError > 0 ? settings.maximumGatherRays : 0,
-          settings.gathersEverywhere, settings.unbiasedGather, walks.separateSides, walks.seed,
-          walks.verify });
+          settings.gathersEverywhere, settings.unbiasedGather, walks.seed, walks.verify });
     default:
       return std::make_unique<SumEstimator>(source);
   }
-}
-
-bool needsSides(CellEstimate estimate)
-{
-  return estimate == CellEstimate::Gathered;
 }
 
 FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamples& asked)

@@ -36,6 +36,8 @@ struct EstimateSettings
   bool gathersEverywhere = false;         ///< with Gathered: all cells, not only small ones
   /// With Gathered: no sums are read; paths ask the lights wherever they hit.
   bool unbiasedGather = false;
+  /// Whether results tell the sides of cells apart.
+  bool separateSides = false;
 };
 
 /// Whether both are met by the same estimator.
@@ -43,14 +45,12 @@ inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
 {
   return a.cellEstimate == b.cellEstimate && a.spreadPhotons == b.spreadPhotons &&
     a.gatherRays == b.gatherRays && a.maximumGatherRays == b.maximumGatherRays &&
-    a.gathersEverywhere == b.gathersEverywhere && a.unbiasedGather == b.unbiasedGather;
+    a.gathersEverywhere == b.gathersEverywhere && a.unbiasedGather == b.unbiasedGather &&
+    a.separateSides == b.separateSides;
 }
 
 std::unique_ptr<CellEstimator> makeCellEstimator(
   const EstimateSettings& settings, const WalkSettings& walks, const EstimateSource& source);
-
-/// Whether it needs the sums of both sides of cells, even if these are not told apart.
-bool needsSides(CellEstimate estimate);
 
 /// With how many samples cells gather direct light at least, if `asked` for so many: where they
 /// gather indirect light as well, the one is not to be noisier than the other.

@@ -70,30 +70,26 @@ std::int64_t CellSpread::quantaOn(std::uint32_t object, const CellSums& sums, st
   std::int64_t quanta = 0;
   for (std::size_t cell = 0; cell < material.numberOfCells; ++cell)
   {
-    for (int side = 0; side < sums.sides(); ++side)
+    for (int band = 0; band < material.bands; ++band)
     {
-      for (int band = 0; band < material.bands; ++band)
+      for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
       {
-        for (std::uint32_t i = 0; i < sums.plan().replicates().count(); ++i)
-        {
-          quanta += sums.shot({ object, cell, side }, band, i, rounds);
-          pace.step(rounds);
-        }
+        quanta += sums.shot({ { object, cell } }, band, i, rounds);
+        pace.step(2 * rounds);
       }
     }
   }
   return quanta;
 }
 
-void CellSpread::connect(
-  ObjectCells& cells, double width, int sides, const CancelPoint& cancelPoint)
+void CellSpread::connect(ObjectCells& cells, double width, const CancelPoint& cancelPoint) const
 {
-  if (cells.width == width && cells.sides == sides)
+  if (cells.width == width)
   {
     return;
   }
   cells.photonShares.clear();
-  cells.sides = 0; // until all is known
+  cells.width = -1; // until all is known
   std::vector<Triangle> triangles;
   triangles.reserve(cells.body->mesh().triangles().size());
   ThrottledCancelPoint pace(cancelPoint);
@@ -103,9 +99,8 @@ void CellSpread::connect(
     pace.step();
   }
   cells.diffusion = surfaceDiffusion(
-    cells.areas, triangles, cells.material->cellOfTriangle, sides, width, cancelPoint);
+    cells.areas, triangles, cells.material->cellOfTriangle, sides_, width, cancelPoint);
   cells.width = width;
-  cells.sides = sides;
 }
 
 void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::size_t rounds,
@@ -123,7 +118,7 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
       ++cells.shift;
     }
     const double received = static_cast<double>(quanta) / quantaPerWalk;
-    connect(cells, spreadWidth(photons, cells.area, received), sums.sides(), cancelPoint);
+    connect(cells, spreadWidth(photons, cells.area, received), cancelPoint);
   }
   if (sums.plan().replicates().count() > 1)
   {
@@ -133,22 +128,21 @@ void CellSpread::update(const SceneObjects& objects, const CellSums& sums, std::
 
 template <class Visit>
 void CellSpread::forEachSum(
-  const DiffusingFields& fields, std::uint32_t bands, int sides, const Visit& visit) const
+  const DiffusingFields& fields, std::uint32_t bands, const Visit& visit) const
 {
   const ObjectCells& cells = objects_[fields.object];
   const auto object = static_cast<std::uint32_t>(fields.object);
   std::size_t node = 0;
-  for (CellSide cell{ { object, 0 }, 0 }; cell.cell < cells.areas.size(); ++cell.cell)
+  for (SceneCell cell{ object, 0 }; cell.cell < cells.areas.size(); ++cell.cell)
   {
-    for (cell.side = 0; cell.side < sides; ++cell.side)
-    {
+    forEachSide(cell, sides_ == 2, [&](const CellSide& side) {
       const std::size_t place = cells.diffusion.placeOf(node++) * fields.width();
       for (std::uint32_t k = 0; k < fields.count; ++k)
       {
         const std::uint32_t field = fields.first + k;
-        visit(cell, static_cast<int>(field % bands), field / bands, place + k);
+        visit(side, static_cast<int>(field % bands), field / bands, place + k);
       }
-    }
+    });
   }
 }
 
@@ -160,7 +154,7 @@ CellSums CellSpread::spread(
   const std::uint32_t walks = sums.plan().walksAfter(rounds);
   const std::uint32_t replicates = sums.plan().replicates().count();
   const auto bands = static_cast<std::uint32_t>(objects.staticObject.material->bands);
-  CellSums result(objects, sums.sides(), WalkPlan(walks, walks, replicates), 0, sums.gatherers());
+  CellSums result(objects, WalkPlan(walks, walks, replicates), 0, sums.gatherers(), sides_);
   result.setRounds(1, cancelPointOf(execution, 0));
   std::vector<DiffusingFields> all;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -170,14 +164,14 @@ CellSums CellSpread::spread(
   const auto begin = [&](DiffusingFields& fields) {
     const unsigned shift = objects_[fields.object].shift;
     fields.quanta.resize(objects[fields.object].material->numberOfCells *
-      static_cast<std::size_t>(sums.sides()) * fields.width());
+      static_cast<std::size_t>(sides_) * fields.width());
     bool isDark = true;
     const auto read = [&](const CellSide& cell, int band, auto replicate, std::size_t i) {
       const std::int64_t sum = sums.shot(cell, band, replicate, rounds);
       fields.quanta[i] = static_cast<double>(sum >> shift);
       isDark = isDark && sum == 0;
     };
-    forEachSum(fields, bands, sums.sides(), read);
+    forEachSum(fields, bands, read);
     fields.stepsDone = isDark ? objects_[fields.object].diffusion.steps() : 0;
   };
   const auto end = [&](const DiffusingFields& fields) {
@@ -192,7 +186,7 @@ CellSums CellSpread::spread(
         result.setGathered(cell, band, replicate, sums.gathered(cell, band, replicate, rounds));
       }
     };
-    forEachSum(fields, bands, sums.sides(), write);
+    forEachSum(fields, bands, write);
   };
   diffuse(all, diffusionOf(), begin, end, execution);
   return result;
@@ -207,7 +201,7 @@ void CellSpread::findPhotonShares(Execution& execution)
     const ObjectCells& cells = objects_[object];
     if (cells.diffusion.steps() > 0 && cells.photonShares.empty())
     {
-      measured[object] = DiffusionShares(cells.areas, cells.sides);
+      measured[object] = DiffusionShares(cells.areas, sides_);
       addFields(object, DiffusionShares::kFields, all);
     }
   }
@@ -234,8 +228,8 @@ double CellSpread::photonShare(const CellSide& cell) const
   const ObjectCells& cells = objects_[cell.object];
   return cells.photonShares.empty()
     ? 1.0
-    : cells.photonShares[cell.cell * static_cast<std::size_t>(cells.sides) +
-        static_cast<std::size_t>(cell.side)];
+    : cells.photonShares[cell.cell * static_cast<std::size_t>(sides_) +
+        (sides_ == 2 ? static_cast<std::size_t>(cell.side) : 0)];
 }
 
 }

@@ -18,11 +18,17 @@ namespace irradiance
  * and nothing is stored for a photon. Power is conserved to the quantum.
  *
  * Light does not flow across creases, to other objects, or from one side of a cell to the other if
- * sides are kept apart. See CellNeighbours, CellDiffusion and Documentation/Theory.md, 5.3.
+ * sides are told apart. See CellNeighbours, CellDiffusion and Documentation/Theory.md, 5.3.
  */
 class CellSpread : public PhotonShares
 {
 public:
+  /// `sides`: 2, or 1 where light spreads over both sides together.
+  explicit CellSpread(int sides)
+    : sides_(sides)
+  {
+  }
+
   /// Finds the weights for a scene and its sums. They are a function of these alone; where nothing
   /// but rigid motion has happened since the last call, most are kept.
   ///
@@ -50,8 +56,7 @@ private:
     std::vector<double> areas; ///< m2
     double area = 0;           ///< of all cells
     unsigned shift = 0;        ///< halvings that take what it received below 2^53 quanta
-    int sides = 0;             ///< 0: not connected yet
-    double width = 0;          ///< m2
+    double width = -1;         ///< m2; < 0: not connected yet
     CellDiffusion diffusion;
     std::vector<float> photonShares; ///< of the nodes; empty: not known, or all are 1
   };
@@ -61,19 +66,19 @@ private:
   /// What an object received.
   std::int64_t quantaOn(std::uint32_t object, const CellSums& sums, std::size_t rounds,
     const CancelPoint& cancelPoint) const;
-  static void connect(ObjectCells& cells, double width, int sides, const CancelPoint& cancelPoint);
+  void connect(ObjectCells& cells, double width, const CancelPoint& cancelPoint) const;
   void findPhotonShares(Execution& execution);
   /// Calls visit(cell side, band, replicate, index into the quanta) for all sums in the fields.
   /// Each replicate of an object has a field for each band.
   template <class Visit>
-  void forEachSum(
-    const DiffusingFields& fields, std::uint32_t bands, int sides, const Visit& visit) const;
+  void forEachSum(const DiffusingFields& fields, std::uint32_t bands, const Visit& visit) const;
   auto diffusionOf() const
   {
     return
       [this](std::size_t object) -> const CellDiffusion& { return objects_[object].diffusion; };
   }
 
+  int sides_;
   std::vector<ObjectCells> objects_;
 };
 

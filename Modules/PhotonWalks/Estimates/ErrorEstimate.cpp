@@ -101,14 +101,15 @@ double ErrorEstimate::relativeError(const Received& received, double average, do
 }
 
 std::vector<ErrorEstimate::Part> ErrorEstimate::partsOf(
-  const SceneCells& cells, Execution& execution) const
+  const SceneCells& cells, bool areSidesApart, Execution& execution) const
 {
   std::vector<Part> parts;
   cells.numbers().forEach([&](const SceneCell& cell) {
-    const double area = cells.area(cell);
-    for (int side = 0; side < sums_.sides() && area > 0; ++side)
+    if (const double area = cells.area(cell); area > 0)
     {
-      parts.push_back({ { cell, side }, area });
+      forEachSide(cell, areSidesApart, [&](const CellSide& side) {
+        parts.push_back({ side, area });
+      });
     }
   });
   constexpr std::size_t kPartsPerUnit = 4096;
@@ -172,9 +173,10 @@ std::vector<ErrorEstimate::Judged> ErrorEstimate::judged(const std::vector<Part>
   return all;
 }
 
-TargetMiss ErrorEstimate::missOf(double target, const SceneCells& cells, Execution& execution) const
+TargetMiss ErrorEstimate::missOf(
+  double target, const SceneCells& cells, bool areSidesApart, Execution& execution) const
 {
-  const std::vector<Judged> parts = judged(partsOf(cells, execution));
+  const std::vector<Judged> parts = judged(partsOf(cells, areSidesApart, execution));
   double area = 0;
   for (const Judged& part : parts)
   {

@@ -77,7 +77,9 @@ public:
       (shares_ ? shares_->photonShare(cell) : 1.0);
   }
 
-  TargetMiss missOf(double target, const SceneCells& cells, Execution& execution) const;
+  /// `areSidesApart`: the sides of cells count each alone.
+  TargetMiss missOf(
+    double target, const SceneCells& cells, bool areSidesApart, Execution& execution) const;
 
 private:
   /// What a cell, or one of its sides, has received in a band, its standard error, and what one
@@ -95,7 +97,8 @@ private:
   };
   Received received(const CellSide& cell, int band) const;
   /// All cells, or sides of cells, that have an area.
-  std::vector<Part> partsOf(const SceneCells& cells, Execution& execution) const;
+  std::vector<Part> partsOf(
+    const SceneCells& cells, bool areSidesApart, Execution& execution) const;
   /// How well a part is known in its worst band.
   struct Judged
   {

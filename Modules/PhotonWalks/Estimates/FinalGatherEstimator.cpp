@@ -18,7 +18,7 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
   const SceneObjects& objects = from.space.objects;
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   const CellSums& all = from.walks.sums();
-  CellSums direct = CellSums::ofGathered(objects, all.sides(), all.plan(), all.rounds());
+  CellSums direct = CellSums::ofGathered(objects, all.plan(), all.rounds());
   direct.addGathered(all, cancelPoint);
   // The walks of the first round decide which cells cast rays: all rounds have the same paths, and
   // a cell does not stop casting rays because more walks are shot.
@@ -52,41 +52,30 @@ void FinalGatherEstimator::putTogether(
   const KnownLight& known = scene.known;
   const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
   const std::uint32_t replicates = known.all.plan().replicates().count();
-  sums_ = CellSums::ofGathered(scene.objects, sides(), WalkPlan(count, count, replicates));
-  staleSums_ = CellSums::ofGathered(scene.objects, sides(), {}, known.stale ? 1 : 0);
+  sums_ = CellSums::ofGathered(scene.objects, WalkPlan(count, count, replicates));
+  staleSums_ = CellSums::ofGathered(scene.objects, {}, known.stale ? 1 : 0);
   ThrottledCancelPoint pace(cancelPoint);
   known.all.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
     const CellSums& own = gathers ? direct : known.all;
-    for (int side = 0; side < sides(); ++side)
-    {
+    forEachSide(cell, true, [&](const CellSide& side) {
       for (int band = 0; band < known.all.bands(); ++band)
       {
         for (std::uint32_t i = 0; i < replicates; ++i)
         {
-          sums_.setGathered(
-            { cell, side }, band, i, sumOf({ cell, side }, [&](const CellSide& part) {
-              return own.sum(part, band, i, known.rounds) +
-                (gathers ? gather_.indirect().sum(part, band, i, 1) : 0);
-            }));
+          sums_.setGathered(side, band, i,
+            own.sum(side, band, i, known.rounds) +
+              (gathers ? gather_.indirect().sum(side, band, i, 1) : 0));
         }
         if (known.stale)
         {
           const CellSums& stale = gathers ? gather_.stale() : *known.stale;
-          staleSums_.setGathered({ cell, side }, band, 0,
-            sumOf({ cell, side }, [&](const CellSide& part) { return stale.sum(part, band); }));
+          staleSums_.setGathered(side, band, 0, stale.sum(side, band));
         }
       }
-    }
+    });
     pace.step();
   });
-}
-
-/// Of one side, or of both if they are not told apart.
-template <class Quanta>
-double FinalGatherEstimator::sumOf(const CellSide& cell, const Quanta& quanta) const
-{
-  return settings_.separatesSides ? quanta(cell) : quanta({ cell, 0 }) + quanta({ cell, 1 });
 }
 
 RayRounds FinalGatherEstimator::rays() const
@@ -106,11 +95,12 @@ std::optional<double> FinalGatherEstimator::rayVariance(const CellSide& cell, in
   {
     return kInfinity;
   }
-  const auto varianceOf = [&](const CellSide& part) {
-    return std::pow(gather_.noise().sum(part, band), 2);
-  };
-  return settings_.separatesSides ? varianceOf(cell)
-                                  : varianceOf({ cell, 0 }) + varianceOf({ cell, 1 });
+  double variance = 0;
+  forEachSide(cell, true, [&](const CellSide& side) {
+    const bool counts = cell.side == CellSide::kBoth || cell.side == side.side;
+    variance += counts ? std::pow(gather_.noise().sum(side, band), 2) : 0;
+  });
+  return variance;
 }
 
 double FinalGatherEstimator::staleIrradiance(const CellSide& cell, int band) const

@@ -14,8 +14,8 @@ namespace irradiance
 
 /**
  * Small cells: from their direct light, which they gathered, and a final gather of the indirect
- * light, see FinalGatherPaths. All others: from their own sums. Needs gathered direct light, and
- * sums by side. Paths are kept from update to update, see FinalGather; all else is made anew.
+ * light, see FinalGatherPaths. All others: from their own sums. Needs gathered direct
+ * light. Paths are kept from update to update, see FinalGather; all else is made anew.
  *
  * The sums that rays read are means over the cells that they hit: this is a bias, which shrinks
  * with the size of these. Unbiased estimates read none. See Documentation/Theory.md, 5.7.
@@ -31,7 +31,6 @@ public:
     std::uint32_t mostRays; ///< likewise, if a target takes more; 0: no target
     bool isEverywhere;      ///< all cells gather, not only small ones
     bool isUnbiased;        ///< no sums are read
-    bool separatesSides;    ///< else irradiance() is that of both
     std::uint64_t seed;
     bool keepsPaths; ///< for frames in which things have moved
   };
@@ -74,18 +73,15 @@ private:
   {
     return settings_.keepsPaths && !source().space.objects.dynamicObjects.empty();
   }
-  int sides() const { return settings_.separatesSides ? 2 : 1; }
   /// From what cells have themselves, and what was gathered for them.
   void putTogether(
     const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint);
-  template <class Quanta>
-  double sumOf(const CellSide& cell, const Quanta& quanta) const;
 
   Settings settings_;
   FinalGather gather_;
   EstimateRounds rounds_;          ///< of the last update
   std::optional<CellRoles> roles_; ///< of the last update
-  CellSums sums_, staleSums_;      ///< with the sides of the settings
+  CellSums sums_, staleSums_;
 };
 
 }

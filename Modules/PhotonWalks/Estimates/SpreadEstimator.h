@@ -14,9 +14,10 @@ class SpreadEstimator : public CellEstimator
 {
 public:
   /// `photons`: on how many a small cell is to draw, on average.
-  SpreadEstimator(const EstimateSource& source, double photons)
+  SpreadEstimator(const EstimateSource& source, double photons, bool areSidesApart)
     : CellEstimator(source)
     , photons_(photons)
+    , spread_(areSidesApart ? 2 : 1)
   {
   }
 

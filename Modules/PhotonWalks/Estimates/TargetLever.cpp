@@ -13,15 +13,9 @@ double segmentsOf(const WalkSets& walks, std::size_t rounds)
   const CellSums& sums = walks.sums();
   double quanta = 0;
   sums.numbers().forEach([&](const SceneCell& cell) {
-    for (int side = 0; side < sums.sides(); ++side)
+    for (int band = 0; band < sums.bands(); ++band)
     {
-      for (int band = 0; band < sums.bands(); ++band)
-      {
-        for (std::uint32_t k = 0; k < sums.plan().replicates().count(); ++k)
-        {
-          quanta += sums.sum({ cell, side }, band, k, rounds);
-        }
-      }
+      quanta += sums.sum({ cell }, band, rounds);
     }
   });
   return quanta / static_cast<double>(walks.quantaPerWalk());

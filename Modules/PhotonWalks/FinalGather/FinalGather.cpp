@@ -15,9 +15,9 @@ namespace irradiance
 
 void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution)
 {
-  indirect_ = CellSums::ofGathered(scene.objects, 2, scene.known.all.plan(), 1);
-  stale_ = CellSums::ofGathered(scene.objects, 2, {}, scene.known.stale ? 1 : 0);
-  noise_ = CellSums::ofGathered(scene.objects, 2, {}, scene.tellsNoise ? 1 : 0);
+  indirect_ = CellSums::ofGathered(scene.objects, scene.known.all.plan(), 1);
+  stale_ = CellSums::ofGathered(scene.objects, {}, scene.known.stale ? 1 : 0);
+  noise_ = CellSums::ofGathered(scene.objects, {}, scene.tellsNoise ? 1 : 0);
   followed_ = read_ = 0;
   findGatherers(scene);
   Ranks& ranks = execution.ranks();

@@ -28,9 +28,9 @@ std::uint32_t powerClassOf(const Power& power)
 }
 
 StaleWalks::StaleWalks(
-  const SceneObjects& objects, int sides, std::size_t blocks, const SobolSequence& samples)
+  const SceneObjects& objects, std::size_t blocks, const SobolSequence& samples)
   : blocks_(blocks)
-  , sums_(objects, sides)
+  , sums_(objects)
   , bound_(objects, samples)
 {
 }

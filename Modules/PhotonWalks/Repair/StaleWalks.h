@@ -27,9 +27,8 @@ struct PowerClass
 class StaleWalks
 {
 public:
-  /// For the stored walks of so many blocks. `sides` as in CellSums.
-  StaleWalks(
-    const SceneObjects& objects, int sides, std::size_t blocks, const SobolSequence& samples);
+  /// For the stored walks of so many blocks.
+  StaleWalks(const SceneObjects& objects, std::size_t blocks, const SobolSequence& samples);
 
   bool isEmpty() const;
   std::size_t numberOfBlocks() const { return blocks_.size(); }

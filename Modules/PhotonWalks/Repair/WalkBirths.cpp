@@ -89,7 +89,7 @@ bool WalkBirths::begin(Unit& unit, const std::vector<std::uint32_t>& walks, Time
   }
   hasBegun_ = true;
   unit.open = state_.pool.take();
-  unit.open->begin(state_.tracer, &state_.history, state_.sums.sides() == 2);
+  unit.open->begin(state_.tracer, &state_.history);
   WalkFront& front = unit.open->front();
   front.reserve(unit.begun, state_.tracer.sampler().bands());
   front.size = unit.begun;

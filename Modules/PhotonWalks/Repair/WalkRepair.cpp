@@ -52,7 +52,7 @@ struct WalkRepair::Unit
 std::unique_ptr<RepairWork> WalkRepair::take()
 {
   std::unique_ptr<RepairWork> work = state_.pool.take();
-  work->batch.begin(state_.tracer, &state_.history, state_.sums.sides() == 2);
+  work->batch.begin(state_.tracer, &state_.history);
   work->stale.hidden.clear();
   work->firsts.clear();
   work->changes.gone.clear();

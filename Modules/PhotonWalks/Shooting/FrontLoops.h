@@ -65,20 +65,17 @@ struct DrawLoop
 struct PackLoop
 {
   const WalkFront& from;
-  WalkFront& to;      ///< start, weights, incoming directions, walk, bounce, block, parent
-  bool areSidesKnown; ///< also hitSide, as side
-  bool hasGlossy;     ///< also isSpecular and the origins
-  int bands;          ///< if several: also the powers
+  WalkFront& to;  ///< start, weights, side, walk, bounce, block, parent
+  bool hasGlossy; ///< also isSpecular, the incoming directions and the origins
+  int bands;      ///< if several: also the powers
 };
 
 /// Where the rays of walks begin, and their directions.
 struct LeaveLoop
 {
   SceneRows rows;
-  WalkFront&
-    front; ///< in: walk, bounce, start, weights, direction of arrival or side; out: the ray
+  WalkFront& front; ///< in: walk, bounce, start, weights, side; out: the ray
   const BounceKeys& keys;
-  bool areSidesKnown; ///< else the side from which the direction in the front came is left, and set
 };
 
 /// Which sides the rays hit.
@@ -92,7 +89,7 @@ struct SidesLoop
 struct SlotsLoop
 {
   SceneRows rows;
-  const WalkFront& front; ///< walk, hit; hitSide if perSide > 0
+  const WalkFront& front; ///< walk, hit, hitSide
   std::size_t first, end; ///< walks; `first` begins a group
   std::uint32_t perCell, perSide, perReplicate;
   std::uint32_t replicates, firstWalk;

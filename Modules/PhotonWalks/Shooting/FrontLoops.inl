@@ -149,18 +149,12 @@ void runPackLoop(const PackLoop& loop)
     pack(next, &to.bounce[kept]);
     pack(&from.block[i], &to.block[kept]);
     pack(&from.slot[i], &to.parent[kept]);
-    if (!loop.areSidesKnown || loop.hasGlossy)
+    pack(&from.hitSide[i], &to.side[kept]);
+    if (loop.hasGlossy)
     {
       pack(&from.directionX[i], &to.directionX[kept]);
       pack(&from.directionY[i], &to.directionY[kept]);
       pack(&from.directionZ[i], &to.directionZ[kept]);
-    }
-    if (loop.areSidesKnown)
-    {
-      pack(&from.hitSide[i], &to.side[kept]);
-    }
-    if (loop.hasGlossy)
-    {
       pack(&from.isSpecular[i], &to.isSpecular[kept]);
       pack(&from.originX[i], &to.originX[kept]);
       pack(&from.originY[i], &to.originY[kept]);
@@ -210,19 +204,6 @@ struct RecordLanes
 static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::Normal * sizeof(double));
 static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::Inset * sizeof(double));
 
-/// The sides from which directions come, beside these normals: 1 front, -1 back.
-__attribute__((always_inline)) inline void findSidesOf(const double* normalX, const double* normalY,
-  const double* normalZ, const float* directionX, const float* directionY, const float* directionZ,
-  double* side)
-{
-  for (unsigned lane = 0; lane < kGroup; ++lane)
-  {
-    const double with = double{ directionX[lane] } * normalX[lane] +
-      double{ directionY[lane] } * normalY[lane] + double{ directionZ[lane] } * normalZ[lane];
-    side[lane] = with <= 0 ? 1.0 : -1.0;
-  }
-}
-
 __attribute__((always_inline)) inline double mostOf(double a, double b)
 {
   return a > b ? a : b;
@@ -260,25 +241,6 @@ struct PointLanes
   }
 };
 
-/// Either way between the sides of a front and those of lanes.
-__attribute__((always_inline)) inline void loadSides(const std::uint8_t* isFront, double* side)
-{
-  for (unsigned lane = 0; lane < kGroup; ++lane)
-  {
-    side[lane] = isFront[lane] != 0 ? 1.0 : -1.0;
-  }
-}
-
-__attribute__((always_inline)) inline void storeSides(const double* side, std::uint8_t* isFront)
-{
-  std::uint8_t is[kGroup];
-  for (unsigned lane = 0; lane < kGroup; ++lane)
-  {
-    is[lane] = side[lane] > 0 ? 1 : 0;
-  }
-  std::memcpy(isFront, is, sizeof(is));
-}
-
 template <class Lanes>
 __attribute__((always_inline)) inline void leavePoints(
   const LeaveLoop& loop, std::size_t i, PointLanes& points)
@@ -286,16 +248,9 @@ __attribute__((always_inline)) inline void leavePoints(
   WalkFront& front = loop.front;
   RecordLanes record;
   record.load<Lanes>(loop.rows, &front.start[i]);
-  if (loop.areSidesKnown)
+  for (unsigned lane = 0; lane < kGroup; ++lane)
   {
-    loadSides(&front.side[i], points.side);
-  }
-  else
-  {
-    const auto* const normal = record.column + RecordLanes::Normal;
-    findSidesOf(normal[0], normal[1], normal[2], &front.directionX[i], &front.directionY[i],
-      &front.directionZ[i], points.side);
-    storeSides(points.side, &front.side[i]);
+    points.side[lane] = front.side[i + lane] != 0 ? 1.0 : -1.0;
   }
   points.place(record, &front.weightB[i], &front.weightC[i]);
   std::memcpy(&front.originX[i], points.origin[0], sizeof(points.origin[0]));
@@ -348,7 +303,7 @@ template <class Lanes>
 void runSidesLoop(const SidesLoop& loop)
 {
   WalkFront& front = loop.front;
-  alignas(64) double x[kGroup], y[kGroup], z[kGroup], side[kGroup];
+  alignas(64) double x[kGroup], y[kGroup], z[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
     const std::uint32_t* const hits = &front.hit[i];
@@ -364,12 +319,15 @@ void runSidesLoop(const SidesLoop& loop)
       y[lane] = normal[1];
       z[lane] = normal[2];
     }
-    findSidesOf(x, y, z, &front.directionX[i], &front.directionY[i], &front.directionZ[i], side);
+    std::uint8_t isFront[kGroup];
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      side[lane] = hits[lane] == WalkFront::kNone ? 1.0 : side[lane];
+      const double with = double{ front.directionX[i + lane] } * x[lane] +
+        double{ front.directionY[i + lane] } * y[lane] +
+        double{ front.directionZ[i + lane] } * z[lane];
+      isFront[lane] = with <= 0 || hits[lane] == WalkFront::kNone ? 1 : 0;
     }
-    storeSides(side, &front.hitSide[i]);
+    std::memcpy(&front.hitSide[i], isFront, sizeof(isFront));
   }
 }
 
@@ -395,7 +353,7 @@ void runSlotsLoop(const SlotsLoop& loop)
       replicates.set(&front.walk[i], loop.firstWalk, loop.replicates);
     }
     const std::uint8_t* const hitSides = &front.hitSide[i];
-    for (unsigned lane = 0; lane < kGroup && perSide > 0; ++lane)
+    for (unsigned lane = 0; lane < kGroup; ++lane)
     {
       back[lane] = hitSides[lane] != 0 ? 0 : perSide;
     }

@@ -24,13 +24,12 @@ public:
   FrontTally(const FrontTally&) = delete;
   FrontTally& operator=(const FrontTally&) = delete;
 
-  bool keepsSides() const { return sums_.sides() == 2; }
   /// Walks start.
   void emit(const WalkFront& front) { balance_.emitted += powerOf(front); }
   /// Walks that had started are no more. What they brought is for remove().
   void unemit(const Power& started) { balance_.emitted -= started; }
   /// The cells that are hit receive what the walks carry; what hits nothing escapes. Reads walk,
-  /// hit and, if sides are kept apart, hitSide.
+  /// hit and hitSide.
   void receive(const WalkFront& front) { change(front, 1); }
   /// Of what arrived, this front leaves again.
   void release(const WalkFront& front) { balance_.absorbed -= powerOf(front); }

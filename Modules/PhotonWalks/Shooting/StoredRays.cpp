@@ -79,7 +79,7 @@ void StoredRays::find(
       findSpecular(tracer, history, front);
     }
   }
-  tracer.stages().leave(front, true);
+  tracer.stages().leave(front);
   findFirst(tracer, front);
 }
 

@@ -10,11 +10,10 @@
 namespace irradiance
 {
 
-void WalkBatch::begin(const WalkTracer& tracer, WalkHistory* history, bool keepsSides)
+void WalkBatch::begin(const WalkTracer& tracer, WalkHistory* history)
 {
   tracer_ = &tracer;
   history_ = history;
-  areSidesKnown_ = history || keepsSides;
   areHitsKnown_ = false;
   notesPlaces_ = false;
   now_.size = next_.size = waiting_.size = 0;
@@ -99,11 +98,8 @@ bool WalkBatch::run(FrontTally& tally, const std::function<bool()>& hasToStop)
     areHitsKnown_ = false;
     segments_ += static_cast<std::int64_t>(now_.size);
     clock.restarts(); // the cast has a clock of its own
-    if (areSidesKnown_)
-    {
-      stages.findSides(now_);
-      clock.ends(Stage::Sides);
-    }
+    stages.findSides(now_);
+    clock.ends(Stage::Sides);
     tally.receive(now_);
     tally.check();
     clock.ends(Stage::Receive);
@@ -112,10 +108,10 @@ bool WalkBatch::run(FrontTally& tally, const std::function<bool()>& hasToStop)
       store();
       clock.ends(Stage::Store);
     }
-    stages.absorb(now_, next_, areSidesKnown_);
+    stages.absorb(now_, next_);
     tally.release(next_);
     clock.ends(Stage::Absorb);
-    stages.leave(next_, areSidesKnown_);
+    stages.leave(next_);
     clock.ends(Stage::Leave);
     std::swap(now_, next_);
   }

@@ -19,8 +19,8 @@ class WalkBatch
 {
 public:
   /// Begins anew. The arguments must outlive the run. `history`: where segments are stored, or
-  /// null. `keepsSides`: the tally keeps sides apart. What is stored has sides anyway.
-  void begin(const WalkTracer& tracer, WalkHistory* history, bool keepsSides);
+  /// null.
+  void begin(const WalkTracer& tracer, WalkHistory* history);
 
   /// To be filled: with walks and their blocks, to be started; or with walks whose rays and hits
   /// are known, to go on.
@@ -52,7 +52,6 @@ private:
 
   const WalkTracer* tracer_ = nullptr;
   WalkHistory* history_ = nullptr;
-  bool areSidesKnown_ = false;
   bool areHitsKnown_ = false;
   bool notesPlaces_ = false;
   WalkFront now_, next_;

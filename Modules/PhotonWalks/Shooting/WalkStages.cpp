@@ -91,7 +91,7 @@ void WalkStages::startAtLights(WalkFront& front) const
     std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
   }
   setPowers(front);
-  leave(front, true);
+  leave(front);
   if (hasLightsInAir_)
   {
     startInAir(front);
@@ -119,7 +119,7 @@ void WalkStages::startAtCells(WalkFront& front) const
       front.setPower(i, sampler_.bands(), start.power);
     }
   }
-  leave(front, true);
+  leave(front);
 }
 
 /// Such lights are few, and each has walls of its own.
@@ -151,7 +151,7 @@ void WalkStages::findSides(WalkFront& front) const
   runSides({ SceneRows(triangles_), front });
 }
 
-void WalkStages::absorb(WalkFront& from, WalkFront& to, bool areSidesKnown) const
+void WalkStages::absorb(WalkFront& from, WalkFront& to) const
 {
   to.reserve(from.size, sampler_.bands());
   to.size = 0;
@@ -170,7 +170,7 @@ void WalkStages::absorb(WalkFront& from, WalkFront& to, bool areSidesKnown) cons
     runDraw({ from, survivalKeys_, from.candidate.data() });
     decideByPowers(from);
   }
-  runPack({ from, to, areSidesKnown, triangles_.hasGlossy(), sampler_.bands() });
+  runPack({ from, to, triangles_.hasGlossy(), sampler_.bands() });
   checkEnds(to);
 }
 
@@ -231,7 +231,7 @@ void WalkStages::checkEnds(const WalkFront& front) const
   }
 }
 
-void WalkStages::leave(WalkFront& front, bool areSidesKnown) const
+void WalkStages::leave(WalkFront& front) const
 {
   if (front.size == 0)
   {
@@ -239,7 +239,7 @@ void WalkStages::leave(WalkFront& front, bool areSidesKnown) const
   }
   front.pad();
   const std::vector<Specular> specular = specularOf(front);
-  runLeave({ SceneRows(triangles_), front, directionKeys_, areSidesKnown });
+  runLeave({ SceneRows(triangles_), front, directionKeys_ });
   leaveSpecularly(front, specular);
 }
 

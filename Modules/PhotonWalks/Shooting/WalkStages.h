@@ -18,8 +18,8 @@ namespace irradiance
 /**
  * The stages of a bounce, each for a whole front:
  *
- *   start -> (cast) -> findSides, only if sides are kept apart -> FrontTally::receive -> absorb -> leave
- *               ^------------------------------------------------------------------------------'
+ *   start -> (cast) -> findSides -> FrontTally::receive -> absorb -> leave
+ *               ^-------------------------------------------------------'
  *
  * Walks that a history knows enter at leave(), or, with a known hit, after the cast. What a walk
  * does is a function of the scene, the samples and its number, whatever else is in its front. So
@@ -46,19 +46,19 @@ public:
    * Walks end at their hits, or survive with probability = reflectance. Those that do go to the
    * other front, in order, where they stand at the next bounce on the triangle `start`, which they
    * are to leave: leave() makes their rays. Their slot becomes `parent`. Reads walk, bounce, block,
-   * slot, the ray, hit, weights and, if `areSidesKnown`, hitSide; with several bands uses up the
-   * powers of `from`. Throws std::runtime_error for a walk that does not end.
+   * slot, the ray, hit, weights and hitSide; with several bands uses up the powers of `from`.
+   * Throws std::runtime_error for a walk that does not end.
    */
-  void absorb(WalkFront& from, WalkFront& to, bool areSidesKnown) const;
+  void absorb(WalkFront& from, WalkFront& to) const;
 
   /**
    * Walks leave the points of `start` that the weights name. Reads walk, bounce, start, weights and
-   * either side, if known, or the direction of arrival. Writes the ray and side. Of a stored
-   * segment the hit and the side that was hit are `start`, weights and side of the segment after
-   * it, which has one bounce more. Where cells are glossy it also reads isSpecular, and for walks
-   * for which it is set the origin of the ray that came and its direction.
+   * side. Writes the ray. Of a stored segment the hit and the side that was hit are `start`,
+   * weights and side of the segment after it, which has one bounce more. Where cells are glossy it
+   * also reads isSpecular, and for walks for which it is set the origin of the ray that came and
+   * its direction.
    */
-  void leave(WalkFront& front, bool areSidesKnown) const;
+  void leave(WalkFront& front) const;
 
 private:
   /// Several bands: whether a walk survives depends on its powers, which change.

@@ -20,11 +20,25 @@ struct SceneCell
   }
 };
 
-/// A side of a cell.
+/// A side of a cell, or both together.
 struct CellSide : SceneCell
 {
-  int side = 0; ///< 0 the front, or both if sides are not kept apart; 1 the back
+  static constexpr int kBoth = 2;
+  int side = kBoth; ///< 0 the front, 1 the back, or kBoth
 };
+
+/// Calls visit(CellSide) for what is told of a cell: each of its sides, or both together.
+template <class Visit>
+void forEachSide(const SceneCell& cell, bool areApart, const Visit& visit)
+{
+  if (!areApart)
+  {
+    visit(CellSide{ cell });
+    return;
+  }
+  visit(CellSide{ cell, 0 });
+  visit(CellSide{ cell, 1 });
+}
 
 }
 

@@ -43,8 +43,8 @@ void resize(std::vector<Number>& sums, std::size_t size, const CancelPoint& canc
 
 }
 
-CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds,
-  const FinalGatherers& gatherers)
+CellSums::CellSums(const SceneObjects& objects, const WalkPlan& plan, std::size_t rounds,
+  const FinalGatherers& gatherers, int sides)
   : plan_(plan)
   , sides_(sides)
   , bands_(objects.staticObject.material->bands)
@@ -61,10 +61,9 @@ CellSums::CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan,
   setRounds(rounds);
 }
 
-CellSums CellSums::ofGathered(
-  const SceneObjects& objects, int sides, const WalkPlan& plan, std::size_t rounds)
+CellSums CellSums::ofGathered(const SceneObjects& objects, const WalkPlan& plan, std::size_t rounds)
 {
-  CellSums sums(objects, sides, plan, 0, { 0, objects.size() });
+  CellSums sums(objects, plan, 0, { 0, objects.size() });
   sums.areShot_ = false;
   sums.setRounds(rounds);
   return sums;
@@ -72,7 +71,7 @@ CellSums CellSums::ofGathered(
 
 void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  CellSums now(objects, sides_, plan_, 0, gatherers_);
+  CellSums now(objects, plan_, 0, gatherers_, sides_);
   now.areShot_ = areShot_;
   now.setRounds(rounds_, cancelPoint);
   for (std::size_t round = 0; round < rounds_; ++round)
@@ -81,8 +80,8 @@ void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoi
     {
       if (now.materials_[object] == materials_[object])
       {
-        const std::size_t first = slot({ round, 0 }, { { object, 0 } });
-        const std::size_t firstNow = now.slot({ round, 0 }, { { object, 0 } });
+        const std::size_t first = slot({ round, 0 }, { object, 0, 0 });
+        const std::size_t firstNow = now.slot({ round, 0 }, { object, 0, 0 });
         const std::size_t size = materials_[object]->numberOfCells * slotsPerCell();
         areShot_ ? copy(sums_, first, size, now.sums_, firstNow) : void();
         if (gathers({ object, 0 }))

@@ -9,8 +9,10 @@
 #include "Surfaces/SceneCells.h"
 
 #include <array>
+#include <cassert>
 #include <memory>
 #include <mutex>
+#include <type_traits>
 #include <vector>
 
 namespace irradiance
@@ -29,8 +31,8 @@ struct FinalGatherers
   std::uint32_t first = 0, end = 0;
 };
 
-/// The power that each cell receives, in quanta. Adding a photon adds its power, removing it
-/// subtracts it. Threads collect deposits and add many at a time; the result does not depend on
+/// The power that each side of a cell receives, in quanta. Adding a photon adds its power, removing
+/// it subtracts it. Threads collect deposits and add many at a time; the result does not depend on
 /// their order.
 ///
 /// What walks bring is whole quanta. What cells gather themselves is kept apart, in floating point:
@@ -44,13 +46,13 @@ public:
   using Quanta = std::array<double, Power::kMaxBands>;
 
   CellSums() = default;
-  /// `sides`: 1 for the sum over both sides of a cell, 2 to keep front and back apart. There is
-  /// room for `rounds` rounds of the plan.
-  CellSums(const SceneObjects& objects, int sides, const WalkPlan& plan = {},
-    std::size_t rounds = 1, const FinalGatherers& gatherers = {});
+  /// There is room for `rounds` rounds of the plan. `sides`: 1 where both sides of a cell share one
+  /// sum.
+  explicit CellSums(const SceneObjects& objects, const WalkPlan& plan = {}, std::size_t rounds = 1,
+    const FinalGatherers& gatherers = {}, int sides = 2);
   /// With room for what all cells gather alone, and none for walks.
   static CellSums ofGathered(
-    const SceneObjects& objects, int sides, const WalkPlan& plan = {}, std::size_t rounds = 1);
+    const SceneObjects& objects, const WalkPlan& plan = {}, std::size_t rounds = 1);
 
   /// Changes to objects of which some have other cells than before. These start with nothing; all
   /// others keep their sums.
@@ -77,7 +79,7 @@ public:
   /// Where the photons of a walk on the front of a cell are added.
   std::size_t slotOf(std::uint32_t walk, const SceneCell& cell) const
   {
-    return slot(groupOf(walk), { cell });
+    return slot(groupOf(walk), { cell, 0 });
   }
   /// Where what a replicate brings to a side of a cell in a round is added.
   std::size_t slotOf(const CellSide& cell, std::uint32_t replicate, std::size_t round) const
@@ -144,7 +146,7 @@ public:
   /// alone.
   void sumOver(Ranks& ranks, const CancelPoint& cancelPoint);
 
-  /// What a side of a cell received in all.
+  /// What a side of a cell received in all; or both.
   double sum(const CellSide& cell, int band) const { return sum(cell, band, rounds_); }
   /// Likewise, in the first `rounds` rounds.
   double sum(const CellSide& cell, int band, std::size_t rounds) const
@@ -162,15 +164,18 @@ public:
   std::int64_t shot(
     const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
   {
-    return sumOf(sums_, slot({ 0, replicate }, cell), roundSize_, band, rounds);
+    return overSides(cell, [&](const CellSide& side) {
+      return sumOf(sums_, slot({ 0, replicate }, side), roundSize_, band, rounds);
+    });
   }
   /// What the cell gathered.
   double gathered(const CellSide& cell, int band, std::size_t rounds) const;
   double gathered(const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
   {
-    return gathers(cell)
-      ? sumOf(gathered_, gatheredPlace(slot({ 0, replicate }, cell)), gatheredSize_, band, rounds)
-      : 0.0;
+    return !gathers(cell) ? 0.0 : overSides(cell, [&](const CellSide& side) {
+      return sumOf(
+        gathered_, gatheredPlace(slot({ 0, replicate }, side)), gatheredSize_, band, rounds);
+    });
   }
 
   /// Replaces what the walks of a replicate brought in the first round.
@@ -202,8 +207,9 @@ private:
   }
   std::size_t slot(const Group& group, const CellSide& cell) const
   {
-    const std::size_t part =
-      numbers_[cell] * static_cast<std::size_t>(sides_) + static_cast<std::size_t>(cell.side);
+    assert(sides_ == 1 || cell.side != CellSide::kBoth);
+    const std::size_t part = numbers_[cell] * static_cast<std::size_t>(sides_) +
+      (sides_ == 2 ? static_cast<std::size_t>(cell.side) : 0);
     return group.round * roundSize_ + part * sideSize() +
       group.replicate * static_cast<std::size_t>(bands_);
   }
@@ -218,6 +224,14 @@ private:
   {
     const std::size_t round = roundSize_ > 0 ? slot / roundSize_ : 0;
     return round * gatheredSize_ + slot - round * roundSize_ - gatheredFirst_;
+  }
+  /// Of a side, or of both.
+  template <class Sum>
+  std::invoke_result_t<Sum, CellSide> overSides(const CellSide& cell, const Sum& sum) const
+  {
+    return cell.side == CellSide::kBoth && sides_ == 2
+      ? sum(CellSide{ cell, 0 }) + sum(CellSide{ cell, 1 })
+      : sum(cell);
   }
   template <class Number>
   static Number sumOf(const std::vector<Number>& sums, std::size_t first, std::size_t size,
@@ -237,7 +251,7 @@ private:
   }
 
   WalkPlan plan_;
-  int sides_ = 1;
+  int sides_ = 2;
   int bands_ = 1;
   CellNumbers numbers_;
   std::vector<std::shared_ptr<const Material>> materials_;

@@ -70,7 +70,7 @@ std::vector<OutgoingRadiance::SeenSide> OutgoingRadiance::sidesOf(
   {
     if ((isFront ? front : back) > 0)
     {
-      const int side = isFront || !engine_.settings().separateSides ? 0 : 1;
+      const int side = !engine_.settings().separateSides ? CellSide::kBoth : isFront ? 0 : 1;
       sides.push_back({ { cell, side }, isFront, (isFront ? front : back) / (front + back) });
     }
   }

@@ -30,8 +30,7 @@ public:
   using Bands = ViewFinalGather::Bands;
 
   /// Prepares what does not depend on the eye, in the present frame of an engine, which must not
-  /// change meanwhile. If there are specular cells, it stores all walks, or tells sides apart.
-  /// `samples`: of a specular cell; rounded up to a multiple of the replicates. Throws Interrupted.
+  /// change meanwhile. `samples`: of a specular cell; rounded up to a multiple of the replicates. Throws Interrupted.
   OutgoingRadiance(const IrradianceEngine& engine, std::uint32_t samples, Execution& execution);
 
   /// Of a cell; 0 if it has no area.

@@ -27,10 +27,10 @@ class SensorFinalGather
 public:
   using Bands = PointDirectLight::Bands;
 
-  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or
-  /// tells sides apart. `rays`: to lights and for indirect light each; rounded up to a multiple of
-  /// the replicates. `keepsRays`: for update() in frames in which things have moved. Throws
-  /// Interrupted, and InputError where a point light shines on specular cells.
+  /// Of the present frame of an engine, which must not change meanwhile.
+  /// `rays`: to lights and for indirect light each; rounded up to a multiple of the replicates.
+  /// `keepsRays`: for update() in frames in which things have moved. Throws Interrupted, and
+  /// InputError where a point light shines on specular cells.
   SensorFinalGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution,
     bool keepsRays = false);
 

@@ -17,7 +17,6 @@ constexpr std::uint32_t kSamplesOnLobe = 2;
 ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes,
   std::uint32_t rays, bool asksOnLobes, bool keepsPaths, Execution& execution)
   : engine_(engine)
-  , sums_(engine.walks(), engine.objects(), execution)
   , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
       asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
   , foundLamps_(engine.walks(), engine.cells().numbers())
@@ -26,7 +25,7 @@ ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShape
       CellShapes(engine.objects(), engine.space().triangles, 0, 1, cancelPointOf(execution, 0)),
       roles_, engine.walks(), cancelPointOf(execution, 0))
   , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes, roles_,
-    { sums_.sums(), nullptr, nullptr, sums_.sums().rounds() }, lights_, foundLamps_, unevenCells_,
+    { engine.sums(), nullptr, nullptr, engine.sums().rounds() }, lights_, foundLamps_, unevenCells_,
     dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
     engine.settings().seed, keepsPaths }

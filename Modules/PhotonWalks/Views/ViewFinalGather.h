@@ -2,7 +2,6 @@
 #ifndef irradiance_ViewFinalGather_h
 #define irradiance_ViewFinalGather_h
 
-#include "Estimates/SideSums.h"
 #include "Execution/Pool.h"
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathLights.h"
@@ -24,8 +23,8 @@ class ViewFinalGather
 {
 public:
   using Bands = PathSums::Bands;
-  /// Of the present frame of an engine, which must not change meanwhile. It stores all walks, or
-  /// tells sides apart. `shapes`: of cells that are starts; they must outlive it. `rays`: of a
+  /// Of the present frame of an engine, which must not change meanwhile.
+  /// `shapes`: of cells that are starts; they must outlive it. `rays`: of a
   /// start; rounded up to a multiple of the replicates. `asksOnLobes`, `keepsPaths`: see
   /// FinalGatherScene. Throws Interrupted.
   ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
@@ -57,7 +56,6 @@ public:
 
 private:
   const IrradianceEngine& engine_;
-  SideSums sums_;
   std::deque<PointDirectLight> lights_;
   FoundLamps foundLamps_;
   CellRoles roles_;

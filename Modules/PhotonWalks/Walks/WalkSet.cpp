@@ -53,7 +53,7 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
       source_.density, settings_.seed });
     gatherers = { source_.cells->first, source_.cells->end };
   }
-  sums_ = CellSums(space.objects, sides(), plan(), 0, gatherers);
+  sums_ = CellSums(space.objects, plan(), 0, gatherers);
   const int bands = space.objects.staticObject.material->bands;
   history_ = {};
   history_ = WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene), cancelPoint),
@@ -132,7 +132,7 @@ void WalkSet::shootBlocks(
       if (!open[unit])
       {
         open[unit] = batches_->take();
-        open[unit]->begin(tracer, isStored ? &history_ : nullptr, sides() == 2);
+        open[unit]->begin(tracer, isStored ? &history_ : nullptr);
         const std::size_t begin = first + unit * kBlocksTogether;
         fill(*open[unit], begin, std::min(begin + kBlocksTogether, end), tracer.sampler().bands());
         open[unit]->start(tally);
@@ -226,7 +226,7 @@ void WalkSet::followWalks(const std::vector<bool>& moved, const WalkSpace& space
     settings_.listRepaired ? &repaired_ : nullptr });
   if (hasBudget() && !stale_)
   {
-    stale_ = std::make_unique<StaleWalks>(space.objects, sides(), history_.size(), samples);
+    stale_ = std::make_unique<StaleWalks>(space.objects, history_.size(), samples);
     staleRounds_ = sums_.rounds();
   }
   const Stopwatch stopwatch;

@@ -136,7 +136,6 @@ private:
   Power powerPerWalk() const { return { { source_.quantaPerWalk() } }; }
   /// Whether it is a walk of this rank.
   bool isDealt(std::uint32_t walk) const { return blocks_.contains(plan().blockOf(walk)); }
-  int sides() const { return settings_.separateSides ? 2 : 1; }
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   /// What it takes before the walks of the next round are shot: gathered light, and room.
   void beginRound(bool isStored, const WalkSpace& space, Execution& execution);

@@ -16,7 +16,6 @@ struct WalkSettings
   std::uint64_t seed = 1;
   bool verify = true; ///< false: all walks of every frame are shot again
   bool cacheStaticHits = false;
-  bool separateSides = false;
   /// Whether cells gather the light that comes straight from the lights, and walks start where it
   /// arrived; else walks start at the lights.
   bool gathersDirectLight = false;
