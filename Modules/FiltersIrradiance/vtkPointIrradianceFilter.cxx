@@ -197,7 +197,7 @@ void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBloc
   const double rounding =
     irradiance::sensorClearance(irradiance::boundsBesideLamps(engine.objects()));
   const irradiance::CellShapes shapes =
-    irradiance::darkShapesOf(engine.walks(), engine.space(), reading);
+    irradiance::darkShapesOf(engine.walks(), engine.frame(), reading);
   std::vector<Surface> surfaces;
   source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
     surfaces.push_back({ polyData,

@@ -10,48 +10,49 @@ namespace
 {
 
 /// Of all settings that change results.
-std::uint64_t hashOf(const WalkSettings& walks, const EstimateSettings& estimate)
+std::uint64_t hashOf(const EngineSettings& settings)
 {
   Hash hash;
-  hash.add(walks.numberOfWalks);
-  hash.add(walks.seed);
-  hash.add(walks.verify);
-  hash.add(walks.gathersDirectLight);
-  hash.add(walks.fewestSamples.small);
-  hash.add(walks.fewestSamples.large);
-  hash.add(walks.fewestSamples.mostOfSmall);
-  hash.add(walks.keepPhotons);
-  hash.add(walks.allOnEachRank);
-  hash.add(walks.listRepaired);
-  hash.add(walks.replicates);
-  hash.add(walks.targetRelativeError);
-  hash.add(walks.maximumNumberOfWalks);
-  hash.add(walks.repairTimeBudget);
-  hash.add(static_cast<int>(estimate.cellEstimate));
-  hash.add(estimate.spreadPhotons);
-  hash.add(estimate.gatherRays);
-  hash.add(estimate.maximumGatherRays);
-  hash.add(estimate.gathersEverywhere);
-  hash.add(estimate.unbiasedGather);
-  hash.add(estimate.separateSides);
+  hash.add(settings.numberOfWalks);
+  hash.add(settings.seed);
+  hash.add(settings.verify);
+  hash.add(settings.gathersDirectLight);
+  hash.add(settings.fewestSamples.small);
+  hash.add(settings.fewestSamples.large);
+  hash.add(settings.fewestSamples.mostOfSmall);
+  hash.add(settings.keepPhotons);
+  hash.add(settings.allOnEachRank);
+  hash.add(settings.listRepaired);
+  hash.add(settings.replicates);
+  hash.add(settings.targetRelativeError);
+  hash.add(settings.maximumNumberOfWalks);
+  hash.add(settings.repairTimeBudget);
+  hash.add(static_cast<int>(settings.cellEstimate));
+  hash.add(settings.spreadPhotons);
+  hash.add(settings.gatherRays);
+  hash.add(settings.maximumGatherRays);
+  hash.add(settings.gathersEverywhere);
+  hash.add(settings.unbiasedGather);
+  hash.add(settings.separateSides);
   return hash.value();
 }
 
 }
 
-FrameChange agreedChange(const FrameChange& change, const FrameInput& input, Ranks& ranks)
+FrameChange agreedChange(const FrameChange& change, const SceneObjects& objects,
+  const SceneObjects& before, const EngineSettings& settings, Ranks& ranks)
 {
   if (!ranks.areSeveral())
   {
     return change;
   }
-  ranks.expectSame(hashOf(input.walks, input.estimate), "other settings than on the first process");
+  ranks.expectSame(hashOf(settings), "other settings than on the first process");
   std::int64_t fresh = change.kind == FrameChange::Fresh ? 1 : 0;
   ranks.sum(&fresh, 1);
   FrameChange agreed = fresh > 0 ? FrameChange{ FrameChange::Fresh, {} } : change;
   Hash hash;
   hash.add(static_cast<int>(agreed.kind));
-  addScene(input.objects, fresh > 0 ? nullptr : &input.before, hash);
+  addScene(objects, fresh > 0 ? nullptr : &before, hash);
   ranks.expectSame(hash.value(), "other inputs than on the first process");
   return agreed;
 }

@@ -47,7 +47,7 @@ EngineSettings IrradianceEngine::chosen(const LeftToScene& left, const SceneObje
     const CancelPoint cancelPoint = cancelPointOf(execution, 0);
     cellsToChoose_.update(objects, cancelPoint);
     const auto survey = [&]() -> const LightSurvey& {
-      return lights_.survey(objects, WalkSets::planOf(settings), solidSides_, cancelPoint);
+      return lights_.survey(objects, WalkSets::planOf(settings), frame_.sides, cancelPoint);
     };
     chooseByScene(left, objects, cellsToChoose_, survey, chosen, chosen);
   }
@@ -62,17 +62,17 @@ void IrradianceEngine::update(
   {
     checkLights(objects, "Method Gathered"); // before anything is shot
   }
-  const FrameChange change = agreedChange(changeTo(objects, settings, execution),
-    { objects, objects_, settings, settings }, execution.ranks());
+  const FrameChange change = agreedChange(
+    changeTo(objects, settings, execution), objects, frame_.objects, settings, execution.ranks());
   const bool isFresh = change.kind == FrameChange::Fresh;
   const std::size_t blocks = walks_.numberOfBlocks(), rays = rounds_.rays;
   isValid_ = false; // until the end is reached
   ++state_;
-  adopt(objects, settings, change.kind, execution);
+  adopt(objects, settings, change, execution);
   const bool hasTarget = settings_.targetRelativeError > 0;
   const double begun = isFresh ? 0 : hasTarget ? 0.5 : 1; // what comes after a repair is not known
   ProgressSpan following(execution, 0, begun), shooting(execution, begun, 1);
-  isFresh ? start(execution) : follow(change, following);
+  isFresh ? start(execution) : follow(following);
   hasTarget && !walks_.hasStale() ? reachTarget(shooting) : shootOnce(isFresh, shooting);
   walks_.forgetBudget();
   estimator_->dropRayRounds(rounds_.rays);
@@ -94,16 +94,16 @@ FrameChange IrradianceEngine::changeTo(
     settings.gathersDirectLight == settings_.gathersDirectLight &&
     settings.fewestOfCells() == settings_.fewestOfCells();
   // A wall that a point light touches may have moved.
-  bool sameLights =
-    isValid_ && samePlan && areLightsUnchanged(objects, objects_) && walks_.boundsInAir().isEmpty();
+  bool sameLights = isValid_ && samePlan && areLightsUnchanged(objects, frame_.objects) &&
+    walks_.boundsInAir().isEmpty();
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);
     const CancelPoint cancelPoint = cancelPointOf(execution, 0);
     std::vector<WalkSource> sources = settings.gathersDirectLight
-      ? directSourcesOf(objects, lights_.sources(objects, plan, solidSides_, cancelPoint),
-          lights_.survey(objects, plan, solidSides_, cancelPoint), settings.fewestOfCells())
-      : lights_.sources(objects, plan, solidSides_, cancelPoint);
+      ? directSourcesOf(objects, lights_.sources(objects, plan, frame_.sides, cancelPoint),
+          lights_.survey(objects, plan, frame_.sides, cancelPoint), settings.fewestOfCells())
+      : lights_.sources(objects, plan, frame_.sides, cancelPoint);
     isValid_ = wasValid;
     sameLights = isValid_ && walks_.hasSources(sources);
     if (!sameLights)
@@ -115,7 +115,7 @@ FrameChange IrradianceEngine::changeTo(
       walks_.setSources(std::move(sources));
     }
   }
-  const bool replaces = hasReplaced(objects, objects_);
+  const bool replaces = hasReplaced(objects, frame_.objects);
   // Within a time budget ranks that all keep all walks would not repair the same ones.
   const bool mayStay = settings.repairTimeBudget == 0;
   const bool all = settings.allOnEachRank || (settings_.allOnEachRank && mayStay);
@@ -124,7 +124,7 @@ FrameChange IrradianceEngine::changeTo(
   {
     return { FrameChange::Fresh, {} };
   }
-  FrameChange change{ FrameChange::Still, findMoved(objects, objects_) };
+  FrameChange change{ FrameChange::Still, findMoved(objects, frame_.objects) };
   const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
   if (replaces || change.hasMotion() || walks_.staleSums() || forgetsHits)
   {
@@ -139,69 +139,71 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || storesWalks()) && settings.seed == settings_.seed &&
-    differsOnlyByMotion(objects, objects_);
+    differsOnlyByMotion(objects, frame_.objects);
 }
 
 void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,
-  FrameChange::Kind change, Execution& execution)
+  const FrameChange& change, Execution& execution)
 {
-  objects_ = objects;
+  frame_.objects = objects;
+  frame_.moved = change.moved;
   // Walks that are kept for their photons stay: a filter may need them again.
-  const bool isFresh = change == FrameChange::Fresh;
+  const bool isFresh = change.kind == FrameChange::Fresh;
   const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
   const bool allOnEachRank = settings.allOnEachRank || (!isFresh && settings_.allOnEachRank);
   if (!estimator_ || !haveSameEstimator(settings, settings_))
   {
-    estimator_ = makeCellEstimator(settings, settings, { space(), cells_, walks_ });
+    estimator_ = makeCellEstimator(settings, settings, frame_, walks_);
   }
   settings_ = settings;
   settings_.keepPhotons = keepsPhotons;
   settings_.allOnEachRank = allOnEachRank;
   statistics_ = { {}, statistics_.historyBytes, 0 };
   ProgressSpan beginning(execution, 0, 0);
-  cells_.update(objects_, cancelPointOf(beginning, 0));
-  if (change != FrameChange::Still) // else they are those of before
+  frame_.cells.update(frame_.objects, cancelPointOf(beginning, 0));
+  if (change.kind != FrameChange::Still) // else they are those of before
   {
-    triangles_.update(objects_, cancelPointOf(beginning, 0));
+    frame_.triangles.update(frame_.objects, cancelPointOf(beginning, 0));
   }
-  surfaces_.forgetOthers(objects_);
+  surfaces_.forgetOthers(frame_.objects);
   walks_.setSettings(walkSettingsOf(settings_));
-  if (change == FrameChange::Replace)
+  if (change.kind == FrameChange::Replace)
   {
-    walks_.replaceCells(objects_, triangles_.numbers(), beginning);
+    walks_.replaceCells(frame_.objects, frame_.triangles.numbers(), beginning);
     photons_.forget();
   }
 }
 
-void IrradianceEngine::commitScene(const std::vector<bool>& moved, Execution& execution)
+void IrradianceEngine::commitScene(Execution& execution)
 {
-  scene_.setTraversalMode(settings_.traversalMode);
-  scene_.setStatic(objects_.staticObject.body);
-  scene_.setDynamic(objects_.dynamicBodies());
-  scene_.setPointSources(walks_.boundsInAir());
+  Scene& scene = frame_.scene;
+  scene.setTraversalMode(settings_.traversalMode);
+  scene.setStatic(objects().staticObject.body);
+  scene.setDynamic(objects().dynamicBodies());
+  scene.setPointSources(walks_.boundsInAir());
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
-  scene_.commit(moved, cancelPoint);
-  contacts_.update(objects_, moved, solidSides_, execution);
+  scene.commit(frame_.moved, cancelPoint);
+  frame_.contacts.update(objects(), frame_.moved, frame_.sides, execution);
   if (settings_.gathersDirectLight)
   {
-    solidSides_.find(objects_, cancelPoint);
+    frame_.sides.find(objects(), cancelPoint);
   }
 }
 
 void IrradianceEngine::start(Execution& execution)
 {
-  commitScene({}, execution);
-  walks_.start(space(), execution);
+  commitScene(execution);
+  walks_.start(frame_, execution);
   photons_.forget();
 }
 
-void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
+void IrradianceEngine::follow(Execution& execution)
 {
-  const bool hasMotion = change.hasMotion();
+  const bool hasMotion = frame_.hasMotion();
   if (hasMotion)
   {
     const Stopwatch stopwatch;
-    commitScene(change.moved, execution);
+    commitScene(execution);
     statistics_.verifySeconds = stopwatch.seconds();
   }
   if (walks_.isEmpty() || !(hasMotion || walks_.hasStale()))
@@ -213,16 +215,16 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
     photons_.forget(); // walks that are born are not among the changes
   }
   PhotonChanges changes;
-  walks_.follow(change.moved, space(), photons_.areCollected() ? &changes : nullptr, execution);
+  walks_.follow(frame_, photons_.areCollected() ? &changes : nullptr, execution);
   const Stopwatch stopwatch;
-  photons_.apply(objects_, walks_.histories(), changes, execution);
+  photons_.apply(objects(), walks_.histories(), changes, execution);
   statistics_.repairSeconds = stopwatch.seconds();
 }
 
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
   photons_.forget(); // they are collected again, with this round
-  walks_.shootRound(round, storesWalks(), space(), execution);
+  walks_.shootRound(round, storesWalks(), frame_, execution);
 }
 
 void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
@@ -258,8 +260,8 @@ void IrradianceEngine::reachTarget(Execution& execution)
     }
     checkReceived(balance());
     estimate(rounds, lever == TargetLever::Walks ? still : span);
-    miss_ =
-      errorEstimate().missOf(settings_.targetRelativeError, cells_, settings_.separateSides, still);
+    miss_ = errorEstimate().missOf(
+      settings_.targetRelativeError, frame_.cells, settings_.separateSides, still);
     lever = miss_.reached > settings_.targetRelativeError
       ? chooseLever(miss_, rounds, walks_, *estimator_)
       : std::nullopt;
@@ -270,7 +272,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
     photons_.forget();
   }
   ProgressSpan dropping(execution, progress, progress);
-  walks_.dropRounds(rounds.walks, space(), dropping);
+  walks_.dropRounds(rounds.walks, frame_, dropping);
   if (!execution.reportProgress(1))
   {
     throw Interrupted();

@@ -8,8 +8,7 @@
 #include "Photons/KeptPhotons.h"
 #include "Photons/NearestPhotons.h"
 #include "Repair/SceneChange.h"
-#include "Surfaces/Contacts.h"
-#include "Surfaces/SceneCells.h"
+#include "Surfaces/Frame.h"
 #include "Walks/FrameLights.h"
 #include "Walks/WalkSets.h"
 
@@ -110,23 +109,21 @@ public:
   std::uint64_t state() const { return state_; }
   /// Whether the last update was completed.
   bool isValid() const { return isValid_; }
-  const SceneObjects& objects() const { return objects_; }
-  const SceneCells& cells() const { return cells_; }
-  const Scene& scene() const { return scene_; }
+  const Frame& frame() const { return frame_; }
+  const SceneObjects& objects() const { return frame_.objects; }
+  const SceneCells& cells() const { return frame_.cells; }
+  const Scene& scene() const { return frame_.scene; }
   /// Walks stay inside, except where they escape.
-  Box walkBounds() const { return walks_.bounds(scene_); }
+  Box walkBounds() const { return walks_.bounds(scene()); }
   const EngineSettings& settings() const { return settings_; }
-  bool storesWalks() const { return irradiance::storesWalks(objects_, settings_); }
-  WalkSpace space() const { return { scene_, objects_, triangles_, contacts_, solidSides_ }; }
-  /// What cells of this frame gather light in.
-  GatherSpace gatherSpace() const { return space().gatherSpace(); }
+  bool storesWalks() const { return irradiance::storesWalks(objects(), settings_); }
   /// Collects the photons of the history, unless that was done before; then updates keep them up to
   /// date, or forget them where direct light is gathered. Those are then photons of indirect light
   /// alone. Needs stored walks. Throws Interrupted.
   void collectPhotons(Execution& execution)
   {
     assert(storesWalks());
-    photons_.collect(objects_, walks_.histories(), execution);
+    photons_.collect(objects(), walks_.histories(), execution);
   }
   /// What was collected.
   const LeafPhotons& photons() const { return photons_.get(); }
@@ -134,12 +131,12 @@ public:
   /// Throws Interrupted.
   void prepareSurfaces(Execution& execution)
   {
-    surfaces_.update(objects_, cancelPointOf(execution, 0));
+    surfaces_.update(objects(), cancelPointOf(execution, 0));
   }
   /// Until the next update. Needs leaf photons and surfaces.
   NearestPhotons nearestPhotons() const
   {
-    return { photons(), surfaces_, objects_, walks_.histories() };
+    return { photons(), surfaces_, objects(), walks_.histories() };
   }
 
 private:
@@ -149,12 +146,12 @@ private:
   /// Whether the stored walks can be repaired, given that the lights are the same.
   bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
   /// Takes over a frame and its settings, and forgets what it makes out of date.
-  void adopt(const SceneObjects& objects, const EngineSettings& settings, FrameChange::Kind change,
+  void adopt(const SceneObjects& objects, const EngineSettings& settings, const FrameChange& change,
     Execution& execution);
-  void commitScene(const std::vector<bool>& moved, Execution& execution);
+  void commitScene(Execution& execution);
   /// Forgets all walks and commits the scene.
   void start(Execution& execution);
-  void follow(const FrameChange& change, Execution& execution);
+  void follow(Execution& execution);
   void shootRound(std::size_t round, Execution& execution);
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
   void shootOnce(bool isFresh, Execution& execution);
@@ -166,17 +163,12 @@ private:
   /// Estimates the cells from the first rounds.
   void estimate(const EstimateRounds& rounds, Execution& execution);
 
-  bool isValid_ = false; ///< the state below belongs to objects_ and settings_
+  bool isValid_ = false; ///< the state below belongs to frame_ and settings_
   std::uint64_t state_ = 0;
-  SceneObjects objects_;
-  SceneCells cells_;
+  Frame frame_;
   SceneCells cellsToChoose_; ///< of the frame that chosen() saw
   FrameLights lights_;       ///< of that or the last frame
   EngineSettings settings_;
-  Scene scene_;
-  SceneTriangles triangles_; ///< of objects_
-  ObjectSides solidSides_;
-  Contacts contacts_; ///< of this frame
   WalkSets walks_;
   KeptPhotons photons_;
   Surfaces surfaces_;                        ///< empty until they are prepared

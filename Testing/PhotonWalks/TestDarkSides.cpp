@@ -41,8 +41,8 @@ CellShapes shapesOf(const SceneObjects& objects)
   EngineSettings settings = Shoot(100).gathered();
   Execution serial;
   engine.update(objects, settings, serial);
-  CellShapes shapes(objects, engine.gatherSpace().triangles, 0, objects.size());
-  markDarkSides(shapes, engine.gatherSpace(), objects, LightTable(objects, 100));
+  CellShapes shapes(engine.frame(), 0, objects.size());
+  markDarkSides(shapes, engine.frame(), LightTable(objects, 100));
   return shapes;
 }
 

@@ -32,7 +32,7 @@ public:
     Execution serial;
     engine_.update({ builder.build(), {} }, settings, serial);
     light_ = std::make_unique<PointDirectLight>(
-      engine_.gatherSpace(), engine_.walks().sets().front().source().knownLamps(), seed);
+      engine_.frame(), engine_.walks().sets().front().source().knownLamps(), seed);
   }
 
   double at(const LitPoint& point, std::uint64_t number) const

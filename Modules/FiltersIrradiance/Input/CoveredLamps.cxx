@@ -115,7 +115,7 @@ CoveredLamps measured(const IrradianceEngine& engine, const LampPart& part, cons
       continue;
     }
     const Hit hit =
-      engine.space().contacts.resolveContact(engine.scene(), ray, engine.scene().cast(ray));
+      engine.frame().contacts.resolveContact(engine.scene(), ray, engine.scene().cast(ray));
     const auto lamp = lamps.find({ hit.id.object, hit.id.triangle });
     all += brought;
     if (lamp != lamps.end() && lamp->second->surface()->areaVector().dot(ray.direction) > 0)

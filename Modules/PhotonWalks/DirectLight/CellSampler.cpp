@@ -34,10 +34,10 @@ std::optional<Vector3> weightsAt(const Triangle& triangle, const Vector3& place)
 
 }
 
-CellSampler::CellSampler(const CellShapes& cells, const GatherSpace& space, const LampPieces& lamps,
+CellSampler::CellSampler(const CellShapes& cells, const Frame& frame, const LampPieces& lamps,
   const DirectPlan& plan, std::uint64_t seed)
   : cells_(cells)
-  , space_(space)
+  , frame_(frame)
   , lamps_(lamps)
   , plan_(plan)
   , seed_(seed)
@@ -53,9 +53,9 @@ void CellSampler::setCell(std::size_t cell)
   areas_.clear();
   double area = 0;
   std::for_each(cells_.begin(cell), cells_.end(cell), [&](std::uint32_t number) {
-    const Triangle triangle = triangleOf(space_.triangles, number);
+    const Triangle triangle = triangleOf(frame_.triangles, number);
     parts_.push_back({ number, triangle, triangle.area(),
-      lamps_.lightsAt(space_.contacts, space_.triangles.idOf(number)) });
+      lamps_.lightsAt(frame_.contacts, frame_.triangles.idOf(number)) });
     areas_.push_back(area += parts_.back().area);
   });
   // By its first sample: objects that are away have cells in a frame that follows others, but never

@@ -3,7 +3,6 @@
 #define irradiance_CellSampler_h
 
 #include "DirectLight/DirectPlan.h"
-#include "DirectLight/GatherSpace.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/SobolNet.h"
 
@@ -42,7 +41,7 @@ class CellSampler
 {
 public:
   /// The arguments must outlive it.
-  CellSampler(const CellShapes& cells, const GatherSpace& space, const LampPieces& lamps,
+  CellSampler(const CellShapes& cells, const Frame& frame, const LampPieces& lamps,
     const DirectPlan& plan, std::uint64_t seed);
 
   /// For the samples that are made next.
@@ -91,7 +90,7 @@ private:
     DirectSample& sample) const;
 
   const CellShapes& cells_;
-  const GatherSpace& space_;
+  const Frame& frame_;
   const LampPieces& lamps_;
   const DirectPlan& plan_;
   std::uint64_t seed_;

@@ -50,17 +50,16 @@ std::vector<Box> boundsOf(const LightTable& lights)
 
 }
 
-void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
-  const std::vector<Box>& lights)
+void markInnerSides(CellShapes& cells, const Frame& frame, const std::vector<Box>& lights)
 {
-  const std::vector<bool> haveLight = haveLights(objects, lights);
+  const std::vector<bool> haveLight = haveLights(frame.objects, lights);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     const auto isSolid = [&](SolidSide side) {
       return std::all_of(cells.begin(cell), cells.end(cell), [&](std::uint32_t number) {
-        const TriangleId id = space.triangles.idOf(number);
-        return !haveLight[id.object] && space.sides[id.object].of[id.triangle] == side &&
-          space.sides[id.object].shell(id.triangle).isSimple;
+        const TriangleId id = frame.triangles.idOf(number);
+        return !haveLight[id.object] && frame.sides[id.object].of[id.triangle] == side &&
+          frame.sides[id.object].shell(id.triangle).isSimple;
       });
     };
     if (cells.begin(cell) != cells.end(cell))
@@ -85,11 +84,10 @@ void markOuterSides(CellShapes& cells, const Box& bounds)
   }
 }
 
-void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
-  const LightTable& lights)
+void markDarkSides(CellShapes& cells, const Frame& frame, const LightTable& lights)
 {
   const std::vector<Box> each = boundsOf(lights);
-  markInnerSides(cells, space, objects, each);
+  markInnerSides(cells, frame, each);
   Box bounds;
   for (const Box& light : each)
   {

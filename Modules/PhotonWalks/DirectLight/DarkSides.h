@@ -2,7 +2,6 @@
 #ifndef irradiance_DarkSides_h
 #define irradiance_DarkSides_h
 
-#include "DirectLight/GatherSpace.h"
 #include "Lights/LightTable.h"
 #include "Surfaces/CellShapes.h"
 
@@ -16,8 +15,7 @@ namespace irradiance
  * shells that are proven to be simple, in objects whose bounds have no light in them. `lights`: the
  * bounds of each.
  */
-void markInnerSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
-  const std::vector<Box>& lights);
+void markInnerSides(CellShapes& cells, const Frame& frame, const std::vector<Box>& lights);
 
 /**
  * Marks the sides of flat cells to which no light can come at all, since everything is behind them:
@@ -31,8 +29,7 @@ void markOuterSides(CellShapes& cells, const Box& bounds);
  * whose bounds have no light in them, and the outer ones of their flat cells that turn away from
  * all lights.
  */
-void markDarkSides(CellShapes& cells, const GatherSpace& space, const SceneObjects& objects,
-  const LightTable& lights);
+void markDarkSides(CellShapes& cells, const Frame& frame, const LightTable& lights);
 
 }
 

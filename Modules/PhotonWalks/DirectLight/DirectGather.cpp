@@ -11,40 +11,40 @@ namespace irradiance
 namespace
 {
 
-CellShapes shapesOf(const GatherSpace& space, const SceneObjects& objects, const LightTable& lights,
-  CellPart part, const CancelPoint& cancelPoint)
+CellShapes shapesOf(
+  const Frame& frame, const LightTable& lights, CellPart part, const CancelPoint& cancelPoint)
 {
-  CellShapes shapes(objects, space.triangles, part.first, part.end, cancelPoint);
+  CellShapes shapes(frame, part.first, part.end, cancelPoint);
   if (!part.isStatic())
   {
-    markDarkSides(shapes, space, objects, lights);
+    markDarkSides(shapes, frame, lights);
   }
   return shapes;
 }
 
-DirectLight& gathered(DirectLight& light, const GatherSpace& space, Execution& execution)
+DirectLight& gathered(DirectLight& light, const Frame& frame, Execution& execution)
 {
-  light.gather(space, execution);
+  light.gather(frame, execution);
   return light;
 }
 
 }
 
-DirectGather::DirectGather(const GatherSpace& space, const SceneObjects& objects,
-  const LampPieces& lamps, const Settings& settings, Execution& execution)
+DirectGather::DirectGather(
+  const Frame& frame, const LampPieces& lamps, const Settings& settings, Execution& execution)
   : settings_(settings)
-  , triangles_(space.triangles)
+  , triangles_(frame.triangles)
   , lamps_(lamps)
   , quantaPerWatt_(
       static_cast<double>(lamps.lights().quantaPerWalk()) * settings.walks / lamps.lights().flux())
-  , cells_(shapesOf(space, objects, lamps.lights(), settings.part, cancelPointOf(execution, 0)))
+  , cells_(shapesOf(frame, lamps.lights(), settings.part, cancelPointOf(execution, 0)))
   , plan_(cells_, lamps_,
       { settings.walks, settings.density, settings.replicates,
         static_cast<double>(lamps.lights().quantaPerWalk()) /
           static_cast<double>(settings.quantaPerWalk) },
       cancelPointOf(execution, 0))
   , light_(cells_, lamps_, plan_, settings.seed, quantaPerWatt_)
-  , starts_(gathered(light_, space, execution), objects, triangles_, settings.quantaPerWalk,
+  , starts_(gathered(light_, frame, execution), frame.objects, triangles_, settings.quantaPerWalk,
       settings.firstWalk, settings.seed, cancelPointOf(execution, 0))
 {
 }

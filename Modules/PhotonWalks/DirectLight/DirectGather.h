@@ -34,8 +34,8 @@ public:
   };
 
   /// Gathers. The arguments must outlive it.
-  DirectGather(const GatherSpace& space, const SceneObjects& objects, const LampPieces& lamps,
-    const Settings& settings, Execution& execution);
+  DirectGather(
+    const Frame& frame, const LampPieces& lamps, const Settings& settings, Execution& execution);
   DirectGather(const DirectGather&) = delete;
   DirectGather& operator=(const DirectGather&) = delete;
 
@@ -61,9 +61,9 @@ public:
 
   /// The samples that a motion of other objects changed. See DirectLight::follow().
   std::vector<std::uint32_t> follow(
-    const GatherSpace& space, const MovedObjects& moved, Execution& execution)
+    const Frame& frame, const MovedObjects& moved, Execution& execution)
   {
-    return light_.follow(space, moved, execution);
+    return light_.follow(frame, moved, execution);
   }
   /// Adds what these samples bring now, or takes away what they brought.
   void change(const std::vector<std::uint32_t>& samples, CellSums& sums, PowerBalance& balance,

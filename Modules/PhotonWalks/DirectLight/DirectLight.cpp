@@ -55,7 +55,7 @@ DirectLight::DirectLight(const CellShapes& cells, const LampPieces& lamps, const
 {
 }
 
-void DirectLight::gather(const GatherSpace& space, Execution& execution)
+void DirectLight::gather(const Frame& frame, Execution& execution)
 {
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   assignPaced(samples_, plan_.size(), {}, cancelPoint);
@@ -71,15 +71,15 @@ void DirectLight::gather(const GatherSpace& space, Execution& execution)
     }
   }
   SlicedPass pass{ firsts.size() - 1, [&](std::size_t unit, const Deadline&) {
-                    gatherCells(space, firsts[unit], firsts[unit + 1]);
+                    gatherCells(frame, firsts[unit], firsts[unit + 1]);
                     return true;
                   } };
   pass.run(execution);
 }
 
-void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::size_t end)
+void DirectLight::gatherCells(const Frame& frame, std::size_t first, std::size_t end)
 {
-  CellSampler sampler(cells_, space, lamps_, plan_, seed_);
+  CellSampler sampler(cells_, frame, lamps_, plan_, seed_);
   DirectSample* next = samples_.data() + plan_.first(first);
   for (std::size_t cell = first; cell < end; ++cell)
   {
@@ -95,7 +95,7 @@ void DirectLight::gatherCells(const GatherSpace& space, std::size_t first, std::
   }
   std::vector<std::uint32_t> numbers(plan_.first(end) - plan_.first(first));
   std::iota(numbers.begin(), numbers.end(), plan_.first(first));
-  const std::vector<View> views = viewsOf(space, numbers);
+  const std::vector<View> views = viewsOf(frame, numbers);
   std::copy(views.begin(), views.end(), views_.begin() + plan_.first(first));
   for (std::size_t cell = first; cell < end; ++cell)
   {
@@ -150,16 +150,16 @@ DirectLight::Bands DirectLight::variance() const
 
 /// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is
 /// decided otherwise than before, also far from what moved.
-bool DirectLight::touchesDynamic(const GatherSpace& space, const DirectSample& sample) const
+bool DirectLight::touchesDynamic(const Frame& frame, const DirectSample& sample) const
 {
   return sample.part > 0 &&
-    (space.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
-      space.contacts.hasDynamic(space.triangles.idOf(sample.triangle)));
+    (frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
+      frame.contacts.hasDynamic(frame.triangles.idOf(sample.triangle)));
 }
 
 /// A ray ends where its length is 1.
 std::vector<DirectLight::View> DirectLight::viewsOf(
-  const GatherSpace& space, const std::vector<std::uint32_t>& samples) const
+  const Frame& frame, const std::vector<std::uint32_t>& samples) const
 {
   std::vector<View> views(samples.size(), kNever);
   std::vector<Ray> rays;
@@ -175,22 +175,22 @@ std::vector<DirectLight::View> DirectLight::viewsOf(
     }
   }
   std::vector<Hit> hits(rays.size());
-  space.scene.cast(rays.data(), rays.size(), hits.data());
+  frame.scene.cast(rays.data(), rays.size(), hits.data());
   for (std::size_t ray = 0; ray < rays.size(); ++ray)
   {
-    views[places[ray]] = viewOf(space, samples_[samples[places[ray]]], rays[ray], hits[ray]);
+    views[places[ray]] = viewOf(frame, samples_[samples[places[ray]]], rays[ray], hits[ray]);
   }
   return views;
 }
 
 DirectLight::View DirectLight::viewOf(
-  const GatherSpace& space, const DirectSample& sample, const Ray& ray, const Hit& closest) const
+  const Frame& frame, const DirectSample& sample, const Ray& ray, const Hit& closest) const
 {
-  const TriangleId cell = space.triangles.idOf(sample.triangle);
-  const Contacts& contacts = space.contacts;
+  const TriangleId cell = frame.triangles.idOf(sample.triangle);
+  const Contacts& contacts = frame.contacts;
   if (contacts.has(ray.start) || contacts.has(cell))
   {
-    const Hit hit = contacts.resolveContact(space.scene, ray, closest);
+    const Hit hit = contacts.resolveContact(frame.scene, ray, closest);
     const bool mayChange =
       hit.id.isDynamic() || contacts.hasDynamic(ray.start) || contacts.hasDynamic(cell);
     return hit.id == cell ? kFree : mayChange ? kTouch : kNever;
@@ -201,13 +201,13 @@ DirectLight::View DirectLight::viewOf(
 }
 
 bool DirectLight::mayChange(
-  const GatherSpace& space, const MovedObjects& moved, std::uint32_t number) const
+  const Frame& frame, const MovedObjects& moved, std::uint32_t number) const
 {
   const View view = views_[number];
   const DirectSample& sample = samples_[number];
   if (view == kFree)
   {
-    return touchesDynamic(space, sample) ||
+    return touchesDynamic(frame, sample) ||
       std::any_of(moved.boxes.begin(), moved.boxes.end(),
         [&](const Box& box) { return mayTouch(sample, box); });
   }
@@ -215,7 +215,7 @@ bool DirectLight::mayChange(
 }
 
 std::vector<std::uint32_t> DirectLight::follow(
-  const GatherSpace& space, const MovedObjects& moved, Execution& execution)
+  const Frame& frame, const MovedObjects& moved, Execution& execution)
 {
   const auto all = static_cast<std::uint32_t>(samples_.size());
   const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
@@ -226,12 +226,12 @@ std::vector<std::uint32_t> DirectLight::follow(
     std::vector<std::uint32_t> suspects;
     for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
     {
-      if (mayChange(space, moved, i))
+      if (mayChange(frame, moved, i))
       {
         suspects.push_back(i);
       }
     }
-    const std::vector<View> views = viewsOf(space, suspects);
+    const std::vector<View> views = viewsOf(frame, suspects);
     for (std::size_t i = 0; i < suspects.size(); ++i)
     {
       const bool wasFree = isVisible(suspects[i]);

@@ -29,13 +29,13 @@ public:
     std::uint64_t seed, double quantaPerWatt);
 
   /// Makes all samples, and looks which of them see their lights.
-  void gather(const GatherSpace& space, Execution& execution);
+  void gather(const Frame& frame, Execution& execution);
   /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples
   /// that what moved may hide now, or hid before, and at those whose light or cell a dynamic object
   /// touches. Returns which see their lights now and did not before, or the other way round, in
   /// order.
   std::vector<std::uint32_t> follow(
-    const GatherSpace& space, const MovedObjects& moved, Execution& execution);
+    const Frame& frame, const MovedObjects& moved, Execution& execution);
 
   const DirectPlan& plan() const { return plan_; }
   /// By number; those of a cell that is not there are none.
@@ -68,17 +68,16 @@ private:
   static constexpr View kTouch =
     0xfffffffeu; ///< what touches either end, which may end with any motion
 
-  void gatherCells(const GatherSpace& space, std::size_t first, std::size_t end);
+  void gatherCells(const Frame& frame, std::size_t first, std::size_t end);
   Bands varianceOf(std::size_t cell) const;
   double unitOf(std::size_t cell) const;
-  bool touchesDynamic(const GatherSpace& space, const DirectSample& sample) const;
+  bool touchesDynamic(const Frame& frame, const DirectSample& sample) const;
   /// Whether a motion may change the view of a sample.
-  bool mayChange(const GatherSpace& space, const MovedObjects& moved, std::uint32_t sample) const;
+  bool mayChange(const Frame& frame, const MovedObjects& moved, std::uint32_t sample) const;
   /// Those of samples, in order.
-  std::vector<View> viewsOf(
-    const GatherSpace& space, const std::vector<std::uint32_t>& samples) const;
+  std::vector<View> viewsOf(const Frame& frame, const std::vector<std::uint32_t>& samples) const;
   View viewOf(
-    const GatherSpace& space, const DirectSample& sample, const Ray& ray, const Hit& closest) const;
+    const Frame& frame, const DirectSample& sample, const Ray& ray, const Hit& closest) const;
 
   const CellShapes& cells_;
   const LampPieces& lamps_;

@@ -48,18 +48,15 @@ SceneObject someCellsOf(const SceneObject& object)
 
 DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
 {
-  Scene scene;
-  scene.setStatic(objects.staticObject.body);
-  scene.commit({});
-  const SceneObjects some{ someCellsOf(objects.staticObject), {} };
-  const SceneTriangles triangles(some);
-  const Contacts contacts;
-  const ObjectSides sides;
-  const GatherSpace space{ scene, triangles, contacts, sides };
-  const CellShapes cells(some, triangles, 0, 1);
+  Frame frame;
+  frame.scene.setStatic(objects.staticObject.body);
+  frame.scene.commit({});
+  frame.objects = { someCellsOf(objects.staticObject), {} };
+  frame.triangles = SceneTriangles(frame.objects);
+  const CellShapes cells(frame, 0, 1);
   const DirectPlan plan(cells, lamps, { 1, { kMostWalks, { kSamples, kSamples } }, 1 });
-  std::array<CellSampler, 2> samplers{ CellSampler(cells, space, lamps, plan, 1),
-    CellSampler(cells, space, lamps, plan, 2) };
+  std::array<CellSampler, 2> samplers{ CellSampler(cells, frame, lamps, plan, 1),
+    CellSampler(cells, frame, lamps, plan, 2) };
   LampChoice choice(lamps);
   double variances = 0, means = 0, asked = 0, arrived = 0;
   std::vector<DirectSample> samples;
@@ -86,7 +83,7 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
         }
       }
       hits.resize(rays.size());
-      scene.cast(rays.data(), rays.size(), hits.data());
+      frame.scene.cast(rays.data(), rays.size(), hits.data());
       for (std::size_t ray = 0; ray < rays.size(); ++ray)
       {
         constexpr double kNear = 1 - 0x1p-20; // the cell's own triangle hides nothing

@@ -6,14 +6,14 @@
 namespace irradiance
 {
 
-void DirectRounds::append(const GatherSpace& space, const SceneObjects& objects,
-  const LampPieces& lamps, std::uint32_t walks, Execution& execution)
+void DirectRounds::append(
+  const Frame& frame, const LampPieces& lamps, std::uint32_t walks, Execution& execution)
 {
   const std::size_t round = rounds_.size();
   const std::uint64_t seed = round == 0 ? settings_.seed : splitMix(settings_.seed + round);
   const DirectGather::Settings its{ settings_.part, walks, plan_.replicates().count(),
     settings_.quantaPerWalk, settings_.density, plan_.endWalk(), seed, round };
-  rounds_.push_back(std::make_unique<DirectGather>(space, objects, lamps, its, execution));
+  rounds_.push_back(std::make_unique<DirectGather>(frame, lamps, its, execution));
   plan_.addRound(rounds_.back()->starts().size());
 }
 
@@ -34,12 +34,12 @@ void DirectRounds::drop(std::size_t kept, const Totals& totals, const CancelPoin
 }
 
 std::vector<std::uint32_t> DirectRounds::follow(
-  const GatherSpace& space, const MovedObjects& moved, const Totals& totals, Execution& execution)
+  const Frame& frame, const MovedObjects& moved, const Totals& totals, Execution& execution)
 {
   std::vector<std::uint32_t> walks;
   for (const std::unique_ptr<DirectGather>& light : rounds_)
   {
-    const std::vector<std::uint32_t> samples = light->follow(space, moved, execution);
+    const std::vector<std::uint32_t> samples = light->follow(frame, moved, execution);
     light->change(samples, totals.sums, totals.balance, totals.dealt);
     const std::vector<std::uint32_t> some = light->starts().walksOf(samples);
     walks.insert(walks.end(), some.begin(), some.end());

@@ -38,8 +38,8 @@ public:
   }
 
   /// Gathers for a further round, in which so many `walks` divide the flux of the lights.
-  void append(const GatherSpace& space, const SceneObjects& objects, const LampPieces& lamps,
-    std::uint32_t walks, Execution& execution);
+  void append(
+    const Frame& frame, const LampPieces& lamps, std::uint32_t walks, Execution& execution);
   /// Adds what was gathered for a round.
   void addTo(const Totals& totals, std::size_t round, const CancelPoint& cancelPoint) const;
   /// Takes away what all but the first `kept` rounds gathered. Their walks must have been taken
@@ -47,8 +47,8 @@ public:
   void drop(std::size_t kept, const Totals& totals, const CancelPoint& cancelPoint);
   /// Follows a motion, see DirectGather::follow(), and changes the totals. Returns the walks, in
   /// order, that are born now and were not before, or the other way round.
-  std::vector<std::uint32_t> follow(const GatherSpace& space, const MovedObjects& moved,
-    const Totals& totals, Execution& execution);
+  std::vector<std::uint32_t> follow(
+    const Frame& frame, const MovedObjects& moved, const Totals& totals, Execution& execution);
 
   /// Of the walks that may be born in the rounds so far.
   const WalkPlan& plan() const { return plan_; }

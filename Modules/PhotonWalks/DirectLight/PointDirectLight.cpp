@@ -10,10 +10,9 @@
 namespace irradiance
 {
 
-PointDirectLight::PointDirectLight(const GatherSpace& space,
-  std::shared_ptr<const LampPieces> lamps, std::uint64_t seed, std::uint32_t samples,
-  std::size_t mostWeights)
-  : space_(space)
+PointDirectLight::PointDirectLight(const Frame& frame, std::shared_ptr<const LampPieces> lamps,
+  std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights)
+  : frame_(frame)
   , lamps_(std::move(lamps))
   , seed_(seed)
   , samples_(samples)
@@ -134,13 +133,13 @@ std::vector<Hit> PointDirectLight::cast(
   std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
     [](const Arrival& arrival) { return arrival.ray; });
   std::vector<Hit> hits(rays.size());
-  space_.scene.cast(rays.data(), rays.size(), hits.data());
-  const Contacts& contacts = space_.contacts;
+  frame_.scene.cast(rays.data(), rays.size(), hits.data());
+  const Contacts& contacts = frame_.contacts;
   for (std::size_t i = 0; !contacts.isEmpty() && i < rays.size(); ++i)
   {
     if (contacts.has(point.on) || contacts.has(rays[i].start))
     {
-      hits[i] = contacts.resolveContact(space_.scene, rays[i], hits[i]);
+      hits[i] = contacts.resolveContact(frame_.scene, rays[i], hits[i]);
     }
   }
   return hits;
@@ -149,7 +148,7 @@ std::vector<Hit> PointDirectLight::cast(
 /// `hit`: what it meets; on a face with contacts it has to be that face.
 bool PointDirectLight::arrives(const Hit& hit, const LitPoint& point) const
 {
-  return (hit && hit.id == point.on) || (hit.distance >= 1 && !space_.contacts.has(point.on));
+  return (hit && hit.id == point.on) || (hit.distance >= 1 && !frame_.contacts.has(point.on));
 }
 
 ShadowRay PointDirectLight::shadowRayOf(
@@ -159,10 +158,10 @@ ShadowRay PointDirectLight::shadowRayOf(
   const Vector3& from = arrival.ray.origin;
   const Vector3 to =
     isStopped && hit ? from + hit.distance * arrival.ray.direction : point.position;
-  const Contacts& contacts = space_.contacts;
+  const Contacts& contacts = frame_.contacts;
   const bool touches = contacts.has(arrival.ray.start) || contacts.has(point.on);
   return { inFloats(from), inFloats(to),
-    isStopped && hit ? space_.triangles.numberOf(hit.id) : ShadowRay::kNone, isStopped,
+    isStopped && hit ? frame_.triangles.numberOf(hit.id) : ShadowRay::kNone, isStopped,
     contacts.hasDynamic(arrival.ray.start) || contacts.hasDynamic(point.on) ||
       contacts.hasDynamic(hit.id) || (touches && isStopped && hit.id.isDynamic()) };
 }

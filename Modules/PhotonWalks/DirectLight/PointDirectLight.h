@@ -2,7 +2,6 @@
 #ifndef irradiance_PointDirectLight_h
 #define irradiance_PointDirectLight_h
 
-#include "DirectLight/GatherSpace.h"
 #include "DirectLight/PointLampChoice.h"
 #include "DirectLight/ShadowRay.h"
 
@@ -32,9 +31,8 @@ public:
 
   /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two.
   /// `mostWeights`: see LampChoice.
-  PointDirectLight(const GatherSpace& space, std::shared_ptr<const LampPieces> lamps,
-    std::uint64_t seed, std::uint32_t samples = 64,
-    std::size_t mostWeights = LampChoice::kMostOfPoint);
+  PointDirectLight(const Frame& frame, std::shared_ptr<const LampPieces> lamps, std::uint64_t seed,
+    std::uint32_t samples = 64, std::size_t mostWeights = LampChoice::kMostOfPoint);
   PointDirectLight(const PointDirectLight&) = delete;
   PointDirectLight& operator=(const PointDirectLight&) = delete;
 
@@ -80,7 +78,7 @@ private:
   /// Those that coincide with the point.
   std::vector<std::uint32_t> lightsAt(const LitPoint& point) const
   {
-    return lamps_->lightsAt(space_.contacts, point.on);
+    return lamps_->lightsAt(frame_.contacts, point.on);
   }
   /// What the lights emit that coincide with the point.
   void addTouching(const LitPoint& point, const std::vector<std::uint32_t>& touching,
@@ -103,7 +101,7 @@ private:
   ShadowRay shadowRayOf(const Arrival& arrival, const LitPoint& point, const Hit& hit) const;
   void addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const;
 
-  GatherSpace space_;
+  const Frame& frame_;
   std::shared_ptr<const LampPieces> lamps_;
   std::uint64_t seed_;
   std::uint32_t samples_;

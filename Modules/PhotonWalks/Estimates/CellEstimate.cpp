@@ -10,21 +10,22 @@
 namespace irradiance
 {
 
-std::unique_ptr<CellEstimator> makeCellEstimator(
-  const EstimateSettings& settings, const WalkSettings& walks, const EstimateSource& source)
+std::unique_ptr<CellEstimator> makeCellEstimator(const EstimateSettings& settings,
+  const WalkSettings& walkSettings, const Frame& frame, const WalkSets& walks)
 {
   switch (settings.cellEstimate)
   {
     case CellEstimate::Spread:
       return std::make_unique<SpreadEstimator>(
-        source, settings.spreadPhotons, settings.separateSides);
+        frame, walks, settings.spreadPhotons, settings.separateSides);
     case CellEstimate::Gathered:
-      return std::make_unique<FinalGatherEstimator>(source,
+      return std::make_unique<FinalGatherEstimator>(frame, walks,
         FinalGatherEstimator::Settings{ settings.gatherRays,
-          walks.targetRelativeError > 0 ? settings.maximumGatherRays : 0,
-          settings.gathersEverywhere, settings.unbiasedGather, walks.seed, walks.verify });
+          walkSettings.targetRelativeError > 0 ? settings.maximumGatherRays : 0,
+          settings.gathersEverywhere, settings.unbiasedGather, walkSettings.seed,
+          walkSettings.verify });
     default:
-      return std::make_unique<SumEstimator>(source);
+      return std::make_unique<SumEstimator>(frame, walks);
   }
 }
 

@@ -12,7 +12,8 @@ namespace irradiance
 {
 
 class CellEstimator;
-struct EstimateSource;
+class WalkSets;
+struct Frame;
 struct WalkSettings;
 
 /// From which photons the irradiance of a cell is estimated. Outputs state the number.
@@ -49,8 +50,9 @@ inline bool isSameEstimate(const EstimateSettings& a, const EstimateSettings& b)
     a.separateSides == b.separateSides;
 }
 
-std::unique_ptr<CellEstimator> makeCellEstimator(
-  const EstimateSettings& settings, const WalkSettings& walks, const EstimateSource& source);
+/// Of a frame and its walks.
+std::unique_ptr<CellEstimator> makeCellEstimator(const EstimateSettings& settings,
+  const WalkSettings& walkSettings, const Frame& frame, const WalkSets& walks);
 
 /// With how many samples cells gather direct light at least, if `asked` for so many: where they
 /// gather indirect light as well, the one is not to be noisier than the other.

@@ -8,14 +8,6 @@
 namespace irradiance
 {
 
-/// What is known of a frame; it changes from frame to frame.
-struct EstimateSource
-{
-  WalkSpace space;
-  const SceneCells& cells;
-  const WalkSets& walks;
-};
-
 /// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see
 /// RayRounds.
 struct EstimateRounds
@@ -28,9 +20,10 @@ struct EstimateRounds
 class CellEstimator
 {
 public:
-  /// All that the source refers to has to outlive it.
-  explicit CellEstimator(const EstimateSource& source)
-    : source_(source)
+  /// Both have to outlive it, and change from update to update.
+  CellEstimator(const Frame& frame, const WalkSets& walks)
+    : frame_(frame)
+    , walks_(walks)
   {
   }
   virtual ~CellEstimator() = default;
@@ -64,16 +57,18 @@ public:
   virtual std::int64_t followedPaths() const { return 0; }
 
 protected:
-  const EstimateSource& source() const { return source_; }
+  const Frame& frame() const { return frame_; }
+  const WalkSets& walks() const { return walks_; }
   /// W/m2 of a sum on a cell.
   double perArea(double quanta, const CellSide& cell) const
   {
-    const double area = source_.cells.area(cell);
-    return area > 0 ? source_.walks.watts(quanta) / area : 0.0;
+    const double area = frame_.cells.area(cell);
+    return area > 0 ? walks_.watts(quanta) / area : 0.0;
   }
 
 private:
-  EstimateSource source_;
+  const Frame& frame_;
+  const WalkSets& walks_;
 };
 
 }

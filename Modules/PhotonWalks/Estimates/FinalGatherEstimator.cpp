@@ -14,28 +14,25 @@ namespace irradiance
 void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {
   rounds_ = rounds;
-  const EstimateSource& from = source();
-  const SceneObjects& objects = from.space.objects;
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
-  const CellSums& all = from.walks.sums();
-  CellSums direct = CellSums::ofGathered(objects, all.plan(), all.rounds());
+  const CellSums& all = walks().sums();
+  CellSums direct = CellSums::ofGathered(frame().objects, all.plan(), all.rounds());
   direct.addGathered(all, cancelPoint);
   // The walks of the first round decide which cells cast rays: all rounds have the same paths, and
   // a cell does not stop casting rays because more walks are shot.
-  roles_.emplace(from.cells, from.walks.plan().walksAfter(1),
-    from.walks.isEmpty() ? 0 : settings_.rays, settings_.isEverywhere, !settings_.isUnbiased);
-  const CellShapes shapes = darkShapesOf(from.walks, from.space, cancelPoint);
+  roles_.emplace(frame().cells, walks().plan().walksAfter(1),
+    walks().isEmpty() ? 0 : settings_.rays, settings_.isEverywhere, !settings_.isUnbiased);
+  const CellShapes shapes = darkShapesOf(walks(), frame(), cancelPoint);
   const std::deque<PointDirectLight> lights =
-    lightsOf(from.walks, from.space.gatherSpace(), settings_.seed, kSamplesOfHit);
-  const FoundLamps foundLamps(from.walks, from.cells.numbers());
-  const UnevenCells unevenCells(shapes, *roles_, from.walks, cancelPoint);
-  FinalGatherScene scene{ from.space.gatherSpace(), objects, from.cells, shapes, *roles_,
-    { all, settings_.isUnbiased ? nullptr : &direct, from.walks.staleSums(), rounds.walks }, lights,
+    lightsOf(walks(), frame(), settings_.seed, kSamplesOfHit);
+  const FoundLamps foundLamps(walks(), frame().cells.numbers());
+  const UnevenCells unevenCells(shapes, *roles_, walks(), cancelPoint);
+  FinalGatherScene scene{ frame(), shapes, *roles_,
+    { all, settings_.isUnbiased ? nullptr : &direct, walks().staleSums(), rounds.walks }, lights,
     foundLamps, unevenCells, static_cast<std::uint32_t>(rays().after(1)),
-    1 / from.walks.watts(1.0, rounds.walks), settings_.seed,
-    keepsPaths() || settings_.mostRays > 0 };
+    1 / walks().watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0 };
   scene.tellsNoise = settings_.mostRays > 0;
-  for (const WalkSet& set : from.walks.sets())
+  for (const WalkSet& set : walks().sets())
   {
     if (!set.source().cells && !set.source().areFoundByRays && !set.lights().isEmpty())
     {
@@ -50,10 +47,10 @@ void FinalGatherEstimator::putTogether(
   const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint)
 {
   const KnownLight& known = scene.known;
-  const std::uint32_t count = source().walks.plan().walksAfter(known.rounds);
+  const std::uint32_t count = walks().plan().walksAfter(known.rounds);
   const std::uint32_t replicates = known.all.plan().replicates().count();
-  sums_ = CellSums::ofGathered(scene.objects, WalkPlan(count, count, replicates));
-  staleSums_ = CellSums::ofGathered(scene.objects, {}, known.stale ? 1 : 0);
+  sums_ = CellSums::ofGathered(scene.frame.objects, WalkPlan(count, count, replicates));
+  staleSums_ = CellSums::ofGathered(scene.frame.objects, {}, known.stale ? 1 : 0);
   ThrottledCancelPoint pace(cancelPoint);
   known.all.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
@@ -80,8 +77,7 @@ void FinalGatherEstimator::putTogether(
 
 RayRounds FinalGatherEstimator::rays() const
 {
-  return { dealtRays(settings_.rays, source().walks.plan().replicates().count()),
-    settings_.mostRays };
+  return { dealtRays(settings_.rays, walks().plan().replicates().count()), settings_.mostRays };
 }
 
 /// Of a single ray nothing is known: its noise counts for all that there is.
@@ -91,7 +87,7 @@ std::optional<double> FinalGatherEstimator::rayVariance(const CellSide& cell, in
   {
     return {};
   }
-  if (numberOfRays() == source().walks.plan().replicates().count())
+  if (numberOfRays() == walks().plan().replicates().count())
   {
     return kInfinity;
   }
@@ -106,7 +102,7 @@ std::optional<double> FinalGatherEstimator::rayVariance(const CellSide& cell, in
 double FinalGatherEstimator::staleIrradiance(const CellSide& cell, int band) const
 {
   // Both are rounded, so the part may come out larger than the whole.
-  return source().walks.staleSums()
+  return walks().staleSums()
     ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
     : 0.0;
 }
@@ -117,8 +113,8 @@ double FinalGatherEstimator::photonShare(const CellSide& cell) const
 {
   const double eachDraws = settings_.isUnbiased ? 1 : roles_->fewestToRead();
   const double drawn = eachDraws * static_cast<double>(numberOfRays()) * roles_->timesOf(cell);
-  const WalkPlan& plan = source().walks.plan();
-  const double expected = roles_->expectedOn(source().cells.area(cell)) *
+  const WalkPlan& plan = walks().plan();
+  const double expected = roles_->expectedOn(frame().cells.area(cell)) *
     (static_cast<double>(plan.walksAfter(rounds_.walks)) / plan.walksAfter(1));
   return roles_->gathers(cell) ? std::min(1.0, expected / drawn) : 1.0;
 }

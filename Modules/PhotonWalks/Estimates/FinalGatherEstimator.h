@@ -35,8 +35,8 @@ public:
     bool keepsPaths; ///< for frames in which things have moved
   };
 
-  FinalGatherEstimator(const EstimateSource& source, const Settings& settings)
-    : CellEstimator(source)
+  FinalGatherEstimator(const Frame& frame, const WalkSets& walks, const Settings& settings)
+    : CellEstimator(frame, walks)
     , settings_(settings)
   {
   }
@@ -51,7 +51,7 @@ public:
   double staleIrradiance(const CellSide& cell, int band) const override;
   ErrorEstimate errorEstimate() const override
   {
-    return { sums_, sums_.plan(), 1, source().walks.largestStart(), this };
+    return { sums_, sums_.plan(), 1, walks().largestStart(), this };
   }
 
   std::size_t mostRayRounds() const override { return rays().most(); }
@@ -71,7 +71,7 @@ private:
   /// For frames to come.
   bool keepsPaths() const
   {
-    return settings_.keepsPaths && !source().space.objects.dynamicObjects.empty();
+    return settings_.keepsPaths && !frame().objects.dynamicObjects.empty();
   }
   /// From what cells have themselves, and what was gathered for them.
   void putTogether(

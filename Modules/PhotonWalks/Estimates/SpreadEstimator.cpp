@@ -8,15 +8,14 @@ namespace irradiance
 
 void SpreadEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {
-  const SceneObjects& objects = source().space.objects;
-  const WalkSets& walks = source().walks;
-  const CellSums& all = walks.sums();
-  const std::uint32_t count = walks.plan().walksAfter(rounds.walks);
+  const SceneObjects& objects = frame().objects;
+  const CellSums& all = walks().sums();
+  const std::uint32_t count = walks().plan().walksAfter(rounds.walks);
   plan_ = WalkPlan(count, count, all.plan().replicates().count());
   spread_.update(
-    objects, all, rounds.walks, photons_, static_cast<double>(walks.quantaPerWalk()), execution);
+    objects, all, rounds.walks, photons_, static_cast<double>(walks().quantaPerWalk()), execution);
   sums_ = spread_.spread(objects, all, rounds.walks, execution);
-  if (const CellSums* stale = walks.staleSums())
+  if (const CellSums* stale = walks().staleSums())
   {
     staleSums_ = spread_.spread(objects, *stale, 1, execution);
   }
@@ -25,7 +24,7 @@ void SpreadEstimator::update(const EstimateRounds& rounds, Execution& execution)
 double SpreadEstimator::staleIrradiance(const CellSide& cell, int band) const
 {
   // What is spread is rounded at each step, so the part may come out larger than the whole.
-  return source().walks.staleSums()
+  return walks().staleSums()
     ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
     : 0.0;
 }

@@ -14,8 +14,8 @@ class SpreadEstimator : public CellEstimator
 {
 public:
   /// `photons`: on how many a small cell is to draw, on average.
-  SpreadEstimator(const EstimateSource& source, double photons, bool areSidesApart)
-    : CellEstimator(source)
+  SpreadEstimator(const Frame& frame, const WalkSets& walks, double photons, bool areSidesApart)
+    : CellEstimator(frame, walks)
     , photons_(photons)
     , spread_(areSidesApart ? 2 : 1)
   {
@@ -29,7 +29,7 @@ public:
   double staleIrradiance(const CellSide& cell, int band) const override;
   ErrorEstimate errorEstimate() const override
   {
-    return { sums_, plan_, 1, source().walks.largestStart(), &spread_ };
+    return { sums_, plan_, 1, walks().largestStart(), &spread_ };
   }
 
 private:

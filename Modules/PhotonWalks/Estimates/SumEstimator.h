@@ -19,17 +19,16 @@ public:
   }
   double irradiance(const CellSide& cell, int band) const override
   {
-    return perArea(source().walks.sums().sum(cell, band), cell);
+    return perArea(walks().sums().sum(cell, band), cell);
   }
   double staleIrradiance(const CellSide& cell, int band) const override
   {
-    const CellSums* stale = source().walks.staleSums();
+    const CellSums* stale = walks().staleSums();
     return stale ? perArea(stale->sum(cell, band), cell) : 0.0;
   }
   ErrorEstimate errorEstimate() const override
   {
-    const WalkSets& walks = source().walks;
-    return { walks.sums(), walks.plan(), rounds_, walks.largestStart() };
+    return { walks().sums(), walks().plan(), rounds_, walks().largestStart() };
   }
 
 private:

@@ -10,20 +10,19 @@
 namespace irradiance
 {
 
-CellShapes darkShapesOf(
-  const WalkSets& walks, const WalkSpace& space, const CancelPoint& cancelPoint)
+CellShapes darkShapesOf(const WalkSets& walks, const Frame& frame, const CancelPoint& cancelPoint)
 {
   std::vector<Box> lights;
   forEachLight(walks, [&](const Light& light) { lights.push_back(light.bounds()); });
-  CellShapes shapes(space.objects, space.triangles, 0, space.objects.size(), cancelPoint);
+  CellShapes shapes(frame, 0, frame.objects.size(), cancelPoint);
   const std::vector<WalkSet>& sets = walks.sets();
   const bool areGathered = std::any_of(
     sets.begin(), sets.end(), [](const WalkSet& set) { return set.gathered() != nullptr; });
   if (areGathered) // else solid sides have not been found
   {
-    markInnerSides(shapes, space.gatherSpace(), space.objects, lights);
+    markInnerSides(shapes, frame, lights);
   }
-  markOuterSides(shapes, walks.bounds(space.scene));
+  markOuterSides(shapes, walks.bounds(frame.scene));
   return shapes;
 }
 

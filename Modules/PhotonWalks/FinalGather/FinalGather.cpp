@@ -15,9 +15,9 @@ namespace irradiance
 
 void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution)
 {
-  indirect_ = CellSums::ofGathered(scene.objects, scene.known.all.plan(), 1);
-  stale_ = CellSums::ofGathered(scene.objects, {}, scene.known.stale ? 1 : 0);
-  noise_ = CellSums::ofGathered(scene.objects, {}, scene.tellsNoise ? 1 : 0);
+  indirect_ = CellSums::ofGathered(scene.frame.objects, scene.known.all.plan(), 1);
+  stale_ = CellSums::ofGathered(scene.frame.objects, {}, scene.known.stale ? 1 : 0);
+  noise_ = CellSums::ofGathered(scene.frame.objects, {}, scene.tellsNoise ? 1 : 0);
   followed_ = read_ = 0;
   findGatherers(scene);
   Ranks& ranks = execution.ranks();
@@ -94,7 +94,7 @@ std::size_t FinalGather::bytes() const
 void FinalGather::findGatherers(const FinalGatherScene& scene)
 {
   gatherers_.clear();
-  const CellNumbers& numbers = scene.cells.numbers();
+  const CellNumbers& numbers = scene.frame.cells.numbers();
   numbers.forEach([&](const SceneCell& cell) {
     if (scene.roles.gathers(cell))
     {
@@ -216,7 +216,7 @@ void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSum
   std::size_t start, const Side& side)
 {
   const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
-  const double areaOfStart = scene.cells.area(cell) / side.starts;
+  const double areaOfStart = scene.frame.cells.area(cell) / side.starts;
   for (int band = 0; band < indirect_.bands(); ++band)
   {
     const auto sumOf = [&](const auto& found) {
@@ -250,7 +250,7 @@ void FinalGather::storeNoise(const FinalGatherScene& scene, const std::vector<Pa
   std::size_t start, const Side& side)
 {
   const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
-  const double areaOfStart = scene.cells.area(cell) / side.starts;
+  const double areaOfStart = scene.frame.cells.area(cell) / side.starts;
   const std::size_t last = brought.size() - 1;
   const std::uint32_t rays = scene.raysOfReplicate(), halves = rays / 2 * 2;
   for (int band = 0; band < indirect_.bands(); ++band)

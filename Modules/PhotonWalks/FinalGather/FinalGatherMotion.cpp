@@ -33,22 +33,22 @@ FinalGatherMotion::FinalGatherMotion(const FinalGatherScene& scene, const std::v
   {
     return;
   }
-  const TriangleNumbers& numbers = scene.space.triangles.numbers();
+  const TriangleNumbers& numbers = scene.frame.triangles.numbers();
   firstDynamic_ = numbers.first(1);
-  const Scene& space = scene.space.scene;
-  reach_ = space.bounds().extent().norm();
+  const Scene& rays = scene.frame.scene;
+  reach_ = rays.bounds().extent().norm();
   // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below
   // all floats is lost.
-  const double blur = (space.bounds().magnitude() + reach_) * 0x1p-23 +
+  const double blur = (rays.bounds().magnitude() + reach_) * 0x1p-23 +
     double{ std::numeric_limits<float>::denorm_min() };
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
     hasMoved_.resize(numbers.first(i + 2) - firstDynamic_, moved[i] ? 1 : 0);
-    if (moved[i] && !scene.objects.dynamicObjects[i].isEmpty())
+    if (moved[i] && !scene.frame.objects.dynamicObjects[i].isEmpty())
     {
       // What touches a segment's start may lie behind it, by less than 2^-31 of the coordinates
       // (Contacts).
-      const EllipsoidBound bound = space.shadowBound(i, blur);
+      const EllipsoidBound bound = rays.shadowBound(i, blur);
       bodies_.push_back({ bound, floatBoxAround(bound.worldBox()) });
     }
   }

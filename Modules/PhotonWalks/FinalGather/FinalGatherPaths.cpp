@@ -96,7 +96,7 @@ void FinalGatherPaths::addSide(const FinalGatherScene& scene, std::size_t cell, 
   const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
-  const AreaPoints points(scene.shapes, scene.space.triangles, cell);
+  const AreaPoints points(scene.shapes, scene.frame.triangles, cell);
   addStart(scene, seed, rays, [&](std::uint32_t i) {
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
@@ -114,7 +114,7 @@ void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& p
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
     const Vector3 direction =
       point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u);
-    return Ray{ nearestOrigin(scene.space.scene.bounds(), point.position, direction), direction,
+    return Ray{ nearestOrigin(scene.frame.scene.bounds(), point.position, direction), direction,
       point.on };
   });
 }
@@ -124,14 +124,14 @@ void FinalGatherPaths::addSpecular(
 {
   const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys places = keysOf(seed, 0, Use::Position);
-  const AreaPoints points(scene.shapes, scene.space.triangles, cell);
+  const AreaPoints points(scene.shapes, scene.frame.triangles, cell);
   for (std::uint32_t i = 0; i < scene.rays; ++i)
   {
     const Path path = startOf(scene, seed, i);
     auto [place, id] = points.at(SobolPoint::inUnitSquare(i, places));
     const Vector3 eye = toEye(place.position);
     place.turn(eye.dot(place.normal) >= 0);
-    const Material& material = *scene.objects[id.object].material;
+    const Material& material = *scene.frame.objects[id.object].material;
     const PhongLobe& lobe = material.lobeOf(material.cellOfTriangle[id.triangle]);
     if (lobe.isMirror() ? !eye.isZero(0) : eye.dot(place.normal) > 0)
     {
@@ -234,14 +234,14 @@ void FinalGatherPaths::sortSteps()
 
 void FinalGatherPaths::cast(const FinalGatherScene& scene)
 {
-  const Contacts& contacts = scene.space.contacts;
+  const Contacts& contacts = scene.frame.contacts;
   hits_.assign(rays_.size(), {});
-  scene.space.scene.cast(rays_.data(), rays_.size(), hits_.data());
+  scene.frame.scene.cast(rays_.data(), rays_.size(), hits_.data());
   for (std::size_t i = 0; !contacts.isEmpty() && i < rays_.size(); ++i)
   {
     if (contacts.has(rays_[i].start) || contacts.has(hits_[i].id))
     {
-      hits_[i] = contacts.resolveContact(scene.space.scene, rays_[i], hits_[i]);
+      hits_[i] = contacts.resolveContact(scene.frame.scene, rays_[i], hits_[i]);
     }
   }
 }
@@ -249,8 +249,8 @@ void FinalGatherPaths::cast(const FinalGatherScene& scene)
 FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
   const FinalGatherScene& scene, const Ray& ray, const Hit& hit)
 {
-  const SceneTriangles& triangles = scene.space.triangles;
-  const Material& material = *scene.objects[hit.id.object].material;
+  const SceneTriangles& triangles = scene.frame.triangles;
+  const Material& material = *scene.frame.objects[hit.id.object].material;
   const std::size_t cell = material.cellOfTriangle[hit.id.triangle];
   const Vector3 normal = triangleOf(triangles, triangles.numberOf(hit.id)).areaVector();
   const int side = normal.dot(ray.direction) < 0 ? 0 : 1;
@@ -258,7 +258,7 @@ FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
     scene.asksOnLobes && material.isSpecular(cell) && !material.lobeOf(cell).isMirror();
   Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false,
     asksLobe ? &material.lobeOf(cell) : nullptr, hit };
-  arrival.area = scene.cells.area(arrival.side);
+  arrival.area = scene.frame.cells.area(arrival.side);
   const bool isLarge = scene.roles.isRead(arrival.side),
              isRead = isLarge && scene.isRead(arrival.side);
   const bool isNear = hit.distance * hit.distance < arrival.area;
@@ -270,21 +270,21 @@ FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
 PathVertex FinalGatherPaths::vertexOf(
   const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival)
 {
-  const SurfacePoint place = scene.space.scene.surfaceOf(arrival.hit, arrival.isFront());
+  const SurfacePoint place = scene.frame.scene.surfaceOf(arrival.hit, arrival.isFront());
   return { place, arrival.hit.id, incomingDirection(place, ray.origin) };
 }
 
 void FinalGatherPaths::record(
   const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
 {
-  const Contacts& contacts = scene.space.contacts;
+  const Contacts& contacts = scene.frame.contacts;
   const TriangleId& id = arrival.hit.id;
   const Vector3 to = ray.origin + arrival.hit.distance * ray.direction;
   const bool asksLights = arrival.isUnknown || arrival.lobe;
   const bool hasLampWeight = path.isSpecular && !std::isinf(path.density) && arrival.isFront() &&
-    scene.objects[id.object].isLamp(id.triangle);
+    scene.frame.objects[id.object].isLamp(id.triangle);
   addStep(path,
-    { inFloats(ray.origin), inFloats(to), scene.space.triangles.numberOf(id), arrival.isFront(),
+    { inFloats(ray.origin), inFloats(to), scene.frame.triangles.numberOf(id), arrival.isFront(),
       path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,
       hasLampWeight,
       contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) || arrival.lobe != nullptr });
@@ -303,7 +303,7 @@ void FinalGatherPaths::recordStart(
 {
   PathSegment segment{};
   segment.from = segment.to = inFloats(from.place.position);
-  segment.triangle = scene.space.triangles.numberOf(from.id);
+  segment.triangle = scene.frame.triangles.numberOf(from.id);
   segment.asksLights = true;
   addStep(path, segment);
   const Bands light = lobeLight(scene, from, lobe, path.seed, path.number);
@@ -326,14 +326,14 @@ void FinalGatherPaths::recordMiss(const FinalGatherScene& scene, const Path& pat
   segment.from = inFloats(ray.origin);
   segment.to = inFloats(ray.direction);
   segment.triangle = PathSegment::kNone;
-  segment.touchesMover = scene.space.contacts.hasDynamic(ray.start);
+  segment.touchesMover = scene.frame.contacts.hasDynamic(ray.start);
   addStep(path, segment);
 }
 
 void FinalGatherPaths::askLights(
   const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival)
 {
-  const Material& material = *scene.objects[at.id.object].material;
+  const Material& material = *scene.frame.objects[at.id.object].material;
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
   const LitPoint point{ at.place.clearPosition(), at.place.normal, at.id };
@@ -366,7 +366,7 @@ void FinalGatherPaths::askLights(
 void FinalGatherPaths::goOn(
   const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
 {
-  const Material& material = *scene.objects[arrival.side.object].material;
+  const Material& material = *scene.frame.objects[arrival.side.object].material;
   const std::size_t cell = arrival.side.cell;
   const bool isSpecular = material.isSpecular(cell);
   if (arrival.isKnown && !isSpecular)

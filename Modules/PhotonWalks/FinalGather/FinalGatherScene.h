@@ -25,9 +25,7 @@ inline std::uint32_t dealtRays(std::uint32_t rays, std::uint32_t replicates)
 /// What the paths of a final gather go through.
 struct FinalGatherScene
 {
-  GatherSpace space;
-  const SceneObjects& objects;
-  const SceneCells& cells;
+  const Frame& frame;
   const CellShapes& shapes;
   CellRoles roles;
   KnownLight known;
@@ -48,7 +46,7 @@ struct FinalGatherScene
   /// Whether what a cell received on average is read at any of its points.
   bool isRead(const SceneCell& cell) const
   {
-    return roles.isRead(cell) && !unevenCells.contains(cells.numbers()[cell]);
+    return roles.isRead(cell) && !unevenCells.contains(frame.cells.numbers()[cell]);
   }
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }

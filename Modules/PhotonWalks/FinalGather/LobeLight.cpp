@@ -43,7 +43,7 @@ PointDirectLight::Bands lobeLight(const FinalGatherScene& scene, const PathVerte
 double lampWeight(const FinalGatherScene& scene, const Ray& ray, double density,
   const TriangleId& lamp, const Vector3& place)
 {
-  const Vector3 front = scene.space.scene.worldTriangle(ray.start).areaVector().normalized();
+  const Vector3 front = scene.frame.scene.worldTriangle(ray.start).areaVector().normalized();
   const Vector3 normal = front.dot(ray.direction) > 0 ? front : Vector3(-front);
   double asked = 0;
   for (const PointDirectLight& lights : scene.lights)

@@ -14,10 +14,10 @@ constexpr double kWalksPerSample = 36;
 CellShapes gatheringAlone(const FinalGatherScene& scene)
 {
   CellShapes shapes = scene.shapes;
-  scene.cells.numbers().forEach([&](const SceneCell& cell) {
+  scene.frame.cells.numbers().forEach([&](const SceneCell& cell) {
     if (!scene.roles.gathers(cell))
     {
-      shapes.setDark(scene.cells.numbers()[cell], true, true);
+      shapes.setDark(scene.frame.cells.numbers()[cell], true, true);
     }
   });
   return shapes;
@@ -41,7 +41,7 @@ void addNearLampLight(const FinalGatherScene& scene, const WalkSet& set, std::si
     cancelPoint);
   DirectLight light(
     shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk), quantaPerWatt);
-  light.gather(scene.space, execution);
+  light.gather(scene.frame, execution);
   light.addTo(sums, 0, 1, {}, cancelPoint);
 }
 

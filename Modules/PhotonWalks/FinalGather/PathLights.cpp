@@ -9,8 +9,8 @@
 namespace irradiance
 {
 
-std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& space,
-  std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights)
+std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
+  std::uint32_t samples, std::size_t mostWeights)
 {
   std::deque<PointDirectLight> lights;
   for (const WalkSet& set : walks.sets())
@@ -19,7 +19,7 @@ std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& 
     if (!set.source().isDynamic() && !set.source().areFoundByRays && !set.lights().isEmpty())
     {
       lights.emplace_back(
-        space, set.source().knownLamps(), seed + lights.size(), samples, mostWeights);
+        frame, set.source().knownLamps(), seed + lights.size(), samples, mostWeights);
     }
   }
   return lights;

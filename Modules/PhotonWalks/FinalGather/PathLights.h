@@ -32,8 +32,8 @@ void forEachLight(const WalkSets& walks, const Visit& visit)
 /// All lights but FoundLamps, whether walks start there or cells gather what they send, for points
 /// that ask them by themselves. The arguments must outlive what is returned. `samples`: of each
 /// point, for each group of lights.
-std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const GatherSpace& space,
-  std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost);
+std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
+  std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost);
 
 /// A point light that specular cells reflect. A path meets no point, and the sums of walks do not
 /// tell what came by way of which reflection: so no final gather knows that light.

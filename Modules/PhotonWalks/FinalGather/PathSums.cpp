@@ -17,7 +17,7 @@ double signOf(std::uint32_t path, std::uint32_t paths)
 
 SceneCell cellOf(const FinalGatherScene& scene, const PathSegment& segment)
 {
-  return scene.known.all.cellOf(scene.space.triangles.idOf(segment.triangle));
+  return scene.known.all.cellOf(scene.frame.triangles.idOf(segment.triangle));
 }
 
 }
@@ -70,7 +70,8 @@ void PathSums::addEmitted(const FinalGatherScene& scene, const PathSegment& segm
   const Bands& weight, double lampWeight, Bands& sum)
 {
   const SceneCell cell = cellOf(scene, segment);
-  const double* const emitted = emittedFrom(scene.objects[cell.object], cell.cell, segment.isFront);
+  const double* const emitted =
+    emittedFrom(scene.frame.objects[cell.object], cell.cell, segment.isFront);
   const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
   for (int band = 0; emitted && band < scene.known.all.bands(); ++band)
   {
@@ -82,13 +83,13 @@ void PathSums::addEmitted(const FinalGatherScene& scene, const PathSegment& segm
 void PathSums::addKnown(const FinalGatherScene& scene, const PathSegment& segment,
   const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale)
 {
-  const TriangleId id = scene.space.triangles.idOf(segment.triangle);
-  const Material& material = *scene.objects[id.object].material;
+  const TriangleId id = scene.frame.triangles.idOf(segment.triangle);
+  const Material& material = *scene.frame.objects[id.object].material;
   const CellSide side{ { id.object, material.cellOfTriangle[id.triangle] },
     segment.isFront ? 0 : 1 };
   const KnownLight& known = scene.known;
   const CellSums& sums = segment.isKnown ? known.all : *known.direct;
-  const double area = scene.cells.area(side);
+  const double area = scene.frame.cells.area(side);
   for (int band = 0; band < known.all.bands(); ++band)
   {
     const auto i = static_cast<std::size_t>(band);

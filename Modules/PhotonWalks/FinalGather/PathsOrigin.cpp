@@ -8,8 +8,8 @@ namespace irradiance
 
 PathsOrigin pathsOriginOf(const FinalGatherScene& scene)
 {
-  PathsOrigin origin{ scene.objects, scene.seed, scene.rays, scene.replicates(), {}, {} };
-  scene.cells.numbers().forEach([&](const SceneCell& cell) {
+  PathsOrigin origin{ scene.frame.objects, scene.seed, scene.rays, scene.replicates(), {}, {} };
+  scene.frame.cells.numbers().forEach([&](const SceneCell& cell) {
     if (scene.isRead(cell))
     {
       origin.readCells.push_back(cell);

@@ -22,21 +22,21 @@ Triangle triangleOf(const SceneTriangles& triangles, std::uint32_t number)
   return { corner(record.a), corner(record.b), corner(record.c) };
 }
 
-CellShapes::CellShapes(const SceneObjects& objects, const SceneTriangles& triangles,
-  std::uint32_t first, std::uint32_t end, const CancelPoint& cancelPoint)
-  : numbers_(objects)
+CellShapes::CellShapes(
+  const Frame& frame, std::uint32_t first, std::uint32_t end, const CancelPoint& cancelPoint)
+  : numbers_(frame.objects)
 {
   ThrottledCancelPoint pace(cancelPoint);
-  sortTriangles(objects, triangles, first, end, pace);
+  sortTriangles(frame.objects, frame.triangles, first, end, pace);
   shapes_.reserve(numbers_.size());
   for (std::size_t cell = 0; cell < numbers_.size(); ++cell)
   {
-    shapes_.push_back(shapeOf(cell, triangles));
+    shapes_.push_back(shapeOf(cell, frame.triangles));
     pace.step();
   }
   for (std::uint32_t object = first; object < end; ++object)
   {
-    const Material& material = *objects[object].material;
+    const Material& material = *frame.objects[object].material;
     for (std::size_t i = 0; i < material.specularReflectance.size(); ++i)
     {
       const std::size_t cell = i / static_cast<std::size_t>(material.bands);

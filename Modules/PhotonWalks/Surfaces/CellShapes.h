@@ -2,8 +2,7 @@
 #ifndef irradiance_CellShapes_h
 #define irradiance_CellShapes_h
 
-#include "Surfaces/SceneCells.h"
-#include "Surfaces/SceneTriangles.h"
+#include "Surfaces/Frame.h"
 
 #include <vector>
 
@@ -27,8 +26,8 @@ class CellShapes
 {
 public:
   /// Of objects [first, end); the cells of others are as if they were not there.
-  CellShapes(const SceneObjects& objects, const SceneTriangles& triangles, std::uint32_t first,
-    std::uint32_t end, const CancelPoint& cancelPoint = {});
+  CellShapes(const Frame& frame, std::uint32_t first, std::uint32_t end,
+    const CancelPoint& cancelPoint = {});
 
   const CellNumbers& numbers() const { return numbers_; }
   std::size_t size() const { return shapes_.size(); }

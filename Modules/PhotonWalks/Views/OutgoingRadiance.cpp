@@ -15,9 +15,9 @@ OutgoingRadiance::OutgoingRadiance(
   const IrradianceEngine& engine, std::uint32_t samples, Execution& execution)
   : engine_(engine)
   , errors_(engine.errorEstimate())
-  , shapes_(engine.objects(), engine.space().triangles, 0, engine.objects().size())
+  , shapes_(engine.frame(), 0, engine.objects().size())
 {
-  if (engine.space().triangles.hasGlossy())
+  if (engine.frame().triangles.hasGlossy())
   {
     gather_.emplace(engine, shapes_, samples, true, false, execution);
   }
@@ -61,7 +61,7 @@ std::vector<OutgoingRadiance::SeenSide> OutgoingRadiance::sidesOf(
   const std::size_t number = engine_.cells().numbers()[cell];
   double front = 0, back = 0; // parts of the area
   std::for_each(shapes_.begin(number), shapes_.end(number), [&](std::uint32_t i) {
-    const Triangle triangle = triangleOf(engine_.space().triangles, i);
+    const Triangle triangle = triangleOf(engine_.frame().triangles, i);
     const Vector3 toEye = eye.directionFrom((triangle.a + triangle.b + triangle.c) / 3);
     (toEye.dot(triangle.areaVector()) >= 0 ? front : back) += triangle.area();
   });

@@ -13,7 +13,7 @@ SensorDirectLight::SensorDirectLight(const IrradianceEngine& engine)
     if (set.source().cells && !set.source().isDynamic() && !set.lights().isEmpty())
     {
       groups_.emplace_back(
-        engine.gatherSpace(), set.source().knownLamps(), engine.settings().seed + groups_.size());
+        engine.frame(), set.source().knownLamps(), engine.settings().seed + groups_.size());
     }
   }
 }

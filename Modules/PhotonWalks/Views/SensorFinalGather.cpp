@@ -35,10 +35,10 @@ bool contains(const Box& box, const Vector3& point)
 SensorFinalGather::SensorFinalGather(
   const IrradianceEngine& engine, std::uint32_t rays, Execution& execution, bool keepsRays)
   : near_(boundsBesideLamps(engine.objects()))
-  , noShapes_(engine.objects(), engine.space().triangles, 0, 0)
+  , noShapes_(engine.frame(), 0, 0)
   , gather_(checked(engine), noShapes_, rays, false, keepsRays, execution)
-  , direct_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
-      gather_.scene().rays, LampChoice::kMostOfPoint))
+  , direct_(lightsOf(engine.walks(), engine.frame(), engine.settings().seed, gather_.scene().rays,
+      LampChoice::kMostOfPoint))
 {
 }
 
@@ -102,7 +102,7 @@ std::vector<SensorFinalGather::Rays::Start> SensorFinalGather::startsOf(
   std::vector<Rays::Start> starts;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    const Box& bounds = scene().space.scene.bounds();
+    const Box& bounds = scene().frame.scene.bounds();
     Rays::Start start{ sensorPlace(bounds, near_, sensors[numbers[i]]) };
     start.isInside = start.place && contains(bounds, start.place->position);
     if (i < before.size() && isKept(motion, start, before[i]))

@@ -17,14 +17,13 @@ constexpr std::uint32_t kSamplesOnLobe = 2;
 ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes,
   std::uint32_t rays, bool asksOnLobes, bool keepsPaths, Execution& execution)
   : engine_(engine)
-  , lights_(lightsOf(engine.walks(), engine.gatherSpace(), engine.settings().seed,
+  , lights_(lightsOf(engine.walks(), engine.frame(), engine.settings().seed,
       asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
   , foundLamps_(engine.walks(), engine.cells().numbers())
   , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0)
-  , unevenCells_(
-      CellShapes(engine.objects(), engine.space().triangles, 0, 1, cancelPointOf(execution, 0)),
-      roles_, engine.walks(), cancelPointOf(execution, 0))
-  , scene_{ engine.gatherSpace(), engine.objects(), engine.cells(), shapes, roles_,
+  , unevenCells_(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)), roles_,
+      engine.walks(), cancelPointOf(execution, 0))
+  , scene_{ engine.frame(), shapes, roles_,
     { engine.sums(), nullptr, nullptr, engine.sums().rounds() }, lights_, foundLamps_, unevenCells_,
     dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> walksOfAll(const std::vector<std::uint32_t>& own, Ran
 
 WalkPaths::WalkPaths(const IrradianceEngine& engine)
   : engine_(engine)
-  , walks_(engine.walks(), engine.space())
+  , walks_(engine.walks(), engine.frame())
   , bounds_(engine.walkBounds())
 {
   assert(engine.storesWalks());
@@ -83,7 +83,7 @@ bool WalkPaths::beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_
   if (const WalkStarts* starts = startsOf(set, walk))
   {
     const DirectSample& sample = starts->sampleOf((*starts)[walk]);
-    const TriangleId id = engine_.gatherSpace().triangles.idOf(sample.triangle);
+    const TriangleId id = engine_.frame().triangles.idOf(sample.triangle);
     return engine_.sums().cellOf(id) == cell || set.lights()[sample.light].cell == cell;
   }
   return emits(cell) && walks_.sampler(walk).lightOf(walk).cell == cell;

@@ -16,11 +16,11 @@ class StoredWalks
 {
 public:
   /// The arguments, and what the space refers to, must outlive it.
-  StoredWalks(const WalkSets& sets, const WalkSpace& space)
+  StoredWalks(const WalkSets& sets, const Frame& frame)
   {
     for (const WalkSet& set : sets.sets())
     {
-      readers_.emplace_back(set, space);
+      readers_.emplace_back(set, frame);
     }
   }
 
@@ -54,10 +54,10 @@ private:
   /// Of one set.
   struct Reader
   {
-    Reader(const WalkSet& walks, const WalkSpace& space)
+    Reader(const WalkSet& walks, const Frame& frame)
       : set(walks)
       , samples(walks.samples())
-      , tracer(walks.tracer(space, samples))
+      , tracer(walks.tracer(frame, samples))
     {
     }
     Reader(const Reader&) = delete;

@@ -33,7 +33,7 @@ void WalkSet::setSettings(const WalkSettings& settings)
   statistics_ = {};
 }
 
-void WalkSet::start(const WalkSpace& space, Execution& execution)
+void WalkSet::start(const Frame& frame, Execution& execution)
 {
   balance_ = {};
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
@@ -53,11 +53,11 @@ void WalkSet::start(const WalkSpace& space, Execution& execution)
       source_.density, settings_.seed });
     gatherers = { source_.cells->first, source_.cells->end };
   }
-  sums_ = CellSums(space.objects, plan(), 0, gatherers);
-  const int bands = space.objects.staticObject.material->bands;
+  sums_ = CellSums(frame.objects, plan(), 0, gatherers);
+  const int bands = frame.objects.staticObject.material->bands;
   history_ = {};
-  history_ = WalkHistory(plan(), pointGrid(space.objects, bounds(space.scene), cancelPoint),
-    space.triangles.numbers(), bands, powerPerWalk(), arenaFor(bands), blocks_);
+  history_ = WalkHistory(plan(), pointGrid(frame.objects, bounds(frame.scene), cancelPoint),
+    frame.triangles.numbers(), bands, powerPerWalk(), arenaFor(bands), blocks_);
   stale_.reset();
   unborn_.clear();
   repaired_ = {};
@@ -80,16 +80,15 @@ std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
   return arena_;
 }
 
-void WalkSet::shootRound(
-  std::size_t round, bool isStored, const WalkSpace& space, Execution& execution)
+void WalkSet::shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution)
 {
   const Stopwatch stopwatch;
-  beginRound(isStored, space, execution);
-  shootBlocks(plan().rounds()[round], isStored, space, execution);
+  beginRound(isStored, frame, execution);
+  shootBlocks(plan().rounds()[round], isStored, frame, execution);
   statistics_.shootSeconds += stopwatch.seconds();
 }
 
-void WalkSet::beginRound(bool isStored, const WalkSpace& space, Execution& execution)
+void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution)
 {
   const std::size_t round = sums_.rounds();
   ProgressSpan beginning(execution, 0, 0);
@@ -97,8 +96,7 @@ void WalkSet::beginRound(bool isStored, const WalkSpace& space, Execution& execu
   if (gathered_)
   {
     const WalkRound& walks = source_.plan.rounds()[round];
-    gathered_->append(space.gatherSpace(), space.objects, *source_.lamps,
-      walks.endWalk - walks.firstWalk, beginning);
+    gathered_->append(frame, *source_.lamps, walks.endWalk - walks.firstWalk, beginning);
     history_.extend(plan());
     sums_.setRounds(plan(), cancelPoint);
     gathered_->addTo(totals(), round, cancelPoint);
@@ -114,10 +112,10 @@ void WalkSet::beginRound(bool isStored, const WalkSpace& space, Execution& execu
 }
 
 void WalkSet::shootBlocks(
-  const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution)
+  const WalkRound& walks, bool isStored, const Frame& frame, Execution& execution)
 {
   const SobolSequence samples = this->samples();
-  const WalkTracer tracer = this->tracer(space, samples);
+  const WalkTracer tracer = this->tracer(frame, samples);
   SharedBalance total(balance_);
   const std::size_t first = blocks_.before(walks.firstBlock), end = blocks_.before(walks.endBlock);
   const std::size_t units = (end - first + kBlocksTogether - 1) / kBlocksTogether;
@@ -128,7 +126,7 @@ void WalkSet::shootBlocks(
     bool isDone = true;
     {
       constexpr std::size_t kUsualPhotons = 4 * WalkFront::kUsualSize;
-      FrontTally tally(space.triangles, sums_, balance, tracer.powerPerWalk(), kUsualPhotons);
+      FrontTally tally(frame.triangles, sums_, balance, tracer.powerPerWalk(), kUsualPhotons);
       if (!open[unit])
       {
         open[unit] = batches_->take();
@@ -195,38 +193,37 @@ void WalkSet::dropRounds(
   sums_.setRounds(kept, cancelPoint);
 }
 
-void WalkSet::follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
-  Execution& execution)
+void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
-  const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
+  const bool hasMotion = frame.hasMotion();
   const Stopwatch stopwatch;
   bool startsAgain = false;
   if (gathered_ && hasMotion)
   {
-    startsAgain = hasMovedCells(moved) || areCellsRenumbered_;
-    startsAgain ? startAgain(space, execution) : followGathered(moved, space, execution);
+    startsAgain = hasMovedCells(frame.moved) || areCellsRenumbered_;
+    startsAgain ? startAgain(frame, execution) : followGathered(frame, execution);
   }
   const double gatherSeconds = stopwatch.seconds();
   // Walks that start again were shot where all things are now, so nothing has moved for them.
-  followWalks(
-    startsAgain ? std::vector<bool>(moved.size(), false) : moved, space, changes, execution);
+  followWalks(startsAgain ? std::vector<bool>(frame.moved.size(), false) : frame.moved, frame,
+    changes, execution);
   statistics_.verifySeconds += gathered_ && hasMotion ? gatherSeconds : 0;
 }
 
-void WalkSet::followWalks(const std::vector<bool>& moved, const WalkSpace& space,
-  PhotonChanges* changes, Execution& execution)
+void WalkSet::followWalks(
+  const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
   const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
   const SobolSequence samples = this->samples();
-  const WalkTracer tracer = this->tracer(space, samples);
-  const BounceScan scan = scanOf(moved, space);
+  const WalkTracer tracer = this->tracer(frame, samples);
+  const BounceScan scan = scanOf(moved, frame);
   const WalkVerifier verifier(tracer, history_, moved, scan, settings_.cacheStaticHits);
   repaired_ = {};
   WalkRepair repair({ tracer, verifier, history_, sums_, balance_, *repairs_, changes,
     settings_.listRepaired ? &repaired_ : nullptr });
   if (hasBudget() && !stale_)
   {
-    stale_ = std::make_unique<StaleWalks>(space.objects, history_.size(), samples);
+    stale_ = std::make_unique<StaleWalks>(frame.objects, history_.size(), samples);
     staleRounds_ = sums_.rounds();
   }
   const Stopwatch stopwatch;
@@ -275,14 +272,14 @@ void WalkSet::followWalks(const std::vector<bool>& moved, const WalkSpace& space
   statistics_.repairedSegments += repair.figures().repairedSegments;
 }
 
-void WalkSet::startAgain(const WalkSpace& space, Execution& execution)
+void WalkSet::startAgain(const Frame& frame, Execution& execution)
 {
   const std::size_t rounds = sums_.rounds();
   statistics_.invalidWalks = numberStored();
-  start(space, execution);
+  start(frame, execution);
   while (sums_.rounds() < rounds)
   {
-    beginRound(true, space, execution); // else there is nothing to follow
+    beginRound(true, frame, execution); // else there is nothing to follow
   }
   unborn_ = bornWalks(cancelPointOf(execution, 0));
 }
@@ -327,23 +324,21 @@ std::int64_t WalkSet::numberStored() const
   return number;
 }
 
-void WalkSet::followGathered(
-  const std::vector<bool>& moved, const WalkSpace& space, Execution& execution)
+void WalkSet::followGathered(const Frame& frame, Execution& execution)
 {
-  MovedObjects objects{ moved, {} };
-  for (std::uint32_t i = 0; i < moved.size(); ++i)
+  MovedObjects objects{ frame.moved, {} };
+  for (std::uint32_t i = 0; i < frame.moved.size(); ++i)
   {
-    Box box = space.objects.dynamicObjects[i].worldBounds();
-    if (moved[i] && !box.isEmpty())
+    Box box = frame.objects.dynamicObjects[i].worldBounds();
+    if (frame.moved[i] && !box.isEmpty())
     {
-      box.inflate(space.scene.shadowPad(i, space.scene.clearance()));
+      box.inflate(frame.scene.shadowPad(i, frame.scene.clearance()));
       objects.boxes.push_back(box);
     }
   }
   ProgressSpan beginning(execution, 0, 0);
   std::vector<std::uint32_t> born, gone;
-  for (const std::uint32_t walk :
-    gathered_->follow(space.gatherSpace(), objects, totals(), beginning))
+  for (const std::uint32_t walk : gathered_->follow(frame, objects, totals(), beginning))
   {
     if (isDealt(walk))
     {
@@ -358,7 +353,7 @@ void WalkSet::followGathered(
     unborn_.begin(), unborn_.end(), gone.begin(), gone.end(), std::back_inserter(waiting));
   unborn_.clear();
   std::merge(waiting.begin(), waiting.end(), born.begin(), born.end(), std::back_inserter(unborn_));
-  takeBack(stored, space.triangles, cancelPointOf(beginning, 0));
+  takeBack(stored, frame.triangles, cancelPointOf(beginning, 0));
   statistics_.invalidWalks = static_cast<std::int64_t>(stored.size());
 }
 
@@ -407,22 +402,22 @@ void WalkSet::shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution&
   unborn_ = std::move(left);
 }
 
-BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const WalkSpace& space) const
+BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const Frame& frame) const
 {
   BounceScan scan(history_.grid());
   // What touches a segment's start may lie behind it.
-  const double clearance = space.contacts.hasDynamic() ? space.scene.clearance() : 0;
+  const double clearance = frame.contacts.hasDynamic() ? frame.scene.clearance() : 0;
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
-    const SceneObject& object = space.objects.dynamicObjects[i];
+    const SceneObject& object = frame.objects.dynamicObjects[i];
     if (moved[i] && !object.body->mesh().isEmpty())
     {
       scan.addMoved(i + 1);
       if (!object.isEmpty())
       {
         const OwnBox own{ object.body->mesh().bounds(), object.worldFromObject,
-          space.scene.shadowPad(i, clearance) };
-        scan.addBody(space.scene.shadowBound(i, clearance), &own);
+          frame.scene.shadowPad(i, clearance) };
+        scan.addBody(frame.scene.shadowBound(i, clearance), &own);
       }
     }
   }

@@ -7,7 +7,7 @@
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkBirths.h"
 #include "Repair/WalkRepair.h"
-#include "Surfaces/Contacts.h"
+#include "Surfaces/Frame.h"
 #include "Tally/CellSums.h"
 #include "Tally/PowerBalance.h"
 #include "Walks/WalkSettings.h"
@@ -20,18 +20,6 @@
 
 namespace irradiance
 {
-
-/// What walks fly through in a frame.
-struct WalkSpace
-{
-  const Scene& scene;
-  const SceneObjects& objects;
-  const SceneTriangles& triangles;
-  const Contacts& contacts;
-  const ObjectSides& sides; ///< known where cells gather direct light
-
-  GatherSpace gatherSpace() const { return { scene, triangles, contacts, sides }; }
-};
 
 /**
  * A population of walks that start at the same lights, each with the same power: where they start,
@@ -57,17 +45,16 @@ public:
   void setBudget(double seconds) { settings_.repairTimeBudget = seconds; }
   /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its
   /// blocks.
-  void start(const WalkSpace& space, Execution& execution);
+  void start(const Frame& frame, Execution& execution);
   /// Shoots a round. With `isStored` the history holds all rounds before it.
-  void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
+  void shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution);
   /// Drops all but the first `kept` rounds.
   void dropRounds(
     std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
-  /// Follows a motion: verifies what is stored, if any object `moved`, and repairs what is stale,
-  /// as far as the budget of time goes. `changes`: receives the photons that go and come; null: not
+  /// Follows a motion: verifies what is stored, if any object moved, and repairs what is stale, as
+  /// far as the budget of time goes. `changes`: receives the photons that go and come; null: not
   /// asked for.
-  void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
-    Execution& execution);
+  void follow(const Frame& frame, PhotonChanges* changes, Execution& execution);
   /// Changes to objects of which some have other cells or triangles. No walk may touch these, or be
   /// stale.
   void replaceCells(
@@ -119,9 +106,9 @@ public:
 
   SobolSequence samples() const { return SobolSequence(settings_.seed, plan().replicates()); }
   /// The arguments must outlive it.
-  WalkTracer tracer(const WalkSpace& space, const SobolSequence& samples) const
+  WalkTracer tracer(const Frame& frame, const SobolSequence& samples) const
   {
-    return { space.scene, space.objects, space.triangles, lights(), samples, &space.contacts,
+    return { frame.scene, frame.objects, frame.triangles, lights(), samples, &frame.contacts,
       gathered_.get() };
   }
   /// Walks stay inside, except where they escape.
@@ -138,18 +125,17 @@ private:
   bool isDealt(std::uint32_t walk) const { return blocks_.contains(plan().blockOf(walk)); }
   bool hasBudget() const { return settings_.repairTimeBudget > 0; }
   /// What it takes before the walks of the next round are shot: gathered light, and room.
-  void beginRound(bool isStored, const WalkSpace& space, Execution& execution);
-  void shootBlocks(
-    const WalkRound& walks, bool isStored, const WalkSpace& space, Execution& execution);
+  void beginRound(bool isStored, const Frame& frame, Execution& execution);
+  void shootBlocks(const WalkRound& walks, bool isStored, const Frame& frame, Execution& execution);
   /// Fills a batch with the walks of blocks [first, end) of this rank.
   void fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const;
   /// Whether walks start at cells of which some moved.
   bool hasMovedCells(const std::vector<bool>& moved) const;
   /// Gathers anew; for cells of which some moved. All walks are still to be born.
-  void startAgain(const WalkSpace& space, Execution& execution);
+  void startAgain(const Frame& frame, Execution& execution);
   /// Follows what a motion changes of the direct light: takes back the walks that no longer start,
   /// and notes which are to be born.
-  void followGathered(const std::vector<bool>& moved, const WalkSpace& space, Execution& execution);
+  void followGathered(const Frame& frame, Execution& execution);
   std::int64_t numberStored() const; ///< of walks
   void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
     const CancelPoint& cancelPoint);
@@ -158,11 +144,11 @@ private:
   /// Shoots walks that are to be born, as far as the budget goes; null: all.
   void shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution& execution);
   /// The rest of follow(): what was gathered is up to date.
-  void followWalks(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
+  void followWalks(const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes,
     Execution& execution);
   DirectRounds::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
-  BounceScan scanOf(const std::vector<bool>& moved, const WalkSpace& space) const;
+  BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;
   /// An arena for pages of so many bands: the one of before, if it will do.
   std::shared_ptr<BlockArena> arenaFor(int bands);
 

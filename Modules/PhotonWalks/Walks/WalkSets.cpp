@@ -88,31 +88,30 @@ void WalkSets::setSettings(const WalkSettings& settings)
   }
 }
 
-void WalkSets::start(const WalkSpace& space, Execution& execution)
+void WalkSets::start(const Frame& frame, Execution& execution)
 {
-  forEach(sets_, execution, [&](WalkSet& set, Execution& part) { set.start(space, part); });
-  sumUp(space.objects, execution);
+  forEach(sets_, execution, [&](WalkSet& set, Execution& part) { set.start(frame, part); });
+  sumUp(frame.objects, execution);
 }
 
 void WalkSets::shootRound(
-  std::size_t round, bool isStored, const WalkSpace& space, Execution& execution)
+  std::size_t round, bool isStored, const Frame& frame, Execution& execution)
 {
   forEach(sets_, execution,
-    [&](WalkSet& set, Execution& part) { set.shootRound(round, isStored, space, part); });
-  sumUp(space.objects, execution);
+    [&](WalkSet& set, Execution& part) { set.shootRound(round, isStored, frame, part); });
+  sumUp(frame.objects, execution);
 }
 
-void WalkSets::dropRounds(std::size_t kept, const WalkSpace& space, Execution& execution)
+void WalkSets::dropRounds(std::size_t kept, const Frame& frame, Execution& execution)
 {
   for (WalkSet& set : sets_)
   {
-    set.dropRounds(kept, space.triangles, cancelPointOf(execution, 1));
+    set.dropRounds(kept, frame.triangles, cancelPointOf(execution, 1));
   }
-  sumUp(space.objects, execution);
+  sumUp(frame.objects, execution);
 }
 
-void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
-  PhotonChanges* changes, Execution& execution)
+void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
   const auto count = static_cast<double>(sets_.size());
   double left = budget_;
@@ -126,10 +125,10 @@ void WalkSets::follow(const std::vector<bool>& moved, const WalkSpace& space,
       constexpr double kLeast = 1e-9; // s; 0 would be none
       sets_[i].setBudget(std::max(left / static_cast<double>(i + 1), kLeast));
     }
-    sets_[i].follow(moved, space, changes, span);
+    sets_[i].follow(frame, changes, span);
     left -= sets_[i].statistics().repairSeconds;
   }
-  sumUp(space.objects, execution);
+  sumUp(frame.objects, execution);
 }
 
 void WalkSets::replaceCells(

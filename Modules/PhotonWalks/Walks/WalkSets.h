@@ -33,11 +33,10 @@ public:
   /// What follows does in each set what WalkSet says. A budget of time is shared evenly, but for
   /// what a set does not need.
   void setSettings(const WalkSettings& settings);
-  void start(const WalkSpace& space, Execution& execution);
-  void shootRound(std::size_t round, bool isStored, const WalkSpace& space, Execution& execution);
-  void dropRounds(std::size_t kept, const WalkSpace& space, Execution& execution);
-  void follow(const std::vector<bool>& moved, const WalkSpace& space, PhotonChanges* changes,
-    Execution& execution);
+  void start(const Frame& frame, Execution& execution);
+  void shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution);
+  void dropRounds(std::size_t kept, const Frame& frame, Execution& execution);
+  void follow(const Frame& frame, PhotonChanges* changes, Execution& execution);
   void replaceCells(
     const SceneObjects& objects, const TriangleNumbers& numbers, Execution& execution);
   void forgetBudget();

@@ -41,7 +41,7 @@ std::vector<Middle> middlesOf(const SceneObject& object)
 
 std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
 {
-  const StoredWalks walks(engine.walks(), engine.space());
+  const StoredWalks walks(engine.walks(), engine.frame());
   const WalkHistory& history = test::onlySet(engine).history();
   std::vector<PhotonMap::Photon> photons;
   for (std::size_t i = 0; i < history.size(); ++i)

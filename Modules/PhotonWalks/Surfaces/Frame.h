@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_Frame_h
+#define irradiance_Frame_h
+
+#include "Scene/Scene.h"
+#include "Surfaces/Contacts.h"
+#include "Surfaces/ObjectSides.h"
+#include "Surfaces/SceneCells.h"
+#include "Surfaces/SceneObjects.h"
+#include "Surfaces/SceneTriangles.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace irradiance
+{
+
+/// A scene at one time: what there is, and all that follows from where it is. It is made once and
+/// handed down to whoever works on that time.
+struct Frame
+{
+  SceneObjects objects;
+  SceneCells cells;
+  SceneTriangles triangles;
+  Scene scene; ///< to cast rays in
+  Contacts contacts;
+  ObjectSides sides; ///< known where cells gather direct light
+  /// For each dynamic object, whether it moved since the frame before; empty if nothing is kept of
+  /// that.
+  std::vector<bool> moved;
+
+  bool hasMotion() const { return std::find(moved.begin(), moved.end(), true) != moved.end(); }
+};
+
+}
+
+#endif
