@@ -159,7 +159,7 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   add(sums, 0, 0, { { 110000, 120000, 0 } });
   add(sums, 1, 0, { { 90000, 80000, 0 } });
   Execution execution;
-  const auto reached = [&](const std::array<double, 3>& photon) {
+  const auto reached = [&](const Bands& photon) {
     return ErrorEstimate(sums, plan, 1, photon)
       .missOf(0, cellsOf(objects), false, execution)
       .reached;

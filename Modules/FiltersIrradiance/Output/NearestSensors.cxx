@@ -42,8 +42,7 @@ std::string NearestSensors::measure(const SensorRun& run, const Settings& settin
         ? nearestEstimate(nearest, *foot, settings.photons, maximumRadius)
         : NearestEstimate{ {}, 0, kUnknown, 0 };
       areLost[i] = foot ? 0 : 1;
-      const PointDirectLight::Bands direct =
-        foot ? directLight.irradiance(*foot, i) : PointDirectLight::Bands{};
+      const Bands direct = foot ? directLight.irradiance(*foot, i) : Bands{};
       for (int band = 0; band < irradiances_->GetNumberOfComponents(); ++band)
       {
         irradiances_->SetTypedComponent(point, band,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -103,7 +102,7 @@ void DirectLight::gatherCells(const Frame& frame, std::size_t first, std::size_t
   }
 }
 
-DirectLight::Bands DirectLight::varianceOf(std::size_t cell) const
+Bands DirectLight::varianceOf(std::size_t cell) const
 {
   const std::uint32_t samples = plan_.samplesOf(cell);
   if (samples == 0)
@@ -119,16 +118,13 @@ DirectLight::Bands DirectLight::varianceOf(std::size_t cell) const
     Bands brought{};
     for (std::uint32_t i = first; i < first + size; ++i)
     {
-      for (std::size_t band = 0; isVisible(i) && band < brought.size(); ++band)
+      if (isVisible(i))
       {
-        brought[band] += samples_[i].part * lamps_.lights()[samples_[i].light].flux[band];
+        brought += samples_[i].part * lamps_.lights()[samples_[i].light].flux;
       }
     }
-    for (std::size_t band = 0; band < all.size(); ++band)
-    {
-      all[band] += brought[band];
-      squares[band] += brought[band] * brought[band];
-    }
+    all += brought;
+    squares += brought * brought;
   }
   Bands variance{};
   for (std::size_t band = 0; parts > 1 && band < all.size(); ++band)
@@ -138,12 +134,12 @@ DirectLight::Bands DirectLight::varianceOf(std::size_t cell) const
   return variance;
 }
 
-DirectLight::Bands DirectLight::variance() const
+Bands DirectLight::variance() const
 {
   Bands sum{};
   for (const Bands& ofCell : variances_)
   {
-    std::transform(sum.begin(), sum.end(), ofCell.begin(), sum.begin(), std::plus<>());
+    sum += ofCell;
   }
   return sum;
 }
@@ -261,14 +257,9 @@ std::vector<std::uint32_t> DirectLight::follow(
   return together;
 }
 
-CellSums::Quanta DirectLight::quantaOf(const DirectSample& sample) const
+Bands DirectLight::quantaOf(const DirectSample& sample) const
 {
-  CellSums::Quanta quanta{};
-  for (std::size_t band = 0; band < quanta.size(); ++band)
-  {
-    quanta[band] = sample.part * lamps_.lights()[sample.light].flux[band] * quantaPerWatt_;
-  }
-  return quanta;
+  return quantaPerWatt_ * (sample.part * lamps_.lights()[sample.light].flux);
 }
 
 double DirectLight::unitOf(std::size_t cell) const
@@ -276,8 +267,7 @@ double DirectLight::unitOf(std::size_t cell) const
   double largest = 0;
   for (std::uint32_t i = plan_.first(cell); i < plan_.first(cell) + plan_.samplesOf(cell); ++i)
   {
-    const CellSums::Quanta quanta = quantaOf(samples_[i]);
-    largest = std::max(largest, *std::max_element(quanta.begin(), quanta.end()));
+    largest = std::max(largest, quantaOf(samples_[i]).largest());
   }
   return largest > 0 ? std::exp2(std::ilogb(largest * plan_.samplesOf(cell)) - 51) : 1.0;
 }
@@ -285,7 +275,7 @@ double DirectLight::unitOf(std::size_t cell) const
 Power DirectLight::add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,
   CellSums& sums, std::size_t round) const
 {
-  CellSums::Quanta quanta = quantaOf(samples_[sample]);
+  Bands quanta = quantaOf(samples_[sample]);
   Power power;
   for (std::size_t band = 0; band < quanta.size(); ++band)
   {

@@ -8,7 +8,6 @@
 #include "Sampling/DealtBlocks.h"
 #include "Tally/CellSums.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,8 +21,6 @@ namespace irradiance
 class DirectLight
 {
 public:
-  using Bands = std::array<double, Power::kMaxBands>;
-
   /// All but the numbers must outlive it.
   DirectLight(const CellShapes& cells, const LampPieces& lamps, const DirectPlan& plan,
     std::uint64_t seed, double quantaPerWatt);
@@ -50,7 +47,7 @@ public:
   /// its replicates. As these are nets, it is rather too large.
   Bands variance() const;
   /// What a sample brings if it sees its light.
-  CellSums::Quanta quantaOf(const DirectSample& sample) const;
+  Bands quantaOf(const DirectSample& sample) const;
   /// Adds what a sample of a cell brings to a round, or with `sign` -1 takes it away, to the last
   /// bit: see units_. Returns it in whole quanta. No other thread may add meanwhile.
   Power add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,

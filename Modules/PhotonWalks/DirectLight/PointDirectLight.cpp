@@ -20,7 +20,7 @@ PointDirectLight::PointDirectLight(const Frame& frame, std::shared_ptr<const Lam
 {
 }
 
-PointDirectLight::Bands PointDirectLight::irradiance(
+Bands PointDirectLight::irradiance(
   const LitPoint& point, std::uint64_t number, std::vector<ShadowRay>* rays) const
 {
   std::vector<Bands> all(1, Bands{});
@@ -76,7 +76,7 @@ std::int64_t PointDirectLight::update(const LitPoint& point, std::uint64_t numbe
   return static_cast<std::int64_t>(anew.size());
 }
 
-PointDirectLight::Bands PointDirectLight::taken(
+Bands PointDirectLight::taken(
   const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const
 {
   std::vector<Arrival> arrivals;
@@ -118,11 +118,7 @@ void PointDirectLight::addArriving(const LitPoint& point, const std::vector<Arri
 
 void PointDirectLight::addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const
 {
-  Bands& sum = replicates[arrival.replicate];
-  for (std::size_t band = 0; band < sum.size(); ++band)
-  {
-    sum[band] += arrival.perWatt * lights()[arrival.light].flux[band];
-  }
+  replicates[arrival.replicate] += arrival.perWatt * lights()[arrival.light].flux;
 }
 
 /// As for the samples of cells, see DirectLight.

@@ -5,7 +5,6 @@
 #include "DirectLight/PointLampChoice.h"
 #include "DirectLight/ShadowRay.h"
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -27,8 +26,6 @@ namespace irradiance
 class PointDirectLight
 {
 public:
-  using Bands = std::array<double, Power::kMaxBands>;
-
   /// What the arguments refer to must outlive it. `samples`: for each point; best a power of two.
   /// `mostWeights`: see LampChoice.
   PointDirectLight(const Frame& frame, std::shared_ptr<const LampPieces> lamps, std::uint64_t seed,

@@ -21,7 +21,7 @@ double chance(std::uint64_t seed, std::uint32_t sample, int use)
 }
 
 /// The parts of a power in each band, so that all have `quanta` together.
-Power shared(const std::array<double, Power::kMaxBands>& powers, double all, std::int64_t quanta)
+Power shared(const Bands& powers, double all, std::int64_t quanta)
 {
   Power power;
   for (std::size_t band = 0; band < powers.size(); ++band)
@@ -66,10 +66,10 @@ void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneO
   const DirectSample& sample = light_.samples()[number];
   const TriangleId id = triangles.idOf(sample.triangle);
   const Material& material = *objects[id.object].material;
-  const CellSums::Quanta arriving = light_.quantaOf(sample);
+  const Bands arriving = light_.quantaOf(sample);
   for (int use = 0; use < (material.isSpecular() ? 2 : 1); ++use)
   {
-    std::array<double, Power::kMaxBands> reflected{};
+    Bands reflected{};
     double all = 0;
     for (int band = 0; band < material.bands; ++band)
     {

@@ -39,7 +39,7 @@ double quantileOfArea(const Parts& parts, double area)
 }
 
 ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-  const std::array<double, Power::kMaxBands>& quantaPerWalk, const PhotonShares* shares)
+  const Bands& quantaPerWalk, const PhotonShares* shares)
   : sums_(sums)
   , shares_(shares)
   , rounds_(rounds)
@@ -141,7 +141,7 @@ double ErrorEstimate::partOfRays(const Received& received, double rayVariance) c
 std::vector<ErrorEstimate::Judged> ErrorEstimate::judged(const std::vector<Part>& parts) const
 {
   double area = 0;
-  std::array<double, Power::kMaxBands> sums{}; // quanta
+  Bands sums{}; // quanta
   for (const Part& part : parts)
   {
     area += part.area;

@@ -46,8 +46,7 @@ public:
   /// sums, if they are not what arrived; the errors are of the sums as they are, which are not the
   /// truth where these are biased. `sums` and `shares` must outlive the estimate.
   ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,
-    const std::array<double, Power::kMaxBands>& quantaPerWalk,
-    const PhotonShares* shares = nullptr);
+    const Bands& quantaPerWalk, const PhotonShares* shares = nullptr);
 
   /// The variance of what n replicates tell, from their spread. What they tell comes in steps, as
   /// photons do, so replicates may agree by chance: the variance within a step is the least that
@@ -115,7 +114,7 @@ private:
   const PhotonShares* shares_;
   std::size_t rounds_;
   std::uint32_t walks_;
-  std::array<double, Power::kMaxBands> quantaPerWalk_;
+  Bands quantaPerWalk_;
   std::vector<double> share_; ///< of each replicate in the walks
   double unbiased_;           ///< 1 / (1 - sum of the squared shares)
 };

@@ -56,19 +56,16 @@ void FinalGatherEstimator::putTogether(
     const bool gathers = roles_->gathers(cell);
     const CellSums& own = gathers ? direct : known.all;
     forEachSide(cell, true, [&](const CellSide& side) {
-      for (int band = 0; band < known.all.bands(); ++band)
+      for (std::uint32_t i = 0; i < replicates; ++i)
       {
-        for (std::uint32_t i = 0; i < replicates; ++i)
-        {
-          sums_.setGathered(side, band, i,
-            own.sum(side, band, i, known.rounds) +
-              (gathers ? gather_.indirect().sum(side, band, i, 1) : 0));
-        }
-        if (known.stale)
-        {
-          const CellSums& stale = gathers ? gather_.stale() : *known.stale;
-          staleSums_.setGathered(side, band, 0, stale.sum(side, band));
-        }
+        Bands sum = own.sums(side, i, known.rounds);
+        sum += gathers ? gather_.indirect().sums(side, i, 1) : Bands{};
+        sums_.setGathered(side, i, sum);
+      }
+      if (known.stale)
+      {
+        staleSums_.setGathered(
+          side, 0, (gathers ? gather_.stale() : *known.stale).sums(side, 0, 1));
       }
     });
     pace.step();

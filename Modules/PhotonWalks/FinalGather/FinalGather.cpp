@@ -217,31 +217,28 @@ void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSum
 {
   const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
   const double areaOfStart = scene.frame.cells.area(cell) / side.starts;
-  for (int band = 0; band < indirect_.bands(); ++band)
-  {
-    const auto sumOf = [&](const auto& found) {
-      double all = 0;
-      for (std::size_t round = 0; round < brought.size(); ++round)
+  const auto sumOf = [&](const auto& found) {
+    Bands all{};
+    for (std::size_t round = 0; round < brought.size(); ++round)
+    {
+      Bands sum{};
+      for (std::size_t i = start; i < start + side.starts; ++i)
       {
-        double sum = 0;
-        for (std::size_t i = start; i < start + side.starts; ++i)
-        {
-          sum += found(brought[round], i)[static_cast<std::size_t>(band)];
-        }
-        all += RayRounds::share(round, brought.size()) * sum;
+        sum += found(brought[round], i);
       }
-      return areaOfStart * all;
-    };
-    for (std::uint32_t k = 0; k < indirect_.plan().replicates().count(); ++k)
-    {
-      indirect_.setGathered(cell, band, k,
-        sumOf([&](const PathSums& sums, std::size_t i) { return sums.found(i, k); }));
+      all += RayRounds::share(round, brought.size()) * sum;
     }
-    if (scene.known.stale)
-    {
-      stale_.setGathered(
-        cell, band, 0, sumOf([&](const PathSums& sums, std::size_t i) { return sums.stale(i); }));
-    }
+    return areaOfStart * all;
+  };
+  for (std::uint32_t k = 0; k < indirect_.plan().replicates().count(); ++k)
+  {
+    indirect_.setGathered(
+      cell, k, sumOf([&](const PathSums& sums, std::size_t i) { return sums.found(i, k); }));
+  }
+  if (scene.known.stale)
+  {
+    stale_.setGathered(
+      cell, 0, sumOf([&](const PathSums& sums, std::size_t i) { return sums.stale(i); }));
   }
 }
 
@@ -253,28 +250,28 @@ void FinalGather::storeNoise(const FinalGatherScene& scene, const std::vector<Pa
   const double areaOfStart = scene.frame.cells.area(cell) / side.starts;
   const std::size_t last = brought.size() - 1;
   const std::uint32_t rays = scene.raysOfReplicate(), halves = rays / 2 * 2;
-  for (int band = 0; band < indirect_.bands(); ++band)
+  Bands noise{}; // squared
+  for (std::uint32_t k = 0; k < scene.replicates(); ++k)
   {
-    const auto i = static_cast<std::size_t>(band);
-    double squares = 0;
-    for (std::uint32_t k = 0; k < scene.replicates(); ++k)
+    Bands difference{};
+    for (std::size_t at = start; at < start + side.starts; ++at)
     {
-      double difference = 0;
-      for (std::size_t at = start; at < start + side.starts; ++at)
+      for (std::size_t round = 0; last > 0 && round <= last; ++round)
       {
-        for (std::size_t round = 0; last > 0 && round <= last; ++round)
-        {
-          const double share = RayRounds::share(round, brought.size());
-          difference += (round < last ? share : -share) * brought[round].found(at, k)[i];
-        }
-        difference += last == 0 ? brought[0].difference(at, k)[i] : 0;
+        const double share = RayRounds::share(round, brought.size());
+        difference += (round < last ? share : -share) * brought[round].found(at, k);
       }
-      squares += difference * difference;
+      difference += last == 0 ? brought[0].difference(at, k) : Bands{};
     }
-    // Of an odd number of rays the one in the middle is in no half.
-    const double middle = last == 0 && halves > 0 ? static_cast<double>(rays) / halves : 1;
-    noise_.setGathered(cell, band, 0, areaOfStart * std::sqrt(middle * squares));
+    noise += difference * difference;
   }
+  // Of an odd number of rays the one in the middle is in no half.
+  const double middle = last == 0 && halves > 0 ? static_cast<double>(rays) / halves : 1;
+  for (double& ofBand : noise)
+  {
+    ofBand = areaOfStart * std::sqrt(middle * ofBand);
+  }
+  noise_.setGathered(cell, 0, noise);
 }
 
 }

@@ -59,21 +59,16 @@ std::uint64_t seedOf(const FinalGatherScene& scene, std::uint64_t number)
   return splitMix(scene.seed ^ splitMix(number));
 }
 
-double largestOf(const FinalGatherPaths::Bands& weight)
-{
-  return *std::max_element(weight.begin(), weight.end());
-}
-
 /// The part of the largest weight that is left; of one band exactly its reflectance.
-double reflectedPart(const FinalGatherPaths::Bands& weight, const double* reflectances, int bands)
+double reflectedPart(const Bands& weight, const double* reflectances, int bands)
 {
-  FinalGatherPaths::Bands reflected{};
+  Bands reflected{};
   for (int band = 0; band < bands; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
     reflected[i] = weight[i] * reflectances[i];
   }
-  return bands == 1 ? reflectances[0] : std::min(1.0, largestOf(reflected) / largestOf(weight));
+  return bands == 1 ? reflectances[0] : std::min(1.0, reflected.largest() / weight.largest());
 }
 
 }
@@ -341,11 +336,10 @@ void FinalGatherPaths::askLights(
   Bands arriving{}, onLobe{};
   for (const PointDirectLight& lights : scene.lights)
   {
-    const Bands more = asksDiffuse
-      ? lights.irradiance(point, number, scene.keepsPaths ? &shadows_ : nullptr)
-      : Bands{};
-    std::transform(
-      more.begin(), more.end(), arriving.begin(), arriving.begin(), std::plus<double>());
+    if (asksDiffuse)
+    {
+      arriving += lights.irradiance(point, number, scene.keepsPaths ? &shadows_ : nullptr);
+    }
   }
   if (arrival.lobe)
   {

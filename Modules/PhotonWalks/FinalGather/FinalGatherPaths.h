@@ -7,7 +7,6 @@
 #include "FinalGather/LobeLight.h"
 #include "Surfaces/Absorption.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -29,8 +28,6 @@ namespace irradiance
 class FinalGatherPaths
 {
 public:
-  using Bands = std::array<double, Power::kMaxBands>;
-
   /// Forgets all sides and points.
   void begin(const FinalGatherScene& scene);
   /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples.

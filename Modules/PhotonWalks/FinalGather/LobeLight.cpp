@@ -4,7 +4,6 @@
 #include "Geometry/Pi.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace irradiance
 {
@@ -21,8 +20,8 @@ double weightBeside(double density, double other)
 
 }
 
-PointDirectLight::Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from,
-  const PhongLobe& lobe, std::uint64_t number, std::uint32_t share)
+Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from, const PhongLobe& lobe,
+  std::uint64_t number, std::uint32_t share)
 {
   const Vector3& normal = from.place.normal;
   const LitPoint point{ from.place.clearPosition(), normal, from.id };
@@ -31,11 +30,10 @@ PointDirectLight::Bands lobeLight(const FinalGatherScene& scene, const PathVerte
     const double ofLobe = lobe.value(normal, toLight, -from.incoming) * toLight.dot(normal);
     return ofLobe > 0 ? kPi * ofLobe * weightBeside(density, ofLobe) : 0;
   };
-  PointDirectLight::Bands sum{};
+  Bands sum{};
   for (const PointDirectLight& lights : scene.lights)
   {
-    const PointDirectLight::Bands more = lights.taken(point, part, number, share);
-    std::transform(more.begin(), more.end(), sum.begin(), sum.begin(), std::plus<double>());
+    sum += lights.taken(point, part, number, share);
   }
   return sum;
 }

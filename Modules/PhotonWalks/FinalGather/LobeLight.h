@@ -25,8 +25,8 @@ struct PathVertex
 
 /// pi times the radiance, W/m2/sr, of what the lights bring, by asking them, for a specular
 /// reflectance of 1. `number` and `share`: see PointDirectLight::taken().
-PointDirectLight::Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from,
-  const PhongLobe& lobe, std::uint64_t number, std::uint32_t share);
+Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from, const PhongLobe& lobe,
+  std::uint64_t number, std::uint32_t share);
 
 /// The weight of a lamp that a ray meets at a place. `density`: of its direction, 1/sr, where it
 /// left a lobe.

@@ -37,9 +37,9 @@ void PathSums::read(const FinalGatherScene& scene, const FollowedPaths& paths, s
     const Bands before = sums_[at];
     add(scene, paths[i], replicate, sums_[at], stale_[start]);
     const double sign = signOf(ray % scene.raysOfReplicate(), scene.raysOfReplicate());
-    for (std::size_t band = 0; scene.tellsNoise && band < before.size(); ++band)
+    if (scene.tellsNoise)
     {
-      differences_[at][band] += sign * (sums_[at][band] - before[band]);
+      differences_[at] += sign * (sums_[at] - before);
     }
   }
 }

@@ -6,7 +6,6 @@
 #include "FinalGather/FollowedPaths.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace irradiance
@@ -24,8 +23,6 @@ class PathSums
 {
 public:
   /// Irradiance, in quanta/m2.
-  using Bands = std::array<double, Power::kMaxBands>;
-
   /// `starts`: each has scene.rays of the paths, in order.
   void read(const FinalGatherScene& scene, const FollowedPaths& paths, std::size_t starts);
 

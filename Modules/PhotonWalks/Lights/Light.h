@@ -4,7 +4,7 @@
 
 #include "Lights/AreaLight.h"
 #include "Lights/PointLight.h"
-#include "Surfaces/Power.h"
+#include "Surfaces/Bands.h"
 #include "Surfaces/SceneCell.h"
 
 #include <array>
@@ -63,8 +63,8 @@ public:
   {
   }
 
-  std::array<double, Power::kMaxBands> flux{}; ///< W, by band
-  SceneCell cell;                              ///< to which it belongs
+  Bands flux{};   ///< W, by band
+  SceneCell cell; ///< to which it belongs
 
   double totalFlux() const { return flux[0] + flux[1] + flux[2]; }
   /// The triangle on which rays meet it, and from which they leave it; none for a light in the air.

@@ -118,9 +118,9 @@ Power LightTable::powerOf(const Light& light) const
   return power;
 }
 
-std::array<double, Power::kMaxBands> LightTable::largestStart() const
+Bands LightTable::largestStart() const
 {
-  std::array<double, Power::kMaxBands> largest{};
+  Bands largest{};
   for (const Power& power : powers_)
   {
     for (std::size_t band = 0; band < largest.size(); ++band)

@@ -40,7 +40,7 @@ public:
   void setQuantaPerWalk(std::int64_t quanta);
 
   /// Quanta with which a walk from any light may start, in each band.
-  std::array<double, Power::kMaxBands> largestStart() const;
+  Bands largestStart() const;
 
   /// The number of the light that a sample in (0, 1) chooses.
   std::size_t choose(double sample) const;

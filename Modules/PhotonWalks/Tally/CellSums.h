@@ -5,7 +5,7 @@
 #include "Execution/Ranks.h"
 #include "History/Contribution.h"
 #include "Sampling/WalkPlan.h"
-#include "Surfaces/Power.h"
+#include "Surfaces/Bands.h"
 #include "Surfaces/SceneCells.h"
 
 #include <array>
@@ -42,9 +42,6 @@ struct FinalGatherers
 class CellSums
 {
 public:
-  /// Quanta in each band, not whole ones.
-  using Quanta = std::array<double, Power::kMaxBands>;
-
   CellSums() = default;
   /// There is room for `rounds` rounds of the plan. `sides`: 1 where both sides of a cell share one
   /// sum.
@@ -129,7 +126,7 @@ public:
   /// called by many threads at once.
   void addCounts(std::int32_t* counts, std::int64_t quanta);
   /// Adds what a cell of the gatherers gathers; `sign` -1 takes it away. For one thread alone.
-  void addGathered(std::size_t slot, bool isFront, const Quanta& quanta, int sign)
+  void addGathered(std::size_t slot, bool isFront, const Bands& quanta, int sign)
   {
     double* const sums = &gathered_[gatheredPlace(isFront ? slot : backOf(slot))];
     for (int band = 0; band < bands_; ++band)
@@ -158,6 +155,16 @@ public:
   {
     return static_cast<double>(shot(cell, band, replicate, rounds)) +
       gathered(cell, band, replicate, rounds);
+  }
+  /// Likewise, in all bands.
+  Bands sums(const CellSide& cell, std::uint32_t replicate, std::size_t rounds) const
+  {
+    Bands sums{};
+    for (int band = 0; band < bands_; ++band)
+    {
+      sums[static_cast<std::size_t>(band)] = sum(cell, band, replicate, rounds);
+    }
+    return sums;
   }
   /// What walks brought.
   std::int64_t shot(const CellSide& cell, int band, std::size_t rounds) const;
@@ -188,6 +195,11 @@ public:
   {
     gathered_[gatheredPlace(slot({ 0, replicate }, cell)) + static_cast<std::size_t>(band)] =
       quanta;
+  }
+  /// Likewise, in all bands.
+  void setGathered(const CellSide& cell, std::uint32_t replicate, const Bands& quanta)
+  {
+    std::copy_n(quanta.begin(), bands_, &gathered_[gatheredPlace(slot({ 0, replicate }, cell))]);
   }
 
   const CellNumbers& numbers() const { return numbers_; }

@@ -27,8 +27,6 @@ namespace irradiance
 class OutgoingRadiance
 {
 public:
-  using Bands = ViewFinalGather::Bands;
-
   /// Prepares what does not depend on the eye, in the present frame of an engine, which must not
   /// change meanwhile. `samples`: of a specular cell; rounded up to a multiple of the replicates. Throws Interrupted.
   OutgoingRadiance(const IrradianceEngine& engine, std::uint32_t samples, Execution& execution);

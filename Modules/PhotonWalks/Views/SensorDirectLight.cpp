@@ -18,18 +18,14 @@ SensorDirectLight::SensorDirectLight(const IrradianceEngine& engine)
   }
 }
 
-PointDirectLight::Bands SensorDirectLight::irradiance(const Foot& foot, std::uint64_t number) const
+Bands SensorDirectLight::irradiance(const Foot& foot, std::uint64_t number) const
 {
   const LitPoint point = LitPoint::onTriangle(
     scene_.worldTriangle(foot.id), foot.id, foot.isFront, foot.sensor.position);
-  PointDirectLight::Bands sum{};
+  Bands sum{};
   for (const PointDirectLight& lights : groups_)
   {
-    const PointDirectLight::Bands part = lights.irradiance(point, number);
-    for (std::size_t band = 0; band < sum.size(); ++band)
-    {
-      sum[band] += part[band];
-    }
+    sum += lights.irradiance(point, number);
   }
   return sum;
 }

@@ -20,7 +20,7 @@ public:
 
   /// W/m2, of the surface on which a sensor stands. `number`: of the sensor. May be called by
   /// several threads.
-  PointDirectLight::Bands irradiance(const Foot& foot, std::uint64_t number) const;
+  Bands irradiance(const Foot& foot, std::uint64_t number) const;
 
 private:
   const Scene& scene_;

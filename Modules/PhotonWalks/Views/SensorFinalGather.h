@@ -25,8 +25,6 @@ namespace irradiance
 class SensorFinalGather
 {
 public:
-  using Bands = PointDirectLight::Bands;
-
   /// Of the present frame of an engine, which must not change meanwhile.
   /// `rays`: to lights and for indirect light each; rounded up to a multiple of the replicates.
   /// `keepsRays`: for update() in frames in which things have moved. Throws Interrupted, and

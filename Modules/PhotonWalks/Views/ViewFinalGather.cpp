@@ -32,7 +32,7 @@ ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShape
   scene_.asksOnLobes = asksOnLobes;
 }
 
-std::vector<ViewFinalGather::Bands> ViewFinalGather::replicatesOf(
+std::vector<Bands> ViewFinalGather::replicatesOf(
   const PathSums& brought, std::size_t start, double factor) const
 {
   std::vector<Bands> replicates(scene_.replicates());

@@ -22,7 +22,6 @@ namespace irradiance
 class ViewFinalGather
 {
 public:
-  using Bands = PathSums::Bands;
   /// Of the present frame of an engine, which must not change meanwhile.
   /// `shapes`: of cells that are starts; they must outlive it. `rays`: of a
   /// start; rounded up to a multiple of the replicates. `asksOnLobes`, `keepsPaths`: see

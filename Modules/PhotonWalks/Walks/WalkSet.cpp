@@ -450,9 +450,9 @@ std::size_t WalkSet::bytes() const
     history_.bytes() + (gathered > 0 ? gathered + sums_.bytes() : 0);
 }
 
-std::array<double, Power::kMaxBands> WalkSet::largestStart() const
+Bands WalkSet::largestStart() const
 {
-  std::array<double, Power::kMaxBands> largest = lights().largestStart();
+  Bands largest = lights().largestStart();
   if (gathered_) // what is reflected may be of one band
   {
     std::transform(largest.begin(), largest.end(), largest.begin(), [&](double ofLight) {

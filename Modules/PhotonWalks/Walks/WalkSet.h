@@ -66,7 +66,7 @@ public:
   const WalkSource& source() const { return source_; }
   const LightTable& lights() const { return source_.lights; }
   /// Quanta with which a walk may start at most, in each band.
-  std::array<double, Power::kMaxBands> largestStart() const;
+  Bands largestStart() const;
   /// Of the walks that are stored.
   const WalkPlan& plan() const { return gathered_ ? gathered_->plan() : source_.plan; }
   const WalkHistory& history() const { return history_; }

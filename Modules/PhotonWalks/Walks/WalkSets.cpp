@@ -241,14 +241,12 @@ Box WalkSets::bounds(const Scene& scene) const
   return bounds;
 }
 
-std::array<double, Power::kMaxBands> WalkSets::largestStart() const
+Bands WalkSets::largestStart() const
 {
-  std::array<double, Power::kMaxBands> largest{};
+  Bands largest{};
   for (const WalkSet& set : sets_)
   {
-    const auto its = set.largestStart();
-    std::transform(its.begin(), its.end(), largest.begin(), largest.begin(),
-      [](double a, double b) { return std::max(a, b); });
+    largest = larger(largest, set.largestStart());
   }
   return largest;
 }

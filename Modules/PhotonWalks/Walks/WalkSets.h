@@ -69,7 +69,7 @@ public:
   /// With which a walk starts, in all bands together; of several sets, on average.
   std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
   /// Quanta with which a walk may start at most, in each band.
-  std::array<double, Power::kMaxBands> largestStart() const;
+  Bands largestStart() const;
   double watts(double quanta) const { return watts(quanta, sums().rounds()); }
   /// Of what the first rounds brought.
   double watts(double quanta, std::size_t rounds) const
