@@ -60,10 +60,9 @@ public:
     const CancelPoint& cancelPoint) const;
 
   /// The samples that a motion of other objects changed. See DirectLight::follow().
-  std::vector<std::uint32_t> follow(
-    const Frame& frame, const MovedObjects& moved, Execution& execution)
+  std::vector<std::uint32_t> follow(const Frame& frame, Execution& execution)
   {
-    return light_.follow(frame, moved, execution);
+    return light_.follow(frame, execution);
   }
   /// Adds what these samples bring now, or takes away what they brought.
   void change(const std::vector<std::uint32_t>& samples, CellSums& sums, PowerBalance& balance,

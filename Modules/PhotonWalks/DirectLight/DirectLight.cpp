@@ -42,6 +42,22 @@ bool mayTouch(const DirectSample& sample, const Box& box)
   return first <= last;
 }
 
+/// Where what moved is now, with what rounding calls for.
+std::vector<Box> movedBoxes(const Frame& frame)
+{
+  std::vector<Box> boxes;
+  for (std::uint32_t i = 0; i < frame.moved.size(); ++i)
+  {
+    Box box = frame.objects.dynamicObjects[i].worldBounds();
+    if (frame.moved[i] && !box.isEmpty())
+    {
+      box.inflate(frame.scene.shadowPad(i, frame.scene.clearance()));
+      boxes.push_back(box);
+    }
+  }
+  return boxes;
+}
+
 }
 
 DirectLight::DirectLight(const CellShapes& cells, const LampPieces& lamps, const DirectPlan& plan,
@@ -197,22 +213,22 @@ DirectLight::View DirectLight::viewOf(
 }
 
 bool DirectLight::mayChange(
-  const Frame& frame, const MovedObjects& moved, std::uint32_t number) const
+  const Frame& frame, const std::vector<Box>& boxes, std::uint32_t number) const
 {
   const View view = views_[number];
   const DirectSample& sample = samples_[number];
   if (view == kFree)
   {
     return touchesDynamic(frame, sample) ||
-      std::any_of(moved.boxes.begin(), moved.boxes.end(),
-        [&](const Box& box) { return mayTouch(sample, box); });
+      std::any_of(
+        boxes.begin(), boxes.end(), [&](const Box& box) { return mayTouch(sample, box); });
   }
-  return view == kTouch || (view != kNever && moved.dynamic[view - 1]);
+  return view == kTouch || (view != kNever && frame.moved[view - 1]);
 }
 
-std::vector<std::uint32_t> DirectLight::follow(
-  const Frame& frame, const MovedObjects& moved, Execution& execution)
+std::vector<std::uint32_t> DirectLight::follow(const Frame& frame, Execution& execution)
 {
+  const std::vector<Box> boxes = movedBoxes(frame);
   const auto all = static_cast<std::uint32_t>(samples_.size());
   const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
   std::vector<std::vector<std::uint32_t>> flipped(units);
@@ -222,7 +238,7 @@ std::vector<std::uint32_t> DirectLight::follow(
     std::vector<std::uint32_t> suspects;
     for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
     {
-      if (mayChange(frame, moved, i))
+      if (mayChange(frame, boxes, i))
       {
         suspects.push_back(i);
       }

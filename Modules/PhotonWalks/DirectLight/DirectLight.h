@@ -3,7 +3,6 @@
 #define irradiance_DirectLight_h
 
 #include "DirectLight/CellSampler.h"
-#include "DirectLight/MovedObjects.h"
 #include "Execution/Execution.h"
 #include "Sampling/DealtBlocks.h"
 #include "Tally/CellSums.h"
@@ -31,8 +30,7 @@ public:
   /// that what moved may hide now, or hid before, and at those whose light or cell a dynamic object
   /// touches. Returns which see their lights now and did not before, or the other way round, in
   /// order.
-  std::vector<std::uint32_t> follow(
-    const Frame& frame, const MovedObjects& moved, Execution& execution);
+  std::vector<std::uint32_t> follow(const Frame& frame, Execution& execution);
 
   const DirectPlan& plan() const { return plan_; }
   /// By number; those of a cell that is not there are none.
@@ -70,7 +68,8 @@ private:
   double unitOf(std::size_t cell) const;
   bool touchesDynamic(const Frame& frame, const DirectSample& sample) const;
   /// Whether a motion may change the view of a sample.
-  bool mayChange(const Frame& frame, const MovedObjects& moved, std::uint32_t sample) const;
+  /// `boxes`: of what moved.
+  bool mayChange(const Frame& frame, const std::vector<Box>& boxes, std::uint32_t sample) const;
   /// Those of samples, in order.
   std::vector<View> viewsOf(const Frame& frame, const std::vector<std::uint32_t>& samples) const;
   View viewOf(

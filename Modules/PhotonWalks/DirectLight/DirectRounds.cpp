@@ -34,12 +34,12 @@ void DirectRounds::drop(std::size_t kept, const Totals& totals, const CancelPoin
 }
 
 std::vector<std::uint32_t> DirectRounds::follow(
-  const Frame& frame, const MovedObjects& moved, const Totals& totals, Execution& execution)
+  const Frame& frame, const Totals& totals, Execution& execution)
 {
   std::vector<std::uint32_t> walks;
   for (const std::unique_ptr<DirectGather>& light : rounds_)
   {
-    const std::vector<std::uint32_t> samples = light->follow(frame, moved, execution);
+    const std::vector<std::uint32_t> samples = light->follow(frame, execution);
     light->change(samples, totals.sums, totals.balance, totals.dealt);
     const std::vector<std::uint32_t> some = light->starts().walksOf(samples);
     walks.insert(walks.end(), some.begin(), some.end());

@@ -47,8 +47,7 @@ public:
   void drop(std::size_t kept, const Totals& totals, const CancelPoint& cancelPoint);
   /// Follows a motion, see DirectGather::follow(), and changes the totals. Returns the walks, in
   /// order, that are born now and were not before, or the other way round.
-  std::vector<std::uint32_t> follow(
-    const Frame& frame, const MovedObjects& moved, const Totals& totals, Execution& execution);
+  std::vector<std::uint32_t> follow(const Frame& frame, const Totals& totals, Execution& execution);
 
   /// Of the walks that may be born in the rounds so far.
   const WalkPlan& plan() const { return plan_; }

@@ -4,7 +4,6 @@
 
 #include "Execution/Execution.h"
 
-#include <cmath>
 #include <mutex>
 
 namespace irradiance
@@ -24,8 +23,6 @@ public:
 
   double now() const { return execution_.seconds(); }
   double elapsed() const { return now() - begin_; }
-  bool isEndless() const { return std::isinf(end_); }
-  bool hasEnded() const { return now() >= end_; }
   /// How many items, at most `most`, a thread should begin together: by the mean cost so far they
   /// take half of the time that is left. 0 if that does not suffice for one.
   std::size_t itemsToBegin(std::size_t most) const;

@@ -191,20 +191,4 @@ void StoredRays::find(
   }
 }
 
-void StoredRays::findArrivals(const WalkTracer& tracer, const WalkHistory& history,
-  const Segments& segments, SurfacePoint* points, Vector3* directions)
-{
-  name(history, segments, named_);
-  find(tracer, history, named_, true);
-  for (std::size_t row = 0; row < segments.size(); ++row)
-  {
-    const BounceBlock& block = history.block(named_.block[row]);
-    const Hit hit = history.hit(SegmentPlace{ named_.block[row], named_.slot[row] });
-    points[row] = surfacePoint(tracer.scene().worldTriangle(hit.id), weightsOf(hit));
-    points[row].turn(block.isFront(named_.slot[row]));
-    directions[row] = incomingDirection(
-      points[row], { named_.originX[row], named_.originY[row], named_.originZ[row] });
-  }
-}
-
 }

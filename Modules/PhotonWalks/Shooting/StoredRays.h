@@ -31,10 +31,6 @@ public:
   /// The rays of segments, one for each.
   void find(
     const WalkTracer& tracer, const WalkHistory& history, const Segments& segments, Ray* rays);
-  /// The points where segments hit, and the unit directions in which they flew there. They follow
-  /// from the stored points as the directions of specular reflection do. Not for escapes.
-  void findArrivals(const WalkTracer& tracer, const WalkHistory& history, const Segments& segments,
-    SurfacePoint* points, Vector3* directions);
 
 private:
   /// Only origins are of use if `isOnlyOrigins`: no directions of specular reflections are

@@ -57,8 +57,6 @@ public:
 
   /// The part b of the light that the first term loses, for a cosine of incidence > 0.
   double loss(double cosine) const;
-  /// B, the mean of the loss.
-  double meanLoss() const { return sums_.back(); }
 
 private:
   /// Nodes of the loss, closer together where it is larger.

@@ -38,17 +38,6 @@ public:
       rays += some.size();
     });
   }
-  /// Likewise.
-  void arrivalsOf(
-    const std::vector<SegmentRef>& segments, SurfacePoint* points, Vector3* directions) const
-  {
-    StoredRays stored;
-    forEachSet(segments, [&](const Reader& reader, const std::vector<SegmentRef>& some) {
-      stored.findArrivals(reader.tracer, reader.set.history(), some, points, directions);
-      points += some.size();
-      directions += some.size();
-    });
-  }
 
 private:
   /// Of one set.

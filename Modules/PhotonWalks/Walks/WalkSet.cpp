@@ -326,19 +326,9 @@ std::int64_t WalkSet::numberStored() const
 
 void WalkSet::followGathered(const Frame& frame, Execution& execution)
 {
-  MovedObjects objects{ frame.moved, {} };
-  for (std::uint32_t i = 0; i < frame.moved.size(); ++i)
-  {
-    Box box = frame.objects.dynamicObjects[i].worldBounds();
-    if (frame.moved[i] && !box.isEmpty())
-    {
-      box.inflate(frame.scene.shadowPad(i, frame.scene.clearance()));
-      objects.boxes.push_back(box);
-    }
-  }
   ProgressSpan beginning(execution, 0, 0);
   std::vector<std::uint32_t> born, gone;
-  for (const std::uint32_t walk : gathered_->follow(frame, objects, totals(), beginning))
+  for (const std::uint32_t walk : gathered_->follow(frame, totals(), beginning))
   {
     if (isDealt(walk))
     {

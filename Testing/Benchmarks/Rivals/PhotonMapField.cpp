@@ -48,14 +48,14 @@ std::vector<PhotonMap::Photon> mapPhotonsOf(const IrradianceEngine& engine)
   {
     std::vector<SegmentRef> segments;
     history.forEachPhoton(i, [&](const Photon& photon) { segments.push_back(photon.reference); });
-    std::vector<SurfacePoint> points(segments.size());
-    std::vector<Vector3> directions(segments.size());
-    walks.arrivalsOf(segments, points.data(), directions.data());
+    std::vector<Ray> rays(segments.size());
+    walks.raysOf(segments, rays.data());
     for (std::size_t k = 0; k < segments.size(); ++k)
     {
       const Power power = history.power(segments[k]);
-      photons.push_back({ inFloats(points[k].position), static_cast<float>(engine.watts(power[0])),
-        PhotonMap::packed(inFloats(directions[k])) });
+      const Vector3 place = engine.scene().surfaceOf(history.hit(segments[k]), true).position;
+      photons.push_back({ inFloats(place), static_cast<float>(engine.watts(power[0])),
+        PhotonMap::packed(inFloats(rays[k].direction)) });
     }
   }
   return photons;
