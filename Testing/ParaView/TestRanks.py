@@ -19,8 +19,9 @@ class Run:
         # This process is one of MPI itself, and would be taken for the parent.
         environment = {name: value for name, value in os.environ.items()
                        if not name.startswith(("OMPI_", "ORTE_", "PMIX_"))}
+        environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
         log = subprocess.run(
-            ["mpirun", "--allow-run-as-root", "--oversubscribe", "--timeout", "80", "-n", str(ranks),
+            ["mpirun", "--allow-run-as-root", "--oversubscribe", "--timeout", "240", "-n", str(ranks),
              f"{os.environ['PARAVIEW_PREFIX']}/bin/pvbatch", f"{HERE}/{script}", self.folder],
             env=environment, capture_output=True, text=True, check=False)
         self.log = f"{ranks} processes: {log.stdout}{log.stderr}"

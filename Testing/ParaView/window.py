@@ -9,7 +9,7 @@ import time
 SDK = os.environ["PARAVIEW_PREFIX"]
 
 
-def wait_for(file_name, process, seconds=100):
+def wait_for(file_name, process, seconds=200):
     end = time.monotonic() + seconds
     while not os.path.exists(file_name) and process.poll() is None and time.monotonic() < end:
         time.sleep(0.1)

@@ -14,8 +14,8 @@ namespace irradiance
 
 /**
  * Small cells: from their direct light, which they gathered, and a final gather of the indirect
- * light, see FinalGatherPaths. All others: from their own sums. Needs gathered direct
- * light. Paths are kept from update to update, see FinalGather; all else is made anew.
+ * light, see FinalGatherPaths. All others: from their own sums. Needs gathered direct light. Paths
+ * are kept from update to update, see FinalGather; all else is made anew.
  *
  * The sums that rays read are means over the cells that they hit: this is a bias, which shrinks
  * with the size of these. Unbiased estimates read none. See Documentation/Theory.md, 5.7.

@@ -18,8 +18,8 @@ namespace irradiance
 class WalkBatch
 {
 public:
-  /// Begins anew. The arguments must outlive the run. `history`: where segments are stored, or
-  /// null.
+  /// Begins anew. The arguments must outlive the run. `history`: where segments are stored;
+  /// or null.
   void begin(const WalkTracer& tracer, WalkHistory* history);
 
   /// To be filled: with walks and their blocks, to be started; or with walks whose rays and hits

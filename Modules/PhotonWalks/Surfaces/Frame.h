@@ -25,8 +25,7 @@ struct Frame
   Scene scene; ///< to cast rays in
   Contacts contacts;
   ObjectSides sides; ///< known where cells gather direct light
-  /// For each dynamic object, whether it moved since the frame before; empty if nothing is kept of
-  /// that.
+  /// For each dynamic object, whether it moved since the frame before; empty after a fresh start.
   std::vector<bool> moved;
 
   bool hasMotion() const { return std::find(moved.begin(), moved.end(), true) != moved.end(); }

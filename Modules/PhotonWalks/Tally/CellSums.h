@@ -143,7 +143,7 @@ public:
   /// alone.
   void sumOver(Ranks& ranks, const CancelPoint& cancelPoint);
 
-  /// What a side of a cell received in all; or both.
+  /// What a side of a cell, or both, received in all.
   double sum(const CellSide& cell, int band) const { return sum(cell, band, rounds_); }
   /// Likewise, in the first `rounds` rounds.
   double sum(const CellSide& cell, int band, std::size_t rounds) const
