@@ -9,7 +9,7 @@
 #include "TestScenes.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkOutgoingRadianceFilter.h"
+#include "vtkPhotonWalksFilter.h"
 #include "vtkPointIrradianceFilter.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -244,10 +244,10 @@ TEST(Ranks, RefuseABudgetWherePhotonsAreRead)
   filter->SetNumberOfWalks(6000);
   filter->SetCellEstimateToSums();
   filter->SetRepairTimeBudget(1);
-  vtkNew<vtkOutgoingRadianceFilter> radiance;
-  radiance->SetInputConnection(filter->GetOutputPort());
+  vtkNew<vtkPhotonWalksFilter> walks;
+  walks->SetInputConnection(filter->GetOutputPort());
   const auto observer = ErrorObserver::Watch(filter);
-  radiance->Update();
+  walks->Update();
   ASSERT_EQ(observer->Errors.size(), AreSeveral() ? 1u : 0u);
   if (AreSeveral())
   {
