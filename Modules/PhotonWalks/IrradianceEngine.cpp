@@ -126,7 +126,7 @@ FrameChange IrradianceEngine::changeTo(
   }
   FrameChange change{ FrameChange::Still, findMoved(objects, frame_.objects) };
   const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
-  if (replaces || change.hasMotion() || walks_.staleSums() || forgetsHits)
+  if (replaces || hasMotion(change.moved) || walks_.staleSums() || forgetsHits)
   {
     change.kind = replaces ? FrameChange::Replace : FrameChange::Motion;
   }
@@ -199,14 +199,14 @@ void IrradianceEngine::start(Execution& execution)
 
 void IrradianceEngine::follow(Execution& execution)
 {
-  const bool hasMotion = frame_.hasMotion();
-  if (hasMotion)
+  const bool hasMoved = hasMotion(frame_.moved);
+  if (hasMoved)
   {
     const Stopwatch stopwatch;
     commitScene(execution);
     statistics_.verifySeconds = stopwatch.seconds();
   }
-  if (walks_.isEmpty() || !(hasMotion || walks_.hasStale()))
+  if (walks_.isEmpty() || !(hasMoved || walks_.hasStale()))
   {
     return;
   }

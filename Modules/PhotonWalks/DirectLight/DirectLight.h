@@ -67,8 +67,7 @@ private:
   Bands varianceOf(std::size_t cell) const;
   double unitOf(std::size_t cell) const;
   bool touchesDynamic(const Frame& frame, const DirectSample& sample) const;
-  /// Whether a motion may change the view of a sample.
-  /// `boxes`: of what moved.
+  /// Whether a motion may change the view of a sample. `boxes`: of what moved.
   bool mayChange(const Frame& frame, const std::vector<Box>& boxes, std::uint32_t sample) const;
   /// Those of samples, in order.
   std::vector<View> viewsOf(const Frame& frame, const std::vector<std::uint32_t>& samples) const;

@@ -35,11 +35,11 @@ FinalGatherMotion::FinalGatherMotion(const FinalGatherScene& scene, const std::v
   }
   const TriangleNumbers& numbers = scene.frame.triangles.numbers();
   firstDynamic_ = numbers.first(1);
-  const Scene& rays = scene.frame.scene;
-  reach_ = rays.bounds().extent().norm();
+  const Scene& space = scene.frame.scene;
+  reach_ = space.bounds().extent().norm();
   // Floats have 24 bits. A direction's error counts as far as the segment reaches; what is below
   // all floats is lost.
-  const double blur = (rays.bounds().magnitude() + reach_) * 0x1p-23 +
+  const double blur = (space.bounds().magnitude() + reach_) * 0x1p-23 +
     double{ std::numeric_limits<float>::denorm_min() };
   for (std::uint32_t i = 0; i < moved.size(); ++i)
   {
@@ -48,7 +48,7 @@ FinalGatherMotion::FinalGatherMotion(const FinalGatherScene& scene, const std::v
     {
       // What touches a segment's start may lie behind it, by less than 2^-31 of the coordinates
       // (Contacts).
-      const EllipsoidBound bound = rays.shadowBound(i, blur);
+      const EllipsoidBound bound = space.shadowBound(i, blur);
       bodies_.push_back({ bound, floatBoxAround(bound.worldBox()) });
     }
   }

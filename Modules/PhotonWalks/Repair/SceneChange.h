@@ -4,7 +4,6 @@
 
 #include "Surfaces/SceneObjects.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace irradiance
@@ -23,8 +22,6 @@ struct FrameChange
 
   Kind kind;
   std::vector<bool> moved; ///< for each dynamic object, see findMoved(); empty if all is fresh
-
-  bool hasMotion() const { return std::find(moved.begin(), moved.end(), true) != moved.end(); }
 };
 
 /// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does

@@ -15,6 +15,12 @@
 namespace irradiance
 {
 
+/// Whether any object moved.
+inline bool hasMotion(const std::vector<bool>& moved)
+{
+  return std::find(moved.begin(), moved.end(), true) != moved.end();
+}
+
 /// A scene at one time: what there is, and all that follows from where it is. It is made once and
 /// handed down to whoever works on that time.
 struct Frame
@@ -27,8 +33,6 @@ struct Frame
   ObjectSides sides; ///< known where cells gather direct light
   /// For each dynamic object, whether it moved since the frame before; empty after a fresh start.
   std::vector<bool> moved;
-
-  bool hasMotion() const { return std::find(moved.begin(), moved.end(), true) != moved.end(); }
 };
 
 }

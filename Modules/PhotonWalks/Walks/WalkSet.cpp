@@ -195,10 +195,10 @@ void WalkSet::dropRounds(
 
 void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
-  const bool hasMotion = frame.hasMotion();
+  const bool hasMoved = hasMotion(frame.moved);
   const Stopwatch stopwatch;
   bool startsAgain = false;
-  if (gathered_ && hasMotion)
+  if (gathered_ && hasMoved)
   {
     startsAgain = hasMovedCells(frame.moved) || areCellsRenumbered_;
     startsAgain ? startAgain(frame, execution) : followGathered(frame, execution);
@@ -207,13 +207,13 @@ void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& exec
   // Walks that start again were shot where all things are now, so nothing has moved for them.
   followWalks(startsAgain ? std::vector<bool>(frame.moved.size(), false) : frame.moved, frame,
     changes, execution);
-  statistics_.verifySeconds += gathered_ && hasMotion ? gatherSeconds : 0;
+  statistics_.verifySeconds += gathered_ && hasMoved ? gatherSeconds : 0;
 }
 
 void WalkSet::followWalks(
   const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
-  const bool hasMotion = std::any_of(moved.begin(), moved.end(), [](bool b) { return b; });
+  const bool hasMoved = hasMotion(moved);
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
   const BounceScan scan = scanOf(moved, frame);
@@ -229,7 +229,7 @@ void WalkSet::followWalks(
   const Stopwatch stopwatch;
   if (!stale_)
   {
-    if (hasMotion)
+    if (hasMoved)
     {
       repair.verifyAndRepair(execution);
       // Both take turns on each thread.
@@ -240,17 +240,17 @@ void WalkSet::followWalks(
       statistics_.repairSeconds = (1 - share) * stopwatch.seconds();
     }
     const Stopwatch bearing;
-    ProgressSpan rest(execution, hasMotion ? 1 : 0, 1);
+    ProgressSpan rest(execution, hasMoved ? 1 : 0, 1);
     shootBorn(tracer, nullptr, rest);
     statistics_.repairSeconds += bearing.seconds();
   }
   else
   {
     // Progress between verification, births and repair.
-    const double verified = hasMotion ? 0.5 : 0, born = unborn_.empty() ? verified : 0.75;
+    const double verified = hasMoved ? 0.5 : 0, born = unborn_.empty() ? verified : 0.75;
     ProgressSpan verification(execution, 0, verified), bearing(execution, verified, born),
       rest(execution, born, 1);
-    if (hasMotion)
+    if (hasMoved)
     {
       repair.verifyAndMark(*stale_, verification);
       statistics_.verifySeconds = stopwatch.seconds();
