@@ -13,16 +13,14 @@
 #include <vector>
 
 // Sanitizers make tests about ten times slower, so they do less there.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define IRRADIANCE_TEST_IS_SANITIZED 1
-#else
-#define IRRADIANCE_TEST_IS_SANITIZED 0
+#ifndef VTKIRRADIANCE_IS_SANITIZED
+#define VTKIRRADIANCE_IS_SANITIZED 0
 #endif
 
 namespace irradiance::test
 {
 
-constexpr bool kIsSanitized = IRRADIANCE_TEST_IS_SANITIZED != 0;
+constexpr bool kIsSanitized = VTKIRRADIANCE_IS_SANITIZED != 0;
 
 /// `count` in an ordinary build, a twelfth of it with sanitizers, at least 1.
 constexpr std::uint32_t scaled(std::uint32_t count)
